@@ -1,0 +1,39 @@
+# A room is a folder of the house, compiled once into an object library and composed into libraries, tests
+# and benches from there.
+
+# Public headers include each other as <mien/…>; the build tree provides that prefix by a link.
+set(MIEN_INCLUDE_DIR "${PROJECT_BINARY_DIR}/include")
+file(MAKE_DIRECTORY "${MIEN_INCLUDE_DIR}")
+file(CREATE_LINK "${PROJECT_SOURCE_DIR}" "${MIEN_INCLUDE_DIR}/mien" SYMBOLIC)
+
+# What every target of mien's own is compiled with.
+function(mien_house_rules target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  # One rule for fused multiply-add: only where the source says fma. Else bits differ between compilers.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
+                        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(MIEN_WARNINGS)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+  endif()
+endfunction()
+
+# mien_room(NAME SOURCES … USES … LIBRARIES …): the object library mien_NAME.
+function(mien_room name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  add_library(mien_${name} OBJECT ${ARG_SOURCES})
+  mien_house_rules(mien_${name})
+  target_include_directories(mien_${name} PUBLIC $<BUILD_INTERFACE:${MIEN_INCLUDE_DIR}>)
+  target_link_libraries(mien_${name} PUBLIC glm::glm PRIVATE ${ARG_LIBRARIES})
+endfunction()
+
+# mien_compose(TARGET ROOM…): one library out of rooms.
+function(mien_compose target)
+  mien_house_rules(${target})
+  foreach(room IN LISTS ARGN)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:mien_${room}>)
+  endforeach()
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${MIEN_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(${target} PUBLIC glm::glm PRIVATE TBB::tbb fmt::fmt hwy::hwy)
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endfunction()

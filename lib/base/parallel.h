@@ -1,0 +1,21 @@
+#pragma once
+// The one door to threads. Results never depend on how many there are.
+
+#include <functional>
+
+namespace mien {
+
+/// The caller's own threads: must run job(0) … job(count − 1), each once, in any order and on any
+/// threads, and return when all are done.
+using Executor = std::function<void(int count, const std::function<void(int)>& job)>;
+
+/// Which threads work is spread over.
+struct Threads {
+  int count = 0;      ///< 0: as many as the machine has; 1: the calling thread alone
+  Executor executor;  ///< if set, used instead of mien's own pool, and `count` is ignored
+};
+
+/// Runs job(0) … job(count − 1), in any order, and returns when all are done.
+void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job);
+
+}  // namespace mien

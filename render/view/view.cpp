@@ -1,0 +1,1 @@
+#include <mien/render/view/view.h>

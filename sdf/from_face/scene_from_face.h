@@ -1,0 +1,12 @@
+#pragma once
+// Face in, scene out: each feature becomes a layer, in drawing order.
+
+#include <mien/lib/face/face.h>
+#include <mien/sdf/scene/scene.h>
+
+namespace mien {
+
+/// Total: every valid face has a scene, in the face's own units.
+Scene scene_from_face(const Face& face);
+
+}  // namespace mien

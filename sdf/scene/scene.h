@@ -1,0 +1,109 @@
+#pragma once
+// A picture as data: layers of painted areas, bottom to top, in face units. Immutable once built.
+//
+//   SceneBuilder build({.canvas = …, .background = …});
+//   const Area opening = build.shape(Band{…});
+//   build.layer("sclera", opening, {.color = white});
+//   build.layer("iris", build.both(build.shape(iris), opening), {.color = brown});
+//   const Scene scene = std::move(build).finish();
+//
+// Areas are shared: the outline of `opening` is ONE outline in both layers, so they leave no seam.
+
+#include <mien/lib/geom/box2.h>
+#include <mien/lib/geom/color.h>
+#include <mien/sdf/shape/shape.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// A handle to an area of a scene under construction, valid in its builder and the scene it becomes.
+struct Area {
+  int node = -1;
+};
+
+/// How areas combine. Distances pass through as written; `exact` survives only where stated in
+/// sdf/csg/combine.h.
+enum class Op : unsigned char {
+  shape,         ///< leaf: shapes()[index]
+  either,        ///< union: min
+  both,          ///< intersection: max
+  without,       ///< difference: max(a, −b)
+  complement,    ///< −a
+  offset,        ///< a − amount: grown by amount, shrunk if negative
+  shell          ///< |a| − amount: the ribbon of half-width amount along the outline; amount >= 0
+};
+
+struct Node {
+  Op op;
+  int a = -1, b = -1;   ///< operands (indices of earlier nodes); for Op::shape `a` is the shape's index
+  double amount = 0;    ///< [face units]
+};
+
+struct Paint {
+  Color color;  ///< opacity in color.a
+};
+
+struct Layer {
+  std::string name;  ///< the feature's, as in the face file: "iris.left"
+  Area area;
+  Paint paint;
+};
+
+struct Canvas {
+  Box2 box{{-0.5, -0.5}, {0.5, 0.5}};  ///< what the picture shows, finite and not empty
+  bool y_up = true;                    ///< whether larger y is higher in the picture
+};
+
+class Scene {
+ public:
+  const Canvas& canvas() const { return data_->canvas; }
+  const Color& background() const { return data_->background; }
+  std::span<const Shape> shapes() const { return data_->shapes; }
+  std::span<const Node> nodes() const { return data_->nodes; }    ///< operands before users
+  std::span<const Layer> layers() const { return data_->layers; }  ///< bottom to top
+
+  /// Signed distance of an area by its CSG tree, and what that promises.
+  double distance(Area area, glm::dvec2 p) const;
+  Exactness exactness(Area area) const;
+  Box2 bounds(Area area) const;
+
+  /// The scene as text: canvas, shapes, areas, layers; one line each, numbers in shortest exact form.
+  std::string text() const;
+
+ private:
+  friend class SceneBuilder;
+  struct Data {
+    Canvas canvas;
+    Color background;
+    std::vector<Shape> shapes;
+    std::vector<Node> nodes;
+    std::vector<Layer> layers;
+  };
+  std::shared_ptr<const Data> data_ = std::make_shared<const Data>();
+};
+
+class SceneBuilder {
+ public:
+  SceneBuilder(Canvas canvas, Color background);
+
+  Area shape(Shape shape);
+  Area either(Area a, Area b);
+  Area both(Area a, Area b);
+  Area without(Area a, Area b);
+  Area complement(Area a);
+  Area offset(Area a, double amount);
+  Area shell(Area a, double amount);
+
+  void layer(std::string name, Area area, Paint paint);
+  Scene finish() &&;
+
+ private:
+  Area add(Node node);
+  Scene::Data data_;
+};
+
+}  // namespace mien

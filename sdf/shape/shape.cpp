@@ -1,0 +1,1 @@
+#include <mien/sdf/shape/shape.h>
