@@ -11,6 +11,7 @@
 
 #include <mien/lib/geom/box2.h>
 #include <mien/lib/geom/color.h>
+#include <mien/sdf/csg/op.h>
 #include <mien/sdf/shape/shape.h>
 
 #include <memory>
@@ -23,18 +24,6 @@ namespace mien {
 /// A handle to an area of a scene under construction, valid in its builder and the scene it becomes.
 struct Area {
   int node = -1;
-};
-
-/// How areas combine. Distances pass through as written; `exact` survives only where stated in
-/// sdf/csg/combine.h.
-enum class Op : unsigned char {
-  shape,         ///< leaf: shapes()[index]
-  either,        ///< union: min
-  both,          ///< intersection: max
-  without,       ///< difference: max(a, −b)
-  complement,    ///< −a
-  offset,        ///< a − amount: grown by amount, shrunk if negative
-  shell          ///< |a| − amount: the ribbon of half-width amount along the outline; amount >= 0
 };
 
 struct Node {

@@ -1,0 +1,16 @@
+#pragma once
+// How areas combine. sdf/csg/combine.h says what becomes of their distances.
+
+namespace mien {
+
+enum class Op : unsigned char {
+  shape,       ///< leaf: one of the scene's shapes
+  either,      ///< union: min(a, b)
+  both,        ///< intersection: max(a, b)
+  without,     ///< difference: max(a, −b)
+  complement,  ///< −a
+  offset,      ///< a − amount: grown by amount, shrunk if negative
+  shell        ///< |a| − amount: the ribbon of half-width amount along the outline
+};
+
+}  // namespace mien

@@ -1,0 +1,92 @@
+#include <mien/sdf/csg/combine.h>
+#include <mien/sdf/scene/scene.h>
+
+#include <cmath>
+#include <utility>
+
+namespace mien {
+
+SceneBuilder::SceneBuilder(Canvas canvas, Color background) {
+  data_.canvas = canvas;
+  data_.background = background;
+}
+
+Area SceneBuilder::add(Node node) {
+  data_.nodes.push_back(node);
+  return {int(data_.nodes.size()) - 1};
+}
+
+Area SceneBuilder::shape(Shape shape) {
+  data_.shapes.push_back(std::move(shape));
+  return add({.op = Op::shape, .a = int(data_.shapes.size()) - 1});
+}
+
+Area SceneBuilder::either(Area a, Area b) { return add({.op = Op::either, .a = a.node, .b = b.node}); }
+Area SceneBuilder::both(Area a, Area b) { return add({.op = Op::both, .a = a.node, .b = b.node}); }
+Area SceneBuilder::without(Area a, Area b) { return add({.op = Op::without, .a = a.node, .b = b.node}); }
+Area SceneBuilder::complement(Area a) { return add({.op = Op::complement, .a = a.node}); }
+
+Area SceneBuilder::offset(Area a, double amount) {
+  return add({.op = Op::offset, .a = a.node, .amount = amount});
+}
+
+Area SceneBuilder::shell(Area a, double amount) {
+  return add({.op = Op::shell, .a = a.node, .amount = amount});
+}
+
+void SceneBuilder::layer(std::string name, Area area, Paint paint) {
+  data_.layers.push_back({std::move(name), area, paint});
+}
+
+Scene SceneBuilder::finish() && {
+  Scene scene;
+  scene.data_ = std::make_shared<const Scene::Data>(std::move(data_));
+  return scene;
+}
+
+namespace {
+
+/// The nodes `area` needs, operands before users. Iterative: chains may be a hundred thousand long.
+std::vector<int> nodes_under(std::span<const Node> nodes, Area area) {
+  std::vector<char> needed(std::size_t(area.node) + 1, 0);
+  needed[std::size_t(area.node)] = 1;
+  for (int i = area.node; i >= 0; --i) {
+    const Node& n = nodes[std::size_t(i)];
+    if (!needed[std::size_t(i)] || n.op == Op::shape) continue;
+    needed[std::size_t(n.a)] = 1;
+    if (n.b >= 0) needed[std::size_t(n.b)] = 1;
+  }
+  std::vector<int> list;
+  for (int i = 0; i <= area.node; ++i)
+    if (needed[std::size_t(i)]) list.push_back(i);
+  return list;
+}
+
+/// Runs `leaf` and `inner` over the nodes under `area` and gives the last value.
+template <class Value, class Leaf, class Inner>
+Value fold(std::span<const Node> nodes, Area area, Leaf leaf, Inner inner) {
+  std::vector<Value> value(std::size_t(area.node) + 1);
+  for (int i : nodes_under(nodes, area)) {
+    const Node& n = nodes[std::size_t(i)];
+    value[std::size_t(i)] = n.op == Op::shape
+                                ? leaf(n.a)
+                                : inner(n, value[std::size_t(n.a)], value[std::size_t(n.b < 0 ? n.a : n.b)]);
+  }
+  return value[std::size_t(area.node)];
+}
+
+}  // namespace
+
+double Scene::distance(Area area, glm::dvec2 p) const {
+  return fold<double>(
+      nodes(), area, [&](int i) { return mien::distance(data_->shapes[std::size_t(i)], p); },
+      [](const Node& n, double a, double b) { return combine(n.op, a, b, n.amount); });
+}
+
+Exactness Scene::exactness(Area area) const {
+  return fold<Exactness>(
+      nodes(), area, [&](int i) { return mien::exactness(data_->shapes[std::size_t(i)]); },
+      [](const Node& n, Exactness a, Exactness b) { return combine_exactness(n.op, a, b, n.amount); });
+}
+
+}  // namespace mien
