@@ -3,6 +3,7 @@
 //
 //   if (auto done = mien::write_image(image, "face.png"); !done) complain(sentence(done.error()));
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/base/expected.h>
 #include <mien/lib/base/progress.h>
 #include <mien/render/image.h>
@@ -23,9 +24,10 @@ struct WriteOptions {
   Progress progress;             ///< may cancel: then nothing is written
 };
 
-/// Writes to `path`; "-" is a PNG on standard output. Opaque pictures are stored as RGB, others with straight
-/// alpha where the format wants it; the colour space is tagged. The file is written beside its target, flushed
-/// to the disk and renamed: an error leaves the old file as it was.
-Expected<Done> write_image(const Image& image, const std::filesystem::path& path, const WriteOptions& how = {});
+/// Writes to `path`; "-" is a PNG on standard output. Opaque pictures are stored as RGB, others
+/// with straight alpha where the format wants it; the colour space is tagged. The file is written
+/// beside its target, flushed to the disk and renamed: an error leaves the old file as it was.
+MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::path& path,
+                                    const WriteOptions& how = {});
 
 }  // namespace mien

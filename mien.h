@@ -1,14 +1,14 @@
 #pragma once
 // mien: a face goes in on the left, pixels come out on the right.
 //
-//   const auto face  = mien::read_face("faces/toon.face.json");            // lib/file   file  -> Face
-//   const auto posed = mien::pose_face(*face, {.time = 1.25});             // lib/rig    Face  -> Face
-//   const auto scene = mien::scene_from_face(posed);                       // sdf        Face  -> Scene
-//   const auto image = mien::render(scene, {.width = 7680, .height = 4320});  // render  Scene -> Image
-//   mien::write_image(image, "toon.png");                                  // <mien/image.h>
+//   const auto face  = mien::read_face("faces/toon.face.json");               // file  -> Face
+//   const auto posed = mien::pose_face(*face, {.time = 1.25});                // Face  -> Face
+//   const auto scene = mien::scene_from_face(posed);                          // Face  -> Scene
+//   const auto image = mien::render(scene, {.width = 7680, .height = 4320});  // Scene -> Image
+//   mien::write_image(image, "toon.png");  // <mien/image.h>                     Image -> file
 //
-// Only the first and the last verb can fail, and say so in a sentence. No global state, nothing printed, no
-// exception crosses the API, every verb re-entrant.
+// Only the first and the last verb can fail, and say so in a sentence. No global state, nothing
+// printed, no exception crosses the API, every verb re-entrant.
 
 #include <mien/lib/file/face_file.h>
 #include <mien/lib/rig/pose.h>

@@ -3,9 +3,10 @@
 //
 //   const Image picture = render(scene, {.width = 1920, .height = 1080});
 //
-// A scene is never modified; calls may run in parallel. The pixels depend on scene and view alone: never
-// on threads, region or anything drawn before.
+// A scene is never modified; calls may run in parallel. The pixels depend on scene and view alone:
+// never on threads, region or anything drawn before.
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/base/parallel.h>
 #include <mien/lib/base/progress.h>
 #include <mien/render/image.h>
@@ -23,20 +24,22 @@ struct RenderOptions {
 
 /// What drawing a picture took.
 struct RenderStats {
-  long long pixels = 0;          ///< drawn
-  long long fill_pixels = 0;     ///< in tiles of one colour
-  long long one_edge_pixels = 0; ///< by the one-edge closed form
-  long long divided_pixels = 0;  ///< resolved per cell
-  long long cells = 0;           ///< cells those were divided into
+  long long pixels = 0;           ///< drawn
+  long long fill_pixels = 0;      ///< in tiles of one colour
+  long long one_edge_pixels = 0;  ///< by the one-edge closed form
+  long long divided_pixels = 0;   ///< resolved per cell
+  long long cells = 0;            ///< cells those were divided into
   bool cancelled = false;
 };
 
 /// Draws the scene through the view into an image. Total: any Scene and any View with valid sides.
-Image render(const Scene& scene, const View& view, const RenderOptions& how = {}, RenderStats* stats = nullptr);
+MIEN_API Image render(const Scene& scene, const View& view, const RenderOptions& how = {},
+                      RenderStats* stats = nullptr);
 
-/// The same into the caller's buffer, which holds drawn_rect(view).height rows of drawn_rect(view).width pixels.
-/// `how.depth` is ignored in favour of the buffer's. Returns whether it was drawn to the end.
-bool render_into(const PixelBuffer& out, const Scene& scene, const View& view, const RenderOptions& how = {},
-                 RenderStats* stats = nullptr);
+/// The same into the caller's buffer, which holds drawn_rect(view).height rows of
+/// drawn_rect(view).width pixels. `how.depth` is ignored in favour of the buffer's. Returns whether
+/// it was drawn to the end.
+MIEN_API bool render_into(const PixelBuffer& out, const Scene& scene, const View& view,
+                          const RenderOptions& how = {}, RenderStats* stats = nullptr);
 
 }  // namespace mien

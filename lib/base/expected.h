@@ -9,7 +9,8 @@ namespace mien {
 
 /// Why something could not be read or written.
 struct Error {
-  std::string where;  ///< address: "faces/a.json:12:7: /features/2/points", "out/a.png", "--set"; may be empty
+  std::string where;  ///< address: "faces/a.json:12:7: /features/2/points", "out/a.png", "--set";
+                      ///< may be empty
   std::string what;   ///< one sentence, no full stop: "expected 2 numbers, got 3"
 };
 

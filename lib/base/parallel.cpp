@@ -12,7 +12,9 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
     for (int i = 0; i < count; ++i) job(i);
     return;
   }
-  const auto all = [&] { oneapi::tbb::parallel_for(0, count, job, oneapi::tbb::simple_partitioner{}); };
+  const auto all = [&] {
+    oneapi::tbb::parallel_for(0, count, job, oneapi::tbb::simple_partitioner{});
+  };
   if (threads.count <= 0) return all();
   oneapi::tbb::task_arena arena(threads.count);
   arena.execute(all);

@@ -1,6 +1,8 @@
 #pragma once
 // The one door to threads. Results never depend on how many there are.
 
+#include <mien/lib/base/api.h>
+
 #include <functional>
 
 namespace mien {
@@ -16,6 +18,6 @@ struct Threads {
 };
 
 /// Runs job(0) … job(count − 1), in any order, and returns when all are done.
-void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job);
+MIEN_API void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job);
 
 }  // namespace mien

@@ -1,6 +1,7 @@
 #pragma once
 // Faces in: from a file or from memory. docs/face-format.md describes the format.
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/base/expected.h>
 #include <mien/lib/face/face.h>
 
@@ -13,19 +14,20 @@ namespace mien {
 
 /// How much a face file may ask for. Exceeding one is an error that names it.
 struct FaceLimits {
-  std::size_t bytes = 64u << 20;      ///< of text
-  int nesting = 64;                   ///< of arrays and objects
-  std::size_t numbers = 1'000'000;    ///< in the face vector
+  std::size_t bytes = 64u << 20;    ///< of text
+  int nesting = 64;                 ///< of arrays and objects
+  std::size_t numbers = 1'000'000;  ///< in the face vector
   std::size_t features = 100'000;
 };
 
-/// Reads a face. The error's `where` is "FILE:LINE:COLUMN: /json/pointer". What is strange but harmless
-/// (unknown keys) is added to `warnings`, if given.
-Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits = {},
-                         std::vector<Error>* warnings = nullptr);
+/// Reads a face. The error's `where` is "FILE:LINE:COLUMN: /json/pointer". What is strange but
+/// harmless (unknown keys) is added to `warnings`, if given.
+MIEN_API Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits = {},
+                                  std::vector<Error>* warnings = nullptr);
 
 /// The same from memory; `name` stands for the file's name in errors.
-Expected<Face> read_face_text(std::string_view text, std::string_view name = "face", const FaceLimits& limits = {},
-                              std::vector<Error>* warnings = nullptr);
+MIEN_API Expected<Face> read_face_text(std::string_view text, std::string_view name = "face",
+                                       const FaceLimits& limits = {},
+                                       std::vector<Error>* warnings = nullptr);
 
 }  // namespace mien

@@ -23,9 +23,13 @@ inline Box2 around(Box2 b, glm::dvec2 p) {
   return {{std::min(b.lo.x, p.x), std::min(b.lo.y, p.y)},
           {std::max(b.hi.x, p.x), std::max(b.hi.y, p.y)}};
 }
-inline Box2 around(Box2 a, const Box2& b) { return b.empty() ? a : around(around(a, b.lo), b.hi); }
+inline Box2 around(Box2 a, const Box2& b) {
+  return b.empty() ? a : around(around(a, b.lo), b.hi);
+}
 
 /// Grown by `amount` on every side.
-inline Box2 grown(Box2 b, double amount) { return {b.lo - amount, b.hi + amount}; }
+inline Box2 grown(Box2 b, double amount) {
+  return {b.lo - amount, b.hi + amount};
+}
 
 }  // namespace mien

@@ -6,7 +6,7 @@ namespace mien {
 /// All points within one ellipse's outline. A radius of 0 leaves a segment or a point.
 struct Ellipse {
   glm::dvec2 center;
-  glm::dvec2 radii;          ///< >= 0, along `axis` and across it
+  glm::dvec2 radii;           ///< >= 0, along `axis` and across it
   glm::dvec2 axis{1.0, 0.0};  ///< unit vector along radii.x
 };
 

@@ -23,9 +23,13 @@ inline glm::dvec2 tangent(const QuadBezier& c, double t) {
 }
 
 /// d²B/dt², constant.
-inline glm::dvec2 bend(const QuadBezier& c) { return 2.0 * ((c.p2 - c.p1) - (c.p1 - c.p0)); }
+inline glm::dvec2 bend(const QuadBezier& c) {
+  return 2.0 * ((c.p2 - c.p1) - (c.p1 - c.p0));
+}
 
 /// The same curve run backwards.
-inline QuadBezier reversed(const QuadBezier& c) { return {c.p2, c.p1, c.p0}; }
+inline QuadBezier reversed(const QuadBezier& c) {
+  return {c.p2, c.p1, c.p0};
+}
 
 }  // namespace mien

@@ -1,6 +1,7 @@
 #pragma once
 // Where face units land in pixels. Changing anything here changes the picture.
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/geom/map.h>
 #include <mien/sdf/scene/scene.h>
 
@@ -9,8 +10,8 @@
 namespace mien {
 
 enum class Fit {
-  meet,   ///< the whole canvas, centred, background beyond it
-  slice   ///< the whole picture covered, the canvas cut off where it is longer
+  meet,  ///< the whole canvas, centred, background beyond it
+  slice  ///< the whole picture covered, the canvas cut off where it is longer
 };
 
 /// Colours are mixed where edges cover part of a pixel, and where paints are translucent.
@@ -25,19 +26,21 @@ struct PixelRect {
 };
 
 struct View {
-  int width = 512, height = 512;    ///< [px] of the whole picture, 1 … kMaxSide
+  int width = 512, height = 512;  ///< [px] of the whole picture, 1 … kMaxSide
   Fit fit = Fit::meet;
   Blend blend = Blend::linear;
-  std::optional<Color> background;  ///< instead of the scene's; alpha 0 leaves the picture transparent
-  std::optional<PixelRect> region;  ///< draw this part of the picture only; same bytes as in the whole
+  std::optional<Color>
+      background;  ///< instead of the scene's; alpha 0 leaves the picture transparent
+  std::optional<PixelRect>
+      region;  ///< draw this part of the picture only; same bytes as in the whole
 
   static constexpr int kMaxSide = 1 << 20;
 };
 
 /// The similarity that `view` means for a canvas.
-Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& view);
+MIEN_API Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& view);
 
 /// The rectangle that will be drawn: the region, or everything.
-PixelRect drawn_rect(const View& view);
+MIEN_API PixelRect drawn_rect(const View& view);
 
 }  // namespace mien

@@ -1,12 +1,13 @@
 #pragma once
 // Face in, scene out: each feature becomes a layer, in drawing order.
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/face/face.h>
 #include <mien/sdf/scene/scene.h>
 
 namespace mien {
 
 /// Total: every valid face has a scene, in the face's own units.
-Scene scene_from_face(const Face& face);
+MIEN_API Scene scene_from_face(const Face& face);
 
 }  // namespace mien

@@ -9,6 +9,7 @@
 //
 // Areas are shared: the outline of `opening` is ONE outline in both layers, so they leave no seam.
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/geom/box2.h>
 #include <mien/lib/geom/color.h>
 #include <mien/sdf/csg/op.h>
@@ -21,15 +22,17 @@
 
 namespace mien {
 
-/// A handle to an area of a scene under construction, valid in its builder and the scene it becomes.
+/// A handle to an area of a scene under construction, valid in its builder and the scene it
+/// becomes.
 struct Area {
   int node = -1;
 };
 
 struct Node {
   Op op;
-  int a = -1, b = -1;   ///< operands (indices of earlier nodes); for Op::shape `a` is the shape's index
-  double amount = 0;    ///< [face units]
+  int a = -1,
+      b = -1;  ///< operands (indices of earlier nodes); for Op::shape `a` is the shape's index
+  double amount = 0;  ///< [face units]
 };
 
 struct Paint {
@@ -47,12 +50,12 @@ struct Canvas {
   bool y_up = true;                    ///< whether larger y is higher in the picture
 };
 
-class Scene {
+class MIEN_API Scene {
  public:
   const Canvas& canvas() const { return data_->canvas; }
   const Color& background() const { return data_->background; }
   std::span<const Shape> shapes() const { return data_->shapes; }
-  std::span<const Node> nodes() const { return data_->nodes; }    ///< operands before users
+  std::span<const Node> nodes() const { return data_->nodes; }     ///< operands before users
   std::span<const Layer> layers() const { return data_->layers; }  ///< bottom to top
 
   /// Signed distance of an area by its CSG tree, and what that promises.
@@ -60,7 +63,8 @@ class Scene {
   Exactness exactness(Area area) const;
   Box2 bounds(Area area) const;
 
-  /// The scene as text: canvas, shapes, areas, layers; one line each, numbers in shortest exact form.
+  /// The scene as text: canvas, shapes, areas, layers; one line each, numbers in shortest exact
+  /// form.
   std::string text() const;
 
  private:
@@ -75,7 +79,7 @@ class Scene {
   std::shared_ptr<const Data> data_ = std::make_shared<const Data>();
 };
 
-class SceneBuilder {
+class MIEN_API SceneBuilder {
  public:
   SceneBuilder(Canvas canvas, Color background);
 

@@ -7,9 +7,11 @@
 //   transformed(map, shape)   the same shape in another space
 //   mapped by name            for_each_shape: name and type of each, in one list
 //
-// All are total: any finite numbers, degenerate ones included, give an answer; a NaN coordinate gives
-// distance +infinity (outside).  Every distance is 1-Lipschitz and zero exactly on the outline.
+// All are total: any finite numbers, degenerate ones included, give an answer; a NaN coordinate
+// gives distance +infinity (outside).  Every distance is 1-Lipschitz and zero exactly on the
+// outline.
 
+#include <mien/lib/base/api.h>
 #include <mien/lib/geom/box2.h>
 #include <mien/lib/geom/ellipse.h>
 #include <mien/lib/geom/map.h>
@@ -65,8 +67,8 @@ struct Line {
   double half_width;  ///< >= 0
 };
 
-/// All points within half_width of a polyline: round caps and joins. Inside, where pieces overlap, the
-/// distance is to the nearest piece's own outline: a bound.
+/// All points within half_width of a polyline: round caps and joins. Inside, where pieces overlap,
+/// the distance is to the nearest piece's own outline: a bound.
 struct Polyline {
   std::vector<glm::dvec2> points;  ///< at least 1
   double half_width;               ///< >= 0
@@ -78,8 +80,8 @@ struct QuadStroke {
   double half_width;  ///< >= 0
 };
 
-/// The union of the discs (spine(t), w(t)), t in [0, 1], with w(t) = (1−t)² w.0 + 2t(1−t) w.1 + t² w.2 >= 0:
-/// a pen line of varying width. distance = min over t of |p − spine(t)| − w(t).
+/// The union of the discs (spine(t), w(t)), t in [0, 1], with w(t) = (1−t)² w.0 + 2t(1−t) w.1 + t²
+/// w.2 >= 0: a pen line of varying width. distance = min over t of |p − spine(t)| − w(t).
 struct TaperedStroke {
   QuadBezier spine;
   double half_width[3];  ///< >= 0 each
@@ -90,14 +92,15 @@ enum class FillRule { nonzero, even_odd };
 /// The area enclosed by closed loops of quadratic Béziers. A straight side has p1 halfway.
 struct Path {
   struct Loop {
-    std::vector<QuadBezier> sides;  ///< each begins where the one before ends; the last ends at the first's begin
+    std::vector<QuadBezier>
+        sides;  ///< each begins where the one before ends; the last ends at the first's begin
   };
   std::vector<Loop> loops;
   FillRule rule = FillRule::nonzero;
 };
 
-using Shape = std::variant<HalfPlane, ParabolaSide, Band, Disc, CutDisc, Ellipse, Triangle, Line, Polyline,
-                           QuadStroke, TaperedStroke, Path>;
+using Shape = std::variant<HalfPlane, ParabolaSide, Band, Disc, CutDisc, Ellipse, Triangle, Line,
+                           Polyline, QuadStroke, TaperedStroke, Path>;
 
 /// What a distance promises off the outline. On the outline and in its sign every shape is exact.
 struct Exactness {
@@ -106,31 +109,32 @@ struct Exactness {
   friend bool operator==(const Exactness&, const Exactness&) = default;
 };
 
-double distance(const HalfPlane&, glm::dvec2 p);
-double distance(const ParabolaSide&, glm::dvec2 p);
-double distance(const Band&, glm::dvec2 p);
-double distance(const Disc&, glm::dvec2 p);
-double distance(const CutDisc&, glm::dvec2 p);
-double distance(const Ellipse&, glm::dvec2 p);
-double distance(const Triangle&, glm::dvec2 p);
-double distance(const Line&, glm::dvec2 p);
-double distance(const Polyline&, glm::dvec2 p);
-double distance(const QuadStroke&, glm::dvec2 p);
-double distance(const TaperedStroke&, glm::dvec2 p);
-double distance(const Path&, glm::dvec2 p);
-double distance(const Shape&, glm::dvec2 p);
+MIEN_API double distance(const HalfPlane&, glm::dvec2 p);
+MIEN_API double distance(const ParabolaSide&, glm::dvec2 p);
+MIEN_API double distance(const Band&, glm::dvec2 p);
+MIEN_API double distance(const Disc&, glm::dvec2 p);
+MIEN_API double distance(const CutDisc&, glm::dvec2 p);
+MIEN_API double distance(const Ellipse&, glm::dvec2 p);
+MIEN_API double distance(const Triangle&, glm::dvec2 p);
+MIEN_API double distance(const Line&, glm::dvec2 p);
+MIEN_API double distance(const Polyline&, glm::dvec2 p);
+MIEN_API double distance(const QuadStroke&, glm::dvec2 p);
+MIEN_API double distance(const TaperedStroke&, glm::dvec2 p);
+MIEN_API double distance(const Path&, glm::dvec2 p);
+MIEN_API double distance(const Shape&, glm::dvec2 p);
 
-Exactness exactness(const Shape&);
-Box2 bounds(const Shape&);
+MIEN_API Exactness exactness(const Shape&);
+MIEN_API Box2 bounds(const Shape&);
 
-/// The same shape seen through a similarity: distances grow by `linear`'s scale, nothing else changes.
-Shape transformed(const glm::dmat2& linear, glm::dvec2 shift, const Shape&);
+/// The same shape seen through a similarity: distances grow by `linear`'s scale, nothing else
+/// changes.
+MIEN_API Shape transformed(const glm::dmat2& linear, glm::dvec2 shift, const Shape&);
 template <class To, class From>
 Shape transformed(const Map<To, From>& map, const Shape& shape) {
   return transformed(map.linear, map.shift, shape);
 }
 
 /// "half_plane", "parabola_side", …: the name used in printed scenes.
-std::string_view shape_name(const Shape&);
+MIEN_API std::string_view shape_name(const Shape&);
 
 }  // namespace mien
