@@ -27,6 +27,12 @@ inline Box2 around(Box2 a, const Box2& b) {
   return b.empty() ? a : around(around(a, b.lo), b.hi);
 }
 
+/// What two boxes have in common; empty if nothing.
+inline Box2 common(const Box2& a, const Box2& b) {
+  return {{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y)},
+          {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y)}};
+}
+
 /// Grown by `amount` on every side.
 inline Box2 grown(Box2 b, double amount) {
   return {b.lo - amount, b.hi + amount};

@@ -1,7 +1,8 @@
 #include <mien/sdf/csg/combine.h>
 #include <mien/sdf/scene/scene.h>
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace mien {
@@ -87,6 +88,25 @@ Exactness Scene::exactness(Area area) const {
   return fold<Exactness>(
       nodes(), area, [&](int i) { return mien::exactness(data_->shapes[std::size_t(i)]); },
       [](const Node& n, Exactness a, Exactness b) { return combine_exactness(n.op, a, b, n.amount); });
+}
+
+Box2 Scene::bounds(Area area) const {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const Box2 everywhere{{-kInf, -kInf}, {kInf, kInf}};
+  return fold<Box2>(
+      nodes(), area, [&](int i) { return mien::bounds(data_->shapes[std::size_t(i)]); },
+      [&](const Node& n, const Box2& a, const Box2& b) -> Box2 {
+        switch (n.op) {
+          case Op::either: return around(a, b);
+          case Op::both: return common(a, b);
+          case Op::complement: return everywhere;
+          case Op::offset: return n.amount > 0 && !a.empty() ? grown(a, n.amount) : a;
+          case Op::shell: return a.empty() ? everywhere : grown(a, std::max(n.amount, 0.0));
+          case Op::shape:
+          case Op::without: return a;
+        }
+        return everywhere;
+      });
 }
 
 }  // namespace mien

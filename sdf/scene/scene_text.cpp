@@ -1,0 +1,111 @@
+// Scene::text: the picture's data in lines that a person reads and a diff compares.
+
+#include <mien/sdf/scene/scene.h>
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace mien {
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+/// "x,y", each the shortest text that reads back as the same number; −0 prints as 0.
+std::string at(glm::dvec2 p) { return fmt::format("{},{}", p.x + 0.0, p.y + 0.0); }
+
+std::string curve(const QuadBezier& c) { return fmt::format("{} {} {}", at(c.p0), at(c.p1), at(c.p2)); }
+
+struct PrintShape {
+  Out out;
+
+  void operator()(const HalfPlane& s) const {
+    fmt::format_to(out, "normal {} offset {}", at(s.normal), s.offset);
+  }
+  void operator()(const ParabolaSide& s) const {
+    fmt::format_to(out, "vertex {} axis {} bend {}", at(s.vertex), at(s.axis), s.bend);
+  }
+  void operator()(const Band& s) const {
+    fmt::format_to(out, "lower (");
+    (*this)(s.lower);
+    fmt::format_to(out, ") upper (");
+    (*this)(s.upper);
+    fmt::format_to(out, ")");
+  }
+  void operator()(const Disc& s) const {
+    fmt::format_to(out, "center {} radius {}", at(s.center), s.radius);
+  }
+  void operator()(const CutDisc& s) const {
+    fmt::format_to(out, "center {} radius {} upper {} lower {} up {}", at(s.center), s.radius, s.upper,
+                   s.lower, at(s.up));
+  }
+  void operator()(const Ellipse& s) const {
+    fmt::format_to(out, "center {} radii {} axis {}", at(s.center), at(s.radii), at(s.axis));
+  }
+  void operator()(const Triangle& s) const {
+    fmt::format_to(out, "{} {} {}", at(s.a), at(s.b), at(s.c));
+  }
+  void operator()(const Line& s) const {
+    fmt::format_to(out, "{} {} half_width {}", at(s.a), at(s.b), s.half_width);
+  }
+  void operator()(const Polyline& s) const {
+    for (const glm::dvec2 p : s.points) fmt::format_to(out, "{} ", at(p));
+    fmt::format_to(out, "half_width {}", s.half_width);
+  }
+  void operator()(const QuadStroke& s) const {
+    fmt::format_to(out, "{} half_width {}", curve(s.spine), s.half_width);
+  }
+  void operator()(const TaperedStroke& s) const {
+    fmt::format_to(out, "{} half_width {} {} {}", curve(s.spine), s.half_width[0], s.half_width[1],
+                   s.half_width[2]);
+  }
+  void operator()(const Path& s) const {
+    fmt::format_to(out, "{}", s.rule == FillRule::nonzero ? "nonzero" : "even_odd");
+    for (const Path::Loop& loop : s.loops) {
+      fmt::format_to(out, " loop");
+      for (const QuadBezier& side : loop.sides) fmt::format_to(out, " ({})", curve(side));
+    }
+  }
+};
+
+void print_node(Out out, std::span<const Shape> shapes, const Node& n) {
+  switch (n.op) {
+    case Op::shape:
+      fmt::format_to(out, "{} ", shape_name(shapes[std::size_t(n.a)]));
+      std::visit(PrintShape{out}, shapes[std::size_t(n.a)]);
+      break;
+    case Op::either: fmt::format_to(out, "either a{} a{}", n.a, n.b); break;
+    case Op::both: fmt::format_to(out, "both a{} a{}", n.a, n.b); break;
+    case Op::without: fmt::format_to(out, "without a{} a{}", n.a, n.b); break;
+    case Op::complement: fmt::format_to(out, "complement a{}", n.a); break;
+    case Op::offset: fmt::format_to(out, "offset a{} {}", n.a, n.amount); break;
+    case Op::shell: fmt::format_to(out, "shell a{} {}", n.a, n.amount); break;
+  }
+}
+
+std::string color_text(const Color& c) { return fmt::format("{} {} {} {}", c.r, c.g, c.b, c.a); }
+
+const char* promise(bool exact) { return exact ? "exact" : "bound"; }
+
+}  // namespace
+
+std::string Scene::text() const {
+  std::string text;
+  const Out out(text);
+  fmt::format_to(out, "canvas {} {} y {}\n", at(canvas().box.lo), at(canvas().box.hi),
+                 canvas().y_up ? "up" : "down");
+  fmt::format_to(out, "background {}\n", color_text(background()));
+  for (std::size_t i = 0; i < nodes().size(); ++i) {
+    fmt::format_to(out, "a{} = ", i);
+    print_node(out, shapes(), nodes()[i]);
+    fmt::format_to(out, "\n");
+  }
+  for (const Layer& layer : layers()) {
+    const Exactness e = exactness(layer.area);
+    fmt::format_to(out, "layer {} area a{} color {} ({} outside, {} inside)\n", layer.name,
+                   layer.area.node, color_text(layer.paint.color), promise(e.outside), promise(e.inside));
+  }
+  return text;
+}
+
+}  // namespace mien
