@@ -1,15 +1,18 @@
-find_package(glm REQUIRED)
-find_package(Eigen3 REQUIRED NO_MODULE)
-find_package(hwy REQUIRED)
-find_package(TBB REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(fmt REQUIRED)
+# Every library mien stands on. A parent project must see the targets too, since the core links to them.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+
+find_package(glm REQUIRED)                      # vectors, in public headers
+find_package(Eigen3 REQUIRED NO_MODULE)         # lib/math, in .cpp files only
+find_package(hwy REQUIRED)                      # SIMD, in -inl.h and _simd.cpp only
+find_package(TBB REQUIRED)                      # threads, in lib/base/parallel.cpp only
+find_package(nlohmann_json REQUIRED)            # JSON, in lib/file only
+find_package(fmt REQUIRED)                      # text
 if(MIEN_BUILD_IMAGE)
-  find_package(PkgConfig REQUIRED)
+  find_package(PkgConfig REQUIRED)              # image files, in render/image only;
   pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)  # its find_package is broken in Debian 12
 endif()
 if(MIEN_BUILD_COMMAND)
-  find_package(CLI11 REQUIRED)
+  find_package(CLI11 REQUIRED)                  # the command line, in tools only
 endif()
 if(MIEN_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -1,5 +1,5 @@
-# A room is a folder of the house, compiled once into an object library and composed into libraries, tests
-# and benches from there.
+# A room is a folder of the house, compiled once into an object library; libraries, tests, benches and fuzzers
+# are composed from rooms.
 
 # Public headers include each other as <mien/…>; the build tree provides that prefix by a link.
 set(MIEN_INCLUDE_DIR "${PROJECT_BINARY_DIR}/include")
@@ -22,22 +22,28 @@ function(mien_house_rules target)
   endif()
 endfunction()
 
-# mien_room(NAME SOURCES … USES … LIBRARIES …): the object library mien_NAME.
+# mien_room(NAME SOURCES … LIBRARIES …): the object library mien_NAME.
 function(mien_room name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_library(mien_${name} OBJECT ${ARG_SOURCES})
   mien_house_rules(mien_${name})
   target_include_directories(mien_${name} PUBLIC $<BUILD_INTERFACE:${MIEN_INCLUDE_DIR}>)
   target_link_libraries(mien_${name} PUBLIC glm::glm PRIVATE ${ARG_LIBRARIES})
 endfunction()
 
+# mien_library(TARGET): what every installed library of mien's has in common.
+function(mien_library target)
+  mien_house_rules(${target})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${MIEN_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+                        SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endfunction()
+
 # mien_compose(TARGET ROOM…): one library out of rooms.
 function(mien_compose target)
-  mien_house_rules(${target})
+  mien_library(${target})
   foreach(room IN LISTS ARGN)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:mien_${room}>)
   endforeach()
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${MIEN_INCLUDE_DIR}> $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} PUBLIC glm::glm PRIVATE TBB::tbb fmt::fmt hwy::hwy)
-  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 endfunction()

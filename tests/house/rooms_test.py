@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""tools/check_rooms.py finds each kind of breach in a small house it is planted in, and nothing in a sound one."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CHECK = pathlib.Path(__file__).resolve().parents[2] / "tools/check_rooms.py"
+SOUND = {
+    "mien.h": "#include <mien/render/render.h>\n",
+    "lib/base/api.h": "#pragma once\n",
+    "lib/geom/box.h": "#include <mien/lib/base/api.h>\n",
+    "lib/face/face.h": "#include <mien/lib/geom/box.h>\n",
+    "sdf/shape/shape.h": "#include <mien/lib/geom/box.h>\n",
+    "sdf/from_face/maker.h": "#include <mien/lib/face/face.h>\n#include <mien/sdf/shape/shape.h>\n",
+    "render/render.h": "#include <mien/sdf/shape/shape.h>\n",
+    "tests/untested.txt": "".join(f"{header}  planted\n" for header in (
+        "lib/base/api.h", "lib/face/face.h", "sdf/shape/shape.h", "sdf/from_face/maker.h", "render/render.h")),
+    "tests/lib/geom/box_test.cpp": '#include <mien/lib/geom/box.h>\n#include "tests/support/ascii.h"\n',
+    "tests/support/ascii.h": "\n",
+}
+# What is planted where, and a piece of the sentence that must name it.
+PLANTED = [
+    ("lib/geom/box.cpp", "#include <mien/sdf/shape/shape.h>\n", "lib/geom/box.cpp:1: lib/geom may not include sdf/shape"),
+    ("lib/base/a.cpp", "\n#include <mien/lib/geom/box.h>\n", "lib/base/a.cpp:2: lib/base may not include lib/geom"),
+    ("sdf/shape/a.cpp", "#include <mien/lib/face/face.h>\n", "sdf/shape knows nothing of lib/face"),
+    ("render/a.cpp", "#include <mien/lib/face/face.h>\n", "render knows nothing of lib/face"),
+    ("render/a.cpp", "#include <mien/sdf/from_face/maker.h>\n", "render knows nothing of sdf/from_face"),
+    ("render/a.cpp", "#include <mien/mien.h>\n", "render may not include mien.h"),
+    ("render/a.cpp", "#include <mien/lib/geom/none.h>\n", "there is no lib/geom/none.h"),
+    ("render/a.cpp", '#include "render.h"\n', "own includes are written <mien/...>"),
+    ("lib/face/a.cpp", "#include <nlohmann/json.hpp>\n", "belongs in lib/file"),
+    ("lib/math/a_private.h", "#include <Eigen/Core>\n", "belongs in a .cpp of lib/math"),
+    ("sdf/shape/a.cpp", "#include <hwy/highway.h>\n", "belongs in an -inl.h or _simd.cpp"),
+    ("render/a.cpp", "#include <oneapi/tbb/parallel_for.h>\n", "belongs in lib/base/parallel.cpp"),
+    ("render/a.cpp", "#include <OpenImageIO/imageio.h>\n", "belongs in render/image"),
+    ("render/a.cpp", "#include <CLI/CLI.hpp>\n", "belongs in tools"),
+    ("render/a.cpp", "  std::cout << 1;\n", "a library prints nothing"),
+    ("lib/attic/a.cpp", "\n", None),
+    ("lib/attic/a.cpp", "#include <mien/lib/base/api.h>\n", "lib/attic is not a room"),
+    ("sdf/shape/new.h", "\n", "has no test tests/sdf/shape/new_test.cpp"),
+    ("tests/sdf/gone_test.cpp", "\n", "mirrors no source file sdf/gone.h"),
+    ("bench/sdf/gone_bench.cpp", "\n", "mirrors no source file sdf/gone.h"),
+    ("tests/render/render_test.cpp", "\n", "render/render.h has a test now"),
+    ("tests/untested.txt", "lib/base/gone.h  was here\n", "there is no lib/base/gone.h"),
+    ("tests/untested.txt", "lib/base/api.h\n", "needs a reason"),
+    ("README.md", "see /wor" + "k/main\n", "a path of one machine"),
+    ("faces/zel" + "da.json", "{}\n", "trade mark"),
+]
+
+
+def breaches(files):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in files.items():
+            path = pathlib.Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        run = subprocess.run([sys.executable, CHECK, folder], capture_output=True, text=True)
+        return run.returncode, run.stdout + run.stderr
+
+
+def main():
+    failed = 0
+    for name, text, sentence in [("lib/base/none.cpp", "\n", None), *PLANTED]:
+        code, said = breaches({**SOUND, name: text})
+        if code != (sentence is not None) or (sentence or "in order") not in said:
+            print(f"planted in {name}: {text!r}\nexpected: {sentence}\nsaid: {said}")
+            failed += 1
+    print(f"{len(PLANTED) + 1 - failed} of {len(PLANTED) + 1} as expected")
+    return bool(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

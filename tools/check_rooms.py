@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""The house's rules that a machine can check; docs/architecture.md says why they are.
+
+    tools/check_rooms.py [ROOT]     names each breach as FILE:LINE: SENTENCE; exit 1 if there is one
+
+1. Includes point left: a file includes its own room and those before it in ORDER.
+2. Each heavy dependency has one home.
+3. `x_private.h` is for its own folder only; own includes are written <mien/...>.
+4. Every test, bench and fuzzer mirrors a source file; every header has a test. Those that have none yet are in
+   tests/untested.txt, each with its reason; that list may only shrink.
+5. The libraries print nothing, and no file speaks of the machine it was written on.
+"""
+import pathlib
+import re
+import sys
+
+# The rooms in the order a face goes through them. A file standing alone is a room of its own.
+ORDER = """
+    version.h
+    lib/base  lib/math  lib/geom  lib/face  lib/rig  lib/file
+    sdf/shape  sdf/csg  sdf/edge  sdf/scene  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
+    render/image.h  render/view  render/cover  render/blend  render/tile  render/effect  render
+    mien.h  image.h  render/image  tools
+""".split()
+FACES = ("lib/face", "lib/rig", "lib/file")
+MAKERS = ("sdf/from_face", "sdf/from_mesh", "sdf/from_text")
+KNOWS_NO = {"sdf": FACES, "render": FACES + MAKERS}  # what a floor does not know, although it stands left of it
+EXCEPT = MAKERS                                      # the rooms of sdf that know what they make scenes from
+
+HOMES = {  # what is included -> where it may be, and how that is said
+    r"nlohmann/": (r"lib/file/", "lib/file"),
+    r"(unsupported/)?Eigen/": (r"lib/math/.*\.cpp$", "a .cpp of lib/math"),
+    r"hwy/": (r".*(-inl\.h|_simd\.cpp)$", "an -inl.h or _simd.cpp"),
+    r"(oneapi/)?tbb/": (r"lib/base/parallel\.cpp$", "lib/base/parallel.cpp"),
+    r"OpenImageIO/": (r"render/image/", "render/image"),
+    r"CLI/": (r"tools/", "tools"),
+    r"boost/|mpfr": (r"tools/", "tools, tests or bench"),
+}
+
+MIRRORS = {"tests": "_test.cpp", "bench": "_bench.cpp", "fuzz": "_fuzz.cpp"}
+NOT_MIRRORS = ("tests/support/", "tests/golden/", "tests/install/", "tests/embed/", "tests/house/", "tests/tools/",
+               "bench/support/", "bench/whole/")
+
+# Spelled so that this file does not contain what it looks for.
+UNWANTED = {
+    r"(?<![\w.])/wor[k]/|/tmp/w[t]\b|/hom[e]/\w|/roo[t]/": "a path of one machine",
+    r"prototype[s]/|share[d]/(?:data|peers|prototype)|seed[s]\.md|toolchai[n]\.md|desig[n]\.md": "a file that is not here",
+    r"\b[Ii]ssue[s]? #?\d|sub-?agen[t]|\bBRIE[F]\b": "how the work was organised",
+    r"(?i)artifac[t]ory|artifac[t]-?registry|\.interna[l]\b": "a host of one machine",
+}
+FRANCHISES = r"(?i)wind.?wake[r]|zeld[a]\b|ninten[d]o|\bhal[o] ?4"
+FRANCHISES_IN = ("docs/sources.md", "THIRD_PARTY.md")  # where sources are credited by their titles
+
+TEXT = {".h", ".cpp", ".c", ".py", ".md", ".txt", ".json", ".cmake", ".in", ".sh", ".yml", ""}
+
+
+def room_of(path):
+    """The room a path belongs to: itself if it stands alone, else its folder or one above; None if in no room."""
+    while path and path not in ORDER:
+        path = path.rpartition("/")[0]
+    return path or None
+
+
+class House:
+    def __init__(self, root):
+        self.root = root
+        self.breaches = []
+        self.files = sorted(p.relative_to(root).as_posix() for p in root.rglob("*") if p.is_file() and self.ours(p))
+
+    def ours(self, path):
+        parts = path.relative_to(self.root).parts
+        return parts[0] not in ("build", "out") and not (parts[0].startswith(".git") and parts[0] != ".github")
+
+    def lines(self, name):
+        return (self.root / name).read_text(encoding="utf-8").splitlines()
+
+    def breach(self, name, line, sentence):
+        self.breaches.append(f"{name}:{line}: {sentence}")
+
+    def check(self):
+        for name in self.files:
+            if re.match(r"(lib|sdf|render|tools|tests|bench|fuzz|examples)/.*\.(h|cpp)$|[a-z]+\.h$", name):
+                self.check_code(name)
+            if pathlib.Path(name).suffix in TEXT:
+                self.check_words(name)
+        self.check_mirrors()
+        return self.breaches
+
+    def check_code(self, name):
+        for number, line in enumerate(self.lines(name), 1):
+            if found := re.match(r'\s*#\s*include\s*(<[^>]+>|"[^"]+")', line):
+                self.check_include(name, number, found[1][1:-1], quoted=found[1][0] == '"')
+            if name.startswith(("lib/", "sdf/", "render/")) and re.search(
+                    r"\bstd::(cout|cerr|clog|printf|puts|perror)\b|\bfmt::print\b", line.split("//")[0]):
+                self.breach(name, number, "a library prints nothing")
+
+    def check_include(self, name, number, include, quoted):
+        in_mirror = name.split("/")[0] in MIRRORS
+        for dependency, (home, said) in HOMES.items():
+            if re.match(dependency, include) and not in_mirror and not re.match(home, name):
+                self.breach(name, number, f"{include} belongs in {said}")
+        if quoted and not include.startswith(("tests/", "bench/", "fuzz/", "hwy/")):
+            self.breach(name, number, f'own includes are written <mien/...>, not "{include}"')
+        if quoted and include.startswith(("tests/", "bench/", "fuzz/")) and not in_mirror:
+            self.breach(name, number, f"{include} is for tests, benches and fuzzers")
+        if not include.startswith("mien/"):
+            return
+        target = include.removeprefix("mien/")
+        if not (self.root / target).is_file():
+            self.breach(name, number, f"there is no {target}")
+        if target.endswith("_private.h") and pathlib.Path(target).parent != pathlib.Path(name).parent:
+            if not in_mirror:
+                self.breach(name, number, f"{target} is private to its folder")
+        if target.endswith("-inl.h") and not name.endswith(("_simd.cpp", "-inl.h")) and not in_mirror:
+            self.breach(name, number, f"{target} is for _simd.cpp files")
+        here, there = room_of(name), room_of(target)
+        if here is None:
+            if not in_mirror and not name.startswith("examples/"):
+                folder = name.rpartition("/")[0]
+                self.breach(name, number, f"{folder} is not a room; add it to ORDER in tools/check_rooms.py")
+        elif there is None:
+            self.breach(name, number, f"{target} is in no room")
+        elif ORDER.index(there) > ORDER.index(here):
+            self.breach(name, number, f"{here} may not include {there}: includes point left")
+        elif here not in EXCEPT and there in KNOWS_NO.get(here.split("/")[0], ()):
+            self.breach(name, number, f"{here} knows nothing of {there}")
+
+    def check_words(self, name):
+        for what, why in UNWANTED.items():
+            for number, line in enumerate(self.lines(name), 1):
+                if found := re.search(what, line):
+                    self.breach(name, number, f"'{found[0]}' is {why}")
+        if name not in FRANCHISES_IN:
+            for number, line in enumerate([name, *self.lines(name)]):
+                if found := re.search(FRANCHISES, line):
+                    self.breach(name, number, f"'{found[0]}' is somebody's trade mark")
+
+    def check_mirrors(self):
+        untested = {}
+        if "tests/untested.txt" in self.files:
+            for number, line in enumerate(self.lines("tests/untested.txt"), 1):
+                if line.strip() and not line.startswith("#"):
+                    header, _, reason = line.partition("  ")
+                    untested[header] = number
+                    if not reason.strip():
+                        self.breach("tests/untested.txt", number, "each header needs a reason, after two spaces")
+        for name in self.files:
+            top = name.split("/")[0]
+            if top in MIRRORS and name.endswith((".cpp", ".h")) and not name.startswith(NOT_MIRRORS):
+                stem = name.removeprefix(top + "/").removesuffix(MIRRORS[top])
+                if not any(f"{stem}{end}" in self.files for end in (".h", "_private.h", "-inl.h")):
+                    self.breach(name, 1, f"mirrors no source file {stem}.h")
+            if top in ("lib", "sdf", "render") and name.endswith(".h") and not name.endswith("-inl.h"):
+                test = f"tests/{name.removesuffix('.h').removesuffix('_private')}_test.cpp"
+                tested = test in self.files or name.endswith("_private.h")
+                if not tested and name not in untested:
+                    self.breach(name, 1, f"has no test {test}")
+                if tested and name in untested:
+                    self.breach("tests/untested.txt", untested[name], f"{name} has a test now: take it out")
+        for header in untested.keys() - set(self.files):
+            self.breach("tests/untested.txt", untested[header], f"there is no {header}: take it out")
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent
+    breaches = House(root).check()
+    print("\n".join(breaches) if breaches else "the rooms are in order")
+    return bool(breaches)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
