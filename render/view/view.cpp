@@ -13,7 +13,13 @@ Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& vie
 }
 
 PixelRect drawn_rect(const View& view) {
-  return view.region.value_or(PixelRect{0, 0, view.width, view.height});
+  if (!view.region) return {0, 0, view.width, view.height};
+  const PixelRect& r = *view.region;
+  const int x = std::clamp(r.x, 0, view.width), y = std::clamp(r.y, 0, view.height);
+  const auto end = [](int from, int length, int side) {
+    return int(std::clamp<long long>((long long)from + length, 0, side));
+  };
+  return {x, y, std::max(0, end(r.x, r.width, view.width) - x), std::max(0, end(r.y, r.height, view.height) - y)};
 }
 
 }  // namespace mien

@@ -40,7 +40,7 @@ struct View {
 /// The similarity that `view` means for a canvas.
 MIEN_API Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& view);
 
-/// The rectangle that will be drawn: the region, or everything.
+/// The rectangle that will be drawn: the region as far as it lies in the picture, or everything.
 MIEN_API PixelRect drawn_rect(const View& view);
 
 }  // namespace mien

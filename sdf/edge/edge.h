@@ -21,7 +21,7 @@ struct Edge {
   double d;           ///< signed distance from c to the outline's tangent at the foot; negative: c is inside
   glm::dvec2 normal;  ///< unit, outward
   double bend;        ///< curvature of the outline; positive where the inside is convex
-  int turn = 1;       ///< EdgeRule::winding: what the winding number loses on leaving across the edge
+  int turn = 1;       ///< winding rules: what the winding number loses on leaving across the edge
 };
 
 enum class EdgeRule : unsigned char {
@@ -29,7 +29,7 @@ enum class EdgeRule : unsigned char {
   inside,   ///< the whole disc is inside: no edges
   all,      ///< inside every edge
   any,      ///< inside at least one
-  nonzero,  ///< winding number, counted from `winding` at c, is not 0
+  nonzero,  ///< winding + sum of the turns of the edges it is inside of is not 0
   even_odd  ///< … is odd
 };
 
@@ -37,7 +37,7 @@ enum class EdgeRule : unsigned char {
 struct LocalOutline {
   EdgeRule rule = EdgeRule::outside;
   int first = 0, count = 0;  ///< in the list given to edges_near
-  int winding = 0;           ///< at c
+  int winding = 0;           ///< outside of all the edges
   /// The outline within the disc deviates from this description by at most this much, bends included.
   /// Infinity: nothing is proven (a corner, an end, two branches); still the best description known.
   double error = 0;

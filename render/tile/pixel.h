@@ -1,0 +1,47 @@
+#pragma once
+// One pixel, exactly: the mean of the picture over its square.
+//
+// A square whose outlines are all described well enough by their edges (proven by edges_near) is one closed form
+// (a single edge) or one arrangement (several). Any other square is divided in four and each quarter resolved by
+// itself, down to kDepth, where what is left unproven covers too little to matter: a corner or an end of a stroke
+// is one cell of 1/64 px a level, and its description there is still the nearest outline's.
+
+#include <mien/render/cover/arrangement.h>
+#include <mien/render/render.h>
+#include <mien/render/tile/scope.h>
+
+#include <vector>
+
+namespace mien {
+
+/// Resolves squares of one picture. One per thread.
+class PixelResolver {
+ public:
+  /// Outlines may be off by this much [px] where a square is not divided further: 1/16 of a level of 255.
+  static constexpr double kOutlineError = 1.0 / 4096;
+  /// Divisions of a pixel: 6 gives cells of 1/64 px, 1/4096 of the pixel's area.
+  static constexpr int kDepth = 6;
+
+  PixelResolver(const Tape& tape, ScopeStack& scopes, RenderStats& stats)
+      : tape_(tape), scopes_(scopes), stats_(stats) {}
+
+  /// The mean colour over the pixel around `center`, for a scope that covers it.
+  Mix pixel(const Scope& scope, glm::dvec2 center);
+
+ private:
+  Mix square(const Scope& scope, glm::dvec2 center, double side, int depth);
+  bool describe(const Scope& scope, glm::dvec2 center, double side);
+  Mix resolve(const Scope& scope, double side);
+  Mix at_center(const Scope& scope, glm::dvec2 center);
+  void set_sides(const Scope& scope, std::uint32_t inside);
+
+  const Tape& tape_;
+  ScopeStack& scopes_;
+  RenderStats& stats_;
+  Arrangement arrangement_;
+  std::vector<Edge> edges_;
+  std::vector<LocalOutline> locals_;
+  std::vector<Cut> cuts_;
+};
+
+}  // namespace mien

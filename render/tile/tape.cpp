@@ -1,0 +1,180 @@
+#include <mien/render/tile/tape.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <span>
+#include <utility>
+
+namespace mien {
+namespace {
+
+using Kind = Step::Kind;
+
+/// Takes shapes apart into outlines that are smooth wherever they are not ends of strokes, so that corners become
+/// combinations of bits. Only without an offset: the offset outline of a corner is round.
+class ShapeSteps {
+ public:
+  explicit ShapeSteps(Tape& tape) : tape_(tape) {}
+
+  void add(const Shape& shape, double offset) {
+    if (offset == 0.0 || std::holds_alternative<Polyline>(shape))
+      std::visit([&](const auto& s) { parts(s, offset); }, shape);
+    else
+      outline(shape, offset);
+  }
+
+ private:
+  void step(Kind kind) { tape_.steps.push_back({kind}); }
+
+  void outline(const Shape& shape, double offset = 0.0) {
+    tape_.steps.push_back({Kind::outline, int(tape_.outlines.size())});
+    tape_.outlines.push_back({shape, offset});
+  }
+
+  template <class Other>
+  void parts(const Other& s, double offset) {
+    outline(s, offset);
+  }
+  void parts(const Band& s, double) {
+    outline(s.lower);
+    outline(s.upper);
+    step(Kind::and_);
+  }
+  void parts(const CutDisc& s, double) {
+    outline(Disc{s.center, s.radius});
+    const double middle = glm::dot(s.center, s.up);
+    outline(HalfPlane{s.up, middle + s.upper * s.radius});
+    step(Kind::and_);
+    outline(HalfPlane{-s.up, -middle + s.lower * s.radius});
+    step(Kind::and_);
+  }
+  void parts(const Triangle& s, double) {
+    const glm::dvec2 ab = s.b - s.a, ac = s.c - s.a;
+    const double turn = ab.x * ac.y - ab.y * ac.x;
+    if (turn == 0.0) return step(Kind::nothing);
+    const auto side = [&](glm::dvec2 from, glm::dvec2 to) {
+      const glm::dvec2 along = glm::normalize(turn > 0.0 ? to - from : from - to);
+      const glm::dvec2 normal{along.y, -along.x};  // right of a loop that runs left
+      outline(HalfPlane{normal, glm::dot(normal, from)});
+    };
+    side(s.a, s.b);
+    side(s.b, s.c);
+    step(Kind::and_);
+    side(s.c, s.a);
+    step(Kind::and_);
+  }
+  void parts(const Polyline& s, double offset) {
+    if (s.points.size() == 1) return outline(Disc{s.points[0], s.half_width}, offset);
+    for (std::size_t i = 1; i < s.points.size(); ++i) {
+      outline(Line{s.points[i - 1], s.points[i], s.half_width}, offset);
+      if (i > 1) step(Kind::or_);
+    }
+    if (s.points.empty()) step(Kind::nothing);
+  }
+
+  Tape& tape_;
+};
+
+/// Writes the program of an area. With f the area's distance by its CSG tree, "f − offset <= 0" is pushed down:
+///   either, both: to both operands          complement: −a <= o  is  not (a <= −o)
+///   offset m:     a <= o + m                shell m:    |a| <= o + m =: k  is  a <= k and not (a <= −k)
+/// Works off a stack of its own: trees may be a hundred thousand deep.
+class AreaSteps {
+ public:
+  AreaSteps(const Scene& scene, const Map<PixelSpace, FaceSpace>& map, Tape& tape)
+      : scene_(scene), map_(map), tape_(tape) {}
+
+  void add(Area area) {
+    todo_.push_back({.node = area.node});
+    while (!todo_.empty()) {
+      const Task task = todo_.back();
+      todo_.pop_back();
+      if (task.node < 0)
+        tape_.steps.push_back({task.kind});
+      else
+        expand(scene_.nodes()[std::size_t(task.node)], task.offset);
+    }
+  }
+
+ private:
+  struct Task {
+    int node = -1;  // or a step to write
+    double offset = 0;
+    Kind kind = Kind::nothing;
+  };
+
+  void visit_next(int node, double offset) { todo_.push_back({.node = node, .offset = offset}); }
+  void write_after(Kind kind) { todo_.push_back({.kind = kind}); }
+
+  /// The stack runs backwards: last pushed is done first.
+  void expand(const Node& n, double o) {
+    switch (n.op) {
+      case Op::shape: return shape(n.a, o);
+      case Op::either:
+      case Op::both:
+        write_after(n.op == Op::either ? Kind::or_ : Kind::and_);
+        visit_next(n.b, o);
+        return visit_next(n.a, o);
+      case Op::without:
+        write_after(Kind::and_);
+        write_after(Kind::not_);
+        visit_next(n.b, -o);
+        return visit_next(n.a, o);
+      case Op::complement:
+        write_after(Kind::not_);
+        return visit_next(n.a, -o);
+      case Op::offset: return visit_next(n.a, o + n.amount);
+      case Op::shell: {
+        const double k = o + n.amount;
+        if (!(k >= 0.0)) return write_after(Kind::nothing);
+        write_after(Kind::and_);
+        write_after(Kind::not_);
+        visit_next(n.a, -k);
+        return visit_next(n.a, k);
+      }
+    }
+  }
+
+  /// A shape met again at the same offset is the same outline: it is written once and its bits are shared.
+  void shape(int index, double offset) {
+    const auto key = std::pair(index, offset);
+    if (const auto seen = written_.find(key); seen != written_.end()) {
+      for (int i = 0; i < seen->second.count; ++i)
+        tape_.steps.push_back(tape_.steps[std::size_t(seen->second.first + i)]);
+      return;
+    }
+    const int first = int(tape_.steps.size());
+    ShapeSteps(tape_).add(transformed(map_, scene_.shapes()[std::size_t(index)]), offset * map_.scale());
+    written_[key] = {first, int(tape_.steps.size()) - first};
+  }
+
+  struct Range {
+    int first, count;
+  };
+  const Scene& scene_;
+  const Map<PixelSpace, FaceSpace>& map_;
+  Tape& tape_;
+  std::vector<Task> todo_;
+  std::map<std::pair<int, double>, Range> written_;
+};
+
+}  // namespace
+
+Tape tape_from_scene(const Scene& scene, const View& view) {
+  Tape tape;
+  tape.blend = view.blend;
+  tape.background = mix_from_color(view.background.value_or(scene.background()), view.blend);
+  const auto map = pixel_from_face(scene.canvas(), view);
+  AreaSteps areas(scene, map, tape);
+  for (std::size_t i = scene.layers().size(); i-- > 0;) {
+    const Layer& layer = scene.layers()[i];
+    const int first = int(tape.steps.size());
+    areas.add(layer.area);
+    tape.layers.push_back(
+        {first, int(tape.steps.size()) - first, mix_from_color(layer.paint.color, view.blend)});
+  }
+  return tape;
+}
+
+}  // namespace mien

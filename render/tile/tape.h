@@ -1,0 +1,38 @@
+#pragma once
+// A scene made ready to draw: outlines in pixels, and layers as small programs on their bits.
+//
+// CSG is resolved on bits (is the point inside this outline?), never on distances: offsets and shells are pushed
+// down to the shapes on the way, where they are exact statements about a distance. So a pixel cut by several
+// outlines evaluates each of them, and abutting areas of a union leave no seam.
+
+#include <mien/render/blend/blender.h>
+#include <mien/sdf/edge/edge.h>
+#include <mien/sdf/scene/scene.h>
+
+#include <vector>
+
+namespace mien {
+
+/// One step of a layer's program, in postfix order.
+struct Step {
+  enum class Kind : unsigned char { outline, nothing, not_, and_, or_ } kind;
+  int outline = 0;  ///< index into Tape::outlines
+};
+
+struct TapeLayer {
+  int first, count;  ///< steps, in Tape::steps
+  Mix mix;           ///< what the layer lays over those below
+};
+
+/// Immutable once made; shared by all threads.
+struct Tape {
+  std::vector<OffsetShape> outlines;  ///< in pixels, origin at the picture's centre
+  std::vector<Step> steps;
+  std::vector<TapeLayer> layers;  ///< top to bottom
+  Mix background;
+  Blend blend;
+};
+
+Tape tape_from_scene(const Scene& scene, const View& view);
+
+}  // namespace mien
