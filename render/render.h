@@ -10,6 +10,7 @@
 #include <mien/lib/base/parallel.h>
 #include <mien/lib/base/progress.h>
 #include <mien/render/image.h>
+#include <mien/render/render_stats.h>
 #include <mien/render/view/view.h>
 #include <mien/sdf/scene/scene.h>
 
@@ -20,16 +21,6 @@ struct RenderOptions {
   Depth depth = Depth::u8;
   Threads threads;
   Progress progress;  ///< may cancel; a cancelled picture's pixels are unspecified
-};
-
-/// What drawing a picture took.
-struct RenderStats {
-  long long pixels = 0;           ///< drawn
-  long long fill_pixels = 0;      ///< in tiles of one colour
-  long long one_edge_pixels = 0;  ///< by the one-edge closed form
-  long long divided_pixels = 0;   ///< resolved per cell
-  long long cells = 0;            ///< cells those were divided into
-  bool cancelled = false;
 };
 
 /// Draws the scene through the view into an image. Total: any Scene and any View with valid sides.

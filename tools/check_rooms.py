@@ -5,7 +5,7 @@
 
 1. Includes point left: a file includes its own room and those before it in ORDER.
 2. Each heavy dependency has one home.
-3. `x_private.h` is for its own folder only; own includes are written <mien/...>.
+3. `x_private.h` is for its own folder only, as "x_private.h"; all other own includes are written <mien/...>.
 4. Every test, bench and fuzzer mirrors a source file; every header has a test. Those that have none yet are in
    tests/untested.txt, each with its reason; that list may only shrink.
 5. The libraries print nothing, and no file speaks of the machine it was written on.
@@ -19,7 +19,7 @@ ORDER = """
     version.h
     lib/base  lib/math  lib/geom  lib/face  lib/rig  lib/file
     sdf/shape  sdf/csg  sdf/edge  sdf/scene  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
-    render/image.h  render/view  render/cover  render/blend  render/tile  render/effect  render
+    render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/tile  render/effect  render
     mien.h  image.h  render/image  tools
 """.split()
 FACES = ("lib/face", "lib/rig", "lib/file")
@@ -99,7 +99,8 @@ class House:
         for dependency, (home, said) in HOMES.items():
             if re.match(dependency, include) and not in_mirror and not re.match(home, name):
                 self.breach(name, number, f"{include} belongs in {said}")
-        if quoted and not include.startswith(("tests/", "bench/", "fuzz/", "hwy/")):
+        private = include.endswith("_private.h") and "/" not in include
+        if quoted and not private and not include.startswith(("tests/", "bench/", "fuzz/", "hwy/")):
             self.breach(name, number, f'own includes are written <mien/...>, not "{include}"')
         if quoted and include.startswith(("tests/", "bench/", "fuzz/")) and not in_mirror:
             self.breach(name, number, f"{include} is for tests, benches and fuzzers")

@@ -1,7 +1,8 @@
 #pragma once
 // The picture cut into tiles, and tiles into quarters, until a square is one colour or one pixel.
 
-#include <mien/render/render.h>
+#include <mien/render/image.h>
+#include <mien/render/render_stats.h>
 #include <mien/render/tile/tape.h>
 
 #include <cstddef>

@@ -7,7 +7,7 @@
 // is one cell of 1/64 px a level, and its description there is still the nearest outline's.
 
 #include <mien/render/cover/arrangement.h>
-#include <mien/render/render.h>
+#include <mien/render/render_stats.h>
 #include <mien/render/tile/scope.h>
 
 #include <vector>

@@ -1,0 +1,16 @@
+#pragma once
+// Where the work of drawing went. Counted always: it costs nothing beside the drawing.
+
+namespace mien {
+
+/// What drawing a picture took.
+struct RenderStats {
+  long long pixels = 0;           ///< drawn
+  long long fill_pixels = 0;      ///< in tiles of one colour
+  long long one_edge_pixels = 0;  ///< by the one-edge closed form
+  long long divided_pixels = 0;   ///< resolved per cell
+  long long cells = 0;            ///< cells those were divided into
+  bool cancelled = false;
+};
+
+}  // namespace mien
