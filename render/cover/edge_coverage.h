@@ -10,8 +10,8 @@ namespace mien {
 /// What the forms below promise; their tests read these numbers.
 struct EdgeCoverageContract {
   static constexpr double kStraightError = 4e-15;  ///< of straight_edge_coverage, rounding alone
-  /// Of bent_edge_coverage, in units of bend²: the second-order term that straightening leaves out.
-  static constexpr double kBentErrorPerBend2 = 0.02;
+  static constexpr double kBentError = 1e-13;      ///< of bent_edge_coverage, rounding alone
+  static constexpr double kStraightenedPerBend = 0.25;  ///< of straightened
 };
 
 /// Area of the unit square inside a straight edge.
@@ -44,21 +44,21 @@ inline double straight_edge_coverage(double d, glm::dvec2 n) {
   return d < 0.0 ? 1.0 - outer : outer;
 }
 
-/// The distance of the straight edge that cuts the same area from the unit square as a bent one.
+/// Area of the unit square inside a bent edge: where d + n·u + bend/2 (m·u)² <= 0, m = (−n.y, n.x).
 ///
-///   d, n   the bent edge's tangent at its foot, as above;  bend   its curvature, in 1 / side
+///   bend   the edge's curvature, in 1 / side; positive where the inside is convex
 ///
-/// Derivation.  Along its tangent, at t from the foot, the outline lies bend·t²/2 inside of it. To first order in
-/// the bend the area lost is the integral of that over the chord [t1, t2] which the tangent has in the square;
-/// the straight edge moved by the mean, bend/6 (t1² + t1 t2 + t2²), loses the same. The chord: u = −d n + t m,
-/// m = (−n.y, n.x), clipped to |u.x|, |u.y| <= 1/2. A tangent that misses the square is clipped at the corner it
-/// comes nearest to, which keeps the form continuous.
-/// Error.  kBentErrorPerBend2 · bend² for |bend| <= 0.25.
-double straightened(double d, glm::dvec2 n, double bend);
+/// Derivation.  By Green, twice the area is the integral of cross(u, du) along the boundary, which is made of
+///   pieces of the four sides, each cross(u, du) = 1/2 per unit of length, and of the parabola
+///   u(t) = t m − (d + bend t²/2) n, where it is (d − bend t²/2) dt. On a side the condition is a quadratic in the
+///   place along it; its roots give both the inside lengths and the t between which the parabola is in the square.
+/// Error.  kBentError: rounding alone, for |bend| <= 1. A straight edge moved by the mean of the bend over its chord
+///   would be simpler, but is off by up to 0.08·bend where the edge runs along a side of the square (tried).
+double bent_edge_coverage(double d, glm::dvec2 n, double bend);
 
-/// Area of the unit square inside a bent edge.
-inline double bent_edge_coverage(double d, glm::dvec2 n, double bend) {
-  return straight_edge_coverage(bend == 0.0 ? d : straightened(d, n, bend), n);
-}
+/// The distance of a straight edge near a bent one: moved by the mean of the bend over the tangent's chord [t1, t2]
+/// in the square, bend/6 (t1² + t1 t2 + t2²); a tangent that misses the square is held at the corner it comes
+/// nearest to. Nowhere farther from the bent edge than |bend|/4.
+double straightened(double d, glm::dvec2 n, double bend);
 
 }  // namespace mien

@@ -53,13 +53,10 @@ bool PixelResolver::describe(const Scope& scope, glm::dvec2 center, double side)
   }
   if (edges_.size() > Arrangement::kMaxCuts) return false;
   if (edges_.size() == 1) {
-    // What straightening leaves out is of second order in the bend; `side` of its cells make a pixel's edge.
-    const double bend = edges_[0].bend * side;
-    error += EdgeCoverageContract::kBentErrorPerBend2 * bend * bend * side;
-    if (!(std::abs(bend) <= 0.25)) return false;
+    if (!(std::abs(edges_[0].bend * side) <= 1.0)) return false;
   } else {
-    // Several cut each other: straightened over the whole chord, each may be off by its sagitta where it is cut.
-    for (const Edge& edge : edges_) error += std::abs(edge.bend) * side * side / 8.0;
+    for (const Edge& edge : edges_)  // which are straightened
+      error += EdgeCoverageContract::kStraightenedPerBend * std::abs(edge.bend) * side * side;
   }
   return error <= kOutlineError;
 }

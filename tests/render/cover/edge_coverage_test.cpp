@@ -80,17 +80,32 @@ double bent_area(double d, double theta, double bend) {
   return area / columns;
 }
 
-TEST(BentEdgeCoverage, MissesOnlyTheSecondOrderItStates) {
-  double worst = 0;
-  for (const double bend : {0.01, -0.03, 0.1, -0.1, 0.25, -0.25})
+TEST(BentEdgeCoverage, EqualsQuadrature) {
+  for (const double bend : {0.01, -0.03, 0.1, -0.1, 0.5, -1.0, 1.0})
     for (double theta = 0; theta < kTau; theta += 0.05)
-      for (double d = -0.75; d <= 0.75; d += 0.025) {
-        const double got = bent_edge_coverage(d, {std::cos(theta), std::sin(theta)}, bend);
-        const double off = std::abs(got - bent_area(d, theta, bend));
-        worst = std::max(worst, (off - 2e-6) / (bend * bend));
-      }
-  EXPECT_LE(worst, EdgeCoverageContract::kBentErrorPerBend2);
-  EXPECT_GE(worst, 0.25 * EdgeCoverageContract::kBentErrorPerBend2) << "the stated bound is loose";
+      for (double d = -0.75; d <= 0.75; d += 0.025)
+        ASSERT_NEAR(bent_edge_coverage(d, {std::cos(theta), std::sin(theta)}, bend), bent_area(d, theta, bend), 4e-5)
+            << "bend " << bend << " theta " << theta << " d " << d;  // the oracle's own error
+}
+
+TEST(BentEdgeCoverage, HasTheClosedFormsOfAxisParallelEdges) {
+  const double tiny = EdgeCoverageContract::kBentError;
+  for (const double bend : {0.01, -0.1, 0.7}) {
+    EXPECT_NEAR(bent_edge_coverage(0.0, {0, 1}, bend), 0.5 - bend / 24, tiny);
+    EXPECT_NEAR(bent_edge_coverage(0.1, {1, 0}, bend), 0.4 - bend / 24, tiny);
+  }
+  // A tangent on the square's side: the outline bends in over its whole length, or not at all.
+  EXPECT_NEAR(bent_edge_coverage(-0.5, {0, 1}, 0.2), 1 - 0.2 / 24, tiny);
+  EXPECT_NEAR(bent_edge_coverage(-0.5, {0, 1}, -0.2), 1, tiny);
+}
+
+TEST(Straightened, StaysAsNearTheBentEdgeAsItSays) {
+  for (double theta = 0; theta < kTau; theta += 0.07)
+    for (double d = -0.7; d <= 0.7; d += 0.05) {
+      const double moved = straightened(d, {std::cos(theta), std::sin(theta)}, 1.0) - d;
+      EXPECT_GE(moved, 0);
+      EXPECT_LE(moved, EdgeCoverageContract::kStraightenedPerBend);
+    }
 }
 
 TEST(BentEdgeCoverage, OfABendOfZeroIsTheStraightOne) {
