@@ -71,11 +71,12 @@ double bent_edge_coverage(double d, glm::dvec2 n, double bend) {
       twice += 0.5 * cut.inside;
       for (int i = 0; i < cut.count; ++i) crossings[count++] = along + m_run * cut.roots[std::size_t(i)];
     }
+  constexpr double kRounding = 1e-15;  // of u: a parabola that touches a side from within counts as within
   std::sort(crossings.begin(), crossings.begin() + std::ptrdiff_t(count));
   for (std::size_t i = 1; i < count; ++i) {
     const double lo = crossings[i - 1], hi = crossings[i], t = 0.5 * (lo + hi);
     const glm::dvec2 u = t * m - (d + 0.5 * bend * t * t) * n;
-    if (std::max(std::abs(u.x), std::abs(u.y)) < 0.5)
+    if (std::max(std::abs(u.x), std::abs(u.y)) <= 0.5 + kRounding)
       twice -= d * (hi - lo) - bend / 6.0 * (hi * hi * hi - lo * lo * lo);
   }
   return std::clamp(0.5 * twice, 0.0, 1.0);
