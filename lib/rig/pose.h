@@ -21,8 +21,11 @@ struct Setting {
   std::vector<double> values;
 };
 
-/// Reads "NAME=VALUE" or "NAME=V,V,…" against a face's names. An unknown name is an error that
-/// gives the nearest known one. Colours may be "#rrggbb".
+/// Reads "NAME=VALUE" or "NAME=V,V,…" against a face's names: a control, a slice, or one number of
+/// a slice
+/// ("brow.left/spine/1/y"). A colour is linear r,g,b or r,g,b,a, or "#rrggbb" or "#rrggbbaa"
+/// (sRGB-encoded). Errors: an unknown name (with the nearest known one), a number that is not
+/// finite, or out of its range, or too few or many of them. The error's `where` is the text itself.
 MIEN_API Expected<Setting> read_setting(const Face& face, std::string_view text);
 
 struct Pose {
@@ -30,9 +33,11 @@ struct Pose {
   std::vector<Setting> settings;  ///< beat clips; later ones beat earlier ones
 };
 
-/// The face at that pose. Order: rest → controls by clips, then settings → key shapes → drives
-/// (gaze, dilation) → slice settings → rules (clamp, wrap), applied once, so a posed face is always
-/// valid.
+/// The face at that pose. Order: rest → controls take their values (rest, clip, settings) → each
+/// channel acts in the model's order (offsets, scales, key shapes) → slice settings → rules (clamp,
+/// wrap), applied once, so a posed face is always valid. Without a time and settings it is the rest
+/// vector, bit for bit. Total: a setting that is not of this model does nothing, numbers out of
+/// range follow their rule.
 MIEN_API Face pose_face(const Face& face, const Pose& pose = {});
 
 /// A name that read_setting takes.

@@ -1,0 +1,40 @@
+#pragma once
+// Controls: the numbers that pose a face without being part of it (gaze, dilation, blink).
+
+#include <mien/lib/face/key_shapes.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace mien {
+
+/// slice += (value − rest) · by
+struct Offset {
+  int slice;
+  std::vector<double> by;
+};
+
+/// slice *= value; only for controls that rest at 1
+struct Scale {
+  int slice;
+};
+
+/// What a channel does to the face vector. Each leaves the vector as it is when the channel rests.
+using Drive = std::variant<Offset, Scale, KeyShapes>;
+
+/// One number that drives slices: a control, or a control's left or right half.
+struct Channel {
+  double rest = 0;
+  double lo = 0, hi = 1;      ///< finite; values beyond act like the nearer end
+  std::vector<Drive> drives;  ///< act in this order
+};
+
+/// A name for one channel ("gaze.left.x") or for a left and a right one at once ("gaze.x").
+struct Control {
+  std::string name;
+  std::string unit;
+  std::vector<int> channels;  ///< of the model; 1 or 2
+};
+
+}  // namespace mien

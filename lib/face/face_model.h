@@ -1,0 +1,31 @@
+#pragma once
+// Everything about a face that does not move: what its numbers are, what is drawn from them, what
+// poses them.
+
+#include <mien/lib/face/canvas.h>
+#include <mien/lib/face/clip.h>
+#include <mien/lib/face/control.h>
+#include <mien/lib/face/feature.h>
+#include <mien/lib/face/layout.h>
+
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// Invariant: every index points at what it says, every slice has its kind's size
+/// (docs/face-format.md), every number of a table or curve is finite.
+struct FaceModel {
+  std::string name;
+  std::string credit;
+  FaceCanvas canvas;
+  Layout layout;
+  int background = -1;            ///< slice of its colour
+  std::vector<Feature> features;  ///< bottom to top
+  std::vector<Channel> channels;  ///< act in this order
+  std::vector<Control> controls;
+  std::vector<Clip> clips;
+  int default_clip = -1;  ///< the clip that runs when a time is given; −1: none
+};
+
+}  // namespace mien

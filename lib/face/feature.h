@@ -1,0 +1,122 @@
+#pragma once
+// What a face draws, as plain data. Every number is a slice of the face vector, named here by its
+// index in the layout; so whatever moves the vector moves the feature, and two features may share a
+// point.
+
+#include <mien/lib/face/side.h>
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace mien {
+
+/// Between two parabolas: lower.a q² + lower.b <= y <= upper.a q² + upper.b, with q = k x + k0.
+struct BandFigure {
+  int frame, lower, upper;
+};
+
+struct EllipseFigure {
+  int center, radii;
+  int tilt;  ///< angle of radii.x; −1: none
+};
+
+struct DiscFigure {
+  int center, radius;
+};
+
+/// A disc cut by two level chords, `chords` = (upper, lower) radii above and below its centre.
+struct CutDiscFigure {
+  int center, radius, chords;
+};
+
+/// A pen line along a quadratic Bézier; half_width holds one number, or three (Bernstein
+/// coefficients).
+struct StrokeFigure {
+  int spine[3];
+  int half_width;
+};
+
+/// A pen line through points, with round caps and joins.
+struct PolylineFigure {
+  std::vector<int> points;  ///< at least 1
+  int half_width;
+};
+
+/// Closed outlines through and towards points.
+struct PathFigure {
+  struct Node {
+    int point;
+    bool bend;  ///< the outline bends towards it (a control point) instead of passing through it
+  };
+  struct Loop {
+    std::vector<Node>
+        nodes;  ///< at least 3; between two bends in a row the outline passes their midpoint
+  };
+  std::vector<Loop> loops;
+  bool even_odd = false;
+};
+
+/// The opening of an eye: the area between the lid edges inner → upper → outer and outer → lower →
+/// inner, two quadratic Béziers that share the canthi (the eye's corners) exactly.
+struct OpeningFigure {
+  int inner, upper, outer, lower;
+};
+
+using Figure = std::variant<BandFigure, EllipseFigure, DiscFigure, CutDiscFigure, StrokeFigure,
+                            PolylineFigure, PathFigure, OpeningFigure>;
+
+/// One thing to draw, or (without paint) an area that others are clipped to.
+struct Feature {
+  std::string name;  ///< "iris.left"
+  Side side = Side::none;
+  Figure figure;
+  int paint = -1;  ///< slice of its colour; −1: not drawn
+  int clip = -1;   ///< an EARLIER feature: drawn inside that one's area only; −1: everywhere
+};
+
+/// Visits every slice of a figure as (part, index in the layout), in the order of the file format.
+template <class Visit>
+void for_each_slice(const BandFigure& f, Visit&& visit) {
+  visit("frame", f.frame), visit("lower", f.lower), visit("upper", f.upper);
+}
+template <class Visit>
+void for_each_slice(const EllipseFigure& f, Visit&& visit) {
+  visit("center", f.center), visit("radii", f.radii);
+  if (f.tilt >= 0) visit("tilt", f.tilt);
+}
+template <class Visit>
+void for_each_slice(const DiscFigure& f, Visit&& visit) {
+  visit("center", f.center), visit("radius", f.radius);
+}
+template <class Visit>
+void for_each_slice(const CutDiscFigure& f, Visit&& visit) {
+  visit("center", f.center), visit("radius", f.radius), visit("chords", f.chords);
+}
+template <class Visit>
+void for_each_slice(const StrokeFigure& f, Visit&& visit) {
+  for (const int point : f.spine) visit("spine", point);
+  visit("half_width", f.half_width);
+}
+template <class Visit>
+void for_each_slice(const PolylineFigure& f, Visit&& visit) {
+  for (const int point : f.points) visit("points", point);
+  visit("half_width", f.half_width);
+}
+template <class Visit>
+void for_each_slice(const PathFigure& f, Visit&& visit) {
+  for (const PathFigure::Loop& loop : f.loops)
+    for (const PathFigure::Node& node : loop.nodes) visit("points", node.point);
+}
+template <class Visit>
+void for_each_slice(const OpeningFigure& f, Visit&& visit) {
+  visit("inner", f.inner), visit("upper", f.upper), visit("outer", f.outer),
+      visit("lower", f.lower);
+}
+template <class Visit>
+void for_each_slice(const Figure& figure, Visit&& visit) {
+  std::visit([&](const auto& f) { for_each_slice(f, visit); }, figure);
+}
+
+}  // namespace mien

@@ -1,0 +1,49 @@
+#pragma once
+// What each number of the face vector is: its slices, in order, found by name.
+//
+//   const int spine = layout.add("brow.left/spine/0", SliceKind::point, 2);
+//   vector[layout[spine].begin]      // its x
+
+#include <mien/lib/base/api.h>
+#include <mien/lib/face/face.h>
+#include <mien/lib/face/slice.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace mien {
+
+class MIEN_API Layout {
+ public:
+  /// Appends a slice with its kind's own range and rule; gives its index. The name must be new.
+  int add(std::string name, SliceKind kind, int size);
+
+  /// Index of the slice of that name, or −1.
+  int find(std::string_view name) const;
+
+  const std::vector<Slice>& slices() const { return slices_; }
+  const Slice& operator[](int slice) const { return slices_[std::size_t(slice)]; }
+  std::size_t size() const { return size_; }  ///< numbers in the face vector
+
+  /// Numbers larger than this are no part of any face, whatever their rule.
+  double largest = 1e9;
+
+ private:
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+  std::vector<Slice> slices_;
+  std::unordered_map<std::string, int, Hash, std::equal_to<>> by_name_;
+  std::size_t size_ = 0;
+};
+
+/// Brings every number of `vector` into its slice's range by the slice's rule; what is not a number
+/// returns to its value in `rest`. Numbers in range keep every bit.
+MIEN_API void apply_rules(const Layout& layout, const FaceVector& rest, FaceVector& vector);
+
+}  // namespace mien

@@ -1,0 +1,52 @@
+#pragma once
+// A face while it is being read, and the parts of its file that add to it.
+
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/file/reading_private.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace mien {
+
+struct FaceDraft {
+  FaceModel model;
+  FaceVector vector;
+  std::unordered_map<std::string, int> feature_by_name;
+  std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
+
+  /// Appends a slice with its values at rest; `node` is where they stand.
+  int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
+                std::span<const double> values);
+
+  /// The slice that an author's name ("opening/upper") means on a side, or else the unsided one;
+  /// −1: none.
+  int find_slice(std::string_view name, Side side) const;
+  /// The feature likewise.
+  int find_feature(std::string_view name, Side side) const;
+
+  /// Reads a slice's name, with the nearest one in the error if it is unknown.
+  int slice_named(const Reading& in, const JsonNode& node, std::string_view name, Side side) const;
+  /// Reads "@NAME": a slice of that kind and size.
+  int reference(const Reading& in, const JsonNode& node, Side side, SliceKind kind, int size) const;
+
+  /// Whether numbers written for this slice belong to its mirror image.
+  bool is_mirrored(int slice) const;
+};
+
+void read_canvas(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_palette(Reading& in, const JsonNode& node, FaceDraft& face);
+int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face);
+void read_features(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_controls(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
+
+/// Reads the numbers of one slice, mirrored if asked to.
+std::vector<double> read_slice_values(const Reading& in, const JsonNode& node, SliceKind kind,
+                                      int least, int most, const FaceCanvas& canvas, bool mirrored);
+
+}  // namespace mien

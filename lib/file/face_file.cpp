@@ -1,0 +1,122 @@
+#include <mien/lib/file/face_file.h>
+
+#include <mien/lib/base/nearest_name.h>
+#include <mien/lib/base/one_line.h>
+#include <mien/lib/file/face_draft_private.h>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <new>
+#include <string>
+#include <system_error>
+
+namespace mien {
+namespace {
+
+constexpr int kNewestVersion = 1;
+
+void check_format(Reading& in, const JsonNode& root) {
+  in.expect_object(root,
+                   {"$schema", "format", "format_version", "name", "credit", "canvas", "background",
+                    "palette", "features", "controls", "clips", "default_clip"});
+  const JsonNode& format = in.need(root, "format");
+  if (in.string(format) != "mien-face")
+    in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
+  const JsonNode& version = in.need(root, "format_version");
+  const double number = in.number(version);
+  if (number > kNewestVersion && number == double(std::int64_t(number)))
+    in.refuse(version,
+              fmt::format("format version {} is newer than this program, which reads 1", number));
+  if (number != kNewestVersion)
+    in.refuse(version, fmt::format("expected the integer 1, got {}", number));
+}
+
+Face read_root(Reading& in) {
+  const JsonNode& root = in.tree.root();
+  check_format(in, root);
+  FaceDraft draft;
+  FaceModel& model = draft.model;
+  model.layout.largest = in.limits.magnitude;
+  if (const JsonNode* name = in.find(root, "name")) model.name = in.string(*name);
+  if (const JsonNode* credit = in.find(root, "credit")) model.credit = in.string(*credit);
+  read_canvas(in, in.need(root, "canvas"), draft);
+  read_palette(in, in.need(root, "palette"), draft);
+  model.background = read_paint(in, in.need(root, "background"), draft);
+  read_features(in, in.need(root, "features"), draft);
+  if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
+  if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
+  if (const JsonNode* wanted = in.find(root, "default_clip")) {
+    std::vector<std::string_view> known;
+    for (const Clip& clip : model.clips) known.push_back(clip.name);
+    model.default_clip = int(in.word(*wanted, "clip", known));
+  }
+  FaceVector rest = draft.vector;
+  apply_rules(model.layout, draft.vector, rest);  // wraps angles
+  return {std::make_shared<const FaceModel>(std::move(model)), std::move(rest)};
+}
+
+Error too_long(std::string_view name, const FaceLimits& limits) {
+  return {one_line(name), fmt::format("longer than {} bytes (limit: bytes)", limits.bytes)};
+}
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// All of a file, or at most limits.bytes + 1 bytes of it.
+Expected<std::string> read_bytes(const std::filesystem::path& path, const FaceLimits& limits) {
+  const std::string name = one_line(path.string());
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return Error{name, "is a directory"};
+  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+  if (!file)
+    return Error{name, fmt::format("cannot be read: {}", std::generic_category().message(errno))};
+  std::string text;
+  char block[1 << 16];
+  while (const std::size_t got = std::fread(block, 1, sizeof block, file.get())) {
+    text.append(block, got);
+    if (text.size() > limits.bytes) return too_long(name, limits);
+  }
+  if (std::ferror(file.get()))
+    return Error{name, fmt::format("cannot be read: {}", std::generic_category().message(errno))};
+  return text;
+}
+
+}  // namespace
+
+Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
+                         std::vector<Error>* warnings) {
+  try {
+    const Expected<std::string> text = read_bytes(path, limits);
+    if (!text) return text.error();
+    return read_face_text(*text, path.string(), limits, warnings);
+  } catch (const std::exception& e) {
+    return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
+  }
+}
+
+Expected<Face> read_face_text(std::string_view text, std::string_view name,
+                              const FaceLimits& limits, std::vector<Error>* warnings) {
+  if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
+    return too_long(name, limits);
+  try {
+    const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
+    if (!tree) return tree.error();
+    Reading in(*tree, limits, warnings);
+    return read_root(in);
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  } catch (const std::bad_alloc&) {
+    return Error{one_line(name), "not enough memory to read it"};
+  } catch (const std::exception& e) {
+    return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
+  }
+}
+
+}  // namespace mien

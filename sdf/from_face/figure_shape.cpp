@@ -1,0 +1,149 @@
+#include <mien/lib/face/face_model.h>
+#include <mien/sdf/from_face/figure_shape_private.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+namespace {
+
+/// The numbers of a face by slice.
+class Numbers {
+ public:
+  explicit Numbers(const Face& face) : face_(face) {}
+
+  double operator()(int slice, int i = 0) const {
+    return face_.vector[std::size_t(face_.model->layout[slice].begin + i)];
+  }
+  int size(int slice) const { return face_.model->layout[slice].size; }
+  glm::dvec2 point(int slice) const { return {(*this)(slice, 0), (*this)(slice, 1)}; }
+  double sign_of_up() const { return face_.model->canvas.y_up ? 1 : -1; }
+
+ private:
+  const Face& face_;
+};
+
+/// side · y >= side · (a q² + b), q = k x + k0, in the shape's own terms: vertex, axis, bend.
+/// A frame that does not change along x (or so little that its vertex is nowhere) leaves a level half-plane.
+ParabolaSide parabola_side(double k, double k0, double a, double b, double side) {
+  const double vertex = -k0 / k;
+  if (!std::isfinite(vertex)) return {{0, a * k0 * k0 + b}, {0, side}, 0};
+  return {{vertex, b}, {0, side}, side * a * k * k};
+}
+
+Shape shape(const BandFigure& f, const Numbers& n) {
+  const double k = n(f.frame, 0), k0 = n(f.frame, 1);
+  return Band{parabola_side(k, k0, n(f.lower, 0), n(f.lower, 1), 1),
+              parabola_side(k, k0, n(f.upper, 0), n(f.upper, 1), -1)};
+}
+
+Shape shape(const EllipseFigure& f, const Numbers& n) {
+  Ellipse ellipse{.center = n.point(f.center), .radii = n.point(f.radii)};
+  if (f.tilt >= 0 && n(f.tilt) != 0) {
+    const double angle = n(f.tilt) * std::numbers::pi / 180;
+    ellipse.axis = {std::cos(angle), std::sin(angle)};
+  }
+  return ellipse;
+}
+
+Shape shape(const DiscFigure& f, const Numbers& n) {
+  return Disc{n.point(f.center), n(f.radius)};
+}
+
+Shape shape(const CutDiscFigure& f, const Numbers& n) {
+  return CutDisc{.center = n.point(f.center),
+                 .radius = n(f.radius),
+                 .upper = n(f.chords, 0),
+                 .lower = n(f.chords, 1),
+                 .up = {0, n.sign_of_up()}};
+}
+
+Shape shape(const StrokeFigure& f, const Numbers& n) {
+  const QuadBezier spine{n.point(f.spine[0]), n.point(f.spine[1]), n.point(f.spine[2])};
+  const int w = f.half_width;
+  if (n.size(w) == 1) return QuadStroke{spine, n(w)};
+  return TaperedStroke{spine, {n(w, 0), n(w, 1), n(w, 2)}};
+}
+
+Shape shape(const PolylineFigure& f, const Numbers& n) {
+  Polyline line{.points = {}, .half_width = n(f.half_width)};
+  for (const int point : f.points) line.points.push_back(n.point(point));
+  return line;
+}
+
+/// Between two outline points stands a straight side; a bend is the control point of a curve that
+/// begins and ends at its neighbours if they are outline points, or half-way to them if they are
+/// bends too.
+Path::Loop loop_of(const PathFigure::Loop& loop, const Numbers& n) {
+  const std::size_t count = loop.nodes.size();
+  const auto node = [&](std::size_t i) { return loop.nodes[i % count]; };
+  const auto at = [&](std::size_t i) { return n.point(node(i).point); };
+  /// The outline point on the way from node i to node i + 1, if i is a bend.
+  const auto after = [&](std::size_t i) {
+    return node(i + 1).bend ? 0.5 * (at(i) + at(i + 1)) : at(i + 1);
+  };
+  Path::Loop sides;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = i + count - 1;
+    if (node(i).bend)
+      sides.sides.push_back({node(before).bend ? after(before) : at(before), at(i), after(i)});
+    else if (!node(i + 1).bend)
+      sides.sides.push_back({at(i), 0.5 * (at(i) + at(i + 1)), at(i + 1)});
+  }
+  return sides;
+}
+
+Shape shape(const PathFigure& f, const Numbers& n) {
+  Path path{.loops = {}, .rule = f.even_odd ? FillRule::even_odd : FillRule::nonzero};
+  for (const PathFigure::Loop& loop : f.loops) path.loops.push_back(loop_of(loop, n));
+  return path;
+}
+
+/// A shut eye, whose lid edges are one curve, has no area and no outline.
+Shape shape(const OpeningFigure& f, const Numbers& n) {
+  const glm::dvec2 inner = n.point(f.inner), upper = n.point(f.upper), outer = n.point(f.outer),
+                   lower = n.point(f.lower);
+  if (upper == lower) return Path{};
+  return Path{.loops = {{{{inner, upper, outer}, {outer, lower, inner}}}},
+              .rule = FillRule::nonzero};
+}
+
+/// What a figure says besides its numbers.
+bool same_structure(const PathFigure& a, const PathFigure& b) {
+  const auto same_node = [](const PathFigure::Node& p, const PathFigure::Node& q) {
+    return p.bend == q.bend;
+  };
+  const auto same_loop = [&](const PathFigure::Loop& p, const PathFigure::Loop& q) {
+    return std::equal(p.nodes.begin(), p.nodes.end(), q.nodes.begin(), q.nodes.end(), same_node);
+  };
+  return a.even_odd == b.even_odd &&
+         std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(), b.loops.end(), same_loop);
+}
+
+std::vector<double> numbers_of(const Figure& figure, const Numbers& n) {
+  std::vector<double> all;
+  for_each_slice(figure, [&](std::string_view, int slice) {
+    all.push_back(n.size(slice));
+    for (int i = 0; i < n.size(slice); ++i) all.push_back(n(slice, i));
+  });
+  return all;
+}
+
+}  // namespace
+
+Shape shape_of(const Figure& figure, const Face& face) {
+  return std::visit([n = Numbers(face)](const auto& f) { return shape(f, n); }, figure);
+}
+
+bool same_figure(const Figure& a, const Figure& b, const Face& face) {
+  if (a.index() != b.index()) return false;
+  if (const auto* path = std::get_if<PathFigure>(&a);
+      path && !same_structure(*path, std::get<PathFigure>(b)))
+    return false;
+  return numbers_of(a, Numbers(face)) == numbers_of(b, Numbers(face));
+}
+
+}  // namespace mien

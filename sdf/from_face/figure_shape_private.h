@@ -1,0 +1,16 @@
+#pragma once
+// A feature's figure, with the numbers it has in a face, as a shape.
+
+#include <mien/lib/face/face.h>
+#include <mien/lib/face/feature.h>
+#include <mien/sdf/shape/shape.h>
+
+namespace mien {
+
+/// Total: every figure of a valid face has a shape, in the face's units.
+Shape shape_of(const Figure& figure, const Face& face);
+
+/// Whether two figures are of one kind and have the same numbers: then they have the same shape.
+bool same_figure(const Figure& a, const Figure& b, const Face& face);
+
+}  // namespace mien
