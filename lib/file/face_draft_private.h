@@ -2,7 +2,7 @@
 // A face while it is being read, and the parts of its file that add to it.
 
 #include <mien/lib/face/face_model.h>
-#include <mien/lib/file/reading_private.h>
+#include "reading_private.h"
 
 #include <optional>
 #include <span>

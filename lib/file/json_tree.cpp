@@ -1,4 +1,4 @@
-#include <mien/lib/file/json_tree_private.h>
+#include "json_tree_private.h"
 
 #include <mien/lib/base/one_line.h>
 

@@ -2,9 +2,9 @@
 
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
-#include <mien/lib/file/face_draft_private.h>
 #include <mien/lib/geom/color_text.h>
 #include <mien/lib/geom/srgb.h>
+#include "face_draft_private.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The clips of a face file: curves in time for controls.
 
 #include <mien/lib/base/nearest_name.h>
-#include <mien/lib/file/face_draft_private.h>
+#include "face_draft_private.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
-#include <mien/lib/file/face_draft_private.h>
+#include "face_draft_private.h"
 
 #include <fmt/format.h>
 

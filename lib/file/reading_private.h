@@ -2,7 +2,7 @@
 // Typed access to a JSON tree. Whatever is not as it should be ends the reading with a Refusal,
 // which never leaves lib/file: read_face_text turns it into the Error it holds.
 
-#include <mien/lib/file/json_tree_private.h>
+#include "json_tree_private.h"
 
 #include <initializer_list>
 #include <span>

@@ -1,5 +1,5 @@
 #include <mien/lib/face/face_model.h>
-#include <mien/sdf/from_face/figure_shape_private.h>
+#include "figure_shape_private.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,8 @@ class Numbers {
 };
 
 /// side · y >= side · (a q² + b), q = k x + k0, in the shape's own terms: vertex, axis, bend.
-/// A frame that does not change along x (or so little that its vertex is nowhere) leaves a level half-plane.
+/// A frame that does not change along x (or so little that its vertex is nowhere) leaves a level
+/// half-plane.
 ParabolaSide parabola_side(double k, double k0, double a, double b, double side) {
   const double vertex = -k0 / k;
   if (!std::isfinite(vertex)) return {{0, a * k0 * k0 + b}, {0, side}, 0};

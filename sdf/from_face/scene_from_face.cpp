@@ -1,7 +1,7 @@
 #include <mien/sdf/from_face/scene_from_face.h>
 
 #include <mien/lib/face/face_model.h>
-#include <mien/sdf/from_face/figure_shape_private.h>
+#include "figure_shape_private.h"
 
 #include <span>
 #include <utility>
