@@ -72,7 +72,8 @@ double bent_edge_coverage(double d, glm::dvec2 n, double bend) {
       for (int i = 0; i < cut.count; ++i) crossings[count++] = along + m_run * cut.roots[std::size_t(i)];
     }
   constexpr double kRounding = 1e-15;  // of u: a parabola that touches a side from within counts as within
-  std::sort(crossings.begin(), crossings.begin() + std::ptrdiff_t(count));
+  for (std::size_t i = 1; i < count; ++i)  // at most 8; GCC 12 sees std::sort leave the array, wrongly
+    for (std::size_t j = i; j > 0 && crossings[j - 1] > crossings[j]; --j) std::swap(crossings[j - 1], crossings[j]);
   for (std::size_t i = 1; i < count; ++i) {
     const double lo = crossings[i - 1], hi = crossings[i], t = 0.5 * (lo + hi);
     const glm::dvec2 u = t * m - (d + 0.5 * bend * t * t) * n;
