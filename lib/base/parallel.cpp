@@ -1,7 +1,10 @@
 #include <mien/lib/base/parallel.h>
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace mien {
 
@@ -16,7 +19,10 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
     oneapi::tbb::parallel_for(0, count, job, oneapi::tbb::simple_partitioner{});
   };
   if (threads.count <= 0) return all();
-  oneapi::tbb::task_arena arena(threads.count);
+  // Asking for more threads than the process may have makes oneTBB print a warning.
+  using oneapi::tbb::global_control;
+  const auto most = global_control::active_value(global_control::max_allowed_parallelism);
+  oneapi::tbb::task_arena arena(std::min(threads.count, int(most)));
   arena.execute(all);
 }
 

@@ -13,7 +13,7 @@ using Executor = std::function<void(int count, const std::function<void(int)>& j
 
 /// Which threads work is spread over.
 struct Threads {
-  int count = 0;      ///< 0: as many as the machine has; 1: the calling thread alone
+  int count = 0;      ///< 0, or more than the machine has: as many as it has; 1: the caller's alone
   Executor executor;  ///< if set, used instead of mien's own pool, and `count` is ignored
 };
 

@@ -16,6 +16,12 @@ TEST(ParallelFor, RunsEveryJobOnceForAnyThreads) {
   }
 }
 
+TEST(ParallelFor, PrintsNothingWhenAskedForMoreThreadsThanThereAre) {
+  testing::internal::CaptureStderr();
+  for (int threads : {7, 1000}) parallel_for(1000, {.count = threads}, [](int) {});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ParallelFor, UsesTheCallersExecutor) {
   int asked = 0, ran = 0;
   const Executor mine = [&](int count, const std::function<void(int)>& job) {
