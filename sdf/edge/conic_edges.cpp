@@ -1,7 +1,10 @@
 // Edges of parabola sides and ellipses.
 
+#include <mien/sdf/shape/ellipse.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <glm/geometric.hpp>
 
 #include "edges_private.h"
@@ -23,27 +26,6 @@ LocalOutline parabola_edges(const ParabolaSide& s, double offset, glm::dvec2 c, 
 
 namespace {
 
-/// The nearest point of an ellipse x²/a² + y²/b² = 1 to (x, y) in the first quadrant, as (cos, sin) of its
-/// parameter: moves to where the circle of curvature at the present guess has its nearest point. Converges from
-/// anywhere in a few steps (a published fixed point without trigonometry); near the outline, where it is used,
-/// it does so to rounding.
-glm::dvec2 ellipse_foot(double a, double b, double x, double y) {
-  glm::dvec2 t{std::sqrt(0.5), std::sqrt(0.5)};
-  for (int i = 0; i < 12; ++i) {
-    const double ex = (a * a - b * b) * t.x * t.x * t.x / a, ey = (b * b - a * a) * t.y * t.y * t.y / b;
-    const double r = std::hypot(a * t.x - ex, b * t.y - ey), q = std::hypot(x - ex, y - ey);
-    if (!(q > 0.0)) break;
-    const glm::dvec2 next{std::clamp(((x - ex) * r / q + ex) / a, 0.0, 1.0),
-                          std::clamp(((y - ey) * r / q + ey) / b, 0.0, 1.0)};
-    const double length = glm::length(next);
-    if (!(length > 0.0)) break;
-    const glm::dvec2 moved = next / length - t;
-    t = next / length;
-    if (glm::dot(moved, moved) < 1e-30) break;
-  }
-  return t;
-}
-
 /// The edge at the outline point with parameter (cos, sin), in the ellipse's own frame.
 Edge edge_at(double a, double b, glm::dvec2 t, glm::dvec2 p) {
   const glm::dvec2 foot{a * t.x, b * t.y};
@@ -59,8 +41,8 @@ LocalOutline ellipse_edges(const Ellipse& s, glm::dvec2 c, double radius, std::v
   if (!(small > 0.0)) return {};  // no area
   const glm::dvec2 across{-s.axis.y, s.axis.x}, m = c - s.center;
   const glm::dvec2 p{glm::dot(m, s.axis), glm::dot(m, across)};
-  const glm::dvec2 sign{p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0};
-  const glm::dvec2 t = ellipse_foot(a, b, std::abs(p.x), std::abs(p.y)) * sign;
+  const glm::dvec2 nearest_point = nearest(s, c).point - s.center;
+  const glm::dvec2 t = glm::normalize(glm::dvec2{glm::dot(nearest_point, s.axis) / a, glm::dot(nearest_point, across) / b});
   Edge edge = edge_at(a, b, t, p);
 
   // Proof. The reach of an ellipse (no two nearest points closer than that to the outline) is its least radius of

@@ -9,24 +9,45 @@
 namespace mien::test {
 namespace {
 
-/// Which layers a pixel's samples must be asked about, and what the rest amounts to.
+/// Which layers a square must still be asked about, and what the rest amounts to.
 struct Ambiguous {
   std::vector<const TruthLayer*> layers;  // top to bottom
   glm::dvec3 below;
 };
 
-Ambiguous ambiguous(const TruthScene& scene, glm::dvec2 center) {
-  Ambiguous result{{}, scene.background};
-  for (std::size_t i = scene.layers.size(); i-- > 0;) {
-    const TruthLayer& layer = scene.layers[i];
-    if (layer.clearance(center) <= 0.7072 * scene.pixel) {
-      result.layers.push_back(&layer);
-    } else if (layer.inside(center)) {
-      result.below = layer.rgb;
+Ambiguous ambiguous(const Ambiguous& outer, glm::dvec2 center, double radius) {
+  Ambiguous result{{}, outer.below};
+  for (const TruthLayer* layer : outer.layers) {
+    if (layer->clearance(center) <= radius) {
+      result.layers.push_back(layer);
+    } else if (layer->inside(center)) {
+      result.below = layer->rgb;
       break;
     }
   }
   return result;
+}
+
+Ambiguous everything(const TruthScene& scene) {
+  Ambiguous all{{}, scene.background};
+  for (std::size_t i = scene.layers.size(); i-- > 0;) all.layers.push_back(&scene.layers[i]);
+  return all;
+}
+
+/// The sum over the grid × grid samples of a square; grid a power of two. Squares that no outline reaches are
+/// counted as a whole: the same sum as sample by sample, in time that follows the outline.
+glm::dvec3 sum_of_samples(const Ambiguous& outer, glm::dvec2 center, double side, int grid) {
+  const Ambiguous at = ambiguous(outer, center, 0.7072 * side);
+  if (at.layers.empty()) return double(grid) * grid * at.below;
+  if (grid == 1) {
+    for (const TruthLayer* layer : at.layers)
+      if (layer->inside(center)) return layer->rgb;
+    return at.below;
+  }
+  glm::dvec3 sum{0.0};
+  for (const double y : {-0.25, 0.25})
+    for (const double x : {-0.25, 0.25}) sum += sum_of_samples(at, center + side * glm::dvec2{x, y}, side / 2, grid / 2);
+  return sum;
 }
 
 glm::dvec2 to_units(const TruthScene& s, double x, double y) {
@@ -36,24 +57,19 @@ glm::dvec2 to_units(const TruthScene& s, double x, double y) {
 }  // namespace
 
 glm::dvec3 truth_pixel(const TruthScene& scene, int x, int y, int grid) {
-  const Ambiguous at = ambiguous(scene, to_units(scene, x + 0.5, y + 0.5));
-  if (at.layers.empty()) return at.below;
-  glm::dvec3 sum{0.0};
-  for (int j = 0; j < grid; ++j)
-    for (int i = 0; i < grid; ++i) {
-      const glm::dvec2 p = to_units(scene, x + (i + 0.5) / grid, y + (j + 0.5) / grid);
-      const auto hit = std::find_if(at.layers.begin(), at.layers.end(), [&](const auto* l) { return l->inside(p); });
-      sum += hit == at.layers.end() ? at.below : (*hit)->rgb;
-    }
-  return sum / (double(grid) * grid);
+  return sum_of_samples(everything(scene), to_units(scene, x + 0.5, y + 0.5), scene.pixel, grid) /
+         (double(grid) * grid);
 }
 
 TruthError compare_with_truth(const Image& image, const TruthScene& scene, int grid, int every) {
   TruthError error;
+  const Ambiguous all = everything(scene);
   for (int y = 0; y < image.height; ++y)
     for (int x = y % every; x < image.width; x += every) {
-      const Ambiguous at = ambiguous(scene, to_units(scene, x + 0.5, y + 0.5));
-      const glm::dvec3 truth = at.layers.empty() ? at.below : truth_pixel(scene, x, y, grid);
+      const glm::dvec2 center = to_units(scene, x + 0.5, y + 0.5);
+      const Ambiguous at = ambiguous(all, center, 0.7072 * scene.pixel);
+      const glm::dvec3 truth =
+          at.layers.empty() ? at.below : sum_of_samples(at, center, scene.pixel, grid) / (double(grid) * grid);
       error.edge_pixels += !at.layers.empty();
       double off = 0;
       for (int k = 0; k < 3; ++k)

@@ -28,7 +28,7 @@ struct TruthScene {
   bool y_up;
 };
 
-/// The mean over pixel (x, y) by grid × grid samples.
+/// The mean over pixel (x, y) by grid × grid samples; grid a power of two.
 glm::dvec3 truth_pixel(const TruthScene& scene, int x, int y, int grid);
 
 struct TruthError {

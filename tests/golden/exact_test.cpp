@@ -1,0 +1,74 @@
+// The first promise: no channel of any pixel is off by more than 1 of 255 from the exact picture.
+
+#include <mien/mien.h>
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <random>
+
+#include "tests/support/truth.h"
+
+namespace mien {
+namespace {
+
+Face face_named(const std::string& name) {
+  auto face = read_face(std::string(MIEN_SOURCE_DIR "/faces/") + name + ".face.json");
+  if (!face) throw std::runtime_error(sentence(face.error()));
+  return *face;
+}
+
+Image drawn(const Face& face, const std::vector<std::string>& settings, int width, int height) {
+  Pose pose;
+  for (const std::string& text : settings) {
+    auto setting = read_setting(face, text);
+    if (!setting) throw std::runtime_error(sentence(setting.error()));
+    pose.settings.push_back(*setting);
+  }
+  return render(scene_from_face(pose_face(face, pose)), {.width = width, .height = height, .blend = Blend::srgb});
+}
+
+std::vector<std::string> eyes(glm::dvec2 gaze, double dilation, double blink) {
+  return {fmt::format("gaze.x={}", gaze.x), fmt::format("gaze.y={}", gaze.y), fmt::format("dilation={}", dilation),
+          fmt::format("blink={}", blink)};
+}
+
+void expect_exact(const Image& image, const test::TruthScene& truth, int grid, int every = 1) {
+  const test::TruthError error = test::compare_with_truth(image, truth, grid, every);
+  EXPECT_EQ(error.over_one, 0) << error.where;
+  EXPECT_GT(error.edge_pixels, 0);
+  testing::Test::RecordProperty("worst", fmt::format("{} of 255 over {} edge pixels", error.worst, error.edge_pixels));
+}
+
+TEST(Exact, EyesLookingUpRight) {  // E1 – E7, E12
+  const Face face = face_named("seed0");
+  expect_exact(drawn(face, eyes({0.03, -0.02}, 1, 0), 640, 360), test::eyes_truth(640, 360, {0.03, -0.02}, 1, 0), 256);
+}
+
+TEST(Exact, EyesWithThePupilCutByTheLowerLid) {  // E4
+  const Face face = face_named("seed0");
+  expect_exact(drawn(face, eyes({0.05, -0.09}, 1, 0), 640, 360), test::eyes_truth(640, 360, {0.05, -0.09}, 1, 0), 256);
+}
+
+TEST(Exact, TheMuscleFaceAtRest) {  // M1 – M3
+  expect_exact(drawn(face_named("male"), {}, 512, 512), test::male_truth(512), 256);
+}
+
+TEST(Exact, AHundredRandomPosesAtRandomSizes) {
+  const Face face = face_named("seed0");
+  std::mt19937_64 random(20260101);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 100; ++i) {
+    const int width = 24 + int(unit(random) * 400), height = 16 + int(unit(random) * 240);
+    const glm::dvec2 gaze{0.16 * unit(random) - 0.08, 0.14 * unit(random) - 0.07};
+    const double dilation = 0.7 + 0.5 * unit(random), blink = unit(random);
+    SCOPED_TRACE(fmt::format("pose {}: {}x{} gaze {} {} dilation {} blink {}", i, width, height, gaze.x, gaze.y,
+                             dilation, blink));
+    expect_exact(drawn(face, eyes(gaze, dilation, blink), width, height),
+                 test::eyes_truth(width, height, gaze, dilation, blink), 128, 2);
+  }
+}
+
+}  // namespace
+}  // namespace mien
