@@ -126,7 +126,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     }
     tree_.nodes.push_back(node);
     if (tree_.nodes.size() <= limits_.values) return &tree_.nodes.back();
-    refuse(node, fmt::format("more than {} JSON values (limit: values)", limits_.values));
+    refuse(tree_.nodes.back(),
+           fmt::format("more than {} JSON values (limit: values)", limits_.values));
     return nullptr;
   }
 

@@ -57,7 +57,8 @@ Expected<std::vector<double>> read_numbers(std::string_view text, const std::str
     double number = 0;
     const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (status == std::errc::result_out_of_range)
-      return Error{where, fmt::format("{} is too large or too small for a number", in_quotes(word))};
+      return Error{where,
+                   fmt::format("{} is too large or too small for a number", in_quotes(word))};
     if (status != std::errc{} || end != word.data() + word.size() || word.empty())
       return Error{where, fmt::format("expected a number, got {}", in_quotes(word))};
     if (!std::isfinite(number))

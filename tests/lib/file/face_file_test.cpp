@@ -1,0 +1,407 @@
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/file/face_file.h>
+#include <mien/lib/rig/pose.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace mien {
+namespace {
+
+constexpr const char* kSamples[] = {"seed0", "toon", "male"};
+
+std::string path_of(const std::string& name) {
+  return MIEN_SOURCE_DIR "/faces/" + name + ".face.json";
+}
+
+std::string text_of(const std::string& name) {
+  std::ifstream file(path_of(name));
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A small face whose features, and whatever is to stand behind them, are given.
+std::string face_with(const std::string& features, const std::string& rest = "") {
+  return R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
+"palette": {"skin": "#f7db9c", "black": [0, 0, 0]}, "background": "skin",
+"features": [)" +
+         features + "]" + rest + "}";
+}
+
+std::string said(const std::string& text, const FaceLimits& limits = {}) {
+  const Expected<Face> face = read_face_text(text, "f", limits);
+  return face ? "a face" : sentence(face.error());
+}
+
+const std::string kIris =
+    R"({"name": "iris", "kind": "disc", "side": "left", "center": [0.2, 0], "radius": 0.1})";
+
+std::string control_with(const std::string& what) {
+  return face_with(kIris, R"(,
+"controls": [{"name": "look", "range": [0, 1], "rest": 0, "per_side": true, )" +
+                              what + "}]");
+}
+
+std::string clip_with(const std::string& what) {
+  return face_with(kIris, R"(, "controls": [{"name": "look", "range": [0, 1], "rest": 0}],
+"clips": {"idle": )" + what + "}");
+}
+
+TEST(ReadFace, ReadsTheSamplesWithoutAWarning) {
+  for (const char* name : kSamples) {
+    std::vector<Error> warnings;
+    const Expected<Face> face = read_face(path_of(name), {}, &warnings);
+    ASSERT_TRUE(face) << sentence(face.error());
+    for (const Error& warning : warnings) ADD_FAILURE() << sentence(warning);
+    EXPECT_EQ(face->model->name, name);
+    EXPECT_FALSE(face->model->credit.empty());
+    EXPECT_EQ(face->vector.size(), face->model->layout.size());
+  }
+}
+
+TEST(ReadFace, ReadsColoursAsLinearLight) {
+  const Expected<Face> face = read_face_text(face_with(""));
+  ASSERT_TRUE(face);
+  const int skin = face->model->layout.find("palette/skin");
+  ASSERT_EQ(skin, face->model->background);
+  EXPECT_NEAR(face->vector[0], std::pow((247 / 255.0 + 0.055) / 1.055, 2.4), 1e-15);
+  EXPECT_EQ(face->vector[3], 1);
+}
+
+TEST(ReadFace, MirrorsOneSideToTheOther) {
+  const Expected<Face> face = read_face_text(face_with(kIris));
+  ASSERT_TRUE(face);
+  const FaceModel& model = *face->model;
+  ASSERT_EQ(model.features.size(), 2u);
+  EXPECT_EQ(model.features[0].name, "iris.left");
+  EXPECT_EQ(model.features[1].name, "iris.right");
+  EXPECT_EQ(face->vector[std::size_t(model.layout[model.layout.find("iris.right/center")].begin)],
+            -0.2);
+}
+
+TEST(ReadFace, TakesOneSideAloneAndOverrides) {
+  const Expected<Face> face = read_face_text(face_with(
+      R"({"name": "scar", "kind": "disc", "side": "left", "mirror": false, "center": [0.2, 0], "radius": 0.1},
+         {"name": "eye", "kind": "disc", "side": "left", "center": [0.2, 0], "radius": 0.1, "right": {"radius": 0.2}})"));
+  ASSERT_TRUE(face) << sentence(face.error());
+  const Layout& layout = face->model->layout;
+  EXPECT_GE(layout.find("scar.left/center"), 0);
+  EXPECT_EQ(layout.find("scar.right/center"), -1);
+  EXPECT_EQ(face->vector[std::size_t(layout[layout.find("eye.right/radius")].begin)], 0.2);
+  EXPECT_EQ(face->vector[std::size_t(layout[layout.find("eye.right/center")].begin)], -0.2);
+}
+
+TEST(ReadFace, SharesPointsByReference) {
+  const Expected<Face> face = read_face(path_of("toon"));
+  ASSERT_TRUE(face);
+  const auto feature = [&](std::string_view name) {
+    for (const Feature& f : face->model->features)
+      if (f.name == name) return f;
+    throw std::runtime_error("no feature");
+  };
+  for (const char* side : {".left", ".right"}) {
+    const auto opening = std::get<OpeningFigure>(feature(std::string("opening") + side).figure);
+    const auto lid = std::get<StrokeFigure>(feature(std::string("upper_lid") + side).figure);
+    EXPECT_EQ(lid.spine[0], opening.inner);  // ONE lid curve: the very same numbers
+    EXPECT_EQ(lid.spine[1], opening.upper);
+    EXPECT_EQ(lid.spine[2], opening.outer);
+  }
+}
+
+struct Bad {
+  std::string text;  ///< with a ^ where the error is to be reported
+  std::string said;  ///< after its line and column
+};
+
+/// "f:LINE:COLUMN" of the ^ in a text, which is taken out.
+std::string take_mark(std::string& text) {
+  const std::size_t at = text.find('^');
+  if (at == std::string::npos) throw std::runtime_error("no mark in " + text);
+  text.erase(at, 1);
+  std::size_t line = 1, column = 1;
+  for (std::size_t i = 0; i < at; ++i)
+    if (text[i] == '\n')
+      ++line, column = 1;
+    else if ((text[i] & 0xC0) != 0x80)
+      ++column;
+  return "f:" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+/// Every refusal: its place, its pointer and its words.
+TEST(ReadFace, SaysWhatIsWrongAndWhere) {
+  const std::string version = R"({"format": "mien-face", "format_version": )";
+  const std::string canvas = version + R"(1, "canvas": )";
+  const std::string disc = R"({"name": "a", "kind": "disc", "center": [0, 0], "radius": 1)";
+  const std::string marked_disc = R"({"name": ^"a", "kind": "disc", "center": [0, 0], "radius": 1)";
+  const Bad table[] = {
+      {"^", ": the file is empty"},
+      {" \n ^", ": the file is empty"},
+      {"{^",
+       ": malformed JSON: syntax error while parsing object key - unexpected end of input; "
+       "expected string literal"},
+      {R"({"format": "mien-face",^})",
+       ": malformed JSON: syntax error while parsing object key - unexpected '}'; expected string "
+       "literal"},
+      {R"({"a": ^NaN})",
+       ": malformed JSON: syntax error while parsing value - invalid literal; last read: '\"a\": "
+       "N'"},
+      {"{\"^\xFF\": 1}",
+       ": malformed JSON: syntax error while parsing object key - invalid string: ill-formed UTF-8 "
+       "byte; last read: '\"\\xFF'; expected string literal"},
+      {"^[]", ": expected an object, got an array"},
+      {R"({"a": 1, ^"a": 2})", ": /a: the key \"a\" stands here twice"},
+      {R"({"a~/b": {"c": 1, ^"c": 2}})", ": /a~0~1b/c: the key \"c\" stands here twice"},
+      {R"({"ö": 1, ^"ö": 1})", ": /ö: the key \"ö\" stands here twice"},
+      {R"({"a": 1e99^9})", ": 1e999 is too large for a number"},
+      {R"({"a": [0, ^-1e10]})",
+       ": /a/1: -10000000000 is too large: numbers go from -1000000000 to 1000000000 (limit: "
+       "magnitude)"},
+      {"^{}", ": \"format\" is missing"},
+      {R"({"format": ^"svg"})", ": /format: expected \"mien-face\", got \"svg\""},
+      {version + "^2}",
+       ": /format_version: format version 2 is newer than this program, which reads 1"},
+      {version + "^1.5}", ": /format_version: expected the integer 1, got 1.5"},
+      {version + "^\"1\"}", ": /format_version: expected a number, got a string"},
+      {canvas + R"({"x": ^[1, 1]}})", ": /canvas/x: expected two rising numbers, got 1 and 1"},
+      {canvas + R"(^{"x": [0, 1e-10], "y": [0, 1]}})",
+       ": /canvas: a canvas must be at least 1e-09 wide and high"},
+      {canvas + R"(^{"x": [0, 1e8], "y": [0, 1]}})",
+       ": /canvas: a canvas must not be more than 1000000 times longer than wide"},
+      {canvas + R"({"x": [0, 1], "y": [0, 1], "y_axis": ^"upp"}})",
+       ": /canvas/y_axis: no y_axis named \"upp\"; did you mean \"up\"?"},
+      {face_with("^5"), ": /features/0: expected an object, got a number"},
+      {face_with("^{}"), ": /features/0: \"kind\" is missing"},
+      {face_with(R"({"kind": ^"elipse"})"),
+       ": /features/0/kind: no kind of feature named \"elipse\"; did you mean \"ellipse\"?"},
+      {face_with(R"(^{"kind": "disc"})"), ": /features/0: \"name\" is missing"},
+      {face_with(R"({"kind": "disc", "name": ^"a/b"})"),
+       ": /features/0/name: the name \"a/b\" must have no spaces and none of / @ = , \" \\"},
+      {face_with(R"({"kind": "disc", "name": ^""})"),
+       ": /features/0/name: a name must not be empty"},
+      {face_with(R"({"kind": "disc", "name": ^"a.left"})"),
+       ": /features/0/name: the name \"a.left\" is taken: no feature may be called palette or end "
+       "in .left or .right"},
+      {face_with(R"({"kind": "disc", "name": "a", "center": ^[0], "radius": 1})"),
+       ": /features/0/center: expected 2 numbers, got 1"},
+      {face_with(R"({"kind": "disc", "name": "a", "center": [0, ^"0"], "radius": 1})"),
+       ": /features/0/center/1: expected a number, got a string"},
+      {face_with(R"({"kind": "disc", "name": "a", "center": [0, 0], "radius": ^-1})"),
+       ": /features/0/radius: a length must not be negative, got -1"},
+      {face_with(R"(^{"kind": "disc", "name": "a", "center": [0, 0]})"),
+       ": /features/0: \"radius\" is missing"},
+      {face_with(R"({"kind": "stroke", "name": "a", "spine": ^[[0, 0], [1, 1]], "half_width": 1})"),
+       ": /features/0/spine: expected 3 points, got 2"},
+      {face_with(
+           R"({"kind": "stroke", "name": "a", "spine": [[0, 0], [1, 1], [2, 2]], "half_width": ^[1, 2]})"),
+       ": /features/0/half_width: expected 1 or 3 numbers, got 2"},
+      {face_with(
+           R"({"kind": "stroke", "name": "a", "spine": [[0, 0], [1, 1], [2, 2]], "half_width": ^[1, -1, 2]})"),
+       ": /features/0/half_width: a length must not be negative, got -1"},
+      {face_with(R"({"kind": "polyline", "name": "a", "points": ^[], "half_width": 1})"),
+       ": /features/0/points: expected at least 1 point, got 0"},
+      {face_with(R"({"kind": "path", "name": "a", "points": ^[[0, 0], [1, 1]]})"),
+       ": /features/0/points: expected at least 3 points, got 2"},
+      {face_with(R"({"kind": "path", "name": "a", "points": [[0, 0], [1, 1], [1, 0, ^"bent"]]})"),
+       ": /features/0/points/2/2: no mark of a point named \"bent\"; did you mean \"bend\"?"},
+      {face_with(R"(^{"kind": "path", "name": "a"})"),
+       ": /features/0: a path has either \"points\" (one loop) or \"loops\" (any number)"},
+      {face_with(disc + "}," + marked_disc + "}"),
+       ": /features/1/name: there is a feature \"a\" already"},
+      {face_with(disc + R"(, "paint": ^"skn"})"),
+       ": /features/0/paint: no palette colour named \"skn\"; did you mean \"skin\"?"},
+      {face_with(
+           disc +
+           R"(, "clip": ^"b"}, {"name": "b", "kind": "disc", "center": [0, 0], "radius": 1})"),
+       ": /features/0/clip: the feature \"b\" comes later: move it before what it clips"},
+      {face_with(kIris + "," + disc + R"(, "clip": ^"irsi"})"),
+       ": /features/1/clip: no feature named \"irsi\"; did you mean \"iris\"?"},
+      {face_with(disc + R"(, "mirror": ^true})"),
+       ": /features/0/mirror: \"mirror\" needs a \"side\": the one that the numbers are for"},
+      {face_with(disc + R"(, "side": ^"lft"})"),
+       ": /features/0/side: no side named \"lft\"; did you mean \"left\"?"},
+      {face_with(
+           kIris +
+           R"(, {"name": "b", "kind": "disc", "side": "left", "center": ^"@iris/centre", "radius": 1})"),
+       ": /features/1/center: no number named \"iris/centre\"; did you mean \"iris/center\"?"},
+      {face_with(
+           kIris +
+           R"(, {"name": "b", "kind": "disc", "side": "left", "center": ^"@iris/radius", "radius": 1})"),
+       ": /features/1/center: \"@iris/radius\" is a length of 1, but a point of 2 is needed here"},
+      {face_with(kIris +
+                 R"(, {"name": "b", "kind": "disc", "center": ^"iris/center", "radius": 1})"),
+       ": /features/1/center: expected numbers or a reference like \"@opening/upper\", got "
+       "\"iris/center\""},
+      {control_with(R"("offset": {"iris/centr": ^[1, 0]})"),
+       ": /controls/0/offset/iris~1centr: no number named \"iris/centr\"; did you mean "
+       "\"iris/center\"?"},
+      {control_with(R"("offset": {"iris/center": ^[1]})"),
+       ": /controls/0/offset/iris~1center: expected 2 numbers, got 1"},
+      {control_with(R"("scale": ^["iris/radius"])"),
+       ": /controls/0/scale: a control that scales must rest at 1, not at 0"},
+      {control_with(R"("offset": {"palette/skin": ^[1, 0, 0, 0]})"),
+       ": /controls/0/offset/palette~1skin: \"palette/skin\" has no sides, but this control is per "
+       "side"},
+      {control_with(R"("key_shapes": {"slices": {"iris/radius": ^[0.1]}})"),
+       ": /controls/0/key_shapes/slices/iris~1radius: expected at least 2 keys, got 1"},
+      {control_with(R"("key_shapes": {"slices": {"iris/radius": [0.1, ^-1]}})"),
+       ": /controls/0/key_shapes/slices/iris~1radius/1: a length must not be negative, got -1"},
+      {control_with(R"("key_shapes": {"at": [0, ^0], "slices": {"iris/radius": [0.1, 1]}})"),
+       ": /controls/0/key_shapes/at/1: the places of keys must rise"},
+      {control_with(R"("key_shapes": {"slices": {"iris/radius": ["rest", ^"@iris/center"]}})"),
+       ": /controls/0/key_shapes/slices/iris~1radius/1: \"@iris/center\" is a point of 2, but a "
+       "length of 1 is needed here"},
+      {face_with("", R"(, "controls": [{"name": "a", "range": [0, 1], "rest": ^2}])"),
+       ": /controls/0/rest: must lie between 0 and 1, got 2"},
+      {clip_with(R"({"lok": ^{"keys": [[0, 0]]}})"),
+       ": /clips/idle/lok: no control named \"lok\"; did you mean \"look\"?"},
+      {clip_with(R"({"look": {"keys": [[0, 0], ^[0, 1]]}})"),
+       ": /clips/idle/look/keys/1: the times of keys must rise"},
+      {clip_with(R"({"look": {"keys": [[0, 0, ^"smoth"]]}})"),
+       ": /clips/idle/look/keys/0/2: no ease named \"smoth\"; did you mean \"smooth\"?"},
+      {clip_with(R"({"look": {"period": ^-1, "keys": [[0, 0]]}})"),
+       ": /clips/idle/look/period: a period must be positive, got -1"},
+      {clip_with(R"({"look": ^{}})"),
+       ": /clips/idle/look: a curve has either \"keys\" or \"sine\""},
+      {face_with("", R"(, "default_clip": ^"idle")"), ": /default_clip: no clip named \"idle\""},
+  };
+  for (Bad bad : table) {
+    const std::string place = take_mark(bad.text);
+    EXPECT_EQ(said(bad.text), place + bad.said) << bad.text;
+  }
+}
+
+TEST(ReadFace, WarnsOfUnknownKeysAndReadsOn) {
+  std::string first = face_with("", R"(, ^"nmae": "x")");
+  std::string second =
+      face_with(R"({"name": "a", "kind": "disc", "center": [0, 0], "radius": 1, ^"pant": "skin"})");
+  const std::string first_place = take_mark(first), second_place = take_mark(second);
+  std::vector<Error> warnings;
+  ASSERT_TRUE(read_face_text(first, "f", {}, &warnings));
+  ASSERT_TRUE(read_face_text(second, "f", {}, &warnings));
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(sentence(warnings[0]),
+            first_place + ": /nmae: unknown key \"nmae\", ignored; did you mean \"name\"?");
+  EXPECT_EQ(
+      sentence(warnings[1]),
+      second_place +
+          ": /features/0/pant: unknown key \"pant\" of a disc, ignored; did you mean \"paint\"?");
+}
+
+TEST(ReadFace, WarnsOfKeyShapesThatJumpAtRest) {
+  std::vector<Error> warnings;
+  ASSERT_TRUE(
+      read_face_text(control_with(R"("key_shapes": {"slices": {"iris/radius": [0.2, 0.3]}})"), "f",
+                     {}, &warnings));
+  ASSERT_EQ(warnings.size(), 2u);  // one for each side
+  EXPECT_EQ(warnings[0].what, "the key at rest differs from \"iris.left/radius\" itself");
+}
+
+TEST(ReadFace, NamesTheLimitThatIsExceeded) {
+  EXPECT_EQ(said(face_with(kIris), {.bytes = 10}), "f: longer than 10 bytes (limit: bytes)");
+  EXPECT_EQ(said("[[[1]]]", {.nesting = 2}),
+            "f:1:3: arrays and objects nested more than 2 deep (limit: nesting)");
+  EXPECT_EQ(said("[1, 2, 3]", {.values = 3}), "f:1:8: /2: more than 3 JSON values (limit: values)");
+  EXPECT_EQ(said(face_with(kIris), {.numbers = 10}),
+            "f:3:93: /features/0/radius: more than 10 numbers in the face (limit: numbers)");
+  EXPECT_EQ(said(face_with(kIris), {.features = 1}),
+            "f:3:14: /features/0: more than 1 features (limit: features)");
+  EXPECT_EQ(said("[100]", {.magnitude = 99}),
+            "f:1:2: /0: 100 is too large: numbers go from -99 to 99 (limit: magnitude)");
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(ReadFace, RefusesAMillionPointsAndDeepNestingAtOnce) {
+  const auto start = std::chrono::steady_clock::now();
+  std::string points = "[0, 0]";
+  for (int i = 1; i < 1'000'000; ++i) points += ",[0,0]";
+  EXPECT_NE(said(face_with(R"({"name": "a", "kind": "polyline", "half_width": 1, "points": [)" +
+                           points + "]}"))
+                .find("(limit: "),
+            std::string::npos);
+  EXPECT_NE(said(std::string(10'000, '[')).find("(limit: nesting)"), std::string::npos);
+  EXPECT_NE(said(std::string(10'000'000, '[')).find("(limit: nesting)"), std::string::npos);
+  std::string objects;
+  for (int i = 0; i < 10'000; ++i) objects += "{\"a\":";
+  EXPECT_NE(said(objects).find("(limit: nesting)"), std::string::npos);
+  EXPECT_LT(seconds_since(start), 20);
+}
+
+/// What grows with the square of the text would show here.
+TEST(ReadFace, StaysFastOnHostileText) {
+  const auto start = std::chrono::steady_clock::now();
+  std::string keys = "{\"format\": \"mien-face\"";
+  for (int i = 0; i < 200'000; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
+  std::vector<Error> warnings;
+  EXPECT_FALSE(read_face_text(keys + "}", "f", {}, &warnings));
+  EXPECT_EQ(warnings.size(), 100u);
+  std::string many;
+  for (int i = 0; i < 20'000; ++i)
+    many += (i ? ",{\"name\":\"n" : "{\"name\":\"n") + std::to_string(i) +
+            R"(","kind":"disc","side":"left","center":[0,0],"radius":1})";
+  EXPECT_EQ(said(face_with(many)), "a face");
+  EXPECT_NE(
+      said(face_with(many + R"(,{"name":"x","kind":"disc","center":"@n9/centre","radius":1})"))
+          .find("did you mean"),
+      std::string::npos);
+  EXPECT_LT(seconds_since(start), 20);
+}
+
+TEST(ReadFace, SaysWhatIsWrongWithTheFileItself) {
+  const Expected<Face> folder = read_face(MIEN_SOURCE_DIR "/faces");
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(sentence(folder.error()), MIEN_SOURCE_DIR "/faces: is a directory");
+  const Expected<Face> nothing = read_face("/nowhere/a\nface.json");
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(sentence(nothing.error()),
+            "/nowhere/a\\x0Aface.json: cannot be read: No such file or directory");
+  const Expected<Face> endless = read_face("/dev/zero", {.bytes = 1000});
+  ASSERT_FALSE(endless);
+  EXPECT_EQ(sentence(endless.error()), "/dev/zero: longer than 1000 bytes (limit: bytes)");
+}
+
+/// What every text must give: a face whose numbers can all be posed, or one line about it.
+void expect_face_or_sentence(const std::string& text) {
+  const Expected<Face> face = read_face_text(text, "f");
+  if (face) {
+    ASSERT_EQ(pose_face(*face, {.time = 0.3}).vector.size(), face->model->layout.size());
+  } else {
+    const std::string line = sentence(face.error());
+    ASSERT_TRUE(line.starts_with("f:")) << line;
+    ASSERT_EQ(line.find('\n'), std::string::npos) << line;
+    ASSERT_LT(line.size(), 600u) << line;
+  }
+}
+
+TEST(ReadFace, SurvivesEveryTruncation) {
+  for (const char* name : kSamples) {
+    const std::string text = text_of(name);
+    for (std::size_t length = 0; length < text.size(); ++length)
+      expect_face_or_sentence(text.substr(0, length));
+  }
+}
+
+TEST(ReadFace, SurvivesSingleByteChanges) {
+  for (const char* name : kSamples) {
+    const std::string text = text_of(name);
+    constexpr char kBytes[] = {'\0', '"', '[', '}', '-', '9', 'e', ',', ' ', '\\', '\x80', '\xFF'};
+    std::size_t turn = 0;
+    for (std::size_t at = 0; at < text.size(); at += 3) {
+      std::string changed = text;
+      changed[at] = kBytes[turn++ % sizeof kBytes];
+      expect_face_or_sentence(changed);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""docs/face.schema.json takes the sample faces and refuses what the reader refuses.
+
+Exit 77 (skipped) without python3-jsonschema.
+"""
+import copy
+import json
+import pathlib
+import sys
+
+try:
+    from jsonschema import Draft202012Validator
+except ImportError:
+    print("python3-jsonschema is not installed")
+    sys.exit(77)
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+SCHEMA = json.loads((ROOT / "docs/face.schema.json").read_text())
+SAMPLES = sorted((ROOT / "faces").glob("*.face.json"))
+
+
+def feature(face, name):
+    return next(f for f in face["features"] if f["name"] == name)
+
+
+# Each breaks a sound copy of faces/toon.face.json.
+BREAKS = {
+    "a missing canvas": lambda f: f.pop("canvas"),
+    "another format": lambda f: f.update(format="svg"),
+    "another version": lambda f: f.update(format_version=2),
+    "an unknown key": lambda f: f.update(nmae="x"),
+    "an unknown key of a feature": lambda f: feature(f, "iris").update(pant="skin"),
+    "an unknown key of a side": lambda f: feature(f, "iris").update(right={"pant": "skin"}),
+    "an unknown kind": lambda f: feature(f, "iris").update(kind="elipse"),
+    "a radius that is negative": lambda f: feature(f, "iris").update(radii=[1, -1]),
+    "a width that is negative": lambda f: feature(f, "brow").update(half_width=-1),
+    "a number that is too large": lambda f: feature(f, "glint").update(center=[2e9, 0]),
+    "a point of one number": lambda f: feature(f, "glint").update(center=[0]),
+    "a spine of two points": lambda f: feature(f, "brow").update(spine=[[0, 0], [1, 1]]),
+    "a path of two points": lambda f: feature(f, "head").update(points=[[0, 0], [1, 1]]),
+    "an ellipse without radii": lambda f: feature(f, "iris").pop("radii"),
+    "a mirror without a side": lambda f: feature(f, "head").update(mirror=True),
+    "a colour that is none": lambda f: f["palette"].update(skin="#12345"),
+    "a name with a slash": lambda f: feature(f, "head").update(name="a/b"),
+    "a curve without keys": lambda f: f["clips"]["idle"].update(blink={}),
+    "an unknown ease": lambda f: f["clips"]["idle"]["blink"].update(ease="smoth"),
+    "a table of one key": lambda f: f["controls"][3]["key_shapes"]["slices"].update({"opening/upper": ["rest"]}),
+}
+
+
+def main():
+    Draft202012Validator.check_schema(SCHEMA)
+    validator = Draft202012Validator(SCHEMA)
+    failures = []
+    assert len(SAMPLES) >= 3, "where are the samples?"
+    for sample in SAMPLES:
+        for error in validator.iter_errors(json.loads(sample.read_text())):
+            failures.append(f"{sample.name}: {error.json_path}: {error.message}")
+    toon = json.loads((ROOT / "faces/toon.face.json").read_text())
+    for what, break_it in BREAKS.items():
+        broken = copy.deepcopy(toon)
+        break_it(broken)
+        if validator.is_valid(broken):
+            failures.append(f"the schema takes {what}")
+    print("\n".join(failures) or f"{len(SAMPLES)} samples valid, {len(BREAKS)} broken ones refused")
+    return bool(failures)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
