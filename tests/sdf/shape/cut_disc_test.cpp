@@ -1,0 +1,60 @@
+#include "tests/support/real128.h"
+#include "tests/support/shape_laws.h"
+
+namespace mien::test {
+namespace {
+
+double inside_of(const CutDisc& s, glm::dvec2 p) {
+  const glm::dvec2 q = p - s.center;
+  const double v = q.x * s.up.x + q.y * s.up.y, round = s.radius * s.radius - q.x * q.x - q.y * q.y;
+  const double top = s.upper < 1 ? s.upper * s.radius - v : 1.0;
+  return std::min({round, top, s.lower < 1 ? v + s.lower * s.radius : 1.0});
+}
+
+const std::vector<CutDisc> kDiscs = {
+    {{0, 0}, 1, 0.5, 0.7, {0, 1}},    {{0.2, -0.3}, 1.5, 0.1, 2, {0, -1}},
+    {{0, 0}, 1, 1, 0.3, {0.6, 0.8}},  {{0.1, 0}, 0.5, 0, 0.4, {1, 0}},
+    {{0, 0}, 1.2, 1, 1, {0, 1}},      {{0.1, 0.2}, 1, 0, 0, {0, 1}},
+    {{0.3, 0.1}, 0, 0.5, 0.5, {0, 1}}};
+
+}  // namespace
+
+template <>
+std::vector<Example<CutDisc>> examples() {
+  std::vector<Example<CutDisc>> all;
+  for (const CutDisc& s : kDiscs)
+    all.push_back({s, [s](glm::dvec2 p) { return inside_of(s, p); }, 2.0,
+                   s.radius == 0 || s.upper + s.lower == 0});
+  return all;
+}
+INSTANTIATE_TYPED_TEST_SUITE_P(CutDisc, ShapeLaws, CutDisc);
+
+/// Against the nearest of densely sampled outline points: never farther than one, nearer by no more
+/// than a step.
+TEST(CutDisc, IsTheDistanceToItsSampledOutline) {
+  Random r(3);
+  for (const CutDisc& s : kDiscs) {
+    std::vector<glm::dvec2> outline;
+    const glm::dvec2 across{s.up.y, -s.up.x};
+    const double hi = std::min(s.upper, 1.0), lo = std::min(s.lower, 1.0), step = 2e-3;
+    for (double t = 0; t < 6.2832; t += step)
+      if (std::sin(t) <= hi && std::sin(t) >= -lo)
+        outline.push_back(s.center + s.radius * (std::cos(t) * across + std::sin(t) * s.up));
+    for (const double h : {hi, -lo}) {
+      const double w = std::sqrt(1 - h * h);
+      for (double x = -w; x <= w; x += step)
+        outline.push_back(s.center + s.radius * (x * across + h * s.up));
+      outline.push_back(s.center + s.radius * (w * across + h * s.up));
+    }
+    for (int i = 0; i < 300; ++i) {
+      const glm::dvec2 p = r.point(-2.5, 2.5);
+      double nearest = 1e9;
+      for (const glm::dvec2 q : outline) nearest = std::min(nearest, norm(q - p));
+      const double d = std::abs(distance(s, p));
+      EXPECT_LE(d, nearest + 1e-12);
+      EXPECT_GE(d, nearest - step * s.radius);
+    }
+  }
+}
+
+}  // namespace mien::test
