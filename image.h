@@ -24,10 +24,28 @@ struct WriteOptions {
   Progress progress;             ///< may cancel: then nothing is written
 };
 
-/// Writes to `path`; "-" is a PNG on standard output. Opaque pictures are stored as RGB, others
-/// with straight alpha where the format wants it; the colour space is tagged. The file is written
-/// beside its target, flushed to the disk and renamed: an error leaves the old file as it was.
+/// Writes to `path`; "-" is a PNG on standard output.
+///
+///   PNG   8 or 16 bits (f32 becomes 16), sRGB, straight alpha
+///   TIFF  8, 16 or 32-bit float as the image is; tiled, zip. Float is linear and premultiplied
+///   EXR   half or 32-bit float (u8 and u16 become linear), premultiplied, zip
+///   JPEG  8 bits, sRGB, no subsampling. A picture that is not opaque is an error
+///
+/// Opaque pictures are stored as RGB, others as RGBA; the colour space is tagged; the recipe is the
+/// file's ImageDescription (in PNG the text "Description"; a JPEG leaves out a recipe beyond 60 000
+/// bytes).
+///
+/// The file is written beside its target under a name like ".mien-0123456789abcdef.part", flushed
+/// to the disk and renamed: an error leaves the old file as it was and nothing else behind. A
+/// temporary left by a killed run goes with the next write into that folder, unless a running
+/// process holds its lock. Links are followed and stay links; permissions are as the umask says;
+/// devices and pipes are written straight into.
 MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::path& path,
                                     const WriteOptions& how = {});
+
+/// Whether write_image could begin there: the format is known, the folder exists and may be
+/// written. For asking before a long render; changes nothing.
+MIEN_API Expected<Done> check_target(const std::filesystem::path& path,
+                                     const WriteOptions& how = {});
 
 }  // namespace mien

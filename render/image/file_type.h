@@ -1,0 +1,21 @@
+#pragma once
+// Which kind of file a path asks for.
+
+#include <mien/image.h>
+
+#include <filesystem>
+
+namespace mien {
+
+/// By the extension, in any case: .png .tif .tiff .exr .jpg .jpeg; "-" is a PNG. Else an error that
+/// lists them.
+Expected<FileType> file_type(const std::filesystem::path& path);
+
+/// "PNG", "TIFF", … as people write it.
+const char* type_name(FileType type);
+
+/// Whether `image` fits the type: sides within what it can hold, and no transparency where it knows
+/// none.
+Expected<Done> check_fits(const Image& image, FileType type);
+
+}  // namespace mien

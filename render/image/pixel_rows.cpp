@@ -1,0 +1,90 @@
+#include <mien/render/blend/transfer.h>
+#include <mien/render/image/pixel_rows.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace mien {
+namespace {
+
+int top_level(Depth depth) {
+  return depth == Depth::u8 ? 255 : 65535;
+}
+
+/// Levels of straight sRGB to premultiplied light, `linear` being the light of each level.
+template <class Level>
+void to_light(const Level* from, float* to, std::size_t pixels, const std::vector<float>& linear) {
+  const float scale = 1.0f / float(linear.size() - 1);
+  for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 4) {
+    const float alpha = float(from[3]) * scale;
+    for (int c = 0; c < 3; ++c) to[c] = linear[from[c]] * alpha;
+    to[3] = alpha;
+  }
+}
+
+/// Premultiplied light to levels of straight sRGB. Flat art repeats itself: a pixel like the one
+/// before is copied.
+template <class Level>
+void to_levels(const float* from, Level* to, std::size_t pixels, int top) {
+  for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 4) {
+    if (i > 0 && std::memcmp(from, from - 4, 4 * sizeof(float)) == 0) {
+      std::copy(to - 4, to, to);
+      continue;
+    }
+    const double alpha = from[3];
+    for (int c = 0; c < 3; ++c) {
+      to[c] = Level(alpha > 0 ? level(srgb_from_linear(std::clamp(from[c] / alpha, 0.0, 1.0)), top)
+                              : 0);
+    }
+    to[3] = Level(level(alpha, top));
+  }
+}
+
+/// Between 8 and 16 bits; 65535 = 255 · 257.
+void to_other_levels(const std::uint8_t* from, std::uint16_t* to, std::size_t channels) {
+  std::transform(from, from + channels, to, [](int v) { return std::uint16_t(v * 257); });
+}
+void to_other_levels(const std::uint16_t* from, std::uint8_t* to, std::size_t channels) {
+  std::transform(from, from + channels, to, [](int v) { return std::uint8_t((v + 128) / 257); });
+}
+
+}  // namespace
+
+PixelRows::PixelRows(const Image& image, Depth wanted) : image_(image), wanted_(wanted) {
+  if (image.depth == Depth::f32 || wanted != Depth::f32) return;
+  const int top = top_level(image.depth);
+  linear_.resize(std::size_t(top) + 1);
+  for (int v = 0; v <= top; ++v) linear_[std::size_t(v)] = float(linear_from_srgb(double(v) / top));
+}
+
+const std::byte* PixelRows::rows(int first, int end) {
+  const std::uint8_t* from = image_.row(first);
+  if (image_.depth == wanted_) return reinterpret_cast<const std::byte*>(from);
+
+  const std::size_t pixels = std::size_t(image_.width) * std::size_t(end - first);
+  buffer_.resize(pixels * 4 * bytes_per_channel(wanted_));
+  const auto* from8 = from;
+  const auto* from16 = reinterpret_cast<const std::uint16_t*>(from);
+  const auto* from32 = reinterpret_cast<const float*>(from);
+  auto* to8 = reinterpret_cast<std::uint8_t*>(buffer_.data());
+  auto* to16 = reinterpret_cast<std::uint16_t*>(buffer_.data());
+  auto* to32 = reinterpret_cast<float*>(buffer_.data());
+  switch (image_.depth) {
+    case Depth::u8:
+      wanted_ == Depth::f32 ? to_light(from8, to32, pixels, linear_)
+                            : to_other_levels(from8, to16, pixels * 4);
+      break;
+    case Depth::u16:
+      wanted_ == Depth::f32 ? to_light(from16, to32, pixels, linear_)
+                            : to_other_levels(from16, to8, pixels * 4);
+      break;
+    case Depth::f32:
+      wanted_ == Depth::u8 ? to_levels(from32, to8, pixels, 255)
+                           : to_levels(from32, to16, pixels, 65535);
+      break;
+  }
+  return buffer_.data();
+}
+
+}  // namespace mien
