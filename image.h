@@ -31,7 +31,8 @@ struct WriteOptions {
 ///   EXR   half or 32-bit float (u8 and u16 become linear), premultiplied, zip
 ///   JPEG  8 bits, sRGB, no subsampling. A picture that is not opaque is an error
 ///
-/// Opaque pictures are stored as RGB, others as RGBA; the colour space is tagged; the recipe is the
+/// Opaque pictures are stored as RGB, others as RGBA; the colour space is tagged (in TIFF by an ICC
+/// profile); the recipe is the
 /// file's ImageDescription (in PNG the text "Description"; a JPEG leaves out a recipe beyond 60 000
 /// bytes).
 ///

@@ -1,6 +1,7 @@
 #include <mien/render/image/descriptor_proxy.h>
 #include <mien/render/image/encode.h>
 #include <mien/render/image/file_type.h>
+#include <mien/render/image/icc_profile.h>
 #include <mien/render/image/pixel_rows.h>
 #include <mien/render/image/system_error.h>
 #include <mien/version.h>
@@ -50,7 +51,15 @@ void set_png(OIIO::ImageSpec& spec) {
   spec.attribute("png:compressionLevel", 6);
 }
 
-void set_tiff(OIIO::ImageSpec& spec) {
+/// The colour space goes in as a profile, which programs that read TIFF look at; and with
+/// oiio:ColorSpace set, the writer of OpenImageIO 2.4 makes a file that cannot be read when its
+/// bytes go through a proxy.
+void set_tiff(OIIO::ImageSpec& spec, Depth depth) {
+  spec.erase_attribute("oiio:ColorSpace");
+  const std::vector<std::uint8_t> profile =
+      icc_profile(depth == Depth::f32 ? ToneCurve::linear : ToneCurve::srgb);
+  spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(profile.size())),
+                 profile.data());
   spec.tile_width = spec.tile_height = kTile;
   spec.tile_depth = 1;
   spec.attribute("compression", "zip");
@@ -74,6 +83,8 @@ OIIO::ImageSpec spec_of(const Image& image, FileType type, const WriteOptions& h
   OIIO::ImageSpec spec(image.width, image.height, image.opaque ? 3 : 4, type_of(depth));
   spec.attribute("oiio:ColorSpace", depth == Depth::f32 ? "Linear" : "sRGB");
   if (!image.opaque && depth != Depth::f32) spec.attribute("oiio:UnassociatedAlpha", 1);
+  spec.attribute("DateTime",
+                 "");  // else some writers put the time in: the same picture is the same bytes
   spec.attribute("Software", "mien " MIEN_VERSION_STRING);
   if (!how.recipe.empty() && (type != FileType::jpeg || how.recipe.size() <= kJpegText)) {
     spec.attribute("ImageDescription", how.recipe);
@@ -83,7 +94,7 @@ OIIO::ImageSpec spec_of(const Image& image, FileType type, const WriteOptions& h
       set_png(spec);
       break;
     case FileType::tiff:
-      set_tiff(spec);
+      set_tiff(spec, depth);
       break;
     case FileType::exr:
       set_exr(spec, how.half);

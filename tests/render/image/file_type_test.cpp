@@ -1,0 +1,48 @@
+#include <mien/render/image/file_type.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_image.h"
+
+namespace mien {
+namespace {
+
+TEST(FileType, IsByTheExtensionInAnyCase) {
+  EXPECT_EQ(*file_type("a.png"), FileType::png);
+  EXPECT_EQ(*file_type("a.b/c.PNG"), FileType::png);
+  EXPECT_EQ(*file_type("a.tif"), FileType::tiff);
+  EXPECT_EQ(*file_type("a.Tiff"), FileType::tiff);
+  EXPECT_EQ(*file_type("a.exr"), FileType::exr);
+  EXPECT_EQ(*file_type("a.jpg"), FileType::jpeg);
+  EXPECT_EQ(*file_type("a.jpeg"), FileType::jpeg);
+  EXPECT_EQ(*file_type("-"), FileType::png);
+}
+
+TEST(FileType, UnknownOnesAreSentences) {
+  EXPECT_EQ(sentence(file_type("out/a.gif").error()),
+            "out/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg");
+  EXPECT_EQ(sentence(file_type("png").error()),
+            "png: its name has no extension that says the format; known are .png .tif .tiff .exr "
+            ".jpg .jpeg");
+}
+
+TEST(CheckFits, KnowsWhatAFormatHolds) {
+  EXPECT_TRUE(check_fits(test::sample_image(4, 3, Depth::u8, false), FileType::png));
+  EXPECT_TRUE(check_fits(test::sample_image(4, 3, Depth::u8, true), FileType::jpeg));
+  EXPECT_EQ(
+      check_fits(test::sample_image(4, 3, Depth::u8, false), FileType::jpeg).error().what,
+      "JPEG cannot hold transparency; give the picture an opaque background or another format");
+  EXPECT_EQ(check_fits(test::sample_image(65501, 1, Depth::u8, true), FileType::jpeg).error().what,
+            "JPEG holds sides up to 65500 pixels, not 65501 x 1");
+}
+
+TEST(CheckFits, RefusesImagesThatAreNone) {
+  EXPECT_EQ(check_fits(Image{}, FileType::png).error().what, "the image has no pixels");
+  Image short_of = test::sample_image(4, 3, Depth::u16, true);
+  short_of.bytes.pop_back();
+  EXPECT_EQ(check_fits(short_of, FileType::png).error().what,
+            "the image holds 95 bytes, but 4 x 3 pixels need 96");
+}
+
+}  // namespace
+}  // namespace mien
