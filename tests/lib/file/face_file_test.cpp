@@ -75,6 +75,22 @@ TEST(ReadFace, ReadsColoursAsLinearLight) {
   EXPECT_EQ(face->vector[3], 1);
 }
 
+/// The example on the format's page is a face, without a warning.
+TEST(ReadFace, ReadsTheExampleOfItsPage) {
+  std::ifstream file(MIEN_SOURCE_DIR "/docs/face-format.md");
+  std::stringstream page;
+  page << file.rdbuf();
+  const std::string text = page.str(), fence = "```json\n";
+  const std::size_t begin = text.find(fence) + fence.size();
+  ASSERT_GT(text.find("```", begin), begin);
+  std::vector<Error> warnings;
+  const Expected<Face> face =
+      read_face_text(text.substr(begin, text.find("```", begin) - begin), "f", {}, &warnings);
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(face->model->features.size(), 4u);
+}
+
 TEST(ReadFace, MirrorsOneSideToTheOther) {
   const Expected<Face> face = read_face_text(face_with(kIris));
   ASSERT_TRUE(face);
