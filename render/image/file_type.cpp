@@ -37,6 +37,14 @@ Expected<FileType> file_type(const std::filesystem::path& path) {
   return Error{path.string(), fmt::format("unknown extension {}; {}", extension, known)};
 }
 
+Expected<FileType> chosen_type(const std::filesystem::path& path, const WriteOptions& how) {
+  if (path == "-" && how.type && *how.type != FileType::png) {
+    return Error{"standard output", std::string("takes PNG only, not ") + type_name(*how.type)};
+  }
+  if (how.type) return *how.type;
+  return file_type(path);
+}
+
 const char* type_name(FileType type) {
   switch (type) {
     case FileType::png:

@@ -11,6 +11,9 @@ namespace mien {
 /// lists them.
 Expected<FileType> file_type(const std::filesystem::path& path);
 
+/// The type that `how` gives, else the path's; standard output takes PNG only.
+Expected<FileType> chosen_type(const std::filesystem::path& path, const WriteOptions& how);
+
 /// "PNG", "TIFF", … as people write it.
 const char* type_name(FileType type);
 

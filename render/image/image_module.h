@@ -10,11 +10,10 @@
 
 namespace mien {
 
-/// The verbs of image.h. The module's file name carries mien's version: both sides are always of
+/// The verb of image.h. The module's file name carries mien's version: both sides are always of
 /// the same one.
 struct ImageModule {
   decltype(&write_image) write;
-  decltype(&check_target) check;
 };
 
 using ImageModuleEntry = const ImageModule* (*)();

@@ -17,14 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Expected<FileType> type_for(const fs::path& path, const WriteOptions& how) {
-  if (path == "-" && how.type && *how.type != FileType::png) {
-    return Error{"standard output", std::string("takes PNG only, not ") + type_name(*how.type)};
-  }
-  if (how.type) return *how.type;
-  return file_type(path);
-}
-
 /// In order, whatever standard output is: behind what a file already holds, too.
 Expected<Done> write_stdout(const Image& image, FileType type, const WriteOptions& how) {
   DescriptorProxy out(STDOUT_FILENO, true);
@@ -53,7 +45,7 @@ Expected<Done> write_whole(const Image& image, FileType type, const WriteOptions
 }
 
 Expected<Done> write_to(const Image& image, const fs::path& path, const WriteOptions& how) {
-  const auto type = type_for(path, how);
+  const auto type = chosen_type(path, how);
   if (!type) return type.error();
   if (auto fits = check_fits(image, *type); !fits) return fits;
   if (path == "-") return write_stdout(image, *type, how);
@@ -73,19 +65,6 @@ Expected<Done> write_image(const Image& image, const fs::path& path, const Write
     return done;
   } catch (const std::exception& failure) {
     return Error{where, std::string("cannot be written: ") + failure.what()};
-  }
-}
-
-Expected<Done> check_target(const fs::path& path, const WriteOptions& how) {
-  try {
-    const auto type = type_for(path, how);
-    if (!type) return type.error();
-    if (path == "-") return Done{};
-    const auto target = find_target(path);
-    if (!target) return target.error();
-    return Done{};
-  } catch (const std::exception& failure) {
-    return Error{path.string(), std::string("cannot be written: ") + failure.what()};
   }
 }
 

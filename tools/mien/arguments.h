@@ -1,0 +1,36 @@
+#pragma once
+// What people typed, sorted but not yet understood: texts as given, empty where nothing was.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mien::command {
+
+/// FACE and how it is posed.
+struct PosedFace {
+  std::string face;
+  std::optional<std::string> time;
+  std::vector<std::string> settings;
+};
+
+struct RenderArguments {
+  PosedFace posed;
+  std::string output;
+  std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats,
+      progress;
+};
+
+struct CheckArguments {
+  std::vector<std::string> faces;
+};
+
+struct SceneArguments {
+  PosedFace posed;
+};
+
+struct ListArguments {
+  std::string face;
+};
+
+}  // namespace mien::command

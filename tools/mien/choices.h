@@ -1,0 +1,15 @@
+#pragma once
+// The words some options take: said once, for help, man page, completion and reading alike.
+
+#include <string_view>
+
+namespace mien::command {
+
+inline constexpr std::string_view kFits = "meet|slice";
+inline constexpr std::string_view kBlends = "linear|srgb";
+inline constexpr std::string_view kDepths = "8|16|half|float";
+inline constexpr std::string_view kStats = "json";
+inline constexpr std::string_view kProgress = "auto|json|none";
+inline constexpr std::string_view kShells = "bash|zsh|fish";
+
+}  // namespace mien::command

@@ -1,0 +1,33 @@
+#pragma once
+// The definition itself. CLI11 compiles slowly: this header is for the two files that need it.
+
+#include <mien/tools/mien/arguments.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace mien::command {
+
+/// The application and what it fills.
+struct CommandApp {
+  CLI::App app{"mien draws vector faces exactly.", "mien"};
+  RenderArguments render;
+  CheckArguments check;
+  SceneArguments scene;
+  ListArguments list;
+  std::string shell;  ///< of `mien completion`
+};
+
+std::unique_ptr<CommandApp> command_app();
+
+/// Out of the definition: a man page (groff), and completion for bash, zsh or fish.
+std::string manual(const CLI::App& app);
+std::string completion(const CLI::App& app, const std::string& shell);
+
+/// Commands that people see, and an option's visible names.
+std::vector<const CLI::App*> visible_commands(const CLI::App& app);
+std::vector<const CLI::Option*> visible_options(const CLI::App& app);
+std::vector<std::string> option_words(const CLI::Option& option);
+
+}  // namespace mien::command

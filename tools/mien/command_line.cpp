@@ -1,0 +1,199 @@
+#include <mien/lib/base/nearest_name.h>
+#include <mien/lib/base/one_line.h>
+#include <mien/tools/mien/choices.h>
+#include <mien/tools/mien/command_line.h>
+#include <mien/tools/mien/render_plan.h>
+#include <mien/tools/mien/values.h>
+#include <mien/version.h>
+
+#include "command_app_private.h"
+
+namespace mien::command {
+namespace {
+
+void add_pose(CLI::App* to, PosedFace& posed) {
+  to->add_option("FACE", posed.face, "Face file")->required()->type_name("");
+  to->add_option("--time", posed.time,
+                 "Moment at which the face's clips are drawn; without one no clip runs")
+      ->type_name("SECONDS");
+  to->add_option("--set", posed.settings,
+                 "Hold a control or a number of the face at a value; may be given many times; "
+                 "'mien list FACE' names "
+                 "them all")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_picture(CLI::App* to, RenderArguments& render) {
+  to->add_option("-o,--output", render.output,
+                 "Picture to write: .png .tif .tiff .exr .jpg .jpeg; - is a PNG on standard output")
+      ->required()
+      ->type_name("FILE");
+  to->add_option("--size", render.size,
+                 "Pixels of the whole picture, or of its longer side; default: longer side " +
+                     std::to_string(kDefaultSide))
+      ->type_name("WxH");
+  to->add_option("--fit", render.fit,
+                 "Show the whole canvas, or fill the whole picture; default meet")
+      ->type_name(std::string(kFits));
+  to->add_option("--region", render.region,
+                 "Draw only this part of the picture, with the same pixels")
+      ->type_name("X,Y,W,H");
+  to->add_option("--background", render.background,
+                 "#rrggbb, #rrggbbaa or transparent, instead of the face's own")
+      ->type_name("COLOUR");
+  to->add_option("--blend", render.blend,
+                 "Mix colours in linear light or as encoded; default linear")
+      ->type_name(std::string(kBlends));
+  to->add_option("--depth", render.depth,
+                 "Bits of a channel; PNG 8 16, TIFF 8 16 float, EXR half float, JPEG 8")
+      ->type_name(std::string(kDepths));
+}
+
+void add_work(CLI::App* to, RenderArguments& render) {
+  to->add_option("--threads", render.threads,
+                 "Threads to draw with; 0, the default: as many as there are")
+      ->type_name("N");
+  to->add_option("--memory", render.memory,
+                 "Most bytes a picture may take in memory, K M G T for powers of 1024; default 4G")
+      ->type_name("BYTES");
+  to->add_option("--stats", render.stats,
+                 "Print what drawing took, on standard output (standard error with -o -)")
+      ->type_name(std::string(kStats));
+  to->add_option("--progress", render.progress,
+                 "auto: a bar on a terminal for work of over a second; json: lines for programs")
+      ->type_name(std::string(kProgress));
+}
+
+std::vector<std::string_view> names_of(const std::vector<std::string>& words) {
+  return {words.begin(), words.end()};
+}
+
+std::string command_list(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : visible_commands(app))
+    text += (text.empty() ? "" : ", ") + command->get_name();
+  return text;
+}
+
+/// What `words` could not place, in one sentence: an unknown option or command, or one argument too
+/// many.
+std::string stray(const CLI::App& app) {
+  const CLI::App* at = &app;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->parsed()) at = command;
+  }
+  const std::vector<std::string> left = app.remaining(true);
+  if (left.empty()) return "arguments that mean nothing";
+  const std::string& word = left.front();
+  if (word.size() > 1 && word[0] == '-') {
+    std::vector<std::string> known{"--help"};
+    for (const CLI::Option* option : visible_options(*at)) {
+      for (const std::string& name : option_words(*option)) known.push_back(name);
+    }
+    return unknown_name("option", word.substr(0, word.find('=')), names_of(known));
+  }
+  if (at == &app) {
+    std::vector<std::string> known;
+    for (const CLI::App* command : visible_commands(app)) known.push_back(command->get_name());
+    return unknown_name("command", word, names_of(known));
+  }
+  return at->get_name() + ": one argument too many: " + in_quotes(word);
+}
+
+CommandLine chosen(CommandApp& command) {
+  const CLI::App& app = command.app;
+  if (app.got_subcommand("render")) return std::move(command.render);
+  if (app.got_subcommand("check")) return std::move(command.check);
+  if (app.got_subcommand("scene")) return std::move(command.scene);
+  if (app.got_subcommand("list")) return std::move(command.list);
+  if (app.got_subcommand("manual")) return Help{manual(app)};
+  if (app.got_subcommand("completion")) {
+    const auto shell = read_choice("completion", command.shell, kShells);
+    if (!shell) return WrongUse{sentence(shell.error())};
+    return Help{completion(app, command.shell)};
+  }
+  return WrongUse{"a command is needed: " + command_list(app) + "; mien -h helps"};
+}
+
+/// CLI11's own sentences, in this command's manner: after the command they are about, in lower
+/// case.
+std::string retold(const CLI::App& app, const CLI::ParseError& wrong) {
+  std::string text = wrong.what();
+  const std::string option = text.substr(0, text.find(':'));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong)) {
+    text = option + (text.find("At Most") == std::string::npos ? " needs a value"
+                                                               : " may be given only once");
+  }
+  const auto used = app.get_subcommands();
+  return used.empty() ? text : used.back()->get_name() + ": " + text;
+}
+
+}  // namespace
+
+std::vector<const CLI::App*> visible_commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+std::vector<const CLI::Option*> visible_options(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+}
+
+std::vector<std::string> option_words(const CLI::Option& option) {
+  std::vector<std::string> words;
+  for (const std::string& name : option.get_snames()) words.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) words.push_back("--" + name);
+  return words;
+}
+
+std::unique_ptr<CommandApp> command_app() {
+  auto made = std::make_unique<CommandApp>();
+  CLI::App& app = made->app;
+  app.set_help_flag("-h,--help", "Say this and stop");
+  app.set_version_flag("--version", "mien " MIEN_VERSION_STRING, "Say which mien this is and stop");
+  app.get_formatter()->column_width(34);
+
+  CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
+  add_pose(render, made->render.posed);
+  add_picture(render, made->render);
+  add_work(render, made->render);
+
+  CLI::App* check = app.add_subcommand("check", "Say whether face files are in order");
+  check->add_option("FACE", made->check.faces, "Face files")
+      ->required()
+      ->type_name("")
+      ->expected(1, 1 << 20);
+
+  add_pose(app.add_subcommand("scene", "Print the shapes and layers a face is drawn with"),
+           made->scene.posed);
+
+  CLI::App* list = app.add_subcommand(
+      "list", "Print every name that --set takes, with unit, range and value; and clips");
+  list->add_option("FACE", made->list.face, "Face file")->required()->type_name("");
+
+  app.add_subcommand("manual", "Print the man page")->group("");
+  CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");
+  shells->add_option("SHELL", made->shell, std::string(kShells))->required()->type_name("");
+  return made;
+}
+
+CommandLine read_command_line(int count, const char* const* words) {
+  const auto command = command_app();
+  CLI::App& app = command->app;
+  try {
+    app.parse(count, words);
+  } catch (const CLI::CallForHelp&) {
+    const auto used = app.get_subcommands();
+    return Help{used.empty() ? app.help() : used.back()->help("mien")};
+  } catch (const CLI::CallForVersion&) {
+    return Help{"mien " MIEN_VERSION_STRING "\n"};
+  } catch (const CLI::ExtrasError&) {
+    return WrongUse{stray(app)};
+  } catch (const CLI::ParseError& wrong) {
+    // A mistyped option is the better news than what is missing because of it.
+    return WrongUse{app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong)};
+  }
+  return chosen(*command);
+}
+
+}  // namespace mien::command

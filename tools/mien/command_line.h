@@ -1,0 +1,24 @@
+#pragma once
+// The command line: its one definition, out of which come reading, help, man page and completion.
+
+#include <mien/tools/mien/arguments.h>
+
+#include <string>
+#include <variant>
+
+namespace mien::command {
+
+/// Nothing to run: text for standard output ("--help"), or what was wrong with the line.
+struct Help {
+  std::string text;
+};
+struct WrongUse {
+  std::string sentence;
+};
+
+using CommandLine =
+    std::variant<Help, WrongUse, RenderArguments, CheckArguments, SceneArguments, ListArguments>;
+
+CommandLine read_command_line(int count, const char* const* words);
+
+}  // namespace mien::command

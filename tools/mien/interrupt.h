@@ -1,0 +1,16 @@
+#pragma once
+// Ctrl-C: the work stops where it leaves nothing behind.
+
+namespace mien::command {
+
+/// From now on SIGINT, SIGTERM and SIGHUP only set a flag, the first time; a second one ends the
+/// process at once.
+void watch_interrupts();
+
+/// Whether one came.
+bool interrupted();
+
+/// Ends the process as the signal that came would have: shells then stop their loops, too.
+[[noreturn]] void die_of_interrupt();
+
+}  // namespace mien::command

@@ -1,0 +1,15 @@
+#pragma once
+// The little JSON the command writes. Pure ASCII: it is also stored where only Latin-1 is allowed.
+
+#include <string>
+#include <string_view>
+
+namespace mien::command {
+
+/// In quotes, with everything but printable ASCII escaped. Broken UTF-8 becomes U+FFFD.
+std::string json_string(std::string_view text);
+
+/// The shortest text that reads back as the same number; null if it is not finite.
+std::string json_number(double value);
+
+}  // namespace mien::command

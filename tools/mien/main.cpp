@@ -1,0 +1,35 @@
+#include <mien/tools/mien/command_line.h>
+#include <mien/tools/mien/commands.h>
+#include <mien/tools/mien/messages.h>
+
+#include <csignal>
+#include <exception>
+#include <new>
+
+namespace mien::command {
+namespace {
+
+struct Run {
+  int operator()(const Help& help) const { return print(help.text); }
+  int operator()(const WrongUse& wrong) const { return complain(wrong.sentence, kUsedWrongly); }
+  int operator()(const RenderArguments& arguments) const { return render_command(arguments); }
+  int operator()(const CheckArguments& arguments) const { return check_command(arguments); }
+  int operator()(const SceneArguments& arguments) const { return scene_command(arguments); }
+  int operator()(const ListArguments& arguments) const { return list_command(arguments); }
+};
+
+}  // namespace
+}  // namespace mien::command
+
+int main(int count, char** words) {
+  using namespace mien::command;
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like others
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file at its limit
+  try {
+    return std::visit(Run{}, read_command_line(count, words));
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory", kFailed);
+  } catch (const std::exception& failure) {
+    return complain(failure.what(), kFailed);
+  }
+}

@@ -1,0 +1,22 @@
+#pragma once
+// FACE, --time and --set: what render and scene have in common.
+
+#include <mien/lib/face/face.h>
+#include <mien/tools/mien/arguments.h>
+#include <mien/tools/mien/messages.h>
+
+#include <optional>
+
+namespace mien::command {
+
+/// The face, or nothing; warnings and the error have been said.
+std::optional<Face> read_face_aloud(const std::string& path);
+
+/// A face at the pose asked for, or the exit code after what was wrong has been said.
+struct PosedOrCode {
+  std::optional<Face> face;
+  int code = kDone;
+};
+PosedOrCode read_posed_face(const PosedFace& arguments);
+
+}  // namespace mien::command

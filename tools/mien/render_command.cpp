@@ -1,0 +1,108 @@
+// mien render: read, pose, draw, write; and stop in between when asked to.
+
+#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/tools/mien/commands.h>
+#include <mien/tools/mien/image_loader.h>
+#include <mien/tools/mien/interrupt.h>
+#include <mien/tools/mien/posed_face.h>
+#include <mien/tools/mien/recipe.h>
+#include <mien/tools/mien/render_plan.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace mien::command {
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// [s] that each part took.
+struct Times {
+  double read = 0, scene = 0, draw = 0, load = 0, write = 0;
+};
+
+std::string stats_text(const RenderStats& stats, const PixelRect& drawn, const Times& times) {
+  return fmt::format(
+      "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, \"one_edge_pixels\": "
+      "{}, "
+      "\"divided_pixels\": {}, \"cells\": {}, \"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
+      "\"draw\": {:.6f}, "
+      "\"load\": {:.6f}, \"write\": {:.6f}}}}}\n",
+      drawn.width, drawn.height, stats.pixels, stats.fill_pixels, stats.one_edge_pixels,
+      stats.divided_pixels, stats.cells, times.read, times.scene, times.draw, times.load,
+      times.write);
+}
+
+/// On standard output, unless the picture is there.
+int print_stats(const std::string& text, const std::string& output) {
+  if (output != "-") return print(text);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  return kDone;
+}
+
+Expected<Done> check_output(const std::string& output, const WriteOptions& write) {
+  if (output == "-" && ::isatty(STDOUT_FILENO)) {
+    return Error{"-o -", "will not write a picture to a terminal; redirect it or name a file"};
+  }
+  return check_target(output, write);
+}
+
+int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene,
+                   Times times) {
+  ImageLoader loader;
+  ProgressDisplay display(plan.progress);
+  RenderStats stats;
+  double began = now();
+  plan.how.progress = display.watch("draw");
+  const Image image = render(scene, plan.view, plan.how, &stats);
+  times.draw = now() - began;
+  if (interrupted()) return complain("interrupted", kFailed);
+
+  began = now();
+  const auto module = loader.get();
+  if (!module) return complain(module.error(), kFailed);
+  times.load = now() - began;
+
+  began = now();
+  plan.write.recipe = recipe(arguments, plan.view);
+  plan.write.progress = display.watch("write");
+  const auto done = (*module)->write(image, arguments.output, plan.write);
+  times.write = now() - began;
+  if (interrupted() && !done) return complain("interrupted", kFailed);
+  if (!done) return complain(done.error(), kFailed);
+  return plan.stats ? print_stats(stats_text(stats, drawn_rect(plan.view), times), arguments.output)
+                    : kDone;
+}
+
+}  // namespace
+
+int render_command(const RenderArguments& arguments) {
+  auto plan = plan_render(arguments);
+  if (!plan) return complain(plan.error(), kUsedWrongly);
+  if (auto writable = check_output(arguments.output, plan->write); !writable) {
+    return complain(writable.error(), kFailed);
+  }
+  Times times;
+  double began = now();
+  const auto posed = read_posed_face(arguments.posed);
+  if (!posed.face) return posed.code;
+  times.read = now() - began;
+
+  began = now();
+  const Scene scene = scene_from_face(*posed.face);
+  times.scene = now() - began;
+  if (auto planned = plan_view(*plan, arguments, scene.canvas()); !planned) {
+    return complain(planned.error(), kUsedWrongly);
+  }
+  watch_interrupts();
+  const int code = draw_and_write(arguments, *plan, scene, times);
+  if (code != kDone && interrupted()) die_of_interrupt();
+  return code;
+}
+
+}  // namespace mien::command

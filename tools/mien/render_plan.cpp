@@ -1,0 +1,138 @@
+#include <mien/render/image/file_type.h>
+#include <mien/tools/mien/choices.h>
+#include <mien/tools/mien/render_plan.h>
+#include <mien/tools/mien/values.h>
+
+#include <fmt/format.h>
+
+namespace mien::command {
+namespace {
+
+enum class DepthChoice { eight, sixteen, half, full };  // in kDepths' order
+
+bool holds(FileType type, DepthChoice depth) {
+  switch (type) {
+    case FileType::png:
+      return depth == DepthChoice::eight || depth == DepthChoice::sixteen;
+    case FileType::tiff:
+      return depth != DepthChoice::half;
+    case FileType::exr:
+      return depth == DepthChoice::half || depth == DepthChoice::full;
+    case FileType::jpeg:
+      return depth == DepthChoice::eight;
+  }
+  return false;
+}
+
+const char* what_it_holds(FileType type) {
+  switch (type) {
+    case FileType::png:
+      return "8 or 16";
+    case FileType::tiff:
+      return "8, 16 or float";
+    case FileType::exr:
+      return "half or float";
+    case FileType::jpeg:
+      return "8";
+  }
+  return "";
+}
+
+Expected<Done> plan_depth(RenderPlan& plan, const RenderArguments& arguments) {
+  DepthChoice depth = *plan.write.type == FileType::exr ? DepthChoice::half : DepthChoice::eight;
+  if (arguments.depth) {
+    const auto chosen = read_choice("--depth", *arguments.depth, kDepths);
+    if (!chosen) return chosen.error();
+    depth = DepthChoice(*chosen);
+    if (!holds(*plan.write.type, depth)) {
+      return Error{
+          "--depth " + *arguments.depth,
+          fmt::format("{} holds {}", type_name(*plan.write.type), what_it_holds(*plan.write.type))};
+    }
+  }
+  plan.how.depth = depth == DepthChoice::eight     ? Depth::u8
+                   : depth == DepthChoice::sixteen ? Depth::u16
+                                                   : Depth::f32;
+  plan.write.half = depth == DepthChoice::half;
+  return Done{};
+}
+
+/// Reads a choice, if there is one, into an enumeration that counts in the choices' order.
+template <class Enumeration>
+Expected<Done> plan_choice(Enumeration& to, std::string_view option,
+                           const std::optional<std::string>& text, std::string_view choices) {
+  if (!text) return Done{};
+  const auto chosen = read_choice(option, *text, choices);
+  if (!chosen) return chosen.error();
+  to = Enumeration(*chosen);
+  return Done{};
+}
+
+Expected<Done> check_memory(const RenderPlan& plan, const std::optional<std::string>& text) {
+  std::uint64_t limit = kDefaultMemory;
+  if (text) {
+    const auto given = read_memory(*text);
+    if (!given) return given.error();
+    limit = *given;
+  }
+  const PixelRect drawn = drawn_rect(plan.view);
+  const std::uint64_t needed = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4 *
+                               bytes_per_channel(plan.how.depth);
+  if (needed <= limit) return Done{};
+  return Error{"--memory",
+               fmt::format("{} x {} pixels take {}, more than the {} allowed", drawn.width,
+                           drawn.height, bytes_text(needed), bytes_text(limit))};
+}
+
+}  // namespace
+
+Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
+  RenderPlan plan;
+  const auto type = chosen_type(arguments.output, {});
+  if (!type) return type.error();
+  plan.write.type = *type;
+  if (auto done = plan_depth(plan, arguments); !done) return done.error();
+  if (auto done = plan_choice(plan.view.fit, "--fit", arguments.fit, kFits); !done)
+    return done.error();
+  if (auto done = plan_choice(plan.view.blend, "--blend", arguments.blend, kBlends); !done)
+    return done.error();
+  if (auto done = plan_choice(plan.progress, "--progress", arguments.progress, kProgress); !done)
+    return done.error();
+  if (arguments.stats) {
+    const auto chosen = read_choice("--stats", *arguments.stats, kStats);
+    if (!chosen) return chosen.error();
+    plan.stats = true;
+  }
+  if (arguments.threads) {
+    const auto threads = read_threads(*arguments.threads);
+    if (!threads) return threads.error();
+    plan.how.threads.count = *threads;
+  }
+  if (arguments.background) {
+    const auto color = read_background(*arguments.background);
+    if (!color) return color.error();
+    plan.view.background = *color;
+  }
+  // Whether it is a size at all can be said before the face is read.
+  if (arguments.size) {
+    if (const auto size = read_size(*arguments.size, 1.0); !size) return size.error();
+  }
+  return plan;
+}
+
+Expected<Done> plan_view(RenderPlan& plan, const RenderArguments& arguments, const Canvas& canvas) {
+  const double aspect = canvas.box.size().x / canvas.box.size().y;
+  const auto size =
+      read_size(arguments.size ? *arguments.size : std::to_string(kDefaultSide), aspect);
+  if (!size) return size.error();
+  plan.view.width = size->width;
+  plan.view.height = size->height;
+  if (arguments.region) {
+    const auto region = read_region(*arguments.region, *size);
+    if (!region) return region.error();
+    plan.view.region = *region;
+  }
+  return check_memory(plan, arguments.memory);
+}
+
+}  // namespace mien::command

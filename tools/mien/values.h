@@ -1,0 +1,42 @@
+#pragma once
+// Option values: from text to numbers and back to a sentence where they make no sense. The error's
+// `where` is the option with its value: "--size 0x5".
+
+#include <mien/lib/base/expected.h>
+#include <mien/lib/geom/color.h>
+#include <mien/render/view/view.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace mien::command {
+
+/// "1920x1080"; or "1920": the longer side, the other as `aspect` (width over height) says.
+struct Size {
+  int width, height;
+};
+Expected<Size> read_size(std::string_view text, double aspect);
+
+/// "X,Y,W,H" in whole pixels, inside a picture of that size.
+Expected<PixelRect> read_region(std::string_view text, Size picture);
+
+/// "#rrggbb", "#rrggbbaa", the same without "#", or "transparent".
+Expected<Color> read_background(std::string_view text);
+
+/// Seconds: any finite number.
+Expected<double> read_time(std::string_view text);
+
+/// 0 (as many as there are) … kMostThreads.
+inline constexpr int kMostThreads = 1024;
+Expected<int> read_threads(std::string_view text);
+
+/// A number of bytes, perhaps with K, M, G or T (powers of 1024).
+Expected<std::uint64_t> read_memory(std::string_view text);
+
+/// The index of `text` among choices like "meet|slice".
+Expected<int> read_choice(std::string_view option, std::string_view text, std::string_view choices);
+
+/// 1536 MiB, 4 GiB: at most three digits and a unit.
+std::string bytes_text(std::uint64_t bytes);
+
+}  // namespace mien::command
