@@ -7,8 +7,9 @@
 
 namespace mien {
 
-/// Linear light in [0, 1] to the encoded value in [0, 1].
+/// Linear light in [0, 1] to the encoded value in [0, 1]. 1 is 1 exactly, which the power would miss by a rounding.
 inline double srgb_from_linear(double v) {
+  if (v >= 1.0) return 1.0;
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
 }
 

@@ -48,7 +48,7 @@ bool PixelResolver::describe(const Scope& scope, glm::dvec2 center, double side)
   double error = 0.0;
   for (const int outline : scopes_.outlines(scope)) {
     const LocalOutline local = edges_near(tape_.outlines[std::size_t(outline)], center, radius, edges_);
-    error += local.count > 0 ? local.error : 0.0;
+    error += local.error;
     locals_.push_back(local);
   }
   if (edges_.size() > Arrangement::kMaxCuts) return false;
@@ -101,7 +101,10 @@ Mix PixelResolver::at_center(const Scope& scope, glm::dvec2 center) {
 
 Mix PixelResolver::square(const Scope& scope, glm::dvec2 center, double side, int depth) {
   if (depth > 0) ++stats_.cells;
-  if (scope.outline_count == 0) return scopes_.color(scope);
+  if (scope.outline_count == 0) {
+    if (depth == 0) ++stats_.fill_pixels;
+    return scopes_.color(scope);
+  }
   const bool described = describe(scope, center, side);
   if (depth == 0) ++(described && edges_.size() <= 1 ? stats_.one_edge_pixels : stats_.divided_pixels);
   if (described) return resolve(scope, side);

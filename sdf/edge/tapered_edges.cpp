@@ -41,44 +41,93 @@ bool clear_outside(const TaperedStroke& s, double offset, glm::dvec2 c, double r
   return clear(clear, 0.0, std::min(lo, 1.0), kHalvings) && clear(clear, std::max(hi, 0.0), 1.0, kHalvings);
 }
 
+/// Whether g_tt > 0 for every p in the disc (c, radius) and every t within `half` of a middle.
+///     g_tt = (n'·B')²/rho − n·B'' − w'',   rho = |p − B|, n = (p − B)/rho, n' across it
+/// p − B moves by at most `reach`, so n turns by at most turn = reach/(rho − reach); a product with n' then changes by
+/// that with n times turn, and its own length times turn²/2.
+bool convex_around(const TaperedStroke& s, glm::dvec2 c, double radius, double middle, double half) {
+  const At foot = at(s, middle);
+  const glm::dvec2 m = c - foot.point;
+  const double rho = glm::length(m), speed = glm::length(foot.velocity), pull = glm::length(foot.acceleration);
+  const double reach = radius + (speed + pull * half) * half, turn = reach / (rho - reach);
+  if (!(turn > 0.0 && turn < 1.0)) return false;
+  const glm::dvec2 n = m / rho, across{-n.y, n.x};
+  const double run = std::abs(glm::dot(across, foot.velocity)), rise = std::abs(glm::dot(n, foot.velocity));
+  const double least_run = std::max(0.0, run - pull * half - rise * turn - 0.5 * speed * turn * turn);
+  const double bend = glm::dot(n, foot.acceleration) + std::abs(glm::dot(across, foot.acceleration)) * turn +
+                      0.5 * pull * turn * turn;
+  return least_run * least_run / (rho + reach) - bend - foot.width_bend > 0.0;
+}
+
+/// The envelope of the discs on the side of unit n: E(t) = B + w n with n·B' = −w'. Differentiating that, n turns
+/// by omega = −(n·B'' + w'')/q per t, q = n'·B', n' across n and along the run; E moves by v = q + w omega along n'.
+/// So the outline bends by omega/v.
+struct Envelope {
+  double bend;
+  double speed;        ///< v
+  double bend_change;  ///< bound on |d bend / d arc| for t within `half`, or kUnproven
+};
+
+/// With everything bounded over |t − t0| <= half, where n turns by at most theta:
+///     omega' = (−omega (n'·B'') q + (n·B'' + w'')(omega w' + n'·B''))/q²,    v' = 2 omega w' + n'·B'' + w omega'.
+Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
+  glm::dvec2 across{-n.y, n.x};
+  if (glm::dot(across, e.velocity) < 0.0) across = -across;
+  const double q = glm::dot(across, e.velocity), pull = glm::length(e.acceleration), speed = glm::length(e.velocity);
+  const double lag = glm::dot(n, e.acceleration) + e.width_bend, omega = -lag / q, v = q + width * omega;
+  Envelope result{omega / v, v, kUnproven};
+  const double theta = 2.0 * half * std::abs(omega) + 2.0 * half * half * pull * pull / (q * q) + 1e-6;
+  const double q_lo = q - pull * half - speed * theta;
+  if (!(q > 0.0 && q_lo > 0.5 * q)) return result;
+  const double lag_hi = std::abs(lag) + pull * theta, omega_hi = lag_hi / q_lo;
+  if (!(omega_hi * half <= theta)) return result;
+  const double along_hi = std::abs(glm::dot(across, e.acceleration)) + pull * theta;
+  const double rate_hi = std::abs(e.width_rate) + std::abs(e.width_bend) * half;
+  const double width_hi = width + rate_hi * half, q_hi = q + pull * half + speed * theta;
+  const double omega_change = (omega_hi * along_hi * q_hi + lag_hi * (omega_hi * rate_hi + along_hi)) / (q_lo * q_lo);
+  const double v_change = 2.0 * omega_hi * rate_hi + along_hi + width_hi * omega_change;
+  const double v_lo = v - v_change * half, v_hi = v + v_change * half;
+  if (!(v_lo > 0.5 * v)) return result;
+  result.bend_change = (omega_change * v_hi + omega_hi * v_change) / (v_lo * v_lo * v_lo);
+  return result;
+}
+
 /// A body edge at t, with its error for the disc (c, radius), or kUnproven.
 ///
-/// Proof. On the disc and on I = [t − delta, t + delta] interval bounds are put in for
-///     g_tt = (|B'|² − (n·B')²)/rho − n·B'' − w'',     k = 1/rho − (n'·B')²/(rho² g_tt),
-/// rho = |p − B|, n = (p − B)/rho, n' across it. If g_tt > 0 the minimum on I is unique; it moves by at most
-/// |n'·B'|/(rho g_tt) per length, which must keep it within I; k is the curvature of phi's level line through p, so
-/// the outline bends within [k_lo, k_hi], and leaves the expansion with the bend at c by at most (k_hi − k_lo) r²/2.
-/// Discs outside I must keep clear.
+/// Proof. On J around t, cut in pieces, g_tt > 0 for every point of the disc: one minimum at most. Outside J the
+/// discs keep clear: none. So in the disc the outline is one piece of envelope; with |bend|·radius <= 1/4 its foot
+/// moves by at most arc 2·radius, on which `envelope` bounds the change of its bend. Third order and the circle's
+/// fourth are what is left.
 LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double radius, double t, double d) {
   const At foot = at(s, t);
   const glm::dvec2 m = c - foot.point;
   const double rho = glm::length(m);
   LevelEdge result{{.d = d, .normal = rho > 0.0 ? m / rho : glm::dvec2{1.0, 0.0}, .bend = 0.0}, kUnproven};
-  if (!(rho > 4.0 * radius)) return result;
-  const glm::dvec2 n = result.edge.normal, across{-n.y, n.x};
-  const double speed = glm::length(foot.velocity), pull = glm::length(foot.acceleration);
-  const double run = std::abs(glm::dot(across, foot.velocity));
-  const double g0 = run * run / rho - glm::dot(n, foot.acceleration) - foot.width_bend;
-  if (!(g0 > 0.0)) return result;
-  const double delta = 2.0 * radius * run / (rho * g0);
-  const double reach = radius + (speed + pull * delta) * delta;  // how far p − B can move
-  const double turn = reach / (rho - reach);                     // and n with it, at most
-  if (!(turn > 0.0 && turn < 0.5)) return result;
-  const double rho_lo = rho - reach, rho_hi = rho + reach;
-  const double slack = pull * delta + (speed + pull * delta) * turn;  // of n·B' and n'·B'
-  const double run_lo = std::max(0.0, run - slack), run_hi = run + slack;
-  const double straight = glm::dot(n, foot.acceleration) + foot.width_bend;
-  const double g_lo = run_lo * run_lo / rho_hi - straight - pull * turn;
-  const double g_hi = run_hi * run_hi / rho_lo - straight + pull * turn;
-  if (!(g_lo > 0.0) || !(radius * run_hi / (rho_lo * g_lo) <= delta)) return result;
-  const double k = 1.0 / rho - run * run / (rho * rho * g0);
-  const double k_lo = 1.0 / rho_hi - run_hi * run_hi / (rho_lo * rho_lo * g_lo);
-  const double k_hi = 1.0 / rho_lo - run_lo * run_lo / (rho_hi * rho_hi * g_hi);
-  if (!clear_outside(s, offset, c, radius, t - delta, t + delta)) return result;
-  if (!(std::abs(k) * radius < 0.25)) return result;
-  result.edge.bend = k / (1.0 - k * d);  // from the level line through c to the outline
-  const double change = std::max(k_hi - k, k - k_lo);
-  result.error = 0.5 * change * radius * radius + 0.25 * std::abs(k * k * k) * radius * radius * radius * radius;
+  const glm::dvec2 n = result.edge.normal;
+  const double run = std::abs(n.x * foot.velocity.y - n.y * foot.velocity.x);
+  const double g = run * run / rho - glm::dot(n, foot.acceleration) - foot.width_bend;
+  if (!(rho > radius) || !(g > 0.0)) return result;
+  // Arc 2·radius of the envelope, at no less than half its speed.
+  const double v = envelope(foot, foot.width + offset, n, 0.0).speed;
+  if (!(v > 0.0)) return result;
+  const Envelope edge = envelope(foot, foot.width + offset, n, 4.0 * radius / v);
+  if (!(edge.bend_change < kUnproven) || !(std::abs(edge.bend) * radius <= 0.25)) return result;
+
+  const double stretch = 4.0 * radius / v;
+  if (t - stretch < 0.0 || t + stretch > 1.0) return result;  // the round end may begin within the disc
+
+  // Where g has grown by 2·radius, by its second derivative at t, with half as much again.
+  const double wide = 3.0 * std::sqrt(radius / g) + 4.0 * radius / v;
+  const double from = std::max(t - wide, 0.0), to = std::min(t + wide, 1.0);
+  constexpr int kPieces = 8;
+  const double half = 0.5 * (to - from) / kPieces;
+  for (int i = 0; i < kPieces; ++i)
+    if (!convex_around(s, c, radius, from + (2 * i + 1) * half, half)) return result;
+  if (!clear_outside(s, offset, c, radius, from, to)) return result;
+
+  result.edge.bend = edge.bend;
+  const double r2 = radius * radius, bend = std::abs(edge.bend);
+  result.error = edge.bend_change * r2 * radius / 6.0 + 0.25 * bend * bend * bend * r2 * r2;
   return result;
 }
 

@@ -1,0 +1,79 @@
+// The fourth promise: the same bytes for any threads, tiles and regions. And what follows from exactness: no seams,
+// mirror images, no white outside a closing lid.
+
+#include <mien/mien.h>
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "tests/support/faces.h"
+
+namespace mien {
+namespace {
+
+Scene posed_scene(const char* name, const std::vector<std::string>& settings = {}) {
+  return scene_from_face(test::posed(test::face_named(name), settings));
+}
+
+TEST(SamePicture, ForAnyNumberOfThreads) {
+  for (const char* name : {"seed0", "toon", "male"}) {
+    const Scene scene = posed_scene(name);
+    const Image one = render(scene, {.width = 611, .height = 347}, {.threads = {.count = 1}});
+    for (const int threads : {2, 7})
+      EXPECT_EQ(render(scene, {.width = 611, .height = 347}, {.threads = {.count = threads}}).bytes, one.bytes) << name;
+  }
+}
+
+TEST(SamePicture, StitchedFromRegions) {
+  const int width = 611, height = 347;
+  for (const char* name : {"seed0", "toon", "male"})
+    for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
+      const Scene scene = posed_scene(name);
+      const Image whole = render(scene, {.width = width, .height = height}, {.depth = depth});
+      std::vector<std::byte> stitched(whole.bytes.size());
+      const std::size_t pixel = 4 * bytes_per_channel(depth);
+      for (int y = 0; y < height; y += 97)
+        for (int x = 0; x < width; x += 203) {
+          const PixelRect part{x, y, std::min(203, width - x), std::min(97, height - y)};
+          EXPECT_TRUE(render_into({stitched.data() + whole.stride() * std::size_t(y) + pixel * std::size_t(x),
+                                   whole.stride(), depth},
+                                  scene, {.width = width, .height = height, .region = part}));
+        }
+      EXPECT_EQ(stitched, whole.bytes) << name;
+    }
+}
+
+TEST(Seams, NoneBetweenAbuttingLayersOfOneColour) {
+  for (const Blend blend : {Blend::linear, Blend::srgb}) {
+    SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+    const glm::dvec2 n{std::cos(0.3), std::sin(0.3)};
+    const Area side = build.shape(HalfPlane{n, 0.037}), bowl = build.shape(ParabolaSide{{0, -0.4}, {0, 1}, 1.3});
+    for (const Area a : {side, build.complement(side)})
+      for (const Area b : {bowl, build.complement(bowl)}) build.layer("piece", build.both(a, b), {{0.2, 0.1, 0.4, 1}});
+    const Image image = render(std::move(build).finish(), {.width = 157, .height = 101, .blend = blend});
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) ASSERT_EQ(std::memcmp(image.row(y) + 4 * x, image.row(0), 4), 0) << x << ' ' << y;
+  }
+}
+
+TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
+  for (const int width : {320, 640, 992}) {
+    const Image image = render(posed_scene("toon"), {.width = width, .height = width * 9 / 16});
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < width / 2; ++x)
+        ASSERT_EQ(std::memcmp(image.row(y) + 4 * x, image.row(y) + 4 * (width - 1 - x), 4), 0)
+            << width << ": " << x << ' ' << y;
+  }
+  const Image odd = render(posed_scene("toon", {"blink=0.4"}), {.width = 333, .height = 200});
+  for (int y = 0; y < odd.height; ++y)
+    for (int x = 0; x < 333 * 4; ++x) {
+      const int mirrored = (332 - x / 4) * 4 + x % 4;
+      ASSERT_LE(std::abs(int(odd.row(y)[x]) - int(odd.row(y)[mirrored])), 1);
+    }
+}
+
+}  // namespace
+}  // namespace mien

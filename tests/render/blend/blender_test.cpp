@@ -1,0 +1,47 @@
+#include <mien/render/blend/blender.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace mien {
+namespace {
+
+std::array<int, 4> stored(const Color& color, Blend blend) {
+  std::array<std::uint8_t, 4> pixel;
+  store(mix_from_color(color, blend), blend, Depth::u8, pixel.data());
+  return {pixel[0], pixel[1], pixel[2], pixel[3]};
+}
+
+TEST(Store, GivesBackTheColourInEitherBlend) {
+  const Color skin{0.9301108583754237, 0.7083757798916868, 0.33245153634617935, 1};  // 247, 219, 156
+  for (const Blend blend : {Blend::linear, Blend::srgb})
+    EXPECT_EQ(stored(skin, blend), (std::array<int, 4>{247, 219, 156, 255}));
+}
+
+TEST(Store, IsNotPremultipliedInWholeNumbersAndIsInLight) {
+  const Color half{1, 0.5, 0, 0.5};
+  EXPECT_EQ(stored(half, Blend::linear), (std::array<int, 4>{255, 188, 0, 128}));
+  std::array<float, 4> light;
+  store(mix_from_color(half, Blend::srgb), Blend::srgb, Depth::f32, light.data());
+  EXPECT_FLOAT_EQ(light[1], 0.25f);
+  EXPECT_FLOAT_EQ(light[3], 0.5f);
+}
+
+TEST(Store, OfNothingIsTransparentBlack) {
+  EXPECT_EQ(stored({1, 1, 1, 0}, Blend::linear), (std::array<int, 4>{0, 0, 0, 0}));
+}
+
+TEST(Over, MixesHalfBlackAndWhiteInTheBlendsOwnSpace) {
+  for (const Blend blend : {Blend::linear, Blend::srgb}) {
+    const Mix mix = 0.5 * mix_from_color({0, 0, 0, 1}, blend) + 0.5 * mix_from_color({1, 1, 1, 1}, blend);
+    std::array<std::uint8_t, 4> pixel;
+    store(mix, blend, Depth::u8, pixel.data());
+    EXPECT_EQ(pixel[0], blend == Blend::linear ? 188 : 128);
+  }
+  const Mix top = mix_from_color({1, 0, 0, 0.25}, Blend::linear), below = mix_from_color({0, 0, 1, 1}, Blend::linear);
+  EXPECT_EQ(over(top, below), (Mix{0.25, 0, 0.75, 1}));
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,79 @@
+#include <mien/render/render.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace mien {
+namespace {
+
+Scene beads() {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  for (int i = 0; i < 12; ++i) {
+    const double a = 0.5236 * i;
+    build.layer("bead", build.shape(Disc{{0.7 * std::cos(a), 0.7 * std::sin(a)}, 0.25}), {{0.1 * (i % 4), 0.2, 0.7, 0.6}});
+  }
+  return std::move(build).finish();
+}
+
+TEST(Render, GivesAnImageOfTheSizeAndDepthAskedFor) {
+  for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
+    const Image image = render(beads(), {.width = 33, .height = 17}, {.depth = depth});
+    EXPECT_EQ(image.width, 33);
+    EXPECT_EQ(image.height, 17);
+    EXPECT_EQ(image.bytes.size(), 33u * 17 * 4 * bytes_per_channel(depth));
+    EXPECT_TRUE(image.opaque);
+  }
+  EXPECT_FALSE(render(beads(), {.width = 8, .height = 8, .background = Color{0, 0, 0, 0}}).opaque);
+}
+
+TEST(Render, OfOnePixelIsTheMeanOfTheWholePicture) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0, 0, 0, 1});
+  build.layer("quarter", build.shape(Triangle{{-1, -1}, {1, -1}, {0, 0}}), {{1, 1, 1, 1}});
+  const Image image = render(std::move(build).finish(), {.width = 1, .height = 1}, {.depth = Depth::f32});
+  float red;
+  std::memcpy(&red, image.bytes.data(), 4);
+  EXPECT_NEAR(red, 0.25, 1e-4);
+}
+
+TEST(Render, CountsWhatItDid) {
+  RenderStats stats;
+  render(beads(), {.width = 200, .height = 200}, {}, &stats);
+  EXPECT_EQ(stats.pixels, 40000);
+  EXPECT_EQ(stats.fill_pixels + stats.one_edge_pixels + stats.divided_pixels, 40000);
+  EXPECT_GT(stats.fill_pixels, 20000);
+  EXPECT_FALSE(stats.cancelled);
+}
+
+TEST(Render, TellsItsProgressAndStopsWhenAsked) {
+  double last = 0;
+  int calls = 0;
+  render(beads(), {.width = 700, .height = 700}, {.threads = {.count = 2}, .progress = [&](double done) {
+                                                    EXPECT_GE(done, last);
+                                                    last = done;
+                                                    ++calls;
+                                                    return true;
+                                                  }});
+  EXPECT_EQ(last, 1);
+  EXPECT_GT(calls, 4);
+  RenderStats stats;
+  render(beads(), {.width = 700, .height = 700}, {.progress = [](double) { return false; }}, &stats);
+  EXPECT_TRUE(stats.cancelled);
+}
+
+TEST(RenderInto, TouchesOnlyThePixelsOfItsRows) {
+  const View view{.width = 40, .height = 30, .region = PixelRect{5, 6, 20, 10}};
+  const std::size_t stride = 20 * 4 + 12;
+  std::vector<std::byte> mine(stride * 10 + 64, std::byte{0xA5});
+  EXPECT_TRUE(render_into({mine.data(), stride, Depth::u8}, beads(), view));
+  const Image whole = render(beads(), {.width = 40, .height = 30});
+  for (std::size_t y = 0; y < 10; ++y) {
+    EXPECT_EQ(std::memcmp(mine.data() + stride * y, whole.row(int(y) + 6) + 4 * 5, 80), 0);
+    for (std::size_t i = 80; i < stride; ++i) ASSERT_EQ(mine[stride * y + i], std::byte{0xA5});
+  }
+}
+
+}  // namespace
+}  // namespace mien
