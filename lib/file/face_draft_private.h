@@ -17,6 +17,8 @@ struct FaceDraft {
   FaceModel model;
   FaceVector vector;
   std::unordered_map<std::string, int> feature_by_name;
+  std::unordered_map<std::string, int> control_by_name;
+  std::vector<int> clip_depth;  ///< per feature: how many clips it stands in
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
 
   /// Appends a slice with its values at rest; `node` is where they stand.

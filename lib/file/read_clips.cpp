@@ -14,12 +14,11 @@ constexpr std::array<std::string_view, 5> kEases{"linear", "step", "smooth", "in
                                                  "out"};  // as enum Ease
 
 int control_named(const Reading& in, const JsonNode& node, std::string_view name,
-                  const FaceModel& model) {
+                  const FaceDraft& face) {
+  const auto found = face.control_by_name.find(std::string{name});
+  if (found != face.control_by_name.end()) return found->second;
   std::vector<std::string_view> known;
-  for (std::size_t c = 0; c < model.controls.size(); ++c) {
-    if (model.controls[c].name == name) return int(c);
-    known.push_back(model.controls[c].name);
-  }
+  for (const Control& control : face.model.controls) known.push_back(control.name);
   in.refuse(node, unknown_name("control", name, known));
 }
 
@@ -92,7 +91,7 @@ void read_clips(Reading& in, const JsonNode& node, FaceDraft& face) {
     in.for_each(clip_node, [&](const JsonNode& track, int) {
       const std::string_view name = in.tree.key(track);
       if (name == "comment") return;
-      clip.tracks.push_back({control_named(in, track, name, face.model), read_curve(in, track)});
+      clip.tracks.push_back({control_named(in, track, name, face), read_curve(in, track)});
     });
     face.model.clips.push_back(std::move(clip));
   });

@@ -60,10 +60,8 @@ class ControlReader {
   }
 
   void add_control(const JsonNode& name_node, Control control) {
-    for (const Control& existing : face_.model.controls)
-      if (existing.name == control.name)
-        in_.refuse(name_node,
-                   fmt::format("there is a control {} already", in_quotes(control.name)));
+    if (!face_.control_by_name.emplace(control.name, int(face_.model.controls.size())).second)
+      in_.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
     face_.model.controls.push_back(std::move(control));
   }
 

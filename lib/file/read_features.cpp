@@ -256,24 +256,12 @@ class FeatureReader {
   /// Warns of unknown keys, in the overrides too.
   void check_keys(const Kind& kind) {
     std::vector<std::string_view> known = kind.keys;
-    known.insert(known.end(), {"paint"});
-    const auto check = [&](const JsonNode& object) {
-      in_.expect(object, JsonKind::object);
-      in_.for_each(object, [&](const JsonNode& child, int) {
-        const std::string_view key = in_.tree.key(child);
-        if (key == "comment" || std::find(known.begin(), known.end(), key) != known.end()) return;
-        const std::string_view near = nearest_name(key, known);
-        in_.warn(
-            child,
-            fmt::format("unknown key {} of a {}, ignored{}", in_quotes(key), kind.name,
-                        near.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(near))),
-            true);
-      });
-    };
+    known.push_back("paint");
     for (const std::string_view side : kSides)
-      if (const JsonNode* instead = in_.find(node_, side)) check(*instead);
+      if (const JsonNode* instead = in_.find(node_, side))
+        in_.expect_object(*instead, known, kind.name);
     known.insert(known.end(), {"kind", "name", "side", "mirror", "left", "right", "clip"});
-    check(node_);
+    in_.expect_object(node_, known, kind.name);
   }
 
   void add(const Kind& kind, const JsonNode& name_node, const std::string& name, Side side,
@@ -291,13 +279,21 @@ class FeatureReader {
     feature.figure = kind.read(reader);
     if (const JsonNode* paint = reader.field("paint").node)
       feature.paint = read_paint(in_, *paint, face_);
-    if (const JsonNode* clip = in_.find(node_, "clip")) {
-      feature.clip = face_.find_feature(in_.string(*clip), side);
-      if (feature.clip < 0) refuse_clip(in_, *clip, face_, features_);
-    }
+    if (const JsonNode* clip = in_.find(node_, "clip")) feature.clip = read_clip(*clip, side);
+    face_.clip_depth.push_back(feature.clip < 0 ? 0
+                                                : face_.clip_depth[std::size_t(feature.clip)] + 1);
     face_.feature_by_name.emplace(feature.name, int(face_.model.features.size()));
     face_.mirrored.push_back(mirrored);
     face_.model.features.push_back(std::move(feature));
+  }
+
+  int read_clip(const JsonNode& clip, Side side) const {
+    const int found = face_.find_feature(in_.string(clip), side);
+    if (found < 0) refuse_clip(in_, clip, face_, features_);
+    if (face_.clip_depth[std::size_t(found)] >= in_.limits.nesting)
+      in_.refuse(clip, fmt::format("features clipped more than {} deep (limit: nesting)",
+                                   in_.limits.nesting));
+    return found;
   }
 
   Reading& in_;

@@ -42,9 +42,12 @@ void Reading::refuse(const JsonNode& node, std::string what) const {
   throw Refusal{{tree.where(node), std::move(what)}};
 }
 
+bool Reading::may_warn() const {
+  return warnings_ && warnings_->size() < kMostWarnings;
+}
+
 void Reading::warn(const JsonNode& node, std::string what, bool at_key) {
-  if (warnings_ && warnings_->size() < kMostWarnings)
-    warnings_->push_back({tree.where(node, at_key), std::move(what)});
+  if (may_warn()) warnings_->push_back({tree.where(node, at_key), std::move(what)});
 }
 
 const JsonNode& Reading::need(const JsonNode& object, std::string_view key) const {
@@ -58,19 +61,18 @@ void Reading::expect(const JsonNode& node, JsonKind kind) const {
     refuse(node, fmt::format("expected {}, got {}", with_article(kind), with_article(node.kind)));
 }
 
-void Reading::expect_object(const JsonNode& node, std::initializer_list<std::string_view> known) {
+void Reading::expect_object(const JsonNode& node, const std::vector<std::string_view>& known,
+                            std::string_view whose) {
   expect(node, JsonKind::object);
-  if (!warnings_ || warnings_->size() >= kMostWarnings) return;
-  for_each(node, [&](const JsonNode& child, int) {
-    const std::string_view key = tree.key(child);
-    if (key == "comment" || std::find(known.begin(), known.end(), key) != known.end()) return;
+  for (const JsonNode* child = tree.first(node); child && may_warn(); child = tree.next(*child)) {
+    const std::string_view key = tree.key(*child);
+    if (key == "comment" || std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string_view near = nearest_name(key, known);
-    warn(child,
-         near.empty() ? fmt::format("unknown key {}, ignored", in_quotes(key))
-                      : fmt::format("unknown key {}, ignored; did you mean {}?", in_quotes(key),
-                                    in_quotes(near)),
+    warn(*child,
+         fmt::format("unknown key {}{}{}, ignored{}", in_quotes(key), whose.empty() ? "" : " of a ",
+                     whose, near.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(near))),
          true);
-  });
+  }
 }
 
 std::string_view Reading::string(const JsonNode& node) const {

@@ -4,7 +4,6 @@
 
 #include "json_tree_private.h"
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,8 +35,9 @@ class Reading {
 
   void expect(const JsonNode& node, JsonKind kind) const;
   /// Checks that it is an object and warns of keys that are not among `known` ("comment" always
-  /// is).
-  void expect_object(const JsonNode& node, std::initializer_list<std::string_view> known);
+  /// is); `whose` says what kind of object it is.
+  void expect_object(const JsonNode& node, const std::vector<std::string_view>& known,
+                     std::string_view whose = {});
 
   std::string_view string(const JsonNode& node) const;
   double number(const JsonNode& node) const;
@@ -62,6 +62,8 @@ class Reading {
   }
 
  private:
+  bool may_warn() const;  ///< anybody listens, and has not heard enough
+
   std::vector<Error>* warnings_;
 };
 
