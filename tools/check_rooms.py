@@ -149,8 +149,8 @@ class House:
             top = name.split("/")[0]
             if top in MIRRORS and name.endswith((".cpp", ".h")) and not name.startswith(NOT_MIRRORS):
                 stem = name.removeprefix(top + "/").removesuffix(MIRRORS[top])
-                if not any(f"{stem}{end}" in self.files for end in (".h", "_private.h", "-inl.h")):
-                    self.breach(name, 1, f"mirrors no source file {stem}.h")
+                if not any(f"{stem}{end}" in self.files for end in (".h", "_private.h", "-inl.h", ".cpp")):
+                    self.breach(name, 1, f"mirrors no source file {stem}.h or .cpp")
             if top in ("lib", "sdf", "render") and name.endswith(".h") and not name.endswith("-inl.h"):
                 test = f"tests/{name.removesuffix('.h').removesuffix('_private')}_test.cpp"
                 tested = test in self.files or name.endswith("_private.h")
