@@ -71,9 +71,6 @@ if(MIEN_BUILD_IMAGE)
 endif()
 if(MIEN_BUILD_COMMAND)
   install(TARGETS mien_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
-  if(TARGET mien_image_module)  # what the command loads when it writes
-    install(TARGETS mien_image_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mien COMPONENT command)
-  endif()
 endif()
 
 set(MIEN_IS_SHARED OFF)
