@@ -1,0 +1,221 @@
+// Whatever is typed, the answer is one line, the exit code says whose fault it is, and nothing is
+// written.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/run_command.h"
+
+namespace mien {
+namespace {
+
+using test::face_path;
+using test::Ran;
+using test::run_mien;
+using test::ScratchFolder;
+
+struct Wrong {
+  std::vector<std::string>
+      words;  ///< FACE, OUT and DIR stand for a face, a picture to be and a folder
+  int code;
+  std::string line;  ///< after "mien: "
+};
+
+const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 1048576";
+
+const Wrong kWrongs[] = {
+    {{}, 2, "a command is needed: render, check, scene, list; mien -h helps"},
+    {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
+    {{"xyzzy"}, 2, "no command named \"xyzzy\""},
+    {{"--versoin"}, 2, "no option named \"--versoin\"; did you mean \"--version\"?"},
+    {{"render"}, 2, "render: FACE is required"},
+    {{"render", "FACE"}, 2, "render: --output is required"},
+    {{"render", "FACE", "-o"}, 2, "render: --output needs a value"},
+    {{"render", "FACE", "-o", "OUT", "b"}, 2, "render: one argument too many: \"b\""},
+    {{"render", "FACE", "-o", "OUT", "--sise", "3"},
+     2,
+     "no option named \"--sise\"; did you mean \"--size\"?"},
+    {{"render", "FACE", "-o", "OUT", "--size=3", "--size=4"},
+     2,
+     "render: --size may be given only once"},
+    {{"render", "FACE", "-o", "OUT", "--size", "0"}, 2, std::string("--size 0: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "-1"}, 2, std::string("--size -1: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "0x5"}, 2, std::string("--size 0x5: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "5x-1"}, 2, std::string("--size 5x-1: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "2147483648x5"},
+     2,
+     std::string("--size 2147483648x5: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "1048577x5"},
+     2,
+     std::string("--size 1048577x5: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "big"}, 2, std::string("--size big: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "5x5x5"}, 2, std::string("--size 5x5x5: ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", ""}, 2, std::string("--size : ") + kSides},
+    {{"render", "FACE", "-o", "OUT", "--size", "1000000x1000000"},
+     2,
+     "--memory: 1000000 x 1000000 pixels take 3.64 TiB, more than the 4 GiB allowed"},
+    {{"render", "FACE", "-o", "OUT", "--size", "100x100", "--memory", "39K"},
+     2,
+     "--memory: 100 x 100 pixels take 39.1 KiB, more than the 39 KiB allowed"},
+    {{"render", "FACE", "-o", "OUT", "--memory", "lots"},
+     2,
+     "--memory lots: expected a number of bytes, perhaps with K, M, G or T: 6G"},
+    {{"render", "FACE", "-o", "OUT", "--fit", "stretch"},
+     2,
+     "--fit stretch: expected meet or slice"},
+    {{"render", "FACE", "-o", "OUT", "--blend", "gamma"},
+     2,
+     "--blend gamma: expected linear or srgb"},
+    {{"render", "FACE", "-o", "OUT", "--depth", "12"},
+     2,
+     "--depth 12: expected 8, 16, half or float"},
+    {{"render", "FACE", "-o", "OUT", "--depth", "half"}, 2, "--depth half: PNG holds 8 or 16"},
+    {{"render", "FACE", "-o", "DIR/a.exr", "--depth", "8"},
+     2,
+     "--depth 8: EXR holds half or float"},
+    {{"render", "FACE", "-o", "DIR/a.jpg", "--depth", "16"}, 2, "--depth 16: JPEG holds 8"},
+    {{"render", "FACE", "-o", "OUT", "--stats", "xml"}, 2, "--stats xml: expected json"},
+    {{"render", "FACE", "-o", "OUT", "--progress", "yes"},
+     2,
+     "--progress yes: expected auto, json or none"},
+    {{"render", "FACE", "-o", "OUT", "--threads", "-1"},
+     2,
+     "--threads -1: expected a whole number from 0 (as many as there are) to 1024"},
+    {{"render", "FACE", "-o", "OUT", "--threads", "two"},
+     2,
+     "--threads two: expected a whole number from 0 (as many as there are) to 1024"},
+    {{"render", "FACE", "-o", "OUT", "--time", "nan"},
+     2,
+     "--time nan: expected a finite number of seconds"},
+    {{"render", "FACE", "-o", "OUT", "--time", "1e999"},
+     2,
+     "--time 1e999: expected a finite number of seconds"},
+    {{"render", "FACE", "-o", "OUT", "--background", "red"},
+     2,
+     "--background red: expected #rrggbb, #rrggbbaa or transparent"},
+    {{"render", "FACE", "-o", "OUT", "--region", "0,0,10"},
+     2,
+     "--region 0,0,10: expected X,Y,W,H in whole pixels"},
+    {{"render", "FACE", "-o", "OUT", "--size", "20x10", "--region", "15,0,6,5"},
+     2,
+     "--region 15,0,6,5: is not inside the picture of 20 x 10 pixels"},
+    {{"render", "FACE", "-o", "OUT", "--size", "20x10", "--region", "0,0,0,5"},
+     2,
+     "--region 0,0,0,5: is not inside the picture of 20 x 10 pixels"},
+    {{"render", "FACE", "-o", "OUT", "--size", "20x10", "--region", "2147483647,0,2147483647,5"},
+     2,
+     "--region 2147483647,0,2147483647,5: is not inside the picture of 20 x 10 pixels"},
+    {{"render", "FACE", "-o", "DIR/a.gif"},
+     2,
+     "DIR/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg"},
+    {{"render", "FACE", "-o", "DIR"},
+     2,
+     "DIR: its name has no extension that says the format; known are .png .tif .tiff .exr .jpg "
+     ".jpeg"},
+    {{"render", "FACE", "-o", "DIR/none/a.png"},
+     1,
+     "DIR/none/a.png: its folder DIR/none: No such file or directory"},
+    {{"render", "FACE", "-o", "DIR/folder.png"}, 1, "DIR/folder.png: is a directory, not a file"},
+    {{"render", "FACE", "-o", "/dev/full.png/a.png"},
+     1,
+     "/dev/full.png/a.png: its folder /dev/full.png: No such file or directory"},
+    {{"render", "DIR/none.json", "-o", "OUT"},
+     1,
+     "DIR/none.json: cannot be read: No such file or directory"},
+    {{"render", "DIR", "-o", "OUT"}, 1, "DIR: is a directory"},
+    {{"check"}, 2, "check: FACE is required"},
+    {{"check", "DIR/none.json"}, 1, "DIR/none.json: cannot be read: No such file or directory"},
+    {{"scene", "FACE", "--time", "soon"}, 2, "--time soon: expected a finite number of seconds"},
+    {{"list", "FACE", "FACE"}, 2, "list: one argument too many: \"FACE\""},
+    {{"completion", "tcsh"}, 2, "completion tcsh: expected bash, zsh or fish"}};
+
+std::string filled(std::string text, const ScratchFolder& folder) {
+  const std::pair<const char*, std::string> stand_ins[] = {{"FACE", face_path("seed0")},
+                                                           {"OUT", (folder / "out.png").string()},
+                                                           {"DIR", folder.path().string()}};
+  for (const auto& [name, value] : stand_ins) {
+    for (std::size_t at = text.find(name); at != std::string::npos;
+         at = text.find(name, at + value.size())) {
+      if (text.substr(at, 16) == "FACE is required") break;
+      text.replace(at, 4 - (name[0] != 'F'), value);
+    }
+  }
+  return text;
+}
+
+class BadUse : public testing::TestWithParam<Wrong> {};
+
+TEST_P(BadUse, IsOneLineAndLeavesNothing) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "folder.png");
+  std::vector<std::string> words;
+  for (const std::string& word : GetParam().words) words.push_back(filled(word, folder));
+  const Ran ran = run_mien(words);
+  EXPECT_EQ(ran.code, GetParam().code);
+  EXPECT_EQ(ran.err, "mien: " + filled(GetParam().line, folder) + "\n");
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"folder.png"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadUse, testing::ValuesIn(kWrongs));
+
+TEST(BadSetting, NamesTheNearest) {
+  const ScratchFolder folder;
+  const Ran ran = run_mien(
+      {"render", face_path("toon"), "-o", (folder / "a.png").string(), "--set", "blnk=0.5"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err.substr(0, 6), "mien: ");
+  EXPECT_NE(ran.err.find("did you mean \"blink\"?"), std::string::npos) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(BadFace, SaysWhereAndKeepsTheOldPicture) {
+  const ScratchFolder folder;
+  test::write_text(folder / "bad.json", "{\n  \"format\": 7\n}\n");
+  test::write_text(folder / "a.png", "old");
+  const Ran ran =
+      run_mien({"render", (folder / "bad.json").string(), "-o", (folder / "a.png").string()});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.err.find("mien: " + (folder / "bad.json").string() + ":2:"), 0u) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  EXPECT_EQ(test::read_text(folder / "a.png"), "old");
+}
+
+TEST(BadFace, ANameWithControlCharactersStaysOneLine) {
+  const Ran ran = run_mien({"check", "no\nsuch\x1b[31m\xff"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1);
+  EXPECT_EQ(ran.err.find('\x1b'), std::string::npos);
+}
+
+TEST(Check, SaysOkForTheGoodAndFailsForTheBad) {
+  const Ran ran = run_mien({"check", face_path("seed0"), "/none.json", face_path("toon")});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.out, face_path("seed0") + ": ok\n" + face_path("toon") + ": ok\n");
+  EXPECT_EQ(ran.err, "mien: /none.json: cannot be read: No such file or directory\n");
+}
+
+TEST(Check, WarningsDoNotFail) {
+  const ScratchFolder folder;
+  std::string text = test::read_text(face_path("seed0"));
+  text.insert(text.find('{') + 1, "\"strange\": 1,");
+  test::write_text(folder / "a.json", text);
+  const Ran ran = run_mien({"check", (folder / "a.json").string()});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err.find("mien: warning: " + (folder / "a.json").string() + ":"), 0u) << ran.err;
+}
+
+TEST(StandardOutput, ThatIsFullIsAnError) {
+  const Ran list = run_mien({"list", face_path("seed0")}, "/dev/full");
+  EXPECT_EQ(list.code, 1);
+  EXPECT_EQ(list.err, "mien: standard output: cannot be written: No space left on device\n");
+  const Ran picture =
+      run_mien({"render", face_path("seed0"), "-o", "-", "--size", "40"}, "/dev/full");
+  EXPECT_EQ(picture.code, 1);
+  EXPECT_EQ(picture.err, "mien: standard output: cannot be written: No space left on device\n");
+}
+
+}  // namespace
+}  // namespace mien
