@@ -13,17 +13,21 @@ namespace {
 struct Ambiguous {
   std::vector<const TruthLayer*> layers;  // top to bottom
   glm::dvec3 below;
+  int undecided = 0;
 };
 
+/// Layers that no longer matter are dropped; `undecided` counts those whose outline comes within the radius.
 Ambiguous ambiguous(const Ambiguous& outer, glm::dvec2 center, double radius) {
   Ambiguous result{{}, outer.below};
   for (const TruthLayer* layer : outer.layers) {
-    if (layer->clearance(center) <= radius) {
-      result.layers.push_back(layer);
-    } else if (layer->inside(center)) {
+    const bool near = layer->clearance(center) <= radius;
+    if (!near && !layer->inside(center)) continue;
+    if (!near && layer->opacity == 1) {
       result.below = layer->rgb;
       break;
     }
+    result.layers.push_back(layer);
+    result.undecided += near;
   }
   return result;
 }
@@ -31,19 +35,27 @@ Ambiguous ambiguous(const Ambiguous& outer, glm::dvec2 center, double radius) {
 Ambiguous everything(const TruthScene& scene) {
   Ambiguous all{{}, scene.background};
   for (std::size_t i = scene.layers.size(); i-- > 0;) all.layers.push_back(&scene.layers[i]);
+  all.undecided = int(all.layers.size());
   return all;
+}
+
+glm::dvec3 sample(const Ambiguous& at, glm::dvec2 p) {
+  glm::dvec3 sum{0.0};
+  double through = 1;
+  for (const TruthLayer* layer : at.layers) {
+    if (!layer->inside(p)) continue;
+    sum += through * layer->opacity * layer->rgb;
+    through *= 1 - layer->opacity;
+    if (through == 0) break;
+  }
+  return sum + through * at.below;
 }
 
 /// The sum over the grid × grid samples of a square; grid a power of two. Squares that no outline reaches are
 /// counted as a whole: the same sum as sample by sample, in time that follows the outline.
 glm::dvec3 sum_of_samples(const Ambiguous& outer, glm::dvec2 center, double side, int grid) {
   const Ambiguous at = ambiguous(outer, center, 0.7072 * side);
-  if (at.layers.empty()) return double(grid) * grid * at.below;
-  if (grid == 1) {
-    for (const TruthLayer* layer : at.layers)
-      if (layer->inside(center)) return layer->rgb;
-    return at.below;
-  }
+  if (at.undecided == 0 || grid == 1) return double(grid) * grid * sample(at, center);
   glm::dvec3 sum{0.0};
   for (const double y : {-0.25, 0.25})
     for (const double x : {-0.25, 0.25}) sum += sum_of_samples(at, center + side * glm::dvec2{x, y}, side / 2, grid / 2);
@@ -69,8 +81,8 @@ TruthError compare_with_truth(const Image& image, const TruthScene& scene, int g
       const glm::dvec2 center = to_units(scene, x + 0.5, y + 0.5);
       const Ambiguous at = ambiguous(all, center, 0.7072 * scene.pixel);
       const glm::dvec3 truth =
-          at.layers.empty() ? at.below : sum_of_samples(at, center, scene.pixel, grid) / (double(grid) * grid);
-      error.edge_pixels += !at.layers.empty();
+          at.undecided == 0 ? sample(at, center) : sum_of_samples(at, center, scene.pixel, grid) / (double(grid) * grid);
+      error.edge_pixels += at.undecided > 0;
       double off = 0;
       for (int k = 0; k < 3; ++k)
         off = std::max(off, std::abs(double(image.row(y)[4 * x + k]) - double(std::lround(truth[k]))));
@@ -230,6 +242,23 @@ TruthScene male_truth(int width) {
          glm::dvec3{0.0}});
   }
   return scene;
+}
+
+TruthScene scene_truth(const Scene& scene, int width, int height) {
+  const auto encoded = [](const Color& c) {
+    const auto in = [](double v) { return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055); };
+    return glm::dvec3{in(c.r), in(c.g), in(c.b)};
+  };
+  const Box2& box = scene.canvas().box;
+  const double pixel = 1 / std::min(width / box.size().x, height / box.size().y);
+  const double half_height = 0.5 * height * pixel;
+  TruthScene truth{encoded(scene.background()), {}, {}, pixel, scene.canvas().y_up};
+  truth.top_left = box.center() + glm::dvec2{-0.5 * width * pixel, truth.y_up ? half_height : -half_height};
+  for (const Layer& layer : scene.layers())
+    truth.layers.push_back({[=](glm::dvec2 p) { return scene.distance(layer.area, p) <= 0; },
+                            [=](glm::dvec2 p) { return std::abs(scene.distance(layer.area, p)); },
+                            encoded(layer.paint.color), layer.paint.color.a});
+  return truth;
 }
 
 }  // namespace mien::test

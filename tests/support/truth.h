@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <mien/render/image.h>
+#include <mien/sdf/scene/scene.h>
 
 namespace mien::test {
 
@@ -17,7 +18,8 @@ struct TruthLayer {
   std::function<bool(glm::dvec2)> inside;
   /// A lower bound of the distance from p to the area's outline (0 if unknown).
   std::function<double(glm::dvec2)> clearance;
-  glm::dvec3 rgb;  ///< 0 … 255, in the space that is averaged
+  glm::dvec3 rgb;      ///< 0 … 255, in the space that is averaged
+  double opacity = 1;  ///< laid over what is below in that space
 };
 
 struct TruthScene {
@@ -46,5 +48,9 @@ TruthScene eyes_truth(int width, int height, glm::dvec2 gaze, double dilation, d
 
 /// The muscle face at rest: the truth for faces/male (M1 – M3).
 TruthScene male_truth(int width);
+
+/// The truth for any scene blended in sRGB, by the signs of Scene::distance: independent of edges, coverage, tiles,
+/// layers on bits, but not of the distances themselves, which have truths of their own in tests/sdf.
+TruthScene scene_truth(const Scene& scene, int width, int height);
 
 }  // namespace mien::test
