@@ -87,7 +87,7 @@ Roots solve_true_cubic(const Cubic& f) {
   const double discriminant = difference_of_products(f.b, f.b, 3.0 * f.a, f.c);
   if (!(discriminant > 0.0)) return one_root(f, discriminant);
   const double r = std::sqrt(discriminant), q = -(f.b + std::copysign(r, f.b + 0.0));
-  double m1 = std::clamp(q / (3.0 * f.a), -kLargest, kLargest), m2 = f.c / q;
+  double m1 = std::clamp(q / (3.0 * f.a), -kLargest, kLargest), m2 = f.b == 0.0 ? -m1 : f.c / q;
   if (m1 > m2) std::swap(m1, m2);
   if (!(m1 < m2)) return one_root(f, 0.0);
   return up_down_up(f, r, m1, m2);

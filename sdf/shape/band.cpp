@@ -15,25 +15,61 @@ double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Whether p is inside, or outside by no more than the rounding of its own coordinates.
-bool belongs(const ParabolaSide& side, glm::dvec2 p) {
+/// How far inside p is by the side's definition, and the size of its rounding.
+struct Inside {
+  double value, noise;
+};
+
+Inside inside(const ParabolaSide& side, glm::dvec2 p) {
   const glm::dvec2 q = p - side.vertex;
-  const double v = glm::dot(q, side.axis), u = cross(side.axis, q);
-  if (v >= side.bend * u * u) return true;
+  const double v = glm::dot(q, side.axis), u = cross(side.axis, q), bow = side.bend * u * u;
   const double size = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
-  return distance(side, p) <= 0x1p-48 * size;
+  return {v - bow, 0x1p-45 * (size + std::abs(bow) + std::abs(side.bend * u) * size)};
 }
 
-/// The distance from p to the part of `side`'s outline that lies in `other`, if it has a foot
-/// there.
-double to_surviving_feet(const ParabolaSide& side, const ParabolaSide& other, glm::dvec2 p) {
+/// A side's outline cut at the corners into pieces, each of which is inside the other side or not.
+/// That is asked once for a piece, far from its ends, so that a foot near a corner is placed
+/// consistently.
+struct Pieces {
+  int cuts;
+  std::array<double, 4> cut{};  ///< ascending u
+  std::array<bool, 5> survives{};
+
+  Pieces(const ParabolaSide& side, const ParabolaSide& other, const BandCorners& corner)
+      : cuts(corner.count) {
+    for (int i = 0; i < cuts; ++i) cut[i] = cross(side.axis, corner.point[i] - side.vertex);
+    std::sort(cut.begin(), cut.begin() + cuts);
+    double far = norm(side.vertex - other.vertex);
+    if (side.bend != 0.0) far = std::max(far, std::abs(1.0 / side.bend));
+    if (cuts > 0) far = std::max({far, std::abs(cut[0]), std::abs(cut[cuts - 1])});
+    if (!(far > 0.0 && far < 1e100)) far = 1.0;
+    for (int i = 0; i <= cuts; ++i) {
+      double u = 0.0;
+      if (cuts > 0) {
+        if (i == 0)
+          u = cut[0] - far;
+        else if (i == cuts)
+          u = cut[cuts - 1] + far;
+        else
+          u = 0.5 * (cut[i - 1] + cut[i]);
+      }
+      survives[i] = inside(other, point(side, u)).value >= 0.0;
+    }
+  }
+
+  bool contains(double u) const {
+    int i = 0;
+    while (i < cuts && u > cut[i]) ++i;
+    return survives[i] || (i < cuts && u == cut[i] && survives[i + 1]);
+  }
+};
+
+/// The distance from p to the surviving feet on a side's outline; +infinity without any.
+double to_feet(const ParabolaSide& side, const Pieces& pieces, glm::dvec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   const Roots u = feet(side, p);
-  for (int i = 0; i < u.count; ++i) {
-    const glm::dvec2 foot = point(side, u.x[i]);
-    const double d = norm(foot - p);
-    if (d < nearest && belongs(other, foot)) nearest = d;
-  }
+  for (int i = 0; i < u.count; ++i)
+    if (pieces.contains(u.x[i])) nearest = std::min(nearest, norm(point(side, u.x[i]) - p));
   return nearest;
 }
 
@@ -59,21 +95,27 @@ BandCorners corners(const Band& band) {
   return found;
 }
 
+bool is_empty(const Band& band) {
+  const BandCorners corner = corners(band);
+  return corner.count == 0 && !Pieces(band.lower, band.upper, corner).survives[0] &&
+         !Pieces(band.upper, band.lower, corner).survives[0];
+}
+
 // Inside, the distance is that to the nearer outline: the complement is a union, so max is exact.
-// Outside, the nearest point of the band is a foot on an outline, inside the other side, or a
-// corner. If the nearest foot on the side that is farther away survives, no other can be nearer. An
-// empty band has neither feet nor corners; then max(lower, upper) is positive everywhere and
-// 1-Lipschitz.
+// Outside, the nearest point of the band is a surviving foot or a corner. If the nearest foot on
+// the side that is farther away is well inside the other side, no other can be nearer. An empty
+// band has neither feet nor corners; then max(lower, upper) is positive everywhere and 1-Lipschitz.
 double distance(const Band& band, glm::dvec2 p) {
   const NearestOnParabola lower = nearest(band.lower, p), upper = nearest(band.upper, p);
   const double bound = std::max(lower.distance, upper.distance);
   if (!(bound > 0.0) || !std::isfinite(bound)) return outside_if_nan(bound);
   const bool by_lower = lower.distance >= upper.distance;
-  const ParabolaSide& other = by_lower ? band.upper : band.lower;
-  if (belongs(other, by_lower ? lower.point : upper.point)) return bound;
-  double nearest_left = std::min(to_surviving_feet(band.lower, band.upper, p),
-                                 to_surviving_feet(band.upper, band.lower, p));
+  const Inside foot =
+      inside(by_lower ? band.upper : band.lower, by_lower ? lower.point : upper.point);
+  if (foot.value > foot.noise) return bound;
   const BandCorners corner = corners(band);
+  double nearest_left = std::min(to_feet(band.lower, Pieces(band.lower, band.upper, corner), p),
+                                 to_feet(band.upper, Pieces(band.upper, band.lower, corner), p));
   for (int i = 0; i < corner.count; ++i)
     nearest_left = std::min(nearest_left, norm(corner.point[i] - p));
   return std::isfinite(nearest_left) ? std::max(bound, nearest_left) : bound;

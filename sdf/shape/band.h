@@ -16,4 +16,8 @@ struct BandCorners {
 
 MIEN_API BandCorners corners(const Band& band);
 
+/// Whether no point is inside both parabolas. A band that only touches itself in a point is not
+/// empty.
+MIEN_API bool is_empty(const Band& band);
+
 }  // namespace mien

@@ -1,3 +1,4 @@
+#include <mien/sdf/shape/band.h>
 #include <mien/sdf/shape/path.h>
 #include <mien/sdf/shape/quad_bezier.h>
 #include <mien/sdf/shape/shape.h>
@@ -8,6 +9,10 @@
 namespace mien {
 namespace {
 
+/// An empty band has no outline; its distance is the farther side's.
+Exactness exactness_of(const Band& s) {
+  return {!is_empty(s), true};
+}
 Exactness exactness_of(const Polyline& s) {
   return {true, s.points.size() <= 2};
 }

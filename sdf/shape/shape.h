@@ -38,7 +38,8 @@ struct ParabolaSide {
   double bend;      ///< 1 / length
 };
 
-/// Between two parabolas: the intersection of both insides. Exact distance, by arcs and corners.
+/// Between two parabolas: the intersection of both insides. Exact distance, by arcs and corners. If
+/// they have nothing in common the distance is that to the farther side: positive everywhere.
 struct Band {
   ParabolaSide lower, upper;
 };
