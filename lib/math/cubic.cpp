@@ -149,7 +149,7 @@ Roots solve_quadratic(double a, double b, double c) {
     return scaled({1, {-0.5 * k[1] / k[0] + 0.0}}, shift);
   }
   const double q = -0.5 * (k[1] + std::copysign(std::sqrt(discriminant), k[1]));
-  const double x = q / k[0], y = k[2] / q;
+  const double x = q / k[0], y = k[1] == 0.0 ? -x : k[2] / q;  // mirror images alike
   Roots roots;
   add(roots, std::min(x, y));
   add(roots, std::max(x, y));
