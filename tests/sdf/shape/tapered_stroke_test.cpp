@@ -76,7 +76,7 @@ class TaperedStrokeFamily : public testing::TestWithParam<int> {};
 TEST_P(TaperedStrokeFamily, DistanceIsExact) {
   Random r(300 + GetParam());
   WorstError worst;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const BezierCase c = bezier_case(BezierFamily(GetParam()), r);
     const double length =
         std::max({norm(c.curve.p1 - c.curve.p0), norm(c.curve.p2 - c.curve.p1), 1e-9});
