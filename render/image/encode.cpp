@@ -9,6 +9,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstring>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -131,6 +133,36 @@ Error failure(OIIO::ImageOutput& writer, const DescriptorProxy& out, FileType ty
                   " writer failed: " + (said.empty() ? "no reason given" : said)};
 }
 
+/// Bands of rows for a tiled file: edge tiles are filled up with zeros here, because the writer
+/// would fill them with whatever was in its memory, and the same picture would be other bytes each
+/// time.
+class WholeTiles {
+ public:
+  WholeTiles(int width, int tile, std::size_t pixel_bytes)
+      : tile_(tile),
+        width_(rounded(width, tile)),
+        row_(std::size_t(width) * pixel_bytes),
+        stride_(std::size_t(width_) * pixel_bytes) {}
+
+  int width() const { return width_; }
+  int end(int first, int last) const { return first + rounded(last - first, tile_); }
+  std::size_t stride() const { return stride_; }
+
+  const std::byte* filled_up(const std::byte* rows, int count) {
+    band_.assign(stride_ * std::size_t(rounded(count, tile_)), std::byte{0});
+    for (std::size_t y = 0; y < std::size_t(count); ++y)
+      std::memcpy(&band_[y * stride_], rows + y * row_, row_);
+    return band_.data();
+  }
+
+ private:
+  static int rounded(int n, int tile) { return (n + tile - 1) / tile * tile; }
+
+  int tile_, width_;
+  std::size_t row_, stride_;  // [bytes]
+  std::vector<std::byte> band_;
+};
+
 }  // namespace
 
 Expected<Done> encode(const Image& image, FileType type, const WriteOptions& how,
@@ -149,14 +181,16 @@ Expected<Done> encode(const Image& image, FileType type, const WriteOptions& how
     return failure(*writer, out, type);
 
   PixelRows source(image, depth);
+  WholeTiles tiles(image.width, kTile, std::size_t(pixel));
   for (int y = 0; y < image.height; y += kBand) {
     if (how.progress && !how.progress(double(y) / image.height)) return Error{"", "cancelled"};
     const int end = std::min(y + kBand, image.height);
     const std::byte* data = source.rows(y, end);
-    const bool put =
-        spec.tile_width
-            ? writer->write_tiles(0, image.width, y, end, 0, 1, type_of(depth), data, pixel, row)
-            : writer->write_scanlines(y, end, 0, type_of(depth), data, pixel, row);
+    const bool put = spec.tile_width
+                         ? writer->write_tiles(0, tiles.width(), y, tiles.end(y, end), 0, 1,
+                                               type_of(depth), tiles.filled_up(data, end - y),
+                                               pixel, OIIO::stride_t(tiles.stride()))
+                         : writer->write_scanlines(y, end, 0, type_of(depth), data, pixel, row);
     if (!put || out.failure()) return failure(*writer, out, type);
   }
   if (!writer->close() || out.failure()) return failure(*writer, out, type);
