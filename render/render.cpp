@@ -45,18 +45,23 @@ class Watch {
   std::atomic<bool> cancelled_ = false;
 };
 
-bool opaque(const Tape& tape) { return tape.background.a >= 1.0; }
+bool opaque(const Tape& tape) {
+  return tape.background.a >= 1.0;
+}
 
-RenderStats draw(const Tape& tape, const View& view, const Target& target, const RenderOptions& how) {
+RenderStats draw(const Tape& tape, const View& view, const Target& target,
+                 const RenderOptions& how) {
   const PixelRect& r = target.rect;
   if (r.width <= 0 || r.height <= 0) return {};
   const int x0 = r.x / kTile, y0 = r.y / kTile;
-  const int columns = (r.x + r.width - 1) / kTile - x0 + 1, rows = (r.y + r.height - 1) / kTile - y0 + 1;
+  const int columns = (r.x + r.width - 1) / kTile - x0 + 1,
+            rows = (r.y + r.height - 1) / kTile - y0 + 1;
   Watch watch(how.progress, columns * rows);
   parallel_for(columns * rows, how.threads, [&](int i) {
     if (watch.cancelled()) return;
     RenderStats part;
-    draw_tile(tape, view.width, view.height, (x0 + i % columns) * kTile, (y0 + i / columns) * kTile, target, part);
+    draw_tile(tape, view.width, view.height, (x0 + i % columns) * kTile, (y0 + i / columns) * kTile,
+              target, part);
     watch.tile_done(part);
   });
   RenderStats stats = watch.stats();
@@ -72,13 +77,14 @@ Image render(const Scene& scene, const View& view, const RenderOptions& how, Ren
   image.bytes.resize(image.stride() * std::size_t(rect.height));
   const Tape tape = tape_from_scene(scene, view);
   image.opaque = opaque(tape);
-  const RenderStats took = draw(tape, view, {image.bytes.data(), image.stride(), how.depth, rect}, how);
+  const RenderStats took =
+      draw(tape, view, {image.bytes.data(), image.stride(), how.depth, rect}, how);
   if (stats) *stats = took;
   return image;
 }
 
-bool render_into(const PixelBuffer& out, const Scene& scene, const View& view, const RenderOptions& how,
-                 RenderStats* stats) {
+bool render_into(const PixelBuffer& out, const Scene& scene, const View& view,
+                 const RenderOptions& how, RenderStats* stats) {
   const Tape tape = tape_from_scene(scene, view);
   const Target target{static_cast<std::byte*>(out.data), out.stride, out.depth, drawn_rect(view)};
   const RenderStats took = draw(tape, view, target, how);

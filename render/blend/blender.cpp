@@ -43,9 +43,12 @@ void store_light(const Mix& mix, Blend blend, void* pixel) {
 
 void store(const Mix& mix, Blend blend, Depth depth, void* pixel) {
   switch (depth) {
-    case Depth::u8: return store_levels<std::uint8_t>(mix, blend, pixel);
-    case Depth::u16: return store_levels<std::uint16_t>(mix, blend, pixel);
-    case Depth::f32: return store_light(mix, blend, pixel);
+    case Depth::u8:
+      return store_levels<std::uint8_t>(mix, blend, pixel);
+    case Depth::u16:
+      return store_levels<std::uint16_t>(mix, blend, pixel);
+    case Depth::f32:
+      return store_light(mix, blend, pixel);
   }
 }
 

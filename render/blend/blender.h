@@ -1,5 +1,6 @@
 #pragma once
-// Colours laid over each other, and mixed by area: in linear light or in encoded values, as the view says.
+// Colours laid over each other, and mixed by area: in linear light or in encoded values, as the
+// view says.
 
 #include <mien/lib/geom/color.h>
 #include <mien/render/image.h>
@@ -9,15 +10,17 @@
 
 namespace mien {
 
-/// A colour premultiplied by its opacity, in the space the view blends in. Sums of these, weighted by area, are
-/// what a box filter gives.
+/// A colour premultiplied by its opacity, in the space the view blends in. Sums of these, weighted
+/// by area, are what a box filter gives.
 using Mix = glm::dvec4;
 
 /// Into the blending space.
 Mix mix_from_color(const Color& color, Blend blend);
 
 /// `top` over `below`.
-inline Mix over(const Mix& top, const Mix& below) { return top + (1.0 - top.a) * below; }
+inline Mix over(const Mix& top, const Mix& below) {
+  return top + (1.0 - top.a) * below;
+}
 
 /// Writes one mixed pixel in the form `depth` asks for (see Image) to `pixel`.
 void store(const Mix& mix, Blend blend, Depth depth, void* pixel);

@@ -1,6 +1,7 @@
 #pragma once
-// A square cut by several straight edges: every piece's area, and on which side of each edge it lies. Exact for
-// any number of edges; what makes corners, thin strokes and layers with a common border come out without seams.
+// A square cut by several straight edges: every piece's area, and on which side of each edge it
+// lies. Exact for any number of edges; what makes corners, thin strokes and layers with a common
+// border come out without seams.
 
 #include <array>
 #include <cstdint>
@@ -21,7 +22,8 @@ struct Cut {
 /// Keeps its scratch: one Arrangement per thread, used again and again, does not allocate.
 class Arrangement {
  public:
-  static constexpr int kMaxCuts = 32;  ///< bits of `inside`; k lines make at most 1 + k(k+1)/2 pieces
+  static constexpr int kMaxCuts =
+      32;  ///< bits of `inside`; k lines make at most 1 + k(k+1)/2 pieces
 
   struct Piece {
     double area;           ///< in [0, 1]; all pieces sum to 1

@@ -8,8 +8,8 @@ namespace mien {
 double straightened(double d, glm::dvec2 n, double bend) {
   const double nx = std::abs(n.x), ny = std::abs(n.y);
   const double a = std::max(nx, ny), b = std::min(nx, ny);
-  // By symmetry take n = (a, b) with a >= b >= 0: the tangent runs along m = (−b, a), steeply up. Distances
-  // beyond the square's corner are held at the corner.
+  // By symmetry take n = (a, b) with a >= b >= 0: the tangent runs along m = (−b, a), steeply up.
+  // Distances beyond the square's corner are held at the corner.
   const double x = std::clamp(d, -0.5 * (a + b), 0.5 * (a + b));
   // u.y = −x b + t a within ±1/2; u.x = −x a − t b within ±1/2.
   double lo = (-0.5 + x * b) / a, hi = (0.5 + x * b) / a;
@@ -27,7 +27,8 @@ struct Interval {
   double length() const { return std::max(0.0, hi - lo); }
 };
 
-/// Where a x² + b x + c <= 0 within [−1/2, 1/2]: `roots` are the crossings there, `inside` the total length.
+/// Where a x² + b x + c <= 0 within [−1/2, 1/2]: `roots` are the crossings there, `inside` the
+/// total length.
 struct SideCut {
   std::array<double, 2> roots;
   int count = 0;
@@ -35,7 +36,9 @@ struct SideCut {
 };
 
 SideCut cut_side(double a, double b, double c) {
-  const auto in_side = [](double lo, double hi) { return Interval{std::max(lo, -0.5), std::min(hi, 0.5)}.length(); };
+  const auto in_side = [](double lo, double hi) {
+    return Interval{std::max(lo, -0.5), std::min(hi, 0.5)}.length();
+  };
   SideCut cut;
   const auto root = [&](double x) {
     if (x > -0.5 && x < 0.5) cut.roots[std::size_t(cut.count++)] = x;
@@ -69,11 +72,15 @@ double bent_edge_coverage(double d, glm::dvec2 n, double bend) {
       const SideCut cut = cut_side(0.5 * bend * m_run * m_run, n_run + bend * along * m_run,
                                    d + n[axis] * s + 0.5 * bend * along * along);
       twice += 0.5 * cut.inside;
-      for (int i = 0; i < cut.count; ++i) crossings[count++] = along + m_run * cut.roots[std::size_t(i)];
+      for (int i = 0; i < cut.count; ++i)
+        crossings[count++] = along + m_run * cut.roots[std::size_t(i)];
     }
-  constexpr double kRounding = 1e-15;  // of u: a parabola that touches a side from within counts as within
-  for (std::size_t i = 1; i < count; ++i)  // at most 8; GCC 12 sees std::sort leave the array, wrongly
-    for (std::size_t j = i; j > 0 && crossings[j - 1] > crossings[j]; --j) std::swap(crossings[j - 1], crossings[j]);
+  constexpr double kRounding =
+      1e-15;  // of u: a parabola that touches a side from within counts as within
+  for (std::size_t i = 1; i < count;
+       ++i)  // at most 8; GCC 12 sees std::sort leave the array, wrongly
+    for (std::size_t j = i; j > 0 && crossings[j - 1] > crossings[j]; --j)
+      std::swap(crossings[j - 1], crossings[j]);
   for (std::size_t i = 1; i < count; ++i) {
     const double lo = crossings[i - 1], hi = crossings[i], t = 0.5 * (lo + hi);
     const glm::dvec2 u = t * m - (d + 0.5 * bend * t * t) * n;

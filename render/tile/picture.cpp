@@ -50,7 +50,8 @@ class TileWalk {
     store(mix, tape_.blend, target_.depth, pixel.data());
     const std::size_t size = 4 * bytes_per_channel(target_.depth);
     std::byte* const first = at(part.x, part.y);
-    for (int i = 0; i < part.width; ++i) std::memcpy(first + size * std::size_t(i), pixel.data(), size);
+    for (int i = 0; i < part.width; ++i)
+      std::memcpy(first + size * std::size_t(i), pixel.data(), size);
     for (int j = 1; j < part.height; ++j)
       std::memcpy(first + target_.stride * std::size_t(j), first, size * std::size_t(part.width));
   }
@@ -58,7 +59,8 @@ class TileWalk {
   PixelRect visible(int x, int y, int side) const {
     const PixelRect& r = target_.rect;
     const int x0 = std::max(x, r.x), y0 = std::max(y, r.y);
-    return {x0, y0, std::min(x + side, r.x + r.width) - x0, std::min(y + side, r.y + r.height) - y0};
+    return {x0, y0, std::min(x + side, r.x + r.width) - x0,
+            std::min(y + side, r.y + r.height) - y0};
   }
 
   std::byte* at(int x, int y) const {
@@ -77,7 +79,8 @@ class TileWalk {
 
 }  // namespace
 
-void draw_tile(const Tape& tape, int width, int height, int x, int y, const Target& target, RenderStats& stats) {
+void draw_tile(const Tape& tape, int width, int height, int x, int y, const Target& target,
+               RenderStats& stats) {
   TileWalk(tape, width, height, target, stats).tile(x, y);
 }
 

@@ -12,9 +12,12 @@ constexpr double kHalfDiagonal = 0.70710678118654757;  // of a unit square, roun
 Side side_by_rule(const LocalOutline& outline, std::span<const Edge> edges, std::uint32_t inside) {
   const auto yes = [](bool in) { return in ? Side::in : Side::out; };
   switch (outline.rule) {
-    case EdgeRule::outside: return Side::out;
-    case EdgeRule::inside: return Side::in;
-    default: break;
+    case EdgeRule::outside:
+      return Side::out;
+    case EdgeRule::inside:
+      return Side::in;
+    default:
+      break;
   }
   bool all = true, any = false;
   int winding = outline.winding;
@@ -24,10 +27,14 @@ Side side_by_rule(const LocalOutline& outline, std::span<const Edge> edges, std:
     if (in) winding += edges[std::size_t(i)].turn;
   }
   switch (outline.rule) {
-    case EdgeRule::all: return yes(all);
-    case EdgeRule::any: return yes(any);
-    case EdgeRule::nonzero: return yes(winding != 0);
-    default: return yes(winding & 1);
+    case EdgeRule::all:
+      return yes(all);
+    case EdgeRule::any:
+      return yes(any);
+    case EdgeRule::nonzero:
+      return yes(winding != 0);
+    default:
+      return yes(winding & 1);
   }
 }
 
@@ -40,14 +47,16 @@ Mix PixelResolver::pixel(const Scope& scope, glm::dvec2 center) {
   return mix;
 }
 
-/// Collects the edges of the scope's outlines around a square; whether they describe it well enough.
+/// Collects the edges of the scope's outlines around a square; whether they describe it well
+/// enough.
 bool PixelResolver::describe(const Scope& scope, glm::dvec2 center, double side) {
   const double radius = kHalfDiagonal * side;
   edges_.clear();
   locals_.clear();
   double error = 0.0;
   for (const int outline : scopes_.outlines(scope)) {
-    const LocalOutline local = edges_near(tape_.outlines[std::size_t(outline)], center, radius, edges_);
+    const LocalOutline local =
+        edges_near(tape_.outlines[std::size_t(outline)], center, radius, edges_);
     error += local.error;
     locals_.push_back(local);
   }
@@ -82,7 +91,8 @@ Mix PixelResolver::resolve(const Scope& scope, double side) {
     return covered * in + (1.0 - covered) * scopes_.color(scope);
   }
   cuts_.clear();
-  for (const Edge& e : edges_) cuts_.push_back({straightened(e.d / side, e.normal, e.bend * side), e.normal});
+  for (const Edge& e : edges_)
+    cuts_.push_back({straightened(e.d / side, e.normal, e.bend * side), e.normal});
   Mix mix{0.0};
   for (const Arrangement::Piece& piece : arrangement_.cut(cuts_)) {
     set_sides(scope, piece.inside);
@@ -94,8 +104,9 @@ Mix PixelResolver::resolve(const Scope& scope, double side) {
 /// For cells of 1/64 px with more edges than an arrangement takes: their centre stands for them.
 Mix PixelResolver::at_center(const Scope& scope, glm::dvec2 center) {
   for (const int outline : scopes_.outlines(scope))
-    scopes_.set_side(outline,
-                     distance(tape_.outlines[std::size_t(outline)], center) <= 0.0 ? Side::in : Side::out);
+    scopes_.set_side(outline, distance(tape_.outlines[std::size_t(outline)], center) <= 0.0
+                                  ? Side::in
+                                  : Side::out);
   return scopes_.color(scope);
 }
 
@@ -106,7 +117,8 @@ Mix PixelResolver::square(const Scope& scope, glm::dvec2 center, double side, in
     return scopes_.color(scope);
   }
   const bool described = describe(scope, center, side);
-  if (depth == 0) ++(described && edges_.size() <= 1 ? stats_.one_edge_pixels : stats_.divided_pixels);
+  if (depth == 0)
+    ++(described && edges_.size() <= 1 ? stats_.one_edge_pixels : stats_.divided_pixels);
   if (described) return resolve(scope, side);
   if (depth == kDepth)
     return edges_.size() <= Arrangement::kMaxCuts ? resolve(scope, side) : at_center(scope, center);

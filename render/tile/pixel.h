@@ -1,10 +1,11 @@
 #pragma once
 // One pixel, exactly: the mean of the picture over its square.
 //
-// A square whose outlines are all described well enough by their edges (proven by edges_near) is one closed form
-// (a single edge) or one arrangement (several). Any other square is divided in four and each quarter resolved by
-// itself, down to kDepth, where what is left unproven covers too little to matter: a corner or an end of a stroke
-// is one cell of 1/64 px a level, and its description there is still the nearest outline's.
+// A square whose outlines are all described well enough by their edges (proven by edges_near) is
+// one closed form (a single edge) or one arrangement (several). Any other square is divided in four
+// and each quarter resolved by itself, down to kDepth, where what is left unproven covers too
+// little to matter: a corner or an end of a stroke is one cell of 1/64 px a level, and its
+// description there is still the nearest outline's.
 
 #include <mien/render/cover/arrangement.h>
 #include <mien/render/render_stats.h>
@@ -17,7 +18,8 @@ namespace mien {
 /// Resolves squares of one picture. One per thread.
 class PixelResolver {
  public:
-  /// Outlines may be off by this much [px] where a square is not divided further: 1/16 of a level of 255.
+  /// Outlines may be off by this much [px] where a square is not divided further: 1/16 of a level
+  /// of 255.
   static constexpr double kOutlineError = 1.0 / 4096;
   /// Divisions of a pixel: 6 gives cells of 1/64 px, 1/4096 of the pixel's area.
   static constexpr int kDepth = 6;

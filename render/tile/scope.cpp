@@ -29,8 +29,8 @@ Scope ScopeStack::everything() {
   return scope;
 }
 
-/// Appends to steps_ what remains of a program when the known sides are put in. If nothing remains the whole
-/// program is decided, and the answer says how.
+/// Appends to steps_ what remains of a program when the known sides are put in. If nothing remains
+/// the whole program is decided, and the answer says how.
 Side ScopeStack::simplify(int first, int count) {
   partials_.clear();
   const auto decide = [&](std::size_t begin, Side side) {
@@ -47,7 +47,9 @@ Side ScopeStack::simplify(int first, int count) {
         partials_.push_back({side, end});
         break;
       }
-      case Kind::nothing: partials_.push_back({Side::out, end}); break;
+      case Kind::nothing:
+        partials_.push_back({Side::out, end});
+        break;
       case Kind::not_: {
         Partial& a = partials_.back();
         if (a.side == Side::unknown)
@@ -58,14 +60,16 @@ Side ScopeStack::simplify(int first, int count) {
       }
       case Kind::and_:
       case Kind::or_: {
-        const Side ruling = step.kind == Kind::and_ ? Side::out : Side::in;  // decides whatever the other is
+        const Side ruling =
+            step.kind == Kind::and_ ? Side::out : Side::in;  // decides whatever the other is
         const Partial b = partials_.back();
         partials_.pop_back();
         const Partial a = partials_.back();
         partials_.pop_back();
         if (a.side == ruling || b.side == ruling) {
           decide(a.begin, ruling);
-        } else if (a.side != Side::unknown) {  // neutral: the other alone remains, and a had left no steps
+        } else if (a.side !=
+                   Side::unknown) {  // neutral: the other alone remains, and a had left no steps
           partials_.push_back({b.side, a.begin});
         } else if (b.side != Side::unknown) {
           partials_.push_back({a.side, a.begin});
@@ -84,7 +88,8 @@ void ScopeStack::forget_unused(Scope& scope) {
   for (int l = scope.first_layer; l < scope.first_layer + scope.layer_count; ++l) {
     const Layer& layer = layers_[std::size_t(l)];
     for (int i = layer.first; i < layer.first + layer.count; ++i)
-      if (steps_[std::size_t(i)].kind == Kind::outline) used_[std::size_t(steps_[std::size_t(i)].outline)] = 1;
+      if (steps_[std::size_t(i)].kind == Kind::outline)
+        used_[std::size_t(steps_[std::size_t(i)].outline)] = 1;
   }
   std::size_t kept = std::size_t(scope.first_outline);
   for (std::size_t i = kept; i < outlines_.size(); ++i) {
@@ -123,7 +128,8 @@ Scope ScopeStack::narrowed(const Scope& scope, glm::dvec2 center, double radius)
     layers_.push_back({first, int(steps_.size()) - first, layer.mix});
   }
   while (layers_.size() > std::size_t(narrow.first_layer) && layers_.back().count == 0) {
-    narrow.base = over(layers_.back().mix, narrow.base);  // translucent and everywhere, at the bottom
+    narrow.base =
+        over(layers_.back().mix, narrow.base);  // translucent and everywhere, at the bottom
     layers_.pop_back();
   }
   narrow.layer_count = int(layers_.size()) - narrow.first_layer;
@@ -137,9 +143,15 @@ bool ScopeStack::inside(const Layer& layer) {
   for (int i = layer.first; i < layer.first + layer.count; ++i) {
     const Step step = steps_[std::size_t(i)];
     switch (step.kind) {
-      case Kind::outline: bits_.push_back(sides_[std::size_t(step.outline)] == Side::in); break;
-      case Kind::nothing: bits_.push_back(0); break;
-      case Kind::not_: bits_.back() = !bits_.back(); break;
+      case Kind::outline:
+        bits_.push_back(sides_[std::size_t(step.outline)] == Side::in);
+        break;
+      case Kind::nothing:
+        bits_.push_back(0);
+        break;
+      case Kind::not_:
+        bits_.back() = !bits_.back();
+        break;
       case Kind::and_:
       case Kind::or_: {
         const char b = bits_.back();

@@ -1,9 +1,11 @@
 #pragma once
-// What is still undecided in a square of the picture: a few outlines, a few layers, and the colour beneath them.
+// What is still undecided in a square of the picture: a few outlines, a few layers, and the colour
+// beneath them.
 //
-// Narrowing a scope to a smaller square decides outlines by ONE distance each (|d| larger than the half diagonal:
-// all in or all out, since distances are 1-Lipschitz), simplifies the layers' programs with what is decided, drops
-// what can't be seen, and forgets outlines nobody asks for any more. Scopes live on a stack and nest.
+// Narrowing a scope to a smaller square decides outlines by ONE distance each (|d| larger than the
+// half diagonal: all in or all out, since distances are 1-Lipschitz), simplifies the layers'
+// programs with what is decided, drops what can't be seen, and forgets outlines nobody asks for any
+// more. Scopes live on a stack and nest.
 
 #include <mien/render/tile/tape.h>
 
@@ -19,7 +21,8 @@ struct Scope {
   Mix base;                          ///< what lies under the last of them
 };
 
-/// What is known of an outline: the point (or the whole square) is outside of it, inside, or it is not decided.
+/// What is known of an outline: the point (or the whole square) is outside of it, inside, or it is
+/// not decided.
 enum class Side : unsigned char { out, in, unknown };
 
 /// The stack of scopes of one thread, and the present side of every outline.
@@ -47,7 +50,8 @@ class ScopeStack {
   /// Says on which side of an outline the next colors are asked for.
   void set_side(int outline, Side side) { sides_[std::size_t(outline)] = side; }
 
-  /// The colour of a point of the scope, for the sides set. All outlines of the scope must be decided.
+  /// The colour of a point of the scope, for the sides set. All outlines of the scope must be
+  /// decided.
   Mix color(const Scope& scope);
 
  private:

@@ -11,8 +11,9 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// Takes shapes apart into outlines that are smooth wherever they are not ends of strokes, so that corners become
-/// combinations of bits. Only without an offset: the offset outline of a corner is round.
+/// Takes shapes apart into outlines that are smooth wherever they are not ends of strokes, so that
+/// corners become combinations of bits. Only without an offset: the offset outline of a corner is
+/// round.
 class ShapeSteps {
  public:
   explicit ShapeSteps(Tape& tape) : tape_(tape) {}
@@ -76,9 +77,11 @@ class ShapeSteps {
   Tape& tape_;
 };
 
-/// Writes the program of an area. With f the area's distance by its CSG tree, "f − offset <= 0" is pushed down:
+/// Writes the program of an area. With f the area's distance by its CSG tree, "f − offset <= 0" is
+/// pushed down:
 ///   either, both: to both operands          complement: −a <= o  is  not (a <= −o)
-///   offset m:     a <= o + m                shell m:    |a| <= o + m =: k  is  a <= k and not (a <= −k)
+///   offset m:     a <= o + m                shell m:    |a| <= o + m =: k  is  a <= k and not (a
+///   <= −k)
 /// Works off a stack of its own: trees may be a hundred thousand deep.
 class AreaSteps {
  public:
@@ -110,7 +113,8 @@ class AreaSteps {
   /// The stack runs backwards: last pushed is done first.
   void expand(const Node& n, double o) {
     switch (n.op) {
-      case Op::shape: return shape(n.a, o);
+      case Op::shape:
+        return shape(n.a, o);
       case Op::either:
       case Op::both:
         write_after(n.op == Op::either ? Kind::or_ : Kind::and_);
@@ -124,7 +128,8 @@ class AreaSteps {
       case Op::complement:
         write_after(Kind::not_);
         return visit_next(n.a, -o);
-      case Op::offset: return visit_next(n.a, o + n.amount);
+      case Op::offset:
+        return visit_next(n.a, o + n.amount);
       case Op::shell: {
         const double k = o + n.amount;
         if (!(k >= 0.0)) return write_after(Kind::nothing);
@@ -136,7 +141,8 @@ class AreaSteps {
     }
   }
 
-  /// A shape met again at the same offset is the same outline: it is written once and its bits are shared.
+  /// A shape met again at the same offset is the same outline: it is written once and its bits are
+  /// shared.
   void shape(int index, double offset) {
     const auto key = std::pair(index, offset);
     if (const auto seen = written_.find(key); seen != written_.end()) {
@@ -145,7 +151,8 @@ class AreaSteps {
       return;
     }
     const int first = int(tape_.steps.size());
-    ShapeSteps(tape_).add(transformed(map_, scene_.shapes()[std::size_t(index)]), offset * map_.scale());
+    ShapeSteps(tape_).add(transformed(map_, scene_.shapes()[std::size_t(index)]),
+                          offset * map_.scale());
     written_[key] = {first, int(tape_.steps.size()) - first};
   }
 

@@ -1,9 +1,10 @@
 #pragma once
 // A scene made ready to draw: outlines in pixels, and layers as small programs on their bits.
 //
-// CSG is resolved on bits (is the point inside this outline?), never on distances: offsets and shells are pushed
-// down to the shapes on the way, where they are exact statements about a distance. So a pixel cut by several
-// outlines evaluates each of them, and abutting areas of a union leave no seam.
+// CSG is resolved on bits (is the point inside this outline?), never on distances: offsets and
+// shells are pushed down to the shapes on the way, where they are exact statements about a
+// distance. So a pixel cut by several outlines evaluates each of them, and abutting areas of a
+// union leave no seam.
 
 #include <mien/render/blend/blender.h>
 #include <mien/sdf/edge/edge.h>

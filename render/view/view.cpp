@@ -19,7 +19,8 @@ PixelRect drawn_rect(const View& view) {
   const auto end = [](int from, int length, int side) {
     return int(std::clamp<long long>((long long)from + length, 0, side));
   };
-  return {x, y, std::max(0, end(r.x, r.width, view.width) - x), std::max(0, end(r.y, r.height, view.height) - y)};
+  return {x, y, std::max(0, end(r.x, r.width, view.width) - x),
+          std::max(0, end(r.y, r.height, view.height) - y)};
 }
 
 }  // namespace mien

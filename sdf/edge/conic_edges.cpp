@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "edges_private.h"
 
@@ -36,19 +36,21 @@ Edge edge_at(double a, double b, glm::dvec2 t, glm::dvec2 p) {
 
 }  // namespace
 
-LocalOutline ellipse_edges(const Ellipse& s, glm::dvec2 c, double radius, std::vector<Edge>& edges) {
+LocalOutline ellipse_edges(const Ellipse& s, glm::dvec2 c, double radius,
+                           std::vector<Edge>& edges) {
   const double a = s.radii.x, b = s.radii.y, small = std::min(a, b), large = std::max(a, b);
   if (!(small > 0.0)) return {};  // no area
   const glm::dvec2 across{-s.axis.y, s.axis.x}, m = c - s.center;
   const glm::dvec2 p{glm::dot(m, s.axis), glm::dot(m, across)};
   const glm::dvec2 nearest_point = nearest(s, c).point - s.center;
-  const glm::dvec2 t = glm::normalize(glm::dvec2{glm::dot(nearest_point, s.axis) / a, glm::dot(nearest_point, across) / b});
+  const glm::dvec2 t = glm::normalize(
+      glm::dvec2{glm::dot(nearest_point, s.axis) / a, glm::dot(nearest_point, across) / b});
   Edge edge = edge_at(a, b, t, p);
 
-  // Proof. The reach of an ellipse (no two nearest points closer than that to the outline) is its least radius of
-  // curvature, small²/large: with at least 4 radii of it, feet lie within arc 2·radius of this one. Over that arc
-  // g = |d foot / d angle|² changes by at most |a² − b²|·angle, and the curvature a b g^(−3/2) changes per arc by
-  // (3/2) a b |a² − b²| |sin 2 angle| / g³.
+  // Proof. The reach of an ellipse (no two nearest points closer than that to the outline) is its
+  // least radius of curvature, small²/large: with at least 4 radii of it, feet lie within arc
+  // 2·radius of this one. Over that arc g = |d foot / d angle|² changes by at most |a² − b²|·angle,
+  // and the curvature a b g^(−3/2) changes per arc by (3/2) a b |a² − b²| |sin 2 angle| / g³.
   double error = kUnproven;
   const double difference = std::abs(a * a - b * b), g = a * a * t.y * t.y + b * b * t.x * t.x;
   const double least_g = std::max(small * small, g - difference * 4.0 * radius / small);

@@ -11,9 +11,12 @@
 namespace mien {
 namespace {
 
-constexpr double kCosOfOne = 0.5403;  // a parabola turns by less than 180° in all, so the cosine decides
+constexpr double kCosOfOne =
+    0.5403;  // a parabola turns by less than 180° in all, so the cosine decides
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 /// All t where |C(t) − c|² is stationary, in the domain, and the domain's finite ends.
 struct Candidates {
@@ -27,8 +30,9 @@ Candidates candidates(const QuadCurve& curve, glm::dvec2 c) {
   Candidates found;
   if (std::isfinite(curve.lo)) found.add(curve.lo);
   if (std::isfinite(curve.hi)) found.add(curve.hi);
-  const Roots roots = solve_cubic(2.0 * glm::dot(curve.w, curve.w), 3.0 * glm::dot(curve.v, curve.w),
-                                  glm::dot(curve.v, curve.v) + 2.0 * glm::dot(m, curve.w), glm::dot(m, curve.v));
+  const Roots roots =
+      solve_cubic(2.0 * glm::dot(curve.w, curve.w), 3.0 * glm::dot(curve.v, curve.w),
+                  glm::dot(curve.v, curve.v) + 2.0 * glm::dot(m, curve.w), glm::dot(m, curve.v));
   for (int i = 0; i < roots.count; ++i)
     if (const double t = roots.x[std::size_t(i)]; t > curve.lo && t < curve.hi) found.add(t);
   return found;
@@ -41,8 +45,9 @@ struct Stretch {
   double bend_change;  // max |d curvature / d arc|
 };
 
-/// With X = C' × C'', constant: curvature = X/|C'|³, its change along the arc = −3 X (C'·C'')/|C'|⁶; |C'|² is a
-/// parabola in t and C'·C'' is linear, so both are bounded by their ends and the vertex.
+/// With X = C' × C'', constant: curvature = X/|C'|³, its change along the arc = −3 X
+/// (C'·C'')/|C'|⁶; |C'|² is a parabola in t and C'·C'' is linear, so both are bounded by their ends
+/// and the vertex.
 Stretch over(const QuadCurve& curve, double t0, double t1) {
   const glm::dvec2 acceleration = 2.0 * curve.w;
   const double ww = glm::dot(curve.w, curve.w);
@@ -68,7 +73,8 @@ CurveFoot foot_near(const QuadCurve& curve, glm::dvec2 c, double radius, double 
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < all.count; ++i) {
     const glm::dvec2 m = curve.at(all.t[std::size_t(i)]) - c;
-    if (const double d2 = glm::dot(m, m); d2 < nearest) nearest = d2, foot.t = all.t[std::size_t(i)];
+    if (const double d2 = glm::dot(m, m); d2 < nearest)
+      nearest = d2, foot.t = all.t[std::size_t(i)];
   }
   foot.distance = std::sqrt(nearest);
   foot.point = curve.at(foot.t);
@@ -83,13 +89,15 @@ CurveFoot foot_near(const QuadCurve& curve, glm::dvec2 c, double radius, double 
   if (!(speed > 0.0)) return foot;  // a cusp or a point: nothing proven
   foot.bend = cross(velocity, 2.0 * curve.w) / (speed * speed * speed);
 
-  // J, taken in t with the speed at the foot; condition 2 sees to it that the speed does not fall far below.
+  // J, taken in t with the speed at the foot; condition 2 sees to it that the speed does not fall
+  // far below.
   const double arc = std::sqrt(8.0 * level * radius) + 4.0 * radius;
   const double before = foot.t - 2.0 * arc / speed, after = foot.t + 2.0 * arc / speed;
   const Stretch wide = over(curve, before, after);
   if (!(wide.slowest >= 0.5 * speed)) return foot;
   const glm::dvec2 enter = curve.velocity(before), leave = curve.velocity(after);
-  const bool turns_little = glm::dot(enter, leave) >= kCosOfOne * glm::length(enter) * glm::length(leave);
+  const bool turns_little =
+      glm::dot(enter, leave) >= kCosOfOne * glm::length(enter) * glm::length(leave);
   const double farthest = level + radius;
   // The concave side is the one the bend points to; q·bend > 0 only there.
   const double concave = std::copysign(1.0, foot.bend) * foot.side + 2.0 * radius;
@@ -112,10 +120,12 @@ CurveFoot foot_near(const QuadCurve& curve, glm::dvec2 c, double radius, double 
   // On which side of the normal lines through the ends, if those are near enough to matter.
   const auto straddles = [&](double t, double outward) {
     const glm::dvec2 end_velocity = curve.velocity(t);
-    const double along = outward * glm::dot(c - curve.at(t), end_velocity) / glm::length(end_velocity);
+    const double along =
+        outward * glm::dot(c - curve.at(t), end_velocity) / glm::length(end_velocity);
     return std::abs(along) < radius;
   };
-  if ((before <= curve.lo && straddles(curve.lo, -1.0)) || (after >= curve.hi && straddles(curve.hi, 1.0))) {
+  if ((before <= curve.lo && straddles(curve.lo, -1.0)) ||
+      (after >= curve.hi && straddles(curve.hi, 1.0))) {
     foot.proven = false;
     foot.straddles_end = true;
   }

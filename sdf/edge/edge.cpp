@@ -10,7 +10,8 @@ namespace mien {
 
 void AllOf::add(const Edge& edge, double error) {
   // Beyond reach by more than the bend can bring it back: decided.
-  const double reach = radius_ + (error < kUnproven ? 0.5 * std::abs(edge.bend) * radius_ * radius_ + error : 0.0);
+  const double reach =
+      radius_ + (error < kUnproven ? 0.5 * std::abs(edge.bend) * radius_ * radius_ + error : 0.0);
   if (edge.d > reach) outside_ = true;
   if (std::abs(edge.d) > reach) return;
   edges_.push_back(edge);
@@ -29,7 +30,8 @@ LocalOutline AllOf::outline() const {
 
 LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double radius) {
   const Edge edge{.d = outward * (foot.side - level), .normal = outward * foot.normal};
-  // The offset curve at `level` bends by k/(1 − level·k), changes by k'/(1 − level·k)³ per its own arc.
+  // The offset curve at `level` bends by k/(1 − level·k), changes by k'/(1 − level·k)³ per its own
+  // arc.
   const double stretch = 1.0 - level * foot.bend;
   const double least = stretch - std::abs(level) * foot.bend_change * 4.0 * radius;
   LevelEdge result{edge, kUnproven};
@@ -37,7 +39,8 @@ LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double
   if (foot.proven && least > 0.25) {
     const double bend = std::abs(result.edge.bend), r2 = radius * radius;
     const double change = foot.bend_change / (least * least * least);
-    // Third order, and the fourth order of the circle: the lateral distance from the foot is at most radius.
+    // Third order, and the fourth order of the circle: the lateral distance from the foot is at
+    // most radius.
     result.error = change * r2 * radius / 6.0 + 0.25 * bend * bend * bend * r2 * r2;
   }
   return result;
@@ -63,13 +66,15 @@ LocalOutline disc_edges(glm::dvec2 center, double disc_radius, glm::dvec2 c, dou
   return all.outline();
 }
 
-LocalOutline distance_edges(const OffsetShape& shape, glm::dvec2 c, double radius, std::vector<Edge>& edges) {
+LocalOutline distance_edges(const OffsetShape& shape, glm::dvec2 c, double radius,
+                            std::vector<Edge>& edges) {
   const double d = distance(shape, c), h = 1e-3 * radius;
   glm::dvec2 g{distance(shape, c + glm::dvec2{h, 0.0}) - distance(shape, c - glm::dvec2{h, 0.0}),
                distance(shape, c + glm::dvec2{0.0, h}) - distance(shape, c - glm::dvec2{0.0, h})};
   const double length = glm::length(g);
   AllOf all(radius, edges);
-  all.add({.d = d, .normal = length > 0.0 ? g / length : glm::dvec2{1.0, 0.0}, .bend = 0.0}, kUnproven);
+  all.add({.d = d, .normal = length > 0.0 ? g / length : glm::dvec2{1.0, 0.0}, .bend = 0.0},
+          kUnproven);
   return all.outline();
 }
 
@@ -83,7 +88,8 @@ struct EdgesOf {
 
   LocalOutline operator()(const HalfPlane& s) const {
     AllOf all(radius, edges);
-    all.add({.d = glm::dot(c, s.normal) - s.offset - whole.offset, .normal = s.normal, .bend = 0.0}, 0.0);
+    all.add({.d = glm::dot(c, s.normal) - s.offset - whole.offset, .normal = s.normal, .bend = 0.0},
+            0.0);
     return all.outline();
   }
   LocalOutline operator()(const ParabolaSide& s) const {
@@ -93,7 +99,8 @@ struct EdgesOf {
     return disc_edges(s.center, s.radius + whole.offset, c, radius, edges);
   }
   LocalOutline operator()(const Ellipse& s) const {
-    return whole.offset == 0.0 ? ellipse_edges(s, c, radius, edges) : distance_edges(whole, c, radius, edges);
+    return whole.offset == 0.0 ? ellipse_edges(s, c, radius, edges)
+                               : distance_edges(whole, c, radius, edges);
   }
   LocalOutline operator()(const Line& s) const {
     return line_edges(s, s.half_width + whole.offset, c, radius, edges);
@@ -105,9 +112,11 @@ struct EdgesOf {
     return tapered_edges(s, whole.offset, c, radius, edges);
   }
   LocalOutline operator()(const Path& s) const {
-    return whole.offset == 0.0 ? path_edges(s, c, radius, edges) : distance_edges(whole, c, radius, edges);
+    return whole.offset == 0.0 ? path_edges(s, c, radius, edges)
+                               : distance_edges(whole, c, radius, edges);
   }
-  /// Band, cut disc, triangle, polyline: without offset the renderer takes them apart before it comes here.
+  /// Band, cut disc, triangle, polyline: without offset the renderer takes them apart before it
+  /// comes here.
   template <class Other>
   LocalOutline operator()(const Other&) const {
     return distance_edges(whole, c, radius, edges);
@@ -116,7 +125,8 @@ struct EdgesOf {
 
 }  // namespace
 
-LocalOutline edges_near(const OffsetShape& shape, glm::dvec2 c, double radius, std::vector<Edge>& edges) {
+LocalOutline edges_near(const OffsetShape& shape, glm::dvec2 c, double radius,
+                        std::vector<Edge>& edges) {
   return std::visit(EdgesOf{shape, c, radius, edges}, shape.shape);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-// What a shape's outline is inside a small disc: a few edges, each a straight line with a known bend, and a
-// rule that says which of their sides are the shape's inside.
+// What a shape's outline is inside a small disc: a few edges, each a straight line with a known
+// bend, and a rule that says which of their sides are the shape's inside.
 //
-// This is the second question a shape answers to the renderer (the first is its distance). Lengths are in the
-// units the shape is in; the renderer asks in pixels.
+// This is the second question a shape answers to the renderer (the first is its distance). Lengths
+// are in the units the shape is in; the renderer asks in pixels.
 
 #include <mien/sdf/shape/shape.h>
 
@@ -18,7 +18,7 @@ namespace mien {
 ///
 /// the outline's expansion to second order about the foot of c.
 struct Edge {
-  double d;           ///< signed distance from c to the outline's tangent at the foot; negative: c is inside
+  double d;  ///< signed distance from c to the outline's tangent at the foot; negative: c is inside
   glm::dvec2 normal;  ///< unit, outward
   double bend;        ///< curvature of the outline; positive where the inside is convex
   int turn = 1;       ///< winding rules: what the winding number loses on leaving across the edge
@@ -38,8 +38,9 @@ struct LocalOutline {
   EdgeRule rule = EdgeRule::outside;
   int first = 0, count = 0;  ///< in the list given to edges_near
   int winding = 0;           ///< outside of all the edges
-  /// The outline within the disc deviates from this description by at most this much, bends included.
-  /// Infinity: nothing is proven (a corner, an end, two branches); still the best description known.
+  /// The outline within the disc deviates from this description by at most this much, bends
+  /// included. Infinity: nothing is proven (a corner, an end, two branches); still the best
+  /// description known.
   double error = 0;
 };
 
@@ -51,9 +52,12 @@ struct OffsetShape {
   double offset = 0;
 };
 
-inline double distance(const OffsetShape& s, glm::dvec2 p) { return distance(s.shape, p) - s.offset; }
+inline double distance(const OffsetShape& s, glm::dvec2 p) {
+  return distance(s.shape, p) - s.offset;
+}
 
 /// Describes the outline within the disc (c, radius), appending to `edges`.
-LocalOutline edges_near(const OffsetShape& shape, glm::dvec2 c, double radius, std::vector<Edge>& edges);
+LocalOutline edges_near(const OffsetShape& shape, glm::dvec2 c, double radius,
+                        std::vector<Edge>& edges);
 
 }  // namespace mien

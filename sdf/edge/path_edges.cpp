@@ -15,12 +15,13 @@ namespace {
 
 /// A box around the control points keeps the disc away.
 bool far_away(const QuadBezier& s, glm::dvec2 c, double radius) {
-  const glm::dvec2 lo = glm::min(glm::min(s.p0, s.p1), s.p2), hi = glm::max(glm::max(s.p0, s.p1), s.p2);
+  const glm::dvec2 lo = glm::min(glm::min(s.p0, s.p1), s.p2),
+                   hi = glm::max(glm::max(s.p0, s.p1), s.p2);
   return c.x < lo.x - radius || c.x > hi.x + radius || c.y < lo.y - radius || c.y > hi.y + radius;
 }
 
-/// A point next to c that no edge passes close by: where the winding number is counted, so that the count and the
-/// edges' sides can't contradict each other by a rounding.
+/// A point next to c that no edge passes close by: where the winding number is counted, so that the
+/// count and the edges' sides can't contradict each other by a rounding.
 glm::dvec2 counting_point(glm::dvec2 c, double radius, std::span<const Edge> edges) {
   constexpr std::array<glm::dvec2, 5> kTries{
       {{0.0, 0.0}, {0.003, 0.007}, {-0.007, 0.003}, {0.005, -0.009}, {-0.011, -0.002}}};
@@ -28,7 +29,8 @@ glm::dvec2 counting_point(glm::dvec2 c, double radius, std::span<const Edge> edg
   double widest = -1.0;
   for (const glm::dvec2 step : kTries) {
     double gap = radius;
-    for (const Edge& e : edges) gap = std::min(gap, std::abs(e.d + radius * glm::dot(step, e.normal)));
+    for (const Edge& e : edges)
+      gap = std::min(gap, std::abs(e.d + radius * glm::dot(step, e.normal)));
     if (gap > widest) widest = gap, best = c + radius * step;
   }
   return best;

@@ -8,8 +8,8 @@
 namespace mien {
 namespace {
 
-/// How far a round end and the straight body next to it differ within the disc: they share tangent and foot at
-/// the junction, so by their difference of bend over at most the disc's diameter.
+/// How far a round end and the straight body next to it differ within the disc: they share tangent
+/// and foot at the junction, so by their difference of bend over at most the disc's diameter.
 double junction_error(double half_width, double bend, double radius) {
   if (!(half_width >= 4.0 * radius)) return kUnproven;
   const double diameter = 2.0 * radius;
@@ -30,8 +30,7 @@ LocalOutline line_edges(const Line& line, double half_width, glm::dvec2 c, doubl
   if (along > length + radius) return disc_edges(line.b, half_width, c, radius, edges);
   const bool at_end = along < radius || along > length - radius;
   if (at_end && (along < 0.0 || along > length)) {
-    LocalOutline outline =
-        disc_edges(along < 0.0 ? line.a : line.b, half_width, c, radius, edges);
+    LocalOutline outline = disc_edges(along < 0.0 ? line.a : line.b, half_width, c, radius, edges);
     outline.error = std::max(outline.error, junction_error(half_width, 0.0, radius));
     return outline;
   }

@@ -1,4 +1,5 @@
-// Edges of strokes of varying width. The distance is phi(p) = min over t of g(p, t), g = |p − B(t)| − w(t).
+// Edges of strokes of varying width. The distance is phi(p) = min over t of g(p, t), g = |p − B(t)|
+// − w(t).
 
 #include <mien/sdf/shape/tapered_stroke.h>
 
@@ -20,13 +21,16 @@ struct At {
 At at(const TaperedStroke& s, double t) {
   const double* w = s.half_width;
   const double a = w[1] - w[0], b = (w[2] - w[1]) - a;
-  return {point(s.spine, t), tangent(s.spine, t), bend(s.spine), w[0] + t * (2.0 * a + t * b),
+  return {point(s.spine, t), tangent(s.spine, t),
+          bend(s.spine),     w[0] + t * (2.0 * a + t * b),
           2.0 * (a + t * b), 2.0 * b};
 }
 
-/// Whether every disc of the stroke outside [lo, hi] keeps clear of the disc (c, radius): by halving pieces until a
-/// piece's middle is farther than the piece can reach (|B'| and |w'| are largest at a piece's ends).
-bool clear_outside(const TaperedStroke& s, double offset, glm::dvec2 c, double radius, double lo, double hi) {
+/// Whether every disc of the stroke outside [lo, hi] keeps clear of the disc (c, radius): by
+/// halving pieces until a piece's middle is farther than the piece can reach (|B'| and |w'| are
+/// largest at a piece's ends).
+bool clear_outside(const TaperedStroke& s, double offset, glm::dvec2 c, double radius, double lo,
+                   double hi) {
   const auto clear = [&](auto&& self, double t0, double t1, int depth) -> bool {
     if (!(t0 < t1)) return true;
     const At middle = at(s, 0.5 * (t0 + t1)), a = at(s, t0), b = at(s, t1);
@@ -35,33 +39,40 @@ bool clear_outside(const TaperedStroke& s, double offset, glm::dvec2 c, double r
     const double speed = std::max(glm::length(a.velocity), glm::length(b.velocity)) +
                          std::max(std::abs(a.width_rate), std::abs(b.width_rate));
     if (gap > 0.5 * (t1 - t0) * speed) return true;
-    return depth > 0 && self(self, t0, 0.5 * (t0 + t1), depth - 1) && self(self, 0.5 * (t0 + t1), t1, depth - 1);
+    return depth > 0 && self(self, t0, 0.5 * (t0 + t1), depth - 1) &&
+           self(self, 0.5 * (t0 + t1), t1, depth - 1);
   };
   constexpr int kHalvings = 10;
-  return clear(clear, 0.0, std::min(lo, 1.0), kHalvings) && clear(clear, std::max(hi, 0.0), 1.0, kHalvings);
+  return clear(clear, 0.0, std::min(lo, 1.0), kHalvings) &&
+         clear(clear, std::max(hi, 0.0), 1.0, kHalvings);
 }
 
 /// Whether g_tt > 0 for every p in the disc (c, radius) and every t within `half` of a middle.
 ///     g_tt = (n'·B')²/rho − n·B'' − w'',   rho = |p − B|, n = (p − B)/rho, n' across it
-/// p − B moves by at most `reach`, so n turns by at most turn = reach/(rho − reach); a product with n' then changes by
-/// that with n times turn, and its own length times turn²/2.
-bool convex_around(const TaperedStroke& s, glm::dvec2 c, double radius, double middle, double half) {
+/// p − B moves by at most `reach`, so n turns by at most turn = reach/(rho − reach); a product with
+/// n' then changes by that with n times turn, and its own length times turn²/2.
+bool convex_around(const TaperedStroke& s, glm::dvec2 c, double radius, double middle,
+                   double half) {
   const At foot = at(s, middle);
   const glm::dvec2 m = c - foot.point;
-  const double rho = glm::length(m), speed = glm::length(foot.velocity), pull = glm::length(foot.acceleration);
+  const double rho = glm::length(m), speed = glm::length(foot.velocity),
+               pull = glm::length(foot.acceleration);
   const double reach = radius + (speed + pull * half) * half, turn = reach / (rho - reach);
   if (!(turn > 0.0 && turn < 1.0)) return false;
   const glm::dvec2 n = m / rho, across{-n.y, n.x};
-  const double run = std::abs(glm::dot(across, foot.velocity)), rise = std::abs(glm::dot(n, foot.velocity));
-  const double least_run = std::max(0.0, run - pull * half - rise * turn - 0.5 * speed * turn * turn);
-  const double bend = glm::dot(n, foot.acceleration) + std::abs(glm::dot(across, foot.acceleration)) * turn +
+  const double run = std::abs(glm::dot(across, foot.velocity)),
+               rise = std::abs(glm::dot(n, foot.velocity));
+  const double least_run =
+      std::max(0.0, run - pull * half - rise * turn - 0.5 * speed * turn * turn);
+  const double bend = glm::dot(n, foot.acceleration) +
+                      std::abs(glm::dot(across, foot.acceleration)) * turn +
                       0.5 * pull * turn * turn;
   return least_run * least_run / (rho + reach) - bend - foot.width_bend > 0.0;
 }
 
-/// The envelope of the discs on the side of unit n: E(t) = B + w n with n·B' = −w'. Differentiating that, n turns
-/// by omega = −(n·B'' + w'')/q per t, q = n'·B', n' across n and along the run; E moves by v = q + w omega along n'.
-/// So the outline bends by omega/v.
+/// The envelope of the discs on the side of unit n: E(t) = B + w n with n·B' = −w'. Differentiating
+/// that, n turns by omega = −(n·B'' + w'')/q per t, q = n'·B', n' across n and along the run; E
+/// moves by v = q + w omega along n'. So the outline bends by omega/v.
 struct Envelope {
   double bend;
   double speed;        ///< v
@@ -69,14 +80,18 @@ struct Envelope {
 };
 
 /// With everything bounded over |t − t0| <= half, where n turns by at most theta:
-///     omega' = (−omega (n'·B'') q + (n·B'' + w'')(omega w' + n'·B''))/q²,    v' = 2 omega w' + n'·B'' + w omega'.
+///     omega' = (−omega (n'·B'') q + (n·B'' + w'')(omega w' + n'·B''))/q²,    v' = 2 omega w' +
+///     n'·B'' + w omega'.
 Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
   glm::dvec2 across{-n.y, n.x};
   if (glm::dot(across, e.velocity) < 0.0) across = -across;
-  const double q = glm::dot(across, e.velocity), pull = glm::length(e.acceleration), speed = glm::length(e.velocity);
-  const double lag = glm::dot(n, e.acceleration) + e.width_bend, omega = -lag / q, v = q + width * omega;
+  const double q = glm::dot(across, e.velocity), pull = glm::length(e.acceleration),
+               speed = glm::length(e.velocity);
+  const double lag = glm::dot(n, e.acceleration) + e.width_bend, omega = -lag / q,
+               v = q + width * omega;
   Envelope result{omega / v, v, kUnproven};
-  const double theta = 2.0 * half * std::abs(omega) + 2.0 * half * half * pull * pull / (q * q) + 1e-6;
+  const double theta =
+      2.0 * half * std::abs(omega) + 2.0 * half * half * pull * pull / (q * q) + 1e-6;
   const double q_lo = q - pull * half - speed * theta;
   if (!(q > 0.0 && q_lo > 0.5 * q)) return result;
   const double lag_hi = std::abs(lag) + pull * theta, omega_hi = lag_hi / q_lo;
@@ -84,7 +99,8 @@ Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
   const double along_hi = std::abs(glm::dot(across, e.acceleration)) + pull * theta;
   const double rate_hi = std::abs(e.width_rate) + std::abs(e.width_bend) * half;
   const double width_hi = width + rate_hi * half, q_hi = q + pull * half + speed * theta;
-  const double omega_change = (omega_hi * along_hi * q_hi + lag_hi * (omega_hi * rate_hi + along_hi)) / (q_lo * q_lo);
+  const double omega_change =
+      (omega_hi * along_hi * q_hi + lag_hi * (omega_hi * rate_hi + along_hi)) / (q_lo * q_lo);
   const double v_change = 2.0 * omega_hi * rate_hi + along_hi + width_hi * omega_change;
   const double v_lo = v - v_change * half, v_hi = v + v_change * half;
   if (!(v_lo > 0.5 * v)) return result;
@@ -94,15 +110,17 @@ Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
 
 /// A body edge at t, with its error for the disc (c, radius), or kUnproven.
 ///
-/// Proof. On J around t, cut in pieces, g_tt > 0 for every point of the disc: one minimum at most. Outside J the
-/// discs keep clear: none. So in the disc the outline is one piece of envelope; with |bend|·radius <= 1/4 its foot
-/// moves by at most arc 2·radius, on which `envelope` bounds the change of its bend. Third order and the circle's
-/// fourth are what is left.
-LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double radius, double t, double d) {
+/// Proof. On J around t, cut in pieces, g_tt > 0 for every point of the disc: one minimum at most.
+/// Outside J the discs keep clear: none. So in the disc the outline is one piece of envelope; with
+/// |bend|·radius <= 1/4 its foot moves by at most arc 2·radius, on which `envelope` bounds the
+/// change of its bend. Third order and the circle's fourth are what is left.
+LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double radius, double t,
+                    double d) {
   const At foot = at(s, t);
   const glm::dvec2 m = c - foot.point;
   const double rho = glm::length(m);
-  LevelEdge result{{.d = d, .normal = rho > 0.0 ? m / rho : glm::dvec2{1.0, 0.0}, .bend = 0.0}, kUnproven};
+  LevelEdge result{{.d = d, .normal = rho > 0.0 ? m / rho : glm::dvec2{1.0, 0.0}, .bend = 0.0},
+                   kUnproven};
   const glm::dvec2 n = result.edge.normal;
   const double run = std::abs(n.x * foot.velocity.y - n.y * foot.velocity.x);
   const double g = run * run / rho - glm::dot(n, foot.acceleration) - foot.width_bend;
@@ -114,7 +132,8 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   if (!(edge.bend_change < kUnproven) || !(std::abs(edge.bend) * radius <= 0.25)) return result;
 
   const double stretch = 4.0 * radius / v;
-  if (t - stretch < 0.0 || t + stretch > 1.0) return result;  // the round end may begin within the disc
+  if (t - stretch < 0.0 || t + stretch > 1.0)
+    return result;  // the round end may begin within the disc
 
   // Where g has grown by 2·radius, by its second derivative at t, with half as much again.
   const double wide = 3.0 * std::sqrt(radius / g) + 4.0 * radius / v;
@@ -131,8 +150,8 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   return result;
 }
 
-/// Both sides of the stroke where it is thin, seen from the spine point nearest to c: the common tangents of
-/// neighbouring discs, which lean by the rate at which the width grows.
+/// Both sides of the stroke where it is thin, seen from the spine point nearest to c: the common
+/// tangents of neighbouring discs, which lean by the rate at which the width grows.
 LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, double radius,
                         std::vector<Edge>& edges) {
   const CurveFoot foot = foot_near(curve_of(s.spine), c, radius, 0.0);
@@ -148,14 +167,16 @@ LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, dou
   const double upright = std::sqrt(1.0 - lean * lean);
   for (const double side : {1.0, -1.0}) {
     const glm::dvec2 normal = side * upright * foot.normal - lean * foot.tangent;
-    all.add({.d = glm::dot(c - foot.point, normal) - width, .normal = normal, .bend = 0.0}, kUnproven);
+    all.add({.d = glm::dot(c - foot.point, normal) - width, .normal = normal, .bend = 0.0},
+            kUnproven);
   }
   return all.outline();
 }
 
-/// Whether every point of the disc (c, radius) has the end t = 0 or 1 as its foot, rather than a t within `little`
-/// of it: there g must grow inwards. Its slope is −n·B' − w' at the end; over the disc n turns by at most
-/// radius/(rho − radius), over `little` the slope falls by at most |B''| + |w''| per t (the rest of g_tt is >= 0).
+/// Whether every point of the disc (c, radius) has the end t = 0 or 1 as its foot, rather than a t
+/// within `little` of it: there g must grow inwards. Its slope is −n·B' − w' at the end; over the
+/// disc n turns by at most radius/(rho − radius), over `little` the slope falls by at most |B''| +
+/// |w''| per t (the rest of g_tt is >= 0).
 bool end_alone(const At& end, glm::dvec2 c, double radius, double inward, double little) {
   const glm::dvec2 m = c - end.point;
   const double rho = glm::length(m);
@@ -178,7 +199,8 @@ LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, 
   const bool at_begin = near.t <= 0.0, at_end = near.t >= 1.0;
   if (at_begin || at_end) {
     LocalOutline outline = disc_edges(foot.point, foot.width + offset, c, radius, edges);
-    const double little = std::min(0.5, 4.0 * radius / std::max(glm::length(foot.velocity), 1e-300));
+    const double little =
+        std::min(0.5, 4.0 * radius / std::max(glm::length(foot.velocity), 1e-300));
     const bool alone = end_alone(foot, c, radius, at_begin ? 1.0 : -1.0, little) &&
                        (at_begin ? clear_outside(s, offset, c, radius, -1.0, little)
                                  : clear_outside(s, offset, c, radius, 1.0 - little, 2.0));
@@ -186,7 +208,8 @@ LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, 
     return outline;
   }
   const LevelEdge edge = body_edge(s, offset, c, radius, near.t, d);
-  if (edge.error == kUnproven && foot.width + offset < 2.0 * radius) return thin_edges(s, offset, c, radius, edges);
+  if (edge.error == kUnproven && foot.width + offset < 2.0 * radius)
+    return thin_edges(s, offset, c, radius, edges);
   AllOf all(radius, edges);
   all.add(edge.edge, edge.error);
   return all.outline();

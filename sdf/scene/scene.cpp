@@ -22,10 +22,18 @@ Area SceneBuilder::shape(Shape shape) {
   return add({.op = Op::shape, .a = int(data_.shapes.size()) - 1});
 }
 
-Area SceneBuilder::either(Area a, Area b) { return add({.op = Op::either, .a = a.node, .b = b.node}); }
-Area SceneBuilder::both(Area a, Area b) { return add({.op = Op::both, .a = a.node, .b = b.node}); }
-Area SceneBuilder::without(Area a, Area b) { return add({.op = Op::without, .a = a.node, .b = b.node}); }
-Area SceneBuilder::complement(Area a) { return add({.op = Op::complement, .a = a.node}); }
+Area SceneBuilder::either(Area a, Area b) {
+  return add({.op = Op::either, .a = a.node, .b = b.node});
+}
+Area SceneBuilder::both(Area a, Area b) {
+  return add({.op = Op::both, .a = a.node, .b = b.node});
+}
+Area SceneBuilder::without(Area a, Area b) {
+  return add({.op = Op::without, .a = a.node, .b = b.node});
+}
+Area SceneBuilder::complement(Area a) {
+  return add({.op = Op::complement, .a = a.node});
+}
 
 Area SceneBuilder::offset(Area a, double amount) {
   return add({.op = Op::offset, .a = a.node, .amount = amount});
@@ -69,9 +77,9 @@ Value fold(std::span<const Node> nodes, Area area, Leaf leaf, Inner inner) {
   std::vector<Value> value(std::size_t(area.node) + 1);
   for (int i : nodes_under(nodes, area)) {
     const Node& n = nodes[std::size_t(i)];
-    value[std::size_t(i)] = n.op == Op::shape
-                                ? leaf(n.a)
-                                : inner(n, value[std::size_t(n.a)], value[std::size_t(n.b < 0 ? n.a : n.b)]);
+    value[std::size_t(i)] = n.op == Op::shape ? leaf(n.a)
+                                              : inner(n, value[std::size_t(n.a)],
+                                                      value[std::size_t(n.b < 0 ? n.a : n.b)]);
   }
   return value[std::size_t(area.node)];
 }
@@ -87,7 +95,9 @@ double Scene::distance(Area area, glm::dvec2 p) const {
 Exactness Scene::exactness(Area area) const {
   return fold<Exactness>(
       nodes(), area, [&](int i) { return mien::exactness(data_->shapes[std::size_t(i)]); },
-      [](const Node& n, Exactness a, Exactness b) { return combine_exactness(n.op, a, b, n.amount); });
+      [](const Node& n, Exactness a, Exactness b) {
+        return combine_exactness(n.op, a, b, n.amount);
+      });
 }
 
 Box2 Scene::bounds(Area area) const {
@@ -97,13 +107,19 @@ Box2 Scene::bounds(Area area) const {
       nodes(), area, [&](int i) { return mien::bounds(data_->shapes[std::size_t(i)]); },
       [&](const Node& n, const Box2& a, const Box2& b) -> Box2 {
         switch (n.op) {
-          case Op::either: return around(a, b);
-          case Op::both: return common(a, b);
-          case Op::complement: return everywhere;
-          case Op::offset: return n.amount > 0 && !a.empty() ? grown(a, n.amount) : a;
-          case Op::shell: return a.empty() ? everywhere : grown(a, std::max(n.amount, 0.0));
+          case Op::either:
+            return around(a, b);
+          case Op::both:
+            return common(a, b);
+          case Op::complement:
+            return everywhere;
+          case Op::offset:
+            return n.amount > 0 && !a.empty() ? grown(a, n.amount) : a;
+          case Op::shell:
+            return a.empty() ? everywhere : grown(a, std::max(n.amount, 0.0));
           case Op::shape:
-          case Op::without: return a;
+          case Op::without:
+            return a;
         }
         return everywhere;
       });

@@ -12,9 +12,13 @@ namespace {
 using Out = std::back_insert_iterator<std::string>;
 
 /// "x,y", each the shortest text that reads back as the same number; −0 prints as 0.
-std::string at(glm::dvec2 p) { return fmt::format("{},{}", p.x + 0.0, p.y + 0.0); }
+std::string at(glm::dvec2 p) {
+  return fmt::format("{},{}", p.x + 0.0, p.y + 0.0);
+}
 
-std::string curve(const QuadBezier& c) { return fmt::format("{} {} {}", at(c.p0), at(c.p1), at(c.p2)); }
+std::string curve(const QuadBezier& c) {
+  return fmt::format("{} {} {}", at(c.p0), at(c.p1), at(c.p2));
+}
 
 struct PrintShape {
   Out out;
@@ -36,8 +40,8 @@ struct PrintShape {
     fmt::format_to(out, "center {} radius {}", at(s.center), s.radius);
   }
   void operator()(const CutDisc& s) const {
-    fmt::format_to(out, "center {} radius {} upper {} lower {} up {}", at(s.center), s.radius, s.upper,
-                   s.lower, at(s.up));
+    fmt::format_to(out, "center {} radius {} upper {} lower {} up {}", at(s.center), s.radius,
+                   s.upper, s.lower, at(s.up));
   }
   void operator()(const Ellipse& s) const {
     fmt::format_to(out, "center {} radii {} axis {}", at(s.center), at(s.radii), at(s.axis));
@@ -74,18 +78,34 @@ void print_node(Out out, std::span<const Shape> shapes, const Node& n) {
       fmt::format_to(out, "{} ", shape_name(shapes[std::size_t(n.a)]));
       std::visit(PrintShape{out}, shapes[std::size_t(n.a)]);
       break;
-    case Op::either: fmt::format_to(out, "either a{} a{}", n.a, n.b); break;
-    case Op::both: fmt::format_to(out, "both a{} a{}", n.a, n.b); break;
-    case Op::without: fmt::format_to(out, "without a{} a{}", n.a, n.b); break;
-    case Op::complement: fmt::format_to(out, "complement a{}", n.a); break;
-    case Op::offset: fmt::format_to(out, "offset a{} {}", n.a, n.amount); break;
-    case Op::shell: fmt::format_to(out, "shell a{} {}", n.a, n.amount); break;
+    case Op::either:
+      fmt::format_to(out, "either a{} a{}", n.a, n.b);
+      break;
+    case Op::both:
+      fmt::format_to(out, "both a{} a{}", n.a, n.b);
+      break;
+    case Op::without:
+      fmt::format_to(out, "without a{} a{}", n.a, n.b);
+      break;
+    case Op::complement:
+      fmt::format_to(out, "complement a{}", n.a);
+      break;
+    case Op::offset:
+      fmt::format_to(out, "offset a{} {}", n.a, n.amount);
+      break;
+    case Op::shell:
+      fmt::format_to(out, "shell a{} {}", n.a, n.amount);
+      break;
   }
 }
 
-std::string color_text(const Color& c) { return fmt::format("{} {} {} {}", c.r, c.g, c.b, c.a); }
+std::string color_text(const Color& c) {
+  return fmt::format("{} {} {} {}", c.r, c.g, c.b, c.a);
+}
 
-const char* promise(bool exact) { return exact ? "exact" : "bound"; }
+const char* promise(bool exact) {
+  return exact ? "exact" : "bound";
+}
 
 }  // namespace
 
@@ -103,7 +123,8 @@ std::string Scene::text() const {
   for (const Layer& layer : layers()) {
     const Exactness e = exactness(layer.area);
     fmt::format_to(out, "layer {} area a{} color {} ({} outside, {} inside)\n", layer.name,
-                   layer.area.node, color_text(layer.paint.color), promise(e.outside), promise(e.inside));
+                   layer.area.node, color_text(layer.paint.color), promise(e.outside),
+                   promise(e.inside));
   }
   return text;
 }

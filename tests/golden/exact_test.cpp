@@ -22,25 +22,28 @@ Image drawn(const Face& face, const std::vector<std::string>& settings, int widt
 }
 
 std::vector<std::string> eyes(glm::dvec2 gaze, double dilation, double blink) {
-  return {fmt::format("gaze.x={}", gaze.x), fmt::format("gaze.y={}", gaze.y), fmt::format("dilation={}", dilation),
-          fmt::format("blink={}", blink)};
+  return {fmt::format("gaze.x={}", gaze.x), fmt::format("gaze.y={}", gaze.y),
+          fmt::format("dilation={}", dilation), fmt::format("blink={}", blink)};
 }
 
 void expect_exact(const Image& image, const test::TruthScene& truth, int grid, int every = 1) {
   const test::TruthError error = test::compare_with_truth(image, truth, grid, every);
   EXPECT_EQ(error.over_one, 0) << error.where;
   EXPECT_GT(error.edge_pixels, 0);
-  testing::Test::RecordProperty("worst", fmt::format("{} of 255 over {} edge pixels", error.worst, error.edge_pixels));
+  testing::Test::RecordProperty(
+      "worst", fmt::format("{} of 255 over {} edge pixels", error.worst, error.edge_pixels));
 }
 
 TEST(Exact, EyesLookingUpRight) {  // E1 – E7, E12
   const Face face = face_named("seed0");
-  expect_exact(drawn(face, eyes({0.03, -0.02}, 1, 0), 640, 360), test::eyes_truth(640, 360, {0.03, -0.02}, 1, 0), 256);
+  expect_exact(drawn(face, eyes({0.03, -0.02}, 1, 0), 640, 360),
+               test::eyes_truth(640, 360, {0.03, -0.02}, 1, 0), 256);
 }
 
 TEST(Exact, EyesWithThePupilCutByTheLowerLid) {  // E4
   const Face face = face_named("seed0");
-  expect_exact(drawn(face, eyes({0.05, -0.09}, 1, 0), 640, 360), test::eyes_truth(640, 360, {0.05, -0.09}, 1, 0), 256);
+  expect_exact(drawn(face, eyes({0.05, -0.09}, 1, 0), 640, 360),
+               test::eyes_truth(640, 360, {0.05, -0.09}, 1, 0), 256);
 }
 
 TEST(Exact, TheMuscleFaceAtRest) {  // M1 – M3
@@ -55,8 +58,8 @@ TEST(Exact, AHundredRandomPosesAtRandomSizes) {
     const int width = 24 + int(unit(random) * 400), height = 16 + int(unit(random) * 240);
     const glm::dvec2 gaze{0.16 * unit(random) - 0.08, 0.14 * unit(random) - 0.07};
     const double dilation = 0.7 + 0.5 * unit(random), blink = unit(random);
-    SCOPED_TRACE(fmt::format("pose {}: {}x{} gaze {} {} dilation {} blink {}", i, width, height, gaze.x, gaze.y,
-                             dilation, blink));
+    SCOPED_TRACE(fmt::format("pose {}: {}x{} gaze {} {} dilation {} blink {}", i, width, height,
+                             gaze.x, gaze.y, dilation, blink));
     expect_exact(drawn(face, eyes(gaze, dilation, blink), width, height),
                  test::eyes_truth(width, height, gaze, dilation, blink), 128, 4);
   }
@@ -64,7 +67,8 @@ TEST(Exact, AHundredRandomPosesAtRandomSizes) {
 
 TEST(Exact, TheNativeFace) {
   for (const auto& [width, height] : {std::pair{64, 36}, {320, 180}}) {
-    const Scene scene = scene_from_face(test::posed(face_named("toon"), {"blink=0.3", "gaze.x=0.01"}));
+    const Scene scene =
+        scene_from_face(test::posed(face_named("toon"), {"blink=0.3", "gaze.x=0.01"}));
     expect_exact(render(scene, {.width = width, .height = height, .blend = Blend::srgb}),
                  test::scene_truth(scene, width, height), 128);
   }
@@ -78,17 +82,30 @@ Shape random_shape(std::mt19937_64& random) {
   const glm::dvec2 way{std::cos(angle), std::sin(angle)};
   const QuadBezier curve{at(), at(), at()};
   switch (int(12 * unit(random))) {
-    case 0: return HalfPlane{way, 0.5 * place(random)};
-    case 1: return ParabolaSide{at(), way, 3 * place(random)};
-    case 2: return Band{{0.3 * at(), way, 2 * unit(random)}, {0.3 * at() + 0.5 * way, -way, 2 * unit(random)}};
-    case 3: return Disc{at(), 0.7 * size};
-    case 4: return CutDisc{at(), 0.7 * size, unit(random), unit(random), way};
-    case 5: return Ellipse{at(), {0.8 * size, 0.8 * size * unit(random)}, way};
-    case 6: return Triangle{at(), at(), at()};
-    case 7: return Line{at(), at(), 0.1 * size};
-    case 8: return Polyline{{at(), at(), at(), at()}, 0.1 * size};
-    case 9: return QuadStroke{curve, 0.2 * size};
-    case 10: return TaperedStroke{curve, {0.2 * size * unit(random), 0.2 * size, 0.2 * size * unit(random)}};
+    case 0:
+      return HalfPlane{way, 0.5 * place(random)};
+    case 1:
+      return ParabolaSide{at(), way, 3 * place(random)};
+    case 2:
+      return Band{{0.3 * at(), way, 2 * unit(random)},
+                  {0.3 * at() + 0.5 * way, -way, 2 * unit(random)}};
+    case 3:
+      return Disc{at(), 0.7 * size};
+    case 4:
+      return CutDisc{at(), 0.7 * size, unit(random), unit(random), way};
+    case 5:
+      return Ellipse{at(), {0.8 * size, 0.8 * size * unit(random)}, way};
+    case 6:
+      return Triangle{at(), at(), at()};
+    case 7:
+      return Line{at(), at(), 0.1 * size};
+    case 8:
+      return Polyline{{at(), at(), at(), at()}, 0.1 * size};
+    case 9:
+      return QuadStroke{curve, 0.2 * size};
+    case 10:
+      return TaperedStroke{curve,
+                           {0.2 * size * unit(random), 0.2 * size, 0.2 * size * unit(random)}};
     default: {
       const glm::dvec2 a = at(), b = at(), c = at();
       return Path{{{{{a, at(), b}, {b, 0.5 * (b + c), c}, {c, at(), a}}}},
@@ -106,15 +123,30 @@ Scene random_scene(std::uint64_t seed) {
   const auto any = [&] { return areas[std::size_t(unit(random) * double(areas.size()))]; };
   for (int i = 0; i < 5; ++i) {
     switch (int(7 * unit(random))) {
-      case 0: areas.push_back(build.either(any(), any())); break;
-      case 1: areas.push_back(build.both(any(), any())); break;
-      case 2: areas.push_back(build.without(any(), any())); break;
-      case 3: areas.push_back(build.complement(any())); break;
-      case 4: areas.push_back(build.offset(any(), 0.1 * unit(random) - 0.03)); break;
-      case 5: areas.push_back(build.shell(any(), 0.05 * unit(random))); break;
-      default: break;
+      case 0:
+        areas.push_back(build.either(any(), any()));
+        break;
+      case 1:
+        areas.push_back(build.both(any(), any()));
+        break;
+      case 2:
+        areas.push_back(build.without(any(), any()));
+        break;
+      case 3:
+        areas.push_back(build.complement(any()));
+        break;
+      case 4:
+        areas.push_back(build.offset(any(), 0.1 * unit(random) - 0.03));
+        break;
+      case 5:
+        areas.push_back(build.shell(any(), 0.05 * unit(random)));
+        break;
+      default:
+        break;
     }
-    build.layer("layer", any(), {{unit(random), unit(random), unit(random), unit(random) < 0.3 ? unit(random) : 1}});
+    build.layer(
+        "layer", any(),
+        {{unit(random), unit(random), unit(random), unit(random) < 0.3 ? unit(random) : 1}});
   }
   return std::move(build).finish();
 }
@@ -125,7 +157,8 @@ TEST(Exact, RandomScenesOfEveryShapeAndOperator) {
     const Scene scene = random_scene(seed);
     SCOPED_TRACE(fmt::format("seed {} at {} px:\n{}", seed, side, scene.text()));
     const Image image = render(scene, {.width = side, .height = side, .blend = Blend::srgb});
-    const test::TruthError error = test::compare_with_truth(image, test::scene_truth(scene, side, side), 256);
+    const test::TruthError error =
+        test::compare_with_truth(image, test::scene_truth(scene, side, side), 256);
     EXPECT_EQ(error.over_one, 0) << error.where;
   }
 }

@@ -1,5 +1,5 @@
-// The fourth promise: the same bytes for any threads, tiles and regions. And what follows from exactness: no seams,
-// mirror images, no white outside a closing lid.
+// The fourth promise: the same bytes for any threads, tiles and regions. And what follows from
+// exactness: no seams, mirror images, no white outside a closing lid.
 
 #include <mien/mien.h>
 
@@ -23,7 +23,9 @@ TEST(SamePicture, ForAnyNumberOfThreads) {
     const Scene scene = posed_scene(name);
     const Image one = render(scene, {.width = 611, .height = 347}, {.threads = {.count = 1}});
     for (const int threads : {2, 7})
-      EXPECT_EQ(render(scene, {.width = 611, .height = 347}, {.threads = {.count = threads}}).bytes, one.bytes) << name;
+      EXPECT_EQ(render(scene, {.width = 611, .height = 347}, {.threads = {.count = threads}}).bytes,
+                one.bytes)
+          << name;
   }
 }
 
@@ -38,9 +40,10 @@ TEST(SamePicture, StitchedFromRegions) {
       for (int y = 0; y < height; y += 97)
         for (int x = 0; x < width; x += 203) {
           const PixelRect part{x, y, std::min(203, width - x), std::min(97, height - y)};
-          EXPECT_TRUE(render_into({stitched.data() + whole.stride() * std::size_t(y) + pixel * std::size_t(x),
-                                   whole.stride(), depth},
-                                  scene, {.width = width, .height = height, .region = part}));
+          EXPECT_TRUE(render_into(
+              {stitched.data() + whole.stride() * std::size_t(y) + pixel * std::size_t(x),
+               whole.stride(), depth},
+              scene, {.width = width, .height = height, .region = part}));
         }
       EXPECT_EQ(stitched, whole.bytes) << name;
     }
@@ -50,12 +53,16 @@ TEST(Seams, NoneBetweenAbuttingLayersOfOneColour) {
   for (const Blend blend : {Blend::linear, Blend::srgb}) {
     SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
     const glm::dvec2 n{std::cos(0.3), std::sin(0.3)};
-    const Area side = build.shape(HalfPlane{n, 0.037}), bowl = build.shape(ParabolaSide{{0, -0.4}, {0, 1}, 1.3});
+    const Area side = build.shape(HalfPlane{n, 0.037}),
+               bowl = build.shape(ParabolaSide{{0, -0.4}, {0, 1}, 1.3});
     for (const Area a : {side, build.complement(side)})
-      for (const Area b : {bowl, build.complement(bowl)}) build.layer("piece", build.both(a, b), {{0.2, 0.1, 0.4, 1}});
-    const Image image = render(std::move(build).finish(), {.width = 157, .height = 101, .blend = blend});
+      for (const Area b : {bowl, build.complement(bowl)})
+        build.layer("piece", build.both(a, b), {{0.2, 0.1, 0.4, 1}});
+    const Image image =
+        render(std::move(build).finish(), {.width = 157, .height = 101, .blend = blend});
     for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) ASSERT_EQ(std::memcmp(image.row(y) + 4 * x, image.row(0), 4), 0) << x << ' ' << y;
+      for (int x = 0; x < image.width; ++x)
+        ASSERT_EQ(std::memcmp(image.row(y) + 4 * x, image.row(0), 4), 0) << x << ' ' << y;
   }
 }
 

@@ -13,7 +13,8 @@ Scene beads() {
   SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
   for (int i = 0; i < 12; ++i) {
     const double a = 0.5236 * i;
-    build.layer("bead", build.shape(Disc{{0.7 * std::cos(a), 0.7 * std::sin(a)}, 0.25}), {{0.1 * (i % 4), 0.2, 0.7, 0.6}});
+    build.layer("bead", build.shape(Disc{{0.7 * std::cos(a), 0.7 * std::sin(a)}, 0.25}),
+                {{0.1 * (i % 4), 0.2, 0.7, 0.6}});
   }
   return std::move(build).finish();
 }
@@ -32,7 +33,8 @@ TEST(Render, GivesAnImageOfTheSizeAndDepthAskedFor) {
 TEST(Render, OfOnePixelIsTheMeanOfTheWholePicture) {
   SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0, 0, 0, 1});
   build.layer("quarter", build.shape(Triangle{{-1, -1}, {1, -1}, {0, 0}}), {{1, 1, 1, 1}});
-  const Image image = render(std::move(build).finish(), {.width = 1, .height = 1}, {.depth = Depth::f32});
+  const Image image =
+      render(std::move(build).finish(), {.width = 1, .height = 1}, {.depth = Depth::f32});
   float red;
   std::memcpy(&red, image.bytes.data(), 4);
   EXPECT_NEAR(red, 0.25, 1e-4);
@@ -50,16 +52,18 @@ TEST(Render, CountsWhatItDid) {
 TEST(Render, TellsItsProgressAndStopsWhenAsked) {
   double last = 0;
   int calls = 0;
-  render(beads(), {.width = 700, .height = 700}, {.threads = {.count = 2}, .progress = [&](double done) {
-                                                    EXPECT_GE(done, last);
-                                                    last = done;
-                                                    ++calls;
-                                                    return true;
-                                                  }});
+  render(beads(), {.width = 700, .height = 700},
+         {.threads = {.count = 2}, .progress = [&](double done) {
+            EXPECT_GE(done, last);
+            last = done;
+            ++calls;
+            return true;
+          }});
   EXPECT_EQ(last, 1);
   EXPECT_GT(calls, 4);
   RenderStats stats;
-  render(beads(), {.width = 700, .height = 700}, {.progress = [](double) { return false; }}, &stats);
+  render(beads(), {.width = 700, .height = 700}, {.progress = [](double) { return false; }},
+         &stats);
   EXPECT_TRUE(stats.cancelled);
 }
 

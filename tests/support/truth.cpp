@@ -1,9 +1,9 @@
 #include "tests/support/truth.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 namespace mien::test {
@@ -16,7 +16,8 @@ struct Ambiguous {
   int undecided = 0;
 };
 
-/// Layers that no longer matter are dropped; `undecided` counts those whose outline comes within the radius.
+/// Layers that no longer matter are dropped; `undecided` counts those whose outline comes within
+/// the radius.
 Ambiguous ambiguous(const Ambiguous& outer, glm::dvec2 center, double radius) {
   Ambiguous result{{}, outer.below};
   for (const TruthLayer* layer : outer.layers) {
@@ -51,14 +52,16 @@ glm::dvec3 sample(const Ambiguous& at, glm::dvec2 p) {
   return sum + through * at.below;
 }
 
-/// The sum over the grid × grid samples of a square; grid a power of two. Squares that no outline reaches are
-/// counted as a whole: the same sum as sample by sample, in time that follows the outline.
+/// The sum over the grid × grid samples of a square; grid a power of two. Squares that no outline
+/// reaches are counted as a whole: the same sum as sample by sample, in time that follows the
+/// outline.
 glm::dvec3 sum_of_samples(const Ambiguous& outer, glm::dvec2 center, double side, int grid) {
   const Ambiguous at = ambiguous(outer, center, 0.7072 * side);
   if (at.undecided == 0 || grid == 1) return double(grid) * grid * sample(at, center);
   glm::dvec3 sum{0.0};
   for (const double y : {-0.25, 0.25})
-    for (const double x : {-0.25, 0.25}) sum += sum_of_samples(at, center + side * glm::dvec2{x, y}, side / 2, grid / 2);
+    for (const double x : {-0.25, 0.25})
+      sum += sum_of_samples(at, center + side * glm::dvec2{x, y}, side / 2, grid / 2);
   return sum;
 }
 
@@ -81,16 +84,19 @@ TruthError compare_with_truth(const Image& image, const TruthScene& scene, int g
       const glm::dvec2 center = to_units(scene, x + 0.5, y + 0.5);
       const Ambiguous at = ambiguous(all, center, 0.7072 * scene.pixel);
       const glm::dvec3 truth =
-          at.undecided == 0 ? sample(at, center) : sum_of_samples(at, center, scene.pixel, grid) / (double(grid) * grid);
+          at.undecided == 0 ? sample(at, center)
+                            : sum_of_samples(at, center, scene.pixel, grid) / (double(grid) * grid);
       error.edge_pixels += at.undecided > 0;
       double off = 0;
       for (int k = 0; k < 3; ++k)
-        off = std::max(off, std::abs(double(image.row(y)[4 * x + k]) - double(std::lround(truth[k]))));
+        off = std::max(off,
+                       std::abs(double(image.row(y)[4 * x + k]) - double(std::lround(truth[k]))));
       error.over_one += off > 1;
       if (off > error.worst) {
         error.worst = off;
-        error.where = fmt::format("({}, {}): truth {} {} {}, drawn {} {} {}", x, y, truth.x, truth.y, truth.z,
-                                  image.row(y)[4 * x], image.row(y)[4 * x + 1], image.row(y)[4 * x + 2]);
+        error.where =
+            fmt::format("({}, {}): truth {} {} {}, drawn {} {} {}", x, y, truth.x, truth.y, truth.z,
+                        image.row(y)[4 * x], image.row(y)[4 * x + 1], image.row(y)[4 * x + 2]);
       }
     }
   return error;
@@ -98,7 +104,8 @@ TruthError compare_with_truth(const Image& image, const TruthScene& scene, int g
 
 namespace {
 
-/// Squared distance to a quadratic Bézier by bracketing its stationary points between those of the derivative.
+/// Squared distance to a quadratic Bézier by bracketing its stationary points between those of the
+/// derivative.
 class TruthCurve {
  public:
   TruthCurve(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) : a_(a), d1_(b - a), d2_(a - 2.0 * b + c) {}
@@ -110,7 +117,8 @@ class TruthCurve {
     std::array<double, 4> stops{0, 1, 1, 1};
     int n = 1;
     if (const double disc = k2 * k2 - 3 * k3 * k1; disc > 0 && k3 > 0)
-      for (const double t : {(-k2 - std::sqrt(disc)) / (3 * k3), (-k2 + std::sqrt(disc)) / (3 * k3)})
+      for (const double t :
+           {(-k2 - std::sqrt(disc)) / (3 * k3), (-k2 + std::sqrt(disc)) / (3 * k3)})
         if (t > 0 && t < 1) stops[std::size_t(n++)] = t;
     stops[std::size_t(n)] = 1;
     double best = std::min(squared(p, 0), squared(p, 1));
@@ -141,23 +149,25 @@ double to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   return glm::distance(p, a + t * ab);
 }
 
-/// The key-shape tables of the source: E4 (A, B, C, D) and E5 (lid control points), blend b in [0, 1].
+/// The key-shape tables of the source: E4 (A, B, C, D) and E5 (lid control points), blend b in [0,
+/// 1].
 template <std::size_t N>
 std::array<double, N> key_shape(const std::array<std::array<double, N>, 4>& keys, double b) {
   const double s = 3 * std::clamp(b, 0.0, 1.0);
   const int i = std::min(int(s), 2);
   std::array<double, N> out;
   for (std::size_t k = 0; k < N; ++k)
-    out[k] = keys[std::size_t(i)][k] + (s - i) * (keys[std::size_t(i) + 1][k] - keys[std::size_t(i)][k]);
+    out[k] =
+        keys[std::size_t(i)][k] + (s - i) * (keys[std::size_t(i) + 1][k] - keys[std::size_t(i)][k]);
   return out;
 }
 
 constexpr std::array<std::array<double, 4>, 4> kOpenings{
     {{.9, .04, -1, .34}, {.7, .06, -.7, .30}, {.5, .10, -.4, .24}, {.3, .20, -.1, .20}}};
 constexpr std::array<std::array<double, 6>, 4> kLids{{{.01, .19, .26, .50, .47, .15},
-                                                       {.01, .19, .30, .44, .47, .15},
-                                                       {.01, .19, .30, .32, .47, .15},
-                                                       {.01, .19, .30, .23, .47, .17}}};
+                                                      {.01, .19, .30, .44, .47, .15},
+                                                      {.01, .19, .30, .32, .47, .15},
+                                                      {.01, .19, .30, .23, .47, .17}}};
 
 struct Lens {
   std::array<double, 4> k;
@@ -188,15 +198,19 @@ TruthScene eyes_truth(int width, int height, glm::dvec2 gaze, double dilation, d
   scene.pixel = 1.0 / scale;
   scene.top_left = {0.5 - 0.5 * width / scale, 0.28125 + 0.5 * height / scale};
   for (const bool second : {false, true}) {
-    const Lens white{kOpenings[0], second ? 0.53 : 0.0}, open{key_shape(kOpenings, blink), white.shift};
-    scene.layers.push_back({[=](glm::dvec2 p) { return white.inside(p) && open.inside(p); },
-                            [=](glm::dvec2 p) { return std::min(white.clearance(p), open.clearance(p)); },
-                            {255, 255, 255}});
-    const glm::dvec2 center = glm::dvec2{second ? .76 : .23, .19} + gaze, radii = dilation * glm::dvec2{.09, .105};
+    const Lens white{kOpenings[0], second ? 0.53 : 0.0},
+        open{key_shape(kOpenings, blink), white.shift};
+    scene.layers.push_back(
+        {[=](glm::dvec2 p) { return white.inside(p) && open.inside(p); },
+         [=](glm::dvec2 p) { return std::min(white.clearance(p), open.clearance(p)); },
+         {255, 255, 255}});
+    const glm::dvec2 center = glm::dvec2{second ? .76 : .23, .19} + gaze,
+                     radii = dilation * glm::dvec2{.09, .105};
     const auto norm = [=](glm::dvec2 p) { return glm::length((p - center) / radii); };
     scene.layers.push_back({[=](glm::dvec2 p) { return norm(p) <= 1 && open.inside(p); },
                             [=](glm::dvec2 p) {
-                              return std::min(std::abs(norm(p) - 1) * std::min(radii.x, radii.y), open.clearance(p));
+                              return std::min(std::abs(norm(p) - 1) * std::min(radii.x, radii.y),
+                                              open.clearance(p));
                             },
                             {0, 0, 0}});
   }
@@ -218,12 +232,14 @@ TruthScene male_truth(int width) {
       for (glm::dvec2& p : at) p.x *= side;
       const auto d = [=](glm::dvec2 p) {
         double nearest = 1e300;
-        for (std::size_t i = 1; i < at.size(); ++i) nearest = std::min(nearest, to_segment(p, at[i - 1], at[i]));
+        for (std::size_t i = 1; i < at.size(); ++i)
+          nearest = std::min(nearest, to_segment(p, at[i - 1], at[i]));
         return nearest;
       };
       const double half = 2.5 * weight;
       scene.layers.push_back({[=](glm::dvec2 p) { return d(p) <= half; },
-                              [=](glm::dvec2 p) { return std::abs(d(p) - half); }, glm::dvec3{0.0}});
+                              [=](glm::dvec2 p) { return std::abs(d(p) - half); },
+                              glm::dvec3{0.0}});
     }
   };
   line({{40, -34}, {112, -45}, {142, -36}}, 1);
@@ -234,26 +250,32 @@ TruthScene male_truth(int width) {
   for (const double side : {1.0, -1.0}) {
     const glm::dvec2 center{82 * side, 0};
     const double r = 13;
-    scene.layers.push_back(
-        {[=](glm::dvec2 p) { return glm::distance(p, center) <= r && p.y >= -.7 * r && p.y <= .94 * r; },
-         [=](glm::dvec2 p) {
-           return std::min({std::abs(glm::distance(p, center) - r), std::abs(p.y + .7 * r), std::abs(p.y - .94 * r)});
-         },
-         glm::dvec3{0.0}});
+    scene.layers.push_back({[=](glm::dvec2 p) {
+                              return glm::distance(p, center) <= r && p.y >= -.7 * r &&
+                                     p.y <= .94 * r;
+                            },
+                            [=](glm::dvec2 p) {
+                              return std::min({std::abs(glm::distance(p, center) - r),
+                                               std::abs(p.y + .7 * r), std::abs(p.y - .94 * r)});
+                            },
+                            glm::dvec3{0.0}});
   }
   return scene;
 }
 
 TruthScene scene_truth(const Scene& scene, int width, int height) {
   const auto encoded = [](const Color& c) {
-    const auto in = [](double v) { return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055); };
+    const auto in = [](double v) {
+      return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
+    };
     return glm::dvec3{in(c.r), in(c.g), in(c.b)};
   };
   const Box2& box = scene.canvas().box;
   const double pixel = 1 / std::min(width / box.size().x, height / box.size().y);
   const double half_height = 0.5 * height * pixel;
   TruthScene truth{encoded(scene.background()), {}, {}, pixel, scene.canvas().y_up};
-  truth.top_left = box.center() + glm::dvec2{-0.5 * width * pixel, truth.y_up ? half_height : -half_height};
+  truth.top_left =
+      box.center() + glm::dvec2{-0.5 * width * pixel, truth.y_up ? half_height : -half_height};
   for (const Layer& layer : scene.layers())
     truth.layers.push_back({[=](glm::dvec2 p) { return scene.distance(layer.area, p) <= 0; },
                             [=](glm::dvec2 p) { return std::abs(scene.distance(layer.area, p)); },

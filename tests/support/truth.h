@@ -1,6 +1,7 @@
 #pragma once
-// The picture as it ought to be: implicit geometry, sampled on a fine grid in every pixel an outline can reach.
-// Shares no code with what it judges: shapes are given as inequalities, not as distances or edges.
+// The picture as it ought to be: implicit geometry, sampled on a fine grid in every pixel an
+// outline can reach. Shares no code with what it judges: shapes are given as inequalities, not as
+// distances or edges.
 
 #include <functional>
 #include <glm/vec2.hpp>
@@ -34,13 +35,14 @@ struct TruthScene {
 glm::dvec3 truth_pixel(const TruthScene& scene, int x, int y, int grid);
 
 struct TruthError {
-  double worst = 0;       ///< largest |channel − rounded truth|
-  long over_one = 0;      ///< pixels off by more than 1
-  long edge_pixels = 0;   ///< pixels that were sampled
-  std::string where;      ///< the worst one
+  double worst = 0;      ///< largest |channel − rounded truth|
+  long over_one = 0;     ///< pixels off by more than 1
+  long edge_pixels = 0;  ///< pixels that were sampled
+  std::string where;     ///< the worst one
 };
 
-/// Compares every pixel of an 8-bit image with the truth; `every` > 1 looks at one pixel in that many (all rows).
+/// Compares every pixel of an 8-bit image with the truth; `every` > 1 looks at one pixel in that
+/// many (all rows).
 TruthError compare_with_truth(const Image& image, const TruthScene& scene, int grid, int every = 1);
 
 /// The published eyes at a pose: the truth for faces/seed0 (seeds: E1 – E7, E10).
@@ -49,8 +51,9 @@ TruthScene eyes_truth(int width, int height, glm::dvec2 gaze, double dilation, d
 /// The muscle face at rest: the truth for faces/male (M1 – M3).
 TruthScene male_truth(int width);
 
-/// The truth for any scene blended in sRGB, by the signs of Scene::distance: independent of edges, coverage, tiles,
-/// layers on bits, but not of the distances themselves, which have truths of their own in tests/sdf.
+/// The truth for any scene blended in sRGB, by the signs of Scene::distance: independent of edges,
+/// coverage, tiles, layers on bits, but not of the distances themselves, which have truths of their
+/// own in tests/sdf.
 TruthScene scene_truth(const Scene& scene, int width, int height);
 
 }  // namespace mien::test

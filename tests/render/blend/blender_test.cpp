@@ -14,7 +14,8 @@ std::array<int, 4> stored(const Color& color, Blend blend) {
 }
 
 TEST(Store, GivesBackTheColourInEitherBlend) {
-  const Color skin{0.9301108583754237, 0.7083757798916868, 0.33245153634617935, 1};  // 247, 219, 156
+  const Color skin{0.9301108583754237, 0.7083757798916868, 0.33245153634617935,
+                   1};  // 247, 219, 156
   for (const Blend blend : {Blend::linear, Blend::srgb})
     EXPECT_EQ(stored(skin, blend), (std::array<int, 4>{247, 219, 156, 255}));
 }
@@ -34,12 +35,14 @@ TEST(Store, OfNothingIsTransparentBlack) {
 
 TEST(Over, MixesHalfBlackAndWhiteInTheBlendsOwnSpace) {
   for (const Blend blend : {Blend::linear, Blend::srgb}) {
-    const Mix mix = 0.5 * mix_from_color({0, 0, 0, 1}, blend) + 0.5 * mix_from_color({1, 1, 1, 1}, blend);
+    const Mix mix =
+        0.5 * mix_from_color({0, 0, 0, 1}, blend) + 0.5 * mix_from_color({1, 1, 1, 1}, blend);
     std::array<std::uint8_t, 4> pixel;
     store(mix, blend, Depth::u8, pixel.data());
     EXPECT_EQ(pixel[0], blend == Blend::linear ? 188 : 128);
   }
-  const Mix top = mix_from_color({1, 0, 0, 0.25}, Blend::linear), below = mix_from_color({0, 0, 1, 1}, Blend::linear);
+  const Mix top = mix_from_color({1, 0, 0, 0.25}, Blend::linear),
+            below = mix_from_color({0, 0, 1, 1}, Blend::linear);
   EXPECT_EQ(over(top, below), (Mix{0.25, 0, 0.75, 1}));
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kTau = 2 * std::numbers::pi;
 
-/// The oracle: the area of the unit square under d + n·u + bend/2 (along·u)² <= 0, by exact crossings on fine rows.
+/// The oracle: the area of the unit square under d + n·u + bend/2 (along·u)² <= 0, by exact
+/// crossings on fine rows.
 double sampled_area(double d, double theta, double bend, int rows) {
   const double nx = std::cos(theta), ny = std::sin(theta);
   double area = 0;
@@ -28,7 +29,8 @@ double sampled_area(double d, double theta, double bend, int rows) {
 TEST(StraightEdgeCoverage, EqualsSupersampling) {
   for (double theta = 0; theta < kTau; theta += 0.13)
     for (double d = -0.9; d <= 0.9; d += 0.07)
-      EXPECT_NEAR(straight_edge_coverage(d, {std::cos(theta), std::sin(theta)}), sampled_area(d, theta, 0, 512), 3e-3)
+      EXPECT_NEAR(straight_edge_coverage(d, {std::cos(theta), std::sin(theta)}),
+                  sampled_area(d, theta, 0, 512), 3e-3)
           << "d " << d << " theta " << theta;
 }
 
@@ -51,7 +53,8 @@ TEST(StraightEdgeCoverage, NotANumberIsOutside) {
   EXPECT_EQ(straight_edge_coverage(std::numeric_limits<double>::quiet_NaN(), {1, 0}), 0);
 }
 
-/// Exact by quadrature: for each x along the tangent direction a row of the square is cut where the parabola is.
+/// Exact by quadrature: for each x along the tangent direction a row of the square is cut where the
+/// parabola is.
 double bent_area(double d, double theta, double bend) {
   // Integrate over columns x: inside is an interval set in y found by solving the quadratic in y.
   const double nx = std::cos(theta), ny = std::sin(theta);
@@ -62,7 +65,9 @@ double bent_area(double d, double theta, double bend) {
     // s = d + nx x + ny y + bend/2 (−ny x + nx y)²
     const double a = 0.5 * bend * nx * nx, b = ny - bend * ny * nx * x;
     const double c = d + nx * x + 0.5 * bend * ny * ny * x * x;
-    const auto length = [](double lo, double hi) { return std::max(0.0, std::min(hi, 0.5) - std::max(lo, -0.5)); };
+    const auto length = [](double lo, double hi) {
+      return std::max(0.0, std::min(hi, 0.5) - std::max(lo, -0.5));
+    };
     if (std::abs(a) < 1e-12) {
       area += b == 0 ? c < 0 : b > 0 ? length(-1, -c / b) : length(-c / b, 1);
       continue;
@@ -84,7 +89,8 @@ TEST(BentEdgeCoverage, EqualsQuadrature) {
   for (const double bend : {0.01, -0.03, 0.1, -0.1, 0.5, -1.0, 1.0})
     for (double theta = 0; theta < kTau; theta += 0.05)
       for (double d = -0.75; d <= 0.75; d += 0.025)
-        ASSERT_NEAR(bent_edge_coverage(d, {std::cos(theta), std::sin(theta)}, bend), bent_area(d, theta, bend), 4e-5)
+        ASSERT_NEAR(bent_edge_coverage(d, {std::cos(theta), std::sin(theta)}, bend),
+                    bent_area(d, theta, bend), 4e-5)
             << "bend " << bend << " theta " << theta << " d " << d;  // the oracle's own error
 }
 

@@ -17,7 +17,9 @@ double covered(SceneBuilder build, Area area, RenderStats& stats) {
   return 1 - pixels.pixel(scopes.everything(), {0, 0}).r;
 }
 
-SceneBuilder pixels_as_units() { return SceneBuilder({.box = {{-2, -2}, {2, 2}}, .y_up = false}, {1, 1, 1, 1}); }
+SceneBuilder pixels_as_units() {
+  return SceneBuilder({.box = {{-2, -2}, {2, 2}}, .y_up = false}, {1, 1, 1, 1});
+}
 
 double covered_by(const Shape& shape) {
   SceneBuilder build = pixels_as_units();
@@ -32,10 +34,13 @@ constexpr double kQuarterLevel = 0.25 / 255;
 TEST(PixelResolver, KnowsTheAreaOfShapesSmallerThanAPixel) {
   EXPECT_NEAR(covered_by(Disc{{0.1, 0.05}, 0.3}), 0.09 * kPi, kQuarterLevel);
   EXPECT_NEAR(covered_by(Ellipse{{0, 0}, {0.4, 0.1}, {0.6, 0.8}}), 0.04 * kPi, kQuarterLevel);
-  EXPECT_NEAR(covered_by(Triangle{{-0.3, -0.3}, {0.4, 0}, {0, 0.4}}), 0.5 * (0.7 * 0.7 - 0.3 * 0.3), kQuarterLevel);
+  EXPECT_NEAR(covered_by(Triangle{{-0.3, -0.3}, {0.4, 0}, {0, 0.4}}), 0.5 * (0.7 * 0.7 - 0.3 * 0.3),
+              kQuarterLevel);
   EXPECT_NEAR(covered_by(Line{{-0.2, 0}, {0.2, 0}, 0.1}), 0.08 + 0.01 * kPi, kQuarterLevel);
-  EXPECT_NEAR(covered_by(QuadStroke{{{-0.2, 0}, {0, 0}, {0.2, 0}}, 0.1}), 0.08 + 0.01 * kPi, kQuarterLevel);
-  EXPECT_NEAR(covered_by(TaperedStroke{{{-0.2, 0}, {0, 0}, {0.2, 0}}, {0.1, 0.1, 0.1}}), 0.08 + 0.01 * kPi, kQuarterLevel);
+  EXPECT_NEAR(covered_by(QuadStroke{{{-0.2, 0}, {0, 0}, {0.2, 0}}, 0.1}), 0.08 + 0.01 * kPi,
+              kQuarterLevel);
+  EXPECT_NEAR(covered_by(TaperedStroke{{{-0.2, 0}, {0, 0}, {0.2, 0}}, {0.1, 0.1, 0.1}}),
+              0.08 + 0.01 * kPi, kQuarterLevel);
   const Path lens{{{{{{-0.3, 0}, {0, 0.3}, {0.3, 0}}, {{0.3, 0}, {0, -0.3}, {-0.3, 0}}}}}};
   EXPECT_NEAR(covered_by(lens), 0.12, kQuarterLevel);  // two parabola segments of 2/3 · 0.6 · 0.15
 }
@@ -44,7 +49,8 @@ TEST(PixelResolver, KnowsStrokesThinnerThanAPixel) {
   for (const double half : {0.2, 0.02, 0.001}) {
     EXPECT_NEAR(covered_by(Line{{-9, 0.1}, {9, 0.1}, half}), 2 * half, 1e-12);
     EXPECT_NEAR(covered_by(QuadStroke{{{-40, 0.1}, {0, 0.1}, {40, 0.1}}, half}), 2 * half, 1e-4);
-    EXPECT_NEAR(covered_by(TaperedStroke{{{-40, 0.1}, {0, 0.1}, {40, 0.1}}, {half, half, half}}), 2 * half, 1e-4);
+    EXPECT_NEAR(covered_by(TaperedStroke{{{-40, 0.1}, {0, 0.1}, {40, 0.1}}, {half, half, half}}),
+                2 * half, 1e-4);
     EXPECT_NEAR(covered_by(Ellipse{{0, 0.1}, {300, half}}), 2 * half, 1e-4);
   }
 }
@@ -53,7 +59,8 @@ TEST(PixelResolver, LeavesNoSeamInAUnionOfAbuttingShapes) {
   for (double angle = 0; angle < 3.1; angle += 0.37) {
     const glm::dvec2 n{std::cos(angle), std::sin(angle)};
     SceneBuilder build = pixels_as_units();
-    const Area area = build.either(build.shape(HalfPlane{n, 0.1}), build.shape(HalfPlane{-n, -0.1}));
+    const Area area =
+        build.either(build.shape(HalfPlane{n, 0.1}), build.shape(HalfPlane{-n, -0.1}));
     RenderStats stats;
     EXPECT_NEAR(covered(build, area, stats), 1, 1e-12);
   }

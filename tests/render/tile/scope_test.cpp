@@ -46,7 +46,8 @@ TEST(ScopeStack, KeepsWhatIsSeenThroughATranslucentLayer) {
 
 TEST(ScopeStack, NarrowingNeverChangesAColour) {
   SceneBuilder build({.box = {{-50, -50}, {50, 50}}}, {0.5, 0.5, 0.5, 1});
-  const Area a = build.shape(Disc{{-10, 0}, 25}), b = build.shape(Disc{{10, 5}, 20}), c = build.shape(Disc{{0, -9}, 15});
+  const Area a = build.shape(Disc{{-10, 0}, 25}), b = build.shape(Disc{{10, 5}, 20}),
+             c = build.shape(Disc{{0, -9}, 15});
   build.layer("1", build.either(build.without(a, b), c), {{1, 0, 0, 0.5}});
   build.layer("2", build.both(build.complement(c), build.shell(b, 4)), {{0, 1, 0, 1}});
   build.layer("3", build.both(a, build.both(b, c)), {{0, 0, 1, 0.25}});
@@ -61,9 +62,11 @@ TEST(ScopeStack, NarrowingNeverChangesAColour) {
   for (double y = -45; y < 45; y += 7.3)
     for (double x = -45; x < 45; x += 7.1) {
       const auto mark = scopes.mark();
-      const Scope wide = scopes.narrowed(all, {x, y}, 12), narrow = scopes.narrowed(wide, {x + 3, y - 2}, 5);
+      const Scope wide = scopes.narrowed(all, {x, y}, 12),
+                  narrow = scopes.narrowed(wide, {x + 3, y - 2}, 5);
       for (double angle = 0; angle < 6.28; angle += 0.3) {
-        const glm::dvec2 p = glm::dvec2{x + 3, y - 2} + 4.9 * glm::dvec2{std::cos(angle), std::sin(angle)};
+        const glm::dvec2 p =
+            glm::dvec2{x + 3, y - 2} + 4.9 * glm::dvec2{std::cos(angle), std::sin(angle)};
         const Mix whole = at(all, p), cut = at(narrow, p);
         for (int k = 0; k < 4; ++k) ASSERT_NEAR(whole[k], cut[k], 1e-15);
       }

@@ -13,11 +13,21 @@ std::string program(const Tape& tape, int layer) {
   for (int i = l.first; i < l.first + l.count; ++i) {
     const Step& s = tape.steps[std::size_t(i)];
     switch (s.kind) {
-      case Kind::outline: text += char('a' + s.outline); break;
-      case Kind::nothing: text += '0'; break;
-      case Kind::not_: text += '!'; break;
-      case Kind::and_: text += '&'; break;
-      case Kind::or_: text += '|'; break;
+      case Kind::outline:
+        text += char('a' + s.outline);
+        break;
+      case Kind::nothing:
+        text += '0';
+        break;
+      case Kind::not_:
+        text += '!';
+        break;
+      case Kind::and_:
+        text += '&';
+        break;
+      case Kind::or_:
+        text += '|';
+        break;
     }
   }
   return text;

@@ -10,8 +10,8 @@ const Canvas kWide{.box = {{0, 0}, {2, 1}}, .y_up = true};
 TEST(PixelFromFace, MeetShowsTheWholeCanvasCentred) {
   const auto map = pixel_from_face(kWide, {.width = 100, .height = 100});
   EXPECT_EQ(map.scale(), 50);
-  EXPECT_EQ(map({1, 0.5}), glm::dvec2(0, 0));      // the middle of the picture is the origin
-  EXPECT_EQ(map({0, 1}), glm::dvec2(-50, -25));    // y up in the face, down in pixels
+  EXPECT_EQ(map({1, 0.5}), glm::dvec2(0, 0));    // the middle of the picture is the origin
+  EXPECT_EQ(map({0, 1}), glm::dvec2(-50, -25));  // y up in the face, down in pixels
   EXPECT_TRUE(map.mirrors());
 }
 

@@ -1,13 +1,14 @@
-// What edges_near says against what the shape's distance says: the description may be wrong by its stated error,
-// never by more, and for shapes that are large against the disc it must be proven, or nothing would be fast.
+// What edges_near says against what the shape's distance says: the description may be wrong by its
+// stated error, never by more, and for shapes that are large against the disc it must be proven, or
+// nothing would be fast.
 
 #include <mien/sdf/edge/edge.h>
 #include <mien/sdf/shape/quad_bezier.h>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <random>
@@ -31,12 +32,18 @@ bool described_inside(const LocalOutline& o, const std::vector<Edge>& edges, glm
     if (in) winding += e.turn;
   }
   switch (o.rule) {
-    case EdgeRule::outside: return false;
-    case EdgeRule::inside: return true;
-    case EdgeRule::all: return all;
-    case EdgeRule::any: return any;
-    case EdgeRule::nonzero: return winding != 0;
-    case EdgeRule::even_odd: return winding % 2 != 0;
+    case EdgeRule::outside:
+      return false;
+    case EdgeRule::inside:
+      return true;
+    case EdgeRule::all:
+      return all;
+    case EdgeRule::any:
+      return any;
+    case EdgeRule::nonzero:
+      return winding != 0;
+    case EdgeRule::even_odd:
+      return winding % 2 != 0;
   }
   return false;
 }
@@ -56,8 +63,9 @@ Tally check(const OffsetShape& shape, double radius, int count, std::uint64_t se
     double d = distance(shape, c);
     for (int step = 0; step < 8 && std::abs(d) > radius; ++step) {  // walk to the outline
       const double h = 1e-4;
-      const glm::dvec2 g{distance(shape, c + glm::dvec2{h, 0}) - distance(shape, c - glm::dvec2{h, 0}),
-                         distance(shape, c + glm::dvec2{0, h}) - distance(shape, c - glm::dvec2{0, h})};
+      const glm::dvec2 g{
+          distance(shape, c + glm::dvec2{h, 0}) - distance(shape, c - glm::dvec2{h, 0}),
+          distance(shape, c + glm::dvec2{0, h}) - distance(shape, c - glm::dvec2{0, h})};
       if (!(glm::length(g) > 0)) break;
       c -= d * g / (2 * h);
       d = distance(shape, c);
@@ -77,8 +85,8 @@ Tally check(const OffsetShape& shape, double radius, int count, std::uint64_t se
       const double allowed = o.error + 1e-9;
       if (std::abs(truth) <= allowed) continue;
       EXPECT_EQ(described_inside(o, edges, u), truth < 0)
-            << fmt::format("c {} {} radius {} u {} {}: distance {}, stated error {}, {} edges", c.x, c.y, radius, u.x,
-                           u.y, truth, o.error, o.count);
+          << fmt::format("c {} {} radius {} u {} {}: distance {}, stated error {}, {} edges", c.x,
+                         c.y, radius, u.x, u.y, truth, o.error, o.count);
     }
   }
   return tally;
