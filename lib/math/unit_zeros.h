@@ -19,13 +19,11 @@ struct UnitZeros {
   std::array<double, 3> t{};
 };
 
-namespace unit_zeros_detail {
-
 /// A zero between lo and hi, where f differs in sign: Newton with halving where it is slow. The
 /// last step is taken from at most 2⁻³⁰ away, and Newton squares that. Never more than 100
 /// evaluations.
 template <class F>
-double zero_between(const F& f, double lo, double hi, double f_lo, double f_hi) {
+double unit_zero_between(const F& f, double lo, double hi, double f_lo, double f_hi) {
   double t = lo + (hi - lo) * std::clamp(f_lo / (f_lo - f_hi), 0.0625, 0.9375);
   double last_step = hi - lo;
   for (int i = 0; i < 100; ++i) {
@@ -41,8 +39,6 @@ double zero_between(const F& f, double lo, double hi, double f_lo, double f_hi) 
   }
   return t;
 }
-
-}  // namespace unit_zeros_detail
 
 /// Zeros in [0, 1] of f, a cubic in t with leading coefficients c3, c2, c1 (of t³, t², t). They
 /// only tell where f turns; the values come from `f` itself (t -> ValueSlope), which the caller
@@ -68,8 +64,7 @@ UnitZeros unit_zeros(double c3, double c2, double c1, const F& f) {
       if (zeros.count < 3) zeros.t[zeros.count++] = knots[i + 1];
     } else if ((f_lo < 0.0 && f_hi > 0.0) || (f_lo > 0.0 && f_hi < 0.0)) {
       if ((kWanted == Zeros::all || f_lo < 0.0) && zeros.count < 3)
-        zeros.t[zeros.count++] =
-            unit_zeros_detail::zero_between(f, knots[i], knots[i + 1], f_lo, f_hi);
+        zeros.t[zeros.count++] = unit_zero_between(f, knots[i], knots[i + 1], f_lo, f_hi);
     } else if (f_hi == 0.0 && f_lo < 0.0 && zeros.count < 3) {
       zeros.t[zeros.count++] = knots[i + 1];
     }

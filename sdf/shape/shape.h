@@ -5,7 +5,7 @@
 //   exactness(shape)          whether that distance is exact or a bound, outside and inside
 //   bounds(shape)             a box that contains the inside (sides may be infinite)
 //   transformed(map, shape)   the same shape in another space
-//   mapped by name            for_each_shape: name and type of each, in one list
+//   shape_name(shape)         its name, as printed scenes have it
 //
 // All are total: any finite numbers, degenerate ones included, give an answer; a NaN coordinate
 // gives distance +infinity (outside).  Every distance is 1-Lipschitz and zero exactly on the
