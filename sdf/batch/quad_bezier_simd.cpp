@@ -1,0 +1,149 @@
+// The batch functions of sdf/distance.h for quadratic Béziers, compiled once per instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "mien/sdf/batch/quad_bezier_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <mien/sdf/batch/blocks-inl.h>
+#include <mien/sdf/batch/quad_bezier-inl.h>
+#include <mien/sdf/batch/quad_bezier_accurate-inl.h>
+#include <mien/sdf/distance.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class T>
+void DistancesOne(const QuadBezier& curve, const T* x, const T* y, size_t count, T* out) {
+  const hn::ScalableTag<T> d;
+  using W = Pack<hn::Vec<decltype(d)>>;
+  const auto f = quad_bezier_frame<T>(curve, scale_exponent(curve));
+  const auto exact = [&](T px, T py) { return distance(curve, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](W px, W py) HWY_ATTR {
+    const W square = NearestOn(d, f, OffsetTo(d, f, px, py)).square;
+    return DistanceOf(d, px, py, square, f.unscale, exact);
+  });
+}
+
+void DistancesFast(const QuadBezier& curve, const float* x, const float* y, size_t count, float* out) {
+  DistancesOne<float>(curve, x, y, count, out);
+}
+void DistancesDouble(const QuadBezier& curve, const double* x, const double* y, size_t count,
+                     double* out) {
+  DistancesOne<double>(curve, x, y, count, out);
+}
+
+void DistancesAccurate(const QuadBezier& curve, const float* x, const float* y, size_t count,
+                       float* out) {
+  const hn::ScalableTag<float> d;
+  using W = Pack<hn::Vec<decltype(d)>>;
+  const auto f = quad_bezier_frame<float>(curve, scale_exponent(curve));
+  const auto fine = quad_bezier_frame<double>(curve, scale_exponent(curve));
+  const auto exact = [&](float px, float py) { return distance(curve, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](W px, W py) HWY_ATTR {
+    const auto near = NearestOn(d, f, OffsetTo(d, f, px, py));
+    W square;
+    for (size_t i = 0; i < kParts; ++i) {
+      square.part[i] = AccurateSquare(d, fine, px.part[i], py.part[i], near.t.part[i]);
+    }
+    // The float pass decides what is too far for float.
+    const auto is_far = Lt(near.square, SetPack(d, 0x1p48f));
+    return DistanceOf(d, px, py, IfThenElse(is_far, square, near.square), f.unscale, exact);
+  });
+}
+
+void DistancesToNearest(const QuadBezierFrame<float>* frames, size_t frame_count,
+                        std::span<const QuadBezier> curves, const float* x, const float* y,
+                        size_t count, float* out) {
+  const hn::ScalableTag<float> d;
+  using W = Pack<hn::Vec<decltype(d)>>;
+  const auto exact = [&](float px, float py) { return distance_to_nearest(curves, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](W px, W py) HWY_ATTR {
+    W square = NearestOn(d, frames[0], OffsetTo(d, frames[0], px, py)).square;
+    for (size_t k = 1; k < frame_count; ++k) {
+      square = Min(square, NearestOn(d, frames[k], OffsetTo(d, frames[k], px, py)).square);
+    }
+    return DistanceOf(d, px, py, square, frames[0].unscale, exact);
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <mien/sdf/batch/spans.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace mien {
+namespace batch {
+HWY_EXPORT(DistancesFast);
+HWY_EXPORT(DistancesAccurate);
+HWY_EXPORT(DistancesDouble);
+HWY_EXPORT(DistancesToNearest);
+
+namespace {
+
+template <class T>
+void distances_one_by_one(const QuadBezier& curve, std::span<const T> x, std::span<const T> y,
+                          std::span<T> d) {
+  for (size_t i = 0; i < d.size(); ++i) d[i] = T(distance(curve, {x[i], y[i]}));
+}
+
+template <class T>
+Span span_of(std::span<T> s) {
+  return {s.data(), s.size(), sizeof(T)};
+}
+
+}  // namespace
+
+}  // namespace batch
+
+void distances(const QuadBezier& curve, std::span<const float> x, std::span<const float> y,
+               std::span<float> d, Precision precision) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  if (!batch::has_frame(curve)) return batch::distances_one_by_one(curve, x, y, d);
+  if (precision == Precision::accurate) {
+    HWY_DYNAMIC_DISPATCH(batch::DistancesAccurate)(curve, x.data(), y.data(), d.size(), d.data());
+  } else {
+    HWY_DYNAMIC_DISPATCH(batch::DistancesFast)(curve, x.data(), y.data(), d.size(), d.data());
+  }
+}
+
+void distances(const QuadBezier& curve, std::span<const double> x, std::span<const double> y,
+               std::span<double> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  if (!batch::has_frame(curve)) return batch::distances_one_by_one(curve, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesDouble)(curve, x.data(), y.data(), d.size(), d.data());
+}
+
+void distances(std::span<const QuadBezier> curves, std::span<const float> x,
+               std::span<const float> y, std::span<float> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  // One scale for all: that of the largest curve, so that squares can be compared.
+  int exponent = std::numeric_limits<int>::max();
+  bool all_framed = !curves.empty();
+  for (const QuadBezier& curve : curves) {
+    all_framed = all_framed && batch::has_frame(curve);
+    exponent = std::min(exponent, batch::scale_exponent(curve));
+  }
+  if (!all_framed) {
+    for (size_t i = 0; i < d.size(); ++i) {
+      d[i] = float(batch::distance_to_nearest(curves, {x[i], y[i]}));
+    }
+    return;
+  }
+  std::vector<batch::QuadBezierFrame<float>> frames;
+  frames.reserve(curves.size());
+  for (const QuadBezier& curve : curves) {
+    frames.push_back(batch::quad_bezier_frame<float>(curve, exponent));
+  }
+  HWY_DYNAMIC_DISPATCH(batch::DistancesToNearest)
+  (frames.data(), frames.size(), curves, x.data(), y.data(), d.size(), d.data());
+}
+
+}  // namespace mien
+#endif

@@ -1,0 +1,226 @@
+#include <mien/sdf/distance.h>
+
+#include <gtest/gtest.h>
+
+#include <mien/sdf/batch/instruction_sets.h>
+#include <mien/tools/accuracy/reference.h>
+#include <mien/tools/accuracy/tally.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace mien {
+namespace {
+
+using accuracy::BezierCase;
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const QuadBezier kCurve{{0.1, 0.2}, {0.8, 1.1}, {0.9, -0.4}};
+
+/// Runs body once per instruction set, named on failure.
+template <class Body>
+void on_every_instruction_set(Body body) {
+  for (const auto& set : batch::instruction_sets()) {
+    SCOPED_TRACE(set.name);
+    batch::use_instruction_set(set.id);
+    body(set);
+  }
+  batch::use_instruction_set(0);
+}
+
+// --- accuracy ------------------------------------------------------------------------------------
+
+class Families : public testing::TestWithParam<size_t> {};
+
+TEST_P(Families, EveryKernelKeepsItsContractOnEveryInstructionSet) {
+  const auto& family = accuracy::bezier_families()[GetParam()];
+  for (const auto& t : accuracy::run(family, accuracy::own_solvers(), 3'000, 20)) {
+    EXPECT_TRUE(t.passes()) << accuracy::table({t});
+  }
+  batch::use_instruction_set(0);
+}
+INSTANTIATE_TEST_SUITE_P(All, Families,
+                         testing::Range<size_t>(0, accuracy::bezier_families().size()));
+
+/// The laboratory sees an error of one part in a million, in every kernel's own unit.
+TEST(Laboratory, APlantedErrorOfOneInAMillionIsCaught) {
+  const auto& family = accuracy::bezier_families().front();
+  for (accuracy::Solver solver : accuracy::own_solvers()) {
+    const auto honest = solver.solve;
+    solver.solve = [honest](const BezierCase& k) { return honest(k) * (1 + 1e-6); };
+    const auto tallies = accuracy::run(family, {solver}, 3'000, 20);
+    EXPECT_FALSE(tallies.front().passes()) << solver.name << ' ' << solver.instruction_set;
+  }
+  batch::use_instruction_set(0);
+}
+
+struct Fixture {
+  BezierCase at;
+  double distance;  ///< as published, to the digits given
+};
+const Fixture kFixtures[] = {
+    {{{{0, 0}, {0.5, -1.00332568e-12}, {1, 0}}, {0.174046248, 5.794708e-08}}, 5.7947e-08},
+    {{{{0.531720161, 0.238497466}, {0.62581563, 0.862796307}, {0.545428216, 0.329644412}},
+      {0.582464159, 0.575228035}},
+     1.0798e-08},
+    {{{{0.0830078125, 0.0830078125}, {-0.446777344, -0.446777344}, {0.0922851562, 0.0922851562}},
+      {-0.179585561, -0.179585561}},
+     2.599e-10},
+};
+
+TEST(Distances, FixturesThatOtherSolversMissed) {
+  for (const Fixture& f : kFixtures) {
+    const BezierCase k = accuracy::in_floats(f.at);
+    const accuracy::Quad truth = accuracy::true_distance(k.curve, k.p);
+    EXPECT_NEAR(double(truth), f.distance, 1e-3 * f.distance);
+    for (const accuracy::Solver& s : accuracy::own_solvers()) {
+      s.prepare();
+      EXPECT_LE(accuracy::error_units(s.judge, false, k, truth, s.solve(k)), s.bar)
+          << s.name << ' ' << s.instruction_set;
+    }
+  }
+  batch::use_instruction_set(0);
+}
+
+// --- spans ---------------------------------------------------------------------------------------
+
+struct Points {
+  std::vector<float> x, y;
+};
+
+Points points(size_t count) {
+  accuracy::Random r(7);
+  Points p;
+  for (size_t i = 0; i < count; ++i) {
+    p.x.push_back(float(r.between(-1, 2))), p.y.push_back(float(r.between(-1, 2)));
+  }
+  return p;
+}
+
+TEST(Distances, DependOnThePointAloneNotOnItsPlaceInTheSpan) {
+  const Points p = points(300);
+  on_every_instruction_set([&](const auto&) {
+    for (const Precision precision : {Precision::fast, Precision::accurate}) {
+      std::vector<float> alone(p.x.size());
+      for (size_t i = 0; i < alone.size(); ++i) {
+        distances(kCurve, {&p.x[i], 1}, {&p.y[i], 1}, {&alone[i], 1}, precision);
+      }
+      for (const size_t begin : {0, 1, 3, 17}) {
+        for (const size_t size : {0, 1, 2, 15, 16, 63, 64, 65, 257}) {
+          std::vector<float> d(size, -1);
+          distances(kCurve, {&p.x[begin], size}, {&p.y[begin], size}, d, precision);
+          for (size_t i = 0; i < size; ++i) ASSERT_EQ(d[i], alone[begin + i]) << begin << '+' << i;
+        }
+      }
+    }
+  });
+}
+
+TEST(Distances, WriteNothingBeyondTheSpan) {
+  const Points p = points(70);
+  std::vector<float> d(80, -1);
+  distances(kCurve, p.x, p.y, std::span(d).subspan(5, 70));
+  for (const size_t i : {0, 4, 75, 79}) EXPECT_EQ(d[i], -1) << i;
+  EXPECT_GE(d[74], 0);
+}
+
+TEST(Distances, MayReplaceTheCoordinates) {
+  const Points p = points(131);
+  std::vector<float> apart(131), x = p.x, y = p.y;
+  distances(kCurve, p.x, p.y, apart);
+  distances(kCurve, x, p.y, x);
+  distances(kCurve, p.x, y, y);
+  EXPECT_EQ(x, apart);
+  EXPECT_EQ(y, apart);
+}
+
+TEST(DistancesDeathTest, PartialOverlapIsRefusedAloud) {
+  std::vector<float> x(20), y(20);
+  EXPECT_DEATH(distances(kCurve, std::span(x).first(10), std::span(y).first(10), std::span(x).subspan(1, 10)),
+               "mien::distances: the output overlaps");
+  EXPECT_DEATH(distances(kCurve, x, std::span(y).first(19), y), "equal length");
+}
+
+// --- meaning -------------------------------------------------------------------------------------
+
+TEST(Distances, TheSameBitsOnEveryInstructionSetThatFuses) {
+  std::map<int, std::vector<float>> first;
+  on_every_instruction_set([&](const batch::InstructionSet& set) {
+#ifndef MIEN_SAME_BITS_WITHOUT_FMA
+    if (!set.fused) return;
+#endif
+    int which = 0;
+    for (const auto& family : accuracy::bezier_families()) {
+      for (const Precision precision : {Precision::fast, Precision::accurate}) {
+        std::vector<float> all;
+        for (const BezierCase& k : accuracy::cases_of(family, 300, 3)) {
+          const float x = float(k.p.x), y = float(k.p.y);
+          float d = 0;
+          distances(k.curve, {&x, 1}, {&y, 1}, {&d, 1}, precision);
+          all.push_back(d);
+        }
+        const auto [kept, is_new] = first.try_emplace(which++, all);
+        if (!is_new) {
+          EXPECT_EQ(kept->second, all) << family.name;
+        }
+      }
+    }
+  });
+}
+
+TEST(Distances, NonsenseIsInfinitelyFar) {
+  const float x[] = {kNan, 0.5f, kInf, 0.5f, 0.5f}, y[] = {0.5f, kNan, 0.5f, -kInf, 0.5f};
+  on_every_instruction_set([&](const auto&) {
+    for (const Precision precision : {Precision::fast, Precision::accurate}) {
+      float d[5];
+      distances(kCurve, x, y, d, precision);
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(d[i], kInf) << i;
+      EXPECT_LT(d[4], 1);
+      distances(QuadBezier{{0, 0}, {kNan, 0}, {1, 1}}, x, y, d, precision);
+      for (const float v : d) EXPECT_EQ(v, kInf);
+    }
+    const double xd[] = {kNan, 0.5}, yd[] = {0, kInf};
+    double dd[2];
+    distances(kCurve, xd, yd, dd);
+    for (const double v : dd) EXPECT_EQ(v, kInf);
+  });
+}
+
+TEST(Distances, ToManyCurvesIsTheLeastOfTheSingleOnes) {
+  const Points p = points(200);
+  accuracy::Random r(11);
+  std::vector<QuadBezier> curves;
+  for (int i = 0; i < 30; ++i) {
+    const glm::dvec2 p0 = r.point(), p1 = r.point();
+    curves.push_back({p0, p1, r.point()});
+  }
+  curves.push_back({{0, 0}, {0.5, 0}, {1, 0}});
+  on_every_instruction_set([&](const auto&) {
+    std::vector<float> many(200), one(200);
+    distances(std::span<const QuadBezier>(curves), p.x, p.y, many);
+    for (size_t i = 0; i < many.size(); ++i) {
+      double least = kInf;
+      for (const QuadBezier& c : curves) least = std::min(least, distance(c, {p.x[i], p.y[i]}));
+      EXPECT_NEAR(many[i], least, 4 * 0x1p-23);
+    }
+  });
+}
+
+TEST(Distances, ToNoCurveAreInfiniteAndPointsAreCurvesToo) {
+  const float x[] = {0, 3}, y[] = {0, 4};
+  float d[2];
+  distances(std::span<const QuadBezier>{}, x, y, d);
+  EXPECT_EQ(d[0], kInf);
+  const QuadBezier origin{{0, 0}, {0, 0}, {0, 0}}, far{{9, 9}, {9, 9}, {9, 8}};
+  const QuadBezier both[] = {origin, far};
+  distances(std::span<const QuadBezier>(both), x, y, d);
+  EXPECT_EQ(d[0], 0);
+  EXPECT_EQ(d[1], 5);
+  distances(origin, x, y, d);
+  EXPECT_EQ(d[1], 5);
+}
+
+}  // namespace
+}  // namespace mien

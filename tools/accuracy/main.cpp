@@ -1,0 +1,90 @@
+// mien-accuracy: how right are distances to quadratic Béziers? Runs every family of nasty cases on every
+// kernel and instruction set (and on your solver) against a reference of 113 bits.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include <mien/tools/accuracy/export.h>
+#include <mien/tools/accuracy/tally.h>
+
+namespace {
+
+using namespace mien::accuracy;
+
+struct Options {
+  size_t count = 20'000;
+  uint64_t seed = 1;
+  std::vector<std::string> solvers, families;
+  std::string csv, plot, exported;
+  bool only_foreign = false, by_family = false;
+};
+
+bool write_file(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) fmt::print(stderr, "{}: cannot be written\n", path);
+  return bool(file);
+}
+
+bool wanted(const Options& options, const BezierFamily& family) {
+  const auto& names = options.families;
+  return names.empty() || std::find(names.begin(), names.end(), family.name) != names.end();
+}
+
+int export_cases(const Options& options) {
+  std::ofstream file(options.exported, std::ios::binary);
+  write_cases_header(file, options.seed);
+  for (const BezierFamily& family : bezier_families()) {
+    if (wanted(options, family)) write_cases(file, family, options.count, options.seed);
+  }
+  file.close();
+  if (!file) return fmt::print(stderr, "{}: cannot be written\n", options.exported), 1;
+  return 0;
+}
+
+int judge(const Options& options) {
+  std::vector<Solver> solvers;
+  if (!options.only_foreign) solvers = own_solvers();
+  for (const std::string& path : options.solvers) solvers.push_back(foreign_solver(path));
+  std::vector<Tally> tallies;
+  for (const BezierFamily& family : bezier_families()) {
+    if (!wanted(options, family)) continue;
+    const auto rows = run(family, solvers, options.count, options.seed);
+    tallies.insert(tallies.end(), rows.begin(), rows.end());
+    fmt::print(stderr, "{}\n", family.name);
+  }
+  if (options.by_family) fmt::print("{}\n", table(tallies));
+  fmt::print("Over all families (seed {}; family: where it is worst)\n{}", options.seed,
+             table(over_families(tallies)));
+  if (!options.csv.empty() && !write_file(options.csv, csv(tallies))) return 1;
+  if (!options.plot.empty() && !write_file(options.plot, svg(tallies))) return 1;
+  return std::all_of(tallies.begin(), tallies.end(), [](const Tally& t) { return t.passes(); }) ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("How right are distances to quadratic Beziers?", "mien-accuracy");
+  app.add_option("--count", options.count, "Cases per family")->capture_default_str();
+  app.add_option("--seed", options.seed, "Another seed, other cases")->capture_default_str();
+  app.add_option("--family", options.families, "Only these families");
+  app.add_option("--solver", options.solvers, "A shared library with mien_accuracy_solve (see solver.h)");
+  app.add_flag("--only-solver", options.only_foreign, "Leave mien's own kernels out");
+  app.add_flag("--by-family", options.by_family, "Print a row per family too");
+  app.add_option("--csv", options.csv, "Write the table as comma-separated values");
+  app.add_option("--plot", options.plot, "Draw the table as SVG");
+  app.add_option("--export", options.exported, "Write the cases and their true distances instead");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return options.exported.empty() ? judge(options) : export_cases(options);
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "mien-accuracy: {}\n", problem.what());
+    return 1;
+  }
+}

@@ -1,0 +1,52 @@
+#pragma once
+// What a foreign solver must look like to stand in the table: a shared library with this one function.
+//
+//   /* Distances from (x[i], y[i]) to the quadratic Bézier curve[] = {x0, y0, x1, y1, x2, y2}. */
+//   extern "C" void mien_accuracy_solve(const double* curve, const double* x, const double* y,
+//                                       double* distance, size_t count) {
+//     for (size_t i = 0; i < count; ++i) distance[i] = my_distance(curve, x[i], y[i]);
+//   }
+//
+// mien-accuracy --solver ./libmine.so
+
+#include <mien/lib/geom/quad_bezier.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <mien/tools/accuracy/families.h>
+#include <mien/tools/accuracy/quad.h>
+
+namespace mien::accuracy {
+
+/// In which unit an error is counted, and what the bar is.
+enum class Judge {
+  fast,      ///< max(2⁻²³ size, float ulp): "mix"
+  accurate,  ///< float ulps where well-conditioned, else max(ulp, 1e-8/0.86 size)
+  exact      ///< 2⁻⁵² S
+};
+
+struct Solver {
+  std::string name;
+  std::string instruction_set;  ///< empty for scalar and foreign solvers
+  Judge judge;
+  double bar;  ///< 0: none promised
+  std::function<double(const BezierCase&)> solve;
+  std::function<void()> prepare = [] {};  ///< called before a run of cases
+};
+
+/// mien's own: the scalar form, and every batch kernel on every instruction set.
+std::vector<Solver> own_solvers();
+
+/// A foreign one, from a shared library; throws std::runtime_error with a sentence.
+Solver foreign_solver(const std::string& path);
+
+/// The error of `found`, in the judge's units; +infinity if it is not a number, or infinite where the truth
+/// is not.
+double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad truth, double found);
+
+/// Wrong by more than rounding can explain: > 1e-6 size and > 2 float ulp.
+bool is_bad(const BezierCase& k, Quad truth, double found);
+
+}  // namespace mien::accuracy

@@ -1,0 +1,138 @@
+#include <mien/tools/accuracy/tally.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <mien/tools/accuracy/reference.h>
+
+namespace mien::accuracy {
+namespace {
+
+std::string kernel_of(const Tally& t) {
+  return t.instruction_set.empty() ? t.solver : t.solver + " " + t.instruction_set;
+}
+
+/// Every coordinate so that the case can be pasted into a test.
+std::string text(const BezierCase& k) {
+  const QuadBezier& c = k.curve;
+  return fmt::format("{{{{{}, {}}}, {{{}, {}}}, {{{}, {}}}}}, {{{}, {}}}", c.p0.x, c.p0.y, c.p1.x,
+                     c.p1.y, c.p2.x, c.p2.y, k.p.x, k.p.y);
+}
+
+Tally tally_of(const BezierFamily& family, const Solver& solver, const std::vector<BezierCase>& cases,
+               const std::vector<Quad>& truths) {
+  Tally t{family.name, solver.name, solver.instruction_set};
+  t.cases = cases.size(), t.bar = solver.bar;
+  std::vector<double> errors(cases.size());
+  for (size_t i = 0; i < cases.size(); ++i) {
+    const double found = solver.solve(cases[i]);
+    errors[i] = error_units(solver.judge, family.well_conditioned, cases[i], truths[i], found);
+    if (std::isinf(errors[i])) {
+      ++t.nan;
+    } else if (errors[i] > 0 && is_bad(cases[i], truths[i], found)) {
+      ++t.bad;
+    }
+    if (errors[i] > t.worst) t.worst = errors[i], t.worst_case = cases[i];
+  }
+  const auto at = errors.begin() + std::ptrdiff_t(double(errors.size() - 1) * 0.999);
+  std::nth_element(errors.begin(), at, errors.end());
+  t.p999 = *at;
+  return t;
+}
+
+}  // namespace
+
+std::vector<Tally> run(const BezierFamily& family, const std::vector<Solver>& solvers, size_t count,
+                       uint64_t seed) {
+  const auto cases = cases_of(family, std::max<size_t>(count, 1), seed);
+  std::vector<Quad> truths;
+  truths.reserve(cases.size());
+  for (const BezierCase& k : cases) truths.push_back(true_distance(k.curve, k.p));
+  std::vector<Tally> tallies;
+  for (const Solver& solver : solvers) {
+    if (!family.float_exact && solver.judge != Judge::exact) continue;
+    solver.prepare();
+    tallies.push_back(tally_of(family, solver, cases, truths));
+  }
+  return tallies;
+}
+
+std::vector<Tally> over_families(const std::vector<Tally>& tallies) {
+  std::vector<Tally> rows;
+  for (const Tally& t : tallies) {
+    auto row = std::find_if(rows.begin(), rows.end(),
+                            [&](const Tally& r) { return kernel_of(r) == kernel_of(t); });
+    if (row == rows.end()) {
+      rows.push_back(t);
+      continue;
+    }
+    row->cases += t.cases, row->bad += t.bad, row->nan += t.nan;
+    row->p999 = std::max(row->p999, t.p999);
+    if (t.worst > row->worst) {
+      row->worst = t.worst, row->worst_case = t.worst_case, row->family = t.family;
+    }
+  }
+  return rows;
+}
+
+std::string table(const std::vector<Tally>& tallies) {
+  std::string out = fmt::format("{:<24} {:<16} {:>10} {:>10} {:>10} {:>6} {:>6} {:>6}\n", "family",
+                                "kernel", "cases", "worst", "p99.9", "bad", "NaN", "bar");
+  for (const Tally& t : tallies) {
+    out += fmt::format("{:<24} {:<16} {:>10} {:>10.4g} {:>10.4g} {:>6} {:>6} {:>6.3g}{}\n", t.family,
+                       kernel_of(t), t.cases, t.worst, t.p999, t.bad, t.nan, t.bar,
+                       t.passes() ? "" : "  MISSED at " + text(t.worst_case));
+  }
+  return out;
+}
+
+std::string csv(const std::vector<Tally>& tallies) {
+  std::string out = "family,kernel,instruction_set,cases,worst,p99.9,bad,nan,bar\n";
+  for (const Tally& t : tallies) {
+    out += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.family, t.solver, t.instruction_set, t.cases,
+                       t.worst, t.p999, t.bad, t.nan, t.bar);
+  }
+  return out;
+}
+
+std::string svg(const std::vector<Tally>& tallies) {
+  constexpr double kLeft = 190, kWidth = 620, kRow = 16, kLow = -3, kHigh = 7;
+  std::map<std::string, int> rows;
+  const auto x_of = [&](double units) {
+    const double decades = std::clamp(std::log10(std::max(units, 1e-30)), kLow, kHigh);
+    return kLeft + kWidth * (decades - kLow) / (kHigh - kLow);
+  };
+  std::string marks;
+  for (const Tally& t : tallies) {
+    const auto [row, is_new] = rows.try_emplace(t.family, int(rows.size()));
+    const double y = 40 + kRow * row->second;
+    if (is_new) {
+      marks += fmt::format("<text x='{}' y='{}' text-anchor='end'>{}</text>\n", kLeft - 8, y + 4,
+                           t.family);
+    }
+    const double units = t.bar > 0 ? t.worst / t.bar : t.worst;
+    marks += fmt::format(
+        "<circle cx='{:.1f}' cy='{}' r='3.5' fill='{}' fill-opacity='0.6'><title>{}: {:.4g}</title>"
+        "</circle>\n",
+        x_of(units), y, t.passes() ? "#2a6fbb" : "#cc2222", kernel_of(t), t.worst);
+  }
+  const double height = 60 + kRow * double(rows.size());
+  std::string grid;
+  for (int decade = int(kLow); decade <= int(kHigh); ++decade) {
+    grid += fmt::format(
+        "<line x1='{0:.1f}' x2='{0:.1f}' y1='26' y2='{1}' stroke='{2}'/><text x='{0:.1f}' y='18' "
+        "text-anchor='middle'>1e{3}</text>\n",
+        x_of(std::pow(10, decade)), height - 20, decade == 0 ? "#000" : "#ddd", decade);
+  }
+  return fmt::format(
+      "<svg xmlns='http://www.w3.org/2000/svg' width='{}' height='{}' font-family='sans-serif' "
+      "font-size='11'>\n<rect width='100%' height='100%' fill='#fff'/>\n{}{}"
+      "<text x='{}' y='{}'>worst error over its bar (1e0 = the bar); right edge: not a number</text>"
+      "\n</svg>\n",
+      kLeft + kWidth + 30, height, grid, marks, kLeft, height - 4);
+}
+
+}  // namespace mien::accuracy
