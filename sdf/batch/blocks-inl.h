@@ -15,9 +15,9 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// out[i] = kernel(x[i], y[i]), a pack at a time. A rest shorter than a pack is padded with its last point:
-/// a lane's result never depends on its neighbours, so neither does a point's on where it stands. Inputs
-/// are read before the output is written, so out may be x or y.
+/// out[i] = kernel(x[i], y[i]), a pack at a time. A rest shorter than a pack is padded with its
+/// last point: a lane's result never depends on its neighbours, so neither does a point's on where
+/// it stands. Inputs are read before the output is written, so out may be x or y.
 template <class D, class T, class Kernel>
 HWY_INLINE void ForBlocks(D d, const T* x, const T* y, size_t count, T* out, Kernel kernel) {
   const size_t step = kParts * hn::Lanes(d);
@@ -35,7 +35,8 @@ HWY_INLINE void ForBlocks(D d, const T* x, const T* y, size_t count, T* out, Ker
   std::copy_n(rest[2], left, out + i);
 }
 
-/// Lanes whose squared distance a kernel could not compute (NaN, or beyond `far`) get `exact(x, y)`.
+/// Lanes whose squared distance a kernel could not compute (NaN, or beyond `far`) get `exact(x,
+/// y)`.
 template <class D, class V, class Exact>
 HWY_NOINLINE Pack<V> Rescued(D d, const Pack<V>& x, const Pack<V>& y, const Pack<V>& square,
                              hn::TFromD<D> far, const Pack<V>& distance, const Exact& exact) {
@@ -49,7 +50,8 @@ HWY_NOINLINE Pack<V> Rescued(D d, const Pack<V>& x, const Pack<V>& y, const Pack
   return LoadPack(d, lanes[3]);
 }
 
-/// The root of a squared distance in the frame's scale, back in the caller's units, far lanes rescued.
+/// The root of a squared distance in the frame's scale, back in the caller's units, far lanes
+/// rescued.
 template <class D, class V, class Exact>
 HWY_INLINE Pack<V> DistanceOf(D d, Pack<V> x, Pack<V> y, Pack<V> square, hn::TFromD<D> unscale,
                               const Exact& exact) {

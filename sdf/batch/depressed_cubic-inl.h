@@ -1,5 +1,6 @@
-// The largest root of a depressed cubic, many at a time, without approximate instructions: the same bits on
-// every machine. Included once per instruction set. Derivation: docs/derivations/depressed_cubic.md.
+// The largest root of a depressed cubic, many at a time, without approximate instructions: the same
+// bits on every machine. Included once per instruction set. Derivation:
+// docs/derivations/depressed_cubic.md.
 #if defined(MIEN_SDF_BATCH_DEPRESSED_CUBIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_SDF_BATCH_DEPRESSED_CUBIC_INL_H_
 #undef MIEN_SDF_BATCH_DEPRESSED_CUBIC_INL_H_
@@ -14,8 +15,8 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// (2/3) times the bits of a positive float, as an integer, to 1/128 of an octave: by 16-bit halves, which
-/// every instruction set multiplies in one step.
+/// (2/3) times the bits of a positive float, as an integer, to 1/128 of an octave: by 16-bit
+/// halves, which every instruction set multiplies in one step.
 template <class D, class V>
 HWY_INLINE V TwoThirdsOfBits(D d, V x) {
 #if HWY_TARGET == HWY_SCALAR
@@ -29,17 +30,18 @@ HWY_INLINE V TwoThirdsOfBits(D d, V x) {
 #endif
 }
 
-/// A first guess at the largest root x of x³ + 3 P x = S2, S2 >= 0: within 12 %, by integer arithmetic on
-/// the bits of floats (a float's bits are nearly its logarithm).
-///   w ≈ S2^(2/3), at least `floor`;  e ≈ x² where P < 0, x² + 3P where P >= 0: one square root of a
-///   quadratic form in P and w.  The four constants were fitted together to the error after one step below.
+/// A first guess at the largest root x of x³ + 3 P x = S2, S2 >= 0: within 12 %, by integer
+/// arithmetic on the bits of floats (a float's bits are nearly its logarithm).
+///   w ≈ S2^(2/3), at least `floor`;  e ≈ x² where P < 0, x² + 3P where P >= 0: one square root of
+///   a quadratic form in P and w.  The four constants were fitted together to the error after one
+///   step below.
 template <class D, class V>
 HWY_INLINE V RootGuess(D d, V p, V s2, float floor) {
   const hn::RebindToSigned<D> di;
   const auto bits = [&](V x) HWY_ATTR { return hn::BitCast(di, x); };
   const V two_thirds = TwoThirdsOfBits(d, s2);
-  const V w = hn::Max(hn::BitCast(d, hn::Add(bits(two_thirds), hn::Set(di, 354940940))),
-                      hn::Set(d, floor));
+  const V w =
+      hn::Max(hn::BitCast(d, hn::Add(bits(two_thirds), hn::Set(di, 354940940))), hn::Set(d, floor));
   const V m = hn::Abs(hn::Mul(p, hn::Set(d, 1.5f)));
   const V form = Fused(m, m, hn::Mul(w, Fused(p, hn::Set(d, -1.18407f), w)));
   const V root = hn::BitCast(d, hn::Add(hn::ShiftRight<1>(bits(form)), hn::Set(di, 0x1FBCAD53)));
@@ -48,7 +50,8 @@ HWY_INLINE V RootGuess(D d, V p, V s2, float floor) {
   return hn::Mul(y, hn::IfThenElse(hn::Lt(p, hn::Zero(d)), e, hn::Mul(s2, y)));
 }
 
-/// The guess in lanes of float or double. The floor keeps powers of x within range where P = S2 = 0.
+/// The guess in lanes of float or double. The floor keeps powers of x within range where P = S2 =
+/// 0.
 template <class D, class V>
 HWY_INLINE V RootGuessOf(D d, V p, V s2) {
   if constexpr (sizeof(hn::TFromD<D>) == 4) {
@@ -72,12 +75,12 @@ HWY_INLINE W RootStep(D d, W p, W s2, W x) {
   return Sub(x, Div(Mul(g, a), Max(den, SetPack(d, kTiny))));
 }
 
-/// The largest root x >= 0 of x³ + 3 P x = S2, S2 >= 0: in float to 1.2e-5 of itself, in double to the
-/// rounding of its coefficients.
+/// The largest root x >= 0 of x³ + 3 P x = S2, S2 >= 0: in float to 1.2e-5 of itself, in double to
+/// the rounding of its coefficients.
 template <class D, class V>
 HWY_INLINE Pack<V> LargestRoot(D d, Pack<V> p, Pack<V> s2) {
-  const auto x = RootStep(
-      d, p, s2, Each(p, s2, [&](V a, V b) HWY_ATTR { return RootGuessOf(d, a, b); }));
+  const auto x =
+      RootStep(d, p, s2, Each(p, s2, [&](V a, V b) HWY_ATTR { return RootGuessOf(d, a, b); }));
   if constexpr (sizeof(hn::TFromD<D>) == 4) return x;
   return RootStep(d, p, s2, x);
 }

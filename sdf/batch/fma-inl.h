@@ -1,7 +1,8 @@
-// The one rule for multiply-add in float lanes. Where the instruction set has it, it is fused: those
-// machines (x86 since 2013, every 64-bit ARM) all compute the same bits. Older ones multiply, round, add and
-// round, unless the build asks for MIEN_SAME_BITS_WITHOUT_FMA: then they get the fused result the long way,
-// exactly, at twelve times the price (docs/decisions/same_bits.md). Included once per instruction set.
+// The one rule for multiply-add in float lanes. Where the instruction set has it, it is fused:
+// those machines (x86 since 2013, every 64-bit ARM) all compute the same bits. Older ones multiply,
+// round, add and round, unless the build asks for MIEN_SAME_BITS_WITHOUT_FMA: then they get the
+// fused result the long way, exactly, at twelve times the price (docs/decisions/same_bits.md).
+// Included once per instruction set.
 #if defined(MIEN_SDF_BATCH_FMA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_SDF_BATCH_FMA_INL_H_
 #undef MIEN_SDF_BATCH_FMA_INL_H_
@@ -21,9 +22,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// x y + z of floats, rounded once. The product is exact in double precision; the sum is rounded to odd
-/// (if inexact, to the neighbour whose last bit is 1), after which rounding to float is the only rounding
-/// that shows: 53 >= 2·24 + 2 bits.
+/// x y + z of floats, rounded once. The product is exact in double precision; the sum is rounded to
+/// odd (if inexact, to the neighbour whose last bit is 1), after which rounding to float is the
+/// only rounding that shows: 53 >= 2·24 + 2 bits.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF FusedInDouble(DF df, VF x, VF y, VF z) {
   const hn::Rebind<double, DF> d;
@@ -33,9 +34,10 @@ HWY_INLINE VF FusedInDouble(DF df, VF x, VF y, VF z) {
   const auto rest = hn::Add(hn::Sub(p, hn::Sub(s, back)), hn::Sub(c, back));  // p + c − s, exactly
   const auto zero = hn::Zero(d);
   const auto bits = hn::BitCast(di, s), one = hn::Set(di, 1);
-  const auto below = hn::VecFromMask(d, hn::Lt(rest, zero)), above = hn::VecFromMask(d, hn::Gt(rest, zero));
+  const auto below = hn::VecFromMask(d, hn::Lt(rest, zero)),
+             above = hn::VecFromMask(d, hn::Gt(rest, zero));
   const auto inward = hn::Xor(below, hn::VecFromMask(d, hn::Lt(s, zero)));  // towards 0: bits − 1
-  const auto even = hn::Sub(hn::And(bits, one), one);                        // all ones where even
+  const auto even = hn::Sub(hn::And(bits, one), one);                       // all ones where even
   const auto step = hn::And(hn::And(hn::Or(hn::BitCast(di, inward), one), even),
                             hn::BitCast(di, hn::Or(below, above)));
   return hn::DemoteTo(df, hn::BitCast(d, hn::Add(bits, step)));
@@ -43,8 +45,8 @@ HWY_INLINE VF FusedInDouble(DF df, VF x, VF y, VF z) {
 
 #endif
 
-/// x y + z by emulation: the bits of a fused multiply-add. Doubles are left as they are: their lanes promise
-/// an error bound, not bits.
+/// x y + z by emulation: the bits of a fused multiply-add. Doubles are left as they are: their
+/// lanes promise an error bound, not bits.
 template <class V>
 HWY_INLINE V Emulated(V x, V y, V z) {
   using D = hn::DFromV<V>;

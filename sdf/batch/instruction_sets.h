@@ -1,6 +1,6 @@
 #pragma once
-// Which instruction sets the batch functions were compiled for, and choosing one: for tests, benches and
-// the laboratory. Programs that just want distances get the best one by themselves.
+// Which instruction sets the batch functions were compiled for, and choosing one: for tests,
+// benches and the laboratory. Programs that just want distances get the best one by themselves.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,9 @@
 namespace mien::batch {
 
 struct InstructionSet {
-  std::string name;       ///< Highway's: "AVX3" is AVX-512
+  std::string name;  ///< Highway's: "AVX3" is AVX-512
   long long id;
-  bool fused;             ///< has fused multiply-add: all of these give the same float bits
+  bool fused;  ///< has fused multiply-add: all of these give the same float bits
 };
 
 /// Those compiled in that this machine has, best first.

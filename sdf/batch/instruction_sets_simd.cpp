@@ -12,6 +12,8 @@ std::vector<InstructionSet> instruction_sets() {
   return sets;
 }
 
-void use_instruction_set(long long id) { hwy::SetSupportedTargetsForTest(id); }
+void use_instruction_set(long long id) {
+  hwy::SetSupportedTargetsForTest(id);
+}
 
 }  // namespace mien::batch

@@ -1,5 +1,5 @@
-// A few vectors that take every step together, so that one hides the others' latency. Included once per
-// instruction set.
+// A few vectors that take every step together, so that one hides the others' latency. Included once
+// per instruction set.
 #if defined(MIEN_SDF_BATCH_PACK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_SDF_BATCH_PACK_INL_H_
 #undef MIEN_SDF_BATCH_PACK_INL_H_
@@ -17,9 +17,9 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// How many vectors go together. The kernels are chains of dependent steps, and processors look too few
-/// instructions ahead to overlap them by themselves; four pays even where registers spill, six gains
-/// nothing more (measured: docs/decisions/batch_kernels.md).
+/// How many vectors go together. The kernels are chains of dependent steps, and processors look too
+/// few instructions ahead to overlap them by themselves; four pays even where registers spill, six
+/// gains nothing more (measured: docs/decisions/batch_kernels.md).
 inline constexpr size_t kParts = 4;
 
 template <class V>
@@ -34,12 +34,12 @@ struct PackMask {
 // Each operation of the instruction set, part by part: the same names, the same order of arguments.
 #define MIEN_EACH(EXPRESSION) \
   for (size_t i = 0; i < kParts; ++i) r.part[i] = EXPRESSION;
-#define MIEN_PACK_1(NAME)            \
-  template <class V>                 \
+#define MIEN_PACK_1(NAME)              \
+  template <class V>                   \
   HWY_INLINE Pack<V> NAME(Pack<V> x) { \
-    Pack<V> r;                       \
-    MIEN_EACH(hn::NAME(x.part[i]))   \
-    return r;                        \
+    Pack<V> r;                         \
+    MIEN_EACH(hn::NAME(x.part[i]))     \
+    return r;                          \
   }
 #define MIEN_PACK_2(NAME)                         \
   template <class V>                              \
@@ -48,13 +48,12 @@ struct PackMask {
     MIEN_EACH(hn::NAME(x.part[i], y.part[i]))     \
     return r;                                     \
   }
-#define MIEN_PACK_COMPARE(NAME)                                                           \
-  template <class V>                                                                      \
-  HWY_INLINE auto NAME(Pack<V> x, Pack<V> y)                                              \
-      -> PackMask<decltype(hn::NAME(x.part[0], y.part[0]))> {                             \
-    PackMask<decltype(hn::NAME(x.part[0], y.part[0]))> r;                                 \
-    MIEN_EACH(hn::NAME(x.part[i], y.part[i]))                                             \
-    return r;                                                                             \
+#define MIEN_PACK_COMPARE(NAME)                                                                    \
+  template <class V>                                                                               \
+  HWY_INLINE auto NAME(Pack<V> x, Pack<V> y)->PackMask<decltype(hn::NAME(x.part[0], y.part[0]))> { \
+    PackMask<decltype(hn::NAME(x.part[0], y.part[0]))> r;                                          \
+    MIEN_EACH(hn::NAME(x.part[i], y.part[i]))                                                      \
+    return r;                                                                                      \
   }
 MIEN_PACK_1(Abs)
 MIEN_PACK_1(Neg)

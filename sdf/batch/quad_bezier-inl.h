@@ -1,5 +1,6 @@
 // Distance to a quadratic Bézier, many points at a time: the SIMD twin of sdf/shape/quad_bezier.h.
-// Included once per instruction set. The formulas and why they hold: docs/derivations/quad_bezier.md.
+// Included once per instruction set. The formulas and why they hold:
+// docs/derivations/quad_bezier.md.
 #if defined(MIEN_SDF_BATCH_QUAD_BEZIER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_SDF_BATCH_QUAD_BEZIER_INL_H_
 #undef MIEN_SDF_BATCH_QUAD_BEZIER_INL_H_
@@ -47,8 +48,9 @@ HWY_INLINE W SquareAt(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o,
   return MulAdd(qx, qx, Mul(qy, qy));
 }
 
-/// One Newton step, clamped to [0, 1], for q·g = 0 with q = B(t) − p and g = B'(t): on the curve itself,
-/// whose residual q keeps the digits that the cubic's coefficients lose. `square` gets |q|² before the step.
+/// One Newton step, clamped to [0, 1], for q·g = 0 with q = B(t) − p and g = B'(t): on the curve
+/// itself, whose residual q keeps the digits that the cubic's coefficients lose. `square` gets |q|²
+/// before the step.
 template <class D, class W>
 HWY_INLINE W Polished(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o, W t, W& square) {
   using T = hn::TFromD<D>;
@@ -69,7 +71,14 @@ struct Candidate {
   W t, square;
 };
 
-/// The nearer one; t is computed only where it is used.
+/// The nearest candidate, and the square of the nearest one that was passed over: if they are too
+/// close to tell in these lanes, `rival` says so. Callers that do not read t or rival do not pay
+/// for them.
+template <class W>
+struct Nearest {
+  W t, square, rival;
+};
+
 template <class W>
 HWY_INLINE Candidate<W> Nearer(Candidate<W> a, Candidate<W> b) {
   return {IfThenElse(Lt(b.square, a.square), b.t, a.t), Min(a.square, b.square)};
@@ -84,8 +93,8 @@ HWY_INLINE Candidate<W> At(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<
   return {t, SquareAt(d, f, o, t)};
 }
 
-/// After one step on the curve from t, or before it where that was nearer: Newton may run away where three
-/// critical points meet.
+/// After one step on the curve from t, or before it where that was nearer: Newton may run away
+/// where three critical points meet.
 template <class D, class W>
 HWY_INLINE Candidate<W> Settled(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o, W t) {
   Candidate<W> before{t, t};
@@ -95,42 +104,61 @@ HWY_INLINE Candidate<W> Settled(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Of
 
 /// The nearest point of a curve that is nearly straight: from the chord by Newton, and the ends.
 template <class D, class W>
-HWY_INLINE Candidate<W> NearestOnStraight(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o) {
+HWY_INLINE Nearest<W> NearestOnStraight(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o) {
   constexpr int kSteps = sizeof(hn::TFromD<D>) == 4 ? 1 : 2;
   const W chord = MulAdd(o.x, SetPack(d, f.chord_x), Mul(o.y, SetPack(d, f.chord_y)));
   W t = ClampToUnit(d, Neg(chord)), unused;
   for (int i = 0; i < kSteps; ++i) t = Polished(d, f, o, t, unused);
-  const auto ends = Nearer(At(d, f, o, SetPack(d, 0)), At(d, f, o, SetPack(d, 1)));
-  return Nearer(Settled(d, f, o, t), ends);
+  const auto begin = At(d, f, o, SetPack(d, 0)), end = At(d, f, o, SetPack(d, 1));
+  const auto between = Settled(d, f, o, t), ends = Nearer(begin, end), best = Nearer(between, ends);
+  const W other_end = Max(begin.square, end.square);
+  const W other = IfThenElse(Ne(between.t, ends.t), Max(between.square, ends.square), other_end);
+  return {best.t, best.square, other};
 }
 
-/// The nearest point of a curved one. The whole parabola's is at the largest root; only where that lies
-/// beyond an end may the opposite outer root be nearer than the end.
+/// Whether the sign of s is in doubt: below eight roundings of its terms.
+template <class D, class W>
+HWY_INLINE auto InDoubt(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o, W s) {
+  using T = hn::TFromD<D>;
+  constexpr T kRoundings = sizeof(T) == 4 ? T(0x1p-21) : T(0x1p-50);
+  const W terms = Add(Abs(Mul(o.x, SetPack(d, f.sx))),
+                      Add(Abs(Mul(o.y, SetPack(d, f.sy))), Abs(SetPack(d, f.s1))));
+  return Lt(Abs(s), Mul(terms, SetPack(d, kRoundings)));
+}
+
+/// The nearest point of a curved one. The whole parabola's is at the largest root; only where that
+/// lies beyond an end may the opposite outer root be nearer than the end.
 template <class D, class V>
-HWY_INLINE Candidate<Pack<V>> NearestOnCurved(D d, const QuadBezierFrame<hn::TFromD<D>>& f,
-                                              Offset<Pack<V>> o) {
+HWY_INLINE Nearest<Pack<V>> NearestOnCurved(D d, const QuadBezierFrame<hn::TFromD<D>>& f,
+                                            Offset<Pack<V>> o) {
   using W = Pack<V>;
-  const W vertex = SetPack(d, f.vertex);
+  const W vertex = SetPack(d, f.vertex), zero = SetPack(d, 0);
   const W p = MulAdd(o.x, SetPack(d, f.px), MulAdd(o.y, SetPack(d, f.py), SetPack(d, f.p1)));
   const W s = MulAdd(o.x, SetPack(d, f.sx), MulAdd(o.y, SetPack(d, f.sy), SetPack(d, f.s1)));
   const W x = LargestRoot(d, p, Abs(s));
   const W free_t = Sub(CopySign(x, s), vertex), t = ClampToUnit(d, free_t);
-  const W apart = MulAdd(Mul(x, x), SetPack(d, -0.75f), Mul(p, SetPack(d, -3)));  // of the other roots
-  const auto two = And(Ne(free_t, t), Gt(apart, SetPack(d, 0)));
-  if (!AnyTrue(d, two)) return Settled(d, f, o, t);
-
-  const W x3 = MulAdd(x, SetPack(d, 0.5f), Sqrt(Max(apart, SetPack(d, 0))));
+  const W apart =
+      MulAdd(Mul(x, x), SetPack(d, -0.75f), Mul(p, SetPack(d, -3)));  // of the other roots
+  const auto three = Gt(apart, zero), two = And(Ne(free_t, t), three);
+  // Equally large roots of either sign: which one is nearer cannot be told here.
+  const W equal = IfThenElse(And(three, InDoubt(d, f, o, s)), zero, SetPack(d, 1e30f));
+  if (!AnyTrue(d, two)) {
+    const auto settled = Settled(d, f, o, t);
+    return {settled.t, settled.square, equal};
+  }
+  const W x3 = MulAdd(x, SetPack(d, 0.5f), Sqrt(Max(apart, zero)));
   const W t3 = ClampToUnit(d, Sub(CopySign(x3, Neg(s)), vertex));
   auto end = At(d, f, o, t);
   // A root so close to the end that rounding may have put it beyond is settled like any other.
   const auto close = And(two, Lt(Abs(Sub(free_t, t)), SetPack(d, 0x1p-9f)));
   if (HWY_UNLIKELY(AnyTrue(d, close))) end = Choose(close, Settled(d, f, o, t), end);
   const auto settled = Settled(d, f, o, IfThenElse(two, t3, t));
-  return Choose(two, Nearer(settled, end), settled);
+  const auto best = Choose(two, Nearer(settled, end), settled);
+  return {best.t, best.square, IfThenElse(two, Min(equal, Max(settled.square, end.square)), equal)};
 }
 
 template <class D, class W>
-HWY_INLINE Candidate<W> NearestOn(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o) {
+HWY_INLINE Nearest<W> NearestOn(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o) {
   if (HWY_UNLIKELY(f.straight)) return NearestOnStraight(d, f, o);
   return NearestOnCurved(d, f, o);
 }

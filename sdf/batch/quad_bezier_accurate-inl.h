@@ -1,5 +1,5 @@
-// The last step of the accurate float mode: from a float parameter to a squared distance good to float's
-// last bit. Included once per instruction set.
+// The last step of the accurate float mode: from a float parameter to a squared distance good to
+// float's last bit. Included once per instruction set.
 #if defined(MIEN_SDF_BATCH_QUAD_BEZIER_ACCURATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_SDF_BATCH_QUAD_BEZIER_ACCURATE_INL_H_
 #undef MIEN_SDF_BATCH_QUAD_BEZIER_ACCURATE_INL_H_
@@ -15,7 +15,8 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Everything in double lanes is rounded after each operation (no fused steps): the same bits everywhere.
+// Everything in double lanes is rounded after each operation (no fused steps): the same bits
+// everywhere.
 
 /// q = B(t) − p and g = B'(t) in double lanes, for float points and parameters.
 template <class V>
@@ -43,7 +44,8 @@ HWY_INLINE V Dot(V ax, V ay, V bx, V by) {
   return hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by));
 }
 
-/// |B(t − step) − p|², or |B(t) − p|² where that is smaller: B(t − s) = B(t) − s (B'(t) − s b) exactly.
+/// |B(t − step) − p|², or |B(t) − p|² where that is smaller: B(t − s) = B(t) − s (B'(t) − s b)
+/// exactly.
 template <class D, class V>
 HWY_INLINE V SquareAfter(D d, const QuadBezierFrame<double>& f, const Residual<V>& r, V step) {
   const V bx = hn::Set(d, f.bx), by = hn::Set(d, f.by);
@@ -52,17 +54,18 @@ HWY_INLINE V SquareAfter(D d, const QuadBezierFrame<double>& f, const Residual<V
   return hn::Min(Dot(r.qx, r.qy, r.qx, r.qy), Dot(qx, qy, qx, qy));
 }
 
-/// The squared distance [scaled] from one vector of points, whose nearest parameters t are good to float.
-/// slope and rise of the Newton step are computed in double; their quotient needs only float. Where the step
-/// is so long that t was not good after all (three critical points meet), the answer is NaN: "ask the
-/// scalar form".
+/// The squared distance [scaled] from one vector of points, whose nearest parameters t are good to
+/// float. slope and rise of the Newton step are computed in double; their quotient needs only
+/// float. Where the step is so long that t was not good after all (three critical points meet), the
+/// answer is NaN: "ask the scalar form".
 template <class DF, class VF>
 HWY_INLINE VF AccurateSquare(DF df, const QuadBezierFrame<double>& f, VF x, VF y, VF t) {
   const auto rise_of = [&](auto d, const auto& r) HWY_ATTR {
     const auto bx2 = hn::Set(d, f.bx2), by2 = hn::Set(d, f.by2);
     return hn::Add(Dot(r.gx, r.gy, r.gx, r.gy), Dot(r.qx, r.qy, bx2, by2));
   };
-  // t − step stays in [0, 1]; where the rise is not positive the step is refused by the clamp or SquareAfter.
+  // t − step stays in [0, 1]; where the rise is not positive the step is refused by the clamp or
+  // SquareAfter.
   const auto step_of = [&](VF slope, VF rise) HWY_ATTR {
     const VF step = hn::Div(slope, hn::Max(rise, hn::Set(df, 1e-30f)));
     return hn::Min(hn::Max(step, hn::Sub(t, hn::Set(df, 1))), t);
@@ -74,7 +77,8 @@ HWY_INLINE VF AccurateSquare(DF df, const QuadBezierFrame<double>& f, VF x, VF y
 #if HWY_TARGET == HWY_SCALAR
   const hn::Rebind<double, DF> d;
   const auto r = ResidualAt(d, f, x, y, t);
-  const VF step = step_of(hn::DemoteTo(df, Dot(r.qx, r.qy, r.gx, r.gy)), hn::DemoteTo(df, rise_of(d, r)));
+  const VF step =
+      step_of(hn::DemoteTo(df, Dot(r.qx, r.qy, r.gx, r.gy)), hn::DemoteTo(df, rise_of(d, r)));
   return refused(step, hn::DemoteTo(df, SquareAfter(d, f, r, hn::PromoteTo(d, step))));
 #else
   const hn::Half<DF> half;
@@ -85,10 +89,12 @@ HWY_INLINE VF AccurateSquare(DF df, const QuadBezierFrame<double>& f, VF x, VF y
   const auto demoted = [&](auto a, auto b) HWY_ATTR {
     return hn::Combine(df, hn::DemoteTo(half, b), hn::DemoteTo(half, a));
   };
-  const VF slope = demoted(Dot(low.qx, low.qy, low.gx, low.gy), Dot(high.qx, high.qy, high.gx, high.gy));
+  const VF slope =
+      demoted(Dot(low.qx, low.qy, low.gx, low.gy), Dot(high.qx, high.qy, high.gx, high.gy));
   const VF step = step_of(slope, demoted(rise_of(d, low), rise_of(d, high)));
-  return refused(step, demoted(SquareAfter(d, f, low, hn::PromoteTo(d, hn::LowerHalf(step))),
-                               SquareAfter(d, f, high, hn::PromoteTo(d, hn::UpperHalf(half, step)))));
+  return refused(step,
+                 demoted(SquareAfter(d, f, low, hn::PromoteTo(d, hn::LowerHalf(step))),
+                         SquareAfter(d, f, high, hn::PromoteTo(d, hn::UpperHalf(half, step)))));
 #endif
 }
 

@@ -44,7 +44,8 @@ QuadBezierFrame<T> quad_bezier_frame(const QuadBezier& curve, int exponent) {
   f.x0 = T(p0.x), f.y0 = T(p0.y);
   f.x0_low = T(p0.x - double(f.x0)), f.y0_low = T(p0.y - double(f.y0));
   f.has_low = f.x0_low != 0 || f.y0_low != 0;
-  f.ax2 = T(2 * a.x), f.ay2 = T(2 * a.y), f.bx = T(b.x), f.by = T(b.y), f.bx2 = 2 * f.bx, f.by2 = 2 * f.by;
+  f.ax2 = T(2 * a.x), f.ay2 = T(2 * a.y), f.bx = T(b.x), f.by = T(b.y), f.bx2 = 2 * f.bx,
+  f.by2 = 2 * f.by;
   if (cc > 0) f.chord_x = T(chord.x / cc), f.chord_y = T(chord.y / cc);
   f.straight = !(std::sqrt(bb) > leg * kStraight<T>);
   if (f.straight) return f;

@@ -8,6 +8,8 @@
 #include <mien/sdf/batch/quad_bezier_accurate-inl.h>
 #include <mien/sdf/distance.h>
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
@@ -25,7 +27,8 @@ void DistancesOne(const QuadBezier& curve, const T* x, const T* y, size_t count,
   });
 }
 
-void DistancesFast(const QuadBezier& curve, const float* x, const float* y, size_t count, float* out) {
+void DistancesFast(const QuadBezier& curve, const float* x, const float* y, size_t count,
+                   float* out) {
   DistancesOne<float>(curve, x, y, count, out);
 }
 void DistancesDouble(const QuadBezier& curve, const double* x, const double* y, size_t count,
@@ -46,9 +49,12 @@ void DistancesAccurate(const QuadBezier& curve, const float* x, const float* y, 
     for (size_t i = 0; i < kParts; ++i) {
       square.part[i] = AccurateSquare(d, fine, px.part[i], py.part[i], near.t.part[i]);
     }
-    // The float pass decides what is too far for float.
-    const auto is_far = Lt(near.square, SetPack(d, 0x1p48f));
-    return DistanceOf(d, px, py, IfThenElse(is_far, square, near.square), f.unscale, exact);
+    // The float pass decides what is too far for float, and where it could not tell two candidates
+    // apart: NaN sends both to the scalar form.
+    const W doubt = MulAdd(near.square, SetPack(d, 1 + 0x1p-18f), SetPack(d, 0x1p-19f));
+    const auto sure = And(Lt(near.square, SetPack(d, 0x1p48f)), Lt(doubt, near.rival));
+    square = IfThenElse(sure, square, SetPack(d, std::numeric_limits<float>::quiet_NaN()));
+    return DistanceOf(d, px, py, square, f.unscale, exact);
   });
 }
 
@@ -75,7 +81,6 @@ HWY_AFTER_NAMESPACE();
 #include <mien/sdf/batch/spans.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace mien {

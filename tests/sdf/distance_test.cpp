@@ -138,7 +138,8 @@ TEST(Distances, MayReplaceTheCoordinates) {
 
 TEST(DistancesDeathTest, PartialOverlapIsRefusedAloud) {
   std::vector<float> x(20), y(20);
-  EXPECT_DEATH(distances(kCurve, std::span(x).first(10), std::span(y).first(10), std::span(x).subspan(1, 10)),
+  EXPECT_DEATH(distances(kCurve, std::span(x).first(10), std::span(y).first(10),
+                         std::span(x).subspan(1, 10)),
                "mien::distances: the output overlaps");
   EXPECT_DEATH(distances(kCurve, x, std::span(y).first(19), y), "equal length");
 }

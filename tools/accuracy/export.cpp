@@ -16,8 +16,8 @@ void write_cases(std::ostream& out, const BezierFamily& family, size_t count, ui
     const Quad truth = true_distance(k.curve, k.p);
     const double head = double(truth), rest = double(truth - Quad(head));
     const QuadBezier& c = k.curve;
-    out << fmt::format("{},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a}\n", family.name, c.p0.x,
-                       c.p0.y, c.p1.x, c.p1.y, c.p2.x, c.p2.y, k.p.x, k.p.y, head, rest);
+    out << fmt::format("{},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a}\n", family.name,
+                       c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.p2.x, c.p2.y, k.p.x, k.p.y, head, rest);
   }
 }
 

@@ -29,7 +29,9 @@ glm::dvec2 centre_of_curvature(const QuadBezier& c, double t) {
   return point(c, t) + glm::dvec2(-g.y, g.x) * (glm::dot(g, g) / (g.x * b.y - g.y * b.x));
 }
 
-bool within(glm::dvec2 p, double reach) { return std::abs(p.x) < reach && std::abs(p.y) < reach; }
+bool within(glm::dvec2 p, double reach) {
+  return std::abs(p.x) < reach && std::abs(p.y) < reach;
+}
 
 BezierCase random_case(Random& r) {
   const QuadBezier curve = random_curve(r);
@@ -102,7 +104,8 @@ BezierCase near_collinear(Random& r) {
   return {c, r.point()};
 }
 
-BezierCase straight_from_afar(Random& r) {  // nearly straight, around its far evolute: three near-minima
+BezierCase straight_from_afar(
+    Random& r) {  // nearly straight, around its far evolute: three near-minima
   for (;;) {
     const QuadBezier c = nearly_straight(r, -5);
     const glm::dvec2 e = centre_of_curvature(c, r.unit()), mid = point(c, 0.5);
@@ -110,7 +113,8 @@ BezierCase straight_from_afar(Random& r) {  // nearly straight, around its far e
   }
 }
 
-BezierCase folded(Random& r) {  // the control point beyond an end, nearly on the line: a thin parabola
+BezierCase folded(
+    Random& r) {  // the control point beyond an end, nearly on the line: a thin parabola
   const double off = r.magnitude(-9, -2) * r.sign(), at = r.chance(0.5) ? -r.unit() : 1 + r.unit();
   const QuadBezier c{{0, 0}, {at, off}, {1, 0}};
   const double t = r.chance(0.5) ? r.unit() : vertex_of(c);
@@ -163,8 +167,12 @@ BezierCase times(const BezierCase& k, double scale, double shift) {
   return {{moved(k.curve.p0), moved(k.curve.p1), moved(k.curve.p2)}, moved(k.p)};
 }
 
-BezierCase large_offset(Random& r) { return times(random_case(r), 1, 1e4); }
-BezierCase tiny(Random& r) { return times(random_case(r), 1e-6, 0); }
+BezierCase large_offset(Random& r) {
+  return times(random_case(r), 1, 1e4);
+}
+BezierCase tiny(Random& r) {
+  return times(random_case(r), 1e-6, 0);
+}
 BezierCase any_scale(Random& r) {
   const double scale = std::exp2(std::floor(r.between(-100, 100)));
   return times(r.chance(0.5) ? random_case(r) : evolute(r), scale, 0);
@@ -173,8 +181,8 @@ BezierCase any_scale(Random& r) {
 /// Cases reported against solvers in public, and the worst found in them by this laboratory.
 BezierCase reported(Random& r) {
   static const std::array<QuadBezier, 12> kCurves{{
-      {{-1, 0}, {0, 0}, {1, 0}},                 // a line raised to a quadratic
-      {{58, 173}, {110.5, 138.5}, {163, 104}},   // straight
+      {{-1, 0}, {0, 0}, {1, 0}},                // a line raised to a quadratic
+      {{58, 173}, {110.5, 138.5}, {163, 104}},  // straight
       {{158.125, 225.5}, {157.5, 225.5}, {156.875, 225.5}},
       {{335.43211, 69.71516199999999}, {335.33051, 69.816762}, {335.27971, 69.86756199999999}},
       {{46, 125}, {45.8, 124.6}, {45.7, 124.4}},
@@ -197,7 +205,9 @@ BezierCase reported(Random& r) {
 
 }  // namespace
 
-double Random::magnitude(double lo, double hi) { return std::pow(10.0, between(lo, hi)); }
+double Random::magnitude(double lo, double hi) {
+  return std::pow(10.0, between(lo, hi));
+}
 
 glm::dvec2 Random::direction() {
   const double angle = between(0, 2 * std::numbers::pi);

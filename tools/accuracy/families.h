@@ -21,7 +21,10 @@ class Random {
   bool chance(double p) { return unit() < p; }
   /// 10^u, u uniform: every order of magnitude alike.
   double magnitude(double lo, double hi);
-  glm::dvec2 point() { const double x = unit(); return {x, unit()}; }
+  glm::dvec2 point() {
+    const double x = unit();
+    return {x, unit()};
+  }
   glm::dvec2 direction();
 
  private:
@@ -36,7 +39,8 @@ struct BezierCase {
 struct BezierFamily {
   std::string name;
   BezierCase (*draw)(Random&);
-  bool float_exact = true;      ///< all coordinates are floats; else only double kernels are judged on it
+  bool float_exact =
+      true;  ///< all coordinates are floats; else only double kernels are judged on it
   bool well_conditioned = true;  ///< the distance is not a small difference of large coordinates
 };
 

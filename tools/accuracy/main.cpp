@@ -1,5 +1,5 @@
-// mien-accuracy: how right are distances to quadratic Béziers? Runs every family of nasty cases on every
-// kernel and instruction set (and on your solver) against a reference of 113 bits.
+// mien-accuracy: how right are distances to quadratic Béziers? Runs every family of nasty cases on
+// every kernel and instruction set (and on your solver) against a reference of 113 bits.
 
 #include <fmt/format.h>
 
@@ -63,7 +63,8 @@ int judge(const Options& options) {
              table(over_families(tallies)));
   if (!options.csv.empty() && !write_file(options.csv, csv(tallies))) return 1;
   if (!options.plot.empty() && !write_file(options.plot, svg(tallies))) return 1;
-  return std::all_of(tallies.begin(), tallies.end(), [](const Tally& t) { return t.passes(); }) ? 0 : 2;
+  return std::all_of(tallies.begin(), tallies.end(), [](const Tally& t) { return t.passes(); }) ? 0
+                                                                                                : 2;
 }
 
 }  // namespace
@@ -74,7 +75,8 @@ int main(int argc, char** argv) {
   app.add_option("--count", options.count, "Cases per family")->capture_default_str();
   app.add_option("--seed", options.seed, "Another seed, other cases")->capture_default_str();
   app.add_option("--family", options.families, "Only these families");
-  app.add_option("--solver", options.solvers, "A shared library with mien_accuracy_solve (see solver.h)");
+  app.add_option("--solver", options.solvers,
+                 "A shared library with mien_accuracy_solve (see solver.h)");
   app.add_flag("--only-solver", options.only_foreign, "Leave mien's own kernels out");
   app.add_flag("--by-family", options.by_family, "Print a row per family too");
   app.add_option("--csv", options.csv, "Write the table as comma-separated values");

@@ -20,7 +20,8 @@ Quad root_between(const Polynomial& p, const Polynomial& slope, Quad lo, Quad hi
     const Quad s = value(slope, x);
     Quad next = s != 0 ? x - v / s : lo;
     const bool inside = next > lo && next < hi;
-    if (!inside || i % 8 == 7) next = (lo + hi) / 2;  // every eighth step halves, whatever Newton does
+    if (!inside || i % 8 == 7)
+      next = (lo + hi) / 2;  // every eighth step halves, whatever Newton does
     const Quad step = magnitude(next - x);
     x = next;
     if (step <= Quad(0x1p-110L) * magnitude(x) || hi - lo <= Quad(0x1p-250L)) return x;

@@ -62,8 +62,9 @@ double batch_many(const BezierCase& k) {  // among three, two of them certainly 
 
 Solver on(const InstructionSet& set, std::string name, Judge judge, double bar,
           std::function<double(const BezierCase&)> solve) {
-  return {std::move(name), set.name, judge, bar, std::move(solve),
-          [id = set.id] { batch::use_instruction_set(id); }};
+  return {std::move(name), set.name, judge, bar, std::move(solve), [id = set.id] {
+            batch::use_instruction_set(id);
+          }};
 }
 
 }  // namespace
@@ -73,12 +74,10 @@ std::vector<Solver> own_solvers() {
   std::vector<Solver> all{{"scalar", "", Judge::exact, QuadBezierContract::kError / 0x1p-52,
                            [](const BezierCase& k) { return distance(k.curve, k.p); }}};
   for (const InstructionSet& set : batch::instruction_sets()) {
-    all.push_back(on(set, "fast", Judge::fast, C::kFastError, [](const BezierCase& k) {
-      return batch_float(k, Precision::fast);
-    }));
-    all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps, [](const BezierCase& k) {
-      return batch_float(k, Precision::accurate);
-    }));
+    all.push_back(on(set, "fast", Judge::fast, C::kFastError,
+                     [](const BezierCase& k) { return batch_float(k, Precision::fast); }));
+    all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps,
+                     [](const BezierCase& k) { return batch_float(k, Precision::accurate); }));
     all.push_back(on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, batch_double));
     all.push_back(on(set, "many", Judge::fast, C::kFastError, batch_many));
   }
@@ -91,7 +90,8 @@ Solver foreign_solver(const std::string& path) {
   if (!library) throw std::runtime_error(dlerror());
   auto* solve = reinterpret_cast<Solve*>(dlsym(library, "mien_accuracy_solve"));
   if (!solve) throw std::runtime_error(path + ": has no function mien_accuracy_solve");
-  return {path.substr(path.find_last_of('/') + 1), "", Judge::fast, 0, [solve](const BezierCase& k) {
+  return {path.substr(path.find_last_of('/') + 1), "", Judge::fast, 0,
+          [solve](const BezierCase& k) {
             const QuadBezier& c = k.curve;
             const double curve[6] = {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.p2.x, c.p2.y};
             double d = std::numeric_limits<double>::quiet_NaN();
@@ -109,13 +109,15 @@ double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad
   const double error = double(magnitude(Quad(found) - truth));
   const double size = size_of(k.curve), ulp = float_ulp(double(truth));
   switch (judge) {
-    case Judge::fast: return error / std::max(0x1p-23 * size, ulp);
+    case Judge::fast:
+      return error / std::max(0x1p-23 * size, ulp);
     case Judge::accurate: {
       using C = DistancesContract;
       const double slack = C::kAccurateSize / C::kAccurateUlps * size;
       return error / (well_conditioned ? ulp : std::max(ulp, slack));
     }
-    case Judge::exact: break;
+    case Judge::exact:
+      break;
   }
   const double unit = 0x1p-52 * farthest(k);
   return error == 0 ? 0 : error / unit;

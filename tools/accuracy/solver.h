@@ -1,5 +1,6 @@
 #pragma once
-// What a foreign solver must look like to stand in the table: a shared library with this one function.
+// What a foreign solver must look like to stand in the table: a shared library with this one
+// function.
 //
 //   /* Distances from (x[i], y[i]) to the quadratic Bézier curve[] = {x0, y0, x1, y1, x2, y2}. */
 //   extern "C" void mien_accuracy_solve(const double* curve, const double* x, const double* y,
@@ -42,9 +43,10 @@ std::vector<Solver> own_solvers();
 /// A foreign one, from a shared library; throws std::runtime_error with a sentence.
 Solver foreign_solver(const std::string& path);
 
-/// The error of `found`, in the judge's units; +infinity if it is not a number, or infinite where the truth
-/// is not.
-double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad truth, double found);
+/// The error of `found`, in the judge's units; +infinity if it is not a number, or infinite where
+/// the truth is not.
+double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad truth,
+                   double found);
 
 /// Wrong by more than rounding can explain: > 1e-6 size and > 2 float ulp.
 bool is_bad(const BezierCase& k, Quad truth, double found);

@@ -22,8 +22,8 @@ std::string text(const BezierCase& k) {
                      c.p1.y, c.p2.x, c.p2.y, k.p.x, k.p.y);
 }
 
-Tally tally_of(const BezierFamily& family, const Solver& solver, const std::vector<BezierCase>& cases,
-               const std::vector<Quad>& truths) {
+Tally tally_of(const BezierFamily& family, const Solver& solver,
+               const std::vector<BezierCase>& cases, const std::vector<Quad>& truths) {
   Tally t{family.name, solver.name, solver.instruction_set};
   t.cases = cases.size(), t.bar = solver.bar;
   std::vector<double> errors(cases.size());
@@ -82,8 +82,8 @@ std::string table(const std::vector<Tally>& tallies) {
   std::string out = fmt::format("{:<24} {:<16} {:>10} {:>10} {:>10} {:>6} {:>6} {:>6}\n", "family",
                                 "kernel", "cases", "worst", "p99.9", "bad", "NaN", "bar");
   for (const Tally& t : tallies) {
-    out += fmt::format("{:<24} {:<16} {:>10} {:>10.4g} {:>10.4g} {:>6} {:>6} {:>6.3g}{}\n", t.family,
-                       kernel_of(t), t.cases, t.worst, t.p999, t.bad, t.nan, t.bar,
+    out += fmt::format("{:<24} {:<16} {:>10} {:>10.4g} {:>10.4g} {:>6} {:>6} {:>6.3g}{}\n",
+                       t.family, kernel_of(t), t.cases, t.worst, t.p999, t.bad, t.nan, t.bar,
                        t.passes() ? "" : "  MISSED at " + text(t.worst_case));
   }
   return out;
@@ -92,8 +92,8 @@ std::string table(const std::vector<Tally>& tallies) {
 std::string csv(const std::vector<Tally>& tallies) {
   std::string out = "family,kernel,instruction_set,cases,worst,p99.9,bad,nan,bar\n";
   for (const Tally& t : tallies) {
-    out += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.family, t.solver, t.instruction_set, t.cases,
-                       t.worst, t.p999, t.bad, t.nan, t.bar);
+    out += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.family, t.solver, t.instruction_set,
+                       t.cases, t.worst, t.p999, t.bad, t.nan, t.bar);
   }
   return out;
 }
@@ -130,7 +130,8 @@ std::string svg(const std::vector<Tally>& tallies) {
   return fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' width='{}' height='{}' font-family='sans-serif' "
       "font-size='11'>\n<rect width='100%' height='100%' fill='#fff'/>\n{}{}"
-      "<text x='{}' y='{}'>worst error over its bar (1e0 = the bar); right edge: not a number</text>"
+      "<text x='{}' y='{}'>worst error over its bar (1e0 = the bar); right edge: not a "
+      "number</text>"
       "\n</svg>\n",
       kLeft + kWidth + 30, height, grid, marks, kLeft, height - 4);
 }

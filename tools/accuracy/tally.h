@@ -11,7 +11,7 @@ namespace mien::accuracy {
 /// What one solver did on one family.
 struct Tally {
   std::string family, solver, instruction_set;
-  size_t cases = 0, bad = 0, nan = 0;  ///< nan: not a number, or infinite where the truth is not
+  size_t cases = 0, bad = 0, nan = 0;   ///< nan: not a number, or infinite where the truth is not
   double worst = 0, p999 = 0, bar = 0;  ///< in the judge's units; bar 0: none
   BezierCase worst_case{};
 

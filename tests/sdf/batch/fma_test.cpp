@@ -54,7 +54,8 @@ TEST(Fma, EmulationGivesTheFusedBits) {
     size_t wrong = 0;
     for (size_t i = 0; i < kCount; ++i) {
       const float fused = std::fma(x[i], y[i], z[i]);
-      wrong += std::bit_cast<uint32_t>(out[i]) != std::bit_cast<uint32_t>(fused) && !(out[i] == 0 && fused == 0);
+      wrong += std::bit_cast<uint32_t>(out[i]) != std::bit_cast<uint32_t>(fused) &&
+               !(out[i] == 0 && fused == 0);
     }
     EXPECT_EQ(wrong, 0u);
   }

@@ -15,7 +15,8 @@ TEST(Spans, EqualOrApartAreAccepted) {
 
 TEST(SpansDeathTest, OverlapAndUnequalLengthsEndTheProgramWithASentence) {
   float a[8], b[8], c[8];
-  EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b, 4, 4}, {a + 1, 4, 4}), "mien::f: the output overlaps");
+  EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b, 4, 4}, {a + 1, 4, 4}),
+               "mien::f: the output overlaps");
   EXPECT_DEATH(require_spans("f", {a + 1, 4, 4}, {b, 4, 4}, {a, 4, 4}), "overlaps an input");
   EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b + 3, 4, 4}, {b, 4, 4}), "overlaps an input");
   EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b, 3, 4}, {c, 4, 4}), "equal length");
