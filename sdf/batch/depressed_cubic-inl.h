@@ -38,7 +38,7 @@ HWY_INLINE V TwoThirdsOfBits(D d, V x) {
 template <class D, class V>
 HWY_INLINE V RootGuess(D d, V p, V s2, float floor) {
   const hn::RebindToSigned<D> di;
-  const auto bits = [&](V x) HWY_ATTR { return hn::BitCast(di, x); };
+  const auto bits = [&](V x) MIEN_LANES { return hn::BitCast(di, x); };
   const V two_thirds = TwoThirdsOfBits(d, s2);
   const V w =
       hn::Max(hn::BitCast(d, hn::Add(bits(two_thirds), hn::Set(di, 354940940))), hn::Set(d, floor));
@@ -79,8 +79,8 @@ HWY_INLINE W RootStep(D d, W p, W s2, W x) {
 /// the rounding of its coefficients.
 template <class D, class V>
 HWY_INLINE Pack<V> LargestRoot(D d, Pack<V> p, Pack<V> s2) {
-  const auto x =
-      RootStep(d, p, s2, Each(p, s2, [&](V a, V b) HWY_ATTR { return RootGuessOf(d, a, b); }));
+  const auto guess = [&](V a, V b) MIEN_LANES { return RootGuessOf(d, a, b); };
+  const auto x = RootStep(d, p, s2, Each(guess, p, s2));
   if constexpr (sizeof(hn::TFromD<D>) == 4) return x;
   return RootStep(d, p, s2, x);
 }

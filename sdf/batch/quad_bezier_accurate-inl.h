@@ -15,9 +15,6 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Everything in double lanes is rounded after each operation (no fused steps): the same bits
-// everywhere.
-
 /// q = B(t) − p and g = B'(t) in double lanes, for float points and parameters.
 template <class V>
 struct Residual {
@@ -26,11 +23,11 @@ struct Residual {
 
 template <class D, class VF, class V = hn::Vec<D>>
 HWY_INLINE Residual<V> ResidualAt(D d, const QuadBezierFrame<double>& f, VF x, VF y, VF t_float) {
-  const auto axis = [&](VF p, double origin, double a2, double b, V t, V& q, V& g) HWY_ATTR {
-    const V bt = hn::Mul(hn::Set(d, b), t), u = hn::Add(bt, hn::Set(d, a2));
-    const V from = hn::Sub(hn::Set(d, origin), hn::Mul(hn::PromoteTo(d, p), hn::Set(d, f.scale)));
-    q = hn::Add(hn::Mul(t, u), from);
-    g = hn::Add(u, bt);
+  const auto axis = [&](VF p, double origin, double a2, double b, V t, V& q, V& g) MIEN_LANES {
+    const V from = FusedFrom(hn::PromoteTo(d, p), hn::Set(d, f.scale), hn::Set(d, origin));
+    const V u = Fused(t, hn::Set(d, b), hn::Set(d, a2));
+    q = Fused(t, u, from);
+    g = Fused(t, hn::Set(d, b), u);
   };
   Residual<V> r;
   const V t = hn::PromoteTo(d, t_float);
@@ -41,7 +38,7 @@ HWY_INLINE Residual<V> ResidualAt(D d, const QuadBezierFrame<double>& f, VF x, V
 
 template <class V>
 HWY_INLINE V Dot(V ax, V ay, V bx, V by) {
-  return hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by));
+  return Fused(ax, bx, hn::Mul(ay, by));
 }
 
 /// |B(t − step) − p|², or |B(t) − p|² where that is smaller: B(t − s) = B(t) − s (B'(t) − s b)
@@ -49,8 +46,8 @@ HWY_INLINE V Dot(V ax, V ay, V bx, V by) {
 template <class D, class V>
 HWY_INLINE V SquareAfter(D d, const QuadBezierFrame<double>& f, const Residual<V>& r, V step) {
   const V bx = hn::Set(d, f.bx), by = hn::Set(d, f.by);
-  const V qx = hn::Sub(r.qx, hn::Mul(step, hn::Sub(r.gx, hn::Mul(step, bx))));
-  const V qy = hn::Sub(r.qy, hn::Mul(step, hn::Sub(r.gy, hn::Mul(step, by))));
+  const V qx = FusedFrom(step, FusedFrom(step, bx, r.gx), r.qx);
+  const V qy = FusedFrom(step, FusedFrom(step, by, r.gy), r.qy);
   return hn::Min(Dot(r.qx, r.qy, r.qx, r.qy), Dot(qx, qy, qx, qy));
 }
 
@@ -60,18 +57,18 @@ HWY_INLINE V SquareAfter(D d, const QuadBezierFrame<double>& f, const Residual<V
 /// answer is NaN: "ask the scalar form".
 template <class DF, class VF>
 HWY_INLINE VF AccurateSquare(DF df, const QuadBezierFrame<double>& f, VF x, VF y, VF t) {
-  const auto rise_of = [&](auto d, const auto& r) HWY_ATTR {
+  const auto rise_of = [&](auto d, const auto& r) MIEN_LANES {
     const auto bx2 = hn::Set(d, f.bx2), by2 = hn::Set(d, f.by2);
-    return hn::Add(Dot(r.gx, r.gy, r.gx, r.gy), Dot(r.qx, r.qy, bx2, by2));
+    return Fused(r.qx, bx2, Fused(r.qy, by2, Dot(r.gx, r.gy, r.gx, r.gy)));
   };
   // t − step stays in [0, 1]; where the rise is not positive the step is refused by the clamp or
   // SquareAfter.
-  const auto step_of = [&](VF slope, VF rise) HWY_ATTR {
+  const auto step_of = [&](VF slope, VF rise) MIEN_LANES {
     const VF step = hn::Div(slope, hn::Max(rise, hn::Set(df, 1e-30f)));
     return hn::Min(hn::Max(step, hn::Sub(t, hn::Set(df, 1))), t);
   };
   constexpr float kLongStep = 0x1p-16f;
-  const auto refused = [&](VF step, VF square) HWY_ATTR {
+  const auto refused = [&](VF step, VF square) MIEN_LANES {
     return hn::IfThenElse(hn::Gt(hn::Abs(step), hn::Set(df, kLongStep)), hn::NaN(df), square);
   };
 #if HWY_TARGET == HWY_SCALAR
@@ -86,7 +83,7 @@ HWY_INLINE VF AccurateSquare(DF df, const QuadBezierFrame<double>& f, VF x, VF y
   const auto low = ResidualAt(d, f, hn::LowerHalf(x), hn::LowerHalf(y), hn::LowerHalf(t));
   const auto high =
       ResidualAt(d, f, hn::UpperHalf(half, x), hn::UpperHalf(half, y), hn::UpperHalf(half, t));
-  const auto demoted = [&](auto a, auto b) HWY_ATTR {
+  const auto demoted = [&](auto a, auto b) MIEN_LANES {
     return hn::Combine(df, hn::DemoteTo(half, b), hn::DemoteTo(half, a));
   };
   const VF slope =

@@ -3,7 +3,7 @@
 // computed once in double precision and rounded once to the type of the lanes.
 //
 // All lengths are first multiplied by `scale`, a power of two that brings the curve's larger leg to
-// [1/2, 1): kernels never meet an overflow they did not ask for, and the scaling is exact.
+// about 1: kernels never meet an overflow they did not ask for, and the scaling is exact.
 //
 // The parabola's own frame, without ever rotating into it (docs/derivations/quad_bezier.md): with
 // d = p0 − p, a = p1 − p0, b = p0 − 2 p1 + p2, the critical points of |B(t) − p|² are t = x −
@@ -12,6 +12,7 @@
 #include <mien/lib/geom/quad_bezier.h>
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 
 namespace mien::batch {
@@ -38,12 +39,10 @@ struct QuadBezierFrame {
 template <class T>
 inline constexpr double kStraight = sizeof(T) == 4 ? 0x1p-6 : 0x1p-12;
 
-/// The exponent e such that 2^e times the larger leg is in [1/2, 1), clamped so that 2^e and 2^−e
-/// are normal floats; 0 if the legs have no length or are not finite.
-int scale_exponent(const QuadBezier& curve);
-
-/// Whether frames apply: finite control points, not all equal, within the range of float.
-bool has_frame(const QuadBezier& curve);
+/// The exponent e such that 2^e times the larger leg's larger coordinate is in [1/2, 1), clamped so
+/// that 2^e and 2^−e are normal floats. Frames have one for every curve with finite control points
+/// that are not all equal and within the range of float; the others have none.
+std::optional<int> scale_exponent(const QuadBezier& curve);
 
 /// The curve times 2^exponent, ready for lanes of T.
 template <class T>

@@ -16,45 +16,48 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 template <class T>
-void DistancesOne(const QuadBezier& curve, const T* x, const T* y, size_t count, T* out) {
+void DistancesOne(const QuadBezier& curve, int exponent, const T* x, const T* y, size_t count,
+                  T* out) {
   const hn::ScalableTag<T> d;
-  using W = Pack<hn::Vec<decltype(d)>>;
-  const auto f = quad_bezier_frame<T>(curve, scale_exponent(curve));
+  const auto frame = quad_bezier_frame<T>(curve, exponent);
   const auto exact = [&](T px, T py) { return distance(curve, {px, py}); };
-  ForBlocks(d, x, y, count, out, [&](W px, W py) HWY_ATTR {
-    const W square = NearestOn(d, f, OffsetTo(d, f, px, py)).square;
-    return DistanceOf(d, px, py, square, f.unscale, exact);
+  ForBlocks(d, x, y, count, out, [&](const T* at_x, const T* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto near = NearestOn(d, f, OffsetTo(d, f, LoadPack(d, at_x), LoadPack(d, at_y)));
+    return DistanceOf(d, at_x, at_y, near.square, f.unscale, exact);
   });
 }
 
-void DistancesFast(const QuadBezier& curve, const float* x, const float* y, size_t count,
-                   float* out) {
-  DistancesOne<float>(curve, x, y, count, out);
+void DistancesFast(const QuadBezier& curve, int exponent, const float* x, const float* y,
+                   size_t count, float* out) {
+  DistancesOne<float>(curve, exponent, x, y, count, out);
 }
-void DistancesDouble(const QuadBezier& curve, const double* x, const double* y, size_t count,
-                     double* out) {
-  DistancesOne<double>(curve, x, y, count, out);
+void DistancesDouble(const QuadBezier& curve, int exponent, const double* x, const double* y,
+                     size_t count, double* out) {
+  DistancesOne<double>(curve, exponent, x, y, count, out);
 }
 
-void DistancesAccurate(const QuadBezier& curve, const float* x, const float* y, size_t count,
-                       float* out) {
+void DistancesAccurate(const QuadBezier& curve, int exponent, const float* x, const float* y,
+                       size_t count, float* out) {
   const hn::ScalableTag<float> d;
   using W = Pack<hn::Vec<decltype(d)>>;
-  const auto f = quad_bezier_frame<float>(curve, scale_exponent(curve));
-  const auto fine = quad_bezier_frame<double>(curve, scale_exponent(curve));
+  const auto frame = quad_bezier_frame<float>(curve, exponent);
+  const auto fine_frame = quad_bezier_frame<double>(curve, exponent);
   const auto exact = [&](float px, float py) { return distance(curve, {px, py}); };
-  ForBlocks(d, x, y, count, out, [&](W px, W py) HWY_ATTR {
+  ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto& fine = Reloaded(fine_frame);
+    const W px = LoadPack(d, at_x), py = LoadPack(d, at_y);
     const auto near = NearestOn(d, f, OffsetTo(d, f, px, py));
-    W square;
-    for (size_t i = 0; i < kParts; ++i) {
-      square.part[i] = AccurateSquare(d, fine, px.part[i], py.part[i], near.t.part[i]);
-    }
+    const auto accurate = [&](auto vx, auto vy, auto t)
+                              MIEN_LANES { return AccurateSquare(d, fine, vx, vy, t); };
+    W square = Each(accurate, px, py, near.t);
     // The float pass decides what is too far for float, and where it could not tell two candidates
     // apart: NaN sends both to the scalar form.
     const W doubt = MulAdd(near.square, SetPack(d, 1 + 0x1p-18f), SetPack(d, 0x1p-19f));
     const auto sure = And(Lt(near.square, SetPack(d, 0x1p48f)), Lt(doubt, near.rival));
     square = IfThenElse(sure, square, SetPack(d, std::numeric_limits<float>::quiet_NaN()));
-    return DistanceOf(d, px, py, square, f.unscale, exact);
+    return DistanceOf(d, at_x, at_y, square, f.unscale, exact);
   });
 }
 
@@ -64,12 +67,13 @@ void DistancesToNearest(const QuadBezierFrame<float>* frames, size_t frame_count
   const hn::ScalableTag<float> d;
   using W = Pack<hn::Vec<decltype(d)>>;
   const auto exact = [&](float px, float py) { return distance_to_nearest(curves, {px, py}); };
-  ForBlocks(d, x, y, count, out, [&](W px, W py) HWY_ATTR {
-    W square = NearestOn(d, frames[0], OffsetTo(d, frames[0], px, py)).square;
-    for (size_t k = 1; k < frame_count; ++k) {
-      square = Min(square, NearestOn(d, frames[k], OffsetTo(d, frames[k], px, py)).square);
-    }
-    return DistanceOf(d, px, py, square, frames[0].unscale, exact);
+  ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
+    const auto square_to = [&](const QuadBezierFrame<float>& f) MIEN_LANES {
+      return NearestOn(d, f, OffsetTo(d, f, LoadPack(d, at_x), LoadPack(d, at_y))).square;
+    };
+    W square = SetPack(d, std::numeric_limits<float>::max());
+    for (size_t k = 0; k < frame_count; ++k) square = Min(square, square_to(frames[k]));
+    return DistanceOf(d, at_x, at_y, square, frames[0].unscale, exact);
   });
 }
 
@@ -110,30 +114,36 @@ Span span_of(std::span<T> s) {
 void distances(const QuadBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d, Precision precision) {
   batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
-  if (!batch::has_frame(curve)) return batch::distances_one_by_one(curve, x, y, d);
+  const auto exponent = batch::scale_exponent(curve);
+  if (!exponent) return batch::distances_one_by_one(curve, x, y, d);
   if (precision == Precision::accurate) {
-    HWY_DYNAMIC_DISPATCH(batch::DistancesAccurate)(curve, x.data(), y.data(), d.size(), d.data());
+    HWY_DYNAMIC_DISPATCH(batch::DistancesAccurate)
+    (curve, *exponent, x.data(), y.data(), d.size(), d.data());
   } else {
-    HWY_DYNAMIC_DISPATCH(batch::DistancesFast)(curve, x.data(), y.data(), d.size(), d.data());
+    HWY_DYNAMIC_DISPATCH(batch::DistancesFast)
+    (curve, *exponent, x.data(), y.data(), d.size(), d.data());
   }
 }
 
 void distances(const QuadBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
   batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
-  if (!batch::has_frame(curve)) return batch::distances_one_by_one(curve, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesDouble)(curve, x.data(), y.data(), d.size(), d.data());
+  const auto exponent = batch::scale_exponent(curve);
+  if (!exponent) return batch::distances_one_by_one(curve, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesDouble)
+  (curve, *exponent, x.data(), y.data(), d.size(), d.data());
 }
 
 void distances(std::span<const QuadBezier> curves, std::span<const float> x,
                std::span<const float> y, std::span<float> d) {
   batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
-  // One scale for all: that of the largest curve, so that squares can be compared.
-  int exponent = std::numeric_limits<int>::max();
+  // One scale for all, that of the largest curve, so that squares can be compared.
+  int least = std::numeric_limits<int>::max();
   bool all_framed = !curves.empty();
   for (const QuadBezier& curve : curves) {
-    all_framed = all_framed && batch::has_frame(curve);
-    exponent = std::min(exponent, batch::scale_exponent(curve));
+    const auto exponent = batch::scale_exponent(curve);
+    all_framed = all_framed && exponent;
+    least = std::min(least, exponent.value_or(0));
   }
   if (!all_framed) {
     for (size_t i = 0; i < d.size(); ++i) {
@@ -144,7 +154,7 @@ void distances(std::span<const QuadBezier> curves, std::span<const float> x,
   std::vector<batch::QuadBezierFrame<float>> frames;
   frames.reserve(curves.size());
   for (const QuadBezier& curve : curves) {
-    frames.push_back(batch::quad_bezier_frame<float>(curve, exponent));
+    frames.push_back(batch::quad_bezier_frame<float>(curve, least));
   }
   HWY_DYNAMIC_DISPATCH(batch::DistancesToNearest)
   (frames.data(), frames.size(), curves, x.data(), y.data(), d.size(), d.data());
