@@ -32,8 +32,8 @@ struct WriteOptions {
 ///   JPEG  8 bits, sRGB, no subsampling. A picture that is not opaque is an error
 ///
 /// Opaque pictures are stored as RGB, others as RGBA; the colour space is tagged (in TIFF by an ICC
-/// profile); the recipe is the file's ImageDescription (in PNG the text "Description"; a JPEG leaves
-/// out a recipe beyond 60 000 bytes).
+/// profile); the recipe is the file's ImageDescription (in PNG the text "Description"; a JPEG
+/// leaves out a recipe beyond 60 000 bytes).
 ///
 /// The file is written beside its target under a name like ".mien-0123456789abcdef.part", flushed
 /// to the disk and renamed: an error leaves the old file as it was and nothing else behind. A
