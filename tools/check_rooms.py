@@ -93,6 +93,8 @@ class House:
             if name.startswith(("lib/", "sdf/", "render/")) and re.search(
                     r"\bstd::(cout|cerr|clog|printf|puts|perror)\b|\bfmt::print\b", line.split("//")[0]):
                 self.breach(name, number, "a library prints nothing")
+            if re.search(r"\bkill\(", line) and name != "tests/support/end_process.h":
+                self.breach(name, number, "kill(-1) ends every process there is: use tests/support/end_process.h")
 
     def check_include(self, name, number, include, quoted):
         in_mirror = name.split("/")[0] in MIRRORS

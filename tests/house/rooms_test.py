@@ -36,6 +36,7 @@ PLANTED = [
     ("render/a.cpp", "#include <OpenImageIO/imageio.h>\n", "belongs in render/image"),
     ("render/a.cpp", "#include <CLI/CLI.hpp>\n", "belongs in tools"),
     ("render/a.cpp", "  std::cout << 1;\n", "a library prints nothing"),
+    ("tests/lib/geom/box_test.cpp", "  ::kill(child, SIGTERM);\n", "kill(-1) ends every process"),
     ("lib/attic/a.cpp", "\n", None),
     ("lib/attic/a.cpp", "#include <mien/lib/base/api.h>\n", "lib/attic is not a room"),
     ("sdf/shape/new.h", "\n", "has no test tests/sdf/shape/new_test.cpp"),

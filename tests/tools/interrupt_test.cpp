@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/support/end_process.h"
 #include "tests/support/run_command.h"
 
 namespace mien {
@@ -32,7 +33,7 @@ TEST(Interrupt, LeavesNothingBehindAndSaysSo) {
     Process process = start_long_render(folder);
     wait_ms(300);
     const auto sent = std::chrono::steady_clock::now();
-    ::kill(process.id(), signal);
+    test::end_process(process.id(), signal);
     const Ran ran = process.wait();
     EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(5));
     EXPECT_EQ(ran.signal, signal) << "shells must see what ended it";
@@ -48,7 +49,7 @@ TEST(Killed, LeavesTheOldPictureAndTheNextRunCleansUp) {
   for (int ms : {20, 200, 500}) {
     Process process = start_long_render(folder);
     wait_ms(ms);
-    ::kill(process.id(), SIGKILL);
+    test::end_process(process.id(), SIGKILL);
     EXPECT_EQ(process.wait().signal, SIGKILL);
     EXPECT_EQ(test::read_text(folder / "a.png"), "old");
   }

@@ -13,6 +13,7 @@
 #include <random>
 #include <thread>
 
+#include "tests/support/end_process.h"
 #include "tests/support/scratch_folder.h"
 
 namespace mien {
@@ -137,7 +138,7 @@ TEST(WholeFile, KilledAtAnyMomentLeavesTheOldOrTheNew) {
   for (int run = 0; run < 40; ++run) {
     const pid_t child = start([&] { keep_writing(folder / "a.txt"); });
     std::this_thread::sleep_for(std::chrono::microseconds(dice() % 15'000));
-    ::kill(child, SIGKILL);
+    test::end_process(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status)) << "the writer failed by itself";
