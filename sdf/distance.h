@@ -29,7 +29,11 @@
 #include <mien/lib/base/api.h>
 #include <mien/lib/geom/quad_bezier.h>
 #include <mien/lib/math/cubic.h>
+#include <mien/sdf/shape/cubic_bezier.h>
+#include <mien/sdf/shape/ellipse.h>
+#include <mien/sdf/shape/parabola_side.h>
 #include <mien/sdf/shape/quad_bezier.h>
+#include <mien/sdf/shape/tapered_stroke.h>
 
 #include <span>
 
@@ -52,6 +56,31 @@ MIEN_API void distances(const QuadBezier& curve, std::span<const double> x,
 MIEN_API void distances(std::span<const QuadBezier> curves, std::span<const float> x,
                         std::span<const float> y, std::span<float> d);
 
+/// d[i] = the signed distance from (x[i], y[i]) to the figure's outline, negative inside. The float
+/// forms for ellipses and parabola sides are kernels; the other forms are the scalar distance of
+/// each point in turn.
+MIEN_API void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
+                        std::span<float> d);
+MIEN_API void distances(const Ellipse& ellipse, std::span<const double> x,
+                        std::span<const double> y, std::span<double> d);
+MIEN_API void distances(const ParabolaSide& side, std::span<const float> x,
+                        std::span<const float> y, std::span<float> d);
+MIEN_API void distances(const ParabolaSide& side, std::span<const double> x,
+                        std::span<const double> y, std::span<double> d);
+MIEN_API void distances(const TaperedStroke& stroke, std::span<const float> x,
+                        std::span<const float> y, std::span<float> d);
+MIEN_API void distances(const TaperedStroke& stroke, std::span<const double> x,
+                        std::span<const double> y, std::span<double> d);
+MIEN_API void distances(const CubicBezier& curve, std::span<const float> x,
+                        std::span<const float> y, std::span<float> d);
+MIEN_API void distances(const CubicBezier& curve, std::span<const double> x,
+                        std::span<const double> y, std::span<double> d);
+
+/// out[i] = solve_cubic(a[i], b[i], c[i], d[i]); all spans of the same length.
+MIEN_API void solve_cubics(std::span<const double> a, std::span<const double> b,
+                           std::span<const double> c, std::span<const double> d,
+                           std::span<Roots> out);
+
 /// What the batch functions for quadratic Béziers promise. "size" is the larger side of the control
 /// points' bounding box, "ulp" the spacing of floats at the true distance, S the largest distance
 /// from the point to a control point.
@@ -60,6 +89,17 @@ struct DistancesContract {
   static constexpr double kAccurateUlps = 0.86;  ///< ulps, where the distance is well-conditioned
   static constexpr double kAccurateSize = 1e-8;  ///< × size, elsewhere
   static constexpr double kDoubleError = 4.0 * 0x1p-52;  ///< × S
+};
+
+/// What the float batch of ellipses promises: for a ratio of the radii of at least 1e-3 (thinner
+/// ones go through the scalar form), in units of max(2⁻²³ × the larger radius, ulp).
+struct EllipseBatchContract {
+  static constexpr double kError = 4.0;
+};
+
+/// And of parabola sides: in units of max(2⁻²³ × (|foot − vertex| + |p − vertex|), ulp).
+struct ParabolaBatchContract {
+  static constexpr double kError = 4.0;
 };
 
 }  // namespace mien

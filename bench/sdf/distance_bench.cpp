@@ -76,6 +76,30 @@ void Double(benchmark::State& state, Pattern pattern, long long set) {
   batch::use_instruction_set(0);
 }
 
+/// One signed figure, through its float batch or its scalar form.
+template <class Figure>
+void Signed(benchmark::State& state, Pattern pattern, const Figure& figure, long long set) {
+  batch::use_instruction_set(set);
+  Work<float> work(pattern);
+  each_set(state, work,
+           [&](size_t c) { distances(figure, work.xs(c), work.ys(c), std::span<float>(work.d)); });
+  batch::use_instruction_set(0);
+}
+template <class Figure>
+void SignedScalar(benchmark::State& state, Pattern pattern, const Figure& figure) {
+  Work<double> work(pattern);
+  each_set(state, work, [&](size_t c) {
+    for (size_t i = 0; i < kPoints; ++i) {
+      work.d[i] = distance(figure, {work.xs(c)[i], work.ys(c)[i]});
+    }
+  });
+}
+
+const Ellipse kEllipse{{0.4, 0.55}, {0.5, 0.2}, {0.8, 0.6}};
+const ParabolaSide kParabola{{0.4, 0.2}, {0.6, 0.8}, 1.3};
+const TaperedStroke kStroke{{{0.1, 0.2}, {0.4, 0.9}, {0.9, 0.3}}, {0.05, 0.1, 0.02}};
+const CubicBezier kCubic{{0.1, 0.2}, {0.3, 1.1}, {0.7, -0.3}, {0.9, 0.8}};
+
 /// 30 curves; counted per point and curve.
 void Many(benchmark::State& state, Pattern pattern, long long set) {
   batch::use_instruction_set(set);
@@ -141,8 +165,14 @@ void register_all() {
     };
     add("closed form f64/scalar", [=](auto& s) { ClosedForm(s, pattern); });
     add("distance f64/scalar", [=](auto& s) { Scalar(s, pattern); });
+    add("ellipse f64/scalar", [=](auto& s) { SignedScalar(s, pattern, kEllipse); });
+    add("parabola f64/scalar", [=](auto& s) { SignedScalar(s, pattern, kParabola); });
+    add("tapered stroke f64/scalar", [=](auto& s) { SignedScalar(s, pattern, kStroke); });
+    add("cubic f64/scalar", [=](auto& s) { SignedScalar(s, pattern, kCubic); });
     for (const batch::InstructionSet& set : batch::instruction_sets()) {
       const auto id = set.id;
+      add("ellipse f32/" + set.name, [=](auto& s) { Signed(s, pattern, kEllipse, id); });
+      add("parabola f32/" + set.name, [=](auto& s) { Signed(s, pattern, kParabola, id); });
       add("fast f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::fast, id); });
       add("accurate f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::accurate, id); });
       add("30 curves f32/" + set.name, [=](auto& s) { Many(s, pattern, id); });

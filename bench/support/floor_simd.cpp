@@ -16,8 +16,10 @@ template <class Op>
 HWY_INLINE size_t Busy(size_t rounds, float* sink, Op op) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
-  V v0 = hn::Iota(d, 1.0f), v1 = v0, v2 = v0, v3 = v0, v4 = v0, v5 = v0, v6 = v0, v7 = v0;
-  V v8 = v0, v9 = v0, va = v0, vb = v0;
+  // All different, or the compiler would compute one of them.
+  const auto start = [&](float k) HWY_ATTR { return hn::Iota(d, k); };
+  V v0 = start(1), v1 = start(2), v2 = start(3), v3 = start(4), v4 = start(5), v5 = start(6);
+  V v6 = start(7), v7 = start(8), v8 = start(9), v9 = start(10), va = start(11), vb = start(12);
   for (size_t i = 0; i < rounds; ++i) {
     v0 = op(v0), v1 = op(v1), v2 = op(v2), v3 = op(v3), v4 = op(v4), v5 = op(v5);
     v6 = op(v6), v7 = op(v7), v8 = op(v8), v9 = op(v9), va = op(va), vb = op(vb);

@@ -57,19 +57,25 @@ HWY_NOINLINE void Rescue(const T* x, const T* y, const T* square, size_t count, 
   }
 }
 
-/// The root of a squared distance in the frame's scale, back in the caller's units; far lanes are
-/// rescued from the points' own coordinates, so that the kernel need not keep them.
+/// The distances, except in lanes whose `square` is NaN or not below `far`: those are rescued from
+/// the points' own coordinates, so that the kernel need not keep them.
+template <class D, class V, class T, class Exact>
+HWY_INLINE Pack<V> Checked(D d, const T* x, const T* y, Pack<V> square, T far, Pack<V> distance,
+                           const Exact& exact) {
+  if (HWY_LIKELY(AllTrue(d, Lt(square, SetPack(d, far))))) return distance;
+  HWY_ALIGN T lanes[2][kParts * hn::MaxLanes(D())];
+  StorePack(square, d, lanes[0]), StorePack(distance, d, lanes[1]);
+  Rescue(x, y, lanes[0], kParts * hn::Lanes(d), far, lanes[1], exact);
+  return LoadPack(d, lanes[1]);
+}
+
+/// The root of a squared distance in the frame's scale, back in the caller's units.
 template <class D, class V, class T, class Exact>
 HWY_INLINE Pack<V> DistanceOf(D d, const T* x, const T* y, Pack<V> square, T unscale,
                               const Exact& exact) {
   // Up to here no power of the cubic's numbers overflows (docs/derivations/depressed_cubic.md).
   constexpr T kFar = T(sizeof(T) == 4 ? 0x1p48 : 0x1p80);
-  const auto distance = Mul(Sqrt(square), SetPack(d, unscale));
-  if (HWY_LIKELY(AllTrue(d, Lt(square, SetPack(d, kFar))))) return distance;
-  HWY_ALIGN T lanes[2][kParts * hn::MaxLanes(D())];
-  StorePack(square, d, lanes[0]), StorePack(distance, d, lanes[1]);
-  Rescue(x, y, lanes[0], kParts * hn::Lanes(d), kFar, lanes[1], exact);
-  return LoadPack(d, lanes[1]);
+  return Checked(d, x, y, square, kFar, Mul(Sqrt(square), SetPack(d, unscale)), exact);
 }
 
 }  // namespace HWY_NAMESPACE

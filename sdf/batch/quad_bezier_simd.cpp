@@ -82,6 +82,7 @@ void DistancesToNearest(const QuadBezierFrame<float>* frames, size_t frame_count
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include <mien/sdf/batch/one_by_one.h>
 #include <mien/sdf/batch/spans.h>
 
 #include <algorithm>
@@ -93,22 +94,6 @@ HWY_EXPORT(DistancesFast);
 HWY_EXPORT(DistancesAccurate);
 HWY_EXPORT(DistancesDouble);
 HWY_EXPORT(DistancesToNearest);
-
-namespace {
-
-template <class T>
-void distances_one_by_one(const QuadBezier& curve, std::span<const T> x, std::span<const T> y,
-                          std::span<T> d) {
-  for (size_t i = 0; i < d.size(); ++i) d[i] = T(distance(curve, {x[i], y[i]}));
-}
-
-template <class T>
-Span span_of(std::span<T> s) {
-  return {s.data(), s.size(), sizeof(T)};
-}
-
-}  // namespace
-
 }  // namespace batch
 
 void distances(const QuadBezier& curve, std::span<const float> x, std::span<const float> y,

@@ -11,11 +11,11 @@ void write_cases_header(std::ostream& out, uint64_t seed) {
       << "family,x0,y0,x1,y1,x2,y2,px,py,distance,distance_rest\n";
 }
 
-void write_cases(std::ostream& out, const BezierFamily& family, size_t count, uint64_t seed) {
-  for (const BezierCase& k : cases_of(family, count, seed)) {
-    const Quad truth = true_distance(k.curve, k.p);
+void write_cases(std::ostream& out, const Family& family, size_t count, uint64_t seed) {
+  for (const Case& k : cases_of(family, count, seed)) {
+    const Quad truth = true_distance(k);
     const double head = double(truth), rest = double(truth - Quad(head));
-    const QuadBezier& c = k.curve;
+    const QuadBezier& c = std::get<QuadBezier>(k.figure);
     out << fmt::format("{},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a},{:a}\n", family.name,
                        c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.p2.x, c.p2.y, k.p.x, k.p.y, head, rest);
   }

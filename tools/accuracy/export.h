@@ -5,10 +5,10 @@
 
 namespace mien::accuracy {
 
-/// The cases as comma-separated values, every number a hex float: family, x0, y0, x1, y1, x2, y2,
-/// px, py, and the true distance rounded to double, plus what that rounding left over (their sum is
-/// good to 2⁻¹⁰⁵).
-void write_cases(std::ostream& out, const BezierFamily& family, size_t count, uint64_t seed);
+/// The cases of a family of quadratic Bézier curves as comma-separated values, every number a hex
+/// float: family, x0, y0, x1, y1, x2, y2, px, py, and the true distance rounded to double, plus
+/// what that rounding left over (their sum is good to 2⁻¹⁰⁵).
+void write_cases(std::ostream& out, const Family& family, size_t count, uint64_t seed);
 void write_cases_header(std::ostream& out, uint64_t seed);
 
 }  // namespace mien::accuracy

@@ -1,11 +1,15 @@
 #pragma once
-// Families of nasty cases: a curve and a point, drawn from a seed.
+// Families of nasty cases: a figure and a point, drawn from a seed.
 
+#include <mien/lib/geom/cubic_bezier.h>
+#include <mien/lib/geom/ellipse.h>
 #include <mien/lib/geom/quad_bezier.h>
+#include <mien/sdf/shape/shape.h>
 
 #include <cstdint>
 #include <random>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace mien::accuracy {
@@ -31,25 +35,35 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-struct BezierCase {
-  QuadBezier curve;
+/// What distances are asked of.
+using Figure = std::variant<QuadBezier, Ellipse, ParabolaSide, TaperedStroke, CubicBezier>;
+
+struct Case {
+  Figure figure;
   glm::dvec2 p;
 };
 
-struct BezierFamily {
+struct Family {
   std::string name;
-  BezierCase (*draw)(Random&);
-  bool float_exact =
-      true;  ///< all coordinates are floats; else only double kernels are judged on it
+  Case (*draw)(Random&);
+  bool float_exact = true;  ///< coordinates are floats; else only double kernels are judged on it
   bool well_conditioned = true;  ///< the distance is not a small difference of large coordinates
 };
 
-const std::vector<BezierFamily>& bezier_families();
+/// Every family: quadratic Bézier curves first, the other figures after them.
+const std::vector<Family>& families();
 
-/// The case with every coordinate rounded to float.
-BezierCase in_floats(const BezierCase& k);
+/// The families of quadratic Bézier curves alone.
+std::vector<Family> bezier_families();
+
+/// The case with every coordinate rounded to float (directions stay as they are).
+Case in_floats(const Case& k);
 
 /// `count` cases of a family, the same for the same seed everywhere.
-std::vector<BezierCase> cases_of(const BezierFamily& family, size_t count, uint64_t seed);
+std::vector<Case> cases_of(const Family& family, size_t count, uint64_t seed);
+
+/// Figures, for the families' files.
+std::vector<Family> conic_families();
+std::vector<Family> stroke_families();
 
 }  // namespace mien::accuracy

@@ -1,4 +1,4 @@
-// mien-accuracy: how right are distances to quadratic Béziers? Runs every family of nasty cases on
+// mien-accuracy: how right are distances to curves? Runs every family of nasty cases on
 // every kernel and instruction set (and on your solver) against a reference of 113 bits.
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ bool write_file(const std::string& path, const std::string& text) {
   return bool(file);
 }
 
-bool wanted(const Options& options, const BezierFamily& family) {
+bool wanted(const Options& options, const Family& family) {
   const auto& names = options.families;
   return names.empty() || std::find(names.begin(), names.end(), family.name) != names.end();
 }
@@ -39,7 +39,7 @@ bool wanted(const Options& options, const BezierFamily& family) {
 int export_cases(const Options& options) {
   std::ofstream file(options.exported, std::ios::binary);
   write_cases_header(file, options.seed);
-  for (const BezierFamily& family : bezier_families()) {
+  for (const Family& family : bezier_families()) {
     if (wanted(options, family)) write_cases(file, family, options.count, options.seed);
   }
   file.close();
@@ -52,7 +52,7 @@ int judge(const Options& options) {
   if (!options.only_foreign) solvers = own_solvers();
   for (const std::string& path : options.solvers) solvers.push_back(foreign_solver(path));
   std::vector<Tally> tallies;
-  for (const BezierFamily& family : bezier_families()) {
+  for (const Family& family : families()) {
     if (!wanted(options, family)) continue;
     const auto rows = run(family, solvers, options.count, options.seed);
     tallies.insert(tallies.end(), rows.begin(), rows.end());
@@ -71,7 +71,7 @@ int judge(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("How right are distances to quadratic Beziers?", "mien-accuracy");
+  CLI::App app("How right are distances to Bezier curves, conics and strokes?", "mien-accuracy");
   app.add_option("--count", options.count, "Cases per family")->capture_default_str();
   app.add_option("--seed", options.seed, "Another seed, other cases")->capture_default_str();
   app.add_option("--family", options.families, "Only these families");

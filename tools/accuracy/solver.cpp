@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 
@@ -19,50 +20,101 @@ double float_ulp(double x) {
   return double(std::nextafter(f, std::numeric_limits<float>::infinity())) - double(f);
 }
 
-double size_of(const QuadBezier& c) {
-  const auto extent = [](double a, double b, double d) {
-    return std::max({a, b, d}) - std::min({a, b, d});
-  };
-  return std::max(extent(c.p0.x, c.p1.x, c.p2.x), extent(c.p0.y, c.p1.y, c.p2.y));
+double extent(std::initializer_list<double> v) {
+  return std::max(v) - std::min(v);
+}
+double apart(glm::dvec2 a, glm::dvec2 b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-double farthest(const BezierCase& k) {
-  double s = 0;
-  for (const glm::dvec2& c : {k.curve.p0, k.curve.p1, k.curve.p2}) {
-    s = std::max(s, std::hypot(k.p.x - c.x, k.p.y - c.y));
-  }
-  return s;
+/// A figure's own size, for "mix".
+double size_of(const QuadBezier& c, glm::dvec2) {
+  return std::max(extent({c.p0.x, c.p1.x, c.p2.x}), extent({c.p0.y, c.p1.y, c.p2.y}));
+}
+double size_of(const CubicBezier& c, glm::dvec2) {
+  return std::max(extent({c.p0.x, c.p1.x, c.p2.x, c.p3.x}),
+                  extent({c.p0.y, c.p1.y, c.p2.y, c.p3.y}));
+}
+double size_of(const Ellipse& e, glm::dvec2) {
+  return std::max(e.radii.x, e.radii.y);
+}
+double size_of(const ParabolaSide& s, glm::dvec2 p) {
+  return apart(nearest(s, p).point, s.vertex) + apart(p, s.vertex);
+}
+double size_of(const TaperedStroke& s, glm::dvec2 p) {
+  return size_of(s.spine, p) + std::max({s.half_width[0], s.half_width[1], s.half_width[2]});
 }
 
-double batch_float(const BezierCase& k, Precision precision) {
+/// S of each figure's contract.
+double scale_of(const QuadBezier& c, glm::dvec2 p) {
+  return std::max({apart(c.p0, p), apart(c.p1, p), apart(c.p2, p)});
+}
+double scale_of(const CubicBezier& c, glm::dvec2 p) {
+  return std::max({apart(c.p0, p), apart(c.p1, p), apart(c.p2, p), apart(c.p3, p)});
+}
+double scale_of(const Ellipse& e, glm::dvec2 p) {
+  return apart(e.center, p) + size_of(e, p);
+}
+double scale_of(const ParabolaSide& s, glm::dvec2 p) {
+  return std::abs(nearest(s, p).distance) + size_of(s, p);
+}
+double scale_of(const TaperedStroke& s, glm::dvec2 p) {
+  return scale_of(s.spine, p) + std::max({s.half_width[0], s.half_width[1], s.half_width[2]});
+}
+
+double size_of(const Case& k) {
+  return std::visit([&](const auto& f) { return size_of(f, k.p); }, k.figure);
+}
+
+template <class F>
+constexpr size_t kIndex = Figure(F{}).index();
+
+template <class F>
+double batch_float(const Case& k) {
   const float x = float(k.p.x), y = float(k.p.y);
   float d = 0;
-  distances(k.curve, {&x, 1}, {&y, 1}, {&d, 1}, precision);
+  distances(std::get<F>(k.figure), {&x, 1}, {&y, 1}, std::span<float>{&d, 1});
   return d;
 }
 
-double batch_double(const BezierCase& k) {
+double batch_accurate(const Case& k) {
+  const float x = float(k.p.x), y = float(k.p.y);
+  float d = 0;
+  distances(std::get<QuadBezier>(k.figure), {&x, 1}, {&y, 1}, {&d, 1}, Precision::accurate);
+  return d;
+}
+
+double batch_double(const Case& k) {
   double d = 0;
-  distances(k.curve, std::span<const double>{&k.p.x, 1}, {&k.p.y, 1}, std::span<double>{&d, 1});
+  distances(std::get<QuadBezier>(k.figure), std::span<const double>{&k.p.x, 1}, {&k.p.y, 1},
+            std::span<double>{&d, 1});
   return d;
 }
 
-double batch_many(const BezierCase& k) {  // among three, two of them certainly farther
+double batch_many(const Case& k) {  // among three, two of them certainly farther
+  const auto& curve = std::get<QuadBezier>(k.figure);
   const auto moved = [&](double dx, double dy) {
     const glm::dvec2 by{dx, dy};
-    return QuadBezier{k.curve.p0 + by, k.curve.p1 + by, k.curve.p2 + by};
+    return QuadBezier{curve.p0 + by, curve.p1 + by, curve.p2 + by};
   };
-  const double away = 4 * farthest(k);
-  const QuadBezier curves[3] = {moved(away, 0), k.curve, moved(0, -away)};
+  const double away = 4 * scale_of(curve, k.p);
+  const QuadBezier curves[3] = {moved(away, 0), curve, moved(0, -away)};
   const float x = float(k.p.x), y = float(k.p.y);
   float d = 0;
   distances(std::span<const QuadBezier>(curves), {&x, 1}, {&y, 1}, {&d, 1});
   return d;
 }
 
-Solver on(const InstructionSet& set, std::string name, Judge judge, double bar,
-          std::function<double(const BezierCase&)> solve) {
-  return {std::move(name), set.name, judge, bar, std::move(solve), [id = set.id] {
+template <class F>
+Solver scalar(double error) {
+  return {"scalar",     "",
+          Judge::exact, error / 0x1p-52,
+          kIndex<F>,    [](const Case& k) { return distance(std::get<F>(k.figure), k.p); }};
+}
+
+Solver on(const InstructionSet& set, std::string name, Judge judge, double bar, size_t figure,
+          std::function<double(const Case&)> solve) {
+  return {std::move(name), set.name, judge, bar, figure, std::move(solve), [id = set.id] {
             batch::use_instruction_set(id);
           }};
 }
@@ -71,15 +123,22 @@ Solver on(const InstructionSet& set, std::string name, Judge judge, double bar,
 
 std::vector<Solver> own_solvers() {
   using C = DistancesContract;
-  std::vector<Solver> all{{"scalar", "", Judge::exact, QuadBezierContract::kError / 0x1p-52,
-                           [](const BezierCase& k) { return distance(k.curve, k.p); }}};
+  std::vector<Solver> all{scalar<QuadBezier>(QuadBezierContract::kError),
+                          scalar<Ellipse>(EllipseContract::kError),
+                          scalar<ParabolaSide>(ParabolaSideContract::kError),
+                          scalar<TaperedStroke>(TaperedStrokeContract::kError),
+                          scalar<CubicBezier>(CubicBezierContract::kError)};
+  constexpr size_t kBezier = kIndex<QuadBezier>;
   for (const InstructionSet& set : batch::instruction_sets()) {
-    all.push_back(on(set, "fast", Judge::fast, C::kFastError,
-                     [](const BezierCase& k) { return batch_float(k, Precision::fast); }));
-    all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps,
-                     [](const BezierCase& k) { return batch_float(k, Precision::accurate); }));
-    all.push_back(on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, batch_double));
-    all.push_back(on(set, "many", Judge::fast, C::kFastError, batch_many));
+    all.push_back(on(set, "fast", Judge::fast, C::kFastError, kBezier, batch_float<QuadBezier>));
+    all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps, kBezier, batch_accurate));
+    all.push_back(
+        on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, kBezier, batch_double));
+    all.push_back(on(set, "many", Judge::fast, C::kFastError, kBezier, batch_many));
+    all.push_back(on(set, "ellipse", Judge::fast, EllipseBatchContract::kError, kIndex<Ellipse>,
+                     batch_float<Ellipse>));
+    all.push_back(on(set, "parabola", Judge::fast, ParabolaBatchContract::kError,
+                     kIndex<ParabolaSide>, batch_float<ParabolaSide>));
   }
   return all;
 }
@@ -90,9 +149,13 @@ Solver foreign_solver(const std::string& path) {
   if (!library) throw std::runtime_error(dlerror());
   auto* solve = reinterpret_cast<Solve*>(dlsym(library, "mien_accuracy_solve"));
   if (!solve) throw std::runtime_error(path + ": has no function mien_accuracy_solve");
-  return {path.substr(path.find_last_of('/') + 1), "", Judge::fast, 0,
-          [solve](const BezierCase& k) {
-            const QuadBezier& c = k.curve;
+  return {path.substr(path.find_last_of('/') + 1),
+          "",
+          Judge::fast,
+          0,
+          kIndex<QuadBezier>,
+          [solve](const Case& k) {
+            const QuadBezier& c = std::get<QuadBezier>(k.figure);
             const double curve[6] = {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.p2.x, c.p2.y};
             double d = std::numeric_limits<double>::quiet_NaN();
             solve(curve, &k.p.x, &k.p.y, &d, 1);
@@ -100,14 +163,13 @@ Solver foreign_solver(const std::string& path) {
           }};
 }
 
-double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad truth,
-                   double found) {
+double error_units(Judge judge, bool well_conditioned, const Case& k, Quad truth, double found) {
   if (!std::isfinite(found)) {
     const bool beyond_float = judge != Judge::exact && truth > std::numeric_limits<float>::max();
     return beyond_float && found > 0 ? 0 : std::numeric_limits<double>::infinity();
   }
   const double error = double(magnitude(Quad(found) - truth));
-  const double size = size_of(k.curve), ulp = float_ulp(double(truth));
+  const double size = size_of(k), ulp = float_ulp(double(truth));
   switch (judge) {
     case Judge::fast:
       return error / std::max(0x1p-23 * size, ulp);
@@ -119,13 +181,14 @@ double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad
     case Judge::exact:
       break;
   }
-  const double unit = 0x1p-52 * farthest(k);
+  const double unit =
+      0x1p-52 * std::visit([&](const auto& f) { return scale_of(f, k.p); }, k.figure);
   return error == 0 ? 0 : error / unit;
 }
 
-bool is_bad(const BezierCase& k, Quad truth, double found) {
+bool is_bad(const Case& k, Quad truth, double found) {
   const double error = double(magnitude(Quad(found) - truth));
-  return error > 1e-6 * size_of(k.curve) && error > 2 * float_ulp(double(truth));
+  return error > 1e-6 * size_of(k) && error > 2 * float_ulp(double(truth));
 }
 
 }  // namespace mien::accuracy

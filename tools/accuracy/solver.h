@@ -23,17 +23,19 @@ namespace mien::accuracy {
 
 /// In which unit an error is counted, and what the bar is.
 enum class Judge {
-  fast,      ///< max(2⁻²³ size, float ulp): "mix"
+  fast,  ///< max(2⁻²³ size, float ulp): "mix". A parabola's size: its foot's and the point's from
+         ///< the vertex
   accurate,  ///< float ulps where well-conditioned, else max(ulp, 1e-8/0.86 size)
-  exact      ///< 2⁻⁵² S
+  exact      ///< 2⁻⁵² S, S as each figure's contract says
 };
 
 struct Solver {
   std::string name;
   std::string instruction_set;  ///< empty for scalar and foreign solvers
   Judge judge;
-  double bar;  ///< 0: none promised
-  std::function<double(const BezierCase&)> solve;
+  double bar;     ///< 0: none promised
+  size_t figure;  ///< which of Figure's it is for
+  std::function<double(const Case&)> solve;
   std::function<void()> prepare = [] {};  ///< called before a run of cases
 };
 
@@ -45,10 +47,9 @@ Solver foreign_solver(const std::string& path);
 
 /// The error of `found`, in the judge's units; +infinity if it is not a number, or infinite where
 /// the truth is not.
-double error_units(Judge judge, bool well_conditioned, const BezierCase& k, Quad truth,
-                   double found);
+double error_units(Judge judge, bool well_conditioned, const Case& k, Quad truth, double found);
 
 /// Wrong by more than rounding can explain: > 1e-6 size and > 2 float ulp.
-bool is_bad(const BezierCase& k, Quad truth, double found);
+bool is_bad(const Case& k, Quad truth, double found);
 
 }  // namespace mien::accuracy

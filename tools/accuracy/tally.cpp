@@ -15,17 +15,38 @@ std::string kernel_of(const Tally& t) {
   return t.instruction_set.empty() ? t.solver : t.solver + " " + t.instruction_set;
 }
 
-/// Every coordinate so that the case can be pasted into a test.
-std::string text(const BezierCase& k) {
-  const QuadBezier& c = k.curve;
-  return fmt::format("{{{{{}, {}}}, {{{}, {}}}, {{{}, {}}}}}, {{{}, {}}}", c.p0.x, c.p0.y, c.p1.x,
-                     c.p1.y, c.p2.x, c.p2.y, k.p.x, k.p.y);
+bool same_row(const Tally& a, const Tally& b) {
+  return kernel_of(a) == kernel_of(b) && a.worst_case.figure.index() == b.worst_case.figure.index();
 }
 
-Tally tally_of(const BezierFamily& family, const Solver& solver,
-               const std::vector<BezierCase>& cases, const std::vector<Quad>& truths) {
+std::string text(glm::dvec2 p) {
+  return fmt::format("{{{}, {}}}", p.x, p.y);
+}
+std::string text(const QuadBezier& c) {
+  return fmt::format("{{{}, {}, {}}}", text(c.p0), text(c.p1), text(c.p2));
+}
+std::string text(const CubicBezier& c) {
+  return fmt::format("{{{}, {}, {}, {}}}", text(c.p0), text(c.p1), text(c.p2), text(c.p3));
+}
+std::string text(const Ellipse& e) {
+  return fmt::format("{{{}, {}, {}}}", text(e.center), text(e.radii), text(e.axis));
+}
+std::string text(const ParabolaSide& s) {
+  return fmt::format("{{{}, {}, {}}}", text(s.vertex), text(s.axis), s.bend);
+}
+std::string text(const TaperedStroke& s) {
+  const double* w = s.half_width;
+  return fmt::format("{{{}, {{{}, {}, {}}}}}", text(s.spine), w[0], w[1], w[2]);
+}
+/// Every number, so that the case can be pasted into a test.
+std::string text(const Case& k) {
+  return std::visit([](const auto& f) { return text(f); }, k.figure) + ", " + text(k.p);
+}
+
+Tally tally_of(const Family& family, const Solver& solver, const std::vector<Case>& cases,
+               const std::vector<Quad>& truths) {
   Tally t{family.name, solver.name, solver.instruction_set};
-  t.cases = cases.size(), t.bar = solver.bar;
+  t.cases = cases.size(), t.bar = solver.bar, t.worst_case = cases.front();
   std::vector<double> errors(cases.size());
   for (size_t i = 0; i < cases.size(); ++i) {
     const double found = solver.solve(cases[i]);
@@ -45,14 +66,15 @@ Tally tally_of(const BezierFamily& family, const Solver& solver,
 
 }  // namespace
 
-std::vector<Tally> run(const BezierFamily& family, const std::vector<Solver>& solvers, size_t count,
+std::vector<Tally> run(const Family& family, const std::vector<Solver>& solvers, size_t count,
                        uint64_t seed) {
   const auto cases = cases_of(family, std::max<size_t>(count, 1), seed);
   std::vector<Quad> truths;
   truths.reserve(cases.size());
-  for (const BezierCase& k : cases) truths.push_back(true_distance(k.curve, k.p));
+  for (const Case& k : cases) truths.push_back(true_distance(k));
   std::vector<Tally> tallies;
   for (const Solver& solver : solvers) {
+    if (solver.figure != cases.front().figure.index()) continue;
     if (!family.float_exact && solver.judge != Judge::exact) continue;
     solver.prepare();
     tallies.push_back(tally_of(family, solver, cases, truths));
@@ -63,8 +85,8 @@ std::vector<Tally> run(const BezierFamily& family, const std::vector<Solver>& so
 std::vector<Tally> over_families(const std::vector<Tally>& tallies) {
   std::vector<Tally> rows;
   for (const Tally& t : tallies) {
-    auto row = std::find_if(rows.begin(), rows.end(),
-                            [&](const Tally& r) { return kernel_of(r) == kernel_of(t); });
+    auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Tally& r) { return same_row(r, t); });
     if (row == rows.end()) {
       rows.push_back(t);
       continue;

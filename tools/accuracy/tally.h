@@ -13,13 +13,13 @@ struct Tally {
   std::string family, solver, instruction_set;
   size_t cases = 0, bad = 0, nan = 0;   ///< nan: not a number, or infinite where the truth is not
   double worst = 0, p999 = 0, bar = 0;  ///< in the judge's units; bar 0: none
-  BezierCase worst_case{};
+  Case worst_case{};
 
   bool passes() const { return bar == 0 || (worst <= bar && bad == 0 && nan == 0); }
 };
 
 /// Runs the solvers on `count` cases of the family. The reference is computed once.
-std::vector<Tally> run(const BezierFamily& family, const std::vector<Solver>& solvers, size_t count,
+std::vector<Tally> run(const Family& family, const std::vector<Solver>& solvers, size_t count,
                        uint64_t seed);
 
 /// One row per solver and instruction set: the worst over the families.

@@ -1,0 +1,151 @@
+// Signed distances to ellipses and parabola sides, many points at a time: the SIMD twins of
+// sdf/shape/ellipse.h and sdf/shape/parabola_side.h. Included once per instruction set.
+// Derivations: docs/derivations/conic_batches.md.
+#if defined(MIEN_SDF_BATCH_CONIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIEN_SDF_BATCH_CONIC_INL_H_
+#undef MIEN_SDF_BATCH_CONIC_INL_H_
+#else
+#define MIEN_SDF_BATCH_CONIC_INL_H_
+#endif
+
+#include <mien/sdf/batch/conic_frame.h>
+#include <mien/sdf/batch/depressed_cubic-inl.h>
+#include <mien/sdf/batch/pack-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Coordinates along and across the frame's axis.
+template <class W>
+struct Placed {
+  W along, across;
+};
+
+/// The same and, before turning, x and y relative to the centre.
+template <class W>
+struct PlacedPoint {
+  W along, across, x, y;
+};
+
+/// The point relative to the frame's centre, before scaling for a parabola, after it for an
+/// ellipse.
+template <class D, class Frame, class W>
+HWY_INLINE PlacedPoint<W> PlacedIn(D d, const Frame& f, W x, W y, float scale) {
+  const W s = SetPack(d, scale), ax = SetPack(d, f.axis_x), ay = SetPack(d, f.axis_y);
+  const W qx = Sub(MulSub(x, s, SetPack(d, f.x0)), SetPack(d, f.low_x));
+  const W qy = Sub(MulSub(y, s, SetPack(d, f.y0)), SetPack(d, f.low_y));
+  return {MulAdd(qx, ax, Mul(qy, ay)), MulSub(qy, ax, Mul(qx, ay)), qx, qy};
+}
+
+/// A signed distance [scaled], and a square by which far and nonsensical lanes are told.
+template <class W>
+struct SignedDistance {
+  W distance, reach2;
+};
+
+/// From y = x², with y along the axis. The foot s > 0 of (u, v), u >= 0, solves s³ + 3 P s = S2
+/// with P = (1 − 2v)/6 and S2 = u/2; then one Newton step on the residual. The distance is the
+/// residual across the tangent: an error of s enters at second order, on the outline too.
+template <class D, class V>
+HWY_INLINE SignedDistance<Pack<V>> FromParabola(D d, const ParabolaFrame& f, Pack<V> x, Pack<V> y) {
+  using W = Pack<V>;
+  const auto at = PlacedIn(d, f, x, y, 1.0f);
+  const W scale = SetPack(d, f.scale), two = SetPack(d, 2), one = SetPack(d, 1);
+  const W v = Mul(at.along, scale), u = Abs(Mul(at.across, scale));
+  const W p = MulAdd(v, SetPack(d, -1.0f / 3), SetPack(d, 1.0f / 6));
+  W s = LargestRoot(d, p, Mul(u, SetPack(d, 0.5f)));
+  for (int i = 0; i < 2; ++i) {
+    const W off = MulSub(s, s, v), slope = MulAdd(Mul(two, s), off, Sub(s, u));
+    const W rise = MulAdd(two, MulAdd(Mul(two, s), s, off), one);
+    s = Sub(s, Div(slope, Max(rise, SetPack(d, 1e-30f))));
+  }
+  const W tilt = Mul(two, s), off = NegMulAdd(s, s, v);
+  const W across = MulSub(tilt, Sub(u, s), off);
+  const W distance = Div(across, Sqrt(MulAdd(tilt, tilt, one)));
+  return {f.mirrored ? Neg(distance) : distance, MulAdd(u, u, Mul(v, v))};
+}
+
+/// The foot (a cos, b sin) of a point in the first quadrant.
+template <class W>
+struct Angle {
+  W cos, sin;
+};
+
+/// The vector from the foot to the point.
+template <class D, class W>
+HWY_INLINE Placed<W> FromFoot(D d, const EllipseFrame& f, W x, W y, Angle<W> foot) {
+  return {NegMulAdd(SetPack(d, f.a), foot.cos, x), NegMulAdd(SetPack(d, f.b), foot.sin, y)};
+}
+
+/// A first guess at the foot, from both ends of the secular equation
+///     (a x / (v + a² − b²))² + (b y / v)² = 1,   cos = a x / (v + a² − b²),  sin = b y / v:
+/// v is at least b y, at least a x − (a² − b²), and, where the first term is nearly 1, the inverse
+/// of a depressed cubic's root. Then two Newton steps on 1/|(cos, sin)| = 1, which is concave and
+/// nearly straight.
+template <class D, class V>
+HWY_INLINE Angle<Pack<V>> EllipseGuess(D d, const EllipseFrame& f, Pack<V> x, Pack<V> y) {
+  using W = Pack<V>;
+  const W one = SetPack(d, 1), focal = SetPack(d, f.focal);
+  const W ax = Mul(x, SetPack(d, f.a)), by = Max(Mul(y, SetPack(d, f.b)), SetPack(d, 1e-12f));
+  // sin³ + 3 P sin = S2 with P = −(2/3)(1 − a x / focal), S2 = 2 b y / focal.
+  const W inverse = SetPack(d, 1 / f.guess_focal);
+  const W p = Mul(SetPack(d, -2.0f / 3), NegMulAdd(ax, inverse, one));
+  const W s2 = Mul(SetPack(d, 2), Mul(by, inverse));
+  const auto guess = [&](V vp, V vs) MIEN_LANES { return RootGuessOf(d, vp, vs); };
+  const W sin = Mul(Each(guess, p, s2), SetPack(d, 1.13f));
+  W v = Max(Div(by, Min(sin, one)), Sub(ax, focal));
+  for (int i = 0; i < 2; ++i) {
+    const W rx = Div(one, Add(v, focal)), ry = Div(one, v), c = Mul(ax, rx), s = Mul(by, ry);
+    const W n2 = MulAdd(c, c, Mul(s, s)), fall = MulAdd(Mul(c, c), rx, Mul(Mul(s, s), ry));
+    v = MulAdd(Sub(Sqrt(n2), one), Div(n2, fall), v);
+  }
+  const W c = Div(ax, Add(v, focal)), s = Div(by, v);
+  const W shrink = Div(one, Sqrt(MulAdd(c, c, Mul(s, s))));
+  return {Mul(c, shrink), Mul(s, shrink)};
+}
+
+/// One Newton step of the foot on the outline itself, at most a quarter radian, if it brings the
+/// foot nearer: where three feet meet it may run away.
+template <class D, class W>
+HWY_INLINE Angle<W> Turned(D d, const EllipseFrame& f, W x, W y, Angle<W> foot) {
+  const W a = SetPack(d, f.a), b = SetPack(d, f.b), one = SetPack(d, 1);
+  const auto r = FromFoot(d, f, x, y, foot);
+  const W tx = Mul(a, foot.sin), ty = Mul(b, foot.cos);  // the tangent is (−tx, ty)
+  const W slope = MulSub(r.across, ty, Mul(r.along, tx));
+  const W bent = MulAdd(r.along, Mul(a, foot.cos), Mul(r.across, Mul(b, foot.sin)));
+  const W rise = MulAdd(tx, tx, MulAdd(ty, ty, bent)), most = SetPack(d, 0.25f);
+  const W free_turn = Div(slope, Max(rise, SetPack(d, 1e-30f)));
+  const W turn = Max(Min(free_turn, most), Neg(most));
+  const W shrink = Div(one, Sqrt(MulAdd(turn, turn, one)));
+  const Angle<W> next{Mul(NegMulAdd(foot.sin, turn, foot.cos), shrink),
+                      Mul(MulAdd(foot.cos, turn, foot.sin), shrink)};
+  const auto s = FromFoot(d, f, x, y, next);
+  const auto nearer = Lt(MulAdd(s.along, s.along, Mul(s.across, s.across)),
+                         MulAdd(r.along, r.along, Mul(r.across, r.across)));
+  return {IfThenElse(nearer, next.cos, foot.cos), IfThenElse(nearer, next.sin, foot.sin)};
+}
+
+/// Near the outline the distance is the residual across the tangent: an error of the foot enters at
+/// second order. Beyond a radius it is the residual's length, in the caller's own directions, so
+/// that the rounding of the axis counts with the ellipse's size and not with the distance.
+template <class D, class W>
+HWY_INLINE SignedDistance<W> FromEllipse(D d, const EllipseFrame& f, W px, W py) {
+  const auto at = PlacedIn(d, f, px, py, f.scale);
+  const W x = Abs(at.along), y = Abs(at.across), a = SetPack(d, f.a), b = SetPack(d, f.b);
+  const auto foot = Turned(d, f, x, y, Turned(d, f, x, y, EllipseGuess(d, f, x, y)));
+  const W nx = Mul(b, foot.cos), ny = Mul(a, foot.sin);  // along the normal
+  const auto r = FromFoot(d, f, x, y, foot);
+  const W across = Div(MulAdd(r.along, nx, Mul(r.across, ny)), Sqrt(MulAdd(nx, nx, Mul(ny, ny))));
+  const W ex = CopySign(Mul(a, foot.cos), at.along), ey = CopySign(Mul(b, foot.sin), at.across);
+  const W ax = SetPack(d, f.axis_x), ay = SetPack(d, f.axis_y);
+  const W rx = Sub(at.x, MulSub(ex, ax, Mul(ey, ay))), ry = Sub(at.y, MulAdd(ex, ay, Mul(ey, ax)));
+  const W length = Sqrt(MulAdd(rx, rx, Mul(ry, ry)));
+  return {IfThenElse(Gt(across, a), length, across), MulAdd(x, x, Mul(y, y))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,71 @@
+// The batch functions of sdf/distance.h for ellipses and parabola sides, compiled once per
+// instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "mien/sdf/batch/conic_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <mien/sdf/batch/blocks-inl.h>
+#include <mien/sdf/batch/conic-inl.h>
+#include <mien/sdf/distance.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+void DistancesEllipse(const Ellipse& ellipse, const EllipseFrame& frame, const float* x,
+                      const float* y, size_t count, float* out) {
+  const hn::ScalableTag<float> d;
+  const auto exact = [&](float px, float py) { return distance(ellipse, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto r = FromEllipse(d, f, LoadPack(d, at_x), LoadPack(d, at_y));
+    return Checked(d, at_x, at_y, r.reach2, 0x1p36f, Mul(r.distance, SetPack(d, f.unscale)), exact);
+  });
+}
+
+void DistancesParabola(const ParabolaSide& side, const ParabolaFrame& frame, const float* x,
+                       const float* y, size_t count, float* out) {
+  const hn::ScalableTag<float> d;
+  const auto exact = [&](float px, float py) { return distance(side, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto r = FromParabola(d, f, LoadPack(d, at_x), LoadPack(d, at_y));
+    return Checked(d, at_x, at_y, r.reach2, 0x1p48f, Mul(r.distance, SetPack(d, f.unscale)), exact);
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <mien/sdf/batch/one_by_one.h>
+#include <mien/sdf/batch/spans.h>
+
+namespace mien {
+namespace batch {
+HWY_EXPORT(DistancesEllipse);
+HWY_EXPORT(DistancesParabola);
+}  // namespace batch
+
+void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
+               std::span<float> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  const auto frame = batch::ellipse_frame(ellipse);
+  if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesEllipse)
+  (ellipse, *frame, x.data(), y.data(), d.size(), d.data());
+}
+
+void distances(const ParabolaSide& side, std::span<const float> x, std::span<const float> y,
+               std::span<float> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  const auto frame = batch::parabola_frame(side);
+  if (!frame) return batch::distances_one_by_one(side, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesParabola)
+  (side, *frame, x.data(), y.data(), d.size(), d.data());
+}
+
+}  // namespace mien
+#endif
