@@ -3,8 +3,8 @@
 //
 //   const Image picture = render(scene, {.width = 1920, .height = 1080});
 //
-// A scene is never modified; calls may run in parallel. The pixels depend on scene and view alone:
-// never on threads, region or anything drawn before.
+// A scene is never modified; calls may run in parallel. The pixels depend on scene and view alone: never
+// on threads, region or anything drawn before.
 
 #include <mien/lib/base/api.h>
 #include <mien/lib/base/parallel.h>

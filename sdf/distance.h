@@ -2,29 +2,25 @@
 // How far points are from curves: one at a time, or many at once.
 //
 //   double d = mien::distance(curve, p);                      // exact, scalar
-//   mien::distances(curve, xs, ys, ds);                       // the same for spans, 16 lanes at a
-//   time mien::distances(curve, xs, ys, ds, mien::Precision::accurate);
+//   mien::distances(curve, xs, ys, ds);                       // the same for spans, 16 lanes at a time
+//   mien::distances(curve, xs, ys, ds, mien::Precision::accurate);
 //
 // Rules for every batch function
-//   Spans.      x, y and d have the same length, any length, any alignment. d may be the very span
-//   x or y
-//               (the distances replace the coordinates); any other overlap, or unequal lengths,
-//               ends the program with a sentence on stderr.
-//   Units.      Distances come out in the units of the coordinates. No scale is special: everything
-//   is
+//   Spans.      x, y and d have the same length, any length, any alignment. d may be the very span x or y
+//               (the distances replace the coordinates); any other overlap, or unequal lengths, ends the
+//               program with a sentence on stderr.
+//   Units.      Distances come out in the units of the coordinates. No scale is special: everything is
 //               scaled by a power of two first.
-//   Totality.   Coincident and collinear control points are right. A point or curve with a NaN or
-//   infinite
-//               coordinate gives +infinity. A distance beyond the type's range is +infinity.
-//               Nothing hangs: there is no loop whose length depends on the numbers.
-//   Same bits.  A point's result depends on that point and the curve alone: not on its place in the
-//   span
-//               nor on the instruction set, among those with fused multiply-add (x86 since 2013,
-//               every 64-bit ARM). Machines without it keep the same error bounds.
+//   Totality.   Coincident and collinear control points are right. A point or curve with a NaN or infinite
+//               coordinate gives +infinity. A distance beyond the type's range is +infinity. Nothing hangs:
+//               there is no loop whose length depends on the numbers.
+//   Same bits.  A point's result depends on that point and the curve alone: not on its place in the span
+//               nor on the instruction set, among those with fused multiply-add (x86 since 2013, every
+//               64-bit ARM). Machines without it keep the same error bounds.
 //   Threads.    Re-entrant; no state is kept.
 //
-// Sources. Derived in docs/derivations; measured by the command mien-accuracy; bounds in the
-// contracts below, which the tests read.
+// Sources. Derived in docs/derivations; measured by the command mien-accuracy; bounds in the contracts
+// below, which the tests read.
 
 #include <mien/lib/base/api.h>
 #include <mien/lib/geom/quad_bezier.h>

@@ -16,13 +16,13 @@ struct EdgeCoverageContract {
 
 /// Area of the unit square inside a straight edge.
 ///
-///   d   signed distance from the square's centre to the edge, in sides; negative: the centre is
-///   inside n   unit outward normal of the edge
+///   d   signed distance from the square's centre to the edge, in sides; negative: the centre is inside
+///   n   unit outward normal of the edge
 ///   ->  covered area in [0, 1]; NaN in d gives 0 (outside)
 ///
-/// Derivation.  A point of the square is u, uniform on [−1/2, 1/2]²; it is inside when d + n·u < 0.
-/// n·u is a sum of two independent uniforms of widths a = max(|n.x|, |n.y|) and b = min(|n.x|,
-/// |n.y|), so its density is a trapezoid: 1/a for |s| <= (a−b)/2, falling linearly to 0 at (a+b)/2.
+/// Derivation.  A point of the square is u, uniform on [−1/2, 1/2]²; it is inside when d + n·u < 0. n·u is a sum
+/// of two independent uniforms of widths a = max(|n.x|, |n.y|) and b = min(|n.x|, |n.y|), so its density is a
+/// trapezoid: 1/a for |s| <= (a−b)/2, falling linearly to 0 at (a+b)/2.
 ///
 ///        1/a  ____________
 ///            /            \          area(d) = P(n·u < −d)
@@ -31,8 +31,7 @@ struct EdgeCoverageContract {
 ///      −(a+b)/2   0   (a+b)/2                = 1 − area(−d)               on the left slope
 ///
 /// (The common ramp clamp(1/2 − d) is off by up to 0.043, eleven grey levels, at 45°.)
-/// Error.  Rounding alone. Source. Derived here; checked against supersampling in the test beside
-/// it.
+/// Error.  Rounding alone. Source. Derived here; checked against supersampling in the test beside it.
 inline double straight_edge_coverage(double d, glm::dvec2 n) {
   const double nx = std::abs(n.x), ny = std::abs(n.y);
   const double a = std::max(nx, ny), b = std::min(nx, ny), t = std::abs(d);
@@ -49,16 +48,12 @@ inline double straight_edge_coverage(double d, glm::dvec2 n) {
 ///
 ///   bend   the edge's curvature, in 1 / side; positive where the inside is convex
 ///
-/// Derivation.  By Green, twice the area is the integral of cross(u, du) along the boundary, which
-/// is made of
+/// Derivation.  By Green, twice the area is the integral of cross(u, du) along the boundary, which is made of
 ///   pieces of the four sides, each cross(u, du) = 1/2 per unit of length, and of the parabola
-///   u(t) = t m − (d + bend t²/2) n, where it is (d − bend t²/2) dt. On a side the condition is a
-///   quadratic in the place along it; its roots give both the inside lengths and the t between
-///   which the parabola is in the square.
-/// Error.  kBentError: rounding alone, for |bend| <= 1. A straight edge moved by the mean of the
-/// bend over its chord
-///   would be simpler, but is off by up to 0.08·bend where the edge runs along a side of the square
-///   (tried).
+///   u(t) = t m − (d + bend t²/2) n, where it is (d − bend t²/2) dt. On a side the condition is a quadratic in the
+///   place along it; its roots give both the inside lengths and the t between which the parabola is in the square.
+/// Error.  kBentError: rounding alone, for |bend| <= 1. A straight edge moved by the mean of the bend over its chord
+///   would be simpler, but is off by up to 0.08·bend where the edge runs along a side of the square (tried).
 double bent_edge_coverage(double d, glm::dvec2 n, double bend);
 
 /// The distance of a straight edge near a bent one: moved by the mean of the bend over the

@@ -77,11 +77,9 @@ class ShapeSteps {
   Tape& tape_;
 };
 
-/// Writes the program of an area. With f the area's distance by its CSG tree, "f − offset <= 0" is
-/// pushed down:
+/// Writes the program of an area. With f the area's distance by its CSG tree, "f − offset <= 0" is pushed down:
 ///   either, both: to both operands          complement: −a <= o  is  not (a <= −o)
-///   offset m:     a <= o + m                shell m:    |a| <= o + m =: k  is  a <= k and not (a
-///   <= −k)
+///   offset m:     a <= o + m                shell m:    |a| <= o + m =: k  is  a <= k and not (a <= −k)
 /// Works off a stack of its own: trees may be a hundred thousand deep.
 class AreaSteps {
  public:

@@ -5,8 +5,8 @@
 //   both        max(a, b)     exact inside if both are; outside a bound
 //   without     max(a, −b)    as both, with b's inside and outside swapped
 //   complement  −a            inside and outside swapped
-//   offset      a − amount    outside as a outside; inside exact only if a is exact there and
-//   amount >= 0 … shell       |a| − amount  … see combine_exactness
+//   offset      a − amount    outside as a outside; inside exact only if a is exact there and amount >= 0 …
+//   shell       |a| − amount  … see combine_exactness
 //
 // All keep the sign, the outline and the Lipschitz bound 1 of what they are given.
 

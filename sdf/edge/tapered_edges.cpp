@@ -49,8 +49,8 @@ bool clear_outside(const TaperedStroke& s, double offset, glm::dvec2 c, double r
 
 /// Whether g_tt > 0 for every p in the disc (c, radius) and every t within `half` of a middle.
 ///     g_tt = (n'·B')²/rho − n·B'' − w'',   rho = |p − B|, n = (p − B)/rho, n' across it
-/// p − B moves by at most `reach`, so n turns by at most turn = reach/(rho − reach); a product with
-/// n' then changes by that with n times turn, and its own length times turn²/2.
+/// p − B moves by at most `reach`, so n turns by at most turn = reach/(rho − reach); a product with n' then changes by
+/// that with n times turn, and its own length times turn²/2.
 bool convex_around(const TaperedStroke& s, glm::dvec2 c, double radius, double middle,
                    double half) {
   const At foot = at(s, middle);
@@ -80,8 +80,7 @@ struct Envelope {
 };
 
 /// With everything bounded over |t − t0| <= half, where n turns by at most theta:
-///     omega' = (−omega (n'·B'') q + (n·B'' + w'')(omega w' + n'·B''))/q²,    v' = 2 omega w' +
-///     n'·B'' + w omega'.
+///     omega' = (−omega (n'·B'') q + (n·B'' + w'')(omega w' + n'·B''))/q²,    v' = 2 omega w' + n'·B'' + w omega'.
 Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
   glm::dvec2 across{-n.y, n.x};
   if (glm::dot(across, e.velocity) < 0.0) across = -across;

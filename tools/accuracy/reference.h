@@ -2,10 +2,9 @@
 // The true distances, in binary128. Coordinates are taken as exact; directions ("unit") are brought
 // to length 1.
 //
-// Method. Half the slope of the squared distance is a polynomial in the outline's parameter; its
-// sign changes
-//   are bracketed (roots.h), and the distance is the least of those there and at the ends. An error
-//   in the parameter enters at second order only, and a pair of roots that cancelled to no sign
+// Method. Half the slope of the squared distance is a polynomial in the outline's parameter; its sign
+//   changes are bracketed (roots.h), and the distance is the least of those there and at the ends. An
+//   error in the parameter enters at second order only, and a pair of roots that cancelled to no sign
 //   change is no minimum. Ellipses by bisection of the secular equation, strokes by a sequence of
 //   such quartics.
 // Error. Below 2⁻¹⁰⁰ of the largest coordinate.

@@ -1,6 +1,5 @@
 #pragma once
-// What a foreign solver must look like to stand in the table: a shared library with this one
-// function.
+// What a foreign solver must look like to stand in the table: a shared library with this one function.
 //
 //   /* Distances from (x[i], y[i]) to the quadratic Bézier curve[] = {x0, y0, x1, y1, x2, y2}. */
 //   extern "C" void mien_accuracy_solve(const double* curve, const double* x, const double* y,
