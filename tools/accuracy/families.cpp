@@ -6,7 +6,8 @@
 namespace mien::accuracy {
 namespace {
 
-double in_float(double x) {
+/// Not inlined: GCC 12 drops the rounding where it makes one vector of two of these (-O2, x86-64).
+[[gnu::noinline]] double in_float(double x) {
   return double(float(x));
 }
 glm::dvec2 in_float(glm::dvec2 p) {
