@@ -79,6 +79,13 @@ HWY_INLINE Placed<W> FromFoot(D d, const EllipseFrame& f, W x, W y, Angle<W> foo
   return {NegMulAdd(SetPack(d, f.a), foot.cos, x), NegMulAdd(SetPack(d, f.b), foot.sin, y)};
 }
 
+/// 1/(v + focal) and 1/v, by one division.
+template <class D, class W>
+HWY_INLINE Angle<W> Inverses(D d, W v, W focal) {
+  const W sum = Add(v, focal), inverse = Div(SetPack(d, 1), Mul(v, sum));
+  return {Mul(v, inverse), Mul(sum, inverse)};
+}
+
 /// A first guess at the foot, from both ends of the secular equation
 ///     (a x / (v + a² − b²))² + (b y / v)² = 1,   cos = a x / (v + a² − b²),  sin = b y / v:
 /// v is at least b y, at least a x − (a² − b²), and, where the first term is nearly 1, the inverse
@@ -95,13 +102,16 @@ HWY_INLINE Angle<Pack<V>> EllipseGuess(D d, const EllipseFrame& f, Pack<V> x, Pa
   const W s2 = Mul(SetPack(d, 2), Mul(by, inverse));
   const auto guess = [&](V vp, V vs) MIEN_LANES { return RootGuessOf(d, vp, vs); };
   const W sin = Mul(Each(guess, p, s2), SetPack(d, 1.13f));
-  W v = Max(Div(by, Min(sin, one)), Sub(ax, focal));
+  const W least = Max(Div(by, Min(sin, one)), Sub(ax, focal));
+  W v = least;
   for (int i = 0; i < 2; ++i) {
-    const W rx = Div(one, Add(v, focal)), ry = Div(one, v), c = Mul(ax, rx), s = Mul(by, ry);
-    const W n2 = MulAdd(c, c, Mul(s, s)), fall = MulAdd(Mul(c, c), rx, Mul(Mul(s, s), ry));
-    v = MulAdd(Sub(Sqrt(n2), one), Div(n2, fall), v);
+    const auto w = Inverses(d, v, focal);
+    const W c = Mul(ax, w.cos), s = Mul(by, w.sin), n2 = MulAdd(c, c, Mul(s, s));
+    const W fall = MulAdd(Mul(c, c), w.cos, Mul(Mul(s, s), w.sin));
+    v = Max(MulAdd(Sub(Sqrt(n2), one), Div(n2, fall), v), least);  // rounding may take it below
   }
-  const W c = Div(ax, Add(v, focal)), s = Div(by, v);
+  const auto w = Inverses(d, v, focal);
+  const W c = Mul(ax, w.cos), s = Mul(by, w.sin);
   const W shrink = Div(one, Sqrt(MulAdd(c, c, Mul(s, s))));
   return {Mul(c, shrink), Mul(s, shrink)};
 }
@@ -118,9 +128,11 @@ HWY_INLINE Angle<W> Turned(D d, const EllipseFrame& f, W x, W y, Angle<W> foot) 
   const W rise = MulAdd(tx, tx, MulAdd(ty, ty, bent)), most = SetPack(d, 0.25f);
   const W free_turn = Div(slope, Max(rise, SetPack(d, 1e-30f)));
   const W turn = Max(Min(free_turn, most), Neg(most));
-  const W shrink = Div(one, Sqrt(MulAdd(turn, turn, one)));
-  const Angle<W> next{Mul(NegMulAdd(foot.sin, turn, foot.cos), shrink),
-                      Mul(MulAdd(foot.cos, turn, foot.sin), shrink)};
+  // The rotation by 2 atan(turn/2): rational, and of length 1 to rounding.
+  const W half = Mul(turn, SetPack(d, 0.5f)), inverse = Div(one, MulAdd(half, half, one));
+  const W cos = Mul(NegMulAdd(half, half, one), inverse), sin = Mul(turn, inverse);
+  const Angle<W> next{MulSub(foot.cos, cos, Mul(foot.sin, sin)),
+                      MulAdd(foot.sin, cos, Mul(foot.cos, sin))};
   const auto s = FromFoot(d, f, x, y, next);
   const auto nearer = Lt(MulAdd(s.along, s.along, Mul(s.across, s.across)),
                          MulAdd(r.along, r.along, Mul(r.across, r.across)));
@@ -138,11 +150,14 @@ HWY_INLINE SignedDistance<W> FromEllipse(D d, const EllipseFrame& f, W px, W py)
   const W nx = Mul(b, foot.cos), ny = Mul(a, foot.sin);  // along the normal
   const auto r = FromFoot(d, f, x, y, foot);
   const W across = Div(MulAdd(r.along, nx, Mul(r.across, ny)), Sqrt(MulAdd(nx, nx, Mul(ny, ny))));
+  const W reach2 = MulAdd(x, x, Mul(y, y));
+  const auto outside = Gt(across, a);
+  if (!AnyTrue(d, outside)) return {across, reach2};
   const W ex = CopySign(Mul(a, foot.cos), at.along), ey = CopySign(Mul(b, foot.sin), at.across);
   const W ax = SetPack(d, f.axis_x), ay = SetPack(d, f.axis_y);
   const W rx = Sub(at.x, MulSub(ex, ax, Mul(ey, ay))), ry = Sub(at.y, MulAdd(ex, ay, Mul(ey, ax)));
   const W length = Sqrt(MulAdd(rx, rx, Mul(ry, ry)));
-  return {IfThenElse(Gt(across, a), length, across), MulAdd(x, x, Mul(y, y))};
+  return {IfThenElse(outside, length, across), reach2};
 }
 
 }  // namespace HWY_NAMESPACE
