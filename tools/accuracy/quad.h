@@ -1,10 +1,9 @@
 #pragma once
 // Numbers of 113 bits: what every distance in the laboratory is measured against.
 //
-// GCC's and Clang's binary128. Chosen over arbitrary precision (MPFR, cpp_bin_float) because the
-// reference is asked ten million times: it is 20 to 60 times faster, and 113 bits leave 60 beyond a
-// double's, more than any family of cases can cancel. reference_test.cpp checks it against 100
-// decimal digits.
+// GCC's and Clang's binary128: the compiler's own arithmetic, fast enough to be asked ten million times,
+// and 60 bits beyond a double's, more than any family of cases can cancel.
+// tests/tools/accuracy/reference_test.cpp checks what is built on it against 100 decimal digits.
 
 #include <cmath>
 
