@@ -56,10 +56,15 @@ HWY_INLINE SignedDistance<Pack<V>> FromParabola(D d, const ParabolaFrame& f, Pac
   const W v = Mul(at.along, scale), u = Abs(Mul(at.across, scale));
   const W p = MulAdd(v, SetPack(d, -1.0f / 3), SetPack(d, 1.0f / 6));
   W s = LargestRoot(d, p, Mul(u, SetPack(d, 0.5f)));
-  for (int i = 0; i < 2; ++i) {
+  const auto square_at = [&](W at_s) MIEN_LANES {
+    const W du = Sub(u, at_s), dv = NegMulAdd(at_s, at_s, v);
+    return MulAdd(du, du, Mul(dv, dv));
+  };
+  for (int i = 0; i < 2; ++i) {  // each only if it comes nearer: at the evolute the rise vanishes
     const W off = MulSub(s, s, v), slope = MulAdd(Mul(two, s), off, Sub(s, u));
     const W rise = MulAdd(two, MulAdd(Mul(two, s), s, off), one);
-    s = Sub(s, Div(slope, Max(rise, SetPack(d, 1e-30f))));
+    const W next = Sub(s, Div(slope, Max(rise, SetPack(d, 1e-30f))));
+    s = IfThenElse(Lt(square_at(next), square_at(s)), next, s);
   }
   const W tilt = Mul(two, s), off = NegMulAdd(s, s, v);
   const W across = MulSub(tilt, Sub(u, s), off);
@@ -140,7 +145,7 @@ HWY_INLINE Angle<W> Turned(D d, const EllipseFrame& f, W x, W y, Angle<W> foot) 
 }
 
 /// Near the outline the distance is the residual across the tangent: an error of the foot enters at
-/// second order. Beyond a radius it is the residual's length, in the caller's own directions, so
+/// second order. Beyond a quarter radius it is the residual's length, in the caller's own directions, so
 /// that the rounding of the axis counts with the ellipse's size and not with the distance.
 template <class D, class W>
 HWY_INLINE SignedDistance<W> FromEllipse(D d, const EllipseFrame& f, W px, W py) {
@@ -151,7 +156,7 @@ HWY_INLINE SignedDistance<W> FromEllipse(D d, const EllipseFrame& f, W px, W py)
   const auto r = FromFoot(d, f, x, y, foot);
   const W across = Div(MulAdd(r.along, nx, Mul(r.across, ny)), Sqrt(MulAdd(nx, nx, Mul(ny, ny))));
   const W reach2 = MulAdd(x, x, Mul(y, y));
-  const auto outside = Gt(across, a);
+  const auto outside = Gt(across, Mul(a, SetPack(d, 0.25f)));
   if (!AnyTrue(d, outside)) return {across, reach2};
   const W ex = CopySign(Mul(a, foot.cos), at.along), ey = CopySign(Mul(b, foot.sin), at.across);
   const W ax = SetPack(d, f.axis_x), ay = SetPack(d, f.axis_y);
