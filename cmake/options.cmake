@@ -19,6 +19,7 @@ endif()
 if(MIEN_SANITIZE)
   add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIEN_SANITIZE})
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC warns of the sanitizers' own code
 endif()
 if(MIEN_COVERAGE)
   add_compile_options(--coverage -fprofile-update=atomic)
