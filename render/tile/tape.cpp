@@ -176,8 +176,9 @@ Tape tape_from_scene(const Scene& scene, const View& view) {
     const Layer& layer = scene.layers()[i];
     const int first = int(tape.steps.size());
     areas.add(layer.area);
-    tape.layers.push_back(
-        {first, int(tape.steps.size()) - first, mix_from_color(layer.paint.color, view.blend)});
+    tape.layers.push_back({.first = first,
+                           .count = int(tape.steps.size()) - first,
+                           .mix = mix_from_color(layer.paint.color, view.blend)});
   }
   return tape;
 }

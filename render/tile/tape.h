@@ -23,6 +23,11 @@ struct Step {
 struct TapeLayer {
   int first, count;  ///< steps, in Tape::steps
   Mix mix;           ///< what the layer lays over those below
+  int paint = -1;  ///< index into Tape::paints: the colour varies with the place; −1: it is `mix`
+  int group = -1;  ///< index into Tape::groups: a part of a translucent group; −1: on its own
+
+  /// One colour, laid over what is below by itself: all that fast paths need to know.
+  bool plain() const { return paint < 0 && group < 0; }
 };
 
 /// Immutable once made; shared by all threads.
