@@ -25,7 +25,7 @@ struct Wrong {
 const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 1048576";
 
 const Wrong kWrongs[] = {
-    {{}, 2, "a command is needed: render, check, scene, list; mien -h helps"},
+    {{}, 2, "a command is needed: render, check, scene, list, bench; mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},
     {{"--versoin"}, 2, "no option named \"--versoin\"; did you mean \"--version\"?"},
@@ -128,6 +128,16 @@ const Wrong kWrongs[] = {
     {{"check", "DIR/none.json"}, 1, "DIR/none.json: cannot be read: No such file or directory"},
     {{"scene", "FACE", "--time", "soon"}, 2, "--time soon: expected a finite number of seconds"},
     {{"list", "FACE", "FACE"}, 2, "list: one argument too many: \"FACE\""},
+    {{"bench"}, 2, "bench: FACE is required"},
+    {{"bench", "FACE", "--repeat", "0"},
+     2,
+     "--repeat 0: expected a whole number from 1 to 1000000"},
+    {{"bench", "FACE", "--repeat", "1.5"},
+     2,
+     "--repeat 1.5: expected a whole number from 1 to 1000000"},
+    {{"bench", "FACE", "--size", "none"}, 2, std::string("--size none: ") + kSides},
+    {{"bench", "FACE", "--depth", "9"}, 2, "--depth 9: expected 8, 16, half or float"},
+    {{"bench", "FACE", "-o", "OUT"}, 2, "no option named \"-o\"; did you mean \"-h\"?"},
     {{"completion", "tcsh"}, 2, "completion tcsh: expected bash, zsh or fish"}};
 
 std::string filled(std::string text, const ScratchFolder& folder) {

@@ -21,6 +21,12 @@ struct RenderArguments {
       progress;
 };
 
+struct BenchArguments {
+  RenderArguments render;  ///< without output
+  std::optional<std::string> repeat;
+  bool json = false;
+};
+
 struct CheckArguments {
   std::vector<std::string> faces;
 };

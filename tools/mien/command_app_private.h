@@ -13,6 +13,7 @@ namespace mien::command {
 struct CommandApp {
   CLI::App app{"mien draws vector faces exactly.", "mien"};
   RenderArguments render;
+  BenchArguments bench;
   CheckArguments check;
   SceneArguments scene;
   ListArguments list;

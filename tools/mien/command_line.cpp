@@ -24,11 +24,14 @@ void add_pose(CLI::App* to, PosedFace& posed) {
       ->allow_extra_args(false);
 }
 
-void add_picture(CLI::App* to, RenderArguments& render) {
+void add_output(CLI::App* to, RenderArguments& render) {
   to->add_option("-o,--output", render.output,
                  "Picture to write: .png .tif .tiff .exr .jpg .jpeg; - is a PNG on standard output")
       ->required()
       ->type_name("FILE");
+}
+
+void add_picture(CLI::App* to, RenderArguments& render) {
   to->add_option("--size", render.size,
                  "Pixels of the whole picture, or of its longer side; default: longer side " +
                      std::to_string(kDefaultSide))
@@ -50,10 +53,13 @@ void add_picture(CLI::App* to, RenderArguments& render) {
       ->type_name(std::string(kDepths));
 }
 
-void add_work(CLI::App* to, RenderArguments& render) {
+void add_threads(CLI::App* to, RenderArguments& render) {
   to->add_option("--threads", render.threads,
                  "Threads to draw with; 0, the default: as many as there are")
       ->type_name("N");
+}
+
+void add_work(CLI::App* to, RenderArguments& render) {
   to->add_option("--memory", render.memory,
                  "Most bytes a picture may take in memory, K M G T for powers of 1024; default 4G")
       ->type_name("BYTES");
@@ -104,6 +110,7 @@ std::string stray(const CLI::App& app) {
 CommandLine chosen(CommandApp& command) {
   const CLI::App& app = command.app;
   if (app.got_subcommand("render")) return std::move(command.render);
+  if (app.got_subcommand("bench")) return std::move(command.bench);
   if (app.got_subcommand("check")) return std::move(command.check);
   if (app.got_subcommand("scene")) return std::move(command.scene);
   if (app.got_subcommand("list")) return std::move(command.list);
@@ -155,7 +162,9 @@ std::unique_ptr<CommandApp> command_app() {
 
   CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
   add_pose(render, made->render.posed);
+  add_output(render, made->render);
   add_picture(render, made->render);
+  add_threads(render, made->render);
   add_work(render, made->render);
 
   CLI::App* check = app.add_subcommand("check", "Say whether face files are in order");
@@ -170,6 +179,17 @@ std::unique_ptr<CommandApp> command_app() {
   CLI::App* list = app.add_subcommand(
       "list", "Print every name that --set takes, with unit, range and value; and clips");
   list->add_option("FACE", made->list.face, "Face file")->required()->type_name("");
+
+  CLI::App* bench =
+      app.add_subcommand("bench", "Measure how long a frame takes, from pose to pixels");
+  add_pose(bench, made->bench.render.posed);
+  add_picture(bench, made->bench.render);
+  add_threads(bench, made->bench.render);
+  bench
+      ->add_option("--repeat", made->bench.repeat,
+                   "Frames to measure; default " + std::to_string(kDefaultRepeat))
+      ->type_name("N");
+  bench->add_flag("--json", made->bench.json, "Print JSON instead of a table");
 
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");

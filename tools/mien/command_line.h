@@ -16,8 +16,8 @@ struct WrongUse {
   std::string sentence;
 };
 
-using CommandLine =
-    std::variant<Help, WrongUse, RenderArguments, CheckArguments, SceneArguments, ListArguments>;
+using CommandLine = std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments,
+                                 SceneArguments, ListArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

@@ -13,6 +13,7 @@ struct Run {
   int operator()(const Help& help) const { return print(help.text); }
   int operator()(const WrongUse& wrong) const { return complain(wrong.sentence, kUsedWrongly); }
   int operator()(const RenderArguments& arguments) const { return render_command(arguments); }
+  int operator()(const BenchArguments& arguments) const { return bench_command(arguments); }
   int operator()(const CheckArguments& arguments) const { return check_command(arguments); }
   int operator()(const SceneArguments& arguments) const { return scene_command(arguments); }
   int operator()(const ListArguments& arguments) const { return list_command(arguments); }

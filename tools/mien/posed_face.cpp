@@ -1,8 +1,8 @@
 #include <mien/lib/file/face_file.h>
-#include <mien/lib/rig/pose.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/values.h>
 
+#include <utility>
 #include <vector>
 
 namespace mien::command {
@@ -16,21 +16,27 @@ std::optional<Face> read_face_aloud(const std::string& path) {
   return {};
 }
 
-PosedOrCode read_posed_face(const PosedFace& arguments) {
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
   Pose pose;
   if (arguments.time) {
     const auto time = read_time(*arguments.time);
-    if (!time) return {{}, complain(time.error(), kUsedWrongly)};
+    if (!time) return {{}, {}, complain(time.error(), kUsedWrongly)};
     pose.time = *time;
   }
-  const auto face = read_face_aloud(arguments.face);
-  if (!face) return {{}, kFailed};
+  auto face = read_face_aloud(arguments.face);
+  if (!face) return {{}, {}, kFailed};
   for (const std::string& text : arguments.settings) {
     auto setting = read_setting(*face, text);
-    if (!setting) return {{}, complain(setting.error(), kUsedWrongly)};
+    if (!setting) return {{}, {}, complain(setting.error(), kUsedWrongly)};
     pose.settings.push_back(*std::move(setting));
   }
-  return {pose_face(*face, pose), kDone};
+  return {std::move(face), std::move(pose), kDone};
+}
+
+PosedOrCode read_posed_face(const PosedFace& arguments) {
+  const FaceAndPoseOrCode read = read_face_and_pose(arguments);
+  if (!read.face) return {{}, read.code};
+  return {pose_face(*read.face, read.pose), kDone};
 }
 
 }  // namespace mien::command

@@ -2,6 +2,7 @@
 // FACE, --time and --set: what render and scene have in common.
 
 #include <mien/lib/face/face.h>
+#include <mien/lib/rig/pose.h>
 #include <mien/tools/mien/arguments.h>
 #include <mien/tools/mien/messages.h>
 
@@ -11,6 +12,14 @@ namespace mien::command {
 
 /// The face, or nothing; warnings and the error have been said.
 std::optional<Face> read_face_aloud(const std::string& path);
+
+/// A face and the pose asked for, or the exit code after what was wrong has been said.
+struct FaceAndPoseOrCode {
+  std::optional<Face> face;
+  Pose pose;
+  int code = kDone;
+};
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments);
 
 /// A face at the pose asked for, or the exit code after what was wrong has been said.
 struct PosedOrCode {

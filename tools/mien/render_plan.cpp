@@ -38,6 +38,12 @@ const char* what_it_holds(FileType type) {
   return "";
 }
 
+Depth drawn_depth(DepthChoice depth) {
+  return depth == DepthChoice::eight     ? Depth::u8
+         : depth == DepthChoice::sixteen ? Depth::u16
+                                         : Depth::f32;
+}
+
 Expected<Done> plan_depth(RenderPlan& plan, const RenderArguments& arguments) {
   DepthChoice depth = *plan.write.type == FileType::exr ? DepthChoice::half : DepthChoice::eight;
   if (arguments.depth) {
@@ -50,9 +56,7 @@ Expected<Done> plan_depth(RenderPlan& plan, const RenderArguments& arguments) {
           fmt::format("{} holds {}", type_name(*plan.write.type), what_it_holds(*plan.write.type))};
     }
   }
-  plan.how.depth = depth == DepthChoice::eight     ? Depth::u8
-                   : depth == DepthChoice::sixteen ? Depth::u16
-                                                   : Depth::f32;
+  plan.how.depth = drawn_depth(depth);
   plan.write.half = depth == DepthChoice::half;
   return Done{};
 }
@@ -86,12 +90,11 @@ Expected<Done> check_memory(const RenderPlan& plan, const std::optional<std::str
 
 }  // namespace
 
-Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
+namespace {
+
+/// What a picture is and how it is drawn, but for its depth.
+Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
   RenderPlan plan;
-  const auto type = chosen_type(arguments.output, {});
-  if (!type) return type.error();
-  plan.write.type = *type;
-  if (auto done = plan_depth(plan, arguments); !done) return done.error();
   if (auto done = plan_choice(plan.view.fit, "--fit", arguments.fit, kFits); !done)
     return done.error();
   if (auto done = plan_choice(plan.view.blend, "--blend", arguments.blend, kBlends); !done)
@@ -117,6 +120,27 @@ Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
   if (arguments.size) {
     if (const auto size = read_size(*arguments.size, 1.0); !size) return size.error();
   }
+  return plan;
+}
+
+}  // namespace
+
+Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
+  const auto type = chosen_type(arguments.output, {});
+  if (!type) return type.error();
+  auto plan = plan_picture(arguments);
+  if (!plan) return plan;
+  plan->write.type = *type;
+  if (auto done = plan_depth(*plan, arguments); !done) return done.error();
+  return plan;
+}
+
+Expected<RenderPlan> plan_frame(const RenderArguments& arguments) {
+  auto plan = plan_picture(arguments);
+  if (!plan || !arguments.depth) return plan;
+  const auto chosen = read_choice("--depth", *arguments.depth, kDepths);
+  if (!chosen) return chosen.error();
+  plan->how.depth = drawn_depth(DepthChoice(*chosen));
   return plan;
 }
 

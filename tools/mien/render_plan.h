@@ -24,9 +24,14 @@ struct RenderPlan {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
+/// Frames that `mien bench` measures without --repeat.
+inline constexpr int kDefaultRepeat = 50;
+
 /// All that can be said without the face: files, depths, counts. `plan_view` adds what depends on
 /// its canvas.
 Expected<RenderPlan> plan_render(const RenderArguments& arguments);
+/// The same for a picture that goes nowhere: `output` is not read, any depth will do.
+Expected<RenderPlan> plan_frame(const RenderArguments& arguments);
 Expected<Done> plan_view(RenderPlan& plan, const RenderArguments& arguments, const Canvas& canvas);
 
 }  // namespace mien::command

@@ -103,6 +103,13 @@ Expected<int> read_threads(std::string_view text) {
       fmt::format("expected a whole number from 0 (as many as there are) to {}", kMostThreads));
 }
 
+Expected<int> read_repeat(std::string_view text) {
+  const auto value = number<int>(text);
+  if (value && *value >= 1 && *value <= kMostRepeats) return *value;
+  return refuse("--repeat", text,
+                fmt::format("expected a whole number from 1 to {}", kMostRepeats));
+}
+
 Expected<std::uint64_t> read_memory(std::string_view text) {
   constexpr std::string_view kUnits = "KMGT";
   std::string_view digits = text;

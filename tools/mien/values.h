@@ -30,6 +30,10 @@ Expected<double> read_time(std::string_view text);
 inline constexpr int kMostThreads = 1024;
 Expected<int> read_threads(std::string_view text);
 
+/// 1 … kMostRepeats frames.
+inline constexpr int kMostRepeats = 1'000'000;
+Expected<int> read_repeat(std::string_view text);
+
 /// A number of bytes, perhaps with K, M, G or T (powers of 1024).
 Expected<std::uint64_t> read_memory(std::string_view text);
 

@@ -1,0 +1,203 @@
+#include "bench/whole/peer_drawing.h"
+
+#include <mien/lib/geom/srgb.h>
+
+#include <cmath>
+#include <utility>
+
+namespace mien::bench {
+namespace {
+
+struct Refusal {
+  std::string why;
+};
+
+Color encoded(const Color& c) {
+  return {srgb_from_linear(c.r), srgb_from_linear(c.g), srgb_from_linear(c.b), c.a};
+}
+
+void move(PathSteps& to, glm::dvec2 p) {
+  to.push_back({PathStep::Kind::move, {p}});
+}
+void line(PathSteps& to, glm::dvec2 p) {
+  to.push_back({PathStep::Kind::line, {p}});
+}
+void close(PathSteps& to) {
+  to.push_back({PathStep::Kind::close});
+}
+
+/// A quadratic as the same curve of degree three.
+void quad(PathSteps& to, const QuadBezier& q) {
+  to.push_back({PathStep::Kind::cubic,
+                {q.p0 + 2.0 / 3.0 * (q.p1 - q.p0), q.p2 + 2.0 / 3.0 * (q.p1 - q.p2), q.p2}});
+}
+
+/// An arc as cubics of at most 45 degrees, 5e-6 radii off at most.
+void arc(PathSteps& to, glm::dvec2 center, double radius, double from, double until) {
+  const int pieces = int(std::ceil(std::fabs(until - from) / 0.785398163397448 - 1e-9));
+  const double step = (until - from) / pieces, pull = 4.0 / 3.0 * std::tan(step / 4);
+  const auto on = [&](double a) { return glm::dvec2{std::cos(a), std::sin(a)}; };
+  const auto along = [&](double a) { return glm::dvec2{-std::sin(a), std::cos(a)}; };
+  for (int i = 0; i < pieces; ++i) {
+    const double a = from + i * step, b = a + step;
+    to.push_back({PathStep::Kind::cubic,
+                  {center + radius * (on(a) + pull * along(a)),
+                   center + radius * (on(b) - pull * along(b)), center + radius * on(b)}});
+  }
+}
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A parabola as a curve over u = cross(axis, p − vertex), and its quadratic between two of them.
+struct Parabola {
+  ParabolaSide side;
+
+  glm::dvec2 blossom(double u, double v) const {
+    const glm::dvec2 along{-side.axis.y, side.axis.x};
+    return side.vertex + 0.5 * (u + v) * along + side.bend * u * v * side.axis;
+  }
+  double u_of(glm::dvec2 p) const { return cross(side.axis, p - side.vertex); }
+  QuadBezier between(double u, double v) const {
+    return {blossom(u, u), blossom(u, v), blossom(v, v)};
+  }
+};
+
+PathSteps band_path(const Band& band) {
+  const Parabola lower{band.lower}, upper{band.upper};
+  const glm::dvec2 a = band.lower.axis, b = band.upper.axis;
+  if (std::fabs(cross(a, b)) > 1e-12) throw Refusal{"a band whose axes are not parallel"};
+  // Along the lower side, the upper's condition  dot(q, b) = bend_b · cross(b, q)²  is a quadratic.
+  const double s = dot(a, b);  // ±1
+  const glm::dvec2 d = band.lower.vertex - band.upper.vertex;
+  const double e = cross(b, d);
+  const double k2 = band.lower.bend * s - band.upper.bend, k1 = -2 * band.upper.bend * e * s,
+               k0 = dot(d, b) - band.upper.bend * e * e;
+  const double root = std::sqrt(k1 * k1 - 4 * k2 * k0);
+  if (!(root > 0)) throw Refusal{"a band with nothing inside"};
+  const double u = (-k1 - root) / (2 * k2), v = (-k1 + root) / (2 * k2);
+  PathSteps path;
+  move(path, lower.blossom(u, u));
+  quad(path, lower.between(u, v));
+  quad(path, upper.between(upper.u_of(lower.blossom(v, v)), upper.u_of(lower.blossom(u, u))));
+  close(path);
+  return path;
+}
+
+PathSteps cut_disc_path(const CutDisc& disc) {
+  const double up = std::asin(std::fmin(1, disc.upper)), low = std::asin(std::fmin(1, disc.lower));
+  const double turn = std::atan2(disc.up.y, disc.up.x), half = 1.5707963267948966;
+  const auto on = [&](double a) {
+    return disc.center + disc.radius * glm::dvec2{std::cos(a), std::sin(a)};
+  };
+  // Angles from `up`: the upper chord ends at ±(half − up), the lower one at ±(half + low).
+  PathSteps path;
+  move(path, on(turn + half - up));
+  arc(path, disc.center, disc.radius, turn + half - up, turn + half + low);
+  line(path, on(turn - half - low));
+  arc(path, disc.center, disc.radius, turn - half - low, turn - half + up);
+  close(path);
+  return path;
+}
+
+PathSteps loops_path(const Path& from) {
+  PathSteps path;
+  for (const Path::Loop& loop : from.loops) {
+    if (loop.sides.empty()) continue;
+    move(path, loop.sides.front().p0);
+    for (const QuadBezier& side : loop.sides) quad(path, side);
+    close(path);
+  }
+  return path;
+}
+
+PathSteps lines_path(const std::vector<glm::dvec2>& points) {
+  PathSteps path;
+  move(path, points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) line(path, points[i]);
+  return path;
+}
+
+struct FigureOf {
+  PeerFigure operator()(const Band& s) const { return {PeerFigure::Kind::fill, band_path(s)}; }
+  PeerFigure operator()(const CutDisc& s) const {
+    return {PeerFigure::Kind::fill, cut_disc_path(s)};
+  }
+  PeerFigure operator()(const Disc& s) const {
+    return {PeerFigure::Kind::ellipse, {}, 0, {s.center, {s.radius, s.radius}}};
+  }
+  PeerFigure operator()(const Ellipse& s) const { return {PeerFigure::Kind::ellipse, {}, 0, s}; }
+  PeerFigure operator()(const Triangle& s) const {
+    PeerFigure figure{PeerFigure::Kind::fill, lines_path({s.a, s.b, s.c})};
+    close(figure.path);
+    return figure;
+  }
+  PeerFigure operator()(const Line& s) const {
+    return {PeerFigure::Kind::stroke, lines_path({s.a, s.b}), 2 * s.half_width};
+  }
+  PeerFigure operator()(const Polyline& s) const {
+    return {PeerFigure::Kind::stroke, lines_path(s.points), 2 * s.half_width};
+  }
+  PeerFigure operator()(const QuadStroke& s) const {
+    PeerFigure figure{PeerFigure::Kind::stroke, {}, 2 * s.half_width};
+    move(figure.path, s.spine.p0);
+    quad(figure.path, s.spine);
+    return figure;
+  }
+  PeerFigure operator()(const Path& s) const {
+    PeerFigure figure{PeerFigure::Kind::fill, loops_path(s)};
+    figure.even_odd = s.rule == FillRule::even_odd;
+    return figure;
+  }
+  template <class Other>
+  PeerFigure operator()(const Other& s) const {
+    throw Refusal{"a " + std::string(shape_name(Shape(s)))};
+  }
+};
+
+class Maker {
+ public:
+  Maker(const Scene& scene, const View& view)
+      : scene_(scene), pixels_(pixel_from_face(scene.canvas(), view)) {
+    // mien's pixels count from the picture's centre, a rasteriser's from its corner.
+    pixels_.shift += 0.5 * glm::dvec2{view.width, view.height};
+  }
+
+  PeerFigure figure(Area area) const {
+    const Node& node = scene_.nodes()[std::size_t(area.node)];
+    if (node.op == Op::shape) {
+      return std::visit(FigureOf{}, transformed(pixels_, scene_.shapes()[std::size_t(node.a)]));
+    }
+    if (node.op != Op::both) throw Refusal{"an area that is no intersection"};
+    PeerFigure inner = figure({node.a});
+    PeerFigure outer = figure({node.b});
+    if (outer.kind != PeerFigure::Kind::fill) throw Refusal{"a clip that is no filled path"};
+    inner.clips.push_back(std::move(outer.path));
+    for (PathSteps& clip : outer.clips) inner.clips.push_back(std::move(clip));
+    return inner;
+  }
+
+ private:
+  const Scene& scene_;
+  Map<PixelSpace, FaceSpace> pixels_;
+};
+
+}  // namespace
+
+std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, std::string& why) {
+  try {
+    const Maker maker(scene, view);
+    PeerDrawing drawing{view.width, view.height, encoded(scene.background()), {}};
+    for (const Layer& layer : scene.layers()) {
+      drawing.figures.push_back(maker.figure(layer.area));
+      drawing.figures.back().color = encoded(layer.paint.color);
+    }
+    return drawing;
+  } catch (const Refusal& refusal) {
+    why = refusal.why;
+    return {};
+  }
+}
+
+}  // namespace mien::bench

@@ -1,0 +1,41 @@
+#pragma once
+// A scene as a rasteriser of paths wants it: a list of fills and strokes in pixels, made once, so
+// that a peer is timed on drawing alone.
+
+#include <mien/render/view/view.h>
+#include <mien/sdf/scene/scene.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mien::bench {
+
+/// One piece of a path: x right, y down from the picture's top left corner.
+struct PathStep {
+  enum class Kind { move, line, cubic, close } kind;
+  glm::dvec2 p[3] = {};
+};
+using PathSteps = std::vector<PathStep>;
+
+struct PeerFigure {
+  enum class Kind { fill, stroke, ellipse } kind;
+  PathSteps path;                ///< of fills and strokes
+  double width = 0;              ///< of strokes: round caps and joins
+  Ellipse ellipse{};             ///< of ellipses
+  bool even_odd = false;         ///< of fills
+  Color color{};                 ///< sRGB-encoded here
+  std::vector<PathSteps> clips;  ///< all of them hold
+};
+
+struct PeerDrawing {
+  int width = 0, height = 0;
+  Color background;                 ///< sRGB-encoded
+  std::vector<PeerFigure> figures;  ///< bottom to top
+};
+
+/// Nothing if the scene has something that fills and strokes of paths cannot say; `why` says what.
+std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, std::string& why);
+
+}  // namespace mien::bench
