@@ -61,8 +61,13 @@ function(mien_install_pc name component)
           COMPONENT ${component})
 endfunction()
 
+# Public headers that mien.h does not pull in, one per line.
+set(MIEN_MORE_PUBLIC_HEADERS
+  sdf/distance.h
+)
+
 mien_install_library(mien mien)
-mien_install_headers(mien mien.h sdf/distance.h)
+mien_install_headers(mien mien.h ${MIEN_MORE_PUBLIC_HEADERS})
 mien_install_pc(mien mien)
 if(MIEN_BUILD_IMAGE)
   mien_install_library(mien_image image)

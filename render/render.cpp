@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <new>
 
 namespace mien {
 namespace {
@@ -69,27 +70,47 @@ RenderStats draw(const Tape& tape, const View& view, const Target& target,
   return stats;
 }
 
+/// The empty image, where no other can be given.
+Image no_image(Depth depth) {
+  return {.depth = depth};
+}
+
+bool drawable(const View& view) {
+  const auto valid = [](int side) { return side >= 1 && side <= View::kMaxSide; };
+  return valid(view.width) && valid(view.height);
+}
+
 }  // namespace
 
 Image render(const Scene& scene, const View& view, const RenderOptions& how, RenderStats* stats) {
-  const PixelRect rect = drawn_rect(view);
-  Image image{.width = rect.width, .height = rect.height, .depth = how.depth};
-  image.bytes.resize(image.stride() * std::size_t(rect.height));
-  const Tape tape = tape_from_scene(scene, view);
-  image.opaque = opaque(tape);
-  const RenderStats took =
-      draw(tape, view, {image.bytes.data(), image.stride(), how.depth, rect}, how);
-  if (stats) *stats = took;
-  return image;
+  if (!drawable(view)) return no_image(how.depth);
+  try {
+    const PixelRect rect = drawn_rect(view);
+    Image image{.width = rect.width, .height = rect.height, .depth = how.depth};
+    image.bytes.resize(image.stride() * std::size_t(rect.height));  // at most 2^44 bytes
+    const Tape tape = tape_from_scene(scene, view);
+    image.opaque = opaque(tape);
+    const RenderStats took =
+        draw(tape, view, {image.bytes.data(), image.stride(), how.depth, rect}, how);
+    if (stats) *stats = took;
+    return image;
+  } catch (const std::bad_alloc&) {
+    return no_image(how.depth);
+  }
 }
 
 bool render_into(const PixelBuffer& out, const Scene& scene, const View& view,
                  const RenderOptions& how, RenderStats* stats) {
-  const Tape tape = tape_from_scene(scene, view);
-  const Target target{static_cast<std::byte*>(out.data), out.stride, out.depth, drawn_rect(view)};
-  const RenderStats took = draw(tape, view, target, how);
-  if (stats) *stats = took;
-  return !took.cancelled;
+  if (!drawable(view)) return false;
+  try {
+    const Tape tape = tape_from_scene(scene, view);
+    const Target target{static_cast<std::byte*>(out.data), out.stride, out.depth, drawn_rect(view)};
+    const RenderStats took = draw(tape, view, target, how);
+    if (stats) *stats = took;
+    return !took.cancelled;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 }  // namespace mien

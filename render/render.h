@@ -23,13 +23,15 @@ struct RenderOptions {
   Progress progress;  ///< may cancel; a cancelled picture's pixels are unspecified
 };
 
-/// Draws the scene through the view into an image. Total: any Scene and any View with valid sides.
+/// Draws the scene through the view into an image. Total: any Scene and any View. Where there can be
+/// no picture (a side outside 1 … View::kMaxSide, or more pixels than there is memory for) the image
+/// is the empty one, 0 × 0, and `stats` is left alone.
 MIEN_API Image render(const Scene& scene, const View& view, const RenderOptions& how = {},
                       RenderStats* stats = nullptr);
 
 /// The same into the caller's buffer, which holds drawn_rect(view).height rows of
 /// drawn_rect(view).width pixels. `how.depth` is ignored in favour of the buffer's. Returns whether
-/// it was drawn to the end.
+/// it was drawn to the end: not if it was cancelled, a side is invalid or memory ran out.
 MIEN_API bool render_into(const PixelBuffer& out, const Scene& scene, const View& view,
                           const RenderOptions& how = {}, RenderStats* stats = nullptr);
 

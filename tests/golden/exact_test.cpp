@@ -8,6 +8,7 @@
 
 #include <random>
 
+#include "tests/support/effort.h"
 #include "tests/support/faces.h"
 #include "tests/support/truth.h"
 
@@ -27,7 +28,8 @@ std::vector<std::string> eyes(glm::dvec2 gaze, double dilation, double blink) {
 }
 
 void expect_exact(const Image& image, const test::TruthScene& truth, int grid, int every = 1) {
-  const test::TruthError error = test::compare_with_truth(image, truth, grid, every);
+  const test::TruthError error =
+      test::compare_with_truth(image, truth, grid, every * test::kThinning);
   EXPECT_EQ(error.over_one, 0) << error.where;
   EXPECT_GT(error.edge_pixels, 0);
   testing::Test::RecordProperty(
@@ -158,7 +160,7 @@ TEST(Exact, RandomScenesOfEveryShapeAndOperator) {
     SCOPED_TRACE(fmt::format("seed {} at {} px:\n{}", seed, side, scene.text()));
     const Image image = render(scene, {.width = side, .height = side, .blend = Blend::srgb});
     const test::TruthError error =
-        test::compare_with_truth(image, test::scene_truth(scene, side, side), 256);
+        test::compare_with_truth(image, test::scene_truth(scene, side, side), 256, test::kThinning);
     EXPECT_EQ(error.over_one, 0) << error.where;
   }
 }

@@ -1,10 +1,14 @@
 #include <mien/render/render.h>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
+
+#include "tests/support/effort.h"
 
 namespace mien {
 namespace {
@@ -65,6 +69,32 @@ TEST(Render, TellsItsProgressAndStopsWhenAsked) {
   render(beads(), {.width = 700, .height = 700}, {.progress = [](double) { return false; }},
          &stats);
   EXPECT_TRUE(stats.cancelled);
+}
+
+TEST(Render, OfAPictureThatCannotBeIsTheEmptyImage) {
+  const auto expect_empty = [](const View& view, const RenderOptions& how) {
+    const Image image = render(beads(), view, how);
+    EXPECT_EQ(image.width, 0);
+    EXPECT_EQ(image.height, 0);
+    EXPECT_TRUE(image.bytes.empty());
+  };
+  constexpr int kSide = View::kMaxSide, kMost = std::numeric_limits<int>::max();
+  for (const View& view :
+       {View{.width = 0, .height = 9}, View{.width = 9, .height = -1},
+        View{.width = kSide + 1, .height = 1}, View{.width = kMost, .height = kMost},
+        View{.width = -5, .height = -5, .region = PixelRect{0, 0, 3, 3}}}) {
+    expect_empty(view, {.depth = Depth::f32});
+    std::byte pixel[16];
+    EXPECT_FALSE(render_into({pixel, 16, Depth::f32}, beads(), view));
+  }
+  if constexpr (!test::kSanitized) {  // whose own allocators end the program instead
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+    const rlimit scarce{rlim_t{1} << 36, before.rlim_max};  // else some systems promise anything
+    ASSERT_EQ(::setrlimit(RLIMIT_AS, &scarce), 0);
+    expect_empty({.width = kSide, .height = kSide}, {.depth = Depth::f32});  // 16 TiB
+    ASSERT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
+  }
 }
 
 TEST(RenderInto, TouchesOnlyThePixelsOfItsRows) {

@@ -12,6 +12,8 @@
 #include <map>
 #include <vector>
 
+#include "tests/support/effort.h"
+
 namespace mien {
 namespace {
 
@@ -37,7 +39,7 @@ class Families : public testing::TestWithParam<size_t> {};
 
 TEST_P(Families, EveryKernelKeepsItsContractOnEveryInstructionSet) {
   const auto& family = accuracy::families()[GetParam()];
-  for (const auto& t : accuracy::run(family, accuracy::own_solvers(), 2'000, 20)) {
+  for (const auto& t : accuracy::run(family, accuracy::own_solvers(), test::times(2'000), 20)) {
     EXPECT_TRUE(t.passes()) << accuracy::table({t});
   }
   batch::use_instruction_set(0);
@@ -53,7 +55,7 @@ TEST(Laboratory, APlantedErrorOfOneInAMillionIsCaught) {
     });
     const auto honest = solver.solve;
     solver.solve = [honest](const Case& k) { return honest(k) * (1 + 1e-6); };
-    const auto tallies = accuracy::run(family, {solver}, 3'000, 20);
+    const auto tallies = accuracy::run(family, {solver}, test::times(3'000), 20);
     EXPECT_FALSE(tallies.front().passes()) << solver.name << ' ' << solver.instruction_set;
   }
   batch::use_instruction_set(0);

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "tests/support/effort.h"
 #include "tests/support/random.h"
 
 namespace mien::test {
@@ -43,11 +44,11 @@ class ShapeLaws : public testing::Test {
  protected:
   Random random{7};
 
-  /// Calls law(example, p) at `count` points of each example, half of them near the outline.
+  /// Calls law(example, p) at times(count) points of each example, half of them near the outline.
   template <class Law>
   void everywhere(int count, const Law& law) {
     for (const Example<S>& example : examples<S>())
-      for (int i = 0; i < count; ++i) {
+      for (int i = 0; i < times(count); ++i) {
         glm::dvec2 p = random.point(-example.size, example.size);
         if (i % 2) p = towards_outline(example, p);
         law(example, p);
@@ -99,7 +100,7 @@ TYPED_TEST_P(ShapeLaws, WalkingTheDistanceReachesTheOutline) {
     EXPECT_NEAR(distance(e.shape, landed), 0, 1e-6 * e.size) << p.x << ' ' << p.y << " d " << d;
     ++walked;
   });
-  EXPECT_GT(walked, 300);
+  EXPECT_GT(walked, times(300));
 }
 
 /// The sign is that of the shape's own definition.
@@ -113,9 +114,9 @@ TYPED_TEST_P(ShapeLaws, IsNegativeExactlyInside) {
     EXPECT_EQ(d<0, inside> 0) << p.x << ' ' << p.y << " d " << d << " inside " << inside;
     ++(inside > 0 ? in : out);
   });
-  EXPECT_GT(out, 100);
+  EXPECT_GT(out, times(100));
   if (!hollow) {
-    EXPECT_GT(in, 100);
+    EXPECT_GT(in, times(100));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "tests/support/run_command.h"
 
@@ -152,6 +153,12 @@ std::string filled(std::string text, const ScratchFolder& folder) {
     }
   }
   return text;
+}
+
+/// How the table's lines are named in reports.
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+  *out << "mien";
+  for (const std::string& word : wrong.words) *out << ' ' << word;
 }
 
 class BadUse : public testing::TestWithParam<Wrong> {};

@@ -1,5 +1,6 @@
-// A program of somebody else's: a face from memory, drawn into its own buffer.
+// A program of somebody else's: a face, drawn into its own buffer, and distances in bulk.
 #include <mien/mien.h>
+#include <mien/sdf/distance.h>
 
 #include <cstdio>
 #include <vector>
@@ -12,6 +13,11 @@ int main(int argc, char** argv) {
   const mien::View view{.width = 64, .height = 36};
   std::vector<unsigned char> pixels(64 * 36 * 4);
   if (!mien::render_into({.data = pixels.data(), .stride = 64 * 4}, scene, view)) return 1;
+
+  const float x[] = {3, 0}, y[] = {4, 0};
+  float d[2];
+  mien::distances(mien::QuadBezier{{0, 0}, {-1, 0}, {-2, 0}}, x, y, d);
+  if (d[0] != 5 || d[1] != 0) return 1;
 
   long long sum = 0;
   for (unsigned char byte : pixels) sum += byte;

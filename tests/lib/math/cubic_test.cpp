@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "tests/support/effort.h"
 #include "tests/support/random.h"
 #include "tests/support/real128.h"
 
@@ -110,7 +111,7 @@ class CubicFamily : public testing::TestWithParam<int> {};
 TEST_P(CubicFamily, IsSolvedToTheConditionOfItsRoots) {
   Random r(11 + GetParam());
   Outcome outcome;
-  for (int i = 0; i < 4'000; ++i) judge(sample(GetParam(), r), outcome);
+  for (int i = 0; i < times(4'000); ++i) judge(sample(GetParam(), r), outcome);
   EXPECT_EQ(outcome.missed, 0);
   EXPECT_EQ(outcome.invented, 0);
   EXPECT_EQ(outcome.disordered, 0);
@@ -177,7 +178,7 @@ TEST(SolveCubic, AnswersNonsenseWithNoRoots) {
 
 TEST(SolveCubic, MirroredCoefficientsGiveMirroredRoots) {
   Random r(5);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < times(2000); ++i) {
     Cubic f = sample(i % 6, r);
     if (i % 7 == 0) f.b = 0;
     if (i % 11 == 0) f.a = f.c = 0;

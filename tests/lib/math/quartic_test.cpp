@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/effort.h"
 #include "tests/support/random.h"
 #include "tests/support/real128.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 TEST(SolveQuartic, FindsEveryRootOfAProductOfLinesAndCircles) {
   Random r(1);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < times(20'000); ++i) {
     const int real = 2 * r.below(3);
     Polynomial f{Real(r.between(0.5, 2) * r.sign())};
     std::vector<double> roots;

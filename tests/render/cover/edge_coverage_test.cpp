@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/support/effort.h"
+
 namespace mien {
 namespace {
 
@@ -87,7 +89,7 @@ double bent_area(double d, double theta, double bend) {
 
 TEST(BentEdgeCoverage, EqualsQuadrature) {
   for (const double bend : {0.01, -0.03, 0.1, -0.1, 0.5, -1.0, 1.0})
-    for (double theta = 0; theta < kTau; theta += 0.05)
+    for (double theta = 0; theta < kTau; theta += 0.05 * test::kThinning)
       for (double d = -0.75; d <= 0.75; d += 0.025)
         ASSERT_NEAR(bent_edge_coverage(d, {std::cos(theta), std::sin(theta)}, bend),
                     bent_area(d, theta, bend), 4e-5)

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "tests/support/effort.h"
 #include "tests/support/random.h"
 
 namespace mien::test {
@@ -75,7 +76,7 @@ TEST(Combine, KeepsItsPromises) {
 
 TEST(Combine, IsTheBooleanOfTheInsides) {
   Random r(2);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < times(5000); ++i) {
     const glm::dvec2 p = r.point(-2, 2.5);
     const bool a = distance(kA, p) < 0, b = distance(kB, p) < 0;
     for (const Case& c : {kCases[0], kCases[1], kCases[2]})
@@ -89,7 +90,7 @@ TEST(Combine, IsTheBooleanOfTheInsides) {
 TEST(Combine, NeverChangesFasterThanYouWalk) {
   Random r(3);
   for (const Case& c : kCases)
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < times(3000); ++i) {
       const glm::dvec2 p = r.point(-2, 2), q = r.point(-2, 2);
       EXPECT_LE(std::abs(combined(c, p) - combined(c, q)), norm(p - q) + 1e-15);
     }

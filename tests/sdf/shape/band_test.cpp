@@ -1,6 +1,7 @@
 #include <mien/sdf/shape/band.h>
 #include <mien/sdf/shape/parabola_side.h>
 
+#include "tests/support/effort.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
@@ -143,7 +144,7 @@ TEST(Band, WithNothingInItIsOutsideEverywhere) {
   EXPECT_EQ(exactness(Shape(kShut[1])), (Exactness{false, true}));
   Random r(2);
   const Band nothing{above(0.9, 0.5), below(1, -0.5)};
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < times(2000); ++i) {
     const glm::dvec2 p = r.point(-3, 3);
     EXPECT_GT(distance(nothing, p), 0);
     EXPECT_EQ(distance(nothing, p),

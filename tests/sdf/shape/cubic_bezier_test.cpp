@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/support/bezier_cases.h"
+#include "tests/support/effort.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
@@ -144,7 +145,7 @@ class CubicBezierFamily : public testing::TestWithParam<int> {};
 TEST_P(CubicBezierFamily, DistanceIsExact) {
   Random r(500 + GetParam());
   WorstError worst;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < times(1500); ++i) {
     const CubicCase c = cubic_case(Family(GetParam()), r);
     const NearestPoint n = nearest(c.curve, c.p);
     EXPECT_EQ(distance(c.curve, c.p), n.distance);
@@ -160,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(AllFamilies, CubicBezierFamily, testing::Range(0, int(F
 
 TEST(CubicBezier, OfAQuadraticIsTheQuadratic) {
   Random r(1);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < times(5000); ++i) {
     const BezierCase c = bezier_case(BezierFamily::random, r);
     EXPECT_NEAR(distance(elevated(c.curve), c.p), distance(c.curve, c.p), 1e-14);
     EXPECT_NEAR(distance(reversed(elevated(c.curve)), c.p), distance(c.curve, c.p), 1e-14);
@@ -182,7 +183,7 @@ TEST(CubicBezier, AnySizeGivesAnAnswer) {
 
 TEST(CubicBezier, MirrorImagesAgreeToTheBit) {
   Random r(2);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < times(5000); ++i) {
     const CubicCase c = cubic_case(Family(i % int(Family::count)), r);
     const auto m = [](glm::dvec2 v) { return glm::dvec2(-v.x, v.y); };
     EXPECT_EQ(

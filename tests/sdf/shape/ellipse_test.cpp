@@ -1,5 +1,6 @@
 #include <mien/sdf/shape/ellipse.h>
 
+#include "tests/support/effort.h"
 #include "tests/support/real128.h"
 #include "tests/support/shape_laws.h"
 
@@ -65,7 +66,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Ellipse, ShapeLaws, Ellipse);
 TEST(Ellipse, IsExactForEveryRatio) {
   Random r(1);
   WorstError worst;
-  for (int i = 0; i < 30'000; ++i) {
+  for (int i = 0; i < times(30'000); ++i) {
     const double b = i % 3 == 0 ? 1 - r.size(-16, -0.1) : r.size(i % 3 == 1 ? -3 : -12, 0);
     const double angle = r.between(0, 1.5707963), c = (1 - b) * (1 + b);
     glm::dvec2 p = 2.0 * r.point(0, 1);
@@ -117,7 +118,7 @@ TEST(Ellipse, KnownDistances) {
 
 TEST(Ellipse, NearestPointIsOnTheOutlineAtTheDistance) {
   Random r(2);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < times(5000); ++i) {
     const Ellipse e{r.point(-1, 1), {r.size(-2, 0), r.size(-2, 0)}, r.direction()};
     const glm::dvec2 p = r.point(-2, 2);
     const NearestOnEllipse n = nearest(e, p);

@@ -1,3 +1,4 @@
+#include "tests/support/effort.h"
 #include "tests/support/real128.h"
 #include "tests/support/shape_laws.h"
 
@@ -33,7 +34,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Line, ShapeLaws, Line);
 TEST(Line, IsExactAtEverySize) {
   Random r(1);
   WorstError worst;
-  for (int i = 0; i < 40'000; ++i) {
+  for (int i = 0; i < times(40'000); ++i) {
     const double k = i % 2 ? 1 : std::exp2(r.below(1900) - 950);
     const glm::dvec2 a = k * r.point(-1, 1), b = r.chance(0.3)
                                                      ? a + k * r.size(-15, 0) * r.direction()

@@ -1,5 +1,6 @@
 #include <mien/sdf/shape/parabola_side.h>
 
+#include "tests/support/effort.h"
 #include "tests/support/real128.h"
 #include "tests/support/shape_laws.h"
 
@@ -52,7 +53,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(ParabolaSide, ShapeLaws, ParabolaSide);
 TEST(ParabolaSide, IsExactForEveryBend) {
   Random r(1);
   WorstError worst;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < times(20'000); ++i) {
     const double bend = (i % 5 == 0 ? 1.0 : r.size(-12, 12)) * r.sign();
     glm::dvec2 p = r.size(-3, 3) * r.point(-1, 1);
     switch (i % 6) {
@@ -100,7 +101,7 @@ TEST(ParabolaSide, KnownDistances) {
 
 TEST(ParabolaSide, NearestPointIsOnTheOutlineAtTheDistance) {
   Random r(2);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < times(5000); ++i) {
     const ParabolaSide s{r.point(-1, 1), r.direction(), r.size(-3, 3) * r.sign()};
     const glm::dvec2 p = r.point(-3, 3);
     const NearestOnParabola n = nearest(s, p);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/bezier_cases.h"
+#include "tests/support/effort.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
@@ -13,7 +14,7 @@ class QuadBezierFamily : public testing::TestWithParam<int> {};
 TEST_P(QuadBezierFamily, DistanceIsExact) {
   Random r(100 + GetParam());
   WorstError worst;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < times(20'000); ++i) {
     const BezierCase c = bezier_case(BezierFamily(GetParam()), r);
     const double d = distance(c.curve, c.p);
     worst.note(c.p, d, double(exact_distance(c.curve, c.p) - Real(d)), reach(c.curve, c.p));
@@ -53,7 +54,7 @@ TEST(QuadBezier, KnownDistances) {
 TEST(QuadBezier, EveryStationaryParameterIsFound) {
   Random r(1);
   int three = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < times(20'000); ++i) {
     const BezierCase c = bezier_case(BezierFamily::random, r);
     std::vector<Real> exact;
     exact_distance(c.curve, c.p, &exact);
@@ -62,7 +63,7 @@ TEST(QuadBezier, EveryStationaryParameterIsFound) {
     for (int k = 0; k < found.count; ++k) EXPECT_NEAR(found.t[k], double(exact[k]), 1e-9);
     three += found.count == 3;
   }
-  EXPECT_GT(three, 100);
+  EXPECT_GT(three, times(100));
 }
 
 TEST(QuadBezier, AnySizeGivesAnAnswer) {
@@ -85,7 +86,7 @@ TEST(QuadBezier, AnySizeGivesAnAnswer) {
 
 TEST(QuadBezier, MirroredAndReversed) {
   Random r(2);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < times(20'000); ++i) {
     const BezierCase c = bezier_case(BezierFamily(i % int(BezierFamily::tiny)), r);
     const double d = distance(c.curve, c.p);
     const auto mirror = [](glm::dvec2 v) { return glm::dvec2(-v.x, v.y); };
@@ -107,7 +108,7 @@ TEST(QuadBezier, BoundsAndCurvature) {
             std::numeric_limits<double>::infinity());
   EXPECT_EQ(smallest_curvature_radius({{0, 0}, {2, 0}, {0, 0}}), 0);
   Random r(4);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < times(1000); ++i) {
     const QuadBezier c{r.point(-1, 1), r.point(-1, 1), r.point(-1, 1)};
     const Box2 b = bounds(c);
     for (double t = 0; t <= 1; t += 0.01) EXPECT_TRUE(b.contains(on(c, t)));

@@ -1,6 +1,7 @@
 #include <mien/sdf/shape/tapered_stroke.h>
 
 #include "tests/support/bezier_cases.h"
+#include "tests/support/effort.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
@@ -76,7 +77,7 @@ class TaperedStrokeFamily : public testing::TestWithParam<int> {};
 TEST_P(TaperedStrokeFamily, DistanceIsExact) {
   Random r(300 + GetParam());
   WorstError worst;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < times(1500); ++i) {
     const BezierCase c = bezier_case(BezierFamily(GetParam()), r);
     const double length =
         std::max({norm(c.curve.p1 - c.curve.p0), norm(c.curve.p2 - c.curve.p1), 1e-9});
@@ -101,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(AllFamilies, TaperedStrokeFamily,
 
 TEST(TaperedStroke, OfOneWidthIsTheStroke) {
   Random r(9);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < times(2000); ++i) {
     const BezierCase c = bezier_case(BezierFamily::random, r);
     const double w = r.unit();
     EXPECT_NEAR(distance(TaperedStroke{c.curve, {w, w, w}}, c.p),
