@@ -69,13 +69,63 @@ HWY_INLINE Pack<V> Checked(D d, const T* x, const T* y, Pack<V> square, T far, P
   return LoadPack(d, lanes[1]);
 }
 
+/// Up to this square [scaled] no power of the cubic's numbers overflows
+/// (docs/derivations/depressed_cubic.md).
+template <class T>
+inline constexpr T kFar = T(sizeof(T) == 4 ? 0x1p48 : 0x1p80);
+
 /// The root of a squared distance in the frame's scale, back in the caller's units.
 template <class D, class V, class T, class Exact>
 HWY_INLINE Pack<V> DistanceOf(D d, const T* x, const T* y, Pack<V> square, T unscale,
                               const Exact& exact) {
-  // Up to here no power of the cubic's numbers overflows (docs/derivations/depressed_cubic.md).
-  constexpr T kFar = T(sizeof(T) == 4 ? 0x1p48 : 0x1p80);
-  return Checked(d, x, y, square, kFar, Mul(Sqrt(square), SetPack(d, unscale)), exact);
+  return Checked(d, x, y, square, kFar<T>, Mul(Sqrt(square), SetPack(d, unscale)), exact);
+}
+
+/// From this square on [scaled; 2 sizes away or more] half roundings of the point's place count with
+/// the distance and no longer with the curve's size: points so far go through `far`, which is more
+/// careful.
+inline constexpr float kClose = 4;
+
+/// The distances, except in packs with a square not below kClose (or NaN): there far(x, y, distances)
+/// mends the lanes that are. It starts again from the points' own coordinates, out of line, so that
+/// the kernel keeps nothing for it.
+template <class D, class V, class Far>
+HWY_INLINE Pack<V> CloseOrFar(D d, const float* x, const float* y, Pack<V> square, Pack<V> distance,
+                              const Far& far) {
+  if (HWY_LIKELY(AllTrue(d, Lt(square, SetPack(d, kClose))))) return distance;
+  HWY_ALIGN float lanes[kParts * hn::MaxLanes(D())];
+  StorePack(distance, d, lanes);
+  far(x, y, lanes);
+  return LoadPack(d, lanes);
+}
+
+/// For `far`: lanes of `distance` whose square is not below kClose are taken from `careful`, or, where
+/// it is not below `most` either, from exact(x, y).
+template <class Exact>
+HWY_INLINE void Mend(const float* x, const float* y, const float* square, const float* careful,
+                     size_t count, float most, float* distance, const Exact& exact) {
+  for (size_t k = 0; k < count; ++k) {
+    if (square[k] < kClose) continue;
+    distance[k] = square[k] < most ? careful[k] : float(exact(x[k], y[k]));
+  }
+}
+
+/// a − b x as an unevaluated sum of two floats, b a power of two: nothing is lost.
+template <class W>
+struct TwoFloats {
+  W high, low;
+};
+template <class W>
+HWY_INLINE TwoFloats<W> ExactDifference(W a, W bx) {
+  const W high = Sub(a, bx), back = Sub(high, a);
+  return {high, Sub(Sub(a, Sub(high, back)), Add(bx, back))};
+}
+
+/// |(x + ex, y + ey)|² for small ex, ey: rounded twice.
+template <class W>
+HWY_INLINE W CarefulSquare(W x, W ex, W y, W ey) {
+  const W more = MulAdd(x, ex, Mul(y, ey));
+  return MulAdd(x, x, MulAdd(y, y, Add(more, more)));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -8,6 +8,7 @@
 #define MIEN_SDF_BATCH_CONIC_INL_H_
 #endif
 
+#include <mien/sdf/batch/blocks-inl.h>
 #include <mien/sdf/batch/conic_frame.h>
 #include <mien/sdf/batch/depressed_cubic-inl.h>
 #include <mien/sdf/batch/pack-inl.h>
@@ -144,6 +145,26 @@ HWY_INLINE Angle<W> Turned(D d, const EllipseFrame& f, W x, W y, Angle<W> foot) 
   return {IfThenElse(nearer, next.cos, foot.cos), IfThenElse(nearer, next.sin, foot.sin)};
 }
 
+/// The foot in the first quadrant, after two turns on the outline.
+template <class D, class W>
+HWY_INLINE Angle<W> FootOnEllipse(D d, const EllipseFrame& f, W x, W y) {
+  return Turned(d, f, x, y, Turned(d, f, x, y, EllipseGuess(d, f, x, y)));
+}
+
+/// The foot in the caller's own directions, relative to the centre, of a point placed there.
+template <class W>
+struct FootPoint {
+  W x, y;
+};
+template <class D, class W>
+HWY_INLINE FootPoint<W> FootPointOf(D d, const EllipseFrame& f, const PlacedPoint<W>& at,
+                                    Angle<W> foot) {
+  const W ex = CopySign(Mul(SetPack(d, f.a), foot.cos), at.along);
+  const W ey = CopySign(Mul(SetPack(d, f.b), foot.sin), at.across);
+  const W ax = SetPack(d, f.axis_x), ay = SetPack(d, f.axis_y);
+  return {MulSub(ex, ax, Mul(ey, ay)), MulAdd(ex, ay, Mul(ey, ax))};
+}
+
 /// Near the outline the distance is the residual across the tangent: an error of the foot enters at
 /// second order. Beyond a quarter radius it is the residual's length, in the caller's own directions, so
 /// that the rounding of the axis counts with the ellipse's size and not with the distance.
@@ -151,18 +172,34 @@ template <class D, class W>
 HWY_INLINE SignedDistance<W> FromEllipse(D d, const EllipseFrame& f, W px, W py) {
   const auto at = PlacedIn(d, f, px, py, f.scale);
   const W x = Abs(at.along), y = Abs(at.across), a = SetPack(d, f.a), b = SetPack(d, f.b);
-  const auto foot = Turned(d, f, x, y, Turned(d, f, x, y, EllipseGuess(d, f, x, y)));
+  const auto foot = FootOnEllipse(d, f, x, y);
   const W nx = Mul(b, foot.cos), ny = Mul(a, foot.sin);  // along the normal
   const auto r = FromFoot(d, f, x, y, foot);
   const W across = Div(MulAdd(r.along, nx, Mul(r.across, ny)), Sqrt(MulAdd(nx, nx, Mul(ny, ny))));
   const W reach2 = MulAdd(x, x, Mul(y, y));
   const auto outside = Gt(across, Mul(a, SetPack(d, 0.25f)));
   if (!AnyTrue(d, outside)) return {across, reach2};
-  const W ex = CopySign(Mul(a, foot.cos), at.along), ey = CopySign(Mul(b, foot.sin), at.across);
-  const W ax = SetPack(d, f.axis_x), ay = SetPack(d, f.axis_y);
-  const W rx = Sub(at.x, MulSub(ex, ax, Mul(ey, ay))), ry = Sub(at.y, MulAdd(ex, ay, Mul(ey, ax)));
+  const auto on = FootPointOf(d, f, at, foot);
+  const W rx = Sub(at.x, on.x), ry = Sub(at.y, on.y);
   const W length = Sqrt(MulAdd(rx, rx, Mul(ry, ry)));
   return {IfThenElse(outside, length, across), reach2};
+}
+
+/// Far away: what the rounding of the point's place and of the residual left over is carried along.
+template <class D, class W>
+HWY_INLINE SignedDistance<W> FromEllipseFar(D d, const EllipseFrame& f, W px, W py) {
+  const auto at = PlacedIn(d, f, px, py, f.scale);
+  const W x = Abs(at.along), y = Abs(at.across), scale = SetPack(d, f.scale);
+  const auto on = FootPointOf(d, f, at, FootOnEllipse(d, f, x, y));
+  const auto axis = [&](W p, float x0, float low, W foot, W& r, W& e) MIEN_LANES {
+    const auto from = ExactDifference(Mul(p, scale), SetPack(d, x0));
+    r = Sub(from.high, foot);
+    e = Sub(Sub(Sub(from.high, r), foot), Sub(SetPack(d, low), from.low));
+  };
+  W rx, ex, ry, ey;
+  axis(px, f.x0, f.low_x, on.x, rx, ex);
+  axis(py, f.y0, f.low_y, on.y, ry, ey);
+  return {Sqrt(CarefulSquare(rx, ex, ry, ey)), MulAdd(x, x, Mul(y, y))};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -13,14 +13,28 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Points well outside the ellipse: everything once more, and with care.
+template <class D, class Exact>
+HWY_NOINLINE void MendFarFromEllipse(D d, const EllipseFrame& f, const float* x, const float* y,
+                                     float* distance, const Exact& exact) {
+  const auto r = FromEllipseFar(d, f, LoadPack(d, x), LoadPack(d, y));
+  HWY_ALIGN float lanes[2][kParts * hn::MaxLanes(D())];
+  StorePack(r.reach2, d, lanes[0]);
+  StorePack(Mul(r.distance, SetPack(d, f.unscale)), d, lanes[1]);
+  Mend(x, y, lanes[0], lanes[1], kParts * hn::Lanes(d), 0x1p36f, distance, exact);
+}
+
 void DistancesEllipse(const Ellipse& ellipse, const EllipseFrame& frame, const float* x,
                       const float* y, size_t count, float* out) {
   const hn::ScalableTag<float> d;
   const auto exact = [&](float px, float py) { return distance(ellipse, {px, py}); };
+  const auto far = [&](const float* at_x, const float* at_y, float* distance) {
+    MendFarFromEllipse(d, frame, at_x, at_y, distance, exact);
+  };
   ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
     const auto& f = Reloaded(frame);
     const auto r = FromEllipse(d, f, LoadPack(d, at_x), LoadPack(d, at_y));
-    return Checked(d, at_x, at_y, r.reach2, 0x1p36f, Mul(r.distance, SetPack(d, f.unscale)), exact);
+    return CloseOrFar(d, at_x, at_y, r.reach2, Mul(r.distance, SetPack(d, f.unscale)), far);
   });
 }
 

@@ -163,6 +163,23 @@ HWY_INLINE Nearest<W> NearestOn(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Of
   return NearestOnCurved(d, f, o);
 }
 
+/// |B(t) − p|² for points far away: what the rounding of the point's place and of the sum left over is
+/// carried along, so that 1.5 ulps of the distance remain.
+template <class D, class W>
+HWY_INLINE W CarefulSquareAt(D d, const QuadBezierFrame<float>& f, W x, W y, W t) {
+  const W scale = SetPack(d, f.scale);
+  const auto axis = [&](W p, float p0, float low, float a2, float b, W& q, W& e) MIEN_LANES {
+    const auto from = ExactDifference(SetPack(d, p0), Mul(p, scale));
+    const W along = Mul(t, MulAdd(t, SetPack(d, b), SetPack(d, a2)));
+    q = Add(from.high, along);
+    e = Add(Sub(along, Sub(q, from.high)), Add(from.low, SetPack(d, low)));
+  };
+  W qx, ex, qy, ey;
+  axis(x, f.x0, f.x0_low, f.ax2, f.bx, qx, ex);
+  axis(y, f.y0, f.y0_low, f.ay2, f.by, qy, ey);
+  return CarefulSquare(qx, ex, qy, ey);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace mien::batch
 HWY_AFTER_NAMESPACE();

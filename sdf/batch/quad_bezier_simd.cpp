@@ -15,26 +15,52 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class T>
-void DistancesOne(const QuadBezier& curve, int exponent, const T* x, const T* y, size_t count,
-                  T* out) {
-  const hn::ScalableTag<T> d;
-  const auto frame = quad_bezier_frame<T>(curve, exponent);
-  const auto exact = [&](T px, T py) { return distance(curve, {px, py}); };
-  ForBlocks(d, x, y, count, out, [&](const T* at_x, const T* at_y) MIEN_LANES {
-    const auto& f = Reloaded(frame);
-    const auto near = NearestOn(d, f, OffsetTo(d, f, LoadPack(d, at_x), LoadPack(d, at_y)));
-    return DistanceOf(d, at_x, at_y, near.square, f.unscale, exact);
-  });
+/// Points at least two sizes away, to any of the curves: everything once more, and with care.
+template <class D, class Exact>
+HWY_NOINLINE void MendFar(D d, const QuadBezierFrame<float>* frames, size_t frame_count,
+                          const float* x, const float* y, float* distance, const Exact& exact) {
+  using W = Pack<hn::Vec<D>>;
+  constexpr float kMost = std::numeric_limits<float>::max();
+  W square = SetPack(d, kMost), careful = square;
+  for (size_t k = 0; k < frame_count; ++k) {
+    const auto& f = frames[k];
+    const W px = LoadPack(d, x), py = LoadPack(d, y);
+    const auto near = NearestOn(d, f, OffsetTo(d, f, px, py));
+    square = Min(square, near.square);
+    careful = Min(careful, CarefulSquareAt(d, f, px, py, near.t));
+  }
+  HWY_ALIGN float lanes[2][kParts * hn::MaxLanes(D())];
+  StorePack(square, d, lanes[0]);
+  StorePack(Mul(Sqrt(careful), SetPack(d, frames[0].unscale)), d, lanes[1]);
+  Mend(x, y, lanes[0], lanes[1], kParts * hn::Lanes(d), kFar<float>, distance, exact);
 }
 
 void DistancesFast(const QuadBezier& curve, int exponent, const float* x, const float* y,
                    size_t count, float* out) {
-  DistancesOne<float>(curve, exponent, x, y, count, out);
+  const hn::ScalableTag<float> d;
+  const auto frame = quad_bezier_frame<float>(curve, exponent);
+  const auto exact = [&](float px, float py) { return distance(curve, {px, py}); };
+  const auto far = [&](const float* at_x, const float* at_y, float* distance) {
+    MendFar(d, &frame, 1, at_x, at_y, distance, exact);
+  };
+  ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto near = NearestOn(d, f, OffsetTo(d, f, LoadPack(d, at_x), LoadPack(d, at_y)));
+    const auto distance = Mul(Sqrt(near.square), SetPack(d, f.unscale));
+    return CloseOrFar(d, at_x, at_y, near.square, distance, far);
+  });
 }
+
 void DistancesDouble(const QuadBezier& curve, int exponent, const double* x, const double* y,
                      size_t count, double* out) {
-  DistancesOne<double>(curve, exponent, x, y, count, out);
+  const hn::ScalableTag<double> d;
+  const auto frame = quad_bezier_frame<double>(curve, exponent);
+  const auto exact = [&](double px, double py) { return distance(curve, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](const double* at_x, const double* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto near = NearestOn(d, f, OffsetTo(d, f, LoadPack(d, at_x), LoadPack(d, at_y)));
+    return DistanceOf(d, at_x, at_y, near.square, f.unscale, exact);
+  });
 }
 
 void DistancesAccurate(const QuadBezier& curve, int exponent, const float* x, const float* y,
@@ -67,13 +93,17 @@ void DistancesToNearest(const QuadBezierFrame<float>* frames, size_t frame_count
   const hn::ScalableTag<float> d;
   using W = Pack<hn::Vec<decltype(d)>>;
   const auto exact = [&](float px, float py) { return distance_to_nearest(curves, {px, py}); };
+  const auto far = [&](const float* at_x, const float* at_y, float* distance) {
+    MendFar(d, frames, frame_count, at_x, at_y, distance, exact);
+  };
   ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
     const auto square_to = [&](const QuadBezierFrame<float>& f) MIEN_LANES {
       return NearestOn(d, f, OffsetTo(d, f, LoadPack(d, at_x), LoadPack(d, at_y))).square;
     };
     W square = SetPack(d, std::numeric_limits<float>::max());
     for (size_t k = 0; k < frame_count; ++k) square = Min(square, square_to(frames[k]));
-    return DistanceOf(d, at_x, at_y, square, frames[0].unscale, exact);
+    const W distance = Mul(Sqrt(square), SetPack(d, frames[0].unscale));
+    return CloseOrFar(d, at_x, at_y, square, distance, far);
   });
 }
 

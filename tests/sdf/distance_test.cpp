@@ -93,6 +93,38 @@ TEST(Distances, FixturesThatOtherSolversMissed) {
   batch::use_instruction_set(0);
 }
 
+/// Far from a curve only the last roundings count: without carrying along what the offset's rounding
+/// leaves over, this point was 2.05 ulps off where multiply-add is not fused.
+TEST(Distances, AreWithinAUlpAndAHalfFarAway) {
+  const Case worst{QuadBezier{{0.8368083238601685, 0.8351010680198669},
+                              {0.8453550934791565, 0.9174172282218933},
+                              {0.9239209294319153, 0.7067223191261292}},
+                   {593284.625, 540002.6875}};
+  std::vector<Case> cases{worst};
+  for (const auto& family : accuracy::families()) {
+    if (family.name != "far" && family.name != "ellipse, far") continue;
+    const auto more = accuracy::cases_of(family, 2'000, 3);
+    cases.insert(cases.end(), more.begin(), more.end());
+  }
+  ASSERT_EQ(cases.size(), 4'001u);
+  for (const accuracy::Solver& s : accuracy::own_solvers()) {
+    if (s.name != "fast" && s.name != "many" && s.name != "ellipse") continue;
+    SCOPED_TRACE(s.name + ' ' + s.instruction_set);
+    s.prepare();
+    double most = 0;
+    for (const Case& k : cases) {
+      if (k.figure.index() != s.figure) continue;
+      const float truth = float(std::abs(double(accuracy::true_distance(k))));
+      const double ulp = double(std::nextafter(truth, kInf)) - double(truth);
+      const double error =
+          double(accuracy::magnitude(accuracy::Quad(s.solve(k)) - accuracy::true_distance(k)));
+      most = std::max(most, error / ulp);
+    }
+    EXPECT_LE(most, 1.5);
+  }
+  batch::use_instruction_set(0);
+}
+
 // --- spans ---------------------------------------------------------------------------------------
 
 struct Points {

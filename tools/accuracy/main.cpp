@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 
+#include <mien/tools/accuracy/cubics.h>
 #include <mien/tools/accuracy/export.h>
 #include <mien/tools/accuracy/tally.h>
 
@@ -20,7 +22,7 @@ struct Options {
   uint64_t seed = 1;
   std::vector<std::string> solvers, families;
   std::string csv, plot, exported;
-  bool only_foreign = false, by_family = false;
+  bool only_foreign = false, by_family = false, cubics = false;
 };
 
 bool write_file(const std::string& path, const std::string& text) {
@@ -45,6 +47,17 @@ int export_cases(const Options& options) {
   file.close();
   if (!file) return fmt::print(stderr, "{}: cannot be written\n", options.exported), 1;
   return 0;
+}
+
+int judge_cubics(const Options& options) {
+  std::vector<CubicTally> tallies;
+  for (const CubicFamily& family : cubic_families()) {
+    tallies.push_back(judge_cubics(family, options.count, options.seed));
+    fmt::print(stderr, "{}\n", family.name);
+  }
+  fmt::print("{}", cubic_table(tallies));
+  const auto passes = [](const CubicTally& t) { return t.passes(); };
+  return std::all_of(tallies.begin(), tallies.end(), passes) ? 0 : 2;
 }
 
 int judge(const Options& options) {
@@ -79,11 +92,13 @@ int main(int argc, char** argv) {
                  "A shared library with mien_accuracy_solve (see solver.h)");
   app.add_flag("--only-solver", options.only_foreign, "Leave mien's own kernels out");
   app.add_flag("--by-family", options.by_family, "Print a row per family too");
+  app.add_flag("--cubics", options.cubics, "Judge solve_cubic, on families of its own, instead");
   app.add_option("--csv", options.csv, "Write the table as comma-separated values");
   app.add_option("--plot", options.plot, "Draw the table as SVG");
   app.add_option("--export", options.exported, "Write the cases and their true distances instead");
   CLI11_PARSE(app, argc, argv);
   try {
+    if (options.cubics) return judge_cubics(options);
     return options.exported.empty() ? judge(options) : export_cases(options);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "mien-accuracy: {}\n", problem.what());

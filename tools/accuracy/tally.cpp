@@ -55,6 +55,7 @@ Tally tally_of(const Family& family, const Solver& solver, const std::vector<Cas
       ++t.nan;
     } else if (errors[i] > 0 && is_bad(cases[i], truths[i], found)) {
       ++t.bad;
+      t.bad_case = cases[i];
     }
     if (errors[i] > t.worst) t.worst = errors[i], t.worst_case = cases[i];
   }
@@ -93,6 +94,7 @@ std::vector<Tally> over_families(const std::vector<Tally>& tallies) {
     }
     row->cases += t.cases, row->bad += t.bad, row->nan += t.nan;
     row->p999 = std::max(row->p999, t.p999);
+    if (!row->bad_case) row->bad_case = t.bad_case;
     if (t.worst > row->worst) {
       row->worst = t.worst, row->worst_case = t.worst_case, row->family = t.family;
     }
@@ -106,7 +108,7 @@ std::string table(const std::vector<Tally>& tallies) {
   for (const Tally& t : tallies) {
     out += fmt::format("{:<24} {:<16} {:>10} {:>10.4g} {:>10.4g} {:>6} {:>6} {:>6.3g}{}\n",
                        t.family, kernel_of(t), t.cases, t.worst, t.p999, t.bad, t.nan, t.bar,
-                       t.passes() ? "" : "  MISSED at " + text(t.worst_case));
+                       t.passes() ? "" : "  MISSED at " + text(t.bad_case.value_or(t.worst_case)));
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Tally {
   size_t cases = 0, bad = 0, nan = 0;   ///< nan: not a number, or infinite where the truth is not
   double worst = 0, p999 = 0, bar = 0;  ///< in the judge's units; bar 0: none
   Case worst_case{};
+  std::optional<Case> bad_case{};
 
   bool passes() const { return bar == 0 || (worst <= bar && bad == 0 && nan == 0); }
 };

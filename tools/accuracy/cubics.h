@@ -1,0 +1,50 @@
+#pragma once
+// solve_cubic on its own families of nasty cases, judged in 113 bits: no root missed, none invented,
+// every one as exact as its coefficients deserve.
+
+#include <mien/lib/math/cubic.h>
+#include <mien/tools/accuracy/families.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mien::accuracy {
+
+/// a x³ + b x² + c x + d, as {a, b, c, d}.
+using Cubic = std::array<double, 4>;
+
+struct CubicFamily {
+  std::string name;
+  Cubic (*draw)(Random&);
+};
+
+const std::vector<CubicFamily>& cubic_families();
+
+/// A root is robust if the cubic changes sign around it by more than 16 · 2⁻⁵² of its terms at both
+/// turns (or towards infinity): no rounding of the coefficients can take it away. A condition unit
+/// is how far rounding the coefficients moves a root: 2⁻⁵² · (terms / |slope| + |x|).
+struct CubicTally {
+  std::string family;
+  std::size_t cases = 0;
+  std::size_t missed =
+      0;  ///< robust roots without a found one within the contract's condition units
+  std::size_t invented = 0;  ///< found where the cubic's value is above 16 · 2⁻⁵² of its terms
+  std::size_t disordered = 0;
+  double worst_root = 0;   ///< of the robust roots: error in condition units
+  double worst_value = 0;  ///< |cubic| at any root found, in 2⁻⁵² of its terms
+  std::optional<Cubic> fault{};
+
+  bool passes() const;
+};
+
+using CubicSolver = Roots(double a, double b, double c, double d);
+
+CubicTally judge_cubics(const CubicFamily& family, std::size_t count, uint64_t seed,
+                        CubicSolver* solver = solve_cubic);
+
+std::string cubic_table(const std::vector<CubicTally>& tallies);
+
+}  // namespace mien::accuracy
