@@ -14,6 +14,7 @@ void add(RenderStats& sum, const RenderStats& part) {
   sum.fill_pixels += part.fill_pixels;
   sum.one_edge_pixels += part.one_edge_pixels;
   sum.divided_pixels += part.divided_pixels;
+  sum.varied_pixels += part.varied_pixels;
   sum.cells += part.cells;
 }
 

@@ -9,6 +9,7 @@ struct RenderStats {
   long long fill_pixels = 0;      ///< in tiles of one colour
   long long one_edge_pixels = 0;  ///< by the one-edge closed form
   long long divided_pixels = 0;   ///< resolved per cell
+  long long varied_pixels = 0;    ///< where a gradient, light or a group's opacity is seen
   long long cells = 0;            ///< cells those were divided into
   bool cancelled = false;
 };

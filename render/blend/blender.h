@@ -25,4 +25,9 @@ inline Mix over(const Mix& top, const Mix& below) {
 /// Writes one mixed pixel in the form `depth` asks for (see Image) to `pixel`.
 void store(const Mix& mix, Blend blend, Depth depth, void* pixel);
 
+/// The same with an ordered dither: a level is rounded down after adding a threshold between 0 and 1 that depends
+/// on the pixel's place in the whole picture (an 8 × 8 Bayer matrix). So no value moves by as much as a level, the
+/// mean over 8 × 8 pixels is right to 1/128 of one, and values that are whole levels stay. Float is not dithered.
+void store_dithered(const Mix& mix, Blend blend, Depth depth, int x, int y, void* pixel);
+
 }  // namespace mien

@@ -33,6 +33,11 @@ class Arrangement {
   /// The pieces, valid until the next call. Slivers of no area may be missing.
   std::span<const Piece> cut(std::span<const Cut> cuts);
 
+  /// The corners of the last cut's piece i, turning left: a convex polygon.
+  std::span<const glm::dvec2> corners(std::size_t i) const {
+    return {points_.data() + polygons_[i].first, polygons_[i].count};
+  }
+
  private:
   struct Polygon {
     std::uint32_t inside;

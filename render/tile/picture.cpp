@@ -30,8 +30,12 @@ class TileWalk {
     if (side == 1) return pixel(outer, center, x, y);
     const auto mark = scopes_.mark();
     const Scope scope = scopes_.narrowed(outer, center, 0.5 * side * kSqrt2);
-    if (scope.outline_count == 0) {
+    if (scope.outline_count == 0 && !scope.varied) {
       fill(part, scopes_.color(scope));
+    } else if (scope.outline_count == 0 && side <= kVaried) {
+      for (int j = part.y; j < part.y + part.height; ++j)
+        for (int i = part.x; i < part.x + part.width; ++i)
+          pixel(scope, glm::dvec2{i + 0.5, j + 0.5} - half_size_, i, j);
     } else {
       const int half = side / 2;
       for (const int dy : {0, half})
@@ -41,7 +45,11 @@ class TileWalk {
   }
 
   void pixel(const Scope& scope, glm::dvec2 center, int x, int y) {
-    store(pixels_.pixel(scope, center), tape_.blend, target_.depth, at(x, y));
+    const Mix mix = pixels_.pixel(scope, center);
+    if (tape_.dither && pixels_.was_varied())
+      store_dithered(mix, tape_.blend, target_.depth, x, y, at(x, y));
+    else
+      store(mix, tape_.blend, target_.depth, at(x, y));
   }
 
   void fill(const PixelRect& part, const Mix& mix) {
@@ -68,6 +76,7 @@ class TileWalk {
            4 * bytes_per_channel(target_.depth) * std::size_t(x - target_.rect.x);
   }
 
+  static constexpr int kVaried = 8;  ///< squares of no outline are not divided below this side
   static constexpr double kSqrt2 = 1.4142135623730952;  // rounded up
   const Tape& tape_;
   const glm::dvec2 half_size_;

@@ -42,7 +42,9 @@ Side side_by_rule(const LocalOutline& outline, std::span<const Edge> edges, std:
 
 Mix PixelResolver::pixel(const Scope& scope, glm::dvec2 center) {
   const auto mark = scopes_.mark();
-  const Mix mix = square(scopes_.narrowed(scope, center, kHalfDiagonal), center, 1.0, 0);
+  const Scope narrow = scopes_.narrowed(scope, center, kHalfDiagonal);
+  varied_ = narrow.varied;
+  const Mix mix = square(narrow, center, 1.0, 0);
   scopes_.reset(mark);
   return mix;
 }
@@ -61,7 +63,7 @@ bool PixelResolver::describe(const Scope& scope, glm::dvec2 center, double side)
     locals_.push_back(local);
   }
   if (edges_.size() > Arrangement::kMaxCuts) return false;
-  if (edges_.size() == 1) {
+  if (edges_.size() == 1 && !scope.varied) {
     if (!(std::abs(edges_[0].bend * side) <= 1.0)) return false;
   } else {
     for (const Edge& edge : edges_)  // which are straightened
@@ -112,6 +114,7 @@ Mix PixelResolver::at_center(const Scope& scope, glm::dvec2 center) {
 
 Mix PixelResolver::square(const Scope& scope, glm::dvec2 center, double side, int depth) {
   if (depth > 0) ++stats_.cells;
+  if (scope.varied) return varied_square(scope, center, side, depth);
   if (scope.outline_count == 0) {
     if (depth == 0) ++stats_.fill_pixels;
     return scopes_.color(scope);
@@ -122,6 +125,10 @@ Mix PixelResolver::square(const Scope& scope, glm::dvec2 center, double side, in
   if (described) return resolve(scope, side);
   if (depth == kDepth)
     return edges_.size() <= Arrangement::kMaxCuts ? resolve(scope, side) : at_center(scope, center);
+  return quarters(scope, center, side, depth);
+}
+
+Mix PixelResolver::quarters(const Scope& scope, glm::dvec2 center, double side, int depth) {
   const double quarter = 0.25 * side, half = 0.5 * side;
   Mix mix{0.0};
   for (const double y : {-quarter, quarter})

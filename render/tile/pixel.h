@@ -9,6 +9,7 @@
 
 #include <mien/render/cover/arrangement.h>
 #include <mien/render/render_stats.h>
+#include <mien/render/tile/local_paint.h>
 #include <mien/render/tile/scope.h>
 
 #include <vector>
@@ -24,13 +25,31 @@ class PixelResolver {
   /// Divisions of a pixel: 6 gives cells of 1/64 px, 1/4096 of the pixel's area.
   static constexpr int kDepth = 6;
 
-  PixelResolver(const Tape& tape, ScopeStack& scopes, RenderStats& stats)
-      : tape_(tape), scopes_(scopes), stats_(stats) {}
+  /// Where colours vary (gradients, light), the mean over a square may be off by this much in the
+  /// blending space: in linear light the darkest colours change by 12.92 levels of 255 a level.
+  static constexpr double kPaintError = 1.0 / 16384;
+  /// Divisions of a pixel where a lit surface has a crease that no outline marks: cells of 1/8 px.
+  static constexpr int kCreaseDepth = 3;
 
-  /// The mean colour over the pixel around `center`, for a scope that covers it.
+  PixelResolver(const Tape& tape, ScopeStack& scopes, RenderStats& stats)
+      : tape_(tape), scopes_(scopes), stats_(stats), sampler_(tape) {
+    if (!tape.paints.empty()) scopes_.sampler = &sampler_;
+  }
+  PixelResolver(const PixelResolver&) = delete;
+  PixelResolver& operator=(const PixelResolver&) = delete;
+
+  /// The mean colour over the pixel around `center`, for a scope that covers it, and whether a
+  /// paint that varies is part of it.
   Mix pixel(const Scope& scope, glm::dvec2 center);
+  bool was_varied() const { return varied_; }
 
  private:
+  Mix varied_square(const Scope& scope, glm::dvec2 center, double side, int depth);
+  Mix quarters(const Scope& scope, glm::dvec2 center, double side, int depth);
+  bool describe_paints(const Scope& scope, glm::dvec2 center, double side, int depth);
+  Mix resolve_varied(const Scope& scope, double side);
+  Mix color_at(const Scope& scope, glm::dvec2 u);
+  Mix mean_over(const Scope& scope, std::span<const glm::dvec2> corners);
   Mix square(const Scope& scope, glm::dvec2 center, double side, int depth);
   bool describe(const Scope& scope, glm::dvec2 center, double side);
   Mix resolve(const Scope& scope, double side);
@@ -44,6 +63,11 @@ class PixelResolver {
   std::vector<Edge> edges_;
   std::vector<LocalOutline> locals_;
   std::vector<Cut> cuts_;
+  PaintSampler sampler_;
+  std::vector<LocalPaint> paints_;  ///< of the scope's layers that have one, in their order
+  std::vector<int> paint_of_layer_;
+  std::vector<Cut> paint_cuts_;
+  bool varied_ = false;
 };
 
 }  // namespace mien

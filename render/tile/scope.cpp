@@ -16,15 +16,16 @@ void ScopeStack::reset(const Mark& mark) {
 }
 
 Scope ScopeStack::everything() {
-  const Scope scope{int(outlines_.size()), int(tape_.outlines.size()), int(layers_.size()),
-                    int(tape_.layers.size()), tape_.background};
+  Scope scope{int(outlines_.size()), int(tape_.outlines.size()), int(layers_.size()),
+              int(tape_.layers.size()), tape_.background};
   outlines_.resize(outlines_.size() + tape_.outlines.size());
   std::iota(outlines_.end() - scope.outline_count, outlines_.end(), 0);
   for (const TapeLayer& layer : tape_.layers) {
     const int first = int(steps_.size());
     steps_.insert(steps_.end(), tape_.steps.begin() + layer.first,
                   tape_.steps.begin() + layer.first + layer.count);
-    layers_.push_back({first, layer.count, layer.mix});
+    layers_.push_back({first, layer.count, layer.mix, layer.paint, layer.group});
+    scope.varied |= !layer.plain();
   }
   return scope;
 }
@@ -111,23 +112,40 @@ Scope ScopeStack::narrowed(const Scope& scope, glm::dvec2 center, double radius)
     sides_[std::size_t(outline)] = side;
     if (side == Side::unknown) outlines_.push_back(outline);
   }
-  if (int(outlines_.size() - first_outline) == scope.outline_count) {
+  if (int(outlines_.size() - first_outline) == scope.outline_count && !scope.varied) {
     outlines_.resize(first_outline);
     return scope;
   }
   Scope narrow{int(first_outline), 0, int(layers_.size()), 0, scope.base};
+  int hidden = -1;  // a group whose other layers can't be seen
   for (int l = 0; l < scope.layer_count; ++l) {
-    const Layer layer = layers_[std::size_t(scope.first_layer + l)];
+    Layer layer = layers_[std::size_t(scope.first_layer + l)];
+    if (hidden >= 0 && in_group(layer.group, hidden)) continue;
     const int first = int(steps_.size());
     const Side side = layer.count == 0 ? Side::in : simplify(layer.first, layer.count);
     if (side == Side::out) continue;
-    if (side == Side::in && layer.mix.a >= 1.0) {  // hides everything below
+    if (layer.paint >= 0 && sampler) {
+      if (const auto mix = sampler->constant(layer.paint, center, radius)) {
+        layer.mix = *mix;
+        layer.paint = -1;
+        if (mix->a == 0.0) {
+          steps_.resize(std::size_t(first));
+          continue;
+        }
+      }
+    }
+    const bool hides = side == Side::in && layer.mix.a >= 1.0;
+    if (hides && layer.paint < 0 && layer.group < 0) {  // everything below
       narrow.base = layer.mix;
       break;
     }
-    layers_.push_back({first, int(steps_.size()) - first, layer.mix});
+    layers_.push_back({first, int(steps_.size()) - first, layer.mix, layer.paint, layer.group});
+    narrow.varied |= layer.paint >= 0 || layer.group >= 0;
+    if (hides && layer.group < 0) break;
+    if (hides) hidden = layer.group;
   }
-  while (layers_.size() > std::size_t(narrow.first_layer) && layers_.back().count == 0) {
+  while (layers_.size() > std::size_t(narrow.first_layer) && layers_.back().count == 0 &&
+         layers_.back().paint < 0 && layers_.back().group < 0) {
     narrow.base =
         over(layers_.back().mix, narrow.base);  // translucent and everywhere, at the bottom
     layers_.pop_back();
@@ -135,6 +153,26 @@ Scope ScopeStack::narrowed(const Scope& scope, glm::dvec2 center, double radius)
   narrow.layer_count = int(layers_.size()) - narrow.first_layer;
   forget_unused(narrow);
   return narrow;
+}
+
+bool ScopeStack::in_group(int group, int ancestor) const {
+  while (group > ancestor) group = tape_.groups[std::size_t(group)].parent;  // parents come first
+  return group == ancestor;
+}
+
+/// Closes the groups that `group` is not in, each over what is collected around it, and opens those
+/// it is in.
+void ScopeStack::enter(int group) {
+  while (group_ >= 0 && !in_group(group, group_)) {
+    const TapeGroup& closed = tape_.groups[std::size_t(group_)];
+    const Mix mix = group_mix_.back();
+    group_mix_.pop_back();
+    group_mix_.back() = over(group_mix_.back(), closed.opacity * mix);
+    group_ = closed.parent;
+  }
+  const int depth = group < 0 ? 0 : tape_.groups[std::size_t(group)].depth;
+  group_mix_.resize(std::size_t(depth) + 1, Mix{0.0});
+  group_ = group;
 }
 
 bool ScopeStack::inside(const Layer& layer) {

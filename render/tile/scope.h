@@ -7,6 +7,7 @@
 // programs with what is decided, drops what can't be seen, and forgets outlines nobody asks for any
 // more. Scopes live on a stack and nest.
 
+#include <mien/render/tile/local_paint.h>
 #include <mien/render/tile/tape.h>
 
 #include <span>
@@ -19,6 +20,7 @@ struct Scope {
   int first_outline, outline_count;  ///< undecided outlines
   int first_layer, layer_count;      ///< visible layers, top to bottom
   Mix base;                          ///< what lies under the last of them
+  bool varied = false;               ///< some of them are not plain (TapeLayer::plain)
 };
 
 /// What is known of an outline: the point (or the whole square) is outside of it, inside, or it is
@@ -29,6 +31,9 @@ enum class Side : unsigned char { out, in, unknown };
 class ScopeStack {
  public:
   explicit ScopeStack(const Tape& tape);
+
+  /// Who knows where paints are of one colour; without it no paint is ever taken for plain.
+  PaintSampler* sampler = nullptr;
 
   /// Everything: no outline decided.
   Scope everything();
@@ -54,11 +59,23 @@ class ScopeStack {
   /// decided.
   Mix color(const Scope& scope);
 
- private:
   struct Layer {
-    int first, count;  // steps; none: the layer covers the whole square
+    int first, count;  ///< steps; none: the layer covers the whole square
     Mix mix;
+    int paint, group;  ///< as in TapeLayer
   };
+  std::span<const Layer> layers(const Scope& scope) const {
+    return {layers_.data() + scope.first_layer, std::size_t(scope.layer_count)};
+  }
+
+  /// The same where some layers are not plain: paint_color(i) is the colour there of the scope's
+  /// layer i, which has a paint.
+  template <class PaintColor>
+  Mix color(const Scope& scope, PaintColor&& paint_color);
+
+ private:
+  void enter(int group);
+  bool in_group(int group, int ancestor) const;
   Side simplify(int first, int count);
   bool inside(const Layer& layer);
   void forget_unused(Scope& scope);
@@ -74,6 +91,24 @@ class ScopeStack {
     std::size_t begin;
   };
   std::vector<Partial> partials_;
+  std::vector<Mix> group_mix_;  ///< what is collected so far: outside of groups, in the outermost …
+  int group_ = -1;              ///< the innermost group being collected
 };
+
+template <class PaintColor>
+Mix ScopeStack::color(const Scope& scope, PaintColor&& paint_color) {
+  group_mix_.assign(1, Mix{0.0});
+  group_ = -1;
+  for (int l = 0; l < scope.layer_count; ++l) {
+    const Layer& layer = layers_[std::size_t(scope.first_layer + l)];
+    if (!inside(layer)) continue;
+    enter(layer.group);
+    Mix& mix = group_mix_.back();
+    if (mix.a < 1.0) mix = over(mix, layer.paint < 0 ? layer.mix : paint_color(l));
+  }
+  enter(-1);
+  const Mix& mix = group_mix_.back();
+  return mix.a < 1.0 ? over(mix, scope.base) : mix;
+}
 
 }  // namespace mien

@@ -164,21 +164,135 @@ class AreaSteps {
   std::map<std::pair<int, double>, Range> written_;
 };
 
+/// Makes paints ready; a distance asked for twice is kept once.
+class PaintMaker {
+ public:
+  PaintMaker(const Scene& scene, const View& view, const Map<PixelSpace, FaceSpace>& map,
+             Tape& tape)
+      : scene_(scene), view_(view), map_(map), tape_(tape) {}
+
+  void add(const Paint& paint, TapeLayer& layer) {
+    if (!paint.gradient && !paint.relief) {
+      layer.mix = mix_from_color(paint.color, view_.blend);
+      return;
+    }
+    TapePaint made{.color = mix_from_color(paint.color, view_.blend)};
+    if (paint.gradient) {
+      made.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
+      made.field =
+          std::visit([&](const auto& along) { return field(along); }, paint.gradient->along);
+    }
+    if (paint.relief) made.relief = relief(*paint.relief);
+    layer.paint = int(tape_.paints.size());
+    layer.mix = {0.0, 0.0, 0.0, made.least_opacity()};
+    tape_.paints.push_back(std::move(made));
+  }
+
+ private:
+  static constexpr double kLeast = 1e-9;  ///< [px] gradients shorter than that are sudden changes
+
+  PaintField field(const LinearGradient& g) const {
+    const glm::dvec2 from = map_(g.from), way = map_(g.to) - from;
+    const double length = std::max(glm::length(way), kLeast);
+    PaintField made{.kind = PaintField::Kind::linear};
+    if (way == glm::dvec2{0.0})
+      made.shift = 1.0;
+    else
+      made.across = way / (length * length), made.shift = -glm::dot(from, made.across);
+    made.per_pixel = glm::length(made.across);
+    return made;
+  }
+  PaintField field(const RadialGradient& g) const {
+    PaintField made{.kind = PaintField::Kind::radial, .center = map_(g.center)};
+    made.unit = unit(g.radii, g.axis);
+    made.per_pixel = 1.0 / (map_.scale() * std::max(std::min(g.radii.x, g.radii.y), kLeast));
+    return made;
+  }
+  PaintField field(const DistanceGradient& g) {
+    const double length = (g.to - g.from) * map_.scale();
+    PaintField made{.kind = PaintField::Kind::distance, .distance = distance(g.area)};
+    made.from = g.from * map_.scale();
+    made.scale = 1.0 / (std::abs(length) > kLeast ? length : kLeast);
+    made.per_pixel = std::abs(made.scale);
+    return made;
+  }
+
+  /// Takes an ellipse's points, seen from its centre, to the unit circle.
+  glm::dmat2 unit(glm::dvec2 radii, glm::dvec2 axis) const {
+    const glm::dvec2 u = glm::normalize(map_.linear * axis), v{-u.y, u.x};
+    const double a = map_.scale() * std::max(radii.x, kLeast),
+                 b = map_.scale() * std::max(radii.y, kLeast);
+    return glm::dmat2{u.x / a, v.x / b, u.y / a, v.y / b};  // columns
+  }
+
+  TapeRelief relief(const Relief& r) {
+    TapeRelief made{.profile = r.profile, .lamp = Lamp(light(), r.specular, r.shininess)};
+    if (r.area.node >= 0 && r.profile != Profile::flat) made.distance = distance(r.area);
+    if (r.profile == Profile::custom && r.table.size() < 2) made.profile = Profile::flat;
+    made.width = std::max(r.width * map_.scale(), kLeast);
+    made.height = r.height * map_.scale();
+    made.table = r.table;
+    for (const Dome& dome : r.domes)
+      made.domes.push_back({map_(dome.center), unit(dome.radii, dome.axis),
+                            dome.height * map_.scale(),
+                            map_.scale() * std::max(dome.radii.x, dome.radii.y)});
+    return made;
+  }
+
+  Light light() const {
+    Light light = scene_.light();
+    if (view_.light) light.direction = *view_.light;
+    return light;
+  }
+
+  int distance(Area area) {
+    const auto [found, is_new] = distances_.try_emplace(area.node, int(tape_.distances.size()));
+    if (is_new) tape_.distances.emplace_back(scene_, area, map_);
+    return found->second;
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const Map<PixelSpace, FaceSpace>& map_;
+  Tape& tape_;
+  std::map<int, int> distances_;
+};
+
+/// The translucent groups, and for every group of the scene the nearest of those it is in.
+std::vector<int> add_groups(const Scene& scene, Tape& tape) {
+  std::vector<int> nearest;
+  for (const Group& group : scene.groups()) {
+    const int parent = group.parent < 0 ? -1 : nearest[std::size_t(group.parent)];
+    const int depth = parent < 0 ? 1 : tape.groups[std::size_t(parent)].depth + 1;
+    if (group.opacity >= 1.0) {
+      nearest.push_back(parent);  // its layers are as good as on their own
+      continue;
+    }
+    nearest.push_back(int(tape.groups.size()));
+    tape.groups.push_back({parent, depth, group.opacity > 0.0 ? group.opacity : 0.0});
+  }
+  return nearest;
+}
+
 }  // namespace
 
 Tape tape_from_scene(const Scene& scene, const View& view) {
   Tape tape;
   tape.blend = view.blend;
+  tape.dither = view.dither;
   tape.background = mix_from_color(view.background.value_or(scene.background()), view.blend);
   const auto map = pixel_from_face(scene.canvas(), view);
   AreaSteps areas(scene, map, tape);
+  PaintMaker paints(scene, view, map, tape);
+  const std::vector<int> groups = add_groups(scene, tape);
   for (std::size_t i = scene.layers().size(); i-- > 0;) {
     const Layer& layer = scene.layers()[i];
     const int first = int(tape.steps.size());
     areas.add(layer.area);
-    tape.layers.push_back({.first = first,
-                           .count = int(tape.steps.size()) - first,
-                           .mix = mix_from_color(layer.paint.color, view.blend)});
+    TapeLayer made{.first = first, .count = int(tape.steps.size()) - first, .mix = Mix{0.0}};
+    paints.add(layer.paint, made);
+    if (layer.group >= 0) made.group = groups[std::size_t(layer.group)];
+    tape.layers.push_back(made);
   }
   return tape;
 }

@@ -7,6 +7,7 @@
 // union leave no seam.
 
 #include <mien/render/blend/blender.h>
+#include <mien/render/tile/paint.h>
 #include <mien/sdf/edge/edge.h>
 #include <mien/sdf/scene/scene.h>
 
@@ -22,7 +23,7 @@ struct Step {
 
 struct TapeLayer {
   int first, count;  ///< steps, in Tape::steps
-  Mix mix;           ///< what the layer lays over those below
+  Mix mix;           ///< what the layer lays over those below; of a paint its least opacity alone
   int paint = -1;  ///< index into Tape::paints: the colour varies with the place; −1: it is `mix`
   int group = -1;  ///< index into Tape::groups: a part of a translucent group; −1: on its own
 
@@ -30,13 +31,24 @@ struct TapeLayer {
   bool plain() const { return paint < 0 && group < 0; }
 };
 
+/// Layers that are mixed first and laid over what is below as one.
+struct TapeGroup {
+  int parent;  ///< in Tape::groups; −1: none
+  int depth;   ///< 1 for a group in no other
+  double opacity;
+};
+
 /// Immutable once made; shared by all threads.
 struct Tape {
   std::vector<OffsetShape> outlines;  ///< in pixels, origin at the picture's centre
   std::vector<Step> steps;
   std::vector<TapeLayer> layers;  ///< top to bottom
+  std::vector<TapePaint> paints;
+  std::vector<AreaDistance> distances;
+  std::vector<TapeGroup> groups;  ///< translucent ones only, parents first
   Mix background;
   Blend blend;
+  bool dither;  ///< pixels in which paints vary
 };
 
 Tape tape_from_scene(const Scene& scene, const View& view);

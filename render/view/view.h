@@ -5,6 +5,7 @@
 #include <mien/lib/geom/map.h>
 #include <mien/sdf/scene/scene.h>
 
+#include <glm/vec3.hpp>
 #include <optional>
 
 namespace mien {
@@ -33,6 +34,9 @@ struct View {
       background;  ///< instead of the scene's; alpha 0 leaves the picture transparent
   std::optional<PixelRect>
       region;  ///< draw this part of the picture only; same bytes as in the whole
+  std::optional<glm::dvec3>
+      light;  ///< where the lamp is, instead of the scene's: x right, y up, z > 0 to the viewer
+  bool dither = true;  ///< gradients and lit surfaces of 8 and 16 bits only: see store_dithered
 
   static constexpr int kMaxSide = 1 << 20;
 };

@@ -6,6 +6,38 @@
 #include <utility>
 
 namespace mien {
+namespace {
+
+/// The nodes `area` needs, operands before users. Iterative: chains may be a hundred thousand long.
+std::vector<int> nodes_under(std::span<const Node> nodes, Area area) {
+  std::vector<char> needed(std::size_t(area.node) + 1, 0);
+  needed[std::size_t(area.node)] = 1;
+  for (int i = area.node; i >= 0; --i) {
+    const Node& n = nodes[std::size_t(i)];
+    if (!needed[std::size_t(i)] || n.op == Op::shape) continue;
+    needed[std::size_t(n.a)] = 1;
+    if (n.b >= 0) needed[std::size_t(n.b)] = 1;
+  }
+  std::vector<int> list;
+  for (int i = 0; i <= area.node; ++i)
+    if (needed[std::size_t(i)]) list.push_back(i);
+  return list;
+}
+
+/// Runs `leaf` and `inner` over the nodes under `area` and gives the last value.
+template <class Value, class Leaf, class Inner>
+Value fold(std::span<const Node> nodes, Area area, Leaf leaf, Inner inner) {
+  std::vector<Value> value(std::size_t(area.node) + 1);
+  for (int i : nodes_under(nodes, area)) {
+    const Node& n = nodes[std::size_t(i)];
+    value[std::size_t(i)] = n.op == Op::shape ? leaf(n.a)
+                                              : inner(n, value[std::size_t(n.a)],
+                                                      value[std::size_t(n.b < 0 ? n.a : n.b)]);
+  }
+  return value[std::size_t(area.node)];
+}
+
+}  // namespace
 
 SceneBuilder::SceneBuilder(Canvas canvas, Color background) {
   data_.canvas = canvas;
@@ -43,8 +75,44 @@ Area SceneBuilder::shell(Area a, double amount) {
   return add({.op = Op::shell, .a = a.node, .amount = amount});
 }
 
+Area SceneBuilder::everywhere() {
+  return complement(shape(Path{}));
+}
+
+Area SceneBuilder::moved(Area a, glm::dvec2 by) {
+  std::vector<int> at(std::size_t(a.node) + 1, -1);
+  for (const int i : nodes_under(data_.nodes, a)) {
+    Node n = data_.nodes[std::size_t(i)];
+    if (n.op == Op::shape) {
+      data_.shapes.push_back(transformed(glm::dmat2{1.0}, by, data_.shapes[std::size_t(n.a)]));
+      n.a = int(data_.shapes.size()) - 1;
+    } else {
+      n.a = at[std::size_t(n.a)];
+      if (n.b >= 0) n.b = at[std::size_t(n.b)];
+    }
+    at[std::size_t(i)] = add(n).node;
+  }
+  return {at[std::size_t(a.node)]};
+}
+
 void SceneBuilder::layer(std::string name, Area area, Paint paint) {
-  data_.layers.push_back({std::move(name), area, paint});
+  const int group = open_.empty() ? -1 : open_.back().group;
+  if (!open_.empty() && open_.back().clip.node >= 0) area = both(area, open_.back().clip);
+  data_.layers.push_back({std::move(name), area, std::move(paint), group});
+}
+
+void SceneBuilder::open_group(std::string name, double opacity, Area clip) {
+  const OpenGroup outer = open_.empty() ? OpenGroup{-1, {}} : open_.back();
+  if (clip.node < 0)
+    clip = outer.clip;
+  else if (outer.clip.node >= 0)
+    clip = both(clip, outer.clip);
+  data_.groups.push_back({std::move(name), outer.group, opacity});
+  open_.push_back({int(data_.groups.size()) - 1, clip});
+}
+
+void SceneBuilder::close_group() {
+  open_.pop_back();
 }
 
 Scene SceneBuilder::finish() && {
@@ -52,39 +120,6 @@ Scene SceneBuilder::finish() && {
   scene.data_ = std::make_shared<const Scene::Data>(std::move(data_));
   return scene;
 }
-
-namespace {
-
-/// The nodes `area` needs, operands before users. Iterative: chains may be a hundred thousand long.
-std::vector<int> nodes_under(std::span<const Node> nodes, Area area) {
-  std::vector<char> needed(std::size_t(area.node) + 1, 0);
-  needed[std::size_t(area.node)] = 1;
-  for (int i = area.node; i >= 0; --i) {
-    const Node& n = nodes[std::size_t(i)];
-    if (!needed[std::size_t(i)] || n.op == Op::shape) continue;
-    needed[std::size_t(n.a)] = 1;
-    if (n.b >= 0) needed[std::size_t(n.b)] = 1;
-  }
-  std::vector<int> list;
-  for (int i = 0; i <= area.node; ++i)
-    if (needed[std::size_t(i)]) list.push_back(i);
-  return list;
-}
-
-/// Runs `leaf` and `inner` over the nodes under `area` and gives the last value.
-template <class Value, class Leaf, class Inner>
-Value fold(std::span<const Node> nodes, Area area, Leaf leaf, Inner inner) {
-  std::vector<Value> value(std::size_t(area.node) + 1);
-  for (int i : nodes_under(nodes, area)) {
-    const Node& n = nodes[std::size_t(i)];
-    value[std::size_t(i)] = n.op == Op::shape ? leaf(n.a)
-                                              : inner(n, value[std::size_t(n.a)],
-                                                      value[std::size_t(n.b < 0 ? n.a : n.b)]);
-  }
-  return value[std::size_t(area.node)];
-}
-
-}  // namespace
 
 double Scene::distance(Area area, glm::dvec2 p) const {
   return fold<double>(

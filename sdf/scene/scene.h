@@ -13,6 +13,7 @@
 #include <mien/lib/geom/box2.h>
 #include <mien/lib/geom/color.h>
 #include <mien/sdf/csg/op.h>
+#include <mien/sdf/scene/paint.h>
 #include <mien/sdf/shape/shape.h>
 
 #include <memory>
@@ -22,12 +23,6 @@
 
 namespace mien {
 
-/// A handle to an area of a scene under construction, valid in its builder and the scene it
-/// becomes.
-struct Area {
-  int node = -1;
-};
-
 struct Node {
   Op op;
   int a = -1,
@@ -35,14 +30,19 @@ struct Node {
   double amount = 0;  ///< [face units]
 };
 
-struct Paint {
-  Color color;  ///< opacity in color.a
-};
-
 struct Layer {
   std::string name;  ///< the feature's, as in the face file: "iris.left"
   Area area;
   Paint paint;
+  int group = -1;  ///< index into Scene::groups(); −1: none
+};
+
+/// Layers that are mixed with each other first and then laid over what is below as one, with an
+/// opacity. The layers of a group, and of the groups in it, stand together.
+struct Group {
+  std::string name;
+  int parent = -1;     ///< the group it is in; −1: none
+  double opacity = 1;  ///< 0 … 1
 };
 
 struct Canvas {
@@ -57,6 +57,8 @@ class MIEN_API Scene {
   std::span<const Shape> shapes() const { return data_->shapes; }
   std::span<const Node> nodes() const { return data_->nodes; }     ///< operands before users
   std::span<const Layer> layers() const { return data_->layers; }  ///< bottom to top
+  std::span<const Group> groups() const { return data_->groups; }  ///< parents first
+  const Light& light() const { return data_->light; }
 
   /// Signed distance of an area by its CSG tree, and what that promises.
   double distance(Area area, glm::dvec2 p) const;
@@ -75,6 +77,8 @@ class MIEN_API Scene {
     std::vector<Shape> shapes;
     std::vector<Node> nodes;
     std::vector<Layer> layers;
+    std::vector<Group> groups;
+    Light light;
   };
   std::shared_ptr<const Data> data_ = std::make_shared<const Data>();
 };
@@ -90,13 +94,28 @@ class MIEN_API SceneBuilder {
   Area complement(Area a);
   Area offset(Area a, double amount);
   Area shell(Area a, double amount);
+  Area everywhere();
+  /// The same area elsewhere.
+  Area moved(Area a, glm::dvec2 by);
 
   void layer(std::string name, Area area, Paint paint);
+
+  /// Layers from here to the matching close_group belong together; with a `clip` they are drawn
+  /// inside that area only.
+  void open_group(std::string name, double opacity, Area clip = {});
+  void close_group();
+
+  void light(const Light& light) { data_.light = light; }
   Scene finish() &&;
 
  private:
   Area add(Node node);
+  struct OpenGroup {
+    int group;
+    Area clip;  ///< all clips so far, together
+  };
   Scene::Data data_;
+  std::vector<OpenGroup> open_;
 };
 
 }  // namespace mien

@@ -103,6 +103,52 @@ std::string color_text(const Color& c) {
   return fmt::format("{} {} {} {}", c.r, c.g, c.b, c.a);
 }
 
+struct PrintAlong {
+  Out out;
+
+  void operator()(const LinearGradient& g) const {
+    fmt::format_to(out, "linear {} to {}", at(g.from), at(g.to));
+  }
+  void operator()(const RadialGradient& g) const {
+    fmt::format_to(out, "radial center {} radii {} axis {}", at(g.center), at(g.radii), at(g.axis));
+  }
+  void operator()(const DistanceGradient& g) const {
+    fmt::format_to(out, "distance a{} {} to {}", g.area.node, g.from, g.to);
+  }
+};
+
+void print_gradient(Out out, const Gradient& g, double opacity) {
+  constexpr const char* kExtends[] = {"pad", "repeat", "reflect"};
+  std::visit(PrintAlong{out}, g.along);
+  fmt::format_to(out, " {}", kExtends[int(g.extend)]);
+  for (const Stop& stop : g.stops)
+    fmt::format_to(out, " ({}: {})", stop.at, color_text(stop.color));
+  fmt::format_to(out, " opacity {}", opacity);
+}
+
+void print_relief(Out out, const Relief& r) {
+  constexpr const char* kProfiles[] = {"flat", "bevel", "round", "custom"};
+  fmt::format_to(out, " relief {}", kProfiles[int(r.profile)]);
+  if (r.profile != Profile::flat)
+    fmt::format_to(out, " a{} width {} height {}", r.area.node, r.width, r.height);
+  if (r.profile == Profile::custom) {
+    fmt::format_to(out, " table");
+    for (const double h : r.table) fmt::format_to(out, " {}", h);
+  }
+  for (const Dome& dome : r.domes)
+    fmt::format_to(out, " dome (center {} radii {} axis {} height {})", at(dome.center),
+                   at(dome.radii), at(dome.axis), dome.height);
+  fmt::format_to(out, " specular {} shininess {}", r.specular, r.shininess);
+}
+
+void print_paint(Out out, const Paint& paint) {
+  if (paint.gradient)
+    print_gradient(out, *paint.gradient, paint.color.a);
+  else
+    fmt::format_to(out, "color {}", color_text(paint.color));
+  if (paint.relief) print_relief(out, *paint.relief);
+}
+
 const char* promise(bool exact) {
   return exact ? "exact" : "bound";
 }
@@ -120,11 +166,23 @@ std::string Scene::text() const {
     print_node(out, shapes(), nodes()[i]);
     fmt::format_to(out, "\n");
   }
+  bool lit = false;
+  for (const Layer& layer : layers()) lit |= layer.paint.relief != nullptr;
+  if (lit)
+    fmt::format_to(out, "light {},{},{} ambient {}\n", light().direction.x, light().direction.y,
+                   light().direction.z, light().ambient);
+  for (std::size_t i = 0; i < groups().size(); ++i) {
+    const Group& g = groups()[i];
+    fmt::format_to(out, "group g{} {} opacity {}", i, g.name, g.opacity);
+    if (g.parent >= 0) fmt::format_to(out, " in g{}", g.parent);
+    fmt::format_to(out, "\n");
+  }
   for (const Layer& layer : layers()) {
     const Exactness e = exactness(layer.area);
-    fmt::format_to(out, "layer {} area a{} color {} ({} outside, {} inside)\n", layer.name,
-                   layer.area.node, color_text(layer.paint.color), promise(e.outside),
-                   promise(e.inside));
+    fmt::format_to(out, "layer {} area a{} ", layer.name, layer.area.node);
+    print_paint(out, layer.paint);
+    if (layer.group >= 0) fmt::format_to(out, " in g{}", layer.group);
+    fmt::format_to(out, " ({} outside, {} inside)\n", promise(e.outside), promise(e.inside));
   }
   return text;
 }

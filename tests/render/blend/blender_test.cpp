@@ -46,5 +46,20 @@ TEST(Over, MixesHalfBlackAndWhiteInTheBlendsOwnSpace) {
   EXPECT_EQ(over(top, below), (Mix{0.25, 0, 0.75, 1}));
 }
 
+TEST(StoreDithered, MovesAValueByLessThanALevelAndNotOnAverage) {  // E13
+  for (const double value : {0.0, 17.0, 17.25, 200.9, 255.0}) {
+    double sum = 0;
+    for (int y = 8; y < 16; ++y)
+      for (int x = 16; x < 24; ++x) {
+        std::uint8_t pixel[4];
+        store_dithered({value / 255, 0, 0, 1}, Blend::srgb, Depth::u8, x, y, pixel);
+        EXPECT_LT(std::abs(pixel[0] - value), 1);
+        EXPECT_EQ(pixel[3], 255);
+        sum += pixel[0];
+      }
+    EXPECT_NEAR(sum / 64, value, 1.0 / 128 + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace mien

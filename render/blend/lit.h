@@ -1,0 +1,26 @@
+#pragma once
+// Light on a relief: what a sloping surface makes of a colour. The law is Light's, in
+// sdf/scene/paint.h.
+
+#include <mien/render/blend/blender.h>
+#include <mien/sdf/scene/paint.h>
+
+#include <glm/vec2.hpp>
+
+namespace mien {
+
+/// A lamp made ready for one material: unit directions, and what a level surface shines back.
+class Lamp {
+ public:
+  /// A direction of no length, or not from the front, shines straight on.
+  Lamp(const Light& light, double specular, double shininess);
+
+  /// The colour of a surface that rises by `slope` per length: x right, y UP in the picture.
+  Mix lit(const Mix& color, glm::dvec2 slope, Blend blend) const;
+
+ private:
+  glm::dvec3 to_lamp_, halfway_;
+  double ambient_, specular_, shininess_, level_shine_;
+};
+
+}  // namespace mien

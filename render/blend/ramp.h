@@ -1,0 +1,48 @@
+#pragma once
+// The colours of a gradient along its place t, in the space the picture is blended in.
+
+#include <mien/render/blend/blender.h>
+#include <mien/sdf/scene/paint.h>
+
+#include <vector>
+
+namespace mien {
+
+/// Piecewise linear in t, premultiplied, with the gradient's extension beyond its ends. A ramp of
+/// no length (all stops at one place) is its last colour from there on and its first before.
+class Ramp {
+ public:
+  /// `opacity` multiplies that of every stop. No stops: transparent.
+  Ramp(const Gradient& gradient, double opacity, Blend blend);
+
+  Mix color(double t) const;
+
+  /// The least and the largest opacity anywhere.
+  double least_opacity() const { return least_opacity_; }
+  double most_opacity() const { return most_opacity_; }
+
+  /// What the ramp is like between two places.
+  struct Range {
+    bool constant = true;  ///< one colour throughout
+    bool many = false;     ///< more than kMostKinks places: the numbers below are unknown
+    double slope = 0;      ///< the largest change of a channel per unit of t, jumps left out
+    double jump = 0;       ///< the largest sudden change of a channel
+  };
+  static constexpr std::size_t kMostKinks = 12;
+
+  /// Writes the places strictly between lo and hi where the colour has a kink or a jump, rising.
+  Range range(double lo, double hi, std::vector<double>& kinks) const;
+
+ private:
+  double inner(double t) const;
+  void add_kinks(double begin, bool backward, double lo, double hi,
+                 std::vector<double>& kinks) const;
+  bool same_everywhere(double lo, double hi) const;
+
+  std::vector<double> at_;
+  std::vector<Mix> mix_;
+  Extend extend_;
+  double least_opacity_ = 1, most_opacity_ = 0, steepest_ = 0, highest_jump_ = 0;
+};
+
+}  // namespace mien

@@ -1,0 +1,26 @@
+#pragma once
+// The signed distance of a scene's area, in pixels: what gradients along an outline and reliefs
+// read.
+
+#include <mien/sdf/scene/scene.h>
+
+#include <vector>
+
+namespace mien {
+
+/// An area's CSG tree with its shapes in pixels. Immutable; 1-Lipschitz.
+class AreaDistance {
+ public:
+  AreaDistance(const Scene& scene, Area area, const Map<PixelSpace, FaceSpace>& map);
+
+  /// Negative inside; p in pixels, origin at the picture's centre.
+  double at(glm::dvec2 p) const;
+
+ private:
+  double tree_at(glm::dvec2 p, double* values) const;
+
+  std::vector<Shape> shapes_;
+  std::vector<Node> nodes_;  ///< operands before users; the last is the area
+};
+
+}  // namespace mien

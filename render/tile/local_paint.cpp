@@ -1,0 +1,150 @@
+#include <mien/render/tile/local_paint.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace mien {
+namespace {
+
+/// Written so that a mirrored picture gives exactly mirrored numbers. The mean is that of the
+/// quadratic through the five values: 2/3 of the centre and 1/3 of the corners, since the corners
+/// are twice as far from it as the square's own second moment (1/4 + 1/4 against 1/12 + 1/12, times
+/// 1/3).
+Bilinear bilinear(const std::array<double, 4>& c, double center) {
+  const double left = c[0] + c[2], right = c[1] + c[3], top = c[0] + c[1], bottom = c[2] + c[3];
+  const double corners = 0.25 * (left + right);
+  return {.mean = (2.0 * center + corners) / 3.0,
+          .x = 0.5 * (right - left),
+          .y = 0.5 * (bottom - top),
+          .xy = (c[0] + c[3]) - (c[1] + c[2]),
+          .residual = std::abs(center - corners)};
+}
+
+/// The lines of the square along which a bilinear function takes a value, as cuts; the bilinear
+/// term left out.
+void add_cuts(const Bilinear& f, std::span<const double> values, std::vector<Cut>& cuts) {
+  const double length = std::sqrt(f.x * f.x + f.y * f.y);
+  if (!(length > 0.0)) return;
+  for (const double value : values)
+    cuts.push_back({(f.mean - value) / length, glm::dvec2{f.x, f.y} / length});
+}
+
+}  // namespace
+
+Mix LocalPaint::color(glm::dvec2 u) const {
+  const Mix base = paint->ramp ? paint->ramp->color(place.at(u)) : paint->color;
+  if (!paint->relief) return base;
+  const glm::dvec2 gradient{(distance.x + distance.xy * u.y) / side,
+                            (distance.y + distance.xy * u.x) / side};
+  const glm::dvec2 slope = paint->relief->slope(center + side * u, distance.at(u), gradient);
+  return paint->relief->lamp.lit(base, slope, blend);
+}
+
+PaintSampler::Corners PaintSampler::distance_corners(int distance, glm::dvec2 center, double side) {
+  const AreaDistance& area = tape_.distances[std::size_t(distance)];
+  const double h = 0.5 * side;
+  if (side != 1.0)
+    return {area.at(center + glm::dvec2{-h, -h}), area.at(center + glm::dvec2{h, -h}),
+            area.at(center + glm::dvec2{-h, h}), area.at(center + glm::dvec2{h, h})};
+  // Blocks begin at multiples of kBlock, or half a pixel beside them: centres are at halves or at
+  // whole numbers as the picture's side is even or odd.
+  const double left = center.x - 0.5, top = center.y - 0.5;
+  const double x = kBlock * std::floor(left / kBlock) + (left - std::floor(left));
+  const double y = kBlock * std::floor(top / kBlock) + (top - std::floor(top));
+  Lattice& lattice = lattices_[std::size_t(distance)];
+  if (!lattice.filled || lattice.x != x || lattice.y != y) {
+    lattice.x = x, lattice.y = y, lattice.filled = true;
+    std::size_t next = 0;
+    for (int j = 0; j <= kBlock; ++j)
+      for (int i = 0; i <= kBlock; ++i) lattice.d[next++] = area.at({x + i, y + j});
+  }
+  constexpr std::size_t kRow = kBlock + 1;
+  const std::size_t at = std::size_t(top - y) * kRow + std::size_t(left - x);
+  return {lattice.d[at], lattice.d[at + 1], lattice.d[at + kRow], lattice.d[at + kRow + 1]};
+}
+
+Bilinear PaintSampler::distance_in(int distance, glm::dvec2 center, double side) {
+  return bilinear(distance_corners(distance, center, side),
+                  tape_.distances[std::size_t(distance)].at(center));
+}
+
+Bilinear PaintSampler::place_in(const PaintField& field, glm::dvec2 center, double side) {
+  if (field.kind == PaintField::Kind::linear)
+    return {.mean = field.at(center, 0.0),
+            .x = field.across.x * side,
+            .y = field.across.y * side,
+            .xy = 0.0,
+            .residual = 0.0};
+  if (field.kind == PaintField::Kind::distance) {
+    Bilinear d = distance_in(field.distance, center, side);
+    d.mean = (d.mean - field.from) * field.scale;
+    d.x *= field.scale, d.y *= field.scale, d.xy *= field.scale;
+    d.residual *= std::abs(field.scale);
+    return d;
+  }
+  const double h = 0.5 * side;
+  const auto at = [&](double x, double y) { return field.at(center + glm::dvec2{x, y}, 0.0); };
+  return bilinear({at(-h, -h), at(h, -h), at(-h, h), at(h, h)}, at(0.0, 0.0));
+}
+
+LocalPaint PaintSampler::local(int index, glm::dvec2 center, double side) {
+  const TapePaint& paint = tape_.paints[std::size_t(index)];
+  LocalPaint local{.paint = &paint,
+                   .blend = tape_.blend,
+                   .center = center,
+                   .side = side,
+                   .place = {},
+                   .distance = {}};
+  if (paint.ramp) local.place = place_in(paint.field, center, side);
+  if (paint.relief && paint.relief->distance >= 0)
+    local.distance = distance_in(paint.relief->distance, center, side);
+  return local;
+}
+
+double PaintSampler::error(const LocalPaint& local, bool whole, std::vector<Cut>& cuts) {
+  double error = 0.0;
+  if (local.paint->ramp) {
+    const Bilinear& t = local.place;
+    const double reach = t.reach() + t.residual;
+    const Ramp::Range range = local.paint->ramp->range(t.mean - reach, t.mean + reach, kinks_);
+    if (range.many) return 1.0;
+    add_cuts(t, kinks_, cuts);
+    // Bilinear terms bend the lines along which t is constant: they count where colours are cut.
+    const double bent = t.residual + (kinks_.empty() ? 0.0 : 0.25 * std::abs(t.xy));
+    error += range.slope * (whole && kinks_.empty() ? t.residual / 6.0 : 0.5 * bent);
+    if (range.jump > 0.0) {
+      const double length = std::sqrt(t.x * t.x + t.y * t.y);
+      error += length > 0.0 ? range.jump * std::min(1.0, bent / length) : range.jump;
+    }
+  }
+  if (local.paint->relief && local.paint->relief->distance >= 0) {
+    const Bilinear& d = local.distance;
+    const double reach = d.reach() + d.residual;
+    local.paint->relief->kinks(d.mean - reach, d.mean + reach, kinks_);
+    add_cuts(d, kinks_, cuts);
+  }
+  return error;
+}
+
+bool PaintSampler::creased(const LocalPaint& local) const {
+  return local.paint->relief && local.distance.residual > 0.02 * local.side;
+}
+
+std::optional<Mix> PaintSampler::constant(int index, glm::dvec2 center, double radius) {
+  const TapePaint& paint = tape_.paints[std::size_t(index)];
+  if (paint.relief) {
+    const int distance = paint.relief->distance;
+    const double d = distance < 0 ? 0.0 : tape_.distances[std::size_t(distance)].at(center);
+    if (!paint.relief->level(center, radius, d)) return {};
+  }
+  if (!paint.ramp) return paint.color;
+  const PaintField& field = paint.field;
+  const double d =
+      field.distance < 0 ? 0.0 : tape_.distances[std::size_t(field.distance)].at(center);
+  const double t = field.at(center, d), reach = radius * field.per_pixel;
+  if (!paint.ramp->range(t - reach, t + reach, kinks_).constant) return {};
+  return paint.ramp->color(t);
+}
+
+}  // namespace mien

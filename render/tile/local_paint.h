@@ -1,0 +1,80 @@
+#pragma once
+// What a paint is like inside one square: its place t (or its distance) as a bilinear function,
+// found from the square's corners and centre, and how far off that may be.
+//
+// Whole pixels take their corners from lattices of 8 × 8 pixels at absolute places of the picture,
+// so a corner is computed once for the four pixels it touches, and never depends on what else is
+// drawn.
+
+#include <mien/render/cover/arrangement.h>
+#include <mien/render/tile/tape.h>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace mien {
+
+/// f(u) ≈ mean + x u.x + y u.y + xy u.x u.y for u in [−1/2, 1/2]².
+struct Bilinear {
+  double mean = 0, x = 0, y = 0, xy = 0;
+  double residual =
+      0;  ///< how far it is from f at the centre, at most xy/4 and what is not bilinear
+
+  double at(glm::dvec2 u) const { return mean + x * u.x + y * u.y + xy * (u.x * u.y); }
+  double reach() const {  ///< at most so far from the mean
+    return 0.5 * (std::abs(x) + std::abs(y)) + 0.25 * std::abs(xy);
+  }
+};
+
+/// A paint in a square.
+struct LocalPaint {
+  const TapePaint* paint;
+  Blend blend;
+  glm::dvec2 center;
+  double side;
+  Bilinear place;     ///< of the gradient
+  Bilinear distance;  ///< of the relief
+
+  /// The colour at a place of the square, u in [−1/2, 1/2]².
+  Mix color(glm::dvec2 u) const;
+};
+
+/// Makes local paints. One per thread.
+class PaintSampler {
+ public:
+  PaintSampler(const Tape& tape) : tape_(tape), lattices_(tape.distances.size()) {}
+
+  /// The paint in a square; of a whole pixel if side is 1.
+  LocalPaint local(int paint, glm::dvec2 center, double side);
+
+  /// How wrong the mean colour over the square, or over a part of it, may come out; appends the
+  /// lines along which the colour has a kink or jump.
+  double error(const LocalPaint& local, bool whole, std::vector<Cut>& cuts);
+
+  /// Whether the relief's distance is too far from bilinear for its slope to mean anything.
+  bool creased(const LocalPaint& local) const;
+
+  /// The one colour that the paint has all over a disc, if so.
+  std::optional<Mix> constant(int paint, glm::dvec2 center, double radius);
+
+ private:
+  static constexpr int kBlock = 8;
+  struct Lattice {
+    double x = 0, y = 0;  ///< of its first point
+    bool filled = false;
+    std::array<double, std::size_t((kBlock + 1) * (kBlock + 1))> d;
+  };
+  using Corners = std::array<double, 4>;  ///< 00, 10, 01, 11
+
+  Corners distance_corners(int distance, glm::dvec2 center, double side);
+  Bilinear distance_in(int distance, glm::dvec2 center, double side);
+  Bilinear place_in(const PaintField& field, glm::dvec2 center, double side);
+
+  const Tape& tape_;
+  std::vector<Lattice> lattices_;
+  std::vector<double> kinks_;
+};
+
+}  // namespace mien

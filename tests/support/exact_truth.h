@@ -1,0 +1,80 @@
+#pragma once
+// The exact picture of any scene, to about 1e-6 of a pixel's area: what 16-bit pictures and pictures
+// blended in linear light are judged by.
+//
+// Along a horizontal line every layer is a set of spans. Their ends are where Scene::distance
+// changes sign: found by bisection, missing none longer than kShortest, since that distance is
+// 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two ends the
+// visible colour is smooth, but for a gradient's kinks, which are found in the same way; there
+// Gauss's rule integrates it. Across the lines the integral is adaptive.
+//
+// It shares no code with the renderer but the scene's own distances, which have truths of their own
+// in tests/sdf. Reliefs are left out: what they are lit to is no mean over an area.
+
+#include <mien/render/image.h>
+#include <mien/render/view/view.h>
+#include <mien/sdf/scene/scene.h>
+
+#include <functional>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+namespace mien::test {
+
+class ExactTruth {
+ public:
+  static constexpr double kShortest = 1e-3;  ///< [px] spans that may be missed
+
+  /// `tolerance`: what a pixel's mean may be off in the blending space. The scene must outlive this.
+  ExactTruth(const Scene& scene, const View& view, double tolerance = 1e-6);
+
+  /// The mean over pixel (x, y): premultiplied, in the blending space.
+  glm::dvec4 pixel(int x, int y) const;
+  /// The same in levels of `top`: encoded, straight, not rounded.
+  glm::dvec4 levels(int x, int y, int top) const;
+
+ private:
+  /// A layer that can be seen in a pixel; `whole`: it covers it.
+  struct Seen {
+    int layer;
+    bool whole;
+  };
+  struct Square {
+    std::vector<Seen> seen;  ///< bottom to top
+    double x, y;             ///< its left and upper edge [px]
+  };
+
+  Square square(int x, int y) const;
+  glm::dvec4 rows(const Square& square, double top, double bottom) const;
+  glm::dvec4 refined(const Square& square, double top, double bottom, glm::dvec4 coarse,
+                     int depth) const;
+  glm::dvec4 line(const Square& square, double y) const;
+  glm::dvec4 color(const Square& square, glm::dvec2 p) const;
+  glm::dvec4 paint(const Layer& layer, glm::dvec2 p) const;
+  double place(const Gradient& gradient, glm::dvec2 p) const;
+  void find_kinks(const Gradient& gradient, const Square& square, double y,
+                  std::vector<double>& out) const;
+  glm::dvec2 face(double x, double y) const;
+  glm::dvec4 blended(const Color& color, double opacity) const;
+
+  const Scene& scene_;
+  View view_;
+  double tolerance_, unit_;  ///< [face units] per pixel
+};
+
+/// Where f changes sign between a and b; f changes by at most `lipschitz` per unit.
+void find_roots(const std::function<double(double)>& f, double lipschitz, double a, double b,
+                double shortest, std::vector<double>& out);
+
+struct ExactError {
+  double worst = 0;  ///< largest |channel − truth|, in levels, the truth not rounded
+  long over = 0;     ///< pixels off by more than `allowed`
+  std::string where;
+};
+
+/// Compares pixels of an 8- or 16-bit image with the truth, one in `every`.
+ExactError compare_exactly(const Image& image, const ExactTruth& truth, double allowed,
+                           int every = 1);
+
+}  // namespace mien::test
