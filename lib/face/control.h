@@ -20,14 +20,29 @@ struct Scale {
   int slice;
 };
 
+/// slice += (value − rest) · (to − from): a share of the way to another shape. At a share of 1 a
+/// slice that was `from` is `to`, bit for bit.
+struct Toward {
+  int slice;
+  std::vector<double> from, to;
+};
+
 /// What a channel does to the face vector. Each leaves the vector as it is when the channel rests.
-using Drive = std::variant<Offset, Scale, KeyShapes>;
+using Drive = std::variant<Offset, Scale, KeyShapes, Toward>;
+
+/// Another channel's value += (value − rest) · by. What it nudges nudges nothing itself.
+struct Nudge {
+  int channel;
+  double by;
+};
 
 /// One number that drives slices: a control, or a control's left or right half.
 struct Channel {
   double rest = 0;
   double lo = 0, hi = 1;      ///< finite; values beyond act like the nearer end
   std::vector<Drive> drives;  ///< act in this order
+  bool pose = false;          ///< the weight of a pose: acts before all that are not
+  std::vector<Nudge> nudges;  ///< of a pose
 };
 
 /// A name for one channel ("gaze.left.x") or for a left and a right one at once ("gaze.x").
@@ -35,6 +50,7 @@ struct Control {
   std::string name;
   std::string unit;
   std::vector<int> channels;  ///< of the model; 1 or 2
+  bool pose = false;          ///< the weight of a named pose ("brow.sad", "brow.left.sad")
 };
 
 }  // namespace mien

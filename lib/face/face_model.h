@@ -5,6 +5,7 @@
 #include <mien/lib/face/canvas.h>
 #include <mien/lib/face/clip.h>
 #include <mien/lib/face/control.h>
+#include <mien/lib/face/eye.h>
 #include <mien/lib/face/feature.h>
 #include <mien/lib/face/layout.h>
 
@@ -25,6 +26,7 @@ struct FaceModel {
   std::vector<Channel> channels;  ///< act in this order
   std::vector<Control> controls;
   std::vector<Clip> clips;
+  std::vector<Eye> eyes;
   int default_clip = -1;  ///< the clip that runs when a time is given; −1: none
 };
 

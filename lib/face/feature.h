@@ -33,9 +33,12 @@ struct CutDiscFigure {
 
 /// A pen line along a quadratic Bézier; half_width holds one number, or three (Bernstein
 /// coefficients).
+/// Along the edge of a lid it is bent as the edge is: `shifts` is the first of that edge's slices
+/// (OpeningFigure), −1: none.
 struct StrokeFigure {
   int spine[3];
   int half_width;
+  int shifts = -1;
 };
 
 /// A pen line through points, with round caps and joins.
@@ -60,8 +63,16 @@ struct PathFigure {
 
 /// The opening of an eye: the area between the lid edges inner → upper → outer and outer → lower →
 /// inner, two quadratic Béziers that share the canthi (the eye's corners) exactly.
+///
+/// A lid that the eye's cornea pushes has more bends than one: each edge is cut into kLidBends equal
+/// parts in its parameter, which is a smooth row of bends (the outline passes half-way between
+/// two), and each bend has a shift. `shifts` is the first of 2 · kLidBends slices in a row: the
+/// upper edge's from inner to outer, then the lower edge's from inner to outer; −1: none. While all
+/// are 0 the edges are the two plain curves.
 struct OpeningFigure {
+  static constexpr int kLidBends = 8;
   int inner, upper, outer, lower;
+  int shifts = -1;
 };
 
 using Figure = std::variant<BandFigure, EllipseFigure, DiscFigure, CutDiscFigure, StrokeFigure,
@@ -113,6 +124,9 @@ template <class Visit>
 void for_each_slice(const OpeningFigure& f, Visit&& visit) {
   visit("inner", f.inner), visit("upper", f.upper), visit("outer", f.outer),
       visit("lower", f.lower);
+  if (f.shifts >= 0)
+    for (int i = 0; i < 2 * OpeningFigure::kLidBends; ++i)
+      visit(i < OpeningFigure::kLidBends ? "upper_shift" : "lower_shift", f.shifts + i);
 }
 template <class Visit>
 void for_each_slice(const Figure& figure, Visit&& visit) {

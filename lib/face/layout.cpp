@@ -12,6 +12,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 void set_range(Slice& slice) {
   switch (slice.kind) {
     case SliceKind::point:
+    case SliceKind::shift:
     case SliceKind::frame:
     case SliceKind::parabola:
       slice.rule = Rule::free, slice.lo = -kEndless, slice.hi = kEndless;

@@ -8,6 +8,8 @@ std::string_view kind_name(SliceKind kind) {
   switch (kind) {
     case SliceKind::point:
       return "point";
+    case SliceKind::shift:
+      return "shift";
     case SliceKind::length:
       return "length";
     case SliceKind::ratio:
@@ -27,6 +29,7 @@ std::string_view kind_name(SliceKind kind) {
 std::string unit_name(SliceKind kind, std::string_view length_unit) {
   switch (kind) {
     case SliceKind::point:
+    case SliceKind::shift:
     case SliceKind::length:
     case SliceKind::parabola:
       return std::string{length_unit};
@@ -43,7 +46,8 @@ std::string unit_name(SliceKind kind, std::string_view length_unit) {
 }
 
 std::string component_name(SliceKind kind, int index) {
-  if (kind == SliceKind::point && index < 2) return std::string(1, "xy"[index]);
+  if ((kind == SliceKind::point || kind == SliceKind::shift) && index < 2)
+    return std::string(1, "xy"[index]);
   if (kind == SliceKind::color && index < 4) return std::string(1, "rgba"[index]);
   return std::to_string(index);
 }
@@ -51,6 +55,7 @@ std::string component_name(SliceKind kind, int index) {
 void mirror_differences(SliceKind kind, std::span<double> values, double twice_axis) {
   switch (kind) {
     case SliceKind::point:
+    case SliceKind::shift:
     case SliceKind::angle:
       values[0] = 0 - values[0];
       return;               // 0 − x: no −0 for x = 0

@@ -13,6 +13,7 @@ namespace mien {
 /// to them.
 enum class SliceKind : unsigned char {
   point,     ///< x, y
+  shift,     ///< x, y of a way: added to a point
   length,    ///< one or more lengths >= 0: radii, half-widths
   ratio,     ///< one or more plain numbers >= 0: chord distances in radii
   angle,     ///< degrees, counted from +x towards +y

@@ -69,9 +69,48 @@ int FaceDraft::reference(const Reading& in, const JsonNode& node, Side side, Sli
   return found;
 }
 
+std::vector<DriveTarget> FaceDraft::targets(const Reading& in, const JsonNode& node,
+                                            std::string_view name, Side side, bool mirror) const {
+  const int itself = model.layout.find(name);
+  std::vector<DriveTarget> found;
+  const auto look = [&](Side s) {
+    const int slice = find_slice(name, s);
+    if (slice >= 0 && slice != itself) found.push_back({slice, mirror && is_mirrored(slice)});
+  };
+  if (side != Side::none) {
+    look(side);
+    if (!found.empty() || find_slice(name, other(side)) != itself) return found;
+    if (itself >= 0)
+      in.refuse(node,
+                fmt::format("{} has no sides, but this control is per side", in_quotes(name)));
+  } else {
+    if (itself >= 0) return {{itself, false}};
+    look(Side::left), look(Side::right);
+    if (!found.empty()) return found;
+  }
+  slice_named(in, node, name, side);  // refuses
+  return found;
+}
+
+void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control) {
+  if (!control_by_name.emplace(control.name, int(model.controls.size())).second)
+    in.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
+  model.controls.push_back(std::move(control));
+}
+
+int FaceDraft::control_named(const Reading& in, const JsonNode& node, std::string_view name) const {
+  const auto found = control_by_name.find(std::string{name});
+  if (found != control_by_name.end()) return found->second;
+  std::vector<std::string_view> known;
+  for (const Control& control : model.controls) known.push_back(control.name);
+  in.refuse(node, unknown_name("control", name, known));
+}
+
 bool FaceDraft::is_mirrored(int slice) const {
   const std::string_view name = model.layout[slice].name;
-  const auto found = feature_by_name.find(std::string{name.substr(0, name.find('/'))});
+  const std::string owner{name.substr(0, name.find('/'))};
+  if (mirrored_eyes.contains(owner)) return true;
+  const auto found = feature_by_name.find(owner);
   return found != feature_by_name.end() && mirrored[std::size_t(found->second)];
 }
 

@@ -9,9 +9,17 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace mien {
+
+/// A slice that a name in the file means, and whether the numbers beside it were written for its
+/// mirror image.
+struct DriveTarget {
+  int slice;
+  bool mirrored;
+};
 
 struct FaceDraft {
   FaceModel model;
@@ -20,6 +28,7 @@ struct FaceDraft {
   std::unordered_map<std::string, int> control_by_name;
   std::vector<int> clip_depth;  ///< per feature: how many clips it stands in
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
+  std::unordered_set<std::string> mirrored_eyes;
 
   /// Appends a slice with its values at rest; `node` is where they stand.
   int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
@@ -36,6 +45,17 @@ struct FaceDraft {
   /// Reads "@NAME": a slice of that kind and size.
   int reference(const Reading& in, const JsonNode& node, Side side, SliceKind kind, int size) const;
 
+  /// What a name means for something that acts on a side: the side's slice; for something without a
+  /// side the very slice, or both sides'. `mirror`: numbers beside it are mirrored where the feature
+  /// is. Refuses unknown names.
+  std::vector<DriveTarget> targets(const Reading& in, const JsonNode& node, std::string_view name,
+                                   Side side, bool mirror) const;
+
+  /// Appends a control; its name must be new.
+  void add_control(const Reading& in, const JsonNode& name_node, Control control);
+  /// The control of that name; refuses unknown ones.
+  int control_named(const Reading& in, const JsonNode& node, std::string_view name) const;
+
   /// Whether numbers written for this slice belong to its mirror image.
   bool is_mirrored(int slice) const;
 };
@@ -45,6 +65,8 @@ void read_palette(Reading& in, const JsonNode& node, FaceDraft& face);
 int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face);
 void read_features(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_controls(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_poses(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_eyes(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
 
 /// Reads the numbers of one slice, mirrored if asked to.

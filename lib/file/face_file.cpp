@@ -24,7 +24,7 @@ constexpr int kNewestVersion = 1;
 void check_format(Reading& in, const JsonNode& root) {
   in.expect_object(root,
                    {"$schema", "format", "format_version", "name", "credit", "canvas", "background",
-                    "palette", "features", "controls", "clips", "default_clip"});
+                    "palette", "features", "controls", "poses", "eyes", "clips", "default_clip"});
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
@@ -50,6 +50,8 @@ Face read_root(Reading& in) {
   model.background = read_paint(in, in.need(root, "background"), draft);
   read_features(in, in.need(root, "features"), draft);
   if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
+  if (const JsonNode* eyes = in.find(root, "eyes")) read_eyes(in, *eyes, draft);
+  if (const JsonNode* poses = in.find(root, "poses")) read_poses(in, *poses, draft);
   if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
   if (const JsonNode* wanted = in.find(root, "default_clip")) {
     std::vector<std::string_view> known;

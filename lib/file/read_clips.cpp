@@ -1,26 +1,18 @@
 // The clips of a face file: curves in time for controls.
 
-#include <mien/lib/base/nearest_name.h>
 #include "face_draft_private.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 namespace mien {
 namespace {
 
-constexpr std::array<std::string_view, 5> kEases{"linear", "step", "smooth", "in",
-                                                 "out"};  // as enum Ease
-
-int control_named(const Reading& in, const JsonNode& node, std::string_view name,
-                  const FaceDraft& face) {
-  const auto found = face.control_by_name.find(std::string{name});
-  if (found != face.control_by_name.end()) return found->second;
-  std::vector<std::string_view> known;
-  for (const Control& control : face.model.controls) known.push_back(control.name);
-  in.refuse(node, unknown_name("control", name, known));
-}
+constexpr std::array<std::string_view, 6> kEases{"linear", "step", "smooth",
+                                                 "in",     "out",  "overshoot"};  // as enum Ease
 
 SineCurve read_sine(Reading& in, const JsonNode& node) {
   in.expect_object(node, {"amplitude", "frequency", "phase", "offset", "absolute"});
@@ -45,17 +37,33 @@ CurveKey read_key(const Reading& in, const JsonNode& node, Ease ease) {
   return {in.number(time), in.number(value), ease};
 }
 
-KeyCurve read_keys(Reading& in, const JsonNode& node) {
-  in.expect_object(node, {"keys", "period", "ease"});
-  KeyCurve curve;
-  Ease ease = Ease::linear;
-  if (const JsonNode* word = in.find(node, "ease")) ease = Ease(in.word(*word, "ease", kEases));
-  if (const JsonNode* period = in.find(node, "period")) {
-    curve.period = in.number(*period);
-    if (!(curve.period > 0))
-      in.refuse(*period, fmt::format("a period must be positive, got {}", curve.period));
-  }
-  const JsonNode& keys = in.need(node, "keys");
+/// A number that must not be negative; 0 if it is not there.
+double optional_time(const Reading& in, const JsonNode& node, std::string_view key) {
+  const JsonNode* found = in.find(node, key);
+  if (!found) return 0;
+  const double time = in.number(*found);
+  if (!(time >= 0)) in.refuse(*found, fmt::format("a {} must not be negative, got {}", key, time));
+  return time;
+}
+
+/// A whole number from 0 to 2^32 − 1; 0 if it is not there.
+std::uint32_t optional_count(const Reading& in, const JsonNode& node, std::string_view key) {
+  const JsonNode* found = in.find(node, key);
+  if (!found) return 0;
+  const double number = in.number(*found);
+  if (!(number >= 0 && number <= 4294967295.0 && number == std::floor(number)))
+    in.refuse(*found,
+              fmt::format("a {} is a whole number from 0 to 4294967295, got {}", key, number));
+  return std::uint32_t(number);
+}
+
+double read_period(const Reading& in, const JsonNode& node) {
+  const double period = in.number(node);
+  if (!(period > 0)) in.refuse(node, fmt::format("a period must be positive, got {}", period));
+  return period;
+}
+
+void read_each_key(const Reading& in, const JsonNode& keys, Ease ease, KeyCurve& curve) {
   in.expect(keys, JsonKind::array);
   if (keys.count == 0) in.refuse(keys, "expected at least one key");
   in.for_each(keys, [&](const JsonNode& child, int) {
@@ -67,33 +75,93 @@ KeyCurve read_keys(Reading& in, const JsonNode& node) {
                                    curve.period));
     curve.keys.push_back(key);
   });
+}
+
+KeyCurve read_keys(Reading& in, const JsonNode& node) {
+  in.expect_object(node, {"keys", "period", "ease", "offset", "jitter", "seed"}, "curve");
+  KeyCurve curve;
+  Ease ease = Ease::linear;
+  if (const JsonNode* word = in.find(node, "ease")) ease = Ease(in.word(*word, "ease", kEases));
+  if (const JsonNode* period = in.find(node, "period")) curve.period = read_period(in, *period);
+  if (const JsonNode* offset = in.find(node, "offset")) curve.offset = in.number(*offset);
+  curve.jitter = optional_time(in, node, "jitter");
+  curve.seed = optional_count(in, node, "seed");
+  read_each_key(in, in.need(node, "keys"), ease, curve);
+  if (curve.jitter > 0 && curve.period == 0)
+    in.refuse(*in.find(node, "jitter"), "jitter needs a period");
+  if (curve.jitter > 0 && curve.keys.back().time + curve.jitter > curve.period)
+    in.refuse(*in.find(node, "jitter"),
+              fmt::format("the last key and the jitter must end within the period {}, got {} + {}",
+                          curve.period, curve.keys.back().time, curve.jitter));
+  return curve;
+}
+
+WanderCurve read_wander(Reading& in, const JsonNode& node) {
+  in.expect_object(node,
+                   {"center", "amplitude", "home", "period", "jitter", "move", "offset", "ease",
+                    "seed", "stream"},
+                   "wander");
+  WanderCurve curve;
+  if (const JsonNode* center = in.find(node, "center")) curve.center = in.number(*center);
+  curve.amplitude = in.number(in.need(node, "amplitude"));
+  if (const JsonNode* home = in.find(node, "home")) {
+    curve.home = in.number(*home);
+    if (!(curve.home >= 0 && curve.home <= 1))
+      in.refuse(*home,
+                fmt::format("a share of the periods lies between 0 and 1, got {}", curve.home));
+  }
+  curve.period = read_period(in, in.need(node, "period"));
+  curve.jitter = optional_time(in, node, "jitter");
+  if (in.find(node, "move")) curve.move = optional_time(in, node, "move");
+  if (curve.jitter + curve.move > curve.period)
+    in.refuse(node, fmt::format("jitter and move must end within the period {}, got {} + {}",
+                                curve.period, curve.jitter, curve.move));
+  if (const JsonNode* offset = in.find(node, "offset")) curve.offset = in.number(*offset);
+  if (const JsonNode* word = in.find(node, "ease"))
+    curve.ease = Ease(in.word(*word, "ease", kEases));
+  curve.seed = optional_count(in, node, "seed");
+  curve.stream = optional_count(in, node, "stream");
   return curve;
 }
 
 Curve read_curve(Reading& in, const JsonNode& node) {
   in.expect(node, JsonKind::object);
-  const JsonNode* sine = in.find(node, "sine");
-  if (!sine) {
-    if (!in.find(node, "keys")) in.refuse(node, "a curve has either \"keys\" or \"sine\"");
-    return read_keys(in, node);
+  if (const JsonNode* sine = in.find(node, "sine")) {
+    in.expect_object(node, {"sine"});
+    return read_sine(in, *sine);
   }
-  in.expect_object(node, {"sine"});
-  return read_sine(in, *sine);
+  if (const JsonNode* wander = in.find(node, "wander")) {
+    in.expect_object(node, {"wander"});
+    return read_wander(in, *wander);
+  }
+  if (!in.find(node, "keys")) in.refuse(node, "a curve has \"keys\", \"sine\" or \"wander\"");
+  return read_keys(in, node);
+}
+
+/// {CONTROL: CURVE, …}, or {"tracks": {CONTROL: CURVE, …}, "additive": true}.
+Clip read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
+  in.expect(node, JsonKind::object);
+  Clip clip{.name = in.name(node, in.tree.key(node)), .tracks = {}};
+  const JsonNode* tracks = in.find(node, "tracks");
+  if (tracks) {
+    in.expect_object(node, {"tracks", "additive"}, "clip");
+    in.expect(*tracks, JsonKind::object);
+    if (const JsonNode* additive = in.find(node, "additive")) clip.additive = in.boolean(*additive);
+  }
+  in.for_each(tracks ? *tracks : node, [&](const JsonNode& track, int) {
+    const std::string_view name = in.tree.key(track);
+    if (name == "comment") return;
+    clip.tracks.push_back({face.control_named(in, track, name), read_curve(in, track)});
+  });
+  return clip;
 }
 
 }  // namespace
 
 void read_clips(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect(node, JsonKind::object);
-  in.for_each(node, [&](const JsonNode& clip_node, int) {
-    in.expect(clip_node, JsonKind::object);
-    Clip clip{in.name(clip_node, in.tree.key(clip_node)), {}};
-    in.for_each(clip_node, [&](const JsonNode& track, int) {
-      const std::string_view name = in.tree.key(track);
-      if (name == "comment") return;
-      clip.tracks.push_back({control_named(in, track, name, face), read_curve(in, track)});
-    });
-    face.model.clips.push_back(std::move(clip));
+  in.for_each(node, [&](const JsonNode& clip, int) {
+    if (in.tree.key(clip) != "comment") face.model.clips.push_back(read_clip(in, clip, face));
   });
 }
 

@@ -34,22 +34,15 @@ class ControlReader {
         halves[half] = {control_of_side(name, side), unit, {add_channel(side)}};
         both.channels.push_back(halves[half].channels[0]);
       }
-      add_control(name_node, std::move(both));
-      for (Control& half : halves) add_control(name_node, std::move(half));
+      face_.add_control(in_, name_node, std::move(both));
+      for (Control& half : halves) face_.add_control(in_, name_node, std::move(half));
       return;
     }
     both.channels.push_back(add_channel(Side::none));
-    add_control(name_node, std::move(both));
+    face_.add_control(in_, name_node, std::move(both));
   }
 
  private:
-  /// A slice that a name in the file means, and whether the numbers beside it were written for its
-  /// mirror image.
-  struct Target {
-    int slice;
-    bool mirrored;
-  };
-
   void read_range() {
     const auto [lo, hi] = in_.range(in_.need(node_, "range"));
     lo_ = lo, hi_ = hi;
@@ -57,12 +50,6 @@ class ControlReader {
     rest_ = in_.number(rest);
     if (!(rest_ >= lo && rest_ <= hi))
       in_.refuse(rest, fmt::format("must lie between {} and {}, got {}", lo, hi, rest_));
-  }
-
-  void add_control(const JsonNode& name_node, Control control) {
-    if (!face_.control_by_name.emplace(control.name, int(face_.model.controls.size())).second)
-      in_.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
-    face_.model.controls.push_back(std::move(control));
   }
 
   int add_channel(Side side) {
@@ -76,35 +63,11 @@ class ControlReader {
     return int(face_.model.channels.size()) - 1;
   }
 
-  /// What "opening/upper" means: on one side, if the control is per side; else the very slice, or
-  /// both sides'.
-  std::vector<Target> targets(const JsonNode& node, std::string_view name, Side side) const {
-    std::vector<Target> found;
-    const auto look = [&](Side s) {
-      const int slice = face_.find_slice(name, s);
-      if (slice >= 0 && slice != face_.model.layout.find(name))
-        found.push_back({slice, mirror_ && face_.is_mirrored(slice)});
-    };
-    if (side != Side::none) {
-      look(side);
-      if (!found.empty() || face_.find_slice(name, other(side)) != face_.model.layout.find(name))
-        return found;
-      if (face_.model.layout.find(name) >= 0)
-        in_.refuse(node,
-                   fmt::format("{} has no sides, but this control is per side", in_quotes(name)));
-    } else {
-      if (const int slice = face_.model.layout.find(name); slice >= 0) return {{slice, false}};
-      look(Side::left), look(Side::right);
-      if (!found.empty()) return found;
-    }
-    face_.slice_named(in_, node, name, side);  // refuses
-    return found;
-  }
-
   void add_offsets(const JsonNode& node, Side side, Channel& channel) const {
     in_.expect(node, JsonKind::object);
     in_.for_each(node, [&](const JsonNode& child, int) {
-      for (const Target target : targets(child, in_.tree.key(child), side)) {
+      for (const DriveTarget target :
+           face_.targets(in_, child, in_.tree.key(child), side, mirror_)) {
         const Slice& slice = face_.model.layout[target.slice];
         std::vector<double> by = in_.numbers(child, slice.size, slice.size);
         if (target.mirrored) mirror_differences(slice.kind, by, face_.model.canvas.twice_axis());
@@ -118,7 +81,7 @@ class ControlReader {
     if (rest_ != 1)
       in_.refuse(node, fmt::format("a control that scales must rest at 1, not at {}", rest_));
     in_.for_each(node, [&](const JsonNode& child, int) {
-      for (const Target target : targets(child, in_.string(child), side))
+      for (const DriveTarget target : face_.targets(in_, child, in_.string(child), side, mirror_))
         channel.drives.push_back(Scale{target.slice});
     });
   }
@@ -134,7 +97,7 @@ class ControlReader {
       in_.expect(child, JsonKind::array);
       if (std::size_t(child.count) != table.at.size())
         in_.refuse(child, fmt::format("expected {} keys, got {}", table.at.size(), child.count));
-      for (const Target target : targets(child, in_.tree.key(child), side))
+      for (const DriveTarget target : face_.targets(in_, child, in_.tree.key(child), side, mirror_))
         table.tracks.push_back(key_track(child, target, side));
     });
     warn_of_jump(node, table);
@@ -164,7 +127,7 @@ class ControlReader {
     return at;
   }
 
-  KeyTrack key_track(const JsonNode& node, Target target, Side side) const {
+  KeyTrack key_track(const JsonNode& node, DriveTarget target, Side side) const {
     const Slice& slice = face_.model.layout[target.slice];
     KeyTrack track{target.slice, {}};
     in_.for_each(node, [&](const JsonNode& child, int) {

@@ -8,6 +8,7 @@ namespace mien {
 /// B(t) = (1−t)² p0 + 2t(1−t) p1 + t² p2, t in [0, 1].
 struct QuadBezier {
   glm::dvec2 p0, p1, p2;
+  friend bool operator==(const QuadBezier&, const QuadBezier&) = default;
 };
 
 /// The point at parameter t, by the monomial form p0 + t(2a + t b), a = p1 − p0, b = p0 − 2p1 + p2.

@@ -20,27 +20,27 @@ Between between_keys(const std::vector<double>& at, double value) {
 }
 
 void act(const Offset& offset, double value, const Channel& channel, const Layout& layout,
-         FaceVector& vector) {
+         FaceVector& vector, std::vector<double>&) {
   const Slice& slice = layout[offset.slice];
   for (int i = 0; i < slice.size; ++i)
     vector[std::size_t(slice.begin + i)] += (value - channel.rest) * offset.by[std::size_t(i)];
 }
 
-void act(const Scale& scale, double value, const Channel&, const Layout& layout,
-         FaceVector& vector) {
+void act(const Scale& scale, double value, const Channel&, const Layout& layout, FaceVector& vector,
+         std::vector<double>&) {
   const Slice& slice = layout[scale.slice];
   for (int i = 0; i < slice.size; ++i) vector[std::size_t(slice.begin + i)] *= value;
 }
 
 /// Tracks may look at each other's slices, so all are read before any is written.
 void act(const KeyShapes& table, double value, const Channel&, const Layout& layout,
-         FaceVector& vector) {
+         FaceVector& vector, std::vector<double>& mixed) {
   const Between b = between_keys(table.at, value);
   const auto number = [&](const KeyValue& key, int i) {
     return key.from >= 0 ? vector[std::size_t(layout[key.from].begin + i)]
                          : key.numbers[std::size_t(i)];
   };
-  std::vector<double> mixed;
+  mixed.clear();
   for (const KeyTrack& track : table.tracks)
     for (int i = 0; i < layout[track.slice].size; ++i) {
       const double from = number(track.values[b.i], i), to = number(track.values[b.j], i);
@@ -52,11 +52,29 @@ void act(const KeyShapes& table, double value, const Channel&, const Layout& lay
       vector[std::size_t(layout[track.slice].begin + i)] = *next++;
 }
 
+/// At a share of 1 the sum could miss `to` by a rounding; a shape asked for alone is that shape.
+void act(const Toward& toward, double value, const Channel& channel, const Layout& layout,
+         FaceVector& vector, std::vector<double>&) {
+  const double share = value - channel.rest;
+  const auto begin = std::size_t(layout[toward.slice].begin);
+  for (std::size_t i = 0; i < toward.to.size(); ++i) {
+    double& now = vector[begin + i];
+    const double from = toward.from[i], to = toward.to[i];
+    now = share == 1 && now == from ? to : now + share * (to - from);
+  }
+}
+
 }  // namespace
 
-void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector) {
+void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector,
+           std::vector<double>& scratch) {
   for (const Drive& d : channel.drives)
-    std::visit([&](const auto& one) { act(one, value, channel, layout, vector); }, d);
+    std::visit([&](const auto& one) { act(one, value, channel, layout, vector, scratch); }, d);
+}
+
+void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector) {
+  std::vector<double> scratch;
+  drive(channel, value, layout, vector, scratch);
 }
 
 }  // namespace mien

@@ -12,4 +12,8 @@ namespace mien {
 /// range.
 MIEN_API void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector);
 
+/// The same with the caller's scratch, which is kept: no allocation after the first frames.
+MIEN_API void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector,
+                    std::vector<double>& scratch);
+
 }  // namespace mien

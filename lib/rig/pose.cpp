@@ -3,6 +3,8 @@
 #include <mien/lib/face/face_model.h>
 #include <mien/lib/rig/curve.h>
 #include <mien/lib/rig/drive.h>
+#include <mien/lib/rig/eye.h>
+#include <mien/lib/rig/poser.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,45 +12,115 @@
 namespace mien {
 namespace {
 
-/// The value of every channel: at rest, then by the clip, then by settings.
-std::vector<double> channel_values(const FaceModel& model, const Pose& pose) {
-  std::vector<double> values;
-  for (const Channel& channel : model.channels) values.push_back(channel.rest);
-  const auto put = [&](int control, double value) {
-    if (!std::isnan(value))
-      for (const int c : model.controls[std::size_t(control)].channels)
-        values[std::size_t(c)] = value;
-  };
-  if (pose.time && std::isfinite(*pose.time) && model.default_clip >= 0)
-    for (const ClipTrack& track : model.clips[std::size_t(model.default_clip)].tracks)
-      put(track.control, value_at(track.curve, *pose.time));
-  for (const Setting& setting : pose.settings)
-    if (setting.control && setting.index >= 0 && setting.index < int(model.controls.size()) &&
-        !setting.values.empty())
-      put(setting.index, setting.values[0]);
+using Values = std::vector<double>;
+
+/// Lays one clip over what is below it.
+void play(const FaceModel& model, const Clip& clip, double time, double weight, Values& values) {
+  for (const ClipTrack& track : clip.tracks) {
+    const double value = value_at(track.curve, time);
+    if (!std::isfinite(value)) continue;
+    for (const int c : model.controls[std::size_t(track.control)].channels) {
+      double& now = values[std::size_t(c)];
+      if (clip.additive)
+        now += weight * (value - model.channels[std::size_t(c)].rest);
+      else
+        now = weight == 1 ? value : now + weight * (value - now);
+    }
+  }
+}
+
+void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
+  if (!pose.time || !std::isfinite(*pose.time)) return;
+  if (pose.clips.empty() && model.default_clip >= 0)
+    play(model, model.clips[std::size_t(model.default_clip)], *pose.time, 1, values);
+  for (const ClipLayer& layer : pose.clips)
+    if (layer.clip >= 0 && layer.clip < int(model.clips.size()) && std::isfinite(layer.weight) &&
+        std::isfinite(layer.begin))
+      play(model, model.clips[std::size_t(layer.clip)], *pose.time - layer.begin, layer.weight,
+           values);
+}
+
+void look(const Face& rest, glm::dvec3 target, Values& values) {
+  for (const Eye& eye : rest.model->eyes) {
+    const glm::dvec2 gaze = look_at(*rest.model, eye, rest.vector, target);
+    if (eye.gaze_x >= 0) values[std::size_t(eye.gaze_x)] = gaze.x;
+    if (eye.gaze_y >= 0) values[std::size_t(eye.gaze_y)] = gaze.y;
+  }
+}
+
+/// Settings of controls; `poses`: of the weights of poses too.
+void hold(const FaceModel& model, const Pose& pose, bool poses, Values& values) {
+  for (const Setting& setting : pose.settings) {
+    if (!setting.control || setting.index < 0 || setting.index >= int(model.controls.size()) ||
+        setting.values.empty() || std::isnan(setting.values[0]))
+      continue;
+    for (const int c : model.controls[std::size_t(setting.index)].channels)
+      if (poses || !model.channels[std::size_t(c)].pose) values[std::size_t(c)] = setting.values[0];
+  }
+}
+
+void clamp(const FaceModel& model, bool poses, Values& values) {
   for (std::size_t c = 0; c < values.size(); ++c)
-    values[c] = std::clamp(values[c], model.channels[c].lo, model.channels[c].hi);
-  return values;
+    if (const Channel& channel = model.channels[c]; channel.pose == poses)
+      values[c] = std::clamp(values[c], channel.lo, channel.hi);
+}
+
+/// Poses that move controls too.
+void nudge(const FaceModel& model, Values& values) {
+  for (std::size_t c = 0; c < values.size(); ++c)
+    for (const Nudge& n : model.channels[c].nudges)
+      values[std::size_t(n.channel)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
 void put_numbers(const Setting& setting, FaceVector& vector) {
   if (setting.control || setting.index < 0) return;
   for (std::size_t i = 0; i < setting.values.size(); ++i)
-    if (setting.index + i < vector.size()) vector[setting.index + i] = setting.values[i];
+    if (std::size_t(setting.index) + i < vector.size())
+      vector[std::size_t(setting.index) + i] = setting.values[i];
 }
 
 }  // namespace
 
+Poser::Poser(Face face) : rest_(std::move(face)), posed_(rest_) {
+  values_.reserve(rest_.model->channels.size());
+}
+
+/// The value of every channel: at rest, then by the clips, the gaze, settings, and poses' nudges.
+void Poser::set_channels(const Pose& pose) {
+  const FaceModel& model = *rest_.model;
+  values_.clear();
+  for (const Channel& channel : model.channels) values_.push_back(channel.rest);
+  play_clips(model, pose, values_);
+  if (pose.look_at) look(rest_, *pose.look_at, values_);
+  hold(model, pose, true, values_);
+  clamp(model, true, values_);
+  nudge(model, values_);
+  hold(model, pose, false, values_);
+  clamp(model, false, values_);
+}
+
+void Poser::drive_channels(bool poses) {
+  const FaceModel& model = *rest_.model;
+  for (std::size_t c = 0; c < values_.size(); ++c)
+    if (const Channel& channel = model.channels[c];
+        channel.pose == poses && values_[c] != channel.rest)
+      drive(channel, values_[c], model.layout, posed_.vector, scratch_);
+}
+
+const Face& Poser::pose(const Pose& pose) {
+  const FaceModel& model = *rest_.model;
+  posed_.vector = rest_.vector;
+  set_channels(pose);
+  drive_channels(true);
+  drive_channels(false);
+  pose_eyes(model, rest_.vector, values_, posed_.vector);
+  for (const Setting& setting : pose.settings) put_numbers(setting, posed_.vector);
+  apply_rules(model.layout, rest_.vector, posed_.vector);
+  return posed_;
+}
+
 Face pose_face(const Face& face, const Pose& pose) {
-  const FaceModel& model = *face.model;
-  Face posed = face;
-  const std::vector<double> values = channel_values(model, pose);
-  for (std::size_t c = 0; c < values.size(); ++c)
-    if (values[c] != model.channels[c].rest)
-      drive(model.channels[c], values[c], model.layout, posed.vector);
-  for (const Setting& setting : pose.settings) put_numbers(setting, posed.vector);
-  apply_rules(model.layout, face.vector, posed.vector);
-  return posed;
+  return Poser(face).pose(pose);
 }
 
 }  // namespace mien

@@ -5,6 +5,8 @@
 #include <mien/lib/base/expected.h>
 #include <mien/lib/face/face.h>
 
+#include <glm/vec3.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,16 +30,39 @@ struct Setting {
 /// finite, or out of its range, or too few or many of them. The error's `where` is the text itself.
 MIEN_API Expected<Setting> read_setting(const Face& face, std::string_view text);
 
-struct Pose {
-  std::optional<double> time;     ///< [s]; without one no clip runs
-  std::vector<Setting> settings;  ///< beat clips; later ones beat earlier ones
+/// One clip of a mix: laid over those before it. What it moves goes `weight` of the way to its own
+/// values; an additive clip adds `weight` times what it differs from rest by.
+struct ClipLayer {
+  int clip = 0;  ///< of the model
+  double weight = 1;
+  double begin = 0;  ///< [s] when its own time is 0
 };
 
-/// The face at that pose. Order: rest → controls take their values (rest, clip, settings) → each
-/// channel acts in the model's order (offsets, scales, key shapes) → slice settings → rules (clamp,
-/// wrap), applied once, so a posed face is always valid. Without a time and settings it is the rest
-/// vector, bit for bit. Total: a setting that is not of this model does nothing, numbers out of
-/// range follow their rule.
+/// Reads "NAME", "NAME=WEIGHT" or "NAME=WEIGHT@BEGIN" against a face's clips. Errors as of
+/// read_setting.
+MIEN_API Expected<ClipLayer> read_clip_layer(const Face& face, std::string_view text);
+
+/// Reads "NAME=WEIGHT", or "NAME" for a weight of 1, against a face's named poses alone. Errors as
+/// of read_setting.
+MIEN_API Expected<Setting> read_pose(const Face& face, std::string_view text);
+
+/// Reads "X,Y,Z": a point in face units, z towards the viewer. An error for a face without eyes that
+/// can look.
+MIEN_API Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text);
+
+struct Pose {
+  std::optional<double> time = {};         ///< [s]; without one no clip runs
+  std::vector<Setting> settings = {};      ///< beat clips and gaze; later ones beat earlier ones
+  std::vector<ClipLayer> clips = {};       ///< bottom to top; none: the face's default clip
+  std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
+};
+
+/// The face at that pose. Order: rest → channels take their values (rest, clips, look_at, settings,
+/// then what poses nudge them by) → poses → controls act in the model's order (offsets, scales, key
+/// shapes) → eyes (lid follow, blink, bulge) → slice settings → rules (clamp, wrap), applied once,
+/// so a posed face is always valid. Without a time, a gaze and settings it is the rest vector, bit
+/// for bit. Total: a setting or clip that is not of this model does nothing, numbers out of range
+/// follow their rule.
 MIEN_API Face pose_face(const Face& face, const Pose& pose = {});
 
 /// A name that read_setting takes.
@@ -47,9 +72,10 @@ struct SettableName {
   double lo, hi;              ///< range; may be infinite
   std::vector<double> value;  ///< at rest
   bool control;
+  bool pose;  ///< a control that is the weight of a pose
 };
 
-/// All of them: controls first, then slices in the vector's order.
+/// All of them: controls first (poses among them), then slices in the vector's order.
 MIEN_API std::vector<SettableName> settable_names(const Face& face);
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -69,6 +70,14 @@ Expected<std::vector<double>> read_numbers(std::string_view text, const std::str
   }
 }
 
+Expected<double> read_number(std::string_view text, const std::string& where) {
+  const auto numbers = read_numbers(text, where);
+  if (!numbers) return numbers.error();
+  if (numbers->size() != 1)
+    return Error{where, fmt::format("expected a number, got {}", in_quotes(text))};
+  return (*numbers)[0];
+}
+
 Expected<std::vector<double>> read_values(const Target& target, std::string_view text,
                                           const std::string& where) {
   const bool color = target.slice && target.slice->kind == SliceKind::color && target.size == 4;
@@ -122,17 +131,63 @@ Expected<Setting> read_setting(const Face& face, std::string_view text) {
   return Setting{target->control, target->index, *values};
 }
 
+Expected<Setting> read_pose(const Face& face, std::string_view text) {
+  const FaceModel& model = *face.model;
+  const std::string_view name = text.substr(0, text.find('='));
+  std::vector<std::string_view> poses;
+  for (const Control& control : model.controls)
+    if (control.pose) poses.push_back(control.name);
+  if (std::find(poses.begin(), poses.end(), name) == poses.end())
+    return Error{one_line(text, 80), unknown_name("pose", name, poses)};
+  return read_setting(face, name == text ? std::string(text) + "=1" : std::string(text));
+}
+
+Expected<ClipLayer> read_clip_layer(const Face& face, std::string_view text) {
+  const std::vector<Clip>& clips = face.model->clips;
+  const std::string where = one_line(text, 80);
+  const std::string_view name = text.substr(0, text.find('='));
+  std::vector<std::string_view> known;
+  for (const Clip& clip : clips) known.push_back(clip.name);
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end()) return Error{where, unknown_name("clip", name, known)};
+  ClipLayer layer{.clip = int(found - known.begin())};
+  if (name == text) return layer;
+  const std::string_view numbers = text.substr(name.size() + 1);
+  const auto weight = read_number(numbers.substr(0, numbers.find('@')), where);
+  if (!weight) return weight.error();
+  layer.weight = *weight;
+  if (numbers.find('@') == std::string_view::npos) return layer;
+  const auto begin = read_number(numbers.substr(numbers.find('@') + 1), where);
+  if (!begin) return begin.error();
+  layer.begin = *begin;
+  return layer;
+}
+
+Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text) {
+  const std::string where = one_line(text, 80);
+  const std::vector<Eye>& eyes = face.model->eyes;
+  if (std::none_of(eyes.begin(), eyes.end(),
+                   [](const Eye& eye) { return eye.gaze_x >= 0 || eye.gaze_y >= 0; }))
+    return Error{where, "this face has no eyes that look: its file says none under \"eyes\""};
+  const auto numbers = read_numbers(text, where);
+  if (!numbers) return numbers.error();
+  if (numbers->size() != 3)
+    return Error{where, fmt::format("expected 3 numbers X,Y,Z, got {}", numbers->size())};
+  return glm::dvec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
 std::vector<SettableName> settable_names(const Face& face) {
   const FaceModel& model = *face.model;
   std::vector<SettableName> names;
   for (const Control& control : model.controls) {
     const Channel& channel = model.channels[std::size_t(control.channels[0])];
-    names.push_back({control.name, control.unit, channel.lo, channel.hi, {channel.rest}, true});
+    names.push_back(
+        {control.name, control.unit, channel.lo, channel.hi, {channel.rest}, true, control.pose});
   }
   for (const Slice& slice : model.layout.slices()) {
     const auto first = face.vector.begin() + slice.begin;
     names.push_back({slice.name, unit_name(slice.kind, model.canvas.unit), slice.lo, slice.hi,
-                     FaceVector(first, first + slice.size), false});
+                     FaceVector(first, first + slice.size), false, false});
   }
   return names;
 }

@@ -1,4 +1,5 @@
 #include <mien/lib/face/face_model.h>
+#include <mien/lib/rig/lid.h>
 #include "figure_shape_private.h"
 
 #include <algorithm>
@@ -103,13 +104,38 @@ Shape shape(const PathFigure& f, const Numbers& n) {
   return path;
 }
 
+/// Whether the bends of the lid edges that begin at slice `first` are shifted.
+bool is_shifted(int first, int count, const Numbers& n) {
+  if (first < 0) return false;
+  for (int i = 0; i < count; ++i)
+    if (n.point(first + i) != glm::dvec2(0)) return true;
+  return false;
+}
+
+/// The edge of a lid as smooth quadratic pieces between its shifted bends.
+LidPieces lid_pieces(const QuadBezier& edge, int first, const Numbers& n) {
+  LidBends bends = lid_bends(edge);
+  for (int i = 0; i < int(bends.size()); ++i) bends[std::size_t(i)] += n.point(first + i);
+  return pieces_between(edge.p0, bends, edge.p2);
+}
+
 /// A shut eye, whose lid edges are one curve, has no area and no outline.
 Shape shape(const OpeningFigure& f, const Numbers& n) {
+  constexpr int kBends = OpeningFigure::kLidBends;
   const glm::dvec2 inner = n.point(f.inner), upper = n.point(f.upper), outer = n.point(f.outer),
                    lower = n.point(f.lower);
-  if (upper == lower) return Path{};
-  return Path{.loops = {{{{inner, upper, outer}, {outer, lower, inner}}}},
-              .rule = FillRule::nonzero};
+  if (!is_shifted(f.shifts, 2 * kBends, n)) {
+    if (upper == lower) return Path{};
+    return Path{.loops = {{{{inner, upper, outer}, {outer, lower, inner}}}},
+                .rule = FillRule::nonzero};
+  }
+  const LidPieces top = lid_pieces({inner, upper, outer}, f.shifts, n);
+  const LidPieces bottom = lid_pieces({inner, lower, outer}, f.shifts + kBends, n);
+  if (top == bottom) return Path{};
+  Path::Loop loop{{top.begin(), top.end()}};
+  for (auto piece = bottom.rbegin(); piece != bottom.rend(); ++piece)
+    loop.sides.push_back(reversed(*piece));
+  return Path{.loops = {std::move(loop)}, .rule = FillRule::nonzero};
 }
 
 /// What a figure says besides its numbers.
@@ -134,6 +160,31 @@ std::vector<double> numbers_of(const Figure& figure, const Numbers& n) {
 }
 
 }  // namespace
+
+/// The widths are a quadratic in the parameter, so each piece's are one too, by the polar form.
+std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
+  const Numbers n(face);
+  const auto* f = std::get_if<StrokeFigure>(&figure);
+  if (!f || !is_shifted(f->shifts, OpeningFigure::kLidBends, n)) return {};
+  const LidPieces spines =
+      lid_pieces({n.point(f->spine[0]), n.point(f->spine[1]), n.point(f->spine[2])}, f->shifts, n);
+  const int w = f->half_width;
+  const bool even = n.size(w) == 1;
+  const auto width = [&](double a, double b) {
+    const double w0 = n(w, 0), w1 = even ? w0 : n(w, 1), w2 = even ? w0 : n(w, 2);
+    return (1 - a) * (1 - b) * w0 + bend_share(a, b) * w1 + a * b * w2;
+  };
+  std::vector<Shape> pieces;
+  constexpr double count = OpeningFigure::kLidBends;
+  for (std::size_t i = 0; i < spines.size(); ++i) {
+    const double a = double(i) / count, b = double(i + 1) / count;
+    if (even)
+      pieces.push_back(QuadStroke{spines[i], n(w)});
+    else
+      pieces.push_back(TaperedStroke{spines[i], {width(a, a), width(a, b), width(b, b)}});
+  }
+  return pieces;
+}
 
 Shape shape_of(const Figure& figure, const Face& face) {
   return std::visit([n = Numbers(face)](const auto& f) { return shape(f, n); }, figure);

@@ -5,10 +5,16 @@
 #include <mien/lib/face/feature.h>
 #include <mien/sdf/shape/shape.h>
 
+#include <vector>
+
 namespace mien {
 
 /// Total: every figure of a valid face has a shape, in the face's units.
 Shape shape_of(const Figure& figure, const Face& face);
+
+/// The pieces of a stroke along the edge of a lid that is pushed out of its plain curve: their union
+/// is the stroke. None if the stroke is one shape.
+std::vector<Shape> pieces_of(const Figure& figure, const Face& face);
 
 /// Whether two figures are of one kind and have the same numbers: then they have the same shape.
 bool same_figure(const Figure& a, const Figure& b, const Face& face);

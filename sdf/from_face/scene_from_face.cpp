@@ -37,7 +37,14 @@ class Areas {
   }
 
  private:
-  Area own(const Feature& f) { return build_.shape(shape_of(f.figure, face_)); }
+  Area own(const Feature& f) {
+    std::vector<Shape> pieces = pieces_of(f.figure, face_);
+    if (pieces.empty()) return build_.shape(shape_of(f.figure, face_));
+    Area all = build_.shape(std::move(pieces[0]));
+    for (std::size_t i = 1; i < pieces.size(); ++i)
+      all = build_.either(all, build_.shape(std::move(pieces[i])));
+    return all;
+  }
 
   /// Whether the feature has the same outline as the one it is clipped to, number for number.
   bool covers_its_clip(const Feature& f) const {

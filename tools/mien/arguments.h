@@ -11,6 +11,8 @@ namespace mien::command {
 struct PosedFace {
   std::string face;
   std::optional<std::string> time;
+  std::vector<std::string> clips, poses;
+  std::optional<std::string> look_at, blink, bias;
   std::vector<std::string> settings;
 };
 

@@ -16,6 +16,24 @@ void add_pose(CLI::App* to, PosedFace& posed) {
   to->add_option("--time", posed.time,
                  "Moment at which the face's clips are drawn; without one no clip runs")
       ->type_name("SECONDS");
+  to->add_option(
+        "--clip", posed.clips,
+        "Run this clip instead of the face's default one; may be given many times: each is "
+        "laid over those before it, by its weight, its own time beginning at BEGIN")
+      ->type_name("NAME[=WEIGHT[@BEGIN]]")
+      ->allow_extra_args(false);
+  to->add_option("--pose", posed.poses,
+                 "Give a named pose a weight, 1 if none is said; may be given many times")
+      ->type_name("NAME[=WEIGHT]")
+      ->allow_extra_args(false);
+  to->add_option("--look-at", posed.look_at,
+                 "The point both eyes look at, in face units, z towards the viewer")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  to->add_option("--blink", posed.blink, "How far both eyes are shut, 0 to 1")->type_name("WEIGHT");
+  to->add_option("--bias", posed.bias,
+                 "Where the lids meet: from -1, at the lower lid, to 1, at the upper one")
+      ->type_name("BIAS");
   to->add_option("--set", posed.settings,
                  "Hold a control or a number of the face at a value; may be given many times; "
                  "'mien list FACE' names "
@@ -177,7 +195,8 @@ std::unique_ptr<CommandApp> command_app() {
            made->scene.posed);
 
   CLI::App* list = app.add_subcommand(
-      "list", "Print every name that --set takes, with unit, range and value; and clips");
+      "list",
+      "Print every name that --set takes, with unit, range and value; and the poses and clips");
   list->add_option("FACE", made->list.face, "Face file")->required()->type_name("");
 
   CLI::App* bench =

@@ -1,4 +1,5 @@
-// Every name of a face, as columns: what --set takes, then the clips that --time can run.
+// Every name of a face, as columns: what --set takes; then the poses that --pose takes, and the clips
+// that --clip takes.
 
 #include <mien/lib/face/face_model.h>
 #include <mien/lib/rig/pose.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace mien::command {
 namespace {
@@ -52,16 +52,19 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
+/// How long a curve takes until it begins anew, or ends.
 double length_of(const Curve& curve) {
-  const auto* keys = std::get_if<KeyCurve>(&curve);
-  return keys ? (keys->period > 0 ? keys->period : keys->keys.back().time)
-              : 2 * M_PI / std::fabs(std::get<SineCurve>(curve).frequency);
+  if (const auto* keys = std::get_if<KeyCurve>(&curve))
+    return keys->period > 0 ? keys->period : keys->keys.back().time;
+  if (const auto* wander = std::get_if<WanderCurve>(&curve)) return wander->period;
+  return 2 * M_PI / std::fabs(std::get<SineCurve>(curve).frequency);
 }
 
 std::string clip_line(const FaceModel& model, int index) {
   const Clip& clip = model.clips[std::size_t(index)];
-  std::string line =
-      "clip " + clip.name + (index == model.default_clip ? " (runs with --time)" : "");
+  std::string line = "clip " + clip.name;
+  if (index == model.default_clip) line += " (runs with --time)";
+  if (clip.additive) line += " (additive)";
   for (const ClipTrack& track : clip.tracks) {
     line += fmt::format("  {} every {:.4g} s", model.controls[std::size_t(track.control)].name,
                         length_of(track.curve));
@@ -75,9 +78,10 @@ int list_command(const ListArguments& arguments) {
   const auto face = read_face_aloud(arguments.face);
   if (!face) return kFailed;
   const std::vector<SettableName> names = settable_names(*face);
-  std::vector<Row> rows{{"NAME", "UNIT", "RANGE", "VALUE"}};
-  std::transform(names.begin(), names.end(), std::back_inserter(rows), row_of);
+  std::vector<Row> rows{{"NAME", "UNIT", "RANGE", "VALUE"}}, poses;
+  for (const SettableName& name : names) (name.pose ? poses : rows).push_back(row_of(name));
   std::string text = table(rows);
+  for (const Row& pose : poses) text += "pose " + pose[0] + "  " + pose[2] + "\n";
   for (int i = 0; i < int(face->model->clips.size()); ++i) text += clip_line(*face->model, i);
   return print(text);
 }

@@ -1,3 +1,4 @@
+#include <mien/lib/base/one_line.h>
 #include <mien/lib/file/face_file.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/values.h>
@@ -16,21 +17,67 @@ std::optional<Face> read_face_aloud(const std::string& path) {
   return {};
 }
 
-FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
+namespace {
+
+/// "blink" and "0.5" as the setting they are, the error's address being the option.
+Expected<Setting> read_control(const Face& face, const std::string& name,
+                               const std::string& value) {
+  auto setting = read_setting(face, name + "=" + value);
+  if (setting) return setting;
+  return Error{"--" + name + " " + one_line(value, 60), setting.error().what};
+}
+
+/// What was typed, in the order in which it counts.
+Expected<Pose> read_pose(const Face& face, const PosedFace& arguments) {
   Pose pose;
+  for (const std::string& text : arguments.clips) {
+    const auto layer = read_clip_layer(face, text);
+    if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};
+    pose.clips.push_back(*layer);
+  }
+  for (const std::string& text : arguments.poses) {
+    auto weight = mien::read_pose(face, text);
+    if (!weight) return Error{"--pose " + weight.error().where, weight.error().what};
+    pose.settings.push_back(*std::move(weight));
+  }
+  if (arguments.look_at) {
+    const auto target = read_look_at(face, *arguments.look_at);
+    if (!target) return Error{"--look-at " + target.error().where, target.error().what};
+    pose.look_at = *target;
+  }
+  for (const auto& [name, value] :
+       {std::pair{"blink", &arguments.blink}, {"bias", &arguments.bias}})
+    if (*value) {
+      auto setting = read_control(face, name, **value);
+      if (!setting) return setting.error();
+      pose.settings.push_back(*std::move(setting));
+    }
+  for (const std::string& text : arguments.settings) {
+    auto setting = read_setting(face, text);
+    if (!setting) return setting.error();
+    pose.settings.push_back(*std::move(setting));
+  }
+  return pose;
+}
+
+}  // namespace
+
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
+  std::optional<double> at;
   if (arguments.time) {
     const auto time = read_time(*arguments.time);
     if (!time) return {{}, {}, complain(time.error(), kUsedWrongly)};
-    pose.time = *time;
+    at = *time;
+  } else if (!arguments.clips.empty()) {
+    const std::string where = "--clip " + one_line(arguments.clips[0], 60);
+    return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
   }
   auto face = read_face_aloud(arguments.face);
   if (!face) return {{}, {}, kFailed};
-  for (const std::string& text : arguments.settings) {
-    auto setting = read_setting(*face, text);
-    if (!setting) return {{}, {}, complain(setting.error(), kUsedWrongly)};
-    pose.settings.push_back(*std::move(setting));
-  }
-  return {std::move(face), std::move(pose), kDone};
+  auto pose = read_pose(*face, arguments);
+  if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
+  pose->time = at;
+  return {std::move(face), *std::move(pose), kDone};
 }
 
 PosedOrCode read_posed_face(const PosedFace& arguments) {

@@ -1,5 +1,5 @@
 #pragma once
-// FACE, --time and --set: what render and scene have in common.
+// FACE, and how it is posed: what render and scene have in common.
 
 #include <mien/lib/face/face.h>
 #include <mien/lib/rig/pose.h>

@@ -20,13 +20,17 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add("region", arguments.region);
   add("background", arguments.background);
   add("blend", arguments.blend);
-  if (!arguments.posed.settings.empty()) {
+  const auto add_all = [&](const char* name, const std::vector<std::string>& values) {
     std::string list;
-    for (const std::string& setting : arguments.posed.settings) {
-      list += (list.empty() ? "" : ", ") + json_string(setting);
-    }
-    text += fmt::format(R"(, "set": [{}])", list);
-  }
+    for (const std::string& value : values) list += (list.empty() ? "" : ", ") + json_string(value);
+    if (!values.empty()) text += fmt::format(R"(, "{}": [{}])", name, list);
+  };
+  add_all("clip", arguments.posed.clips);
+  add_all("pose", arguments.posed.poses);
+  add("look_at", arguments.posed.look_at);
+  add("blink", arguments.posed.blink);
+  add("bias", arguments.posed.bias);
+  add_all("set", arguments.posed.settings);
   return text + "}";
 }
 

@@ -44,7 +44,13 @@ BREAKS = {
     "a name with a slash": lambda f: feature(f, "head").update(name="a/b"),
     "a curve without keys": lambda f: f["clips"]["idle"].update(blink={}),
     "an unknown ease": lambda f: f["clips"]["idle"]["blink"].update(ease="smoth"),
-    "a table of one key": lambda f: f["controls"][3]["key_shapes"]["slices"].update({"opening/upper": ["rest"]}),
+    "a table of one key": lambda f: f["controls"][3].update(key_shapes={"slices": {"opening/upper": ["rest"]}}),
+    "an eye without a radius": lambda f: f["eyes"][0].pop("radius"),
+    "an unknown law of the bulge": lambda f: f["eyes"][0].update(bulge_law="magic"),
+    "lids that meet beyond": lambda f: f["eyes"][0]["lids"].update(meet=2),
+    "an unknown key of a pose": lambda f: f["poses"]["brow.sad"].update(slice={}),
+    "a seed that is a fraction": lambda f: f["clips"]["idle"]["blink"].update(seed=0.5),
+    "tracks beside a curve": lambda f: f["clips"]["restless"].update(blink={"keys": [[0, 0]]}),
 }
 
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -261,11 +262,13 @@ TEST(SettableNames, HaveTheControlsOfBothSidesAndOfEach) {
   for (const char* name : {"seed0", "toon"}) {
     std::vector<std::string> controls;
     for (const SettableName& settable : settable_names(sample(name)))
-      if (settable.control) controls.push_back(settable.name);
-    EXPECT_EQ(controls,
-              (std::vector<std::string>{"gaze.x", "gaze.left.x", "gaze.right.x", "gaze.y",
-                                        "gaze.left.y", "gaze.right.y", "dilation", "dilation.left",
-                                        "dilation.right", "blink", "blink.left", "blink.right"}));
+      if (settable.control && !settable.pose) controls.push_back(settable.name);
+    std::vector<std::string> wanted{
+        "gaze.x",   "gaze.left.x",   "gaze.right.x",   "gaze.y", "gaze.left.y", "gaze.right.y",
+        "dilation", "dilation.left", "dilation.right", "blink",  "blink.left",  "blink.right"};
+    if (name == std::string("toon"))
+      wanted.insert(wanted.end(), {"bias", "bias.left", "bias.right"});
+    EXPECT_EQ(controls, wanted);
   }
 }
 
@@ -317,6 +320,182 @@ TEST(ReadSetting, RefusesInASentence) {
     const std::string said = sentence(setting.error());
     EXPECT_EQ(said, *text ? expected : expected + 2) << text;
   }
+}
+
+std::vector<std::string> poses_named(const Face& face, std::string_view begin) {
+  std::vector<std::string> names;
+  for (const SettableName& name : settable_names(face))
+    if (name.pose && name.name.starts_with(begin) && face.model->layout.slices().size() > 0 &&
+        std::count(name.name.begin(), name.name.end(), '.') == 1)
+      names.push_back(name.name);
+  return names;
+}
+
+TEST(Poses, AreEightLidShapesAndEightBrowShapesAtLeast_E11_E14) {
+  for (const char* name : {"toon", "seed0"}) {
+    const Face face = sample(name);
+    for (const char* kind : {"lid.", "brow."}) {
+      const std::vector<std::string> names = poses_named(face, kind);
+      EXPECT_GE(names.size(), 8u) << name;
+      for (const std::string& one : names)  // all differ, and by more than a rounding
+        for (const std::string& two : names) {
+          const Face a = posed(face, {}, {(one + "=1").c_str()}),
+                     b = posed(face, {}, {(two + "=1").c_str()});
+          double most = 0;
+          for (std::size_t i = 0; i < a.vector.size(); ++i)
+            most = std::max(most, std::abs(a.vector[i] - b.vector[i]));
+          EXPECT_EQ(most > 0.01, one != two) << one << " " << two;
+        }
+    }
+  }
+}
+
+/// A weight of 1 is the shape in the file, bit for bit; a weight of 0 the face at rest.
+TEST(Poses, AreTheirShapesExactly_E11) {
+  const Face toon = sample("toon");
+  const Face angry = posed(toon, {}, {"brow.angry=1"});
+  EXPECT_EQ(value(angry, "brow.left/spine/0"), (std::vector<double>{0.082, 0.196}));
+  EXPECT_EQ(value(angry, "brow.right/spine/0"), (std::vector<double>{-0.082, 0.196}));
+  EXPECT_EQ(value(angry, "brow.left/half_width"), (std::vector<double>{0.018, 0.044, 0.004}));
+  for (const std::string& name : poses_named(toon, ""))
+    EXPECT_EQ(posed(toon, {}, {(name + "=0").c_str()}).vector, toon.vector);
+}
+
+/// Any pair tweens: weights 1 − u and u lie on the straight line between the two shapes. Lids do so
+/// as long as the lines do not cross (a lid's own law keeps them from it).
+TEST(Poses, TweenInAnyPair_E11_E14) {
+  for (const char* name : {"toon", "seed0"}) {
+    const Face face = sample(name);
+    const std::vector<std::string> names = poses_named(face, "brow.");
+    for (const std::string& one : names)
+      for (const std::string& two : names) {
+        if (one == two) continue;
+        const Face a = posed(face, {}, {(one + "=1").c_str()}),
+                   b = posed(face, {}, {(two + "=1").c_str()});
+        const Face half = posed(face, {}, {(one + "=0.75").c_str(), (two + "=0.25").c_str()});
+        for (std::size_t i = 0; i < half.vector.size(); ++i)
+          EXPECT_NEAR(half.vector[i], 0.75 * a.vector[i] + 0.25 * b.vector[i], 1e-15) << one << two;
+      }
+  }
+}
+
+TEST(Poses, OfTheLidsTweenInAnyPair_E14) {
+  const Face toon = sample("toon");
+  const std::vector<std::string> names = poses_named(toon, "lid.");
+  for (const std::string& one : names)
+    for (const std::string& two : names) {
+      if (one == two) continue;
+      const Face a = posed(toon, {}, {(one + "=1").c_str()}),
+                 b = posed(toon, {}, {(two + "=1").c_str()});
+      const Face half = posed(toon, {}, {(one + "=0.5").c_str(), (two + "=0.5").c_str()});
+      for (const char* part : {"opening.left/upper", "opening.left/lower", "opening.right/upper"})
+        for (int i = 0; i < 2; ++i)
+          EXPECT_NEAR(value(half, part)[i], 0.5 * (value(a, part)[i] + value(b, part)[i]), 1e-15)
+              << one << two;
+    }
+}
+
+TEST(Poses, LeftAndRightAreIndependent_E11) {
+  const Face toon = sample("toon");
+  const Face one = posed(toon, {}, {"brow.left.sly=1", "brow.right.sad=0.5", "lid.right.sleepy=1"});
+  EXPECT_EQ(value(one, "brow.left/spine/1"),
+            value(posed(toon, {}, {"brow.sly=1"}), "brow.left/spine/1"));
+  EXPECT_EQ(value(one, "brow.right/spine/1"),
+            value(posed(toon, {}, {"brow.sad=0.5"}), "brow.right/spine/1"));
+  EXPECT_EQ(value(one, "opening.left/upper"), value(toon, "opening.left/upper"));
+  EXPECT_NE(value(one, "opening.right/upper"), value(toon, "opening.right/upper"));
+}
+
+constexpr const char* kPosable = R"({"format": "mien-face", "format_version": 1,
+  "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"}, "palette": {"ink": "#000000"}, "background": "ink",
+  "features": [{"name": "dot", "kind": "disc", "side": "left", "paint": "ink", "center": [0.5, 0.1], "radius": 0.1}],
+  "controls": [{"name": "look", "range": [-1, 1], "rest": 0, "per_side": true, "offset": {"dot/center": [0, 1]}}],
+  "poses": {
+    "up": {"slices": {"dot/center": [0.5, 0.3]}},
+    "big": {"per_side": true, "range": [-1, 2], "by": {"dot/radius": [0.05]}, "controls": {"look": 0.4}}},
+  "clips": {
+    "swing": {"look": {"keys": [[0, 0], [1, 1]]}},
+    "hold": {"look": {"keys": [[0, 0.5]]}, "up": {"keys": [[0, 1]]}},
+    "more": {"additive": true, "tracks": {"look": {"keys": [[0, 0.1], [1, 0.2]]}}}}})";
+
+Face posable() {
+  return *read_face_text(kPosable);
+}
+
+TEST(Poses, MoveControlsToo) {
+  const Face face = posable();
+  const Face big = posed(face, {}, {"big=0.5", "look=0.1"});
+  EXPECT_NEAR(value(big, "dot.left/radius")[0], 0.125, 1e-15);
+  EXPECT_NEAR(value(posed(face, {}, {"big=0.5"}), "dot.left/center")[1], 0.1 + 0.2, 1e-15);
+  EXPECT_NEAR(value(big, "dot.left/center")[1], 0.1 + 0.1, 1e-15);  // a setting holds
+  const Face left = posed(face, {}, {"big.left=1"});
+  EXPECT_NEAR(value(left, "dot.left/center")[1], 0.5, 1e-15);
+  EXPECT_EQ(value(left, "dot.right/center"), value(face, "dot.right/center"));
+  EXPECT_NEAR(value(posed(face, {}, {"big=-1"}), "dot.left/radius")[0], 0.05, 1e-15);
+}
+
+double looks(const Face& face, const Pose& pose) {
+  return value(pose_face(face, pose), "dot.left/center")[1] - 0.1;
+}
+
+TEST(Clips, AreLaidOverEachOther) {
+  const Face face = posable();
+  const auto layer = [&](const char* text) {
+    const Expected<ClipLayer> read = read_clip_layer(face, text);
+    if (!read) throw std::runtime_error(sentence(read.error()));
+    return *read;
+  };
+  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing")}}), 0.25, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing=0.5")}}), 0.125, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing=1@0.15")}}), 0.1, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("more")}}), 0.125, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing"), layer("more")}}), 0.375, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing"), layer("more=2")}}), 0.5, 1e-15);
+  const double mixed = looks(face, {.time = 0.25, .clips = {layer("swing"), layer("hold=0.4")}});
+  EXPECT_NEAR(mixed, 0.6 * 0.25 + 0.4 * 0.5 + 0.4 * 0.2, 1e-15);  // "hold" moves the pose "up" too
+  EXPECT_EQ(looks(face, {.clips = {layer("swing")}}), 0) << "no time, no clip";
+  EXPECT_EQ(looks(face, {.time = 0.5}), 0) << "no default clip";
+}
+
+TEST(Clips, OfIdleLifeAreTheSameAgain) {
+  const Face toon = sample("toon");
+  int blinks = 0, looks_aside = 0;
+  bool shut = false;
+  for (int frame = 0; frame < 60 * 60; ++frame) {
+    const Face now = posed(toon, frame / 60.0, {});
+    const double gap = value(now, "opening.left/upper")[1] - value(now, "opening.left/lower")[1];
+    blinks += gap < 0.1 && !shut;
+    shut = gap < 0.1;
+    looks_aside +=
+        std::abs(value(now, "limbus.left/center")[0] - value(toon, "limbus.left/center")[0]) > 0.01;
+  }
+  EXPECT_GE(blinks, 12);  // people blink 12 to 20 times a minute
+  EXPECT_LE(blinks, 20);
+  EXPECT_GT(looks_aside, 600);
+  EXPECT_EQ(posed(toon, 17.3, {}).vector, posed(toon, 17.3, {}).vector);
+}
+
+std::string said(const auto& read) {
+  return read ? "read" : sentence(read.error());
+}
+
+TEST(Names, ThatAreUnknownGetTheNearest) {
+  const Face toon = sample("toon");
+  EXPECT_EQ(said(read_pose(toon, "brow.angyr=1")),
+            "brow.angyr=1: no pose named \"brow.angyr\"; did you mean \"brow.angry\"?");
+  EXPECT_EQ(said(read_pose(toon, "blink=1")), "blink=1: no pose named \"blink\"");
+  EXPECT_EQ(said(read_pose(toon, "brow.angry=1.5")),
+            "brow.angry=1.5: \"brow.angry\" goes from 0 to 1, got 1.5");
+  EXPECT_EQ(said(read_clip_layer(toon, "idel")),
+            "idel: no clip named \"idel\"; did you mean \"idle\"?");
+  EXPECT_EQ(said(read_clip_layer(toon, "idle=x")), "idle=x: expected a number, got \"x\"");
+  EXPECT_EQ(said(read_clip_layer(toon, "idle=1@")), "idle=1@: expected a number, got \"\"");
+  EXPECT_EQ(said(read_clip_layer(toon, "idle=1@2,3")),
+            "idle=1@2,3: expected a number, got \"2,3\"");
+  EXPECT_EQ(said(read_look_at(toon, "1,2")), "1,2: expected 3 numbers X,Y,Z, got 2");
+  EXPECT_EQ(said(read_look_at(sample("male"), "1,2,3")),
+            "1,2,3: this face has no eyes that look: its file says none under \"eyes\"");
+  EXPECT_EQ(read_pose(toon, "lid.sad")->values, (std::vector<double>{1}));
 }
 
 }  // namespace

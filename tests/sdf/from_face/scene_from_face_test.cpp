@@ -192,6 +192,17 @@ TEST(SceneFromFace, DrawsBandsInAFrameThatDoesNotChange) {
   EXPECT_NEAR(scene.distance(scene.layers()[0].area, {7, 1}), 0.25, 1e-15);
 }
 
+/// The spines of a tapered stroke, or of a union of them.
+std::vector<QuadBezier> spines_of(const Scene& scene, int index) {
+  const Node& node = scene.nodes()[std::size_t(index)];
+  if (node.op == Op::shape)
+    return {std::get<TaperedStroke>(scene.shapes()[std::size_t(node.a)]).spine};
+  EXPECT_EQ(node.op, Op::either);
+  std::vector<QuadBezier> all = spines_of(scene, node.a), more = spines_of(scene, node.b);
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 /// The lid stroke covers the edge of what is white: nothing of the eye's inside is ever farther out
 /// than it.
 TEST(SceneFromFace, NothingOfTheEyeLeavesTheLidThroughABlink_E5) {
@@ -201,11 +212,9 @@ TEST(SceneFromFace, NothingOfTheEyeLeavesTheLidThroughABlink_E5) {
   for (int step = 0; step <= 1000; ++step) {
     const Scene scene = scene_of(toon, {"blink=" + std::to_string(step / 1000.0)});
     const Area white = layer(scene, "opening.left").area, lid = layer(scene, "upper_lid.left").area;
-    const auto& spine =
-        std::get<TaperedStroke>(scene.shapes()[std::size_t(scene.nodes()[std::size_t(lid.node)].a)])
-            .spine;
+    const std::vector<QuadBezier> spines = spines_of(scene, lid.node);
     for (int i = 0; i < 20; ++i) {
-      const glm::dvec2 edge = point(spine, unit(random));
+      const glm::dvec2 edge = point(spines[std::size_t(i) % spines.size()], unit(random));
       const glm::dvec2 above = edge + glm::dvec2(0, 1e-9 + 0.1 * unit(random));
       EXPECT_GE(scene.distance(white, above), 0) << "white above the lid at blink " << step;
       EXPECT_LT(scene.distance(lid, edge), 0) << "the lid leaves its edge at blink " << step;

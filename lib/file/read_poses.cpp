@@ -1,0 +1,122 @@
+// The named poses of a face file: shapes that a face takes by a weight.
+
+#include "face_draft_private.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mien {
+namespace {
+
+class PoseReader {
+ public:
+  PoseReader(Reading& in, const JsonNode& node, FaceDraft& face)
+      : in_(in), node_(node), face_(face) {}
+
+  void read() {
+    in_.expect_object(node_, {"per_side", "mirror", "range", "slices", "by", "controls"}, "pose");
+    const std::string name = in_.name(node_, in_.tree.key(node_));
+    if (const JsonNode* mirror = in_.find(node_, "mirror")) mirror_ = in_.boolean(*mirror);
+    if (const JsonNode* range = in_.find(node_, "range")) read_range(*range);
+    const JsonNode* per_side = in_.find(node_, "per_side");
+    Control both{name, "weight", {}, true};
+    if (!per_side || !in_.boolean(*per_side)) {
+      both.channels.push_back(add_channel(Side::none));
+      face_.add_control(in_, node_, std::move(both));
+      return;
+    }
+    Control halves[2];
+    for (const Side side : {Side::left, Side::right}) {
+      Control& half = halves[side == Side::right];
+      half = {control_of_side(name, side), "weight", {add_channel(side)}, true};
+      both.channels.push_back(half.channels[0]);
+    }
+    face_.add_control(in_, node_, std::move(both));
+    for (Control& half : halves) face_.add_control(in_, node_, std::move(half));
+  }
+
+ private:
+  void read_range(const JsonNode& node) {
+    std::tie(lo_, hi_) = in_.range(node);
+    if (!(lo_ <= 0 && hi_ >= 0))
+      in_.refuse(node,
+                 fmt::format("the range of a pose must hold 0, where the face rests, got {} to {}",
+                             lo_, hi_));
+  }
+
+  int add_channel(Side side) {
+    Channel channel{.rest = 0, .lo = lo_, .hi = hi_, .pose = true};
+    if (const JsonNode* slices = in_.find(node_, "slices")) add_shapes(*slices, side, channel);
+    if (const JsonNode* by = in_.find(node_, "by")) add_offsets(*by, side, channel);
+    if (const JsonNode* controls = in_.find(node_, "controls"))
+      add_nudges(*controls, side, channel);
+    face_.model.channels.push_back(std::move(channel));
+    return int(face_.model.channels.size()) - 1;
+  }
+
+  void add_shapes(const JsonNode& node, Side side, Channel& channel) const {
+    in_.expect(node, JsonKind::object);
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      if (in_.tree.key(child) == "comment") return;
+      for (const DriveTarget target :
+           face_.targets(in_, child, in_.tree.key(child), side, mirror_)) {
+        const Slice& slice = face_.model.layout[target.slice];
+        const auto rest = face_.vector.begin() + slice.begin;
+        channel.drives.push_back(
+            Toward{target.slice,
+                   {rest, rest + slice.size},
+                   read_slice_values(in_, child, slice.kind, slice.size, slice.size,
+                                     face_.model.canvas, target.mirrored)});
+      }
+    });
+  }
+
+  void add_offsets(const JsonNode& node, Side side, Channel& channel) const {
+    in_.expect(node, JsonKind::object);
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      if (in_.tree.key(child) == "comment") return;
+      for (const DriveTarget target :
+           face_.targets(in_, child, in_.tree.key(child), side, mirror_)) {
+        const Slice& slice = face_.model.layout[target.slice];
+        std::vector<double> by = in_.numbers(child, slice.size, slice.size);
+        if (target.mirrored) mirror_differences(slice.kind, by, face_.model.canvas.twice_axis());
+        channel.drives.push_back(Offset{target.slice, std::move(by)});
+      }
+    });
+  }
+
+  void add_nudges(const JsonNode& node, Side side, Channel& channel) const {
+    in_.expect(node, JsonKind::object);
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      const std::string_view name = in_.tree.key(child);
+      if (name == "comment") return;
+      const double value = in_.number(child);
+      const std::string sided = control_of_side(name, side);
+      const int index = face_.control_by_name.contains(sided)
+                            ? face_.control_by_name.at(sided)
+                            : face_.control_named(in_, child, name);
+      const Control& control = face_.model.controls[std::size_t(index)];
+      if (control.pose) in_.refuse(child, "a pose moves slices and controls, not other poses");
+      for (const int c : control.channels)
+        channel.nudges.push_back({c, value - face_.model.channels[std::size_t(c)].rest});
+    });
+  }
+
+  Reading& in_;
+  const JsonNode& node_;
+  FaceDraft& face_;
+  bool mirror_ = true;
+  double lo_ = 0, hi_ = 1;
+};
+
+}  // namespace
+
+void read_poses(Reading& in, const JsonNode& node, FaceDraft& face) {
+  in.expect(node, JsonKind::object);
+  in.for_each(node, [&](const JsonNode& child, int) {
+    if (in.tree.key(child) != "comment") PoseReader(in, child, face).read();
+  });
+}
+
+}  // namespace mien

@@ -1,0 +1,92 @@
+#include <mien/lib/rig/bulge.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+bool has_cornea(const EyeBody& eye) {
+  return eye.radius > 0 && eye.cornea > 0 && eye.bulge != 0;
+}
+
+/// The cap's height, never beyond the ball's front half.
+double cap(const EyeBody& eye) {
+  return std::min(eye.cornea, eye.radius);
+}
+
+}  // namespace
+
+double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g) {
+  if (!has_cornea(eye)) return 0;
+  const double h = cap(eye);
+  if (eye.law == BulgeLaw::compat) {
+    const double a = std::sqrt(h * (2 * eye.radius - h));
+    return eye.bulge * std::max(0.0, a - std::min(1.0, glm::length(d - g)));
+  }
+  const double v = 1 - (1 - glm::dot(d, g)) * (eye.radius / h);
+  return v > 0 ? eye.bulge * v * v : 0;
+}
+
+glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p) {
+  const glm::dvec2 aside = (p - eye.center) / eye.radius;
+  const double far = glm::dot(aside, aside);
+  if (far < 1) return {aside, std::sqrt(1 - far)};
+  return {aside / std::sqrt(far), 0};
+}
+
+glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
+  if (!has_cornea(eye)) return {0, 0};
+  const glm::dvec3 d = lid_direction(eye, p);
+  const double push = lid_push(eye, d, g);
+  if (!(push != 0)) return {0, 0};
+  return push * (eye.law == BulgeLaw::compat ? glm::dvec2(g) : glm::dvec2(d));
+}
+
+double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
+  if (!has_cornea(eye)) return 0;
+  const glm::dvec3 d = lid_direction(eye, p);
+  return lid_push(eye, d, g) * (eye.law == BulgeLaw::compat ? g.z : d.z);
+}
+
+double most_bulge(double radius, double cornea) {
+  return cornea * radius / (radius - cornea);
+}
+
+glm::dvec3 lifted_lid_point(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
+  const glm::dvec2 aside = p - eye.center;
+  const double far = glm::length(aside);
+  const glm::dvec2 way = far > 0 ? aside / far : glm::dvec2(0);
+  const auto direction = [&](double s) {
+    return glm::dvec3(s * way, std::sqrt(std::max(0.0, 1 - s * s)));
+  };
+  double lo = 0, hi = 1;  // of the part of the direction that is aside: by halves
+  if (lid_distance(eye, direction(1), g) <= far) return {aside, 0};
+  for (int i = 0; i < 60; ++i) {
+    const double s = 0.5 * (lo + hi);
+    (s * lid_distance(eye, direction(s), g) < far ? lo : hi) = s;
+  }
+  const glm::dvec3 d = direction(0.5 * (lo + hi));
+  return lid_distance(eye, d, g) * d;
+}
+
+double lid_clearance(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
+  const glm::dvec3 at = lifted_lid_point(eye, p, g);
+  const double far = glm::length(at);
+  return far - eye_surface(eye, at / far, g);
+}
+
+double eye_surface(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g) {
+  const double R = eye.radius, c = glm::dot(d, g);
+  if (!has_cornea(eye) || eye.bulge < 0) return R;
+  const double rim = 1 - cap(eye) / R;  // cos α
+  if (c <= rim) return R;
+  // The sphere through the rim and the apex: centre k along the axis, radius r.
+  const double apex = R + std::min(eye.bulge, most_bulge(R, cap(eye)));
+  const double k = (apex * apex - R * R) / (2 * (apex - R * rim)), r = apex - k;
+  return k * c + std::sqrt(std::max(0.0, r * r - k * k * (1 - c * c)));
+}
+
+}  // namespace mien

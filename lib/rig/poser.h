@@ -1,0 +1,31 @@
+#pragma once
+// pose_face with its scratch kept, for animation.
+//
+//   Poser poser(*face);
+//   for (…) draw(scene_from_face(poser.pose({.time = t})));
+
+#include <mien/lib/base/api.h>
+#include <mien/lib/rig/pose.h>
+
+#include <vector>
+
+namespace mien {
+
+/// Poses one face again and again. What it gives is what pose_face gives, bit for bit, whatever was
+/// posed before; after the first poses nothing is allocated.
+class MIEN_API Poser {
+ public:
+  explicit Poser(Face face);
+
+  /// Valid until the next pose, or copied.
+  const Face& pose(const Pose& pose);
+
+ private:
+  void set_channels(const Pose& pose);
+  void drive_channels(bool poses);
+
+  Face rest_, posed_;
+  std::vector<double> values_, scratch_;
+};
+
+}  // namespace mien

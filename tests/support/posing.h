@@ -1,0 +1,67 @@
+#pragma once
+// Sample faces, their numbers and poses, for tests of lib alone. Throws what a test then shows.
+
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/file/face_file.h>
+#include <mien/lib/rig/pose.h>
+
+#include <glm/vec2.hpp>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace mien::test {
+
+inline Face sample_face(const std::string& name) {
+  const Expected<Face> face = read_face(MIEN_SOURCE_DIR "/faces/" + name + ".face.json");
+  if (!face) throw std::runtime_error(sentence(face.error()));
+  return *face;
+}
+
+inline std::string text_of_face(const std::string& name) {
+  std::ifstream file(MIEN_SOURCE_DIR "/faces/" + name + ".face.json");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline std::vector<double> slice_of(const Face& face, std::string_view name) {
+  const int slice = face.model->layout.find(name);
+  if (slice < 0) throw std::runtime_error("no slice " + std::string(name));
+  const auto first = face.vector.begin() + face.model->layout[slice].begin;
+  return {first, first + face.model->layout[slice].size};
+}
+
+inline glm::dvec2 point_of(const Face& face, std::string_view name) {
+  const std::vector<double> xy = slice_of(face, name);
+  return {xy[0], xy[1]};
+}
+
+/// A pose by the words of --set.
+inline Pose pose_of(const Face& face, const std::vector<std::string>& settings) {
+  Pose pose;
+  for (const std::string& text : settings) {
+    const Expected<Setting> setting = read_setting(face, text);
+    if (!setting) throw std::runtime_error(sentence(setting.error()));
+    pose.settings.push_back(*setting);
+  }
+  return pose;
+}
+
+inline Face face_at(const Face& face, const std::vector<std::string>& settings) {
+  return pose_face(face, pose_of(face, settings));
+}
+
+/// Names of the face's poses that begin so ("lid." → "lid.sad", …), those for both sides.
+inline std::vector<std::string> poses_named(const Face& face, std::string_view begin) {
+  std::vector<std::string> names;
+  for (const Control& control : face.model->controls)
+    if (control.pose && control.channels.size() == 2 && control.name.starts_with(begin))
+      names.push_back(control.name);
+  return names;
+}
+
+}  // namespace mien::test
