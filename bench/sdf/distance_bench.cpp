@@ -7,6 +7,7 @@
 
 #include <mien/sdf/batch/instruction_sets.h>
 #include <mien/sdf/distance.h>
+#include <mien/sdf/edge/classify.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -114,6 +115,47 @@ void Many(benchmark::State& state, Pattern pattern, long long set) {
   batch::use_instruction_set(0);
 }
 
+/// Square grids of `side` points, 1/1024 apart, to the curves one by one; some of their tiles are
+/// certified and some are not, as chance has it.
+void Grid(benchmark::State& state, size_t side, long long set) {
+  batch::use_instruction_set(set);
+  Work<float> work(Pattern::tile);
+  const size_t curves = side > 16 ? 20 : kCurves;
+  std::vector<float> d(side * side);
+  for (auto _ : state) {
+    for (size_t c = 0; c < curves; ++c) {
+      const glm::dvec2 origin{work.xs(c)[0], work.ys(c)[0]};
+      distances_on_grid(work.curves[c], origin, 1.0 / 1024, side, side, d);
+    }
+    benchmark::DoNotOptimize(d.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["ns"] =
+      benchmark::Counter(double(state.iterations()) * double(curves * side * side) * 1e-9,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  batch::use_instruction_set(0);
+}
+
+/// The sides of the figure for squares 1/64 wide, 16 per call.
+void Classify(benchmark::State& state, const Shape& shape, long long set) {
+  batch::use_instruction_set(set);
+  Work<float> work(Pattern::incoherent);
+  const Classifier classifier({shape}, {0, 0});
+  std::int8_t sides[16];
+  for (auto _ : state) {
+    for (size_t c = 0; c < kCurves; ++c) {
+      for (size_t i = 0; i < kPoints; i += 16) {
+        classifier.classify(work.xs(c).subspan(i, 16), work.ys(c).subspan(i, 16), 0.011f, sides);
+        benchmark::DoNotOptimize(sides[0]);
+      }
+    }
+  }
+  state.counters["ns"] =
+      benchmark::Counter(double(state.iterations()) * kCurves * kPoints * 1e-9,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  batch::use_instruction_set(0);
+}
+
 void Scalar(benchmark::State& state, Pattern pattern) {
   Work<double> work(pattern);
   each_set(state, work, [&](size_t c) {
@@ -178,6 +220,19 @@ void register_all() {
       add("30 curves f32/" + set.name, [=](auto& s) { Many(s, pattern, id); });
       add("double f64/" + set.name, [=](auto& s) { Double(s, pattern, id); });
     }
+  }
+  for (const batch::InstructionSet& set : batch::instruction_sets()) {
+    const auto id = set.id;
+    const auto add = [&](const std::string& name, auto run) {
+      RegisterBenchmark((name + "/" + set.name + "/alone").c_str(), run)->MinTime(0.1);
+    };
+    add("grid 16 × 16", [=](auto& s) { Grid(s, 16, id); });
+    add("grid 128 × 128", [=](auto& s) { Grid(s, 128, id); });
+    add("classify ellipse", [=](auto& s) { Classify(s, kEllipse, id); });
+    add("classify parabola", [=](auto& s) { Classify(s, kParabola, id); });
+    add("classify line", [=](auto& s) { Classify(s, Line{{0.1, 0.2}, {0.9, 0.3}, 0.05}, id); });
+    add("classify stroke", [=](auto& s) { Classify(s, QuadStroke{kStroke.spine, 0.05}, id); });
+    add("classify tapered", [=](auto& s) { Classify(s, kStroke, id); });
   }
   bench::register_floor();
 }

@@ -105,6 +105,16 @@ double batch_many(const Case& k) {  // among three, two of them certainly farthe
   return d;
 }
 
+/// The corner of a tile, where a certified start is farthest off; the tile is as fine as a small
+/// picture's, or much finer.
+double batch_grid(const Case& k) {
+  const auto& curve = std::get<QuadBezier>(k.figure);
+  float tile[256];
+  const double step = size_of(curve, k.p) / (std::abs(k.p.x) < std::abs(k.p.y) ? 1024 : 16384);
+  distances_on_grid(curve, k.p, step, 16, 16, tile);
+  return double(tile[0]);
+}
+
 template <class F>
 Solver scalar(double error) {
   return {"scalar",     "",
@@ -135,6 +145,7 @@ std::vector<Solver> own_solvers() {
     all.push_back(
         on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, kBezier, batch_double));
     all.push_back(on(set, "many", Judge::fast, C::kFastError, kBezier, batch_many));
+    all.push_back(on(set, "grid", Judge::fast, C::kFastError, kBezier, batch_grid));
     all.push_back(on(set, "ellipse", Judge::fast, EllipseBatchContract::kError, kIndex<Ellipse>,
                      batch_float<Ellipse>));
     all.push_back(on(set, "parabola", Judge::fast, ParabolaBatchContract::kError,
