@@ -19,6 +19,8 @@ endif()
 if(MIEN_SANITIZE)
   add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIEN_SANITIZE})
+  # The sanitizers call dlopen from their own library: only the old tag lets the command's search path count there.
+  add_link_options(-Wl,--disable-new-dtags)
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC warns of the sanitizers' own code
 endif()
 if(MIEN_COVERAGE)
