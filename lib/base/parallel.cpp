@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace mien {
 
@@ -15,8 +16,18 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
     for (int i = 0; i < count; ++i) job(i);
     return;
   }
+  // What the caller wrote is seen by every job, and what the jobs wrote by the caller: oneTBB takes
+  // care of that in code a thread sanitizer does not see, so it is said here once more.
+  std::atomic<int> done;
+  done.store(0, std::memory_order_release);
+  const auto seen = [&](int i) {
+    done.load(std::memory_order_acquire);
+    job(i);
+    done.fetch_add(1, std::memory_order_release);
+  };
   const auto all = [&] {
-    oneapi::tbb::parallel_for(0, count, job, oneapi::tbb::simple_partitioner{});
+    oneapi::tbb::parallel_for(0, count, seen, oneapi::tbb::simple_partitioner{});
+    done.load(std::memory_order_acquire);
   };
   if (threads.count <= 0) return all();
   // Asking for more threads than the process may have makes oneTBB print a warning.
