@@ -125,6 +125,8 @@ const Wrong kWrongs[] = {
      1,
      "DIR/none.json: cannot be read: No such file or directory"},
     {{"render", "DIR", "-o", "OUT"}, 1, "DIR: is a directory"},
+    {{"render", "FACE", "-o", ""}, 2, "--output: its name is empty"},
+    {{"check", ""}, 1, "face file: its name is empty"},
     {{"check"}, 2, "check: FACE is required"},
     {{"check", "DIR/none.json"}, 1, "DIR/none.json: cannot be read: No such file or directory"},
     {{"scene", "FACE", "--time", "soon"}, 2, "--time soon: expected a finite number of seconds"},

@@ -9,6 +9,10 @@
 namespace mien::command {
 
 std::optional<Face> read_face_aloud(const std::string& path) {
+  if (path.empty()) {
+    complain({"face file", "its name is empty"}, kFailed);
+    return {};
+  }
   std::vector<Error> warnings;
   auto face = read_face(path, {}, &warnings);
   warn(warnings);

@@ -126,6 +126,7 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
 }  // namespace
 
 Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
+  if (arguments.output.empty()) return Error{"--output", "its name is empty"};
   const auto type = chosen_type(arguments.output, {});
   if (!type) return type.error();
   auto plan = plan_picture(arguments);
