@@ -72,7 +72,7 @@ class House:
         return parts[0] not in ("build", "out") and not (parts[0].startswith(".git") and parts[0] != ".github")
 
     def lines(self, name):
-        return (self.root / name).read_text(encoding="utf-8").splitlines()
+        return (self.root / name).read_text(encoding="utf-8", errors="replace").splitlines()
 
     def breach(self, name, line, sentence):
         self.breaches.append(f"{name}:{line}: {sentence}")
