@@ -10,7 +10,7 @@ namespace mien::command {
 
 std::optional<Face> read_face_aloud(const std::string& path) {
   if (path.empty()) {
-    complain({"face file", "its name is empty"}, kFailed);
+    complain(Error{"face file", "its name is empty"}, kFailed);
     return {};
   }
   std::vector<Error> warnings;
