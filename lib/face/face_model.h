@@ -6,6 +6,7 @@
 #include <mien/lib/face/clip.h>
 #include <mien/lib/face/control.h>
 #include <mien/lib/face/eye.h>
+#include <mien/lib/face/face_paint.h>
 #include <mien/lib/face/feature.h>
 #include <mien/lib/face/layout.h>
 
@@ -23,6 +24,10 @@ struct FaceModel {
   Layout layout;
   int background = -1;            ///< slice of its colour
   std::vector<Feature> features;  ///< bottom to top
+  std::vector<GradientPaint> gradients;
+  std::vector<FaceRelief> reliefs;
+  std::vector<FaceGroup> groups;
+  FaceLight light;
   std::vector<Channel> channels;  ///< act in this order
   std::vector<Control> controls;
   std::vector<Clip> clips;

@@ -63,6 +63,23 @@ struct FaceDraft {
 void read_canvas(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_palette(Reading& in, const JsonNode& node, FaceDraft& face);
 int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face);
+
+/// Whose paint is read: a feature of a side, perhaps from numbers written for the other one.
+struct PaintPlace {
+  std::string feature;  ///< "iris.left"
+  Side side;
+  bool mirrored;
+};
+/// A colour's name or a gradient.
+void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face,
+                        Feature& feature);
+int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft& face);
+int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face);
+void read_groups(Reading& in, const JsonNode& node, FaceDraft& face);  ///< before the features
+int group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
+void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face);  ///< after them
+void read_light(Reading& in, const JsonNode& node, FaceDraft& face);
+
 void read_features(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_controls(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_poses(Reading& in, const JsonNode& node, FaceDraft& face);

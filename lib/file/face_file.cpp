@@ -22,9 +22,9 @@ namespace {
 constexpr int kNewestVersion = 1;
 
 void check_format(Reading& in, const JsonNode& root) {
-  in.expect_object(root,
-                   {"$schema", "format", "format_version", "name", "credit", "canvas", "background",
-                    "palette", "features", "controls", "poses", "eyes", "clips", "default_clip"});
+  in.expect_object(root, {"$schema", "format", "format_version", "name", "credit", "canvas",
+                          "background", "palette", "light", "groups", "features", "controls",
+                          "poses", "eyes", "clips", "default_clip"});
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
@@ -48,7 +48,11 @@ Face read_root(Reading& in) {
   read_canvas(in, in.need(root, "canvas"), draft);
   read_palette(in, in.need(root, "palette"), draft);
   model.background = read_paint(in, in.need(root, "background"), draft);
+  if (const JsonNode* light = in.find(root, "light")) read_light(in, *light, draft);
+  const JsonNode* groups = in.find(root, "groups");
+  if (groups) read_groups(in, *groups, draft);
   read_features(in, in.need(root, "features"), draft);
+  if (groups) read_group_clips(in, *groups, draft);
   if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
   if (const JsonNode* eyes = in.find(root, "eyes")) read_eyes(in, *eyes, draft);
   if (const JsonNode* poses = in.find(root, "poses")) read_poses(in, *poses, draft);

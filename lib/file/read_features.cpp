@@ -231,12 +231,11 @@ class FeatureReader {
     check_keys(kind);
     const JsonNode& name_node = in_.need(node_, "name");
     const std::string name = in_.name(name_node);
-    if (name == "palette" || name.ends_with(".left") || name.ends_with(".right"))
-      in_.refuse(
-          name_node,
-          fmt::format(
-              "the name {} is taken: no feature may be called palette or end in .left or .right",
-              in_quotes(name)));
+    if (name == "palette" || name == "groups" || name.ends_with(".left") ||
+        name.ends_with(".right"))
+      in_.refuse(name_node, fmt::format("the name {} is taken: no feature may be called palette or "
+                                        "groups or end in .left or .right",
+                                        in_quotes(name)));
     const JsonNode* side_node = in_.find(node_, "side");
     const JsonNode* mirror_node = in_.find(node_, "mirror");
     if (!side_node) {
@@ -256,11 +255,11 @@ class FeatureReader {
   /// Warns of unknown keys, in the overrides too.
   void check_keys(const Kind& kind) {
     std::vector<std::string_view> known = kind.keys;
-    known.push_back("paint");
+    known.insert(known.end(), {"paint", "opacity", "relief"});
     for (const std::string_view side : kSides)
       if (const JsonNode* instead = in_.find(node_, side))
         in_.expect_object(*instead, known, kind.name);
-    known.insert(known.end(), {"kind", "name", "side", "mirror", "left", "right", "clip"});
+    known.insert(known.end(), {"kind", "name", "side", "mirror", "left", "right", "clip", "group"});
     in_.expect_object(node_, known, kind.name);
   }
 
@@ -277,8 +276,14 @@ class FeatureReader {
     const JsonNode* instead = side == Side::none ? nullptr : in_.find(node_, side_name(side));
     FigureReader reader(in_, face_, node_, instead, feature.name, side, mirrored);
     feature.figure = kind.read(reader);
-    if (const JsonNode* paint = reader.field("paint").node)
-      feature.paint = read_paint(in_, *paint, face_);
+    if (const auto paint = reader.field("paint"); paint.node)
+      read_feature_paint(in_, *paint.node, {feature.name, side, paint.mirrored}, face_, feature);
+    if (const auto opacity = reader.field("opacity"); opacity.node)
+      feature.opacity = read_opacity(in_, *opacity.node, feature.name + "/opacity", face_);
+    if (const auto relief = reader.field("relief"); relief.node)
+      feature.relief = read_relief(in_, *relief.node, {feature.name, side, relief.mirrored}, face_);
+    if (const JsonNode* group = in_.find(node_, "group"))
+      feature.group = group_named(in_, *group, face_);
     if (const JsonNode* clip = in_.find(node_, "clip")) feature.clip = read_clip(*clip, side);
     face_.clip_depth.push_back(feature.clip < 0 ? 0
                                                 : face_.clip_depth[std::size_t(feature.clip)] + 1);

@@ -1,6 +1,7 @@
 #include <mien/sdf/from_face/scene_from_face.h>
 
 #include <mien/lib/face/face_model.h>
+#include "feature_paint_private.h"
 #include "figure_shape_private.h"
 
 #include <span>
@@ -10,30 +11,32 @@
 namespace mien {
 namespace {
 
-Color color_of(const Face& face, int slice) {
-  const double* c = &face.vector[std::size_t(face.model->layout[slice].begin)];
-  return {c[0], c[1], c[2], c[3]};
-}
-
 /// The areas of features, built when first asked for.
 class Areas {
  public:
   Areas(const Face& face, SceneBuilder& build)
-      : face_(face), build_(build), areas_(face.model->features.size()) {}
+      : face_(face),
+        build_(build),
+        areas_(face.model->features.size()),
+        figures_(face.model->features.size()) {}
 
   /// Everything of the feature that may be painted: its figure within its clip. Clips are earlier
   /// features, so one pass in order meets them before it needs them.
   Area of(int feature) { return areas_[std::size_t(feature)]; }
+  /// Its figure alone.
+  Area figure(int feature) { return figures_[std::size_t(feature)]; }
 
   void add(int feature) {
     const Feature& f = face_.model->features[std::size_t(feature)];
     Area& area = areas_[std::size_t(feature)];
-    if (f.clip < 0)
-      area = own(f);
-    else if (covers_its_clip(f))
+    Area& figure = figures_[std::size_t(feature)];
+    if (f.clip >= 0 && covers_its_clip(f)) {
       area = of(f.clip);  // the very same outline: no seam, and no second outline to resolve
-    else
-      area = build_.both(own(f), of(f.clip));
+      figure = figures_[std::size_t(f.clip)];
+      return;
+    }
+    area = figure = own(f);
+    if (f.clip >= 0) area = build_.both(figure, of(f.clip));
   }
 
  private:
@@ -53,8 +56,12 @@ class Areas {
 
   const Face& face_;
   SceneBuilder& build_;
-  std::vector<Area> areas_;
+  std::vector<Area> areas_, figures_;
 };
+
+Light light_of(const FaceLight& light) {
+  return {.direction = light.direction, .ambient = light.ambient};
+}
 
 }  // namespace
 
@@ -62,10 +69,22 @@ Scene scene_from_face(const Face& face) {
   const FaceModel& model = *face.model;
   SceneBuilder build({model.canvas.box, model.canvas.y_up}, color_of(face, model.background));
   Areas areas(face, build);
+  build.light(light_of(model.light));
+  int group = -1;
   for (int i = 0; i < int(model.features.size()); ++i) {
     const Feature& feature = model.features[std::size_t(i)];
+    if (feature.group != group) {
+      if (group >= 0) build.close_group();
+      group = feature.group;
+      if (group >= 0) {
+        const FaceGroup& opened = model.groups[std::size_t(group)];
+        build.open_group(opened.name, opacity_of(face, opened.opacity),
+                         opened.clip < 0 ? Area{} : areas.of(opened.clip));
+      }
+    }
     areas.add(i);
-    if (feature.paint >= 0) build.layer(feature.name, areas.of(i), {color_of(face, feature.paint)});
+    if (feature.painted())
+      build.layer(feature.name, areas.of(i), paint_of(feature, face, areas.figure(i)));
   }
   return std::move(build).finish();
 }

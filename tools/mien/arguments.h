@@ -21,6 +21,7 @@ struct RenderArguments {
   std::string output;
   std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats,
       progress;
+  std::optional<std::string> light, dither;
 };
 
 struct BenchArguments {

@@ -66,6 +66,12 @@ void add_picture(CLI::App* to, RenderArguments& render) {
   to->add_option("--blend", render.blend,
                  "Mix colours in linear light or as encoded; default linear")
       ->type_name(std::string(kBlends));
+  to->add_option("--light", render.light,
+                 "Where the lamp of reliefs is: x right, y up, z > 0 towards the viewer")
+      ->type_name("X,Y,Z");
+  to->add_option("--dither", render.dither,
+                 "Dither gradients and lit surfaces of 8 and 16 bits; default on")
+      ->type_name(std::string(kDithers));
   to->add_option("--depth", render.depth,
                  "Bits of a channel; PNG 8 16, TIFF 8 16 float, EXR half float, JPEG 8")
       ->type_name(std::string(kDepths));

@@ -111,6 +111,15 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
     if (!threads) return threads.error();
     plan.how.threads.count = *threads;
   }
+  bool undithered = !plan.view.dither;
+  if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
+    return done.error();
+  plan.view.dither = !undithered;
+  if (arguments.light) {
+    const auto light = read_light(*arguments.light);
+    if (!light) return light.error();
+    plan.view.light = *light;
+  }
   if (arguments.background) {
     const auto color = read_background(*arguments.background);
     if (!color) return color.error();

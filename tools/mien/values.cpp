@@ -89,6 +89,19 @@ Expected<Color> read_background(std::string_view text) {
   return refuse("--background", text, "expected #rrggbb, #rrggbbaa or transparent");
 }
 
+Expected<glm::dvec3> read_light(std::string_view text) {
+  constexpr const char* kExpected = "expected X,Y,Z, the last more than 0: the lamp is before us";
+  const auto parts = split(text, ',');
+  glm::dvec3 to{0.0};
+  for (int i = 0; i < 3; ++i) {
+    const auto value = parts.size() == 3 ? number<double>(parts[std::size_t(i)]) : std::nullopt;
+    if (!value || !std::isfinite(*value)) return refuse("--light", text, kExpected);
+    to[i] = *value;
+  }
+  if (!(to.z > 0)) return refuse("--light", text, kExpected);
+  return to;
+}
+
 Expected<double> read_time(std::string_view text) {
   const auto value = number<double>(text);
   if (value && std::isfinite(*value)) return *value;

@@ -23,6 +23,9 @@ Expected<PixelRect> read_region(std::string_view text, Size picture);
 /// "#rrggbb", "#rrggbbaa", the same without "#", or "transparent".
 Expected<Color> read_background(std::string_view text);
 
+/// "X,Y,Z": finite, Z > 0.
+Expected<glm::dvec3> read_light(std::string_view text);
+
 /// Seconds: any finite number.
 Expected<double> read_time(std::string_view text);
 

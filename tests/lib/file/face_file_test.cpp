@@ -202,7 +202,8 @@ TEST(ReadFace, SaysWhatIsWrongAndWhere) {
       {face_with(R"({"kind": "disc", "name": ^""})"),
        ": /features/0/name: a name must not be empty"},
       {face_with(R"({"kind": "disc", "name": ^"a.left"})"),
-       ": /features/0/name: the name \"a.left\" is taken: no feature may be called palette or end "
+       ": /features/0/name: the name \"a.left\" is taken: no feature may be called palette or "
+       "groups or end "
        "in .left or .right"},
       {face_with(R"({"kind": "disc", "name": "a", "center": ^[0], "radius": 1})"),
        ": /features/0/center: expected 2 numbers, got 1"},

@@ -244,5 +244,71 @@ TEST(SceneFromFace, IsTotal) {
   }
 }
 
+TEST(SceneFromFace, PaintsWithGradients_E13) {
+  const Scene scene = scene_with(
+      R"({"name": "eye", "kind": "disc", "center": [0, 0], "radius": 0.5, "opacity": 0.5,
+          "paint": {"gradient": "distance", "inside": 0.1, "outside": 0.05, "extend": "repeat",
+                    "stops": [[0, "ink"], [1, "ink"]]}})");
+  const Paint& paint = scene.layers()[0].paint;
+  EXPECT_EQ(paint.color.a, 0.5);
+  ASSERT_TRUE(paint.gradient);
+  const auto& along = std::get<DistanceGradient>(paint.gradient->along);
+  EXPECT_EQ(along.from, -0.1);
+  EXPECT_EQ(along.to, 0.05);
+  EXPECT_EQ(along.area.node, scene.layers()[0].area.node);
+  EXPECT_EQ(paint.gradient->extend, Extend::repeat);
+}
+
+TEST(SceneFromFace, LeavesOutReliefsThatDoNotRise_G3_C1) {
+  const auto paint = [](const std::string& relief) {
+    return scene_with(
+               R"({"name": "lid", "kind": "disc", "center": [0, 0], "radius": 0.5, "paint": "ink", "relief": )" +
+               relief + "}")
+        .layers()[0]
+        .paint;
+  };
+  EXPECT_FALSE(paint(R"({"profile": "flat"})").relief);
+  EXPECT_FALSE(paint(R"({"profile": "round", "width": 0.1, "height": 0})").relief);
+  const std::string dome = R"({"domes": [{"center": [0, 0], "radii": [0.1, 0.1], "height": )";
+  EXPECT_FALSE(paint(dome + "0}]}").relief);
+  const Paint bulging = paint(dome + "0.02}]}");
+  ASSERT_TRUE(bulging.relief);
+  EXPECT_EQ(bulging.relief->domes.at(0).height, 0.02);
+  EXPECT_EQ(
+      paint(R"({"profile": "bevel", "width": 0.1, "height": 0.2, "sunk": true})").relief->height,
+      -0.2);
+}
+
+TEST(SceneFromFace, CountsAReliefFromTheFigureNotFromWhatItIsClippedTo_G3) {
+  const Scene scene = scene_with(
+      R"({"name": "eye", "kind": "disc", "center": [0, 0], "radius": 0.5},
+         {"name": "ball", "kind": "disc", "clip": "eye", "center": [0.3, 0], "radius": 0.5, "paint": "ink",
+          "relief": {"profile": "round", "width": 0.1, "height": 0.1}})");
+  const Layer& ball = scene.layers()[0];
+  EXPECT_NE(ball.paint.relief->area.node, ball.area.node);
+  EXPECT_EQ(scene.distance(ball.paint.relief->area, {-0.2, 0}), 0);
+}
+
+TEST(SceneFromFace, PutsFeaturesIntoTheirGroups) {
+  const Expected<Face> face = read_face_text(
+      R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
+          "palette": {"ink": "#000000"}, "background": "ink",
+          "groups": {"frame": {}, "glasses": {"opacity": 0.5, "clip": "head"}},
+          "features": [
+            {"name": "head", "kind": "disc", "center": [0, 0], "radius": 0.9, "paint": "ink"},
+            {"name": "lens", "kind": "disc", "center": [0, 0], "radius": 0.2, "paint": "ink", "group": "glasses"},
+            {"name": "bridge", "kind": "disc", "center": [0, 0], "radius": 0.1, "paint": "ink", "group": "frame"},
+            {"name": "nose", "kind": "disc", "center": [0, 0], "radius": 0.1, "paint": "ink"}]})");
+  ASSERT_TRUE(face) << sentence(face.error());
+  const Scene scene = scene_from_face(*face);
+  ASSERT_EQ(scene.groups().size(), 2u);
+  EXPECT_EQ(scene.groups()[0].name, "glasses");
+  EXPECT_EQ(scene.groups()[0].opacity, 0.5);
+  EXPECT_EQ(scene.groups()[1].parent, -1);
+  const int expected[] = {-1, 0, 1, -1};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(scene.layers()[i].group, expected[i]);
+  EXPECT_EQ(scene.nodes()[std::size_t(scene.layers()[1].area.node)].op, Op::both);
+}
+
 }  // namespace
 }  // namespace mien

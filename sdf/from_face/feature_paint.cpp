@@ -1,0 +1,113 @@
+#include <mien/lib/face/face_model.h>
+#include "feature_paint_private.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mien {
+namespace {
+
+class Numbers {
+ public:
+  explicit Numbers(const Face& face) : face_(face) {}
+
+  double operator()(int slice, int i = 0) const {
+    return face_.vector[std::size_t(face_.model->layout[slice].begin + i)];
+  }
+  double either(int slice, double without) const { return slice < 0 ? without : (*this)(slice); }
+  glm::dvec2 point(int slice) const { return {(*this)(slice, 0), (*this)(slice, 1)}; }
+  /// The direction at an angle in degrees; +x without one.
+  glm::dvec2 way(int slice) const {
+    if (slice < 0) return {1.0, 0.0};
+    const double angle = (*this)(slice)*std::numbers::pi / 180;
+    return {std::cos(angle), std::sin(angle)};
+  }
+  int size(int slice) const { return face_.model->layout[slice].size; }
+
+ private:
+  const Face& face_;
+};
+
+constexpr double kLeast = 1e-9;  ///< lengths that divide are at least this, whatever posed them
+
+struct Along {
+  const Numbers& n;
+  Area own;
+
+  using Any = decltype(Gradient::along);
+  Any operator()(const LinearPaint& p) const {
+    return LinearGradient{n.point(p.from), n.point(p.to)};
+  }
+  Any operator()(const RadialPaint& p) const {
+    return RadialGradient{n.point(p.center), n.point(p.radii), n.way(p.tilt)};
+  }
+  Any operator()(const DistancePaint& p) const {
+    return DistanceGradient{own, -n(p.inside), n(p.outside)};
+  }
+};
+
+Gradient gradient_of(const GradientPaint& paint, const Face& face, Area own) {
+  const Numbers n(face);
+  Gradient gradient{.along = std::visit(Along{n, own}, paint.along),
+                    .stops = {},
+                    .extend = Extend(int(paint.extend))};
+  for (std::size_t i = 0; i < paint.colors.size(); ++i)
+    gradient.stops.push_back({n(paint.places, int(i)), color_of(face, paint.colors[i])});
+  return gradient;
+}
+
+Relief relief_of(const FaceRelief& given, const Face& face, Area own) {
+  const Numbers n(face);
+  const Relief without;
+  const double sign = given.sunk ? -1 : 1;
+  Relief relief{.area = own,
+                .profile = Profile(int(given.profile)),
+                .width = std::max(n.either(given.width, 1), kLeast),
+                .height = sign * n.either(given.height, 0),
+                .table = {},
+                .domes = {},
+                .specular = std::min(n.either(given.specular, without.specular), 1.0),
+                .shininess = std::max(n.either(given.shininess, without.shininess), kLeast)};
+  for (int i = 0; given.table >= 0 && i < n.size(given.table); ++i)
+    relief.table.push_back(n(given.table, i));
+  for (const FaceDome& dome : given.domes)
+    if (n(dome.height) != 0)  // no bulge: as if the dome were not there
+      relief.domes.push_back({.center = n.point(dome.center),
+                              .radii = glm::max(n.point(dome.radii), glm::dvec2{kLeast}),
+                              .axis = n.way(dome.tilt),
+                              .height = sign * n(dome.height)});
+  return relief;
+}
+
+}  // namespace
+
+Color color_of(const Face& face, int slice) {
+  const Numbers n(face);
+  return {n(slice, 0), n(slice, 1), n(slice, 2), n(slice, 3)};
+}
+
+double opacity_of(const Face& face, int slice) {
+  return std::min(Numbers(face).either(slice, 1), 1.0);
+}
+
+Paint paint_of(const Feature& feature, const Face& face, Area own) {
+  const FaceModel& model = *face.model;
+  const double opacity = opacity_of(face, feature.opacity);
+  Paint paint;
+  if (feature.gradient >= 0) {
+    paint.gradient = shared(gradient_of(model.gradients[std::size_t(feature.gradient)], face, own));
+    paint.color.a = opacity;
+  } else {
+    paint.color = color_of(face, feature.paint);
+    paint.color.a *= opacity;
+  }
+  if (feature.relief >= 0) {
+    Relief relief = relief_of(model.reliefs[std::size_t(feature.relief)], face, own);
+    const bool rises = relief.profile != Profile::flat && relief.height != 0;
+    if (rises || !relief.domes.empty()) paint.relief = shared(std::move(relief));
+  }
+  return paint;
+}
+
+}  // namespace mien

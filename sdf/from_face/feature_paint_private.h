@@ -1,0 +1,19 @@
+#pragma once
+// A feature's paint, with the numbers it has in a face, as a scene's.
+
+#include <mien/lib/face/face.h>
+#include <mien/lib/face/feature.h>
+#include <mien/sdf/scene/scene.h>
+
+namespace mien {
+
+/// The colour in a slice.
+Color color_of(const Face& face, int slice);
+
+/// `own` is the area of the feature's figure, not clipped: what its gradients and relief count from.
+Paint paint_of(const Feature& feature, const Face& face, Area own);
+
+/// What a slice of one number holds, at most 1; 1 without a slice.
+double opacity_of(const Face& face, int slice);
+
+}  // namespace mien

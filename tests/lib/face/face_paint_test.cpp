@@ -1,0 +1,16 @@
+#include <mien/lib/face/face_paint.h>
+
+#include <gtest/gtest.h>
+
+namespace mien {
+namespace {
+
+TEST(FacePaint, IsNothingUnlessSaidOtherwise) {
+  EXPECT_EQ(FaceRelief{}.profile, FaceRelief::Profile::flat);
+  EXPECT_TRUE(FaceRelief{}.domes.empty());
+  EXPECT_EQ(FaceGroup{}.opacity, -1);
+  EXPECT_GT(FaceLight{}.direction.z, 0);
+}
+
+}  // namespace
+}  // namespace mien
