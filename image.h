@@ -1,13 +1,21 @@
 #pragma once
-// The writing verb: an Image becomes a file, whole or not at all.
+// The writing verbs: pixels become a file, whole or not at all.
 //
 //   if (auto done = mien::write_image(image, "face.png"); !done) complain(sentence(done.error()));
+//
+//   // Drawn and written piece by piece, at any size, in bounded memory:
+//   mien::write_picture(scene, {.width = 32768, .height = 32768}, "face.tif");
 
 #include <mien/lib/base/api.h>
 #include <mien/lib/base/expected.h>
+#include <mien/lib/base/parallel.h>
 #include <mien/lib/base/progress.h>
 #include <mien/render/image.h>
+#include <mien/render/render_stats.h>
+#include <mien/render/view/view.h>
+#include <mien/sdf/scene/scene.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,14 +29,17 @@ struct WriteOptions {
   bool half = true;              ///< EXR: half floats, else 32-bit
   int jpeg_quality = 95;         ///< 1 … 100
   std::string recipe;            ///< stored in the metadata: what made this picture
+  Threads threads;               ///< they change no byte
   Progress progress;             ///< may cancel: then nothing is written
 };
 
 /// Writes to `path`; "-" is a PNG on standard output.
 ///
 ///   PNG   8 or 16 bits (f32 becomes 16), sRGB, straight alpha
-///   TIFF  8, 16 or 32-bit float as the image is; tiled, zip. Float is linear and premultiplied
-///   EXR   half or 32-bit float (u8 and u16 become linear), premultiplied, zip
+///   TIFF  8, 16 or 32-bit float as the image is; tiled, zip, BigTIFF from 4 GiB of pixels on.
+///         Float is linear and premultiplied
+///   EXR   half or 32-bit float (u8 and u16 become linear), premultiplied, zip; tiled where it is
+///         wider than 8192 pixels
 ///   JPEG  8 bits, sRGB, no subsampling. A picture that is not opaque is an error
 ///
 /// Opaque pictures are stored as RGB, others as RGBA; the colour space is tagged (in TIFF by an ICC
@@ -42,6 +53,28 @@ struct WriteOptions {
 /// devices and pipes are written straight into.
 MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::path& path,
                                     const WriteOptions& how = {});
+
+struct PictureOptions {
+  WriteOptions write;          ///< its threads draw, its progress is that of the whole
+  std::optional<Depth> depth;  ///< what is drawn: u8, for EXR f32, unless said
+  std::uint64_t memory = std::uint64_t(256) << 20;  ///< [bytes] most that is held at once
+};
+
+/// What a written picture took.
+struct PictureStats {
+  RenderStats render;
+  double draw = 0, encode = 0, put = 0;  ///< [s] of all threads together: drawing, compressing,
+                                         ///< handing to the file
+};
+
+/// write_image(render(scene, view), path) without ever holding the picture: threads draw and
+/// compress pieces of it, and the file takes them in order. The bytes of the file are the same,
+/// whatever the memory and the threads. Pictures of up to View::kMaxSide a side; PNG readers that
+/// keep libpng's own limit refuse sides beyond 1 000 000. Errors, further to write_image's: `memory`
+/// does not hold even the smallest piece.
+MIEN_API Expected<PictureStats> write_picture(const Scene& scene, const View& view,
+                                              const std::filesystem::path& path,
+                                              const PictureOptions& how = {});
 
 /// Whether write_image could begin there: the format is known, the folder exists and may be
 /// written. For asking before a long render; changes nothing.

@@ -9,13 +9,18 @@ find_package(nlohmann_json REQUIRED)            # JSON, in lib/file only
 find_package(fmt REQUIRED)                      # text
 if(MIEN_BUILD_IMAGE)
   find_package(PkgConfig REQUIRED)              # image files, in render/image only;
+  pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET GLOBAL libdeflate)     # PNG, and TIFF's tiles
   pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)  # its find_package is broken in Debian 12
+  pkg_check_modules(TIFF REQUIRED IMPORTED_TARGET GLOBAL libtiff-4>=4.5)
 endif()
 if(MIEN_BUILD_COMMAND)
   find_package(CLI11 REQUIRED)                  # the command line, in tools only
 endif()
 if(MIEN_BUILD_TESTS)
   find_package(GTest REQUIRED)
+  if(MIEN_BUILD_IMAGE)
+    find_package(ZLIB REQUIRED)                 # unpacks what was packed
+  endif()
 endif()
 if(MIEN_BUILD_BENCH)
   find_package(benchmark REQUIRED)

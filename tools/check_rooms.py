@@ -33,6 +33,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"hwy/": (r".*(-inl\.h|_simd\.cpp)$", "an -inl.h or _simd.cpp"),
     r"(oneapi/)?tbb/": (r"lib/base/parallel\.cpp$", "lib/base/parallel.cpp"),
     r"OpenImageIO/": (r"render/image/", "render/image"),
+    r"(libdeflate|tiff(io)?)\.h": (r"render/image/", "render/image"),
     r"CLI/": (r"tools/", "tools"),
     r"boost/|mpfr": (r"tools/", "tools, tests or bench"),
 }

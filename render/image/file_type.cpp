@@ -7,17 +7,10 @@
 namespace mien {
 namespace {
 
-// The longest side each format's writer takes: libjpeg's JPEG_MAX_DIMENSION, libpng's default user
-// limit; the others count in 32 bits.
+// The longest side each format's writer takes: libjpeg's JPEG_MAX_DIMENSION; the others count in 32
+// bits.
 int longest_side(FileType type) {
-  switch (type) {
-    case FileType::jpeg:
-      return 65'500;
-    case FileType::png:
-      return 1'000'000;
-    default:
-      return 1 << 30;
-  }
+  return type == FileType::jpeg ? 65'500 : 1 << 30;
 }
 
 }  // namespace
@@ -59,19 +52,14 @@ const char* type_name(FileType type) {
   return "?";
 }
 
-Expected<Done> check_fits(const Image& image, FileType type) {
-  if (image.width < 1 || image.height < 1) return Error{"", "the image has no pixels"};
-  if (image.bytes.size() < image.stride() * std::size_t(image.height)) {
-    return Error{
-        "", fmt::format("the image holds {} bytes, but {} x {} pixels need {}", image.bytes.size(),
-                        image.width, image.height, image.stride() * std::size_t(image.height))};
-  }
+Expected<Done> check_fits(const PictureFrame& frame, FileType type) {
+  if (frame.width < 1 || frame.height < 1) return Error{"", "the image has no pixels"};
   const int longest = longest_side(type);
-  if (std::max(image.width, image.height) > longest) {
+  if (std::max(frame.width, frame.height) > longest) {
     return Error{"", fmt::format("{} holds sides up to {} pixels, not {} x {}", type_name(type),
-                                 longest, image.width, image.height)};
+                                 longest, frame.width, frame.height)};
   }
-  if (type == FileType::jpeg && !image.opaque) {
+  if (type == FileType::jpeg && !frame.opaque) {
     return Error{
         "",
         "JPEG cannot hold transparency; give the picture an opaque background or another format"};

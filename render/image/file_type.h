@@ -17,8 +17,15 @@ Expected<FileType> chosen_type(const std::filesystem::path& path, const WriteOpt
 /// "PNG", "TIFF", … as people write it.
 const char* type_name(FileType type);
 
-/// Whether `image` fits the type: sides within what it can hold, and no transparency where it knows
+/// A picture that is to be written, but for its pixels.
+struct PictureFrame {
+  int width = 0, height = 0;
+  Depth depth = Depth::u8;  ///< of the pixels there are
+  bool opaque = true;
+};
+
+/// Whether a picture fits the type: sides within what it can hold, and no transparency where it knows
 /// none.
-Expected<Done> check_fits(const Image& image, FileType type);
+Expected<Done> check_fits(const PictureFrame& frame, FileType type);
 
 }  // namespace mien

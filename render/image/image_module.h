@@ -1,23 +1,24 @@
 #pragma once
-// mien::image as a module: what a program that loads it at run time finds in it.
+// Encoders as modules: what a program that loads them at run time finds in them. Theirs are large
+// libraries, and linking those costs every process its start.
 //
-//   void* module = dlopen("mien-image-0.1.0.so", RTLD_NOW);
+//   void* module = dlopen("mien-exr-jpeg-0.1.0.so", RTLD_NOW);
 //   auto verbs = reinterpret_cast<mien::ImageModuleEntry>(dlsym(module,
 //   mien::kImageModuleEntry))();
 
-#include <mien/image.h>
+#include <mien/render/image/picture_encoder.h>
 #include <mien/version.h>
 
 namespace mien {
 
-/// The verb of image.h. The module's file name carries mien's version: both sides are always of
-/// the same one.
+/// The module's file name carries mien's version: both sides are always of the same one.
 struct ImageModule {
-  decltype(&write_image) write;
+  MadeEncoder (*make)(const EncoderRequest& request);
 };
 
 using ImageModuleEntry = const ImageModule* (*)();
 inline constexpr char kImageModuleEntry[] = "mien_image_module";
-inline constexpr char kImageModuleFile[] = "mien-image-" MIEN_VERSION_STRING ".so";
+inline constexpr char kOiioModuleFile[] = "mien-exr-jpeg-" MIEN_VERSION_STRING ".so";
+inline constexpr char kTiffModuleFile[] = "mien-tiff-" MIEN_VERSION_STRING ".so";
 
 }  // namespace mien

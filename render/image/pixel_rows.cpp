@@ -51,40 +51,38 @@ void to_other_levels(const std::uint16_t* from, std::uint8_t* to, std::size_t ch
 
 }  // namespace
 
-PixelRows::PixelRows(const Image& image, Depth wanted) : image_(image), wanted_(wanted) {
-  if (image.depth == Depth::f32 || wanted != Depth::f32) return;
-  const int top = top_level(image.depth);
+PixelRows::PixelRows(Depth from, Depth to) : from_(from), to_(to) {
+  if (from == Depth::f32 || to != Depth::f32) return;
+  const int top = top_level(from);
   linear_.resize(std::size_t(top) + 1);
   for (int v = 0; v <= top; ++v) linear_[std::size_t(v)] = float(linear_from_srgb(double(v) / top));
 }
 
-const std::byte* PixelRows::rows(int first, int end) {
-  const std::uint8_t* from = image_.row(first);
-  if (image_.depth == wanted_) return reinterpret_cast<const std::byte*>(from);
-
-  const std::size_t pixels = std::size_t(image_.width) * std::size_t(end - first);
-  buffer_.resize(pixels * 4 * bytes_per_channel(wanted_));
-  const auto* from8 = from;
-  const auto* from16 = reinterpret_cast<const std::uint16_t*>(from);
-  const auto* from32 = reinterpret_cast<const float*>(from);
-  auto* to8 = reinterpret_cast<std::uint8_t*>(buffer_.data());
-  auto* to16 = reinterpret_cast<std::uint16_t*>(buffer_.data());
-  auto* to32 = reinterpret_cast<float*>(buffer_.data());
-  switch (image_.depth) {
+void PixelRows::convert(const void* from, void* to, std::size_t pixels) const {
+  if (from_ == to_) {
+    std::memcpy(to, from, pixels * 4 * bytes_per_channel(to_));
+    return;
+  }
+  const auto* from8 = static_cast<const std::uint8_t*>(from);
+  const auto* from16 = static_cast<const std::uint16_t*>(from);
+  const auto* from32 = static_cast<const float*>(from);
+  auto* to8 = static_cast<std::uint8_t*>(to);
+  auto* to16 = static_cast<std::uint16_t*>(to);
+  auto* to32 = static_cast<float*>(to);
+  switch (from_) {
     case Depth::u8:
-      wanted_ == Depth::f32 ? to_light(from8, to32, pixels, linear_)
-                            : to_other_levels(from8, to16, pixels * 4);
+      to_ == Depth::f32 ? to_light(from8, to32, pixels, linear_)
+                        : to_other_levels(from8, to16, pixels * 4);
       break;
     case Depth::u16:
-      wanted_ == Depth::f32 ? to_light(from16, to32, pixels, linear_)
-                            : to_other_levels(from16, to8, pixels * 4);
+      to_ == Depth::f32 ? to_light(from16, to32, pixels, linear_)
+                        : to_other_levels(from16, to8, pixels * 4);
       break;
     case Depth::f32:
-      wanted_ == Depth::u8 ? to_levels(from32, to8, pixels, 255)
-                           : to_levels(from32, to16, pixels, 65535);
+      to_ == Depth::u8 ? to_levels(from32, to8, pixels, 255)
+                       : to_levels(from32, to16, pixels, 65535);
       break;
   }
-  return buffer_.data();
 }
 
 }  // namespace mien

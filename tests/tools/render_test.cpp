@@ -175,7 +175,7 @@ TEST(Render, StatsAreJson) {
   for (const char* name : {"fill_pixels", "one_edge_pixels", "divided_pixels", "cells"}) {
     EXPECT_TRUE(stats[name].is_number_integer()) << name;
   }
-  for (const char* name : {"read", "scene", "draw", "load", "write"}) {
+  for (const char* name : {"read", "scene", "picture", "draw", "encode", "write"}) {
     EXPECT_GE(stats["seconds"][name].get<double>(), 0) << name;
   }
 }

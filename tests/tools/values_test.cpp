@@ -56,11 +56,5 @@ TEST(ReadTime, AnyFiniteNumber) {
   EXPECT_FALSE(read_time("1s"));
 }
 
-TEST(BytesText, HasThreeDigits) {
-  EXPECT_EQ(bytes_text(999), "999 bytes");
-  EXPECT_EQ(bytes_text(4ull << 30), "4 GiB");
-  EXPECT_EQ(bytes_text(1500ull << 20), "1.46 GiB");
-}
-
 }  // namespace
 }  // namespace mien::command

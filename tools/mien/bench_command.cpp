@@ -48,11 +48,12 @@ class Frames {
  public:
   Frames(const Face& face, const Pose& pose, const RenderPlan& plan)
       : face_(face), pose_(pose), plan_(plan) {
+    buffer_.depth = plan.picture.depth.value_or(Depth::u8);
+    how_.threads = plan.picture.write.threads;
     const PixelRect drawn = drawn_rect(plan.view);
-    buffer_.stride = std::size_t(drawn.width) * 4 * bytes_per_channel(plan.how.depth);
+    buffer_.stride = std::size_t(drawn.width) * 4 * bytes_per_channel(buffer_.depth);
     pixels_.resize(buffer_.stride * std::size_t(drawn.height));
     buffer_.data = pixels_.data();
-    buffer_.depth = plan.how.depth;
   }
 
   void frame(Measured& to) {
@@ -62,7 +63,7 @@ class Frames {
     at[1] = now_ms();
     const Scene scene = scene_from_face(posed);
     at[2] = now_ms();
-    render_into(buffer_, scene, plan_.view, plan_.how);
+    render_into(buffer_, scene, plan_.view, how_);
     at[3] = now_ms();
     to.whole.push_back(at.back() - at[0]);
     for (std::size_t i = 0; i < kParts.size(); ++i) to.parts[i].push_back(at[i + 1] - at[i]);
@@ -72,6 +73,7 @@ class Frames {
   const Face& face_;
   const Pose& pose_;
   const RenderPlan& plan_;
+  RenderOptions how_;
   std::vector<std::byte> pixels_;
   PixelBuffer buffer_;
 };
@@ -96,7 +98,7 @@ std::string json_text(const Measured& took, const BenchArguments& arguments,
       "{}, \"height\": {}, \"threads\": {}, \"repeat\": {}}}\n",
       median(took.whole), least(took.whole), parts,
       json_string(std::filesystem::path(arguments.render.posed.face).filename().string()),
-      drawn.width, drawn.height, plan.how.threads.count, took.whole.size());
+      drawn.width, drawn.height, plan.picture.write.threads.count, took.whole.size());
 }
 
 std::string table_text(const Measured& took, const RenderPlan& plan) {

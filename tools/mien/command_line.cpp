@@ -85,7 +85,7 @@ void add_threads(CLI::App* to, RenderArguments& render) {
 
 void add_work(CLI::App* to, RenderArguments& render) {
   to->add_option("--memory", render.memory,
-                 "Most bytes a picture may take in memory, K M G T for powers of 1024; default 4G")
+                 "Most bytes of the picture held at once, K M G T for powers of 1024; default 256M")
       ->type_name("BYTES");
   to->add_option("--stats", render.stats,
                  "Print what drawing took, on standard output (standard error with -o -)")

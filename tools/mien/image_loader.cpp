@@ -1,3 +1,4 @@
+#include <mien/render/image/png_encoder.h>
 #include <mien/tools/mien/image_loader.h>
 
 #include <dlfcn.h>
@@ -7,13 +8,12 @@ namespace {
 
 /// By its bare name: the dynamic linker looks along the command's own RUNPATH, which the build sets
 /// relative to it.
-Expected<const ImageModule*> load() {
-  const auto refuse = [] {
+Expected<const ImageModule*> load(const char* file) {
+  const auto refuse = [&] {
     const char* said = ::dlerror();
-    return Error{
-        "", std::string("cannot load what writes pictures: ") + (said ? said : kImageModuleFile)};
+    return Error{"", std::string("cannot load what writes pictures: ") + (said ? said : file)};
   };
-  void* const module = ::dlopen(kImageModuleFile, RTLD_NOW | RTLD_LOCAL);
+  void* const module = ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
   if (!module) return refuse();
   const auto entry = reinterpret_cast<ImageModuleEntry>(::dlsym(module, kImageModuleEntry));
   if (!entry) return refuse();
@@ -22,10 +22,11 @@ Expected<const ImageModule*> load() {
 
 }  // namespace
 
-ImageLoader::ImageLoader() : loading_(std::async(std::launch::async, load)) {}
-
-Expected<const ImageModule*> ImageLoader::get() {
-  return loading_.get();
+MadeEncoder load_encoder(const EncoderRequest& request) {
+  if (request.type == FileType::png) return png_encoder(request);
+  const auto module = load(request.type == FileType::tiff ? kTiffModuleFile : kOiioModuleFile);
+  if (!module) return module.error();
+  return (*module)->make(request);
 }
 
 }  // namespace mien::command

@@ -1,24 +1,13 @@
 #pragma once
-// mien::image, loaded while the picture is being drawn: OpenImageIO takes a third of a second to
-// come up.
+// The encoders that are large libraries, loaded when a picture needs them: OpenImageIO takes a third
+// of a second to come up.
 
 #include <mien/render/image/image_module.h>
 
-#include <future>
-
 namespace mien::command {
 
-class ImageLoader {
- public:
-  /// Starts loading on a thread of its own. The module is looked for beside the command and where
-  /// it is installed.
-  ImageLoader();
-
-  /// Waits for it.
-  Expected<const ImageModule*> get();
-
- private:
-  std::future<Expected<const ImageModule*>> loading_;
-};
+/// Of any type: PNG's is the command's own, the others come out of a module, which is looked for
+/// beside the command and where it is installed.
+MadeEncoder load_encoder(const EncoderRequest& request);
 
 }  // namespace mien::command

@@ -10,7 +10,7 @@ namespace mien::command {
 
 enum class ProgressStyle {
   automatic,  ///< a bar with the time left, on a terminal, from the first second on; else nothing
-  json,       ///< {"phase": "draw", "done": 0.25, "elapsed": 1.5, "left": 4.5}, a line each, always
+  json,  ///< {"phase": "render", "done": 0.25, "elapsed": 1.5, "left": 4.5}, a line each, always
   none
 };
 
@@ -19,7 +19,7 @@ class ProgressDisplay {
   explicit ProgressDisplay(ProgressStyle style);
   ~ProgressDisplay();  ///< wipes the bar
 
-  /// Watches one phase ("draw", "write"); stops it when the command was interrupted. The display
+  /// Watches one phase ("render"); stops it when the command was interrupted. The display
   /// outlives it.
   Progress watch(std::string phase);
 

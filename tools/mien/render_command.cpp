@@ -1,5 +1,6 @@
 // mien render: read, pose, draw, write; and stop in between when asked to.
 
+#include <mien/render/image/write_pieces.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/tools/mien/commands.h>
 #include <mien/tools/mien/image_loader.h>
@@ -21,21 +22,21 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// [s] that each part took.
+/// [s] that each part took; of drawing and writing, which go hand in hand, `picture` is the time
+/// together, the others are those of all threads.
 struct Times {
-  double read = 0, scene = 0, draw = 0, load = 0, write = 0;
+  double read = 0, scene = 0, picture = 0;
 };
 
-std::string stats_text(const RenderStats& stats, const PixelRect& drawn, const Times& times) {
+std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const Times& times) {
   return fmt::format(
       "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, \"one_edge_pixels\": "
       "{}, "
       "\"divided_pixels\": {}, \"cells\": {}, \"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
-      "\"draw\": {:.6f}, "
-      "\"load\": {:.6f}, \"write\": {:.6f}}}}}\n",
-      drawn.width, drawn.height, stats.pixels, stats.fill_pixels, stats.one_edge_pixels,
-      stats.divided_pixels, stats.cells, times.read, times.scene, times.draw, times.load,
-      times.write);
+      "\"picture\": {:.6f}, \"draw\": {:.6f}, \"encode\": {:.6f}, \"write\": {:.6f}}}}}\n",
+      drawn.width, drawn.height, stats.render.pixels, stats.render.fill_pixels,
+      stats.render.one_edge_pixels, stats.render.divided_pixels, stats.render.cells, times.read,
+      times.scene, times.picture, stats.draw, stats.encode, stats.put);
 }
 
 /// On standard output, unless the picture is there.
@@ -54,28 +55,18 @@ Expected<Done> check_output(const std::string& output, const WriteOptions& write
 
 int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene,
                    Times times) {
-  ImageLoader loader;
-  ProgressDisplay display(plan.progress);
-  RenderStats stats;
-  double began = now();
-  plan.how.progress = display.watch("draw");
-  const Image image = render(scene, plan.view, plan.how, &stats);
-  times.draw = now() - began;
-  if (interrupted()) return complain("interrupted", kFailed);
-
-  began = now();
-  const auto module = loader.get();
-  if (!module) return complain(module.error(), kFailed);
-  times.load = now() - began;
-
-  began = now();
-  plan.write.recipe = recipe(arguments, plan.view);
-  plan.write.progress = display.watch("write");
-  const auto done = (*module)->write(image, arguments.output, plan.write);
-  times.write = now() - began;
+  Expected<PictureStats> done = PictureStats{};
+  {
+    ProgressDisplay display(plan.progress);
+    plan.picture.write.recipe = recipe(arguments, plan.view);
+    plan.picture.write.progress = display.watch("render");
+    const double began = now();
+    done = write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture);
+    times.picture = now() - began;
+  }
   if (interrupted() && !done) return complain("interrupted", kFailed);
   if (!done) return complain(done.error(), kFailed);
-  return plan.stats ? print_stats(stats_text(stats, drawn_rect(plan.view), times), arguments.output)
+  return plan.stats ? print_stats(stats_text(*done, drawn_rect(plan.view), times), arguments.output)
                     : kDone;
 }
 
@@ -84,7 +75,7 @@ int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Sce
 int render_command(const RenderArguments& arguments) {
   auto plan = plan_render(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
-  if (auto writable = check_output(arguments.output, plan->write); !writable) {
+  if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {
     return complain(writable.error(), kFailed);
   }
   Times times;

@@ -45,19 +45,20 @@ Depth drawn_depth(DepthChoice depth) {
 }
 
 Expected<Done> plan_depth(RenderPlan& plan, const RenderArguments& arguments) {
-  DepthChoice depth = *plan.write.type == FileType::exr ? DepthChoice::half : DepthChoice::eight;
+  DepthChoice depth =
+      *plan.picture.write.type == FileType::exr ? DepthChoice::half : DepthChoice::eight;
   if (arguments.depth) {
     const auto chosen = read_choice("--depth", *arguments.depth, kDepths);
     if (!chosen) return chosen.error();
     depth = DepthChoice(*chosen);
-    if (!holds(*plan.write.type, depth)) {
-      return Error{
-          "--depth " + *arguments.depth,
-          fmt::format("{} holds {}", type_name(*plan.write.type), what_it_holds(*plan.write.type))};
+    if (!holds(*plan.picture.write.type, depth)) {
+      return Error{"--depth " + *arguments.depth,
+                   fmt::format("{} holds {}", type_name(*plan.picture.write.type),
+                               what_it_holds(*plan.picture.write.type))};
     }
   }
-  plan.how.depth = drawn_depth(depth);
-  plan.write.half = depth == DepthChoice::half;
+  plan.picture.depth = drawn_depth(depth);
+  plan.picture.write.half = depth == DepthChoice::half;
   return Done{};
 }
 
@@ -70,22 +71,6 @@ Expected<Done> plan_choice(Enumeration& to, std::string_view option,
   if (!chosen) return chosen.error();
   to = Enumeration(*chosen);
   return Done{};
-}
-
-Expected<Done> check_memory(const RenderPlan& plan, const std::optional<std::string>& text) {
-  std::uint64_t limit = kDefaultMemory;
-  if (text) {
-    const auto given = read_memory(*text);
-    if (!given) return given.error();
-    limit = *given;
-  }
-  const PixelRect drawn = drawn_rect(plan.view);
-  const std::uint64_t needed = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4 *
-                               bytes_per_channel(plan.how.depth);
-  if (needed <= limit) return Done{};
-  return Error{"--memory",
-               fmt::format("{} x {} pixels take {}, more than the {} allowed", drawn.width,
-                           drawn.height, bytes_text(needed), bytes_text(limit))};
 }
 
 }  // namespace
@@ -109,7 +94,7 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
   if (arguments.threads) {
     const auto threads = read_threads(*arguments.threads);
     if (!threads) return threads.error();
-    plan.how.threads.count = *threads;
+    plan.picture.write.threads.count = *threads;
   }
   bool undithered = !plan.view.dither;
   if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
@@ -124,6 +109,11 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
     const auto color = read_background(*arguments.background);
     if (!color) return color.error();
     plan.view.background = *color;
+  }
+  if (arguments.memory) {
+    const auto memory = read_memory(*arguments.memory);
+    if (!memory) return memory.error();
+    plan.picture.memory = *memory;
   }
   // Whether it is a size at all can be said before the face is read.
   if (arguments.size) {
@@ -140,7 +130,7 @@ Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
   if (!type) return type.error();
   auto plan = plan_picture(arguments);
   if (!plan) return plan;
-  plan->write.type = *type;
+  plan->picture.write.type = *type;
   if (auto done = plan_depth(*plan, arguments); !done) return done.error();
   return plan;
 }
@@ -150,7 +140,7 @@ Expected<RenderPlan> plan_frame(const RenderArguments& arguments) {
   if (!plan || !arguments.depth) return plan;
   const auto chosen = read_choice("--depth", *arguments.depth, kDepths);
   if (!chosen) return chosen.error();
-  plan->how.depth = drawn_depth(DepthChoice(*chosen));
+  plan->picture.depth = drawn_depth(DepthChoice(*chosen));
   return plan;
 }
 
@@ -166,7 +156,7 @@ Expected<Done> plan_view(RenderPlan& plan, const RenderArguments& arguments, con
     if (!region) return region.error();
     plan.view.region = *region;
   }
-  return check_memory(plan, arguments.memory);
+  return Done{};
 }
 
 }  // namespace mien::command

@@ -6,20 +6,16 @@
 #include <mien/tools/mien/arguments.h>
 #include <mien/tools/mien/progress_display.h>
 
-#include <cstdint>
 #include <string>
 
 namespace mien::command {
 
 /// Without --size the longer side has so many pixels.
 inline constexpr int kDefaultSide = 1024;
-/// Without --memory a picture may take so many bytes: 32768 x 32768 pixels of 8 bits.
-inline constexpr std::uint64_t kDefaultMemory = std::uint64_t(4) << 30;
 
 struct RenderPlan {
   View view;
-  RenderOptions how;
-  WriteOptions write;
+  PictureOptions picture;
   bool stats = false;
   ProgressStyle progress = ProgressStyle::automatic;
 };
@@ -30,7 +26,7 @@ inline constexpr int kDefaultRepeat = 50;
 /// All that can be said without the face: files, depths, counts. `plan_view` adds what depends on
 /// its canvas.
 Expected<RenderPlan> plan_render(const RenderArguments& arguments);
-/// The same for a picture that goes nowhere: `output` is not read, any depth will do.
+/// The same for a picture that goes nowhere: `output` is not read, any depth will do (u8 unless said).
 Expected<RenderPlan> plan_frame(const RenderArguments& arguments);
 Expected<Done> plan_view(RenderPlan& plan, const RenderArguments& arguments, const Canvas& canvas);
 

@@ -148,12 +148,4 @@ Expected<int> read_choice(std::string_view option, std::string_view text,
   return refuse(option, text, "expected " + known);
 }
 
-std::string bytes_text(std::uint64_t bytes) {
-  static constexpr const char* kUnits[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
-  double value = double(bytes);
-  int unit = 0;
-  for (; value >= 1000 && unit < 6; ++unit) value /= 1024;
-  return fmt::format("{:.3g} {}", value, kUnits[unit]);
-}
-
 }  // namespace mien::command

@@ -43,7 +43,4 @@ Expected<std::uint64_t> read_memory(std::string_view text);
 /// The index of `text` among choices like "meet|slice".
 Expected<int> read_choice(std::string_view option, std::string_view text, std::string_view choices);
 
-/// 1536 MiB, 4 GiB: at most three digits and a unit.
-std::string bytes_text(std::uint64_t bytes);
-
 }  // namespace mien::command

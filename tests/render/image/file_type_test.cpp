@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/sample_image.h"
-
 namespace mien {
 namespace {
 
@@ -27,21 +25,17 @@ TEST(FileType, UnknownOnesAreSentences) {
 }
 
 TEST(CheckFits, KnowsWhatAFormatHolds) {
-  EXPECT_TRUE(check_fits(test::sample_image(4, 3, Depth::u8, false), FileType::png));
-  EXPECT_TRUE(check_fits(test::sample_image(4, 3, Depth::u8, true), FileType::jpeg));
+  EXPECT_TRUE(check_fits({4, 3, Depth::u8, false}, FileType::png));
+  EXPECT_TRUE(check_fits({4, 3, Depth::u8, true}, FileType::jpeg));
   EXPECT_EQ(
-      check_fits(test::sample_image(4, 3, Depth::u8, false), FileType::jpeg).error().what,
+      check_fits({4, 3, Depth::u8, false}, FileType::jpeg).error().what,
       "JPEG cannot hold transparency; give the picture an opaque background or another format");
-  EXPECT_EQ(check_fits(test::sample_image(65501, 1, Depth::u8, true), FileType::jpeg).error().what,
+  EXPECT_EQ(check_fits({65501, 1, Depth::u8, true}, FileType::jpeg).error().what,
             "JPEG holds sides up to 65500 pixels, not 65501 x 1");
 }
 
 TEST(CheckFits, RefusesImagesThatAreNone) {
-  EXPECT_EQ(check_fits(Image{}, FileType::png).error().what, "the image has no pixels");
-  Image short_of = test::sample_image(4, 3, Depth::u16, true);
-  short_of.bytes.pop_back();
-  EXPECT_EQ(check_fits(short_of, FileType::png).error().what,
-            "the image holds 95 bytes, but 4 x 3 pixels need 96");
+  EXPECT_EQ(check_fits({}, FileType::png).error().what, "the image has no pixels");
 }
 
 }  // namespace

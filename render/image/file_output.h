@@ -1,0 +1,32 @@
+#pragma once
+// Bytes into an open file, in order.
+
+#include <cstddef>
+
+namespace mien {
+
+/// Writes go to the descriptor at once, unbuffered, so that the first failure is known with its
+/// reason. The descriptor stays the caller's and stays open.
+class FileOutput {
+ public:
+  /// `stream`: a pipe or the like, which takes bytes in order only.
+  FileOutput(int descriptor, bool stream) : descriptor_(descriptor), stream_(stream) {}
+
+  int descriptor() const { return descriptor_; }
+  bool stream() const { return stream_; }
+
+  /// Behind what was written before. False at the first failure and ever after.
+  bool write(const void* data, std::size_t size);
+
+  /// errno's value of the first failure, or 0.
+  int failure() const { return failure_; }
+  /// For writers that do it themselves.
+  void fail(int code) { failure_ = failure_ ? failure_ : code; }
+
+ private:
+  int descriptor_;
+  bool stream_;
+  int failure_ = 0;
+};
+
+}  // namespace mien

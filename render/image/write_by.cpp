@@ -1,0 +1,149 @@
+// Images that are there, and pictures that are drawn on the way.
+
+#include <mien/render/image/file_type.h>
+#include <mien/render/image/in_order.h>
+#include <mien/render/image/write_pieces.h>
+#include <mien/render/render.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+#include <limits>
+#include <vector>
+
+namespace mien {
+namespace fs = std::filesystem;
+
+namespace {
+
+Error unexpected(const fs::path& path, const std::exception& failure) {
+  return {path == "-" ? "standard output" : path.string(),
+          std::string("cannot be written: ") + failure.what()};
+}
+
+PixelBuffer cut(const Image& image, const PixelRect& piece) {
+  const std::size_t offset = image.stride() * std::size_t(piece.y) +
+                             4 * bytes_per_channel(image.depth) * std::size_t(piece.x);
+  // Encoders only read.
+  return {const_cast<std::byte*>(image.bytes.data()) + offset, image.stride(), image.depth};
+}
+
+void add(RenderStats& sum, const RenderStats& part) {
+  sum.pixels += part.pixels;
+  sum.fill_pixels += part.fill_pixels;
+  sum.one_edge_pixels += part.one_edge_pixels;
+  sum.divided_pixels += part.divided_pixels;
+  sum.cells += part.cells;
+}
+
+/// Draws pieces of a view, each by one thread.
+class DrawnPieces {
+ public:
+  DrawnPieces(const Scene& scene, const View& view, Depth depth)
+      : scene_(scene), view_(view), rect_(drawn_rect(view)), depth_(depth) {}
+
+  PixelBuffer draw(const PixelRect& piece, int slot, StopWatch& watch) {
+    Slot& own = slot_of(slot);
+    PixelBuffer buffer{nullptr, std::size_t(piece.width) * 4 * bytes_per_channel(depth_), depth_};
+    own.pixels.resize(buffer.stride * std::size_t(piece.height));
+    buffer.data = own.pixels.data();
+    View view = view_;
+    view.region = PixelRect{rect_.x + piece.x, rect_.y + piece.y, piece.width, piece.height};
+    RenderOptions how;
+    how.threads.count = 1;
+    how.progress = [&](double) { return !watch.ask(); };
+    RenderStats stats;
+    const auto began = std::chrono::steady_clock::now();
+    if (!render_into(buffer, scene_, view, how, &stats)) return {};
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    add(own.stats, stats);
+    own.seconds += took.count();
+    return buffer;
+  }
+
+  PictureStats stats() const {
+    PictureStats sum;
+    for (const auto& slot : slots_) {
+      add(sum.render, slot->stats);
+      sum.draw += slot->seconds;
+    }
+    return sum;
+  }
+
+ private:
+  struct Slot {
+    std::vector<std::byte> pixels;
+    RenderStats stats;
+    double seconds = 0;
+  };
+
+  Slot& slot_of(int slot) {
+    const std::lock_guard lock(mutex_);
+    while (int(slots_.size()) <= slot) slots_.push_back(std::make_unique<Slot>());
+    return *slots_[std::size_t(slot)];
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const PixelRect rect_;
+  const Depth depth_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Slot>> slots_;
+};
+
+Depth drawn_depth(const PictureOptions& how, FileType type) {
+  return how.depth.value_or(type == FileType::exr ? Depth::f32 : Depth::u8);
+}
+
+}  // namespace
+
+Expected<Done> write_image_by(const MakeEncoder& make, const Image& image, const fs::path& path,
+                              const WriteOptions& how) {
+  try {
+    const PictureFrame frame{image.width, image.height, image.depth, image.opaque};
+    if (image.width > 0 && image.height > 0 &&
+        image.bytes.size() < image.stride() * std::size_t(image.height)) {
+      return Error{
+          path.string(),
+          fmt::format("the image holds {} bytes, but {} x {} pixels need {}", image.bytes.size(),
+                      image.width, image.height, image.stride() * std::size_t(image.height))};
+    }
+    // Beside an image the pieces are small, and their memory is not asked for.
+    const auto took = write_pieces(
+        {frame, [&](const PixelRect& piece, int, StopWatch&) { return cut(image, piece); },
+         std::numeric_limits<std::int64_t>::max()},
+        path, how, make);
+    if (!took) return took.error();
+    return Done{};
+  } catch (const std::exception& failure) {
+    return unexpected(path, failure);
+  }
+}
+
+Expected<PictureStats> write_picture_by(const MakeEncoder& make, const Scene& scene,
+                                        const View& view, const fs::path& path,
+                                        const PictureOptions& how) {
+  try {
+    const auto type = chosen_type(path, how.write);
+    if (!type) return type.error();
+    const PixelRect rect = drawn_rect(view);
+    const bool opaque = view.background.value_or(scene.background()).a >= 1.0;
+    DrawnPieces drawn(scene, view, drawn_depth(how, *type));
+    const auto took = write_pieces({{rect.width, rect.height, drawn_depth(how, *type), opaque},
+                                    [&](const PixelRect& piece, int slot, StopWatch& watch) {
+                                      return drawn.draw(piece, slot, watch);
+                                    },
+                                    how.memory},
+                                   path, how.write, make);
+    if (!took) return took.error();
+    PictureStats stats = drawn.stats();
+    stats.encode = took->encode;
+    stats.put = took->put;
+    return stats;
+  } catch (const std::exception& failure) {
+    return unexpected(path, failure);
+  }
+}
+
+}  // namespace mien
