@@ -9,6 +9,7 @@
 #include <mien/lib/face/face_paint.h>
 #include <mien/lib/face/feature.h>
 #include <mien/lib/face/layout.h>
+#include <mien/lib/face/muscle.h>
 
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct FaceModel {
   FaceLight light;
   std::vector<Channel> channels;  ///< act in this order
   std::vector<Control> controls;
+  MuscleSystem muscles;
+  std::vector<Expression> expressions;  ///< emotions first
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
   int default_clip = -1;  ///< the clip that runs when a time is given; −1: none

@@ -85,6 +85,9 @@ void read_controls(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_poses(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_eyes(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_muscles(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face);
 
 /// Reads the numbers of one slice, mirrored if asked to.
 std::vector<double> read_slice_values(const Reading& in, const JsonNode& node, SliceKind kind,

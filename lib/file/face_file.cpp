@@ -24,7 +24,8 @@ constexpr int kNewestVersion = 1;
 void check_format(Reading& in, const JsonNode& root) {
   in.expect_object(root, {"$schema", "format", "format_version", "name", "credit", "canvas",
                           "background", "palette", "light", "groups", "features", "controls",
-                          "poses", "eyes", "clips", "default_clip"});
+                          "poses", "eyes", "muscles", "emotions", "expressions", "clips",
+                          "default_clip"});
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
@@ -56,6 +57,9 @@ Face read_root(Reading& in) {
   if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
   if (const JsonNode* eyes = in.find(root, "eyes")) read_eyes(in, *eyes, draft);
   if (const JsonNode* poses = in.find(root, "poses")) read_poses(in, *poses, draft);
+  if (const JsonNode* muscles = in.find(root, "muscles")) read_muscles(in, *muscles, draft);
+  if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);
+  if (const JsonNode* sets = in.find(root, "expressions")) read_expressions(in, *sets, draft);
   if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
   if (const JsonNode* wanted = in.find(root, "default_clip")) {
     std::vector<std::string_view> known;

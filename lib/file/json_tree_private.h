@@ -37,6 +37,12 @@ class JsonTree {
   static Expected<JsonTree> read(std::string_view text, std::string_view name,
                                  const FaceLimits& limits);
 
+  /// Reads JavaScript's object literals instead, as data: comments, single quotes, bare keys, trailing
+  /// commas, `var NAME =` before them. Nothing is executed; whatever is not a literal is an error. The
+  /// root is an object with a member for each name; "" for a literal that has none.
+  static Expected<JsonTree> read_javascript(std::string_view text, std::string_view name,
+                                            const FaceLimits& limits);
+
   const JsonNode& root() const { return nodes[0]; }
   const JsonNode* at(std::int32_t index) const {
     return index < 0 ? nullptr : &nodes[std::size_t(index)];

@@ -4,6 +4,7 @@
 #include <mien/lib/rig/curve.h>
 #include <mien/lib/rig/drive.h>
 #include <mien/lib/rig/eye.h>
+#include <mien/lib/rig/muscle_pulls.h>
 #include <mien/lib/rig/poser.h>
 
 #include <algorithm>
@@ -72,6 +73,22 @@ void nudge(const FaceModel& model, Values& values) {
       values[std::size_t(n.channel)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
+/// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
+/// nudges; settings of controls beat what expressions and poses do to them.
+void set_channels(const Face& rest, const Pose& pose, Values& values) {
+  const FaceModel& model = *rest.model;
+  values.clear();
+  for (const Channel& channel : model.channels) values.push_back(channel.rest);
+  play_clips(model, pose, values);
+  if (pose.look_at) look(rest, *pose.look_at, values);
+  hold(model, pose, true, values);
+  move_channels(model, values);
+  clamp(model, true, values);
+  nudge(model, values);
+  hold(model, pose, false, values);
+  clamp(model, false, values);
+}
+
 void put_numbers(const Setting& setting, FaceVector& vector) {
   if (setting.control || setting.index < 0) return;
   for (std::size_t i = 0; i < setting.values.size(); ++i)
@@ -85,20 +102,6 @@ Poser::Poser(Face face) : rest_(std::move(face)), posed_(rest_) {
   values_.reserve(rest_.model->channels.size());
 }
 
-/// The value of every channel: at rest, then by the clips, the gaze, settings, and poses' nudges.
-void Poser::set_channels(const Pose& pose) {
-  const FaceModel& model = *rest_.model;
-  values_.clear();
-  for (const Channel& channel : model.channels) values_.push_back(channel.rest);
-  play_clips(model, pose, values_);
-  if (pose.look_at) look(rest_, *pose.look_at, values_);
-  hold(model, pose, true, values_);
-  clamp(model, true, values_);
-  nudge(model, values_);
-  hold(model, pose, false, values_);
-  clamp(model, false, values_);
-}
-
 void Poser::drive_channels(bool poses) {
   const FaceModel& model = *rest_.model;
   for (std::size_t c = 0; c < values_.size(); ++c)
@@ -110,8 +113,9 @@ void Poser::drive_channels(bool poses) {
 const Face& Poser::pose(const Pose& pose) {
   const FaceModel& model = *rest_.model;
   posed_.vector = rest_.vector;
-  set_channels(pose);
+  set_channels(rest_, pose, values_);
   drive_channels(true);
+  muscles_.act(rest_, pose, values_, set_channels, posed_.vector);
   drive_channels(false);
   pose_eyes(model, rest_.vector, values_, posed_.vector);
   for (const Setting& setting : pose.settings) put_numbers(setting, posed_.vector);

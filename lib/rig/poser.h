@@ -5,6 +5,7 @@
 //   for (…) draw(scene_from_face(poser.pose({.time = t})));
 
 #include <mien/lib/base/api.h>
+#include <mien/lib/rig/muscle_pose.h>
 #include <mien/lib/rig/pose.h>
 
 #include <vector>
@@ -21,11 +22,11 @@ class MIEN_API Poser {
   const Face& pose(const Pose& pose);
 
  private:
-  void set_channels(const Pose& pose);
   void drive_channels(bool poses);
 
   Face rest_, posed_;
   std::vector<double> values_, scratch_;
+  MusclePoser muscles_;
 };
 
 }  // namespace mien

@@ -1,0 +1,76 @@
+#pragma once
+// Muscles as data: what they hold on to, how hard they pull, and the expressions that make them pull.
+//
+// A muscle is a spring between its origin, which never moves, and points of the face; pulling shortens
+// it by its stroke. Every point that muscles hold hangs on a spring of its own to where it rests
+// (lib/rig/muscle_law.h has the law). Numbers that are no points (a radius, a width) are held the same
+// way, each along its own line.
+
+#include <mien/lib/face/side.h>
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// One side of a group, or a muscle that has no side.
+struct Muscle {
+  std::string name;  ///< of its group: "zygomaticus"
+  Side side = Side::none;
+  glm::dvec2 origin;    ///< on the muscle's own side
+  double strength = 0;  ///< [1/s²] stiffness of the spring at full pull, >= 0
+  double stroke = 0;    ///< [the canvas's] how much a full pull shortens it, >= 0
+  int channel = -1;     ///< that sets its pull directly, 0 … 1
+};
+
+/// A muscle's hold on a point or number.
+struct MuscleHold {
+  int muscle;
+  double weight;  ///< of the muscle's strength, 0 … 1
+  double stroke =
+      0;  ///< of a number: how far a full pull would take it, in its own unit; may be negative
+};
+
+/// A point that muscles hold.
+struct MusclePoint {
+  int slice;
+  /// The same point of the mirrored feature, if both lie on the axis: one point then, held by both
+  /// sides' muscles with half their strength each, which stays on the axis. −1: none.
+  int twin = -1;
+  std::vector<MuscleHold> holds;
+};
+
+/// A number that muscles hold, or the size of a feature.
+struct MuscleNumber {
+  int slice;
+  int component = 0;  ///< of the slice; −1: all of them, scaled by 1 + what the muscles do
+  std::vector<MuscleHold> holds;
+};
+
+struct MuscleSystem {
+  double stiffness = 1;  ///< [1/s²] of the springs to rest, for a unit mass
+  double damping = 1;    ///< [1/s]
+  std::vector<Muscle> muscles;
+  std::vector<MusclePoint> points;
+  std::vector<MuscleNumber> numbers;
+};
+
+/// What an expression at full strength does to one muscle or channel. `side` says which half of the
+/// expression counts: left, right, or (none) the mean of both.
+struct ExpressionPart {
+  int index;  ///< of a muscle, or of a channel
+  double amount;
+  Side side = Side::none;
+};
+
+/// A feeling, or a name of one of the standard sets: a number from 0 to 1 that pulls muscles and moves
+/// controls.
+struct Expression {
+  std::string name;           ///< "emotion.joy", "arkit.jawOpen"
+  int left = -1, right = -1;  ///< channels with the strength of each half; the same if it has none
+  std::vector<ExpressionPart> pulls;  ///< muscles, 0 … 1
+  std::vector<ExpressionPart> moves;  ///< channels, in their own units
+};
+
+}  // namespace mien

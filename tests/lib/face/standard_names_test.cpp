@@ -1,0 +1,36 @@
+#include <mien/lib/face/standard_names.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace mien {
+namespace {
+
+TEST(StandardNames, AreFourSetsWithoutDoubles) {
+  const std::pair<std::string_view, std::size_t> sets[] = {
+      {"arkit", 52}, {"facs", 42}, {"vrm", 18}, {"viseme", 15}};
+  for (const auto& [set, count] : sets) {
+    const auto names = standard_names(set);
+    EXPECT_EQ(names.size(), count) << set;
+    EXPECT_EQ(std::set<std::string_view>(names.begin(), names.end()).size(), count) << set;
+  }
+  EXPECT_TRUE(standard_names("emotion").empty());
+}
+
+TEST(StandardNames, SayTheirSideOrHaveHalves) {
+  EXPECT_TRUE(names_have_sides("arkit"));
+  EXPECT_FALSE(names_have_sides("facs"));
+  EXPECT_FALSE(names_have_sides("emotion"));
+  // For every Left there is a Right.
+  for (const char* set : {"arkit", "vrm"})
+    for (const std::string_view name : standard_names(set))
+      if (name.ends_with("Left")) {
+        const std::string right = std::string{name.substr(0, name.size() - 4)} + "Right";
+        const auto names = standard_names(set);
+        EXPECT_NE(std::find(names.begin(), names.end(), right), names.end()) << name;
+      }
+}
+
+}  // namespace
+}  // namespace mien
