@@ -63,6 +63,7 @@ endfunction()
 
 # Public headers that mien.h does not pull in, one per line.
 set(MIEN_MORE_PUBLIC_HEADERS
+  lib/file/facemotion.h
   lib/rig/poser.h
   sdf/distance.h
 )

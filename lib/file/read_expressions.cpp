@@ -50,8 +50,10 @@ class ExpressionReader {
     }
     face_.add_control(in_, node, std::move(both));
     if (!one_number) {
-      face_.add_control(in_, node, {control_of_side(name, Side::left), "strength", {expression.left}});
-      face_.add_control(in_, node, {control_of_side(name, Side::right), "strength", {expression.right}});
+      face_.add_control(in_, node,
+                        {control_of_side(name, Side::left), "strength", {expression.left}});
+      face_.add_control(in_, node,
+                        {control_of_side(name, Side::right), "strength", {expression.right}});
     }
     face_.model.expressions.push_back(std::move(expression));
   }

@@ -36,14 +36,13 @@ double tolerance_of(const MuscleNumber& number) {
 }  // namespace
 
 void muscle_still(const FaceModel& model, const FaceVector& rest, std::span<const double> pulls,
-                  MuscleShape& shape) {
+                  MuscleShape& shape, MusclePointLaw& scratch) {
   const MuscleSystem& system = model.muscles;
   shape.points.resize(system.points.size());
   shape.numbers.resize(system.numbers.size());
-  MusclePointLaw law;
   for (std::size_t i = 0; i < system.points.size(); ++i) {
-    muscle_law(model, rest, system.points[i], pulls, law);
-    shape.points[i] = muscle_equilibrium(law).p;
+    muscle_law(model, rest, system.points[i], pulls, scratch);
+    shape.points[i] = muscle_equilibrium(scratch).p;
   }
   for (std::size_t i = 0; i < system.numbers.size(); ++i)
     shape.numbers[i] = muscle_equilibrium(muscle_law(model, system.numbers[i], pulls));
@@ -80,7 +79,7 @@ std::span<const double> MuscleMotion::pulls_at(double time) {
 
 MuscleMotion::States MuscleMotion::still(double time) {
   MuscleShape shape;
-  muscle_still(model_, rest_, pulls_at(time), shape);
+  muscle_still(model_, rest_, pulls_at(time), shape, law_);
   States states;
   for (const glm::dvec2 p : shape.points) states.push_back({p, {0, 0}});
   for (const double number : shape.numbers) states.push_back({{number, 0}, {0, 0}});

@@ -35,9 +35,10 @@ struct MuscleShape {
   std::vector<double> numbers;
 };
 
-/// The equilibrium of these pulls.
+/// The equilibrium of these pulls; `scratch` is kept by who wants no allocations.
 MIEN_API void muscle_still(const FaceModel& model, const FaceVector& rest,
-                           std::span<const double> pulls, MuscleShape& shape);
+                           std::span<const double> pulls, MuscleShape& shape,
+                           MusclePointLaw& scratch);
 
 /// How long an epoch is [s].
 MIEN_API double muscle_epoch(const MuscleSystem& system);

@@ -139,7 +139,7 @@ void MusclePoser::act(const Face& rest, const Pose& pose, std::span<const double
   muscle_pulls(model, values, held_, pulls_);
   if (std::all_of(pulls_.begin(), pulls_.end(), [](double pull) { return pull == 0; })) return;
   if (pulls_ != still_pulls_ || !rest_.model || !same_face(rest_, rest)) {
-    muscle_still(model, rest.vector, pulls_, shape_);
+    muscle_still(model, rest.vector, pulls_, shape_, scratch_);
     still_pulls_ = pulls_;
     rest_ = rest;
   }

@@ -46,10 +46,12 @@ class MIEN_API MusclePoser {
  private:
   void begin_motion(const Face& rest, const Pose& pose, const ChannelsAt& channels_at);
 
+  std::vector<char> held_;
   std::vector<double> pulls_, still_pulls_;  ///< now; those of shape_
-  MuscleShape shape_;
-  Face rest_;     ///< of shape_ and motion_
-  struct Course;  // of pulls in time
+  MuscleShape shape_, moving_;
+  MusclePointLaw scratch_;
+  Face rest_;     ///< of shape_
+  struct Course;  ///< of pulls in time
   std::shared_ptr<Course> course_;
 };
 
