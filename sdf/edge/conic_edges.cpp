@@ -20,7 +20,7 @@ LocalOutline parabola_edges(const ParabolaSide& s, double offset, glm::dvec2 c, 
   AllOf all(radius, edges);
   // Grown by offset, the outline moves to the right of the curve; outward is right.
   const LevelEdge edge = level_edge(foot, -offset, -1.0, radius);
-  all.add(edge.edge, edge.error);
+  all.add(edge.edge, edge.error, edge.round_error);
   return all.outline();
 }
 
@@ -51,21 +51,22 @@ LocalOutline ellipse_edges(const Ellipse& s, glm::dvec2 c, double radius,
   // least radius of curvature, small²/large: with at least 4 radii of it, feet lie within arc
   // 2·radius of this one. Over that arc g = |d foot / d angle|² changes by at most |a² − b²|·angle,
   // and the curvature a b g^(−3/2) changes per arc by (3/2) a b |a² − b²| |sin 2 angle| / g³.
-  double error = kUnproven;
+  double error = kUnproven, round_error = kUnproven;
   const double difference = std::abs(a * a - b * b), g = a * a * t.y * t.y + b * b * t.x * t.x;
   const double least_g = std::max(small * small, g - difference * 4.0 * radius / small);
   if (small * small >= 4.0 * radius * large) {
     const double change = 1.5 * a * b * difference / (least_g * least_g * least_g);
     const double bend = edge.bend, r2 = radius * radius;
-    error = change * r2 * radius / 6.0 + 0.25 * bend * bend * bend * r2 * r2;
-    if (!(bend * radius <= 0.25)) error = kUnproven;
+    round_error = change * r2 * radius / 6.0;
+    error = round_error + 0.25 * bend * bend * bend * r2 * r2;
+    if (!(bend * radius <= 0.25)) error = round_error = kUnproven;
   }
   const auto turned = [&](Edge e) {
     e.normal = e.normal.x * s.axis + e.normal.y * across;
     return e;
   };
   AllOf all(radius, edges);
-  all.add(turned(edge), error);
+  all.add(turned(edge), error, round_error);
   if (error == kUnproven) {  // so thin that the opposite side may be in the disc too
     const glm::dvec2 opposite = a >= b ? glm::dvec2{t.x, -t.y} : glm::dvec2{-t.x, t.y};
     all.add(turned(edge_at(a, b, opposite, p)), kUnproven);

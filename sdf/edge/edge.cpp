@@ -8,7 +8,7 @@
 
 namespace mien {
 
-void AllOf::add(const Edge& edge, double error) {
+void AllOf::add(const Edge& edge, double error, double round_error) {
   // Beyond reach by more than the bend can bring it back: decided.
   const double reach =
       radius_ + (error < kUnproven ? 0.5 * std::abs(edge.bend) * radius_ * radius_ + error : 0.0);
@@ -16,6 +16,7 @@ void AllOf::add(const Edge& edge, double error) {
   if (std::abs(edge.d) > reach) return;
   edges_.push_back(edge);
   error_ = std::max(error_, error);
+  round_error_ = std::max(round_error_, round_error);
 }
 
 LocalOutline AllOf::outline() const {
@@ -25,7 +26,8 @@ LocalOutline AllOf::outline() const {
     return {.rule = EdgeRule::outside};
   }
   if (count == 0) return {.rule = EdgeRule::inside};
-  return {.rule = EdgeRule::all, .first = first_, .count = count, .error = error_};
+  return {.rule = EdgeRule::all, .first = first_, .count = count, .error = error_,
+          .round_error = round_error_};
 }
 
 LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double radius) {
@@ -34,14 +36,15 @@ LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double
   // arc.
   const double stretch = 1.0 - level * foot.bend;
   const double least = stretch - std::abs(level) * foot.bend_change * 4.0 * radius;
-  LevelEdge result{edge, kUnproven};
+  LevelEdge result{edge, kUnproven, kUnproven};
   if (stretch > 0.25) result.edge.bend = -outward * foot.bend / stretch;
   if (foot.proven && least > 0.25) {
     const double bend = std::abs(result.edge.bend), r2 = radius * radius;
     const double change = foot.bend_change / (least * least * least);
     // Third order, and the fourth order of the circle: the lateral distance from the foot is at
     // most radius.
-    result.error = change * r2 * radius / 6.0 + 0.25 * bend * bend * bend * r2 * r2;
+    result.round_error = change * r2 * radius / 6.0;
+    result.error = result.round_error + 0.25 * bend * bend * bend * r2 * r2;
   }
   return result;
 }
@@ -54,7 +57,7 @@ LevelEdge circle_edge(glm::dvec2 center, double circle_radius, glm::dvec2 c, dou
                   .bend = circle_radius > 0.0 ? 1.0 / circle_radius : 0.0};
   // R − sqrt(R² − s²) − s²/2R <= s⁴/4R³ for |s| <= radius <= R/2.
   const double bend3 = edge.bend * edge.bend * edge.bend, r2 = radius * radius;
-  return {edge, 2.0 * radius <= circle_radius ? 0.25 * bend3 * r2 * r2 : kUnproven};
+  return {edge, 2.0 * radius <= circle_radius ? 0.25 * bend3 * r2 * r2 : kUnproven, 0.0};
 }
 
 LocalOutline disc_edges(glm::dvec2 center, double disc_radius, glm::dvec2 c, double radius,
@@ -62,7 +65,7 @@ LocalOutline disc_edges(glm::dvec2 center, double disc_radius, glm::dvec2 c, dou
   if (!(disc_radius > 0.0)) return {};
   AllOf all(radius, edges);
   const LevelEdge circle = circle_edge(center, disc_radius, c, radius);
-  all.add(circle.edge, circle.error);
+  all.add(circle.edge, circle.error, circle.round_error);
   return all.outline();
 }
 

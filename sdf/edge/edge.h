@@ -42,6 +42,8 @@ struct LocalOutline {
   /// included. Infinity: nothing is proven (a corner, an end, two branches); still the best
   /// description known.
   double error = 0;
+  /// The same if the edges are taken as circles instead: d and the bend as a radius.
+  double round_error = 0;
 };
 
 inline constexpr double kUnproven = std::numeric_limits<double>::infinity();

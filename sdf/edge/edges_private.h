@@ -15,7 +15,8 @@ class AllOf {
       : radius_(radius), edges_(edges), first_(int(edges.size())) {}
 
   /// error: see LocalOutline. An edge out of reach counts as decided, if its place is proven.
-  void add(const Edge& edge, double error);
+  void add(const Edge& edge, double error, double round_error);
+  void add(const Edge& edge, double error) { add(edge, error, error); }
   LocalOutline outline() const;
 
  private:
@@ -23,14 +24,15 @@ class AllOf {
   std::vector<Edge>& edges_;
   int first_;
   bool outside_ = false;
-  double error_ = 0;
+  double error_ = 0, round_error_ = 0;
 };
 
 /// The edge at `level` from a spine: the offset curve on the foot's normal side (level > 0) or
 /// beyond it (< 0); outward says which way is out: +1 along the foot's normal.
 struct LevelEdge {
   Edge edge;
-  double error;
+  double error;        ///< as parabola: see LocalOutline
+  double round_error;  ///< as circle
 };
 LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double radius);
 

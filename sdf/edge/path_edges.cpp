@@ -40,7 +40,7 @@ glm::dvec2 counting_point(glm::dvec2 c, double radius, std::span<const Edge> edg
 
 LocalOutline path_edges(const Path& path, glm::dvec2 c, double radius, std::vector<Edge>& edges) {
   const int first = int(edges.size());
-  double error = 0.0;
+  double error = 0.0, round_error = 0.0;
   for (const Path::Loop& loop : path.loops)
     for (const QuadBezier& side : loop.sides) {
       if (far_away(side, c, radius)) continue;
@@ -48,9 +48,11 @@ LocalOutline path_edges(const Path& path, glm::dvec2 c, double radius, std::vect
       if (foot.distance > radius) continue;
       // The left of a side is one winding number above its right: out is right.
       const LevelEdge edge = level_edge(foot, 0.0, -1.0, radius);
-      if (foot.where != CurveFoot::Where::body || foot.straddles_end) error = kUnproven;
+      if (foot.where != CurveFoot::Where::body || foot.straddles_end)
+        error = round_error = kUnproven;
       edges.push_back(edge.edge);
       error = std::max(error, edge.error);
+      round_error = std::max(round_error, edge.round_error);
     }
   const int count = int(edges.size()) - first;
   const std::span<const Edge> near{edges.data() + first, std::size_t(count)};
@@ -64,7 +66,8 @@ LocalOutline path_edges(const Path& path, glm::dvec2 c, double radius, std::vect
           .first = first,
           .count = count,
           .winding = outside,
-          .error = error};
+          .error = error,
+          .round_error = round_error};
 }
 
 }  // namespace mien

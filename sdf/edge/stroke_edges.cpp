@@ -31,7 +31,9 @@ LocalOutline line_edges(const Line& line, double half_width, glm::dvec2 c, doubl
   const bool at_end = along < radius || along > length - radius;
   if (at_end && (along < 0.0 || along > length)) {
     LocalOutline outline = disc_edges(along < 0.0 ? line.a : line.b, half_width, c, radius, edges);
-    outline.error = std::max(outline.error, junction_error(half_width, 0.0, radius));
+    const double junction = junction_error(half_width, 0.0, radius);
+    outline.error = std::max(outline.error, junction);
+    outline.round_error = std::max(outline.round_error, junction);
     return outline;
   }
   AllOf all(radius, edges);
@@ -52,13 +54,15 @@ LocalOutline stroke_edges(const QuadBezier& spine, double half_width, glm::dvec2
   }
   if (foot.where != CurveFoot::Where::body) {
     LocalOutline outline = disc_edges(foot.point, half_width, c, radius, edges);
-    outline.error = std::max(outline.error, foot.proven ? least_error : kUnproven);
+    const double least = foot.proven ? least_error : kUnproven;
+    outline.error = std::max(outline.error, least);
+    outline.round_error = std::max(outline.round_error, least);
     return outline;
   }
   AllOf all(radius, edges);
   for (const double outward : {1.0, -1.0}) {
     const LevelEdge side = level_edge(foot, outward * half_width, outward, radius);
-    all.add(side.edge, std::max(side.error, least_error));
+    all.add(side.edge, std::max(side.error, least_error), std::max(side.round_error, least_error));
   }
   return all.outline();
 }

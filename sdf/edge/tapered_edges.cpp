@@ -119,7 +119,7 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   const glm::dvec2 m = c - foot.point;
   const double rho = glm::length(m);
   LevelEdge result{{.d = d, .normal = rho > 0.0 ? m / rho : glm::dvec2{1.0, 0.0}, .bend = 0.0},
-                   kUnproven};
+                   kUnproven, kUnproven};
   const glm::dvec2 n = result.edge.normal;
   const double run = std::abs(n.x * foot.velocity.y - n.y * foot.velocity.x);
   const double g = run * run / rho - glm::dot(n, foot.acceleration) - foot.width_bend;
@@ -145,7 +145,8 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
 
   result.edge.bend = edge.bend;
   const double r2 = radius * radius, bend = std::abs(edge.bend);
-  result.error = edge.bend_change * r2 * radius / 6.0 + 0.25 * bend * bend * bend * r2 * r2;
+  result.round_error = edge.bend_change * r2 * radius / 6.0;
+  result.error = result.round_error + 0.25 * bend * bend * bend * r2 * r2;
   return result;
 }
 
@@ -159,7 +160,7 @@ LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, dou
   const double lean = speed > 0.0 ? spine.width_rate / speed : 2.0;
   if (foot.where != CurveFoot::Where::body || !(std::abs(lean) < 1.0)) {
     LocalOutline outline = disc_edges(foot.point, width, c, radius, edges);
-    outline.error = kUnproven;
+    outline.error = outline.round_error = kUnproven;
     return outline;
   }
   AllOf all(radius, edges);
@@ -203,14 +204,14 @@ LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, 
     const bool alone = end_alone(foot, c, radius, at_begin ? 1.0 : -1.0, little) &&
                        (at_begin ? clear_outside(s, offset, c, radius, -1.0, little)
                                  : clear_outside(s, offset, c, radius, 1.0 - little, 2.0));
-    if (!alone) outline.error = kUnproven;
+    if (!alone) outline.error = outline.round_error = kUnproven;
     return outline;
   }
   const LevelEdge edge = body_edge(s, offset, c, radius, near.t, d);
   if (edge.error == kUnproven && foot.width + offset < 2.0 * radius)
     return thin_edges(s, offset, c, radius, edges);
   AllOf all(radius, edges);
-  all.add(edge.edge, edge.error);
+  all.add(edge.edge, edge.error, edge.round_error);
   return all.outline();
 }
 

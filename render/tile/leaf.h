@@ -1,0 +1,50 @@
+#pragma once
+// A leaf: 16 × 16 pixels that a few smooth edges cross, and a colour for every combination of their
+// sides. What the vectors draw, and what they leave to the scalar form.
+
+#include <mien/render/blend/blender.h>
+#include <mien/sdf/edge/leaf_edge.h>
+
+#include <array>
+#include <cstdint>
+
+namespace mien {
+
+/// Side of a leaf [px]: larger leaves are fewer, smaller ones are straighter.
+inline constexpr int kLeaf = 16;
+
+/// Everything a leaf's pixels depend on. Coordinates are relative to its centre.
+struct Leaf {
+  /// More edges than this in 16 × 16 pixels: ask for smaller leaves.
+  static constexpr int kMostEdges = 5;
+  static constexpr int kMostSides = 1 << kMostEdges;
+
+  int edge_count = 0;
+  std::array<LeafEdge, kMostEdges> edges;
+
+  /// By sides (bit i: inside edge i): red, green, blue, alpha as Mix has them, times 255.
+  alignas(64) std::array<std::array<float, kMostSides>, 4> palette;
+  std::array<std::uint32_t, kMostSides> packed;  ///< the same as a pixel
+  std::array<std::uint8_t, kMostSides> same;     ///< equal where the colours are
+  bool opaque = true;                            ///< all of them
+  Blend blend = Blend::srgb;
+};
+
+/// Pixels of a leaf, by y · 16 + x.
+struct LeafPixels {
+  std::array<std::uint8_t, kLeaf * kLeaf> at;
+  int count = 0;
+  void add(int pixel) { at[std::size_t(count++)] = std::uint8_t(pixel); }
+};
+
+/// Draws a leaf of opaque colours into `pixels`, RGBA of 8 bits, rows `stride` pixels apart. Pixels
+/// that more than one edge crosses are left out and named.
+void paint_leaf(const Leaf& leaf, std::uint32_t* pixels, std::size_t stride, LeafPixels& left);
+
+/// The bend of an edge up to which paint_leaf keeps its promise.
+inline constexpr double kMostLeafBend = 0.6;
+
+/// Fills 16 rows of `count` pixels.
+void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value);
+
+}  // namespace mien

@@ -1,0 +1,343 @@
+// Leaves in vectors: sixteen 4 × 4 blocks are placed against every edge at once; blocks that one
+// edge crosses take its area in each of their pixels at once. Compiled once per instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "mien/render/tile/leaf_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <mien/render/cover/edge_area-inl.h>
+#include <mien/render/tile/leaf.h>
+// After the headers of mien's own: Highway's mathematics is a toggled header too.
+#include <hwy/contrib/math/math-inl.h>
+
+#include <bit>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using VF = hn::Vec<F>;
+constexpr size_t kBlock = 16;  // pixels of a block, blocks of a leaf
+
+HWY_INLINE VF Const(float x) { return hn::Set(F(), x); }
+
+/// An edge seen from points: signed distance times the gradient's length, gradient, bend.
+struct Sight {
+  VF d, gx, gy, k;
+};
+
+/// Y + k/2 |u|² is the circle's distance d (1 + k d/2); its gradient's length is s = 1 + k d. For
+/// bends up to kGentle the distance times s is a series; beyond, a root.
+constexpr float kGentle = 0.03f;
+
+HWY_INLINE Sight SeeBody(const LeafEdge& e, VF px, VF py) {
+  const VF ux = hn::Sub(px, Const(e.x)), uy = hn::Sub(py, Const(e.y));
+  const VF nx = Const(e.nx), ny = Const(e.ny), k = Const(e.bend);
+  const VF y = Fused(ux, nx, hn::Mul(uy, ny)), x = FusedLess(uy, nx, hn::Mul(ux, ny));
+  const VF f = Fused(hn::Mul(k, Const(0.5f)), Fused(ux, ux, hn::Mul(uy, uy)), y);
+  const VF x2 = hn::Mul(x, x);
+  const VF c3 = Const(e.c3), c4x = hn::Mul(Const(e.c4), x);
+  const VF leaves = hn::Mul(hn::Mul(x2, x), hn::Add(c3, c4x));
+  const VF slope = hn::Mul(x2, Fused(Const(3.0f), c3, hn::Mul(Const(4.0f), c4x)));
+  Sight s;
+  s.k = k;
+  s.gx = FusedFrom(slope, ny, Fused(k, ux, nx));
+  s.gy = Fused(slope, nx, Fused(k, uy, ny));
+  const VF q = hn::Mul(hn::Add(k, k), f);
+  if (e.bend <= kGentle && e.bend >= -kGentle) {
+    // 2 sqrt(1+q)/(1 + sqrt(1+q)) = 1 + q/4 − q²/8 + …; far away the sign alone matters.
+    const VF near = hn::Min(hn::Max(q, Const(-0.5f)), Const(0.5f));
+    const VF series = Fused(near, FusedFrom(Const(0.125f), near, Const(0.25f)), Const(1.0f));
+    s.d = Fused(f, series, leaves);
+  } else {
+    const VF root = hn::Sqrt(hn::Max(hn::Add(q, Const(1.0f)), hn::Zero(F())));
+    s.d = Fused(hn::Div(hn::Add(f, f), hn::Add(root, Const(1.0f))), root, leaves);
+  }
+  return s;
+}
+
+HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
+  Sight body = SeeBody(e, px, py);
+  if (!e.has_end()) return body;
+  const VF ux = hn::Sub(px, Const(e.end_x)), uy = hn::Sub(py, Const(e.end_y));
+  const VF rho = hn::Sqrt(hn::Max(Fused(ux, ux, hn::Mul(uy, uy)), Const(1e-12f)));
+  const VF inverse = hn::Div(Const(1.0f), rho), zero = hn::Zero(F());
+  const auto beyond = hn::Gt(Fused(ux, Const(e.along_x), hn::Mul(uy, Const(e.along_y))), zero);
+  const auto mine = hn::Ge(Fused(ux, Const(e.end_nx), hn::Mul(uy, Const(e.end_ny))), zero);
+  const VF d = hn::IfThenElse(mine, hn::Sub(rho, Const(1.0f / e.end_bend)), Const(-1e6f));
+  body.d = hn::IfThenElse(beyond, d, body.d);
+  body.gx = hn::IfThenElse(beyond, hn::Mul(ux, inverse), body.gx);
+  body.gy = hn::IfThenElse(beyond, hn::Mul(uy, inverse), body.gy);
+  body.k = hn::IfThenElse(beyond, Const(e.end_bend), body.k);
+  return body;
+}
+
+/// Into how many parts each way a pixel is cut, so that the bend's error stays below a quarter
+/// level.
+HWY_INLINE int PartsFor(float bend) {
+  const float k = bend < 0 ? -bend : bend;
+  return k <= 0.012f ? 1 : k <= 0.048f ? 2 : k <= 0.19f ? 4 : 8;
+}
+
+/// The area of each pixel around (px, py) inside the edge.
+HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int parts) {
+  const F f;
+  if (parts == 1) {
+    const Sight s = See(e, px, py);
+    return EdgeArea(f, s.d, s.gx, s.gy, s.k);
+  }
+  const float n = float(parts), step = 1.0f / n;
+  VF sum = hn::Zero(f);
+  for (int j = 0; j < parts; ++j)
+    for (int i = 0; i < parts; ++i) {
+      const Sight s = See(e, hn::Add(px, Const((float(i) + 0.5f) * step - 0.5f)),
+                          hn::Add(py, Const((float(j) + 0.5f) * step - 0.5f)));
+      sum = hn::Add(sum, EdgeArea(f, hn::Mul(s.d, Const(n)), s.gx, s.gy, hn::Mul(s.k, Const(step))));
+    }
+  return hn::Mul(sum, Const(step * step));
+}
+
+struct alignas(64) Offsets {
+  float x[kBlock], y[kBlock];
+};
+/// Pixels of a block relative to its centre, and blocks of a leaf relative to the leaf's.
+constexpr Offsets MakeOffsets(float step) {
+  Offsets o{};
+  for (int i = 0; i < 16; ++i)
+    o.x[i] = (float(i % 4) - 1.5f) * step, o.y[i] = (float(i / 4) - 1.5f) * step;
+  return o;
+}
+alignas(64) constexpr Offsets kPixels = MakeOffsets(1.0f);
+alignas(64) constexpr Offsets kBlocks = MakeOffsets(4.0f);
+
+/// Where the sixteen blocks lie against an edge.
+struct BlockSides {
+  std::uint32_t inside, crossed;  // crossed: may be
+};
+
+HWY_INLINE BlockSides PlaceBlocks(const LeafEdge& e) {
+  const F f;
+  BlockSides sides{0, 0};
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
+    const Sight s = See(e, hn::Load(f, kBlocks.x + i), hn::Load(f, kBlocks.y + i));
+    // Half a block's side along the normal, the bend over its half diagonal, and rounding.
+    const VF along = hn::Mul(Const(2.0f), hn::Add(hn::Abs(s.gx), hn::Abs(s.gy)));
+    const VF reach = hn::Add(Fused(hn::Abs(s.k), Const(4.5f), along), Const(2e-3f + e.error));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(f, hn::Lt(s.d, hn::Zero(f)), bits);
+    const std::uint32_t in = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
+    bits[0] = bits[1] = 0;
+    hn::StoreMaskBits(f, hn::Le(hn::Abs(s.d), reach), bits);
+    const std::uint32_t near = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
+    sides.inside |= in << i, sides.crossed |= near << i;
+  }
+  if (e.has_end()) {
+    // Blocks that the end's line or the other half's border passes may hold either: by their whole
+    // discs.
+    const float r = 2.83f;
+    for (size_t i = 0; i < kBlock; ++i) {
+      const float ux = kBlocks.x[i] - e.end_x, uy = kBlocks.y[i] - e.end_y;
+      const float beyond = ux * e.along_x + uy * e.along_y, up = ux * e.end_nx + uy * e.end_ny;
+      const float rho2 = ux * ux + uy * uy, radius = 1.0f / e.end_bend;
+      const float lo = radius > r ? radius - r : 0.0f, hi = radius + r;
+      if (beyond > -r && up > -r && rho2 >= lo * lo && rho2 <= hi * hi) sides.crossed |= 1u << i;
+    }
+  }
+  return sides;
+}
+
+/// Linear light times 255 to encoded values times 255 (IEC 61966-2-1).
+HWY_INLINE VF Encoded(VF v) {
+  const F f;
+  const VF x = hn::Mul(v, Const(1.0f / 255));
+  const VF power = hn::Exp(f, hn::Mul(hn::Log(f, hn::Max(x, Const(1e-6f))), Const(1.0f / 2.4f)));
+  const VF curve = FusedLess(Const(1.055f * 255), power, Const(0.055f * 255));
+  return hn::IfThenElse(hn::Le(x, Const(0.0031308f)), hn::Mul(v, Const(12.92f)), curve);
+}
+
+/// One pixel each: encoded channels, halves up, with full alpha.
+template <bool kLinear>
+HWY_INLINE auto Packed(VF r, VF g, VF b) {
+  const F f;
+  const hn::RebindToSigned<F> i;
+  const auto level = [&](VF v) HWY_ATTR {
+    if constexpr (kLinear) v = Encoded(v);
+    return hn::ConvertTo(i, hn::Add(hn::Min(hn::Max(v, hn::Zero(f)), Const(255.0f)), Const(0.5f)));
+  };
+  const auto rg = hn::Or(level(r), hn::ShiftLeft<8>(level(g)));
+  return hn::Or(rg, hn::Or(hn::ShiftLeft<16>(level(b)), hn::Set(i, int(0xFF000000u))));
+}
+
+HWY_INLINE void StoreBlock(const std::int32_t* from, std::uint32_t* to, size_t stride) {
+  for (size_t row = 0; row < 4; ++row) std::memcpy(to + row * stride, from + 4 * row, 16);
+}
+
+HWY_INLINE VF Between(const float* plane, std::uint32_t out, std::uint32_t in, VF w) {
+  return Fused(w, Const(plane[in] - plane[out]), Const(plane[out]));
+}
+
+template <bool kLinear>
+HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, std::uint32_t in,
+                        float cx, float cy, int parts, std::uint32_t* to, size_t stride) {
+  const F f;
+  const hn::RebindToSigned<F> di;
+  alignas(64) std::int32_t pixels[kBlock];
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
+    const VF w = AreaOf(e, hn::Add(hn::Load(f, kPixels.x + i), Const(cx)),
+                        hn::Add(hn::Load(f, kPixels.y + i), Const(cy)), parts);
+    hn::Store(Packed<kLinear>(Between(leaf.palette[0].data(), out, in, w),
+                              Between(leaf.palette[1].data(), out, in, w),
+                              Between(leaf.palette[2].data(), out, in, w)),
+              di, pixels + i);
+  }
+  StoreBlock(pixels, to, stride);
+}
+
+/// A block that several edges may cross: pixels that one of them crosses are drawn, those that more
+/// cross are named.
+template <bool kLinear>
+HWY_INLINE void ManyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base, float cx,
+                          float cy, const int* parts, int first, std::uint32_t* to, size_t stride,
+                          LeafPixels& left) {
+  const F f;
+  const hn::RebindToSigned<F> di;
+  using VI = hn::Vec<decltype(di)>;
+  alignas(64) std::int32_t pixels[kBlock];
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
+    const VF px = hn::Add(hn::Load(f, kPixels.x + i), Const(cx));
+    const VF py = hn::Add(hn::Load(f, kPixels.y + i), Const(cy));
+    VI sides = hn::Set(di, int(base)), crossing = hn::Zero(di), twice = hn::Zero(di);
+    VF w = hn::Zero(f);
+    for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+      const int e = std::countr_zero(rest);
+      const VF area = AreaOf(leaf.edges[std::size_t(e)], px, py, parts[e]);
+      const auto full = hn::Ge(area, Const(1.0f - 1e-6f)), some = hn::Gt(area, Const(1e-6f));
+      const VI bit = hn::Set(di, 1 << e);
+      sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, full), bit));
+      const auto cut = hn::AndNot(full, some);
+      const VI here = hn::IfThenElseZero(hn::RebindMask(di, cut), bit);
+      const auto again = hn::And(hn::RebindMask(di, cut), hn::Ne(crossing, hn::Zero(di)));
+      twice = hn::Or(twice, hn::IfThenElseZero(again, hn::Set(di, -1)));
+      crossing = hn::Or(crossing, here);
+      w = hn::IfThenElse(cut, area, w);
+    }
+    const VI inner = hn::Or(sides, crossing);
+    const auto color = [&](int c) HWY_ATTR {
+      const float* plane = leaf.palette[std::size_t(c)].data();
+      const VF a = hn::GatherIndex(f, plane, hn::And(sides, hn::Set(di, Leaf::kMostSides - 1)));
+      const VF b = hn::GatherIndex(f, plane, hn::And(inner, hn::Set(di, Leaf::kMostSides - 1)));
+      return Fused(w, hn::Sub(b, a), a);
+    };
+    hn::Store(Packed<kLinear>(color(0), color(1), color(2)), di, pixels + i);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(di, hn::Ne(twice, hn::Zero(di)), bits);
+    for (std::uint32_t m = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8; m; m &= m - 1) {
+      const int p = int(i) + std::countr_zero(m);
+      left.add(first + (p / 4) * kLeaf + p % 4);
+    }
+  }
+  StoreBlock(pixels, to, stride);
+}
+
+/// Drops edges whose side changes no colour, for the sides of the others that may occur.
+HWY_INLINE std::uint32_t Mattering(const Leaf& leaf, std::uint32_t active, std::uint32_t base) {
+  std::uint32_t kept = active;
+  for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+    const std::uint32_t bit = rest & -rest, others = kept & ~bit;
+    bool matters = false;
+    for (std::uint32_t sub = others;; sub = (sub - 1) & others) {
+      matters = matters || leaf.same[base | sub] != leaf.same[base | sub | bit];
+      if (sub == 0 || matters) break;
+    }
+    if (!matters) kept &= ~bit;
+  }
+  return kept;
+}
+
+template <bool kLinear>
+HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t* pixels, size_t stride, LeafPixels& left) {
+  BlockSides sides[Leaf::kMostEdges];
+  int parts[Leaf::kMostEdges], end_parts[Leaf::kMostEdges];
+  std::uint32_t crossed = 0;
+  for (int e = 0; e < leaf.edge_count; ++e) {
+    const LeafEdge& edge = leaf.edges[std::size_t(e)];
+    sides[e] = PlaceBlocks(edge);
+    parts[e] = PartsFor(edge.bend);
+    end_parts[e] = edge.has_end() ? HWY_MAX(4, PartsFor(edge.end_bend)) : parts[e];
+    crossed |= sides[e].crossed;
+  }
+  for (int b = 0; b < int(kBlock); ++b) {
+    const int bx = 4 * (b % 4), by = 4 * (b / 4);
+    std::uint32_t* const to = pixels + size_t(by) * stride + size_t(bx);
+    const float cx = kBlocks.x[b], cy = kBlocks.y[b];
+    std::uint32_t base = 0, active = 0;
+    for (int e = 0; e < leaf.edge_count; ++e) {
+      const std::uint32_t near = sides[e].crossed >> b & 1u;
+      active |= near << e;
+      base |= (sides[e].inside >> b & 1u & ~near) << e;
+    }
+    if (active) active = Mattering(leaf, active, base);
+    if (!active) {
+      const std::uint32_t value = leaf.packed[base];
+      for (size_t row = 0; row < 4; ++row)
+        for (size_t x = 0; x < 4; ++x) to[row * stride + x] = value;
+      continue;
+    }
+    int here[Leaf::kMostEdges];
+    for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+      const int e = std::countr_zero(rest);
+      const LeafEdge& edge = leaf.edges[std::size_t(e)];
+      here[e] = parts[e];
+      if (edge.has_end() && (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f)
+        here[e] = end_parts[e];
+    }
+    if ((active & (active - 1)) == 0) {
+      const int e = std::countr_zero(active);
+      OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, cx, cy, here[e], to,
+                       stride);
+    } else {
+      ManyEdges<kLinear>(leaf, active, base, cx, cy, here, by * kLeaf + bx, to, stride, left);
+    }
+  }
+}
+
+void PaintLeaf(const Leaf& leaf, std::uint32_t* pixels, size_t stride, LeafPixels& left) {
+  if (leaf.blend == Blend::linear)
+    Paint<true>(leaf, pixels, stride, left);
+  else
+    Paint<false>(leaf, pixels, stride, left);
+}
+
+void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::uint32_t value) {
+  const hn::CappedTag<std::uint32_t, 16> d;
+  const auto v = hn::Set(d, value);
+  const size_t n = hn::Lanes(d), whole = size_t(count) / n * n;
+  for (int row = 0; row < rows; ++row, pixels += stride) {
+    for (size_t i = 0; i < whole; i += n) hn::StoreU(v, d, pixels + i);
+    for (size_t i = whole; i < size_t(count); ++i) pixels[i] = value;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mien {
+namespace batch {
+HWY_EXPORT(PaintLeaf);
+HWY_EXPORT(FillRows);
+}  // namespace batch
+
+void paint_leaf(const Leaf& leaf, std::uint32_t* pixels, std::size_t stride, LeafPixels& left) {
+  HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, pixels, stride, left);
+}
+void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count,
+               std::uint32_t value) {
+  HWY_DYNAMIC_DISPATCH(batch::FillRows)(pixels, stride, rows, count, value);
+}
+
+}  // namespace mien
+#endif

@@ -1,0 +1,39 @@
+#pragma once
+// An outline along a parabola or an ellipse, made ready for leaf_edges: what depends on the shape
+// alone.
+
+#include <mien/sdf/edge/edge.h>
+
+#include <glm/vec2.hpp>
+#include <optional>
+
+namespace mien {
+
+/// The outline at `level` from a piece of the parabola y = a x², x in [lo, hi], in the right-handed
+/// frame (origin, right, up). A stroke's outlines are both levels ±level; a side's is one.
+struct ParabolaForm {
+  glm::dvec2 origin;
+  glm::dvec2 right;  ///< unit; up = (−right.y, right.x)
+  double a;
+  double lo, hi;  ///< infinite: no ends
+  double level;   ///< stroke: half-width > 0. Side: the outline runs `level` above the parabola
+  bool stroke;
+  /// Points closer than this to the piece, made longer by kMargin at its ends, have one nearest
+  /// point on it, and every critical point that close is it.
+  double reach;
+
+  static constexpr double kMargin = 32;  ///< [px]
+};
+
+/// The outline of an ellipse.
+struct EllipseForm {
+  glm::dvec2 center, axis;
+  double a, b;  ///< radii, along the axis and across
+  double reach;
+};
+
+/// Nothing where the outline is of another kind or so degenerate that the forms say nothing.
+std::optional<ParabolaForm> parabola_form(const OffsetShape& shape);
+std::optional<EllipseForm> ellipse_form(const OffsetShape& shape);
+
+}  // namespace mien

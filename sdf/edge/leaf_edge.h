@@ -1,0 +1,41 @@
+#pragma once
+// What an outline is inside a leaf, a square of at most 16 pixels: a point of the outline, its
+// normal and curvature and how the curvature changes, relative to the leaf's centre, in float, with
+// a proven bound on what is left out. Pixels need nothing else: no root is solved for them.
+
+#include <mien/sdf/edge/edge.h>
+
+namespace mien {
+
+/// One smooth piece of outline. With u = p − (x, y), Y = dot(u, n) and X = dot(u, m),
+/// m = (−n.y, n.x), a point p of the leaf is inside when
+///
+///     Y + bend/2 |u|² + c3 X³ + c4 X⁴ <= 0:
+///
+/// the osculating circle, exactly, and the third and fourth order by which the outline leaves it.
+struct LeafEdge {
+  float x, y;    ///< a point of the outline
+  float nx, ny;  ///< unit outward normal there
+  float bend;    ///< curvature; positive where the inside is convex
+  float c3, c4;
+  int turn;  ///< winding rules: see Edge
+
+  /// A round end. Where dot(p − end, along) > 0 the outline is the circle of curvature `end_bend`
+  /// around `end` instead, as far as it lies on the side dot(p − end, normal at the end) > 0; on
+  /// the other side the point counts as inside (the stroke's other edge decides there).
+  float end_x, end_y, along_x, along_y;  ///< along: unit, out of the body; (0, 0): no end
+  float end_bend, end_nx, end_ny;        ///< the normal at the end, towards this edge's side
+  float error;                           ///< [px] the outline deviates by at most this in the leaf
+
+  bool has_end() const { return end_bend != 0; }
+};
+
+/// The edges of one outline in one leaf: a range of a list.
+struct LeafOutline {
+  EdgeRule rule = EdgeRule::outside;
+  int first = 0, count = 0;
+  int winding = 0;
+  double error = kUnproven;  ///< of the worst edge; kUnproven: ask for smaller leaves
+};
+
+}  // namespace mien
