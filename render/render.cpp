@@ -1,35 +1,27 @@
 #include <mien/render/render.h>
-#include <mien/render/tile/picture.h>
+#include <mien/render/tile/band.h>
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <new>
 
 namespace mien {
 namespace {
 
-void add(RenderStats& sum, const RenderStats& part) {
-  sum.pixels += part.pixels;
-  sum.fill_pixels += part.fill_pixels;
-  sum.one_edge_pixels += part.one_edge_pixels;
-  sum.divided_pixels += part.divided_pixels;
-  sum.varied_pixels += part.varied_pixels;
-  sum.cells += part.cells;
-}
-
-/// Counts finished tiles and tells the caller, one thread at a time; remembers a wish to stop.
+/// Counts finished bands and tells the caller, one thread at a time; remembers a wish to stop.
 class Watch {
  public:
-  Watch(const Progress& progress, int tiles) : progress_(progress), tiles_(tiles) {}
+  Watch(const Progress& progress, int bands) : progress_(progress), bands_(bands) {}
 
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
-  void tile_done(const RenderStats& part) {
+  void band_done(const RenderStats& part) {
     const std::lock_guard lock(mutex_);
-    add(stats_, part);
+    stats_.add(part);
     ++done_;
-    if (progress_ && !cancelled() && !progress_(double(done_) / tiles_)) cancelled_ = true;
+    if (progress_ && !cancelled() && !progress_(double(done_) / bands_)) cancelled_ = true;
   }
 
   RenderStats stats() const {
@@ -40,7 +32,7 @@ class Watch {
 
  private:
   const Progress& progress_;
-  const int tiles_;
+  const int bands_;
   int done_ = 0;
   RenderStats stats_;
   std::mutex mutex_;
@@ -51,20 +43,41 @@ bool opaque(const Tape& tape) {
   return tape.background.a >= 1.0;
 }
 
+/// Painters with their scratch, handed to whichever thread has a band to draw.
+class Painters {
+ public:
+  std::unique_ptr<BandPainter> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<BandPainter>();
+    auto painter = std::move(idle_.back());
+    idle_.pop_back();
+    return painter;
+  }
+  void give_back(std::unique_ptr<BandPainter> painter) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(painter));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<BandPainter>> idle_;
+};
+
 RenderStats draw(const Tape& tape, const View& view, const Target& target,
                  const RenderOptions& how) {
   const PixelRect& r = target.rect;
   if (r.width <= 0 || r.height <= 0) return {};
-  const int x0 = r.x / kTile, y0 = r.y / kTile;
-  const int columns = (r.x + r.width - 1) / kTile - x0 + 1,
-            rows = (r.y + r.height - 1) / kTile - y0 + 1;
-  Watch watch(how.progress, columns * rows);
-  parallel_for(columns * rows, how.threads, [&](int i) {
+  const int first = r.y / kBandTile, bands = (r.y + r.height - 1) / kBandTile - first + 1;
+  const Plan plan(tape, target.depth);
+  Watch watch(how.progress, bands);
+  Painters painters;
+  parallel_for(bands, how.threads, [&](int i) {
     if (watch.cancelled()) return;
     RenderStats part;
-    draw_tile(tape, view.width, view.height, (x0 + i % columns) * kTile, (y0 + i / columns) * kTile,
-              target, part);
-    watch.tile_done(part);
+    auto painter = painters.take();
+    painter->draw(plan, view.width, view.height, (first + i) * kBandTile, target, part);
+    painters.give_back(std::move(painter));
+    watch.band_done(part);
   });
   RenderStats stats = watch.stats();
   stats.pixels = (long long)r.width * r.height;

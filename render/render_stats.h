@@ -12,6 +12,15 @@ struct RenderStats {
   long long varied_pixels = 0;    ///< where a gradient, light or a group's opacity is seen
   long long cells = 0;            ///< cells those were divided into
   bool cancelled = false;
+
+  void add(const RenderStats& part) {
+    pixels += part.pixels;
+    fill_pixels += part.fill_pixels;
+    one_edge_pixels += part.one_edge_pixels;
+    divided_pixels += part.divided_pixels;
+    varied_pixels += part.varied_pixels;
+    cells += part.cells;
+  }
 };
 
 }  // namespace mien

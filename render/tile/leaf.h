@@ -34,12 +34,19 @@ struct Leaf {
 struct LeafPixels {
   std::array<std::uint8_t, kLeaf * kLeaf> at;
   int count = 0;
+  int edge_pixels = 0;  ///< of blocks that edges cross
   void add(int pixel) { at[std::size_t(count++)] = std::uint8_t(pixel); }
 };
 
-/// Draws a leaf of opaque colours into `pixels`, RGBA of 8 bits, rows `stride` pixels apart. Pixels
-/// that more than one edge crosses are left out and named.
-void paint_leaf(const Leaf& leaf, std::uint32_t* pixels, std::size_t stride, LeafPixels& left);
+/// Draws those 4 × 4 blocks of a leaf (bit i: block i, row by row) into `pixels`, RGBA of 8 bits,
+/// rows `stride` pixels apart. The colours must be opaque. Pixels that more than one edge crosses
+/// are named and have no meaning yet.
+void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
+                LeafPixels& left);
+
+/// The mean colour over the pixel around (x, y), times 255, by the scalar forms: any number of
+/// edges, any colours. `tolerance`: how far an outline may be straightened [px].
+Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells);
 
 /// The bend of an edge up to which paint_leaf keeps its promise.
 inline constexpr double kMostLeafBend = 0.6;

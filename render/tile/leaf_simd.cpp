@@ -52,8 +52,11 @@ HWY_INLINE Sight SeeBody(const LeafEdge& e, VF px, VF py) {
     const VF series = Fused(near, FusedFrom(Const(0.125f), near, Const(0.25f)), Const(1.0f));
     s.d = Fused(f, series, leaves);
   } else {
-    const VF root = hn::Sqrt(hn::Max(hn::Add(q, Const(1.0f)), hn::Zero(F())));
-    s.d = Fused(hn::Div(hn::Add(f, f), hn::Add(root, Const(1.0f))), root, leaves);
+    // The gradient is made unit: at the circle's centre it vanishes.
+    const VF root = hn::Sqrt(hn::Max(hn::Add(q, Const(1.0f)), Const(1e-4f)));
+    const VF inverse = hn::Div(Const(1.0f), root);
+    s.d = hn::Add(hn::Div(hn::Add(f, f), hn::Add(root, Const(1.0f))), leaves);
+    s.gx = hn::Mul(s.gx, inverse), s.gy = hn::Mul(s.gy, inverse);
   }
   return s;
 }
@@ -66,7 +69,8 @@ HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
   const VF inverse = hn::Div(Const(1.0f), rho), zero = hn::Zero(F());
   const auto beyond = hn::Gt(Fused(ux, Const(e.along_x), hn::Mul(uy, Const(e.along_y))), zero);
   const auto mine = hn::Ge(Fused(ux, Const(e.end_nx), hn::Mul(uy, Const(e.end_ny))), zero);
-  const VF d = hn::IfThenElse(mine, hn::Sub(rho, Const(1.0f / e.end_bend)), Const(-1e6f));
+  const VF round = hn::Sub(rho, Const(1.0f / e.end_bend));
+  const VF d = hn::IfThenElse(hn::Or(mine, hn::Gt(round, Const(kEndHalo))), round, Const(-1e6f));
   body.d = hn::IfThenElse(beyond, d, body.d);
   body.gx = hn::IfThenElse(beyond, hn::Mul(ux, inverse), body.gx);
   body.gy = hn::IfThenElse(beyond, hn::Mul(uy, inverse), body.gy);
@@ -136,13 +140,15 @@ HWY_INLINE BlockSides PlaceBlocks(const LeafEdge& e) {
   if (e.has_end()) {
     // Blocks that the end's line or the other half's border passes may hold either: by their whole
     // discs.
-    const float r = 2.83f;
+    const float r = 3.0f;  // half a block's diagonal, and what kEndHalo lacks to it
     for (size_t i = 0; i < kBlock; ++i) {
       const float ux = kBlocks.x[i] - e.end_x, uy = kBlocks.y[i] - e.end_y;
       const float beyond = ux * e.along_x + uy * e.along_y, up = ux * e.end_nx + uy * e.end_ny;
       const float rho2 = ux * ux + uy * uy, radius = 1.0f / e.end_bend;
       const float lo = radius > r ? radius - r : 0.0f, hi = radius + r;
-      if (beyond > -r && up > -r && rho2 >= lo * lo && rho2 <= hi * hi) sides.crossed |= 1u << i;
+      const bool on_circle = beyond > -r && up > -r && rho2 >= lo * lo && rho2 <= hi * hi;
+      const bool on_body = beyond > -r && beyond < r && up > radius - r && up < radius + r;
+      if (on_circle || on_body) sides.crossed |= 1u << i;
     }
   }
   return sides;
@@ -257,18 +263,18 @@ HWY_INLINE std::uint32_t Mattering(const Leaf& leaf, std::uint32_t active, std::
 }
 
 template <bool kLinear>
-HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t* pixels, size_t stride, LeafPixels& left) {
+HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
+                      LeafPixels& left) {
   BlockSides sides[Leaf::kMostEdges];
   int parts[Leaf::kMostEdges], end_parts[Leaf::kMostEdges];
-  std::uint32_t crossed = 0;
   for (int e = 0; e < leaf.edge_count; ++e) {
     const LeafEdge& edge = leaf.edges[std::size_t(e)];
     sides[e] = PlaceBlocks(edge);
     parts[e] = PartsFor(edge.bend);
     end_parts[e] = edge.has_end() ? HWY_MAX(4, PartsFor(edge.end_bend)) : parts[e];
-    crossed |= sides[e].crossed;
   }
-  for (int b = 0; b < int(kBlock); ++b) {
+  for (std::uint32_t todo = blocks; todo; todo &= todo - 1) {
+    const int b = std::countr_zero(todo);
     const int bx = 4 * (b % 4), by = 4 * (b / 4);
     std::uint32_t* const to = pixels + size_t(by) * stride + size_t(bx);
     const float cx = kBlocks.x[b], cy = kBlocks.y[b];
@@ -285,6 +291,7 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t* pixels, size_t stride, Le
         for (size_t x = 0; x < 4; ++x) to[row * stride + x] = value;
       continue;
     }
+    left.edge_pixels += int(kBlock);
     int here[Leaf::kMostEdges];
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
@@ -303,11 +310,12 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t* pixels, size_t stride, Le
   }
 }
 
-void PaintLeaf(const Leaf& leaf, std::uint32_t* pixels, size_t stride, LeafPixels& left) {
+void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
+               LeafPixels& left) {
   if (leaf.blend == Blend::linear)
-    Paint<true>(leaf, pixels, stride, left);
+    Paint<true>(leaf, blocks, pixels, stride, left);
   else
-    Paint<false>(leaf, pixels, stride, left);
+    Paint<false>(leaf, blocks, pixels, stride, left);
 }
 
 void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::uint32_t value) {
@@ -331,8 +339,9 @@ HWY_EXPORT(PaintLeaf);
 HWY_EXPORT(FillRows);
 }  // namespace batch
 
-void paint_leaf(const Leaf& leaf, std::uint32_t* pixels, std::size_t stride, LeafPixels& left) {
-  HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, pixels, stride, left);
+void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
+                LeafPixels& left) {
+  HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, blocks, pixels, stride, left);
 }
 void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count,
                std::uint32_t value) {

@@ -20,7 +20,7 @@ class TileWalk {
         scopes_(tape),
         pixels_(tape, scopes_, stats) {}
 
-  void tile(int x, int y) { square(scopes_.everything(), x, y, kTile); }
+  void whole(int x, int y, int side) { square(scopes_.everything(), x, y, side); }
 
  private:
   void square(const Scope& outer, int x, int y, int side) {
@@ -88,9 +88,9 @@ class TileWalk {
 
 }  // namespace
 
-void draw_tile(const Tape& tape, int width, int height, int x, int y, const Target& target,
-               RenderStats& stats) {
-  TileWalk(tape, width, height, target, stats).tile(x, y);
+void draw_square(const Tape& tape, int width, int height, int x, int y, int side,
+                 const Target& target, RenderStats& stats) {
+  TileWalk(tape, width, height, target, stats).whole(x, y, side);
 }
 
 }  // namespace mien

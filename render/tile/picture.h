@@ -1,5 +1,6 @@
 #pragma once
-// The picture cut into tiles, and tiles into quarters, until a square is one colour or one pixel.
+// The sure way through a picture: squares cut into quarters until each is one colour or one pixel.
+// For layers that the fast way (band.h) does not know.
 
 #include <mien/render/image.h>
 #include <mien/render/render_stats.h>
@@ -17,14 +18,9 @@ struct Target {
   PixelRect rect;  ///< the part of the picture that `data` holds
 };
 
-/// Side of the squares that are handed to threads [px], at absolute positions of the whole picture:
-/// larger makes fewer, longer jobs and less to decide again at the top; smaller spreads small
-/// pictures over threads.
-inline constexpr int kTile = 128;
-
-/// Draws the tile whose top left pixel is (x, y) of a picture of width × height, as far as the
-/// target shows it.
-void draw_tile(const Tape& tape, int width, int height, int x, int y, const Target& target,
-               RenderStats& stats);
+/// Draws the square whose top left pixel is (x, y) of a picture of width × height, as far as the
+/// target shows it. `side` is a power of 2.
+void draw_square(const Tape& tape, int width, int height, int x, int y, int side,
+                 const Target& target, RenderStats& stats);
 
 }  // namespace mien

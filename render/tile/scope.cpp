@@ -1,6 +1,7 @@
 #include <mien/render/tile/scope.h>
 
 #include <numeric>
+#include <utility>
 
 namespace mien {
 
@@ -27,6 +28,24 @@ Scope ScopeStack::everything() {
     layers_.push_back({first, layer.count, layer.mix, layer.paint, layer.group});
     scope.varied |= !layer.plain();
   }
+  return scope;
+}
+
+Scope ScopeStack::of_layers(std::span<const int> layers) {
+  Scope scope{int(outlines_.size()), 0, int(layers_.size()), int(layers.size()), tape_.background};
+  for (const int index : layers) {
+    const TapeLayer& layer = tape_.layers[std::size_t(index)];
+    const int first = int(steps_.size());
+    steps_.insert(steps_.end(), tape_.steps.begin() + layer.first,
+                  tape_.steps.begin() + layer.first + layer.count);
+    layers_.push_back({first, layer.count, layer.mix});
+    for (int i = first; i < first + layer.count; ++i)
+      if (const Step& step = steps_[std::size_t(i)];
+          step.kind == Kind::outline && !std::exchange(used_[std::size_t(step.outline)], char(1)))
+        outlines_.push_back(step.outline);
+  }
+  scope.outline_count = int(outlines_.size()) - scope.first_outline;
+  for (const int outline : outlines(scope)) used_[std::size_t(outline)] = 0;
   return scope;
 }
 

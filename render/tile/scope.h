@@ -38,6 +38,9 @@ class ScopeStack {
   /// Everything: no outline decided.
   Scope everything();
 
+  /// These layers alone, top to bottom, and the background: no outline decided.
+  Scope of_layers(std::span<const int> layers);
+
   /// What stays undecided in the disc (center, radius) around a square. Pushes only what is new.
   Scope narrowed(const Scope& scope, glm::dvec2 center, double radius);
 

@@ -10,18 +10,21 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// The reach of a piece of y = a x². By Federer it is the infimum over pairs of its points of the
-/// radius of the circle that touches the piece at one and passes through the other, where the other
-/// lies within the tangent's direction of run; a piece that turns by less than 90° has no pair
-/// beyond, and by Blaschke's rolling theorem no such circle is smaller than the least radius of
-/// curvature. Pieces that turn further have the reach of the whole parabola, 1/2a: its circles are
-/// larger still, but the other point may lie behind an end's tangent, so they are refused.
+/// The reach of a piece of y = a x², or a bound below it. By Federer it is the infimum, over pairs
+/// of its points p and q, of the radius of the circle that touches the piece at p and passes through
+/// q; where p is an end and q lies behind its tangent, of half their distance.
+/// Whole parabola: 1/2a, the radius at the vertex. So for any piece no touching circle is smaller,
+/// and q behind an end at x = e lies beyond the end's normal, which meets the parabola again at
+/// −e − 1/(2a²e): half the distance is at least e + 1/(4a²e) >= 1/a.
+/// A piece that turns by less than 90° has no q behind an end, and by Blaschke's rolling theorem no
+/// touching circle is smaller than its own least radius of curvature.
 double reach_of(double a, double lo, double hi) {
   if (a == 0.0) return kInf;
   const double steep_lo = 2.0 * a * lo, steep_hi = 2.0 * a * hi;
-  const bool whole = !std::isfinite(lo) && !std::isfinite(hi);
-  if (!whole && !(1.0 + steep_lo * steep_hi > 0.0)) return 0.0;  // tangents' dot product
-  const double least = lo * hi <= 0.0 ? 0.0 : std::min(std::abs(steep_lo), std::abs(steep_hi));
+  const bool turns_little = 1.0 + steep_lo * steep_hi > 0.0;  // the tangents' dot product
+  const double least = lo * hi <= 0.0 || !turns_little
+                           ? 0.0
+                           : std::min(std::abs(steep_lo), std::abs(steep_hi));
   const double stretch = std::sqrt(1.0 + least * least);
   return stretch * stretch * stretch / (2.0 * std::abs(a));
 }

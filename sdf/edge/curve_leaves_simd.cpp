@@ -189,8 +189,10 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
     // allows, |g'| <= |a² − b²|, |g''| <= 2 |a² − b²|. Feet lie within arc 2·radius.
     const V low = hn::Max(hn::Sub(g, Set(spread * 2.0 * r / small)), Set(small * small));
     const V il = hn::Div(one, low), ratio = hn::Mul(Set(spread), il), il2 = hn::Mul(il, il);
-    const V inner = Fused(hn::Mul(Set(13.5), ratio), ratio, Fused(Set(19.0), ratio, Set(4.0)));
-    const V k3 = hn::Mul(hn::Mul(Set(1.5 * spread), ab), hn::Mul(hn::Mul(il2, il2), inner));
+    const V most1 = hn::Min(Fused(Set(4.0 * spread * r), hn::Sqrt(il), hn::Abs(g1)), Set(spread));
+    const V part = hn::Mul(most1, il);
+    const V inner = Fused(hn::Mul(Set(13.5), part), part, Fused(Set(19.0), ratio, Set(4.0)));
+    const V k3 = hn::Mul(hn::Mul(Set(1.5), hn::Mul(most1, ab)), hn::Mul(hn::Mul(il2, il2), inner));
     const V error = Remainder(k, k1, k2, k3, r);
     hn::Store(k, d, out.levels[0].bend.data() + i);
     hn::Store(hn::Mul(k1, Set(1.0 / 6)), d, out.levels[0].c3.data() + i);

@@ -7,6 +7,10 @@
 
 namespace mien {
 
+/// [px] Just more than half a pixel's diagonal: a pixel that the round end crosses is one edge's
+/// alone, and away from it both edges of the stroke agree.
+inline constexpr float kEndHalo = 0.75f;
+
 /// One smooth piece of outline. With u = p − (x, y), Y = dot(u, n) and X = dot(u, m),
 /// m = (−n.y, n.x), a point p of the leaf is inside when
 ///
@@ -22,7 +26,8 @@ struct LeafEdge {
 
   /// A round end. Where dot(p − end, along) > 0 the outline is the circle of curvature `end_bend`
   /// around `end` instead, as far as it lies on the side dot(p − end, normal at the end) > 0; on
-  /// the other side the point counts as inside (the stroke's other edge decides there).
+  /// the other side the point counts as inside (the stroke's other edge decides there) unless it is
+  /// more than kEndHalo outside the circle.
   float end_x, end_y, along_x, along_y;  ///< along: unit, out of the body; (0, 0): no end
   float end_bend, end_nx, end_ny;        ///< the normal at the end, towards this edge's side
   float error;                           ///< [px] the outline deviates by at most this in the leaf

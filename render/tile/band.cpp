@@ -1,0 +1,218 @@
+#include <mien/render/tile/band.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace mien {
+namespace {
+
+constexpr double kSqrtHalf = 0.70710678118654757;  // rounded up
+
+std::span<const Step> steps_of(const Tape& tape, int layer) {
+  const TapeLayer& l = tape.layers[std::size_t(layer)];
+  return {tape.steps.data() + l.first, std::size_t(l.count)};
+}
+
+}  // namespace
+
+void BandPainter::draw(const Plan& plan, int width, int height, int y, const Target& target,
+                       RenderStats& stats) {
+  const std::size_t outlines = plan.tape.outlines.size();
+  if (plan_ != &plan) scopes_.reset(), pixels_.reset();
+  plan_ = &plan, target_ = &target, stats_ = &stats;
+  width_ = width, height_ = height, y_ = y;
+  stamp_.resize(outlines), wanted_.resize(outlines);
+  group_sides_.resize(outlines), tile_sides_.resize(outlines), leaf_sides_.resize(outlines);
+  const int first = target.rect.x / kBandTile;
+  const int last = (target.rect.x + target.rect.width - 1) / kBandTile;
+  for (int i = first; i <= last; i += kGroup) group(i * kBandTile, std::min(kGroup, last + 1 - i));
+}
+
+/// The outlines that the layers' programs read, each once, to noted_.
+void BandPainter::note_outlines(std::span<const int> layers) {
+  noted_.clear();
+  ++stamp_now_;
+  for (const int layer : layers)
+    for (const Step& step : steps_of(plan_->tape, layer))
+      if (step.kind == Step::Kind::outline && stamp_[std::size_t(step.outline)] != stamp_now_) {
+        stamp_[std::size_t(step.outline)] = stamp_now_;
+        noted_.push_back(step.outline);
+      }
+}
+
+Sides BandPainter::classified(int outline, std::span<const float> x, std::span<const float> y,
+                              float half_diagonal) {
+  plan_->squares[std::size_t(outline)].classify(x, y, half_diagonal, {answers_.data(), x.size()});
+  Sides sides;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sides.in |= std::uint64_t(answers_[i] < 0) << i;
+    sides.out |= std::uint64_t(answers_[i] > 0) << i;
+  }
+  return sides;
+}
+
+/// Which colour each square has, and which are mixed.
+void BandPainter::resolve(std::span<const int> layers, std::span<const Sides> outlines,
+                          std::uint64_t valid, Squares& squares) {
+  std::uint64_t open = valid, composite = 0;
+  squares.seen.clear();
+  squares.mixed = 0;
+  const auto paint = [&](std::uint64_t lanes, int color) {
+    for (; lanes; lanes &= lanes - 1)
+      squares.color[std::size_t(std::countr_zero(lanes))] = color;
+  };
+  for (const int layer : layers) {
+    const Sides s = sides_of(steps_of(plan_->tape, layer), outlines, stack_);
+    const std::uint64_t in = s.in & open, unknown = s.unknown() & open;
+    if (!(in | unknown)) continue;
+    squares.seen.push_back({layer, in, unknown});
+    squares.mixed |= unknown;
+    const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
+    if (!l.plain()) {  // left to the scalar walk
+      squares.mixed |= in;
+    } else if (l.mix.a >= 1.0) {
+      paint(in & ~squares.mixed & ~composite, layer);
+      open &= ~in;
+    } else {
+      composite |= in;
+    }
+    if (!open) break;
+  }
+  paint(open & ~squares.mixed & ~composite, kBackground);
+  paint(composite & ~squares.mixed, kComposite);
+}
+
+Mix BandPainter::composite(const Squares& squares, int lane) const {
+  Mix mix{0.0};
+  for (const Seen& s : squares.seen)
+    if (s.in >> lane & 1u) mix = over(mix, plan_->tape.layers[std::size_t(s.layer)].mix);
+  return over(mix, plan_->tape.background);
+}
+
+void BandPainter::group(int x, int tiles) {
+  const glm::dvec2 half{0.5 * width_, 0.5 * height_};
+  const Box2 box{glm::dvec2{x, y_} - half,
+                 glm::dvec2{x + tiles * kBandTile, y_ + kBandTile} - half};
+  group_layers_.clear();
+  for (std::size_t i = 0; i < plan_->layer_boxes.size(); ++i)
+    if (!common(plan_->layer_boxes[i], box).empty()) group_layers_.push_back(int(i));
+  for (int i = 0; i < tiles; ++i) {
+    xs_[std::size_t(i)] = float(box.lo.x + kBandTile * (i + 0.5));
+    ys_[std::size_t(i)] = float(box.lo.y + 0.5 * kBandTile);
+  }
+  note_outlines(group_layers_);
+  const auto n = std::size_t(tiles);
+  for (const int o : noted_)
+    group_sides_[std::size_t(o)] =
+        common(plan_->outline_boxes[std::size_t(o)], box).empty()
+            ? Sides{0, ~std::uint64_t{0}}
+            : classified(o, {xs_.data(), n}, {ys_.data(), n}, float(kSqrtHalf * kBandTile));
+  const std::uint64_t valid = tiles == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << tiles) - 1;
+  resolve(group_layers_, group_sides_, valid, group_);
+  for (int i = 0; i < tiles;) {
+    if (group_.mixed >> i & 1u) {
+      tile(i, x + i * kBandTile);
+      ++i;
+      continue;
+    }
+    int end = i + 1;  // a run of tiles of one colour
+    const int color = group_.color[std::size_t(i)];
+    if (color != kComposite)
+      while (end < tiles && !(group_.mixed >> end & 1u) && group_.color[std::size_t(end)] == color)
+        ++end;
+    fill(group_, i, {x + i * kBandTile, y_, (end - i) * kBandTile, kBandTile});
+    i = end;
+  }
+}
+
+void BandPainter::tile(int index, int x) {
+  const Tape& tape = plan_->tape;
+  tile_layers_.clear();
+  bool plain = true;
+  for (const Seen& s : group_.seen)
+    if ((s.in | s.unknown) >> index & 1u) {
+      tile_layers_.push_back(s.layer);
+      plain = plain && tape.layers[std::size_t(s.layer)].plain();
+    }
+  if (!plain) return draw_square(tape, width_, height_, x, y_, kBandTile, *target_, *stats_);
+
+  Leaves leaves;
+  leaves.radius = kSqrtHalf * kLeaf;
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    leaves.x[i] = x + kLeaf * (double(i % kLeavesAcross) + 0.5) - 0.5 * width_;
+    leaves.y[i] = y_ + kLeaf * (double(i / kLeavesAcross) + 0.5) - 0.5 * height_;
+  }
+  std::array<float, Leaves::kMost> xs, ys;
+  for (std::size_t i = 0; i < Leaves::kMost; ++i)
+    xs[i] = float(leaves.x[i]), ys[i] = float(leaves.y[i]);
+  note_outlines(tile_layers_);
+  for (const int o : noted_) {
+    const Sides s = group_sides_[std::size_t(o)];
+    Sides& t = tile_sides_[std::size_t(o)];
+    wanted_[std::size_t(o)] = 0;
+    if (s.in >> index & 1u)
+      t = {~std::uint64_t{0}, 0};
+    else if (s.out >> index & 1u)
+      t = {0, ~std::uint64_t{0}};
+    else
+      t = classified(o, xs, ys, float(leaves.radius));
+  }
+  resolve(tile_layers_, tile_sides_, 0xFFFF, tile_);
+
+  edges_.clear();
+  wanted_outlines_.clear();
+  for (const Seen& s : tile_.seen) {
+    if (!s.unknown) continue;
+    for (const Step& step : steps_of(tape, s.layer)) {
+      if (step.kind != Step::Kind::outline) continue;
+      const auto o = std::size_t(step.outline);
+      const auto lanes = std::uint32_t(s.unknown & tile_sides_[o].unknown());
+      if (lanes && !wanted_[o]) wanted_outlines_.push_back(step.outline);
+      wanted_[o] |= lanes;
+    }
+  }
+  if (leaf_outlines_.size() < wanted_outlines_.size()) leaf_outlines_.resize(wanted_outlines_.size());
+  for (std::size_t i = 0; i < wanted_outlines_.size(); ++i) {
+    const auto o = std::size_t(wanted_outlines_[i]);
+    leaves.wanted = wanted_[o];
+    plan_->outlines[o].in_leaves(leaves, leaf_outlines_[i], edges_);
+  }
+  for (int lane = 0; lane < int(Leaves::kMost); ++lane) {
+    leaf_x_ = x + kLeaf * (lane % kLeavesAcross), leaf_y_ = y_ + kLeaf * (lane / kLeavesAcross);
+    leaf_center_ = {leaves.x[std::size_t(lane)], leaves.y[std::size_t(lane)]};
+    if (tile_.mixed >> lane & 1u)
+      leaf(lane);
+    else
+      fill(tile_, lane, {leaf_x_, leaf_y_, kLeaf, kLeaf});
+  }
+}
+
+void BandPainter::leaf(int lane) {
+  const PixelRect part = visible({leaf_x_, leaf_y_, kLeaf, kLeaf});
+  if (part.width <= 0 || part.height <= 0) return;
+  leaf_layers_.clear();
+  for (const Seen& s : tile_.seen)
+    if ((s.in | s.unknown) >> lane & 1u) leaf_layers_.push_back(s.layer);
+  leaf_wanted_.clear();
+  leaf_list_.clear();
+  for (std::size_t i = 0; i < wanted_outlines_.size(); ++i)
+    if (wanted_[std::size_t(wanted_outlines_[i])] >> lane & 1u) {
+      leaf_wanted_.push_back(wanted_outlines_[i]);
+      leaf_list_.push_back(leaf_outlines_[i][std::size_t(lane)]);
+    }
+  for (const int layer : leaf_layers_)
+    for (const Step& step : steps_of(plan_->tape, layer)) {
+      if (step.kind != Step::Kind::outline) continue;
+      const auto o = std::size_t(step.outline);
+      leaf_sides_[o] = tile_sides_[o].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0}
+                                                      : Sides{0, ~std::uint64_t{0}};
+    }
+  if (assemble(leaf_list_, edges_, {0.0, 0.0}))
+    paint(0xFFFF);
+  else
+    divide({0.0, 0.0}, kLeaf, 0, 0);
+}
+
+}  // namespace mien

@@ -1,0 +1,107 @@
+#pragma once
+// The fast way through a picture: bands of 64 rows, cut into tiles and leaves.
+//
+//   a band    up to 64 tiles of 64 × 64 pixels against every outline near, and the layers' programs
+//             on a bit per tile: tiles of one colour are filled;
+//   a tile    its 16 leaves of 16 × 16 pixels in the same way;
+//   a leaf    a few edges and a palette: drawn in vectors (leaf.h). What is not proven for a leaf is
+//             asked again for its quarters, down to blocks of 4 × 4; what is not proven there is
+//             resolved pixel by pixel (pixel.h).
+//
+// What a pixel becomes depends on its leaf alone, and leaves are at absolute positions of the whole
+// picture: never on threads, regions or order.
+
+#include <mien/render/tile/leaf.h>
+#include <mien/render/tile/picture.h>
+#include <mien/render/tile/pixel.h>
+#include <mien/render/tile/plan.h>
+#include <mien/render/tile/sides.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace mien {
+
+/// Height of a band and side of its tiles [px].
+inline constexpr int kBandTile = 64;
+
+/// Draws bands of one picture after another; keeps its scratch. One per thread.
+class BandPainter {
+ public:
+  /// The band whose top row is y, a multiple of kBandTile, of a picture of width × height, as far
+  /// as the target shows it.
+  void draw(const Plan& plan, int width, int height, int y, const Target& target,
+            RenderStats& stats);
+
+ private:
+  static constexpr int kGroup = 64;  // tiles decided together: bits of a mask
+  static constexpr int kLeavesAcross = kBandTile / kLeaf;
+
+  /// A layer that can be seen somewhere in the squares: where it covers all, where perhaps.
+  struct Seen {
+    int layer;
+    std::uint64_t in, unknown;
+  };
+  struct Squares {
+    std::vector<Seen> seen;  // top to bottom
+    std::uint64_t mixed = 0;
+    std::array<int, kGroup> color;  // of the others: a layer, or one of those below
+  };
+  static constexpr int kBackground = -1, kComposite = -2;
+
+  void group(int x, int tiles);
+  void tile(int index, int x);
+  void leaf(int lane);
+  void resolve(std::span<const int> layers, std::span<const Sides> outlines, std::uint64_t valid,
+               Squares& squares);
+  Mix composite(const Squares& squares, int lane) const;
+  void fill(const Squares& squares, int lane, const PixelRect& square);
+  void fill(const PixelRect& square, std::uint32_t value);
+  void fill_slowly(const PixelRect& square, const Mix& mix);
+  void note_outlines(std::span<const int> layers);
+  Sides classified(int outline, std::span<const float> x, std::span<const float> y,
+                   float half_diagonal);
+
+  bool assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
+                glm::dvec2 shift);
+  bool add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges, glm::dvec2 shift);
+  std::uint64_t pattern(const LeafOutline& outline, int first) const;
+  void color_leaf();
+  void paint(std::uint32_t blocks);
+  void divide(glm::dvec2 center, int side, int block_x, int block_y);
+  void pixel_by_pixel(int block_x, int block_y);
+  std::byte* at(int x, int y) const;
+  PixelRect visible(const PixelRect& square) const;
+
+  // What is drawn now.
+  const Plan* plan_ = nullptr;
+  const Target* target_ = nullptr;
+  RenderStats* stats_ = nullptr;
+  int width_ = 0, height_ = 0, y_ = 0;
+  int leaf_x_ = 0, leaf_y_ = 0;  // of the present leaf's corner
+  glm::dvec2 leaf_center_{};
+  Leaf leaf_;
+
+  // Scratch.
+  std::vector<int> group_layers_, tile_layers_, leaf_layers_, noted_, wanted_outlines_;
+  std::vector<std::uint32_t> stamp_;
+  std::uint32_t stamp_now_ = 0;
+  std::vector<Sides> group_sides_, tile_sides_, leaf_sides_, stack_;
+  Squares group_, tile_;
+  std::vector<std::uint32_t> wanted_;  // by outline: leaves that need its edges
+  std::vector<LeafEdge> edges_;
+  std::vector<std::array<LeafOutline, Leaves::kMost>> leaf_outlines_;  // by place in wanted_outlines_
+  std::vector<int> leaf_wanted_;                                       // places of the present leaf
+  std::vector<LeafOutline> leaf_list_;
+  std::array<Mix, Leaf::kMostSides> mixes_;
+  std::array<float, kGroup> xs_, ys_;
+  std::array<std::int8_t, kGroup> answers_;
+  std::array<std::uint32_t, kLeaf * kLeaf> scratch_;
+  std::unique_ptr<ScopeStack> scopes_;
+  std::unique_ptr<PixelResolver> pixels_;
+  RenderStats pixel_stats_;  // what pixels_ counts
+};
+
+}  // namespace mien

@@ -1,0 +1,283 @@
+// The leaves of a band: edges and a palette, or their parts.
+
+#include <mien/render/tile/band.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace mien {
+namespace {
+
+constexpr double kSqrtHalf = 0.70710678118654757;  // rounded up
+
+/// Bit i: i has bit `edge` set. All combinations of sides at once.
+constexpr std::array<std::uint64_t, Leaf::kMostEdges> kPatterns{
+    0xAAAAAAAAu, 0xCCCCCCCCu, 0xF0F0F0F0u, 0xFF00FF00u, 0xFFFF0000u};
+
+}  // namespace
+
+bool BandPainter::add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges,
+                            glm::dvec2 shift) {
+  for (int i = outline.first; i < outline.first + outline.count; ++i) {
+    if (leaf_.edge_count == Leaf::kMostEdges) return false;
+    LeafEdge& e = leaf_.edges[std::size_t(leaf_.edge_count++)] = edges[std::size_t(i)];
+    if (!(std::abs(e.bend) <= kMostLeafBend && e.end_bend <= kMostLeafBend)) return false;
+    e.x += float(shift.x), e.y += float(shift.y);
+    e.end_x += float(shift.x), e.end_y += float(shift.y);
+  }
+  return true;
+}
+
+/// For which combinations of its edges' sides the outline's inside is met.
+std::uint64_t BandPainter::pattern(const LeafOutline& outline, int first) const {
+  const auto edge = [&](int i) { return kPatterns[std::size_t(first + i)]; };
+  std::uint64_t all = ~std::uint64_t{0}, any = 0, wound = 0;
+  for (int i = 0; i < outline.count; ++i) all &= edge(i), any |= edge(i);
+  switch (outline.rule) {
+    case EdgeRule::outside:
+      return 0;
+    case EdgeRule::inside:
+      return ~std::uint64_t{0};
+    case EdgeRule::all:
+      return all;
+    case EdgeRule::any:
+      return any;
+    default:
+      break;
+  }
+  for (int sides = 0; sides < Leaf::kMostSides; ++sides) {
+    int winding = outline.winding;
+    for (int i = 0; i < outline.count; ++i)
+      if (edge(i) >> sides & 1u) winding += leaf_.edges[std::size_t(first + i)].turn;
+    const bool in = outline.rule == EdgeRule::nonzero ? winding != 0 : (winding & 1) != 0;
+    wound |= std::uint64_t(in) << sides;
+  }
+  return wound;
+}
+
+/// Edges and palette of the present leaf, or of a part of it; `shift`: the part's centre from the
+/// leaf's. False if that is not proven for a square so large.
+bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
+                           glm::dvec2 shift) {
+  leaf_.edge_count = 0;
+  double error = 0.0;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const int first = leaf_.edge_count;
+    error += outlines[i].error;
+    if (!(error <= plan_->tolerance) || !add_edges(outlines[i], edges, shift)) return false;
+    const std::uint64_t in = pattern(outlines[i], first);
+    leaf_sides_[std::size_t(leaf_wanted_[i])] = {in, ~in};
+  }
+  color_leaf();
+  return true;
+}
+
+void BandPainter::color_leaf() {
+  const Tape& tape = plan_->tape;
+  const int count = 1 << leaf_.edge_count;
+  std::uint64_t open = count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+  std::uint64_t mixed = 0;
+  leaf_.blend = tape.blend;
+  leaf_.opaque = true;
+  const auto set = [&](int i, const Mix& mix) {
+    for (std::size_t c = 0; c < 4; ++c)
+      leaf_.palette[c][std::size_t(i)] = float(255.0 * mix[int(c)]);
+  };
+  const auto finish = [&](std::uint64_t lanes, const Mix& mix, std::uint32_t packed, int same) {
+    for (; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      if (mixed >> i & 1u) {
+        mixes_[std::size_t(i)] = over(mixes_[std::size_t(i)], mix);
+        continue;
+      }
+      set(i, mix);
+      leaf_.packed[std::size_t(i)] = packed, leaf_.same[std::size_t(i)] = std::uint8_t(same);
+    }
+  };
+  int number = 0;
+  for (const int layer : leaf_layers_) {
+    const TapeLayer& l = tape.layers[std::size_t(layer)];
+    const std::span<const Step> steps{tape.steps.data() + l.first, std::size_t(l.count)};
+    const std::uint64_t in = sides_of(steps, leaf_sides_, stack_).in & open;
+    ++number;
+    if (!in) continue;
+    if (l.mix.a >= 1.0) {
+      finish(in, l.mix, plan_->packed[std::size_t(layer)], number);
+      open &= ~in;
+      if (!open) break;
+      continue;
+    }
+    for (std::uint64_t lanes = in; lanes; lanes &= lanes - 1) {
+      const auto i = std::size_t(std::countr_zero(lanes));
+      mixes_[i] = mixed >> i & 1u ? over(mixes_[i], l.mix) : l.mix;
+      mixed |= std::uint64_t{1} << i;
+    }
+  }
+  finish(open, tape.background, plan_->background, 0);
+  leaf_.opaque = tape.background.a >= 1.0;
+  for (std::uint64_t lanes = mixed; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const Mix& mix = mixes_[std::size_t(i)];
+    set(i, mix);
+    store(mix, tape.blend, Depth::u8, &leaf_.packed[std::size_t(i)]);
+    leaf_.same[std::size_t(i)] = std::uint8_t(128 + i);
+    leaf_.opaque = leaf_.opaque && mix.a >= 1.0 - 1e-9;
+  }
+}
+
+/// Draws blocks of the present leaf.
+void BandPainter::paint(std::uint32_t blocks) {
+  const PixelRect part = visible({leaf_x_, leaf_y_, kLeaf, kLeaf});
+  const bool whole = part.width == kLeaf && part.height == kLeaf;
+  const auto scalar = [&](int x, int y, void* to) {
+    long long cells = 0;
+    const Mix mix = leaf_pixel(leaf_, x - 7.5, y - 7.5, plan_->tolerance, cells);
+    stats_->cells += cells;
+    store(mix / 255.0, plan_->tape.blend, target_->depth, to);
+  };
+  if (target_->depth != Depth::u8 || !leaf_.opaque) {
+    for (int y = 0; y < kLeaf; ++y)
+      for (int x = 0; x < kLeaf; ++x) {
+        const int px = leaf_x_ + x, py = leaf_y_ + y;
+        const bool shown = px >= part.x && px < part.x + part.width && py >= part.y &&
+                           py < part.y + part.height;
+        if (shown && (blocks >> (y / 4 * 4 + x / 4) & 1u)) scalar(x, y, at(px, py));
+      }
+    stats_->one_edge_pixels += 16ll * std::popcount(blocks);
+    return;
+  }
+  std::uint32_t* to = scratch_.data();
+  std::size_t stride = kLeaf;
+  // Rows of a target are whole pixels apart wherever callers let them be.
+  if (whole && target_->stride % 4 == 0 && reinterpret_cast<std::uintptr_t>(target_->data) % 4 == 0)
+    to = reinterpret_cast<std::uint32_t*>(at(leaf_x_, leaf_y_)), stride = target_->stride / 4;
+  LeafPixels left;
+  paint_leaf(leaf_, blocks, to, stride, left);
+  for (int i = 0; i < left.count; ++i) {
+    const int x = left.at[std::size_t(i)] % kLeaf, y = left.at[std::size_t(i)] / kLeaf;
+    scalar(x, y, to + std::size_t(y) * stride + x);
+  }
+  stats_->divided_pixels += left.count;
+  stats_->one_edge_pixels += left.edge_pixels - left.count;
+  stats_->fill_pixels += 16ll * std::popcount(blocks) - left.edge_pixels;
+  if (to != scratch_.data()) return;
+  for (int y = part.y; y < part.y + part.height; ++y)
+    for (int x = part.x; x < part.x + part.width; ++x) {
+      const int bx = x - leaf_x_, by = y - leaf_y_;
+      if (blocks >> (by / 4 * 4 + bx / 4) & 1u)
+        std::memcpy(at(x, y), &scratch_[std::size_t(by * kLeaf + bx)], 4);
+    }
+}
+
+/// The quarters of a square of the present leaf by edges of their own: `center` from the leaf's, its
+/// first block. A square of one block is left to the pixels.
+void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) {
+  if (side == 4) return pixel_by_pixel(block_x, block_y);
+  const int half = side / 2, step = side / 8;
+  const double quarter = 0.25 * side;
+  Leaves quarters;
+  quarters.wanted = 0xF;
+  quarters.radius = kSqrtHalf * half;
+  std::array<glm::dvec2, 4> centers;
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    const glm::dvec2 c =
+        center + quarter * glm::dvec2{double(2 * int(i & 1)) - 1.0, double(int(i & 2)) - 1.0};
+    if (i < 4) centers[i] = c;
+    quarters.x[i] = leaf_center_.x + c.x, quarters.y[i] = leaf_center_.y + c.y;
+  }
+  // On the stack of this call: quarters may be divided themselves.
+  std::vector<LeafEdge> edges;
+  std::vector<std::array<LeafOutline, Leaves::kMost>> found(leaf_wanted_.size());
+  for (std::size_t i = 0; i < leaf_wanted_.size(); ++i) {
+    if (leaf_list_[i].count == 0 && leaf_list_[i].error <= plan_->tolerance)
+      found[i].fill(leaf_list_[i]);
+    else
+      plan_->outlines[std::size_t(leaf_wanted_[i])].in_leaves(quarters, found[i], edges);
+  }
+  std::vector<LeafOutline> list(leaf_wanted_.size());
+  for (int q = 0; q < 4; ++q) {
+    const int x = block_x + (q & 1) * step, y = block_y + (q >> 1) * step;
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = found[i][std::size_t(q)];
+    if (assemble(list, edges, centers[std::size_t(q)])) {
+      std::uint32_t blocks = 0;
+      for (int j = y; j < y + half / 4; ++j)
+        for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
+      paint(blocks);
+    } else {
+      divide(centers[std::size_t(q)], half, x, y);
+    }
+  }
+}
+
+/// A block of 4 × 4 pixels that edges do not describe.
+void BandPainter::pixel_by_pixel(int block_x, int block_y) {
+  if (!scopes_) {
+    scopes_ = std::make_unique<ScopeStack>(plan_->tape);
+    pixels_ = std::make_unique<PixelResolver>(plan_->tape, *scopes_, pixel_stats_);
+  }
+  const auto mark = scopes_->mark();
+  const PixelRect part =
+      visible({leaf_x_ + 4 * block_x, leaf_y_ + 4 * block_y, 4, 4});
+  const glm::dvec2 half{0.5 * width_, 0.5 * height_};
+  const glm::dvec2 center = glm::dvec2{leaf_x_ + 4 * block_x + 2, leaf_y_ + 4 * block_y + 2} - half;
+  const Scope block = scopes_->narrowed(scopes_->of_layers(leaf_layers_), center, 4 * kSqrtHalf);
+  for (int y = part.y; y < part.y + part.height; ++y)
+    for (int x = part.x; x < part.x + part.width; ++x)
+      store(pixels_->pixel(block, glm::dvec2{x + 0.5, y + 0.5} - half), plan_->tape.blend,
+            target_->depth, at(x, y));
+  scopes_->reset(mark);
+  stats_->add(std::exchange(pixel_stats_, {}));
+}
+
+std::byte* BandPainter::at(int x, int y) const {
+  return target_->data + target_->stride * std::size_t(y - target_->rect.y) +
+         4 * bytes_per_channel(target_->depth) * std::size_t(x - target_->rect.x);
+}
+
+PixelRect BandPainter::visible(const PixelRect& s) const {
+  const PixelRect& r = target_->rect;
+  const int x = std::max(s.x, r.x), y = std::max(s.y, r.y);
+  return {x, y, std::min(s.x + s.width, r.x + r.width) - x,
+          std::min(s.y + s.height, r.y + r.height) - y};
+}
+
+void BandPainter::fill(const Squares& squares, int lane, const PixelRect& square) {
+  const int color = squares.color[std::size_t(lane)];
+  if (color == kComposite || target_->depth != Depth::u8)
+    return fill_slowly(square, color == kComposite    ? composite(squares, lane)
+                               : color == kBackground ? plan_->tape.background
+                                                      : plan_->tape.layers[std::size_t(color)].mix);
+  fill(square, color == kBackground ? plan_->background : plan_->packed[std::size_t(color)]);
+}
+
+void BandPainter::fill(const PixelRect& square, std::uint32_t value) {
+  const PixelRect part = visible(square);
+  if (part.width <= 0 || part.height <= 0) return;
+  stats_->fill_pixels += (long long)part.width * part.height;
+  if (target_->stride % 4 != 0 || reinterpret_cast<std::uintptr_t>(target_->data) % 4 != 0) {
+    for (int y = 0; y < part.height; ++y)
+      for (int x = 0; x < part.width; ++x) std::memcpy(at(part.x + x, part.y + y), &value, 4);
+    return;
+  }
+  fill_rows(reinterpret_cast<std::uint32_t*>(at(part.x, part.y)), target_->stride / 4, part.height,
+            part.width, value);
+}
+
+void BandPainter::fill_slowly(const PixelRect& square, const Mix& mix) {
+  const PixelRect part = visible(square);
+  if (part.width <= 0 || part.height <= 0) return;
+  stats_->fill_pixels += (long long)part.width * part.height;
+  std::array<std::byte, 16> pixel;
+  store(mix, plan_->tape.blend, target_->depth, pixel.data());
+  const std::size_t size = 4 * bytes_per_channel(target_->depth);
+  std::byte* const first = at(part.x, part.y);
+  for (int i = 0; i < part.width; ++i)
+    std::memcpy(first + size * std::size_t(i), pixel.data(), size);
+  for (int j = 1; j < part.height; ++j)
+    std::memcpy(first + target_->stride * std::size_t(j), first, size * std::size_t(part.width));
+}
+
+}  // namespace mien

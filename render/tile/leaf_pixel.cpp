@@ -1,0 +1,154 @@
+// One pixel of a leaf by the scalar forms.
+
+#include <mien/render/cover/arrangement.h>
+#include <mien/render/cover/edge_coverage.h>
+#include <mien/render/tile/leaf.h>
+
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace mien {
+namespace {
+
+/// An edge seen from a point: distance, unit outward normal, bend.
+struct Sight {
+  double d;
+  glm::dvec2 n;
+  double bend;
+};
+
+Sight see(const LeafEdge& e, glm::dvec2 p) {
+  if (e.has_end()) {
+    const glm::dvec2 u = p - glm::dvec2{e.end_x, e.end_y};
+    if (glm::dot(u, glm::dvec2{e.along_x, e.along_y}) > 0.0) {
+      const double rho = glm::length(u);
+      const double d = rho - 1.0 / e.end_bend;
+      const bool mine = glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) >= 0.0 || d > double(kEndHalo);
+      if (!mine || rho == 0.0) return {-1e6, {1.0, 0.0}, 0.0};
+      return {d, u / rho, e.end_bend};
+    }
+  }
+  const glm::dvec2 u = p - glm::dvec2{e.x, e.y}, n{e.nx, e.ny}, m{-n.y, n.x};
+  const double x = glm::dot(u, m), y = glm::dot(u, n), k = e.bend, c3 = e.c3, c4 = e.c4;
+  const double f = y + 0.5 * k * glm::dot(u, u);
+  const double root = std::sqrt(std::max(1.0 + 2.0 * k * f, 1e-8));
+  const glm::dvec2 g = (n + k * u) / root + x * x * (3.0 * c3 + 4.0 * c4 * x) * m;
+  return {2.0 * f / (1.0 + root) + x * x * x * (c3 + c4 * x), glm::normalize(g), k};
+}
+
+/// Resolves squares of one pixel.
+class LeafSquare {
+ public:
+  LeafSquare(const Leaf& leaf, double tolerance, long long& cells)
+      : leaf_(leaf), tolerance_(tolerance), cells_(cells) {}
+
+  Mix mean(glm::dvec2 center, double side, int depth) {
+    std::array<Sight, Leaf::kMostEdges> sights;
+    std::uint32_t base = 0, active = 0;
+    for (int i = 0; i < leaf_.edge_count; ++i) {
+      const LeafEdge& e = leaf_.edges[std::size_t(i)];
+      sights[std::size_t(i)] = see(e, center);
+      const Sight& s = sights[std::size_t(i)];
+      const double reach =
+          0.5 * side * (std::abs(s.n.x) + std::abs(s.n.y)) + 0.3 * std::abs(s.bend) * side * side;
+      if (std::abs(s.d) <= reach || (e.has_end() && at_end(e, center, side)))
+        active |= 1u << i;
+      else
+        base |= std::uint32_t(s.d < 0.0) << i;
+    }
+    active = mattering(active, base);
+    if (!active) return color(base);
+    constexpr int kDeepest = 6;
+    bool divide = false;
+    double straightened_by = 0.0;
+    for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+      const auto i = std::size_t(std::countr_zero(rest));
+      const LeafEdge& e = leaf_.edges[i];
+      divide |= e.has_end() && at_end(e, center, side) && side * side * e.end_bend > tolerance_;
+      divide |= std::abs(sights[i].bend) * side > 1.0;
+      straightened_by += EdgeCoverageContract::kStraightenedPerBend * std::abs(sights[i].bend) * side * side;
+    }
+    const bool one = std::has_single_bit(active);
+    if ((divide || (!one && straightened_by > tolerance_)) && depth < kDeepest) {
+      const double half = 0.5 * side, quarter = 0.25 * side;
+      cells_ += 4;
+      Mix sum{0.0};
+      for (const double y : {-quarter, quarter})
+        for (const double x : {-quarter, quarter})
+          sum += 0.25 * mean(center + glm::dvec2{x, y}, half, depth + 1);
+      return sum;
+    }
+    if (one) {
+      const Sight& s = sights[std::size_t(std::countr_zero(active))];
+      const double bend = std::clamp(s.bend * side, -1.0, 1.0);
+      const double covered = bent_edge_coverage(s.d / side, s.n, bend);
+      return covered * color(base | active) + (1.0 - covered) * color(base);
+    }
+    return arranged(sights, active, base, side);
+  }
+
+ private:
+  Mix color(std::uint32_t sides) const {
+    return {leaf_.palette[0][sides], leaf_.palette[1][sides], leaf_.palette[2][sides],
+            leaf_.palette[3][sides]};
+  }
+
+  /// Whether the square may hold the place where a body becomes its round end, or the border
+  /// between the ends of the two edges, near the outline.
+  static bool at_end(const LeafEdge& e, glm::dvec2 center, double side) {
+    const double r = 0.7072 * side;
+    const glm::dvec2 u = center - glm::dvec2{e.end_x, e.end_y};
+    const double beyond = glm::dot(u, glm::dvec2{e.along_x, e.along_y});
+    const double up = glm::dot(u, glm::dvec2{e.end_nx, e.end_ny});
+    const bool seam = std::abs(beyond) < r || (beyond > -r && std::abs(up) < r);
+    return seam && up > -r && std::abs(glm::length(u) - 1.0 / e.end_bend) < 2.0 * r;
+  }
+
+  std::uint32_t mattering(std::uint32_t active, std::uint32_t base) const {
+    std::uint32_t kept = active;
+    for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+      const std::uint32_t bit = rest & -rest, others = kept & ~bit;
+      bool matters = false;
+      for (std::uint32_t sub = others;; sub = (sub - 1) & others) {
+        matters |= leaf_.same[base | sub] != leaf_.same[base | sub | bit];
+        if (sub == 0 || matters) break;
+      }
+      if (!matters) kept &= ~bit;
+    }
+    return kept;
+  }
+
+  Mix arranged(const std::array<Sight, Leaf::kMostEdges>& sights, std::uint32_t active,
+               std::uint32_t base, double side) const {
+    thread_local Arrangement arrangement;
+    std::array<Cut, Leaf::kMostEdges> cuts;
+    std::array<std::uint32_t, Leaf::kMostEdges> bits;
+    std::size_t count = 0;
+    for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+      const Sight& s = sights[std::size_t(std::countr_zero(rest))];
+      bits[count] = rest & -rest;
+      cuts[count++] = {straightened(s.d / side, s.n, s.bend * side), s.n};
+    }
+    Mix mix{0.0};
+    for (const Arrangement::Piece& piece : arrangement.cut({cuts.data(), count})) {
+      std::uint32_t sides = base;
+      for (std::size_t i = 0; i < count; ++i)
+        if (piece.inside >> i & 1u) sides |= bits[i];
+      mix += piece.area * color(sides);
+    }
+    return mix;
+  }
+
+  const Leaf& leaf_;
+  const double tolerance_;
+  long long& cells_;
+};
+
+}  // namespace
+
+Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells) {
+  return LeafSquare(leaf, tolerance, cells).mean({x, y}, 1.0, 0);
+}
+
+}  // namespace mien
