@@ -41,7 +41,8 @@ HWY_INLINE V EdgeArea(D f, V d, V gx, V gy, V k) {
   const V lo = hn::Max(hn::Mul(hn::Sub(db, half), ia), hn::Mul(hn::Neg(hn::Add(da, half)), ib));
   const V hi = hn::Min(hn::Mul(hn::Add(db, half), ia), hn::Mul(hn::Sub(half, da), ib));
   const V cubes = FusedLess(hn::Mul(hi, hi), hi, hn::Mul(hn::Mul(lo, lo), lo));
-  const V lost = hn::IfThenElseZero(hn::Gt(hi, lo), hn::Mul(hn::Mul(k, hn::Set(f, 1.0f / 6)), cubes));
+  const V lost =
+      hn::IfThenElseZero(hn::Gt(hi, lo), hn::Mul(hn::Mul(k, hn::Set(f, 1.0f / 6)), cubes));
   return hn::Min(hn::Max(hn::Sub(straight, lost), zero), one);
 }
 

@@ -60,8 +60,7 @@ void BandPainter::resolve(std::span<const int> layers, std::span<const Sides> ou
   squares.seen.clear();
   squares.mixed = 0;
   const auto paint = [&](std::uint64_t lanes, int color) {
-    for (; lanes; lanes &= lanes - 1)
-      squares.color[std::size_t(std::countr_zero(lanes))] = color;
+    for (; lanes; lanes &= lanes - 1) squares.color[std::size_t(std::countr_zero(lanes))] = color;
   };
   for (const int layer : layers) {
     const Sides s = sides_of(steps_of(plan_->tape, layer), outlines, stack_);
@@ -173,7 +172,8 @@ void BandPainter::tile(int index, int x) {
       wanted_[o] |= lanes;
     }
   }
-  if (leaf_outlines_.size() < wanted_outlines_.size()) leaf_outlines_.resize(wanted_outlines_.size());
+  if (leaf_outlines_.size() < wanted_outlines_.size())
+    leaf_outlines_.resize(wanted_outlines_.size());
   for (std::size_t i = 0; i < wanted_outlines_.size(); ++i) {
     const auto o = std::size_t(wanted_outlines_[i]);
     leaves.wanted = wanted_[o];

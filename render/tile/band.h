@@ -70,6 +70,7 @@ class BandPainter {
   std::uint64_t pattern(const LeafOutline& outline, int first) const;
   void color_leaf();
   void paint(std::uint32_t blocks);
+  void count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part);
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
   void pixel_by_pixel(int block_x, int block_y);
   std::byte* at(int x, int y) const;
@@ -92,8 +93,9 @@ class BandPainter {
   Squares group_, tile_;
   std::vector<std::uint32_t> wanted_;  // by outline: leaves that need its edges
   std::vector<LeafEdge> edges_;
-  std::vector<std::array<LeafOutline, Leaves::kMost>> leaf_outlines_;  // by place in wanted_outlines_
-  std::vector<int> leaf_wanted_;                                       // places of the present leaf
+  std::vector<std::array<LeafOutline, Leaves::kMost>>
+      leaf_outlines_;             // by place in wanted_outlines_
+  std::vector<int> leaf_wanted_;  // places of the present leaf
   std::vector<LeafOutline> leaf_list_;
   std::array<Mix, Leaf::kMostSides> mixes_;
   std::array<float, kGroup> xs_, ys_;

@@ -142,12 +142,13 @@ void BandPainter::paint(std::uint32_t blocks) {
     for (int y = 0; y < kLeaf; ++y)
       for (int x = 0; x < kLeaf; ++x) {
         const int px = leaf_x_ + x, py = leaf_y_ + y;
-        const bool shown = px >= part.x && px < part.x + part.width && py >= part.y &&
-                           py < part.y + part.height;
+        const bool shown =
+            px >= part.x && px < part.x + part.width && py >= part.y && py < part.y + part.height;
         if (shown && (blocks >> (y / 4 * 4 + x / 4) & 1u)) scalar(x, y, at(px, py));
       }
-    stats_->one_edge_pixels += 16ll * std::popcount(blocks);
-    return;
+    LeafPixels none;
+    none.edge_blocks = blocks;
+    return count(none, blocks, part);
   }
   std::uint32_t* to = scratch_.data();
   std::size_t stride = kLeaf;
@@ -160,9 +161,7 @@ void BandPainter::paint(std::uint32_t blocks) {
     const int x = left.at[std::size_t(i)] % kLeaf, y = left.at[std::size_t(i)] / kLeaf;
     scalar(x, y, to + std::size_t(y) * stride + x);
   }
-  stats_->divided_pixels += left.count;
-  stats_->one_edge_pixels += left.edge_pixels - left.count;
-  stats_->fill_pixels += 16ll * std::popcount(blocks) - left.edge_pixels;
+  count(left, blocks, part);
   if (to != scratch_.data()) return;
   for (int y = part.y; y < part.y + part.height; ++y)
     for (int x = part.x; x < part.x + part.width; ++x) {
@@ -170,6 +169,23 @@ void BandPainter::paint(std::uint32_t blocks) {
       if (blocks >> (by / 4 * 4 + bx / 4) & 1u)
         std::memcpy(at(x, y), &scratch_[std::size_t(by * kLeaf + bx)], 4);
     }
+}
+
+/// Counts the shown pixels of blocks just drawn.
+void BandPainter::count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part) {
+  for (; blocks; blocks &= blocks - 1) {
+    const int b = std::countr_zero(blocks), x = leaf_x_ + 4 * (b % 4), y = leaf_y_ + 4 * (b / 4);
+    const int width = std::min(x + 4, part.x + part.width) - std::max(x, part.x);
+    const int height = std::min(y + 4, part.y + part.height) - std::max(y, part.y);
+    if (width <= 0 || height <= 0) continue;
+    (left.edge_blocks >> b & 1u ? stats_->one_edge_pixels : stats_->fill_pixels) += width * height;
+  }
+  for (int i = 0; i < left.count; ++i) {
+    const int x = leaf_x_ + left.at[std::size_t(i)] % kLeaf,
+              y = leaf_y_ + left.at[std::size_t(i)] / kLeaf;
+    if (x < part.x || x >= part.x + part.width || y < part.y || y >= part.y + part.height) continue;
+    ++stats_->divided_pixels, --stats_->one_edge_pixels;
+  }
 }
 
 /// The quarters of a square of the present leaf by edges of their own: `center` from the leaf's, its
@@ -219,8 +235,7 @@ void BandPainter::pixel_by_pixel(int block_x, int block_y) {
     pixels_ = std::make_unique<PixelResolver>(plan_->tape, *scopes_, pixel_stats_);
   }
   const auto mark = scopes_->mark();
-  const PixelRect part =
-      visible({leaf_x_ + 4 * block_x, leaf_y_ + 4 * block_y, 4, 4});
+  const PixelRect part = visible({leaf_x_ + 4 * block_x, leaf_y_ + 4 * block_y, 4, 4});
   const glm::dvec2 half{0.5 * width_, 0.5 * height_};
   const glm::dvec2 center = glm::dvec2{leaf_x_ + 4 * block_x + 2, leaf_y_ + 4 * block_y + 2} - half;
   const Scope block = scopes_->narrowed(scopes_->of_layers(leaf_layers_), center, 4 * kSqrtHalf);

@@ -34,7 +34,7 @@ struct Leaf {
 struct LeafPixels {
   std::array<std::uint8_t, kLeaf * kLeaf> at;
   int count = 0;
-  int edge_pixels = 0;  ///< of blocks that edges cross
+  std::uint32_t edge_blocks = 0;  ///< bit i: edges cross block i
   void add(int pixel) { at[std::size_t(count++)] = std::uint8_t(pixel); }
 };
 

@@ -34,7 +34,8 @@ Sight see(const LeafEdge& e, glm::dvec2 p) {
   const double f = y + 0.5 * k * glm::dot(u, u);
   const double root = std::sqrt(std::max(1.0 + 2.0 * k * f, 1e-8));
   const glm::dvec2 g = (n + k * u) / root + x * x * (3.0 * c3 + 4.0 * c4 * x) * m;
-  return {2.0 * f / (1.0 + root) + x * x * x * (c3 + c4 * x), glm::normalize(g), k};
+  return {2.0 * f / (1.0 + root) + x * x * x * (c3 + c4 * x) * (1.0 + 0.5 * k * k * x * x),
+          glm::normalize(g), k};
 }
 
 /// Resolves squares of one pixel.
@@ -67,7 +68,8 @@ class LeafSquare {
       const LeafEdge& e = leaf_.edges[i];
       divide |= e.has_end() && at_end(e, center, side) && side * side * e.end_bend > tolerance_;
       divide |= std::abs(sights[i].bend) * side > 1.0;
-      straightened_by += EdgeCoverageContract::kStraightenedPerBend * std::abs(sights[i].bend) * side * side;
+      straightened_by +=
+          EdgeCoverageContract::kStraightenedPerBend * std::abs(sights[i].bend) * side * side;
     }
     const bool one = std::has_single_bit(active);
     if ((divide || (!one && straightened_by > tolerance_)) && depth < kDeepest) {

@@ -21,7 +21,9 @@ using F = hn::CappedTag<float, 16>;
 using VF = hn::Vec<F>;
 constexpr size_t kBlock = 16;  // pixels of a block, blocks of a leaf
 
-HWY_INLINE VF Const(float x) { return hn::Set(F(), x); }
+HWY_INLINE VF Const(float x) {
+  return hn::Set(F(), x);
+}
 
 /// An edge seen from points: signed distance times the gradient's length, gradient, bend.
 struct Sight {
@@ -39,7 +41,9 @@ HWY_INLINE Sight SeeBody(const LeafEdge& e, VF px, VF py) {
   const VF f = Fused(hn::Mul(k, Const(0.5f)), Fused(ux, ux, hn::Mul(uy, uy)), y);
   const VF x2 = hn::Mul(x, x);
   const VF c3 = Const(e.c3), c4x = hn::Mul(Const(e.c4), x);
-  const VF leaves = hn::Mul(hn::Mul(x2, x), hn::Add(c3, c4x));
+  const float half_k2 = 0.5f * e.bend * e.bend;
+  const VF arc = Fused(Const(half_k2), x2, Const(1.0f));
+  const VF leaves = hn::Mul(hn::Mul(hn::Mul(x2, x), arc), hn::Add(c3, c4x));
   const VF slope = hn::Mul(x2, Fused(Const(3.0f), c3, hn::Mul(Const(4.0f), c4x)));
   Sight s;
   s.k = k;
@@ -98,7 +102,8 @@ HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int parts) {
     for (int i = 0; i < parts; ++i) {
       const Sight s = See(e, hn::Add(px, Const((float(i) + 0.5f) * step - 0.5f)),
                           hn::Add(py, Const((float(j) + 0.5f) * step - 0.5f)));
-      sum = hn::Add(sum, EdgeArea(f, hn::Mul(s.d, Const(n)), s.gx, s.gy, hn::Mul(s.k, Const(step))));
+      sum =
+          hn::Add(sum, EdgeArea(f, hn::Mul(s.d, Const(n)), s.gx, s.gy, hn::Mul(s.k, Const(step))));
     }
   return hn::Mul(sum, Const(step * step));
 }
@@ -291,13 +296,14 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
         for (size_t x = 0; x < 4; ++x) to[row * stride + x] = value;
       continue;
     }
-    left.edge_pixels += int(kBlock);
+    left.edge_blocks |= 1u << b;
     int here[Leaf::kMostEdges];
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
       const LeafEdge& edge = leaf.edges[std::size_t(e)];
       here[e] = parts[e];
-      if (edge.has_end() && (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f)
+      if (edge.has_end() &&
+          (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f)
         here[e] = end_parts[e];
     }
     if ((active & (active - 1)) == 0) {

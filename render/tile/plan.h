@@ -18,9 +18,9 @@ struct Plan {
   Depth depth;
   std::vector<Classifier> squares;     ///< by outline
   std::vector<LeafOutlines> outlines;  ///< by outline
-  std::vector<Box2> outline_boxes;     ///< nothing of the outline's inside is beyond; may be infinite
-  std::vector<Box2> layer_boxes;       ///< by layer, the same
-  std::vector<std::uint32_t> packed;   ///< by layer: its colour as a pixel of 8 bits, if opaque
+  std::vector<Box2> outline_boxes;  ///< nothing of the outline's inside is beyond; may be infinite
+  std::vector<Box2> layer_boxes;    ///< by layer, the same
+  std::vector<std::uint32_t> packed;  ///< by layer: its colour as a pixel of 8 bits, if opaque
   std::uint32_t background;
   bool plain;        ///< all layers are
   double tolerance;  ///< [px] how far an outline may be off in a leaf

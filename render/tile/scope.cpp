@@ -38,7 +38,8 @@ Scope ScopeStack::of_layers(std::span<const int> layers) {
     const int first = int(steps_.size());
     steps_.insert(steps_.end(), tape_.steps.begin() + layer.first,
                   tape_.steps.begin() + layer.first + layer.count);
-    layers_.push_back({first, layer.count, layer.mix});
+    layers_.push_back({first, layer.count, layer.mix, layer.paint, layer.group});
+    scope.varied |= !layer.plain();
     for (int i = first; i < first + layer.count; ++i)
       if (const Step& step = steps_[std::size_t(i)];
           step.kind == Kind::outline && !std::exchange(used_[std::size_t(step.outline)], char(1)))

@@ -22,9 +22,8 @@ double reach_of(double a, double lo, double hi) {
   if (a == 0.0) return kInf;
   const double steep_lo = 2.0 * a * lo, steep_hi = 2.0 * a * hi;
   const bool turns_little = 1.0 + steep_lo * steep_hi > 0.0;  // the tangents' dot product
-  const double least = lo * hi <= 0.0 || !turns_little
-                           ? 0.0
-                           : std::min(std::abs(steep_lo), std::abs(steep_hi));
+  const double least =
+      lo * hi <= 0.0 || !turns_little ? 0.0 : std::min(std::abs(steep_lo), std::abs(steep_hi));
   const double stretch = std::sqrt(1.0 + least * least);
   return stretch * stretch * stretch / (2.0 * std::abs(a));
 }

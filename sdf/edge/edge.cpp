@@ -26,7 +26,10 @@ LocalOutline AllOf::outline() const {
     return {.rule = EdgeRule::outside};
   }
   if (count == 0) return {.rule = EdgeRule::inside};
-  return {.rule = EdgeRule::all, .first = first_, .count = count, .error = error_,
+  return {.rule = EdgeRule::all,
+          .first = first_,
+          .count = count,
+          .error = error_,
           .round_error = round_error_};
 }
 

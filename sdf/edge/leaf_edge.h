@@ -14,9 +14,10 @@ inline constexpr float kEndHalo = 0.75f;
 /// One smooth piece of outline. With u = p − (x, y), Y = dot(u, n) and X = dot(u, m),
 /// m = (−n.y, n.x), a point p of the leaf is inside when
 ///
-///     Y + bend/2 |u|² + c3 X³ + c4 X⁴ <= 0:
+///     d(u) + (c3 X³ + c4 X⁴) (1 + (bend X)²/2) <= 0,
 ///
-/// the osculating circle, exactly, and the third and fourth order by which the outline leaves it.
+/// d the signed distance to the circle Y + bend/2 |u|² = 0: the osculating circle, exactly, and the
+/// third and fourth order by which the outline leaves it, per arc length rather than X.
 struct LeafEdge {
   float x, y;    ///< a point of the outline
   float nx, ny;  ///< unit outward normal there

@@ -175,8 +175,7 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
       bool crosses = std::abs(d) <= reach;
       if (joined) {
         const glm::dvec2 m = c - joined->point;
-        crosses |= std::abs(glm::length(m) - h) <= r &&
-                   toward * glm::dot(m, joined->normal) >= -r;
+        crosses |= std::abs(glm::length(m) - h) <= r && toward * glm::dot(m, joined->normal) >= -r;
       }
       if (!crosses) continue;
       LeafEdge edge = edge_at(d, double(toward) * normal, l.bend[i], l.c3[i], l.c4[i], l.error[i]);
@@ -201,8 +200,7 @@ void LeafOutlines::ellipse(const EllipseForm& form, const Leaves& leaves,
   for (std::uint32_t left = leaves.wanted; left; left &= left - 1) {
     const auto i = std::size_t(std::countr_zero(left));
     if (!(found.proven >> i & 1u)) {
-      outlines[i] =
-          leaf_outline_near(*shape_, {leaves.x[i], leaves.y[i]}, leaves.radius, edges);
+      outlines[i] = leaf_outline_near(*shape_, {leaves.x[i], leaves.y[i]}, leaves.radius, edges);
       continue;
     }
     const CurveLeaves::Level& l = found.levels[0];

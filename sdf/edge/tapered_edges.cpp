@@ -119,7 +119,8 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   const glm::dvec2 m = c - foot.point;
   const double rho = glm::length(m);
   LevelEdge result{{.d = d, .normal = rho > 0.0 ? m / rho : glm::dvec2{1.0, 0.0}, .bend = 0.0},
-                   kUnproven, kUnproven};
+                   kUnproven,
+                   kUnproven};
   const glm::dvec2 n = result.edge.normal;
   const double run = std::abs(n.x * foot.velocity.y - n.y * foot.velocity.x);
   const double g = run * run / rho - glm::dot(n, foot.acceleration) - foot.width_bend;

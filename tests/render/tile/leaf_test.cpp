@@ -1,0 +1,143 @@
+// Leaves in vectors against the scalar form, on every instruction set.
+
+#include <mien/render/cover/edge_coverage.h>
+#include <mien/render/tile/leaf.h>
+#include <mien/sdf/batch/instruction_sets.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace mien {
+namespace {
+
+/// Colours by the rule "inside all edges": white in, black out.
+void color_all(Leaf& leaf, Blend blend) {
+  const int all = (1 << leaf.edge_count) - 1;
+  for (int s = 0; s < Leaf::kMostSides; ++s) {
+    const bool in = (s & all) == all;
+    for (std::size_t c = 0; c < 4; ++c) leaf.palette[c][std::size_t(s)] = in || c == 3 ? 255.0f : 0;
+    leaf.packed[std::size_t(s)] = in ? 0xFFFFFFFFu : 0xFF000000u;
+    leaf.same[std::size_t(s)] = in;
+  }
+  leaf.blend = blend;
+}
+
+LeafEdge random_edge(std::mt19937_64& random, double bend) {
+  std::uniform_real_distribution<float> unit(-1, 1);
+  const float angle = 3.2f * unit(random);
+  return {.x = 6 * unit(random), .y = 6 * unit(random), .nx = std::cos(angle),
+          .ny = std::sin(angle), .bend = float(bend) * unit(random), .c3 = 2e-5f * unit(random),
+          .c4 = 1e-6f * unit(random), .turn = 1};
+}
+
+void compare(const Leaf& leaf, double allowed) {
+  alignas(64) std::array<std::uint32_t, 256> pixels;
+  LeafPixels left;
+  paint_leaf(leaf, 0xFFFF, pixels.data(), 16, left);
+  std::array<bool, 256> skipped{};
+  for (int i = 0; i < left.count; ++i) skipped[left.at[std::size_t(i)]] = true;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const auto i = std::size_t(16 * y + x);
+      if (skipped[i]) continue;
+      long long cells = 0;
+      const Mix truth = leaf_pixel(leaf, x - 7.5, y - 7.5, 1.0 / 65536, cells);
+      std::uint32_t want = 0;
+      store(truth / 255.0, leaf.blend, Depth::u8, &want);
+      const double off = std::abs(double(pixels[i] & 255u) - double(want & 255u));
+      ASSERT_LE(off, allowed) << x << ' ' << y << " truth " << truth.r;
+    }
+}
+
+void on_every_set(const std::function<void()>& test) {
+  for (const auto& set : batch::instruction_sets()) {
+    SCOPED_TRACE(set.name);
+    batch::use_instruction_set(set.id);
+    test();
+  }
+  batch::use_instruction_set(0);
+}
+
+TEST(PaintLeaf, IsItsScalarForm) {
+  on_every_set([] {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 400; ++i) {
+      Leaf leaf;
+      leaf.edge_count = 1 + i % 3;
+      const double bend = std::array{0.0, 0.005, 0.02, 0.1, 0.5}[std::size_t(i / 3 % 5)];
+      for (int e = 0; e < leaf.edge_count; ++e)
+        leaf.edges[std::size_t(e)] = random_edge(random, bend);
+      color_all(leaf, Blend::srgb);
+      compare(leaf, 1);  // both rounded, from values that are at most a third of a level apart
+      if (HasFatalFailure()) return;
+    }
+  });
+}
+
+TEST(PaintLeaf, EncodesLinearLight) {
+  on_every_set([] {
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 100; ++i) {
+      Leaf leaf;
+      leaf.edge_count = 1;
+      leaf.edges[0] = random_edge(random, 0.004);
+      color_all(leaf, Blend::linear);
+      compare(leaf, 1);
+      if (HasFatalFailure()) return;
+    }
+  });
+}
+
+TEST(PaintLeaf, GivesTheSameBytesOnEverySetWithFusedArithmetic) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 50; ++i) {
+    Leaf leaf;
+    leaf.edge_count = 2;
+    for (int e = 0; e < 2; ++e) leaf.edges[std::size_t(e)] = random_edge(random, 0.05);
+    color_all(leaf, Blend::srgb);
+    std::array<std::uint32_t, 256> first{};
+    bool have = false;
+    for (const auto& set : batch::instruction_sets()) {
+      if (!set.fused) continue;
+      batch::use_instruction_set(set.id);
+      std::array<std::uint32_t, 256> pixels{};
+      LeafPixels left;
+      paint_leaf(leaf, 0xFFFF, pixels.data(), 16, left);
+      if (have) {
+        EXPECT_EQ(pixels, first) << set.name;
+      }
+      first = pixels, have = true;
+    }
+  }
+  batch::use_instruction_set(0);
+}
+
+TEST(LeafPixel, OfOneStraightEdgeIsTheClosedForm) {
+  Leaf leaf;
+  leaf.edge_count = 1;
+  leaf.edges[0] = {.x = 0.2f, .y = 0, .nx = 0.6f, .ny = 0.8f, .bend = 0, .c3 = 0, .c4 = 0, .turn = 1};
+  color_all(leaf, Blend::srgb);
+  long long cells = 0;
+  const double want = 255 * straight_edge_coverage(0.6 * (0.5 - 0.2f) + 0.8 * 0.5, {0.6, 0.8});
+  EXPECT_NEAR(leaf_pixel(leaf, 0.5, 0.5, 1e-4, cells).r, want, 1e-4);
+  EXPECT_EQ(cells, 0);
+}
+
+TEST(FillRows, FillsWhatIsAskedAndNothingElse) {
+  on_every_set([] {
+    for (const int count : {1, 5, 16, 33}) {
+      std::array<std::uint32_t, 40 * 3> pixels{};
+      fill_rows(pixels.data() + 1, 40, 2, count, 7);
+      for (int i = 0; i < int(pixels.size()); ++i) {
+        const int x = i % 40, y = i / 40;
+        EXPECT_EQ(pixels[std::size_t(i)], y < 2 && x >= 1 && x <= count ? 7u : 0u);
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,170 @@
+// What leaves are told about outlines, against what the shapes' distances say, on every instruction
+// set: the description may be off by its stated error, never by more, and it must be proven where
+// the shape is large against the leaf, or nothing would be fast.
+
+#include <mien/sdf/batch/instruction_sets.h>
+#include <mien/sdf/edge/leaf_edges.h>
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <random>
+
+namespace mien {
+namespace {
+
+/// Signed distance by the description, u from the leaf's centre; roughly, as coverage takes it.
+double value(const LeafEdge& e, glm::dvec2 p) {
+  if (e.has_end()) {
+    const glm::dvec2 u = p - glm::dvec2{e.end_x, e.end_y};
+    if (glm::dot(u, glm::dvec2{e.along_x, e.along_y}) > 0) {
+      const double d = glm::length(u) - 1.0 / e.end_bend;
+      return glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) >= 0 || d > double(kEndHalo) ? d : -1e6;
+    }
+  }
+  const glm::dvec2 u = p - glm::dvec2{e.x, e.y}, n{e.nx, e.ny};
+  const double x = u.y * n.x - u.x * n.y, k = e.bend;
+  const double f = glm::dot(u, n) + 0.5 * k * glm::dot(u, u);
+  const double leaves = x * x * x * (e.c3 + e.c4 * x) * (1 + 0.5 * k * k * x * x);
+  return 2 * f / (1 + std::sqrt(std::max(0.0, 1 + 2 * k * f))) + leaves;
+}
+
+/// By the whole outline; rules of paths aside.
+double value(const LeafOutline& o, const std::vector<LeafEdge>& edges, glm::dvec2 p) {
+  if (o.rule == EdgeRule::outside) return 1e6;
+  double d = -1e6;
+  for (int i = o.first; i < o.first + o.count; ++i)
+    d = std::max(d, value(edges[std::size_t(i)], p));
+  return d;
+}
+
+struct Tally {
+  int leaves = 0, proven = 0;
+};
+
+/// Tiles of 16 leaves around outline points of the shape; every leaf near is probed.
+Tally check(const OffsetShape& shape, double side, int tiles, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> place(-150, 150), unit(-0.5, 0.5);
+  const LeafOutlines outlines(shape);
+  Tally tally;
+  while (tiles > 0) {
+    const glm::dvec2 center{place(random), place(random)};
+    if (std::abs(distance(shape, center)) > 2 * side) continue;
+    --tiles;
+    Leaves leaves{.wanted = 0, .radius = side * std::sqrt(0.5)};
+    for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+      leaves.x[i] = center.x + side * (double(i % 4) - 1.5);
+      leaves.y[i] = center.y + side * (double(i / 4) - 1.5);
+      if (std::abs(distance(shape, {leaves.x[i], leaves.y[i]})) < leaves.radius)
+        leaves.wanted |= 1u << i;
+    }
+    std::array<LeafOutline, Leaves::kMost> found;
+    std::vector<LeafEdge> edges;
+    outlines.in_leaves(leaves, found, edges);
+    for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+      if (!(leaves.wanted >> i & 1u)) continue;
+      ++tally.leaves;
+      const LeafOutline& o = found[i];
+      if (!(o.error < 0.25)) continue;
+      tally.proven += o.error < 1.0 / 1024;
+      const glm::dvec2 c{leaves.x[i], leaves.y[i]};
+      for (int k = 0; k < 12; ++k) {
+        // Onto the outline, as far as it lies in the leaf: where the description must vanish too.
+        glm::dvec2 u = side * glm::dvec2{unit(random), unit(random)};
+        for (int step = 0; step < 4; ++step) {
+          const double d = distance(shape, c + u), h = 1e-6;
+          const glm::dvec2 g{distance(shape, c + u + glm::dvec2{h, 0}) - d,
+                             distance(shape, c + u + glm::dvec2{0, h}) - d};
+          if (glm::length(g) > 0) u -= d * glm::normalize(g);
+        }
+        if (std::abs(distance(shape, c + u)) > 1e-6 ||
+            std::max(std::abs(u.x), std::abs(u.y)) > 0.5 * side)
+          continue;
+        // Floats relative to the leaf: 1e-5 px.
+        EXPECT_LE(std::abs(value(o, edges, u)), o.error * 1.02 + 1e-5)
+            << fmt::format("leaf {} {} side {} at {} {}: {} edges, rule {}", c.x, c.y, side, u.x,
+                           u.y, o.count, int(o.rule));
+      }
+    }
+  }
+  return tally;
+}
+
+void on_every_set(const std::function<void()>& test) {
+  for (const auto& set : batch::instruction_sets()) {
+    SCOPED_TRACE(set.name);
+    batch::use_instruction_set(set.id);
+    test();
+  }
+  batch::use_instruction_set(0);
+}
+
+TEST(LeafOutlines, DescribeStrokesWithTheirEnds) {
+  on_every_set([] {
+    int leaves = 0, proven = 0;
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> place(-120, 120);
+    for (int i = 0; i < 60; ++i) {
+      const auto point = [&] { return glm::dvec2{place(random), place(random)}; };
+      const double half_width = 0.5 + 12.0 * (i % 5) / 4;
+      const Tally t = check({QuadStroke{{point(), point(), point()}, half_width}, 0.25 * (i % 3)},
+                            i % 2 ? 16 : 8, 12, std::uint64_t(i));
+      leaves += t.leaves, proven += t.proven;
+    }
+    EXPECT_GT(proven, leaves / 4) << leaves;
+  });
+}
+
+TEST(LeafOutlines, DescribeLines) {
+  on_every_set([] {
+    const Tally t = check({Line{{-80, -30}, {70, 55}, 6}, 0}, 16, 100, 1);
+    EXPECT_GT(t.proven, 0.95 * t.leaves) << t.leaves;
+    check({Line{{-30, -30}, {-20, 5}, 2}, 0}, 16, 100, 2);
+  });
+}
+
+TEST(LeafOutlines, DescribeParabolasAndWhatIsGrownFromThem) {
+  on_every_set([] {
+    for (const double bend : {0.0, 0.002, -0.004, 0.006}) {
+      const glm::dvec2 axis = glm::normalize(glm::dvec2{0.3, 1});
+      const Tally t = check({ParabolaSide{{10, -20}, axis, bend}, 0}, 16, 100, 3);
+      EXPECT_GT(t.proven, 0.9 * t.leaves) << bend;
+      check({ParabolaSide{{10, -20}, axis, bend}, 5}, 16, 50, 4);
+      check({ParabolaSide{{10, -20}, axis, bend}, -5}, 16, 50, 5);
+    }
+    check({ParabolaSide{{0, 0}, {0, 1}, 0.08}, 0}, 16, 100, 6);
+  });
+}
+
+TEST(LeafOutlines, DescribeEllipses) {
+  on_every_set([] {
+    const glm::dvec2 axis = glm::normalize(glm::dvec2{1, 0.4});
+    const Tally large = check({Ellipse{{0, 0}, {120, 90}, axis}, 0}, 8, 200, 7);
+    EXPECT_GT(large.proven, 0.9 * large.leaves);
+    check({Ellipse{{5, 3}, {57, 67}, axis}, 0}, 16, 100, 8);
+    check({Ellipse{{5, 3}, {90, 12}, axis}, 0}, 8, 100, 9);
+    check({Ellipse{{5, 3}, {30, 30}, axis}, 0}, 16, 100, 10);
+  });
+}
+
+TEST(LeafOutlines, DescribeDiscsExactly) {
+  const Tally t = check({Disc{{3, 4}, 20}, 1}, 16, 60, 11);
+  EXPECT_EQ(t.proven, t.leaves);
+}
+
+TEST(LeafOutlines, AskForSmallerLeavesWhereNothingIsProven) {
+  Leaves leaves{.wanted = 1, .radius = 11.4};
+  leaves.x.fill(0), leaves.y.fill(0);
+  std::array<LeafOutline, Leaves::kMost> found;
+  std::vector<LeafEdge> edges;
+  const OffsetShape shape{ParabolaSide{{0, 0}, {0, 1}, 2.0}, 0};
+  LeafOutlines(shape).in_leaves(leaves, found, edges);
+  EXPECT_FALSE(found[0].error < 0.25);
+}
+
+}  // namespace
+}  // namespace mien
