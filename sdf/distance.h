@@ -61,8 +61,8 @@ MIEN_API void distances_on_grid(const QuadBezier& curve, glm::dvec2 origin, doub
                                 std::size_t columns, std::size_t rows, std::span<float> d);
 
 /// d[i] = the signed distance from (x[i], y[i]) to the figure's outline, negative inside. The float
-/// forms for ellipses and parabola sides are kernels; the other forms are the scalar distance of
-/// each point in turn.
+/// forms for ellipses, parabola sides and strokes are kernels; the other forms are the scalar distance
+/// of each point in turn.
 MIEN_API void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                         std::span<float> d);
 MIEN_API void distances(const Ellipse& ellipse, std::span<const double> x,
@@ -98,6 +98,12 @@ struct DistancesContract {
 /// What the float batch of ellipses promises: for a ratio of the radii of at least 1e-3 (thinner
 /// ones go through the scalar form), in units of max(2⁻²³ × the larger radius, ulp).
 struct EllipseBatchContract {
+  static constexpr double kError = 4.0;
+};
+
+/// And of strokes of varying width: in units of max(2⁻²³ × (spine's size + widest half-width), ulp).
+/// Nearly straight spines, and widths that bend as much as the spine, go through the scalar form.
+struct TaperedBatchContract {
   static constexpr double kError = 4.0;
 };
 

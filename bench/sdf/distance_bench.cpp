@@ -215,6 +215,7 @@ void register_all() {
       const auto id = set.id;
       add("ellipse f32/" + set.name, [=](auto& s) { Signed(s, pattern, kEllipse, id); });
       add("parabola f32/" + set.name, [=](auto& s) { Signed(s, pattern, kParabola, id); });
+      add("tapered stroke f32/" + set.name, [=](auto& s) { Signed(s, pattern, kStroke, id); });
       add("fast f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::fast, id); });
       add("accurate f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::accurate, id); });
       add("30 curves f32/" + set.name, [=](auto& s) { Many(s, pattern, id); });

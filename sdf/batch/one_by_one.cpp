@@ -21,9 +21,6 @@ void distances(const Ellipse& f, Doubles x, Doubles y, std::span<double> d) {
 void distances(const ParabolaSide& f, Doubles x, Doubles y, std::span<double> d) {
   each(f, x, y, d);
 }
-void distances(const TaperedStroke& f, Floats x, Floats y, std::span<float> d) {
-  each(f, x, y, d);
-}
 void distances(const TaperedStroke& f, Doubles x, Doubles y, std::span<double> d) {
   each(f, x, y, d);
 }

@@ -117,6 +117,23 @@ Case stroke_line(Random& r) {
   const TaperedStroke s{{a, 0.5 * (a + b), b}, {0.2 * r.unit(), 0.2 * r.unit(), 0.2 * r.unit()}};
   return {s, 3.0 * r.point() - 1.0};
 }
+/// Around the spine, the rim and the spine's evolute, where feet meet or run along.
+Case stroke_delicate(Random& r) {
+  const TaperedStroke s{some_spine(r), {0.3 * r.unit(), 0.3 * r.unit(), 0.3 * r.unit()}};
+  const double t = r.unit();
+  const glm::dvec2 g = tangent(s.spine, t), b = bend(s.spine), n = glm::normalize(left_of(g));
+  const double w = (1 - t) * (1 - t) * s.half_width[0] + 2 * t * (1 - t) * s.half_width[1] +
+                   t * t * s.half_width[2];
+  const double radius = glm::dot(g, g) * glm::length(g) / (g.x * b.y - g.y * b.x);
+  const double away[] = {0, w * r.sign(), std::abs(radius) < 5 ? radius : 0};
+  const glm::dvec2 off = (r.chance(0.2) ? 0 : r.magnitude(-9, -1)) * r.direction();
+  return {s, point(s.spine, t) + away[r.bits() % 3] * n + off};
+}
+Case stroke_far(Random& r) {
+  Case k = stroke_anywhere(r);
+  k.p = r.magnitude(0, 7) * r.direction();
+  return k;
+}
 
 CubicBezier some_cubic(Random& r) {
   const glm::dvec2 p0 = r.point(), p1 = r.point(), p2 = r.point();
@@ -176,6 +193,8 @@ std::vector<Family> stroke_families() {
       {"tapered stroke", stroke_anywhere},
       {"tapered stroke, wide", stroke_wide},
       {"tapered stroke, line", stroke_line},
+      {"tapered stroke, delicate", stroke_delicate},
+      {"tapered stroke, far", stroke_far},
       {"cubic", cubic_anywhere},
       {"cubic, rim", cubic_rim},
       {"cubic, evolute", cubic_evolute},

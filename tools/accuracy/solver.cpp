@@ -150,6 +150,8 @@ std::vector<Solver> own_solvers() {
                      batch_float<Ellipse>));
     all.push_back(on(set, "parabola", Judge::fast, ParabolaBatchContract::kError,
                      kIndex<ParabolaSide>, batch_float<ParabolaSide>));
+    all.push_back(on(set, "tapered", Judge::fast, TaperedBatchContract::kError,
+                     kIndex<TaperedStroke>, batch_float<TaperedStroke>));
   }
   return all;
 }

@@ -1,0 +1,30 @@
+#pragma once
+// A stroke of varying width made ready for many points.
+//
+// Spine and half-width together are one curve (B, w + L) in a space whose last coordinate counts
+// negatively; the candidates for the nearest disc are its nearest points, by the same depressed cubic
+// as QuadBezierFrame's (docs/derivations/tapered_batches.md).
+
+#include <mien/sdf/batch/quad_bezier_frame.h>
+#include <mien/sdf/shape/shape.h>
+
+#include <optional>
+
+namespace mien::batch {
+
+struct TaperedFrame {
+  QuadBezierFrame<float> spine;
+  float w0, wa2, wb, wb2;  ///< half-width w0 + t (wa2 + t wb), scaled; wb2 = 2 wb
+  float px, py, pw, p1;    ///< P = px·dx + py·dy + pw·L + p1
+  float sx, sy, sw, s1;    ///< S2 likewise
+  float vertex;            ///< t = x − vertex
+};
+
+/// None for spines that are points, nearly straight or out of float's range, and where the half-width
+/// bends nearly as much as the spine: those go through the scalar form.
+std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke);
+
+/// |p − B(t)| − w(t) in double precision.
+double depth_at(const TaperedStroke& stroke, double t, glm::dvec2 p);
+
+}  // namespace mien::batch
