@@ -7,6 +7,10 @@ find_package(hwy REQUIRED)                      # SIMD, in -inl.h and _simd.cpp 
 find_package(TBB REQUIRED)                      # threads, in lib/base/parallel.cpp only
 find_package(nlohmann_json REQUIRED)            # JSON, in lib/file only
 find_package(fmt REQUIRED)                      # text
+if(MIEN_BUILD_TEXT)
+  find_package(PkgConfig REQUIRED)              # outlines of text, in sdf/from_text only
+  pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET GLOBAL freetype2)
+endif()
 if(MIEN_BUILD_IMAGE)
   find_package(PkgConfig REQUIRED)              # image files, in render/image only;
   pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET GLOBAL libdeflate)     # PNG, and TIFF's tiles

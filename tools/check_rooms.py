@@ -34,6 +34,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"(oneapi/)?tbb/": (r"lib/base/parallel\.cpp$", "lib/base/parallel.cpp"),
     r"OpenImageIO/": (r"render/image/", "render/image"),
     r"(libdeflate|tiff(io)?)\.h": (r"render/image/", "render/image"),
+    r"ft2build\.h|freetype/": (r"sdf/from_text/", "sdf/from_text"),
     r"CLI/": (r"tools/", "tools"),
     r"boost/|mpfr": (r"tools/", "tools, tests or bench"),
 }

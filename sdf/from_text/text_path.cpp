@@ -1,0 +1,82 @@
+#include <mien/sdf/from_text/text_path.h>
+
+#include <string>
+#include <utility>
+
+namespace mien {
+namespace {
+
+constexpr char32_t kReplacement = 0xfffd;
+
+/// One character off the front of UTF-8; what is none costs a byte.
+char32_t next_character(std::string_view& text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? unsigned(static_cast<unsigned char>(text[i])) : 0u;
+  };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  char32_t c = length == 1 ? first : first & (0x7fu >> length);
+  bool good = length > 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    good &= (byte(i) & 0xc0) == 0x80;
+    c = c << 6 | (byte(i) & 0x3f);
+  }
+  // No overlong forms, no halves of UTF-16's pairs, nothing beyond the last plane.
+  good &= !(length == 3 && c < 0x800) && !(length == 4 && (c < 0x10000 || c > 0x10ffff)) &&
+          !(c >= 0xd800 && c < 0xe000);
+  text.remove_prefix(good ? length : 1);
+  return good ? c : kReplacement;
+}
+
+std::u32string characters(std::string_view text) {
+  std::u32string all;
+  while (!text.empty()) {
+    const char32_t c = next_character(text);
+    if (c >= 0x20 && !(c >= 0x7f && c < 0xa0)) all += c;
+  }
+  return all;
+}
+
+double kerning_before(const Font& font, const std::u32string& text, std::size_t i) {
+  return i > 0 ? font.kerning(text[i - 1], text[i]) : 0.0;
+}
+
+}  // namespace
+
+double text_length(std::string_view text, const TextStyle& style) {
+  const std::u32string all = characters(text);
+  double length = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    length += kerning_before(style.font, all, i) + style.font.glyph(all[i]).advance;
+  return length;
+}
+
+Path text_path(std::string_view text, double size, glm::dvec2 origin, const TextStyle& style) {
+  const double before = style.anchor == TextAnchor::start ? 0.0 : text_length(text, style);
+  double pen = style.anchor == TextAnchor::middle ? -0.5 * before : -before;
+  const glm::dvec2 scale{size, style.y_up ? size : -size};
+  Path path;
+  const std::u32string all = characters(text);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Glyph glyph = style.font.glyph(all[i]);
+    pen += kerning_before(style.font, all, i);
+    const auto place = [&](glm::dvec2 p) { return origin + scale * (p + glm::dvec2{pen, 0}); };
+    for (Path::Loop& loop : glyph.loops) {
+      for (QuadBezier& side : loop.sides) side = {place(side.p0), place(side.p1), place(side.p2)};
+      path.loops.push_back(std::move(loop));
+    }
+    pen += glyph.advance;
+  }
+  return path;
+}
+
+Area text_area(SceneBuilder& build, std::string_view text, double size, glm::dvec2 origin,
+               const TextStyle& style) {
+  return build.shape(text_path(text, size, origin, style));
+}
+
+}  // namespace mien
