@@ -17,6 +17,13 @@ constexpr std::array<std::string_view, 2> kSides{"left", "right"};
 constexpr std::array<std::string_view, 2> kLaws{"native", "compat"};  // as enum BulgeLaw
 constexpr int kBends = OpeningFigure::kLidBends;
 
+/// "iris.left" as its author names it: "iris".
+std::string_view author_name(const Feature& feature) {
+  std::string_view name = feature.name;
+  if (feature.side != Side::none) name.remove_suffix(side_name(feature.side).size() + 1);
+  return name;
+}
+
 /// Reads one eye of one side: adds its slices to the face.
 class EyeReader {
  public:
@@ -158,7 +165,7 @@ class EyeReader {
       for (const Feature& f : face_.model.features)
         if (f.figure.index() == Figure(OpeningFigure{}).index() ||
             f.figure.index() == Figure(BandFigure{}).index())
-          known.push_back(f.name);
+          known.push_back(author_name(f));
       in_.refuse(node, unknown_name("opening", name, known));
     }
   }
@@ -235,7 +242,7 @@ class EyeReader {
       in_.refuse(node, fmt::format("{} is no stroke and no polyline", in_quotes(in_.string(node))));
     } else {
       std::vector<std::string_view> known;
-      for (const Feature& f : face_.model.features) known.push_back(f.name);
+      for (const Feature& f : face_.model.features) known.push_back(author_name(f));
       in_.refuse(node, unknown_name("feature", in_.string(node), known));
     }
   }

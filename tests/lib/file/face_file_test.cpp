@@ -326,7 +326,7 @@ TEST(ReadFace, SaysWhatIsWrongWithEyesPosesAndCurves) {
       {eye_with(R"(, "gaze": ["blink", ^"size"])"),
        ": /eyes/0/gaze/1: the control \"size\" must rest at 0"},
       {eye_with(R"(, "lids": {"opening": ^"hoel"})"),
-       ": /eyes/0/lids/opening: no opening named \"hoel\"; did you mean \"hole.left\"?"},
+       ": /eyes/0/lids/opening: no opening named \"hoel\"; did you mean \"hole\"?"},
       {eye_with(R"(, "lids": {"opening": ^"dot"})"),
        ": /eyes/0/lids/opening: \"dot\" is no opening and no band"},
       {eye_with(R"(, "cornea": 0.1, "bulge": 0.1, "lids": {"opening": ^"slit"})"),

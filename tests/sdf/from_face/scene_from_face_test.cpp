@@ -192,6 +192,42 @@ TEST(SceneFromFace, DrawsBandsInAFrameThatDoesNotChange) {
   EXPECT_NEAR(scene.distance(scene.layers()[0].area, {7, 1}), 0.25, 1e-15);
 }
 
+/// The last shape of the source's blink leaves no height in the middle, q = 0.
+TEST(SceneFromFace, TheSourcesShutEyeHasNoHeightInItsMiddle_E4) {
+  const Scene scene = scene_of(sample("seed0"), {"blink=1"});
+  for (const char* side : {"right", "left"}) {
+    const double x = (side == std::string("right") ? 0.42 : 1.374) / 1.8;  // q = 1.8 x − …
+    const Area pupil = layer(scene, std::string("pupil.") + side).area;
+    for (double y = 0.1; y < 0.3; y += 0.001)
+      EXPECT_GE(scene.distance(pupil, {x, y}), -1e-12) << side << " " << y;
+  }
+}
+
+/// A stroke along a pushed lid edge is one pen line: its pieces' widths are those of the whole.
+TEST(SceneFromFace, ALidStrokeKeepsItsWidthsWhenItsEdgeIsPushed) {
+  const Face toon = sample("toon");
+  const Scene rest = scene_from_face(toon);
+  Pose touch;  // a push too small to see: the edge is cut into its pieces
+  touch.settings.push_back(*read_setting(toon, "opening.left/upper_shift/3=0,1e-12"));
+  const Scene cut = scene_from_face(pose_face(toon, touch));
+  EXPECT_GT(cut.shapes().size(), rest.shapes().size() + 10);
+  std::mt19937 random{4};
+  std::uniform_real_distribution<double> unit{0, 1};
+  for (const char* name : {"upper_lid.left", "lid_shade.left", "opening.left", "iris.left"}) {
+    for (int i = 0; i < 2000; ++i) {
+      const glm::dvec2 p{0.05 + 0.4 * unit(random), -0.2 + 0.5 * unit(random)};
+      const double was = rest.distance(layer(rest, name).area, p);
+      const double is = cut.distance(layer(cut, name).area, p);
+      if (was > 0) {
+        EXPECT_NEAR(is, was, 1e-9) << name;
+      }
+      if (std::abs(was) > 1e-9) {
+        EXPECT_EQ(is < 0, was < 0) << name;
+      }
+    }
+  }
+}
+
 /// The spines of a tapered stroke, or of a union of them.
 std::vector<QuadBezier> spines_of(const Scene& scene, int index) {
   const Node& node = scene.nodes()[std::size_t(index)];
@@ -209,8 +245,11 @@ TEST(SceneFromFace, NothingOfTheEyeLeavesTheLidThroughABlink_E5) {
   const Face toon = sample("toon");
   std::mt19937 random{2};
   std::uniform_real_distribution<double> unit{0, 1};
-  for (int step = 0; step <= 1000; ++step) {
-    const Scene scene = scene_of(toon, {"blink=" + std::to_string(step / 1000.0)});
+  for (int step = 0; step <= 1000; ++step) {  // through it the eye looks all round, and the lids bulge
+    const double a = step * 0.02;
+    const Scene scene = scene_of(toon, {"blink=" + std::to_string(step / 1000.0),
+                                        "gaze.x=" + std::to_string(0.07 * std::cos(a)),
+                                        "gaze.y=" + std::to_string(0.05 * std::sin(a))});
     const Area white = layer(scene, "opening.left").area, lid = layer(scene, "upper_lid.left").area;
     const std::vector<QuadBezier> spines = spines_of(scene, lid.node);
     for (int i = 0; i < 20; ++i) {

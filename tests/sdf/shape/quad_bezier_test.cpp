@@ -11,7 +11,7 @@ namespace {
 
 class QuadBezierFamily : public testing::TestWithParam<int> {};
 
-TEST_P(QuadBezierFamily, DistanceIsExact) {
+TEST_P(QuadBezierFamily, DistanceIsExact) {  // E7: collinear and coincident points too
   Random r(100 + GetParam());
   WorstError worst;
   for (int i = 0; i < times(20'000); ++i) {

@@ -74,7 +74,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(TaperedStroke, ShapeLaws, TaperedStroke);
 
 class TaperedStrokeFamily : public testing::TestWithParam<int> {};
 
-TEST_P(TaperedStrokeFamily, DistanceIsExact) {
+TEST_P(TaperedStrokeFamily, DistanceIsExact) {  // E6
   Random r(300 + GetParam());
   WorstError worst;
   for (int i = 0; i < times(1500); ++i) {

@@ -1,0 +1,129 @@
+// Eyes as people see them: pictures of gazes, blinks and bulges.
+
+#include <mien/mien.h>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tests/support/faces.h"
+
+namespace mien {
+namespace {
+
+using test::face_named;
+using test::posed;
+
+Image eyes_picture(const Face& face, const std::vector<std::string>& settings) {
+  return render(scene_from_face(posed(face, settings)), {.width = 160, .height = 90});
+}
+
+/// A shut eye is drawn the same whatever colours its inside has: no pixel holds any of it.
+TEST(Eyes, ShowNothingOfTheirInsideWhenShut_C3_C5) {
+  const Face toon = face_named("toon");
+  for (const char* bias : {"bias=-1", "bias=0", "bias=0.5", "bias=1"})
+    for (const char* gaze : {"gaze.x=0", "gaze.x=0.08"}) {
+      std::vector<std::string> shut{"blink=1", bias, gaze, "gaze.y=-0.04"};
+      const Image plain = eyes_picture(toon, shut);
+      for (const char* color : {"eye_white", "limbus", "iris", "iris_light", "pupil", "glint"})
+        shut.push_back(std::string("palette/") + color + "=#00ff00");
+      EXPECT_EQ(eyes_picture(toon, shut).bytes, plain.bytes) << bias << " " << gaze;
+      shut[0] = "blink=0.9";
+      EXPECT_NE(eyes_picture(toon, shut).bytes, plain.bytes) << "the colours count when it is open";
+    }
+}
+
+/// An eye of size s in a canvas of size s.
+Face eye_of_size(double s, double bulge, const char* cornea_key = "cornea") {
+  const auto point = [&](double x, double y) { return fmt::format("[{}, {}]", s * x, s * y); };
+  std::string ball = fmt::format(R"("radius": {})", s);
+  if (cornea_key)
+    ball += fmt::format(R"(, "{}": {}, "bulge": {})", cornea_key, s * 0.25, s * bulge);
+  const std::string text = fmt::format(
+      R"({{"format": "mien-face", "format_version": 1, "canvas": {{"x": [{0}, {1}], "y": [{0}, {1}], "y_axis": "up"}},
+"palette": {{"white": "#ffffff", "ink": "#000000", "skin": "#ffccaa"}}, "background": "skin",
+"features": [
+ {{"name": "hole", "kind": "opening", "paint": "white", "inner": {2}, "upper": {3}, "outer": {4}, "lower": {5}}},
+ {{"name": "iris", "kind": "disc", "paint": "ink", "clip": "hole", "center": {6}, "radius": {7}}},
+ {{"name": "line", "kind": "stroke", "paint": "ink", "spine": ["@hole/inner", "@hole/upper", "@hole/outer"],
+   "half_width": [{8}, {9}, {8}]}}],
+"controls": [{{"name": "gaze.x", "range": [{0}, {1}], "rest": 0, "offset": {{"iris/center": [1, 0]}}}},
+             {{"name": "gaze.y", "range": [{0}, {1}], "rest": 0, "offset": {{"iris/center": [0, 1]}}}},
+             {{"name": "blink", "range": [0, 1], "rest": 0}}],
+"eyes": [{{"name": "ball", "center": {6}, {10}, "gaze": ["gaze.x", "gaze.y"],
+  "lids": {{"opening": "hole", "blink": "blink", "follow_upper": [0, 0.3]}}}}]}})",
+      -s, s, point(-0.8, 0), point(0, 0.9), point(0.8, 0), point(0, -0.9), point(0, 0), s * 0.6,
+      s * 0.015625, s * 0.0625, ball);
+  const Expected<Face> face = read_face_text(text);
+  if (!face) throw std::runtime_error(sentence(face.error()));
+  return *face;
+}
+
+std::vector<std::string> looking(double s, double x, double y, double blink) {
+  return {fmt::format("gaze.x={}", s * x), fmt::format("gaze.y={}", s * y),
+          fmt::format("blink={}", blink)};
+}
+
+TEST(Bulge, Of0IsTheSameBytesAsWithout_C1) {
+  const Face none = eye_of_size(1, 0, nullptr), flat = eye_of_size(1, 0),
+             round = eye_of_size(1, 0.125);
+  for (const double blink : {0.0, 0.3, 0.7, 1.0})
+    for (const double x : {-0.25, 0.0, 0.125}) {
+      const auto settings = looking(1, x, 0.125, blink);
+      const Image without = eyes_picture(none, settings);
+      EXPECT_EQ(eyes_picture(flat, settings).bytes, without.bytes) << blink << " " << x;
+      EXPECT_NE(eyes_picture(round, settings).bytes, without.bytes) << blink << " " << x;
+    }
+  EXPECT_EQ(eyes_picture(round, {}).bytes, eyes_picture(none, {}).bytes) << "rest is as drawn";
+}
+
+/// Ball, cornea, bulge and all else times s, seen in a canvas times s: the same picture.
+TEST(Bulge, ScalesWithThePicture_C1) {
+  const Face one = eye_of_size(1, 0.125);
+  for (const double s : {0.25, 8.0})
+    for (const double blink : {0.0, 0.5, 1.0}) {
+      const Face other = eye_of_size(s, 0.125);
+      EXPECT_EQ(eyes_picture(other, looking(s, 0.25, 0.125, blink)).bytes,
+                eyes_picture(one, looking(1, 0.25, 0.125, blink)).bytes)
+          << s << " " << blink;
+    }
+}
+
+/// The source's white, at its own size: half-covered and more is inside, by its formula.
+TEST(Eyes, AreWhiteWhereTheSourceSays_E1) {
+  const Face seed = face_named("seed0");
+  std::vector<std::string> bare{"palette/skin=#000000"};
+  for (const char* hidden : {"pupil.left/radii=0,0", "pupil.right/radii=0,0"})
+    bare.push_back(hidden);
+  for (const char* line : {"upper_lid", "brow_low", "brow_high"})
+    for (const char* side : {"left", "right"})
+      for (int i = 0; i < 3; ++i) bare.push_back(fmt::format("{}.{}/spine/{}=5,5", line, side, i));
+  const int width = 1920, height = 1080;
+  const Image image = render(scene_from_face(posed(seed, bare)),
+                             {.width = width, .height = height, .blend = Blend::srgb});
+  int judged = 0, wrong = 0;
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) {
+      const double x = (column + 0.5) / width, y = 0.5625 - (row + 0.5) / width;
+      double inside = -1, steep = 1;  // how far inside, over how fast that changes: about pixels
+      for (const double shift : {0.0, 0.53}) {
+        const double q = 1.8 * (x - shift) - 0.42;
+        const double below = y - (0.9 * q * q + 0.04), above = -q * q + 0.34 - y;
+        const double here = std::min(below, above);
+        const double slope = std::hypot(1, (below < above ? 1.8 : 2) * 1.8 * q);
+        if (here / slope > inside / steep) inside = here, steep = slope;
+      }
+      if (std::abs(inside / steep) * width <= 0.75 * 1.1) continue;  // 1.1: the outlines are bent
+      ++judged;
+      wrong += (image.row(row)[4 * column] >= 128) != (inside > 0);
+    }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(judged, width * height * 99 / 100);
+}
+
+}  // namespace
+}  // namespace mien
