@@ -25,7 +25,7 @@ Image eyes_picture(const Face& face, const std::vector<std::string>& settings) {
 /// A shut eye is drawn the same whatever colours its inside has: no pixel holds any of it.
 TEST(Eyes, ShowNothingOfTheirInsideWhenShut_C3_C5) {
   const Face toon = face_named("toon");
-  for (const char* bias : {"bias=-1", "bias=0", "bias=0.5", "bias=1"})
+  for (const char* bias : {"bias=-1", "bias=0.5"})
     for (const char* gaze : {"gaze.x=0", "gaze.x=0.08"}) {
       std::vector<std::string> shut{"blink=1", bias, gaze, "gaze.y=-0.04"};
       const Image plain = eyes_picture(toon, shut);

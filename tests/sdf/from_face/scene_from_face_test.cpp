@@ -245,7 +245,8 @@ TEST(SceneFromFace, NothingOfTheEyeLeavesTheLidThroughABlink_E5) {
   const Face toon = sample("toon");
   std::mt19937 random{2};
   std::uniform_real_distribution<double> unit{0, 1};
-  for (int step = 0; step <= 1000; ++step) {  // through it the eye looks all round, and the lids bulge
+  for (int step = 0; step <= 1000;
+       ++step) {  // through it the eye looks all round, and the lids bulge
     const double a = step * 0.02;
     const Scene scene = scene_of(toon, {"blink=" + std::to_string(step / 1000.0),
                                         "gaze.x=" + std::to_string(0.07 * std::cos(a)),
