@@ -44,6 +44,10 @@ struct Eye {
   int blink = -1, bias = -1;  ///< channels
   double meet = 1;            ///< where lids meet at bias 0: 0 at the upper, 1 at the lower
 
+  /// First of four slices in a row, the dome that the cornea raises on what lies over it: centre,
+  /// radii, height, tilt; −1: none.
+  int dome = -1;
+
   int crease = -1;  ///< slice of the bend of the fold above the upper lid; −1: none
   double crease_rise = 0, crease_fall = 0;  ///< shares of the lid's way up, and down
   std::vector<LidRider> riders;

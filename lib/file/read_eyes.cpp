@@ -3,6 +3,7 @@
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
 #include <mien/lib/rig/bulge.h>
+#include <mien/lib/rig/eye.h>
 #include <mien/lib/rig/lid.h>
 #include "face_draft_private.h"
 
@@ -127,10 +128,10 @@ class EyeReader {
   }
 
   void read_lids(const JsonNode& node) {
-    in_.expect_object(
-        node,
-        {"opening", "follow_upper", "follow_lower", "blink", "bias", "meet", "crease", "ride"},
-        "lid");
+    in_.expect_object(node,
+                      {"opening", "follow_upper", "follow_lower", "blink", "bias", "meet", "crease",
+                       "ride", "raise"},
+                      "lid");
     const JsonNode& opening = in_.need(node, "opening");
     read_opening(opening);
     read_follow(node, "follow_upper", eye_.follow_upper);
@@ -145,6 +146,7 @@ class EyeReader {
     }
     if (const JsonNode* crease = in_.find(node, "crease")) read_crease(*crease);
     if (const JsonNode* ride = in_.find(node, "ride")) read_riders(*ride);
+    if (const JsonNode* raise = in_.find(node, "raise")) read_raised(*raise);
   }
 
   void read_opening(const JsonNode& node) {
@@ -225,26 +227,58 @@ class EyeReader {
 
   void add_riders(const JsonNode& node, bool upper) {
     const QuadBezier edge{at(eye_.inner), at(upper ? eye_.upper : eye_.lower), at(eye_.outer)};
-    const int found = face_.find_feature(in_.string(node), eye_.side);
-    const Figure* figure = found < 0 ? nullptr : &face_.model.features[std::size_t(found)].figure;
+    const Figure& figure = feature_named(node).figure;
     const auto parameter = [&](int slice) { return nearest_parameter(edge, at(slice)); };
-    if (const auto* stroke = figure ? std::get_if<StrokeFigure>(figure) : nullptr) {
+    if (const auto* stroke = std::get_if<StrokeFigure>(&figure)) {
       const double a = parameter(stroke->spine[0]), b = parameter(stroke->spine[2]);
       add_rider(stroke->spine[0], upper, a, a);
       add_rider(stroke->spine[1], upper, a, b);
       add_rider(stroke->spine[2], upper, b, b);
-    } else if (const auto* line = figure ? std::get_if<PolylineFigure>(figure) : nullptr) {
+    } else if (const auto* line = std::get_if<PolylineFigure>(&figure)) {
       for (const int point : line->points) {
         const double t = parameter(point);
         add_rider(point, upper, t, t);
       }
-    } else if (figure) {
-      in_.refuse(node, fmt::format("{} is no stroke and no polyline", in_quotes(in_.string(node))));
     } else {
-      std::vector<std::string_view> known;
-      for (const Feature& f : face_.model.features) known.push_back(author_name(f));
-      in_.refuse(node, unknown_name("feature", in_.string(node), known));
+      in_.refuse(node, fmt::format("{} is no stroke and no polyline", in_quotes(in_.string(node))));
     }
+  }
+
+  /// Features over the ball whose surface the cornea raises: they get its dome.
+  void read_raised(const JsonNode& node) {
+    if (eye_.bulge < 0) in_.refuse(node, "without a bulge nothing is raised");
+    in_.expect(node, JsonKind::array);
+    eye_.dome = add_dome_slices(node);
+    put_dome(face_.model, eye_, {0, 0}, face_.vector);
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      Feature& feature = feature_named(child);
+      if (feature.relief < 0) {
+        feature.relief = int(face_.model.reliefs.size());
+        face_.model.reliefs.push_back({});
+      }
+      face_.model.reliefs[std::size_t(feature.relief)].domes.push_back(
+          {eye_.dome, eye_.dome + 1, eye_.dome + 2, eye_.dome + 3});
+    });
+  }
+
+  int add_dome_slices(const JsonNode& node) {
+    const auto slice = [&](std::string_view part, SliceKind kind, int size) {
+      return face_.add_slice(in_, node, fmt::format("{}/dome/{}", eye_.name, part), kind,
+                             std::vector<double>(std::size_t(size)));
+    };
+    const int first = slice("center", SliceKind::point, 2);
+    slice("radii", SliceKind::length, 2);
+    slice("height", SliceKind::length, 1);
+    slice("tilt", SliceKind::angle, 1);
+    return first;
+  }
+
+  Feature& feature_named(const JsonNode& node) const {
+    const int found = face_.find_feature(in_.string(node), eye_.side);
+    if (found >= 0) return face_.model.features[std::size_t(found)];
+    std::vector<std::string_view> known;
+    for (const Feature& f : face_.model.features) known.push_back(author_name(f));
+    in_.refuse(node, unknown_name("feature", in_.string(node), known));
   }
 
   /// The opening's own points move with it already.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -49,6 +51,20 @@ double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
   if (!has_cornea(eye)) return 0;
   const glm::dvec3 d = lid_direction(eye, p);
   return lid_push(eye, d, g) * (eye.law == BulgeLaw::compat ? g.z : d.z);
+}
+
+CorneaDome cornea_dome(const EyeBody& eye, glm::dvec3 g) {
+  const double h = cap(eye), a = std::sqrt(h * (2 * eye.radius - h));
+  const glm::dvec2 aside{g.x, g.y};
+  CorneaDome dome{.center = eye.center + (eye.radius - 0.5 * h) * aside,
+                  .radii = {a * g.z, a},
+                  .height = eye.bulge * g.z,
+                  .tilt = 0};
+  if (g.x == 0 && g.y == 0) return dome;
+  const bool level = std::abs(g.x) >= std::abs(g.y);
+  if (!level) std::swap(dome.radii.x, dome.radii.y);
+  dome.tilt = std::atan(level ? g.y / g.x : 0 - g.x / g.y) * 180 / std::numbers::pi;
+  return dome;
 }
 
 double most_bulge(double radius, double cornea) {

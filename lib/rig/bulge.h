@@ -62,6 +62,18 @@ MIEN_API double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 /// The most that a cornea can stand above the ball: hR/(R − h). Infinite for h = R.
 MIEN_API double most_bulge(double radius, double cornea);
 
+/// The same as one smooth hill over an ellipse, height · (1 − ρ²)², for relief light to fall on. The
+/// rim, a circle of radius a square to the axis, is seen as an ellipse of half-axes a ĝz along the
+/// gaze and a across it; its centre is put half-way between the rim's own and the apex, where
+/// lid_rise is highest. Off from lid_rise by at most 0.05 of the bulge for an eye that looks ahead,
+/// 0.17 for one that looks 27° aside (R/h = 4).
+struct CorneaDome {
+  glm::dvec2 center, radii;
+  double height;
+  double tilt;  ///< [degrees] of radii.x, along the gaze or across; from +x towards +y, −45 … 45
+};
+MIEN_API CorneaDome cornea_dome(const EyeBody& eye, glm::dvec3 g);
+
 /// Distance from the centre of the surface under the lid, ball and cornea, in direction `d`, for a
 /// cornea that stands `eye.bulge` above the ball, or as much as it can.
 MIEN_API double eye_surface(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);

@@ -23,8 +23,9 @@ class EyeAtWork {
       : model_(model), eye_(eye), rest_(rest), values_(values), now_(vector) {}
 
   void pose() {
-    if (eye_.upper < 0) return;
     gaze_ = gaze_of(eye_, values_);
+    put_dome(model_, eye_, gaze_, now_);
+    if (eye_.upper < 0) return;
     const LidPair at_rest{get(rest_, eye_.upper), get(rest_, eye_.lower)};
     share_ = meeting_share(value(eye_.bias), eye_.meet);
     const LidPair before{get(now_, eye_.upper), get(now_, eye_.lower)};
@@ -137,6 +138,16 @@ glm::dvec2 center_of(const FaceModel& model, const Eye& eye, const FaceVector& v
 void pose_eyes(const FaceModel& model, const FaceVector& rest, std::span<const double> values,
                FaceVector& vector) {
   for (const Eye& eye : model.eyes) EyeAtWork(model, eye, rest, values, vector).pose();
+}
+
+void put_dome(const FaceModel& model, const Eye& eye, glm::dvec2 gaze, FaceVector& vector) {
+  if (eye.dome < 0) return;
+  const EyeBody body = eye_body(model, eye, vector);
+  const CorneaDome dome = cornea_dome(body, gaze_axis(gaze, body.radius));
+  double* at = &vector[std::size_t(model.layout[eye.dome].begin)];
+  for (const double number :
+       {dome.center.x, dome.center.y, dome.radii.x, dome.radii.y, dome.height, dome.tilt})
+    *at++ = number;
 }
 
 EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vector) {

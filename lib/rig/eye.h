@@ -25,6 +25,9 @@ namespace mien {
 MIEN_API void pose_eyes(const FaceModel& model, const FaceVector& rest,
                         std::span<const double> values, FaceVector& vector);
 
+/// The slices of an eye's dome, written for a gaze.
+MIEN_API void put_dome(const FaceModel& model, const Eye& eye, glm::dvec2 gaze, FaceVector& vector);
+
 /// The body of an eye as a vector has it.
 MIEN_API EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vector);
 

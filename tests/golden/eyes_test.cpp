@@ -37,6 +37,28 @@ TEST(Eyes, ShowNothingOfTheirInsideWhenShut_C3_C5) {
     }
 }
 
+/// Under a shut lid the light shows where the cornea is: what the bulge changes in the picture lies
+/// around the iris, and goes where it goes.
+TEST(Bulge, ShowsUnderAShutLidWhereTheIrisIs_C2) {
+  const Face toon = face_named("toon");
+  const double scale = 3.2 / 160;  // [face units per pixel]
+  for (const double x : {-0.08, 0.0, 0.08}) {
+    const std::string gaze = fmt::format("gaze.x={}", x);
+    const Image round = eyes_picture(toon, {"blink=1", gaze});
+    const Image flat = eyes_picture(
+        toon, {"blink=1", gaze, "eyeball.left/dome/height=0", "eyeball.right/dome/height=0"});
+    double weight = 0, place = 0;
+    for (int row = 0; row < round.height; ++row)
+      for (int column = round.width / 2; column < round.width; ++column) {
+        const double changed =
+            std::abs(int(round.row(row)[4 * column]) - int(flat.row(row)[4 * column]));
+        weight += changed, place += changed * (column + 0.5 - 0.5 * round.width) * scale;
+      }
+    ASSERT_GT(weight, 100);
+    EXPECT_NEAR(place / weight, 0.228 + x, 0.03) << x;
+  }
+}
+
 /// An eye of size s in a canvas of size s.
 Face eye_of_size(double s, double bulge, const char* cornea_key = "cornea") {
   const auto point = [&](double x, double y) { return fmt::format("[{}, {}]", s * x, s * y); };

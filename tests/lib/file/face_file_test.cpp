@@ -338,6 +338,10 @@ TEST(ReadFace, SaysWhatIsWrongWithEyesPosesAndCurves) {
       {eye_with(
            R"(, "lids": {"opening": "hole", "crease": {"point": ^"dot/radius", "rise": 1, "fall": 1}})"),
        ": /eyes/0/lids/crease/point: \"dot/radius\" is no point"},
+      {eye_with(R"(, "lids": {"opening": "hole", "raise": ^["dot"]})"),
+       ": /eyes/0/lids/raise: without a bulge nothing is raised"},
+      {eye_with(R"(, "cornea": 0.1, "bulge": 0.1, "lids": {"opening": "hole", "raise": [^"dto"]})"),
+       ": /eyes/0/lids/raise/0: no feature named \"dto\"; did you mean \"dot\"?"},
       {eye_with("", R"(, "poses": {"sad": {"slices": {"hole/uper": ^[0, 0]}}})"),
        ": /poses/sad/slices/hole~1uper: no number named \"hole/uper\"; did you mean "
        "\"hole/upper\"?"},

@@ -121,6 +121,29 @@ TEST(Bulge, RisesWhereTheIrisIs_C2) {
   }
 }
 
+/// The hill that relief light falls on is where the push is, and as high.
+TEST(Bulge, IsADomeForTheLight_C2) {
+  for (const glm::dvec2 gaze : {glm::dvec2{0, 0}, {0.06, 0}, {0.01, -0.06}, {-0.08, 0.04}}) {
+    const EyeBody eye{.center = {0.2, 0.1}, .radius = 0.2, .cornea = 0.05, .bulge = 0.03};
+    const glm::dvec3 g = gaze_axis(gaze, eye.radius);
+    const CorneaDome dome = cornea_dome(eye, g);
+    EXPECT_LE(std::abs(dome.tilt), 45);
+    const double tilt = dome.tilt * 3.14159265358979323846 / 180;
+    const glm::dvec2 along{std::cos(tilt), std::sin(tilt)};
+    double worst = 0;
+    for (double x = -0.2; x <= 0.2; x += 0.004)
+      for (double y = -0.2; y <= 0.2; y += 0.004) {
+        const glm::dvec2 p = eye.center + glm::dvec2{x, y}, way = p - dome.center;
+        const double across = way.y * along.x - way.x * along.y;
+        const double v = 1 - std::pow(glm::dot(way, along) / dome.radii.x, 2) -
+                         std::pow(across / dome.radii.y, 2);
+        const double height = v > 0 ? dome.height * v * v : 0;
+        worst = std::max(worst, std::abs(height - lid_rise(eye, p, g)));
+      }
+    EXPECT_LT(worst, (gaze.x == 0 ? 0.05 : 0.17) * eye.bulge) << gaze.x << " " << worst / eye.bulge;
+  }
+}
+
 /// The lid's sheet clears ball and cornea in every direction, by what the derivation says; with a
 /// thinner lid it would not.
 TEST(Bulge, TheLidNeverCutsIntoTheEye_C3) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "tests/support/posing.h"
 
@@ -221,20 +222,23 @@ TEST(Bulge, MovesTheLidsEdgeWithTheGaze_C2) {
   EXPECT_GT(down[4], 0.0005);
 }
 
-/// The text of toon with something in it replaced.
-Face toon_with(const std::string& what, const std::string& instead) {
+/// The text of toon with things in it replaced.
+Face toon_with(const std::vector<std::pair<std::string, std::string>>& changes) {
   std::string text = test::text_of_face("toon");
-  const std::size_t at = text.find(what);
-  if (at == std::string::npos) throw std::runtime_error("toon has no " + what);
-  text.replace(at, what.size(), instead);
+  for (const auto& [what, instead] : changes) {
+    const std::size_t at = text.find(what);
+    if (at == std::string::npos) throw std::runtime_error("toon has no " + what);
+    text.replace(at, what.size(), instead);
+  }
   const Expected<Face> face = read_face_text(text);
   if (!face) throw std::runtime_error(sentence(face.error()));
   return *face;
 }
 
 TEST(Bulge, Of0LeavesEveryBitAsWithoutOne_C1) {
-  const Face flat = toon_with("\"bulge\": 0.03", "\"bulge\": 0");
-  const Face none = toon_with("\"cornea\": 0.05, \"bulge\": 0.03,", "");
+  const Face flat = toon_with({{"\"bulge\": 0.025", "\"bulge\": 0"}});
+  const Face none = toon_with(
+      {{"\"cornea\": 0.05, \"bulge\": 0.025,", ""}, {",\n       \"raise\": [\"lid\"]", ""}});
   for (const std::vector<std::string>& settings : {std::vector<std::string>{},
                                                    {"gaze.x=0.07", "gaze.y=0.03"},
                                                    {"blink=0.4", "gaze.y=-0.05"},
@@ -252,7 +256,8 @@ TEST(Bulge, Of0LeavesEveryBitAsWithoutOne_C1) {
 /// By the compat law the edge moves along the eye's axis: sideways where the eye looks aside, and
 /// not at all in the picture where it looks ahead.
 TEST(Bulge, CompatMovesTheEdgeAlongTheAxis_C1) {
-  const Face compat = toon_with("\"bulge\": 0.03,", "\"bulge\": 0.03, \"bulge_law\": \"compat\",");
+  const Face compat =
+      toon_with({{"\"bulge\": 0.025,", "\"bulge\": 0.025, \"bulge_law\": \"compat\","}});
   const Face now = face_at(compat, {"gaze.x=0.07", "gaze.y=0.035", "blink=0.4"});
   int moved = 0;
   for (int i = 0; i < OpeningFigure::kLidBends; ++i) {
