@@ -56,10 +56,8 @@ LocalOutline ellipse_edges(const Ellipse& s, glm::dvec2 c, double radius,
   const double least_g = std::max(small * small, g - difference * 4.0 * radius / small);
   if (small * small >= 4.0 * radius * large) {
     const double change = 1.5 * a * b * difference / (least_g * least_g * least_g);
-    const double bend = edge.bend, r2 = radius * radius;
-    round_error = change * r2 * radius / 6.0;
-    error = round_error + 0.25 * bend * bend * bend * r2 * r2;
-    if (!(bend * radius <= 0.25)) error = round_error = kUnproven;
+    const Remainder left = remainder(edge.bend, change, radius);
+    round_error = left.round, error = left.parabola;
   }
   const auto turned = [&](Edge e) {
     e.normal = e.normal.x * s.axis + e.normal.y * across;

@@ -103,6 +103,11 @@ CurveFoot foot_near(const QuadCurve& curve, glm::dvec2 c, double radius, double 
   const double concave = std::copysign(1.0, foot.bend) * foot.side + 2.0 * radius;
   const double q_bend = wide.bend * std::max(concave, radius);
   if (!turns_little || !(q_bend <= 0.5)) return foot;
+  // Convexity at every point of J: seen from there, points of the disc lie by at most `bow` farther to
+  // the concave side than seen from the foot.
+  const double length = std::max(glm::length(enter), glm::length(leave)) * 2.0 * arc / speed;
+  const double bow = std::min(0.5 * wide.bend * length * length, length);
+  if (!(wide.bend * (std::max(concave - radius, radius) + bow) < 1.0)) return foot;
   const auto is_far = [&](double t) {
     const glm::dvec2 m = curve.at(t) - c;
     return glm::dot(m, m) > farthest * farthest;

@@ -39,13 +39,10 @@ struct CurveFoot {
 
 /// The foot of c, and the proof for the disc (c, radius) at outlines `level` >= 0 away from the curve.
 ///
-/// Proof. Let D = level + radius, the largest distance from the curve that matters, and J the piece of curve around
-/// the foot within arc sqrt(8·level·radius) + 4·radius. It is proven when
-///   1. every point of the curve outside J is farther than D from c: |C(t) − c|² is a quartic, so its minimum
-///      outside J is at J's ends, at the curve's ends or at another root of the foot's cubic, which are all checked;
-///   2. on J the curve turns by at most 1 rad, and q·bend <= 1/2 for every signed distance q on the disc: then the
-///      points of the disc have one nearest point on J each, and the map from point to foot is 2-Lipschitz
-///      (it stretches by 1/(1 − q·bend)): all feet lie within arc 2·radius of this one.
+/// Proof (docs/derivations/edges.md). With J the piece of curve around the foot within arc
+/// sqrt(8·level·radius) + 4·radius, it is proven when every point of the curve outside J is farther than
+/// level + radius from c, and |C − p|² is convex on J for every p of the disc, and the feet of the disc
+/// lie within arc 2·radius of this one.
 CurveFoot foot_near(const QuadCurve& curve, glm::dvec2 c, double radius, double level);
 
 }  // namespace mien

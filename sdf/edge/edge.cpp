@@ -33,6 +33,17 @@ LocalOutline AllOf::outline() const {
           .round_error = round_error_};
 }
 
+/// With |curvature|·radius <= 1/4 all along, the outline is a graph over its tangent: the sine of its
+/// slope is at most 1/4 at a lateral distance of `radius`, so the arc there is at most 1.033·radius long.
+/// In arc length it leaves the osculating circle by at most change·s³/6; a circle leaves its parabola
+/// by at most x⁴/4R³ (docs/derivations/edges.md).
+Remainder remainder(double bend, double change, double radius) {
+  bend = std::abs(bend);
+  if (!((bend + 2.0 * change * radius) * radius <= 0.25)) return {kUnproven, kUnproven};
+  const double r3 = radius * radius * radius, round = 0.19 * change * r3;
+  return {round, round + 0.25 * bend * bend * bend * r3 * radius};
+}
+
 LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double radius) {
   const Edge edge{.d = outward * (foot.side - level), .normal = outward * foot.normal};
   // The offset curve at `level` bends by k/(1 − level·k), changes by k'/(1 − level·k)³ per its own
@@ -42,12 +53,9 @@ LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double
   LevelEdge result{edge, kUnproven, kUnproven};
   if (stretch > 0.25) result.edge.bend = -outward * foot.bend / stretch;
   if (foot.proven && least > 0.25) {
-    const double bend = std::abs(result.edge.bend), r2 = radius * radius;
     const double change = foot.bend_change / (least * least * least);
-    // Third order, and the fourth order of the circle: the lateral distance from the foot is at
-    // most radius.
-    result.round_error = change * r2 * radius / 6.0;
-    result.error = result.round_error + 0.25 * bend * bend * bend * r2 * r2;
+    const Remainder left = remainder(result.edge.bend, change, radius);
+    result.round_error = left.round, result.error = left.parabola;
   }
   return result;
 }

@@ -36,6 +36,13 @@ struct LevelEdge {
 };
 LevelEdge level_edge(const CurveFoot& foot, double level, double outward, double radius);
 
+/// How far an outline may leave its expansion at a foot within a disc: as circle and as parabola.
+struct Remainder {
+  double round, parabola;  ///< kUnproven where it bends by more than a quarter of 1/radius
+};
+/// bend: its curvature at the foot; change: a bound on |d curvature / d arc| over arc 2·radius.
+Remainder remainder(double bend, double change, double radius);
+
 /// One edge of a circle around `center`, seen from c.
 LevelEdge circle_edge(glm::dvec2 center, double circle_radius, glm::dvec2 c, double radius);
 

@@ -8,12 +8,14 @@
 namespace mien {
 namespace {
 
-/// How far a round end and the straight body next to it differ within the disc: they share tangent
-/// and foot at the junction, so by their difference of bend over at most the disc's diameter.
+/// How far a round end and the body next to it differ within the disc: they share point and tangent at
+/// the junction, so they part by half the difference of their bends times the square of the way from
+/// there, at most the disc's diameter. The body's side bends by at most 2·bend where it is proven at
+/// all (a level that takes more than half the radius of curvature is not); a tenth more for the slope.
 double junction_error(double half_width, double bend, double radius) {
   if (!(half_width >= 4.0 * radius)) return kUnproven;
   const double diameter = 2.0 * radius;
-  return 0.5 * (1.0 / half_width + std::abs(bend)) * diameter * diameter;
+  return 0.55 * (1.0 / half_width + 2.0 * std::abs(bend)) * diameter * diameter;
 }
 
 }  // namespace
@@ -32,8 +34,7 @@ LocalOutline line_edges(const Line& line, double half_width, glm::dvec2 c, doubl
   if (at_end && (along < 0.0 || along > length)) {
     LocalOutline outline = disc_edges(along < 0.0 ? line.a : line.b, half_width, c, radius, edges);
     const double junction = junction_error(half_width, 0.0, radius);
-    outline.error = std::max(outline.error, junction);
-    outline.round_error = std::max(outline.round_error, junction);
+    outline.error += junction, outline.round_error += junction;
     return outline;
   }
   AllOf all(radius, edges);
@@ -55,14 +56,13 @@ LocalOutline stroke_edges(const QuadBezier& spine, double half_width, glm::dvec2
   if (foot.where != CurveFoot::Where::body) {
     LocalOutline outline = disc_edges(foot.point, half_width, c, radius, edges);
     const double least = foot.proven ? least_error : kUnproven;
-    outline.error = std::max(outline.error, least);
-    outline.round_error = std::max(outline.round_error, least);
+    outline.error += least, outline.round_error += least;
     return outline;
   }
   AllOf all(radius, edges);
   for (const double outward : {1.0, -1.0}) {
     const LevelEdge side = level_edge(foot, outward * half_width, outward, radius);
-    all.add(side.edge, std::max(side.error, least_error), std::max(side.round_error, least_error));
+    all.add(side.edge, side.error + least_error, side.round_error + least_error);
   }
   return all.outline();
 }

@@ -145,9 +145,8 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   if (!clear_outside(s, offset, c, radius, from, to)) return result;
 
   result.edge.bend = edge.bend;
-  const double r2 = radius * radius, bend = std::abs(edge.bend);
-  result.round_error = edge.bend_change * r2 * radius / 6.0;
-  result.error = result.round_error + 0.25 * bend * bend * bend * r2 * r2;
+  const Remainder left = remainder(edge.bend, edge.bend_change, radius);
+  result.round_error = left.round, result.error = left.parabola;
   return result;
 }
 

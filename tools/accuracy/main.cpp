@@ -20,9 +20,9 @@ using namespace mien::accuracy;
 struct Options {
   size_t count = 20'000;
   uint64_t seed = 1;
-  std::vector<std::string> solvers, families;
+  std::vector<std::string> solvers, families, kernels;
   std::string csv, plot, exported;
-  bool only_foreign = false, by_family = false, cubics = false;
+  bool only_foreign = false, by_family = false, cubics = false, quick = false;
 };
 
 bool write_file(const std::string& path, const std::string& text) {
@@ -63,11 +63,18 @@ int judge_cubics(const Options& options) {
 int judge(const Options& options) {
   std::vector<Solver> solvers;
   if (!options.only_foreign) solvers = own_solvers();
+  if (!options.kernels.empty()) {
+    std::erase_if(solvers, [&](const Solver& s) {
+      return std::find(options.kernels.begin(), options.kernels.end(), s.name) ==
+             options.kernels.end();
+    });
+  }
   for (const std::string& path : options.solvers) solvers.push_back(foreign_solver(path));
   std::vector<Tally> tallies;
   for (const Family& family : families()) {
     if (!wanted(options, family)) continue;
-    const auto rows = run(family, solvers, options.count, options.seed);
+    const auto rows = run(family, solvers, options.count, options.seed,
+                          options.quick ? Truth::scalar : Truth::binary128);
     tallies.insert(tallies.end(), rows.begin(), rows.end());
     fmt::print(stderr, "{}\n", family.name);
   }
@@ -88,8 +95,11 @@ int main(int argc, char** argv) {
   app.add_option("--count", options.count, "Cases per family")->capture_default_str();
   app.add_option("--seed", options.seed, "Another seed, other cases")->capture_default_str();
   app.add_option("--family", options.families, "Only these families");
+  app.add_option("--kernel", options.kernels, "Only these of mien's kernels (fast, accurate, …)");
   app.add_option("--solver", options.solvers,
                  "A shared library with mien_accuracy_solve (see solver.h)");
+  app.add_flag("--quick", options.quick,
+               "Measure float kernels alone, against the scalar form: for many cases");
   app.add_flag("--only-solver", options.only_foreign, "Leave mien's own kernels out");
   app.add_flag("--by-family", options.by_family, "Print a row per family too");
   app.add_flag("--cubics", options.cubics, "Judge solve_cubic, on families of its own, instead");

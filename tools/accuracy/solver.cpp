@@ -156,6 +156,10 @@ std::vector<Solver> own_solvers() {
   return all;
 }
 
+double scalar_distance(const Case& k) {
+  return std::visit([&](const auto& f) { return distance(f, k.p); }, k.figure);
+}
+
 Solver foreign_solver(const std::string& path) {
   using Solve = void(const double*, const double*, const double*, double*, size_t);
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);

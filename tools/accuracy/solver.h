@@ -41,6 +41,9 @@ struct Solver {
 /// mien's own: the scalar form, and every batch kernel on every instruction set.
 std::vector<Solver> own_solvers();
 
+/// mien's own scalar form.
+double scalar_distance(const Case& k);
+
 /// A foreign one, from a shared library; throws std::runtime_error with a sentence.
 Solver foreign_solver(const std::string& path);
 

@@ -68,15 +68,22 @@ Tally tally_of(const Family& family, const Solver& solver, const std::vector<Cas
 }  // namespace
 
 std::vector<Tally> run(const Family& family, const std::vector<Solver>& solvers, size_t count,
-                       uint64_t seed) {
+                       uint64_t seed, Truth truth) {
   const auto cases = cases_of(family, std::max<size_t>(count, 1), seed);
+  const auto judged = [&](const Solver& solver) {
+    const bool exact = solver.judge == Judge::exact;
+    return solver.figure == cases.front().figure.index() && (family.float_exact || exact) &&
+           !(exact && truth == Truth::scalar);
+  };
+  if (std::none_of(solvers.begin(), solvers.end(), judged)) return {};
   std::vector<Quad> truths;
   truths.reserve(cases.size());
-  for (const Case& k : cases) truths.push_back(true_distance(k));
+  for (const Case& k : cases) {
+    truths.push_back(truth == Truth::scalar ? Quad(scalar_distance(k)) : true_distance(k));
+  }
   std::vector<Tally> tallies;
   for (const Solver& solver : solvers) {
-    if (solver.figure != cases.front().figure.index()) continue;
-    if (!family.float_exact && solver.judge != Judge::exact) continue;
+    if (!judged(solver)) continue;
     solver.prepare();
     tallies.push_back(tally_of(family, solver, cases, truths));
   }

@@ -20,9 +20,14 @@ struct Tally {
   bool passes() const { return bar == 0 || (worst <= bar && bad == 0 && nan == 0); }
 };
 
+/// What solvers are measured against: binary128, or, thirty times as fast and for float kernels only,
+/// mien's own scalar forms in double precision. Those are measured against binary128 themselves, and
+/// their error is 2⁻²⁷ of a float kernel's unit.
+enum class Truth { binary128, scalar };
+
 /// Runs the solvers on `count` cases of the family. The reference is computed once.
 std::vector<Tally> run(const Family& family, const std::vector<Solver>& solvers, size_t count,
-                       uint64_t seed);
+                       uint64_t seed, Truth truth = Truth::binary128);
 
 /// One row per solver and instruction set: the worst over the families.
 std::vector<Tally> over_families(const std::vector<Tally>& tallies);
