@@ -90,11 +90,11 @@ class OiioEncoder final : public PictureEncoder {
   }
 
   void prepare(int i, int, const PixelBuffer& pixels, PreparedPiece& to,
-               const std::atomic<bool>& stop) override {
+               const AskStop& stop) override {
     const PixelRect rect = piece(i);
     const std::size_t row = pixel_bytes() * std::size_t(rect.width);
     to.bytes.resize(row * std::size_t(rect.height));
-    for (std::size_t y = 0; y < std::size_t(rect.height) && !stop; ++y) {
+    for (std::size_t y = 0; y < std::size_t(rect.height) && !stop(); ++y) {
       rows_.convert(static_cast<const std::byte*>(pixels.data) + pixels.stride * y,
                     &to.bytes[row * y], std::size_t(rect.width));
     }

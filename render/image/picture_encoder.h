@@ -7,7 +7,6 @@
 #include <mien/render/image/file_type.h>
 #include <mien/render/view/view.h>
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,6 +21,9 @@ struct PreparedPiece {
   std::uint64_t note[2] = {};     ///< what else there is to say
 };
 
+/// Whether to stop; asked every few milliseconds of work.
+using AskStop = std::function<bool()>;
+
 class PictureEncoder {
  public:
   virtual ~PictureEncoder() = default;
@@ -33,9 +35,9 @@ class PictureEncoder {
   virtual PixelRect piece(int i) const = 0;
 
   /// On any thread, several pieces at once, each in a slot of its own. `pixels` are the piece's, in
-  /// the frame's depth. Looks at `stop` now and then; what it leaves then is not put.
+  /// the frame's depth. What it leaves when it stops is not put.
   virtual void prepare(int i, int slot, const PixelBuffer& pixels, PreparedPiece& to,
-                       const std::atomic<bool>& stop) = 0;
+                       const AskStop& stop) = 0;
 
   /// In order, one at a time. The error's `where` is left empty.
   virtual Expected<Done> put(int i, const PreparedPiece& piece) = 0;

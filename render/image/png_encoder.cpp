@@ -87,13 +87,13 @@ class PngEncoder final : public PictureEncoder {
   }
 
   void prepare(int i, int slot, const PixelBuffer& pixels, PreparedPiece& to,
-               const std::atomic<bool>& stop) override {
+               const AskStop& stop) override {
     Slot& own = strips_[std::size_t(slot)];
     if (!own.strip) own.strip = std::make_unique<PngStrip>(pixels_);
     to.bytes.clear();
     Adler sum;
     const int height = piece(i).height;
-    for (int y = 0; y < height && !stop; y += strip_rows_) {
+    for (int y = 0; y < height && !stop(); y += strip_rows_) {
       const int count = std::min(strip_rows_, height - y);
       const std::size_t chunk = begin_chunk(to.bytes, "IDAT");
       if (i == 0 && y == 0) to.bytes.insert(to.bytes.end(), {std::byte(0x78), std::byte(0x9c)});

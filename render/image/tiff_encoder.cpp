@@ -122,13 +122,13 @@ class TiffEncoder final : public PictureEncoder {
   }
 
   void prepare(int i, int slot, const PixelBuffer& pixels, PreparedPiece& to,
-               const std::atomic<bool>& stop) override {
+               const AskStop& stop) override {
     auto& worker = workers_[std::size_t(slot)];
     if (!worker) worker = std::make_unique<TileWorker>();
     const PixelRect rect = piece(i);
     to.bytes.clear();
     to.ends.clear();
-    for (int x = 0; x < rect.width && !stop; x += tile_) {
+    for (int x = 0; x < rect.width && !stop(); x += tile_) {
       const auto* from =
           static_cast<const std::byte*>(pixels.data) + source_bytes() * std::size_t(x);
       pack_tile(*worker, from, pixels.stride, std::min(tile_, rect.width - x), rect.height);

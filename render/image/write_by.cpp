@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <limits>
+#include <new>
 #include <vector>
 
 namespace mien {
@@ -55,7 +57,10 @@ class DrawnPieces {
     how.progress = [&](double) { return !watch.ask(); };
     RenderStats stats;
     const auto began = std::chrono::steady_clock::now();
-    if (!render_into(buffer, scene_, view, how, &stats)) return {};
+    if (!render_into(buffer, scene_, view, how, &stats)) {
+      if (!watch.stopped()) throw std::bad_alloc();  // the only other reason
+      return {};
+    }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     add(own.stats, stats);
     own.seconds += took.count();
@@ -127,6 +132,11 @@ Expected<PictureStats> write_picture_by(const MakeEncoder& make, const Scene& sc
   try {
     const auto type = chosen_type(path, how.write);
     if (!type) return type.error();
+    if (std::min(view.width, view.height) < 1 ||
+        std::max(view.width, view.height) > View::kMaxSide) {
+      return Error{path.string(), fmt::format("a picture's sides are 1 to {} pixels, not {} x {}",
+                                              View::kMaxSide, view.width, view.height)};
+    }
     const PixelRect rect = drawn_rect(view);
     const bool opaque = view.background.value_or(scene.background()).a >= 1.0;
     DrawnPieces drawn(scene, view, drawn_depth(how, *type));

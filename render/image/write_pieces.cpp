@@ -52,7 +52,7 @@ class Writing {
     const PixelBuffer pixels = what_.pixels(encoder_.piece(i), slot, watch_);
     if (!pixels.data || watch_.stopped()) return false;
     const double began = now();
-    encoder_.prepare(i, slot, pixels, prepared_[std::size_t(slot)], watch_.stopped());
+    encoder_.prepare(i, slot, pixels, prepared_[std::size_t(slot)], [&] { return watch_.ask(); });
     took_[std::size_t(slot)] = now() - began;
     return !watch_.ask();
   }

@@ -31,7 +31,8 @@ void loads_and_makes(const char* path, const char* name, FileType type) {
     ASSERT_EQ((*made)->pieces(), 1);
     Image image = test::sample_image(9, 5, Depth::u8, true);
     PreparedPiece piece;
-    (*made)->prepare(0, 0, {image.bytes.data(), image.stride(), image.depth}, piece, false);
+    (*made)->prepare(0, 0, {image.bytes.data(), image.stride(), image.depth}, piece,
+                     [] { return false; });
     EXPECT_TRUE((*made)->put(0, piece));
     EXPECT_TRUE((*made)->finish());
   }
