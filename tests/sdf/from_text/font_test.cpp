@@ -15,7 +15,7 @@ TEST(Font, TheShippedOneHasItsSigns) {
   EXPECT_EQ(font.glyph(' ').loops.size(), 0u);
   EXPECT_GT(font.glyph('W').advance, font.glyph('i').advance);
   EXPECT_EQ(font.glyph('1').advance, font.glyph('8').advance) << "figures stand in columns";
-  for (const char32_t c : {U'é', U'ß', U'Ω', U'Я', U'−', U'×', U'≤', U'→'}) {
+  for (const char32_t c : {U'é', U'ß', U'Ω', U'ά', U'Я', U'−', U'×', U'≤', U'→'}) {
     EXPECT_NE(font.glyph(c).loops.size(), 0u);
     EXPECT_FALSE(font.glyph(c).loops[0].sides[0].p0 == font.glyph(U'漢').loops[0].sides[0].p0 &&
                  font.glyph(c).advance == font.glyph(U'漢').advance)
