@@ -8,6 +8,7 @@
 #include <mien/lib/face/eye.h>
 #include <mien/lib/face/face_paint.h>
 #include <mien/lib/face/feature.h>
+#include <mien/lib/face/head_turn.h>
 #include <mien/lib/face/layout.h>
 #include <mien/lib/face/muscle.h>
 
@@ -35,6 +36,7 @@ struct FaceModel {
   std::vector<Expression> expressions;  ///< emotions first
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
+  HeadTurn turn;
   int default_clip = -1;  ///< the clip that runs when a time is given; −1: none
 };
 

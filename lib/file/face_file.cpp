@@ -22,10 +22,10 @@ namespace {
 constexpr int kNewestVersion = 1;
 
 void check_format(Reading& in, const JsonNode& root) {
-  in.expect_object(root, {"$schema", "format", "format_version", "name", "credit", "canvas",
-                          "background", "palette", "light", "groups", "features", "controls",
-                          "poses", "eyes", "muscles", "emotions", "expressions", "clips",
-                          "default_clip"});
+  in.expect_object(root, {"$schema",  "format",     "format_version", "name",  "credit",
+                          "canvas",   "background", "palette",        "light", "groups",
+                          "features", "controls",   "poses",          "eyes",  "turn",
+                          "muscles",  "emotions",   "expressions",    "clips", "default_clip"});
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
@@ -56,6 +56,7 @@ Face read_root(Reading& in) {
   if (groups) read_group_clips(in, *groups, draft);
   if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
   if (const JsonNode* eyes = in.find(root, "eyes")) read_eyes(in, *eyes, draft);
+  if (const JsonNode* turn = in.find(root, "turn")) read_turn(in, *turn, draft);
   if (const JsonNode* poses = in.find(root, "poses")) read_poses(in, *poses, draft);
   if (const JsonNode* muscles = in.find(root, "muscles")) read_muscles(in, *muscles, draft);
   if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);

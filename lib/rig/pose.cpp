@@ -4,6 +4,7 @@
 #include <mien/lib/rig/curve.h>
 #include <mien/lib/rig/drive.h>
 #include <mien/lib/rig/eye.h>
+#include <mien/lib/rig/head_turn.h>
 #include <mien/lib/rig/muscle_pulls.h>
 #include <mien/lib/rig/poser.h>
 
@@ -118,6 +119,7 @@ const Face& Poser::pose(const Pose& pose) {
   muscles_.act(rest_, pose, values_, set_channels, posed_.vector);
   drive_channels(false);
   pose_eyes(model, rest_.vector, values_, posed_.vector);
+  turn_head(model, values_, posed_.vector);
   for (const Setting& setting : pose.settings) put_numbers(setting, posed_.vector);
   apply_rules(model.layout, rest_.vector, posed_.vector);
   return posed_;

@@ -87,5 +87,18 @@ TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
     }
 }
 
+/// The head turned left is the mirror image of the head turned right.
+TEST(Mirror, TurnedHeadsMirrorEachOther_G4) {
+  constexpr glm::dvec3 kAbove{0, 0.65, 0.85};
+  const View view{.width = 320, .height = 180, .light = kAbove, .dither = false};
+  const Image left = render(posed_scene("toon", {"yaw=20", "roll=5", "blink=0.3"}), view);
+  const Image right = render(posed_scene("toon", {"yaw=-20", "roll=-5", "blink=0.3"}), view);
+  for (int y = 0; y < left.height; ++y)
+    for (int x = 0; x < left.width; ++x)
+      for (int c = 0; c < 4; ++c)
+        ASSERT_LE(std::abs(int(left.row(y)[4 * x + c]) - int(right.row(y)[4 * (319 - x) + c])), 1)
+            << x << ' ' << y;
+}
+
 }  // namespace
 }  // namespace mien

@@ -342,6 +342,22 @@ TEST(ReadFace, SaysWhatIsWrongWithEyesPosesAndCurves) {
        ": /eyes/0/lids/raise: without a bulge nothing is raised"},
       {eye_with(R"(, "cornea": 0.1, "bulge": 0.1, "lids": {"opening": "hole", "raise": [^"dto"]})"),
        ": /eyes/0/lids/raise/0: no feature named \"dto\"; did you mean \"dot\"?"},
+      {eye_with("", R"(, "turn": {"pivot": [0, 0, 0], "center": [0, 0], "radii": ^[1, 0, 1]})"),
+       ": /turn/radii: a radius must be positive, got 0"},
+      {eye_with("", R"(, "turn": ^{"pivot": [0, 0, 0], "center": [0, 0]})"),
+       ": /turn: \"radii\" is missing"},
+      {eye_with(
+           "",
+           R"(, "turn": {"pivot": [0, 0, 0], "center": [0, 0], "radii": [1, 1, 1], "yaw": ^"blink"})"),
+       ": /turn/yaw: the control that turns must have no sides and rest at 0"},
+      {eye_with(
+           "",
+           R"(, "turn": {"pivot": [0, 0, 0], "center": [0, 0], "radii": [1, 1, 1], "flat": {"dto": ^0}})"),
+       ": /turn/flat/dto: no feature named \"dto\"; did you mean \"dot\"?"},
+      {eye_with(
+           "",
+           R"(, "turn": {"pivot": [0, 0, 0], "center": [0, 0], "radii": [1, 1, 1], "still": [^"dot/centre"]})"),
+       ": /turn/still/0: no number named \"dot/centre\"; did you mean \"dot/center\"?"},
       {eye_with("", R"(, "poses": {"sad": {"slices": {"hole/uper": ^[0, 0]}}})"),
        ": /poses/sad/slices/hole~1uper: no number named \"hole/uper\"; did you mean "
        "\"hole/upper\"?"},

@@ -55,6 +55,7 @@ BREAKS = {
     "lids that meet beyond": lambda f: f["eyes"][0]["lids"].update(meet=2),
     "an unknown key of a pose": lambda f: f["poses"]["brow.sad"].update(slice={}),
     "a seed that is a fraction": lambda f: f["clips"]["idle"]["blink"].update(seed=0.5),
+    "a head without radii": lambda f: f["turn"].pop("radii"),
     "tracks beside a curve": lambda f: f["clips"]["restless"].update(blink={"keys": [[0, 0]]}),
 }
 

@@ -267,7 +267,7 @@ TEST(SettableNames, HaveTheControlsOfBothSidesAndOfEach) {
         "gaze.x",   "gaze.left.x",   "gaze.right.x",   "gaze.y", "gaze.left.y", "gaze.right.y",
         "dilation", "dilation.left", "dilation.right", "blink",  "blink.left",  "blink.right"};
     if (name == std::string("toon"))
-      wanted.insert(wanted.end(), {"bias", "bias.left", "bias.right"});
+      wanted.insert(wanted.end(), {"bias", "bias.left", "bias.right", "yaw", "pitch", "roll"});
     EXPECT_EQ(controls, wanted);
   }
 }

@@ -1,0 +1,40 @@
+#pragma once
+// What a head is as a body: how deep each feature lies, and which channels turn it. Plain data;
+// lib/rig/head_turn.h turns it.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace mien {
+
+/// How a slice goes with a turning head.
+enum class TurnKind : unsigned char {
+  still,    ///< not at all
+  surface,  ///< a point of the head's front, `depth` above it: turned, and foreshortened
+  flat,     ///< a point of something that looks alike from every side (an outline), at `depth` from
+            ///< the head's middle: shifted by parallax, not foreshortened
+  width,    ///< the first number of radii at a point: foreshortened sideways, the second upwards
+  size,     ///< a radius at a point: foreshortened on the whole
+  shift,    ///< x, y of a way on the surface: foreshortened and rolled
+  angle     ///< of something on the head: rolled
+};
+
+struct TurnedSlice {
+  int slice;
+  TurnKind kind;
+  double depth = 0;  ///< [face units] towards the viewer
+  int at = -1;       ///< of a width, size or shift: the slice of the point where it is
+};
+
+/// The front of the head is half an ellipsoid. Without slices no head turns.
+struct HeadTurn {
+  glm::dvec3 pivot{0};                  ///< what it turns about; z 0 is the ellipsoid's middle
+  glm::dvec2 center{0};                 ///< of the ellipsoid, in the picture
+  glm::dvec3 radii{1};                  ///< > 0
+  int yaw = -1, pitch = -1, roll = -1;  ///< channels [degrees]
+  std::vector<TurnedSlice> slices;
+};
+
+}  // namespace mien
