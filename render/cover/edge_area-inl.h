@@ -46,6 +46,22 @@ HWY_INLINE V EdgeArea(D f, V d, V gx, V gy, V k) {
   return hn::Min(hn::Max(hn::Sub(straight, lost), zero), one);
 }
 
+/// The same for a rectangle of sides (wx, wy), as a share of its area.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V EdgeAreaOfStrip(D f, V d, V gx, V gy, V k, V wx, V wy) {
+  const V half = hn::Set(f, 0.5f), one = hn::Set(f, 1.0f), tiny = hn::Set(f, 1e-5f);
+  const V nx = hn::Max(hn::Abs(gx), tiny), ny = hn::Max(hn::Abs(gy), tiny);
+  const V straight = EdgeArea(f, d, hn::Mul(nx, wx), hn::Mul(ny, wy), hn::Zero(f));
+  const V inverse = hn::Div(one, hn::Mul(nx, ny)), ix = hn::Mul(ny, inverse), iy = hn::Mul(nx, inverse);
+  const V hx = hn::Mul(wx, half), hy = hn::Mul(wy, half), dx = hn::Mul(d, nx), dy = hn::Mul(d, ny);
+  const V lo = hn::Max(hn::Mul(hn::Sub(dy, hy), ix), hn::Mul(hn::Neg(hn::Add(dx, hx)), iy));
+  const V hi = hn::Min(hn::Mul(hn::Add(dy, hy), ix), hn::Mul(hn::Sub(hx, dx), iy));
+  const V cubes = FusedLess(hn::Mul(hi, hi), hi, hn::Mul(hn::Mul(lo, lo), lo));
+  const V share = hn::Div(hn::Mul(hn::Mul(k, hn::Set(f, 1.0f / 6)), cubes), hn::Mul(wx, wy));
+  const V lost = hn::IfThenElseZero(hn::Gt(hi, lo), share);
+  return hn::Min(hn::Max(hn::Sub(straight, lost), hn::Zero(f)), one);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace mien::batch
 HWY_AFTER_NAMESPACE();

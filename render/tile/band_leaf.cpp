@@ -173,6 +173,13 @@ void BandPainter::paint(std::uint32_t blocks) {
 
 /// Counts the shown pixels of blocks just drawn.
 void BandPainter::count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part) {
+  if (part.width == kLeaf && part.height == kLeaf) {
+    const int edges = std::popcount(left.edge_blocks & blocks);
+    stats_->one_edge_pixels += 16 * edges - left.count;
+    stats_->fill_pixels += 16 * (std::popcount(blocks) - edges);
+    stats_->divided_pixels += left.count;
+    return;
+  }
   for (; blocks; blocks &= blocks - 1) {
     const int b = std::countr_zero(blocks), x = leaf_x_ + 4 * (b % 4), y = leaf_y_ + 4 * (b / 4);
     const int width = std::min(x + 4, part.x + part.width) - std::max(x, part.x);

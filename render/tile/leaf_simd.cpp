@@ -65,16 +65,24 @@ HWY_INLINE Sight SeeBody(const LeafEdge& e, VF px, VF py) {
   return s;
 }
 
-HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
+/// Whether points beyond the end's line belong to this edge rather than to the stroke's other one.
+HWY_INLINE auto Mine(const LeafEdge& e, VF px, VF py) {
+  const VF ux = hn::Sub(px, Const(e.end_x)), uy = hn::Sub(py, Const(e.end_y));
+  const VF up = Fused(ux, Const(e.end_nx), hn::Mul(uy, Const(e.end_ny)));
+  const VF rho2 = Fused(ux, ux, hn::Mul(uy, uy));
+  const float far = 1.0f / e.end_bend + kEndHalo;
+  return hn::Or(hn::Ge(up, hn::Zero(F())), hn::Gt(rho2, Const(far * far)));
+}
+
+/// An edge with its round end; `mine` as above, for the pixels whose parts the points are.
+template <class M>
+HWY_INLINE Sight SeeWithEnd(const LeafEdge& e, VF px, VF py, M mine) {
   Sight body = SeeBody(e, px, py);
-  if (!e.has_end()) return body;
   const VF ux = hn::Sub(px, Const(e.end_x)), uy = hn::Sub(py, Const(e.end_y));
   const VF rho = hn::Sqrt(hn::Max(Fused(ux, ux, hn::Mul(uy, uy)), Const(1e-12f)));
   const VF inverse = hn::Div(Const(1.0f), rho), zero = hn::Zero(F());
   const auto beyond = hn::Gt(Fused(ux, Const(e.along_x), hn::Mul(uy, Const(e.along_y))), zero);
-  const auto mine = hn::Ge(Fused(ux, Const(e.end_nx), hn::Mul(uy, Const(e.end_ny))), zero);
-  const VF round = hn::Sub(rho, Const(1.0f / e.end_bend));
-  const VF d = hn::IfThenElse(hn::Or(mine, hn::Gt(round, Const(kEndHalo))), round, Const(-1e6f));
+  const VF d = hn::IfThenElse(mine, hn::Sub(rho, Const(1.0f / e.end_bend)), Const(-1e6f));
   body.d = hn::IfThenElse(beyond, d, body.d);
   body.gx = hn::IfThenElse(beyond, hn::Mul(ux, inverse), body.gx);
   body.gy = hn::IfThenElse(beyond, hn::Mul(uy, inverse), body.gy);
@@ -82,30 +90,42 @@ HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
   return body;
 }
 
-/// Into how many parts each way a pixel is cut, so that the bend's error stays below a quarter
-/// level.
-HWY_INLINE int PartsFor(float bend) {
+HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
+  return e.has_end() ? SeeWithEnd(e, px, py, Mine(e, px, py)) : SeeBody(e, px, py);
+}
+
+/// Into how many strips a pixel is cut, so that the bend's error stays below a quarter level: a
+/// whole pixel's area is corrected by its chord and off by at most kEdgeAreaPerBend · bend; in
+/// strips across the edge that error falls with the square of their width.
+HWY_INLINE int StripsFor(float bend) {
   const float k = bend < 0 ? -bend : bend;
-  return k <= 0.012f ? 1 : k <= 0.048f ? 2 : k <= 0.19f ? 4 : 8;
+  return k <= 0.012f ? 1 : k <= 0.035f ? 2 : k <= 0.14f ? 4 : k <= 0.3f ? 6 : 8;
 }
 
 /// The area of each pixel around (px, py) inside the edge.
-HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int parts) {
+HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips) {
   const F f;
-  if (parts == 1) {
+  if (strips == 1) {
     const Sight s = See(e, px, py);
     return EdgeArea(f, s.d, s.gx, s.gy, s.k);
   }
-  const float n = float(parts), step = 1.0f / n;
-  VF sum = hn::Zero(f);
-  for (int j = 0; j < parts; ++j)
-    for (int i = 0; i < parts; ++i) {
-      const Sight s = See(e, hn::Add(px, Const((float(i) + 0.5f) * step - 0.5f)),
-                          hn::Add(py, Const((float(j) + 0.5f) * step - 0.5f)));
-      sum =
-          hn::Add(sum, EdgeArea(f, hn::Mul(s.d, Const(n)), s.gx, s.gy, hn::Mul(s.k, Const(step))));
-    }
-  return hn::Mul(sum, Const(step * step));
+  const bool end = e.has_end();
+  const auto mine = Mine(e, px, py);
+  const Sight middle = end ? SeeWithEnd(e, px, py, mine) : SeeBody(e, px, py);
+  // Strips side by side in x where the edge runs along x, else in y.
+  const auto in_x = hn::Ge(hn::Abs(middle.gy), hn::Abs(middle.gx));
+  const float n = float(strips), step = 1.0f / n;
+  const VF one = Const(1.0f), thin = Const(step), zero = hn::Zero(f);
+  const VF narrow_x = hn::IfThenElse(in_x, thin, one), narrow_y = hn::IfThenElse(in_x, one, thin);
+  VF sum = zero;
+  for (int i = 0; i < strips; ++i) {
+    const VF at = Const((float(i) + 0.5f) * step - 0.5f);
+    const VF x = hn::Add(px, hn::IfThenElse(in_x, at, zero));
+    const VF y = hn::Add(py, hn::IfThenElse(in_x, zero, at));
+    const Sight s = end ? SeeWithEnd(e, x, y, mine) : SeeBody(e, x, y);
+    sum = hn::Add(sum, EdgeAreaOfStrip(f, s.d, s.gx, s.gy, s.k, narrow_x, narrow_y));
+  }
+  return hn::Mul(sum, thin);
 }
 
 struct alignas(64) Offsets {
@@ -191,13 +211,13 @@ HWY_INLINE VF Between(const float* plane, std::uint32_t out, std::uint32_t in, V
 
 template <bool kLinear>
 HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, std::uint32_t in,
-                        float cx, float cy, int parts, std::uint32_t* to, size_t stride) {
+                        float cx, float cy, int strips, std::uint32_t* to, size_t stride) {
   const F f;
   const hn::RebindToSigned<F> di;
   alignas(64) std::int32_t pixels[kBlock];
   for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
     const VF w = AreaOf(e, hn::Add(hn::Load(f, kPixels.x + i), Const(cx)),
-                        hn::Add(hn::Load(f, kPixels.y + i), Const(cy)), parts);
+                        hn::Add(hn::Load(f, kPixels.y + i), Const(cy)), strips);
     hn::Store(Packed<kLinear>(Between(leaf.palette[0].data(), out, in, w),
                               Between(leaf.palette[1].data(), out, in, w),
                               Between(leaf.palette[2].data(), out, in, w)),
@@ -210,7 +230,7 @@ HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, 
 /// cross are named.
 template <bool kLinear>
 HWY_INLINE void ManyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base, float cx,
-                          float cy, const int* parts, int first, std::uint32_t* to, size_t stride,
+                          float cy, const int* strips, int first, std::uint32_t* to, size_t stride,
                           LeafPixels& left) {
   const F f;
   const hn::RebindToSigned<F> di;
@@ -223,7 +243,7 @@ HWY_INLINE void ManyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t 
     VF w = hn::Zero(f);
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
-      const VF area = AreaOf(leaf.edges[std::size_t(e)], px, py, parts[e]);
+      const VF area = AreaOf(leaf.edges[std::size_t(e)], px, py, strips[e]);
       const auto full = hn::Ge(area, Const(1.0f - 1e-6f)), some = hn::Gt(area, Const(1e-6f));
       const VI bit = hn::Set(di, 1 << e);
       sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, full), bit));
@@ -271,12 +291,12 @@ template <bool kLinear>
 HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
                       LeafPixels& left) {
   BlockSides sides[Leaf::kMostEdges];
-  int parts[Leaf::kMostEdges], end_parts[Leaf::kMostEdges];
+  int strips[Leaf::kMostEdges], end_strips[Leaf::kMostEdges];
   for (int e = 0; e < leaf.edge_count; ++e) {
     const LeafEdge& edge = leaf.edges[std::size_t(e)];
     sides[e] = PlaceBlocks(edge);
-    parts[e] = PartsFor(edge.bend);
-    end_parts[e] = edge.has_end() ? HWY_MAX(4, PartsFor(edge.end_bend)) : parts[e];
+    strips[e] = StripsFor(edge.bend);
+    end_strips[e] = edge.has_end() ? HWY_MAX(4, StripsFor(edge.end_bend)) : strips[e];
   }
   for (std::uint32_t todo = blocks; todo; todo &= todo - 1) {
     const int b = std::countr_zero(todo);
@@ -301,10 +321,10 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
       const LeafEdge& edge = leaf.edges[std::size_t(e)];
-      here[e] = parts[e];
+      here[e] = strips[e];
       if (edge.has_end() &&
           (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f)
-        here[e] = end_parts[e];
+        here[e] = end_strips[e];
     }
     if ((active & (active - 1)) == 0) {
       const int e = std::countr_zero(active);

@@ -80,7 +80,7 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
   const double level = l < 0 ? -l : l;
   const V one = Set(1.0), two_a = Set(2.0 * a);
   std::uint32_t proven = 0;
-  for (size_t i = 0; i < Leaves::kMost; i += hn::Lanes(d)) {
+  for (size_t i = 0; i < Leaves::kMost && leaves.wanted >> i; i += hn::Lanes(d)) {
     const V px = hn::Sub(hn::Load(d, leaves.x.data() + i), Set(f.origin.x));
     const V py = hn::Sub(hn::Load(d, leaves.y.data() + i), Set(f.origin.y));
     const V rx = Set(f.right.x), ry = Set(f.right.y);
@@ -148,7 +148,7 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
   const double diff = f.a * f.a - f.b * f.b, spread = diff < 0 ? -diff : diff;
   const V one = Set(1.0), a = Set(f.a), b = Set(f.b), ab = Set(f.a * f.b);
   std::uint32_t proven = 0;
-  for (size_t i = 0; i < Leaves::kMost; i += hn::Lanes(d)) {
+  for (size_t i = 0; i < Leaves::kMost && leaves.wanted >> i; i += hn::Lanes(d)) {
     const V px = hn::Sub(hn::Load(d, leaves.x.data() + i), Set(f.center.x));
     const V py = hn::Sub(hn::Load(d, leaves.y.data() + i), Set(f.center.y));
     const V ax = Set(f.axis.x), ay = Set(f.axis.y);

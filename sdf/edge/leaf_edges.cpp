@@ -66,6 +66,21 @@ LeafOutline circle_outline(glm::dvec2 center, double circle_radius, glm::dvec2 c
   return all.outline();
 }
 
+/// The wanted leaves first, one after the other, and copies of the last behind them: what nobody
+/// wants takes no steps.
+Leaves packed_to_front(const Leaves& leaves) {
+  Leaves packed{.wanted = 0, .radius = leaves.radius};
+  std::size_t n = 0;
+  for (std::uint32_t left = leaves.wanted; left; left &= left - 1, ++n) {
+    const auto i = std::size_t(std::countr_zero(left));
+    packed.x[n] = leaves.x[i], packed.y[n] = leaves.y[i];
+    packed.wanted |= 1u << n;
+  }
+  for (std::size_t i = n; n > 0 && i < Leaves::kMost; ++i)
+    packed.x[i] = packed.x[n - 1], packed.y[i] = packed.y[n - 1];
+  return packed;
+}
+
 /// Where a piece of parabola ends, in pixels.
 struct End {
   glm::dvec2 point, along, normal;  ///< along: unit, out of the piece; normal: the frame's up side
@@ -122,26 +137,28 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
                             std::span<LeafOutline, Leaves::kMost> outlines,
                             std::vector<LeafEdge>& edges) const {
   CurveLeaves found;
-  parabola_leaves(form, leaves, found);
+  const Leaves packed = packed_to_front(leaves);
+  parabola_leaves(form, packed, found);
   const double r = leaves.radius, h = form.level;
   const bool ends = std::isfinite(form.lo);
   const End begin = ends ? end_of(form, form.lo, -1.0) : End{};
   const End end = ends ? end_of(form, form.hi, 1.0) : End{};
-  for (std::uint32_t left = leaves.wanted; left; left &= left - 1) {
+  std::size_t place = 0;
+  for (std::uint32_t left = leaves.wanted; left; left &= left - 1, ++place) {
     const auto i = std::size_t(std::countr_zero(left));
     const glm::dvec2 c{leaves.x[i], leaves.y[i]};
-    if (!(found.proven >> i & 1u)) {
+    if (!(found.proven >> place & 1u)) {
       outlines[i] = leaf_outline_near(*shape_, c, r, edges);
       continue;
     }
-    const glm::dvec2 normal{found.nx[i], found.ny[i]};
+    const glm::dvec2 normal{found.nx[place], found.ny[place]};
     AllOfLeaf all(edges);
     if (!form.stroke) {
       const CurveLeaves::Level& l = found.levels[0];
-      const double d = h - found.side[i];
-      if (d > reach_of(l.bend[i], l.error[i], r)) all.outside();
-      if (std::abs(d) <= reach_of(l.bend[i], l.error[i], r))
-        all.add(edge_at(d, -normal, l.bend[i], l.c3[i], l.c4[i], l.error[i]));
+      const double d = h - found.side[place];
+      if (d > reach_of(l.bend[place], l.error[place], r)) all.outside();
+      if (std::abs(d) <= reach_of(l.bend[place], l.error[place], r))
+        all.add(edge_at(d, -normal, l.bend[place], l.c3[place], l.c4[place], l.error[place]));
       outlines[i] = all.outline();
       continue;
     }
@@ -164,13 +181,13 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
       outlines[i] = circle_outline(cap->point, h, c, r, edges);
       continue;
     }
-    if (!joined && !(found.foot[i] >= form.lo && found.foot[i] <= form.hi)) {
+    if (!joined && !(found.foot[place] >= form.lo && found.foot[place] <= form.hi)) {
       outlines[i] = {.rule = EdgeRule::outside, .error = 0.0};  // the ends are too far
       continue;
     }
     for (const int toward : {1, -1}) {
       const CurveLeaves::Level& l = found.levels[toward > 0 ? 0 : 1];
-      const double d = toward * found.side[i] - h, reach = reach_of(l.bend[i], l.error[i], r);
+      const double d = toward * found.side[place] - h, reach = reach_of(l.bend[place], l.error[place], r);
       if (d > reach) all.outside();
       bool crosses = std::abs(d) <= reach;
       if (joined) {
@@ -178,7 +195,7 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
         crosses |= std::abs(glm::length(m) - h) <= r && toward * glm::dot(m, joined->normal) >= -r;
       }
       if (!crosses) continue;
-      LeafEdge edge = edge_at(d, double(toward) * normal, l.bend[i], l.c3[i], l.c4[i], l.error[i]);
+      LeafEdge edge = edge_at(d, double(toward) * normal, l.bend[place], l.c3[place], l.c4[place], l.error[place]);
       if (joined) {
         const glm::dvec2 at = joined->point - c, n = double(toward) * joined->normal;
         edge.end_x = float(at.x), edge.end_y = float(at.y);
@@ -196,19 +213,20 @@ void LeafOutlines::ellipse(const EllipseForm& form, const Leaves& leaves,
                            std::span<LeafOutline, Leaves::kMost> outlines,
                            std::vector<LeafEdge>& edges) const {
   CurveLeaves found;
-  ellipse_leaves(form, leaves, found);
-  for (std::uint32_t left = leaves.wanted; left; left &= left - 1) {
+  ellipse_leaves(form, packed_to_front(leaves), found);
+  std::size_t place = 0;
+  for (std::uint32_t left = leaves.wanted; left; left &= left - 1, ++place) {
     const auto i = std::size_t(std::countr_zero(left));
-    if (!(found.proven >> i & 1u)) {
+    if (!(found.proven >> place & 1u)) {
       outlines[i] = leaf_outline_near(*shape_, {leaves.x[i], leaves.y[i]}, leaves.radius, edges);
       continue;
     }
     const CurveLeaves::Level& l = found.levels[0];
-    const double d = found.side[i], reach = reach_of(l.bend[i], l.error[i], leaves.radius);
+    const double d = found.side[place], reach = reach_of(l.bend[place], l.error[place], leaves.radius);
     AllOfLeaf all(edges);
     if (d > reach) all.outside();
     if (std::abs(d) <= reach)
-      all.add(edge_at(d, {found.nx[i], found.ny[i]}, l.bend[i], l.c3[i], l.c4[i], l.error[i]));
+      all.add(edge_at(d, {found.nx[place], found.ny[place]}, l.bend[place], l.c3[place], l.c4[place], l.error[place]));
     outlines[i] = all.outline();
   }
 }
