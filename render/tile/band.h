@@ -72,7 +72,8 @@ class BandPainter {
   void paint(std::uint32_t blocks);
   void count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part);
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
-  void pixel_by_pixel(int block_x, int block_y);
+  void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
+  void surely(int x, int y);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;
 

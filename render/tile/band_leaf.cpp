@@ -198,7 +198,7 @@ void BandPainter::count(const LeafPixels& left, std::uint32_t blocks, const Pixe
 /// The quarters of a square of the present leaf by edges of their own: `center` from the leaf's, its
 /// first block. A square of one block is left to the pixels.
 void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) {
-  if (side == 4) return pixel_by_pixel(block_x, block_y);
+  if (side == 4) return pixel_by_pixel(center, block_x, block_y);
   const int half = side / 2, step = side / 8;
   const double quarter = 0.25 * side;
   Leaves quarters;
@@ -235,21 +235,52 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
   }
 }
 
-/// A block of 4 × 4 pixels that edges do not describe.
-void BandPainter::pixel_by_pixel(int block_x, int block_y) {
+/// A block of 4 × 4 pixels that its edges do not describe: by every pixel's own edges, and where those
+/// are not proven either, by the sure way.
+void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
+  const PixelRect part = visible({leaf_x_ + 4 * block_x, leaf_y_ + 4 * block_y, 4, 4});
+  Leaves pixels;
+  pixels.wanted = 0xFFFF;
+  pixels.radius = kSqrtHalf;
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    pixels.x[i] = leaf_center_.x + center.x + double(i % 4) - 1.5;
+    pixels.y[i] = leaf_center_.y + center.y + double(i / 4) - 1.5;
+  }
+  std::vector<LeafEdge> edges;
+  std::vector<std::array<LeafOutline, Leaves::kMost>> found(leaf_wanted_.size());
+  for (std::size_t i = 0; i < leaf_wanted_.size(); ++i) {
+    if (leaf_list_[i].count == 0 && leaf_list_[i].error <= plan_->tolerance)
+      found[i].fill(leaf_list_[i]);
+    else
+      plan_->outlines[std::size_t(leaf_wanted_[i])].in_leaves(pixels, found[i], edges);
+  }
+  std::vector<LeafOutline> list(leaf_wanted_.size());
+  for (int i = 0; i < int(Leaves::kMost); ++i) {
+    const int x = leaf_x_ + 4 * block_x + i % 4, y = leaf_y_ + 4 * block_y + i / 4;
+    if (x < part.x || x >= part.x + part.width || y < part.y || y >= part.y + part.height) continue;
+    for (std::size_t k = 0; k < list.size(); ++k) list[k] = found[k][std::size_t(i)];
+    const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
+    if (assemble(list, edges, at_pixel)) {
+      const Mix mix =
+          leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
+      store(mix, plan_->tape.blend, target_->depth, at(x, y));
+      ++stats_->divided_pixels;
+    } else {
+      surely(x, y);
+    }
+  }
+}
+
+/// One pixel by the sure way.
+void BandPainter::surely(int x, int y) {
   if (!scopes_) {
     scopes_ = std::make_unique<ScopeStack>(plan_->tape);
     pixels_ = std::make_unique<PixelResolver>(plan_->tape, *scopes_, pixel_stats_);
   }
   const auto mark = scopes_->mark();
-  const PixelRect part = visible({leaf_x_ + 4 * block_x, leaf_y_ + 4 * block_y, 4, 4});
-  const glm::dvec2 half{0.5 * width_, 0.5 * height_};
-  const glm::dvec2 center = glm::dvec2{leaf_x_ + 4 * block_x + 2, leaf_y_ + 4 * block_y + 2} - half;
-  const Scope block = scopes_->narrowed(scopes_->of_layers(leaf_layers_), center, 4 * kSqrtHalf);
-  for (int y = part.y; y < part.y + part.height; ++y)
-    for (int x = part.x; x < part.x + part.width; ++x)
-      store(pixels_->pixel(block, glm::dvec2{x + 0.5, y + 0.5} - half), plan_->tape.blend,
-            target_->depth, at(x, y));
+  const glm::dvec2 center = glm::dvec2{x + 0.5 - 0.5 * width_, y + 0.5 - 0.5 * height_};
+  store(pixels_->pixel(scopes_->of_layers(leaf_layers_), center), plan_->tape.blend,
+        target_->depth, at(x, y));
   scopes_->reset(mark);
   stats_->add(std::exchange(pixel_stats_, {}));
 }

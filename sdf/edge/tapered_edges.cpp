@@ -77,6 +77,7 @@ bool convex_around(const TaperedStroke& s, glm::dvec2 c, double radius, double m
 struct Envelope {
   double bend;
   double speed;        ///< v
+  double slowest;      ///< bound below v for t within `half`
   double bend_change;  ///< bound on |d bend / d arc| for t within `half`, or kUnproven
 };
 
@@ -89,7 +90,7 @@ Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
                speed = glm::length(e.velocity);
   const double lag = glm::dot(n, e.acceleration) + e.width_bend, omega = -lag / q,
                v = q + width * omega;
-  Envelope result{omega / v, v, kUnproven};
+  Envelope result{omega / v, v, 0.0, kUnproven};
   const double theta =
       2.0 * half * std::abs(omega) + 2.0 * half * half * pull * pull / (q * q) + 1e-6;
   const double q_lo = q - pull * half - speed * theta;
@@ -104,6 +105,7 @@ Envelope envelope(const At& e, double width, glm::dvec2 n, double half) {
   const double v_change = 2.0 * omega_hi * rate_hi + along_hi + width_hi * omega_change;
   const double v_lo = v - v_change * half, v_hi = v + v_change * half;
   if (!(v_lo > 0.5 * v)) return result;
+  result.slowest = v_lo;
   result.bend_change = (omega_change * v_hi + omega_hi * v_change) / (v_lo * v_lo * v_lo);
   return result;
 }
@@ -139,7 +141,7 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   // Where g has grown by 2·radius, by its second derivative at t, with half as much again.
   const double wide = 3.0 * std::sqrt(radius / g) + 4.0 * radius / v;
   const double from = std::max(t - wide, 0.0), to = std::min(t + wide, 1.0);
-  constexpr int kPieces = 8;
+  constexpr int kPieces = 24;
   const double half = 0.5 * (to - from) / kPieces;
   for (int i = 0; i < kPieces; ++i)
     if (!convex_around(s, c, radius, from + (2 * i + 1) * half, half)) return result;
@@ -151,11 +153,86 @@ LevelEdge body_edge(const TaperedStroke& s, double offset, glm::dvec2 c, double 
   return result;
 }
 
+/// The normal of one side's envelope, +1 left of the spine or −1 right of it: it leans against the
+/// growth of the width. NaN where neighbouring discs swallow each other.
+glm::dvec2 side_normal(const At& e, double side) {
+  const double speed = glm::length(e.velocity), lean = e.width_rate / speed;
+  const glm::dvec2 tangent = e.velocity / speed, normal{-tangent.y, tangent.x};
+  return side * std::sqrt(1.0 - lean * lean) * normal - lean * tangent;
+}
+
+/// One side of a stroke too thin to be told from its other side, seen from c: the parameter whose
+/// side normal passes through c, by secant steps from t. NaN if there is none near.
+double side_foot(const TaperedStroke& s, glm::dvec2 c, double t, double side) {
+  const auto off = [&](double x) {
+    const At e = at(s, x);
+    const glm::dvec2 n = side_normal(e, side), m = c - e.point;
+    return (n.x * m.y - n.y * m.x) * side;
+  };
+  double a = t, b = t + 1e-3, fa = off(a), fb = off(b);
+  constexpr int kSteps = 12;
+  for (int i = 0; i < kSteps; ++i) {
+    if (!(fa != fb)) return fb == 0.0 ? b : std::numeric_limits<double>::quiet_NaN();
+    const double next = b - fb * (b - a) / (fb - fa);
+    if (!(next > -0.5 && next < 1.5)) return std::numeric_limits<double>::quiet_NaN();
+    a = b, fa = fb, b = next, fb = off(b);
+    if (std::abs(b - a) < 1e-14) return b;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Both sides of a thin stroke, proven; or nothing.
+///
+/// Proof. Discs whose t lies outside J, the stretch around the feet by arc 1.5·width + 3·radius each way,
+/// keep clear of the disc (c, radius). Over J each side's normal turns by little and its envelope runs
+/// forward (`envelope` checks both), so each side is one graph over the tangent at its foot, and what
+/// the discs of J cover within the disc is what lies between the two: the stroke's ends are farther
+/// than 2·radius along, and their caps lie beyond.
+bool both_sides(const TaperedStroke& s, double offset, glm::dvec2 c, double radius, double t,
+                AllOf& all) {
+  for (const double side : {1.0, -1.0}) {
+    const double foot_t = side_foot(s, c, t, side);
+    if (!(foot_t > 0.0 && foot_t < 1.0)) return false;
+    const At foot = at(s, foot_t);
+    const glm::dvec2 n = side_normal(foot, side);
+    const double width = foot.width + offset;
+    if (!(width > 0.0)) return false;
+    const double v = envelope(foot, width, n, 0.0).speed;
+    if (!(v > 0.0)) return false;
+    // The outline in the disc is within arc 1.5·radius of the foot, at no less than 3/4 of its speed.
+    const double stretch = 2.0 * radius / v;
+    const double from = std::min(t, foot_t) - stretch, to = std::max(t, foot_t) + stretch;
+    if (!(from > 0.0 && to < 1.0)) return false;
+    const Envelope edge = envelope(foot, width, n, stretch);
+    if (!(edge.bend_change < kUnproven) || !(edge.slowest >= 0.75 * v) ||
+        !(std::abs(edge.bend) * radius <= 0.25))
+      return false;
+    // Discs farther along may overlap the disc from within; what their envelope does there must be
+    // known too.
+    const double wide = (1.5 * width + 3.0 * radius) / v;
+    if (!(envelope(foot, width, n, wide).slowest > 0.0) ||
+        !clear_outside(s, offset, c, radius, foot_t - wide, foot_t + wide))
+      return false;
+    const double r2 = radius * radius, bend = std::abs(edge.bend);
+    const double round_error = edge.bend_change * r2 * radius / 6.0;
+    all.add({.d = glm::dot(c - foot.point, n) - width, .normal = n, .bend = edge.bend},
+            round_error + 0.25 * bend * bend * bend * r2 * r2, round_error);
+  }
+  return true;
+}
+
 /// Both sides of the stroke where it is thin, seen from the spine point nearest to c: the common
 /// tangents of neighbouring discs, which lean by the rate at which the width grows.
 LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, double radius,
                         std::vector<Edge>& edges) {
   const CurveFoot foot = foot_near(curve_of(s.spine), c, radius, 0.0);
+  {
+    AllOf sides(radius, edges);
+    const std::size_t before = edges.size();
+    if (foot.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, foot.t, sides))
+      return sides.outline();
+    edges.resize(before);
+  }
   const At spine = at(s, foot.t);
   const double width = spine.width + offset, speed = glm::length(spine.velocity);
   const double lean = speed > 0.0 ? spine.width_rate / speed : 2.0;
@@ -221,6 +298,15 @@ double likely_foot(const TaperedStroke& s, glm::dvec2 c) {
 LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, double radius,
                            std::vector<Edge>& edges) {
   if (const double t = likely_foot(s, c); t > 0.0 && t < 1.0) {
+    if (const At foot = at(s, t); foot.width + offset < 12.0 * radius) {
+      const CurveFoot spine = foot_near(curve_of(s.spine), c, radius, 0.0);
+      AllOf sides(radius, edges);
+      const std::size_t before = edges.size();
+      if (spine.where == CurveFoot::Where::body &&
+          both_sides(s, offset, c, radius, spine.t, sides))
+        return sides.outline();
+      edges.resize(before);
+    }
     const At foot = at(s, t);
     const double d = glm::length(c - foot.point) - foot.width - offset;
     if (d < -radius) return {.rule = EdgeRule::inside};
