@@ -209,7 +209,7 @@ void BandPainter::leaf(int lane) {
       leaf_sides_[o] = tile_sides_[o].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0}
                                                       : Sides{0, ~std::uint64_t{0}};
     }
-  if (assemble(leaf_list_, edges_, {0.0, 0.0}))
+  if (assemble(leaf_list_, edges_, {0.0, 0.0}, kMostLeafBend))
     paint(0xFFFF);
   else
     divide({0.0, 0.0}, kLeaf, 0, 0);

@@ -65,8 +65,9 @@ class BandPainter {
                    float half_diagonal);
 
   bool assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
-                glm::dvec2 shift);
-  bool add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges, glm::dvec2 shift);
+                glm::dvec2 shift, double most_bend);
+  bool add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges, glm::dvec2 shift,
+                 double most_bend);
   std::uint64_t pattern(const LeafOutline& outline, int first) const;
   void color_leaf();
   void paint(std::uint32_t blocks);

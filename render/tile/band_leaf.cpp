@@ -20,11 +20,11 @@ constexpr std::array<std::uint64_t, Leaf::kMostEdges> kPatterns{
 }  // namespace
 
 bool BandPainter::add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges,
-                            glm::dvec2 shift) {
+                            glm::dvec2 shift, double most_bend) {
   for (int i = outline.first; i < outline.first + outline.count; ++i) {
     if (leaf_.edge_count == Leaf::kMostEdges) return false;
     LeafEdge& e = leaf_.edges[std::size_t(leaf_.edge_count++)] = edges[std::size_t(i)];
-    if (!(std::abs(e.bend) <= kMostLeafBend && e.end_bend <= kMostLeafBend)) return false;
+    if (!(std::abs(e.bend) <= most_bend && e.end_bend <= most_bend)) return false;
     e.x += float(shift.x), e.y += float(shift.y);
     e.end_x += float(shift.x), e.end_y += float(shift.y);
   }
@@ -61,13 +61,14 @@ std::uint64_t BandPainter::pattern(const LeafOutline& outline, int first) const 
 /// Edges and palette of the present leaf, or of a part of it; `shift`: the part's centre from the
 /// leaf's. False if that is not proven for a square so large.
 bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
-                           glm::dvec2 shift) {
+                           glm::dvec2 shift, double most_bend) {
   leaf_.edge_count = 0;
   double error = 0.0;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const int first = leaf_.edge_count;
     error += outlines[i].error;
-    if (!(error <= plan_->tolerance) || !add_edges(outlines[i], edges, shift)) return false;
+    if (!(error <= plan_->tolerance) || !add_edges(outlines[i], edges, shift, most_bend))
+      return false;
     const std::uint64_t in = pattern(outlines[i], first);
     leaf_sides_[std::size_t(leaf_wanted_[i])] = {in, ~in};
   }
@@ -224,7 +225,7 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
   for (int q = 0; q < 4; ++q) {
     const int x = block_x + (q & 1) * step, y = block_y + (q >> 1) * step;
     for (std::size_t i = 0; i < list.size(); ++i) list[i] = found[i][std::size_t(q)];
-    if (assemble(list, edges, centers[std::size_t(q)])) {
+    if (assemble(list, edges, centers[std::size_t(q)], kMostLeafBend)) {
       std::uint32_t blocks = 0;
       for (int j = y; j < y + half / 4; ++j)
         for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
@@ -260,7 +261,7 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
     if (x < part.x || x >= part.x + part.width || y < part.y || y >= part.y + part.height) continue;
     for (std::size_t k = 0; k < list.size(); ++k) list[k] = found[k][std::size_t(i)];
     const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
-    if (assemble(list, edges, at_pixel)) {
+    if (assemble(list, edges, at_pixel, kMostPixelBend)) {
       const Mix mix =
           leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
       store(mix, plan_->tape.blend, target_->depth, at(x, y));
@@ -279,8 +280,8 @@ void BandPainter::surely(int x, int y) {
   }
   const auto mark = scopes_->mark();
   const glm::dvec2 center = glm::dvec2{x + 0.5 - 0.5 * width_, y + 0.5 - 0.5 * height_};
-  store(pixels_->pixel(scopes_->of_layers(leaf_layers_), center), plan_->tape.blend,
-        target_->depth, at(x, y));
+  store(pixels_->pixel(scopes_->of_layers(leaf_layers_), center), plan_->tape.blend, target_->depth,
+        at(x, y));
   scopes_->reset(mark);
   stats_->add(std::exchange(pixel_stats_, {}));
 }

@@ -50,6 +50,8 @@ Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long
 
 /// The bend of an edge up to which paint_leaf keeps its promise.
 inline constexpr double kMostLeafBend = 0.6;
+/// The same for leaf_pixel: beyond, a shape is smaller than a quarter pixel.
+inline constexpr double kMostPixelBend = 8.0;
 
 /// Fills 16 rows of `count` pixels.
 void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value);
