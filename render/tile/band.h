@@ -83,6 +83,7 @@ class BandPainter {
   const Target* target_ = nullptr;
   RenderStats* stats_ = nullptr;
   int width_ = 0, height_ = 0, y_ = 0;
+  Stores stores_ = Stores::ordinary;
   int leaf_x_ = 0, leaf_y_ = 0;  // of the present leaf's corner
   glm::dvec2 leaf_center_{};
   Leaf leaf_;
@@ -102,7 +103,7 @@ class BandPainter {
   std::array<Mix, Leaf::kMostSides> mixes_;
   std::array<float, kGroup> xs_, ys_;
   std::array<std::int8_t, kGroup> answers_;
-  std::array<std::uint32_t, kLeaf * kLeaf> scratch_;
+  alignas(64) std::array<std::uint32_t, kLeaf * kLeaf> scratch_;
   std::unique_ptr<ScopeStack> scopes_;
   std::unique_ptr<PixelResolver> pixels_;
   RenderStats pixel_stats_;  // what pixels_ counts

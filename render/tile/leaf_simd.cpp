@@ -344,14 +344,29 @@ void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, si
     Paint<false>(leaf, blocks, pixels, stride, left);
 }
 
-void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::uint32_t value) {
+void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::uint32_t value,
+              bool streamed) {
   const hn::CappedTag<std::uint32_t, 16> d;
   const auto v = hn::Set(d, value);
-  const size_t n = hn::Lanes(d), whole = size_t(count) / n * n;
+  const size_t n = hn::Lanes(d), all = size_t(count);
   for (int row = 0; row < rows; ++row, pixels += stride) {
-    for (size_t i = 0; i < whole; i += n) hn::StoreU(v, d, pixels + i);
-    for (size_t i = whole; i < size_t(count); ++i) pixels[i] = value;
+    size_t i = 0;
+    if (streamed) {
+      for (; i < all && reinterpret_cast<std::uintptr_t>(pixels + i) % (4 * n) != 0; ++i)
+        pixels[i] = value;
+      for (; i + n <= all; i += n) hn::Stream(v, d, pixels + i);
+    } else {
+      for (; i + n <= all; i += n) hn::StoreU(v, d, pixels + i);
+    }
+    for (; i < all; ++i) pixels[i] = value;
   }
+}
+
+void StreamLeaf(const std::uint32_t* leaf, std::uint32_t* pixels, size_t stride) {
+  const hn::CappedTag<std::uint32_t, 16> d;
+  for (int row = 0; row < kLeaf; ++row)
+    for (size_t i = 0; i < size_t(kLeaf); i += hn::Lanes(d))
+      hn::Stream(hn::LoadU(d, leaf + row * kLeaf + i), d, pixels + size_t(row) * stride + i);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -359,19 +374,29 @@ void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::ui
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include <hwy/cache_control.h>
+
 namespace mien {
 namespace batch {
 HWY_EXPORT(PaintLeaf);
 HWY_EXPORT(FillRows);
+HWY_EXPORT(StreamLeaf);
 }  // namespace batch
 
 void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
                 LeafPixels& left) {
   HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, blocks, pixels, stride, left);
 }
-void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count,
-               std::uint32_t value) {
-  HWY_DYNAMIC_DISPATCH(batch::FillRows)(pixels, stride, rows, count, value);
+void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value,
+               Stores stores) {
+  HWY_DYNAMIC_DISPATCH(batch::FillRows)
+  (pixels, stride, rows, count, value, stores == Stores::streamed);
+}
+void stream_leaf(const std::uint32_t* leaf, std::uint32_t* pixels, std::size_t stride) {
+  HWY_DYNAMIC_DISPATCH(batch::StreamLeaf)(leaf, pixels, stride);
+}
+void finish_streams() {
+  hwy::FlushStream();
 }
 
 }  // namespace mien

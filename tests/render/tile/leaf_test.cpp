@@ -28,9 +28,14 @@ void color_all(Leaf& leaf, Blend blend) {
 LeafEdge random_edge(std::mt19937_64& random, double bend) {
   std::uniform_real_distribution<float> unit(-1, 1);
   const float angle = 3.2f * unit(random);
-  return {.x = 6 * unit(random), .y = 6 * unit(random), .nx = std::cos(angle),
-          .ny = std::sin(angle), .bend = float(bend) * unit(random), .c3 = 2e-5f * unit(random),
-          .c4 = 1e-6f * unit(random), .turn = 1};
+  return {.x = 6 * unit(random),
+          .y = 6 * unit(random),
+          .nx = std::cos(angle),
+          .ny = std::sin(angle),
+          .bend = float(bend) * unit(random),
+          .c3 = 2e-5f * unit(random),
+          .c4 = 1e-6f * unit(random),
+          .turn = 1};
 }
 
 void compare(const Leaf& leaf, double allowed) {
@@ -118,7 +123,8 @@ TEST(PaintLeaf, GivesTheSameBytesOnEverySetWithFusedArithmetic) {
 TEST(LeafPixel, OfOneStraightEdgeIsTheClosedForm) {
   Leaf leaf;
   leaf.edge_count = 1;
-  leaf.edges[0] = {.x = 0.2f, .y = 0, .nx = 0.6f, .ny = 0.8f, .bend = 0, .c3 = 0, .c4 = 0, .turn = 1};
+  leaf.edges[0] = {
+      .x = 0.2f, .y = 0, .nx = 0.6f, .ny = 0.8f, .bend = 0, .c3 = 0, .c4 = 0, .turn = 1};
   color_all(leaf, Blend::srgb);
   long long cells = 0;
   const double want = 255 * straight_edge_coverage(0.6 * (0.5 - 0.2f) + 0.8 * 0.5, {0.6, 0.8});
@@ -130,10 +136,14 @@ TEST(FillRows, FillsWhatIsAskedAndNothingElse) {
   on_every_set([] {
     for (const int count : {1, 5, 16, 33}) {
       std::array<std::uint32_t, 40 * 3> pixels{};
-      fill_rows(pixels.data() + 1, 40, 2, count, 7);
-      for (int i = 0; i < int(pixels.size()); ++i) {
-        const int x = i % 40, y = i / 40;
-        EXPECT_EQ(pixels[std::size_t(i)], y < 2 && x >= 1 && x <= count ? 7u : 0u);
+      for (const Stores stores : {Stores::ordinary, Stores::streamed}) {
+        pixels = {};
+        fill_rows(pixels.data() + 1, 40, 2, count, 7, stores);
+        finish_streams();
+        for (int i = 0; i < int(pixels.size()); ++i) {
+          const int x = i % 40, y = i / 40;
+          EXPECT_EQ(pixels[std::size_t(i)], y < 2 && x >= 1 && x <= count ? 7u : 0u);
+        }
       }
     }
   });
