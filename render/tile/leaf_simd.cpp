@@ -34,35 +34,41 @@ struct Sight {
 /// bends up to kGentle the distance times s is a series; beyond, a root.
 constexpr float kGentle = 0.03f;
 
-HWY_INLINE Sight SeeBody(const LeafEdge& e, VF px, VF py) {
+/// What both forms share: Y + k/2 |u|², the gradient of that and of what leaves the circle.
+struct Seen {
+  VF f, leaves, gx, gy, q;
+};
+HWY_INLINE Seen Look(const LeafEdge& e, VF px, VF py) {
   const VF ux = hn::Sub(px, Const(e.x)), uy = hn::Sub(py, Const(e.y));
   const VF nx = Const(e.nx), ny = Const(e.ny), k = Const(e.bend);
   const VF y = Fused(ux, nx, hn::Mul(uy, ny)), x = FusedLess(uy, nx, hn::Mul(ux, ny));
   const VF f = Fused(hn::Mul(k, Const(0.5f)), Fused(ux, ux, hn::Mul(uy, uy)), y);
   const VF x2 = hn::Mul(x, x);
   const VF c3 = Const(e.c3), c4x = hn::Mul(Const(e.c4), x);
-  const float half_k2 = 0.5f * e.bend * e.bend;
-  const VF arc = Fused(Const(half_k2), x2, Const(1.0f));
-  const VF leaves = hn::Mul(hn::Mul(hn::Mul(x2, x), arc), hn::Add(c3, c4x));
+  const VF arc = Fused(Const(0.5f * e.bend * e.bend), x2, Const(1.0f));
   const VF slope = hn::Mul(x2, Fused(Const(3.0f), c3, hn::Mul(Const(4.0f), c4x)));
-  Sight s;
-  s.k = k;
-  s.gx = FusedFrom(slope, ny, Fused(k, ux, nx));
-  s.gy = Fused(slope, nx, Fused(k, uy, ny));
-  const VF q = hn::Mul(hn::Add(k, k), f);
-  if (e.bend <= kGentle && e.bend >= -kGentle) {
-    // 2 sqrt(1+q)/(1 + sqrt(1+q)) = 1 + q/4 − q²/8 + …; far away the sign alone matters.
-    const VF near = hn::Min(hn::Max(q, Const(-0.5f)), Const(0.5f));
-    const VF series = Fused(near, FusedFrom(Const(0.125f), near, Const(0.25f)), Const(1.0f));
-    s.d = Fused(f, series, leaves);
-  } else {
-    // The gradient is made unit: at the circle's centre it vanishes.
-    const VF root = hn::Sqrt(hn::Max(hn::Add(q, Const(1.0f)), Const(1e-4f)));
-    const VF inverse = hn::Div(Const(1.0f), root);
-    s.d = hn::Add(hn::Div(hn::Add(f, f), hn::Add(root, Const(1.0f))), leaves);
-    s.gx = hn::Mul(s.gx, inverse), s.gy = hn::Mul(s.gy, inverse);
-  }
-  return s;
+  return {f, hn::Mul(hn::Mul(hn::Mul(x2, x), arc), hn::Add(c3, c4x)),
+          FusedFrom(slope, ny, Fused(k, ux, nx)), Fused(slope, nx, Fused(k, uy, ny)),
+          hn::Mul(hn::Add(k, k), f)};
+}
+
+/// For bends up to kGentle: 2 sqrt(1+q)/(1 + sqrt(1+q)) = 1 + q/4 − q²/8 + …; far away the sign alone
+/// matters.
+HWY_INLINE Sight SeeGently(const LeafEdge& e, VF px, VF py) {
+  const Seen s = Look(e, px, py);
+  const VF near = hn::Min(hn::Max(s.q, Const(-0.5f)), Const(0.5f));
+  const VF series = Fused(near, FusedFrom(Const(0.125f), near, Const(0.25f)), Const(1.0f));
+  return {Fused(s.f, series, s.leaves), s.gx, s.gy, Const(e.bend)};
+}
+
+HWY_INLINE Sight SeeBody(const LeafEdge& e, VF px, VF py) {
+  if (e.bend <= kGentle && e.bend >= -kGentle) return SeeGently(e, px, py);
+  const Seen s = Look(e, px, py);
+  // The gradient is made unit: at the circle's centre it vanishes.
+  const VF root = hn::Sqrt(hn::Max(hn::Add(s.q, Const(1.0f)), Const(1e-4f)));
+  const VF inverse = hn::Div(Const(1.0f), root);
+  const VF d = hn::Add(hn::Div(hn::Add(s.f, s.f), hn::Add(root, Const(1.0f))), s.leaves);
+  return {d, hn::Mul(s.gx, inverse), hn::Mul(s.gy, inverse), Const(e.bend)};
 }
 
 /// Whether points beyond the end's line belong to this edge rather than to the stroke's other one.
@@ -188,17 +194,17 @@ HWY_INLINE VF Encoded(VF v) {
   return hn::IfThenElse(hn::Le(x, Const(0.0031308f)), hn::Mul(v, Const(12.92f)), curve);
 }
 
-/// One pixel each: encoded channels, halves up, with full alpha.
+/// One pixel each: encoded channels in [0, 255] to the nearest level, with full alpha. 2²³ and a
+/// number below 256 add to a float whose last byte is the number, rounded; the shifts drop the rest.
 template <bool kLinear>
 HWY_INLINE auto Packed(VF r, VF g, VF b) {
-  const F f;
   const hn::RebindToSigned<F> i;
   const auto level = [&](VF v) HWY_ATTR {
     if constexpr (kLinear) v = Encoded(v);
-    return hn::ConvertTo(i, hn::Add(hn::Min(hn::Max(v, hn::Zero(f)), Const(255.0f)), Const(0.5f)));
+    return hn::BitCast(i, hn::Add(v, Const(8388608.0f)));
   };
   const auto rg = hn::Or(level(r), hn::ShiftLeft<8>(level(g)));
-  return hn::Or(rg, hn::Or(hn::ShiftLeft<16>(level(b)), hn::Set(i, int(0xFF000000u))));
+  return hn::Or(hn::Or(rg, hn::ShiftLeft<16>(level(b))), hn::Set(i, int(0xFF000000u)));
 }
 
 HWY_INLINE void StoreBlock(const std::int32_t* from, std::uint32_t* to, size_t stride) {
@@ -287,6 +293,42 @@ HWY_INLINE std::uint32_t Mattering(const Leaf& leaf, std::uint32_t active, std::
   return kept;
 }
 
+/// A block that one gentle edge crosses, away from its end.
+struct Simple {
+  std::uint8_t block, edge, base;
+};
+
+/// The most common work of all, without a branch: blocks follow each other through the processor.
+template <bool kLinear>
+HWY_INLINE void SimpleBlocks(const Leaf& leaf, const Simple* blocks, int count,
+                             std::uint32_t* pixels, size_t stride) {
+  const F f;
+  const hn::RebindToSigned<F> di;
+  for (int n = 0; n < count; ++n) {
+    const LeafEdge& e = leaf.edges[blocks[n].edge];
+    const int b = blocks[n].block;
+    const std::uint32_t out = blocks[n].base, in = out | 1u << blocks[n].edge;
+    alignas(64) std::int32_t block[kBlock];
+    for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
+      const Sight s = SeeGently(e, hn::Add(hn::Load(f, kPixels.x + i), Const(kBlocks.x[b])),
+                                hn::Add(hn::Load(f, kPixels.y + i), Const(kBlocks.y[b])));
+      const VF w = EdgeArea(f, s.d, s.gx, s.gy, s.k);
+      hn::Store(Packed<kLinear>(Between(leaf.palette[0].data(), out, in, w),
+                                Between(leaf.palette[1].data(), out, in, w),
+                                Between(leaf.palette[2].data(), out, in, w)),
+                di, block + i);
+    }
+    StoreBlock(block, pixels + size_t(b / 4 * 4) * stride + size_t(b % 4 * 4), stride);
+  }
+}
+
+HWY_INLINE void FillBlock(std::uint32_t value, std::uint32_t* to, size_t stride) {
+  const hn::CappedTag<std::uint32_t, 4> d;
+  for (size_t row = 0; row < 4; ++row)
+    for (size_t x = 0; x < 4; x += hn::Lanes(d))
+      hn::StoreU(hn::Set(d, value), d, to + row * stride + x);
+}
+
 template <bool kLinear>
 HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
                       LeafPixels& left) {
@@ -298,6 +340,8 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
     strips[e] = StripsFor(edge.bend);
     end_strips[e] = edge.has_end() ? HWY_MAX(4, StripsFor(edge.end_bend)) : strips[e];
   }
+  Simple simple[kBlock];
+  int simple_count = 0;
   for (std::uint32_t todo = blocks; todo; todo &= todo - 1) {
     const int b = std::countr_zero(todo);
     const int bx = 4 * (b % 4), by = 4 * (b / 4);
@@ -311,29 +355,32 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
     }
     if (active) active = Mattering(leaf, active, base);
     if (!active) {
-      const std::uint32_t value = leaf.packed[base];
-      for (size_t row = 0; row < 4; ++row)
-        for (size_t x = 0; x < 4; ++x) to[row * stride + x] = value;
+      FillBlock(leaf.packed[base], to, stride);
       continue;
     }
     left.edge_blocks |= 1u << b;
     int here[Leaf::kMostEdges];
+    bool at_end = false;
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
       const LeafEdge& edge = leaf.edges[std::size_t(e)];
-      here[e] = strips[e];
-      if (edge.has_end() &&
-          (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f)
-        here[e] = end_strips[e];
+      at_end = edge.has_end() &&
+               (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f;
+      here[e] = at_end ? end_strips[e] : strips[e];
     }
     if ((active & (active - 1)) == 0) {
       const int e = std::countr_zero(active);
+      if (here[e] == 1 && !at_end) {
+        simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base)};
+        continue;
+      }
       OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, cx, cy, here[e], to,
                        stride);
     } else {
       ManyEdges<kLinear>(leaf, active, base, cx, cy, here, by * kLeaf + bx, to, stride, left);
     }
   }
+  SimpleBlocks<kLinear>(leaf, simple, simple_count, pixels, stride);
 }
 
 void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
