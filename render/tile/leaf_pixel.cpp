@@ -49,11 +49,14 @@ class LeafSquare {
   LeafSquare(const Leaf& leaf, double tolerance, long long& cells)
       : leaf_(leaf), tolerance_(tolerance), cells_(cells) {}
 
-  Mix mean(glm::dvec2 center, double side, int depth) {
+  /// `asked`: edges that may cross the square; `base`: the sides of the others.
+  Mix mean(glm::dvec2 center, double side, int depth, std::uint32_t asked, std::uint32_t base) {
     std::array<Sight, Leaf::kMostEdges> sights;
-    std::uint32_t base = 0, active = 0;
-    for (int i = 0; i < leaf_.edge_count; ++i) {
+    std::uint32_t active = 0, with_end = 0;  // edges with an end may turn up again in a part
+    for (; asked; asked &= asked - 1) {
+      const int i = std::countr_zero(asked);
       const LeafEdge& e = leaf_.edges[std::size_t(i)];
+      with_end |= std::uint32_t(e.has_end()) << i;
       sights[std::size_t(i)] = see(e, center);
       const Sight& s = sights[std::size_t(i)];
       const double reach =
@@ -85,7 +88,8 @@ class LeafSquare {
       Mix sum{0.0};
       for (const double y : {-quarter, quarter})
         for (const double x : {-quarter, quarter})
-          sum += 0.25 * mean(center + glm::dvec2{x, y}, half, depth + 1);
+          sum += 0.25 * mean(center + glm::dvec2{x, y}, half, depth + 1, active | with_end,
+                             base & ~with_end);
       return sum;
     }
     if (one) {
@@ -155,7 +159,7 @@ class LeafSquare {
 }  // namespace
 
 Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells) {
-  return LeafSquare(leaf, tolerance, cells).mean({x, y}, 1.0, 0);
+  return LeafSquare(leaf, tolerance, cells).mean({x, y}, 1.0, 0, (1u << leaf.edge_count) - 1u, 0);
 }
 
 }  // namespace mien

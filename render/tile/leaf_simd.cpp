@@ -80,20 +80,25 @@ HWY_INLINE auto Mine(const LeafEdge& e, VF px, VF py) {
   return hn::Or(hn::Ge(up, hn::Zero(F())), hn::Gt(rho2, Const(far * far)));
 }
 
+/// The round end alone, for points that are all beyond its line.
+template <class M>
+HWY_INLINE Sight SeeEnd(const LeafEdge& e, VF px, VF py, M mine) {
+  const VF ux = hn::Sub(px, Const(e.end_x)), uy = hn::Sub(py, Const(e.end_y));
+  const VF rho = hn::Sqrt(hn::Max(Fused(ux, ux, hn::Mul(uy, uy)), Const(1e-12f)));
+  const VF inverse = hn::Div(Const(1.0f), rho);
+  const VF d = hn::IfThenElse(mine, hn::Sub(rho, Const(1.0f / e.end_bend)), Const(-1e6f));
+  return {d, hn::Mul(ux, inverse), hn::Mul(uy, inverse), Const(e.end_bend)};
+}
+
 /// An edge with its round end; `mine` as above, for the pixels whose parts the points are.
 template <class M>
 HWY_INLINE Sight SeeWithEnd(const LeafEdge& e, VF px, VF py, M mine) {
-  Sight body = SeeBody(e, px, py);
+  const Sight body = SeeBody(e, px, py), end = SeeEnd(e, px, py, mine);
   const VF ux = hn::Sub(px, Const(e.end_x)), uy = hn::Sub(py, Const(e.end_y));
-  const VF rho = hn::Sqrt(hn::Max(Fused(ux, ux, hn::Mul(uy, uy)), Const(1e-12f)));
-  const VF inverse = hn::Div(Const(1.0f), rho), zero = hn::Zero(F());
-  const auto beyond = hn::Gt(Fused(ux, Const(e.along_x), hn::Mul(uy, Const(e.along_y))), zero);
-  const VF d = hn::IfThenElse(mine, hn::Sub(rho, Const(1.0f / e.end_bend)), Const(-1e6f));
-  body.d = hn::IfThenElse(beyond, d, body.d);
-  body.gx = hn::IfThenElse(beyond, hn::Mul(ux, inverse), body.gx);
-  body.gy = hn::IfThenElse(beyond, hn::Mul(uy, inverse), body.gy);
-  body.k = hn::IfThenElse(beyond, Const(e.end_bend), body.k);
-  return body;
+  const auto beyond =
+      hn::Gt(Fused(ux, Const(e.along_x), hn::Mul(uy, Const(e.along_y))), hn::Zero(F()));
+  return {hn::IfThenElse(beyond, end.d, body.d), hn::IfThenElse(beyond, end.gx, body.gx),
+          hn::IfThenElse(beyond, end.gy, body.gy), hn::IfThenElse(beyond, end.k, body.k)};
 }
 
 HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
@@ -105,19 +110,25 @@ HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
 /// strips across the edge that error falls with the square of their width.
 HWY_INLINE int StripsFor(float bend) {
   const float k = bend < 0 ? -bend : bend;
-  return k <= 0.012f ? 1 : k <= 0.035f ? 2 : k <= 0.14f ? 4 : k <= 0.3f ? 6 : 8;
+  return k <= 0.018f ? 1 : k <= 0.05f ? 2 : k <= 0.18f ? 4 : k <= 0.3f ? 6 : 8;
 }
 
+/// Which parts of an edge a block can see.
+enum class Part { body, end, both };
+
 /// The area of each pixel around (px, py) inside the edge.
-HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips) {
+HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
   const F f;
   if (strips == 1) {
-    const Sight s = See(e, px, py);
+    const Sight s = SeeBody(e, px, py);  // ends take several strips
     return EdgeArea(f, s.d, s.gx, s.gy, s.k);
   }
-  const bool end = e.has_end();
   const auto mine = Mine(e, px, py);
-  const Sight middle = end ? SeeWithEnd(e, px, py, mine) : SeeBody(e, px, py);
+  const auto see = [&](VF x, VF y) MIEN_LANES {
+    if (part == Part::body) return SeeBody(e, x, y);
+    return part == Part::end ? SeeEnd(e, x, y, mine) : SeeWithEnd(e, x, y, mine);
+  };
+  const Sight middle = see(px, py);
   // Strips side by side in x where the edge runs along x, else in y.
   const auto in_x = hn::Ge(hn::Abs(middle.gy), hn::Abs(middle.gx));
   const float n = float(strips), step = 1.0f / n;
@@ -128,7 +139,7 @@ HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips) {
     const VF at = Const((float(i) + 0.5f) * step - 0.5f);
     const VF x = hn::Add(px, hn::IfThenElse(in_x, at, zero));
     const VF y = hn::Add(py, hn::IfThenElse(in_x, zero, at));
-    const Sight s = end ? SeeWithEnd(e, x, y, mine) : SeeBody(e, x, y);
+    const Sight s = see(x, y);
     sum = hn::Add(sum, EdgeAreaOfStrip(f, s.d, s.gx, s.gy, s.k, narrow_x, narrow_y));
   }
   return hn::Mul(sum, thin);
@@ -217,13 +228,14 @@ HWY_INLINE VF Between(const float* plane, std::uint32_t out, std::uint32_t in, V
 
 template <bool kLinear>
 HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, std::uint32_t in,
-                        float cx, float cy, int strips, std::uint32_t* to, size_t stride) {
+                        float cx, float cy, int strips, Part part, std::uint32_t* to,
+                        size_t stride) {
   const F f;
   const hn::RebindToSigned<F> di;
   alignas(64) std::int32_t pixels[kBlock];
   for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
     const VF w = AreaOf(e, hn::Add(hn::Load(f, kPixels.x + i), Const(cx)),
-                        hn::Add(hn::Load(f, kPixels.y + i), Const(cy)), strips);
+                        hn::Add(hn::Load(f, kPixels.y + i), Const(cy)), strips, part);
     hn::Store(Packed<kLinear>(Between(leaf.palette[0].data(), out, in, w),
                               Between(leaf.palette[1].data(), out, in, w),
                               Between(leaf.palette[2].data(), out, in, w)),
@@ -236,8 +248,8 @@ HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, 
 /// cross are named.
 template <bool kLinear>
 HWY_INLINE void ManyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base, float cx,
-                          float cy, const int* strips, int first, std::uint32_t* to, size_t stride,
-                          LeafPixels& left) {
+                          float cy, const int* strips, const Part* parts, int first,
+                          std::uint32_t* to, size_t stride, LeafPixels& left) {
   const F f;
   const hn::RebindToSigned<F> di;
   using VI = hn::Vec<decltype(di)>;
@@ -249,7 +261,7 @@ HWY_INLINE void ManyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t 
     VF w = hn::Zero(f);
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
-      const VF area = AreaOf(leaf.edges[std::size_t(e)], px, py, strips[e]);
+      const VF area = AreaOf(leaf.edges[std::size_t(e)], px, py, strips[e], parts[e]);
       const auto full = hn::Ge(area, Const(1.0f - 1e-6f)), some = hn::Gt(area, Const(1e-6f));
       const VI bit = hn::Set(di, 1 << e);
       sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, full), bit));
@@ -360,24 +372,27 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
     }
     left.edge_blocks |= 1u << b;
     int here[Leaf::kMostEdges];
-    bool at_end = false;
+    Part parts[Leaf::kMostEdges];
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
       const LeafEdge& edge = leaf.edges[std::size_t(e)];
-      at_end = edge.has_end() &&
-               (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y > -3.0f;
-      here[e] = at_end ? end_strips[e] : strips[e];
+      const float beyond = (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y;
+      parts[e] = !edge.has_end() || beyond < -3.0f ? Part::body
+                 : beyond > 3.0f                   ? Part::end
+                                                   : Part::both;
+      here[e] = parts[e] == Part::body ? strips[e] : end_strips[e];
     }
     if ((active & (active - 1)) == 0) {
       const int e = std::countr_zero(active);
-      if (here[e] == 1 && !at_end) {
+      if (here[e] == 1) {
         simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base)};
         continue;
       }
-      OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, cx, cy, here[e], to,
-                       stride);
+      OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, cx, cy, here[e],
+                       parts[e], to, stride);
     } else {
-      ManyEdges<kLinear>(leaf, active, base, cx, cy, here, by * kLeaf + bx, to, stride, left);
+      ManyEdges<kLinear>(leaf, active, base, cx, cy, here, parts, by * kLeaf + bx, to, stride,
+                         left);
     }
   }
   SimpleBlocks<kLinear>(leaf, simple, simple_count, pixels, stride);
