@@ -32,13 +32,15 @@ void add_cuts(const Bilinear& f, std::span<const double> values, std::vector<Cut
 
 }  // namespace
 
-Mix LocalPaint::color(glm::dvec2 u) const {
-  const Mix base = paint->ramp ? paint->ramp->color(place.at(u)) : paint->color;
-  if (!paint->relief) return base;
+glm::dvec2 LocalPaint::slope(glm::dvec2 u) const {
   const glm::dvec2 gradient{(distance.x + distance.xy * u.y) / side,
                             (distance.y + distance.xy * u.x) / side};
-  const glm::dvec2 slope = paint->relief->slope(center + side * u, distance.at(u), gradient);
-  return paint->relief->lamp.lit(base, slope, blend);
+  return paint->relief->slope(center + side * u, distance.at(u), gradient);
+}
+
+Mix LocalPaint::color(glm::dvec2 u) const {
+  const Mix base = paint->ramp ? paint->ramp->color(place.at(u)) : paint->color;
+  return paint->relief ? paint->relief->lamp.lit(base, slope(u), blend) : base;
 }
 
 PaintSampler::Corners PaintSampler::distance_corners(int distance, glm::dvec2 center, double side) {

@@ -39,6 +39,8 @@ struct LocalPaint {
 
   /// The colour at a place of the square, u in [−1/2, 1/2]².
   Mix color(glm::dvec2 u) const;
+  /// The relief's rise per pixel there: x right, y UP in the picture. Only with a relief.
+  glm::dvec2 slope(glm::dvec2 u) const;
 };
 
 /// Makes local paints. One per thread.

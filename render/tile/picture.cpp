@@ -18,7 +18,7 @@ class TileWalk {
         target_(target),
         stats_(stats),
         scopes_(tape),
-        pixels_(tape, scopes_, stats) {}
+        pixels_(tape, scopes_, stats, fineness(target.depth, tape.blend)) {}
 
   void whole(int x, int y, int side) { square(scopes_.everything(), x, y, side); }
 

@@ -44,6 +44,7 @@ Mix PixelResolver::pixel(const Scope& scope, glm::dvec2 center) {
   const auto mark = scopes_.mark();
   const Scope narrow = scopes_.narrowed(scope, center, kHalfDiagonal);
   varied_ = narrow.varied;
+  error_ = 0.0;
   const Mix mix = square(narrow, center, 1.0, 0);
   scopes_.reset(mark);
   return mix;
@@ -69,7 +70,8 @@ bool PixelResolver::describe(const Scope& scope, glm::dvec2 center, double side)
     for (const Edge& edge : edges_)  // which are straightened
       error += EdgeCoverageContract::kStraightenedPerBend * std::abs(edge.bend) * side * side;
   }
-  return error <= kOutlineError;
+  square_error_ = error;
+  return error <= fine_.outline;
 }
 
 void PixelResolver::set_sides(const Scope& scope, std::uint32_t inside) {
@@ -122,8 +124,13 @@ Mix PixelResolver::square(const Scope& scope, glm::dvec2 center, double side, in
   const bool described = describe(scope, center, side);
   if (depth == 0)
     ++(described && edges_.size() <= 1 ? stats_.one_edge_pixels : stats_.divided_pixels);
-  if (described) return resolve(scope, side);
-  if (depth == kDepth)
+  if (described) {
+    constexpr double kChord = 1.4142135623730952;  // the longest line through a unit square
+    error_ += std::min(side, kChord * square_error_) * side;
+    return resolve(scope, side);
+  }
+  if (depth == fine_.depth) error_ += side * side;
+  if (depth == fine_.depth)
     return edges_.size() <= Arrangement::kMaxCuts ? resolve(scope, side) : at_center(scope, center);
   return quarters(scope, center, side, depth);
 }

@@ -3,8 +3,8 @@
 //
 // A square whose outlines are all described well enough by their edges (proven by edges_near) is
 // one closed form (a single edge) or one arrangement (several). Any other square is divided in four
-// and each quarter resolved by itself, down to kDepth, where what is left unproven covers too
-// little to matter: a corner or an end of a stroke is one cell of 1/64 px a level, and its
+// and each quarter resolved by itself, down to a depth where what is left unproven covers
+// too little to matter: a corner or an end of a stroke is one cell of 1/64 px a level, and its
 // description there is still the nearest outline's.
 
 #include <mien/render/cover/arrangement.h>
@@ -16,23 +16,30 @@
 
 namespace mien {
 
+/// How well a pixel is resolved.
+struct Fineness {
+  double outline;  ///< [px] outlines may be off by this much where a square is not divided further
+  double paint;    ///< the mean of what varies over a square may be off by this much, in the
+                   ///< blending space
+  int depth;       ///< divisions of a pixel where nothing is proven: cells of 2^−depth px a side
+};
+
+/// What a depth of colour asks for. 8 bits: outlines within 1/16 of a level. 16 bits and float: within 32 of 65535
+/// levels, where linear light makes most of an error: the darkest colours change by 12.92 levels for a level.
+constexpr Fineness fineness(Depth depth, Blend blend) {
+  if (depth == Depth::u8) return {1.0 / 4096, 1.0 / 16384, 6};
+  return blend == Blend::linear ? Fineness{0x1p-16, 0x1p-18, 9} : Fineness{0x1p-13, 0x1p-15, 8};
+}
+
 /// Resolves squares of one picture. One per thread.
 class PixelResolver {
  public:
-  /// Outlines may be off by this much [px] where a square is not divided further: 1/16 of a level
-  /// of 255.
-  static constexpr double kOutlineError = 1.0 / 4096;
-  /// Divisions of a pixel: 6 gives cells of 1/64 px, 1/4096 of the pixel's area.
-  static constexpr int kDepth = 6;
-
-  /// Where colours vary (gradients, light), the mean over a square may be off by this much in the
-  /// blending space: in linear light the darkest colours change by 12.92 levels of 255 a level.
-  static constexpr double kPaintError = 1.0 / 16384;
   /// Divisions of a pixel where a lit surface has a crease that no outline marks: cells of 1/8 px.
   static constexpr int kCreaseDepth = 3;
 
-  PixelResolver(const Tape& tape, ScopeStack& scopes, RenderStats& stats)
-      : tape_(tape), scopes_(scopes), stats_(stats), sampler_(tape) {
+  PixelResolver(const Tape& tape, ScopeStack& scopes, RenderStats& stats,
+                const Fineness& fine = fineness(Depth::u8, Blend::srgb))
+      : tape_(tape), scopes_(scopes), stats_(stats), fine_(fine), sampler_(tape) {
     if (!tape.paints.empty()) scopes_.sampler = &sampler_;
   }
   PixelResolver(const PixelResolver&) = delete;
@@ -42,6 +49,8 @@ class PixelResolver {
   /// paint that varies is part of it.
   Mix pixel(const Scope& scope, glm::dvec2 center);
   bool was_varied() const { return varied_; }
+  /// How far the last pixel's mean may be off, in the blending space.
+  double error() const { return error_; }
 
  private:
   Mix varied_square(const Scope& scope, glm::dvec2 center, double side, int depth);
@@ -59,6 +68,7 @@ class PixelResolver {
   const Tape& tape_;
   ScopeStack& scopes_;
   RenderStats& stats_;
+  const Fineness fine_;
   Arrangement arrangement_;
   std::vector<Edge> edges_;
   std::vector<LocalOutline> locals_;
@@ -68,6 +78,9 @@ class PixelResolver {
   std::vector<int> paint_of_layer_;
   std::vector<Cut> paint_cuts_;
   bool varied_ = false;
+  double square_error_ = 0;  ///< [px] of the outlines last described
+  double paint_error_ = 0;   ///< of the paints last described
+  double error_ = 0;
 };
 
 }  // namespace mien

@@ -18,14 +18,16 @@ bool PixelResolver::describe_paints(const Scope& scope, glm::dvec2 center, doubl
   paints_.clear();
   paint_of_layer_.clear();
   paint_cuts_.clear();
+  paint_error_ = 0.0;
   bool good = true;
   for (const ScopeStack::Layer& layer : scopes_.layers(scope)) {
     paint_of_layer_.push_back(int(paints_.size()));
     if (layer.paint < 0) continue;
     const LocalPaint& local = paints_.emplace_back(sampler_.local(layer.paint, center, side));
     const double error = sampler_.error(local, scope.outline_count == 0, paint_cuts_);
+    paint_error_ += error;
     // A smaller square counts for less.
-    good &= error * side <= kPaintError || depth == kDepth;
+    good &= error * side <= fine_.paint || depth == fine_.depth;
     good &= depth >= kCreaseDepth || !sampler_.creased(local);
   }
   return good;
@@ -82,8 +84,13 @@ Mix PixelResolver::varied_square(const Scope& scope, glm::dvec2 center, double s
   const bool described = scope.outline_count == 0 || describe(scope, center, side);
   if (depth == 0) ++stats_.varied_pixels;
   const bool few = edges_.size() <= Arrangement::kMaxCuts;
-  if ((described && describe_paints(scope, center, side, depth)) || depth == kDepth) {
+  if ((described && describe_paints(scope, center, side, depth)) || depth == fine_.depth) {
     if (!described) describe_paints(scope, center, side, depth);
+    constexpr double kChord = 1.4142135623730952;  // the longest line through a unit square
+    error_ += described && scope.outline_count > 0 ? std::min(side, kChord * square_error_) * side
+              : described                          ? 0.0
+                                                   : side * side;
+    error_ += std::min(paint_error_, 1.0) * side * side;
     if (few) return resolve_varied(scope, side);
     for (const int outline : scopes_.outlines(scope))
       scopes_.set_side(outline, distance(tape_.outlines[std::size_t(outline)], center) <= 0.0

@@ -17,6 +17,10 @@ glm::dvec4 laid_over(glm::dvec4 top, glm::dvec4 below) {
   return top + (1 - top.a) * below;
 }
 
+double largest(const glm::dvec4& v) {
+  return std::max({std::abs(v.r), std::abs(v.g), std::abs(v.b), std::abs(v.a)});
+}
+
 constexpr double kGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
 constexpr double kGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
@@ -172,8 +176,9 @@ void ExactTruth::find_kinks(const Gradient& g, const Square& square, double y,
     }
 }
 
-/// The integral of the colour along the line y [px] of a pixel.
-glm::dvec4 ExactTruth::line(const Square& square, double y) const {
+/// Where along the line y [px] of a pixel anything begins or ends, in order, the pixel's sides among
+/// them.
+std::vector<double> ExactTruth::ends_of(const Square& square, double y) const {
   std::vector<double> ends{square.x, square.x + 1};
   for (const Seen& seen : square.seen) {
     const Layer& layer = scene_.layers()[std::size_t(seen.layer)];
@@ -183,42 +188,93 @@ glm::dvec4 ExactTruth::line(const Square& square, double y) const {
     if (layer.paint.gradient) find_kinks(*layer.paint.gradient, square, y, ends);
   }
   std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+/// The integral of the colour along that line.
+glm::dvec4 ExactTruth::line(const Square& square, double y, std::size_t& order) const {
+  const std::vector<double> ends = ends_of(square, y);
+  order = order_along(square, ends, y);
   glm::dvec4 sum{0.0};
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    const double length = ends[i] - ends[i - 1];
-    if (!(length > 1e-13)) continue;
-    for (int k = 0; k < 3; ++k)
-      sum +=
-          kGaussWeight[k] * length * color(square, face(ends[i - 1] + kGaussPlace[k] * length, y));
-  }
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    if (ends[i] - ends[i - 1] > 1e-13) {
+      const glm::dvec4 whole = span(square, ends[i - 1], ends[i], y);
+      sum += plain(square) ? whole : refined_span(square, ends[i - 1], ends[i], y, whole, 16);
+    }
   return sum;
 }
 
-glm::dvec4 ExactTruth::rows(const Square& square, double top, double bottom) const {
+/// The integral between two ends, where the colour is smooth, and that refined.
+glm::dvec4 ExactTruth::span(const Square& square, double a, double b, double y) const {
   glm::dvec4 sum{0.0};
   for (int k = 0; k < 3; ++k)
-    sum += kGaussWeight[k] * (bottom - top) * line(square, top + kGaussPlace[k] * (bottom - top));
+    sum += kGaussWeight[k] * (b - a) * color(square, face(a + kGaussPlace[k] * (b - a), y));
   return sum;
 }
 
-glm::dvec4 ExactTruth::refined(const Square& square, double top, double bottom, glm::dvec4 coarse,
+glm::dvec4 ExactTruth::refined_span(const Square& square, double a, double b, double y,
+                                    glm::dvec4 coarse, int depth) const {
+  const double m = 0.5 * (a + b);
+  const glm::dvec4 left = span(square, a, m, y), right = span(square, m, b, y);
+  if (depth == 0 || largest(left + right - coarse) <= tolerance_ / 4) return left + right;
+  return refined_span(square, a, m, y, left, depth - 1) +
+         refined_span(square, m, b, y, right, depth - 1);
+}
+
+bool ExactTruth::plain(const Square& square) const {
+  return std::none_of(square.seen.begin(), square.seen.end(), [&](const Seen& seen) {
+    return scene_.layers()[std::size_t(seen.layer)].paint.gradient != nullptr;
+  });
+}
+
+/// Which layers are where along the line, as a number: a line on which they are otherwise has most
+/// probably another one.
+std::size_t ExactTruth::order_along(const Square& square, const std::vector<double>& ends,
+                                    double y) const {
+  std::size_t order = ends.size();
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    for (const Seen& seen : square.seen)
+      order =
+          order * 31 + (seen.whole || scene_.distance(scene_.layers()[std::size_t(seen.layer)].area,
+                                                      face(0.5 * (ends[i - 1] + ends[i]), y)) <= 0
+                            ? 2u
+                            : 1u);
+  return order;
+}
+
+ExactTruth::Rows ExactTruth::rows(const Square& square, double top, double bottom) const {
+  Rows rows{.sum = glm::dvec4{0.0}, .order = 0, .alike = true};
+  for (int k = 0; k < 3; ++k) {
+    std::size_t order = 0;
+    rows.sum += kGaussWeight[k] * (bottom - top) *
+                line(square, top + kGaussPlace[k] * (bottom - top), order);
+    rows.alike &= k == 0 || order == rows.order;
+    rows.order = order;
+  }
+  for (const double y : {top, bottom})
+    rows.alike = rows.alike && order_along(square, ends_of(square, y), y) == rows.order;
+  return rows;
+}
+
+/// Halves agree by chance where layers come and go between the lines: there halving goes on.
+glm::dvec4 ExactTruth::refined(const Square& square, double top, double bottom, const Rows& coarse,
                                int depth) const {
   const double middle = 0.5 * (top + bottom);
-  const glm::dvec4 upper = rows(square, top, middle), lower = rows(square, middle, bottom);
-  const glm::dvec4 off = glm::abs(upper + lower - coarse);
-  // The finer of the two is better by far where the colour is smooth; where it isn't, halving goes on.
-  if (depth == 0 || std::max({off.r, off.g, off.b, off.a}) <= tolerance_ / 4) return upper + lower;
+  const Rows upper = rows(square, top, middle), lower = rows(square, middle, bottom);
+  const bool alike = upper.alike && lower.alike && upper.order == lower.order;
+  if (depth == 0 || (alike && largest(upper.sum + lower.sum - coarse.sum) <= tolerance_ / 8))
+    return upper.sum + lower.sum;
   return refined(square, top, middle, upper, depth - 1) +
          refined(square, middle, bottom, lower, depth - 1);
 }
 
 glm::dvec4 ExactTruth::pixel(int x, int y) const {
   const Square s = square(x, y);
-  const bool plain = std::all_of(s.seen.begin(), s.seen.end(), [&](const Seen& seen) {
-    return seen.whole && !scene_.layers()[std::size_t(seen.layer)].paint.gradient;
-  });
-  if (plain) return color(s, face(x + 0.5, y + 0.5));
-  constexpr int kStrips = 4, kDepth = 20;
+  const bool whole =
+      std::all_of(s.seen.begin(), s.seen.end(), [](const Seen& seen) { return seen.whole; });
+  if (whole && plain(s)) return color(s, face(x + 0.5, y + 0.5));
+  constexpr int kDepth = 20;
+  const int kStrips = whole ? 2 : 24;
   glm::dvec4 sum{0.0};
   for (int i = 0; i < kStrips; ++i) {
     const double top = y + double(i) / kStrips, bottom = y + double(i + 1) / kStrips;
@@ -235,24 +291,26 @@ glm::dvec4 ExactTruth::levels(int x, int y, int top) const {
   return out;
 }
 
-ExactError compare_exactly(const Image& image, const ExactTruth& truth, double allowed, int every) {
+ExactError compare_exactly(std::span<const Image> images, const ExactTruth& truth,
+                           std::span<const double> allowed, int every) {
   ExactError error;
-  const bool wide = image.depth == Depth::u16;
-  const int top = wide ? 65535 : 255;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = y % every; x < image.width; x += every) {
-      const glm::dvec4 exact = truth.levels(x, y, top);
-      glm::dvec4 drawn;
-      for (int k = 0; k < 4; ++k)
-        drawn[k] = wide ? reinterpret_cast<const std::uint16_t*>(image.row(y))[4 * x + k]
-                        : image.row(y)[4 * x + k];
-      const glm::dvec4 off = glm::abs(drawn - exact);
-      const double most = std::max({off.r, off.g, off.b, off.a});
-      error.over += most > allowed;
-      if (most > error.worst) {
-        error.worst = most;
-        error.where = fmt::format("({}, {}): truth {} {} {} {}, drawn {} {} {} {}", x, y, exact.r,
-                                  exact.g, exact.b, exact.a, drawn.r, drawn.g, drawn.b, drawn.a);
+  for (int y = 0; y < images[0].height; ++y)
+    for (int x = y % every; x < images[0].width; x += every) {
+      const glm::dvec4 exact = truth.levels(x, y, 1);
+      for (std::size_t i = 0; i < images.size(); ++i) {
+        const Image& image = images[i];
+        const bool wide = image.depth == Depth::u16;
+        const double top = wide ? 65535 : 255;
+        glm::dvec4 drawn;
+        for (int k = 0; k < 4; ++k)
+          drawn[k] = wide ? reinterpret_cast<const std::uint16_t*>(image.row(y))[4 * x + k]
+                          : image.row(y)[4 * x + k];
+        const double most = largest(drawn - top * exact);
+        if (!(most > allowed[i])) continue;
+        ++error.over;
+        const glm::dvec4 t = top * exact;
+        error.where = fmt::format("({}, {}) of {}: truth {} {} {} {}, drawn {} {} {} {}", x, y, top,
+                                  t.r, t.g, t.b, t.a, drawn.r, drawn.g, drawn.b, drawn.a);
       }
     }
   return error;

@@ -88,7 +88,7 @@ TEST(PixelResolver, DividesNoMoreThanItsDepth) {
   RenderStats stats;
   const double got = covered(build, all, stats);
   EXPECT_GT(got, kPi * 0.23);
-  EXPECT_LE(stats.cells, (1 << (2 * PixelResolver::kDepth + 1)));
+  EXPECT_LE(stats.cells, (1 << (2 * fineness(Depth::u8, Blend::srgb).depth + 1)));
 }
 
 }  // namespace

@@ -1,0 +1,179 @@
+// The first promise where colours vary and where levels are fine: no channel off by more than 1 of
+// 255 or 32 of 65535 from the exact picture, not rounded, without dither, in either blend.
+//
+// The long form draws a thousand scenes: MIEN_RANDOM_SCENES=1000 mien_golden_tests
+// --gtest_filter=ExactPaint.* (hours on one core).
+
+#include <mien/render/render.h>
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "tests/support/exact_truth.h"
+#include "tests/support/random_scene.h"
+
+namespace mien {
+namespace {
+
+using test::ExactTruth;
+
+int scenes(int few) {
+  const char* asked = std::getenv("MIEN_RANDOM_SCENES");
+  return asked ? std::atoi(asked) : few;
+}
+
+// The truth's own proof: against closed forms.
+
+TEST(ExactTruth, KnowsTheAreaOfADisc) {
+  for (const double radius : {0.05, 0.31, 0.77}) {
+    SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0, 0, 0, 1});
+    build.layer("disc", build.shape(Disc{{0.0123, -0.0456}, radius}), {{1, 1, 1, 1}});
+    const Scene scene = std::move(build).finish();
+    const ExactTruth truth(scene, {.width = 12, .height = 12});
+    double sum = 0;
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 12; ++x) sum += truth.pixel(x, y).r;
+    EXPECT_NEAR(sum / 36, std::numbers::pi * radius * radius, 1e-6);
+  }
+}
+
+TEST(ExactTruth, KnowsWhatALineCutsFromAPixel) {  // a triangle at the pixel's corner
+  for (const auto& [a, b] : {std::pair{0.3, 0.7}, {0.05, 0.9}, {1e-3, 2e-3}, {0.999, 0.5}}) {
+    SceneBuilder build({.box = {{0, 0}, {1, 1}}}, {0, 0, 0, 1});
+    const double length = std::hypot(1 / a, 1 / b);  // x/a + y/b <= 1
+    build.layer("corner", build.shape(HalfPlane{{1 / a / length, 1 / b / length}, 1 / length}),
+                {{1, 1, 1, 1}});
+    const Scene scene = std::move(build).finish();
+    EXPECT_NEAR(ExactTruth(scene, {.width = 1, .height = 1}).pixel(0, 0).r, 0.5 * a * b, 1e-6);
+  }
+}
+
+TEST(ExactTruth, KnowsAStrokeThinnerThanAPixelAndAGradientUnderAnEdge) {
+  SceneBuilder build({.box = {{0, 0}, {1, 1}}}, {0, 0, 0, 1});
+  build.layer("line", build.shape(Line{{-1, 0.4}, {2, 0.4}, 0.016}), {{0, 1, 0, 1}});
+  build.layer("half", build.shape(HalfPlane{{1, 0}, 0.3}),
+              {.color = {0, 0, 0, 1},
+               .gradient = shared(Gradient{LinearGradient{{0, 0}, {0.5, 0}},
+                                           {{0, {0, 0, 0, 1}}, {1, {1, 0, 0, 1}}}})});
+  const Scene scene = std::move(build).finish();
+  const glm::dvec4 mix = ExactTruth(scene, {.width = 1, .height = 1}).pixel(0, 0);
+  EXPECT_NEAR(mix.r, 0.3 * 0.3, 1e-6);  // the mean of 2x over [0, 0.3], times 0.3
+  EXPECT_NEAR(mix.g, 0.7 * 0.032, 1e-6);
+}
+
+TEST(ExactTruth, KnowsTheMeanOfARadialGradientWithAJump) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0, 0, 0, 1});
+  build.layer(
+      "all", build.everywhere(),
+      {.color = {0, 0, 0, 1},
+       .gradient = shared(Gradient{RadialGradient{{0.1, 0}, {0.5, 0.25}},
+                                   {{0, {0, 0, 0, 1}}, {1, {1, 0, 0, 1}}, {1, {0, 0, 0, 1}}}})});
+  const Scene scene = std::move(build).finish();
+  // A cone within the ellipse: 2/3 of its area.
+  EXPECT_NEAR(4 * ExactTruth(scene, {.width = 1, .height = 1}).pixel(0, 0).r,
+              2.0 / 3 * std::numbers::pi * 0.5 * 0.25, 4e-6);
+}
+
+// What is drawn.
+
+void expect_exact(const Scene& scene, int side, Blend blend, int every) {
+  SCOPED_TRACE(fmt::format("{} px, {}", side, blend == Blend::linear ? "linear" : "srgb"));
+  const View view{.width = side, .height = side, .blend = blend, .dither = false};
+  const Image images[] = {render(scene, view, {.depth = Depth::u8}),
+                          render(scene, view, {.depth = Depth::u16})};
+  const double allowed[] = {1, 32};
+  const test::ExactError error =
+      test::compare_exactly(images, ExactTruth(scene, view), allowed, every);
+  EXPECT_EQ(error.over, 0) << error.where;
+}
+
+TEST(ExactPaint, RandomScenesOfEveryShapeOperatorPaintAndTransparency) {  // E12, E13
+  const bool few = !std::getenv("MIEN_RANDOM_SCENES");
+  for (int seed = 1; seed <= scenes(5); ++seed) {
+    const Scene scene = test::random_painted_scene(std::uint64_t(seed));
+    SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));
+    const int side = seed % 3 == 0 ? 4 : seed % 3 == 1 ? 7 : 13;
+    expect_exact(scene, side, seed % 2 ? Blend::linear : Blend::srgb, few ? side / 2 : 1);
+  }
+}
+
+// Light on reliefs: what it promises besides.
+
+Scene relief_scene(const Relief& relief, bool mirrored) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0.3, 0.4, 0.5, 1});
+  const double sign = mirrored ? -1 : 1;
+  const Area nose = build.shape(
+      TaperedStroke{{{sign * 0.1, 0.7}, {sign * 0.3, 0.1}, {sign * -0.2, -0.5}}, {0.1, 0.2, 0.35}});
+  Relief own = relief;
+  own.area = nose;
+  for (Dome& dome : own.domes) dome.center.x *= sign;
+  build.layer("nose", nose, {.color = {0.8, 0.5, 0.3, 1}, .relief = shared(own)});
+  return std::move(build).finish();
+}
+
+const Relief kRound{.profile = Profile::round,
+                    .width = 0.2,
+                    .height = 0.15,
+                    .domes = {{.center = {0.05, -0.3}, .radii = {0.15, 0.15}, .height = 0.05}},
+                    .specular = 0.5};
+
+int most_apart(const Image& a, const Image& b, bool mirrored) {
+  int most = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (int k = 0; k < 4; ++k)
+        most = std::max(most, std::abs(int(a.row(y)[4 * x + k]) -
+                                       int(b.row(y)[4 * (mirrored ? a.width - 1 - x : x) + k])));
+  return most;
+}
+
+TEST(Relief, MirroredLightOnAMirroredFaceIsTheMirroredPicture) {  // G3
+  const View left{.width = 90, .height = 70, .light = glm::dvec3{-0.6, 0.4, 0.7}, .dither = false},
+      right{.width = 90, .height = 70, .light = glm::dvec3{0.6, 0.4, 0.7}, .dither = false};
+  const Image here = render(relief_scene(kRound, false), left);
+  EXPECT_LE(most_apart(here, render(relief_scene(kRound, true), right), true), 1);
+  EXPECT_GT(most_apart(here, render(relief_scene(kRound, true), left), true), 20);
+}
+
+TEST(Relief, ThatIsFlatIsTheSamePictureToTheByte) {  // G3, C1
+  const View view{.width = 90, .height = 70};
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0.3, 0.4, 0.5, 1});
+  build.layer("nose",
+              build.shape(TaperedStroke{{{0.1, 0.7}, {0.3, 0.1}, {-0.2, -0.5}}, {0.1, 0.2, 0.35}}),
+              {{0.8, 0.5, 0.3, 1}});
+  const Image unlit = render(std::move(build).finish(), view);
+  EXPECT_EQ(render(relief_scene({}, false), view).bytes, unlit.bytes);
+  EXPECT_EQ(render(relief_scene({.profile = Profile::round, .width = 0.2}, false), view).bytes,
+            unlit.bytes);
+  EXPECT_NE(render(relief_scene(kRound, false), view).bytes, unlit.bytes);
+}
+
+TEST(Relief, LeavesCoverageExact) {  // G3: opacity is what no light changes
+  Scene scene = relief_scene(kRound, false);
+  const View clear{.width = 60, .height = 60, .background = Color{0, 0, 0, 0}, .dither = false};
+  const Image lit = render(scene, clear), plain = render(relief_scene({}, false), clear);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 60; ++x)
+      ASSERT_LE(std::abs(int(lit.row(y)[4 * x + 3]) - int(plain.row(y)[4 * x + 3])), 1);
+}
+
+TEST(Paints, AreTheSameInRegionsAndOnThreads) {
+  const Scene scene = test::random_painted_scene(3);
+  const View whole{.width = 173, .height = 131};
+  const Image one = render(scene, whole, {.threads = {.count = 1}});
+  EXPECT_EQ(render(scene, whole, {.threads = {.count = 7}}).bytes, one.bytes);
+  View part = whole;
+  part.region = PixelRect{37, 21, 70, 60};
+  const Image piece = render(scene, part);
+  for (int y = 0; y < 60; ++y)
+    for (int i = 0; i < 4 * 70; ++i)
+      ASSERT_EQ(piece.row(y)[i], one.row(y + 21)[4 * 37 + i]) << i / 4 << ' ' << y;
+}
+
+}  // namespace
+}  // namespace mien
