@@ -65,7 +65,10 @@ endfunction()
 set(MIEN_MORE_PUBLIC_HEADERS
   lib/file/facemotion.h
   lib/rig/poser.h
+  render/debug_picture.h
+  render/error_map.h
   sdf/distance.h
+  sdf/scene/effects.h
 )
 
 mien_install_library(mien mien)

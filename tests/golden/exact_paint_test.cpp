@@ -98,7 +98,7 @@ TEST(ExactPaint, RandomScenesOfEveryShapeOperatorPaintAndTransparency) {  // E12
     const Scene scene = test::random_painted_scene(std::uint64_t(seed));
     SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));
     const int side = seed % 3 == 0 ? 4 : seed % 3 == 1 ? 7 : 13;
-    expect_exact(scene, side, seed % 2 ? Blend::linear : Blend::srgb, few ? side / 2 : 1);
+    expect_exact(scene, side, seed % 2 ? Blend::linear : Blend::srgb, few ? 11 : 1);
   }
 }
 

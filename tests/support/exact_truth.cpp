@@ -231,14 +231,16 @@ bool ExactTruth::plain(const Square& square) const {
 /// probably another one.
 std::size_t ExactTruth::order_along(const Square& square, const std::vector<double>& ends,
                                     double y) const {
-  std::size_t order = ends.size();
-  for (std::size_t i = 1; i < ends.size(); ++i)
-    for (const Seen& seen : square.seen)
-      order =
-          order * 31 + (seen.whole || scene_.distance(scene_.layers()[std::size_t(seen.layer)].area,
-                                                      face(0.5 * (ends[i - 1] + ends[i]), y)) <= 0
-                            ? 2u
-                            : 1u);
+  constexpr double kNothing = 1e-7;  // shorter spans are where two ends meet
+  std::size_t order = 1;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i] - ends[i - 1] < kNothing) continue;
+    for (const Seen& seen : square.seen) {
+      const Area area = scene_.layers()[std::size_t(seen.layer)].area;
+      const glm::dvec2 p = face(0.5 * (ends[i - 1] + ends[i]), y);
+      order = order * 31 + (seen.whole || scene_.distance(area, p) <= 0 ? 2u : 1u);
+    }
+  }
   return order;
 }
 
@@ -273,7 +275,7 @@ glm::dvec4 ExactTruth::pixel(int x, int y) const {
   const bool whole =
       std::all_of(s.seen.begin(), s.seen.end(), [](const Seen& seen) { return seen.whole; });
   if (whole && plain(s)) return color(s, face(x + 0.5, y + 0.5));
-  constexpr int kDepth = 20;
+  constexpr int kDepth = 16;
   const int kStrips = whole ? 2 : 24;
   glm::dvec4 sum{0.0};
   for (int i = 0; i < kStrips; ++i) {

@@ -21,7 +21,7 @@ struct RenderArguments {
   std::string output;
   std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats,
       progress;
-  std::optional<std::string> light, dither;
+  std::optional<std::string> light, dither, debug, error_map;
 };
 
 struct BenchArguments {

@@ -83,6 +83,15 @@ void add_threads(CLI::App* to, RenderArguments& render) {
       ->type_name("N");
 }
 
+void add_insight(CLI::App* to, RenderArguments& render) {
+  to->add_option("--debug", render.debug,
+                 "Instead of the face: what drawing did, isolines of distance, coverage, normals")
+      ->type_name(std::string(kDebugs));
+  to->add_option("--error-map", render.error_map,
+                 "Also write the proven error of every pixel, as grey, and print the largest")
+      ->type_name("FILE");
+}
+
 void add_work(CLI::App* to, RenderArguments& render) {
   to->add_option("--memory", render.memory,
                  "Most bytes of the picture held at once, K M G T for powers of 1024; default 256M")
@@ -189,6 +198,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_output(render, made->render);
   add_picture(render, made->render);
   add_threads(render, made->render);
+  add_insight(render, made->render);
   add_work(render, made->render);
 
   CLI::App* check = app.add_subcommand("check", "Say whether face files are in order");

@@ -22,6 +22,7 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add("blend", arguments.blend);
   add("light", arguments.light);
   add("dither", arguments.dither);
+  add("debug", arguments.debug);
   const auto add_all = [&](const char* name, const std::vector<std::string>& values) {
     std::string list;
     for (const std::string& value : values) list += (list.empty() ? "" : ", ") + json_string(value);

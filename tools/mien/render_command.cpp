@@ -1,5 +1,6 @@
 // mien render: read, pose, draw, write; and stop in between when asked to.
 
+#include <mien/render/error_map.h>
 #include <mien/render/image/write_pieces.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/tools/mien/commands.h>
@@ -70,6 +71,28 @@ int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Sce
                     : kDone;
 }
 
+/// A debug picture, instead of the face's own.
+int write_debug(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene) {
+  WriteOptions write = plan.picture.write;
+  write.recipe = recipe(arguments, plan.view);
+  const Image image = debug_picture(scene, plan.view, *plan.debug, write.threads);
+  const auto done = write_image_by(load_encoder, image, arguments.output, write);
+  return done ? kDone : complain(done.error(), kFailed);
+}
+
+/// The certified bounds as grey, and the largest of them in words.
+int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene) {
+  const ErrorMap map = error_map(scene, plan.view, plan.picture.depth.value_or(Depth::u8),
+                                 plan.picture.write.threads);
+  plan.error_map_write.recipe = recipe(arguments, plan.view);
+  const auto done =
+      write_image_by(load_encoder, map.image(), *plan.error_map, plan.error_map_write);
+  if (!done) return complain(done.error(), kFailed);
+  return print_stats(
+      fmt::format("no channel is off by more than {:.3f} of 255, rounding left out\n", map.worst),
+      arguments.output);
+}
+
 }  // namespace
 
 int render_command(const RenderArguments& arguments) {
@@ -77,6 +100,10 @@ int render_command(const RenderArguments& arguments) {
   if (!plan) return complain(plan.error(), kUsedWrongly);
   if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {
     return complain(writable.error(), kFailed);
+  }
+  if (plan->error_map) {
+    if (auto writable = check_target(*plan->error_map, plan->error_map_write); !writable)
+      return complain(writable.error(), kFailed);
   }
   Times times;
   double began = now();
@@ -91,7 +118,9 @@ int render_command(const RenderArguments& arguments) {
     return complain(planned.error(), kUsedWrongly);
   }
   watch_interrupts();
-  const int code = draw_and_write(arguments, *plan, scene, times);
+  int code = plan->debug ? write_debug(arguments, *plan, scene)
+                         : draw_and_write(arguments, *plan, scene, times);
+  if (code == kDone && plan->error_map) code = write_error_map(arguments, *plan, scene);
   if (code != kDone && interrupted()) die_of_interrupt();
   return code;
 }

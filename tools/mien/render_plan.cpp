@@ -100,6 +100,18 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
   if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
     return done.error();
   plan.view.dither = !undithered;
+  if (arguments.debug) {
+    DebugPicture debug{};
+    if (auto done = plan_choice(debug, "--debug", arguments.debug, kDebugs); !done)
+      return done.error();
+    plan.debug = debug;
+  }
+  if (arguments.error_map) {
+    const auto type = chosen_type(*arguments.error_map, {});
+    if (!type) return type.error();
+    plan.error_map = arguments.error_map;
+    plan.error_map_write.type = *type;
+  }
   if (arguments.light) {
     const auto light = read_light(*arguments.light);
     if (!light) return light.error();

@@ -2,10 +2,12 @@
 // RenderArguments understood: what to draw, how, and into which kind of file.
 
 #include <mien/image.h>
+#include <mien/render/debug_picture.h>
 #include <mien/render/render.h>
 #include <mien/tools/mien/arguments.h>
 #include <mien/tools/mien/progress_display.h>
 
+#include <optional>
 #include <string>
 
 namespace mien::command {
@@ -17,6 +19,9 @@ struct RenderPlan {
   View view;
   PictureOptions picture;
   bool stats = false;
+  std::optional<DebugPicture> debug;     ///< this instead of the picture
+  std::optional<std::string> error_map;  ///< a file for the certified bounds, beside the picture
+  WriteOptions error_map_write;
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
