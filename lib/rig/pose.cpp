@@ -120,6 +120,10 @@ const Face& Poser::pose(const Pose& pose) {
   drive_channels(false);
   pose_eyes(model, rest_.vector, values_, posed_.vector);
   turn_head(model, values_, posed_.vector);
+  if (pose.unwrap > 0) {
+    if (!chart_) chart_.emplace(rest_);
+    chart_->act(pose.unwrap_mode, pose.unwrap, posed_.vector);
+  }
   for (const Setting& setting : pose.settings) put_numbers(setting, posed_.vector);
   apply_rules(model.layout, rest_.vector, posed_.vector);
   return posed_;

@@ -4,6 +4,7 @@
 #include <mien/lib/base/api.h>
 #include <mien/lib/base/expected.h>
 #include <mien/lib/face/face.h>
+#include <mien/lib/rig/unwrap.h>
 
 #include <glm/vec3.hpp>
 
@@ -55,12 +56,14 @@ struct Pose {
   std::vector<Setting> settings = {};      ///< beat clips and gaze; later ones beat earlier ones
   std::vector<ClipLayer> clips = {};       ///< bottom to top; none: the face's default clip
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
+  double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)
+  UnwrapMode unwrap_mode = UnwrapMode::linear;
 };
 
 /// The face at that pose. Order: rest → channels take their values (rest, clips, look_at, settings,
 /// then what
 /// expressions and poses move them by) → poses → muscles → controls act in the model's order (offsets, scales, key
-/// shapes) → eyes (lid follow, blink, bulge) → slice settings → rules (clamp, wrap), applied once,
+/// shapes) → eyes (lid follow, blink, bulge) → head turn → unwrap → slice settings → rules (clamp, wrap), applied once,
 /// so a posed face is always valid. Without a time, a gaze and settings it is the rest vector, bit
 /// for bit. Total: a setting or clip that is not of this model does nothing, numbers out of range
 /// follow their rule.

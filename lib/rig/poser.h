@@ -8,6 +8,7 @@
 #include <mien/lib/rig/muscle_pose.h>
 #include <mien/lib/rig/pose.h>
 
+#include <optional>
 #include <vector>
 
 namespace mien {
@@ -27,6 +28,7 @@ class MIEN_API Poser {
   Face rest_, posed_;
   std::vector<double> values_, scratch_;
   MusclePoser muscles_;
+  std::optional<UnwrapChart> chart_;  ///< made when first needed
 };
 
 }  // namespace mien

@@ -56,5 +56,14 @@ TEST(ReadTime, AnyFiniteNumber) {
   EXPECT_FALSE(read_time("1s"));
 }
 
+TEST(ReadShare, From0To1) {
+  EXPECT_EQ(*read_share("unwrap", "0.25"), 0.25);
+  EXPECT_EQ(*read_share("unwrap", "1"), 1);
+  EXPECT_EQ(sentence(read_share("unwrap", "1.5").error()),
+            "--unwrap 1.5: expected a number from 0 to 1");
+  for (const char* text : {"-0.1", "nan", "", "a"})
+    EXPECT_FALSE(read_share("unwrap", text)) << text;
+}
+
 }  // namespace
 }  // namespace mien::command

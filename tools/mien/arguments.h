@@ -12,7 +12,7 @@ struct PosedFace {
   std::string face;
   std::optional<std::string> time;
   std::vector<std::string> clips, poses;
-  std::optional<std::string> look_at, blink, bias;
+  std::optional<std::string> look_at, blink, bias, unwrap, unwrap_mode;
   std::vector<std::string> settings;
 };
 

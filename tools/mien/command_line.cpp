@@ -1,5 +1,6 @@
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
+#include <mien/lib/rig/unwrap.h>
 #include <mien/tools/mien/choices.h>
 #include <mien/tools/mien/command_line.h>
 #include <mien/tools/mien/render_plan.h>
@@ -31,6 +32,12 @@ void add_pose(CLI::App* to, PosedFace& posed) {
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   to->add_option("--blink", posed.blink, "How far both eyes are shut, 0 to 1")->type_name("WEIGHT");
+  to->add_option("--unwrap", posed.unwrap,
+                 "How far the features have travelled from the face to a flat chart, 0 to 1")
+      ->type_name("WEIGHT");
+  to->add_option("--unwrap-mode", posed.unwrap_mode,
+                 "All at once, the deep features first, or that and braking; default linear")
+      ->type_name(std::string(kUnwrapModes));
   to->add_option("--bias", posed.bias,
                  "Where the lids meet: from -1, at the lower lid, to 1, at the upper one")
       ->type_name("BIAS");

@@ -49,6 +49,16 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments) {
     if (!target) return Error{"--look-at " + target.error().where, target.error().what};
     pose.look_at = *target;
   }
+  if (arguments.unwrap) {
+    const auto share = read_share("unwrap", *arguments.unwrap);
+    if (!share) return share.error();
+    pose.unwrap = *share;
+  }
+  if (arguments.unwrap_mode) {
+    const auto mode = read_choice("--unwrap-mode", *arguments.unwrap_mode, kUnwrapModes);
+    if (!mode) return mode.error();
+    pose.unwrap_mode = UnwrapMode(*mode);
+  }
   for (const auto& [name, value] :
        {std::pair{"blink", &arguments.blink}, {"bias", &arguments.bias}})
     if (*value) {

@@ -33,6 +33,8 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add("look_at", arguments.posed.look_at);
   add("blink", arguments.posed.blink);
   add("bias", arguments.posed.bias);
+  add("unwrap", arguments.posed.unwrap);
+  add("unwrap_mode", arguments.posed.unwrap_mode);
   add_all("set", arguments.posed.settings);
   return text + "}";
 }

@@ -102,6 +102,12 @@ Expected<glm::dvec3> read_light(std::string_view text) {
   return to;
 }
 
+Expected<double> read_share(std::string_view option, std::string_view text) {
+  const auto value = number<double>(text);
+  if (value && *value >= 0 && *value <= 1) return *value;
+  return refuse(fmt::format("--{}", option), text, "expected a number from 0 to 1");
+}
+
 Expected<double> read_time(std::string_view text) {
   const auto value = number<double>(text);
   if (value && std::isfinite(*value)) return *value;

@@ -26,6 +26,9 @@ Expected<Color> read_background(std::string_view text);
 /// "X,Y,Z": finite, Z > 0.
 Expected<glm::dvec3> read_light(std::string_view text);
 
+/// A number from 0 to 1, for an option of that name.
+Expected<double> read_share(std::string_view option, std::string_view text);
+
 /// Seconds: any finite number.
 Expected<double> read_time(std::string_view text);
 
