@@ -11,6 +11,7 @@ if(MIEN_BUILD_TEXT)
   find_package(PkgConfig REQUIRED)              # outlines of text, in sdf/from_text only
   pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET GLOBAL freetype2)
 endif()
+find_path(MIEN_TINYOBJ tiny_obj_loader.h REQUIRED)  # OBJ files, in lib/file only; a header
 if(MIEN_BUILD_IMAGE)
   find_package(PkgConfig REQUIRED)              # image files, in render/image only;
   pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET GLOBAL libdeflate)     # PNG, and TIFF's tiles

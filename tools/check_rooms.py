@@ -36,6 +36,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"(libdeflate|tiff(io)?)\.h": (r"render/image/", "render/image"),
     r"ft2build\.h|freetype/": (r"sdf/from_text/", "sdf/from_text"),
     r"CLI/": (r"tools/", "tools"),
+    r"tiny_obj_loader": (r"lib/file/", "lib/file"),
     r"boost/|mpfr": (r"tools/", "tools, tests or bench"),
 }
 

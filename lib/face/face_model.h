@@ -11,6 +11,7 @@
 #include <mien/lib/face/head_turn.h>
 #include <mien/lib/face/layout.h>
 #include <mien/lib/face/muscle.h>
+#include <mien/lib/geom/effect.h>
 
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct FaceModel {
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
   HeadTurn turn;
+  std::vector<Effect> effects;  ///< laid over the finished picture, in this order
   int default_clip = -1;  ///< the clip that runs when a time is given; −1: none
 };
 

@@ -22,10 +22,11 @@ namespace {
 constexpr int kNewestVersion = 1;
 
 void check_format(Reading& in, const JsonNode& root) {
-  in.expect_object(root, {"$schema",  "format",     "format_version", "name",  "credit",
-                          "canvas",   "background", "palette",        "light", "groups",
-                          "features", "controls",   "poses",          "eyes",  "turn",
-                          "muscles",  "emotions",   "expressions",    "clips", "default_clip"});
+  in.expect_object(
+      root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
+             "background", "palette",      "light",          "groups",  "features", "controls",
+             "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
+             "clips",      "default_clip", "effects"});
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
@@ -62,6 +63,14 @@ Face read_root(Reading& in) {
   if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);
   if (const JsonNode* sets = in.find(root, "expressions")) read_expressions(in, *sets, draft);
   if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
+  if (const JsonNode* effects = in.find(root, "effects")) {
+    in.expect(*effects, JsonKind::array);
+    in.for_each(*effects, [&](const JsonNode& child, int) {
+      const auto effect = read_effect(in.string(child));
+      if (!effect) in.refuse(child, effect.error().what);
+      model.effects.push_back(*effect);
+    });
+  }
   if (const JsonNode* wanted = in.find(root, "default_clip")) {
     std::vector<std::string_view> known;
     for (const Clip& clip : model.clips) known.push_back(clip.name);

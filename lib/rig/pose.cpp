@@ -33,7 +33,7 @@ void play(const FaceModel& model, const Clip& clip, double time, double weight, 
 
 void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
   if (!pose.time || !std::isfinite(*pose.time)) return;
-  if (pose.clips.empty() && model.default_clip >= 0)
+  if (pose.clips.empty() && model.default_clip >= 0 && !pose.basis)
     play(model, model.clips[std::size_t(model.default_clip)], *pose.time, 1, values);
   for (const ClipLayer& layer : pose.clips)
     if (layer.clip >= 0 && layer.clip < int(model.clips.size()) && std::isfinite(layer.weight) &&
@@ -90,6 +90,19 @@ void set_channels(const Face& rest, const Pose& pose, Values& values) {
   clamp(model, false, values);
 }
 
+bool at_rest(const FaceModel& model, const Values& values) {
+  for (std::size_t c = 0; c < values.size(); ++c)
+    if (values[c] != model.channels[c].rest) return false;
+  return true;
+}
+
+void take_basis(const FaceBasis& basis, const Pose& pose, FaceVector& vector) {
+  if (!pose.basis_weights.empty() || !pose.time)
+    decode_pca(basis.basis, pose.basis_weights, vector);
+  else
+    decode_pca(basis.basis, weights_at(basis, *pose.time), vector);
+}
+
 void put_numbers(const Setting& setting, FaceVector& vector) {
   if (setting.control || setting.index < 0) return;
   for (std::size_t i = 0; i < setting.values.size(); ++i)
@@ -114,11 +127,18 @@ void Poser::drive_channels(bool poses) {
 const Face& Poser::pose(const Pose& pose) {
   const FaceModel& model = *rest_.model;
   posed_.vector = rest_.vector;
+  const bool by_basis = pose.basis && pose.basis->basis.columns == rest_.vector.size();
+  if (by_basis) take_basis(*pose.basis, pose, posed_.vector);
+  const FaceVector begin = by_basis ? posed_.vector : FaceVector{};
   set_channels(rest_, pose, values_);
   drive_channels(true);
   muscles_.act(rest_, pose, values_, set_channels, posed_.vector);
   drive_channels(false);
-  pose_eyes(model, rest_.vector, values_, posed_.vector);
+  // What a basis gives has been through the eyes' laws: they act on what is moved on top of it only.
+  if (!by_basis)
+    pose_eyes(model, rest_.vector, values_, posed_.vector);
+  else if (!at_rest(model, values_))
+    pose_eyes(model, begin, values_, posed_.vector);
   turn_head(model, values_, posed_.vector);
   if (pose.unwrap > 0) {
     if (!chart_) chart_.emplace(rest_);

@@ -4,10 +4,12 @@
 #include <mien/lib/base/api.h>
 #include <mien/lib/base/expected.h>
 #include <mien/lib/face/face.h>
+#include <mien/lib/rig/basis.h>
 #include <mien/lib/rig/unwrap.h>
 
 #include <glm/vec3.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +60,11 @@ struct Pose {
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
   double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)
   UnwrapMode unwrap_mode = UnwrapMode::linear;
+  /// Of this face: its vector takes the rest vector's place. The default clip does not run then,
+  /// being in the basis already; clips that are named do. The eyes' laws act then on what controls
+  /// move on top of it.
+  std::shared_ptr<const FaceBasis> basis = {};
+  std::vector<double> basis_weights = {};  ///< empty: those at `time`; without a time all 0
 };
 
 /// The face at that pose. Order: rest → channels take their values (rest, clips, look_at, settings,

@@ -26,7 +26,9 @@ struct Wrong {
 const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 1048576";
 
 const Wrong kWrongs[] = {
-    {{}, 2, "a command is needed: render, check, scene, list, bench; mien -h helps"},
+    {{},
+     2,
+     "a command is needed: render, check, scene, list, bench, animate, morph, pca; mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},
     {{"--versoin"}, 2, "no option named \"--versoin\"; did you mean \"--version\"?"},
@@ -148,6 +150,25 @@ const Wrong kWrongs[] = {
     {{"bench", "FACE", "--size", "none"}, 2, std::string("--size none: ") + kSides},
     {{"bench", "FACE", "--depth", "9"}, 2, "--depth 9: expected 8, 16, half or float"},
     {{"bench", "FACE", "-o", "OUT"}, 2, "no option named \"-o\"; did you mean \"-h\"?"},
+    {{"pca"}, 2, "pca: one of its commands is needed: fit, info, encode, decode, compare, sheet"},
+    {{"pca", "fut"}, 2, "no command named \"fut\"; did you mean \"fit\"?"},
+    {{"pca", "fit"}, 2, "pca fit: FRAMES is required"},
+    {{"pca", "fit", "FACE", "-o", "DIR/b"},
+     2,
+     "pca fit: one of --components, --variance and --max-error is needed"},
+    {{"pca", "fit", "FACE", "-o", "DIR/b", "--components", "0"},
+     2,
+     "--components 0: expected a whole number from 1 to 1000000000"},
+    {{"pca", "fit", "FACE", "-o", "DIR/b", "--components", "2", "--frames", "9-3"},
+     2,
+     "--frames 9-3: expected FIRST-LAST, whole numbers from 0 to 9999999"},
+    {{"pca", "fit", "FACE", "-o", "DIR/b", "--components", "2", "--fps", "0"},
+     2,
+     "--fps 0: expected frames a second from 0.01 to 1000, perhaps as 30000/1001"},
+    {{"pca", "fit", "FACE", "-o", "DIR/b", "--variance", "2"},
+     2,
+     "--variance 2: expected a number from 0 to 1"},
+    {{"pca", "info", "FACE"}, 1, "FACE: is not a basis: `mien pca fit` makes one"},
     {{"completion", "tcsh"}, 2, "completion tcsh: expected bash, zsh or fish"}};
 
 std::string filled(std::string text, const ScratchFolder& folder) {

@@ -14,6 +14,8 @@ struct PosedFace {
   std::vector<std::string> clips, poses;
   std::optional<std::string> look_at, blink, bias, unwrap, unwrap_mode;
   std::vector<std::string> settings;
+  std::vector<std::string> morphs;  ///< files with more poses
+  std::optional<std::string> basis, weights;
 };
 
 struct RenderArguments {
@@ -22,6 +24,7 @@ struct RenderArguments {
   std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats,
       progress;
   std::optional<std::string> light, dither, debug, error_map;
+  std::vector<std::string> effects;
 };
 
 struct BenchArguments {

@@ -1,7 +1,9 @@
 #pragma once
 // The definition itself. CLI11 compiles slowly: this header is for the two files that need it.
 
+#include <mien/tools/mien/animate_arguments.h>
 #include <mien/tools/mien/arguments.h>
+#include <mien/tools/mien/pca_arguments.h>
 
 #include <CLI/CLI.hpp>
 
@@ -17,6 +19,9 @@ struct CommandApp {
   CheckArguments check;
   SceneArguments scene;
   ListArguments list;
+  PcaArguments pca;
+  MorphArguments morph;
+  AnimateArguments animate;
   std::string shell;  ///< of `mien completion`
 };
 
@@ -28,6 +33,9 @@ std::string completion(const CLI::App& app, const std::string& shell);
 
 /// Commands that people see, and an option's visible names.
 std::vector<const CLI::App*> visible_commands(const CLI::App& app);
+/// Those that run: `fit` of `pca` instead of `pca`; and how people say them, "pca fit".
+std::vector<const CLI::App*> leaf_commands(const CLI::App& app);
+std::string spoken_name(const CLI::App& command);
 std::vector<const CLI::Option*> visible_options(const CLI::App& app);
 std::vector<std::string> option_words(const CLI::Option& option);
 

@@ -3,6 +3,8 @@
 #include <mien/lib/rig/unwrap.h>
 #include <mien/tools/mien/choices.h>
 #include <mien/tools/mien/command_line.h>
+#include <mien/tools/mien/motion_line.h>
+#include <mien/tools/mien/pca_line.h>
 #include <mien/tools/mien/render_plan.h>
 #include <mien/tools/mien/values.h>
 #include <mien/version.h>
@@ -10,7 +12,6 @@
 #include "command_app_private.h"
 
 namespace mien::command {
-namespace {
 
 void add_pose(CLI::App* to, PosedFace& posed) {
   to->add_option("FACE", posed.face, "Face file")->required()->type_name("");
@@ -23,10 +24,20 @@ void add_pose(CLI::App* to, PosedFace& posed) {
         "laid over those before it, by its weight, its own time beginning at BEGIN")
       ->type_name("NAME[=WEIGHT[@BEGIN]]")
       ->allow_extra_args(false);
-  to->add_option("--pose", posed.poses,
-                 "Give a named pose a weight, 1 if none is said; may be given many times")
+  to->add_option(
+        "--pose,--morph", posed.poses,
+        "Give a named pose (a morph target) a weight, 1 if none is said; may be given many "
+        "times")
       ->type_name("NAME[=WEIGHT]")
       ->allow_extra_args(false);
+  to->add_option("--morphs", posed.morphs, "More poses, out of a file that `mien morph make` wrote")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  to->add_option("--basis", posed.basis,
+                 "Pose by a basis that `mien pca fit` found for this face, at --time or --weights")
+      ->type_name("FILE");
+  to->add_option("--weights", posed.weights, "Weights of the basis's components")
+      ->type_name("W,W,...");
   to->add_option("--look-at", posed.look_at,
                  "The point both eyes look at, in face units, z towards the viewer")
       ->type_name("X,Y,Z")
@@ -49,12 +60,16 @@ void add_pose(CLI::App* to, PosedFace& posed) {
       ->allow_extra_args(false);
 }
 
+namespace {
+
 void add_output(CLI::App* to, RenderArguments& render) {
   to->add_option("-o,--output", render.output,
                  "Picture to write: .png .tif .tiff .exr .jpg .jpeg; - is a PNG on standard output")
       ->required()
       ->type_name("FILE");
 }
+
+}  // namespace
 
 void add_picture(CLI::App* to, RenderArguments& render) {
   to->add_option("--size", render.size,
@@ -82,6 +97,11 @@ void add_picture(CLI::App* to, RenderArguments& render) {
   to->add_option("--depth", render.depth,
                  "Bits of a channel; PNG 8 16, TIFF 8 16 float, EXR half float, JPEG 8")
       ->type_name(std::string(kDepths));
+  to->add_option("--effect", render.effects,
+                 "Lay an effect over the picture: mosaic:TILES,BORDER,mean|center or "
+                 "grid:CELLS,WIDTH,COLOUR; many act in order; none: not even the face's own")
+      ->type_name("EFFECT")
+      ->allow_extra_args(false);
 }
 
 void add_threads(CLI::App* to, RenderArguments& render) {
@@ -90,9 +110,13 @@ void add_threads(CLI::App* to, RenderArguments& render) {
       ->type_name("N");
 }
 
+namespace {
+
 void add_insight(CLI::App* to, RenderArguments& render) {
-  to->add_option("--debug", render.debug,
-                 "Instead of the face: what drawing did, isolines of distance, coverage, normals")
+  to->add_option(
+        "--debug", render.debug,
+        "Instead of the face: what drawing did, isolines of distance, coverage, normals, or "
+        "how far a pose moves each point")
       ->type_name(std::string(kDebugs));
   to->add_option("--error-map", render.error_map,
                  "Also write the proven error of every pixel, as grey, and print the largest")
@@ -122,12 +146,27 @@ std::string command_list(const CLI::App& app) {
   return text;
 }
 
+/// The command that was typed, "fit" of `mien pca fit`.
+const CLI::App& innermost(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
+  return *at;
+}
+
+/// What stands before a command's own name: "mien pca".
+std::string prefix_of(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent->get_parent() ? "mien " + parent->get_name() : "mien";
+}
+
 /// What `words` could not place, in one sentence: an unknown option or command, or one argument too
 /// many.
 std::string stray(const CLI::App& app) {
   const CLI::App* at = &app;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->parsed()) at = command;
+  for (bool deeper = true; deeper;) {
+    deeper = false;
+    for (const CLI::App* command : at->get_subcommands({}))
+      if (command->parsed()) at = command, deeper = true;
   }
   const std::vector<std::string> left = app.remaining(true);
   if (left.empty()) return "arguments that mean nothing";
@@ -139,12 +178,12 @@ std::string stray(const CLI::App& app) {
     }
     return unknown_name("option", word.substr(0, word.find('=')), names_of(known));
   }
-  if (at == &app) {
+  if (!at->get_subcommands({}).empty()) {
     std::vector<std::string> known;
-    for (const CLI::App* command : visible_commands(app)) known.push_back(command->get_name());
+    for (const CLI::App* command : visible_commands(*at)) known.push_back(command->get_name());
     return unknown_name("command", word, names_of(known));
   }
-  return at->get_name() + ": one argument too many: " + in_quotes(word);
+  return spoken_name(*at) + ": one argument too many: " + in_quotes(word);
 }
 
 CommandLine chosen(CommandApp& command) {
@@ -152,6 +191,9 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("render")) return std::move(command.render);
   if (app.got_subcommand("bench")) return std::move(command.bench);
   if (app.got_subcommand("check")) return std::move(command.check);
+  if (app.got_subcommand("pca")) return std::move(command.pca);
+  if (app.got_subcommand("morph")) return std::move(command.morph);
+  if (app.got_subcommand("animate")) return std::move(command.animate);
   if (app.got_subcommand("scene")) return std::move(command.scene);
   if (app.got_subcommand("list")) return std::move(command.list);
   if (app.got_subcommand("manual")) return Help{manual(app)};
@@ -168,15 +210,32 @@ CommandLine chosen(CommandApp& command) {
 std::string retold(const CLI::App& app, const CLI::ParseError& wrong) {
   std::string text = wrong.what();
   const std::string option = text.substr(0, text.find(':'));
+  if (text.find("subcommand is required") != std::string::npos)
+    text = "one of its commands is needed: " + command_list(innermost(app));
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong)) {
     text = option + (text.find("At Most") == std::string::npos ? " needs a value"
                                                                : " may be given only once");
   }
-  const auto used = app.get_subcommands();
-  return used.empty() ? text : used.back()->get_name() + ": " + text;
+  return app.get_subcommands().empty() ? text : spoken_name(innermost(app)) + ": " + text;
 }
 
 }  // namespace
+
+std::string spoken_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent && parent->get_parent() ? parent->get_name() + " " + command.get_name()
+                                        : command.get_name();
+}
+
+std::vector<const CLI::App*> leaf_commands(const CLI::App& app) {
+  std::vector<const CLI::App*> leaves;
+  for (const CLI::App* command : visible_commands(app)) {
+    const auto inner = visible_commands(*command);
+    if (inner.empty()) leaves.push_back(command);
+    leaves.insert(leaves.end(), inner.begin(), inner.end());
+  }
+  return leaves;
+}
 
 std::vector<const CLI::App*> visible_commands(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
@@ -233,6 +292,10 @@ std::unique_ptr<CommandApp> command_app() {
       ->type_name("N");
   bench->add_flag("--json", made->bench.json, "Print JSON instead of a table");
 
+  add_animate(app, made->animate);
+  add_morph(app, made->morph);
+  add_pca(app, made->pca);
+
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");
   shells->add_option("SHELL", made->shell, std::string(kShells))->required()->type_name("");
@@ -246,7 +309,7 @@ CommandLine read_command_line(int count, const char* const* words) {
     app.parse(count, words);
   } catch (const CLI::CallForHelp&) {
     const auto used = app.get_subcommands();
-    return Help{used.empty() ? app.help() : used.back()->help("mien")};
+    return Help{used.empty() ? app.help() : innermost(app).help(prefix_of(innermost(app)))};
   } catch (const CLI::CallForVersion&) {
     return Help{"mien " MIEN_VERSION_STRING "\n"};
   } catch (const CLI::ExtrasError&) {

@@ -1,7 +1,9 @@
 #pragma once
 // The command line: its one definition, out of which come reading, help, man page and completion.
 
+#include <mien/tools/mien/animate_arguments.h>
 #include <mien/tools/mien/arguments.h>
+#include <mien/tools/mien/pca_arguments.h>
 
 #include <string>
 #include <variant>
@@ -16,8 +18,9 @@ struct WrongUse {
   std::string sentence;
 };
 
-using CommandLine = std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments,
-                                 SceneArguments, ListArguments>;
+using CommandLine =
+    std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
+                 ListArguments, PcaArguments, MorphArguments, AnimateArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

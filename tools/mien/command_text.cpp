@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "command_app_private.h"
 
 namespace mien::command {
@@ -62,12 +64,24 @@ std::string positionals(const CLI::App& command) {
   return text;
 }
 
+/// A command's options and those of the commands below it, each name once.
+std::vector<const CLI::Option*> options_below(const CLI::App& command) {
+  std::vector<const CLI::Option*> options = visible_options(command);
+  for (const CLI::App* below : visible_commands(command))
+    for (const CLI::Option* option : visible_options(*below))
+      if (std::none_of(options.begin(), options.end(), [&](const CLI::Option* other) {
+            return other->get_name() == option->get_name();
+          }))
+        options.push_back(option);
+  return options;
+}
+
 std::string bash(const CLI::App& app) {
   std::string cases, commands, after;
   for (const CLI::App* command : visible_commands(app)) {
     commands += (commands.empty() ? "" : " ") + command->get_name();
     std::string words;
-    for (const CLI::Option* option : visible_options(*command)) {
+    for (const CLI::Option* option : options_below(*command)) {
       for (const std::string& word : option_words(*option))
         words += (words.empty() ? "" : " ") + word;
       const auto choices = choices_of(*option);
@@ -128,7 +142,7 @@ std::string zsh(const CLI::App& app) {
     commands +=
         fmt::format("    '{}:{}'\n", command->get_name(), zsh_text(command->get_description()));
     cases += fmt::format("    {})\n      _arguments", command->get_name());
-    for (const CLI::Option* option : visible_options(*command)) cases += zsh_option(*option);
+    for (const CLI::Option* option : options_below(*command)) cases += zsh_option(*option);
     cases += " \\\n        '*:face:_files' ;;\n";
   }
   return fmt::format(
@@ -145,7 +159,7 @@ std::string fish(const CLI::App& app) {
   for (const CLI::App* command : visible_commands(app)) {
     text += fmt::format("complete -c mien -n __fish_use_subcommand -f -a {} -d '{}'\n",
                         command->get_name(), quoted(command->get_description()));
-    for (const CLI::Option* option : visible_options(*command)) {
+    for (const CLI::Option* option : options_below(*command)) {
       text +=
           fmt::format("complete -c mien -n '__fish_seen_subcommand_from {}'", command->get_name());
       for (const std::string& name : option->get_snames()) text += " -s " + name;
@@ -164,13 +178,13 @@ std::string fish(const CLI::App& app) {
 std::string manual(const CLI::App& app) {
   std::string text = ".TH MIEN 1 \"\" \"mien " MIEN_VERSION_STRING "\" \"User commands\"\n";
   text += ".SH NAME\nmien \\- draws vector faces exactly\n.SH SYNOPSIS\n";
-  for (const CLI::App* command : visible_commands(app)) {
-    text += fmt::format(".B mien {}\n{} [\\fIoptions\\fR]\n.br\n", command->get_name(),
+  for (const CLI::App* command : leaf_commands(app)) {
+    text += fmt::format(".B mien {}\n{} [\\fIoptions\\fR]\n.br\n", spoken_name(*command),
                         positionals(*command).substr(1));
   }
   text += ".SH COMMANDS\n";
-  for (const CLI::App* command : visible_commands(app)) {
-    text += fmt::format(".SS mien {}{}\n{}.\n{}", command->get_name(), positionals(*command),
+  for (const CLI::App* command : leaf_commands(app)) {
+    text += fmt::format(".SS mien {}{}\n{}.\n{}", spoken_name(*command), positionals(*command),
                         groff(command->get_description()), manual_of_options(*command));
   }
   text += ".SH OPTIONS\n" + manual_of_options(app);

@@ -1,7 +1,9 @@
 #pragma once
 // The commands, a file each. Each gives the exit code.
 
+#include <mien/tools/mien/animate_arguments.h>
 #include <mien/tools/mien/arguments.h>
+#include <mien/tools/mien/pca_arguments.h>
 
 namespace mien::command {
 
@@ -10,5 +12,8 @@ int bench_command(const BenchArguments& arguments);
 int check_command(const CheckArguments& arguments);
 int scene_command(const SceneArguments& arguments);
 int list_command(const ListArguments& arguments);
+int pca_command(const PcaArguments& arguments);
+int morph_command(const MorphArguments& arguments);
+int animate_command(const AnimateArguments& arguments);
 
 }  // namespace mien::command

@@ -17,6 +17,9 @@ struct Run {
   int operator()(const CheckArguments& arguments) const { return check_command(arguments); }
   int operator()(const SceneArguments& arguments) const { return scene_command(arguments); }
   int operator()(const ListArguments& arguments) const { return list_command(arguments); }
+  int operator()(const PcaArguments& arguments) const { return pca_command(arguments); }
+  int operator()(const MorphArguments& arguments) const { return morph_command(arguments); }
+  int operator()(const AnimateArguments& arguments) const { return animate_command(arguments); }
 };
 
 }  // namespace

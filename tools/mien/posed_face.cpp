@@ -1,8 +1,14 @@
 #include <mien/lib/base/one_line.h>
 #include <mien/lib/file/face_file.h>
+#include <mien/lib/file/morph_file.h>
+#include <mien/lib/file/npy_basis.h>
+#include <mien/tools/mien/motion_values.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/values.h>
 
+#include <fmt/format.h>
+
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -74,6 +80,31 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments) {
   return pose;
 }
 
+/// --basis and --weights.
+int take_basis(const PosedFace& arguments, const Face& face, Pose& pose) {
+  if (arguments.weights && !arguments.basis)
+    return complain("--weights are those of a --basis", kUsedWrongly);
+  if (!arguments.basis) return kDone;
+  const auto file = read_basis(*arguments.basis);
+  if (!file) return complain(file.error(), kFailed);
+  const auto basis = face_basis(*file, face);
+  if (!basis) return complain(Error{*arguments.basis, basis.error().what}, kFailed);
+  pose.basis = std::make_shared<const FaceBasis>(*basis);
+  std::string_view text = arguments.weights ? *arguments.weights : std::string_view{};
+  while (!text.empty()) {
+    const std::size_t comma = text.find(',');
+    const auto weight = read_real("--weights", text.substr(0, comma), -1e9, 1e9);
+    if (!weight) return complain(weight.error(), kUsedWrongly);
+    pose.basis_weights.push_back(*weight);
+    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+  }
+  if (pose.basis_weights.size() > pose.basis->basis.count)
+    return complain(fmt::format("--weights: the basis has {} components, not {}",
+                                pose.basis->basis.count, pose.basis_weights.size()),
+                    kUsedWrongly);
+  return kDone;
+}
+
 }  // namespace
 
 FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
@@ -88,9 +119,15 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
   }
   auto face = read_face_aloud(arguments.face);
   if (!face) return {{}, {}, kFailed};
+  for (const std::string& file : arguments.morphs) {
+    auto more = read_morphs(*face, file);
+    if (!more) return {{}, {}, complain(more.error(), kFailed)};
+    face = *std::move(more);
+  }
   auto pose = read_pose(*face, arguments);
   if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
   pose->time = at;
+  if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
   return {std::move(face), *std::move(pose), kDone};
 }
 

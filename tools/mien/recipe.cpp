@@ -36,6 +36,10 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add("unwrap", arguments.posed.unwrap);
   add("unwrap_mode", arguments.posed.unwrap_mode);
   add_all("set", arguments.posed.settings);
+  add_all("morphs", arguments.posed.morphs);
+  add("basis", arguments.posed.basis);
+  add("weights", arguments.posed.weights);
+  add_all("effect", arguments.effects);
   return text + "}";
 }
 

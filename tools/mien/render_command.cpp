@@ -1,14 +1,20 @@
 // mien render: read, pose, draw, write; and stop in between when asked to.
 
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/file/face_file.h>
 #include <mien/render/error_map.h>
 #include <mien/render/image/write_pieces.h>
+#include <mien/sdf/from_face/morph_heat.h>
 #include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/tools/mien/choices.h>
 #include <mien/tools/mien/commands.h>
+#include <mien/tools/mien/drawn_picture.h>
 #include <mien/tools/mien/image_loader.h>
 #include <mien/tools/mien/interrupt.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/recipe.h>
 #include <mien/tools/mien/render_plan.h>
+#include <mien/tools/mien/values.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -54,15 +60,31 @@ Expected<Done> check_output(const std::string& output, const WriteOptions& write
   return check_target(output, write);
 }
 
+/// Effects look at the whole picture: it is drawn in memory.
+Expected<PictureStats> write_with_effects(const std::string& output, RenderPlan& plan,
+                                          const Scene& scene, const std::vector<Effect>& effects) {
+  PictureStats stats;
+  const RenderOptions how{.depth = plan.picture.depth.value_or(Depth::u8),
+                          .threads = plan.picture.write.threads,
+                          .progress = plan.picture.write.progress};
+  const Image image = drawn_picture(scene, plan.view, how, effects, &stats.render);
+  if (stats.render.cancelled) return Error{output, "cancelled"};
+  const auto done = write_image_by(load_encoder, image, output, plan.picture.write);
+  if (!done) return done.error();
+  return stats;
+}
+
 int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene,
-                   Times times) {
+                   const std::vector<Effect>& effects, Times times) {
   Expected<PictureStats> done = PictureStats{};
   {
     ProgressDisplay display(plan.progress);
     plan.picture.write.recipe = recipe(arguments, plan.view);
     plan.picture.write.progress = display.watch("render");
     const double began = now();
-    done = write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture);
+    done = effects.empty()
+               ? write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture)
+               : write_with_effects(arguments.output, plan, scene, effects);
     times.picture = now() - began;
   }
   if (interrupted() && !done) return complain("interrupted", kFailed);
@@ -93,6 +115,19 @@ int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Sc
       arguments.output);
 }
 
+constexpr std::string_view kMorphDebug = "morph";  // the last of kDebugs: a scene of its own
+
+/// The face, or how far its points have gone.
+Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
+  if (arguments.debug != kMorphDebug) return scene_from_face(posed);
+  const auto rest = read_face(arguments.posed.face);
+  if (!rest) return rest.error();
+  const MorphHeat heat = morph_heat(*rest, posed);
+  if (arguments.output != "-")
+    print(fmt::format("largest displacement {:.6g} {}\n", heat.largest, posed.model->canvas.unit));
+  return heat.scene;
+}
+
 }  // namespace
 
 int render_command(const RenderArguments& arguments) {
@@ -112,14 +147,19 @@ int render_command(const RenderArguments& arguments) {
   times.read = now() - began;
 
   began = now();
-  const Scene scene = scene_from_face(*posed.face);
+  const auto drawn = scene_to_draw(arguments, *posed.face);
+  if (!drawn) return complain(drawn.error(), kUsedWrongly);
+  const Scene& scene = *drawn;
   times.scene = now() - began;
   if (auto planned = plan_view(*plan, arguments, scene.canvas()); !planned) {
     return complain(planned.error(), kUsedWrongly);
   }
+  const auto effects = read_effects(arguments, *posed.face, plan->view.width);
+  if (!effects) return complain(effects.error(), kUsedWrongly);
   watch_interrupts();
-  int code = plan->debug ? write_debug(arguments, *plan, scene)
-                         : draw_and_write(arguments, *plan, scene, times);
+  int code = plan->debug && arguments.debug != kMorphDebug
+                 ? write_debug(arguments, *plan, scene)
+                 : draw_and_write(arguments, *plan, scene, *effects, times);
   if (code == kDone && plan->error_map) code = write_error_map(arguments, *plan, scene);
   if (code != kDone && interrupted()) die_of_interrupt();
   return code;

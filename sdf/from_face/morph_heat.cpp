@@ -1,0 +1,77 @@
+#include <mien/sdf/from_face/morph_heat.h>
+
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/geom/heat.h>
+#include <mien/lib/rig/morph.h>
+#include "figure_shape_private.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace mien {
+namespace {
+
+// Sizes, as shares of the canvas's shorter side.
+constexpr double kPoint = 0.008, kLine = 0.0025;
+constexpr double kBarWidth = 0.03, kBarHeight = 0.7, kBarMargin = 0.03;
+constexpr int kBarSteps = 64;
+
+Color grey_of(const Face& face, int slice) {
+  const double* c = &face.vector[std::size_t(face.model->layout[slice].begin)];
+  const double light = 0.25 * (0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]) + 0.02;
+  return {light, light, light, c[3]};
+}
+
+Path rectangle(glm::dvec2 lo, glm::dvec2 hi) {
+  const glm::dvec2 corners[] = {lo, {hi.x, lo.y}, hi, {lo.x, hi.y}};
+  Path::Loop loop;
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec2 a = corners[i], b = corners[(i + 1) % 4];
+    loop.sides.push_back({a, 0.5 * (a + b), b});
+  }
+  return {{loop}, FillRule::nonzero};
+}
+
+/// From 0, below in the picture, to the largest, above.
+void add_bar(SceneBuilder& build, const FaceCanvas& canvas, double unit) {
+  const double x1 = canvas.box.hi.x - kBarMargin * unit, x0 = x1 - kBarWidth * unit;
+  const double height = kBarHeight * canvas.box.size().y, middle = canvas.box.center().y;
+  for (int i = 0; i < kBarSteps; ++i) {
+    double y0 = middle - 0.5 * height + height * i / kBarSteps;
+    double y1 = middle - 0.5 * height + height * (i + 1) / kBarSteps;
+    if (!canvas.y_up) std::tie(y0, y1) = std::pair{2 * middle - y1, 2 * middle - y0};
+    build.layer("bar", build.shape(rectangle({x0, y0}, {x1, y1})),
+                {.color = heat_color((i + 0.5) / kBarSteps)});
+  }
+}
+
+}  // namespace
+
+MorphHeat morph_heat(const Face& rest, const Face& posed) {
+  const FaceModel& model = *posed.model;
+  SceneBuilder build({model.canvas.box, model.canvas.y_up}, grey_of(posed, model.background));
+  std::vector<Area> areas;
+  for (const Feature& feature : model.features) {
+    Area area = build.shape(shape_of(feature.figure, posed));
+    if (feature.clip >= 0) area = build.both(area, areas[std::size_t(feature.clip)]);
+    areas.push_back(area);
+    if (feature.paint >= 0)
+      build.layer(feature.name, area, {.color = grey_of(posed, feature.paint)});
+  }
+  std::vector<PointShift> shifts = point_shifts(rest, posed);
+  const double largest = largest_shift(shifts);
+  const double unit = std::min(model.canvas.box.size().x, model.canvas.box.size().y);
+  std::stable_sort(shifts.begin(), shifts.end(),
+                   [](const PointShift& a, const PointShift& b) { return a.amount < b.amount; });
+  for (const PointShift& shift : shifts) {
+    const Color color = heat_color(largest > 0 ? shift.amount / largest : 0);
+    const std::string& name = model.layout[shift.slice].name;
+    if (shift.amount > 0)
+      build.layer(name, build.shape(Line{shift.from, shift.to, kLine * unit}), {.color = color});
+    build.layer(name, build.shape(Disc{shift.to, kPoint * unit}), {.color = color});
+  }
+  add_bar(build, model.canvas, unit);
+  return {std::move(build).finish(), largest};
+}
+
+}  // namespace mien

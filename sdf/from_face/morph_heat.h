@@ -1,0 +1,21 @@
+#pragma once
+// How far each point of a face has gone, as a picture (item G6).
+
+#include <mien/lib/base/api.h>
+#include <mien/lib/face/face.h>
+#include <mien/sdf/scene/scene.h>
+
+namespace mien {
+
+struct MorphHeat {
+  Scene scene;
+  double largest = 0;  ///< [face units] what the top of the colour bar stands for: the largest
+                       ///< displacement of any point
+};
+
+/// The posed face in grey; a line from where each point rests to where it is, and a disc there, in the
+/// heat spectrum of its displacement, from 0 to the largest; a bar of that spectrum at the right.
+/// `posed` is `rest`, posed.
+MIEN_API MorphHeat morph_heat(const Face& rest, const Face& posed);
+
+}  // namespace mien

@@ -1,0 +1,166 @@
+// mien animate, mien morph and --effect: frames are the same for any number of threads, finished ones
+// are kept, films appear whole or not at all.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_command.h"
+
+namespace mien {
+namespace {
+
+using test::face_path;
+using test::Ran;
+using test::read_text;
+using test::run_mien;
+using test::ScratchFolder;
+
+std::vector<std::string> animate(const ScratchFolder& folder, const std::string& output,
+                                 std::vector<std::string> more = {}) {
+  std::vector<std::string> words{
+      "animate", face_path("seed0"), "--frames", "3-8", "--fps",
+      "10",      "--size",           "64x36",    "-o",  (folder / output).string()};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Animate, FramesAreThoseOfRenderForAnyThreads) {
+  const ScratchFolder one, many;
+  ASSERT_EQ(run_mien(animate(one, "%03d.png", {"--threads", "1"})).out, "6 frames drawn, 0 kept\n");
+  ASSERT_EQ(run_mien(animate(many, "%03d.png", {"--threads", "5"})).code, 0);
+  EXPECT_EQ(one.names(), (std::vector<std::string>{"003.png", "004.png", "005.png", "006.png",
+                                                   "007.png", "008.png"}));
+  for (const std::string& name : one.names())
+    EXPECT_EQ(read_text(one / name), read_text(many / name)) << name;
+  EXPECT_NE(read_text(one / "003.png"), read_text(one / "004.png"));
+}
+
+TEST(Animate, KeepsFinishedFramesAndRedoesBrokenAndStaleOnes) {
+  const ScratchFolder folder;
+  run_mien(animate(folder, "%d.png"));
+  const std::string third = read_text(folder / "3.png"), fourth = read_text(folder / "4.png");
+  EXPECT_EQ(run_mien(animate(folder, "%d.png")).out, "0 frames drawn, 6 kept\n");
+  test::write_text(folder / "3.png", third.substr(0, third.size() - 20));  // cut off
+  std::string flipped = fourth;
+  flipped[fourth.size() / 2] = char(flipped[fourth.size() / 2] ^ 1);  // a bit changed
+  test::write_text(folder / "4.png", flipped);
+  test::write_text(folder / "5.png", fourth);  // whole, but another frame
+  EXPECT_EQ(run_mien(animate(folder, "%d.png")).out, "3 frames drawn, 3 kept\n");
+  EXPECT_EQ(read_text(folder / "3.png"), third);
+  EXPECT_EQ(read_text(folder / "4.png"), fourth);
+  EXPECT_EQ(run_mien(animate(folder, "%d.png", {"--again"})).out, "6 frames drawn, 0 kept\n");
+  EXPECT_EQ(run_mien(animate(folder, "%d.png", {"--set", "dilation=1.1"})).out,
+            "6 frames drawn, 0 kept\n");
+}
+
+TEST(Animate, WithoutFfmpegNamesThePackageAndLeavesNothing) {
+  const ScratchFolder folder;
+  std::vector<std::string> words{"/usr/bin/env", "PATH=" + folder.path().string(), MIEN_COMMAND};
+  const auto more = animate(folder, "a.mp4");
+  words.insert(words.end(), more.begin(), more.end());
+  const Ran ran = test::Process(words).wait();
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("install the package ffmpeg"), std::string::npos) << ran.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Animate, FilmsOfEveryKindAppearWhole) {
+  if (!std::filesystem::exists("/usr/bin/ffmpeg")) GTEST_SKIP() << "no ffmpeg here";
+  const ScratchFolder folder;
+  for (const char* name : {"a.mp4", "a.webm", "a.webp", "a.apng", "a.gif"}) {
+    const Ran ran = run_mien(animate(folder, name));
+    EXPECT_EQ(ran.code, 0) << name << ran.err;
+    EXPECT_NE(ran.out.find("6 frames in "), std::string::npos) << ran.out;
+    EXPECT_GT(std::filesystem::file_size(folder / name), 100u) << name;
+  }
+  EXPECT_EQ(folder.names().size(), 5u);  // no temporaries
+  EXPECT_EQ(run_mien(animate(folder, "b.webm", {"--background", "transparent"})).code, 0);
+}
+
+TEST(Animate, WrongUseIsOneLineAndLeavesNothing) {
+  const ScratchFolder folder;
+  const std::pair<std::vector<std::string>, const char*> wrongs[] = {
+      {animate(folder, "a.png"), "expected numbered pictures like frames/%05d.png, or a film"},
+      {animate(folder, "%d-%d.png"), "expected one place for the frame's number"},
+      {animate(folder, "%s.png"), "expected one place for the frame's number"},
+      {animate(folder, "%d.xyz"), "unknown extension .xyz"},
+      {animate(folder, "a.mp4", {"--background", "transparent"}), "mp4 holds no transparency"},
+      {animate(folder, "a.mp4", {"--size", "63x36"}), "--size may be given only once"},
+      {animate(folder, "%d.png", {"--time", "1"}), "--time is for one picture"},
+      {animate(folder, "%d.png", {"--effect", "mosaic:65"}), "needs as many pixels, not 64"},
+      {animate(folder, "%d.png", {"--effect", "mosaic:0"}), "expected 1 to 65536 tiles across"}};
+  for (const auto& [words, what] : wrongs) {
+    const Ran ran = run_mien(words);
+    EXPECT_EQ(ran.code, 2) << what;
+    EXPECT_NE(ran.err.find(what), std::string::npos) << ran.err;
+    EXPECT_TRUE(folder.names().empty());
+  }
+}
+
+// Items G1, G2, G5: through the command.
+TEST(Morph, MadeFromTwoFacesIsTheSecondAtOne) {
+  const ScratchFolder folder;
+  std::string other = read_text(face_path("seed0"));
+  const std::size_t at = other.find("[0.26, 0.50]");
+  ASSERT_NE(at, std::string::npos);
+  other.replace(at, 12, "[0.21, 0.44]");
+  test::write_text(folder / "low.face.json", other);
+  ASSERT_EQ(run_mien({"morph", "make", face_path("seed0"), (folder / "low.face.json").string(),
+                      "-o", (folder / "m.json").string()})
+                .code,
+            0);
+  const auto scene = [&](const std::string& face, std::vector<std::string> more) {
+    more.insert(more.begin(), {"scene", face});
+    return run_mien(more).out;
+  };
+  const std::string morphs = (folder / "m.json").string(), rest = face_path("seed0");
+  EXPECT_EQ(scene(rest, {"--morphs", morphs, "--morph", "low"}),
+            scene((folder / "low.face.json").string(), {}));
+  EXPECT_EQ(scene(rest, {"--morphs", morphs, "--morph", "low=0"}), scene(rest, {}));
+  EXPECT_EQ(
+      run_mien({"morph", "make", rest, face_path("male"), "-o", (folder / "x").string()}).code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+}
+
+// Item P7: a face drawn through a basis of all its clip's directions is the face of the clip.
+TEST(Basis, DrawsAsTheClipDoes) {
+  const ScratchFolder folder;
+  const std::string basis = (folder / "b").string();
+  ASSERT_EQ(run_mien({"pca", "fit", face_path("toon"), "--frames", "50-70", "--fps", "30",
+                      "--max-error", "1e-9", "-o", basis})
+                .code,
+            0);
+  const auto picture = [&](std::vector<std::string> more) {
+    const std::string out = (folder / "a.png").string();
+    more.insert(more.begin(), {"render", face_path("toon"), "--size", "160", "-o", out, "--time",
+                               "2", "--region", "0,0,160,90"});
+    EXPECT_EQ(run_mien(more).code, 0);
+    const std::string bytes = read_text(out);
+    return bytes.substr(bytes.find("IDAT"));
+  };
+  EXPECT_EQ(picture({"--basis", basis}), picture({}));
+  EXPECT_NE(picture({"--basis", basis, "--weights", "0.4"}), picture({}));
+  EXPECT_EQ(
+      run_mien({"render", face_path("seed0"), "--basis", basis, "-o", (folder / "c.png").string()})
+          .code,
+      1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "c.png"));
+}
+
+// Items G9, G10: a region with effects shows the whole's pixels; weight none leaves the picture.
+TEST(Effects, ARegionShowsTheSamePixels) {
+  const ScratchFolder folder;
+  const std::string whole = (folder / "a.png").string(), part = (folder / "b.png").string();
+  const std::vector<std::string> words{"render",   face_path("seed0"), "--size",   "64x36",
+                                       "--effect", "mosaic:9,0.3",     "--effect", "grid:7"};
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return run_mien(more).code;
+  };
+  ASSERT_EQ(run({"-o", whole}), 0);
+  ASSERT_EQ(run({"-o", part, "--region", "0,0,64,36"}), 0);
+  const std::string a = read_text(whole), b = read_text(part);
+  EXPECT_EQ(a.substr(a.find("IDAT")), b.substr(b.find("IDAT")));
+}
+
+}  // namespace
+}  // namespace mien

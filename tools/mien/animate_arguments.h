@@ -1,0 +1,24 @@
+#pragma once
+// What people typed after `mien animate` and `mien morph`.
+
+#include <mien/tools/mien/arguments.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mien::command {
+
+struct AnimateArguments {
+  RenderArguments render;  ///< `output`: a pattern of names, or a film
+  std::optional<std::string> frames, fps;
+  bool again = false;
+};
+
+struct MorphArguments {
+  bool from_obj = false;  ///< `mien morph from-obj`, not `make`
+  std::string rest, map, neutral, output;
+  std::vector<std::string> targets;  ///< FILE or NAME=FILE
+};
+
+}  // namespace mien::command

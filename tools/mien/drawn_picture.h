@@ -1,0 +1,23 @@
+#pragma once
+// A scene drawn as the options say, effects and all.
+
+#include <mien/lib/face/face.h>
+#include <mien/lib/geom/effect.h>
+#include <mien/render/render.h>
+#include <mien/tools/mien/arguments.h>
+#include <mien/tools/mien/render_plan.h>
+
+#include <vector>
+
+namespace mien::command {
+
+/// The effects asked for with --effect ("none": none), else the face's own; checked for a picture of
+/// that width.
+Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, const Face& face,
+                                           int width);
+
+/// Draws; effects see the whole picture even where only a region of it is kept.
+Image drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
+                    const std::vector<Effect>& effects, RenderStats* stats = nullptr);
+
+}  // namespace mien::command

@@ -1,0 +1,12 @@
+#pragma once
+// Whether a frame of an earlier run is whole and the one that would be drawn now.
+
+#include <filesystem>
+#include <string_view>
+
+namespace mien::command {
+
+/// A PNG whose every chunk is there with its right checksum, and whose description is `recipe`.
+bool is_finished_frame(const std::filesystem::path& path, std::string_view recipe);
+
+}  // namespace mien::command

@@ -1,0 +1,18 @@
+#pragma once
+// `mien animate …` and `mien morph …` on the command line.
+
+#include <mien/tools/mien/animate_arguments.h>
+
+#include <CLI/CLI.hpp>
+
+namespace mien::command {
+
+void add_animate(CLI::App& app, AnimateArguments& to);
+void add_morph(CLI::App& app, MorphArguments& to);
+
+/// Options that others have too (command_line.cpp).
+void add_pose(CLI::App* to, PosedFace& posed);
+void add_picture(CLI::App* to, RenderArguments& render);
+void add_threads(CLI::App* to, RenderArguments& render);
+
+}  // namespace mien::command
