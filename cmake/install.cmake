@@ -64,10 +64,20 @@ endfunction()
 # Public headers that mien.h does not pull in, one per line.
 set(MIEN_MORE_PUBLIC_HEADERS
   lib/file/facemotion.h
+  lib/file/morph_file.h
+  lib/file/npy.h
+  lib/file/npy_basis.h
+  lib/file/obj.h
+  lib/file/obj_map.h
+  lib/math/pca.h
+  lib/rig/morph.h
   lib/rig/poser.h
   render/debug_picture.h
+  render/effect/effect_chain.h
   render/error_map.h
   sdf/distance.h
+  sdf/from_face/morph_heat.h
+  sdf/from_mesh/scene_from_mesh.h
   sdf/scene/effects.h
 )
 
