@@ -16,7 +16,7 @@ using test::ScratchFolder;
 /// The long options in the help of `mien render`.
 std::set<std::string> render_options() {
   const std::string help = run_mien({"render", "-h"}).out;
-  const std::regex option("\n  (?:-\\w,)?(--[a-z]+)");
+  const std::regex option("\n  (?:-\\w,)?(--[a-z-]+)");
   std::set<std::string> found;
   for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at)
     found.insert((*at)[1]);
