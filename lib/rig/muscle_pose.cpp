@@ -130,13 +130,13 @@ void MusclePoser::act(const Face& rest, const Pose& pose, std::span<const double
                       const ChannelsAt& channels_at, FaceVector& vector) {
   const FaceModel& model = *rest.model;
   if (model.muscles.muscles.empty()) return;
+  held_channels(model, pose, held_);
+  muscle_pulls(model, values, held_, pulls_);
   if (muscles_in_motion(model, pose)) {
     begin_motion(rest, pose, channels_at);
     course_->motion.at(*pose.time, moving_);
     return lay_on(model, rest.vector, moving_, vector);
   }
-  held_channels(model, pose, held_);
-  muscle_pulls(model, values, held_, pulls_);
   if (std::all_of(pulls_.begin(), pulls_.end(), [](double pull) { return pull == 0; })) return;
   if (pulls_ != still_pulls_ || !rest_.model || !same_face(rest_, rest)) {
     muscle_still(model, rest.vector, pulls_, shape_, scratch_);

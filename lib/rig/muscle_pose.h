@@ -43,6 +43,9 @@ class MIEN_API MusclePoser {
   void act(const Face& rest, const Pose& pose, std::span<const double> values,
            const ChannelsAt& channels_at, FaceVector& vector);
 
+  /// The pulls of the last pose: one for each muscle.
+  std::span<const double> pulls() const { return pulls_; }
+
  private:
   void begin_motion(const Face& rest, const Pose& pose, const ChannelsAt& channels_at);
 

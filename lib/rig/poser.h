@@ -9,6 +9,7 @@
 #include <mien/lib/rig/pose.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace mien {
@@ -21,6 +22,9 @@ class MIEN_API Poser {
 
   /// Valid until the next pose, or copied.
   const Face& pose(const Pose& pose);
+
+  /// The pulls of the model's muscles at the last pose.
+  std::span<const double> pulls() const { return muscles_.pulls(); }
 
  private:
   void drive_channels(bool poses);

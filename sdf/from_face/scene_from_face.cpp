@@ -1,6 +1,7 @@
 #include <mien/sdf/from_face/scene_from_face.h>
 
 #include <mien/lib/face/face_model.h>
+#include "draw_face_private.h"
 #include "feature_paint_private.h"
 #include "figure_shape_private.h"
 
@@ -65,9 +66,13 @@ Light light_of(const FaceLight& light) {
 
 }  // namespace
 
-Scene scene_from_face(const Face& face) {
+SceneBuilder begin_face(const Face& face) {
   const FaceModel& model = *face.model;
-  SceneBuilder build({model.canvas.box, model.canvas.y_up}, color_of(face, model.background));
+  return {{model.canvas.box, model.canvas.y_up}, color_of(face, model.background)};
+}
+
+void draw_face(const Face& face, SceneBuilder& build) {
+  const FaceModel& model = *face.model;
   Areas areas(face, build);
   build.light(light_of(model.light));
   int group = -1;
@@ -86,6 +91,12 @@ Scene scene_from_face(const Face& face) {
     if (feature.painted())
       build.layer(feature.name, areas.of(i), paint_of(feature, face, areas.figure(i)));
   }
+  if (group >= 0) build.close_group();
+}
+
+Scene scene_from_face(const Face& face) {
+  SceneBuilder build = begin_face(face);
+  draw_face(face, build);
   return std::move(build).finish();
 }
 

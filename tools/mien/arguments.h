@@ -13,6 +13,9 @@ struct PosedFace {
   std::optional<std::string> time;
   std::vector<std::string> clips, poses;
   std::optional<std::string> look_at, blink, bias, unwrap, unwrap_mode;
+  std::vector<std::string> emotions, muscles;
+  std::optional<std::string> arkit;
+  bool clamp = false;
   std::vector<std::string> settings;
   std::vector<std::string> morphs;  ///< files with more poses
   std::optional<std::string> basis, weights;
@@ -39,6 +42,23 @@ struct CheckArguments {
 
 struct SceneArguments {
   PosedFace posed;
+  std::optional<std::string> debug;
+};
+
+struct ImportArguments {
+  std::string format, source, output;
+  std::optional<std::string> morphology;
+  bool smooth = false;
+};
+
+struct FitArguments {
+  std::string face, targets;
+};
+
+struct SheetArguments {
+  std::string face, output;
+  std::optional<std::string> cell;
+  bool emotions = false, half = false;
 };
 
 struct ListArguments {

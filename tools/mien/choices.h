@@ -7,7 +7,11 @@ namespace mien::command {
 
 inline constexpr std::string_view kFits = "meet|slice";
 inline constexpr std::string_view kBlends = "linear|srgb";
-inline constexpr std::string_view kDebugs = "tiles|distance|coverage|normals|morph";
+inline constexpr std::string_view kDebugs = "tiles|distance|coverage|normals|morph|muscles|points";
+inline constexpr std::string_view kFaceDebugs = "muscles|points";  ///< those that are scenes
+inline bool is_face_debug(std::string_view word) {
+  return word == "muscles" || word == "points";
+}
 inline constexpr std::string_view kDithers = "on|off";
 inline constexpr std::string_view kDepths = "8|16|half|float";
 inline constexpr std::string_view kStats = "json";

@@ -22,6 +22,9 @@ struct CommandApp {
   PcaArguments pca;
   MorphArguments morph;
   AnimateArguments animate;
+  ImportArguments import;
+  FitArguments fit;
+  SheetArguments sheet;
   std::string shell;  ///< of `mien completion`
 };
 

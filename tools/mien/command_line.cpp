@@ -52,6 +52,21 @@ void add_pose(CLI::App* to, PosedFace& posed) {
   to->add_option("--bias", posed.bias,
                  "Where the lids meet: from -1, at the lower lid, to 1, at the upper one")
       ->type_name("BIAS");
+  to->add_option("--emotion", posed.emotions,
+                 "Give an emotion a strength from 0 to 1, 1 if none is said; left.joy is the "
+                 "subject's left half; may be given many times")
+      ->type_name("NAME[=STRENGTH]")
+      ->allow_extra_args(false);
+  to->add_option("--muscle", posed.muscles,
+                 "Pull a muscle by 0 to 1, whatever the emotions say; left.NAME is the subject's "
+                 "left one; may be given many times")
+      ->type_name("NAME[=PULL]")
+      ->allow_extra_args(false);
+  to->add_option("--arkit", posed.arkit,
+                 "A frame of ARKit's blend shapes as JSON: {\"jawOpen\": 0.4, …}")
+      ->type_name("FILE");
+  to->add_flag("--clamp", posed.clamp,
+               "Take strengths and pulls beyond 0 to 1 as the nearer end instead of an error");
   to->add_option("--set", posed.settings,
                  "Hold a control or a number of the face at a value; may be given many times; "
                  "'mien list FACE' names "
@@ -61,6 +76,47 @@ void add_pose(CLI::App* to, PosedFace& posed) {
 }
 
 namespace {
+void add_debug(CLI::App* to, std::optional<std::string>& debug) {
+  to->add_option("--debug", debug,
+                 "Draw over the face what moves it: its muscles by their pull, or its points and "
+                 "handles by name")
+      ->type_name(std::string(kFaceDebugs));
+}
+
+void add_muscle_commands(CLI::App& app, CommandApp& command) {
+  CLI::App* import = app.add_subcommand(
+      "import", "Make a face file of another program's: facemotion (a morphology in JavaScript)");
+  import->add_option("FORMAT", command.import.format, "facemotion")->required()->type_name("");
+  import->add_option("FILE", command.import.source, "File to read")->required()->type_name("");
+  import
+      ->add_option("-o,--output", command.import.output, "Face file to write; - is standard output")
+      ->required()
+      ->type_name("FILE");
+  import->add_option("--morphology", command.import.morphology, "Which one, if there are several")
+      ->type_name("NAME");
+  import->add_flag("--smooth", command.import.smooth, "Draw polylines as smooth curves");
+
+  CLI::App* fit = app.add_subcommand(
+      "fit", "Find the muscle pulls that bring a face's points nearest to targets");
+  fit->add_option("FACE", command.fit.face, "Face file")->required()->type_name("");
+  fit->add_option("TARGETS", command.fit.targets,
+                  "JSON: points by name, or a frame of ARKit's blend shapes")
+      ->required()
+      ->type_name("");
+
+  CLI::App* sheet =
+      app.add_subcommand("sheet", "Draw a grid of one face at many poses, with names");
+  sheet->add_option("FACE", command.sheet.face, "Face file")->required()->type_name("");
+  sheet->add_option("-o,--output", command.sheet.output, "Picture to write")
+      ->required()
+      ->type_name("FILE");
+  sheet->add_flag("--emotions", command.sheet.emotions, "Every emotion at full strength (default)");
+  sheet->add_flag("--half", command.sheet.half, "And every emotion at half strength");
+  sheet
+      ->add_option("--cell", command.sheet.cell,
+                   "Pixels of a cell, or of its longer side; default 320")
+      ->type_name("WxH");
+}
 
 void add_output(CLI::App* to, RenderArguments& render) {
   to->add_option("-o,--output", render.output,
@@ -116,7 +172,7 @@ void add_insight(CLI::App* to, RenderArguments& render) {
   to->add_option(
         "--debug", render.debug,
         "Instead of the face: what drawing did, isolines of distance, coverage, normals, or "
-        "how far a pose moves each point")
+        "how far a pose moves each point; or over it: its muscles, its points by name")
       ->type_name(std::string(kDebugs));
   to->add_option("--error-map", render.error_map,
                  "Also write the proven error of every pixel, as grey, and print the largest")
@@ -196,6 +252,9 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("animate")) return std::move(command.animate);
   if (app.got_subcommand("scene")) return std::move(command.scene);
   if (app.got_subcommand("list")) return std::move(command.list);
+  if (app.got_subcommand("import")) return std::move(command.import);
+  if (app.got_subcommand("fit")) return std::move(command.fit);
+  if (app.got_subcommand("sheet")) return std::move(command.sheet);
   if (app.got_subcommand("manual")) return Help{manual(app)};
   if (app.got_subcommand("completion")) {
     const auto shell = read_choice("completion", command.shell, kShells);
@@ -273,8 +332,9 @@ std::unique_ptr<CommandApp> command_app() {
       ->type_name("")
       ->expected(1, 1 << 20);
 
-  add_pose(app.add_subcommand("scene", "Print the shapes and layers a face is drawn with"),
-           made->scene.posed);
+  CLI::App* scene = app.add_subcommand("scene", "Print the shapes and layers a face is drawn with");
+  add_pose(scene, made->scene.posed);
+  add_debug(scene, made->scene.debug);
 
   CLI::App* list = app.add_subcommand(
       "list",
@@ -295,6 +355,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_animate(app, made->animate);
   add_morph(app, made->morph);
   add_pca(app, made->pca);
+  add_muscle_commands(app, *made);
 
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");

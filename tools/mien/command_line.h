@@ -20,7 +20,8 @@ struct WrongUse {
 
 using CommandLine =
     std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
-                 ListArguments, PcaArguments, MorphArguments, AnimateArguments>;
+                 ListArguments, PcaArguments, MorphArguments, AnimateArguments, ImportArguments, FitArguments,
+                 SheetArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

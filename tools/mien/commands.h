@@ -15,5 +15,8 @@ int list_command(const ListArguments& arguments);
 int pca_command(const PcaArguments& arguments);
 int morph_command(const MorphArguments& arguments);
 int animate_command(const AnimateArguments& arguments);
+int import_command(const ImportArguments& arguments);
+int fit_command(const FitArguments& arguments);
+int sheet_command(const SheetArguments& arguments);
 
 }  // namespace mien::command

@@ -3,12 +3,19 @@
 #include <mien/lib/file/morph_file.h>
 #include <mien/lib/file/npy_basis.h>
 #include <mien/tools/mien/motion_values.h>
+#include <mien/lib/file/frame_file.h>
+#include <mien/lib/rig/expression_setting.h>
+#include <mien/lib/rig/poser.h>
+#include <mien/sdf/from_face/debug_view.h>
+#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/tools/mien/choices.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/values.h>
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -35,6 +42,30 @@ Expected<Setting> read_control(const Face& face, const std::string& name,
   auto setting = read_setting(face, name + "=" + value);
   if (setting) return setting;
   return Error{"--" + name + " " + one_line(value, 60), setting.error().what};
+}
+
+/// --arkit, --emotion, --muscle.
+Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Pose& pose) {
+  const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
+  if (arguments.arkit) {
+    const auto frame = read_frame(*arguments.arkit);
+    if (!frame) return frame.error();
+    for (const FrameNumber& number : *frame) {
+      auto setting =
+          read_expression(face, "arkit", fmt::format("{}={}", number.name, number.values[0]), out);
+      if (!setting) return Error{number.where, setting.error().what};
+      pose.settings.push_back(*std::move(setting));
+    }
+  }
+  for (const auto& [set, texts] :
+       {std::pair{"emotion", &arguments.emotions}, {"muscle", &arguments.muscles}})
+    for (const std::string& text : *texts) {
+      auto setting = read_expression(face, set, text, out);
+      if (!setting)
+        return Error{fmt::format("--{} {}", set, setting.error().where), setting.error().what};
+      pose.settings.push_back(*std::move(setting));
+    }
+  return Done{};
 }
 
 /// What was typed, in the order in which it counts.
@@ -72,6 +103,7 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments) {
       if (!setting) return setting.error();
       pose.settings.push_back(*std::move(setting));
     }
+  if (auto pulled = read_expressions(face, arguments, pose); !pulled) return pulled.error();
   for (const std::string& text : arguments.settings) {
     auto setting = read_setting(face, text);
     if (!setting) return setting.error();
@@ -129,6 +161,27 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
   pose->time = at;
   if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
   return {std::move(face), *std::move(pose), kDone};
+}
+
+SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::string>& debug) {
+  int view = -1;
+  if (debug) {
+    const auto chosen = read_choice("--debug", *debug, kFaceDebugs);
+    if (!chosen) return {{}, complain(chosen.error(), kUsedWrongly)};
+    view = *chosen;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  FaceAndPoseOrCode read = read_face_and_pose(arguments);
+  if (!read.face) return {{}, read.code};
+  Poser poser(*std::move(read.face));
+  const Face& posed = poser.pose(read.pose);
+  const auto between = std::chrono::steady_clock::now();
+  SceneOrCode made{view == 0   ? debug_muscles(posed, poser.pulls())
+                   : view == 1 ? debug_points(posed)
+                               : scene_from_face(posed)};
+  made.read = std::chrono::duration<double>(between - began).count();
+  made.made = std::chrono::duration<double>(std::chrono::steady_clock::now() - between).count();
+  return made;
 }
 
 PosedOrCode read_posed_face(const PosedFace& arguments) {

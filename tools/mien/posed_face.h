@@ -3,6 +3,7 @@
 
 #include <mien/lib/face/face.h>
 #include <mien/lib/rig/pose.h>
+#include <mien/sdf/scene/scene.h>
 #include <mien/tools/mien/arguments.h>
 #include <mien/tools/mien/messages.h>
 
@@ -27,5 +28,13 @@ struct PosedOrCode {
   int code = kDone;
 };
 PosedOrCode read_posed_face(const PosedFace& arguments);
+
+/// Its scene; with `debug`, one of kDebugs, what moves it is drawn over it.
+struct SceneOrCode {
+  std::optional<Scene> scene;
+  int code = kDone;
+  double read = 0, made = 0;  ///< [s] reading and posing; making the scene
+};
+SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::string>& debug);
 
 }  // namespace mien::command

@@ -35,6 +35,11 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add("bias", arguments.posed.bias);
   add("unwrap", arguments.posed.unwrap);
   add("unwrap_mode", arguments.posed.unwrap_mode);
+  add_all("emotion", arguments.posed.emotions);
+  add_all("muscle", arguments.posed.muscles);
+  if (arguments.posed.arkit)
+    add("arkit", std::filesystem::path(*arguments.posed.arkit).filename().string());
+  if (arguments.posed.clamp) text += R"(, "clamp": true)";
   add_all("set", arguments.posed.settings);
   add_all("morphs", arguments.posed.morphs);
   add("basis", arguments.posed.basis);

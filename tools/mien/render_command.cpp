@@ -142,12 +142,14 @@ int render_command(const RenderArguments& arguments) {
   }
   Times times;
   double began = now();
-  const auto posed = read_posed_face(arguments.posed);
-  if (!posed.face) return posed.code;
+  const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);
+  const auto read = face_debug ? read_scene(arguments.posed, arguments.debug) : SceneOrCode{};
+  const auto posed = face_debug ? PosedOrCode{} : read_posed_face(arguments.posed);
+  if (!posed.face && !read.scene) return face_debug ? read.code : posed.code;
   times.read = now() - began;
 
   began = now();
-  const auto drawn = scene_to_draw(arguments, *posed.face);
+  const auto drawn = face_debug ? Expected<Scene>(*read.scene) : scene_to_draw(arguments, *posed.face);
   if (!drawn) return complain(drawn.error(), kUsedWrongly);
   const Scene& scene = *drawn;
   times.scene = now() - began;

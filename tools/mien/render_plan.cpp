@@ -100,7 +100,7 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
   if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
     return done.error();
   plan.view.dither = !undithered;
-  if (arguments.debug) {
+  if (arguments.debug && !is_face_debug(*arguments.debug)) {
     DebugPicture debug{};
     if (auto done = plan_choice(debug, "--debug", arguments.debug, kDebugs); !done)
       return done.error();

@@ -1,8 +1,10 @@
 #include <mien/lib/face/face_model.h>
+#include <mien/lib/face/standard_names.h>
 #include <mien/lib/file/face_file.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -101,6 +103,21 @@ TEST(ReadMuscles, ExpressionsPullMusclesMoveControlsAndShareEmotions) {  // M10
   EXPECT_DOUBLE_EQ(all[1].pulls[0].amount, 0.25);
   EXPECT_EQ(all[2].moves.size(), 1u);
   EXPECT_EQ(all[3].pulls.size(), 1u);
+}
+
+TEST(ReadMuscles, ReadsTheNativeFaceWithoutAWarning) {
+  std::vector<Error> warnings;
+  const Expected<Face> face = read_face(MIEN_SOURCE_DIR "/faces/bruno.face.json", {}, &warnings);
+  ASSERT_TRUE(face) << sentence(face.error());
+  for (const Error& warning : warnings) ADD_FAILURE() << sentence(warning);
+  for (const std::string_view set : {"arkit", "vrm", "viseme"})
+    for (const std::string_view name : standard_names(set)) {
+      const auto found = std::find_if(face->model->expressions.begin(),
+                                      face->model->expressions.end(), [&](const Expression& e) {
+                                        return e.name == std::string{set} + "." + std::string{name};
+                                      });
+      EXPECT_NE(found, face->model->expressions.end()) << name;
+    }
 }
 
 /// Truncations and bytes changed, here and there: a face or an error.

@@ -1,0 +1,14 @@
+#pragma once
+// A face as the begin of a scene that goes on.
+
+#include <mien/lib/face/face.h>
+#include <mien/sdf/scene/scene.h>
+
+namespace mien {
+
+/// A scene of the face's canvas and background.
+SceneBuilder begin_face(const Face& face);
+/// The face's layers, bottom to top, and its light; every group closed.
+void draw_face(const Face& face, SceneBuilder& build);
+
+}  // namespace mien
