@@ -45,6 +45,7 @@ struct StrokeFigure {
 struct PolylineFigure {
   std::vector<int> points;  ///< at least 1
   int half_width;
+  bool smooth = false;  ///< a smooth curve through the points instead of straight lines
 };
 
 /// Closed outlines through and towards points.

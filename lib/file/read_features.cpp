@@ -71,6 +71,8 @@ class FigureReader {
       figure.points.push_back(point(child, fmt::format("points/{}", i), points.mirrored));
     });
     figure.half_width = slice("half_width", SliceKind::length, 1);
+    if (const Field smooth = field("smooth"); smooth.node)
+      figure.smooth = in_.boolean(*smooth.node);
     return figure;
   }
   PathFigure path() {
@@ -183,7 +185,7 @@ const std::vector<Kind>& kinds() {
        [](FigureReader& r) -> Figure { return r.cut_disc(); }},
       {"stroke", {"spine", "half_width"}, [](FigureReader& r) -> Figure { return r.stroke(); }},
       {"polyline",
-       {"points", "half_width"},
+       {"points", "half_width", "smooth"},
        [](FigureReader& r) -> Figure { return r.polyline(); }},
       {"path", {"points", "loops", "fill"}, [](FigureReader& r) -> Figure { return r.path(); }},
       {"opening",

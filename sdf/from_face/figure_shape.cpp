@@ -159,11 +159,55 @@ std::vector<double> numbers_of(const Figure& figure, const Numbers& n) {
   return all;
 }
 
+/// The centripetal Catmull-Rom curve through the points (C. Yuksel, S. Schaefer, J. Keyser, 2011: no
+/// cusps, no loops within a segment), each segment as two quadratic pieces with its tangents at both
+/// ends. A point on the axis goes on to its own mirror image, so that both halves meet smoothly.
+std::vector<Shape> smooth_pieces(const PolylineFigure& f, const Numbers& n, double twice_axis) {
+  std::vector<glm::dvec2> points;
+  for (const int point : f.points)
+    if (const glm::dvec2 p = n.point(point); points.empty() || p != points.back())
+      points.push_back(p);
+  const auto mirrored = [&](glm::dvec2 p) { return glm::dvec2{twice_axis - p.x, p.y}; };
+  const auto knot = [](glm::dvec2 a, glm::dvec2 b) {
+    return std::sqrt(std::hypot(b.x - a.x, b.y - a.y));
+  };
+  /// Change of place by knot at the middle one of three points.
+  const auto tangent = [&](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+    const double ab = knot(a, b), bc = knot(b, c);
+    return (bc / ab * (b - a) + ab / bc * (c - b)) / (ab + bc);
+  };
+  const auto tangent_at = [&](std::size_t i) {
+    const bool first = i == 0, last = i + 1 == points.size();
+    const glm::dvec2 here = points[i];
+    if (!first && !last) return tangent(points[i - 1], here, points[i + 1]);
+    const glm::dvec2 next = first ? points[1] : points[i - 1];
+    const double away = first ? 1 : -1;
+    if (mirrored(here) == here && next.x != here.x)
+      return away * tangent(mirrored(next), here, next);
+    return away * (next - here) / knot(here, next);
+  };
+  std::vector<Shape> pieces;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double quarter = 0.25 * knot(points[i], points[i + 1]);
+    const glm::dvec2 leave = points[i] + quarter * tangent_at(i);
+    const glm::dvec2 arrive = points[i + 1] - quarter * tangent_at(i + 1);
+    const glm::dvec2 middle = 0.5 * (leave + arrive);
+    pieces.push_back(QuadStroke{{points[i], leave, middle}, n(f.half_width)});
+    pieces.push_back(QuadStroke{{middle, arrive, points[i + 1]}, n(f.half_width)});
+  }
+  if (pieces.empty()) pieces.push_back(Disc{points[0], n(f.half_width)});
+  return pieces;
+}
+
 }  // namespace
 
 /// The widths are a quadratic in the parameter, so each piece's are one too, by the polar form.
 std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
   const Numbers n(face);
+  if (const auto* line = std::get_if<PolylineFigure>(&figure))
+    return line->smooth && line->points.size() > 1
+               ? smooth_pieces(*line, n, face.model->canvas.twice_axis())
+               : std::vector<Shape>{};
   const auto* f = std::get_if<StrokeFigure>(&figure);
   if (!f || !is_shifted(f->shifts, OpeningFigure::kLidBends, n)) return {};
   const LidPieces spines =
@@ -194,6 +238,9 @@ bool same_figure(const Figure& a, const Figure& b, const Face& face) {
   if (a.index() != b.index()) return false;
   if (const auto* path = std::get_if<PathFigure>(&a);
       path && !same_structure(*path, std::get<PathFigure>(b)))
+    return false;
+  if (const auto* line = std::get_if<PolylineFigure>(&a);
+      line && line->smooth != std::get_if<PolylineFigure>(&b)->smooth)
     return false;
   return numbers_of(a, Numbers(face)) == numbers_of(b, Numbers(face));
 }

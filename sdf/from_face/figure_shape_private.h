@@ -12,8 +12,8 @@ namespace mien {
 /// Total: every figure of a valid face has a shape, in the face's units.
 Shape shape_of(const Figure& figure, const Face& face);
 
-/// The pieces of a stroke along the edge of a lid that is pushed out of its plain curve: their union
-/// is the stroke. None if the stroke is one shape.
+/// The pieces of a stroke along the edge of a lid that is pushed out of its plain curve, or of a smooth
+/// polyline: their union is the stroke. None if the figure is one shape.
 std::vector<Shape> pieces_of(const Figure& figure, const Face& face);
 
 /// Whether two figures are of one kind and have the same numbers: then they have the same shape.

@@ -28,7 +28,8 @@ const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 
 const Wrong kWrongs[] = {
     {{},
      2,
-     "a command is needed: render, check, scene, list, bench, animate, morph, pca; mien -h helps"},
+     "a command is needed: render, check, scene, list, bench, animate, morph, pca, import, fit, sheet; "
+     "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},
     {{"--versoin"}, 2, "no option named \"--versoin\"; did you mean \"--version\"?"},

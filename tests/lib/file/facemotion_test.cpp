@@ -110,6 +110,16 @@ TEST(Facemotion, TheMaleFaceHasThirteenMusclesAndSixRecipes) {  // M1, M4, M10
   EXPECT_EQ(face["expressions"]["viseme"].size(), 15u);
 }
 
+TEST(Facemotion, SmoothsPolylinesIfAsked) {  // M2
+  const auto made = face_text_from_facemotion(kSample, "m.js", {.smooth = true});
+  ASSERT_TRUE(made) << sentence(made.error());
+  std::vector<Error> warnings;
+  const auto face = read_face_text(*made, "made", {}, &warnings);
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_TRUE(std::get<PolylineFigure>(face->model->features[0].figure).smooth);
+}
+
 TEST(Facemotion, ChoosesOneOfSeveral) {
   const std::string two = kSample + "const other = {version: 1};\n";
   EXPECT_EQ(said(two), "m.js:1:1: it has 2 morphologies, tiny, other: say which");

@@ -46,6 +46,27 @@ Scene scene_with(const std::string& features, const char* axis = "up") {
   return scene_from_face(*face);
 }
 
+/// A smooth polyline passes through its points, meets its mirror image without a corner, and is a line
+/// where its points are.
+TEST(SceneFromFace, SmoothPolylinesPassThroughTheirPoints) {  // M2
+  const std::string points = "[[0, 0.2], [0.3, 0.5], [0.6, -0.4], [0.7, -0.4]]";
+  const Scene scene = scene_with(
+      R"({"name": "a", "kind": "polyline", "side": "left", "paint": "ink", "smooth": true, "half_width": 0.01, "points": )" +
+      points + "}");
+  const Area left = layer(scene, "a.left").area, right = layer(scene, "a.right").area;
+  for (const glm::dvec2 p : {glm::dvec2{0, 0.2}, {0.3, 0.5}, {0.6, -0.4}, {0.7, -0.4}}) {
+    EXPECT_NEAR(scene.distance(left, p), -0.01, 1e-9);
+    EXPECT_NEAR(scene.distance(right, {-p.x, p.y}), -0.01, 1e-9);
+  }
+  // Level where the halves meet: nothing of the line lies below its middle point nearby.
+  EXPECT_GT(scene.distance(left, {0.01, 0.185}), 0);
+  EXPECT_GT(scene.distance(left, {0.3, 0.515}), -0.01);
+  EXPECT_GT(scene.distance(left, {0.45, 0.05}), 0) << "not the straight line";
+  const Scene straight = scene_with(
+      R"({"name": "a", "kind": "polyline", "paint": "ink", "smooth": true, "half_width": 0.01, "points": [[0, 0], [0.5, 0.5], [0.5, 0.5]]})");
+  EXPECT_NEAR(straight.distance(layer(straight, "a").area, {0.25, 0.25}), -0.01, 1e-9);
+}
+
 TEST(SceneFromFace, DrawsTheEyesInTheSourcesOrder_E1toE6) {
   const Scene scene = scene_from_face(sample("seed0"));
   std::vector<std::string> names;
