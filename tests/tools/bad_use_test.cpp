@@ -76,7 +76,7 @@ const Wrong kWrongs[] = {
      "--light 1,2,-3: expected X,Y,Z, the last more than 0: the lamp is before us"},
     {{"render", "FACE", "-o", "OUT", "--debug", "everything"},
      2,
-     "--debug everything: expected tiles, distance, coverage or normals"},
+     "--debug everything: expected tiles, distance, coverage, normals, muscles or points"},
     {{"render", "FACE", "-o", "OUT", "--dither", "maybe"}, 2, "--dither maybe: expected on or off"},
     {{"render", "FACE", "-o", "OUT", "--depth", "12"},
      2,
