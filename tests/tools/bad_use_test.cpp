@@ -28,7 +28,8 @@ const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 
 const Wrong kWrongs[] = {
     {{},
      2,
-     "a command is needed: render, check, scene, list, bench, animate, morph, pca, import, fit, sheet; "
+     "a command is needed: render, check, scene, list, bench, animate, morph, pca, import, fit, "
+     "sheet; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},
@@ -76,7 +77,7 @@ const Wrong kWrongs[] = {
      "--light 1,2,-3: expected X,Y,Z, the last more than 0: the lamp is before us"},
     {{"render", "FACE", "-o", "OUT", "--debug", "everything"},
      2,
-     "--debug everything: expected tiles, distance, coverage, normals, muscles or points"},
+     "--debug everything: expected tiles, distance, coverage, normals, morph, muscles or points"},
     {{"render", "FACE", "-o", "OUT", "--dither", "maybe"}, 2, "--dither maybe: expected on or off"},
     {{"render", "FACE", "-o", "OUT", "--depth", "12"},
      2,

@@ -1,21 +1,21 @@
 #include <mien/lib/base/one_line.h>
 #include <mien/lib/file/face_file.h>
+#include <mien/lib/file/frame_file.h>
 #include <mien/lib/file/morph_file.h>
 #include <mien/lib/file/npy_basis.h>
-#include <mien/tools/mien/motion_values.h>
-#include <mien/lib/file/frame_file.h>
 #include <mien/lib/rig/expression_setting.h>
 #include <mien/lib/rig/poser.h>
 #include <mien/sdf/from_face/debug_view.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/tools/mien/choices.h>
+#include <mien/tools/mien/motion_values.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/values.h>
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <chrono>
+#include <memory>
 #include <utility>
 #include <vector>
 

@@ -29,7 +29,7 @@ struct PosedOrCode {
 };
 PosedOrCode read_posed_face(const PosedFace& arguments);
 
-/// Its scene; with `debug`, one of kDebugs, what moves it is drawn over it.
+/// Its scene; with `debug`, one of kFaceDebugs, what moves it is drawn over it.
 struct SceneOrCode {
   std::optional<Scene> scene;
   int code = kDone;

@@ -115,7 +115,7 @@ int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Sc
       arguments.output);
 }
 
-constexpr std::string_view kMorphDebug = "morph";  // the last of kDebugs: a scene of its own
+constexpr std::string_view kMorphDebug = "morph";  // of kDebugs: a scene of its own
 
 /// The face, or how far its points have gone.
 Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
@@ -143,13 +143,14 @@ int render_command(const RenderArguments& arguments) {
   Times times;
   double began = now();
   const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);
-  const auto read = face_debug ? read_scene(arguments.posed, arguments.debug) : SceneOrCode{};
-  const auto posed = face_debug ? PosedOrCode{} : read_posed_face(arguments.posed);
-  if (!posed.face && !read.scene) return face_debug ? read.code : posed.code;
+  const auto posed = read_posed_face(arguments.posed);
+  if (!posed.face) return posed.code;
   times.read = now() - began;
 
   began = now();
-  const auto drawn = face_debug ? Expected<Scene>(*read.scene) : scene_to_draw(arguments, *posed.face);
+  const auto over = face_debug ? read_scene(arguments.posed, arguments.debug) : SceneOrCode{};
+  const auto drawn =
+      over.scene ? Expected<Scene>(*over.scene) : scene_to_draw(arguments, *posed.face);
   if (!drawn) return complain(drawn.error(), kUsedWrongly);
   const Scene& scene = *drawn;
   times.scene = now() - began;
