@@ -39,7 +39,7 @@ struct FaceModel {
   std::vector<Eye> eyes;
   HeadTurn turn;
   std::vector<Effect> effects;  ///< laid over the finished picture, in this order
-  int default_clip = -1;  ///< the clip that runs when a time is given; −1: none
+  int default_clip = -1;        ///< the clip that runs when a time is given; −1: none
 };
 
 }  // namespace mien

@@ -52,7 +52,8 @@ HWY_INLINE V EdgeAreaOfStrip(D f, V d, V gx, V gy, V k, V wx, V wy) {
   const V half = hn::Set(f, 0.5f), one = hn::Set(f, 1.0f), tiny = hn::Set(f, 1e-5f);
   const V nx = hn::Max(hn::Abs(gx), tiny), ny = hn::Max(hn::Abs(gy), tiny);
   const V straight = EdgeArea(f, d, hn::Mul(nx, wx), hn::Mul(ny, wy), hn::Zero(f));
-  const V inverse = hn::Div(one, hn::Mul(nx, ny)), ix = hn::Mul(ny, inverse), iy = hn::Mul(nx, inverse);
+  const V inverse = hn::Div(one, hn::Mul(nx, ny)), ix = hn::Mul(ny, inverse),
+          iy = hn::Mul(nx, inverse);
   const V hx = hn::Mul(wx, half), hy = hn::Mul(wy, half), dx = hn::Mul(d, nx), dy = hn::Mul(d, ny);
   const V lo = hn::Max(hn::Mul(hn::Sub(dy, hy), ix), hn::Mul(hn::Neg(hn::Add(dx, hx)), iy));
   const V hi = hn::Min(hn::Mul(hn::Add(dy, hy), ix), hn::Mul(hn::Sub(hx, dx), iy));

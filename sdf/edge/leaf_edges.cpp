@@ -187,7 +187,8 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
     }
     for (const int toward : {1, -1}) {
       const CurveLeaves::Level& l = found.levels[toward > 0 ? 0 : 1];
-      const double d = toward * found.side[place] - h, reach = reach_of(l.bend[place], l.error[place], r);
+      const double d = toward * found.side[place] - h,
+                   reach = reach_of(l.bend[place], l.error[place], r);
       if (d > reach) all.outside();
       bool crosses = std::abs(d) <= reach;
       if (joined) {
@@ -195,7 +196,8 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
         crosses |= std::abs(glm::length(m) - h) <= r && toward * glm::dot(m, joined->normal) >= -r;
       }
       if (!crosses) continue;
-      LeafEdge edge = edge_at(d, double(toward) * normal, l.bend[place], l.c3[place], l.c4[place], l.error[place]);
+      LeafEdge edge = edge_at(d, double(toward) * normal, l.bend[place], l.c3[place], l.c4[place],
+                              l.error[place]);
       if (joined) {
         const glm::dvec2 at = joined->point - c, n = double(toward) * joined->normal;
         edge.end_x = float(at.x), edge.end_y = float(at.y);
@@ -222,11 +224,13 @@ void LeafOutlines::ellipse(const EllipseForm& form, const Leaves& leaves,
       continue;
     }
     const CurveLeaves::Level& l = found.levels[0];
-    const double d = found.side[place], reach = reach_of(l.bend[place], l.error[place], leaves.radius);
+    const double d = found.side[place],
+                 reach = reach_of(l.bend[place], l.error[place], leaves.radius);
     AllOfLeaf all(edges);
     if (d > reach) all.outside();
     if (std::abs(d) <= reach)
-      all.add(edge_at(d, {found.nx[place], found.ny[place]}, l.bend[place], l.c3[place], l.c4[place], l.error[place]));
+      all.add(edge_at(d, {found.nx[place], found.ny[place]}, l.bend[place], l.c3[place],
+                      l.c4[place], l.error[place]));
     outlines[i] = all.outline();
   }
 }

@@ -302,8 +302,7 @@ LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, 
       const CurveFoot spine = foot_near(curve_of(s.spine), c, radius, 0.0);
       AllOf sides(radius, edges);
       const std::size_t before = edges.size();
-      if (spine.where == CurveFoot::Where::body &&
-          both_sides(s, offset, c, radius, spine.t, sides))
+      if (spine.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, spine.t, sides))
         return sides.outline();
       edges.resize(before);
     }

@@ -19,7 +19,7 @@ using test::start_mien;
 
 Process start_long_render(const ScratchFolder& folder) {
   return start_mien(
-      {"render", face_path("toon"), "-o", (folder / "a.png").string(), "--size", "8000"});
+      {"render", face_path("toon"), "-o", (folder / "a.png").string(), "--size", "30000"});
 }
 
 void wait_ms(int ms) {

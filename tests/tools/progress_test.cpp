@@ -74,7 +74,7 @@ TEST(Progress, ATerminalSeesABarWithTheTimeLeft) {
   const ScratchFolder folder;
   const std::string said =
       on_a_terminal({MIEN_COMMAND, "render", face_path("toon"), "-o", (folder / "a.png").string(),
-                     "--size", "12000", "--threads", "1"},
+                     "--size", "30000", "--threads", "1"},
                     " left");
   EXPECT_NE(said.find(" left"), std::string::npos) << said;
   EXPECT_NE(said.find(" % "), std::string::npos) << said;

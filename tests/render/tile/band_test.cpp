@@ -27,12 +27,13 @@ Pixels by_bands(const Tape& tape, int width, int height, const PixelRect& rect) 
 
 Pixels by_squares(const Tape& tape, int width, int height) {
   Pixels pixels(std::size_t(width) * std::size_t(height));
-  const Target target{reinterpret_cast<std::byte*>(pixels.data()), std::size_t(width) * 4,
-                      Depth::u8, {0, 0, width, height}};
+  const Target target{reinterpret_cast<std::byte*>(pixels.data()),
+                      std::size_t(width) * 4,
+                      Depth::u8,
+                      {0, 0, width, height}};
   RenderStats stats;
   for (int y = 0; y < height; y += 64)
-    for (int x = 0; x < width; x += 64)
-      draw_square(tape, width, height, x, y, 64, target, stats);
+    for (int x = 0; x < width; x += 64) draw_square(tape, width, height, x, y, 64, target, stats);
   return pixels;
 }
 
@@ -51,15 +52,34 @@ Scene random_scene(std::mt19937_64& random) {
   for (int i = 0; i < 9; ++i) {
     const double width = 0.3 + 9 * unit(random) * unit(random);
     switch (i) {
-      case 0: areas.push_back(build.shape(QuadStroke{{point(), point(), point()}, width})); break;
-      case 1: areas.push_back(build.shape(Ellipse{point(), {5 + 60 * unit(random), 5 + 60 * unit(random)}, {1, 0}})); break;
-      case 2: areas.push_back(build.shape(ParabolaSide{point(), {0, 1}, 0.02 * (unit(random) - 0.5)})); break;
-      case 3: areas.push_back(build.shape(Polyline{{point(), point(), point(), point()}, width})); break;
-      case 4: areas.push_back(build.shape(TaperedStroke{{point(), point(), point()}, {0, width, 0.5}})); break;
-      case 5: areas.push_back(build.shape(Disc{point(), 40 * unit(random)})); break;
-      case 6: areas.push_back(build.both(areas[1], areas[2])); break;
-      case 7: areas.push_back(build.without(areas[5], areas[0])); break;
-      default: areas.push_back(build.offset(areas[0], 1.5)); break;
+      case 0:
+        areas.push_back(build.shape(QuadStroke{{point(), point(), point()}, width}));
+        break;
+      case 1:
+        areas.push_back(
+            build.shape(Ellipse{point(), {5 + 60 * unit(random), 5 + 60 * unit(random)}, {1, 0}}));
+        break;
+      case 2:
+        areas.push_back(build.shape(ParabolaSide{point(), {0, 1}, 0.02 * (unit(random) - 0.5)}));
+        break;
+      case 3:
+        areas.push_back(build.shape(Polyline{{point(), point(), point(), point()}, width}));
+        break;
+      case 4:
+        areas.push_back(build.shape(TaperedStroke{{point(), point(), point()}, {0, width, 0.5}}));
+        break;
+      case 5:
+        areas.push_back(build.shape(Disc{point(), 40 * unit(random)}));
+        break;
+      case 6:
+        areas.push_back(build.both(areas[1], areas[2]));
+        break;
+      case 7:
+        areas.push_back(build.without(areas[5], areas[0]));
+        break;
+      default:
+        areas.push_back(build.offset(areas[0], 1.5));
+        break;
     }
     const double alpha = i % 4 == 3 ? 0.5 : 1;
     build.layer("layer", areas.back(), {{unit(random), unit(random), unit(random), alpha}});
@@ -72,8 +92,8 @@ TEST(BandPainter, DrawsWhatTheSureWayDraws) {
   for (int i = 0; i < 24; ++i) {
     const Blend blend = i % 3 ? Blend::srgb : Blend::linear;
     const int width = 60 + 37 * (i % 8), height = 90 + 23 * (i % 5);
-    const Tape tape = tape_from_scene(random_scene(random),
-                                      {.width = width, .height = height, .blend = blend});
+    const Tape tape =
+        tape_from_scene(random_scene(random), {.width = width, .height = height, .blend = blend});
     const Pixels fast = by_bands(tape, width, height, {0, 0, width, height});
     const Pixels sure = by_squares(tape, width, height);
     for (std::size_t p = 0; p < sure.size(); ++p)
@@ -99,7 +119,8 @@ TEST(BandPainter, CountsEveryPixelOnce) {
   std::mt19937_64 random(3);
   const Tape tape = tape_from_scene(random_scene(random), {.width = 128, .height = 128});
   Pixels pixels(128 * 128);
-  const Target target{reinterpret_cast<std::byte*>(pixels.data()), 512, Depth::u8, {0, 0, 128, 128}};
+  const Target target{
+      reinterpret_cast<std::byte*>(pixels.data()), 512, Depth::u8, {0, 0, 128, 128}};
   const Plan plan(tape, Depth::u8);
   BandPainter painter;
   RenderStats s;

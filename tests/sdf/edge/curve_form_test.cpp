@@ -43,7 +43,7 @@ TEST(ParabolaForm, ReachIsTheLeastRadiusOfCurvature) {
 }
 
 TEST(ParabolaForm, RefusesWhatItCannotSay) {
-  EXPECT_FALSE(parabola_form({QuadStroke{{{0, 0}, {9, 0}, {0, 0}}, 1}, 0}));  // folded
+  EXPECT_FALSE(parabola_form({QuadStroke{{{0, 0}, {9, 0}, {0, 0}}, 1}, 0}));   // folded
   EXPECT_FALSE(parabola_form({QuadStroke{{{0, 0}, {5, 5}, {9, 0}}, 1}, -1}));  // nothing left
   EXPECT_FALSE(parabola_form({Disc{{0, 0}, 1}, 0}));
 }
