@@ -132,6 +132,44 @@ TEST(LeafPixel, OfOneStraightEdgeIsTheClosedForm) {
   EXPECT_EQ(cells, 0);
 }
 
+/// Area of the unit square around the origin inside a disc: rows of it are intervals, exactly.
+double disc_in_square(glm::dvec2 center, double radius) {
+  constexpr int kRows = 20000;
+  double area = 0.0;
+  for (int i = 0; i < kRows; ++i) {
+    const double y = (i + 0.5) / kRows - 0.5 - center.y;
+    const double half = std::sqrt(std::max(0.0, radius * radius - y * y));
+    area += std::max(0.0, std::min(0.5, center.x + half) - std::max(-0.5, center.x - half));
+  }
+  return area / kRows;
+}
+
+TEST(LeafPixel, OfATightCircleIsItsArea) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < 600; ++i) {
+    const double radius = 0.15 * std::pow(2.0, 3.0 * (1.0 + unit(random))),
+                 angle = 3.2 * unit(random);
+    const glm::dvec2 n{std::cos(angle), std::sin(angle)},
+        foot{0.6 * unit(random), 0.6 * unit(random)};
+    Leaf leaf;
+    leaf.edge_count = 1;
+    leaf.edges[0] = {.x = float(foot.x),
+                     .y = float(foot.y),
+                     .nx = float(n.x),
+                     .ny = float(n.y),
+                     .bend = float(1.0 / radius),
+                     .c3 = 0,
+                     .c4 = 0,
+                     .turn = 1};
+    color_all(leaf, Blend::srgb);
+    long long cells = 0;
+    const double area = disc_in_square(foot - radius * n, radius);
+    EXPECT_NEAR(leaf_pixel(leaf, 0, 0, 1.0 / 2048, cells).r, 255 * area, 0.25)
+        << "radius " << radius << " foot " << foot.x << ' ' << foot.y;
+  }
+}
+
 TEST(FillRows, FillsWhatIsAskedAndNothingElse) {
   on_every_set([] {
     for (const int count : {1, 5, 16, 33}) {
