@@ -24,7 +24,10 @@ std::span<const Step> steps_of(const Tape& tape, int layer) {
 void BandPainter::draw(const Plan& plan, int width, int height, int y, const Target& target,
                        RenderStats& stats) {
   const std::size_t outlines = plan.tape.outlines.size();
-  if (plan_ != &plan) scopes_.reset(), pixels_.reset();
+  if (plan_ != &plan) {
+    scopes_.reset(), pixels_.reset(), paints_.reset();
+    if (!plan.plain) paints_.emplace(plan.tape);
+  }
   plan_ = &plan, target_ = &target, stats_ = &stats;
   width_ = width, height_ = height, y_ = y;
   const bool large = target.stride * std::size_t(target.rect.height) >= kStreamedFrom;
@@ -76,7 +79,7 @@ void BandPainter::resolve(std::span<const int> layers, std::span<const Sides> ou
     squares.seen.push_back({layer, in, unknown});
     squares.mixed |= unknown;
     const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
-    if (!l.plain()) {  // left to the scalar walk
+    if (!l.plain()) {  // its leaves are left to the sure way
       squares.mixed |= in;
     } else if (l.mix.a >= 1.0) {
       paint(in & ~squares.mixed & ~composite, layer);
@@ -136,13 +139,8 @@ void BandPainter::group(int x, int tiles) {
 void BandPainter::tile(int index, int x) {
   const Tape& tape = plan_->tape;
   tile_layers_.clear();
-  bool plain = true;
   for (const Seen& s : group_.seen)
-    if ((s.in | s.unknown) >> index & 1u) {
-      tile_layers_.push_back(s.layer);
-      plain = plain && tape.layers[std::size_t(s.layer)].plain();
-    }
-  if (!plain) return draw_square(tape, width_, height_, x, y_, kBandTile, *target_, *stats_);
+    if ((s.in | s.unknown) >> index & 1u) tile_layers_.push_back(s.layer);
 
   Leaves leaves;
   leaves.radius = kSqrtHalf * kLeaf;
@@ -196,12 +194,29 @@ void BandPainter::tile(int index, int x) {
   }
 }
 
+/// The colours that the present leaf's layers have all over a square of it; false if one varies there.
+bool BandPainter::colors_of_layers(glm::dvec2 center, double side) {
+  leaf_mixes_.clear();
+  for (const int layer : leaf_layers_) {
+    const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
+    std::optional<Mix> mix = l.mix;
+    if (l.group >= 0) return false;
+    if (l.paint >= 0) mix = paints_->constant(l.paint, center, kSqrtHalf * side);
+    if (!mix) return false;
+    leaf_mixes_.push_back(*mix);
+  }
+  return true;
+}
+
 void BandPainter::leaf(int lane) {
   const PixelRect part = visible({leaf_x_, leaf_y_, kLeaf, kLeaf});
   if (part.width <= 0 || part.height <= 0) return;
   leaf_layers_.clear();
   for (const Seen& s : tile_.seen)
     if ((s.in | s.unknown) >> lane & 1u) leaf_layers_.push_back(s.layer);
+  leaf_varies_ = !plan_->plain && std::ranges::any_of(leaf_layers_, [&](int layer) {
+    return !plan_->tape.layers[std::size_t(layer)].plain();
+  });
   leaf_wanted_.clear();
   leaf_list_.clear();
   for (std::size_t i = 0; i < wanted_outlines_.size(); ++i)
@@ -216,10 +231,14 @@ void BandPainter::leaf(int lane) {
       leaf_sides_[o] = tile_sides_[o].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0}
                                                       : Sides{0, ~std::uint64_t{0}};
     }
-  if (assemble(leaf_list_, edges_, {0.0, 0.0}, kMostLeafBend))
+  const bool constant = colors_of_layers(leaf_center_, kLeaf);
+  if (constant && assemble(leaf_list_, edges_, {0.0, 0.0}, kLeaf, kMostLeafBend))
     paint(0xFFFF);
-  else
+  else if (constant || !leaf_wanted_.empty())
     divide({0.0, 0.0}, kLeaf, 0, 0);
+  else
+    draw_square(plan_->tape, leaf_layers_, width_, height_, leaf_x_, leaf_y_, kLeaf, *target_,
+                *stats_);
 }
 
 }  // namespace mien

@@ -12,6 +12,7 @@
 // picture: never on threads, regions or order.
 
 #include <mien/render/tile/leaf.h>
+#include <mien/render/tile/local_paint.h>
 #include <mien/render/tile/picture.h>
 #include <mien/render/tile/pixel.h>
 #include <mien/render/tile/plan.h>
@@ -20,6 +21,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mien {
@@ -54,6 +56,7 @@ class BandPainter {
   void group(int x, int tiles);
   void tile(int index, int x);
   void leaf(int lane);
+  bool colors_of_layers(glm::dvec2 center, double side);
   void resolve(std::span<const int> layers, std::span<const Sides> outlines, std::uint64_t valid,
                Squares& squares);
   Mix composite(const Squares& squares, int lane) const;
@@ -65,7 +68,7 @@ class BandPainter {
                    float half_diagonal);
 
   bool assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
-                glm::dvec2 shift, double most_bend);
+                glm::dvec2 shift, double side, double most_bend);
   bool add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges, glm::dvec2 shift,
                  double most_bend);
   std::uint64_t pattern(const LeafOutline& outline, int first) const;
@@ -99,6 +102,9 @@ class BandPainter {
   std::vector<std::array<LeafOutline, Leaves::kMost>>
       leaf_outlines_;             // by place in wanted_outlines_
   std::vector<int> leaf_wanted_;  // places of the present leaf
+  std::vector<Mix> leaf_mixes_;   // by place in leaf_layers_: the colour there
+  bool leaf_varies_ = false;      // some of the present leaf's layers are not plain
+  std::optional<PaintSampler> paints_;
   std::vector<LeafOutline> leaf_list_;
   std::array<Mix, Leaf::kMostSides> mixes_;
   std::array<float, kGroup> xs_, ys_;

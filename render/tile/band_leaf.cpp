@@ -25,8 +25,10 @@ bool BandPainter::add_edges(const LeafOutline& outline, std::span<const LeafEdge
     if (leaf_.edge_count == Leaf::kMostEdges) return false;
     LeafEdge& e = leaf_.edges[std::size_t(leaf_.edge_count++)] = edges[std::size_t(i)];
     if (!(std::abs(e.bend) <= most_bend && e.end_bend <= most_bend)) return false;
+    if (!(std::abs(e.next.bend) <= most_bend)) return false;
     e.x += float(shift.x), e.y += float(shift.y);
     e.end_x += float(shift.x), e.end_y += float(shift.y);
+    e.next.x += float(shift.x), e.next.y += float(shift.y);
   }
   return true;
 }
@@ -61,7 +63,8 @@ std::uint64_t BandPainter::pattern(const LeafOutline& outline, int first) const 
 /// Edges and palette of the present leaf, or of a part of it; `shift`: the part's centre from the
 /// leaf's. False if that is not proven for a square so large.
 bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
-                           glm::dvec2 shift, double most_bend) {
+                           glm::dvec2 shift, double side, double most_bend) {
+  if (leaf_varies_ && !colors_of_layers(leaf_center_ + shift, side)) return false;
   leaf_.edge_count = 0;
   double error = 0.0;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -99,21 +102,25 @@ void BandPainter::color_leaf() {
     }
   };
   int number = 0;
-  for (const int layer : leaf_layers_) {
+  for (std::size_t place = 0; place < leaf_layers_.size(); ++place) {
+    const int layer = leaf_layers_[place];
     const TapeLayer& l = tape.layers[std::size_t(layer)];
+    const Mix& layer_mix = leaf_mixes_[place];
     const std::span<const Step> steps{tape.steps.data() + l.first, std::size_t(l.count)};
     const std::uint64_t in = sides_of(steps, leaf_sides_, stack_).in & open;
     ++number;
     if (!in) continue;
-    if (l.mix.a >= 1.0) {
-      finish(in, l.mix, plan_->packed[std::size_t(layer)], number);
+    if (layer_mix.a >= 1.0) {
+      finish(in, layer_mix,
+             l.plain() ? plan_->packed[std::size_t(layer)] : packed_pixel(layer_mix, tape.blend),
+             number);
       open &= ~in;
       if (!open) break;
       continue;
     }
     for (std::uint64_t lanes = in; lanes; lanes &= lanes - 1) {
       const auto i = std::size_t(std::countr_zero(lanes));
-      mixes_[i] = mixed >> i & 1u ? over(mixes_[i], l.mix) : l.mix;
+      mixes_[i] = mixed >> i & 1u ? over(mixes_[i], layer_mix) : layer_mix;
       mixed |= std::uint64_t{1} << i;
     }
   }
@@ -204,7 +211,12 @@ void BandPainter::count(const LeafPixels& left, std::uint32_t blocks, const Pixe
 /// The quarters of a square of the present leaf by edges of their own: `center` from the leaf's, its
 /// first block. A square of one block is left to the pixels.
 void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) {
-  if (side == 4) return pixel_by_pixel(center, block_x, block_y);
+  if (side == 4) {
+    if (!leaf_varies_ || colors_of_layers(leaf_center_ + center, side))
+      return pixel_by_pixel(center, block_x, block_y);
+    return draw_square(plan_->tape, leaf_layers_, width_, height_, leaf_x_ + 4 * block_x,
+                       leaf_y_ + 4 * block_y, 4, *target_, *stats_);
+  }
   const int half = side / 2, step = side / 8;
   const double quarter = 0.25 * side;
   Leaves quarters;
@@ -230,7 +242,7 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
   for (int q = 0; q < 4; ++q) {
     const int x = block_x + (q & 1) * step, y = block_y + (q >> 1) * step;
     for (std::size_t i = 0; i < list.size(); ++i) list[i] = found[i][std::size_t(q)];
-    if (assemble(list, edges, centers[std::size_t(q)], kMostLeafBend)) {
+    if (assemble(list, edges, centers[std::size_t(q)], half, kMostLeafBend)) {
       std::uint32_t blocks = 0;
       for (int j = y; j < y + half / 4; ++j)
         for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
@@ -266,7 +278,7 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
     if (x < part.x || x >= part.x + part.width || y < part.y || y >= part.y + part.height) continue;
     for (std::size_t k = 0; k < list.size(); ++k) list[k] = found[k][std::size_t(i)];
     const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
-    if (assemble(list, edges, at_pixel, kMostPixelBend)) {
+    if (assemble(list, edges, at_pixel, 1.0, kMostPixelBend)) {
       const Mix mix =
           leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
       store(mix, plan_->tape.blend, target_->depth, at(x, y));

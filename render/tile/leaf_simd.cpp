@@ -101,7 +101,18 @@ HWY_INLINE Sight SeeWithEnd(const LeafEdge& e, VF px, VF py, M mine) {
           hn::IfThenElse(beyond, end.gy, body.gy), hn::IfThenElse(beyond, end.k, body.k)};
 }
 
+/// Two bodies: `first` before the joint, `second` beyond it.
+HWY_INLINE Sight SeeJoined(const LeafEdge& first, const LeafEdge& second, VF px, VF py) {
+  const Sight a = SeeBody(first, px, py), b = SeeBody(second, px, py);
+  const VF ux = hn::Sub(px, Const(first.end_x)), uy = hn::Sub(py, Const(first.end_y));
+  const auto beyond =
+      hn::Gt(Fused(ux, Const(first.along_x), hn::Mul(uy, Const(first.along_y))), hn::Zero(F()));
+  return {hn::IfThenElse(beyond, b.d, a.d), hn::IfThenElse(beyond, b.gx, a.gx),
+          hn::IfThenElse(beyond, b.gy, a.gy), hn::IfThenElse(beyond, b.k, a.k)};
+}
+
 HWY_INLINE Sight See(const LeafEdge& e, VF px, VF py) {
+  if (e.joined) return SeeJoined(e, e.beyond(), px, py);
   return e.has_end() ? SeeWithEnd(e, px, py, Mine(e, px, py)) : SeeBody(e, px, py);
 }
 
@@ -116,18 +127,10 @@ HWY_INLINE int StripsFor(float bend) {
 /// Which parts of an edge a block can see.
 enum class Part { body, end, both };
 
-/// The area of each pixel around (px, py) inside the edge.
-HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
+/// The area of each pixel in strips; see(x, y): the edge from there.
+template <class SeeAt>
+HWY_INLINE VF AreaInStrips(VF px, VF py, int strips, SeeAt see) {
   const F f;
-  if (strips == 1) {
-    const Sight s = SeeBody(e, px, py);  // ends take several strips
-    return EdgeArea(f, s.d, s.gx, s.gy, s.k);
-  }
-  const auto mine = Mine(e, px, py);
-  const auto see = [&](VF x, VF y) MIEN_LANES {
-    if (part == Part::body) return SeeBody(e, x, y);
-    return part == Part::end ? SeeEnd(e, x, y, mine) : SeeWithEnd(e, x, y, mine);
-  };
   const Sight middle = see(px, py);
   // Strips side by side in x where the edge runs along x, else in y.
   const auto in_x = hn::Ge(hn::Abs(middle.gy), hn::Abs(middle.gx));
@@ -143,6 +146,29 @@ HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
     sum = hn::Add(sum, EdgeAreaOfStrip(f, s.d, s.gx, s.gy, s.k, narrow_x, narrow_y));
   }
   return hn::Mul(sum, thin);
+}
+
+/// The area of each pixel around (px, py) inside the edge.
+HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
+  const F f;
+  if (e.joined) {
+    LeafEdge first = e, second = e.beyond();
+    first.joined = second.joined = false;
+    if (part == Part::body) return AreaOf(first, px, py, strips, part);
+    if (part == Part::end) return AreaOf(second, px, py, strips, Part::body);
+    return AreaInStrips(px, py, strips,
+                        [&](VF x, VF y) MIEN_LANES { return SeeJoined(first, second, x, y); });
+  }
+  if (strips == 1) {
+    const Sight s = SeeBody(e, px, py);  // ends take several strips
+    return EdgeArea(f, s.d, s.gx, s.gy, s.k);
+  }
+  const auto mine = Mine(e, px, py);
+  const auto see = [&](VF x, VF y) MIEN_LANES {
+    if (part == Part::body) return SeeBody(e, x, y);
+    return part == Part::end ? SeeEnd(e, x, y, mine) : SeeWithEnd(e, x, y, mine);
+  };
+  return AreaInStrips(px, py, strips, see);
 }
 
 struct alignas(64) Offsets {
@@ -166,11 +192,15 @@ struct BlockSides {
 HWY_INLINE BlockSides PlaceBlocks(const LeafEdge& e) {
   const F f;
   BlockSides sides{0, 0};
+  const float turn = e.joined ? float(3.0 * kMostJointTurn) : 0.0f;
   for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
     const Sight s = See(e, hn::Load(f, kBlocks.x + i), hn::Load(f, kBlocks.y + i));
     // Half a block's side along the normal, the bend over its half diagonal, and rounding.
     const VF along = hn::Mul(Const(2.0f), hn::Add(hn::Abs(s.gx), hn::Abs(s.gy)));
-    const VF reach = hn::Add(Fused(hn::Abs(s.k), Const(4.5f), along), Const(2e-3f + e.error));
+    // The other body of a joint may be the one that bends more, in the half of the block beyond it.
+    const VF k = hn::Max(hn::Abs(s.k), hn::Abs(Const(e.next.bend)));
+    const VF bent = hn::Mul(hn::Max(k, hn::Abs(Const(e.bend))), Const(4.5f));
+    const VF reach = hn::Add(hn::Add(bent, along), Const(2e-3f + e.error + turn));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(f, hn::Lt(s.d, hn::Zero(f)), bits);
     const std::uint32_t in = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
@@ -308,6 +338,7 @@ HWY_INLINE std::uint32_t Mattering(const Leaf& leaf, std::uint32_t active, std::
 /// A block that one gentle edge crosses, away from its end.
 struct Simple {
   std::uint8_t block, edge, base;
+  bool beyond;  ///< a joint: its second body
 };
 
 /// The most common work of all, without a branch: blocks follow each other through the processor.
@@ -317,7 +348,9 @@ HWY_INLINE void SimpleBlocks(const Leaf& leaf, const Simple* blocks, int count,
   const F f;
   const hn::RebindToSigned<F> di;
   for (int n = 0; n < count; ++n) {
-    const LeafEdge& e = leaf.edges[blocks[n].edge];
+    LeafEdge second;
+    if (blocks[n].beyond) second = leaf.edges[blocks[n].edge].beyond();
+    const LeafEdge& e = blocks[n].beyond ? second : leaf.edges[blocks[n].edge];
     const int b = blocks[n].block;
     const std::uint32_t out = blocks[n].base, in = out | 1u << blocks[n].edge;
     alignas(64) std::int32_t block[kBlock];
@@ -350,7 +383,10 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
     const LeafEdge& edge = leaf.edges[std::size_t(e)];
     sides[e] = PlaceBlocks(edge);
     strips[e] = StripsFor(edge.bend);
-    end_strips[e] = edge.has_end() ? HWY_MAX(4, StripsFor(edge.end_bend)) : strips[e];
+    const float beyond = edge.joined ? edge.next.bend : edge.end_bend;
+    end_strips[e] = edge.joined      ? StripsFor(beyond)
+                    : edge.has_end() ? HWY_MAX(4, StripsFor(beyond))
+                                     : strips[e];
   }
   Simple simple[kBlock];
   int simple_count = 0;
@@ -377,15 +413,18 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
       const int e = std::countr_zero(rest);
       const LeafEdge& edge = leaf.edges[std::size_t(e)];
       const float beyond = (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y;
-      parts[e] = !edge.has_end() || beyond < -3.0f ? Part::body
-                 : beyond > 3.0f                   ? Part::end
-                                                   : Part::both;
+      parts[e] = (!edge.has_end() && !edge.joined) || beyond < -3.0f ? Part::body
+                 : beyond > 3.0f                                     ? Part::end
+                                                                     : Part::both;
       here[e] = parts[e] == Part::body ? strips[e] : end_strips[e];
+      if (edge.joined && parts[e] == Part::both)
+        here[e] = HWY_MAX(4, HWY_MAX(strips[e], end_strips[e]));
     }
     if ((active & (active - 1)) == 0) {
       const int e = std::countr_zero(active);
       if (here[e] == 1) {
-        simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base)};
+        const bool second = leaf.edges[std::size_t(e)].joined && parts[e] == Part::end;
+        simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base), second};
         continue;
       }
       OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, cx, cy, here[e],

@@ -21,6 +21,9 @@ class TileWalk {
         pixels_(tape, scopes_, stats, fineness(target.depth, tape.blend)) {}
 
   void whole(int x, int y, int side) { square(scopes_.everything(), x, y, side); }
+  void whole(std::span<const int> layers, int x, int y, int side) {
+    square(scopes_.of_layers(layers), x, y, side);
+  }
 
  private:
   void square(const Scope& outer, int x, int y, int side) {
@@ -91,6 +94,11 @@ class TileWalk {
 void draw_square(const Tape& tape, int width, int height, int x, int y, int side,
                  const Target& target, RenderStats& stats) {
   TileWalk(tape, width, height, target, stats).whole(x, y, side);
+}
+
+void draw_square(const Tape& tape, std::span<const int> layers, int width, int height, int x, int y,
+                 int side, const Target& target, RenderStats& stats) {
+  TileWalk(tape, width, height, target, stats).whole(layers, x, y, side);
 }
 
 }  // namespace mien

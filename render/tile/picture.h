@@ -7,6 +7,7 @@
 #include <mien/render/tile/tape.h>
 
 #include <cstddef>
+#include <span>
 
 namespace mien {
 
@@ -22,5 +23,9 @@ struct Target {
 /// target shows it. `side` is a power of 2.
 void draw_square(const Tape& tape, int width, int height, int x, int y, int side,
                  const Target& target, RenderStats& stats);
+
+/// The same where these layers alone, top to bottom, can be seen in the square.
+void draw_square(const Tape& tape, std::span<const int> layers, int width, int height, int x, int y,
+                 int side, const Target& target, RenderStats& stats);
 
 }  // namespace mien

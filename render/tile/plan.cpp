@@ -56,18 +56,18 @@ double tolerance_for(Depth depth, Blend blend) {
   return fine ? (linear ? 0x1p-16 : 0x1p-13) : (linear ? 0x1p-13 : 0x1p-11);
 }
 
-std::uint32_t pixel_of(const Mix& mix, Blend blend) {
+}  // namespace
+
+std::uint32_t packed_pixel(const Mix& mix, Blend blend) {
   std::uint32_t value = 0;
   store(mix, blend, Depth::u8, &value);
   return value;
 }
 
-}  // namespace
-
 Plan::Plan(const Tape& t, Depth d)
     : tape(t),
       depth(d),
-      background(pixel_of(t.background, t.blend)),
+      background(packed_pixel(t.background, t.blend)),
       plain(true),
       tolerance(tolerance_for(d, t.blend)) {
   squares.reserve(t.outlines.size());
@@ -75,13 +75,13 @@ Plan::Plan(const Tape& t, Depth d)
   outline_boxes.reserve(t.outlines.size());
   for (const OffsetShape& s : t.outlines) {
     squares.emplace_back(s, glm::dvec2{0.0});
-    outlines.emplace_back(s);
+    outlines.emplace_back(s, tolerance / 8);
     outline_boxes.push_back(box_of(s));
   }
   for (const TapeLayer& layer : t.layers) {
     layer_boxes.push_back(
         box_of({t.steps.data() + layer.first, std::size_t(layer.count)}, outline_boxes));
-    packed.push_back(layer.plain() ? pixel_of(layer.mix, t.blend) : 0);
+    packed.push_back(layer.plain() ? packed_pixel(layer.mix, t.blend) : 0);
     plain = plain && layer.plain();
   }
 }

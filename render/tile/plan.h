@@ -11,6 +11,9 @@
 
 namespace mien {
 
+/// A colour as a pixel of 8 bits a channel.
+std::uint32_t packed_pixel(const Mix& mix, Blend blend);
+
 struct Plan {
   Plan(const Tape& tape, Depth depth);
 

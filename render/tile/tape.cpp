@@ -19,13 +19,26 @@ class ShapeSteps {
   explicit ShapeSteps(Tape& tape) : tape_(tape) {}
 
   void add(const Shape& shape, double offset) {
-    if (offset == 0.0 || std::holds_alternative<Polyline>(shape))
+    if (has_no_width(shape, offset))
+      step(Kind::nothing);
+    else if (offset == 0.0 || std::holds_alternative<Polyline>(shape))
       std::visit([&](const auto& s) { parts(s, offset); }, shape);
     else
       outline(shape, offset);
   }
 
  private:
+  /// Strokes without width cover no area.
+  static bool has_no_width(const Shape& shape, double offset) {
+    if (const auto* s = std::get_if<TaperedStroke>(&shape)) {
+      const double* w = s->half_width;  // between its ends a quadratic is below its control values
+      return std::max({w[0], w[1], w[2]}) + offset <= 0.0;
+    }
+    if (const auto* s = std::get_if<QuadStroke>(&shape)) return s->half_width + offset <= 0.0;
+    if (const auto* s = std::get_if<Line>(&shape)) return s->half_width + offset <= 0.0;
+    return false;
+  }
+
   void step(Kind kind) { tape_.steps.push_back({kind}); }
 
   void outline(const Shape& shape, double offset = 0.0) {

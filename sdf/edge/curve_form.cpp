@@ -58,6 +58,10 @@ std::optional<ParabolaForm> stroke_form(const QuadBezier& s, double half_width) 
 
 }  // namespace
 
+double reach_of(const ParabolaForm& form, double margin) {
+  return reach_of(form.a, form.lo - margin, form.hi + margin);
+}
+
 std::optional<ParabolaForm> parabola_form(const OffsetShape& shape) {
   if (const auto* s = std::get_if<QuadStroke>(&shape.shape))
     return stroke_form(s->spine, s->half_width + shape.offset);

@@ -4,6 +4,8 @@
 
 #include <mien/sdf/edge/edge.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -22,8 +24,17 @@ struct ParabolaForm {
   /// point on it, and every critical point that close is it.
   double reach;
 
+  /// Whether the piece lies on one flank, far from the vertex.
+  bool steep() const {
+    constexpr double kSteep = 0.5;
+    return a * lo * (a * hi) > 0.0 && std::min(std::abs(2 * a * lo), std::abs(2 * a * hi)) > kSteep;
+  }
+
   static constexpr double kMargin = 32;  ///< [px]
 };
+
+/// The reach of the piece, made longer by `margin` at both ends, or a bound below it.
+double reach_of(const ParabolaForm& form, double margin);
 
 /// The outline of an ellipse.
 struct EllipseForm {

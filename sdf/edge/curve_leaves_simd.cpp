@@ -88,6 +88,13 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     // The foot x solves x (1 − 2 a v) + 2 a² x³ = u.
     const V w = FusedFrom(two_a, v, one), aa = Set(2.0 * a * a);
     V x = hn::Div(u, hn::Max(Fused(aa, hn::Mul(u, u), w), Set(0.25)));
+    if (f.steep()) {  // far from the vertex: from the foot on the piece's chord
+      const double run = f.hi - f.lo, rise = a * (f.hi * f.hi - f.lo * f.lo);
+      const double scale = run / (run * run + rise * rise);
+      const V from_x = hn::Sub(u, Set(f.lo)), from_y = hn::Sub(v, Set(a * f.lo * f.lo));
+      const V along = Fused(from_x, Set(run * scale), hn::Mul(from_y, Set(rise * scale)));
+      x = hn::Add(Set(f.lo), hn::Min(hn::Max(along, Set(-0.5 * run)), Set(1.5 * run)));
+    }
     V off = one;
     constexpr int kSteps = 12;
     for (int step = 0; step < kSteps; ++step) {

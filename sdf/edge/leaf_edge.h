@@ -11,6 +11,9 @@ namespace mien {
 /// alone, and away from it both edges of the stroke agree.
 inline constexpr float kEndHalo = 0.75f;
 
+/// [rad] Bodies that are joined turn by at most this at the joint.
+inline constexpr double kMostJointTurn = 0.005;
+
 /// One smooth piece of outline. With u = p − (x, y), Y = dot(u, n) and X = dot(u, m),
 /// m = (−n.y, n.x), a point p of the leaf is inside when
 ///
@@ -33,7 +36,23 @@ struct LeafEdge {
   float end_bend, end_nx, end_ny;        ///< the normal at the end, towards this edge's side
   float error;                           ///< [px] the outline deviates by at most this in the leaf
 
+  /// A joint: where dot(p − end, along) > 0 this body is the outline instead, which continues the
+  /// first smoothly at `end`.
+  struct Body {
+    float x, y, nx, ny, bend, c3, c4;
+  };
+  Body next{};
+  bool joined = false;
+
   bool has_end() const { return end_bend != 0; }
+
+  /// The edge whose body is the joint's other one.
+  LeafEdge beyond() const {
+    LeafEdge e = *this;
+    e.x = next.x, e.y = next.y, e.nx = next.nx, e.ny = next.ny;
+    e.bend = next.bend, e.c3 = next.c3, e.c4 = next.c4;
+    return e;
+  }
 };
 
 /// The edges of one outline in one leaf: a range of a list.

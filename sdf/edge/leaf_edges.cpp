@@ -66,21 +66,6 @@ LeafOutline circle_outline(glm::dvec2 center, double circle_radius, glm::dvec2 c
   return all.outline();
 }
 
-/// The wanted leaves first, one after the other, and copies of the last behind them: what nobody
-/// wants takes no steps.
-Leaves packed_to_front(const Leaves& leaves) {
-  Leaves packed{.wanted = 0, .radius = leaves.radius};
-  std::size_t n = 0;
-  for (std::uint32_t left = leaves.wanted; left; left &= left - 1, ++n) {
-    const auto i = std::size_t(std::countr_zero(left));
-    packed.x[n] = leaves.x[i], packed.y[n] = leaves.y[i];
-    packed.wanted |= 1u << n;
-  }
-  for (std::size_t i = n; n > 0 && i < Leaves::kMost; ++i)
-    packed.x[i] = packed.x[n - 1], packed.y[i] = packed.y[n - 1];
-  return packed;
-}
-
 /// Where a piece of parabola ends, in pixels.
 struct End {
   glm::dvec2 point, along, normal;  ///< along: unit, out of the piece; normal: the frame's up side
@@ -93,6 +78,19 @@ End end_of(const ParabolaForm& f, double x, double outward) {
 }
 
 }  // namespace
+
+Leaves packed_to_front(const Leaves& leaves) {
+  Leaves packed{.wanted = 0, .radius = leaves.radius};
+  std::size_t n = 0;
+  for (std::uint32_t left = leaves.wanted; left; left &= left - 1, ++n) {
+    const auto i = std::size_t(std::countr_zero(left));
+    packed.x[n] = leaves.x[i], packed.y[n] = leaves.y[i];
+    packed.wanted |= 1u << n;
+  }
+  for (std::size_t i = n; n > 0 && i < Leaves::kMost; ++i)
+    packed.x[i] = packed.x[n - 1], packed.y[i] = packed.y[n - 1];
+  return packed;
+}
 
 LeafOutline leaf_outline_near(const OffsetShape& shape, glm::dvec2 c, double radius,
                               std::vector<LeafEdge>& edges) {
@@ -109,11 +107,13 @@ LeafOutline leaf_outline_near(const OffsetShape& shape, glm::dvec2 c, double rad
   return outline;
 }
 
-LeafOutlines::LeafOutlines(const OffsetShape& shape) : shape_(&shape) {
+LeafOutlines::LeafOutlines(const OffsetShape& shape, double tolerance) : shape_(&shape) {
   if (const auto parabola = parabola_form(shape))
     form_ = *parabola;
   else if (const auto ellipse = ellipse_form(shape))
     form_ = *ellipse;
+  else if (auto outline = outline_form(shape, tolerance))
+    form_ = std::move(*outline);
 }
 
 void LeafOutlines::in_leaves(const Leaves& leaves, std::span<LeafOutline, Leaves::kMost> outlines,
@@ -121,6 +121,8 @@ void LeafOutlines::in_leaves(const Leaves& leaves, std::span<LeafOutline, Leaves
   if (const auto* f = std::get_if<ParabolaForm>(&form_))
     return parabola(*f, leaves, outlines, edges);
   if (const auto* f = std::get_if<EllipseForm>(&form_)) return ellipse(*f, leaves, outlines, edges);
+  if (const auto* f = std::get_if<OutlineForm>(&form_))
+    return outline_leaves(*f, leaves, outlines, edges);
   for (std::uint32_t left = leaves.wanted; left; left &= left - 1) {
     const auto i = std::size_t(std::countr_zero(left));
     const glm::dvec2 c{leaves.x[i], leaves.y[i]};

@@ -4,11 +4,13 @@
 //   const LeafOutlines lid(shape);                              // what depends on the shape alone, once
 //   lid.in_leaves({cx, cy, leaves, radius}, outlines, edges);   // 16 leaves take about as long as two
 //
-// Parabolas (sides and strokes) and ellipses are expanded in vectors; anything else by edges_near,
-// one leaf after the other. Proofs: docs/derivations/leaf_edges.md.
+// Parabolas (sides and strokes), ellipses and closed outlines (paths, strokes of varying width) are
+// expanded in vectors; anything else by edges_near, one leaf after the other. Proofs:
+// docs/derivations/leaf_edges.md.
 
 #include <mien/sdf/edge/curve_form.h>
 #include <mien/sdf/edge/leaf_edge.h>
+#include <mien/sdf/edge/outline_form.h>
 
 #include <array>
 #include <cstdint>
@@ -25,6 +27,10 @@ struct Leaves {
   std::uint32_t wanted;  ///< bit i: leaf i is asked for. The centres of all must be finite
   double radius;
 };
+
+/// The wanted leaves first, one after the other, and copies of the last behind them: what nobody
+/// wants takes no steps.
+Leaves packed_to_front(const Leaves& leaves);
 
 /// What the kernels find for 16 leaves: feet, normals and the two outlines' expansions.
 struct CurveLeaves {
@@ -44,7 +50,8 @@ void ellipse_leaves(const EllipseForm& form, const Leaves& leaves, CurveLeaves& 
 
 class LeafOutlines {
  public:
-  explicit LeafOutlines(const OffsetShape& shape);
+  /// `tolerance`: how far the description of a stroke of varying width may be off [px].
+  explicit LeafOutlines(const OffsetShape& shape, double tolerance = 0x1p-14);
 
   /// Describes the outline in every wanted leaf, appending to `edges`. What is not proven says so.
   void in_leaves(const Leaves& leaves, std::span<LeafOutline, Leaves::kMost> outlines,
@@ -57,8 +64,12 @@ class LeafOutlines {
                std::span<LeafOutline, Leaves::kMost> outlines, std::vector<LeafEdge>& edges) const;
 
   const OffsetShape* shape_;  // outlives this
-  std::variant<std::monostate, ParabolaForm, EllipseForm> form_;
+  std::variant<std::monostate, ParabolaForm, EllipseForm, OutlineForm> form_;
 };
+
+/// A closed outline in leaves. Leaves it says nothing of have the error kUnproven.
+void outline_leaves(const OutlineForm& form, const Leaves& leaves,
+                    std::span<LeafOutline, Leaves::kMost> outlines, std::vector<LeafEdge>& edges);
 
 /// One leaf by edges_near: second order only.
 LeafOutline leaf_outline_near(const OffsetShape& shape, glm::dvec2 c, double radius,

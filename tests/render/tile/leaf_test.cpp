@@ -82,6 +82,27 @@ TEST(PaintLeaf, IsItsScalarForm) {
   });
 }
 
+TEST(PaintLeaf, FollowsAJointFromBodyToBody) {
+  on_every_set([] {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int i = 0; i < 300; ++i) {
+      // Two circles that touch at a point of the leaf, with one normal there.
+      const double most = std::array{0.01, 0.04, 0.08}[std::size_t(i % 3)];
+      Leaf leaf;
+      leaf.edge_count = 1;
+      LeafEdge& e = leaf.edges[0] = random_edge(random, most);
+      e.x *= 0.5f, e.y *= 0.5f, e.c3 = e.c4 = 0;
+      e.joined = true;
+      e.next = {e.x, e.y, e.nx, e.ny, float(most * unit(random)), 0, 0};
+      e.end_x = e.x, e.end_y = e.y, e.along_x = -e.ny, e.along_y = e.nx;
+      color_all(leaf, Blend::srgb);
+      compare(leaf, 1);
+      if (HasFatalFailure()) return;
+    }
+  });
+}
+
 TEST(PaintLeaf, EncodesLinearLight) {
   on_every_set([] {
     std::mt19937_64 random(2);

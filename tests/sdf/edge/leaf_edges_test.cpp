@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -18,6 +20,12 @@ namespace {
 
 /// Signed distance by the description, u from the leaf's centre; roughly, as coverage takes it.
 double value(const LeafEdge& e, glm::dvec2 p) {
+  if (e.joined) {
+    const glm::dvec2 u = p - glm::dvec2{e.end_x, e.end_y};
+    LeafEdge body = glm::dot(u, glm::dvec2{e.along_x, e.along_y}) > 0 ? e.beyond() : e;
+    body.joined = false;
+    return value(body, p);
+  }
   if (e.has_end()) {
     const glm::dvec2 u = p - glm::dvec2{e.end_x, e.end_y};
     if (glm::dot(u, glm::dvec2{e.along_x, e.along_y}) > 0) {
@@ -32,10 +40,18 @@ double value(const LeafEdge& e, glm::dvec2 p) {
   return 2 * f / (1 + std::sqrt(std::max(0.0, 1 + 2 * k * f))) + leaves;
 }
 
-/// By the whole outline; rules of paths aside.
+/// By the whole outline. Where windings decide, the nearest edge.
 double value(const LeafOutline& o, const std::vector<LeafEdge>& edges, glm::dvec2 p) {
   if (o.rule == EdgeRule::outside) return 1e6;
   double d = -1e6;
+  if (o.rule != EdgeRule::all && o.rule != EdgeRule::inside) {
+    d = 1e6;
+    for (int i = o.first; i < o.first + o.count; ++i) {
+      const double v = value(edges[std::size_t(i)], p);
+      if (o.rule == EdgeRule::any ? v < d : std::abs(v) < std::abs(d)) d = v;
+    }
+    return d;
+  }
   for (int i = o.first; i < o.first + o.count; ++i)
     d = std::max(d, value(edges[std::size_t(i)], p));
   return d;
@@ -137,6 +153,63 @@ TEST(LeafOutlines, DescribeParabolasAndWhatIsGrownFromThem) {
       check({ParabolaSide{{10, -20}, axis, bend}, -5}, 16, 50, 5);
     }
     check({ParabolaSide{{0, 0}, {0, 1}, 0.08}, 0}, 16, 100, 6);
+  });
+}
+
+/// A blob of smooth sides around the origin, as drawing programs make them; with corners if `sharp`.
+Path blob(std::mt19937_64& random, int sides, double sharp, bool clockwise) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<glm::dvec2> handles, joints;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 6.2831853 * i / sides, radius = 90 + 50 * unit(random);
+    handles.push_back(radius * glm::dvec2{std::cos(angle), std::sin(angle)});
+  }
+  for (int i = 0; i < sides; ++i) {
+    const glm::dvec2 middle =
+        0.5 * (handles[std::size_t(i)] + handles[std::size_t((i + 1) % sides)]);
+    joints.push_back(middle * (unit(random) < sharp ? 0.8 + 0.3 * unit(random) : 1.0));
+  }
+  Path path{{{}}, clockwise ? FillRule::even_odd : FillRule::nonzero};
+  for (int i = 0; i < sides; ++i)
+    path.loops[0].sides.push_back({joints[std::size_t((i + sides - 1) % sides)],
+                                   handles[std::size_t(i)], joints[std::size_t(i)]});
+  if (clockwise) {
+    std::reverse(path.loops[0].sides.begin(), path.loops[0].sides.end());
+    for (QuadBezier& side : path.loops[0].sides) side = reversed(side);
+  }
+  return path;
+}
+
+TEST(LeafOutlines, DescribePaths) {
+  on_every_set([] {
+    std::mt19937_64 random(21);
+    for (const double sharp : {0.0, 0.5}) {
+      Tally all;
+      for (int i = 0; i < 24; ++i) {
+        const Tally t =
+            check({blob(random, 5 + i % 6, sharp, i % 2), 0}, i % 3 ? 16 : 8, 12, std::uint64_t(i));
+        all.leaves += t.leaves, all.proven += t.proven;
+      }
+      EXPECT_GT(all.proven, 0.5 * all.leaves) << sharp;
+    }
+  });
+}
+
+TEST(LeafOutlines, DescribeStrokesOfVaryingWidth) {
+  on_every_set([] {
+    std::mt19937_64 random(22);
+    std::uniform_real_distribution<double> place(-120, 120), unit(0, 1);
+    Tally all;
+    for (int i = 0; i < 40; ++i) {
+      const auto point = [&] { return glm::dvec2{place(random), place(random)}; };
+      const TaperedStroke stroke{
+          {point(), 0.3 * point(), point()},
+          {0.4 + 6 * unit(random), 0.4 + 12 * unit(random), 0.4 + 6 * unit(random)}};
+      const Tally t = check({stroke, 0.25 * (i % 3)}, std::array{16, 8, 4}[std::size_t(i % 3)], 12,
+                            std::uint64_t(i));
+      all.leaves += t.leaves, all.proven += t.proven;
+    }
+    EXPECT_GT(all.proven, 0.4 * all.leaves) << all.leaves;
   });
 }
 
