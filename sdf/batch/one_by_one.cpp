@@ -31,11 +31,4 @@ void distances(const CubicBezier& f, Doubles x, Doubles y, std::span<double> d) 
   each(f, x, y, d);
 }
 
-void solve_cubics(Doubles a, Doubles b, Doubles c, Doubles d, std::span<Roots> out) {
-  const batch::Span span = {out.data(), out.size(), sizeof(Roots)};
-  batch::require_spans("solve_cubics", batch::span_of(a), batch::span_of(b), span);
-  batch::require_spans("solve_cubics", batch::span_of(c), batch::span_of(d), span);
-  for (size_t i = 0; i < out.size(); ++i) out[i] = solve_cubic(a[i], b[i], c[i], d[i]);
-}
-
 }  // namespace mien

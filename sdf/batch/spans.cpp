@@ -7,10 +7,12 @@
 namespace mien::batch {
 namespace {
 
+/// Numbers of another size at the same place are no replacement.
 bool overlap_partly(const Span& a, const Span& b) {
   const auto from_a = reinterpret_cast<uintptr_t>(a.begin), to_a = from_a + a.size * a.number_size;
   const auto from_b = reinterpret_cast<uintptr_t>(b.begin), to_b = from_b + b.size * b.number_size;
-  return from_a != from_b && from_a < to_b && from_b < to_a;
+  const bool same = from_a == from_b && to_a == to_b;
+  return !same && from_a < to_b && from_b < to_a;
 }
 
 [[noreturn]] void refuse(const char* function, const char* why) {

@@ -16,6 +16,9 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The largest root of a depressed cubic is good to 1.2e-5 of itself.
+inline constexpr float kRootError = 0x1p-16f;
+
 /// The disc at t: its depth |p − B(t)| − w(t), the smaller the nearer.
 template <class W>
 struct Disc {
@@ -37,11 +40,33 @@ HWY_INLINE Disc<W> Deeper(Disc<W> a, Disc<W> b) {
   return {IfThenElse(Lt(b.depth, a.depth), b.t, a.t), Min(a.depth, b.depth)};
 }
 
+/// Near the spine |q| has a kink and no root tells where the minimum is. For a straight spine and rate
+/// w' it is off the foot by w' |q| / (|B'| √(B'² − w'²)).
+template <class D, class W>
+HWY_INLINE Disc<W> KinkAt(D d, const TaperedFrame& f, Offset<W> o, Disc<W> foot) {
+  const auto& c = f.spine;
+  const W gx = MulAdd(foot.t, SetPack(d, c.bx2), SetPack(d, c.ax2));
+  const W gy = MulAdd(foot.t, SetPack(d, c.by2), SetPack(d, c.ay2));
+  const W rate = MulAdd(foot.t, SetPack(d, f.wb2), SetPack(d, f.wa2));
+  const W speed2 = MulAdd(gx, gx, Mul(gy, gy)), tiny = SetPack(d, 1e-12f);
+  const W steep = Sqrt(Max(Mul(speed2, NegMulAdd(rate, rate, speed2)), tiny));
+  const W length = Add(foot.depth, HalfWidthAt(d, f, foot.t));
+  return DiscAt(d, f, o, ClampToUnit(d, MulAdd(rate, Div(length, steep), foot.t)));
+}
+
+/// The deepest disc, the two minima that were looked at, and what the second one's lead times |q| must
+/// be above for the roots' error not to matter.
+template <class W>
+struct Improvement {
+  Disc<W> best, one, two;
+  W least_lead;
+};
+
 /// For a guess L of the least depth: the two minima of |q|² − (w + L)², one of which is below 0 if any
 /// disc is deeper; the deepest of them and of the guess.
 template <class D, class V>
-HWY_INLINE Disc<Pack<V>> Improved(D d, const TaperedFrame& f, Offset<Pack<V>> o,
-                                  Disc<Pack<V>> best) {
+HWY_INLINE Improvement<Pack<V>> Improved(D d, const TaperedFrame& f, Offset<Pack<V>> o,
+                                         Disc<Pack<V>> best) {
   using W = Pack<V>;
   const W level = best.depth, vertex = SetPack(d, f.vertex), zero = SetPack(d, 0);
   const auto affine = [&](float x, float y, float l, float one) MIEN_LANES {
@@ -49,17 +74,31 @@ HWY_INLINE Disc<Pack<V>> Improved(D d, const TaperedFrame& f, Offset<Pack<V>> o,
     return MulAdd(o.x, SetPack(d, x), MulAdd(o.y, SetPack(d, y), rest));
   };
   const W p = affine(f.px, f.py, f.pw, f.p1), s = affine(f.sx, f.sy, f.sw, f.s1);
-  const W x = LargestRoot(d, p, Abs(s));
-  const W apart = MulAdd(Mul(x, x), SetPack(d, -0.75f), Mul(p, SetPack(d, -3)));
+  const W x = LargestRoot(d, p, Abs(s)), x2 = Mul(x, x);
+  const W apart = MulAdd(x2, SetPack(d, -0.75f), Mul(p, SetPack(d, -3)));
   const W other = MulAdd(x, SetPack(d, 0.5f), Sqrt(Max(apart, zero)));  // −x/2 if it is not real
   const W t = ClampToUnit(d, Sub(CopySign(x, s), vertex));
   const W t3 = ClampToUnit(d, Sub(CopySign(other, Neg(s)), vertex));
-  return Deeper(best, Deeper(DiscAt(d, f, o, t), DiscAt(d, f, o, t3)));
+  const auto one = DiscAt(d, f, o, t), two = DiscAt(d, f, o, t3);
+  const W blur = Mul(x2, SetPack(d, kRootError));
+  const W least = Div(Mul(Mul(blur, blur), SetPack(d, f.steep2)), Max(apart, blur));
+  const auto real = Gt(apart, Mul(blur, SetPack(d, -4)));
+  return {Deeper(best, Deeper(one, two)), one, two, IfThenElse(real, least, SetPack(d, -1e30f))};
 }
 
-/// One Newton step on q·B' − w' |q| = 0, if it goes deeper; `step` gets its size, taken or not.
+/// A disc after a Newton step on q·B' − w' |q| = 0. `step` is how far it wanted to go, taken or not;
+/// `missing` above 0 if that was too far for the kink of |q| near the spine (see kMostMissing).
+template <class W>
+struct PolishedDisc {
+  Disc<W> disc;
+  W step, missing;
+};
+
+/// What is left of the depth after a step s is below |q| ρ⁴, ρ = s |B'| / |q|.
+inline constexpr float kMostMissing = 0x1p-25f;
+
 template <class D, class W>
-HWY_INLINE Disc<W> PolishedDisc(D d, const TaperedFrame& f, Offset<W> o, Disc<W> best, W& step) {
+HWY_INLINE PolishedDisc<W> Polish(D d, const TaperedFrame& f, Offset<W> o, Disc<W> best) {
   const auto& c = f.spine;
   const W t = best.t, bx2 = SetPack(d, c.bx2), by2 = SetPack(d, c.by2), wb2 = SetPack(d, f.wb2);
   const W vx = MulAdd(t, SetPack(d, c.bx), SetPack(d, c.ax2));
@@ -67,32 +106,56 @@ HWY_INLINE Disc<W> PolishedDisc(D d, const TaperedFrame& f, Offset<W> o, Disc<W>
   const W qx = MulAdd(t, vx, o.x), qy = MulAdd(t, vy, o.y);
   const W gx = MulAdd(t, SetPack(d, c.bx), vx), gy = MulAdd(t, SetPack(d, c.by), vy);
   const W rate = MulAdd(t, wb2, SetPack(d, f.wa2));
-  const W length = Max(Sqrt(MulAdd(qx, qx, Mul(qy, qy))), SetPack(d, 1e-18f));
+  const W square = MulAdd(qx, qx, Mul(qy, qy)), speed2 = MulAdd(gx, gx, Mul(gy, gy));
+  const W length = Max(Sqrt(square), SetPack(d, 1e-18f));
   const W along = MulAdd(qx, gx, Mul(qy, gy)), slope = NegMulAdd(rate, length, along);
-  const W turn = MulAdd(qx, bx2, MulAdd(qy, by2, MulAdd(gx, gx, Mul(gy, gy))));
+  const W turn = MulAdd(qx, bx2, MulAdd(qy, by2, speed2));
   const W rise = Sub(NegMulAdd(wb2, length, turn), Mul(rate, Div(along, length)));
   const W next = ClampToUnit(d, Sub(t, Div(slope, Max(rise, SetPack(d, 1e-30f)))));
-  step = Abs(Sub(next, t));
-  return Deeper(best, DiscAt(d, f, o, next));
+  // s⁴ |B'|⁴ − kMostMissing |q|³, both kept among the normal numbers.
+  const W step = Abs(Sub(next, t));
+  const W moved2 = Max(Mul(Mul(step, step), speed2), SetPack(d, 0x1p-50f));
+  const W cube = Mul(Max(square, SetPack(d, 0x1p-56f)), Max(length, SetPack(d, 0x1p-28f)));
+  const W missing = NegMulAdd(cube, SetPack(d, kMostMissing), Mul(moved2, moved2));
+  return {Deeper(best, DiscAt(d, f, o, next)), step, missing};
 }
 
-/// What was found; what the last improvement gained, and how far the last Newton step wanted to go.
-/// Where one of them is large, more were due: the disc is in doubt.
+/// What was found, and reasons to doubt it (docs/derivations/tapered_batches.md): what the last
+/// improvement gained; how far the last Newton step wanted to go, on its own and beside |q|; and how much
+/// more than enough the least lead over another minimum is.
 template <class W>
 struct DeepestDisc {
   Disc<W> disc;
-  W gain, step;
+  W gain, step, missing, lead;
+  W one, two;  ///< the other places that were looked at last
 };
+
+/// Minima nearer to each other than this are equally deep to float.
+inline constexpr float kSameDisc = 0x1p-9f;
+
+/// The lead over a minimum, times its |q|, less what it must be at least.
+template <class D, class W>
+HWY_INLINE W LeadOver(D d, const TaperedFrame& f, Disc<W> minimum, Disc<W> best, W least) {
+  const W length = Max(Add(minimum.depth, HalfWidthAt(d, f, minimum.t)), SetPack(d, 0x1p-12f));
+  const W lead = MulSub(Sub(minimum.depth, best.depth), length, least);
+  const auto same = Lt(Abs(Sub(minimum.t, best.t)), SetPack(d, kSameDisc));
+  return IfThenElse(same, SetPack(d, 1e30f), lead);
+}
 
 template <class D, class W>
 HWY_INLINE DeepestDisc<W> DeepestOf(D d, const TaperedFrame& f, Offset<W> o) {
   const auto foot = DiscAt(d, f, o, NearestOnCurved(d, f.spine, o).t);
   const auto ends = Deeper(DiscAt(d, f, o, SetPack(d, 0)), DiscAt(d, f, o, SetPack(d, 1)));
-  const auto first = Improved(d, f, o, Deeper(foot, ends));
+  const auto begin = Deeper(Deeper(foot, KinkAt(d, f, o, foot)), ends);
+  const auto first = Improved(d, f, o, begin).best;
   const auto second = Improved(d, f, o, first);
-  W step;
-  const auto polished = PolishedDisc(d, f, o, PolishedDisc(d, f, o, second, step), step);
-  return {polished, Sub(first.depth, polished.depth), step};
+  const auto last = Polish(d, f, o, Polish(d, f, o, second.best).disc);
+  const W one = LeadOver(d, f, second.one, last.disc, SetPack(d, f.least_lead));
+  const W two = LeadOver(d, f, second.two, last.disc, second.least_lead);
+  return {last.disc,     Sub(first.depth, last.disc.depth),
+          last.step,     last.missing,
+          Min(one, two), second.one.t,
+          second.two.t};
 }
 
 }  // namespace HWY_NAMESPACE

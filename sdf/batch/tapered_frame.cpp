@@ -6,6 +6,12 @@
 #include <glm/geometric.hpp>
 
 namespace mien::batch {
+namespace {
+
+/// Beyond it the roots x = t + v lose more than ten bits of t.
+constexpr double kFarthestVertex = 64;
+
+}  // namespace
 
 std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke) {
   const auto exponent = scale_exponent(stroke.spine);
@@ -25,6 +31,7 @@ std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke) {
   const double leg2 = std::max(glm::dot(a, a), glm::dot(a + b, a + b)) + wa * wa;
   if (!(bb > leg2 * (kStraight<float> * kStraight<float>))) return std::nullopt;
   const double r = 1 / bb, v = ab * r;
+  if (!(std::abs(v) < kFarthestVertex)) return std::nullopt;
   f.w0 = float(w0), f.wa2 = float(2 * wa), f.wb = float(wb), f.wb2 = 2 * f.wb;
   f.px = float(b.x * r / 3), f.py = float(b.y * r / 3), f.pw = float(-wb * r / 3);
   f.p1 = float((2 * aa - w0 * wb) * r / 3 - v * v);
@@ -32,6 +39,9 @@ std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke) {
   f.sx = float((v * b.x - a.x) * r), f.sy = float((v * b.y - a.y) * r), f.sw = float(sw);
   f.s1 = float(2 * v * aa * r - 2 * v * v * v + sw * w0);
   f.vertex = float(v);
+  const double steepest = std::sqrt(4 * leg2) + 2 * std::max(std::abs(wa), std::abs(wa + wb));
+  const double change = 0x1p-16 * (1 + std::abs(v)) * steepest;
+  f.steep2 = float(steepest * steepest / 2), f.least_lead = float(change * change / 2);
   return f;
 }
 

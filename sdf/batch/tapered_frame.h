@@ -18,10 +18,13 @@ struct TaperedFrame {
   float px, py, pw, p1;    ///< P = px·dx + py·dy + pw·L + p1
   float sx, sy, sw, s1;    ///< S2 likewise
   float vertex;            ///< t = x − vertex
+  /// An error e of t changes a depth by at most e² steep2 / |q|; least_lead is that for the largest
+  /// root's error.
+  float steep2, least_lead;
 };
 
-/// None for spines that are points, nearly straight or out of float's range, and where the half-width
-/// bends nearly as much as the spine: those go through the scalar form.
+/// None for spines that are points, nearly straight or out of float's range, where the half-width bends
+/// nearly as much as the spine, and where the vertex is far away: those go through the scalar form.
 std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke);
 
 /// |p − B(t)| − w(t) in double precision.

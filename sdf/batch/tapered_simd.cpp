@@ -7,6 +7,7 @@
 #include <mien/sdf/batch/tapered-inl.h>
 #include <mien/sdf/distance.h>
 
+#include <algorithm>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -22,41 +23,59 @@ inline constexpr float kMuchGain = 0x1p-9f, kLongLastStep = 0x1p-12f;
 template <class D, class W>
 HWY_INLINE W SquareIfSure(D d, const TaperedFrame& f, Offset<W> o, const DeepestDisc<W>& found) {
   const W square = SquareAt(d, f.spine, o, found.disc.t);
-  const auto sure =
+  const auto settled =
       And(Lt(found.gain, SetPack(d, kMuchGain)), Lt(found.step, SetPack(d, kLongLastStep)));
+  const auto sure =
+      And(And(settled, Lt(found.missing, SetPack(d, 0))), Gt(found.lead, SetPack(d, 0)));
   return IfThenElse(sure, square, SetPack(d, std::numeric_limits<float>::quiet_NaN()));
 }
 
-/// Points far away: the disc as before, its depth in double precision. There |q| may have a larger ulp
-/// than the distance.
+/// The candidates of a pack's points, as arrays (see Pack).
+template <class D>
+struct StoredDiscs {
+  static constexpr size_t kMost = kParts * hn::MaxLanes(D());
+  HWY_ALIGN float square[kMost], t[kMost], one[kMost], two[kMost];
+};
+
+/// Lanes in doubt get the scalar form. Far ones get the least depth of the candidates in double precision:
+/// there |q| may have a larger ulp than the distance, and so has the choice between discs.
 template <class D, class Exact>
-HWY_NOINLINE void MendFarFromStroke(D d, const TaperedStroke& stroke, const TaperedFrame& f,
-                                    const float* x, const float* y, float* distance,
-                                    const Exact& exact) {
-  constexpr size_t kMost = kParts * hn::MaxLanes(D());
-  const size_t count = kParts * hn::Lanes(d);
-  const auto o = OffsetTo(d, f.spine, LoadPack(d, x), LoadPack(d, y));
-  const auto found = DeepestOf(d, f, o);
-  HWY_ALIGN float square[kMost], t[kMost], careful[kMost];
-  StorePack(SquareIfSure(d, f, o, found), d, square);
-  StorePack(found.disc.t, d, t);
-  for (size_t k = 0; k < count; ++k) careful[k] = float(depth_at(stroke, t[k], {x[k], y[k]}));
-  Mend(x, y, square, careful, count, 0x1p36f, distance, exact);
+HWY_NOINLINE void MendStroke(const TaperedStroke& stroke, const float* x, const float* y,
+                             const StoredDiscs<D>& found, size_t count, float* distance,
+                             const Exact& exact) {
+  constexpr float kFarthest = 0x1p36f;
+  for (size_t k = 0; k < count; ++k) {
+    if (found.square[k] < kClose) continue;
+    const bool is_sure = found.square[k] < kFarthest;
+    double least = is_sure ? std::numeric_limits<double>::infinity() : exact(x[k], y[k]);
+    if (is_sure) {
+      for (const float t : {found.t[k], found.one[k], found.two[k], 0.0f, 1.0f}) {
+        least = std::min(least, depth_at(stroke, double(t), {x[k], y[k]}));
+      }
+    }
+    distance[k] = float(least);
+  }
 }
 
 void DistancesTapered(const TaperedStroke& stroke, const TaperedFrame& frame, const float* x,
                       const float* y, size_t count, float* out) {
   const hn::ScalableTag<float> d;
+  using W = Pack<hn::Vec<decltype(d)>>;
   const auto exact = [&](float px, float py) { return distance(stroke, {px, py}); };
-  const auto far = [&](const float* at_x, const float* at_y, float* distance) {
-    MendFarFromStroke(d, stroke, frame, at_x, at_y, distance, exact);
-  };
   ForBlocks(d, x, y, count, out, [&](const float* at_x, const float* at_y) MIEN_LANES {
     const auto& f = Reloaded(frame);
     const auto o = OffsetTo(d, f.spine, LoadPack(d, at_x), LoadPack(d, at_y));
     const auto found = DeepestOf(d, f, o);
     const auto distance = Mul(found.disc.depth, SetPack(d, f.spine.unscale));
-    return CloseOrFar(d, at_x, at_y, SquareIfSure(d, f, o, found), distance, far);
+    const W square = SquareIfSure(d, f, o, found);
+    if (HWY_LIKELY(AllTrue(d, Lt(square, SetPack(d, kClose))))) return distance;
+    StoredDiscs<decltype(d)> stored;
+    StorePack(square, d, stored.square), StorePack(found.disc.t, d, stored.t);
+    StorePack(found.one, d, stored.one), StorePack(found.two, d, stored.two);
+    HWY_ALIGN float lanes[StoredDiscs<decltype(d)>::kMost];
+    StorePack(distance, d, lanes);
+    MendStroke(stroke, at_x, at_y, stored, kParts * hn::Lanes(d), lanes, exact);
+    return LoadPack(d, lanes);
   });
 }
 

@@ -1,3 +1,5 @@
+#include <mien/sdf/batch/instruction_sets.h>
+#include <mien/sdf/distance.h>
 #include <mien/tools/accuracy/cubics.h>
 
 #include <fmt/format.h>
@@ -130,9 +132,8 @@ double error_of_piece(const Exact& f, const Roots& found, std::optional<Quad> lo
   return least;
 }
 
-bool judge(const Cubic& k, CubicSolver* solver, CubicTally& tally) {
+bool judge(const Cubic& k, const Roots& found, CubicTally& tally) {
   const Exact f(k);
-  const Roots found = solver(k[0], k[1], k[2], k[3]);
   bool fine = true;
   for (int i = 0; i < found.count; ++i) {
     const Quad x = found.x[size_t(i)], v = magnitude(f(x));
@@ -183,25 +184,59 @@ bool CubicTally::passes() const {
          worst_value <= CubicContract::kConditionUnits;
 }
 
+CubicSolver one_by_one(std::string name, Roots (*solve)(double, double, double, double)) {
+  return {std::move(name), [solve](std::span<const Cubic> all, std::span<Roots> out) {
+            for (std::size_t i = 0; i < out.size(); ++i) {
+              const Cubic& k = all[i];
+              out[i] = solve(k[0], k[1], k[2], k[3]);
+            }
+          }};
+}
+
+std::vector<CubicSolver> own_cubic_solvers() {
+  batch::use_instruction_set(0);  // all of them
+  std::vector<CubicSolver> all{one_by_one("scalar", solve_cubic)};
+  const auto in_a_batch = [](std::span<const Cubic> cubics, std::span<Roots> out) {
+    std::array<std::vector<double>, 4> of;
+    for (std::size_t n = 0; n < 4; ++n) {
+      for (const Cubic& k : cubics) of[n].push_back(k[n]);
+    }
+    solve_cubics(of[0], of[1], of[2], of[3], out);
+  };
+  for (const auto& set : batch::instruction_sets()) {
+    all.push_back({set.name, in_a_batch, [id = set.id] { batch::use_instruction_set(id); }});
+  }
+  return all;
+}
+
 CubicTally judge_cubics(const CubicFamily& family, std::size_t count, uint64_t seed,
-                        CubicSolver* solver) {
+                        const CubicSolver& solver) {
+  constexpr std::size_t kChunk = 1000;
   uint64_t mixed = seed;
   for (const char c : family.name) mixed = (mixed ^ uint64_t(c)) * 0x100000001B3u;
   Random random(mixed);
-  CubicTally tally{.family = family.name, .cases = count};
-  for (std::size_t i = 0; i < count; ++i) {
-    const Cubic k = family.draw(random);
-    if (!judge(k, solver, tally) && !tally.fault) tally.fault = k;
+  CubicTally tally{.family = family.name, .solver = solver.name, .cases = count};
+  solver.prepare();
+  std::vector<Cubic> cubics;
+  std::vector<Roots> found;
+  for (std::size_t done = 0; done < count; done += cubics.size()) {
+    cubics.resize(std::min(kChunk, count - done)), found.resize(cubics.size());
+    for (Cubic& k : cubics) k = family.draw(random);
+    solver.solve(cubics, found);
+    for (std::size_t i = 0; i < cubics.size(); ++i) {
+      if (!judge(cubics[i], found[i], tally) && !tally.fault) tally.fault = cubics[i];
+    }
   }
   return tally;
 }
 
 std::string cubic_table(const std::vector<CubicTally>& tallies) {
-  std::string out = fmt::format("{:<28} {:>10} {:>7} {:>9} {:>11} {:>11} {:>4}\n", "solve_cubic",
-                                "cases", "missed", "invented", "worst root", "worst value", "bar");
+  std::string out =
+      fmt::format("{:<28} {:<7} {:>10} {:>7} {:>9} {:>11} {:>11} {:>4}\n", "solve_cubic", "kernel",
+                  "cases", "missed", "invented", "worst root", "worst value", "bar");
   for (const CubicTally& t : tallies) {
-    out += fmt::format("{:<28} {:>10} {:>7} {:>9} {:>11.4g} {:>11.4g} {:>4}", t.family, t.cases,
-                       t.missed, t.invented, t.worst_root, t.worst_value,
+    out += fmt::format("{:<28} {:<7} {:>10} {:>7} {:>9} {:>11.4g} {:>11.4g} {:>4}", t.family,
+                       t.solver, t.cases, t.missed, t.invented, t.worst_root, t.worst_value,
                        CubicContract::kConditionUnits);
     if (t.fault) {
       const auto& [a, b, c, d] = *t.fault;

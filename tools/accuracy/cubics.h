@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,7 @@ const std::vector<CubicFamily>& cubic_families();
 /// turns (or towards infinity): no rounding of the coefficients can take it away. A condition unit
 /// is how far rounding the coefficients moves a root: 2⁻⁵² · (terms / |slope| + |x|).
 struct CubicTally {
-  std::string family;
+  std::string family, solver;
   std::size_t cases = 0;
   std::size_t missed =
       0;  ///< robust roots without a found one within the contract's condition units
@@ -40,10 +42,20 @@ struct CubicTally {
   bool passes() const;
 };
 
-using CubicSolver = Roots(double a, double b, double c, double d);
+struct CubicSolver {
+  std::string name;
+  std::function<void(std::span<const Cubic>, std::span<Roots>)> solve;
+  std::function<void()> prepare = [] {};  ///< called before a run of cases
+};
+
+/// A solver of one cubic at a time.
+CubicSolver one_by_one(std::string name, Roots (*solve)(double a, double b, double c, double d));
+
+/// solve_cubic, and solve_cubics on every instruction set.
+std::vector<CubicSolver> own_cubic_solvers();
 
 CubicTally judge_cubics(const CubicFamily& family, std::size_t count, uint64_t seed,
-                        CubicSolver* solver = solve_cubic);
+                        const CubicSolver& solver);
 
 std::string cubic_table(const std::vector<CubicTally>& tallies);
 

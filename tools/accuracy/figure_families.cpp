@@ -129,6 +129,25 @@ Case stroke_delicate(Random& r) {
   const glm::dvec2 off = (r.chance(0.2) ? 0 : r.magnitude(-9, -1)) * r.direction();
   return {s, point(s.spine, t) + away[r.bits() % 3] * n + off};
 }
+/// Close to the spine, where the depth has a kink, with half-widths that grow nearly as fast as the
+/// spine goes; half of the time an end is just as deep.
+Case stroke_kink(Random& r) {
+  TaperedStroke s{some_spine(r), {0, 0, 0}};
+  const double t = r.unit(), steep = r.between(-1.2, 1.2);
+  const double w0 = 0.2 * r.unit(), slope = steep * glm::length(tangent(s.spine, t));
+  double* w = s.half_width;
+  w[0] = w0, w[2] = 0.4 * r.unit();
+  w[1] = w[0] + 0.5 * (slope - t * (w[2] - w[0]));  // w' is about the slope at t
+  const double off = r.chance(0.1) ? 0 : r.magnitude(-8, -1);
+  const glm::dvec2 p = point(s.spine, t) + off * r.direction();
+  if (r.chance(0.5)) {
+    const double at = (1 - t) * (1 - t) * w[0] + 2 * t * (1 - t) * w[1] + t * t * w[2];
+    const double depth = glm::distance(p, point(s.spine, t)) - at;
+    w[2] = glm::distance(p, s.spine.p2) - depth + r.magnitude(-9, -2) * r.sign();
+  }
+  for (double& v : s.half_width) v = std::max(v, 0.0);
+  return {s, p};
+}
 Case stroke_far(Random& r) {
   Case k = stroke_anywhere(r);
   k.p = r.magnitude(0, 7) * r.direction();
@@ -194,6 +213,7 @@ std::vector<Family> stroke_families() {
       {"tapered stroke, wide", stroke_wide},
       {"tapered stroke, line", stroke_line},
       {"tapered stroke, delicate", stroke_delicate},
+      {"tapered stroke, kink", stroke_kink},
       {"tapered stroke, far", stroke_far},
       {"cubic", cubic_anywhere},
       {"cubic, rim", cubic_rim},

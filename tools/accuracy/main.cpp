@@ -33,16 +33,16 @@ bool write_file(const std::string& path, const std::string& text) {
   return bool(file);
 }
 
-bool wanted(const Options& options, const Family& family) {
-  const auto& names = options.families;
-  return names.empty() || std::find(names.begin(), names.end(), family.name) != names.end();
+bool wanted(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
 int export_cases(const Options& options) {
   std::ofstream file(options.exported, std::ios::binary);
   write_cases_header(file, options.seed);
   for (const Family& family : bezier_families()) {
-    if (wanted(options, family)) write_cases(file, family, options.count, options.seed);
+    if (wanted(options.families, family.name))
+      write_cases(file, family, options.count, options.seed);
   }
   file.close();
   if (!file) return fmt::print(stderr, "{}: cannot be written\n", options.exported), 1;
@@ -52,7 +52,11 @@ int export_cases(const Options& options) {
 int judge_cubics(const Options& options) {
   std::vector<CubicTally> tallies;
   for (const CubicFamily& family : cubic_families()) {
-    tallies.push_back(judge_cubics(family, options.count, options.seed));
+    if (!wanted(options.families, family.name)) continue;
+    for (const CubicSolver& solver : own_cubic_solvers()) {
+      if (!wanted(options.kernels, solver.name)) continue;
+      tallies.push_back(judge_cubics(family, options.count, options.seed, solver));
+    }
     fmt::print(stderr, "{}\n", family.name);
   }
   fmt::print("{}", cubic_table(tallies));
@@ -72,7 +76,7 @@ int judge(const Options& options) {
   for (const std::string& path : options.solvers) solvers.push_back(foreign_solver(path));
   std::vector<Tally> tallies;
   for (const Family& family : families()) {
-    if (!wanted(options, family)) continue;
+    if (!wanted(options.families, family.name)) continue;
     const auto rows = run(family, solvers, options.count, options.seed,
                           options.quick ? Truth::scalar : Truth::binary128);
     tallies.insert(tallies.end(), rows.begin(), rows.end());
@@ -102,7 +106,8 @@ int main(int argc, char** argv) {
                "Measure float kernels alone, against the scalar form: for many cases");
   app.add_flag("--only-solver", options.only_foreign, "Leave mien's own kernels out");
   app.add_flag("--by-family", options.by_family, "Print a row per family too");
-  app.add_flag("--cubics", options.cubics, "Judge solve_cubic, on families of its own, instead");
+  app.add_flag("--cubics", options.cubics,
+               "Judge solve_cubic and solve_cubics, on families of their own, instead");
   app.add_option("--csv", options.csv, "Write the table as comma-separated values");
   app.add_option("--plot", options.plot, "Draw the table as SVG");
   app.add_option("--export", options.exported, "Write the cases and their true distances instead");

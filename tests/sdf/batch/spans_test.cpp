@@ -19,6 +19,7 @@ TEST(SpansDeathTest, OverlapAndUnequalLengthsEndTheProgramWithASentence) {
                "mien::f: the output overlaps");
   EXPECT_DEATH(require_spans("f", {a + 1, 4, 4}, {b, 4, 4}, {a, 4, 4}), "overlaps an input");
   EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b + 3, 4, 4}, {b, 4, 4}), "overlaps an input");
+  EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b, 4, 4}, {a, 4, 8}), "overlaps an input");
   EXPECT_DEATH(require_spans("f", {a, 4, 4}, {b, 3, 4}, {c, 4, 4}), "equal length");
 }
 
