@@ -2,7 +2,8 @@
 //
 //   frames [--threads N] [--instructions NAME] [--rounds N] [--most PIXELS] [--json]
 //
-// Scene A is the eyes (faces/seed0, gaze (0.03, −0.02)), B the male face at rest. A frame of mien is
+// Scene A is the eyes (faces/seed0, gaze (0.03, −0.02)), B the male face at rest, C and D the faces
+// toon and bruno. A frame of mien is
 // pose, scene and draw into a warm RGBA8 buffer, mixed as encoded, as Cairo mixes; a frame of Cairo
 // is clear and every figure, paths built anew, into a warm surface of the same kind of memory. The
 // floor is the faster of filling that buffer with ordinary and with streaming stores. Every round
@@ -50,7 +51,10 @@ const std::vector<const char*> kGaze{"gaze.x=0.03", "gaze.y=-0.02"};
 const Case kCases[] = {{'A', "seed0", kGaze, 640, 360},   {'A', "seed0", kGaze, 1920, 1080},
                        {'A', "seed0", kGaze, 7680, 4320}, {'A', "seed0", kGaze, 15360, 8640},
                        {'B', "male", {}, 512, 512},       {'B', "male", {}, 2048, 2048},
-                       {'B', "male", {}, 8192, 8192}};
+                       {'B', "male", {}, 8192, 8192},     {'C', "toon", {}, 640, 360},
+                       {'C', "toon", {}, 1920, 1080},     {'C', "toon", {}, 7680, 4320},
+                       {'D', "bruno", {}, 640, 360},      {'D', "bruno", {}, 1920, 1080},
+                       {'D', "bruno", {}, 7680, 4320}};
 
 /// Memory that a vector store may take: pages touched, 64-byte aligned.
 class Pixels {

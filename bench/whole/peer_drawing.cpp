@@ -1,7 +1,9 @@
 #include "bench/whole/peer_drawing.h"
 
 #include <mien/lib/geom/srgb.h>
+#include <mien/sdf/edge/outline_form.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -112,6 +114,40 @@ PathSteps loops_path(const Path& from) {
   return path;
 }
 
+PathSteps ellipse_path(const Ellipse& s) {
+  PathSteps path;
+  move(path, {1, 0});
+  arc(path, {0, 0}, 1, 0, 6.283185307179586);
+  close(path);
+  const glm::dvec2 across{-s.axis.y, s.axis.x};
+  for (PathStep& step : path)
+    for (glm::dvec2& p : step.p)
+      p = s.center + p.x * s.radii.x * s.axis + p.y * s.radii.y * across;
+  return path;
+}
+
+/// Its rims as fitted by mien, to 1/100 px, and arcs around its ends. Nothing where it has no width.
+PathSteps tapered_path(const TaperedStroke& s) {
+  PathSteps path;
+  const double* w = s.half_width;
+  if (!(std::max({w[0], w[1], w[2]}) > 0)) return path;
+  const auto rims = tapered_outline(s, 0, 0.01);
+  if (!rims) throw Refusal{"a stroke whose discs swallow each other"};
+  const auto around = [&](glm::dvec2 center, double radius, glm::dvec2 a, glm::dvec2 b) {
+    const double from = std::atan2(a.y - center.y, a.x - center.x);
+    double until = std::atan2(b.y - center.y, b.x - center.x);
+    if (until < from) until += 6.283185307179586;
+    if (radius > 0 && until > from) arc(path, center, radius, from, until);
+  };
+  move(path, rims->right.front().p0);
+  for (const QuadBezier& q : rims->right) quad(path, q);
+  around(s.spine.p2, rims->end_radius, rims->right.back().p2, rims->left.front().p0);
+  for (const QuadBezier& q : rims->left) quad(path, q);
+  around(s.spine.p0, rims->begin_radius, rims->left.back().p2, rims->right.front().p0);
+  close(path);
+  return path;
+}
+
 PathSteps lines_path(const std::vector<glm::dvec2>& points) {
   PathSteps path;
   move(path, points.front());
@@ -150,6 +186,9 @@ struct FigureOf {
     figure.even_odd = s.rule == FillRule::even_odd;
     return figure;
   }
+  PeerFigure operator()(const TaperedStroke& s) const {
+    return {PeerFigure::Kind::fill, tapered_path(s)};
+  }
   template <class Other>
   PeerFigure operator()(const Other& s) const {
     throw Refusal{"a " + std::string(shape_name(Shape(s)))};
@@ -172,7 +211,8 @@ class Maker {
     if (node.op != Op::both) throw Refusal{"an area that is no intersection"};
     PeerFigure inner = figure({node.a});
     PeerFigure outer = figure({node.b});
-    if (outer.kind != PeerFigure::Kind::fill) throw Refusal{"a clip that is no filled path"};
+    if (outer.kind == PeerFigure::Kind::ellipse) outer.path = ellipse_path(outer.ellipse);
+    if (outer.kind == PeerFigure::Kind::stroke) throw Refusal{"a clip that is a stroke"};
     inner.clips.push_back(std::move(outer.path));
     for (PathSteps& clip : outer.clips) inner.clips.push_back(std::move(clip));
     return inner;
