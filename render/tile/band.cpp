@@ -194,18 +194,12 @@ void BandPainter::tile(int index, int x) {
   }
 }
 
-/// The colours that the present leaf's layers have all over a square of it; false if one varies there.
-bool BandPainter::colors_of_layers(glm::dvec2 center, double side) {
-  leaf_mixes_.clear();
-  for (const int layer : leaf_layers_) {
-    const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
-    std::optional<Mix> mix = l.mix;
-    if (l.group >= 0) return false;
-    if (l.paint >= 0) mix = paints_->constant(l.paint, center, kSqrtHalf * side);
-    if (!mix) return false;
-    leaf_mixes_.push_back(*mix);
-  }
-  return true;
+/// The colour that a layer has all over a square; nothing if it varies there.
+std::optional<Mix> BandPainter::mix_of(int layer, glm::dvec2 center, double side) {
+  const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
+  if (l.group >= 0) return {};
+  if (l.paint >= 0) return paints_->constant(l.paint, center, kSqrtHalf * side);
+  return l.mix;
 }
 
 void BandPainter::leaf(int lane) {
@@ -231,10 +225,9 @@ void BandPainter::leaf(int lane) {
       leaf_sides_[o] = tile_sides_[o].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0}
                                                       : Sides{0, ~std::uint64_t{0}};
     }
-  const bool constant = colors_of_layers(leaf_center_, kLeaf);
-  if (constant && assemble(leaf_list_, edges_, {0.0, 0.0}, kLeaf, kMostLeafBend))
+  if (assemble(leaf_list_, edges_, {0.0, 0.0}, kLeaf, kMostLeafBend))
     paint(0xFFFF);
-  else if (constant || !leaf_wanted_.empty())
+  else if (!leaf_wanted_.empty())
     divide({0.0, 0.0}, kLeaf, 0, 0);
   else
     draw_square(plan_->tape, leaf_layers_, width_, height_, leaf_x_, leaf_y_, kLeaf, *target_,

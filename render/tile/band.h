@@ -56,7 +56,7 @@ class BandPainter {
   void group(int x, int tiles);
   void tile(int index, int x);
   void leaf(int lane);
-  bool colors_of_layers(glm::dvec2 center, double side);
+  std::optional<Mix> mix_of(int layer, glm::dvec2 center, double side);
   void resolve(std::span<const int> layers, std::span<const Sides> outlines, std::uint64_t valid,
                Squares& squares);
   Mix composite(const Squares& squares, int lane) const;
@@ -72,7 +72,7 @@ class BandPainter {
   bool add_edges(const LeafOutline& outline, std::span<const LeafEdge> edges, glm::dvec2 shift,
                  double most_bend);
   std::uint64_t pattern(const LeafOutline& outline, int first) const;
-  void color_leaf();
+  bool color_leaf(glm::dvec2 center, double side);
   void paint(std::uint32_t blocks);
   void count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part);
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
@@ -102,7 +102,6 @@ class BandPainter {
   std::vector<std::array<LeafOutline, Leaves::kMost>>
       leaf_outlines_;             // by place in wanted_outlines_
   std::vector<int> leaf_wanted_;  // places of the present leaf
-  std::vector<Mix> leaf_mixes_;   // by place in leaf_layers_: the colour there
   bool leaf_varies_ = false;      // some of the present leaf's layers are not plain
   std::optional<PaintSampler> paints_;
   std::vector<LeafOutline> leaf_list_;

@@ -64,7 +64,6 @@ std::uint64_t BandPainter::pattern(const LeafOutline& outline, int first) const 
 /// leaf's. False if that is not proven for a square so large.
 bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
                            glm::dvec2 shift, double side, double most_bend) {
-  if (leaf_varies_ && !colors_of_layers(leaf_center_ + shift, side)) return false;
   leaf_.edge_count = 0;
   double error = 0.0;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -75,11 +74,11 @@ bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<cons
     const std::uint64_t in = pattern(outlines[i], first);
     leaf_sides_[std::size_t(leaf_wanted_[i])] = {in, ~in};
   }
-  color_leaf();
-  return true;
+  return color_leaf(leaf_center_ + shift, side);
 }
 
-void BandPainter::color_leaf() {
+/// The palette of the present edges; false where a colour that can be seen varies in the square.
+bool BandPainter::color_leaf(glm::dvec2 center, double side) {
   const Tape& tape = plan_->tape;
   const int count = 1 << leaf_.edge_count;
   std::uint64_t open = count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
@@ -102,14 +101,15 @@ void BandPainter::color_leaf() {
     }
   };
   int number = 0;
-  for (std::size_t place = 0; place < leaf_layers_.size(); ++place) {
-    const int layer = leaf_layers_[place];
+  for (const int layer : leaf_layers_) {
     const TapeLayer& l = tape.layers[std::size_t(layer)];
-    const Mix& layer_mix = leaf_mixes_[place];
     const std::span<const Step> steps{tape.steps.data() + l.first, std::size_t(l.count)};
     const std::uint64_t in = sides_of(steps, leaf_sides_, stack_).in & open;
     ++number;
     if (!in) continue;
+    const std::optional<Mix> seen = l.plain() ? l.mix : mix_of(layer, center, side);
+    if (!seen) return false;
+    const Mix& layer_mix = *seen;
     if (layer_mix.a >= 1.0) {
       finish(in, layer_mix,
              l.plain() ? plan_->packed[std::size_t(layer)] : packed_pixel(layer_mix, tape.blend),
@@ -134,6 +134,7 @@ void BandPainter::color_leaf() {
     leaf_.same[std::size_t(i)] = std::uint8_t(128 + i);
     leaf_.opaque = leaf_.opaque && mix.a >= 1.0 - 1e-9;
   }
+  return true;
 }
 
 /// Draws blocks of the present leaf.
@@ -211,12 +212,7 @@ void BandPainter::count(const LeafPixels& left, std::uint32_t blocks, const Pixe
 /// The quarters of a square of the present leaf by edges of their own: `center` from the leaf's, its
 /// first block. A square of one block is left to the pixels.
 void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) {
-  if (side == 4) {
-    if (!leaf_varies_ || colors_of_layers(leaf_center_ + center, side))
-      return pixel_by_pixel(center, block_x, block_y);
-    return draw_square(plan_->tape, leaf_layers_, width_, height_, leaf_x_ + 4 * block_x,
-                       leaf_y_ + 4 * block_y, 4, *target_, *stats_);
-  }
+  if (side == 4) return pixel_by_pixel(center, block_x, block_y);
   const int half = side / 2, step = side / 8;
   const double quarter = 0.25 * side;
   Leaves quarters;
@@ -283,6 +279,8 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
           leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
       store(mix, plan_->tape.blend, target_->depth, at(x, y));
       ++stats_->divided_pixels;
+    } else if (leaf_varies_) {
+      draw_square(plan_->tape, leaf_layers_, width_, height_, x, y, 1, *target_, *stats_);
     } else {
       surely(x, y);
     }

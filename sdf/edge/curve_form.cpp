@@ -52,14 +52,24 @@ std::optional<ParabolaForm> stroke_form(const QuadBezier& s, double half_width) 
     constexpr double kFarthest = 1e7;
     if (!(std::max(-f.lo, f.hi) < kFarthest) || !(f.a < 1e9)) return {};
   }
-  f.reach = reach_of(f.a, f.lo - ParabolaForm::kMargin, f.hi + ParabolaForm::kMargin);
+  f.reach = reach_of(f, ParabolaForm::kMargin);
   return f;
 }
 
 }  // namespace
 
 double reach_of(const ParabolaForm& form, double margin) {
-  return reach_of(form.a, form.lo - margin, form.hi + margin);
+  const double a = std::abs(form.a);
+  // The x at arc `margin` from the end x = e towards the vertex, or beyond it: the arc from x to e on one
+  // flank is at least a (e² − x²), and anywhere at least e − x.
+  const auto inwards = [&](double e) {
+    const double square = e * e - margin / a;
+    return std::max(square > 0.0 ? std::sqrt(square) : -kInf, std::abs(e) - margin);
+  };
+  double lo = form.lo - margin, hi = form.hi + margin;
+  if (a > 0.0 && form.lo > 0.0) lo = inwards(form.lo);
+  if (a > 0.0 && form.hi < 0.0) hi = -inwards(form.hi);
+  return reach_of(form.a, lo, hi);
 }
 
 std::optional<ParabolaForm> parabola_form(const OffsetShape& shape) {

@@ -33,7 +33,7 @@ struct ParabolaForm {
   static constexpr double kMargin = 32;  ///< [px]
 };
 
-/// The reach of the piece, made longer by `margin` at both ends, or a bound below it.
+/// The reach of the piece, made longer by arc `margin` at both ends, or a bound below it.
 double reach_of(const ParabolaForm& form, double margin);
 
 /// The outline of an ellipse.

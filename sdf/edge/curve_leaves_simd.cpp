@@ -124,9 +124,12 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     c.k2 = hn::Mul(hn::Mul(Set(-3.0), aa3),
                    hn::Mul(hn::Mul(i6, i3), FusedFrom(Set(5.0), hn::Mul(y, y), one)));
     // |d³k/ds³| <= (2a)⁴ min(8.8, 105 (1 + y²)^(−9/2)), y as small as the leaf allows: feet lie
-    // within arc 2·radius, so within that in x.
-    const V nearer = hn::Max(FusedFrom(hn::Abs(two_a), Set(2.0 * r), hn::Abs(y)), hn::Zero(d));
-    const V j2 = hn::Div(one, Fused(nearer, nearer, one)), j4 = hn::Mul(j2, j2);
+    // within arc 2·radius, so within that in x; and on one flank an arc spans at least the
+    // difference of y² over 4a.
+    const V shift = hn::Mul(hn::Abs(two_a), Set(2.0 * r));
+    const V nearer = hn::Max(hn::Sub(hn::Abs(y), shift), hn::Zero(d));
+    const V least = hn::Max(hn::Mul(nearer, nearer), FusedFrom(Set(2.0), shift, hn::Mul(y, y)));
+    const V j2 = hn::Div(one, hn::Add(least, one)), j4 = hn::Mul(j2, j2);
     c.k3 = hn::Mul(hn::Mul(aa2, aa2),
                    hn::Min(Set(8.8), hn::Mul(hn::Mul(Set(105.0), hn::Mul(j4, j4)), hn::Sqrt(j2))));
 
