@@ -121,8 +121,7 @@ PathSteps ellipse_path(const Ellipse& s) {
   close(path);
   const glm::dvec2 across{-s.axis.y, s.axis.x};
   for (PathStep& step : path)
-    for (glm::dvec2& p : step.p)
-      p = s.center + p.x * s.radii.x * s.axis + p.y * s.radii.y * across;
+    for (glm::dvec2& p : step.p) p = s.center + p.x * s.radii.x * s.axis + p.y * s.radii.y * across;
   return path;
 }
 

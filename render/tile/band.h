@@ -75,6 +75,14 @@ class BandPainter {
   bool color_leaf(glm::dvec2 center, double side);
   void paint(std::uint32_t blocks);
   void count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part);
+  using OutlineInLeaves = std::array<LeafOutline, Leaves::kMost>;
+  /// The present leaf's outlines in parts of it.
+  struct Parts {
+    std::vector<OutlineInLeaves> found;  ///< by place in leaf_wanted_
+    std::vector<LeafEdge> edges;
+    std::vector<LeafOutline> list;  ///< those of the part at hand
+  };
+  void find_outlines(const Leaves& squares, Parts& to);
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
   void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
   void surely(int x, int y);
@@ -99,12 +107,12 @@ class BandPainter {
   Squares group_, tile_;
   std::vector<std::uint32_t> wanted_;  // by outline: leaves that need its edges
   std::vector<LeafEdge> edges_;
-  std::vector<std::array<LeafOutline, Leaves::kMost>>
-      leaf_outlines_;             // by place in wanted_outlines_
-  std::vector<int> leaf_wanted_;  // places of the present leaf
-  bool leaf_varies_ = false;      // some of the present leaf's layers are not plain
+  std::vector<OutlineInLeaves> leaf_outlines_;  // by place in wanted_outlines_
+  std::vector<int> leaf_wanted_;                // places of the present leaf
+  bool leaf_varies_ = false;                    // some of the present leaf's layers are not plain
   std::optional<PaintSampler> paints_;
   std::vector<LeafOutline> leaf_list_;
+  std::array<Parts, 3> parts_;  // of leaves, of their quarters, and pixels
   std::array<Mix, Leaf::kMostSides> mixes_;
   std::array<float, kGroup> xs_, ys_;
   std::array<std::int8_t, kGroup> answers_;

@@ -209,6 +209,31 @@ void BandPainter::count(const LeafPixels& left, std::uint32_t blocks, const Pixe
   }
 }
 
+/// The present leaf's outlines in parts of it: edges where they may cross, by distance, else a side.
+void BandPainter::find_outlines(const Leaves& squares, Parts& to) {
+  auto& [found, edges, list] = to;
+  found.resize(leaf_wanted_.size()), list.resize(leaf_wanted_.size());
+  edges.clear();
+  std::array<float, Leaves::kMost> xs, ys;
+  for (std::size_t i = 0; i < Leaves::kMost; ++i)
+    xs[i] = float(squares.x[i]), ys[i] = float(squares.y[i]);
+  const auto all = std::size_t(std::bit_width(squares.wanted));
+  for (std::size_t i = 0; i < leaf_wanted_.size(); ++i) {
+    if (leaf_list_[i].count == 0 && leaf_list_[i].error <= plan_->tolerance) {
+      found[i].fill(leaf_list_[i]);
+      continue;
+    }
+    const Sides sides =
+        classified(leaf_wanted_[i], {xs.data(), all}, {ys.data(), all}, float(squares.radius));
+    for (std::size_t k = 0; k < all; ++k)
+      found[i][k] = {.rule = sides.in >> k & 1u ? EdgeRule::inside : EdgeRule::outside,
+                     .error = 0.0};
+    Leaves near = squares;
+    near.wanted = std::uint32_t(sides.unknown()) & squares.wanted;
+    if (near.wanted) plan_->outlines[std::size_t(leaf_wanted_[i])].in_leaves(near, found[i], edges);
+  }
+}
+
 /// The quarters of a square of the present leaf by edges of their own: `center` from the leaf's, its
 /// first block. A square of one block is left to the pixels.
 void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) {
@@ -225,19 +250,12 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
     if (i < 4) centers[i] = c;
     quarters.x[i] = leaf_center_.x + c.x, quarters.y[i] = leaf_center_.y + c.y;
   }
-  // On the stack of this call: quarters may be divided themselves.
-  std::vector<LeafEdge> edges;
-  std::vector<std::array<LeafOutline, Leaves::kMost>> found(leaf_wanted_.size());
-  for (std::size_t i = 0; i < leaf_wanted_.size(); ++i) {
-    if (leaf_list_[i].count == 0 && leaf_list_[i].error <= plan_->tolerance)
-      found[i].fill(leaf_list_[i]);
-    else
-      plan_->outlines[std::size_t(leaf_wanted_[i])].in_leaves(quarters, found[i], edges);
-  }
-  std::vector<LeafOutline> list(leaf_wanted_.size());
+  Parts& parts = parts_[side == kLeaf ? 0 : 1];  // quarters may be divided themselves
+  find_outlines(quarters, parts);
+  const auto& [found, edges, list] = parts;
   for (int q = 0; q < 4; ++q) {
     const int x = block_x + (q & 1) * step, y = block_y + (q >> 1) * step;
-    for (std::size_t i = 0; i < list.size(); ++i) list[i] = found[i][std::size_t(q)];
+    for (std::size_t i = 0; i < list.size(); ++i) parts.list[i] = found[i][std::size_t(q)];
     if (assemble(list, edges, centers[std::size_t(q)], half, kMostLeafBend)) {
       std::uint32_t blocks = 0;
       for (int j = y; j < y + half / 4; ++j)
@@ -260,27 +278,19 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
     pixels.x[i] = leaf_center_.x + center.x + double(i % 4) - 1.5;
     pixels.y[i] = leaf_center_.y + center.y + double(i / 4) - 1.5;
   }
-  std::vector<LeafEdge> edges;
-  std::vector<std::array<LeafOutline, Leaves::kMost>> found(leaf_wanted_.size());
-  for (std::size_t i = 0; i < leaf_wanted_.size(); ++i) {
-    if (leaf_list_[i].count == 0 && leaf_list_[i].error <= plan_->tolerance)
-      found[i].fill(leaf_list_[i]);
-    else
-      plan_->outlines[std::size_t(leaf_wanted_[i])].in_leaves(pixels, found[i], edges);
-  }
-  std::vector<LeafOutline> list(leaf_wanted_.size());
+  Parts& parts = parts_[2];
+  find_outlines(pixels, parts);
+  const auto& [found, edges, list] = parts;
   for (int i = 0; i < int(Leaves::kMost); ++i) {
     const int x = leaf_x_ + 4 * block_x + i % 4, y = leaf_y_ + 4 * block_y + i / 4;
     if (x < part.x || x >= part.x + part.width || y < part.y || y >= part.y + part.height) continue;
-    for (std::size_t k = 0; k < list.size(); ++k) list[k] = found[k][std::size_t(i)];
+    for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][std::size_t(i)];
     const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
     if (assemble(list, edges, at_pixel, 1.0, kMostPixelBend)) {
       const Mix mix =
           leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
       store(mix, plan_->tape.blend, target_->depth, at(x, y));
       ++stats_->divided_pixels;
-    } else if (leaf_varies_) {
-      draw_square(plan_->tape, leaf_layers_, width_, height_, x, y, 1, *target_, *stats_);
     } else {
       surely(x, y);
     }
@@ -291,12 +301,17 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
 void BandPainter::surely(int x, int y) {
   if (!scopes_) {
     scopes_ = std::make_unique<ScopeStack>(plan_->tape);
-    pixels_ = std::make_unique<PixelResolver>(plan_->tape, *scopes_, pixel_stats_);
+    pixels_ = std::make_unique<PixelResolver>(plan_->tape, *scopes_, pixel_stats_,
+                                              fineness(plan_->depth, plan_->tape.blend));
   }
   const auto mark = scopes_->mark();
   const glm::dvec2 center = glm::dvec2{x + 0.5 - 0.5 * width_, y + 0.5 - 0.5 * height_};
-  store(pixels_->pixel(scopes_->of_layers(leaf_layers_), center), plan_->tape.blend, target_->depth,
-        at(x, y));
+  const Tape& tape = plan_->tape;
+  const Mix mix = pixels_->pixel(scopes_->of_layers(leaf_layers_), center);
+  if (tape.dither && pixels_->was_varied())
+    store_dithered(mix, tape.blend, target_->depth, x, y, at(x, y));
+  else
+    store(mix, tape.blend, target_->depth, at(x, y));
   scopes_->reset(mark);
   stats_->add(std::exchange(pixel_stats_, {}));
 }

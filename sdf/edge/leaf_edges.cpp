@@ -48,6 +48,10 @@ LeafEdge edge_at(double d, glm::dvec2 n, double bend, double c3, double c4, doub
           .error = float(error)};
 }
 
+/// Leaves up to this radius are asked of edges_near where the vectors prove nothing; larger ones are
+/// divided first, which is cheaper.
+constexpr double kPixel = 1.0;
+
 /// How far an edge's distance may be from 0 for its outline to come into the disc.
 double reach_of(double bend, double error, double radius) {
   return radius * (1.0 + 0.5 * std::abs(bend) * radius) + (error < kUnproven ? error : 0.0);
@@ -150,7 +154,8 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
     const auto i = std::size_t(std::countr_zero(left));
     const glm::dvec2 c{leaves.x[i], leaves.y[i]};
     if (!(found.proven >> place & 1u)) {
-      outlines[i] = leaf_outline_near(*shape_, c, r, edges);
+      outlines[i] =
+          r > kPixel ? LeafOutline{.error = kUnproven} : leaf_outline_near(*shape_, c, r, edges);
       continue;
     }
     const glm::dvec2 normal{found.nx[place], found.ny[place]};
@@ -222,7 +227,9 @@ void LeafOutlines::ellipse(const EllipseForm& form, const Leaves& leaves,
   for (std::uint32_t left = leaves.wanted; left; left &= left - 1, ++place) {
     const auto i = std::size_t(std::countr_zero(left));
     if (!(found.proven >> place & 1u)) {
-      outlines[i] = leaf_outline_near(*shape_, {leaves.x[i], leaves.y[i]}, leaves.radius, edges);
+      outlines[i] = leaves.radius > kPixel ? LeafOutline{.error = kUnproven}
+                                           : leaf_outline_near(*shape_, {leaves.x[i], leaves.y[i]},
+                                                               leaves.radius, edges);
       continue;
     }
     const CurveLeaves::Level& l = found.levels[0];
