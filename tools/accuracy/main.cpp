@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 
 #include <mien/tools/accuracy/cubics.h>
 #include <mien/tools/accuracy/export.h>
@@ -37,7 +38,23 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// A name nobody has would be an empty table that passes.
+template <class All>
+void require_names(const std::string& what, const std::vector<std::string>& names, const All& all) {
+  for (const std::string& name : names) {
+    const auto is_it = [&](const auto& one) { return one.name == name; };
+    if (std::any_of(all.begin(), all.end(), is_it)) continue;
+    std::string known;
+    for (const auto& one : all) {
+      const std::string quoted = "'" + one.name + "'";
+      if (known.find(quoted) == std::string::npos) known += (known.empty() ? "" : ", ") + quoted;
+    }
+    throw std::runtime_error(fmt::format("no {} is named '{}'; there are {}", what, name, known));
+  }
+}
+
 int export_cases(const Options& options) {
+  require_names("family of curves", options.families, bezier_families());
   std::ofstream file(options.exported, std::ios::binary);
   write_cases_header(file, options.seed);
   for (const Family& family : bezier_families()) {
@@ -50,6 +67,8 @@ int export_cases(const Options& options) {
 }
 
 int judge_cubics(const Options& options) {
+  require_names("family of cubics", options.families, cubic_families());
+  require_names("kernel for cubics", options.kernels, own_cubic_solvers());
   std::vector<CubicTally> tallies;
   for (const CubicFamily& family : cubic_families()) {
     if (!wanted(options.families, family.name)) continue;
@@ -65,6 +84,8 @@ int judge_cubics(const Options& options) {
 }
 
 int judge(const Options& options) {
+  require_names("family", options.families, families());
+  require_names("kernel", options.kernels, own_solvers());
   std::vector<Solver> solvers;
   if (!options.only_foreign) solvers = own_solvers();
   if (!options.kernels.empty()) {
