@@ -13,5 +13,6 @@
 #include <mien/lib/file/face_file.h>
 #include <mien/lib/rig/pose.h>
 #include <mien/render/render.h>
+#include <mien/render/renderer.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/version.h>

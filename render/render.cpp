@@ -1,88 +1,10 @@
 #include <mien/render/render.h>
-#include <mien/render/tile/band.h>
+#include <mien/render/renderer.h>
 
-#include <algorithm>
-#include <atomic>
-#include <memory>
-#include <mutex>
 #include <new>
 
 namespace mien {
 namespace {
-
-/// Counts finished bands and tells the caller, one thread at a time; remembers a wish to stop.
-class Watch {
- public:
-  Watch(const Progress& progress, int bands) : progress_(progress), bands_(bands) {}
-
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
-
-  void band_done(const RenderStats& part) {
-    const std::lock_guard lock(mutex_);
-    stats_.add(part);
-    ++done_;
-    if (progress_ && !cancelled() && !progress_(double(done_) / bands_)) cancelled_ = true;
-  }
-
-  RenderStats stats() const {
-    RenderStats stats = stats_;
-    stats.cancelled = cancelled();
-    return stats;
-  }
-
- private:
-  const Progress& progress_;
-  const int bands_;
-  int done_ = 0;
-  RenderStats stats_;
-  std::mutex mutex_;
-  std::atomic<bool> cancelled_ = false;
-};
-
-bool opaque(const Tape& tape) {
-  return tape.background.a >= 1.0;
-}
-
-/// Painters with their scratch, handed to whichever thread has a band to draw.
-class Painters {
- public:
-  std::unique_ptr<BandPainter> take() {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return std::make_unique<BandPainter>();
-    auto painter = std::move(idle_.back());
-    idle_.pop_back();
-    return painter;
-  }
-  void give_back(std::unique_ptr<BandPainter> painter) {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(painter));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<BandPainter>> idle_;
-};
-
-RenderStats draw(const Tape& tape, const View& view, const Target& target,
-                 const RenderOptions& how) {
-  const PixelRect& r = target.rect;
-  if (r.width <= 0 || r.height <= 0) return {};
-  const int first = r.y / kBandTile, bands = (r.y + r.height - 1) / kBandTile - first + 1;
-  const Plan plan(tape, target.depth);
-  Watch watch(how.progress, bands);
-  Painters painters;
-  parallel_for(bands, how.threads, [&](int i) {
-    if (watch.cancelled()) return;
-    RenderStats part;
-    auto painter = painters.take();
-    painter->draw(plan, view.width, view.height, (first + i) * kBandTile, target, part);
-    painters.give_back(std::move(painter));
-    watch.band_done(part);
-  });
-  RenderStats stats = watch.stats();
-  stats.pixels = (long long)r.width * r.height;
-  return stats;
-}
 
 /// The empty image, where no other can be given.
 Image no_image(Depth depth) {
@@ -94,6 +16,10 @@ bool drawable(const View& view) {
   return valid(view.width) && valid(view.height);
 }
 
+bool opaque(const Scene& scene, const View& view) {
+  return view.background.value_or(scene.background()).a >= 1.0;
+}
+
 }  // namespace
 
 Image render(const Scene& scene, const View& view, const RenderOptions& how, RenderStats* stats) {
@@ -101,11 +27,13 @@ Image render(const Scene& scene, const View& view, const RenderOptions& how, Ren
   try {
     const PixelRect rect = drawn_rect(view);
     Image image{.width = rect.width, .height = rect.height, .depth = how.depth};
+    image.opaque = opaque(scene, view);
     image.bytes.resize(image.stride() * std::size_t(rect.height));  // at most 2^44 bytes
-    const Tape tape = tape_from_scene(scene, view);
-    image.opaque = opaque(tape);
-    const RenderStats took =
-        draw(tape, view, {image.bytes.data(), image.stride(), how.depth, rect}, how);
+    RenderStats took;
+    Renderer renderer;
+    const bool done = renderer.render_into({image.bytes.data(), image.stride(), how.depth}, scene,
+                                           view, how, &took);
+    if (!done && !took.cancelled) return no_image(how.depth);
     if (stats) *stats = took;
     return image;
   } catch (const std::bad_alloc&) {
@@ -115,16 +43,7 @@ Image render(const Scene& scene, const View& view, const RenderOptions& how, Ren
 
 bool render_into(const PixelBuffer& out, const Scene& scene, const View& view,
                  const RenderOptions& how, RenderStats* stats) {
-  if (!drawable(view)) return false;
-  try {
-    const Tape tape = tape_from_scene(scene, view);
-    const Target target{static_cast<std::byte*>(out.data), out.stride, out.depth, drawn_rect(view)};
-    const RenderStats took = draw(tape, view, target, how);
-    if (stats) *stats = took;
-    return !took.cancelled;
-  } catch (const std::bad_alloc&) {
-    return false;
-  }
+  return Renderer().render_into(out, scene, view, how, stats);
 }
 
 }  // namespace mien

@@ -137,9 +137,10 @@ bool run(const Options& options, const Case& c) {
   how.threads.count = options.threads;
   const PixelBuffer buffer{ours.data(), std::size_t(c.width) * 4, Depth::u8};
   const Scene still = scene_from_face(pose_face(face, pose));
-  const auto draw = [&] { render_into(buffer, still, view, how); };
+  Renderer renderer;
+  const auto draw = [&] { renderer.render_into(buffer, still, view, how); };
   const auto frame = [&] {
-    render_into(buffer, scene_from_face(pose_face(face, pose)), view, how);
+    renderer.render_into(buffer, scene_from_face(pose_face(face, pose)), view, how);
   };
 
   std::string why;

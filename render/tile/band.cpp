@@ -24,7 +24,8 @@ std::span<const Step> steps_of(const Tape& tape, int layer) {
 void BandPainter::draw(const Plan& plan, int width, int height, int y, const Target& target,
                        RenderStats& stats) {
   const std::size_t outlines = plan.tape.outlines.size();
-  if (plan_ != &plan) {
+  if (plan_ != &plan || made_ != plan.made) {
+    made_ = plan.made;
     scopes_.reset(), pixels_.reset(), paints_.reset();
     if (!plan.plain) paints_.emplace(plan.tape);
   }

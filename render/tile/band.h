@@ -91,6 +91,7 @@ class BandPainter {
 
   // What is drawn now.
   const Plan* plan_ = nullptr;
+  long made_ = 0;  // Plan::made
   const Target* target_ = nullptr;
   RenderStats* stats_ = nullptr;
   int width_ = 0, height_ = 0, y_ = 0;

@@ -20,9 +20,10 @@ Box2 box_of(const OffsetShape& s) {
 }
 
 /// The box of what a layer's program can cover.
-Box2 box_of(std::span<const Step> steps, const std::vector<Box2>& outlines) {
+Box2 box_of(std::span<const Step> steps, const std::vector<Box2>& outlines,
+            std::vector<Box2>& stack) {
   using Kind = Step::Kind;
-  std::vector<Box2> stack;
+  stack.clear();
   if (steps.empty()) return kEverywhere;
   for (const Step& step : steps) switch (step.kind) {
       case Kind::outline:
@@ -64,24 +65,29 @@ std::uint32_t packed_pixel(const Mix& mix, Blend blend) {
   return value;
 }
 
-Plan::Plan(const Tape& t, Depth d)
-    : tape(t),
-      depth(d),
-      background(packed_pixel(t.background, t.blend)),
-      plain(true),
-      tolerance(tolerance_for(d, t.blend)) {
-  squares.reserve(t.outlines.size());
-  outlines.reserve(t.outlines.size());
-  outline_boxes.reserve(t.outlines.size());
-  for (const OffsetShape& s : t.outlines) {
+Plan::Plan(const Tape& t, Depth d) : tape(t) {
+  make(d);
+}
+
+void Plan::make(Depth d) {
+  ++made;
+  depth = d;
+  background = packed_pixel(tape.background, tape.blend);
+  tolerance = tolerance_for(d, tape.blend);
+  plain = true;
+  squares.clear(), outlines.clear(), outline_boxes.clear(), layer_boxes.clear(), packed.clear();
+  squares.reserve(tape.outlines.size());
+  outlines.reserve(tape.outlines.size());
+  outline_boxes.reserve(tape.outlines.size());
+  for (const OffsetShape& s : tape.outlines) {
     squares.emplace_back(s, glm::dvec2{0.0});
     outlines.emplace_back(s, tolerance / 8);
     outline_boxes.push_back(box_of(s));
   }
-  for (const TapeLayer& layer : t.layers) {
+  for (const TapeLayer& layer : tape.layers) {
     layer_boxes.push_back(
-        box_of({t.steps.data() + layer.first, std::size_t(layer.count)}, outline_boxes));
-    packed.push_back(layer.plain() ? packed_pixel(layer.mix, t.blend) : 0);
+        box_of({tape.steps.data() + layer.first, std::size_t(layer.count)}, outline_boxes, stack_));
+    packed.push_back(layer.plain() ? packed_pixel(layer.mix, tape.blend) : 0);
     plain = plain && layer.plain();
   }
 }

@@ -16,9 +16,12 @@ std::uint32_t packed_pixel(const Mix& mix, Blend blend);
 
 struct Plan {
   Plan(const Tape& tape, Depth depth);
+  /// Again, after the tape was made anew; memory is kept.
+  void make(Depth depth);
 
   const Tape& tape;
   Depth depth;
+  long made = 0;                       ///< how often
   std::vector<Classifier> squares;     ///< by outline
   std::vector<LeafOutlines> outlines;  ///< by outline
   std::vector<Box2> outline_boxes;  ///< nothing of the outline's inside is beyond; may be infinite
@@ -27,6 +30,9 @@ struct Plan {
   std::uint32_t background;
   bool plain;        ///< all layers are
   double tolerance;  ///< [px] how far an outline may be off in a leaf
+
+ private:
+  std::vector<Box2> stack_;
 };
 
 }  // namespace mien

@@ -21,10 +21,21 @@ class ShapeSteps {
   void add(const Shape& shape, double offset) {
     if (has_no_width(shape, offset))
       step(Kind::nothing);
-    else if (offset == 0.0 || std::holds_alternative<Polyline>(shape))
-      std::visit([&](const auto& s) { parts(s, offset); }, shape);
+    else if (offset == 0.0)
+      std::visit([&](const auto& s) { parts(s); }, shape);
     else
       outline(shape, offset);
+  }
+
+  /// A polyline by its lines, taken to pixels one by one.
+  void add(const Polyline& s, const Map<PixelSpace, FaceSpace>& map, double offset) {
+    const double half_width = s.half_width * map.scale();
+    if (s.points.empty()) return step(Kind::nothing);
+    if (s.points.size() == 1) return add(Disc{map(s.points[0]), half_width}, offset);
+    for (std::size_t i = 1; i < s.points.size(); ++i) {
+      add(Line{map(s.points[i - 1]), map(s.points[i]), half_width}, offset);
+      if (i > 1) step(Kind::or_);
+    }
   }
 
  private:
@@ -47,15 +58,15 @@ class ShapeSteps {
   }
 
   template <class Other>
-  void parts(const Other& s, double offset) {
-    outline(s, offset);
+  void parts(const Other& s) {
+    outline(s);
   }
-  void parts(const Band& s, double) {
+  void parts(const Band& s) {
     outline(s.lower);
     outline(s.upper);
     step(Kind::and_);
   }
-  void parts(const CutDisc& s, double) {
+  void parts(const CutDisc& s) {
     outline(Disc{s.center, s.radius});
     const double middle = glm::dot(s.center, s.up);
     outline(HalfPlane{s.up, middle + s.upper * s.radius});
@@ -63,7 +74,7 @@ class ShapeSteps {
     outline(HalfPlane{-s.up, -middle + s.lower * s.radius});
     step(Kind::and_);
   }
-  void parts(const Triangle& s, double) {
+  void parts(const Triangle& s) {
     const glm::dvec2 ab = s.b - s.a, ac = s.c - s.a;
     const double turn = ab.x * ac.y - ab.y * ac.x;
     if (turn == 0.0) return step(Kind::nothing);
@@ -78,15 +89,6 @@ class ShapeSteps {
     side(s.c, s.a);
     step(Kind::and_);
   }
-  void parts(const Polyline& s, double offset) {
-    if (s.points.size() == 1) return outline(Disc{s.points[0], s.half_width}, offset);
-    for (std::size_t i = 1; i < s.points.size(); ++i) {
-      outline(Line{s.points[i - 1], s.points[i], s.half_width}, offset);
-      if (i > 1) step(Kind::or_);
-    }
-    if (s.points.empty()) step(Kind::nothing);
-  }
-
   Tape& tape_;
 };
 
@@ -96,8 +98,15 @@ class ShapeSteps {
 /// Works off a stack of its own: trees may be a hundred thousand deep.
 class AreaSteps {
  public:
-  AreaSteps(const Scene& scene, const Map<PixelSpace, FaceSpace>& map, Tape& tape)
-      : scene_(scene), map_(map), tape_(tape) {}
+  using Task = TapeMaker::Task;
+  using Range = TapeMaker::Range;
+
+  AreaSteps(const Scene& scene, const Map<PixelSpace, FaceSpace>& map, Tape& tape,
+            std::vector<Task>& todo, std::vector<Range>& written)
+      : scene_(scene), map_(map), tape_(tape), todo_(todo), written_(written) {
+    todo_.clear();
+    written_.assign(scene.shapes().size(), {});
+  }
 
   void add(Area area) {
     todo_.push_back({.node = area.node});
@@ -112,12 +121,6 @@ class AreaSteps {
   }
 
  private:
-  struct Task {
-    int node = -1;  // or a step to write
-    double offset = 0;
-    Kind kind = Kind::nothing;
-  };
-
   void visit_next(int node, double offset) { todo_.push_back({.node = node, .offset = offset}); }
   void write_after(Kind kind) { todo_.push_back({.kind = kind}); }
 
@@ -155,26 +158,28 @@ class AreaSteps {
   /// A shape met again at the same offset is the same outline: it is written once and its bits are
   /// shared.
   void shape(int index, double offset) {
-    const auto key = std::pair(index, offset);
-    if (const auto seen = written_.find(key); seen != written_.end()) {
-      for (int i = 0; i < seen->second.count; ++i)
-        tape_.steps.push_back(tape_.steps[std::size_t(seen->second.first + i)]);
+    const Shape& shape = scene_.shapes()[std::size_t(index)];
+    Range& written =
+        offset == 0.0 ? written_[std::size_t(index)] : written_grown_[std::pair(index, offset)];
+    if (written.first >= 0) {
+      for (int i = 0; i < written.count; ++i)
+        tape_.steps.push_back(tape_.steps[std::size_t(written.first + i)]);
       return;
     }
-    const int first = int(tape_.steps.size());
-    ShapeSteps(tape_).add(transformed(map_, scene_.shapes()[std::size_t(index)]),
-                          offset * map_.scale());
-    written_[key] = {first, int(tape_.steps.size()) - first};
+    written.first = int(tape_.steps.size());
+    if (const auto* line = std::get_if<Polyline>(&shape))
+      ShapeSteps(tape_).add(*line, map_, offset * map_.scale());
+    else
+      ShapeSteps(tape_).add(transformed(map_, shape), offset * map_.scale());
+    written.count = int(tape_.steps.size()) - written.first;
   }
 
-  struct Range {
-    int first, count;
-  };
   const Scene& scene_;
   const Map<PixelSpace, FaceSpace>& map_;
   Tape& tape_;
-  std::vector<Task> todo_;
-  std::map<std::pair<int, double>, Range> written_;
+  std::vector<Task>& todo_;
+  std::vector<Range>& written_;
+  std::map<std::pair<int, double>, Range> written_grown_;
 };
 
 /// Makes paints ready; a distance asked for twice is kept once.
@@ -272,8 +277,8 @@ class PaintMaker {
 };
 
 /// The translucent groups, and for every group of the scene the nearest of those it is in.
-std::vector<int> add_groups(const Scene& scene, Tape& tape) {
-  std::vector<int> nearest;
+void add_groups(const Scene& scene, Tape& tape, std::vector<int>& nearest) {
+  nearest.clear();
   for (const Group& group : scene.groups()) {
     const int parent = group.parent < 0 ? -1 : nearest[std::size_t(group.parent)];
     const int depth = parent < 0 ? 1 : tape.groups[std::size_t(parent)].depth + 1;
@@ -284,30 +289,35 @@ std::vector<int> add_groups(const Scene& scene, Tape& tape) {
     nearest.push_back(int(tape.groups.size()));
     tape.groups.push_back({parent, depth, group.opacity > 0.0 ? group.opacity : 0.0});
   }
-  return nearest;
 }
 
 }  // namespace
 
 Tape tape_from_scene(const Scene& scene, const View& view) {
   Tape tape;
+  TapeMaker().make(scene, view, tape);
+  return tape;
+}
+
+void TapeMaker::make(const Scene& scene, const View& view, Tape& tape) {
+  tape.outlines.clear(), tape.steps.clear(), tape.layers.clear();
+  tape.paints.clear(), tape.distances.clear(), tape.groups.clear();
   tape.blend = view.blend;
   tape.dither = view.dither;
   tape.background = mix_from_color(view.background.value_or(scene.background()), view.blend);
   const auto map = pixel_from_face(scene.canvas(), view);
-  AreaSteps areas(scene, map, tape);
+  AreaSteps areas(scene, map, tape, todo_, written_);
   PaintMaker paints(scene, view, map, tape);
-  const std::vector<int> groups = add_groups(scene, tape);
+  add_groups(scene, tape, groups_);
   for (std::size_t i = scene.layers().size(); i-- > 0;) {
     const Layer& layer = scene.layers()[i];
     const int first = int(tape.steps.size());
     areas.add(layer.area);
     TapeLayer made{.first = first, .count = int(tape.steps.size()) - first, .mix = Mix{0.0}};
     paints.add(layer.paint, made);
-    if (layer.group >= 0) made.group = groups[std::size_t(layer.group)];
+    if (layer.group >= 0) made.group = groups_[std::size_t(layer.group)];
     tape.layers.push_back(made);
   }
-  return tape;
 }
 
 }  // namespace mien

@@ -53,4 +53,24 @@ struct Tape {
 
 Tape tape_from_scene(const Scene& scene, const View& view);
 
+/// The same into a tape that was used before: its memory, and the maker's, is used again.
+class TapeMaker {
+ public:
+  void make(const Scene& scene, const View& view, Tape& tape);
+
+  struct Task {  ///< a node of the scene to write next, or a step
+    int node = -1;
+    double offset = 0;
+    Step::Kind kind = Step::Kind::nothing;
+  };
+  struct Range {
+    int first = -1, count = 0;  ///< in Tape::steps; −1: not written yet
+  };
+
+ private:
+  std::vector<Task> todo_;
+  std::vector<Range> written_;  ///< by shape, without offset
+  std::vector<int> groups_;
+};
+
 }  // namespace mien

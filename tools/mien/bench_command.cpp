@@ -63,7 +63,7 @@ class Frames {
     at[1] = now_ms();
     const Scene scene = scene_from_face(posed);
     at[2] = now_ms();
-    render_into(buffer_, scene, plan_.view, how_);
+    renderer_.render_into(buffer_, scene, plan_.view, how_);
     at[3] = now_ms();
     to.whole.push_back(at.back() - at[0]);
     for (std::size_t i = 0; i < kParts.size(); ++i) to.parts[i].push_back(at[i + 1] - at[i]);
@@ -76,6 +76,7 @@ class Frames {
   RenderOptions how_;
   std::vector<std::byte> pixels_;
   PixelBuffer buffer_;
+  Renderer renderer_;
 };
 
 Measured measure(const Face& face, const Pose& pose, const RenderPlan& plan, int repeat) {

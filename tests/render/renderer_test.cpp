@@ -1,0 +1,126 @@
+// The renderer that remembers: the same pixels as without a memory, and no allocation per frame.
+
+#include <mien/mien.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+#include "tests/support/faces.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define MIEN_COUNTS_ALLOCATIONS 0  // sanitizers have operators of their own
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define MIEN_COUNTS_ALLOCATIONS 0
+#endif
+#endif
+#ifndef MIEN_COUNTS_ALLOCATIONS
+#define MIEN_COUNTS_ALLOCATIONS 1
+#endif
+
+#if MIEN_COUNTS_ALLOCATIONS
+namespace {
+std::atomic<long> allocations = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  void* const p = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (!p) throw std::bad_alloc();
+  return p;
+}
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(size, 16);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, std::size_t(alignment));
+}
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
+  std::free(p);
+}
+#endif
+
+namespace mien {
+namespace {
+
+Scene scene_of(const char* face, double blink) {
+  const Face read = test::face_named(face);
+  return scene_from_face(blink < 0 ? pose_face(read, {})
+                                   : test::posed(read, {"blink=" + std::to_string(blink)}));
+}
+
+/// Rows without padding.
+std::vector<std::byte> frame(Renderer* renderer, const Scene& scene, const View& view,
+                             Depth depth) {
+  const std::size_t stride = std::size_t(view.width) * 4 * bytes_per_channel(depth);
+  std::vector<std::byte> pixels(stride * std::size_t(view.height));
+  const PixelBuffer out{pixels.data(), stride, depth};
+  const RenderOptions how{.threads = {.count = 1}};
+  EXPECT_TRUE(renderer ? renderer->render_into(out, scene, view, how)
+                       : render_into(out, scene, view, how));
+  return pixels;
+}
+
+TEST(Renderer, DrawsWhatRenderIntoDraws) {
+  Renderer renderer;
+  for (const char* face : {"toon", "seed0", "clay", "male", "toon"})
+    for (const Depth depth : {Depth::u8, Depth::u16, Depth::u8}) {
+      const bool blinks = face == std::string("toon") || face == std::string("seed0");
+      const Scene scene = scene_of(face, blinks ? 0.4 : -1);
+      for (const int width : {90, 33}) {
+        const View view{
+            .width = width, .height = 70, .blend = width == 33 ? Blend::srgb : Blend::linear};
+        EXPECT_EQ(frame(&renderer, scene, view, depth), frame(nullptr, scene, view, depth))
+            << face << ' ' << width;
+      }
+    }
+}
+
+TEST(Renderer, CanBeMovedAndRefusesWhatIsNoPicture) {
+  const Scene scene = scene_of("seed0", 0);
+  Renderer first;
+  frame(&first, scene, {.width = 40, .height = 20}, Depth::u8);
+  Renderer second = std::move(first);
+  const View view{.width = 50, .height = 30};
+  EXPECT_EQ(frame(&second, scene, view, Depth::u8), frame(nullptr, scene, view, Depth::u8));
+  EXPECT_EQ(frame(&first, scene, view, Depth::u8), frame(nullptr, scene, view, Depth::u8))
+      << "moved from: as new";
+  std::uint32_t pixel = 0;
+  EXPECT_FALSE(second.render_into({&pixel, 4, Depth::u8}, scene, {.width = 0, .height = 1}));
+}
+
+#if MIEN_COUNTS_ALLOCATIONS
+TEST(Renderer, AllocatesNothingAfterTheFirstFrame) {
+  for (const char* face : {"seed0", "male"}) {
+    const Scene scene = scene_of(face, face == std::string("seed0") ? 0.3 : -1);
+    Renderer renderer;
+    const View view{.width = 320, .height = 240, .blend = Blend::srgb};
+    std::vector<std::uint32_t> pixels(320 * 240);
+    const RenderOptions how{.threads = {.count = 1}};
+    const auto draw = [&] {
+      return renderer.render_into({pixels.data(), 320 * 4, Depth::u8}, scene, view, how);
+    };
+    EXPECT_TRUE(draw());
+    const long before = allocations;
+    EXPECT_TRUE(draw());
+    EXPECT_EQ(allocations - before, 0) << face;
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace mien
