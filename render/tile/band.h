@@ -85,6 +85,7 @@ class BandPainter {
   void find_outlines(const Leaves& squares, Parts& to);
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
   void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
+  std::optional<Mix> cells(glm::dvec2 center, double side, int depth);
   void surely(int x, int y);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;
@@ -111,9 +112,11 @@ class BandPainter {
   std::vector<OutlineInLeaves> leaf_outlines_;  // by place in wanted_outlines_
   std::vector<int> leaf_wanted_;                // places of the present leaf
   bool leaf_varies_ = false;                    // some of the present leaf's layers are not plain
+  bool varies_here_ = false;                    // why assemble said no
   std::optional<PaintSampler> paints_;
   std::vector<LeafOutline> leaf_list_;
-  std::array<Parts, 3> parts_;  // of leaves, of their quarters, and pixels
+  static constexpr int kCellLevels = 3;
+  std::array<Parts, 3 + kCellLevels> parts_;  // of leaves, of their quarters, pixels, and cells
   std::array<Mix, Leaf::kMostSides> mixes_;
   std::array<float, kGroup> xs_, ys_;
   std::array<std::int8_t, kGroup> answers_;

@@ -65,6 +65,7 @@ std::uint64_t BandPainter::pattern(const LeafOutline& outline, int first) const 
 bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<const LeafEdge> edges,
                            glm::dvec2 shift, double side, double most_bend) {
   leaf_.edge_count = 0;
+  varies_here_ = false;
   double error = 0.0;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const int first = leaf_.edge_count;
@@ -74,7 +75,8 @@ bool BandPainter::assemble(std::span<const LeafOutline> outlines, std::span<cons
     const std::uint64_t in = pattern(outlines[i], first);
     leaf_sides_[std::size_t(leaf_wanted_[i])] = {in, ~in};
   }
-  return color_leaf(leaf_center_ + shift, side);
+  varies_here_ = !color_leaf(leaf_center_ + shift, side);
+  return !varies_here_;
 }
 
 /// The palette of the present edges; false where a colour that can be seen varies in the square.
@@ -291,10 +293,58 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
           leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
       store(mix, plan_->tape.blend, target_->depth, at(x, y));
       ++stats_->divided_pixels;
+    } else if (const auto mix = cells(at_pixel, 1.0, 0)) {
+      store(*mix / 255.0, plan_->tape.blend, target_->depth, at(x, y));
+      ++stats_->divided_pixels;
     } else {
       surely(x, y);
     }
   }
+}
+
+/// The mean colour times 255 of a square that its edges do not describe: by the edges of its sixteen parts,
+/// and of theirs. Parts of 1/64 px that nothing describes take the colour of their centre: a corner is
+/// in a few of those, of 1/4096 of a pixel each. Nothing where a colour varies, or the target is finer.
+std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth) {
+  if (target_->depth != Depth::u8) return {};
+  const double step = 0.25 * side;
+  Leaves squares;
+  squares.wanted = 0xFFFF;
+  squares.radius = kSqrtHalf * step;
+  const auto part = [&](std::size_t i) {
+    return center + step * glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
+  };
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    const glm::dvec2 c = leaf_center_ + part(i);
+    squares.x[i] = c.x, squares.y[i] = c.y;
+  }
+  Parts& parts = parts_[std::size_t(3 + depth)];
+  find_outlines(squares, parts);
+  const auto& [found, edges, list] = parts;
+  Mix sum{0.0};
+  stats_->cells += int(Leaves::kMost);
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
+    const glm::dvec2 at_part = part(i);
+    if (assemble(list, edges, at_part, step, kMostPixelBend / step)) {
+      sum += leaf_square(leaf_, at_part.x, at_part.y, step, plan_->tolerance, stats_->cells);
+    } else if (leaf_varies_ && varies_here_) {
+      return {};
+    } else if (depth + 1 < kCellLevels) {
+      const auto mix = cells(at_part, step, depth + 1);
+      if (!mix) return {};
+      sum += *mix;
+    } else {
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        const auto& outline = plan_->tape.outlines[std::size_t(leaf_wanted_[k])];
+        const bool in = distance(outline, leaf_center_ + at_part) <= 0.0;
+        parts.list[k] = {.rule = in ? EdgeRule::inside : EdgeRule::outside, .error = 0.0};
+      }
+      if (!assemble(list, edges, at_part, step, kMostPixelBend)) return {};
+      for (int c = 0; c < 4; ++c) sum[c] += leaf_.palette[std::size_t(c)][0];
+    }
+  }
+  return sum / 16.0;
 }
 
 /// One pixel by the sure way.

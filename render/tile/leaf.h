@@ -47,6 +47,9 @@ void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, s
 /// The mean colour over the pixel around (x, y), times 255, by the scalar forms: any number of
 /// edges, any colours. `tolerance`: how far an outline may be straightened [px].
 Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells);
+/// The same over a square of another side, at most 1.
+Mix leaf_square(const Leaf& leaf, double x, double y, double side, double tolerance,
+                long long& cells);
 
 /// The bend of an edge up to which paint_leaf keeps its promise.
 inline constexpr double kMostLeafBend = 0.6;

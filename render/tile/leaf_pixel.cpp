@@ -181,8 +181,13 @@ class LeafSquare {
 
 }  // namespace
 
+Mix leaf_square(const Leaf& leaf, double x, double y, double side, double tolerance,
+                long long& cells) {
+  return LeafSquare(leaf, tolerance, cells).mean({x, y}, side, 0, (1u << leaf.edge_count) - 1u, 0);
+}
+
 Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells) {
-  return LeafSquare(leaf, tolerance, cells).mean({x, y}, 1.0, 0, (1u << leaf.edge_count) - 1u, 0);
+  return leaf_square(leaf, x, y, 1.0, tolerance, cells);
 }
 
 }  // namespace mien

@@ -1,5 +1,6 @@
 // mien bench: whole frames, pose to pixels, into a buffer that is there already.
 
+#include <mien/render/renderer.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/tools/mien/commands.h>
 #include <mien/tools/mien/json_text.h>
