@@ -86,6 +86,7 @@ class BandPainter {
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
   void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
   std::optional<Mix> cells(glm::dvec2 center, double side, int depth);
+  Mix undescribed(glm::dvec2 center, double side, Parts& parts);
   void surely(int x, int y);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;

@@ -302,9 +302,28 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
   }
 }
 
-/// The mean colour times 255 of a square that its edges do not describe: by the edges of its sixteen parts,
-/// and of theirs. Parts of 1/64 px that nothing describes take the colour of their centre: a corner is
-/// in a few of those, of 1/4096 of a pixel each. Nothing where a colour varies, or the target is finer.
+/// A part of 1/64 px that nothing describes for sure: by the edges that are likely, or the side its
+/// centre is on. A corner is in a few of those, of 1/4096 of a pixel each.
+Mix BandPainter::undescribed(glm::dvec2 at_part, double side, Parts& parts) {
+  const auto sided = [&](LeafOutline& outline, std::size_t k) {
+    const bool in =
+        distance(plan_->tape.outlines[std::size_t(leaf_wanted_[k])], leaf_center_ + at_part) <= 0.0;
+    outline = {.rule = in ? EdgeRule::inside : EdgeRule::outside, .error = 0.0};
+  };
+  for (std::size_t k = 0; k < parts.list.size(); ++k) {
+    LeafOutline& outline = parts.list[k];
+    if (outline.count == 0 && outline.error > 0.0) sided(outline, k);
+    outline.error = 0.0;
+  }
+  if (!assemble(parts.list, parts.edges, at_part, side, kMostPixelBend / side)) {
+    for (std::size_t k = 0; k < parts.list.size(); ++k) sided(parts.list[k], k);
+    assemble(parts.list, parts.edges, at_part, side, kMostPixelBend / side);
+  }
+  return leaf_square(leaf_, at_part.x, at_part.y, side, 1.0, stats_->cells);
+}
+
+/// The mean colour times 255 of a square that its edges do not describe: by the edges of its sixteen
+/// parts, and of theirs. Nothing where a colour varies, or the target is finer.
 std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth) {
   if (target_->depth != Depth::u8) return {};
   const double step = 0.25 * side;
@@ -335,13 +354,7 @@ std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth)
       if (!mix) return {};
       sum += *mix;
     } else {
-      for (std::size_t k = 0; k < list.size(); ++k) {
-        const auto& outline = plan_->tape.outlines[std::size_t(leaf_wanted_[k])];
-        const bool in = distance(outline, leaf_center_ + at_part) <= 0.0;
-        parts.list[k] = {.rule = in ? EdgeRule::inside : EdgeRule::outside, .error = 0.0};
-      }
-      if (!assemble(list, edges, at_part, step, kMostPixelBend)) return {};
-      for (int c = 0; c < 4; ++c) sum[c] += leaf_.palette[std::size_t(c)][0];
+      sum += undescribed(at_part, step, parts);
     }
   }
   return sum / 16.0;

@@ -24,7 +24,9 @@ Sight see(const LeafEdge& e, glm::dvec2 p) {
     if (glm::dot(u, glm::dvec2{e.along_x, e.along_y}) > 0.0) {
       const double rho = glm::length(u);
       const double d = rho - 1.0 / e.end_bend;
-      const bool mine = glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) >= 0.0 || d > double(kEndHalo);
+      const bool mine =
+          glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) >= 0.0 ||
+          (d > double(kEndHalo) && glm::dot(u, glm::dvec2{e.other_x, e.other_y}) > 0.0);
       if (!mine || rho == 0.0) return {-1e6, {1.0, 0.0}, 0.0};
       return {d, u / rho, e.end_bend};
     }

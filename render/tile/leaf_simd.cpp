@@ -77,7 +77,9 @@ HWY_INLINE auto Mine(const LeafEdge& e, VF px, VF py) {
   const VF up = Fused(ux, Const(e.end_nx), hn::Mul(uy, Const(e.end_ny)));
   const VF rho2 = Fused(ux, ux, hn::Mul(uy, uy));
   const float far = 1.0f / e.end_bend + kEndHalo;
-  return hn::Or(hn::Ge(up, hn::Zero(F())), hn::Gt(rho2, Const(far * far)));
+  const VF other = Fused(ux, Const(e.other_x), hn::Mul(uy, Const(e.other_y)));
+  const auto nobodys = hn::And(hn::Gt(rho2, Const(far * far)), hn::Gt(other, hn::Zero(F())));
+  return hn::Or(hn::Ge(up, hn::Zero(F())), nobodys);
 }
 
 /// The round end alone, for points that are all beyond its line.

@@ -31,8 +31,9 @@ struct LeafEdge {
   /// A round end. Where dot(p − end, along) > 0 the outline is the circle of curvature `end_bend`
   /// around `end` instead, as far as it lies on the side dot(p − end, normal at the end) > 0; on
   /// the other side the point counts as inside (the stroke's other edge decides there) unless it is
-  /// more than kEndHalo outside the circle.
+  /// more than kEndHalo outside the circle and beyond the other edge's line too.
   float end_x, end_y, along_x, along_y;  ///< along: unit, out of the body; (0, 0): no end
+  float other_x, other_y;                ///< along, of the stroke's other edge
   float end_bend, end_nx, end_ny;        ///< the normal at the end, towards this edge's side
   float error;                           ///< [px] the outline deviates by at most this in the leaf
 

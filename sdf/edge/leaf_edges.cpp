@@ -209,6 +209,7 @@ void LeafOutlines::parabola(const ParabolaForm& form, const Leaves& leaves,
         const glm::dvec2 at = joined->point - c, n = double(toward) * joined->normal;
         edge.end_x = float(at.x), edge.end_y = float(at.y);
         edge.along_x = float(joined->along.x), edge.along_y = float(joined->along.y);
+        edge.other_x = edge.along_x, edge.other_y = edge.along_y;
         edge.end_bend = float(1.0 / h);
         edge.end_nx = float(n.x), edge.end_ny = float(n.y);
       }

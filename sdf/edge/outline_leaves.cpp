@@ -227,6 +227,7 @@ class LeafOfOutline {
       LeafEdge& e = chain->edges[i];
       e.end_x = float(end.center.x - c_.x), e.end_y = float(end.center.y - c_.y);
       e.along_x = float(along[i].x), e.along_y = float(along[i].y);
+      e.other_x = float(along[1 - i].x), e.other_y = float(along[1 - i].y);
       e.end_bend = float(1.0 / end.radius);
       e.end_nx = float(normal[i].x), e.end_ny = float(normal[i].y);
     }

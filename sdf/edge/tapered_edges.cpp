@@ -181,6 +181,20 @@ double side_foot(const TaperedStroke& s, glm::dvec2 c, double t, double side) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Whether what two sides say of c is what the distance says. They may be feet on different branches of a
+/// stroke that turns sharply, where each one's neighbourhood reaches across the turn.
+bool agree(const AllOf& sides, std::size_t first, const std::vector<Edge>& edges, double distance,
+           double radius) {
+  const LocalOutline outline = sides.outline();
+  if (outline.rule == EdgeRule::outside) return distance > radius;
+  if (outline.rule == EdgeRule::inside) return distance < -radius;
+  double most = -kUnproven;
+  for (std::size_t i = first; i < edges.size(); ++i) most = std::max(most, edges[i].d);
+  constexpr double kSame =
+      1e-3;  // the rims' own distances differ by fewer than this where both are right
+  return distance > 0.0 ? std::abs(most - distance) <= kSame : most <= kSame;
+}
+
 /// Both sides of a thin stroke, proven; or nothing.
 ///
 /// Proof. Discs whose t lies outside J, the stretch around the feet by arc 1.5·width + 3·radius each way,
@@ -229,7 +243,8 @@ LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, dou
   {
     AllOf sides(radius, edges);
     const std::size_t before = edges.size();
-    if (foot.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, foot.t, sides))
+    if (foot.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, foot.t, sides) &&
+        agree(sides, before, edges, nearest(s, c).distance - offset, radius))
       return sides.outline();
     edges.resize(before);
   }
@@ -248,7 +263,9 @@ LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, dou
     all.add({.d = glm::dot(c - foot.point, normal) - width, .normal = normal, .bend = 0.0},
             kUnproven);
   }
-  return all.outline();
+  LocalOutline outline = all.outline();
+  outline.error = outline.round_error = kUnproven;  // out of reach too: another branch may be near
+  return outline;
 }
 
 /// Whether every point of the disc (c, radius) has the end t = 0 or 1 as its foot, rather than a t
@@ -302,7 +319,9 @@ LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, 
       const CurveFoot spine = foot_near(curve_of(s.spine), c, radius, 0.0);
       AllOf sides(radius, edges);
       const std::size_t before = edges.size();
-      if (spine.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, spine.t, sides))
+      if (spine.where == CurveFoot::Where::body &&
+          both_sides(s, offset, c, radius, spine.t, sides) &&
+          agree(sides, before, edges, nearest(s, c).distance - offset, radius))
         return sides.outline();
       edges.resize(before);
     }

@@ -30,7 +30,9 @@ double value(const LeafEdge& e, glm::dvec2 p) {
     const glm::dvec2 u = p - glm::dvec2{e.end_x, e.end_y};
     if (glm::dot(u, glm::dvec2{e.along_x, e.along_y}) > 0) {
       const double d = glm::length(u) - 1.0 / e.end_bend;
-      return glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) >= 0 || d > double(kEndHalo) ? d : -1e6;
+      const bool nobodys =
+          d > double(kEndHalo) && glm::dot(u, glm::dvec2{e.other_x, e.other_y}) > 0;
+      return glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) >= 0 || nobodys ? d : -1e6;
     }
   }
   const glm::dvec2 u = p - glm::dvec2{e.x, e.y}, n{e.nx, e.ny};
