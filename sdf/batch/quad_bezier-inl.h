@@ -154,7 +154,10 @@ HWY_INLINE Nearest<Pack<V>> NearestOnCurved(D d, const QuadBezierFrame<hn::TFrom
   if (HWY_UNLIKELY(AnyTrue(d, close))) end = Choose(close, Settled(d, f, o, t), end);
   const auto settled = Settled(d, f, o, IfThenElse(two, t3, t));
   const auto best = Choose(two, Nearer(settled, end), settled);
-  return {best.t, best.square, IfThenElse(two, Min(equal, Max(settled.square, end.square)), equal)};
+  // Both roots beyond the same end are one candidate, and no rivals.
+  const auto rivals = And(two, Ne(settled.t, end.t));
+  return {best.t, best.square,
+          IfThenElse(rivals, Min(equal, Max(settled.square, end.square)), equal)};
 }
 
 template <class D, class W>
