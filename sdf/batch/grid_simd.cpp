@@ -3,11 +3,14 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mien/sdf/batch/grid_simd.cpp"
 #include <hwy/foreach_target.h>
+#include <mien/sdf/batch/grid_certificate-inl.h>
 #include <mien/sdf/batch/grid_tile-inl.h>
 #include <mien/sdf/batch/grid_work.h>
 #include <mien/sdf/distance.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -57,35 +60,106 @@ QuadBezierFrame<float> InFloat(const QuadBezierFrame<double>& fine) {
   return f;
 }
 
+/// A grid on its way to distances.
+struct GridWork {
+  const QuadBezier& curve;
+  const Grid& grid;
+  const QuadBezierFrame<double>& fine;
+  const QuadBezierFrame<float>& frame;
+  TileCertifier& certifier;
+  float* out;
+
+  void PlaceColumns(TileAxis& x, size_t first) const {
+    const size_t count = std::min(kTile, grid.columns - first);
+    PlaceAxis(x, grid.origin.x, grid.step, first, count, frame, frame.x0, frame.x0_low);
+  }
+  void PlaceRows(TileAxis& y, size_t first) const {
+    const size_t count = std::min(kTile, grid.rows - first);
+    PlaceAxis(y, grid.origin.y, grid.step, first, count, frame, frame.y0, frame.y0_low);
+  }
+};
+
+double ReachOf(const TileAxis& x, const TileAxis& y) {
+  return std::sqrt(x.half * x.half + y.half * y.half) * (1 + 0x1p-40);
+}
+
+/// The tile from (i, j) on, as far as the grid goes; true if it is certified.
+bool DoTile(const GridWork& work, const TileAxis& x, const TileAxis& y, const GridTile& tile,
+            size_t i, size_t j) {
+  const size_t columns = std::min(kTile, work.grid.columns - i);
+  const size_t rows = std::min(kTile, work.grid.rows - j), stride = work.grid.columns;
+  float* to = work.out + j * stride + i;
+  if (tile.how == GridTile::How::uncertain) {
+    UncertainTile(work.curve, x, y, columns, rows, to, stride);
+    return false;
+  }
+  if (columns == kTile && rows == kTile) {
+    CertifiedTile(work.frame, tile, x, y, to, stride);
+    return true;
+  }
+  HWY_ALIGN float part[kTile * kTile];
+  CertifiedTile(work.frame, tile, x, y, part, kTile);
+  for (size_t k = 0; k < rows; ++k) std::copy_n(part + k * kTile, columns, to + k * stride);
+  return true;
+}
+
+/// So many tiles are certified at once.
+inline constexpr size_t kTiles = hn::MaxLanes(hn::ScalableTag<double>());
+
+/// Up to kTiles tiles one above the other, from (i, j) on: the middles' feet from the fast kernel,
+/// certificates in lanes, and one by one where those prove nothing.
+HWY_NOINLINE size_t DoTiles(const GridWork& work, const TileAxis& x, size_t i, size_t j,
+                            size_t count) {
+  const hn::ScalableTag<float> df;
+  constexpr size_t kPoints = kParts * hn::MaxLanes(decltype(df)());
+  const glm::dvec2 p0{work.fine.x0 + work.fine.x0_low, work.fine.y0 + work.fine.y0_low};
+  TileAxis y[kTiles];
+  TileLanes<kTiles> tiles;
+  HWY_ALIGN float offset[kPoints], t[kPoints];
+  for (size_t k = 0; k < kTiles; ++k) {
+    const size_t n = std::min(k, count - 1);
+    if (k == n) work.PlaceRows(y[k], j + k * kTile);
+    tiles.dx[k] = p0.x - x.middle, tiles.dy[k] = p0.y - y[n].middle;
+    tiles.reach[k] = ReachOf(x, y[n]);
+  }
+  for (size_t k = 0; k < kPoints; ++k) offset[k] = float(tiles.dy[std::min(k, kTiles - 1)]);
+  const Offset<Pack<hn::Vec<decltype(df)>>> o{SetPack(df, float(tiles.dx[0])),
+                                              LoadPack(df, offset)};
+  StorePack(NearestOn(df, work.frame, o).t, df, t);
+  for (size_t k = 0; k < kTiles; ++k) tiles.t[k] = double(t[k]);
+  CertifyLanes(hn::ScalableTag<double>(), work.fine, work.certifier.facts(), tiles);
+  size_t certified = 0;
+  for (size_t k = 0; k < count; ++k) {
+    GridTile tile = tiles.Tile(k);
+    if (tile.how == GridTile::How::uncertain) {
+      tile = work.certifier.certify({x.middle, y[k].middle}, tiles.reach[k]);
+    }
+    certified += DoTile(work, x, y[k], tile, i, j + k * kTile);
+  }
+  return certified;
+}
+
 size_t DistancesOnGrid(const QuadBezier& curve, int exponent, const Grid& grid, float* out) {
   const auto fine = quad_bezier_frame<double>(curve, exponent);
-  const auto frame = InFloat(fine);
+  const bool is_small = grid.rows <= 2 * kTile;  // then lanes would mostly be idle
+  const auto frame = is_small ? InFloat(fine) : quad_bezier_frame<float>(curve, exponent);
   TileCertifier certifier(fine);
+  const GridWork work{curve, grid, fine, frame, certifier, out};
   TileAxis x, y;
-  HWY_ALIGN float part[kTile * kTile];
   size_t certified = 0;
   for (size_t i = 0; i < grid.columns; i += kTile) {
-    const size_t columns = std::min(kTile, grid.columns - i);
-    PlaceAxis(x, grid.origin.x, grid.step, i, columns, frame, frame.x0, frame.x0_low);
-    for (size_t j = 0; j < grid.rows; j += kTile) {
-      const size_t rows = std::min(kTile, grid.rows - j);
-      PlaceAxis(y, grid.origin.y, grid.step, j, rows, frame, frame.y0, frame.y0_low);
-      const double reach = std::sqrt(x.half * x.half + y.half * y.half) * (1 + 0x1p-40);
-      const GridTile tile = certifier.certify({x.middle, y.middle}, reach);
-      float* to = out + j * grid.columns + i;
-      if (tile.how == GridTile::How::uncertain) {
-        UncertainTile(curve, x, y, columns, rows, to, grid.columns);
+    work.PlaceColumns(x, i);
+    for (size_t j = 0; j < grid.rows;) {
+      if (!is_small) {
+        const size_t left = (grid.rows - j + kTile - 1) / kTile, count = std::min(kTiles, left);
+        certified += DoTiles(work, x, i, j, count);
+        j += count * kTile;
         continue;
       }
-      ++certified;
-      if (columns == kTile && rows == kTile) {
-        CertifiedTile(frame, tile, x, y, to, grid.columns);
-        continue;
-      }
-      CertifiedTile(frame, tile, x, y, part, kTile);
-      for (size_t k = 0; k < rows; ++k) {
-        std::copy_n(part + k * kTile, columns, to + k * grid.columns);
-      }
+      work.PlaceRows(y, j);
+      const GridTile tile = certifier.certify({x.middle, y.middle}, ReachOf(x, y));
+      certified += DoTile(work, x, y, tile, i, j);
+      j += kTile;
     }
   }
   return certified;

@@ -13,22 +13,22 @@ struct TileCertifier::At {
   double f, f1, f2;
 };
 
-TileCertifier::TileCertifier(const QuadBezierFrame<double>& frame)
-    : f_(frame), a_(0.5 * frame.ax2, 0.5 * frame.ay2), b_(frame.bx, frame.by) {
-  bb_ = glm::dot(b_, b_), b_length_ = std::sqrt(bb_);
-  p_change_ = std::hypot(f_.px, f_.py), s_change_ = std::hypot(f_.sx, f_.sy);
-  turn_ = bb_ > 0 ? std::clamp(-glm::dot(a_, b_) / bb_, 0.0, 1.0) : 0.0;
+TileCertifier::TileCertifier(const QuadBezierFrame<double>& frame) : f_(frame) {
+  const glm::dvec2 a(0.5 * frame.ax2, 0.5 * frame.ay2), b(frame.bx, frame.by);
+  const double bb = glm::dot(b, b);
+  const double turn = bb > 0 ? std::clamp(-glm::dot(a, b) / bb, 0.0, 1.0) : 0.0;
+  c_ = {a, b, bb, std::sqrt(bb), turn, std::hypot(f_.px, f_.py), std::hypot(f_.sx, f_.sy)};
 }
 
 TileCertifier::At TileCertifier::at(glm::dvec2 d, double t) const {
-  const glm::dvec2 u = a_ + t * b_, q = d + t * (a_ + u);
-  return {q, u, glm::dot(q, u), 2 * glm::dot(u, u) + glm::dot(q, b_), 6 * glm::dot(u, b_)};
+  const glm::dvec2 u = c_.a + t * c_.b, q = d + t * (c_.a + u);
+  return {q, u, glm::dot(q, u), 2 * glm::dot(u, u) + glm::dot(q, c_.b), 6 * glm::dot(u, c_.b)};
 }
 
 /// Whether |B(t) − p|² is convex on [0, 1] for every p of the tile. Its second derivative is a parabola
 /// in t, least where |B'| is, and changes by |b| per unit of p.
 bool TileCertifier::convex(glm::dvec2 d, double reach) const {
-  return at(d, turn_).f1 > reach * b_length_;
+  return at(d, c_.turn).f1 > reach * c_.b_length;
 }
 
 /// Whether S2 keeps its sign: then the nearest point of the whole parabola is, for every p of the tile,
@@ -37,7 +37,7 @@ bool TileCertifier::one_sided(glm::dvec2 d, double reach) const {
   if (f_.straight) return false;
   const double x = d.x * f_.sx, y = d.y * f_.sy, s = x + y + f_.s1;
   const double rounding = 0x1p-40 * (std::abs(x) + std::abs(y) + std::abs(f_.s1));
-  return std::abs(s) > reach * s_change_ + rounding;
+  return std::abs(s) > reach * c_.s_change + rounding;
 }
 
 /// That root for the middle: from a bound above it, downwards.
@@ -83,9 +83,9 @@ TileCertifier::Branch TileCertifier::branch(glm::dvec2 d, double reach, double t
   if (!(b.at.f1 > 0)) return b;
   const double u_length = glm::length(b.at.u);
   const double span = 1.5 * reach * u_length / b.at.f1 + 0x1p-18;
-  b.u = u_length + span * b_length_;
-  b.f2 = std::abs(b.at.f2) + 6 * bb_ * span;
-  b.f1 = b.at.f1 - span * b.f2 - reach * b_length_;
+  b.u = u_length + span * c_.b_length;
+  b.f2 = std::abs(b.at.f2) + 6 * c_.bb * span;
+  b.f1 = b.at.f1 - span * b.f2 - reach * c_.b_length;
   if (b.f1 > 0 && reach * b.u / b.f1 <= span) b.span = span;
   return b;
 }
@@ -95,8 +95,8 @@ GridTile TileCertifier::followed(const Branch& b, double reach) const {
   GridTile tile;
   // The foot's derivatives along a line through the tile.
   const double inverse = 1 / b.f1;
-  const double t1 = b.u * inverse, t2 = (2 * b_length_ + b.f2 * t1) * t1 * inverse;
-  const double t3 = (3 * (b_length_ + b.f2 * t1) * t2 + 6 * bb_ * t1 * t1 * t1) * inverse;
+  const double t1 = b.u * inverse, t2 = (2 * c_.b_length + b.f2 * t1) * t1 * inverse;
+  const double t3 = (3 * (c_.b_length + b.f2 * t1) * t2 + 6 * c_.bb * t1 * t1 * t1) * inverse;
   const double own =
       std::abs(b.at.f) * inverse + 0x1p-22;  // of t, and of the start's float rounding
   const double start = t3 * reach * reach * reach / 6 + own;
@@ -114,7 +114,7 @@ GridTile TileCertifier::followed(const Branch& b, double reach) const {
   // t + w + w (z − k w), w = u·e / f1, z = b·e / f1, k = f2 / (2 f1).
   const double k = 0.5 * b.at.f2 * middle;
   tile.wx = b.at.u.x * middle, tile.wy = b.at.u.y * middle;
-  tile.zx = b_.x * middle - k * tile.wx, tile.zy = b_.y * middle - k * tile.wy;
+  tile.zx = c_.b.x * middle - k * tile.wx, tile.zy = c_.b.y * middle - k * tile.wy;
   return tile;
 }
 
@@ -123,7 +123,7 @@ GridTile TileCertifier::followed(const Branch& b, double reach) const {
 /// nearer by more than the tile's width stays so.
 GridTile TileCertifier::beyond_an_end(glm::dvec2 d, double reach, const Branch& main) const {
   const double x = std::abs(main.t + f_.vertex), end = main.t > 1 ? 1 : 0;
-  const double p = this->p(d), change = reach * p_change_ + 0x1p-40 * std::abs(p);
+  const double p = this->p(d), change = reach * c_.p_change + 0x1p-40 * std::abs(p);
   const double least = x - main.span, most = x + main.span;
   const GridTile at_end{GridTile::How::end, end};
   if (least > 0 && 4 * (p - change) > -least * least) return at_end;
@@ -167,7 +167,7 @@ GridTile TileCertifier::nearest_branch(glm::dvec2 d, glm::dvec2 middle, double r
   const auto right = [&](double t) { return is_convex || (t + f_.vertex > 0) == (side > 0); };
   double t = last_t_ + glm::dot(last_w_, middle - last_middle_);
   if (!settle(d, t) || !right(t)) {
-    t = sided ? main_root(d) : turn_;
+    t = sided ? main_root(d) : c_.turn;
     if (!settle(d, t) || !right(t)) return {};
   }
   const Branch main = branch(d, reach, t);

@@ -25,12 +25,21 @@ struct GridTile {
   double inverse = 0;  ///< 1 / (second derivative of |B(t) − p|²) at the middle's foot
 };
 
+/// What a curve's certificates have in common, scaled.
+struct TileFacts {
+  glm::dvec2 a, b;
+  double bb, b_length, turn;  ///< turn: where |B'| is least on [0, 1]
+  double p_change, s_change;  ///< of P and S2 per length
+};
+
 /// Certifies one tile after the other. Warm: a tile's foot is looked for from its predecessor's, which
 /// changes the time it takes and the last digits of t, never what is proven.
 class TileCertifier {
  public:
   /// `frame` must outlive the certifier; coordinates below are its scaled ones.
   explicit TileCertifier(const QuadBezierFrame<double>& frame);
+
+  const TileFacts& facts() const { return c_; }
 
   /// All points within `reach` of `middle`.
   GridTile certify(glm::dvec2 middle, double reach);
@@ -56,9 +65,7 @@ class TileCertifier {
   GridTile beyond_an_end(glm::dvec2 d, double reach, const Branch& main) const;
 
   const QuadBezierFrame<double>& f_;
-  glm::dvec2 a_, b_;
-  double bb_, b_length_, turn_;  ///< turn_: where |B'| is least on [0, 1]
-  double p_change_, s_change_;   ///< of P and S2 per length
+  TileFacts c_;
   glm::dvec2 last_middle_{0, 0}, last_w_{0, 0};
   double last_t_ = 0.5;
 };

@@ -106,13 +106,15 @@ double batch_many(const Case& k) {  // among three, two of them certainly farthe
 }
 
 /// The corner of a tile, where a certified start is farthest off; the tile is as fine as a small
-/// picture's, or much finer.
+/// picture's, or much finer; alone or with two more above it, which are certified in lanes.
 double batch_grid(const Case& k) {
+  constexpr size_t kTile = 16;
   const auto& curve = std::get<QuadBezier>(k.figure);
-  float tile[256];
+  float tiles[3 * kTile * kTile];
   const double step = size_of(curve, k.p) / (std::abs(k.p.x) < std::abs(k.p.y) ? 1024 : 16384);
-  distances_on_grid(curve, k.p, step, 16, 16, tile);
-  return double(tile[0]);
+  const size_t rows = std::abs(k.p.x) < 2 * std::abs(k.p.y) ? 3 * kTile : kTile;
+  distances_on_grid(curve, k.p, step, kTile, rows, std::span(tiles).first(rows * kTile));
+  return double(tiles[0]);
 }
 
 template <class F>
