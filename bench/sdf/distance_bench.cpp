@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <mien/sdf/batch/grid_work.h>
 #include <mien/sdf/batch/instruction_sets.h>
 #include <mien/sdf/distance.h>
 #include <mien/sdf/edge/classify.h>
@@ -20,7 +21,7 @@
 namespace mien {
 namespace {
 
-constexpr size_t kPoints = 256, kCurves = 200;
+constexpr size_t kPoints = 256, kCurves = 200, kLong = 64 * kPoints;
 
 enum class Pattern { tile, incoherent };
 
@@ -115,15 +116,46 @@ void Many(benchmark::State& state, Pattern pattern, long long set) {
   batch::use_instruction_set(0);
 }
 
+/// Calls of kLong points: 64 tiles, one after the other, or as many points at random.
+void Long(benchmark::State& state, Pattern pattern, Precision precision, long long set) {
+  constexpr size_t kFew = 20;
+  batch::use_instruction_set(set);
+  Work<float> work(pattern);
+  std::vector<float> x(kLong), y(kLong), d(kLong);
+  for (size_t i = 0; i < kLong; ++i) {
+    const size_t tile = i / kPoints;
+    const bool is_tile = pattern == Pattern::tile;
+    x[i] = is_tile ? work.x[i % kPoints] + float(tile % 8) / 64 : work.x[i];
+    y[i] = is_tile ? work.y[i % kPoints] + float(tile / 8) / 64 : work.y[i];
+  }
+  for (auto _ : state) {
+    for (size_t c = 0; c < kFew; ++c) {
+      distances(work.curves[c * 10], x, y, d, precision);
+      benchmark::DoNotOptimize(d.data());
+      benchmark::ClobberMemory();
+    }
+  }
+  state.counters["ns"] =
+      benchmark::Counter(double(state.iterations()) * kFew * kLong * 1e-9,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  batch::use_instruction_set(0);
+}
+
 /// Square grids of `side` points, 1/1024 apart, to the curves one by one; some of their tiles are
-/// certified and some are not, as chance has it.
-void Grid(benchmark::State& state, size_t side, long long set) {
+/// certified and some are not, as chance has it, or all are.
+void Grid(benchmark::State& state, size_t side, bool only_certified, long long set) {
   batch::use_instruction_set(set);
   Work<float> work(Pattern::tile);
-  const size_t curves = side > 16 ? 20 : kCurves;
+  const size_t most = side > 16 ? 20 : kCurves, tiles = (side / 16) * (side / 16);
   std::vector<float> d(side * side);
+  std::vector<size_t> curves;
+  for (size_t c = 0; c < kCurves && curves.size() < most; ++c) {
+    const batch::Grid grid{{work.xs(c)[0], work.ys(c)[0]}, 1.0 / 1024, side, side};
+    const size_t certified = batch::distances_on_grid(work.curves[c], grid, d);
+    if (!only_certified || certified == tiles) curves.push_back(c);
+  }
   for (auto _ : state) {
-    for (size_t c = 0; c < curves; ++c) {
+    for (const size_t c : curves) {
       const glm::dvec2 origin{work.xs(c)[0], work.ys(c)[0]};
       distances_on_grid(work.curves[c], origin, 1.0 / 1024, side, side, d);
     }
@@ -131,7 +163,7 @@ void Grid(benchmark::State& state, size_t side, long long set) {
     benchmark::ClobberMemory();
   }
   state.counters["ns"] =
-      benchmark::Counter(double(state.iterations()) * double(curves * side * side) * 1e-9,
+      benchmark::Counter(double(state.iterations()) * double(curves.size() * side * side) * 1e-9,
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   batch::use_instruction_set(0);
 }
@@ -217,6 +249,10 @@ void register_all() {
       add("parabola f32/" + set.name, [=](auto& s) { Signed(s, pattern, kParabola, id); });
       add("tapered stroke f32/" + set.name, [=](auto& s) { Signed(s, pattern, kStroke, id); });
       add("fast f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::fast, id); });
+      add("fast f32, long spans/" + set.name,
+          [=](auto& s) { Long(s, pattern, Precision::fast, id); });
+      add("accurate f32, long spans/" + set.name,
+          [=](auto& s) { Long(s, pattern, Precision::accurate, id); });
       add("accurate f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::accurate, id); });
       add("30 curves f32/" + set.name, [=](auto& s) { Many(s, pattern, id); });
       add("double f64/" + set.name, [=](auto& s) { Double(s, pattern, id); });
@@ -227,8 +263,9 @@ void register_all() {
     const auto add = [&](const std::string& name, auto run) {
       RegisterBenchmark((name + "/" + set.name + "/alone").c_str(), run)->MinTime(0.1);
     };
-    add("grid 16 × 16", [=](auto& s) { Grid(s, 16, id); });
-    add("grid 128 × 128", [=](auto& s) { Grid(s, 128, id); });
+    add("grid 16 × 16", [=](auto& s) { Grid(s, 16, false, id); });
+    add("grid 128 × 128", [=](auto& s) { Grid(s, 128, false, id); });
+    add("grid 128 × 128, all certified", [=](auto& s) { Grid(s, 128, true, id); });
     add("classify ellipse", [=](auto& s) { Classify(s, kEllipse, id); });
     add("classify parabola", [=](auto& s) { Classify(s, kParabola, id); });
     add("classify line", [=](auto& s) { Classify(s, Line{{0.1, 0.2}, {0.9, 0.3}, 0.05}, id); });
