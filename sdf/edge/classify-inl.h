@@ -100,9 +100,11 @@ HWY_INLINE Verdict<Pack<V>> AgainstStroke(D d, const StrokeSquares& f, Pack<V> x
   const auto reach_of = [&](V vx, V vy)
                             MIEN_LANES { return Reach(d, vx, vy, half_diagonal, 2 * f.size); };
   const W reach = MulAdd(distance, SetPack(d, kClassifyRounding), Each(reach_of, x, y));
-  const W by_rate = MulSub(distance, SetPack(d, f.keep), width);
   const W by_widest = Sub(distance, SetPack(d, f.widest));
-  return {Sub(Max(by_rate, by_widest), reach), Sub(Sub(width, distance), reach)};
+  const W inside = Sub(Sub(width, distance), reach);
+  if (!(f.keep > 0)) return {Sub(by_widest, reach), inside};  // and widths may be negative
+  const W by_rate = MulSub(distance, SetPack(d, f.keep), width);
+  return {Sub(Max(by_rate, by_widest), reach), inside};
 }
 
 }  // namespace HWY_NAMESPACE

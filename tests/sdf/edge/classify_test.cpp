@@ -45,6 +45,9 @@ std::vector<Kind> kinds() {
           {"dot", {QuadStroke{point, 5}}, 0},
           {"tapered stroke", {TaperedStroke{arc, {3, 14, 5}}}, INFINITY},
           {"swelling stroke", {TaperedStroke{hook, {2, 16, 1}}, 2}, INFINITY},
+          {"shrunken hairpin",
+           {TaperedStroke{{{50, 70}, {20, -25}, {55, 85}}, {2, 8, 4}}, -5},
+           INFINITY},
           {"tapered dot", {TaperedStroke{point, {2, 16, 1}}}, 0},
           {"leaf", {leaf}, 0},
           {"triangle", {Triangle{{0, 0}, {70, 10}, {-20, 50}}}, 0}};
