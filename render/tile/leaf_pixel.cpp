@@ -37,6 +37,7 @@ Sight see(const LeafEdge& e, glm::dvec2 p) {
     b = e.next;
   const glm::dvec2 u = p - glm::dvec2{b.x, b.y}, n{b.nx, b.ny}, m{-n.y, n.x};
   const double x = glm::dot(u, m), y = glm::dot(u, n), k = b.bend, c3 = b.c3, c4 = b.c4;
+  if (k == 0.0 && c3 == 0.0 && c4 == 0.0) return {y, n, 0.0};  // a line
   const double f = y + 0.5 * k * glm::dot(u, u);
   const double root = std::sqrt(std::max(1.0 + 2.0 * k * f, 1e-8));
   const glm::dvec2 g = (n + k * u) / root + x * x * (3.0 * c3 + 4.0 * c4 * x) * m;
@@ -71,7 +72,7 @@ class LeafSquare {
     for (; asked; asked &= asked - 1) {
       const int i = std::countr_zero(asked);
       const LeafEdge& e = leaf_.edges[std::size_t(i)];
-      with_end |= std::uint32_t(e.has_end()) << i;
+      with_end |= std::uint32_t(e.has_end() && at_line(e, center, side)) << i;
       sights[std::size_t(i)] = see(e, center);
       const Sight& s = sights[std::size_t(i)];
       const double reach =
@@ -123,13 +124,24 @@ class LeafSquare {
             leaf_.palette[3][sides]};
   }
 
+  /// Whether parts of the square may see more of the edge than its centre does: across its end's line,
+  /// or where the round end is the other edge's.
+  static bool at_line(const LeafEdge& e, glm::dvec2 center, double side) {
+    const double r = 0.7072 * side;
+    const glm::dvec2 u = center - glm::dvec2{e.end_x, e.end_y};
+    const double beyond = glm::dot(u, glm::dvec2{e.along_x, e.along_y});
+    if (beyond < -r) return false;
+    return beyond < r || glm::dot(u, glm::dvec2{e.end_nx, e.end_ny}) < r;
+  }
+
   /// Whether the square may hold the place where a body becomes its round end.
   static bool at_end(const LeafEdge& e, glm::dvec2 center, double side) {
     const double r = 0.7072 * side;
     const glm::dvec2 u = center - glm::dvec2{e.end_x, e.end_y};
     const double beyond = glm::dot(u, glm::dvec2{e.along_x, e.along_y});
+    if (!(std::abs(beyond) < r)) return false;
     const double up = glm::dot(u, glm::dvec2{e.end_nx, e.end_ny});
-    return std::abs(beyond) < r && up > -r && std::abs(glm::length(u) - 1.0 / e.end_bend) < 2.0 * r;
+    return up > -r && std::abs(glm::length(u) - 1.0 / e.end_bend) < 2.0 * r;
   }
 
   /// The other body leaves the one taken for the whole square by bend x²/2 and turn x at x beyond the
