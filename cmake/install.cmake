@@ -70,6 +70,7 @@ set(MIEN_MORE_PUBLIC_HEADERS
   lib/file/obj.h
   lib/file/obj_map.h
   lib/math/pca.h
+  lib/rig/mesh_morph.h
   lib/rig/morph.h
   lib/rig/poser.h
   render/debug_picture.h

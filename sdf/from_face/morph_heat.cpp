@@ -3,7 +3,10 @@
 #include <mien/lib/face/face_model.h>
 #include <mien/lib/geom/heat.h>
 #include <mien/lib/rig/morph.h>
+#include <mien/sdf/from_face/caption.h>
 #include "figure_shape_private.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <tuple>
@@ -14,6 +17,7 @@ namespace {
 // Sizes, as shares of the canvas's shorter side.
 constexpr double kPoint = 0.008, kLine = 0.0025;
 constexpr double kBarWidth = 0.03, kBarHeight = 0.7, kBarMargin = 0.03;
+constexpr double kLabel = 0.035;
 constexpr int kBarSteps = 64;
 
 Color grey_of(const Face& face, int slice) {
@@ -45,6 +49,26 @@ void add_bar(SceneBuilder& build, const FaceCanvas& canvas, double unit) {
   }
 }
 
+/// What the bar's ends stand for.
+void add_labels(SceneBuilder& build, const FaceCanvas& canvas, double unit, double largest) {
+  const double right = canvas.box.hi.x - kBarMargin * unit, middle = canvas.box.center().y;
+  const double half = 0.5 * kBarHeight * canvas.box.size().y, high = kLabel * unit;
+  const Color ink{0.75, 0.75, 0.72, 1}, shade{0.01, 0.01, 0.012, 0.75};
+  const auto label = [&](const std::string& text, double up) {
+    const double width = high * caption_width(text), up_sign = canvas.y_up ? 1 : -1;
+    const glm::dvec2 at{right - width, middle + up_sign * up};
+    const glm::dvec2 far{right, at.y + up_sign * high};
+    const double margin = 0.35 * high;
+    build.layer("label",
+                build.shape(rectangle({at.x - margin, std::min(at.y, far.y) - 0.4 * margin},
+                                      {far.x + margin, std::max(at.y, far.y) + 0.4 * margin})),
+                {.color = shade});
+    draw_caption(build, text, at, high, canvas.y_up, ink);
+  };
+  label(fmt::format("{:.3g} {}", largest, canvas.unit), half + 0.4 * high);
+  label("0", -half - 1.4 * high);
+}
+
 }  // namespace
 
 MorphHeat morph_heat(const Face& rest, const Face& posed) {
@@ -71,6 +95,7 @@ MorphHeat morph_heat(const Face& rest, const Face& posed) {
     build.layer(name, build.shape(Disc{shift.to, kPoint * unit}), {.color = color});
   }
   add_bar(build, model.canvas, unit);
+  add_labels(build, model.canvas, unit, largest);
   return {std::move(build).finish(), largest};
 }
 

@@ -14,7 +14,7 @@ struct MorphHeat {
 };
 
 /// The posed face in grey; a line from where each point rests to where it is, and a disc there, in the
-/// heat spectrum of its displacement, from 0 to the largest; a bar of that spectrum at the right.
+/// heat spectrum of its displacement, from 0 to the largest; a bar of that spectrum at the right, both its ends labelled in the canvas's unit.
 /// `posed` is `rest`, posed.
 MIEN_API MorphHeat morph_heat(const Face& rest, const Face& posed);
 

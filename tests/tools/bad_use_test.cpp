@@ -28,7 +28,8 @@ const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 
 const Wrong kWrongs[] = {
     {{},
      2,
-     "a command is needed: render, check, scene, list, bench, animate, morph, pca, import, fit, "
+     "a command is needed: render, check, scene, list, bench, animate, morph, mesh, pca, import, "
+     "fit, "
      "sheet; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},

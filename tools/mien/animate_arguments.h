@@ -1,5 +1,5 @@
 #pragma once
-// What people typed after `mien animate` and `mien morph`.
+// What people typed after `mien animate`, `mien morph` and `mien mesh`.
 
 #include <mien/tools/mien/arguments.h>
 
@@ -19,6 +19,13 @@ struct MorphArguments {
   bool from_obj = false;  ///< `mien morph from-obj`, not `make`
   std::string rest, map, neutral, output;
   std::vector<std::string> targets;  ///< FILE or NAME=FILE
+};
+
+struct MeshArguments {
+  std::string neutral, output;
+  std::vector<std::string> targets;  ///< FILE or NAME=FILE
+  std::vector<std::string> weights;  ///< NAME=WEIGHT
+  std::optional<std::string> size, yaw, pitch;
 };
 
 }  // namespace mien::command

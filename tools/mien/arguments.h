@@ -46,7 +46,8 @@ struct SceneArguments {
 };
 
 struct ImportArguments {
-  std::string format, source, output;
+  std::string format, output;
+  std::vector<std::string> files;  ///< facemotion: one; obj-targets: FACE MAP NEUTRAL TARGETS…
   std::optional<std::string> morphology;
   bool smooth = false;
 };

@@ -21,6 +21,7 @@ struct CommandApp {
   ListArguments list;
   PcaArguments pca;
   MorphArguments morph;
+  MeshArguments mesh;
   AnimateArguments animate;
   ImportArguments import;
   FitArguments fit;

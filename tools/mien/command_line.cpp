@@ -85,11 +85,17 @@ void add_debug(CLI::App* to, std::optional<std::string>& debug) {
 
 void add_muscle_commands(CLI::App& app, CommandApp& command) {
   CLI::App* import = app.add_subcommand(
-      "import", "Make a face file of another program's: facemotion (a morphology in JavaScript)");
-  import->add_option("FORMAT", command.import.format, "facemotion")->required()->type_name("");
-  import->add_option("FILE", command.import.source, "File to read")->required()->type_name("");
-  import
-      ->add_option("-o,--output", command.import.output, "Face file to write; - is standard output")
+      "import",
+      "Take in another program's face: facemotion FILE (a morphology in JavaScript) makes a face "
+      "file; obj-targets FACE MAP NEUTRAL TARGETS... makes morph targets, as morph from-obj does");
+  import->add_option("FORMAT", command.import.format, "facemotion or obj-targets")
+      ->required()
+      ->type_name("");
+  import->add_option("FILES", command.import.files, "Files to read")
+      ->required()
+      ->type_name("")
+      ->expected(1, 1 << 10);
+  import->add_option("-o,--output", command.import.output, "File to write; - is standard output")
       ->required()
       ->type_name("FILE");
   import->add_option("--morphology", command.import.morphology, "Which one, if there are several")
@@ -249,6 +255,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("check")) return std::move(command.check);
   if (app.got_subcommand("pca")) return std::move(command.pca);
   if (app.got_subcommand("morph")) return std::move(command.morph);
+  if (app.got_subcommand("mesh")) return std::move(command.mesh);
   if (app.got_subcommand("animate")) return std::move(command.animate);
   if (app.got_subcommand("scene")) return std::move(command.scene);
   if (app.got_subcommand("list")) return std::move(command.list);
@@ -354,6 +361,7 @@ std::unique_ptr<CommandApp> command_app() {
 
   add_animate(app, made->animate);
   add_morph(app, made->morph);
+  add_mesh(app, made->mesh);
   add_pca(app, made->pca);
   add_muscle_commands(app, *made);
 

@@ -18,9 +18,10 @@ struct WrongUse {
   std::string sentence;
 };
 
-using CommandLine = std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments,
-                                 SceneArguments, ListArguments, PcaArguments, MorphArguments,
-                                 AnimateArguments, ImportArguments, FitArguments, SheetArguments>;
+using CommandLine =
+    std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
+                 ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
+                 ImportArguments, FitArguments, SheetArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

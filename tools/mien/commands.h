@@ -14,6 +14,7 @@ int scene_command(const SceneArguments& arguments);
 int list_command(const ListArguments& arguments);
 int pca_command(const PcaArguments& arguments);
 int morph_command(const MorphArguments& arguments);
+int mesh_command(const MeshArguments& arguments);
 int animate_command(const AnimateArguments& arguments);
 int import_command(const ImportArguments& arguments);
 int fit_command(const FitArguments& arguments);

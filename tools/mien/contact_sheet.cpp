@@ -1,4 +1,6 @@
 #include <mien/lib/geom/heat.h>
+#include <mien/render/render.h>
+#include <mien/sdf/from_face/caption.h>
 #include <mien/tools/mien/contact_sheet.h>
 
 #include <algorithm>
@@ -41,6 +43,20 @@ Image contact_sheet(const std::vector<Image>& pictures, int columns, int gap,
                   4 * std::size_t(width));
   }
   return sheet;
+}
+
+Image captioned(const Image& picture, const std::string& word) {
+  const int strip = std::max(12, picture.height / 14);
+  const double aspect = double(picture.width) / strip;
+  SceneBuilder build({{{0, 0}, {aspect, 1}}, true}, color_from_srgb255(24, 26, 32));
+  const double high = std::min(0.62, 0.92 * aspect / std::max(caption_width(word), 1.0));
+  draw_caption(build, word, {0.5 * (aspect - high * caption_width(word)), 0.5 - 0.55 * high}, high,
+               true, color_from_srgb255(226, 226, 220));
+  const Image below = render(std::move(build).finish(), {.width = picture.width, .height = strip});
+  Image out{.width = picture.width, .height = picture.height + strip};
+  out.bytes = picture.bytes;
+  out.bytes.insert(out.bytes.end(), below.bytes.begin(), below.bytes.end());
+  return out;
 }
 
 Image difference_picture(const Image& a, const Image& b, int most) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace mien::command {
@@ -13,6 +14,9 @@ namespace mien::command {
 /// `color`.
 Image contact_sheet(const std::vector<Image>& pictures, int columns, int gap,
                     std::array<std::uint8_t, 3> color = {24, 26, 32});
+
+/// An opaque 8-bit picture with a strip below it that holds a word (sdf/from_face/caption.h).
+Image captioned(const Image& picture, const std::string& word);
 
 /// Where two opaque 8-bit pictures of one size differ: black where they are equal, then blue, green,
 /// yellow, red up to `most` levels and beyond.

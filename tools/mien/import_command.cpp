@@ -1,4 +1,4 @@
-// mien import facemotion: a face of facemotion.js becomes a face file.
+// mien import: a face of facemotion.js becomes a face file, a head with targets those of a face.
 
 #include <mien/lib/file/facemotion.h>
 #include <mien/tools/mien/commands.h>
@@ -29,19 +29,35 @@ Expected<Done> write_text(const std::string& path, const std::string& text) {
   return Done{};
 }
 
+int import_targets(const ImportArguments& arguments) {
+  const auto& files = arguments.files;
+  if (files.size() < 4)
+    return complain("import obj-targets: expected FACE MAP NEUTRAL TARGETS...", kUsedWrongly);
+  return morph_command({.from_obj = true,
+                        .rest = files[0],
+                        .map = files[1],
+                        .neutral = files[2],
+                        .output = arguments.output,
+                        .targets = {files.begin() + 3, files.end()}});
+}
+
 }  // namespace
 
 int import_command(const ImportArguments& arguments) {
+  if (arguments.format == "obj-targets") return import_targets(arguments);
   if (arguments.format != "facemotion")
-    return complain({"import " + arguments.format, "expected facemotion"}, kUsedWrongly);
-  std::ifstream file(arguments.source, std::ios::binary);
+    return complain({"import " + arguments.format, "expected facemotion or obj-targets"},
+                    kUsedWrongly);
+  if (arguments.files.size() != 1)
+    return complain("import facemotion: expected one FILE", kUsedWrongly);
+  std::ifstream file(arguments.files[0], std::ios::binary);
   std::stringstream source;
   source << file.rdbuf();
-  if (!file) return complain({arguments.source, "cannot be read"}, kFailed);
+  if (!file) return complain({arguments.files[0], "cannot be read"}, kFailed);
   FacemotionOptions options;
   options.morphology = arguments.morphology.value_or("");
   options.smooth = arguments.smooth;
-  const auto text = face_text_from_facemotion(source.str(), arguments.source, options);
+  const auto text = face_text_from_facemotion(source.str(), arguments.files[0], options);
   if (!text) return complain(text.error(), kFailed);
   if (arguments.output == "-") return print(*text);
   const auto done = write_text(arguments.output, *text);

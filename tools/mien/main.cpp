@@ -19,6 +19,7 @@ struct Run {
   int operator()(const ListArguments& arguments) const { return list_command(arguments); }
   int operator()(const PcaArguments& arguments) const { return pca_command(arguments); }
   int operator()(const MorphArguments& arguments) const { return morph_command(arguments); }
+  int operator()(const MeshArguments& arguments) const { return mesh_command(arguments); }
   int operator()(const AnimateArguments& arguments) const { return animate_command(arguments); }
   int operator()(const ImportArguments& arguments) const { return import_command(arguments); }
   int operator()(const FitArguments& arguments) const { return fit_command(arguments); }

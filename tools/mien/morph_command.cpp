@@ -6,24 +6,14 @@
 #include <mien/lib/file/obj_map.h>
 #include <mien/tools/mien/commands.h>
 #include <mien/tools/mien/messages.h>
+#include <mien/tools/mien/named_file.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/written_file.h>
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 namespace mien::command {
 namespace {
-
-/// "NAME=FILE", or FILE, whose name up to its first dot is the target's.
-std::pair<std::string, std::string> name_and_file(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals != std::string::npos && text.find('/') > equals)
-    return {text.substr(0, equals), text.substr(equals + 1)};
-  const std::string file = std::filesystem::path(text).filename().string();
-  return {file.substr(0, file.find('.')), text};
-}
 
 /// Targets of face files.
 Expected<std::string> from_faces(const MorphArguments& arguments, const Face& rest) {

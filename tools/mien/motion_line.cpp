@@ -51,4 +51,23 @@ void add_morph(CLI::App& app, MorphArguments& to) {
   from_obj->add_option("-o,--output", to.output, "Targets to write")->required()->type_name("FILE");
 }
 
+void add_mesh(CLI::App& app, MeshArguments& to) {
+  CLI::App* mesh = app.add_subcommand(
+      "mesh", "Draw a head of triangles, its targets, and how far each point goes");
+  mesh->add_option("NEUTRAL", to.neutral, "The head at rest, OBJ")->required()->type_name("");
+  mesh->add_option("TARGETS", to.targets, "The head in other shapes, OBJ files or NAME=FILE")
+      ->type_name("")
+      ->expected(0, 1 << 10);
+  mesh->add_option("-o,--output", to.output, "Picture to write")->required()->type_name("FILE");
+  mesh->add_option("--weight", to.weights,
+                   "Draw a mix instead of all targets: this one by so much, 1 if none is said; may "
+                   "be given many times")
+      ->type_name("NAME[=WEIGHT]")
+      ->allow_extra_args(false);
+  mesh->add_option("--yaw", to.yaw, "Turn the head to its left by so many degrees")->type_name("A");
+  mesh->add_option("--pitch", to.pitch, "Tip its face down by so many degrees")->type_name("A");
+  mesh->add_option("--size", to.size, "Pixels of the longer side of each picture; default 320")
+      ->type_name("N");
+}
+
 }  // namespace mien::command

@@ -1,5 +1,5 @@
 #pragma once
-// `mien animate …` and `mien morph …` on the command line.
+// `mien animate …`, `mien morph …` and `mien mesh …` on the command line.
 
 #include <mien/tools/mien/animate_arguments.h>
 
@@ -9,6 +9,7 @@ namespace mien::command {
 
 void add_animate(CLI::App& app, AnimateArguments& to);
 void add_morph(CLI::App& app, MorphArguments& to);
+void add_mesh(CLI::App& app, MeshArguments& to);
 
 /// Options that others have too (command_line.cpp).
 void add_pose(CLI::App* to, PosedFace& posed);
