@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "tests/support/end_process.h"
 #include "tests/support/run_command.h"
 
 namespace mien {
@@ -13,6 +18,7 @@ using test::Ran;
 using test::read_text;
 using test::run_mien;
 using test::ScratchFolder;
+using Words = std::vector<std::string>;
 
 std::vector<std::string> animate(const ScratchFolder& folder, const std::string& output,
                                  std::vector<std::string> more = {}) {
@@ -50,6 +56,50 @@ TEST(Animate, KeepsFinishedFramesAndRedoesBrokenAndStaleOnes) {
   EXPECT_EQ(run_mien(animate(folder, "%d.png", {"--again"})).out, "6 frames drawn, 0 kept\n");
   EXPECT_EQ(run_mien(animate(folder, "%d.png", {"--set", "dilation=1.1"})).out,
             "6 frames drawn, 0 kept\n");
+}
+
+// Resumable: what a killed run finished is kept, what it broke off is not there, its temporaries go.
+TEST(Animate, GoesOnAfterBeingKilled) {
+  const ScratchFolder folder, whole;
+  const auto words = [](const ScratchFolder& to) {
+    return Words{"animate", face_path("toon"), "--frames", "0-39",
+                 "--size",  "512x288",         "-o",       (to / "%02d.png").string()};
+  };
+  test::Process process = test::start_mien(words(folder));
+  while (folder.names().size() < 4) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  test::end_process(process.id(), SIGKILL);
+  EXPECT_EQ(process.wait().signal, SIGKILL);
+  const Ran again = run_mien(words(folder));
+  EXPECT_EQ(again.code, 0) << again.err;
+  int drawn = 0, kept = 0;
+  ASSERT_EQ(std::sscanf(again.out.c_str(), "%d frames drawn, %d kept", &drawn, &kept), 2);
+  EXPECT_EQ(drawn + kept, 40);
+  EXPECT_GE(kept, 2);
+  EXPECT_EQ(run_mien(words(whole)).code, 0);
+  EXPECT_EQ(folder.names(), whole.names());
+  for (const std::string& name : whole.names())
+    EXPECT_EQ(read_text(folder / name), read_text(whole / name)) << name;
+}
+
+// Ctrl-C: pictures are whole or not there, a film is not there; nothing else is left.
+TEST(Animate, InterruptedLeavesNothingHalfWritten) {
+  for (const char* output : {"%02d.png", "a.apng"}) {
+    if (output[0] == 'a' && !std::filesystem::exists("/usr/bin/ffmpeg")) continue;
+    const ScratchFolder folder;
+    const Words words{"animate", face_path("toon"), "--frames", "0-399",
+                      "--size",  "512x288",         "-o",       (folder / output).string()};
+    test::Process process = test::start_mien(words);
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    test::end_process(process.id(), SIGINT);
+    const Ran ran = process.wait();
+    EXPECT_EQ(ran.signal, SIGINT) << ran.out;
+    EXPECT_EQ(ran.err, "mien: interrupted\n");
+    for (const std::string& name : folder.names()) {
+      EXPECT_TRUE(name.ends_with(".png") && name[0] != '.') << name;
+      const std::string bytes = read_text(folder / name);
+      EXPECT_EQ(bytes.substr(bytes.size() - 8, 4), "IEND") << name;
+    }
+  }
 }
 
 TEST(Animate, WithoutFfmpegNamesThePackageAndLeavesNothing) {

@@ -164,6 +164,44 @@ TEST(EffectChain, PiecesDoNotShow) {
   }
 }
 
+/// How much of [at, at + 1] lies under lines, sampled: straight from the grid's definition.
+double under_lines(const GridEffect& grid, double cell, int at) {
+  constexpr int kSamples = 4096;
+  int under = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double place = at + (i + 0.5) / kSamples;
+    under += std::abs(place - std::round(place / cell) * cell) < 0.5 * grid.width;
+  }
+  return double(under) / kSamples;
+}
+
+// G10, and chains: a grid over a picture of any sides, and over a mosaic, is what sampling gives, to
+// 1 level. A place is free where it is free across and down.
+TEST(EffectChain, GridIsTheSupersampledTruthAlsoOverAMosaic) {
+  for (const auto& [width, height] :
+       {std::pair<int, int>{37, 23}, {19, 41}, {64, 2}, {1, 5}, {5, 1}}) {
+    const Image image = noise(width, height, unsigned(width));
+    for (const MosaicEffect& mosaic :
+         {MosaicEffect{std::min(width, 6), 0.4}, MosaicEffect{1, 0}, MosaicEffect{width, 0}})
+      for (const GridEffect& grid : {GridEffect{std::min(width, 5), 0.7, {0.9, 0.4, 0.1, 0.6}},
+                                     GridEffect{1, 1, {0.3, 0.3, 1, 1}}}) {
+        const Image below = with_effects(image, {mosaic});
+        const Image out = with_effects(image, {mosaic, grid});
+        const double cell = double(width) / grid.cells;
+        const double line[] = {grid.color.r, grid.color.g, grid.color.b, 1};
+        for (int y = 0; y < height; ++y)
+          for (int x = 0; x < width; ++x) {
+            const double free = (1 - under_lines(grid, cell, x)) * (1 - under_lines(grid, cell, y));
+            const double share = (1 - free) * grid.color.a;
+            double truth[4];
+            for (std::size_t c = 0; c < 4; ++c)
+              truth[c] = share * line[c] + (1 - share) * double(pixel(below, x, y)[c]);
+            EXPECT_LT(levels(pixel(out, x, y), truth), 1.0) << width << ": " << x << " " << y;
+          }
+      }
+  }
+}
+
 TEST(EffectChain, RefusesWhatThePictureIsTooSmallFor) {
   EXPECT_TRUE(check_effect(MosaicEffect{64, 0.2}, 64));
   EXPECT_EQ(check_effect(MosaicEffect{65}, 64).error().what,
