@@ -217,15 +217,20 @@ int draw_comparison(const PcaArguments& arguments, const BasisFile& file, const 
   if (const auto got = decoded.read(row, b.data()); !got) return complain(got.error(), kFailed);
   painter->include(a);
   painter->include(b);
-  std::vector<Image> pictures{painter->paint(a), painter->paint(b)};
+  std::vector<Image> pictures{captioned(painter->paint(a), fmt::format("frame {}", frame)),
+                              captioned(painter->paint(b), "reconstruction")};
   if (painter->is_face()) {
-    const LevelDifference levels = level_difference(pictures[0], pictures[1]);
+    const Image drawn = painter->paint(a), again = painter->paint(b);
+    const LevelDifference levels = level_difference(drawn, again);
     print(fmt::format("frame {} as drawn: rms {:.4f}, max {} levels of 255\n", frame, levels.rms,
                       levels.max));
-    pictures.push_back(difference_picture(pictures[0], pictures[1], std::max(levels.max, 1)));
+    pictures.push_back(captioned(difference_picture(drawn, again, std::max(levels.max, 1)),
+                                 fmt::format("difference to {} levels", levels.max)));
   } else {
-    pictures.push_back(painter->paint_heat(
-        a, vertex_amounts(a, b, frames.groups, found.frame_max[std::size_t(frame)])));
+    const double largest = found.frame_max[std::size_t(frame)];
+    pictures.push_back(
+        captioned(painter->paint_heat(a, vertex_amounts(a, b, frames.groups, largest)),
+                  fmt::format("error to {:.3g}", largest)));
   }
   return save_picture(contact_sheet(pictures, 3, 8), arguments.output);
 }
@@ -272,6 +277,7 @@ int sheet(const PcaArguments& arguments) {
   constexpr std::size_t kMostRows = 16;
   const PcaBasis& basis = file->fit.basis;
   std::vector<std::vector<double>> frames;
+  std::vector<std::string> words;
   for (std::size_t i = 0; i < std::min(basis.count, kMostRows); ++i)
     for (const double sign : {-1.0, 0.0, 1.0}) {
       std::vector<double> frame = basis.mean;
@@ -279,9 +285,12 @@ int sheet(const PcaArguments& arguments) {
       for (std::size_t c = 0; c < basis.columns; ++c) frame[c] += by * basis.component(i)[c];
       painter->include(frame);
       frames.push_back(std::move(frame));
+      words.push_back(sign == 0 ? fmt::format("component {}", i + 1)
+                                : fmt::format("{:.3g} sd", sign * spread));
     }
   std::vector<Image> pictures;
-  for (const auto& frame : frames) pictures.push_back(painter->paint(frame));
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    pictures.push_back(captioned(painter->paint(frames[i]), words[i]));
   return save_picture(contact_sheet(pictures, 3, 8), arguments.output);
 }
 

@@ -1,10 +1,13 @@
 #include <mien/lib/face/face_model.h>
 #include <mien/lib/file/obj.h>
 #include <mien/render/render.h>
+#include <mien/sdf/from_face/caption.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/sdf/from_mesh/scene_from_mesh.h>
 #include <mien/tools/mien/pca_pictures.h>
 #include <mien/tools/mien/posed_face.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +103,7 @@ Image FramePainter::paint_heat(std::span<const double> frame,
 
 namespace {
 
+constexpr double kWord = 0.032;  // height of letters, of the plot's
 const Color kPaper{0.93, 0.93, 0.91, 1}, kRule{0.72, 0.72, 0.70, 1}, kInk{0.03, 0.03, 0.05, 1},
     kMost{0.55, 0.05, 0.05, 1}, kRms{0.04, 0.20, 0.45, 1};
 
@@ -126,21 +130,30 @@ Image curve_picture(const std::vector<PcaError>& curve, int width, int height) {
   }
   high = std::ceil(std::log10(high) + 1e-9);
   low = std::clamp(std::floor(std::log10(low)), high - 14, high - 1);
-  SceneBuilder build({{{-0.08, -0.08}, {1.16 * aspect - 0.08, 1.08}}, true}, kPaper);
+  SceneBuilder build({{{-0.13, -0.08}, {1.16 * aspect - 0.13, 1.08}}, true}, kPaper);
+  const auto word = [&](const std::string& text, glm::dvec2 at, double anchor, const Color& ink) {
+    at.x -= anchor * kWord * caption_width(text);
+    draw_caption(build, text, {at.x, at.y - 0.6 * kWord}, kWord, true, ink);
+  };
   for (double decade = low; decade <= high; ++decade) {
     const double y = (decade - low) / (high - low);
     build.layer("decade", build.shape(Line{{0, y}, {aspect, y}, 0.0015}), {.color = kRule});
+    word(fmt::format("1e{:.0f}", decade), {-0.015, y}, 1, kInk);
   }
+  word("0", {0, -0.035}, 0.5, kInk);
+  word("components", {0.5 * aspect, -0.035}, 0.5, kInk);
+  word(fmt::format("{}", curve.back().count), {aspect, -0.035}, 0.5, kInk);
   build.layer("axis", build.shape(Polyline{{{0, 1}, {0, 0}, {aspect, 0}}, 0.003}), {.color = kInk});
-  const auto line = [&](double PcaError::*what, const Color& color) {
+  const auto line = [&](double PcaError::*what, const char* name, const Color& color) {
     const auto points = points_of(curve, low, high, what, aspect);
     build.layer("curve", build.shape(Polyline{points, 0.004}), {.color = color});
     if (points.size() <= 65)
       for (const glm::dvec2 p : points)
         build.layer("point", build.shape(Disc{p, 0.011}), {.color = color});
+    word(name, points.back() + glm::dvec2{0.025, 0}, 0, color);
   };
-  line(&PcaError::rms, kRms);
-  line(&PcaError::max, kMost);
+  line(&PcaError::rms, "rms", kRms);
+  line(&PcaError::max, "max", kMost);
   return render(std::move(build).finish(), {.width = width, .height = height});
 }
 
