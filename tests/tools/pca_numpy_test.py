@@ -88,6 +88,33 @@ def check_decoding(data, bound):
     assert np.abs(np.load(FOLDER / "c.npy").astype(np.float64) - back).max() < 1e-5
 
 
+def check_degenerate():
+    """P3, P8: one frame, frames that are all alike, all zero, of low rank: any n from 1 to min(F, V·D), beyond the rank
+    orthonormal with variance 0; n = F gives everything back."""
+    random = np.random.default_rng(7)
+    some = random.normal(size=(1, 7, 3))
+    cases = [some, np.repeat(some, 5, 0), np.zeros((4, 3, 2)), random.normal(size=(6, 1, 1)),
+             (random.normal(size=(9, 2)) @ random.normal(size=(2, 30))).reshape(9, 10, 3),
+             random.normal(size=(8, 2, 3)), random.normal(size=(8, 2, 3)).astype(np.float32)]
+    for data in cases:
+        np.save(FOLDER / "a.npy", data)
+        rows = data.reshape(len(data), -1).astype(np.float64)
+        rank = np.linalg.matrix_rank(rows - rows.mean(axis=0))
+        close = 1e-6 if data.dtype == np.float32 else 1e-13
+        most = min(rows.shape)
+        for count in range(1, most + 1):
+            mien("fit", FOLDER / "a.npy", "-o", FOLDER / "a.basis", "--components", count)
+            _, _, components, variances, _ = basis(FOLDER / "a.basis")
+            flat = components.reshape(count, -1).astype(np.float64)
+            assert flat.shape[0] == count and np.abs(flat @ flat.T - np.eye(count)).max() < close
+            if count > rank:
+                assert (variances[rank:] <= 1e-20).all(), variances
+        mien("decode", FOLDER / "a.basis", "-o", FOLDER / "b.npy")
+        assert np.abs(np.load(FOLDER / "b.npy").astype(np.float64) - data.astype(np.float64)).max() < 10 * close
+        mien("fit", FOLDER / "a.npy", "-o", FOLDER / "bad.basis", "--components", most + 1, fails=True)
+        assert not (FOLDER / "bad.basis").exists()
+
+
 def check_info(data):
     """P2: F·V·D → (n + 1)·V·D + F·n numbers."""
     np.save(FOLDER / "a.npy", data)
@@ -133,6 +160,7 @@ def main():
     for dtype in (np.float32, np.float64):
         for bound in (2.0, 0.05):
             check_decoding(made(60, 40, 3, dtype), bound)
+    check_degenerate()
     check_info(made(33, 21, 3, np.float32))
     check_bad()
 
