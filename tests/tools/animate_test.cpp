@@ -171,23 +171,27 @@ TEST(Morph, MadeFromTwoFacesIsTheSecondAtOne) {
   EXPECT_FALSE(std::filesystem::exists(folder / "x"));
 }
 
-// Item P7: a face drawn through a basis of all its clip's directions is the face of the clip.
+// Item P7: a face drawn through a basis of all its clip's directions is the face of the clip, with the
+// light on its shut lids, whose relief follows the decoded shape.
 TEST(Basis, DrawsAsTheClipDoes) {
   const ScratchFolder folder;
   const std::string basis = (folder / "b").string();
-  ASSERT_EQ(run_mien({"pca", "fit", face_path("toon"), "--frames", "50-70", "--fps", "30",
+  ASSERT_EQ(run_mien({"pca", "fit", face_path("toon"), "--frames", "22-34", "--fps", "30",
                       "--max-error", "1e-9", "-o", basis})
                 .code,
             0);
   const auto picture = [&](std::vector<std::string> more) {
     const std::string out = (folder / "a.png").string();
     more.insert(more.begin(), {"render", face_path("toon"), "--size", "160", "-o", out, "--time",
-                               "2", "--region", "0,0,160,90"});
+                               "0.93333333333333", "--region", "0,0,160,90"});
     EXPECT_EQ(run_mien(more).code, 0);
     const std::string bytes = read_text(out);
     return bytes.substr(bytes.find("IDAT"));
   };
   EXPECT_EQ(picture({"--basis", basis}), picture({}));
+  const std::vector<std::string> lamp{"--light", "0.8,0.3,0.5"};
+  EXPECT_EQ(picture({"--basis", basis, lamp[0], lamp[1]}), picture(lamp));
+  EXPECT_NE(picture(lamp), picture({}));
   EXPECT_NE(picture({"--basis", basis, "--weights", "0.4"}), picture({}));
   EXPECT_EQ(
       run_mien({"render", face_path("seed0"), "--basis", basis, "-o", (folder / "c.png").string()})
