@@ -30,33 +30,40 @@ double reach_of(double a, double lo, double hi) {
 
 std::optional<ParabolaForm> stroke_form(const QuadBezier& s, double half_width) {
   if (!(half_width > 0.0)) return {};
-  const glm::dvec2 v = 2.0 * (s.p1 - s.p0), w = (s.p2 - s.p1) - (s.p1 - s.p0);
-  const double bow = glm::length(w);
-  ParabolaForm f{.level = half_width, .stroke = true};
-  constexpr double kStraight = 1e-7;  // [px] a bow so small is none
-  if (bow < kStraight) {
-    const double length = glm::length(s.p2 - s.p0);
-    if (!(length > 0.0) || glm::dot(v, s.p2 - s.p0) < 0.0) return {};
-    if (glm::dot(v + 2.0 * w, s.p2 - s.p0) < 0.0) return {};
-    f.origin = s.p0, f.right = (s.p2 - s.p0) / length;
-    f.a = 0.0, f.lo = 0.0, f.hi = length;
-  } else {
-    const glm::dvec2 up = w / bow;
-    f.right = {up.y, -up.x};
-    const double run = glm::dot(v, f.right), vertex = -0.5 * glm::dot(v, up) / bow;
-    f.origin = s.p0 + vertex * (v + vertex * w);
-    f.a = bow / (run * run);
-    const double begin = -run * vertex, end = run * (1.0 - vertex);
-    f.lo = std::min(begin, end), f.hi = std::max(begin, end);
-    // Farther from its vertex the frame loses digits that the curve still has.
-    constexpr double kFarthest = 1e7;
-    if (!(std::max(-f.lo, f.hi) < kFarthest) || !(f.a < 1e9)) return {};
-  }
+  const auto piece = parabola_piece(s);
+  if (!piece) return {};
+  ParabolaForm f = piece->form;
+  f.level = half_width, f.stroke = true;
   f.reach = reach_of(f, ParabolaForm::kMargin);
   return f;
 }
 
 }  // namespace
+
+std::optional<ParabolaPiece> parabola_piece(const QuadBezier& s) {
+  const glm::dvec2 v = 2.0 * (s.p1 - s.p0), w = (s.p2 - s.p1) - (s.p1 - s.p0);
+  const double bow = glm::length(w), length = glm::length(s.p2 - s.p0);
+  ParabolaForm f{.level = 0.0, .stroke = false};
+  constexpr double kStraight = 1e-7;  // [px] a bow so small is none
+  if (bow < kStraight) {
+    if (!(length > 0.0) || glm::dot(v, s.p2 - s.p0) < 0.0) return {};
+    if (glm::dot(v + 2.0 * w, s.p2 - s.p0) < 0.0) return {};
+    f.origin = s.p0, f.right = (s.p2 - s.p0) / length;
+    f.a = 0.0, f.lo = 0.0, f.hi = length;
+    return ParabolaPiece{f, true};
+  }
+  const glm::dvec2 up = w / bow;
+  f.right = {up.y, -up.x};
+  const double run = glm::dot(v, f.right), vertex = -0.5 * glm::dot(v, up) / bow;
+  f.origin = s.p0 + vertex * (v + vertex * w);
+  f.a = bow / (run * run);
+  const double begin = -run * vertex, end = run * (1.0 - vertex);
+  f.lo = std::min(begin, end), f.hi = std::max(begin, end);
+  // Farther from its vertex the frame loses digits that the curve still has.
+  constexpr double kFarthest = 1e7;
+  if (!(std::max(-f.lo, f.hi) < kFarthest) || !(f.a < 1e9)) return {};
+  return ParabolaPiece{f, run > 0.0};
+}
 
 double reach_of(const ParabolaForm& form, double margin) {
   const double a = std::abs(form.a);

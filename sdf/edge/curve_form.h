@@ -33,6 +33,15 @@ struct ParabolaForm {
   static constexpr double kMargin = 32;  ///< [px]
 };
 
+/// The parabola that a quadratic curve lies on: its piece, with level 0 and no stroke.
+struct ParabolaPiece {
+  ParabolaForm form;  ///< but for its reach
+  bool forwards;      ///< the curve runs towards the frame's +x
+};
+/// Nothing for a curve without length, one that doubles back on a straight line, or one so far from
+/// its parabola's vertex that the frame loses digits which the curve still has.
+std::optional<ParabolaPiece> parabola_piece(const QuadBezier& curve);
+
 /// The reach of the piece, made longer by arc `margin` at both ends, or a bound below it.
 double reach_of(const ParabolaForm& form, double margin);
 

@@ -7,41 +7,19 @@
 namespace mien {
 namespace {
 
-constexpr double kStraight = 1e-7;  // [px] a bow so small is none
-
-/// The parabola a side lies on, as parabola_form has it, with the way it runs. Nothing where the
-/// side doubles back on a straight line or has no length.
+/// The parabola a side lies on, with the way it runs. Nothing where there is none, or the side stops at an
+/// end.
 std::optional<OutlineSide> side_of(const QuadBezier& s) {
-  const glm::dvec2 v = 2.0 * (s.p1 - s.p0), w = (s.p2 - s.p1) - (s.p1 - s.p0);
-  const double bow = glm::length(w), length = glm::length(s.p2 - s.p0);
-  if (!(length > 0.0)) return {};
-  OutlineSide side{.curve = s, .begin = s.p0, .end = s.p2};
-  ParabolaForm& f = side.form;
-  f.level = 0.0, f.stroke = false;
-  if (bow < kStraight) {
-    const glm::dvec2 way = (s.p2 - s.p0) / length;
-    if (glm::dot(v, way) < 0.0 || glm::dot(v + 2.0 * w, way) < 0.0) return {};
-    f.origin = s.p0, f.right = way, f.a = 0.0, f.lo = 0.0, f.hi = length;
-    side.forwards = true;
-    side.begin_way = side.end_way = way;
-  } else {
-    const glm::dvec2 up = w / bow;
-    f.right = {up.y, -up.x};
-    const double run = glm::dot(v, f.right), vertex = -0.5 * glm::dot(v, up) / bow;
-    f.origin = s.p0 + vertex * (v + vertex * w);
-    f.a = bow / (run * run);
-    const double begin = -run * vertex, end = run * (1.0 - vertex);
-    f.lo = std::min(begin, end), f.hi = std::max(begin, end);
-    side.forwards = run > 0.0;
-    constexpr double kFarthest = 1e7;  // see curve_form.cpp
-    if (!(std::max(-f.lo, f.hi) < kFarthest) || !(f.a < 1e9)) return {};
-    const glm::dvec2 leave = v + 2.0 * w;
-    if (!(glm::length(v) > 0.0) || !(glm::length(leave) > 0.0)) return {};
-    side.begin_way = glm::normalize(v), side.end_way = glm::normalize(leave);
-  }
+  const auto piece = parabola_piece(s);
+  const glm::dvec2 leave = tangent(s, 0.0), arrive = tangent(s, 1.0);
+  if (!piece || !(glm::length(leave) > 0.0) || !(glm::length(arrive) > 0.0)) return {};
+  if (s.p0 == s.p2) return {};
+  OutlineSide side{.curve = s, .form = piece->form, .forwards = piece->forwards};
+  side.begin = s.p0, side.end = s.p2;
+  side.begin_way = glm::normalize(leave), side.end_way = glm::normalize(arrive);
   double margin = ParabolaForm::kMargin;
-  for (double& reach : side.reaches) reach = reach_of(f, margin), margin *= 0.5;
-  f.reach = side.reaches[0];
+  for (double& reach : side.reaches) reach = reach_of(side.form, margin), margin *= 0.5;
+  side.form.reach = side.reaches[0];
   for (const glm::dvec2 p : {s.p0, s.p1, s.p2}) side.box = around(side.box, p);
   return side;
 }

@@ -7,11 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <random>
+
+#include "tests/support/every_instruction_set.h"
 
 namespace mien {
 namespace {
+
+using test::on_every_set;
 
 /// Colours by the rule "inside all edges": white in, black out.
 void color_all(Leaf& leaf, Blend blend) {
@@ -55,15 +58,6 @@ void compare(const Leaf& leaf, double allowed) {
       const double off = std::abs(double(pixels[i] & 255u) - double(want & 255u));
       ASSERT_LE(off, allowed) << x << ' ' << y << " truth " << truth.r;
     }
-}
-
-void on_every_set(const std::function<void()>& test) {
-  for (const auto& set : batch::instruction_sets()) {
-    SCOPED_TRACE(set.name);
-    batch::use_instruction_set(set.id);
-    test();
-  }
-  batch::use_instruction_set(0);
 }
 
 TEST(PaintLeaf, IsItsScalarForm) {

@@ -11,12 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "tests/support/every_instruction_set.h"
+
 namespace mien {
 namespace {
+
+using test::on_every_set;
 
 /// Signed distance by the description, u from the leaf's centre; roughly, as coverage takes it.
 double value(const LeafEdge& e, glm::dvec2 p) {
@@ -110,15 +113,6 @@ Tally check(const OffsetShape& shape, double side, int tiles, std::uint64_t seed
     }
   }
   return tally;
-}
-
-void on_every_set(const std::function<void()>& test) {
-  for (const auto& set : batch::instruction_sets()) {
-    SCOPED_TRACE(set.name);
-    batch::use_instruction_set(set.id);
-    test();
-  }
-  batch::use_instruction_set(0);
 }
 
 TEST(LeafOutlines, DescribeStrokesWithTheirEnds) {
