@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <type_traits>
 #include <vector>
 
 #include "tests/support/effort.h"
@@ -247,6 +248,59 @@ TEST(Distances, ToManyCurvesIsTheLeastOfTheSingleOnes) {
       for (const QuadBezier& c : curves) least = std::min(least, distance(c, {p.x[i], p.y[i]}));
       EXPECT_NEAR(many[i], least, 4 * 0x1p-23);
     }
+  });
+}
+
+/// The overloads' types, as the documentation gives them.
+static_assert(std::is_same_v<decltype(Roots::count), int>);
+static_assert(std::is_same_v<decltype(Roots::x), std::array<double, 3>>);
+[[maybe_unused]] double (*const kDistance)(const QuadBezier&, glm::dvec2) = distance;
+[[maybe_unused]] NearestPoint (*const kNearest)(const QuadBezier&, glm::dvec2) = nearest;
+[[maybe_unused]] Roots (*const kSolveCubic)(double, double, double, double) = solve_cubic;
+[[maybe_unused]] void (*const kMany)(std::span<const QuadBezier>, std::span<const float>,
+                                     std::span<const float>, std::span<float>) = distances;
+
+/// Spans of any length at any address, in place of either coordinate, with nonsense among them.
+template <class T, class Figure>
+void expect_any_spans(const Figure& figure) {
+  const Points p = points(140);
+  std::vector<T> x(p.x.begin(), p.x.end()), y(p.y.begin(), p.y.end()), alone(140), d(140);
+  x[3] = T(kNan), y[70] = T(kInf), x[71] = T(-kInf);
+  using In = std::span<const T>;
+  using Out = std::span<T>;
+  distances(figure, In(), In(), Out());
+  for (size_t i = 0; i < 140; ++i) {
+    distances(figure, In(&x[i], 1), In(&y[i], 1), Out(&alone[i], 1));
+  }
+  for (const size_t i : {3, 70, 71}) EXPECT_EQ(alone[i], T(kInf)) << i;
+  for (const size_t begin : {0, 1, 5}) {
+    const size_t size = 135 - begin;
+    distances(figure, In(&x[begin], size), In(&y[begin], size), Out(&d[begin], size));
+    for (size_t i = begin; i < begin + size; ++i) EXPECT_EQ(d[i], alone[i]) << i;
+  }
+  std::vector<T> over_x = x, over_y = y;
+  distances(figure, In(over_x), In(y), Out(over_x));
+  distances(figure, In(x), In(over_y), Out(over_y));
+  EXPECT_EQ(over_x, alone);
+  EXPECT_EQ(over_y, alone);
+  EXPECT_DEATH(distances(figure, In(x).first(9), In(y).first(9), Out(x).subspan(1, 9)),
+               "mien::distances: the output overlaps");
+}
+
+TEST(DistancesDeathTest, EveryOverloadTakesAnySpans) {
+  const QuadBezier two[] = {kCurve, {{0, 0}, {0.5, 0}, {1, 0}}};
+  on_every_instruction_set([&](const auto&) {
+    expect_any_spans<float>(kCurve);
+    expect_any_spans<float>(std::span<const QuadBezier>(two));
+    expect_any_spans<double>(kCurve);
+    const auto both = [](const auto& figure) {
+      expect_any_spans<float>(figure);
+      expect_any_spans<double>(figure);
+    };
+    both(Ellipse{{0.4, 0.5}, {0.5, 0.2}, {0.8, 0.6}});
+    both(ParabolaSide{{0.4, 0.2}, {0.6, 0.8}, 1.3});
+    both(TaperedStroke{kCurve, {0.1, 0.2, 0.05}});
+    both(CubicBezier{{0, 0}, {1, 2}, {2, -1}, {0.5, 0.5}});
   });
 }
 
