@@ -102,6 +102,13 @@ TEST_F(MeshTest, ImportedTargetsMoveTheFace) {
   };
   EXPECT_EQ(scene("open=0"), run_mien({"scene", face}).out);
   EXPECT_NE(scene("open=1"), scene("open=0"));
+  test::write_text(folder_ / "far.json", R"({"format": "mien-map", "format_version": 1,
+                                             "points": {"mouth/spine/0": 9999}})");
+  const Ran far = run_mien({"import", "obj-targets", face, path("far.json"), path("neutral.obj"),
+                            path("ah.obj"), "-o", path("c")});
+  EXPECT_EQ(far.code, 1);
+  EXPECT_EQ(far.err, "mien: " + path("far.json") +
+                         ": \"mouth/spine/0\" is bound to vertex 9999, and the mesh has 220\n");
   EXPECT_EQ(run_mien({"import", "obj-targets", face, path("map.json"), "-o", path("c")}).code, 2);
   EXPECT_EQ(run_mien({"import", "facemotion", face, face, "-o", path("c")}).code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "c"));

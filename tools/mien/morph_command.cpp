@@ -50,7 +50,11 @@ int morph_command(const MorphArguments& arguments) {
   if (!rest) return kFailed;
   const auto text =
       arguments.from_obj ? from_heads(arguments, *rest) : from_faces(arguments, *rest);
-  if (!text) return complain(text.error(), kFailed);
+  if (!text) {
+    Error wrong = text.error();
+    if (wrong.where.empty()) wrong.where = arguments.from_obj ? arguments.map : arguments.rest;
+    return complain(wrong, kFailed);
+  }
   const auto done = write_file(
       arguments.output, [&](const ByteSink& sink) { return sink(text->data(), text->size()); });
   return done ? kDone : complain(done.error(), kFailed);
