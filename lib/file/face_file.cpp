@@ -2,19 +2,17 @@
 
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
+#include <mien/lib/file/read_bytes.h>
 #include "face_draft_private.h"
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <limits>
 #include <memory>
 #include <new>
 #include <string>
-#include <system_error>
 
 namespace mien {
 namespace {
@@ -85,35 +83,12 @@ Error too_long(std::string_view name, const FaceLimits& limits) {
   return {one_line(name), fmt::format("longer than {} bytes (limit: bytes)", limits.bytes)};
 }
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-/// All of a file, or at most limits.bytes + 1 bytes of it.
-Expected<std::string> read_bytes(const std::filesystem::path& path, const FaceLimits& limits) {
-  const std::string name = one_line(path.string());
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return Error{name, "is a directory"};
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (!file)
-    return Error{name, fmt::format("cannot be read: {}", std::generic_category().message(errno))};
-  std::string text;
-  char block[1 << 16];
-  while (const std::size_t got = std::fread(block, 1, sizeof block, file.get())) {
-    text.append(block, got);
-    if (text.size() > limits.bytes) return too_long(name, limits);
-  }
-  if (std::ferror(file.get()))
-    return Error{name, fmt::format("cannot be read: {}", std::generic_category().message(errno))};
-  return text;
-}
-
 }  // namespace
 
 Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
                          std::vector<Error>* warnings) {
   try {
-    const Expected<std::string> text = read_bytes(path, limits);
+    const Expected<std::string> text = read_bytes(path, limits.bytes);
     if (!text) return text.error();
     return read_face_text(*text, path.string(), limits, warnings);
   } catch (const std::exception& e) {

@@ -1,14 +1,13 @@
 #include <mien/lib/file/frame_file.h>
 
 #include <mien/lib/base/one_line.h>
+#include <mien/lib/file/read_bytes.h>
 #include "reading_private.h"
 
 #include <fmt/format.h>
 
 #include <exception>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace mien {
 namespace {
@@ -50,11 +49,9 @@ Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text, std::s
 
 Expected<std::vector<FrameNumber>> read_frame(const std::filesystem::path& path,
                                               const FaceLimits& limits) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (!file) return Error{one_line(path.string()), "cannot be read"};
-  return read_frame_text(text.str(), path.string(), limits);
+  const auto text = read_bytes(path, limits.bytes);
+  if (!text) return text.error();
+  return read_frame_text(*text, path.string(), limits);
 }
 
 }  // namespace mien

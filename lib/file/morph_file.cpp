@@ -2,14 +2,13 @@
 
 #include <mien/lib/base/one_line.h>
 #include <mien/lib/face/face_model.h>
+#include <mien/lib/file/read_bytes.h>
 #include "face_draft_private.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 
 namespace mien {
 namespace {
@@ -131,13 +130,9 @@ Expected<Face> read_morphs_text(const Face& face, std::string_view text, std::st
 }
 
 Expected<Face> read_morphs(const Face& face, const std::filesystem::path& path) {
-  const std::string name = one_line(path.string());
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return Error{name, "is a directory"};
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Error{name, "cannot be read: No such file or directory"};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_morphs_text(face, text, path.string());
+  const auto text = read_bytes(path, FaceLimits{}.bytes);
+  if (!text) return text.error();
+  return read_morphs_text(face, *text, path.string());
 }
 
 }  // namespace mien

@@ -1,6 +1,7 @@
 #include <mien/lib/file/obj.h>
 
 #include <mien/lib/base/one_line.h>
+#include <mien/lib/file/read_bytes.h>
 
 #include <fmt/format.h>
 
@@ -8,12 +9,8 @@
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -54,27 +51,21 @@ Expected<Done> check_points(std::string_view text, const std::string& name) {
   return Done{};
 }
 
-Expected<std::string> read_all(const std::filesystem::path& path, const std::string& name) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return Error{name, "is a directory"};
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Error{name, fmt::format("cannot be read: {}", std::strerror(errno))};
-  if (std::filesystem::file_size(path, ignored) > kMostBytes && !ignored)
-    return Error{name, "is larger than 1 GiB"};
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 Expected<Mesh> read_obj(const std::filesystem::path& path) {
-  const std::string name = one_line(path.string());
-  const auto text = read_all(path, name);
+  const auto text = read_bytes(path, kMostBytes);
   if (!text) return text.error();
-  if (auto checked = check_points(*text, name); !checked) return checked.error();
+  return read_obj_text(*text, path.string());
+}
+
+Expected<Mesh> read_obj_text(std::string_view text, std::string_view path) {
+  const std::string name = one_line(path);
+  if (auto checked = check_points(text, name); !checked) return checked.error();
   tinyobj::ObjReader reader;
   tinyobj::ObjReaderConfig how;
   how.triangulate = true;
-  if (!reader.ParseFromString(*text, "", how))
+  if (!reader.ParseFromString(std::string{text}, "", how))
     return Error{name, fmt::format("cannot be read: {}", one_line(reader.Error()))};
   Mesh mesh;
   const auto& numbers = reader.GetAttrib().vertices;

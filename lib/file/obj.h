@@ -6,6 +6,7 @@
 #include <mien/lib/geom/mesh.h>
 
 #include <filesystem>
+#include <string_view>
 
 namespace mien {
 
@@ -13,6 +14,7 @@ namespace mien {
 /// each other. The error's `where` is "FILE:LINE" where a line is to blame: a point without three
 /// finite numbers, a face of points that are not there. Materials are ignored.
 MIEN_API Expected<Mesh> read_obj(const std::filesystem::path& path);
+MIEN_API Expected<Mesh> read_obj_text(std::string_view text, std::string_view name = "mesh");
 
 /// Whether a target has as many points as the neutral mesh; the error names the file.
 MIEN_API Expected<Done> check_fits(const Mesh& neutral, const Mesh& target,

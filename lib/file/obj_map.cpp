@@ -5,13 +5,12 @@
 #include <mien/lib/face/face_model.h>
 #include <mien/lib/file/morph_file.h>
 #include <mien/lib/file/obj.h>
+#include <mien/lib/file/read_bytes.h>
 #include "reading_private.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace mien {
 namespace {
@@ -111,13 +110,9 @@ Expected<ObjMap> read_obj_map_text(const Face& face, std::string_view text, std:
 }
 
 Expected<ObjMap> read_obj_map(const Face& face, const std::filesystem::path& path) {
-  const std::string name = one_line(path.string());
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return Error{name, "is a directory"};
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Error{name, "cannot be read: No such file or directory"};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_obj_map_text(face, text, path.string());
+  const auto text = read_bytes(path, FaceLimits{}.bytes);
+  if (!text) return text.error();
+  return read_obj_map_text(face, *text, path.string());
 }
 
 Expected<std::string> morph_text_from_meshes(

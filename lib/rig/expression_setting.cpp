@@ -44,6 +44,8 @@ Expected<Setting> read_expression(const Face& face, std::string_view set, std::s
       return Error{where, fmt::format("{} goes from 0 to 1, got {}", in_quotes(name), value)};
     return Setting{true, int(c), {value}};
   }
+  if (known.empty() && (set == "emotion" || set == "muscle"))
+    return Error{where, fmt::format("this face has no {}s", set)};
   if (known.empty()) return Error{where, fmt::format("this face has no set {}", in_quotes(set))};
   return Error{where,
                unknown_name(set == "arkit" || set == "facs" || set == "vrm" || set == "viseme"

@@ -1,3 +1,5 @@
+#include <mien/lib/base/one_line.h>
+#include <mien/lib/file/read_bytes.h>
 #include <mien/sdf/from_text/font.h>
 
 #include <ft2build.h>
@@ -6,9 +8,6 @@
 #include FT_OUTLINE_H
 
 #include <cstdio>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <new>
 #include <string>
@@ -17,6 +16,8 @@
 
 namespace mien {
 namespace {
+
+constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of a font file; large ones have 30 MB
 
 /// FreeType's walk along an outline, collected as closed loops of quadratics in ems.
 struct Walk {
@@ -96,13 +97,13 @@ Font Font::shipped() {
 }
 
 Expected<Font> Font::read(const std::filesystem::path& path) {
-  const auto refuse = [&](const std::string& what) { return Error{path.string(), what}; };
+  const auto refuse = [&](const std::string& what) { return Error{one_line(path.string()), what}; };
   try {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return refuse(std::string("cannot be read: ") + std::strerror(errno));
+    auto bytes = read_bytes(path, kMostBytes);
+    if (!bytes) return bytes.error();
     auto data = std::make_shared<Data>();
-    data->bytes.assign(std::istreambuf_iterator<char>(in), {});
-    if (in.bad() || !data->open(data->bytes.data(), data->bytes.size()))
+    data->bytes.assign(bytes->begin(), bytes->end());
+    if (!data->open(data->bytes.data(), data->bytes.size()))
       return refuse("is no font that FreeType can read");
     if (std::string(FT_Get_Font_Format(data->face)) != "TrueType" || !FT_IS_SCALABLE(data->face))
       return refuse("has no quadratic outlines: mien takes TrueType fonts");

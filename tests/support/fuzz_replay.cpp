@@ -1,7 +1,7 @@
 // The short form of a fuzzer, for every suite and compiler: each file of the folders named, as it is
 // and with seeded mutations. What the long form finds is kept beside the fuzzer in corpus/.
 //
-//   face_file_replay MUTATIONS PATH…      prints how many inputs went through
+//   NAME_replay MUTATIONS PATH…      prints how many inputs went through
 
 #include <cstdint>
 #include <cstdio>

@@ -1,33 +1,13 @@
 // mien import: a face of facemotion.js becomes a face file, a head with targets those of a face.
 
 #include <mien/lib/file/facemotion.h>
+#include <mien/lib/file/read_bytes.h>
 #include <mien/tools/mien/commands.h>
 #include <mien/tools/mien/messages.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <system_error>
+#include <mien/tools/mien/written_file.h>
 
 namespace mien::command {
 namespace {
-
-/// Written beside its target, then renamed: an error leaves the old file as it was.
-Expected<Done> write_text(const std::string& path, const std::string& text) {
-  const std::string part = path + ".part";
-  const auto failed = [&] {
-    const Error error{path, "cannot be written: " + std::generic_category().message(errno)};
-    std::remove(part.c_str());
-    return error;
-  };
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (!file) return failed();
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (std::fclose(file) != 0 || !written) return failed();
-  if (std::rename(part.c_str(), path.c_str()) != 0) return failed();
-  return Done{};
-}
 
 int import_targets(const ImportArguments& arguments) {
   const auto& files = arguments.files;
@@ -50,17 +30,15 @@ int import_command(const ImportArguments& arguments) {
                     kUsedWrongly);
   if (arguments.files.size() != 1)
     return complain("import facemotion: expected one FILE", kUsedWrongly);
-  std::ifstream file(arguments.files[0], std::ios::binary);
-  std::stringstream source;
-  source << file.rdbuf();
-  if (!file) return complain({arguments.files[0], "cannot be read"}, kFailed);
   FacemotionOptions options;
+  const auto source = read_bytes(arguments.files[0], options.limits.bytes);
+  if (!source) return complain(source.error(), kFailed);
   options.morphology = arguments.morphology.value_or("");
   options.smooth = arguments.smooth;
-  const auto text = face_text_from_facemotion(source.str(), arguments.files[0], options);
+  const auto text = face_text_from_facemotion(*source, arguments.files[0], options);
   if (!text) return complain(text.error(), kFailed);
-  if (arguments.output == "-") return print(*text);
-  const auto done = write_text(arguments.output, *text);
+  const auto done = write_file(
+      arguments.output, [&](const ByteSink& sink) { return sink(text->data(), text->size()); });
   return done ? int(kDone) : complain(done.error(), kFailed);
 }
 

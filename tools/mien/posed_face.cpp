@@ -44,19 +44,25 @@ Expected<Setting> read_control(const Face& face, const std::string& name,
   return Error{"--" + name + " " + one_line(value, 60), setting.error().what};
 }
 
-/// --arkit, --emotion, --muscle.
+/// --arkit: what is wrong with it is the file's fault.
+Expected<Pose> read_arkit(const Face& face, const PosedFace& arguments) {
+  const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
+  Pose pose;
+  if (!arguments.arkit) return pose;
+  const auto frame = read_frame(*arguments.arkit);
+  if (!frame) return frame.error();
+  for (const FrameNumber& number : *frame) {
+    auto setting =
+        read_expression(face, "arkit", fmt::format("{}={}", number.name, number.values[0]), out);
+    if (!setting) return Error{number.where, setting.error().what};
+    pose.settings.push_back(*std::move(setting));
+  }
+  return pose;
+}
+
+/// --emotion, --muscle.
 Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Pose& pose) {
   const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
-  if (arguments.arkit) {
-    const auto frame = read_frame(*arguments.arkit);
-    if (!frame) return frame.error();
-    for (const FrameNumber& number : *frame) {
-      auto setting =
-          read_expression(face, "arkit", fmt::format("{}={}", number.name, number.values[0]), out);
-      if (!setting) return Error{number.where, setting.error().what};
-      pose.settings.push_back(*std::move(setting));
-    }
-  }
   for (const auto& [set, texts] :
        {std::pair{"emotion", &arguments.emotions}, {"muscle", &arguments.muscles}})
     for (const std::string& text : *texts) {
@@ -69,7 +75,8 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
 }
 
 /// What was typed, in the order in which it counts.
-Expected<Pose> read_pose(const Face& face, const PosedFace& arguments) {
+Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
+                         const std::vector<Setting>& arkit) {
   Pose pose;
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
@@ -103,6 +110,7 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments) {
       if (!setting) return setting.error();
       pose.settings.push_back(*std::move(setting));
     }
+  pose.settings.insert(pose.settings.end(), arkit.begin(), arkit.end());
   if (auto pulled = read_expressions(face, arguments, pose); !pulled) return pulled.error();
   for (const std::string& text : arguments.settings) {
     auto setting = read_setting(face, text);
@@ -156,7 +164,9 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
     if (!more) return {{}, {}, complain(more.error(), kFailed)};
     face = *std::move(more);
   }
-  auto pose = read_pose(*face, arguments);
+  const auto arkit = read_arkit(*face, arguments);
+  if (!arkit) return {{}, {}, complain(arkit.error(), kFailed)};
+  auto pose = read_pose(*face, arguments, arkit->settings);
   if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
   pose->time = at;
   if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
