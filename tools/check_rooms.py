@@ -9,6 +9,7 @@
 4. Every test, bench and fuzzer mirrors a source file; every header has a test. Those that have none yet are in
    tests/untested.txt, each with its reason; that list may only shrink.
 5. The libraries print nothing, and no file speaks of the machine it was written on.
+6. Links between pages, and pages that code refers to, are there.
 """
 import pathlib
 import re
@@ -86,6 +87,7 @@ class House:
                 self.check_code(name)
             if pathlib.Path(name).suffix in TEXT:
                 self.check_words(name)
+                self.check_links(name)
         self.check_mirrors()
         return self.breaches
 
@@ -140,6 +142,18 @@ class House:
             for number, line in enumerate([name, *self.lines(name)]):
                 if found := re.search(FRANCHISES, line):
                     self.breach(name, number, f"'{found[0]}' is somebody's trade mark")
+
+    def check_links(self, name):
+        if name.startswith("tests/house/"):  # plants breaches
+            return
+        for number, line in enumerate(self.lines(name), 1):
+            links = {(self.root / page, page) for page in re.findall(r"\bdocs/[\w/-]+\.(?:md|json|png)\b", line)}
+            if name.endswith(".md"):
+                folder = (self.root / name).parent
+                links |= {(folder / link, link) for link in re.findall(r"\]\(([\w./-]+)(?:#[\w-]*)?\)", line) if "." in link}
+            for path, link in sorted(links):
+                if not path.exists():
+                    self.breach(name, number, f"there is no {link}")
 
     def check_mirrors(self):
         untested = {}

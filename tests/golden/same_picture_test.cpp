@@ -14,12 +14,14 @@
 namespace mien {
 namespace {
 
+constexpr const char* kFaces[] = {"seed0", "toon", "male", "bruno", "clay"};
+
 Scene posed_scene(const char* name, const std::vector<std::string>& settings = {}) {
   return scene_from_face(test::posed(test::face_named(name), settings));
 }
 
 TEST(SamePicture, ForAnyNumberOfThreads) {
-  for (const char* name : {"seed0", "toon", "male"}) {
+  for (const char* name : kFaces) {
     const Scene scene = posed_scene(name);
     const Image one = render(scene, {.width = 611, .height = 347}, {.threads = {.count = 1}});
     for (const int threads : {2, 7})
@@ -31,7 +33,7 @@ TEST(SamePicture, ForAnyNumberOfThreads) {
 
 TEST(SamePicture, StitchedFromRegions) {
   const int width = 611, height = 347;
-  for (const char* name : {"seed0", "toon", "male"})
+  for (const char* name : kFaces)
     for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
       const Scene scene = posed_scene(name);
       const Image whole = render(scene, {.width = width, .height = height}, {.depth = depth});

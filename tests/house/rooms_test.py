@@ -46,6 +46,8 @@ PLANTED = [
     ("tests/untested.txt", "lib/base/gone.h  was here\n", "there is no lib/base/gone.h"),
     ("tests/untested.txt", "lib/base/api.h\n", "needs a reason"),
     ("README.md", "see /wor" + "k/main\n", "a path of one machine"),
+    ("lib/geom/a.cpp", "// Proof: docs/non" + "e.md.\n", "lib/geom/a.cpp:1: there is no docs/none.md"),
+    ("docs/a.md", "\n[b](no" + "ne.md#part)\n", "docs/a.md:2: there is no none.md"),
     ("faces/zel" + "da.json", "{}\n", "trade mark"),
 ]
 

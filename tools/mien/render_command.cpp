@@ -46,7 +46,7 @@ std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const 
       times.scene, times.picture, stats.draw, stats.encode, stats.put);
 }
 
-/// On standard output, unless the picture is there.
+/// On standard output, unless a picture is there.
 int print_stats(const std::string& text, const std::string& output) {
   if (output != "-") return print(text);
   std::fwrite(text.data(), 1, text.size(), stderr);
@@ -112,7 +112,7 @@ int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Sc
   if (!done) return complain(done.error(), kFailed);
   return print_stats(
       fmt::format("no channel is off by more than {:.3f} of 255, rounding left out\n", map.worst),
-      arguments.output);
+      *plan.error_map == "-" ? *plan.error_map : arguments.output);
 }
 
 constexpr std::string_view kMorphDebug = "morph";  // of kDebugs: a scene of its own
@@ -137,6 +137,9 @@ int render_command(const RenderArguments& arguments) {
     return complain(writable.error(), kFailed);
   }
   if (plan->error_map) {
+    if (*plan->error_map == arguments.output)
+      return complain({"--error-map " + *plan->error_map, "is the picture's own name"},
+                      kUsedWrongly);
     if (auto writable = check_target(*plan->error_map, plan->error_map_write); !writable)
       return complain(writable.error(), kFailed);
   }

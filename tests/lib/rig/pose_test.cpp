@@ -45,7 +45,7 @@ double source_shape(double t) {
   return stage <= 3 ? stage : stage <= 4 ? 3 : 7 - stage;
 }
 
-TEST(PoseFace, WithoutATimeRests) {
+TEST(PoseFace, WithoutATimeRests_G11) {
   for (const char* name : {"seed0", "toon", "male"}) {
     const Face face = sample(name);
     EXPECT_EQ(pose_face(face).vector, face.vector) << name;
