@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/effort.h"
+
 namespace mien {
 namespace {
 
@@ -126,13 +128,13 @@ TEST(ReadMuscles, SurvivesDamage) {
   std::stringstream all;
   all << file.rdbuf();
   std::string text = all.str();
-  for (std::size_t length = 0; length < text.size(); length += 29) {
+  for (std::size_t length = 0; length < text.size(); length += 29 * test::kThinning) {
     const Expected<Face> face = read_face_text(text.substr(0, length));
     if (!face) {
       EXPECT_FALSE(face.error().what.empty());
     }
   }
-  for (std::size_t at = 0; at < text.size(); at += 37)
+  for (std::size_t at = 0; at < text.size(); at += 37 * test::kThinning)
     for (const char c : {'"', '}', '9', '\\'}) {
       const char was = std::exchange(text[at], c);
       const Expected<Face> face = read_face_text(text);
