@@ -27,7 +27,7 @@ TEST(ReadBytes, StopsWhereThereAreTooMany) {
 
 TEST(ReadBytes, SaysWhyItCannot) {
   EXPECT_EQ(sentence(read_bytes("/no/such\nfile", 9).error()),
-            "/no/such\\x0afile: cannot be read: No such file or directory");
+            "/no/such\\x0Afile: cannot be read: No such file or directory");
   EXPECT_EQ(sentence(read_bytes("/tmp", 9).error()), "/tmp: is a directory");
 }
 
