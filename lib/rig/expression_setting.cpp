@@ -3,6 +3,7 @@
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
 #include <mien/lib/face/face_model.h>
+#include <mien/lib/face/standard_names.h>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,12 @@ namespace {
 /// "emotion.left.joy" as it is typed after --emotion: "left.joy".
 std::string_view typed_name(const Control& control, const std::string& prefix) {
   return std::string_view{control.name}.substr(prefix.size());
+}
+
+std::string none_of(std::string_view set) {
+  if (set == "emotion" || set == "muscle") return fmt::format("this face has no {}s", set);
+  if (!standard_names(set).empty()) return fmt::format("this face has no table of {} names", set);
+  return fmt::format("this face has no set {}", in_quotes(set));
 }
 
 }  // namespace
@@ -44,14 +51,15 @@ Expected<Setting> read_expression(const Face& face, std::string_view set, std::s
       return Error{where, fmt::format("{} goes from 0 to 1, got {}", in_quotes(name), value)};
     return Setting{true, int(c), {value}};
   }
-  if (known.empty() && (set == "emotion" || set == "muscle"))
-    return Error{where, fmt::format("this face has no {}s", set)};
-  if (known.empty()) return Error{where, fmt::format("this face has no set {}", in_quotes(set))};
-  return Error{where,
-               unknown_name(set == "arkit" || set == "facs" || set == "vrm" || set == "viseme"
-                                ? fmt::format("{} name", set)
-                                : std::string{set},
-                            name, known)};
+  if (known.empty()) return Error{where, none_of(set)};
+  if (const std::size_t dot = name.find('.');
+      dot != std::string_view::npos && (name.starts_with("left.") || name.starts_with("right.")))
+    if (const auto bare = name.substr(dot + 1);
+        std::find(known.begin(), known.end(), bare) != known.end())
+      return Error{where, fmt::format("{} has no left and right: it is one", in_quotes(bare))};
+  const bool standard = !standard_names(set).empty();
+  return Error{
+      where, unknown_name(standard ? fmt::format("{} name", set) : std::string{set}, name, known)};
 }
 
 }  // namespace mien

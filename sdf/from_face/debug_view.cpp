@@ -11,12 +11,13 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace mien {
 namespace {
 
-constexpr Color kInk{0.02, 0.02, 0.03, 1}, kVeil{1, 1, 1, 0.55}, kHandle{0.8, 0.1, 0.02, 1},
-    kPoint{0.01, 0.12, 0.55, 1};
+constexpr Color kInk{0.02, 0.02, 0.03, 1}, kVeil{1, 1, 1, 0.55}, kPlate{1, 1, 1, 0.85},
+    kHandle{0.8, 0.1, 0.02, 1}, kPoint{0.01, 0.12, 0.55, 1};
 
 glm::dvec2 point_at(const Face& face, int slice) {
   const auto begin = std::size_t(face.model->layout[slice].begin);
@@ -69,25 +70,59 @@ void draw_scale(SceneBuilder& build, const Page& page) {
     draw_caption(build, text, page.at(right, 0.078), 0.024 * page.size, page.canvas.y_up, kInk);
 }
 
-/// Groups in the order of the model, each with the pulls of its sides.
-void draw_values(const FaceModel& model, std::span<const double> pulls, SceneBuilder& build,
-                 const Page& page) {
+constexpr double kValueSize = 0.018, kValueStep = 0.026, kFirstValue = 0.131, kValueLeft = 0.05;
+
+/// One line of the legend: a group of muscles, with the pulls of its sides.
+struct MuscleValue {
+  std::string text;
+  double most = 0;
+};
+
+/// In the order of the model, left before right.
+std::vector<MuscleValue> muscle_values(const FaceModel& model, std::span<const double> pulls) {
+  std::vector<MuscleValue> values;
   std::set<std::string> done;
-  double down = 0.105;
   const auto& muscles = model.muscles.muscles;
-  for (std::size_t m = 0; m < muscles.size(); ++m) {
-    if (!done.insert(muscles[m].name).second) continue;
-    std::string text = muscles[m].name;
-    double most = 0;
-    for (std::size_t other = m; other < muscles.size(); ++other)
-      if (muscles[other].name == muscles[m].name) {
-        text += fmt::format(" {:.2f}", pulls[other]);
-        most = std::max(most, pulls[other]);
-      }
+  for (const Muscle& muscle : muscles) {
+    if (!done.insert(muscle.name).second) continue;
+    MuscleValue& value = values.emplace_back(MuscleValue{muscle.name});
+    for (const Side side : {Side::left, Side::right, Side::none})
+      for (std::size_t m = 0; m < muscles.size(); ++m)
+        if (muscles[m].name == muscle.name && muscles[m].side == side) {
+          value.text += fmt::format(" {:.2f}", pulls[m]);
+          value.most = std::max(value.most, pulls[m]);
+        }
+  }
+  return values;
+}
+
+/// The corner of the page that the legend lies on, nearly opaque: the lines behind it cross no words.
+void draw_plate(SceneBuilder& build, const Page& page, double right, double down) {
+  const glm::dvec2 corner = page.at(right, down);
+  const double out = page.canvas.y_up ? -1.0 : 1.0;
+  build.layer("plate",
+              build.both(build.shape(HalfPlane{{1, 0}, corner.x}),
+                         build.shape(HalfPlane{{0, out}, out * corner.y})),
+              {.color = kPlate});
+}
+
+void draw_legend(const FaceModel& model, std::span<const double> pulls, SceneBuilder& build,
+                 const Page& page) {
+  const std::vector<MuscleValue> values = muscle_values(model, pulls);
+  double widest = 0.27;
+  for (const MuscleValue& value : values)
+    widest = std::max(widest, kValueLeft + kValueSize * caption_width(value.text));
+  draw_plate(build, page, widest + 0.02, kFirstValue + kValueStep * double(values.size()));
+  draw_scale(build, page);
+  draw_caption(build, "left right", page.at(kValueLeft, kFirstValue - kValueStep),
+               kValueSize * page.size, page.canvas.y_up, kInk);
+  double down = kFirstValue;
+  for (const MuscleValue& value : values) {
     build.layer("value", build.shape(Disc{page.at(0.034, down - 0.008), 0.006 * page.size}),
-                {.color = pull_color(most)});
-    draw_caption(build, text, page.at(0.05, down), 0.018 * page.size, page.canvas.y_up, kInk);
-    down += 0.026;
+                {.color = pull_color(value.most)});
+    draw_caption(build, value.text, page.at(kValueLeft, down), kValueSize * page.size,
+                 page.canvas.y_up, kInk);
+    down += kValueStep;
   }
 }
 
@@ -146,8 +181,7 @@ Scene debug_muscles(const Face& posed, std::span<const double> pulls) {
   const Page page{posed.model->canvas};
   for (std::size_t m = 0; m < posed.model->muscles.muscles.size(); ++m)
     draw_muscle(posed, build, int(m), pulls[m], 0.003 * page.size);
-  draw_scale(build, page);
-  draw_values(*posed.model, pulls, build, page);
+  draw_legend(*posed.model, pulls, build, page);
   return std::move(build).finish();
 }
 

@@ -1,5 +1,7 @@
 // Eyes as people see them: pictures of gazes, blinks and bulges.
 
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/geom/srgb.h>
 #include <mien/mien.h>
 
 #include <fmt/format.h>
@@ -145,6 +147,83 @@ TEST(Eyes, AreWhiteWhereTheSourceSays_E1) {
     }
   EXPECT_EQ(wrong, 0);
   EXPECT_GT(judged, width * height * 99 / 100);
+}
+
+const Layer& layer_named(const Scene& scene, const std::string& name) {
+  for (const Layer& layer : scene.layers())
+    if (layer.name == name) return layer;
+  throw std::runtime_error("no layer " + name);
+}
+
+/// In 1000 steps of a blink, looking about: above the lid's stroke there is no eye. Where the opening has
+/// points at all, the topmost of every column lies in the stroke, and what lies above it does not.
+TEST(Eyes, ShowNoScleraOutsideTheLidsStroke_E5) {
+  for (const char* name : {"toon", "bruno"}) {
+    const Face face = face_named(name);
+    int judged = 0;
+    for (int step = 0; step < 1000; ++step) {
+      const double w = step / 999.0;
+      const Scene scene = scene_from_face(
+          posed(face, {fmt::format("blink={}", w), fmt::format("gaze.x={}", 0.08 * std::sin(9 * w)),
+                       fmt::format("gaze.y={}", 0.05 * std::cos(7 * w))}));
+      const Area eye = layer_named(scene, "opening.left").area,
+                 stroke = layer_named(scene, "upper_lid.left").area;
+      for (double x = 0.10; x < 0.39; x += 0.03) {
+        double y = 0.35;  // by the distance down to the opening: never past it
+        double away = 0;
+        for (int k = 0; k < 200 && y > -0.3 && (away = scene.distance(eye, {x, y})) > 1e-9; ++k)
+          y -= away;
+        if (y <= -0.3 || away > 1e-6) continue;  // none in this column
+        ++judged;
+        EXPECT_LE(scene.distance(stroke, {x, y}), 1e-6) << name << " " << w << " " << x;
+      }
+    }
+    EXPECT_GT(judged, 5000);
+  }
+}
+
+/// What is drawn of the pupil has an area that goes with the square of its dilation.
+TEST(Eyes, HavePupilsWhoseDrawnAreaIsTheDilationSquared_E3) {
+  const Face seed = face_named("seed0");
+  const auto dark = [&](double dilation) {  // [pixels] all but the pupils white
+    std::vector<std::string> settings{fmt::format("dilation={}", dilation), "palette/skin=#ffffff"};
+    for (const char* line : {"upper_lid", "brow_low", "brow_high"})
+      for (const char* side : {"left", "right"})
+        for (int i = 0; i < 3; ++i)
+          settings.push_back(fmt::format("{}.{}/spine/{}=5,5", line, side, i));
+    const Image image =
+        render(scene_from_face(posed(seed, settings)), {.width = 640, .height = 360});
+    double sum = 0;
+    for (int row = 0; row < image.height; ++row)
+      for (int column = 0; column < image.width; ++column)
+        sum += 1 - linear_from_srgb(image.row(row)[4 * column] / 255.0);
+    return sum;
+  };
+  const double whole = dark(0.7);
+  EXPECT_NEAR(whole, 2 * 3.14159265358979 * 0.09 * 0.105 * 0.49 * 640 * 640, 2e-3 * whole);
+  EXPECT_NEAR(dark(0.35) / whole, 0.25, 2e-3);
+  EXPECT_NEAR(dark(0.9) / whole, 0.81 / 0.49, 5e-3);
+}
+
+/// The eyeball of the muscle face: a disc less the two segments that its chords cut off.
+TEST(Eyes, AreCutDiscsOfTheRightArea_M3) {
+  const Face male = face_named("male");
+  const double r = 13, upper = 0.7, lower = 0.94;
+  const auto segment = [&](double chord) {
+    return r * r * (std::acos(chord) - chord * std::sqrt(1 - chord * chord));
+  };
+  const double area = 3.14159265358979323846 * r * r - segment(upper) - segment(lower);
+  std::vector<std::string> settings;
+  for (const Slice& slice : male.model->layout.slices())
+    if (slice.name.ends_with("/half_width")) settings.push_back(slice.name + "=0");
+  const Image image =
+      render(scene_from_face(posed(male, settings)), {.width = 1000, .height = 1000});
+  const double unit = 1000 / male.model->canvas.box.size().x;  // [pixels]
+  double sum = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      sum += 1 - linear_from_srgb(image.row(row)[4 * column] / 255.0);
+  EXPECT_NEAR(sum / (unit * unit), 2 * area, 2e-3 * area);
 }
 
 }  // namespace

@@ -15,6 +15,14 @@
 namespace mien::command {
 namespace {
 
+/// Whether muscles take part in what a control stands for: a look or a blink is none of theirs.
+bool pulls_muscles(const Face& face, const Setting& setting) {
+  const std::string& name = face.model->controls[std::size_t(setting.index)].name;
+  for (const Expression& expression : face.model->expressions)
+    if (expression.name == name) return !expression.pulls.empty();
+  return false;
+}
+
 /// A frame of ARKit's numbers: the points are wanted where its table puts them.
 Expected<std::vector<PointTarget>> targets_of_arkit(const Face& face,
                                                     const std::vector<FrameNumber>& frame) {
@@ -23,7 +31,7 @@ Expected<std::vector<PointTarget>> targets_of_arkit(const Face& face,
     auto setting =
         read_expression(face, "arkit", fmt::format("{}={}", number.name, number.values[0]));
     if (!setting) return Error{number.where, setting.error().what};
-    pose.settings.push_back(*std::move(setting));
+    if (pulls_muscles(face, *setting)) pose.settings.push_back(*std::move(setting));
   }
   const Face posed = pose_face(face, pose);
   std::vector<PointTarget> targets;

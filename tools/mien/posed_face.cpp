@@ -1,4 +1,5 @@
 #include <mien/lib/base/one_line.h>
+#include <mien/lib/face/face_model.h>
 #include <mien/lib/file/face_file.h>
 #include <mien/lib/file/frame_file.h>
 #include <mien/lib/file/morph_file.h>
@@ -14,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <utility>
@@ -39,9 +41,14 @@ namespace {
 /// "blink" and "0.5" as the setting they are, the error's address being the option.
 Expected<Setting> read_control(const Face& face, const std::string& name,
                                const std::string& value) {
+  const std::string where = "--" + name + " " + one_line(value, 60);
+  const auto& controls = face.model->controls;
+  if (std::none_of(controls.begin(), controls.end(),
+                   [&](const Control& control) { return control.name == name; }))
+    return Error{where, fmt::format("this face has no control \"{}\"", name)};
   auto setting = read_setting(face, name + "=" + value);
   if (setting) return setting;
-  return Error{"--" + name + " " + one_line(value, 60), setting.error().what};
+  return Error{where, setting.error().what};
 }
 
 /// --arkit: what is wrong with it is the file's fault.
@@ -52,6 +59,8 @@ Expected<Pose> read_arkit(const Face& face, const PosedFace& arguments) {
   const auto frame = read_frame(*arguments.arkit);
   if (!frame) return frame.error();
   for (const FrameNumber& number : *frame) {
+    if (number.values.size() != 1)
+      return Error{number.where, fmt::format("expected 1 number, got {}", number.values.size())};
     auto setting =
         read_expression(face, "arkit", fmt::format("{}={}", number.name, number.values[0]), out);
     if (!setting) return Error{number.where, setting.error().what};
@@ -183,6 +192,8 @@ SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::stri
   const auto began = std::chrono::steady_clock::now();
   FaceAndPoseOrCode read = read_face_and_pose(arguments);
   if (!read.face) return {{}, read.code};
+  if (view == 0 && read.face->model->muscles.muscles.empty())
+    return {{}, complain(Error{"--debug muscles", "this face has no muscles"}, kUsedWrongly)};
   Poser poser(*std::move(read.face));
   const Face& posed = poser.pose(read.pose);
   const auto between = std::chrono::steady_clock::now();

@@ -5,12 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "tests/support/effort.h"
+#include "tests/support/faces.h"
 
 namespace mien {
 namespace {
@@ -112,6 +115,72 @@ TEST(Facemotion, TheMaleFaceHasThirteenMusclesAndSixRecipes) {  // M1, M4, M10
   EXPECT_EQ(face["expressions"]["viseme"].size(), 15u);
 }
 
+std::string published_text() {
+  std::ifstream file(MIEN_SOURCE_DIR "/tests/support/facemotion_male.js");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The published face by another way than the importer's: rewritten as JSON, and a JSON library's.
+nlohmann::json published_values() {
+  std::string text = published_text();
+  text = std::regex_replace(text, std::regex("//[^\n]*|/\\*.*?\\*/"), "");
+  text = text.substr(text.find('{'), text.rfind('}') - text.find('{') + 1);
+  text = std::regex_replace(text, std::regex("'"), "\"");
+  text = std::regex_replace(text, std::regex("([{,]\\s*)([A-Za-z]+):"), "$1\"$2\":");
+  text = std::regex_replace(text, std::regex(",(\\s*[}\\]])"), "$1");
+  return nlohmann::json::parse(text);
+}
+
+TEST(Facemotion, TheShippedFaceIsTheImportersToTheByte) {  // M1
+  const auto made = face_text_from_facemotion(published_text(), "facemotion_male.js");
+  ASSERT_TRUE(made) << sentence(made.error());
+  std::ifstream file(MIEN_SOURCE_DIR "/faces/male.face.json");
+  std::stringstream shipped;
+  shipped << file.rdbuf();
+  EXPECT_EQ(*made, shipped.str());
+}
+
+TEST(Facemotion, RestGeometryIsTheSourcesPointForPoint) {  // M1, M2, M3, M5
+  const nlohmann::json source = published_values();
+  const Face face = test::face_named("male");
+  int points = 0;
+  for (const auto& [name, feature] : source["features"].items())
+    for (const auto& [side, sign] : {std::pair{".left", 1.0}, {".right", -1.0}}) {
+      const std::string full = name + side;
+      if (feature.contains("radius")) {
+        const double x = feature["center"]["x"], y = feature["center"]["y"];
+        EXPECT_EQ(numbers(face, full + "/center"), (std::vector{sign * x, y}));
+        EXPECT_EQ(numbers(face, full + "/radius"), std::vector<double>{feature["radius"]});
+        EXPECT_EQ(numbers(face, full + "/chords"),
+                  (std::vector<double>{feature["upperChord"], feature["lowerChord"]}));
+        continue;
+      }
+      EXPECT_EQ(numbers(face, full + "/half_width")[0], 2.5 * double(feature["weight"])) << full;
+      for (std::size_t i = 0; i < feature["points"].size(); ++i, ++points) {
+        const double x = feature["points"][i]["x"], y = feature["points"][i]["y"];
+        EXPECT_EQ(numbers(face, fmt::format("{}/points/{}", full, i)), (std::vector{sign * x, y}));
+      }
+    }
+  EXPECT_EQ(points, 32);
+}
+
+TEST(Facemotion, MusclesAreTheSourcesNumberForNumber) {  // M4, M5
+  const nlohmann::json source = published_values();
+  const Face face = test::face_named("male");
+  const MuscleSystem& system = face.model->muscles;
+  EXPECT_EQ(system.muscles.size(), 2 * source["muscleGroups"].size());
+  for (const Muscle& muscle : system.muscles) {
+    const auto& group = source["muscleGroups"][muscle.name];
+    const double sign = muscle.side == Side::left ? 1 : -1;
+    EXPECT_EQ(muscle.strength, double(group["strength"])) << muscle.name;
+    EXPECT_EQ(muscle.stroke, double(group["stroke"])) << muscle.name;
+    EXPECT_EQ(muscle.origin.x, sign * double(group["origin"]["x"])) << muscle.name;
+    EXPECT_EQ(muscle.origin.y, double(group["origin"]["y"])) << muscle.name;
+  }
+}
+
 TEST(Facemotion, SmoothsPolylinesIfAsked) {  // M2
   const auto made = face_text_from_facemotion(kSample, "m.js", {.smooth = true});
   ASSERT_TRUE(made) << sentence(made.error());
@@ -197,6 +266,26 @@ TEST(Facemotion, SurvivesDamage) {
       }
       text[at] = was;
     }
+}
+
+/// The published face too, thinned: each third truncation, each fifth byte changed.
+/// What the importer makes is always a face.
+TEST(Facemotion, SurvivesDamageToThePublishedFace) {
+  std::string text = published_text();
+  const auto survives = [](const std::string& damaged) {
+    const auto made = face_text_from_facemotion(damaged, "m.js");
+    if (!made) {
+      EXPECT_FALSE(made.error().what.empty());
+    } else if (const auto face = read_face_text(*made); !face) {
+      ADD_FAILURE() << sentence(face.error());
+    }
+  };
+  for (std::size_t length = 0; length < text.size(); length += 3) survives(text.substr(0, length));
+  for (std::size_t at = 0; at < text.size(); at += 5) {
+    const char was = std::exchange(text[at], char(at * 37 + 11));
+    survives(text);
+    text[at] = was;
+  }
 }
 
 }  // namespace

@@ -41,6 +41,29 @@ TEST(MuscleFit, FindsThePullsOfAPose) {  // M8
         << muscles[m].name;
 }
 
+/// The pulls themselves come back, where points can tell them apart: one muscle alone, both sides of one,
+/// and random mixes of muscles that hold points of their own.
+TEST(MuscleFit, FindsThePullsThemselves) {
+  for (const char* name : {"male", "bruno"}) {
+    const Face face = test::face_named(name);
+    const auto& muscles = face.model->muscles.muscles;
+    for (const std::vector<std::string>& pose :
+         {std::vector<std::string>{"muscle.left.zygomaticus=0.6"},
+          {"muscle.jaw=0.35", "muscle.left.corrugator=0.8"},
+          {"muscle.left.procerus=0.25", "muscle.right.zygomaticus=0.9", "muscle.jaw=0.5"}}) {
+      Poser poser(face);
+      Pose wanted;
+      for (const std::string& text : pose) wanted.settings.push_back(*read_setting(face, text));
+      const std::vector<PointTarget> targets = targets_of(poser.pose(wanted));
+      const MuscleFit fit = fit_muscles(face, targets);
+      EXPECT_LT(fit.rms, 1e-8 * face.model->canvas.box.size().x) << name << " " << pose[0];
+      for (std::size_t m = 0; m < muscles.size(); ++m)
+        EXPECT_NEAR(fit.pulls[m], poser.pulls()[m], 1e-6)
+            << name << " " << pose[0] << ": " << control_of_side(muscles[m].name, muscles[m].side);
+    }
+  }
+}
+
 TEST(MuscleFit, SaysWhatIsLeft) {
   const Face face = test::face_named("male");
   std::vector<PointTarget> targets = targets_of(face);

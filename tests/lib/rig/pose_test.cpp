@@ -133,6 +133,20 @@ TEST(PoseFace, ScleraStaysAsItIsWhileTheOpeningMoves_E4) {
   EXPECT_NE(value(shut, "opening.left/lower"), value(seed, "opening.left/lower"));
 }
 
+/// The source's fourth shape: at q = 0, its middle, the opening is no height at all; elsewhere it is crossed.
+TEST(PoseFace, Shape3IsShutInTheMiddle_E4) {
+  const Face seed = sample("seed0");
+  const Face shut = posed(seed, {}, {"blink=1"});
+  for (const char* side : {"left", "right"}) {
+    const auto lower = value(shut, std::string("opening.") + side + "/lower"),
+               upper = value(shut, std::string("opening.") + side + "/upper");
+    EXPECT_EQ(upper[1] - lower[1], 0) << side;
+    EXPECT_LT(upper[0], lower[0]) << "it falls below the lower lid beside the middle";
+    const auto open = value(seed, std::string("opening.") + side + "/upper");
+    EXPECT_EQ(open[1], 0.34);
+  }
+}
+
 TEST(PoseFace, LeftIsMirroredAboutTheMiddleExceptWhereTheSourceShifts_E2) {
   const Face seed = sample("seed0");
   for (const char* part : {"upper_lid", "brow_low", "brow_high"})
