@@ -43,32 +43,24 @@ Mix LocalPaint::color(glm::dvec2 u) const {
   return paint->relief ? paint->relief->lamp.lit(base, slope(u), blend) : base;
 }
 
-PaintSampler::Corners PaintSampler::distance_corners(int distance, glm::dvec2 center, double side) {
+Bilinear PaintSampler::distance_in(int distance, glm::dvec2 center, double side) {
   const AreaDistance& area = tape_.distances[std::size_t(distance)];
-  const double h = 0.5 * side;
-  if (side != 1.0)
-    return {area.at(center + glm::dvec2{-h, -h}), area.at(center + glm::dvec2{h, -h}),
-            area.at(center + glm::dvec2{-h, h}), area.at(center + glm::dvec2{h, h})};
+  if (side != 1.0) {
+    const double h = 0.5 * side;
+    return bilinear({area.at(center + glm::dvec2{-h, -h}), area.at(center + glm::dvec2{h, -h}),
+                     area.at(center + glm::dvec2{-h, h}), area.at(center + glm::dvec2{h, h})},
+                    area.at(center));
+  }
   // Blocks begin at multiples of kBlock, or half a pixel beside them: centres are at halves or at
   // whole numbers as the picture's side is even or odd.
+  constexpr int kBlock = DistanceLattice::kBlock;
   const double left = center.x - 0.5, top = center.y - 0.5;
   const double x = kBlock * std::floor(left / kBlock) + (left - std::floor(left));
   const double y = kBlock * std::floor(top / kBlock) + (top - std::floor(top));
-  Lattice& lattice = lattices_[std::size_t(distance)];
-  if (!lattice.filled || lattice.x != x || lattice.y != y) {
-    lattice.x = x, lattice.y = y, lattice.filled = true;
-    std::size_t next = 0;
-    for (int j = 0; j <= kBlock; ++j)
-      for (int i = 0; i <= kBlock; ++i) lattice.d[next++] = area.at({x + i, y + j});
-  }
-  constexpr std::size_t kRow = kBlock + 1;
-  const std::size_t at = std::size_t(top - y) * kRow + std::size_t(left - x);
-  return {lattice.d[at], lattice.d[at + 1], lattice.d[at + kRow], lattice.d[at + kRow + 1]};
-}
-
-Bilinear PaintSampler::distance_in(int distance, glm::dvec2 center, double side) {
-  return bilinear(distance_corners(distance, center, side),
-                  tape_.distances[std::size_t(distance)].at(center));
+  DistanceLattice& lattice = lattices_[std::size_t(distance)];
+  lattice.fill(area, {x, y});
+  const int column = int(left - x), row = int(top - y);
+  return bilinear(lattice.corners(column, row), lattice.center(area, column, row));
 }
 
 Bilinear PaintSampler::place_in(const PaintField& field, glm::dvec2 center, double side) {
@@ -130,7 +122,15 @@ double PaintSampler::error(const LocalPaint& local, bool whole, std::vector<Cut>
 }
 
 bool PaintSampler::creased(const LocalPaint& local) const {
-  return local.paint->relief && local.distance.residual > 0.02 * local.side;
+  constexpr double kShows = 0.02;  // a change of slope of four times that
+  const Bilinear& d = local.distance;
+  if (!local.paint->relief || !(d.residual > kShows * local.side)) return false;
+  // Where the profile is level, or nearly, as on the ridge of a round one, a crease bends next to nothing.
+  const double reach = d.reach() + d.residual;
+  double steepest = 0.0;
+  for (const double at : {d.mean - reach, d.mean, d.mean + reach})
+    steepest = std::max(steepest, std::abs(local.paint->relief->rise(-at)));
+  return d.residual * std::min(1.0, steepest) > kShows * local.side;
 }
 
 std::optional<Mix> PaintSampler::constant(int index, glm::dvec2 center, double radius) {

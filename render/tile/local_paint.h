@@ -2,11 +2,11 @@
 // What a paint is like inside one square: its place t (or its distance) as a bilinear function,
 // found from the square's corners and centre, and how far off that may be.
 //
-// Whole pixels take their corners from lattices of 8 × 8 pixels at absolute places of the picture,
-// so a corner is computed once for the four pixels it touches, and never depends on what else is
-// drawn.
+// Whole pixels take their distances from lattices of 8 × 8 pixels (distance_lattice.h) at absolute
+// places of the picture, so they never depend on what else is drawn.
 
 #include <mien/render/cover/arrangement.h>
+#include <mien/render/tile/distance_lattice.h>
 #include <mien/render/tile/tape.h>
 
 #include <array>
@@ -62,20 +62,11 @@ class PaintSampler {
   std::optional<Mix> constant(int paint, glm::dvec2 center, double radius);
 
  private:
-  static constexpr int kBlock = 8;
-  struct Lattice {
-    double x = 0, y = 0;  ///< of its first point
-    bool filled = false;
-    std::array<double, std::size_t((kBlock + 1) * (kBlock + 1))> d;
-  };
-  using Corners = std::array<double, 4>;  ///< 00, 10, 01, 11
-
-  Corners distance_corners(int distance, glm::dvec2 center, double side);
   Bilinear distance_in(int distance, glm::dvec2 center, double side);
   Bilinear place_in(const PaintField& field, glm::dvec2 center, double side);
 
   const Tape& tape_;
-  std::vector<Lattice> lattices_;
+  std::vector<DistanceLattice> lattices_;
   std::vector<double> kinks_;
 };
 
