@@ -16,7 +16,7 @@
 namespace mien {
 namespace {
 
-constexpr Color kInk{0.02, 0.02, 0.03, 1}, kVeil{1, 1, 1, 0.55}, kPlate{1, 1, 1, 0.85},
+constexpr Color kInk{0.02, 0.02, 0.03, 1}, kVeil{1, 1, 1, 0.55}, kPlate{1, 1, 1, 0.6},
     kHandle{0.8, 0.1, 0.02, 1}, kPoint{0.01, 0.12, 0.55, 1};
 
 glm::dvec2 point_at(const Face& face, int slice) {
@@ -96,7 +96,7 @@ std::vector<MuscleValue> muscle_values(const FaceModel& model, std::span<const d
   return values;
 }
 
-/// The corner of the page that the legend lies on, nearly opaque: the lines behind it cross no words.
+/// The corner of the page that the legend lies on, a veil: the lines behind it leave the words readable.
 void draw_plate(SceneBuilder& build, const Page& page, double right, double down) {
   const glm::dvec2 corner = page.at(right, down);
   const double out = page.canvas.y_up ? -1.0 : 1.0;
