@@ -25,6 +25,14 @@ class Arrangement {
   static constexpr int kMaxCuts =
       32;  ///< bits of `inside`; k lines make at most 1 + k(k+1)/2 pieces
 
+  /// Room for what is common, so that the first frame of a program is like the others.
+  Arrangement() {
+    constexpr std::size_t kPoints = 256, kPieces = 64;
+    for (auto* points : {&points_, &next_points_}) points->reserve(kPoints);
+    for (auto* polygons : {&polygons_, &next_polygons_}) polygons->reserve(kPieces);
+    side_.reserve(kPieces), pieces_.reserve(kPieces);
+  }
+
   struct Piece {
     double area;           ///< in [0, 1]; all pieces sum to 1
     std::uint32_t inside;  ///< bit i: the piece is inside cut i

@@ -5,7 +5,7 @@ core=$(find "$1" -name 'libmien.so')
 exported=$(nm -D --defined-only -C "$core" | awk '$2 == "T"' | cut -d' ' -f3-)
 grep -q '^mien::render(' <<<"$exported"
 grep -q '^mien::read_face(' <<<"$exported"
-if grep -vE '^mien::[a-zA-Z_0-9:~]+(\(|\[)' <<<"$exported"; then
+if grep -vE '^mien::[a-zA-Z_0-9:~=]+(\(|\[)' <<<"$exported"; then
   echo "these are not mien's to export"
   exit 1
 fi
