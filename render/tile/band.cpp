@@ -26,7 +26,7 @@ void BandPainter::draw(const Plan& plan, int width, int height, int y, const Tar
   const std::size_t outlines = plan.tape.outlines.size();
   if (plan_ != &plan || made_ != plan.made) {
     made_ = plan.made;
-    scopes_.reset(), pixels_.reset(), paints_.reset();
+    paints_.reset();
     if (!plan.plain) paints_.emplace(plan.tape);
   }
   plan_ = &plan, target_ = &target, stats_ = &stats;
@@ -228,11 +228,10 @@ void BandPainter::leaf(int lane) {
     }
   if (assemble(leaf_list_, edges_, {0.0, 0.0}, kLeaf, kMostLeafBend))
     paint(0xFFFF);
-  else if (!leaf_wanted_.empty())
+  else if (!varies_here_)
     divide({0.0, 0.0}, kLeaf, 0, 0);
   else
-    draw_square(plan_->tape, leaf_layers_, width_, height_, leaf_x_, leaf_y_, kLeaf, *target_,
-                *stats_);
+    sure_square(0, 0, kLeaf);
 }
 
 }  // namespace mien

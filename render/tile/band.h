@@ -87,7 +87,7 @@ class BandPainter {
   void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
   std::optional<Mix> cells(glm::dvec2 center, double side, int depth);
   Mix undescribed(glm::dvec2 center, double side, Parts& parts);
-  void surely(int x, int y);
+  void sure_square(int block_x, int block_y, int side);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;
 
@@ -122,9 +122,6 @@ class BandPainter {
   std::array<float, kGroup> xs_, ys_;
   std::array<std::int8_t, kGroup> answers_;
   alignas(64) std::array<std::uint32_t, kLeaf * kLeaf> scratch_;
-  std::unique_ptr<ScopeStack> scopes_;
-  std::unique_ptr<PixelResolver> pixels_;
-  RenderStats pixel_stats_;  // what pixels_ counts
 };
 
 }  // namespace mien

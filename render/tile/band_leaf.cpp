@@ -263,6 +263,8 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
       for (int j = y; j < y + half / 4; ++j)
         for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
       paint(blocks);
+    } else if (varies_here_) {
+      sure_square(x, y, half);
     } else {
       divide(centers[std::size_t(q)], half, x, y);
     }
@@ -287,24 +289,32 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
   Parts& parts = parts_[2];
   find_outlines(pixels, parts);
   const auto& [found, edges, list] = parts;
-  for (int i = 0; i < int(Leaves::kMost); ++i) {
-    const int x = leaf_x_ + 4 * block_x + i % 4, y = leaf_y_ + 4 * block_y + i / 4;
-    if (x < part.x || x >= part.x + part.width || y < part.y || y >= part.y + part.height) continue;
-    for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][std::size_t(i)];
+  // All of them, seen or not: whether the sure way takes the block must not depend on the region.
+  std::array<Mix, Leaves::kMost> mixes;
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
     const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
     if (assemble(list, edges, at_pixel, 1.0, kMostPixelBend)) {
-      const Mix mix =
-          leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells) / 255.0;
-      store(mix, plan_->tape.blend, target_->depth, at(x, y));
-      ++stats_->divided_pixels;
-    } else if (const auto mix = leaf_wanted_.size() <= kMostInCells ? cells(at_pixel, 1.0, 0)
-                                                                    : std::optional<Mix>{}) {
-      store(*mix / 255.0, plan_->tape.blend, target_->depth, at(x, y));
-      ++stats_->divided_pixels;
-    } else {
-      surely(x, y);
+      mixes[i] = leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells);
+      continue;
     }
+    const bool divided = !varies_here_ && leaf_wanted_.size() <= kMostInCells;
+    const auto mix = divided ? cells(at_pixel, 1.0, 0) : std::optional<Mix>{};
+    if (!mix) return sure_square(block_x, block_y, 4);
+    mixes[i] = *mix;
   }
+  for (int y = part.y; y < part.y + part.height; ++y)
+    for (int x = part.x; x < part.x + part.width; ++x) {
+      const int i = 4 * (y - leaf_y_ - 4 * block_y) + x - leaf_x_ - 4 * block_x;
+      store(mixes[std::size_t(i)] / 255.0, plan_->tape.blend, target_->depth, at(x, y));
+      ++stats_->divided_pixels;
+    }
+}
+
+/// A square of the present leaf by the sure way; its first block.
+void BandPainter::sure_square(int block_x, int block_y, int side) {
+  draw_square(plan_->tape, leaf_layers_, width_, height_, leaf_x_ + 4 * block_x,
+              leaf_y_ + 4 * block_y, side, *target_, *stats_);
 }
 
 /// A part of 1/64 px that nothing describes for sure: by the edges that are likely, or the side its
@@ -363,25 +373,6 @@ std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth)
     }
   }
   return sum / 16.0;
-}
-
-/// One pixel by the sure way.
-void BandPainter::surely(int x, int y) {
-  if (!scopes_) {
-    scopes_ = std::make_unique<ScopeStack>(plan_->tape);
-    pixels_ = std::make_unique<PixelResolver>(plan_->tape, *scopes_, pixel_stats_,
-                                              fineness(plan_->depth, plan_->tape.blend));
-  }
-  const auto mark = scopes_->mark();
-  const glm::dvec2 center = glm::dvec2{x + 0.5 - 0.5 * width_, y + 0.5 - 0.5 * height_};
-  const Tape& tape = plan_->tape;
-  const Mix mix = pixels_->pixel(scopes_->of_layers(leaf_layers_), center);
-  if (tape.dither && pixels_->was_varied())
-    store_dithered(mix, tape.blend, target_->depth, x, y, at(x, y));
-  else
-    store(mix, tape.blend, target_->depth, at(x, y));
-  scopes_->reset(mark);
-  stats_->add(std::exchange(pixel_stats_, {}));
 }
 
 std::byte* BandPainter::at(int x, int y) const {

@@ -121,6 +121,16 @@ double PaintSampler::error(const LocalPaint& local, bool whole, std::vector<Cut>
   return error;
 }
 
+std::optional<PaintSampler::Mean> PaintSampler::mean(int index, glm::dvec2 center) {
+  const TapePaint& paint = tape_.paints[std::size_t(index)];
+  if (paint.relief || !paint.ramp) return {};
+  const Bilinear t = place_in(paint.field, center, 1.0);
+  const double reach = t.reach() + t.residual;
+  const Ramp::Range range = paint.ramp->range(t.mean - reach, t.mean + reach, kinks_);
+  if (range.many || range.jump > 0.0 || !kinks_.empty()) return {};
+  return Mean{paint.ramp->color(t.mean), range.slope * reach, range.slope * t.residual / 6.0};
+}
+
 bool PaintSampler::creased(const LocalPaint& local) const {
   constexpr double kShows = 0.02;  // a change of slope of four times that
   const Bilinear& d = local.distance;

@@ -55,6 +55,15 @@ class PaintSampler {
   /// lines along which the colour has a kink or jump.
   double error(const LocalPaint& local, bool whole, std::vector<Cut>& cuts);
 
+  /// The mean of a gradient without a relief over a whole pixel, and by how much its channels may change
+  /// there; nothing if there is a kink.
+  struct Mean {
+    Mix mix;
+    double change;
+    double error;
+  };
+  std::optional<Mean> mean(int paint, glm::dvec2 center);
+
   /// Whether the relief's distance is too far from bilinear for its slope to mean anything.
   bool creased(const LocalPaint& local) const;
 

@@ -37,8 +37,13 @@ class TileWalk {
       fill(part, scopes_.color(scope));
     } else if (scope.outline_count == 0 && side <= kVaried) {
       for (int j = part.y; j < part.y + part.height; ++j)
-        for (int i = part.x; i < part.x + part.width; ++i)
-          pixel(scope, glm::dvec2{i + 0.5, j + 0.5} - half_size_, i, j);
+        for (int i = part.x; i < part.x + part.width; ++i) {
+          const glm::dvec2 c = glm::dvec2{i + 0.5, j + 0.5} - half_size_;
+          if (const auto mix = pixels_.gradient(scope, c))
+            put(*mix, true, i, j);
+          else
+            pixel(scope, c, i, j);
+        }
     } else {
       const int half = side / 2;
       for (const int dy : {0, half})
@@ -49,7 +54,11 @@ class TileWalk {
 
   void pixel(const Scope& scope, glm::dvec2 center, int x, int y) {
     const Mix mix = pixels_.pixel(scope, center);
-    if (tape_.dither && pixels_.was_varied())
+    put(mix, pixels_.was_varied(), x, y);
+  }
+
+  void put(const Mix& mix, bool varied, int x, int y) {
+    if (tape_.dither && varied)
       store_dithered(mix, tape_.blend, target_.depth, x, y, at(x, y));
     else
       store(mix, tape_.blend, target_.depth, at(x, y));

@@ -12,6 +12,7 @@
 #include <mien/render/tile/local_paint.h>
 #include <mien/render/tile/scope.h>
 
+#include <optional>
 #include <vector>
 
 namespace mien {
@@ -48,6 +49,10 @@ class PixelResolver {
   /// The mean colour over the pixel around `center`, for a scope that covers it, and whether a
   /// paint that varies is part of it.
   Mix pixel(const Scope& scope, glm::dvec2 center);
+  /// The same for a scope without outlines whose colours are gradients without a kink in the pixel:
+  /// each is linear in a place that is bilinear, so its mean is the colour of the mean place. Nothing
+  /// if that is not so, to within Fineness::paint.
+  std::optional<Mix> gradient(const Scope& scope, glm::dvec2 center);
   bool was_varied() const { return varied_; }
   /// How far the last pixel's mean may be off, in the blending space.
   double error() const { return error_; }

@@ -33,6 +33,28 @@ bool PixelResolver::describe_paints(const Scope& scope, glm::dvec2 center, doubl
   return good;
 }
 
+std::optional<Mix> PixelResolver::gradient(const Scope& scope, glm::dvec2 center) {
+  Mix mix{0.0};
+  double change = 0.0, error = 0.0;
+  for (const ScopeStack::Layer& layer : scopes_.layers(scope)) {
+    if (layer.group >= 0 || layer.count > 0) return {};
+    if (layer.paint < 0) {
+      mix = over(mix, layer.mix);
+    } else {
+      const auto mean = sampler_.mean(layer.paint, center);
+      if (!mean) return {};
+      // A translucent gradient over another: the mean of a product is off by a twelfth of both changes.
+      error += mean->error + change * mean->change / 12.0;
+      change += mean->change;
+      mix = over(mix, mean->mix);
+    }
+    if (mix.a >= 1.0) break;
+  }
+  if (!(error <= fine_.paint)) return {};
+  ++stats_.varied_pixels;
+  return mix.a < 1.0 ? over(mix, scope.base) : mix;
+}
+
 Mix PixelResolver::color_at(const Scope& scope, glm::dvec2 u) {
   return scopes_.color(scope, [&](int layer) {
     return paints_[std::size_t(paint_of_layer_[std::size_t(layer)])].color(u);
