@@ -4,55 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <utility>
 
+#include "tests/support/allocations.h"
 #include "tests/support/faces.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define MIEN_COUNTS_ALLOCATIONS 0  // sanitizers have operators of their own
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define MIEN_COUNTS_ALLOCATIONS 0
-#endif
-#endif
-#ifndef MIEN_COUNTS_ALLOCATIONS
-#define MIEN_COUNTS_ALLOCATIONS 1
-#endif
-
-#if MIEN_COUNTS_ALLOCATIONS
-namespace {
-std::atomic<long> allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  void* const p = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (!p) throw std::bad_alloc();
-  return p;
-}
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return counted(size, 16);
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, std::size_t(alignment));
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-  std::free(p);
-}
-#endif
 
 namespace mien {
 namespace {
@@ -103,7 +58,6 @@ TEST(Renderer, CanBeMovedAndRefusesWhatIsNoPicture) {
   EXPECT_FALSE(second.render_into({&pixel, 4, Depth::u8}, scene, {.width = 0, .height = 1}));
 }
 
-#if MIEN_COUNTS_ALLOCATIONS
 TEST(Renderer, AllocatesNothingAfterTheFirstFrame) {
   for (const char* face : {"seed0", "male"}) {
     const Scene scene = scene_of(face, face == std::string("seed0") ? 0.3 : -1);
@@ -115,12 +69,11 @@ TEST(Renderer, AllocatesNothingAfterTheFirstFrame) {
       return renderer.render_into({pixels.data(), 320 * 4, Depth::u8}, scene, view, how);
     };
     EXPECT_TRUE(draw());
-    const long before = allocations;
+    const long before = test::allocations();
     EXPECT_TRUE(draw());
-    EXPECT_EQ(allocations - before, 0) << face;
+    EXPECT_EQ(test::allocations() - before, 0) << face;
   }
 }
-#endif
 
 }  // namespace
 }  // namespace mien
