@@ -150,27 +150,28 @@ HWY_INLINE VF AreaInStrips(VF px, VF py, int strips, SeeAt see) {
   return hn::Mul(sum, thin);
 }
 
-/// The area of each pixel around (px, py) inside the edge.
-HWY_INLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
+/// The area of each pixel around (px, py) inside the edge. In a function of its own: inlined where it is
+/// asked for, with all it inlines itself, it takes compilers minutes under sanitizers.
+HWY_NOINLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
   const F f;
-  if (e.joined) {
-    LeafEdge first = e, second = e.beyond();
-    first.joined = second.joined = false;
-    if (part == Part::body) return AreaOf(first, px, py, strips, part);
-    if (part == Part::end) return AreaOf(second, px, py, strips, Part::body);
-    return AreaInStrips(px, py, strips,
-                        [&](VF x, VF y) MIEN_LANES { return SeeJoined(first, second, x, y); });
-  }
+  const bool beyond = e.joined && part == Part::end;
+  const LeafEdge other = beyond ? e.beyond() : LeafEdge{};
+  const LeafEdge& body = beyond ? other : e;
   if (strips == 1) {
-    const Sight s = SeeBody(e, px, py);  // ends take several strips
+    const Sight s = SeeBody(body, px, py);  // ends take several strips
     return EdgeArea(f, s.d, s.gx, s.gy, s.k);
   }
+  if (beyond || part == Part::body)
+    return AreaInStrips(px, py, strips, [&](VF x, VF y) MIEN_LANES { return SeeBody(body, x, y); });
+  if (e.joined) {
+    const LeafEdge second = e.beyond();
+    return AreaInStrips(px, py, strips,
+                        [&](VF x, VF y) MIEN_LANES { return SeeJoined(e, second, x, y); });
+  }
   const auto mine = Mine(e, px, py);
-  const auto see = [&](VF x, VF y) MIEN_LANES {
-    if (part == Part::body) return SeeBody(e, x, y);
+  return AreaInStrips(px, py, strips, [&](VF x, VF y) MIEN_LANES {
     return part == Part::end ? SeeEnd(e, x, y, mine) : SeeWithEnd(e, x, y, mine);
-  };
-  return AreaInStrips(px, py, strips, see);
+  });
 }
 
 struct alignas(64) Offsets {
