@@ -229,6 +229,7 @@ std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, st
     const Maker maker(scene, view);
     PeerDrawing drawing{view.width, view.height, encoded(scene.background()), {}};
     for (const Layer& layer : scene.layers()) {
+      if (layer.paint.gradient) throw Refusal{"a gradient"};
       drawing.figures.push_back(maker.figure(layer.area));
       drawing.figures.back().color = encoded(layer.paint.color);
     }
