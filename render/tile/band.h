@@ -17,6 +17,7 @@
 #include <mien/render/tile/pixel.h>
 #include <mien/render/tile/plan.h>
 #include <mien/render/tile/sides.h>
+#include <mien/render/tile/stores.h>
 
 #include <array>
 #include <cstdint>

@@ -177,7 +177,7 @@ void BandPainter::paint(std::uint32_t blocks) {
     scalar(x, y, to + std::size_t(y) * stride + x);
   }
   count(left, blocks, part);
-  if (streamed) return stream_leaf(scratch_.data(), final_to, target_->stride / 4);
+  if (streamed) return stream_square(scratch_.data(), kLeaf, final_to, target_->stride / 4);
   if (to != scratch_.data()) return;
   for (int y = part.y; y < part.y + part.height; ++y)
     for (int x = part.x; x < part.x + part.width; ++x) {

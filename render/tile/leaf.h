@@ -56,19 +56,4 @@ inline constexpr double kMostLeafBend = 0.6;
 /// The same for leaf_pixel: beyond, a shape is smaller than a quarter pixel.
 inline constexpr double kMostPixelBend = 8.0;
 
-/// How pixels go to memory: `streamed` ones pass the caches by. Right for buffers that are larger than
-/// those, wrong for smaller ones.
-enum class Stores { ordinary, streamed };
-
-/// Fills `rows` rows of `count` pixels.
-void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value,
-               Stores stores);
-
-/// Copies a whole leaf, 16 × 16 pixels one after the other, to memory by streamed stores. Rows of the
-/// target begin at multiples of 64 bytes.
-void stream_leaf(const std::uint32_t* leaf, std::uint32_t* pixels, std::size_t stride);
-
-/// Call before other threads read what was streamed.
-void finish_streams();
-
 }  // namespace mien

@@ -181,20 +181,6 @@ double side_foot(const TaperedStroke& s, glm::dvec2 c, double t, double side) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Whether what two sides say of c is what the distance says. They may be feet on different branches of a
-/// stroke that turns sharply, where each one's neighbourhood reaches across the turn.
-bool agree(const AllOf& sides, std::size_t first, const std::vector<Edge>& edges, double distance,
-           double radius) {
-  const LocalOutline outline = sides.outline();
-  if (outline.rule == EdgeRule::outside) return distance > radius;
-  if (outline.rule == EdgeRule::inside) return distance < -radius;
-  double most = -kUnproven;
-  for (std::size_t i = first; i < edges.size(); ++i) most = std::max(most, edges[i].d);
-  constexpr double kSame =
-      1e-3;  // the rims' own distances differ by fewer than this where both are right
-  return distance > 0.0 ? std::abs(most - distance) <= kSame : most <= kSame;
-}
-
 /// Both sides of a thin stroke, proven; or nothing.
 ///
 /// Proof. Discs whose t lies outside J, the stretch around the feet by arc 1.5·width + 3·radius each way,
@@ -243,8 +229,7 @@ LocalOutline thin_edges(const TaperedStroke& s, double offset, glm::dvec2 c, dou
   {
     AllOf sides(radius, edges);
     const std::size_t before = edges.size();
-    if (foot.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, foot.t, sides) &&
-        agree(sides, before, edges, nearest(s, c).distance - offset, radius))
+    if (foot.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, foot.t, sides))
       return sides.outline();
     edges.resize(before);
   }
@@ -319,9 +304,7 @@ LocalOutline tapered_edges(const TaperedStroke& s, double offset, glm::dvec2 c, 
       const CurveFoot spine = foot_near(curve_of(s.spine), c, radius, 0.0);
       AllOf sides(radius, edges);
       const std::size_t before = edges.size();
-      if (spine.where == CurveFoot::Where::body &&
-          both_sides(s, offset, c, radius, spine.t, sides) &&
-          agree(sides, before, edges, nearest(s, c).distance - offset, radius))
+      if (spine.where == CurveFoot::Where::body && both_sides(s, offset, c, radius, spine.t, sides))
         return sides.outline();
       edges.resize(before);
     }

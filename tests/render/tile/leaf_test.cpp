@@ -185,22 +185,5 @@ TEST(LeafPixel, OfATightCircleIsItsArea) {
   }
 }
 
-TEST(FillRows, FillsWhatIsAskedAndNothingElse) {
-  on_every_set([] {
-    for (const int count : {1, 5, 16, 33}) {
-      std::array<std::uint32_t, 40 * 3> pixels{};
-      for (const Stores stores : {Stores::ordinary, Stores::streamed}) {
-        pixels = {};
-        fill_rows(pixels.data() + 1, 40, 2, count, 7, stores);
-        finish_streams();
-        for (int i = 0; i < int(pixels.size()); ++i) {
-          const int x = i % 40, y = i / 40;
-          EXPECT_EQ(pixels[std::size_t(i)], y < 2 && x >= 1 && x <= count ? 7u : 0u);
-        }
-      }
-    }
-  });
-}
-
 }  // namespace
 }  // namespace mien
