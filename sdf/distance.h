@@ -60,9 +60,9 @@ MIEN_API void distances(std::span<const QuadBezier> curves, std::span<const floa
 MIEN_API void distances_on_grid(const QuadBezier& curve, glm::dvec2 origin, double step,
                                 std::size_t columns, std::size_t rows, std::span<float> d);
 
-/// d[i] = the signed distance from (x[i], y[i]) to the figure's outline, negative inside. The float
-/// forms for ellipses, parabola sides and strokes are kernels; the other forms are the scalar distance
-/// of each point in turn.
+/// d[i] = the signed distance from (x[i], y[i]) to the figure's outline, negative inside (to a cubic
+/// Bézier: the distance). The float forms and the double form for cubic Béziers are kernels; the other
+/// double forms are the scalar distance of each point in turn.
 MIEN_API void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                         std::span<float> d);
 MIEN_API void distances(const Ellipse& ellipse, std::span<const double> x,
@@ -105,6 +105,12 @@ struct EllipseBatchContract {
 /// Nearly straight spines, and widths that bend as much as the spine, go through the scalar form.
 struct TaperedBatchContract {
   static constexpr double kError = 4.0;
+};
+
+/// And of cubic Béziers: in units of max(2⁻²³ × size, ulp). Points whose nearest piece of curve is not
+/// proven in lanes go through the scalar form. Their double batch keeps CubicBezierContract.
+struct CubicBatchContract {
+  static constexpr double kError = 2.0;
 };
 
 /// And of parabola sides: in units of max(2⁻²³ × (|foot − vertex| + |p − vertex|), ulp).

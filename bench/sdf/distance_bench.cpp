@@ -79,12 +79,12 @@ void Double(benchmark::State& state, Pattern pattern, long long set) {
 }
 
 /// One signed figure, through its float batch or its scalar form.
-template <class Figure>
+template <class T, class Figure>
 void Signed(benchmark::State& state, Pattern pattern, const Figure& figure, long long set) {
   batch::use_instruction_set(set);
-  Work<float> work(pattern);
+  Work<T> work(pattern);
   each_set(state, work,
-           [&](size_t c) { distances(figure, work.xs(c), work.ys(c), std::span<float>(work.d)); });
+           [&](size_t c) { distances(figure, work.xs(c), work.ys(c), std::span<T>(work.d)); });
   batch::use_instruction_set(0);
 }
 template <class Figure>
@@ -245,9 +245,12 @@ void register_all() {
     add("cubic f64/scalar", [=](auto& s) { SignedScalar(s, pattern, kCubic); });
     for (const batch::InstructionSet& set : batch::instruction_sets()) {
       const auto id = set.id;
-      add("ellipse f32/" + set.name, [=](auto& s) { Signed(s, pattern, kEllipse, id); });
-      add("parabola f32/" + set.name, [=](auto& s) { Signed(s, pattern, kParabola, id); });
-      add("tapered stroke f32/" + set.name, [=](auto& s) { Signed(s, pattern, kStroke, id); });
+      add("ellipse f32/" + set.name, [=](auto& s) { Signed<float>(s, pattern, kEllipse, id); });
+      add("parabola f32/" + set.name, [=](auto& s) { Signed<float>(s, pattern, kParabola, id); });
+      add("tapered stroke f32/" + set.name,
+          [=](auto& s) { Signed<float>(s, pattern, kStroke, id); });
+      add("cubic f32/" + set.name, [=](auto& s) { Signed<float>(s, pattern, kCubic, id); });
+      add("cubic f64/" + set.name, [=](auto& s) { Signed<double>(s, pattern, kCubic, id); });
       add("fast f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::fast, id); });
       add("fast f32, long spans/" + set.name,
           [=](auto& s) { Long(s, pattern, Precision::fast, id); });

@@ -12,7 +12,6 @@ void each(const Figure& figure, std::span<const T> x, std::span<const T> y, std:
 
 }  // namespace
 
-using Floats = std::span<const float>;
 using Doubles = std::span<const double>;
 
 void distances(const Ellipse& f, Doubles x, Doubles y, std::span<double> d) {
@@ -22,12 +21,6 @@ void distances(const ParabolaSide& f, Doubles x, Doubles y, std::span<double> d)
   each(f, x, y, d);
 }
 void distances(const TaperedStroke& f, Doubles x, Doubles y, std::span<double> d) {
-  each(f, x, y, d);
-}
-void distances(const CubicBezier& f, Floats x, Floats y, std::span<float> d) {
-  each(f, x, y, d);
-}
-void distances(const CubicBezier& f, Doubles x, Doubles y, std::span<double> d) {
   each(f, x, y, d);
 }
 

@@ -194,6 +194,34 @@ Case cubic_degenerate(Random& r) {  // a raised quadratic, a line, coincident co
   return {c, 3.0 * r.point() - 1.0};
 }
 
+/// At any scale, far from the origin, or seen from afar.
+Case cubic_far(Random& r) {
+  CubicBezier c = some_cubic(r);
+  glm::dvec2 p = 3.0 * r.point() - 1.0;
+  if (r.chance(0.3)) p = r.magnitude(0, 9) * r.direction();
+  const double scale = r.chance(0.3) ? r.magnitude(-12, 12) : 1;
+  const glm::dvec2 off = r.chance(0.3) ? r.magnitude(0, 5) * r.direction() : glm::dvec2(0.0);
+  for (glm::dvec2* v : {&c.p0, &c.p1, &c.p2, &c.p3, &p}) *v = scale * (*v + off);
+  return {c, p};
+}
+/// A cusp at some parameter, or nearly: seen from around it.
+Case cubic_cusp(Random& r) {
+  CubicBezier c = some_cubic(r);
+  const double t = r.between(0.05, 0.95), s = 1 - t;
+  const glm::dvec2 u0 = c.p1 - c.p0, u2 = c.p3 - c.p2;
+  const glm::dvec2 u1 = -(s * s * u0 + t * t * u2) / (2 * s * t);  // B'(t) = 0
+  c.p2 = c.p1 + u1 + (r.chance(0.3) ? 0 : r.magnitude(-8, -1)) * r.direction();
+  c.p3 = c.p2 + u2;
+  return {c, point(c, t) + (r.chance(0.1) ? 0 : r.magnitude(-9, 0)) * r.direction()};
+}
+/// Mirrored curves seen from about their mirror, where two feet are equally far.
+Case cubic_tie(Random& r) {
+  const glm::dvec2 p0 = r.point(), p1 = r.point(), centre = r.point();
+  const auto mirrored = [&](glm::dvec2 v) { return glm::dvec2{2 * centre.x - v.x, v.y}; };
+  const double off = r.chance(0.3) ? 0 : r.magnitude(-9, -2) * r.sign();
+  return {CubicBezier{p0, p1, mirrored(p1), mirrored(p0)}, {centre.x + off, r.between(-1, 2)}};
+}
+
 }  // namespace
 
 std::vector<Family> conic_families() {
@@ -219,6 +247,9 @@ std::vector<Family> stroke_families() {
       {"cubic, rim", cubic_rim},
       {"cubic, evolute", cubic_evolute},
       {"cubic, degenerate", cubic_degenerate},
+      {"cubic, far", cubic_far},
+      {"cubic, cusp", cubic_cusp},
+      {"cubic, tie", cubic_tie},
   };
 }
 

@@ -84,9 +84,10 @@ double batch_accurate(const Case& k) {
   return d;
 }
 
+template <class F>
 double batch_double(const Case& k) {
   double d = 0;
-  distances(std::get<QuadBezier>(k.figure), std::span<const double>{&k.p.x, 1}, {&k.p.y, 1},
+  distances(std::get<F>(k.figure), std::span<const double>{&k.p.x, 1}, {&k.p.y, 1},
             std::span<double>{&d, 1});
   return d;
 }
@@ -144,8 +145,8 @@ std::vector<Solver> own_solvers() {
   for (const InstructionSet& set : batch::instruction_sets()) {
     all.push_back(on(set, "fast", Judge::fast, C::kFastError, kBezier, batch_float<QuadBezier>));
     all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps, kBezier, batch_accurate));
-    all.push_back(
-        on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, kBezier, batch_double));
+    all.push_back(on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, kBezier,
+                     batch_double<QuadBezier>));
     all.push_back(on(set, "many", Judge::fast, C::kFastError, kBezier, batch_many));
     all.push_back(on(set, "grid", Judge::fast, C::kFastError, kBezier, batch_grid));
     all.push_back(on(set, "ellipse", Judge::fast, EllipseBatchContract::kError, kIndex<Ellipse>,
@@ -154,6 +155,10 @@ std::vector<Solver> own_solvers() {
                      kIndex<ParabolaSide>, batch_float<ParabolaSide>));
     all.push_back(on(set, "tapered", Judge::fast, TaperedBatchContract::kError,
                      kIndex<TaperedStroke>, batch_float<TaperedStroke>));
+    all.push_back(on(set, "cubic", Judge::fast, CubicBatchContract::kError, kIndex<CubicBezier>,
+                     batch_float<CubicBezier>));
+    all.push_back(on(set, "cubic double", Judge::exact, CubicBezierContract::kError / 0x1p-52,
+                     kIndex<CubicBezier>, batch_double<CubicBezier>));
   }
   return all;
 }
