@@ -88,6 +88,7 @@ class BandPainter {
   void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
   std::optional<Mix> cells(glm::dvec2 center, double side, int depth);
   Mix undescribed(glm::dvec2 center, double side, Parts& parts);
+  Mix square(glm::dvec2 center, double side);
   void sure_square(int block_x, int block_y, int side);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;

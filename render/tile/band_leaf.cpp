@@ -172,10 +172,6 @@ void BandPainter::paint(std::uint32_t blocks) {
   if (streamed) to = scratch_.data(), stride = kLeaf;
   LeafPixels left;
   paint_leaf(leaf_, blocks, to, stride, left);
-  for (int i = 0; i < left.count; ++i) {
-    const int x = left.at[std::size_t(i)] % kLeaf, y = left.at[std::size_t(i)] / kLeaf;
-    scalar(x, y, to + std::size_t(y) * stride + x);
-  }
   count(left, blocks, part);
   if (streamed) return stream_square(scratch_.data(), kLeaf, final_to, target_->stride / 4);
   if (to != scratch_.data()) return;
@@ -275,6 +271,13 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
 /// the sure way, which leaves behind what a part does not need, is a hundred times faster.
 constexpr std::size_t kMostInCells = 32;
 
+/// The mean colour times 255 of a square of the present leaf, a pixel or less, by the present edges.
+Mix BandPainter::square(glm::dvec2 center, double side) {
+  const bool coarse = target_->depth == Depth::u8 && leaf_.opaque;
+  if (coarse && leaf_.edge_count > 1) return square_in_parts(leaf_, center.x, center.y, side);
+  return leaf_square(leaf_, center.x, center.y, side, plan_->tolerance, stats_->cells);
+}
+
 /// A block of 4 × 4 pixels that its edges do not describe: by every pixel's own edges, and where those
 /// are not proven either, by the sure way.
 void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
@@ -295,7 +298,7 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
     for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
     const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
     if (assemble(list, edges, at_pixel, 1.0, kMostPixelBend)) {
-      mixes[i] = leaf_pixel(leaf_, at_pixel.x, at_pixel.y, plan_->tolerance, stats_->cells);
+      mixes[i] = square(at_pixel, 1.0);
       continue;
     }
     const bool divided = !varies_here_ && leaf_wanted_.size() <= kMostInCells;
@@ -361,7 +364,7 @@ std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth)
     for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
     const glm::dvec2 at_part = part(i);
     if (assemble(list, edges, at_part, step, kMostPixelBend / step)) {
-      sum += leaf_square(leaf_, at_part.x, at_part.y, step, plan_->tolerance, stats_->cells);
+      sum += square(at_part, step);
     } else if (leaf_varies_ && varies_here_) {
       return {};
     } else if (depth + 1 < kCellLevels) {

@@ -39,8 +39,8 @@ struct LeafPixels {
 };
 
 /// Draws those 4 × 4 blocks of a leaf (bit i: block i, row by row) into `pixels`, RGBA of 8 bits,
-/// rows `stride` pixels apart. The colours must be opaque. Pixels that more than one edge crosses
-/// are named and have no meaning yet.
+/// rows `stride` pixels apart. The colours must be opaque. Pixels that more than one edge crosses are
+/// resolved in parts, and named.
 void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
                 LeafPixels& left);
 
@@ -51,8 +51,11 @@ Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long
 Mix leaf_square(const Leaf& leaf, double x, double y, double side, double tolerance,
                 long long& cells);
 
+/// The same in vectors, to the precision of 8 bits. The colours must be opaque.
+Mix square_in_parts(const Leaf& leaf, double x, double y, double side);
+
 /// The bend of an edge up to which paint_leaf keeps its promise.
-inline constexpr double kMostLeafBend = 0.6;
+inline constexpr double kMostLeafBend = 4.0;
 /// The same for leaf_pixel: beyond, a shape is smaller than a quarter pixel.
 inline constexpr double kMostPixelBend = 8.0;
 

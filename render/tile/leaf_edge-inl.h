@@ -19,6 +19,19 @@ using F = hn::CappedTag<float, 16>;
 using VF = hn::Vec<F>;
 constexpr size_t kBlock = 16;  // pixels of a block, blocks of a leaf
 
+struct alignas(64) Offsets {
+  float x[kBlock], y[kBlock];
+};
+/// Pixels of a block relative to its centre, and blocks of a leaf relative to the leaf's.
+constexpr Offsets MakeOffsets(float step) {
+  Offsets o{};
+  for (int i = 0; i < 16; ++i)
+    o.x[i] = (float(i % 4) - 1.5f) * step, o.y[i] = (float(i / 4) - 1.5f) * step;
+  return o;
+}
+alignas(64) constexpr Offsets kPixels = MakeOffsets(1.0f);
+alignas(64) constexpr Offsets kBlocks = MakeOffsets(4.0f);
+
 HWY_INLINE VF Const(float x) {
   return hn::Set(F(), x);
 }
@@ -127,23 +140,25 @@ HWY_INLINE int StripsFor(float bend) {
 /// Which parts of an edge a block can see.
 enum class Part { body, end, both };
 
-/// The area of each pixel in strips; see(x, y): the edge from there.
+/// The area of squares of `side` in strips, as a share; see(x, y): the edge from there.
 template <class SeeAt>
-HWY_INLINE VF AreaInStrips(VF px, VF py, int strips, SeeAt see) {
+HWY_INLINE VF AreaInStrips(VF px, VF py, float side, int strips, SeeAt see) {
   const F f;
   const Sight middle = see(px, py);
   // Strips side by side in x where the edge runs along x, else in y.
   const auto in_x = hn::Ge(hn::Abs(middle.gy), hn::Abs(middle.gx));
   const float n = float(strips), step = 1.0f / n;
   const VF one = Const(1.0f), thin = Const(step), zero = hn::Zero(f);
+  const VF sides = Const(side), inverse = Const(1.0f / side);
   const VF narrow_x = hn::IfThenElse(in_x, thin, one), narrow_y = hn::IfThenElse(in_x, one, thin);
   VF sum = zero;
   for (int i = 0; i < strips; ++i) {
-    const VF at = Const((float(i) + 0.5f) * step - 0.5f);
+    const VF at = Const(((float(i) + 0.5f) * step - 0.5f) * side);
     const VF x = hn::Add(px, hn::IfThenElse(in_x, at, zero));
     const VF y = hn::Add(py, hn::IfThenElse(in_x, zero, at));
     const Sight s = see(x, y);
-    sum = hn::Add(sum, EdgeAreaOfStrip(f, s.d, s.gx, s.gy, s.k, narrow_x, narrow_y));
+    sum = hn::Add(sum, EdgeAreaOfStrip(f, hn::Mul(s.d, inverse), s.gx, s.gy, hn::Mul(s.k, sides),
+                                       narrow_x, narrow_y));
   }
   return hn::Mul(sum, thin);
 }
@@ -160,14 +175,15 @@ HWY_NOINLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
     return EdgeArea(f, s.d, s.gx, s.gy, s.k);
   }
   if (beyond || part == Part::body)
-    return AreaInStrips(px, py, strips, [&](VF x, VF y) MIEN_LANES { return SeeBody(body, x, y); });
+    return AreaInStrips(px, py, 1.0f, strips,
+                        [&](VF x, VF y) MIEN_LANES { return SeeBody(body, x, y); });
   if (e.joined) {
     const LeafEdge second = e.beyond();
-    return AreaInStrips(px, py, strips,
+    return AreaInStrips(px, py, 1.0f, strips,
                         [&](VF x, VF y) MIEN_LANES { return SeeJoined(e, second, x, y); });
   }
   const auto mine = Mine(e, px, py);
-  return AreaInStrips(px, py, strips, [&](VF x, VF y) MIEN_LANES {
+  return AreaInStrips(px, py, 1.0f, strips, [&](VF x, VF y) MIEN_LANES {
     return part == Part::end ? SeeEnd(e, x, y, mine) : SeeWithEnd(e, x, y, mine);
   });
 }

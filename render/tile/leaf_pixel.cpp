@@ -3,6 +3,7 @@
 #include <mien/render/cover/arrangement.h>
 #include <mien/render/cover/edge_coverage.h>
 #include <mien/render/tile/leaf.h>
+#include <mien/render/tile/leaf_errors.h>
 
 #include <bit>
 #include <cmath>
@@ -45,20 +46,6 @@ Sight see(const LeafEdge& e, glm::dvec2 p) {
           glm::normalize(g), k};
 }
 
-/// A straightened edge covers what the bent one covers as long as it is alone; its error is where
-/// another edge cuts the same square. There it is at most bend L³ · 0.064 of area (|t²/2 − mean| over a
-/// chord of length L <= 1.41 sides), and two edges that cross do so in one square or two.
-constexpr double kTogether = 0.36;
-
-/// A circle leaves its parabola by bend³ t⁴ / 8, which over the longest chord through a square of side s,
-/// |t| <= 0.71 s, is an area of 0.0084 bend³ s⁵; an outline through a pixel crosses about 2/s such squares.
-/// (Without this a cap of radius 1.03 px was off by 0.0074 of a pixel, almost two levels.)
-constexpr double kParabola = 0.0168;
-double parabola_error(double bend, double side) {
-  const double b = std::abs(bend) * side;
-  return kParabola * b * b * b * side;
-}
-
 /// Resolves squares of one pixel.
 class LeafSquare {
  public:
@@ -90,13 +77,12 @@ class LeafSquare {
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const auto i = std::size_t(std::countr_zero(rest));
       const LeafEdge& e = leaf_.edges[i];
-      // Taken for all circle or all body, the outline is off by less than bend side² / 8 over a part
-      // of the square.
       divide |= e.has_end() && at_end(e, center, side) &&
-                side * side * side * double(e.end_bend) > 16.0 * tolerance_;
+                end_error(double(e.end_bend), side) > tolerance_;
       divide |= parabola_error(sights[i].bend, side) > tolerance_;
-      divide |= e.joined && joint_error(e, center, side) > tolerance_;
-      straightened_by += kTogether * std::abs(sights[i].bend) * side * side * side;
+      divide |= e.joined && at_joint(e, center, side) &&
+                joint_error(double(e.next.bend) - double(e.bend), side) > tolerance_;
+      straightened_by += together_error(std::abs(sights[i].bend), side);
     }
     const bool one = std::has_single_bit(active);
     if ((divide || (!one && straightened_by > tolerance_)) && depth < kDeepest) {
@@ -144,13 +130,10 @@ class LeafSquare {
     return up > -r && std::abs(glm::length(u) - 1.0 / e.end_bend) < 2.0 * r;
   }
 
-  /// The other body leaves the one taken for the whole square by bend x²/2 and turn x at x beyond the
-  /// joint, 0.71 sides at most: of area, bend side² 0.06 and turn side² / 4 of a pixel.
-  static double joint_error(const LeafEdge& e, glm::dvec2 center, double side) {
+  /// Whether the square may hold a joint.
+  static bool at_joint(const LeafEdge& e, glm::dvec2 center, double side) {
     const glm::dvec2 u = center - glm::dvec2{e.end_x, e.end_y};
-    if (glm::dot(u, u) > side * side) return 0.0;
-    return side * side *
-           (0.06 * side * std::abs(double(e.next.bend) - double(e.bend)) + 0.25 * kMostJointTurn);
+    return glm::dot(u, u) <= side * side;
   }
 
   std::uint32_t mattering(std::uint32_t active, std::uint32_t base) const {

@@ -6,29 +6,18 @@
 #include <hwy/foreach_target.h>
 #include <mien/render/tile/leaf.h>
 #include <mien/render/tile/leaf_edge-inl.h>
+#include <mien/render/tile/leaf_parts-inl.h>
 // After the headers of mien's own: Highway's mathematics is a toggled header too.
 #include <hwy/contrib/math/math-inl.h>
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-struct alignas(64) Offsets {
-  float x[kBlock], y[kBlock];
-};
-/// Pixels of a block relative to its centre, and blocks of a leaf relative to the leaf's.
-constexpr Offsets MakeOffsets(float step) {
-  Offsets o{};
-  for (int i = 0; i < 16; ++i)
-    o.x[i] = (float(i % 4) - 1.5f) * step, o.y[i] = (float(i / 4) - 1.5f) * step;
-  return o;
-}
-alignas(64) constexpr Offsets kPixels = MakeOffsets(1.0f);
-alignas(64) constexpr Offsets kBlocks = MakeOffsets(4.0f);
 
 /// Where the sixteen blocks lie against an edge.
 struct BlockSides {
@@ -46,7 +35,10 @@ HWY_INLINE BlockSides PlaceBlocks(const LeafEdge& e) {
     // The other body of a joint may be the one that bends more, in the half of the block beyond it.
     const VF k = hn::Max(hn::Abs(s.k), hn::Abs(Const(e.next.bend)));
     const VF bent = hn::Mul(hn::Max(k, hn::Abs(Const(e.bend))), Const(4.5f));
-    const VF reach = hn::Add(hn::Add(bent, along), Const(2e-3f + e.error + turn));
+    // No square reaches further than its corners from a circle, whose distance is exact (but for bends up to
+    // kGentle, whose distances are up to a tenth longer here).
+    const VF corner = hn::Min(hn::Add(bent, along), Const(3.2f));
+    const VF reach = hn::Add(corner, Const(2e-3f + e.error + turn));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(f, hn::Lt(s.d, hn::Zero(f)), bits);
     const std::uint32_t in = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
@@ -120,65 +112,118 @@ HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, 
   StoreBlock(pixels, to, stride);
 }
 
-/// A block that several edges may cross: pixels that one of them crosses are drawn, those that more
-/// cross are named.
+/// How a block sees an edge.
+struct Use {
+  Part part;
+  int strips;
+  bool tight;  ///< bends more than strips can follow
+};
+
+/// What pixels of a block see of an edge: wholly inside, crossed, crossed in a way that one area does not
+/// say.
+struct InPixels {
+  VF area;
+  hn::Mask<F> full, cut, again, round;  ///< round: all of the pixel sees the round end
+};
+
+HWY_INLINE InPixels SeePixels(const LeafEdge& e, const Use& use, VF px, VF py) {
+  const F f;
+  constexpr float kRadius = 0.7072f;
+  const auto none = hn::Lt(hn::Zero(f), hn::Zero(f));
+  if (use.tight) {
+    const Sight s = See(e, px, py);
+    auto near = hn::Le(hn::Abs(s.d), Const(0.75f));  // distances to circles are exact
+    if (e.has_end()) near = hn::Or(near, HidesInParts(e, px, py, kRadius));
+    return {hn::Zero(f), hn::AndNot(near, hn::Lt(s.d, hn::Zero(f))), near, near, none};
+  }
+  const VF area = AreaOf(e, px, py, use.strips, use.part);
+  const auto full = hn::Ge(area, Const(1.0f - 1e-6f)), some = hn::Gt(area, Const(1e-6f));
+  auto again = none, round = none;
+  if (use.part == Part::both)
+    again = e.has_end() ? MayHoldEnd(e, px, py, kRadius) : MayHoldJoint(e, px, py, 1.0f);
+  if (e.has_end() && use.part != Part::body) {
+    const VF ux = hn::Sub(px, Const(e.end_x)), uy = hn::Sub(py, Const(e.end_y));
+    round = hn::Gt(Fused(ux, Const(e.along_x), hn::Mul(uy, Const(e.along_y))), Const(kRadius));
+  }
+  return {area, full, hn::AndNot(full, some), again, round};
+}
+
+/// Whether those of the edges that have round ends share one: lines that meet in a point.
+HWY_INLINE bool HaveOneEnd(const Leaf& leaf, std::uint32_t active) {
+  const LeafEdge* first = nullptr;
+  for (; active; active &= active - 1) {
+    const LeafEdge& e = leaf.edges[std::size_t(std::countr_zero(active))];
+    if (!e.has_end()) continue;
+    if (!first) first = &e;
+    const float near = 1e-4f;
+    if (std::abs(e.end_x - first->end_x) > near || std::abs(e.end_y - first->end_y) > near ||
+        std::abs(1.0f / e.end_bend - 1.0f / first->end_bend) > near)
+      return false;
+  }
+  return true;
+}
+
+/// A block that is not simple. Pixels that one area does not describe are resolved in parts.
 template <bool kLinear>
-HWY_INLINE void ManyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base, float cx,
-                          float cy, const int* strips, const Part* parts, int first,
-                          std::uint32_t* to, size_t stride, LeafPixels& left) {
+HWY_INLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
+                         const Use* uses, int block, std::uint32_t* to, size_t stride,
+                         LeafPixels& left) {
   const F f;
   const hn::RebindToSigned<F> di;
   using VI = hn::Vec<decltype(di)>;
-  alignas(64) std::int32_t pixels[kBlock];
+  const float cx = kBlocks.x[block], cy = kBlocks.y[block];
+  alignas(64) float light[3][kBlock];
+  alignas(64) std::int32_t inside[kBlock], crossed[kBlock];
+  std::uint32_t in_parts = 0, ends = 0;
+  const bool one_end = HaveOneEnd(leaf, active);
   for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
     const VF px = hn::Add(hn::Load(f, kPixels.x + i), Const(cx));
     const VF py = hn::Add(hn::Load(f, kPixels.y + i), Const(cy));
-    VI sides = hn::Set(di, int(base)), crossing = hn::Zero(di), twice = hn::Zero(di);
+    VI sides = hn::Set(di, int(base)), crossing = hn::Zero(di);
+    auto again = hn::Lt(hn::Zero(f), hn::Zero(f));
+    auto round = hn::Eq(hn::Zero(f), hn::Zero(f));
     VF w = hn::Zero(f);
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
-      const VF area = AreaOf(leaf.edges[std::size_t(e)], px, py, strips[e], parts[e]);
-      const auto full = hn::Ge(area, Const(1.0f - 1e-6f)), some = hn::Gt(area, Const(1e-6f));
+      const LeafEdge& edge = leaf.edges[std::size_t(e)];
+      if (edge.has_end()) ends |= 1u << e;
+      const InPixels seen = SeePixels(edge, uses[e], px, py);
       const VI bit = hn::Set(di, 1 << e);
-      sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, full), bit));
-      const auto cut = hn::AndNot(full, some);
-      const VI here = hn::IfThenElseZero(hn::RebindMask(di, cut), bit);
-      const auto again = hn::And(hn::RebindMask(di, cut), hn::Ne(crossing, hn::Zero(di)));
-      twice = hn::Or(twice, hn::IfThenElseZero(again, hn::Set(di, -1)));
-      crossing = hn::Or(crossing, here);
-      w = hn::IfThenElse(cut, area, w);
+      sides = hn::Or(sides, hn::IfThenElseZero(hn::RebindMask(di, seen.full), bit));
+      const auto second = hn::RebindMask(f, hn::Ne(crossing, hn::Zero(di)));
+      round = hn::And(round, hn::Or(seen.round, hn::Not(seen.cut)));
+      auto twice = hn::And(seen.cut, second);
+      if (one_end) twice = hn::AndNot(round, twice);  // the same circle again
+      again = hn::Or(again, hn::Or(seen.again, twice));
+      crossing = hn::Or(crossing, hn::IfThenElseZero(hn::RebindMask(di, seen.cut), bit));
+      w = hn::IfThenElse(seen.cut, seen.area, w);
     }
     const VI inner = hn::Or(sides, crossing);
-    const auto color = [&](int c) HWY_ATTR {
-      const float* plane = leaf.palette[std::size_t(c)].data();
+    for (size_t c = 0; c < 3; ++c) {
+      const float* plane = leaf.palette[c].data();
       const VF a = hn::GatherIndex(f, plane, hn::And(sides, hn::Set(di, Leaf::kMostSides - 1)));
       const VF b = hn::GatherIndex(f, plane, hn::And(inner, hn::Set(di, Leaf::kMostSides - 1)));
-      return Fused(w, hn::Sub(b, a), a);
-    };
-    hn::Store(Packed<kLinear>(color(0), color(1), color(2)), di, pixels + i);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(di, hn::Ne(twice, hn::Zero(di)), bits);
-    for (std::uint32_t m = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8; m; m &= m - 1) {
-      const int p = int(i) + std::countr_zero(m);
-      left.add(first + (p / 4) * kLeaf + p % 4);
+      hn::Store(Fused(w, hn::Sub(b, a), a), f, light[c] + i);
     }
+    hn::Store(sides, di, inside + i), hn::Store(crossing, di, crossed + i);
+    in_parts |= BitsOf(again) << i;
   }
+  for (std::uint32_t rest = in_parts; rest; rest &= rest - 1) {
+    const auto p = std::size_t(std::countr_zero(rest));
+    // An end may turn up in a part though the pixel's centre sees nothing of it.
+    std::uint32_t asked = active & (std::uint32_t(crossed[p]) | ends);
+    const std::uint32_t in = (std::uint32_t(inside[p]) | base) & ~asked;
+    const Light mean = InParts(leaf, Mattering(leaf, asked, in), in, cx + kPixels.x[p],
+                               cy + kPixels.y[p], 1.0f, 0);
+    light[0][p] = mean.r, light[1][p] = mean.g, light[2][p] = mean.b;
+    left.add((block / 4 * 4 + int(p) / 4) * kLeaf + block % 4 * 4 + int(p) % 4);
+  }
+  alignas(64) std::int32_t pixels[kBlock];
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(f))
+    hn::Store(Packed<kLinear>(hn::Load(f, light[0] + i), hn::Load(f, light[1] + i),
+                              hn::Load(f, light[2] + i)),
+              di, pixels + i);
   StoreBlock(pixels, to, stride);
-}
-
-/// Drops edges whose side changes no colour, for the sides of the others that may occur.
-HWY_INLINE std::uint32_t Mattering(const Leaf& leaf, std::uint32_t active, std::uint32_t base) {
-  std::uint32_t kept = active;
-  for (std::uint32_t rest = active; rest; rest &= rest - 1) {
-    const std::uint32_t bit = rest & -rest, others = kept & ~bit;
-    bool matters = false;
-    for (std::uint32_t sub = others;; sub = (sub - 1) & others) {
-      matters = matters || leaf.same[base | sub] != leaf.same[base | sub | bit];
-      if (sub == 0 || matters) break;
-    }
-    if (!matters) kept &= ~bit;
-  }
-  return kept;
 }
 
 /// A block that one gentle edge crosses, away from its end.
@@ -220,27 +265,32 @@ HWY_INLINE void FillBlock(std::uint32_t value, std::uint32_t* to, size_t stride)
       hn::StoreU(hn::Set(d, value), d, to + row * stride + x);
 }
 
+/// How the block around (cx, cy) sees an edge.
+HWY_INLINE Use UseOf(const LeafEdge& e, float cx, float cy) {
+  constexpr float kTight = 0.5f;
+  const auto size = [](float x) { return x < 0 ? -x : x; };
+  const float body = size(e.bend);
+  if (!e.has_end() && !e.joined) return {Part::body, StripsFor(body), body > kTight};
+  const float beyond = (cx - e.end_x) * e.along_x + (cy - e.end_y) * e.along_y;
+  const float other = e.joined ? size(e.next.bend) : e.end_bend;
+  if (beyond < -3.0f) return {Part::body, StripsFor(body), body > kTight};
+  // Beyond the end's line edges are circles at most kEndHalo from being asked: never straight.
+  if (beyond > 3.0f)
+    return {Part::end, e.joined ? StripsFor(other) : HWY_MAX(2, StripsFor(other)), other > kTight};
+  const float most = HWY_MAX(body, other);
+  return {Part::both, HWY_MAX(2, StripsFor(most)), most > kTight};
+}
+
 template <bool kLinear>
 HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
                       LeafPixels& left) {
   BlockSides sides[Leaf::kMostEdges];
-  int strips[Leaf::kMostEdges], end_strips[Leaf::kMostEdges];
-  for (int e = 0; e < leaf.edge_count; ++e) {
-    const LeafEdge& edge = leaf.edges[std::size_t(e)];
-    sides[e] = PlaceBlocks(edge);
-    strips[e] = StripsFor(edge.bend);
-    const float beyond = edge.joined ? edge.next.bend : edge.end_bend;
-    end_strips[e] = edge.joined      ? StripsFor(beyond)
-                    : edge.has_end() ? HWY_MAX(4, StripsFor(beyond))
-                                     : strips[e];
-  }
+  for (int e = 0; e < leaf.edge_count; ++e) sides[e] = PlaceBlocks(leaf.edges[std::size_t(e)]);
   Simple simple[kBlock];
   int simple_count = 0;
   for (std::uint32_t todo = blocks; todo; todo &= todo - 1) {
     const int b = std::countr_zero(todo);
-    const int bx = 4 * (b % 4), by = 4 * (b / 4);
-    std::uint32_t* const to = pixels + size_t(by) * stride + size_t(bx);
-    const float cx = kBlocks.x[b], cy = kBlocks.y[b];
+    std::uint32_t* const to = pixels + size_t(b / 4 * 4) * stride + size_t(b % 4 * 4);
     std::uint32_t base = 0, active = 0;
     for (int e = 0; e < leaf.edge_count; ++e) {
       const std::uint32_t near = sides[e].crossed >> b & 1u;
@@ -253,31 +303,21 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
       continue;
     }
     left.edge_blocks |= 1u << b;
-    int here[Leaf::kMostEdges];
-    Part parts[Leaf::kMostEdges];
+    Use uses[Leaf::kMostEdges];
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
-      const LeafEdge& edge = leaf.edges[std::size_t(e)];
-      const float beyond = (cx - edge.end_x) * edge.along_x + (cy - edge.end_y) * edge.along_y;
-      parts[e] = (!edge.has_end() && !edge.joined) || beyond < -3.0f ? Part::body
-                 : beyond > 3.0f                                     ? Part::end
-                                                                     : Part::both;
-      here[e] = parts[e] == Part::body ? strips[e] : end_strips[e];
-      if (edge.joined && parts[e] == Part::both)
-        here[e] = HWY_MAX(4, HWY_MAX(strips[e], end_strips[e]));
+      uses[e] = UseOf(leaf.edges[std::size_t(e)], kBlocks.x[b], kBlocks.y[b]);
     }
-    if ((active & (active - 1)) == 0) {
-      const int e = std::countr_zero(active);
-      if (here[e] == 1) {
-        const bool second = leaf.edges[std::size_t(e)].joined && parts[e] == Part::end;
-        simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base), second};
-        continue;
-      }
-      OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, cx, cy, here[e],
-                       parts[e], to, stride);
+    const int e = std::countr_zero(active);
+    const Use& use = uses[e];
+    if ((active & (active - 1)) != 0 || use.tight || use.part == Part::both) {
+      AnyEdges<kLinear>(leaf, active, base, uses, b, to, stride, left);
+    } else if (use.strips == 1) {
+      const bool second = leaf.edges[std::size_t(e)].joined && use.part == Part::end;
+      simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base), second};
     } else {
-      ManyEdges<kLinear>(leaf, active, base, cx, cy, here, parts, by * kLeaf + bx, to, stride,
-                         left);
+      OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, kBlocks.x[b],
+                       kBlocks.y[b], use.strips, use.part, to, stride);
     }
   }
   SimpleBlocks<kLinear>(leaf, simple, simple_count, pixels, stride);
@@ -291,6 +331,11 @@ void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, si
     Paint<false>(leaf, blocks, pixels, stride, left);
 }
 
+void SquareInParts(const Leaf& leaf, float x, float y, float side, float* rgb) {
+  const Light mean = InParts(leaf, (1u << leaf.edge_count) - 1u, 0, x, y, side, side < 1.0f);
+  rgb[0] = mean.r, rgb[1] = mean.g, rgb[2] = mean.b;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace mien::batch
 HWY_AFTER_NAMESPACE();
@@ -299,11 +344,18 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(PaintLeaf);
+HWY_EXPORT(SquareInParts);
 }  // namespace batch
 
 void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
                 LeafPixels& left) {
   HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, blocks, pixels, stride, left);
+}
+
+Mix square_in_parts(const Leaf& leaf, double x, double y, double side) {
+  float rgb[3];
+  HWY_DYNAMIC_DISPATCH(batch::SquareInParts)(leaf, float(x), float(y), float(side), rgb);
+  return {rgb[0], rgb[1], rgb[2], 255.0};
 }
 
 }  // namespace mien

@@ -19,12 +19,19 @@ HWY_INLINE V Set(double x) {
   return hn::Set(D(), x);
 }
 
-/// A bound on how far the outline leaves circle + (c3 X³ + c4 X⁴)(1 + (bend X)²/2) for |X| <= radius, from its
+/// How far along the tangent a leaf's points lie from its centre, and so from the foot: a square's half side
+/// times |n.x| + |n.y|. From 0.71 to 1 of the radius; its fifth power is what counts.
+HWY_INLINE V Along(V nx, V ny, double radius) {
+  constexpr double kHalfSide = 0.70710678118654757;
+  return hn::Mul(hn::Add(hn::Abs(nx), hn::Abs(ny)), Set(kHalfSide * radius));
+}
+
+/// A bound on how far the outline leaves circle + (c3 X³ + c4 X⁴)(1 + (bend X)²/2) for |X| <= along, from its
 /// curvature's first two changes per arc at the foot and a bound on the third over the leaf.
-HWY_INLINE V Remainder(V bend, V change, V change2, V change3, double radius) {
-  const V turn = hn::Mul(hn::Abs(bend), Set(radius)), turn2 = hn::Mul(turn, turn);
+HWY_INLINE V Remainder(V bend, V change, V change2, V change3, V along) {
+  const V turn = hn::Mul(hn::Abs(bend), along), turn2 = hn::Mul(turn, turn);
   // Arc length over |X|: asin(z)/z <= 1 + z²/4 for z <= 0.7.
-  const V s = hn::Mul(Set(radius), Fused(turn2, Set(0.25), Set(1.0)));
+  const V s = hn::Mul(along, Fused(turn2, Set(0.25), Set(1.0)));
   const V s2 = hn::Mul(s, s), s4 = hn::Mul(s2, s2), s5 = hn::Mul(s4, s);
   const V k2 = hn::Mul(bend, bend);
   const V cross = Fused(hn::Abs(change2), hn::Mul(s, Set(0.5)), hn::Abs(change));
@@ -48,8 +55,8 @@ HWY_INLINE std::uint32_t Bits(hn::Mask<D> m) {
 struct OutlineBends {
   V k, k1, k2, k3;
 };
-HWY_INLINE V StoreLevel(const OutlineBends& c, V level, V toward, double radius,
-                        CurveLeaves::Level& out, size_t i) {
+HWY_INLINE V StoreLevel(const OutlineBends& c, V level, V toward, V along, CurveLeaves::Level& out,
+                        size_t i) {
   const D d;
   const V one = Set(1.0), m = FusedFrom(level, c.k, one);
   const V inverse = hn::Div(one, hn::Max(m, Set(0.05)));
@@ -64,7 +71,7 @@ HWY_INLINE V StoreLevel(const OutlineBends& c, V level, V toward, double radius,
       Fused(c.k3, hn::Mul(m, m),
             Fused(hn::Mul(Set(10.0), hn::Mul(l, a1)), hn::Mul(hn::Abs(c.k2), hn::Max(m, one)),
                   hn::Mul(Set(15.0), hn::Mul(hn::Mul(l, l), hn::Mul(a1, hn::Mul(a1, a1)))))));
-  const V error = Remainder(bend, change, change2, k3, radius);
+  const V error = Remainder(bend, change, change2, k3, along);
   // Along the outward normal n = toward·N the outline is −bend/2 X² − c3 X³ − c4 X⁴, X along
   // (−n.y, n.x): against the tangent if n = N, along it if n = −N.
   hn::Store(hn::Mul(hn::Neg(toward), bend), d, out.bend.data() + i);
@@ -111,8 +118,10 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     const V side = hn::Mul(FusedFrom(du, y, dv), is);
     // N = (−y, 1)/sigma in the frame.
     const V fx = hn::Neg(hn::Mul(y, is)), fy = is;
-    hn::Store(FusedLess(fx, rx, hn::Mul(fy, ry)), d, out.nx.data() + i);
-    hn::Store(Fused(fx, ry, hn::Mul(fy, rx)), d, out.ny.data() + i);
+    const V nx = FusedLess(fx, rx, hn::Mul(fy, ry)), ny = Fused(fx, ry, hn::Mul(fy, rx));
+    const V along = Along(nx, ny, r);
+    hn::Store(nx, d, out.nx.data() + i);
+    hn::Store(ny, d, out.ny.data() + i);
     hn::Store(x, d, out.foot.data() + i);
     hn::Store(side, d, out.side.data() + i);
 
@@ -141,11 +150,11 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     if (!(2.0 * (level + r) <= most)) ok = hn::Lt(one, hn::Zero(d));
     const V up = one, down = Set(-1.0);
     if (f.stroke) {
-      const V m0 = StoreLevel(c, Set(l), up, r, out.levels[0], i);
-      const V m1 = StoreLevel(c, Set(-l), down, r, out.levels[1], i);
+      const V m0 = StoreLevel(c, Set(l), up, along, out.levels[0], i);
+      const V m1 = StoreLevel(c, Set(-l), down, along, out.levels[1], i);
       ok = hn::And(ok, hn::Gt(hn::Min(m0, m1), Set(0.25)));
     } else {
-      ok = hn::And(ok, hn::Gt(StoreLevel(c, Set(l), down, r, out.levels[0], i), Set(0.25)));
+      ok = hn::And(ok, hn::Gt(StoreLevel(c, Set(l), down, along, out.levels[0], i), Set(0.25)));
     }
     proven |= Bits(ok) << i;
   }
@@ -189,8 +198,9 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
     slip = hn::Mul(Fused(dx, tx, hn::Mul(dy, ty)), root);
     const V nx = hn::Mul(ty, root), ny = hn::Neg(hn::Mul(tx, root));
     const V side = Fused(dx, nx, hn::Mul(dy, ny));
-    hn::Store(FusedLess(nx, ax, hn::Mul(ny, ay)), d, out.nx.data() + i);
-    hn::Store(Fused(nx, ay, hn::Mul(ny, ax)), d, out.ny.data() + i);
+    const V world_x = FusedLess(nx, ax, hn::Mul(ny, ay)), world_y = Fused(nx, ay, hn::Mul(ny, ax));
+    hn::Store(world_x, d, out.nx.data() + i);
+    hn::Store(world_y, d, out.ny.data() + i);
     hn::Store(side, d, out.side.data() + i);
     hn::Store(c, d, out.foot.data() + i);
 
@@ -210,7 +220,7 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
     const V part = hn::Mul(most1, il);
     const V inner = Fused(hn::Mul(Set(13.5), part), part, Fused(Set(19.0), ratio, Set(4.0)));
     const V k3 = hn::Mul(hn::Mul(Set(1.5), hn::Mul(most1, ab)), hn::Mul(hn::Mul(il2, il2), inner));
-    const V error = Remainder(k, k1, k2, k3, r);
+    const V error = Remainder(k, k1, k2, k3, Along(world_x, world_y, r));
     hn::Store(k, d, out.levels[0].bend.data() + i);
     hn::Store(hn::Mul(k1, Set(1.0 / 6)), d, out.levels[0].c3.data() + i);
     hn::Store(hn::Mul(k2, Set(1.0 / 24)), d, out.levels[0].c4.data() + i);

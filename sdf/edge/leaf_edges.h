@@ -20,7 +20,7 @@
 
 namespace mien {
 
-/// Up to 16 leaves: the centres, and the radius of the disc around each that matters.
+/// Up to 16 leaves: squares along the axes by their centres and the half of their diagonal.
 struct Leaves {
   static constexpr int kMost = 16;
   alignas(64) std::array<double, kMost> x, y;
