@@ -16,9 +16,9 @@ constexpr T together_error(T bends, T side) {
 }
 
 /// A circle leaves its parabola by bend³ t⁴ / 8, which over the longest chord through a square of side s,
-/// |t| <= 0.71 s, is an area of 0.0084 bend³ s⁵; an outline through a pixel crosses about 2/s such squares.
+/// |t| <= 0.71 s, is an area of 0.0089 bend³ s⁵ (while small); an outline through a pixel crosses about 2/s such squares.
 /// (Without this a cap of radius 1.03 px was off by 0.0074 of a pixel, almost two levels.)
-inline constexpr double kParabola = 0.0168;
+inline constexpr double kParabola = 0.018;
 template <class T>
 constexpr T parabola_error(T bend, T side) {
   const T b = (bend < 0 ? -bend : bend) * side;
