@@ -61,8 +61,8 @@ MIEN_API void distances_on_grid(const QuadBezier& curve, glm::dvec2 origin, doub
                                 std::size_t columns, std::size_t rows, std::span<float> d);
 
 /// d[i] = the signed distance from (x[i], y[i]) to the figure's outline, negative inside (to a cubic
-/// Bézier: the distance). The float forms and the double form for cubic Béziers are kernels; the other
-/// double forms are the scalar distance of each point in turn.
+/// Bézier: the distance). Every form is a kernel; figures and points that it does not promise for go
+/// through the scalar form. The double forms keep the scalar forms' contracts.
 MIEN_API void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                         std::span<float> d);
 MIEN_API void distances(const Ellipse& ellipse, std::span<const double> x,

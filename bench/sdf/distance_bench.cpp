@@ -246,9 +246,13 @@ void register_all() {
     for (const batch::InstructionSet& set : batch::instruction_sets()) {
       const auto id = set.id;
       add("ellipse f32/" + set.name, [=](auto& s) { Signed<float>(s, pattern, kEllipse, id); });
+      add("ellipse f64/" + set.name, [=](auto& s) { Signed<double>(s, pattern, kEllipse, id); });
       add("parabola f32/" + set.name, [=](auto& s) { Signed<float>(s, pattern, kParabola, id); });
+      add("parabola f64/" + set.name, [=](auto& s) { Signed<double>(s, pattern, kParabola, id); });
       add("tapered stroke f32/" + set.name,
           [=](auto& s) { Signed<float>(s, pattern, kStroke, id); });
+      add("tapered stroke f64/" + set.name,
+          [=](auto& s) { Signed<double>(s, pattern, kStroke, id); });
       add("cubic f32/" + set.name, [=](auto& s) { Signed<float>(s, pattern, kCubic, id); });
       add("cubic f64/" + set.name, [=](auto& s) { Signed<double>(s, pattern, kCubic, id); });
       add("fast f32/" + set.name, [=](auto& s) { Float(s, pattern, Precision::fast, id); });

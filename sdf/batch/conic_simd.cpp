@@ -15,8 +15,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Points well outside the ellipse: everything once more, and with care.
 template <class D, class Exact>
-HWY_NOINLINE void MendFarFromEllipse(D d, const EllipseFrame& f, const float* x, const float* y,
-                                     float* distance, const Exact& exact) {
+HWY_NOINLINE void MendFarFromEllipse(D d, const EllipseFrame<float>& f, const float* x,
+                                     const float* y, float* distance, const Exact& exact) {
   const auto r = FromEllipseFar(d, f, LoadPack(d, x), LoadPack(d, y));
   HWY_ALIGN float lanes[2][kParts * hn::MaxLanes(D())];
   StorePack(r.reach2, d, lanes[0]);
@@ -24,7 +24,7 @@ HWY_NOINLINE void MendFarFromEllipse(D d, const EllipseFrame& f, const float* x,
   Mend(x, y, lanes[0], lanes[1], kParts * hn::Lanes(d), 0x1p36f, distance, exact);
 }
 
-void DistancesEllipse(const Ellipse& ellipse, const EllipseFrame& frame, const float* x,
+void DistancesEllipse(const Ellipse& ellipse, const EllipseFrame<float>& frame, const float* x,
                       const float* y, size_t count, float* out) {
   const hn::ScalableTag<float> d;
   const auto exact = [&](float px, float py) { return distance(ellipse, {px, py}); };
@@ -38,7 +38,7 @@ void DistancesEllipse(const Ellipse& ellipse, const EllipseFrame& frame, const f
   });
 }
 
-void DistancesParabola(const ParabolaSide& side, const ParabolaFrame& frame, const float* x,
+void DistancesParabola(const ParabolaSide& side, const ParabolaFrame<float>& frame, const float* x,
                        const float* y, size_t count, float* out) {
   const hn::ScalableTag<float> d;
   const auto exact = [&](float px, float py) { return distance(side, {px, py}); };
@@ -46,6 +46,30 @@ void DistancesParabola(const ParabolaSide& side, const ParabolaFrame& frame, con
     const auto& f = Reloaded(frame);
     const auto r = FromParabola(d, f, LoadPack(d, at_x), LoadPack(d, at_y));
     return Checked(d, at_x, at_y, r.reach2, 0x1p48f, Mul(r.distance, SetPack(d, f.unscale)), exact);
+  });
+}
+
+void DistancesEllipseDouble(const Ellipse& ellipse, const EllipseFrame<double>& frame,
+                            const double* x, const double* y, size_t count, double* out) {
+  const hn::ScalableTag<double> d;
+  const auto exact = [&](double px, double py) { return distance(ellipse, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](const double* at_x, const double* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto r = FromEllipse(d, f, LoadPack(d, at_x), LoadPack(d, at_y));
+    const auto distance = Mul(r.distance, SetPack(d, f.unscale));
+    return Checked(d, at_x, at_y, r.reach2, kFar<double>, distance, exact);
+  });
+}
+
+void DistancesParabolaDouble(const ParabolaSide& side, const ParabolaFrame<double>& frame,
+                             const double* x, const double* y, size_t count, double* out) {
+  const hn::ScalableTag<double> d;
+  const auto exact = [&](double px, double py) { return distance(side, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](const double* at_x, const double* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto r = FromParabola(d, f, LoadPack(d, at_x), LoadPack(d, at_y));
+    const auto distance = Mul(r.distance, SetPack(d, f.unscale));
+    return Checked(d, at_x, at_y, r.reach2, kFar<double>, distance, exact);
   });
 }
 
@@ -61,12 +85,14 @@ namespace mien {
 namespace batch {
 HWY_EXPORT(DistancesEllipse);
 HWY_EXPORT(DistancesParabola);
+HWY_EXPORT(DistancesEllipseDouble);
+HWY_EXPORT(DistancesParabolaDouble);
 }  // namespace batch
 
 void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
   batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
-  const auto frame = batch::ellipse_frame(ellipse);
+  const auto frame = batch::ellipse_frame<float>(ellipse);
   if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesEllipse)
   (ellipse, *frame, x.data(), y.data(), d.size(), d.data());
@@ -75,9 +101,27 @@ void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const
 void distances(const ParabolaSide& side, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
   batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
-  const auto frame = batch::parabola_frame(side);
+  const auto frame = batch::parabola_frame<float>(side);
   if (!frame) return batch::distances_one_by_one(side, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesParabola)
+  (side, *frame, x.data(), y.data(), d.size(), d.data());
+}
+
+void distances(const Ellipse& ellipse, std::span<const double> x, std::span<const double> y,
+               std::span<double> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  const auto frame = batch::ellipse_frame<double>(ellipse);
+  if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesEllipseDouble)
+  (ellipse, *frame, x.data(), y.data(), d.size(), d.data());
+}
+
+void distances(const ParabolaSide& side, std::span<const double> x, std::span<const double> y,
+               std::span<double> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  const auto frame = batch::parabola_frame<double>(side);
+  if (!frame) return batch::distances_one_by_one(side, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesParabolaDouble)
   (side, *frame, x.data(), y.data(), d.size(), d.data());
 }
 

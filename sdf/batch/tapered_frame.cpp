@@ -13,12 +13,13 @@ constexpr double kFarthestVertex = 64;
 
 }  // namespace
 
-std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke) {
+template <class T>
+std::optional<TaperedFrame<T>> tapered_frame(const TaperedStroke& stroke) {
   const auto exponent = scale_exponent(stroke.spine);
   const double* w = stroke.half_width;
   const double widest = std::max({std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
   if (!exponent || !std::isfinite(w[0] + w[1] + w[2])) return std::nullopt;
-  TaperedFrame f{quad_bezier_frame<float>(stroke.spine, *exponent)};
+  TaperedFrame<T> f{quad_bezier_frame<T>(stroke.spine, *exponent)};
   const double scale = double(f.spine.scale);
   if (f.spine.straight || !(widest * scale < 0x1p10)) return std::nullopt;
 
@@ -32,18 +33,21 @@ std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke) {
   if (!(bb > leg2 * (kStraight<float> * kStraight<float>))) return std::nullopt;
   const double r = 1 / bb, v = ab * r;
   if (!(std::abs(v) < kFarthestVertex)) return std::nullopt;
-  f.w0 = float(w0), f.wa2 = float(2 * wa), f.wb = float(wb), f.wb2 = 2 * f.wb;
-  f.px = float(b.x * r / 3), f.py = float(b.y * r / 3), f.pw = float(-wb * r / 3);
-  f.p1 = float((2 * aa - w0 * wb) * r / 3 - v * v);
+  f.w0 = T(w0), f.wa2 = T(2 * wa), f.wb = T(wb), f.wb2 = 2 * f.wb;
+  f.px = T(b.x * r / 3), f.py = T(b.y * r / 3), f.pw = T(-wb * r / 3);
+  f.p1 = T((2 * aa - w0 * wb) * r / 3 - v * v);
   const double sw = (wa - v * wb) * r;
-  f.sx = float((v * b.x - a.x) * r), f.sy = float((v * b.y - a.y) * r), f.sw = float(sw);
-  f.s1 = float(2 * v * aa * r - 2 * v * v * v + sw * w0);
-  f.vertex = float(v);
+  f.sx = T((v * b.x - a.x) * r), f.sy = T((v * b.y - a.y) * r), f.sw = T(sw);
+  f.s1 = T(2 * v * aa * r - 2 * v * v * v + sw * w0);
+  f.vertex = T(v);
   const double steepest = std::sqrt(4 * leg2) + 2 * std::max(std::abs(wa), std::abs(wa + wb));
   const double change = 0x1p-16 * (1 + std::abs(v)) * steepest;
-  f.steep2 = float(steepest * steepest / 2), f.least_lead = float(change * change / 2);
+  f.steep2 = T(steepest * steepest / 2), f.least_lead = T(change * change / 2);
   return f;
 }
+
+template std::optional<TaperedFrame<float>> tapered_frame<float>(const TaperedStroke&);
+template std::optional<TaperedFrame<double>> tapered_frame<double>(const TaperedStroke&);
 
 double depth_at(const TaperedStroke& stroke, double t, glm::dvec2 p) {
   const double* w = stroke.half_width;

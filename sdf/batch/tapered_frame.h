@@ -12,20 +12,22 @@
 
 namespace mien::batch {
 
+template <class T>
 struct TaperedFrame {
-  QuadBezierFrame<float> spine;
-  float w0, wa2, wb, wb2;  ///< half-width w0 + t (wa2 + t wb), scaled; wb2 = 2 wb
-  float px, py, pw, p1;    ///< P = px·dx + py·dy + pw·L + p1
-  float sx, sy, sw, s1;    ///< S2 likewise
-  float vertex;            ///< t = x − vertex
+  QuadBezierFrame<T> spine;
+  T w0, wa2, wb, wb2;  ///< half-width w0 + t (wa2 + t wb), scaled; wb2 = 2 wb
+  T px, py, pw, p1;    ///< P = px·dx + py·dy + pw·L + p1
+  T sx, sy, sw, s1;    ///< S2 likewise
+  T vertex;            ///< t = x − vertex
   /// An error e of t changes a depth by at most e² steep2 / |q|; least_lead is that for the largest
   /// root's error.
-  float steep2, least_lead;
+  T steep2, least_lead;
 };
 
 /// None for spines that are points, nearly straight or out of float's range, where the half-width bends
 /// nearly as much as the spine, and where the vertex is far away: those go through the scalar form.
-std::optional<TaperedFrame> tapered_frame(const TaperedStroke& stroke);
+template <class T>
+std::optional<TaperedFrame<T>> tapered_frame(const TaperedStroke& stroke);
 
 /// |p − B(t)| − w(t) in double precision.
 double depth_at(const TaperedStroke& stroke, double t, glm::dvec2 p);

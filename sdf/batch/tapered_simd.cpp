@@ -17,17 +17,20 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Above these the disc is in doubt: improvements and Newton's steps converge quadratically, so what is
 /// still missing is about the square of the last one.
-inline constexpr float kMuchGain = 0x1p-9f, kLongLastStep = 0x1p-12f;
+template <class T>
+inline constexpr T kMuchGain = T(sizeof(T) == 4 ? 0x1p-9 : 0x1p-18);
+template <class T>
+inline constexpr T kLongLastStep = T(sizeof(T) == 4 ? 0x1p-12 : 0x1p-20);
 
 /// |q|² of the deepest disc, or NaN where it is in doubt.
-template <class D, class W>
-HWY_INLINE W SquareIfSure(D d, const TaperedFrame& f, Offset<W> o, const DeepestDisc<W>& found) {
+template <class D, class W, class T = hn::TFromD<D>>
+HWY_INLINE W SquareIfSure(D d, const TaperedFrame<T>& f, Offset<W> o, const DeepestDisc<W>& found) {
   const W square = SquareAt(d, f.spine, o, found.disc.t);
   const auto settled =
-      And(Lt(found.gain, SetPack(d, kMuchGain)), Lt(found.step, SetPack(d, kLongLastStep)));
+      And(Lt(found.gain, SetPack(d, kMuchGain<T>)), Lt(found.step, SetPack(d, kLongLastStep<T>)));
   const auto sure =
       And(And(settled, Lt(found.missing, SetPack(d, 0))), Gt(found.lead, SetPack(d, 0)));
-  return IfThenElse(sure, square, SetPack(d, std::numeric_limits<float>::quiet_NaN()));
+  return IfThenElse(sure, square, SetPack(d, std::numeric_limits<T>::quiet_NaN()));
 }
 
 /// The candidates of a pack's points, as arrays (see Pack).
@@ -57,7 +60,7 @@ HWY_NOINLINE void MendStroke(const TaperedStroke& stroke, const float* x, const 
   }
 }
 
-void DistancesTapered(const TaperedStroke& stroke, const TaperedFrame& frame, const float* x,
+void DistancesTapered(const TaperedStroke& stroke, const TaperedFrame<float>& frame, const float* x,
                       const float* y, size_t count, float* out) {
   const hn::ScalableTag<float> d;
   using W = Pack<hn::Vec<decltype(d)>>;
@@ -79,6 +82,19 @@ void DistancesTapered(const TaperedStroke& stroke, const TaperedFrame& frame, co
   });
 }
 
+void DistancesTaperedDouble(const TaperedStroke& stroke, const TaperedFrame<double>& frame,
+                            const double* x, const double* y, size_t count, double* out) {
+  const hn::ScalableTag<double> d;
+  const auto exact = [&](double px, double py) { return distance(stroke, {px, py}); };
+  ForBlocks(d, x, y, count, out, [&](const double* at_x, const double* at_y) MIEN_LANES {
+    const auto& f = Reloaded(frame);
+    const auto o = OffsetTo(d, f.spine, LoadPack(d, at_x), LoadPack(d, at_y));
+    const auto found = DeepestOf(d, f, o);
+    const auto distance = Mul(found.disc.depth, SetPack(d, f.spine.unscale));
+    return Checked(d, at_x, at_y, SquareIfSure(d, f, o, found), kFar<double>, distance, exact);
+  });
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace mien::batch
 HWY_AFTER_NAMESPACE();
@@ -90,14 +106,24 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(DistancesTapered);
+HWY_EXPORT(DistancesTaperedDouble);
 }  // namespace batch
 
 void distances(const TaperedStroke& stroke, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
   batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
-  const auto frame = batch::tapered_frame(stroke);
+  const auto frame = batch::tapered_frame<float>(stroke);
   if (!frame) return batch::distances_one_by_one(stroke, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesTapered)
+  (stroke, *frame, x.data(), y.data(), d.size(), d.data());
+}
+
+void distances(const TaperedStroke& stroke, std::span<const double> x, std::span<const double> y,
+               std::span<double> d) {
+  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  const auto frame = batch::tapered_frame<double>(stroke);
+  if (!frame) return batch::distances_one_by_one(stroke, x, y, d);
+  HWY_DYNAMIC_DISPATCH(batch::DistancesTaperedDouble)
   (stroke, *frame, x.data(), y.data(), d.size(), d.data());
 }
 

@@ -56,7 +56,7 @@ TEST(Laboratory, APlantedErrorOfOneInAMillionIsCaught) {
     });
     const auto honest = solver.solve;
     solver.solve = [honest](const Case& k) { return honest(k) * (1 + 1e-6); };
-    const auto tallies = accuracy::run(family, {solver}, test::times(3'000), 20);
+    const auto tallies = accuracy::run(family, {solver}, test::times(500), 20);
     EXPECT_FALSE(tallies.front().passes()) << solver.name << ' ' << solver.instruction_set;
   }
   batch::use_instruction_set(0);
@@ -188,6 +188,13 @@ TEST(DistancesDeathTest, PartialOverlapIsRefusedAloud) {
 
 // --- meaning -------------------------------------------------------------------------------------
 
+/// What rounding to float leaves of doubles: the two together are all their bits.
+std::vector<float> rests(const std::vector<double>& all) {
+  std::vector<float> rest;
+  for (const double v : all) rest.push_back(std::isfinite(v) ? float(v - double(float(v))) : 0);
+  return rest;
+}
+
 TEST(Distances, TheSameBitsOnEveryInstructionSetThatFuses) {
   std::map<int, std::vector<float>> first;
   on_every_instruction_set([&](const batch::InstructionSet& set) {
@@ -213,19 +220,25 @@ TEST(Distances, TheSameBitsOnEveryInstructionSetThatFuses) {
         expect_same(family.name, all);
       }
     }
-    for (const auto& family : accuracy::stroke_families()) {
+    for (const auto& family : accuracy::families()) {
       std::vector<float> all;
+      std::vector<double> doubles;
       for (const Case& k : accuracy::cases_of(family, 300, 3)) {
         const float x = float(k.p.x), y = float(k.p.y);
         float d = 0;
+        double fine = 0;
         std::visit(
             [&](const auto& f) {
-              distances(f, {&x, 1}, {&y, 1}, std::span<float>(&d, 1));
+              distances(f, std::span<const float>(&x, 1), {&y, 1}, std::span<float>(&d, 1));
+              distances(f, std::span<const double>(&k.p.x, 1), {&k.p.y, 1},
+                        std::span<double>(&fine, 1));
             },
             k.figure);
-        all.push_back(d);
+        all.push_back(d), doubles.push_back(fine);
       }
       expect_same(family.name, all);
+      expect_same(family.name + ", double", {doubles.begin(), doubles.end()});
+      expect_same(family.name + ", double's rest", rests(doubles));
     }
   });
 }

@@ -151,10 +151,16 @@ std::vector<Solver> own_solvers() {
     all.push_back(on(set, "grid", Judge::fast, C::kFastError, kBezier, batch_grid));
     all.push_back(on(set, "ellipse", Judge::fast, EllipseBatchContract::kError, kIndex<Ellipse>,
                      batch_float<Ellipse>));
+    all.push_back(on(set, "ellipse double", Judge::exact, EllipseContract::kError / 0x1p-52,
+                     kIndex<Ellipse>, batch_double<Ellipse>));
     all.push_back(on(set, "parabola", Judge::fast, ParabolaBatchContract::kError,
                      kIndex<ParabolaSide>, batch_float<ParabolaSide>));
+    all.push_back(on(set, "parabola double", Judge::exact, ParabolaSideContract::kError / 0x1p-52,
+                     kIndex<ParabolaSide>, batch_double<ParabolaSide>));
     all.push_back(on(set, "tapered", Judge::fast, TaperedBatchContract::kError,
                      kIndex<TaperedStroke>, batch_float<TaperedStroke>));
+    all.push_back(on(set, "tapered double", Judge::exact, TaperedStrokeContract::kError / 0x1p-52,
+                     kIndex<TaperedStroke>, batch_double<TaperedStroke>));
     all.push_back(on(set, "cubic", Judge::fast, CubicBatchContract::kError, kIndex<CubicBezier>,
                      batch_float<CubicBezier>));
     all.push_back(on(set, "cubic double", Judge::exact, CubicBezierContract::kError / 0x1p-52,

@@ -10,7 +10,7 @@ namespace {
 
 TEST(EllipseFrame, TheLongerRadiusComesFirstAndIsAboutOne) {
   for (const double size : {1e-20, 0.3, 1.0, 1e12}) {
-    const auto f = ellipse_frame({{1, 2}, {0.25 * size, size}, {1, 0}});
+    const auto f = ellipse_frame<float>({{1, 2}, {0.25 * size, size}, {1, 0}});
     ASSERT_TRUE(f);
     EXPECT_GE(f->a, 0.5);
     EXPECT_LT(f->a, 1);
@@ -24,17 +24,17 @@ TEST(EllipseFrame, TheLongerRadiusComesFirstAndIsAboutOne) {
 
 TEST(EllipseFrame, ThinOnesAndNonsenseHaveNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(ellipse_frame({{0, 0}, {1, 2e-3}}));
-  EXPECT_FALSE(ellipse_frame({{0, 0}, {1, 0.5e-3}}));
-  EXPECT_FALSE(ellipse_frame({{0, 0}, {0, 0}}));
-  EXPECT_FALSE(ellipse_frame({{nan, 0}, {1, 1}}));
-  EXPECT_FALSE(ellipse_frame({{0, 0}, {1, nan}}));
+  EXPECT_TRUE(ellipse_frame<float>({{0, 0}, {1, 2e-3}}));
+  EXPECT_FALSE(ellipse_frame<float>({{0, 0}, {1, 0.5e-3}}));
+  EXPECT_FALSE(ellipse_frame<float>({{0, 0}, {0, 0}}));
+  EXPECT_FALSE(ellipse_frame<float>({{nan, 0}, {1, 1}}));
+  EXPECT_FALSE(ellipse_frame<float>({{0, 0}, {1, nan}}));
 }
 
 TEST(ParabolaFrame, AStraightSideHasNoneAndADownwardOneIsMirrored) {
-  EXPECT_FALSE(parabola_frame({{0, 0}, {0, 1}, 0}));
-  EXPECT_FALSE(parabola_frame({{0, 0}, {0, 1}, std::numeric_limits<double>::infinity()}));
-  const auto f = parabola_frame({{0, 0}, {0, 1}, -3});
+  EXPECT_FALSE(parabola_frame<float>({{0, 0}, {0, 1}, 0}));
+  EXPECT_FALSE(parabola_frame<float>({{0, 0}, {0, 1}, std::numeric_limits<double>::infinity()}));
+  const auto f = parabola_frame<float>({{0, 0}, {0, 1}, -3});
   ASSERT_TRUE(f);
   EXPECT_TRUE(f->mirrored);
   EXPECT_EQ(f->axis_y, -1);

@@ -14,7 +14,7 @@ const QuadBezier kSpine{{0.3, 0.1}, {0.9, 0.4}, {0.2, 1.1}};
 /// x³ + 3 P x − S2 at x = t + vertex is the slope of |q|² − (w + L)², up to a factor.
 TEST(TaperedFrame, ItsCubicIsTheSlopeOfTheSquareLessTheWidths) {
   const TaperedStroke s{kSpine, {0.1, 0.3, 0.05}};
-  const auto f = tapered_frame(s);
+  const auto f = tapered_frame<float>(s);
   ASSERT_TRUE(f);
   const double k = f->spine.scale;
   for (const glm::dvec2 p : {glm::dvec2{0.5, 0.5}, {-1, 2}, {0.3, 0.1}})
@@ -38,11 +38,11 @@ TEST(TaperedFrame, ItsCubicIsTheSlopeOfTheSquareLessTheWidths) {
 
 TEST(TaperedFrame, WhatIsStraightOrWiderThanLongHasNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(tapered_frame({{{0, 0}, {0.5, 0}, {1, 0}}, {0.1, 0.2, 0.1}}));
-  EXPECT_FALSE(tapered_frame({{{1, 1}, {1, 1}, {1, 1}}, {0.1, 0.2, 0.1}}));
-  EXPECT_FALSE(tapered_frame({kSpine, {0.1, nan, 0.1}}));
-  EXPECT_FALSE(tapered_frame({kSpine, {0, 3, 0}}));  // the width bends more than the spine
-  EXPECT_TRUE(tapered_frame({kSpine, {0, 0, 0}}));
+  EXPECT_FALSE(tapered_frame<float>({{{0, 0}, {0.5, 0}, {1, 0}}, {0.1, 0.2, 0.1}}));
+  EXPECT_FALSE(tapered_frame<float>({{{1, 1}, {1, 1}, {1, 1}}, {0.1, 0.2, 0.1}}));
+  EXPECT_FALSE(tapered_frame<float>({kSpine, {0.1, nan, 0.1}}));
+  EXPECT_FALSE(tapered_frame<float>({kSpine, {0, 3, 0}}));  // the width bends more than the spine
+  EXPECT_TRUE(tapered_frame<float>({kSpine, {0, 0, 0}}));
 }
 
 }  // namespace
