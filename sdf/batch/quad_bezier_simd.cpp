@@ -15,6 +15,18 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// |B − p|² of the nearest of all places where the far point's nearest may be: the one that was found,
+/// both ends, and the other outer root, which for equal distances is the mirrored one. Which of them is
+/// nearest is not for the less careful square to say: it may be wrong by more than an ulp.
+template <class D, class W>
+HWY_INLINE W CarefulSquare(D d, const QuadBezierFrame<float>& f, W px, W py, Offset<W> o, W t) {
+  const W mirrored = ClampToUnit(d, Sub(SetPack(d, -2 * f.vertex), t));
+  W least = CarefulSquareAt(d, f, px, py, t);
+  least = Min(least, CarefulSquareAt(d, f, px, py, SetPack(d, 0)));
+  least = Min(least, CarefulSquareAt(d, f, px, py, SetPack(d, 1)));
+  return Min(least, CarefulSquareAt(d, f, px, py, Settled(d, f, o, mirrored).t));
+}
+
 /// Points at least two sizes away, to any of the curves: everything once more, and with care.
 template <class D, class Exact>
 HWY_NOINLINE void MendFar(D d, const QuadBezierFrame<float>* frames, size_t frame_count,
@@ -25,9 +37,10 @@ HWY_NOINLINE void MendFar(D d, const QuadBezierFrame<float>* frames, size_t fram
   for (size_t k = 0; k < frame_count; ++k) {
     const auto& f = frames[k];
     const W px = LoadPack(d, x), py = LoadPack(d, y);
-    const auto near = NearestOn(d, f, OffsetTo(d, f, px, py));
+    const auto o = OffsetTo(d, f, px, py);
+    const auto near = NearestOn(d, f, o);
     square = Min(square, near.square);
-    careful = Min(careful, CarefulSquareAt(d, f, px, py, near.t));
+    careful = Min(careful, CarefulSquare(d, f, px, py, o, near.t));
   }
   HWY_ALIGN float lanes[2][kParts * hn::MaxLanes(D())];
   StorePack(square, d, lanes[0]);
