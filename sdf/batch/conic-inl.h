@@ -179,8 +179,12 @@ HWY_INLINE TurnedFoot<W> Turned(D d, const EllipseFrame<hn::TFromD<D>>& f, W x, 
 template <class D, class W>
 HWY_INLINE TurnedFoot<W> FootOnEllipse(D d, const EllipseFrame<hn::TFromD<D>>& f, W x, W y) {
   auto at = Turned(d, f, x, y, EllipseGuess(d, f, x, y));
-  if constexpr (sizeof(hn::TFromD<D>) == 8) at = Turned(d, f, x, y, at.foot);
-  return Turned(d, f, x, y, at.foot);
+  if constexpr (sizeof(hn::TFromD<D>) == 4) return Turned(d, f, x, y, at.foot);
+  at = Turned(d, f, x, y, Turned(d, f, x, y, at.foot).foot);
+  // Every turn's rounding is left in the length: back to 1, to first order.
+  const W cos = at.foot.cos, sin = at.foot.sin, half = SetPack(d, hn::TFromD<D>(0.5));
+  const W grow = Mul(half, NegMulAdd(cos, cos, NegMulAdd(sin, sin, SetPack(d, 1))));
+  return {{MulAdd(cos, grow, cos), MulAdd(sin, grow, sin)}, at.turn, at.rise};
 }
 
 /// The foot in the caller's own directions, relative to the centre, of a point placed there.
