@@ -5,41 +5,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-#include "tests/support/effort.h"
+#include "tests/support/face_text.h"
 
 namespace mien {
 namespace {
+
+using test::face_with;
+using test::said;
 
 constexpr const char* kSamples[] = {"seed0", "toon", "male", "bruno", "clay"};
 
 std::string path_of(const std::string& name) {
   return MIEN_SOURCE_DIR "/faces/" + name + ".face.json";
-}
-
-std::string text_of(const std::string& name) {
-  std::ifstream file(path_of(name));
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// A small face whose features, and whatever is to stand behind them, are given.
-std::string face_with(const std::string& features, const std::string& rest = "") {
-  return R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
-"palette": {"skin": "#f7db9c", "black": [0, 0, 0]}, "background": "skin",
-"features": [)" +
-         features + "]" + rest + "}";
-}
-
-std::string said(const std::string& text, const FaceLimits& limits = {}) {
-  const Expected<Face> face = read_face_text(text, "f", limits);
-  return face ? "a face" : sentence(face.error());
 }
 
 const std::string kIris =
@@ -455,27 +437,6 @@ TEST(ReadFace, NamesTheLimitThatIsExceeded) {
             "f:1:2: /0: 100 is too large: numbers go from -99 to 99 (limit: magnitude)");
 }
 
-/// Of this process's own time: other work on the machine does not count.
-double seconds_since(std::clock_t start) {
-  return double(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-TEST(ReadFace, RefusesAMillionPointsAndDeepNestingAtOnce) {
-  const std::clock_t start = std::clock();
-  std::string points = "[0, 0]";
-  for (int i = 1; i < 1'000'000; ++i) points += ",[0,0]";
-  EXPECT_NE(said(face_with(R"({"name": "a", "kind": "polyline", "half_width": 1, "points": [)" +
-                           points + "]}"))
-                .find("(limit: "),
-            std::string::npos);
-  EXPECT_NE(said(std::string(10'000, '[')).find("(limit: nesting)"), std::string::npos);
-  EXPECT_NE(said(std::string(10'000'000, '[')).find("(limit: nesting)"), std::string::npos);
-  std::string objects;
-  for (int i = 0; i < 10'000; ++i) objects += "{\"a\":";
-  EXPECT_NE(said(objects).find("(limit: nesting)"), std::string::npos);
-  EXPECT_LT(seconds_since(start), 60);
-}
-
 TEST(ReadFace, LimitsHowDeepFeaturesAreClipped) {
   const std::string disc = R"(", "kind": "disc", "center": [0, 0], "radius": 1)";
   std::string chain = R"({"name": "n0)" + disc + "}";
@@ -486,35 +447,6 @@ TEST(ReadFace, LimitsHowDeepFeaturesAreClipped) {
       said(face_with(chain))
           .ends_with(": /features/65/clip: features clipped more than 64 deep (limit: nesting)"))
       << said(face_with(chain));
-}
-
-/// What grows with the square of the text would show here.
-TEST(ReadFace, StaysFastOnHostileText) {
-  const std::clock_t start = std::clock();
-  std::string keys = "{\"format\": \"mien-face\"";
-  for (int i = 0; i < test::times(200'000); ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
-  std::vector<Error> warnings;
-  EXPECT_FALSE(read_face_text(keys + "}", "f", {}, &warnings));
-  EXPECT_EQ(warnings.size(), 100u);
-  std::string many;
-  for (int i = 0; i < test::times(20'000); ++i)
-    many += (i ? ",{\"name\":\"n" : "{\"name\":\"n") + std::to_string(i) +
-            R"(","kind":"disc","side":"left","center":[0,0],"radius":1})";
-  EXPECT_EQ(said(face_with(many)), "a face");
-  EXPECT_NE(
-      said(face_with(many + R"(,{"name":"x","kind":"disc","center":"@n9/centre","radius":1})"))
-          .find("did you mean"),
-      std::string::npos);
-  std::string controls = R"({"name": "c", "range": [0, 1], "rest": 0})",
-              tracks = R"("c": {"keys": [[0, 0]]})";
-  for (int i = 0; i < test::times(50'000); ++i) {
-    controls += R"(, {"name": "c)" + std::to_string(i) + R"(", "range": [0, 1], "rest": 0})";
-    tracks += ", \"c" + std::to_string(i) + R"(": {"keys": [[0, 0]]})";
-  }
-  EXPECT_EQ(said(face_with(
-                "", ", \"controls\": [" + controls + "], \"clips\": {\"idle\": {" + tracks + "}}")),
-            "a face");
-  EXPECT_LT(seconds_since(start), 60);
 }
 
 TEST(ReadFace, SaysWhatIsWrongWithTheFileItself) {
@@ -528,43 +460,6 @@ TEST(ReadFace, SaysWhatIsWrongWithTheFileItself) {
   const Expected<Face> endless = read_face("/dev/zero", {.bytes = 1000});
   ASSERT_FALSE(endless);
   EXPECT_EQ(sentence(endless.error()), "/dev/zero: longer than 1000 bytes (limit: bytes)");
-}
-
-/// What every text must give: a face whose numbers can all be posed, or one line about it.
-void expect_face_or_sentence(const std::string& text) {
-  const Expected<Face> face = read_face_text(text, "f");
-  if (face) {
-    ASSERT_EQ(pose_face(*face, {.time = 0.3}).vector.size(), face->model->layout.size());
-  } else {
-    const std::string line = sentence(face.error());
-    ASSERT_TRUE(line.starts_with("f:")) << line;
-    ASSERT_EQ(line.find('\n'), std::string::npos) << line;
-    ASSERT_LT(line.size(), 600u) << line;
-  }
-}
-
-// The smaller ones: each of their bytes is tried.
-constexpr const char* kDamaged[] = {"seed0", "toon", "male"};
-
-TEST(ReadFace, SurvivesEveryTruncation) {
-  for (const char* name : kDamaged) {
-    const std::string text = text_of(name);
-    for (std::size_t length = 0; length < text.size(); length += test::kThinning)
-      expect_face_or_sentence(text.substr(0, length));
-  }
-}
-
-TEST(ReadFace, SurvivesSingleByteChanges) {
-  for (const char* name : kDamaged) {
-    const std::string text = text_of(name);
-    constexpr char kBytes[] = {'\0', '"', '[', '}', '-', '9', 'e', ',', ' ', '\\', '\x80', '\xFF'};
-    std::size_t turn = 0;
-    for (std::size_t at = 0; at < text.size(); at += 3 * test::kThinning) {
-      std::string changed = text;
-      changed[at] = kBytes[turn++ % sizeof kBytes];
-      expect_face_or_sentence(changed);
-    }
-  }
 }
 
 }  // namespace

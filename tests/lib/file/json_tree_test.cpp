@@ -1,0 +1,108 @@
+// Text made to hurt: huge, deep, cut short and damaged, through the reader that all of it goes into.
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/file/face_file.h>
+#include <mien/lib/rig/pose.h>
+
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <string>
+
+#include "tests/support/effort.h"
+#include "tests/support/face_text.h"
+#include "tests/support/posing.h"
+
+namespace mien {
+namespace {
+
+using test::face_with;
+using test::said;
+
+/// Of this process's own time: other work on the machine does not count.
+double seconds_since(std::clock_t start) {
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+TEST(JsonTree, RefusesAMillionPointsAndDeepNestingAtOnce) {
+  const std::clock_t start = std::clock();
+  std::string points = "[0, 0]";
+  for (int i = 1; i < 1'000'000; ++i) points += ",[0,0]";
+  EXPECT_NE(said(face_with(R"({"name": "a", "kind": "polyline", "half_width": 1, "points": [)" +
+                           points + "]}"))
+                .find("(limit: "),
+            std::string::npos);
+  EXPECT_NE(said(std::string(10'000, '[')).find("(limit: nesting)"), std::string::npos);
+  EXPECT_NE(said(std::string(10'000'000, '[')).find("(limit: nesting)"), std::string::npos);
+  std::string objects;
+  for (int i = 0; i < 10'000; ++i) objects += "{\"a\":";
+  EXPECT_NE(said(objects).find("(limit: nesting)"), std::string::npos);
+  EXPECT_LT(seconds_since(start), 60);
+}
+
+/// What grows with the square of the text would show here.
+TEST(JsonTree, StaysFastOnHostileText) {
+  const std::clock_t start = std::clock();
+  std::string keys = "{\"format\": \"mien-face\"";
+  for (int i = 0; i < test::times(200'000); ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
+  std::vector<Error> warnings;
+  EXPECT_FALSE(read_face_text(keys + "}", "f", {}, &warnings));
+  EXPECT_EQ(warnings.size(), 100u);
+  std::string many;
+  for (int i = 0; i < test::times(20'000); ++i)
+    many += (i ? ",{\"name\":\"n" : "{\"name\":\"n") + std::to_string(i) +
+            R"(","kind":"disc","side":"left","center":[0,0],"radius":1})";
+  EXPECT_EQ(said(face_with(many)), "a face");
+  EXPECT_NE(
+      said(face_with(many + R"(,{"name":"x","kind":"disc","center":"@n9/centre","radius":1})"))
+          .find("did you mean"),
+      std::string::npos);
+  std::string controls = R"({"name": "c", "range": [0, 1], "rest": 0})",
+              tracks = R"("c": {"keys": [[0, 0]]})";
+  for (int i = 0; i < test::times(50'000); ++i) {
+    controls += R"(, {"name": "c)" + std::to_string(i) + R"(", "range": [0, 1], "rest": 0})";
+    tracks += ", \"c" + std::to_string(i) + R"(": {"keys": [[0, 0]]})";
+  }
+  EXPECT_EQ(said(face_with(
+                "", ", \"controls\": [" + controls + "], \"clips\": {\"idle\": {" + tracks + "}}")),
+            "a face");
+  EXPECT_LT(seconds_since(start), 60);
+}
+
+/// What every text must give: a face whose numbers can all be posed, or one line about it.
+void expect_face_or_sentence(const std::string& text) {
+  const Expected<Face> face = read_face_text(text, "f");
+  if (face) {
+    ASSERT_EQ(pose_face(*face, {.time = 0.3}).vector.size(), face->model->layout.size());
+  } else {
+    const std::string line = sentence(face.error());
+    ASSERT_TRUE(line.starts_with("f:")) << line;
+    ASSERT_EQ(line.find('\n'), std::string::npos) << line;
+    ASSERT_LT(line.size(), 600u) << line;
+  }
+}
+
+// The smaller ones: each of their bytes is tried.
+constexpr const char* kDamaged[] = {"seed0", "toon", "male"};
+
+TEST(JsonTree, SurvivesEveryTruncation) {
+  for (const char* name : kDamaged) {
+    const std::string text = test::text_of_face(name);
+    for (std::size_t length = 0; length < text.size(); length += test::kThinning)
+      expect_face_or_sentence(text.substr(0, length));
+  }
+}
+
+TEST(JsonTree, SurvivesSingleByteChanges) {
+  for (const char* name : kDamaged) {
+    const std::string text = test::text_of_face(name);
+    constexpr char kBytes[] = {'\0', '"', '[', '}', '-', '9', 'e', ',', ' ', '\\', '\x80', '\xFF'};
+    std::size_t turn = 0;
+    for (std::size_t at = 0; at < text.size(); at += 3 * test::kThinning) {
+      std::string changed = text;
+      changed[at] = kBytes[turn++ % sizeof kBytes];
+      expect_face_or_sentence(changed);
+    }
+  }
+}
+}  // namespace
+}  // namespace mien
