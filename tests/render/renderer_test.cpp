@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/support/allocations.h"
+#include "tests/support/effort.h"
 #include "tests/support/faces.h"
 
 namespace mien {
@@ -31,6 +32,7 @@ std::vector<std::byte> frame(Renderer* renderer, const Scene& scene, const View&
 }
 
 TEST(Renderer, DrawsWhatRenderIntoDraws) {
+  constexpr int kHeight = test::kSanitized ? 18 : 70;
   Renderer renderer;
   for (const char* face : {"toon", "seed0", "clay", "male", "toon"})
     for (const Depth depth : {Depth::u8, Depth::u16, Depth::u8}) {
@@ -38,7 +40,7 @@ TEST(Renderer, DrawsWhatRenderIntoDraws) {
       const Scene scene = scene_of(face, blinks ? 0.4 : -1);
       for (const int width : {90, 33}) {
         const View view{
-            .width = width, .height = 70, .blend = width == 33 ? Blend::srgb : Blend::linear};
+            .width = width, .height = kHeight, .blend = width == 33 ? Blend::srgb : Blend::linear};
         EXPECT_EQ(frame(&renderer, scene, view, depth), frame(nullptr, scene, view, depth))
             << face << ' ' << width;
       }
