@@ -57,7 +57,7 @@ TEST(Exact, AHundredRandomPosesAtRandomSizes) {
   const Face face = face_named("seed0");
   std::mt19937_64 random(20260101);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < (test::kSanitized ? 20 : 100); ++i) {
     const int width = 24 + int(unit(random) * 400), height = 16 + int(unit(random) * 240);
     const glm::dvec2 gaze{0.16 * unit(random) - 0.08, 0.14 * unit(random) - 0.07};
     const double dilation = 0.7 + 0.5 * unit(random), blink = unit(random);
@@ -79,7 +79,7 @@ TEST(Exact, TheNativeFace) {
 }
 
 TEST(Exact, RandomScenesOfEveryShapeAndOperator) {
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 30 : 150); ++seed) {
     const int side = seed % 3 == 0 ? 11 : seed % 3 == 1 ? 24 : 40;
     const Scene scene = test::random_plain_scene(seed);
     SCOPED_TRACE(fmt::format("seed {} at {} px:\n{}", seed, side, scene.text()));

@@ -89,6 +89,7 @@ TEST(Animate, InterruptedLeavesNothingHalfWritten) {
     const Words words{"animate", face_path("toon"), "--frames", "0-399",
                       "--size",  "512x288",         "-o",       (folder / output).string()};
     test::Process process = test::start_mien(words);
+    test::wait_until_handled(process.id(), SIGINT);
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
     test::end_process(process.id(), SIGINT);
     const Ran ran = process.wait();

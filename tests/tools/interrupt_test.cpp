@@ -31,6 +31,7 @@ TEST(Interrupt, LeavesNothingBehindAndSaysSo) {
     const ScratchFolder folder;
     test::write_text(folder / "a.png", "old");
     Process process = start_long_render(folder);
+    test::wait_until_handled(process.id(), signal);
     wait_ms(300);
     const auto sent = std::chrono::steady_clock::now();
     test::end_process(process.id(), signal);
