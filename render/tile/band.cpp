@@ -230,7 +230,7 @@ void BandPainter::leaf(int lane) {
     paint(0xFFFF);
   else if (!varies_here_)
     divide({0.0, 0.0}, kLeaf, 0, 0);
-  else
+  else if (!paint_varied({0.0, 0.0}, kLeaf, 0xFFFF))
     sure_square(0, 0, kLeaf);
 }
 

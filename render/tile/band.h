@@ -74,6 +74,35 @@ class BandPainter {
                  double most_bend);
   std::uint64_t pattern(const LeafOutline& outline, int first) const;
   bool color_leaf(glm::dvec2 center, double side);
+
+  /// A layer that some combinations of the present edges' sides show.
+  struct Shown {
+    std::uint64_t combinations;
+    Mix mix;
+    int paint;  ///< −1: it is `mix`
+    std::optional<PaintSampler::Mean> mean;
+  };
+  struct Look {
+    Mix mix{0.0}, change{0.0}, error{0.0}, bent{0.0};  ///< as PaintSampler::Mean has them
+    bool varied = false;
+  };
+  bool see_layers(glm::dvec2 center, double side);
+  void look_at(glm::dvec2 center, double side);
+  std::optional<Look> look(int sides);
+  bool mixes(const Mix& change, const Mix& bent, const Mix& least) const;
+  static void lay_under(Look& look, const PaintSampler::Mean& below);
+  bool shows(const Mix& off, const Mix& least) const;
+  bool color_varied(glm::dvec2 center, double side, std::uint32_t base, std::uint32_t asked);
+  std::optional<Mix> whole(int sides);
+  std::optional<Mix> varied_square(glm::dvec2 center, double side, std::uint32_t asked,
+                                   std::uint32_t base);
+  std::optional<Mix> described(std::span<const LeafOutline> outlines,
+                               std::span<const LeafEdge> edges, glm::dvec2 shift, double side,
+                               double most_bend);
+  std::optional<Mix> varied_pixel(const PixelSides& sides, std::size_t i);
+  bool paint_varied(glm::dvec2 center, double side, std::uint32_t blocks);
+  void put(const Mix& mix, int x, int y);
+
   void paint(std::uint32_t blocks);
   void count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part);
   using OutlineInLeaves = std::array<LeafOutline, Leaves::kMost>;
@@ -87,8 +116,8 @@ class BandPainter {
   void divide(glm::dvec2 center, int side, int block_x, int block_y);
   void pixel_by_pixel(glm::dvec2 center, int block_x, int block_y);
   std::optional<Mix> cells(glm::dvec2 center, double side, int depth);
-  Mix undescribed(glm::dvec2 center, double side, Parts& parts);
-  Mix square(glm::dvec2 center, double side);
+  std::optional<Mix> undescribed(glm::dvec2 center, double side, Parts& parts);
+  Mix square(glm::dvec2 center, double side, std::uint32_t asked, std::uint32_t base);
   void sure_square(int block_x, int block_y, int side);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;
@@ -117,6 +146,11 @@ class BandPainter {
   bool leaf_varies_ = false;                    // some of the present leaf's layers are not plain
   bool varies_here_ = false;                    // why assemble said no
   std::optional<PaintSampler> paints_;
+  std::vector<Shown> shown_;
+  glm::dvec2 look_center_{};
+  double look_side_ = 1;
+  bool varied_ = false;  ///< the pixel at hand shows a gradient
+  PixelSides pixel_sides_;
   std::vector<LeafOutline> leaf_list_;
   static constexpr int kCellLevels = 3;
   std::array<Parts, 3 + kCellLevels> parts_;  // of leaves, of their quarters, pixels, and cells

@@ -254,13 +254,13 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
   for (int q = 0; q < 4; ++q) {
     const int x = block_x + (q & 1) * step, y = block_y + (q >> 1) * step;
     for (std::size_t i = 0; i < list.size(); ++i) parts.list[i] = found[i][std::size_t(q)];
+    std::uint32_t blocks = 0;
+    for (int j = y; j < y + half / 4; ++j)
+      for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
     if (assemble(list, edges, centers[std::size_t(q)], half, kMostLeafBend)) {
-      std::uint32_t blocks = 0;
-      for (int j = y; j < y + half / 4; ++j)
-        for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
       paint(blocks);
     } else if (varies_here_) {
-      sure_square(x, y, half);
+      if (!paint_varied(centers[std::size_t(q)], half, blocks)) sure_square(x, y, half);
     } else {
       divide(centers[std::size_t(q)], half, x, y);
     }
@@ -272,10 +272,10 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
 constexpr std::size_t kMostInCells = 32;
 
 /// The mean colour times 255 of a square of the present leaf, a pixel or less, by the present edges.
-Mix BandPainter::square(glm::dvec2 center, double side) {
-  const bool coarse = target_->depth == Depth::u8 && leaf_.opaque;
-  if (coarse && leaf_.edge_count > 1) return square_in_parts(leaf_, center.x, center.y, side);
-  return leaf_square(leaf_, center.x, center.y, side, plan_->tolerance, stats_->cells);
+Mix BandPainter::square(glm::dvec2 center, double side, std::uint32_t asked, std::uint32_t base) {
+  if (target_->depth == Depth::u8 && leaf_.opaque)
+    return square_in_parts(leaf_, center.x, center.y, side, asked, base);
+  return leaf_square(leaf_, center.x, center.y, side, asked, base, plan_->tolerance, stats_->cells);
 }
 
 /// A block of 4 × 4 pixels that its edges do not describe: by every pixel's own edges, and where those
@@ -292,24 +292,20 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
   Parts& parts = parts_[2];
   find_outlines(pixels, parts);
   const auto& [found, edges, list] = parts;
-  // All of them, seen or not: whether the sure way takes the block must not depend on the region.
-  std::array<Mix, Leaves::kMost> mixes;
-  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
-    for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
-    const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
-    if (assemble(list, edges, at_pixel, 1.0, kMostPixelBend)) {
-      mixes[i] = square(at_pixel, 1.0);
-      continue;
-    }
-    const bool divided = !varies_here_ && leaf_wanted_.size() <= kMostInCells;
-    const auto mix = divided ? cells(at_pixel, 1.0, 0) : std::optional<Mix>{};
-    if (!mix) return sure_square(block_x, block_y, 4);
-    mixes[i] = *mix;
-  }
   for (int y = part.y; y < part.y + part.height; ++y)
     for (int x = part.x; x < part.x + part.width; ++x) {
-      const int i = 4 * (y - leaf_y_ - 4 * block_y) + x - leaf_x_ - 4 * block_x;
-      store(mixes[std::size_t(i)] / 255.0, plan_->tape.blend, target_->depth, at(x, y));
+      const auto i = std::size_t(4 * (y - leaf_y_ - 4 * block_y) + x - leaf_x_ - 4 * block_x);
+      for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
+      const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
+      varied_ = false;
+      std::optional<Mix> mix = described(list, edges, at_pixel, 1.0, kMostPixelBend);
+      if (!mix && !varies_here_ && leaf_wanted_.size() <= kMostInCells)
+        mix = cells(at_pixel, 1.0, 0);
+      if (!mix) {
+        draw_square(plan_->tape, leaf_layers_, width_, height_, x, y, 1, *target_, *stats_);
+        continue;
+      }
+      put(*mix, x, y);
       ++stats_->divided_pixels;
     }
 }
@@ -322,7 +318,7 @@ void BandPainter::sure_square(int block_x, int block_y, int side) {
 
 /// A part of 1/64 px that nothing describes for sure: by the edges that are likely, or the side its
 /// centre is on. A corner is in a few of those, of 1/4096 of a pixel each.
-Mix BandPainter::undescribed(glm::dvec2 at_part, double side, Parts& parts) {
+std::optional<Mix> BandPainter::undescribed(glm::dvec2 at_part, double side, Parts& parts) {
   const auto sided = [&](LeafOutline& outline, std::size_t k) {
     const bool in =
         distance(plan_->tape.outlines[std::size_t(leaf_wanted_[k])], leaf_center_ + at_part) <= 0.0;
@@ -333,14 +329,13 @@ Mix BandPainter::undescribed(glm::dvec2 at_part, double side, Parts& parts) {
     if (outline.count == 0 && outline.error > 0.0) sided(outline, k);
     outline.error = 0.0;
   }
-  if (!assemble(parts.list, parts.edges, at_part, side, kMostPixelBend / side)) {
-    for (std::size_t k = 0; k < parts.list.size(); ++k) sided(parts.list[k], k);
-    assemble(parts.list, parts.edges, at_part, side, kMostPixelBend / side);
-  }
-  return leaf_square(leaf_, at_part.x, at_part.y, side, 1.0, stats_->cells);
+  auto mix = described(parts.list, parts.edges, at_part, side, kMostPixelBend / side);
+  if (mix || varies_here_) return mix;
+  for (std::size_t k = 0; k < parts.list.size(); ++k) sided(parts.list[k], k);
+  return described(parts.list, parts.edges, at_part, side, kMostPixelBend / side);
 }
 
-/// The mean colour times 255 of a square that its edges do not describe: by the edges of its sixteen
+/// The mean colour of a square that its edges do not describe: by the edges of its sixteen
 /// parts, and of theirs. Nothing where a colour varies, or the target is finer.
 std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth) {
   if (target_->depth != Depth::u8) return {};
@@ -363,17 +358,13 @@ std::optional<Mix> BandPainter::cells(glm::dvec2 center, double side, int depth)
   for (std::size_t i = 0; i < Leaves::kMost; ++i) {
     for (std::size_t k = 0; k < list.size(); ++k) parts.list[k] = found[k][i];
     const glm::dvec2 at_part = part(i);
-    if (assemble(list, edges, at_part, step, kMostPixelBend / step)) {
-      sum += square(at_part, step);
-    } else if (leaf_varies_ && varies_here_) {
-      return {};
-    } else if (depth + 1 < kCellLevels) {
-      const auto mix = cells(at_part, step, depth + 1);
-      if (!mix) return {};
-      sum += *mix;
-    } else {
-      sum += undescribed(at_part, step, parts);
-    }
+    std::optional<Mix> mix = described(list, edges, at_part, step, kMostPixelBend / step);
+    if (!mix && varies_here_) return {};
+    if (!mix)
+      mix = depth + 1 < kCellLevels ? cells(at_part, step, depth + 1)
+                                    : undescribed(at_part, step, parts);
+    if (!mix) return {};
+    sum += *mix;
   }
   return sum / 16.0;
 }

@@ -297,7 +297,7 @@ HWY_INLINE Light OnePart(const Leaf& leaf, std::uint32_t active, std::uint32_t b
   const float x = cx + kPixels.x[part] * step, y = cy + kPixels.y[part] * step;
   if (depth < kDeepest) return InParts(leaf, active, base, x, y, step, depth + 1);
   long long cells = 0;
-  const Mix mix = leaf_square(leaf, x, y, step, ToleranceOf(leaf), cells);
+  const Mix mix = leaf_square(leaf, x, y, step, active, base, ToleranceOf(leaf), cells);
   return {float(mix.r), float(mix.g), float(mix.b)};
 }
 

@@ -52,6 +52,22 @@ class LeafSquare {
   LeafSquare(const Leaf& leaf, double tolerance, long long& cells)
       : leaf_(leaf), tolerance_(tolerance), cells_(cells) {}
 
+  /// What crossing_edges says.
+  static std::uint32_t crossing(const Leaf& leaf, glm::dvec2 center, double side,
+                                std::uint32_t asked, std::uint32_t& base) {
+    std::uint32_t active = 0;
+    for (; asked; asked &= asked - 1) {
+      const int i = std::countr_zero(asked);
+      const LeafEdge& e = leaf.edges[std::size_t(i)];
+      const Sight s = see(e, center);
+      if (std::abs(s.d) <= reach_of(s, side) || (e.has_end() && at_line(e, center, side)))
+        active |= 1u << i;
+      else
+        base |= std::uint32_t(s.d < 0.0) << i;
+    }
+    return active;
+  }
+
   /// `asked`: edges that may cross the square; `base`: the sides of the others.
   Mix mean(glm::dvec2 center, double side, int depth, std::uint32_t asked, std::uint32_t base) {
     std::array<Sight, Leaf::kMostEdges> sights;
@@ -62,9 +78,7 @@ class LeafSquare {
       with_end |= std::uint32_t(e.has_end() && at_line(e, center, side)) << i;
       sights[std::size_t(i)] = see(e, center);
       const Sight& s = sights[std::size_t(i)];
-      const double reach =
-          0.5 * side * (std::abs(s.n.x) + std::abs(s.n.y)) + 0.3 * std::abs(s.bend) * side * side;
-      if (std::abs(s.d) <= reach || (e.has_end() && at_end(e, center, side)))
+      if (std::abs(s.d) <= reach_of(s, side) || (e.has_end() && at_end(e, center, side)))
         active |= 1u << i;
       else
         base |= std::uint32_t(s.d < 0.0) << i;
@@ -105,6 +119,10 @@ class LeafSquare {
   }
 
  private:
+  static double reach_of(const Sight& s, double side) {
+    return 0.5 * side * (std::abs(s.n.x) + std::abs(s.n.y)) + 0.3 * std::abs(s.bend) * side * side;
+  }
+
   Mix color(std::uint32_t sides) const {
     return {leaf_.palette[0][sides], leaf_.palette[1][sides], leaf_.palette[2][sides],
             leaf_.palette[3][sides]};
@@ -178,13 +196,18 @@ class LeafSquare {
 
 }  // namespace
 
-Mix leaf_square(const Leaf& leaf, double x, double y, double side, double tolerance,
-                long long& cells) {
-  return LeafSquare(leaf, tolerance, cells).mean({x, y}, side, 0, (1u << leaf.edge_count) - 1u, 0);
+Mix leaf_square(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
+                std::uint32_t base, double tolerance, long long& cells) {
+  return LeafSquare(leaf, tolerance, cells).mean({x, y}, side, 0, asked, base);
+}
+
+std::uint32_t crossing_edges(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
+                             std::uint32_t& base) {
+  return LeafSquare::crossing(leaf, {x, y}, side, asked, base);
 }
 
 Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells) {
-  return leaf_square(leaf, x, y, 1.0, tolerance, cells);
+  return leaf_square(leaf, x, y, 1.0, (1u << leaf.edge_count) - 1u, 0, tolerance, cells);
 }
 
 }  // namespace mien

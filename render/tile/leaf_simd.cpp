@@ -163,22 +163,25 @@ HWY_INLINE bool HaveOneEnd(const Leaf& leaf, std::uint32_t active) {
   return true;
 }
 
-/// A block that is not simple. Pixels that one area does not describe are resolved in parts.
-template <bool kLinear>
-HWY_INLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
-                         const Use* uses, int block, std::uint32_t* to, size_t stride,
-                         LeafPixels& left) {
+/// What the pixels of a block see.
+struct BlockView {
+  alignas(64) float area[kBlock];           // of the only edge that crosses
+  alignas(64) std::int32_t inside[kBlock];  // bits by edge: wholly inside
+  alignas(64) std::int32_t crossed[kBlock];
+  std::uint32_t in_parts;  // pixels that one area does not describe
+};
+
+HWY_INLINE void SeeBlock(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
+                         const Use* uses, int block, BlockView& out) {
   const F f;
   const hn::RebindToSigned<F> di;
   using VI = hn::Vec<decltype(di)>;
-  const float cx = kBlocks.x[block], cy = kBlocks.y[block];
-  alignas(64) float light[3][kBlock];
-  alignas(64) std::int32_t inside[kBlock], crossed[kBlock];
-  std::uint32_t in_parts = 0, ends = 0;
   const bool one_end = HaveOneEnd(leaf, active);
+  std::uint32_t ends = 0;
+  out.in_parts = 0;
   for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
-    const VF px = hn::Add(hn::Load(f, kPixels.x + i), Const(cx));
-    const VF py = hn::Add(hn::Load(f, kPixels.y + i), Const(cy));
+    const VF px = hn::Add(hn::Load(f, kPixels.x + i), Const(kBlocks.x[block]));
+    const VF py = hn::Add(hn::Load(f, kPixels.y + i), Const(kBlocks.y[block]));
     VI sides = hn::Set(di, int(base)), crossing = hn::Zero(di);
     auto again = hn::Lt(hn::Zero(f), hn::Zero(f));
     auto round = hn::Eq(hn::Zero(f), hn::Zero(f));
@@ -198,23 +201,45 @@ HWY_INLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t b
       crossing = hn::Or(crossing, hn::IfThenElseZero(hn::RebindMask(di, seen.cut), bit));
       w = hn::IfThenElse(seen.cut, seen.area, w);
     }
-    const VI inner = hn::Or(sides, crossing);
-    for (size_t c = 0; c < 3; ++c) {
-      const float* plane = leaf.palette[c].data();
-      const VF a = hn::GatherIndex(f, plane, hn::And(sides, hn::Set(di, Leaf::kMostSides - 1)));
-      const VF b = hn::GatherIndex(f, plane, hn::And(inner, hn::Set(di, Leaf::kMostSides - 1)));
-      hn::Store(Fused(w, hn::Sub(b, a), a), f, light[c] + i);
-    }
-    hn::Store(sides, di, inside + i), hn::Store(crossing, di, crossed + i);
-    in_parts |= BitsOf(again) << i;
+    hn::Store(w, f, out.area + i);
+    hn::Store(sides, di, out.inside + i), hn::Store(crossing, di, out.crossed + i);
+    out.in_parts |= BitsOf(again) << i;
   }
-  for (std::uint32_t rest = in_parts; rest; rest &= rest - 1) {
+  for (std::uint32_t rest = out.in_parts; rest; rest &= rest - 1) {
     const auto p = std::size_t(std::countr_zero(rest));
     // An end may turn up in a part though the pixel's centre sees nothing of it.
-    std::uint32_t asked = active & (std::uint32_t(crossed[p]) | ends);
-    const std::uint32_t in = (std::uint32_t(inside[p]) | base) & ~asked;
-    const Light mean = InParts(leaf, Mattering(leaf, asked, in), in, cx + kPixels.x[p],
-                               cy + kPixels.y[p], 1.0f, 0);
+    out.crossed[p] = std::int32_t(active & (std::uint32_t(out.crossed[p]) | ends));
+    out.inside[p] &= ~out.crossed[p];
+  }
+}
+
+/// A block that is not simple. Pixels that one area does not describe are resolved in parts.
+template <bool kLinear>
+HWY_INLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
+                         const Use* uses, int block, std::uint32_t* to, size_t stride,
+                         LeafPixels& left) {
+  const F f;
+  const hn::RebindToSigned<F> di;
+  BlockView view;
+  SeeBlock(leaf, active, base, uses, block, view);
+  alignas(64) float light[3][kBlock];
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
+    const auto all = hn::Set(di, Leaf::kMostSides - 1);
+    const auto sides = hn::And(hn::Load(di, view.inside + i), all);
+    const auto inner = hn::Or(sides, hn::And(hn::Load(di, view.crossed + i), all));
+    const VF w = hn::Load(f, view.area + i);
+    for (size_t c = 0; c < 3; ++c) {
+      const float* plane = leaf.palette[c].data();
+      const VF a = hn::GatherIndex(f, plane, sides), b = hn::GatherIndex(f, plane, inner);
+      hn::Store(Fused(w, hn::Sub(b, a), a), f, light[c] + i);
+    }
+  }
+  for (std::uint32_t rest = view.in_parts; rest; rest &= rest - 1) {
+    const auto p = std::size_t(std::countr_zero(rest));
+    const auto asked = std::uint32_t(view.crossed[p]), in = std::uint32_t(view.inside[p]);
+    const Light mean =
+        InParts(leaf, Mattering(leaf, asked, in), in, kBlocks.x[block] + kPixels.x[p],
+                kBlocks.y[block] + kPixels.y[p], 1.0f, 0);
     light[0][p] = mean.r, light[1][p] = mean.g, light[2][p] = mean.b;
     left.add((block / 4 * 4 + int(p) / 4) * kLeaf + block % 4 * 4 + int(p) % 4);
   }
@@ -323,6 +348,34 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
   SimpleBlocks<kLinear>(leaf, simple, simple_count, pixels, stride);
 }
 
+/// paint_leaf without colours.
+void SeeLeaf(const Leaf& leaf, std::uint32_t blocks, PixelSides& out) {
+  BlockSides sides[Leaf::kMostEdges];
+  for (int e = 0; e < leaf.edge_count; ++e) sides[e] = PlaceBlocks(leaf.edges[std::size_t(e)]);
+  for (; blocks; blocks &= blocks - 1) {
+    const int b = std::countr_zero(blocks);
+    BlockView view = {};
+    std::uint32_t base = 0, active = 0;
+    Use uses[Leaf::kMostEdges];
+    for (int e = 0; e < leaf.edge_count; ++e) {
+      const std::uint32_t near = sides[e].crossed >> b & 1u;
+      active |= near << e;
+      base |= (sides[e].inside >> b & 1u & ~near) << e;
+      if (near) uses[e] = UseOf(leaf.edges[std::size_t(e)], kBlocks.x[b], kBlocks.y[b]);
+    }
+    if (active)
+      SeeBlock(leaf, active, base, uses, b, view);
+    else
+      for (std::int32_t& in : view.inside) in = std::int32_t(base);
+    for (size_t p = 0; p < kBlock; ++p) {
+      const auto at = size_t(b / 4 * 4 + int(p) / 4) * kLeaf + size_t(b % 4 * 4 + int(p) % 4);
+      out.inside[at] = std::uint8_t(view.inside[p]),
+      out.crossed[at] = std::uint8_t(view.crossed[p]);
+      out.area[at] = view.area[p], out.in_parts[at] = view.in_parts >> p & 1u;
+    }
+  }
+}
+
 void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
                LeafPixels& left) {
   if (leaf.blend == Blend::linear)
@@ -331,8 +384,9 @@ void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, si
     Paint<false>(leaf, blocks, pixels, stride, left);
 }
 
-void SquareInParts(const Leaf& leaf, float x, float y, float side, float* rgb) {
-  const Light mean = InParts(leaf, (1u << leaf.edge_count) - 1u, 0, x, y, side, side < 1.0f);
+void SquareInParts(const Leaf& leaf, float x, float y, float side, std::uint32_t asked,
+                   std::uint32_t base, float* rgb) {
+  const Light mean = InParts(leaf, asked, base, x, y, side, side < 0.5f);
   rgb[0] = mean.r, rgb[1] = mean.g, rgb[2] = mean.b;
 }
 
@@ -345,6 +399,7 @@ namespace mien {
 namespace batch {
 HWY_EXPORT(PaintLeaf);
 HWY_EXPORT(SquareInParts);
+HWY_EXPORT(SeeLeaf);
 }  // namespace batch
 
 void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
@@ -352,9 +407,15 @@ void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, s
   HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, blocks, pixels, stride, left);
 }
 
-Mix square_in_parts(const Leaf& leaf, double x, double y, double side) {
+void see_leaf(const Leaf& leaf, std::uint32_t blocks, PixelSides& out) {
+  HWY_DYNAMIC_DISPATCH(batch::SeeLeaf)(leaf, blocks, out);
+}
+
+Mix square_in_parts(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
+                    std::uint32_t base) {
   float rgb[3];
-  HWY_DYNAMIC_DISPATCH(batch::SquareInParts)(leaf, float(x), float(y), float(side), rgb);
+  HWY_DYNAMIC_DISPATCH(batch::SquareInParts)
+  (leaf, float(x), float(y), float(side), asked, base, rgb);
   return {rgb[0], rgb[1], rgb[2], 255.0};
 }
 

@@ -121,14 +121,82 @@ double PaintSampler::error(const LocalPaint& local, bool whole, std::vector<Cut>
   return error;
 }
 
-std::optional<PaintSampler::Mean> PaintSampler::mean(int index, glm::dvec2 center) {
-  const TapePaint& paint = tape_.paints[std::size_t(index)];
-  if (paint.relief || !paint.ramp) return {};
-  const Bilinear t = place_in(paint.field, center, 1.0);
+/// Of a ramp without jumps, with its kinks in kinks_.
+PaintSampler::Mean PaintSampler::ramp_mean(const Ramp& ramp, const Bilinear& t,
+                                           const Ramp::Range& range) const {
+  Mean mean{ramp.color(t.mean)};
+  if (range.constant) return mean;
+  if (!kinks_.empty()) {
+    // Quarter by quarter: see the error below.
+    mean.mix = Mix{0.0};
+    for (const glm::dvec2 u :
+         {glm::dvec2{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {0.25, 0.25}})
+      mean.mix += 0.25 * ramp.color(t.at(u));
+  }
+  // Between kinks colours are linear, so those and the ends are the extremes.
   const double reach = t.reach() + t.residual;
-  const Ramp::Range range = paint.ramp->range(t.mean - reach, t.mean + reach, kinks_);
-  if (range.many || range.jump > 0.0 || !kinks_.empty()) return {};
-  return Mean{paint.ramp->color(t.mean), range.slope * reach, range.slope * t.residual / 6.0};
+  double before = t.mean - reach;
+  Mix color = ramp.color(before), slope{0.0};
+  mean.change = glm::abs(color - mean.mix);
+  const auto go_to = [&](double place) {
+    const Mix next = ramp.color(place);
+    mean.change = glm::max(mean.change, glm::abs(next - mean.mix));
+    slope = glm::max(slope, glm::abs(next - color) / std::max(place - before, 1e-12));
+    before = place, color = next;
+  };
+  for (const double kink : kinks_) go_to(kink);
+  go_to(t.mean + reach);
+  mean.error = slope * (t.residual / 6.0);
+  mean.bent = slope * t.residual;  // a piece's mean knows nothing of the residual's own
+  // A kink turns a quarter's ramp by twice its slope at most, which moves its mean by a quarter of what the quarter
+  // changes, half of what the square does; a line passes through three quarters.
+  if (!kinks_.empty()) {
+    mean.error += 0.75 * 0.25 * mean.change;
+    mean.bent +=
+        0.75 * 0.25 * mean.change + 0.25 * mean.change;  // half the change instead of a quarter
+  }
+  return mean;
+}
+
+std::optional<PaintSampler::Mean> PaintSampler::mean(int index, glm::dvec2 center, double side) {
+  const TapePaint& paint = tape_.paints[std::size_t(index)];
+  if (paint.relief && paint.relief->distance >= 0) return {};
+  Mean mean{paint.color};
+  LocalPaint local{.paint = &paint,
+                   .blend = tape_.blend,
+                   .center = center,
+                   .side = side,
+                   .place = {},
+                   .distance = {}};
+  if (paint.ramp) {
+    const Bilinear& t = local.place = place_in(paint.field, center, side);
+    const double reach = t.reach() + t.residual;
+    const Ramp::Range range = paint.ramp->range(t.mean - reach, t.mean + reach, kinks_);
+    if (range.many || range.jump > 0.0) return {};
+    mean = ramp_mean(*paint.ramp, t, range);
+  }
+  return paint.relief ? lit(local, mean) : mean;
+}
+
+/// Gauss's four points, exact for cubics; five others tell how far it may be off, and the corners how much the
+/// light changes: by a quarter more, for what is not linear.
+PaintSampler::Mean PaintSampler::lit(const LocalPaint& local, const Mean& unlit) const {
+  constexpr double kGauss = 0.28867513459481288;  // 1/(2 sqrt 3)
+  Mix gauss{0.0}, corners{0.0};
+  Mean mean{Mix{0.0}, Mix{0.0}, unlit.error, unlit.bent};
+  for (const double y : {-1.0, 1.0})
+    for (const double x : {-1.0, 1.0}) {
+      gauss += 0.25 * local.color(kGauss * glm::dvec2{x, y});
+      corners += 0.25 * local.color(0.5 * glm::dvec2{x, y});
+    }
+  mean.mix = gauss;
+  const Mix center = local.color({0.0, 0.0});
+  for (const double y : {-0.5, 0.5})
+    for (const double x : {-0.5, 0.5})
+      mean.change = glm::max(mean.change, 1.25 * glm::abs(local.color({x, y}) - gauss));
+  const Mix off = glm::abs((2.0 * center + corners) / 3.0 - gauss);
+  mean.error += off, mean.bent += 6.0 * off;
+  return mean;
 }
 
 bool PaintSampler::creased(const LocalPaint& local) const {

@@ -55,14 +55,15 @@ class PaintSampler {
   /// lines along which the colour has a kink or jump.
   double error(const LocalPaint& local, bool whole, std::vector<Cut>& cuts);
 
-  /// The mean of a gradient without a relief over a whole pixel, and by how much its channels may change
-  /// there; nothing if there is a kink.
+  /// The mean over a square, a whole pixel if side is 1; nothing where a gradient jumps, and for reliefs that
+  /// follow an outline.
   struct Mean {
     Mix mix;
-    double change;
-    double error;
+    Mix change{0.0};  ///< channels are at most so far from the mean
+    Mix error{0.0};   ///< of the mean
+    Mix bent{0.0};  ///< the same of the mean over a piece, beyond what a linear change makes it off
   };
-  std::optional<Mean> mean(int paint, glm::dvec2 center);
+  std::optional<Mean> mean(int paint, glm::dvec2 center, double side);
 
   /// Whether the relief's distance is too far from bilinear for its slope to mean anything.
   bool creased(const LocalPaint& local) const;
@@ -71,6 +72,8 @@ class PaintSampler {
   std::optional<Mix> constant(int paint, glm::dvec2 center, double radius);
 
  private:
+  Mean ramp_mean(const Ramp& ramp, const Bilinear& t, const Ramp::Range& range) const;
+  Mean lit(const LocalPaint& local, const Mean& unlit) const;
   Bilinear distance_in(int distance, glm::dvec2 center, double side);
   Bilinear place_in(const PaintField& field, glm::dvec2 center, double side);
 

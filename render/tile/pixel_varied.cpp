@@ -8,6 +8,7 @@
 #include <mien/render/cover/edge_coverage.h>
 #include <mien/render/tile/pixel.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -35,13 +36,13 @@ bool PixelResolver::describe_paints(const Scope& scope, glm::dvec2 center, doubl
 
 std::optional<Mix> PixelResolver::gradient(const Scope& scope, glm::dvec2 center) {
   Mix mix{0.0};
-  double change = 0.0, error = 0.0;
+  Mix change{0.0}, error{0.0};
   for (const ScopeStack::Layer& layer : scopes_.layers(scope)) {
     if (layer.group >= 0 || layer.count > 0) return {};
     if (layer.paint < 0) {
       mix = over(mix, layer.mix);
     } else {
-      const auto mean = sampler_.mean(layer.paint, center);
+      const auto mean = sampler_.mean(layer.paint, center, 1.0);
       if (!mean) return {};
       // A translucent gradient over another: the mean of a product is off by a twelfth of both changes.
       error += mean->error + change * mean->change / 12.0;
@@ -50,7 +51,7 @@ std::optional<Mix> PixelResolver::gradient(const Scope& scope, glm::dvec2 center
     }
     if (mix.a >= 1.0) break;
   }
-  if (!(error <= fine_.paint)) return {};
+  if (!(std::max({error.r, error.g, error.b, error.a}) <= fine_.paint)) return {};
   ++stats_.varied_pixels;
   return mix.a < 1.0 ? over(mix, scope.base) : mix;
 }

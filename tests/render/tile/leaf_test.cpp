@@ -179,9 +179,10 @@ TEST(SquareInParts, IsItsScalarForm) {
       }
       for (const double side : {1.0, 0.25, 0.0625}) {
         long long cells = 0;
+        const std::uint32_t all = (1u << leaf.edge_count) - 1u;
         const double x = 0.7 * double(unit(random)), y = 0.7 * double(unit(random));
-        const double truth = leaf_square(leaf, x, y, side, 1e-6, cells).r;
-        ASSERT_NEAR(square_in_parts(leaf, x, y, side).r, truth, side == 1.0 ? 0.4 : 1.0)
+        const double truth = leaf_square(leaf, x, y, side, all, 0, 1e-6, cells).r;
+        ASSERT_NEAR(square_in_parts(leaf, x, y, side, all, 0).r, truth, side == 1.0 ? 0.4 : 1.0)
             << i << ": " << leaf.edge_count << " edges, side " << side;
       }
     }
