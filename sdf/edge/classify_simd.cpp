@@ -134,10 +134,28 @@ struct Squares {
     (f, x.data(), y.data(), x.size(), half_diagonal, sides.data());
   }
 
-  /// Only squares that no side comes near ask for the winding number.
+  /// Only squares that no side comes near ask for the winding number, and of those only the ones that are
+  /// not in a disc without outline around another that did.
   void operator()(const PathSquares& f) const {
     constexpr size_t kMost = 256;
     float d[kMost];
+    struct Known {
+      glm::dvec2 center;
+      double clear;  ///< no outline is so near
+      std::int8_t side;
+    };
+    constexpr size_t kMostKnown = 8;
+    Known known[kMostKnown];
+    size_t count_known = 0;
+    const auto side_at = [&](glm::dvec2 c, double clear) {
+      for (size_t j = 0; j < count_known; ++j) {
+        const glm::dvec2 way = c - known[j].center;
+        if (way.x * way.x + way.y * way.y < known[j].clear * known[j].clear) return known[j].side;
+      }
+      const auto side = std::int8_t(is_inside(f.path.rule, winding(f.path, c)) ? -1 : 1);
+      if (count_known < kMostKnown) known[count_known++] = {c, clear, side};
+      return side;
+    };
     for (size_t i = 0; i < x.size(); i += kMost) {
       const size_t count = std::min(kMost, x.size() - i);
       distances(f.sides, x.subspan(i, count), y.subspan(i, count), std::span(d, count));
@@ -147,7 +165,7 @@ struct Squares {
                               (std::abs(c.x) + std::abs(c.y) + double(d[k]) + 2 * double(f.size));
         const double reach = double(half_diagonal) + margin;
         const bool clear = std::isfinite(d[k]) && double(d[k]) > reach;
-        sides[i + k] = !clear ? 0 : is_inside(f.path.rule, winding(f.path, c)) ? -1 : 1;
+        sides[i + k] = clear ? side_at(c, double(d[k]) - margin) : std::int8_t{};
       }
     }
   }
