@@ -292,7 +292,7 @@ HWY_INLINE void FillBlock(std::uint32_t value, std::uint32_t* to, size_t stride)
 
 /// How the block around (cx, cy) sees an edge.
 HWY_INLINE Use UseOf(const LeafEdge& e, float cx, float cy) {
-  constexpr float kTight = 0.5f;
+  constexpr float kTight = 0.45f;
   const auto size = [](float x) { return x < 0 ? -x : x; };
   const float body = size(e.bend);
   if (!e.has_end() && !e.joined) return {Part::body, StripsFor(body), body > kTight};
