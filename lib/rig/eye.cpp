@@ -92,7 +92,9 @@ class EyeAtWork {
     if (eye_.shifts < 0) return;
     const EyeBody body = eye_body(model_, eye_, now_);
     if (body.bulge == 0) return;
-    const EyeBody rest_body = eye_body(model_, eye_, rest_);
+    // The face is drawn with the bulge it has now: what is held or moved there moves no lid by itself.
+    EyeBody rest_body = eye_body(model_, eye_, rest_);
+    rest_body.bulge = body.bulge;
     const glm::dvec2 inner = get(now_, eye_.inner), outer = get(now_, eye_.outer);
     const glm::dvec2 inner0 = get(rest_, eye_.inner), outer0 = get(rest_, eye_.outer);
     const glm::dvec3 axis = gaze_axis(gaze_, body.radius), ahead{0, 0, 1};

@@ -110,6 +110,20 @@ void put_numbers(const Setting& setting, FaceVector& vector) {
       vector[std::size_t(setting.index) + i] = setting.values[i];
 }
 
+/// What the eyes' laws read of an eyeball is held before they act, too: a bulge held at 0 is none.
+void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector) {
+  for (const Setting& setting : pose.settings) {
+    if (setting.control) continue;
+    for (const Eye& eye : model.eyes)
+      for (const int slice : {eye.center, eye.radius, eye.cornea, eye.bulge}) {
+        if (slice < 0) continue;
+        const Slice& s = model.layout[slice];
+        if (setting.index >= s.begin && setting.index < s.begin + s.size)
+          put_numbers(setting, vector);
+      }
+  }
+}
+
 }  // namespace
 
 Poser::Poser(Face face) : rest_(std::move(face)), posed_(rest_) {
@@ -134,6 +148,7 @@ const Face& Poser::pose(const Pose& pose) {
   drive_channels(true);
   muscles_.act(rest_, pose, values_, set_channels, posed_.vector);
   drive_channels(false);
+  hold_eyeballs(model, pose, posed_.vector);
   // What a basis gives has been through the eyes' laws: they act on what is moved on top of it only.
   if (!by_basis)
     pose_eyes(model, rest_.vector, values_, posed_.vector);

@@ -70,7 +70,8 @@ struct Pose {
 /// The face at that pose. Order: rest → channels take their values (rest, clips, look_at, settings,
 /// then what
 /// expressions and poses move them by) → poses → muscles → controls act in the model's order (offsets, scales, key
-/// shapes) → eyes (lid follow, blink, bulge) → head turn → unwrap → slice settings → rules (clamp, wrap), applied once,
+/// shapes) → eyes (lid follow, blink, bulge; settings of eyeballs act before them) → head turn → unwrap → slice
+/// settings → rules (clamp, wrap), applied once,
 /// so a posed face is always valid. Without a time, a gaze and settings it is the rest vector, bit
 /// for bit. Total: a setting or clip that is not of this model does nothing, numbers out of range
 /// follow their rule.

@@ -58,22 +58,22 @@ void store(const Mix& mix, Blend blend, Depth depth, double carry, void* pixel) 
   }
 }
 
+}  // namespace
+
 /// The 8 × 8 Bayer matrix, (0.5 … 63.5)/64: the bits of x xor y and y, interleaved and reversed.
-double threshold(int x, int y) {
+double dither_threshold(int x, int y) {
   const unsigned a = unsigned(x ^ y), b = unsigned(y);
   unsigned rank = 0;
   for (int bit = 0; bit < 3; ++bit) rank = rank << 2 | (a >> bit & 1u) << 1 | (b >> bit & 1u);
   return (double(rank) + 0.5) / 64.0;
 }
 
-}  // namespace
-
 void store(const Mix& mix, Blend blend, Depth depth, void* pixel) {
   store(mix, blend, depth, 0.5, pixel);
 }
 
 void store_dithered(const Mix& mix, Blend blend, Depth depth, int x, int y, void* pixel) {
-  store(mix, blend, depth, threshold(x, y), pixel);
+  store(mix, blend, depth, dither_threshold(x, y), pixel);
 }
 
 }  // namespace mien

@@ -30,4 +30,7 @@ void store(const Mix& mix, Blend blend, Depth depth, void* pixel);
 /// mean over 8 × 8 pixels is right to 1/128 of one, and values that are whole levels stay. Float is not dithered.
 void store_dithered(const Mix& mix, Blend blend, Depth depth, int x, int y, void* pixel);
 
+/// That threshold.
+double dither_threshold(int x, int y);
+
 }  // namespace mien

@@ -18,6 +18,14 @@ class Lamp {
   /// The colour of a surface that rises by `slope` per length: x right, y UP in the picture.
   Mix lit(const Mix& color, glm::dvec2 slope, Blend blend) const;
 
+  /// For the form in lanes: unit directions, and the law's numbers.
+  const glm::dvec3& to_lamp() const { return to_lamp_; }
+  const glm::dvec3& halfway() const { return halfway_; }
+  double ambient() const { return ambient_; }
+  double specular() const { return level_shine_ < 1.0 ? specular_ : 0.0; }
+  double shininess() const { return shininess_; }
+  double level_shine() const { return level_shine_; }
+
  private:
   glm::dvec3 to_lamp_, halfway_;
   double ambient_, specular_, shininess_, level_shine_;

@@ -17,6 +17,11 @@ class Ramp {
 
   Mix color(double t) const;
 
+  /// For the form in lanes: the stops' places, which do not fall, and their colours.
+  const std::vector<double>& at() const { return at_; }
+  const std::vector<Mix>& mixes() const { return mix_; }
+  Extend extend() const { return extend_; }
+
   /// The least and the largest opacity anywhere.
   double least_opacity() const { return least_opacity_; }
   double most_opacity() const { return most_opacity_; }

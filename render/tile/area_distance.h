@@ -16,6 +16,10 @@ class AreaDistance {
   /// Negative inside; p in pixels, origin at the picture's centre.
   double at(glm::dvec2 p) const;
 
+  const std::vector<Shape>& shapes() const { return shapes_; }
+  /// Operands before users; the last is the area. Of Op::shape, `a` is an index into shapes().
+  const std::vector<Node>& nodes() const { return nodes_; }
+
  private:
   double tree_at(glm::dvec2 p, double* values) const;
 

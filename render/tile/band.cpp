@@ -27,7 +27,11 @@ void BandPainter::draw(const Plan& plan, int width, int height, int y, const Tar
   if (plan_ != &plan || made_ != plan.made) {
     made_ = plan.made;
     paints_.reset();
-    if (!plan.plain) paints_.emplace(plan.tape);
+    if (plan_ != &plan) lit_.reset();
+    if (!plan.plain) {
+      paints_.emplace(plan.tape);
+      if (!lit_) lit_.emplace(plan.tape);
+    }
   }
   plan_ = &plan, target_ = &target, stats_ = &stats;
   width_ = width, height_ = height, y_ = y;
@@ -230,7 +234,7 @@ void BandPainter::leaf(int lane) {
     paint(0xFFFF);
   else if (!varies_here_)
     divide({0.0, 0.0}, kLeaf, 0, 0);
-  else if (!paint_varied({0.0, 0.0}, kLeaf, 0xFFFF))
+  else if (!lit_square({0.0, 0.0}, 0, 0, kLeaf) && !paint_varied({0.0, 0.0}, kLeaf, 0xFFFF))
     sure_square(0, 0, kLeaf);
 }
 

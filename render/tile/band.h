@@ -18,6 +18,7 @@
 #include <mien/render/tile/plan.h>
 #include <mien/render/tile/sides.h>
 #include <mien/render/tile/stores.h>
+#include <mien/render/tile/varied_square.h>
 
 #include <array>
 #include <cstdint>
@@ -118,6 +119,7 @@ class BandPainter {
   std::optional<Mix> cells(glm::dvec2 center, double side, int depth);
   std::optional<Mix> undescribed(glm::dvec2 center, double side, Parts& parts);
   Mix square(glm::dvec2 center, double side, std::uint32_t asked, std::uint32_t base);
+  bool lit_square(glm::dvec2 shift, int leaf_x, int leaf_y, int side);
   void sure_square(int block_x, int block_y, int side);
   std::byte* at(int x, int y) const;
   PixelRect visible(const PixelRect& square) const;
@@ -146,6 +148,8 @@ class BandPainter {
   bool leaf_varies_ = false;                    // some of the present leaf's layers are not plain
   bool varies_here_ = false;                    // why assemble said no
   std::optional<PaintSampler> paints_;
+  std::optional<VariedSquare> lit_;
+  std::vector<SquareLayer> square_layers_;
   std::vector<Shown> shown_;
   glm::dvec2 look_center_{};
   double look_side_ = 1;

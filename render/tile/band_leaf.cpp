@@ -260,7 +260,9 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
     if (assemble(list, edges, centers[std::size_t(q)], half, kMostLeafBend)) {
       paint(blocks);
     } else if (varies_here_) {
-      if (!paint_varied(centers[std::size_t(q)], half, blocks)) sure_square(x, y, half);
+      const glm::dvec2 c = centers[std::size_t(q)];
+      if (!lit_square(c, 4 * x, 4 * y, half) && !paint_varied(c, half, blocks))
+        sure_square(x, y, half);
     } else {
       divide(centers[std::size_t(q)], half, x, y);
     }
@@ -301,6 +303,8 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
       std::optional<Mix> mix = described(list, edges, at_pixel, 1.0, kMostPixelBend);
       if (!mix && !varies_here_ && leaf_wanted_.size() <= kMostInCells)
         mix = cells(at_pixel, 1.0, 0);
+      const bool lit = !mix && varies_here_ && leaf_varies_;
+      if (lit && lit_square(at_pixel, x - leaf_x_, y - leaf_y_, 1)) continue;
       if (!mix) {
         draw_square(plan_->tape, leaf_layers_, width_, height_, x, y, 1, *target_, *stats_);
         continue;
@@ -308,6 +312,43 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
       put(*mix, x, y);
       ++stats_->divided_pixels;
     }
+}
+
+/// A square of the present leaf in which light on a profile or a group is seen, its edges assembled, in vectors; its first
+/// pixel. False: not this way.
+bool BandPainter::lit_square(glm::dvec2 shift, int leaf_x, int leaf_y, int side) {
+  if (target_->depth != Depth::u8) return false;
+  square_layers_.clear();
+  const auto all = std::uint32_t((std::uint64_t{1} << (1 << leaf_.edge_count)) - 1);
+  bool wanted = false;
+  const auto follows_outline = [&](int paint) {  // domes alone hardly vary within a pixel
+    const auto& relief = plan_->tape.paints[std::size_t(paint)].relief;
+    return relief && relief->distance >= 0 && relief->profile != Profile::flat;
+  };
+  for (const int layer : leaf_layers_) {
+    const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
+    const std::span<const Step> steps{plan_->tape.steps.data() + l.first, std::size_t(l.count)};
+    SquareLayer seen{.in = std::uint32_t(sides_of(steps, leaf_sides_, stack_).in) & all,
+                     .mix = l.mix,
+                     .paint = l.paint,
+                     .group = l.group};
+    if (!seen.in) continue;
+    if (l.paint >= 0)
+      if (const auto mix = paints_->constant(l.paint, leaf_center_ + shift, kSqrtHalf * side))
+        seen.mix = *mix, seen.paint = -1;
+    wanted |= seen.group >= 0 || (seen.paint >= 0 && follows_outline(seen.paint));
+    square_layers_.push_back(seen);
+  }
+  const int x = leaf_x_ + leaf_x, y = leaf_y_ + leaf_y;
+  const VariedSquare::Place place{leaf_center_, shift, side, x, y};
+  if (!wanted || !lit_->draw(leaf_, square_layers_, place, plan_->tolerance, scratch_.data()))
+    return false;
+  const PixelRect part = visible({x, y, side, side});
+  for (int row = part.y; row < part.y + part.height; ++row)
+    std::memcpy(at(part.x, row), &scratch_[std::size_t((row - y) * side + part.x - x)],
+                4 * std::size_t(std::max(part.width, 0)));
+  stats_->varied_pixels += (long long)std::max(part.width, 0) * std::max(part.height, 0);
+  return true;
 }
 
 /// A square of the present leaf by the sure way; its first block.

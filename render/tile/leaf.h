@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 
 namespace mien {
 
@@ -53,6 +54,31 @@ struct PixelSides {
 
 /// What paint_leaf would find, without the colours.
 void see_leaf(const Leaf& leaf, std::uint32_t blocks, PixelSides& out);
+
+/// What a square of a leaf sees of its edges.
+struct LeafView {
+  struct Sight {
+    double d;      ///< [px] of the square's middle; negative inside
+    glm::dvec2 n;  ///< unit, outward
+    double bend;
+  };
+  std::array<Sight, Leaf::kMostEdges> sights;  ///< of the active edges
+  std::uint32_t active = 0;  ///< edges that may cross the square and part two colours (Leaf::same)
+  std::uint32_t base = 0;    ///< the sides of the others
+  std::uint32_t with_end = 0;  ///< edges that may turn up in a part of the square, active or not
+  bool divide =
+      false;  ///< the active ones are not within `tolerance` of circles; or of straight lines,
+              ///< if there are several
+};
+/// `asked`: edges that may cross the square; `base`: the sides of the others.
+LeafView see_square(const Leaf& leaf, glm::dvec2 center, double side, double tolerance,
+                    std::uint32_t asked, std::uint32_t base);
+
+/// Where a block of 4 × 4 pixels around a place of the leaf lies against the edges, bit by bit.
+struct BlockSides {
+  std::uint32_t inside, crossed;  ///< crossed: may be
+};
+BlockSides see_block(const Leaf& leaf, glm::dvec2 center);
 
 /// The mean colour over the square of a side, at most 1, around (x, y), times 255, by the scalar forms: any
 /// number of edges, any colours. `asked`: edges that may cross it; `base`: inside which of the others it lies;

@@ -5,6 +5,7 @@
 #include <mien/render/tile/leaf.h>
 #include <mien/render/tile/leaf_errors.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,12 +13,7 @@
 namespace mien {
 namespace {
 
-/// An edge seen from a point: distance, unit outward normal, bend.
-struct Sight {
-  double d;
-  glm::dvec2 n;
-  double bend;
-};
+using Sight = LeafView::Sight;
 
 Sight see(const LeafEdge& e, glm::dvec2 p) {
   if (e.has_end()) {
@@ -68,54 +64,58 @@ class LeafSquare {
     return active;
   }
 
-  /// `asked`: edges that may cross the square; `base`: the sides of the others.
-  Mix mean(glm::dvec2 center, double side, int depth, std::uint32_t asked, std::uint32_t base) {
-    std::array<Sight, Leaf::kMostEdges> sights;
-    std::uint32_t active = 0, with_end = 0;  // edges with an end may turn up again in a part
+  /// What see_square says.
+  static LeafView view(const Leaf& leaf, glm::dvec2 center, double side, double tolerance,
+                       std::uint32_t asked, std::uint32_t base) {
+    LeafView view{.base = base};
     for (; asked; asked &= asked - 1) {
       const int i = std::countr_zero(asked);
-      const LeafEdge& e = leaf_.edges[std::size_t(i)];
-      with_end |= std::uint32_t(e.has_end() && at_line(e, center, side)) << i;
-      sights[std::size_t(i)] = see(e, center);
-      const Sight& s = sights[std::size_t(i)];
+      const LeafEdge& e = leaf.edges[std::size_t(i)];
+      view.with_end |= std::uint32_t(e.has_end() && at_line(e, center, side)) << i;
+      const Sight& s = view.sights[std::size_t(i)] = see(e, center);
       if (std::abs(s.d) <= reach_of(s, side) || (e.has_end() && at_end(e, center, side)))
-        active |= 1u << i;
+        view.active |= 1u << i;
       else
-        base |= std::uint32_t(s.d < 0.0) << i;
+        view.base |= std::uint32_t(s.d < 0.0) << i;
     }
-    active = mattering(active, base);
-    if (!active) return color(base);
-    constexpr int kDeepest = 6;
-    bool divide = false;
+    view.active = mattering(leaf, view.active, view.base);
     double straightened_by = 0.0;
-    for (std::uint32_t rest = active; rest; rest &= rest - 1) {
+    for (std::uint32_t rest = view.active; rest; rest &= rest - 1) {
       const auto i = std::size_t(std::countr_zero(rest));
-      const LeafEdge& e = leaf_.edges[i];
-      divide |= e.has_end() && at_end(e, center, side) &&
-                end_error(double(e.end_bend), side) > tolerance_;
-      divide |= parabola_error(sights[i].bend, side) > tolerance_;
-      divide |= e.joined && at_joint(e, center, side) &&
-                joint_error(double(e.next.bend) - double(e.bend), side) > tolerance_;
-      straightened_by += together_error(std::abs(sights[i].bend), side);
+      const LeafEdge& e = leaf.edges[i];
+      view.divide |=
+          e.has_end() && at_end(e, center, side) && end_error(double(e.end_bend), side) > tolerance;
+      view.divide |= parabola_error(view.sights[i].bend, side) > tolerance;
+      view.divide |= e.joined && at_joint(e, center, side) &&
+                     joint_error(double(e.next.bend) - double(e.bend), side) > tolerance;
+      straightened_by += together_error(std::abs(view.sights[i].bend), side);
     }
-    const bool one = std::has_single_bit(active);
-    if ((divide || (!one && straightened_by > tolerance_)) && depth < kDeepest) {
+    view.divide |= !std::has_single_bit(view.active) && straightened_by > tolerance;
+    return view;
+  }
+
+  /// `asked`: edges that may cross the square; `base`: the sides of the others.
+  Mix mean(glm::dvec2 center, double side, int depth, std::uint32_t asked, std::uint32_t base) {
+    const LeafView seen = view(leaf_, center, side, tolerance_, asked, base);
+    if (!seen.active) return color(seen.base);
+    constexpr int kDeepest = 6;
+    if (seen.divide && depth < kDeepest) {
       const double half = 0.5 * side, quarter = 0.25 * side;
       cells_ += 4;
       Mix sum{0.0};
       for (const double y : {-quarter, quarter})
         for (const double x : {-quarter, quarter})
-          sum += 0.25 * mean(center + glm::dvec2{x, y}, half, depth + 1, active | with_end,
-                             base & ~with_end);
+          sum += 0.25 * mean(center + glm::dvec2{x, y}, half, depth + 1,
+                             seen.active | seen.with_end, seen.base & ~seen.with_end);
       return sum;
     }
-    if (one) {
-      const Sight& s = sights[std::size_t(std::countr_zero(active))];
+    if (std::has_single_bit(seen.active)) {
+      const Sight& s = seen.sights[std::size_t(std::countr_zero(seen.active))];
       const double bend = std::clamp(s.bend * side, -1.0, 1.0);
       const double covered = bent_edge_coverage(s.d / side, s.n, bend);
-      return covered * color(base | active) + (1.0 - covered) * color(base);
+      return covered * color(seen.base | seen.active) + (1.0 - covered) * color(seen.base);
     }
-    return arranged(sights, active, base, side);
+    return arranged(seen.sights, seen.active, seen.base, side);
   }
 
  private:
@@ -154,13 +154,14 @@ class LeafSquare {
     return glm::dot(u, u) <= side * side;
   }
 
-  std::uint32_t mattering(std::uint32_t active, std::uint32_t base) const {
+  /// Drops edges whose side changes no colour, for the sides of the others that may occur.
+  static std::uint32_t mattering(const Leaf& leaf, std::uint32_t active, std::uint32_t base) {
     std::uint32_t kept = active;
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const std::uint32_t bit = rest & -rest, others = kept & ~bit;
       bool matters = false;
       for (std::uint32_t sub = others;; sub = (sub - 1) & others) {
-        matters |= leaf_.same[base | sub] != leaf_.same[base | sub | bit];
+        matters |= leaf.same[base | sub] != leaf.same[base | sub | bit];
         if (sub == 0 || matters) break;
       }
       if (!matters) kept &= ~bit;
@@ -204,6 +205,35 @@ Mix leaf_square(const Leaf& leaf, double x, double y, double side, std::uint32_t
 std::uint32_t crossing_edges(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
                              std::uint32_t& base) {
   return LeafSquare::crossing(leaf, {x, y}, side, asked, base);
+}
+
+LeafView see_square(const Leaf& leaf, glm::dvec2 center, double side, double tolerance,
+                    std::uint32_t asked, std::uint32_t base) {
+  return LeafSquare::view(leaf, center, side, tolerance, asked, base);
+}
+
+BlockSides see_block(const Leaf& leaf, glm::dvec2 center) {
+  constexpr double kPastEnd = 3.0;  // half a block's diagonal, and what kEndHalo lacks to it
+  BlockSides sides{0, 0};
+  for (int i = 0; i < leaf.edge_count; ++i) {
+    const LeafEdge& e = leaf.edges[std::size_t(i)];
+    const glm::dvec2 from_end = center - glm::dvec2{e.end_x, e.end_y};
+    if (e.has_end() && glm::dot(from_end, glm::dvec2{e.along_x, e.along_y}) > -kPastEnd) {
+      sides.crossed |= 1u << i;
+      continue;
+    }
+    const Sight s = see(e, center);
+    const double bend = std::max({std::abs(s.bend), std::abs(double(e.bend)),
+                                  e.joined ? std::abs(double(e.next.bend)) : 0.0});
+    // Half a block's side along the normal, the bend over its half diagonal, and rounding.
+    const double reach = 2.0 * (std::abs(s.n.x) + std::abs(s.n.y)) + 4.5 * bend + 2e-3 +
+                         double(e.error) + (e.joined ? 3.0 * kMostJointTurn : 0.0);
+    if (std::abs(s.d) <= reach)
+      sides.crossed |= 1u << i;
+    else
+      sides.inside |= std::uint32_t(s.d < 0.0) << i;
+  }
+  return sides;
 }
 
 Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells) {

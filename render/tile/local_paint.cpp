@@ -60,7 +60,7 @@ Bilinear PaintSampler::distance_in(int distance, glm::dvec2 center, double side)
   DistanceLattice& lattice = lattices_[std::size_t(distance)];
   lattice.fill(area, {x, y});
   const int column = int(left - x), row = int(top - y);
-  return bilinear(lattice.corners(column, row), lattice.center(area, column, row));
+  return bilinear(lattice.corners(column, row), lattice.center(column, row));
 }
 
 Bilinear PaintSampler::place_in(const PaintField& field, glm::dvec2 center, double side) {

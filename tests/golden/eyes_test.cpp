@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -106,6 +108,28 @@ TEST(Bulge, Of0IsTheSameBytesAsWithout_C1) {
 }
 
 /// Ball, cornea, bulge and all else times s, seen in a canvas times s: the same picture.
+/// A bulge held at a value is that bulge in the face file.
+TEST(Bulge, HeldAtAValueIsThatBulgeInTheFile_C1) {
+  for (const char* value : {"0", "0.012"}) {
+    std::ifstream file(MIEN_SOURCE_DIR "/faces/toon.face.json");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    const Face face = *read_face_text(text);
+    const std::string name = "\"bulge\": ";
+    const auto at = text.find(name) + name.size();
+    text.replace(at, text.find_first_of(",}", at) - at, value);
+    const Face other = *read_face_text(text);
+    ASSERT_NE(other.vector, face.vector);
+    for (const char* blink : {"blink=0", "blink=0.7", "blink=1"}) {
+      Pose here{.look_at = glm::dvec3{0.4, 0.1, 0.8}}, there = here;
+      here.settings = {*read_setting(face, blink),
+                       *read_setting(face, std::string("eyeball.left/bulge=") + value),
+                       *read_setting(face, std::string("eyeball.right/bulge=") + value)};
+      there.settings = {*read_setting(other, blink)};
+      EXPECT_EQ(pose_face(face, here).vector, pose_face(other, there).vector) << value << blink;
+    }
+  }
+}
+
 TEST(Bulge, ScalesWithThePicture_C1) {
   const Face one = eye_of_size(1, 0.125);
   for (const double s : {0.25, 8.0})

@@ -5,8 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
 #include <ctime>
+#include <filesystem>
+#include <iterator>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "tests/support/effort.h"
 #include "tests/support/face_text.h"
@@ -69,9 +77,10 @@ TEST(JsonTree, StaysFastOnHostileText) {
 }
 
 /// What every text must give: a face whose numbers can all be posed, or one line about it.
-void expect_face_or_sentence(const std::string& text) {
+void expect_face_or_sentence(const std::string& text, long& faces) {
   const Expected<Face> face = read_face_text(text, "f");
   if (face) {
+    ++faces;
     ASSERT_EQ(pose_face(*face, {.time = 0.3}).vector.size(), face->model->layout.size());
   } else {
     const std::string line = sentence(face.error());
@@ -81,28 +90,80 @@ void expect_face_or_sentence(const std::string& text) {
   }
 }
 
-// The smaller ones: each of their bytes is tried.
-constexpr const char* kDamaged[] = {"seed0", "toon", "male"};
+// Damage. The suite tries the smaller faces, a value or so per byte. The long form tries all faces:
+// MIEN_EVERY_BYTE=1 every truncation, and at every byte each of its bits turned and each of kBytes;
+// MIEN_EVERY_BYTE=255 every other value instead (hours).
+// With -DMIEN_LONG_TESTS=ON `ctest -L long` runs the first.
+
+constexpr char kBytes[] = {'\0', '"', '[', '}', '-', '9', 'e', ',', ' ', '\\', '\x80', '\xFF'};
+
+std::vector<std::string> damaged_faces() {
+  if (!std::getenv("MIEN_EVERY_BYTE")) return {"seed0", "toon", "male"};
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(MIEN_SOURCE_DIR "/faces")) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".face.json")) names.push_back(name.substr(0, name.find('.')));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Reads damaged texts, and counts what became of them.
+class Damage {
+ public:
+  void read(const std::string& text) {
+    const std::clock_t start = std::clock();
+    expect_face_or_sentence(text, faces_);
+    slowest_ = std::max(slowest_, seconds_since(start));
+    ++texts_;
+  }
+  void report(const std::string& name, const char* what) const {
+    EXPECT_LT(slowest_, 10) << name;
+    if (std::getenv("MIEN_EVERY_BYTE"))
+      fmt::print("{}: {} {}, {} still faces, the others one line each; slowest {:.3f} s\n", name,
+                 texts_, what, faces_, slowest_);
+  }
+
+ private:
+  long texts_ = 0, faces_ = 0;
+  double slowest_ = 0;
+};
 
 TEST(JsonTree, SurvivesEveryTruncation) {
-  for (const char* name : kDamaged) {
+  const bool every = std::getenv("MIEN_EVERY_BYTE");
+  for (const std::string& name : damaged_faces()) {
     const std::string text = test::text_of_face(name);
-    for (std::size_t length = 0; length < text.size(); length += test::kThinning)
-      expect_face_or_sentence(text.substr(0, length));
+    Damage damage;
+    for (std::size_t length = 0; length < text.size(); length += every ? 1 : test::kThinning)
+      damage.read(text.substr(0, length));
+    damage.report(name, "truncations");
   }
 }
 
 TEST(JsonTree, SurvivesSingleByteChanges) {
-  for (const char* name : kDamaged) {
-    const std::string text = test::text_of_face(name);
-    constexpr char kBytes[] = {'\0', '"', '[', '}', '-', '9', 'e', ',', ' ', '\\', '\x80', '\xFF'};
+  const char* asked = std::getenv("MIEN_EVERY_BYTE");
+  const bool all = asked && std::atoi(asked) == 255;
+  for (const std::string& name : damaged_faces()) {
+    std::string text = test::text_of_face(name);
+    Damage damage;
     std::size_t turn = 0;
-    for (std::size_t at = 0; at < text.size(); at += 3 * test::kThinning) {
-      std::string changed = text;
-      changed[at] = kBytes[turn++ % sizeof kBytes];
-      expect_face_or_sentence(changed);
+    for (std::size_t at = 0; at < text.size(); at += asked ? 1 : 3 * test::kThinning) {
+      const char was = text[at];
+      std::set<char> values;
+      if (!asked) values.insert(kBytes[turn++ % sizeof kBytes]);
+      for (int bit = 0; asked && bit < 8; ++bit) values.insert(char(was ^ (1 << bit)));
+      if (asked) values.insert(std::begin(kBytes), std::end(kBytes));
+      for (int value = 0; all && value < 256; ++value) values.insert(char(value));
+      values.erase(was);
+      for (const char value : values) {
+        text[at] = value;
+        damage.read(text);
+      }
+      text[at] = was;
     }
+    damage.report(name, "changed bytes");
   }
 }
+
 }  // namespace
 }  // namespace mien

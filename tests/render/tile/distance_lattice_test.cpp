@@ -30,14 +30,13 @@ double worst(const AreaDistance& area, DistanceLattice& lattice, glm::dvec2 begi
       for (const int k : {0, 1, 2, 3})
         most = std::max(most,
                         std::abs(corners[std::size_t(k)] - area.at(p + glm::dvec2{k % 2, k / 2})));
-      most = std::max(most, std::abs(lattice.center(area, column, row) - area.at(p + 0.5)));
+      most = std::max(most, std::abs(lattice.center(column, row) - area.at(p + 0.5)));
     }
   return most;
 }
 
-TEST(DistanceLattice, IsTheDistanceSmoothOrNot) {  // G3
+TEST(DistanceLattice, IsTheDistance) {  // G3
   test::Random random(3);
-  int smooth = 0, blocks = 0;
   double most = 0;
   for (int i = 0; i < 60; ++i) {
     const glm::dvec2 a = random.point(-90, 90), b = random.point(-90, 90),
@@ -49,26 +48,19 @@ TEST(DistanceLattice, IsTheDistanceSmoothOrNot) {  // G3
       const Area stroke = build.shape(TaperedStroke{{a, b, c}, {0.1 * r, 0.2 * s, 0.05 * r}});
       return i % 3 == 1 ? stroke : build.either(build.shape(Disc{c, s}), stroke);
     });
-    for (int k = 0; k < 20; ++k, ++blocks) {
+    for (int k = 0; k < 20; ++k) {
       const glm::dvec2 begin{double(kBlock * (random.below(22) - 11)),
                              double(kBlock * (random.below(22) - 11))};
       DistanceLattice lattice;
       lattice.fill(area, begin);
-      smooth += lattice.smooth();
-      const double off = worst(area, lattice, begin);
-      if (!lattice.smooth()) {
-        EXPECT_EQ(off, 0);
-      }
-      most = std::max(most, off);
+      most = std::max(most, worst(area, lattice, begin));
     }
   }
-  EXPECT_LT(most, DistanceLattice::kUnseen);
-  EXPECT_GT(smooth, blocks / 2);
-  EXPECT_LT(smooth, blocks);
+  EXPECT_LT(most, 1e-10);
 }
 
-/// A seam between two half-planes, at every place and angle of a block: seen wherever it bends much.
-TEST(DistanceLattice, SeesKinks) {
+/// A seam between two half-planes, at every place and angle of a block.
+TEST(DistanceLattice, HasEveryKink) {
   test::Random random(4);
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec2 m = random.direction(), n = random.direction();
@@ -79,7 +71,7 @@ TEST(DistanceLattice, SeesKinks) {
     });
     DistanceLattice lattice;
     lattice.fill(area, {0, 0});
-    EXPECT_LT(worst(area, lattice, {0, 0}), DistanceLattice::kUnseen);
+    EXPECT_LT(worst(area, lattice, {0, 0}), 1e-10);
   }
 }
 
@@ -90,10 +82,9 @@ TEST(DistanceLattice, MirroredIsTheSameBits) {
   const AreaDistance left = disc(-13.3), right = disc(13.3);
   DistanceLattice a, b;
   a.fill(left, {-72, 8}), b.fill(right, {64, 8});
-  ASSERT_TRUE(a.smooth());
   for (int row = 0; row < kBlock; ++row)
     for (int column = 0; column < kBlock; ++column) {
-      EXPECT_EQ(a.center(left, column, row), b.center(right, kBlock - 1 - column, row));
+      EXPECT_EQ(a.center(column, row), b.center(kBlock - 1 - column, row));
       const auto one = a.corners(column, row), two = b.corners(kBlock - 1 - column, row);
       EXPECT_EQ(one[0], two[1]);
       EXPECT_EQ(one[2], two[3]);
