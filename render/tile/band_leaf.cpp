@@ -301,10 +301,11 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
       const glm::dvec2 at_pixel = center + glm::dvec2{double(i % 4) - 1.5, double(i / 4) - 1.5};
       varied_ = false;
       std::optional<Mix> mix = described(list, edges, at_pixel, 1.0, kMostPixelBend);
-      if (!mix && !varies_here_ && leaf_wanted_.size() <= kMostInCells)
+      if (!mix && varies_here_) {  // its edges are the present ones
+        if (lit_square(at_pixel, x - leaf_x_, y - leaf_y_, 1)) continue;
+      } else if (!mix && leaf_wanted_.size() <= kMostInCells) {
         mix = cells(at_pixel, 1.0, 0);
-      const bool lit = !mix && varies_here_ && leaf_varies_;
-      if (lit && lit_square(at_pixel, x - leaf_x_, y - leaf_y_, 1)) continue;
+      }
       if (!mix) {
         draw_square(plan_->tape, leaf_layers_, width_, height_, x, y, 1, *target_, *stats_);
         continue;
