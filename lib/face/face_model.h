@@ -29,6 +29,7 @@ struct FaceModel {
   std::vector<Feature> features;  ///< bottom to top
   std::vector<GradientPaint> gradients;
   std::vector<FaceRelief> reliefs;
+  std::vector<FaceSurroundings> surroundings;
   std::vector<FaceGroup> groups;
   FaceLight light;
   std::vector<Channel> channels;  ///< act in this order

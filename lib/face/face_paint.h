@@ -3,6 +3,7 @@
 // everywhere in a face, numbers that can move are slices of the face vector, named by their index.
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,6 +48,23 @@ struct FaceRelief {
   bool sunk = false;                  ///< a dent: heights count downwards
   int specular = -1, shininess = -1;  ///< −1: as Relief has them
   std::vector<FaceDome> domes;
+};
+
+/// What follows a feature's outline at a distance: see sdf/scene/effects.h. Colours are slices.
+struct FaceContour {
+  int color, half_width;
+};
+struct FaceGlow {
+  int color, reach;
+};
+struct FaceShadow {
+  int color, blur;
+  int shift = -1;  ///< −1: right below
+};
+struct FaceSurroundings {
+  std::optional<FaceShadow> shadow;  ///< below the glow, both below the feature
+  std::optional<FaceGlow> glow;
+  std::optional<FaceContour> contour;  ///< over the feature
 };
 
 /// Features that are mixed first and then laid over what is below as one. They stand together.

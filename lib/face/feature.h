@@ -88,8 +88,9 @@ struct Feature {
   int clip = -1;      ///< an EARLIER feature: drawn inside that one's area only; −1: everywhere
   int gradient = -1;  ///< in FaceModel::gradients; −1: none. With one, `paint` is −1
   int relief = -1;    ///< in FaceModel::reliefs; −1: not lit
-  int opacity = -1;   ///< slice of what multiplies the paint's own opacity; −1: 1
-  int group = -1;     ///< in FaceModel::groups; −1: none
+  int surroundings = -1;  ///< in FaceModel::surroundings; −1: none
+  int opacity = -1;       ///< slice of what multiplies the paint's own opacity; −1: 1
+  int group = -1;         ///< in FaceModel::groups; −1: none
 
   bool painted() const { return paint >= 0 || gradient >= 0; }
 };

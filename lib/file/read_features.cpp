@@ -257,7 +257,7 @@ class FeatureReader {
   /// Warns of unknown keys, in the overrides too.
   void check_keys(const Kind& kind) {
     std::vector<std::string_view> known = kind.keys;
-    known.insert(known.end(), {"paint", "opacity", "relief"});
+    known.insert(known.end(), {"paint", "opacity", "relief", "shadow", "glow", "contour"});
     for (const std::string_view side : kSides)
       if (const JsonNode* instead = in_.find(node_, side))
         in_.expect_object(*instead, known, kind.name);
@@ -284,6 +284,10 @@ class FeatureReader {
       feature.opacity = read_opacity(in_, *opacity.node, feature.name + "/opacity", face_);
     if (const auto relief = reader.field("relief"); relief.node)
       feature.relief = read_relief(in_, *relief.node, {feature.name, side, relief.mirrored}, face_);
+    const SurroundingNodes around{reader.field("shadow").node, reader.field("glow").node,
+                                  reader.field("contour").node};
+    if (around.shadow || around.glow || around.contour)
+      feature.surroundings = read_surroundings(in_, around, feature.name, side, face_);
     if (const JsonNode* group = in_.find(node_, "group"))
       feature.group = group_named(in_, *group, face_);
     if (const JsonNode* clip = in_.find(node_, "clip")) feature.clip = read_clip(*clip, side);

@@ -162,6 +162,34 @@ int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, Face
   return int(face.model.reliefs.size()) - 1;
 }
 
+int read_surroundings(Reading& in, const SurroundingNodes& nodes, const std::string& feature,
+                      Side side, FaceDraft& face) {
+  const PaintPlace place{feature, side,
+                         false};  // lengths have no mirror; one lamp casts all shadows
+  FaceSurroundings made;
+  const auto color = [&](const JsonNode& node) {
+    return read_paint(in, in.need(node, "color"), face);
+  };
+  if (const JsonNode* shadow = nodes.shadow) {
+    in.expect_object(*shadow, {"color", "blur", "shift"}, "shadow");
+    PartReader numbers(in, face, place, *shadow, feature + "/shadow");
+    made.shadow = FaceShadow{color(*shadow), numbers.divisor("blur", 1),
+                             numbers.optional("shift", SliceKind::shift, 2)};
+  }
+  if (const JsonNode* glow = nodes.glow) {
+    in.expect_object(*glow, {"color", "reach"}, "glow");
+    PartReader numbers(in, face, place, *glow, feature + "/glow");
+    made.glow = FaceGlow{color(*glow), numbers.divisor("reach", 1)};
+  }
+  if (const JsonNode* contour = nodes.contour) {
+    in.expect_object(*contour, {"color", "half_width"}, "contour");
+    PartReader numbers(in, face, place, *contour, feature + "/contour");
+    made.contour = FaceContour{color(*contour), numbers.slice("half_width", SliceKind::length, 1)};
+  }
+  face.model.surroundings.push_back(made);
+  return int(face.model.surroundings.size()) - 1;
+}
+
 void read_groups(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect(node, JsonKind::object);
   in.for_each(node, [&](const JsonNode& child, int) {

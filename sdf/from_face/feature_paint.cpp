@@ -110,4 +110,22 @@ Paint paint_of(const Feature& feature, const Face& face, Area own) {
   return paint;
 }
 
+Surroundings surroundings_of(const Feature& feature, const Face& face) {
+  Surroundings made;
+  if (feature.surroundings < 0) return made;
+  const FaceSurroundings& given = face.model->surroundings[std::size_t(feature.surroundings)];
+  const Numbers n(face);
+  if (given.shadow)
+    made.shadow = SoftShadow{
+        .color = color_of(face, given.shadow->color),
+        .blur = std::max(n(given.shadow->blur), kLeast),
+        .shift = given.shadow->shift < 0 ? glm::dvec2{0.0} : n.point(given.shadow->shift)};
+  if (given.glow)
+    made.glow = Glow{.color = color_of(face, given.glow->color),
+                     .reach = std::max(n(given.glow->reach), kLeast)};
+  if (given.contour && n(given.contour->half_width) > 0)
+    made.contour = {color_of(face, given.contour->color), n(given.contour->half_width)};
+  return made;
+}
+
 }  // namespace mien

@@ -3,7 +3,10 @@
 
 #include <mien/lib/face/face.h>
 #include <mien/lib/face/feature.h>
+#include <mien/sdf/scene/effects.h>
 #include <mien/sdf/scene/scene.h>
+
+#include <optional>
 
 namespace mien {
 
@@ -12,6 +15,18 @@ Color color_of(const Face& face, int slice);
 
 /// `own` is the area of the feature's figure, not clipped: what its gradients and relief count from.
 Paint paint_of(const Feature& feature, const Face& face, Area own);
+
+/// What follows a feature's outline.
+struct Surroundings {
+  struct Contour {
+    Color color;
+    double half_width;
+  };
+  std::optional<SoftShadow> shadow;
+  std::optional<Glow> glow;
+  std::optional<Contour> contour;
+};
+Surroundings surroundings_of(const Feature& feature, const Face& face);
 
 /// What a slice of one number holds, at most 1; 1 without a slice.
 double opacity_of(const Face& face, int slice);

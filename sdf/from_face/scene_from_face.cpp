@@ -88,8 +88,14 @@ void draw_face(const Face& face, SceneBuilder& build) {
       }
     }
     areas.add(i);
+    const Surroundings around = surroundings_of(feature, face);
+    if (around.shadow) soft_shadow(build, feature.name + "/shadow", areas.of(i), *around.shadow);
+    if (around.glow) glow(build, feature.name + "/glow", areas.of(i), *around.glow);
     if (feature.painted())
       build.layer(feature.name, areas.of(i), paint_of(feature, face, areas.figure(i)));
+    if (around.contour)
+      build.layer(feature.name + "/contour",
+                  contour(build, areas.of(i), around.contour->half_width), {around.contour->color});
   }
   if (group >= 0) build.close_group();
 }

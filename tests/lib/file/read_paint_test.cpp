@@ -83,6 +83,23 @@ TEST(ReadPaint, ReadsReliefsAndTheLight) {  // G3, C
   EXPECT_EQ(face.model->light.ambient, 0.2);
 }
 
+TEST(ReadPaint, ReadsWhatFollowsAnOutline) {
+  const Face face = read(face_with(disc_with(
+      R"("paint": "black", "shadow": {"color": "black", "blur": 0.1, "shift": [0.02, -0.03]},
+                   "glow": {"color": "skin", "reach": 0.2}, "right": {"glow": {"color": "skin", "reach": 0.3}})")));
+  ASSERT_EQ(face.model->surroundings.size(), 2u);
+  EXPECT_EQ(number(face, "iris.left/shadow/shift", 0), 0.02);
+  EXPECT_EQ(number(face, "iris.right/shadow/shift", 0), 0.02);  // one lamp
+  EXPECT_EQ(number(face, "iris.left/glow/reach", 0), 0.2);
+  EXPECT_EQ(number(face, "iris.right/glow/reach", 0), 0.3);
+  EXPECT_FALSE(face.model->surroundings[0].contour);
+  EXPECT_EQ(said(face_with(disc_with(R"("glow": {"color": "skin", "reach": 0})"))),
+            "f:3:135: /features/0/glow/reach: expected more than 0");
+  EXPECT_EQ(said(face_with(disc_with(R"("contour": {"color": "skn", "half_width": 0.1})"))),
+            "f:3:121: /features/0/contour/color: no palette colour named \"skn\"; did you mean "
+            "\"skin\"?");
+}
+
 const std::string kHead =
     R"({"name": "head", "kind": "disc", "paint": "skin", "center": [0, 0], "radius": 0.9})";
 const std::string kLens =

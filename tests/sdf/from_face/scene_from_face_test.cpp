@@ -320,6 +320,26 @@ TEST(SceneFromFace, PaintsWithGradients_E13) {
   EXPECT_EQ(paint.gradient->extend, Extend::repeat);
 }
 
+TEST(SceneFromFace, DrawsWhatFollowsAnOutline) {
+  const Scene scene = scene_with(
+      R"({"name": "eye", "kind": "disc", "center": [0, 0], "radius": 0.5, "paint": "ink",
+          "shadow": {"color": "ink", "blur": 0.1, "shift": [0.2, 0]}, "glow": {"color": "ink", "reach": 0.3},
+          "contour": {"color": "ink", "half_width": 0.05}})");
+  ASSERT_EQ(scene.layers().size(), 4u);
+  std::vector<std::string> names;
+  for (const Layer& layer : scene.layers()) names.push_back(layer.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"eye/shadow", "eye/glow", "eye", "eye/contour"}));
+  const auto& shadow = std::get<DistanceGradient>(scene.layers()[0].paint.gradient->along);
+  EXPECT_NEAR(scene.distance(shadow.area, {0.7, 0}), 0, 1e-15);
+  EXPECT_EQ(std::get<DistanceGradient>(scene.layers()[1].paint.gradient->along).to, 0.3);
+  EXPECT_NEAR(scene.distance(scene.layers()[3].area, {0.55, 0}), 0, 1e-15);
+  EXPECT_NEAR(scene.distance(scene.layers()[3].area, {0.5, 0}), -0.05, 1e-15);
+  const Scene thin = scene_with(
+      R"({"name": "eye", "kind": "disc", "center": [0, 0], "radius": 0.5,
+          "contour": {"color": "ink", "half_width": 0}})");
+  EXPECT_TRUE(thin.layers().empty());
+}
+
 TEST(SceneFromFace, LeavesOutReliefsThatDoNotRise_G3_C1) {
   const auto paint = [](const std::string& relief) {
     return scene_with(
