@@ -315,17 +315,13 @@ void BandPainter::pixel_by_pixel(glm::dvec2 center, int block_x, int block_y) {
     }
 }
 
-/// A square of the present leaf in which light on a profile or a group is seen, its edges assembled, in vectors; its first
+/// A square of the present leaf in which a colour varies or a group is seen, its edges assembled, in vectors; its first
 /// pixel. False: not this way.
 bool BandPainter::lit_square(glm::dvec2 shift, int leaf_x, int leaf_y, int side) {
   if (target_->depth != Depth::u8) return false;
   square_layers_.clear();
   const auto all = std::uint32_t((std::uint64_t{1} << (1 << leaf_.edge_count)) - 1);
   bool wanted = false;
-  const auto follows_outline = [&](int paint) {  // domes alone hardly vary within a pixel
-    const auto& relief = plan_->tape.paints[std::size_t(paint)].relief;
-    return relief && relief->distance >= 0 && relief->profile != Profile::flat;
-  };
   for (const int layer : leaf_layers_) {
     const TapeLayer& l = plan_->tape.layers[std::size_t(layer)];
     const std::span<const Step> steps{plan_->tape.steps.data() + l.first, std::size_t(l.count)};
@@ -337,7 +333,7 @@ bool BandPainter::lit_square(glm::dvec2 shift, int leaf_x, int leaf_y, int side)
     if (l.paint >= 0)
       if (const auto mix = paints_->constant(l.paint, leaf_center_ + shift, kSqrtHalf * side))
         seen.mix = *mix, seen.paint = -1;
-    wanted |= seen.group >= 0 || (seen.paint >= 0 && follows_outline(seen.paint));
+    wanted |= seen.group >= 0 || seen.paint >= 0;
     square_layers_.push_back(seen);
   }
   const int x = leaf_x_ + leaf_x, y = leaf_y_ + leaf_y;
