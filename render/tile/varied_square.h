@@ -102,6 +102,7 @@ class VariedSquare {
   LocalPaint local_of(const Paint& paint, const Cell& cell);
   std::uint32_t paints_of(std::uint32_t active, std::uint32_t base) const;
   int name(const Cell& cell);
+  bool put_right(const LeafView::Sight& edge, double side);
   void sample(std::uint32_t sides, glm::dvec2 at, double weight, int cell, int pixel);
   void sample_gauss(std::uint32_t sides, glm::dvec2 center, double side, double weight, int cell,
                     int pixel);
@@ -124,6 +125,7 @@ class VariedSquare {
   std::vector<double> kinks_;
   std::vector<Cut> cuts_;  ///< of the cell at hand, where its paints have kinks
   std::vector<Cut> all_cuts_;
+  double in_share_ = 1, out_share_ = 1;  ///< what pieces inside and outside the only edge count for
   Arrangement arrangement_;
   std::array<std::vector<float>, 4> colors_;
   std::array<Mix, kLeaf * kLeaf> sums_;
