@@ -213,9 +213,6 @@ void BandPainter::leaf(int lane) {
   leaf_layers_.clear();
   for (const Seen& s : tile_.seen)
     if ((s.in | s.unknown) >> lane & 1u) leaf_layers_.push_back(s.layer);
-  leaf_varies_ = !plan_->plain && std::ranges::any_of(leaf_layers_, [&](int layer) {
-    return !plan_->tape.layers[std::size_t(layer)].plain();
-  });
   leaf_wanted_.clear();
   leaf_list_.clear();
   for (std::size_t i = 0; i < wanted_outlines_.size(); ++i)
@@ -234,7 +231,7 @@ void BandPainter::leaf(int lane) {
     paint(0xFFFF);
   else if (!varies_here_)
     divide({0.0, 0.0}, kLeaf, 0, 0);
-  else if (!lit_square({0.0, 0.0}, 0, 0, kLeaf) && !paint_varied({0.0, 0.0}, kLeaf, 0xFFFF))
+  else if (!lit_square({0.0, 0.0}, 0, 0, kLeaf))
     sure_square(0, 0, kLeaf);
 }
 

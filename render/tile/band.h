@@ -100,8 +100,6 @@ class BandPainter {
   std::optional<Mix> described(std::span<const LeafOutline> outlines,
                                std::span<const LeafEdge> edges, glm::dvec2 shift, double side,
                                double most_bend);
-  std::optional<Mix> varied_pixel(const PixelSides& sides, std::size_t i);
-  bool paint_varied(glm::dvec2 center, double side, std::uint32_t blocks);
   void put(const Mix& mix, int x, int y);
 
   void paint(std::uint32_t blocks);
@@ -145,7 +143,6 @@ class BandPainter {
   std::vector<LeafEdge> edges_;
   std::vector<OutlineInLeaves> leaf_outlines_;  // by place in wanted_outlines_
   std::vector<int> leaf_wanted_;                // places of the present leaf
-  bool leaf_varies_ = false;                    // some of the present leaf's layers are not plain
   bool varies_here_ = false;                    // why assemble said no
   std::optional<PaintSampler> paints_;
   std::optional<VariedSquare> lit_;
@@ -154,7 +151,6 @@ class BandPainter {
   glm::dvec2 look_center_{};
   double look_side_ = 1;
   bool varied_ = false;  ///< the pixel at hand shows a gradient
-  PixelSides pixel_sides_;
   std::vector<LeafOutline> leaf_list_;
   static constexpr int kCellLevels = 3;
   std::array<Parts, 3 + kCellLevels> parts_;  // of leaves, of their quarters, pixels, and cells

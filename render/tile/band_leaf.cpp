@@ -254,15 +254,13 @@ void BandPainter::divide(glm::dvec2 center, int side, int block_x, int block_y) 
   for (int q = 0; q < 4; ++q) {
     const int x = block_x + (q & 1) * step, y = block_y + (q >> 1) * step;
     for (std::size_t i = 0; i < list.size(); ++i) parts.list[i] = found[i][std::size_t(q)];
-    std::uint32_t blocks = 0;
-    for (int j = y; j < y + half / 4; ++j)
-      for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
     if (assemble(list, edges, centers[std::size_t(q)], half, kMostLeafBend)) {
+      std::uint32_t blocks = 0;
+      for (int j = y; j < y + half / 4; ++j)
+        for (int i = x; i < x + half / 4; ++i) blocks |= 1u << (4 * j + i);
       paint(blocks);
     } else if (varies_here_) {
-      const glm::dvec2 c = centers[std::size_t(q)];
-      if (!lit_square(c, 4 * x, 4 * y, half) && !paint_varied(c, half, blocks))
-        sure_square(x, y, half);
+      if (!lit_square(centers[std::size_t(q)], 4 * x, 4 * y, half)) sure_square(x, y, half);
     } else {
       divide(centers[std::size_t(q)], half, x, y);
     }

@@ -1,4 +1,5 @@
-// Leaves whose outlines are described and whose colours vary: gradients under edges.
+// Pixels and parts of pixels that have edges of their own, and in which colours vary. (Whole leaves are
+// varied_square.h's.)
 //
 // In a pixel a gradient is nearly linear. The mean over a piece of it is then the colour of the pixel's mean
 // place, but for how far the piece's middle lies from the pixel's: at most a quarter of what the colour
@@ -156,7 +157,8 @@ bool BandPainter::color_varied(glm::dvec2 center, double side, std::uint32_t bas
 /// that may cross it, `base`: inside which of the others it lies.
 std::optional<Mix> BandPainter::varied_square(glm::dvec2 center, double side, std::uint32_t asked,
                                               std::uint32_t base) {
-  asked = crossing_edges(leaf_, center.x, center.y, side, asked, base);
+  const LeafView seen = see_square(leaf_, center, side, plan_->tolerance, asked, base);
+  asked = seen.active | seen.with_end, base = seen.base & ~seen.with_end;
   if (!asked) {
     look_at(center, side);
     if (const auto mix = whole(int(base))) return mix;
@@ -184,25 +186,6 @@ std::optional<Mix> BandPainter::whole(int sides) {
   return seen->mix;
 }
 
-/// The mean colour of one pixel of a leaf; nothing where only the sure way knows.
-std::optional<Mix> BandPainter::varied_pixel(const PixelSides& sides, std::size_t i) {
-  const glm::dvec2 center{double(i % kLeaf) - 7.5, double(i / kLeaf) - 7.5};
-  const std::uint32_t inside = sides.inside[i], crossed = sides.crossed[i];
-  if (sides.in_parts[i]) return varied_square(center, 1.0, crossed, inside);
-  look_at(center, 1.0);
-  if (leaf_.same[inside] == leaf_.same[inside | crossed]) {
-    if (const auto mix = whole(int(inside))) return mix;
-    return varied_square(center, 1.0, 0, inside);
-  }
-  const auto out = look(int(inside)), in = look(int(inside | crossed));
-  if (!out || !in) return {};
-  varied_ = out->varied || in->varied;
-  if (!mixes(in->change + out->change, in->bent + out->bent, glm::min(in->mix, out->mix)))
-    return varied_square(center, 1.0, (1u << leaf_.edge_count) - 1u, 0);  // ends show in parts
-  const double area = double(sides.area[i]);
-  return area * in->mix + (1.0 - area) * out->mix;
-}
-
 /// The mean colour of a part of the leaf, a pixel or less, where its outlines are described and its colours hardly
 /// vary; nothing else.
 std::optional<Mix> BandPainter::described(std::span<const LeafOutline> outlines,
@@ -212,29 +195,6 @@ std::optional<Mix> BandPainter::described(std::span<const LeafOutline> outlines,
     return square(shift, side, (1u << leaf_.edge_count) - 1u, 0) / 255.0;
   if (!varies_here_ || !see_layers(shift, side)) return {};
   return varied_square(shift, side, (1u << leaf_.edge_count) - 1u, 0);
-}
-
-/// Draws blocks of the present leaf in colours that vary. False where only the sure way knows.
-bool BandPainter::paint_varied(glm::dvec2 center, double side, std::uint32_t blocks) {
-  if (!see_layers(center, side)) return false;
-  see_leaf(leaf_, blocks, pixel_sides_);
-  const PixelRect part = visible({leaf_x_, leaf_y_, kLeaf, kLeaf});
-  for (int y = part.y; y < part.y + part.height; ++y)
-    for (int x = part.x; x < part.x + part.width; ++x) {
-      const int px = x - leaf_x_, py = y - leaf_y_;
-      if (!(blocks >> (py / 4 * 4 + px / 4) & 1u)) continue;
-      varied_ = false;
-      const auto mix = varied_pixel(pixel_sides_, std::size_t(py * kLeaf + px));
-      if (!mix) {
-        draw_square(plan_->tape, leaf_layers_, width_, height_, x, y, 1, *target_, *stats_);
-        continue;
-      }
-      put(*mix, x, y);
-      ++(varied_                                              ? stats_->varied_pixels
-         : pixel_sides_.crossed[std::size_t(py * kLeaf + px)] ? stats_->one_edge_pixels
-                                                              : stats_->fill_pixels);
-    }
-  return true;
 }
 
 void BandPainter::put(const Mix& mix, int x, int y) {

@@ -45,16 +45,6 @@ struct LeafPixels {
 void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
                 LeafPixels& left);
 
-/// Where a leaf's pixels lie, by y · 16 + x; bits by edge.
-struct PixelSides {
-  std::array<std::uint8_t, kLeaf * kLeaf> inside, crossed;
-  std::array<float, kLeaf * kLeaf> area;     ///< inside the edges that cross: they are one outline
-  std::array<bool, kLeaf * kLeaf> in_parts;  ///< one area does not say; `crossed`: edges that may
-};
-
-/// What paint_leaf would find, without the colours.
-void see_leaf(const Leaf& leaf, std::uint32_t blocks, PixelSides& out);
-
 /// What a square of a leaf sees of its edges.
 struct LeafView {
   struct Sight {
@@ -88,9 +78,6 @@ Mix leaf_square(const Leaf& leaf, double x, double y, double side, std::uint32_t
 /// The pixel around (x, y).
 Mix leaf_pixel(const Leaf& leaf, double x, double y, double tolerance, long long& cells);
 
-/// Those of the edges `asked` that may cross a square; inside which of the others it lies is added to `base`.
-std::uint32_t crossing_edges(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
-                             std::uint32_t& base);
 /// leaf_square in vectors, to the precision of 8 bits. The colours must be opaque.
 Mix square_in_parts(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
                     std::uint32_t base);

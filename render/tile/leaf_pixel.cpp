@@ -48,22 +48,6 @@ class LeafSquare {
   LeafSquare(const Leaf& leaf, double tolerance, long long& cells)
       : leaf_(leaf), tolerance_(tolerance), cells_(cells) {}
 
-  /// What crossing_edges says.
-  static std::uint32_t crossing(const Leaf& leaf, glm::dvec2 center, double side,
-                                std::uint32_t asked, std::uint32_t& base) {
-    std::uint32_t active = 0;
-    for (; asked; asked &= asked - 1) {
-      const int i = std::countr_zero(asked);
-      const LeafEdge& e = leaf.edges[std::size_t(i)];
-      const Sight s = see(e, center);
-      if (std::abs(s.d) <= reach_of(s, side) || (e.has_end() && at_line(e, center, side)))
-        active |= 1u << i;
-      else
-        base |= std::uint32_t(s.d < 0.0) << i;
-    }
-    return active;
-  }
-
   /// What see_square says.
   static LeafView view(const Leaf& leaf, glm::dvec2 center, double side, double tolerance,
                        std::uint32_t asked, std::uint32_t base) {
@@ -200,11 +184,6 @@ class LeafSquare {
 Mix leaf_square(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
                 std::uint32_t base, double tolerance, long long& cells) {
   return LeafSquare(leaf, tolerance, cells).mean({x, y}, side, 0, asked, base);
-}
-
-std::uint32_t crossing_edges(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,
-                             std::uint32_t& base) {
-  return LeafSquare::crossing(leaf, {x, y}, side, asked, base);
 }
 
 LeafView see_square(const Leaf& leaf, glm::dvec2 center, double side, double tolerance,

@@ -348,34 +348,6 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
   SimpleBlocks<kLinear>(leaf, simple, simple_count, pixels, stride);
 }
 
-/// paint_leaf without colours.
-void SeeLeaf(const Leaf& leaf, std::uint32_t blocks, PixelSides& out) {
-  BlockSides sides[Leaf::kMostEdges];
-  for (int e = 0; e < leaf.edge_count; ++e) sides[e] = PlaceBlocks(leaf.edges[std::size_t(e)]);
-  for (; blocks; blocks &= blocks - 1) {
-    const int b = std::countr_zero(blocks);
-    BlockView view = {};
-    std::uint32_t base = 0, active = 0;
-    Use uses[Leaf::kMostEdges];
-    for (int e = 0; e < leaf.edge_count; ++e) {
-      const std::uint32_t near = sides[e].crossed >> b & 1u;
-      active |= near << e;
-      base |= (sides[e].inside >> b & 1u & ~near) << e;
-      if (near) uses[e] = UseOf(leaf.edges[std::size_t(e)], kBlocks.x[b], kBlocks.y[b]);
-    }
-    if (active)
-      SeeBlock(leaf, active, base, uses, b, view);
-    else
-      for (std::int32_t& in : view.inside) in = std::int32_t(base);
-    for (size_t p = 0; p < kBlock; ++p) {
-      const auto at = size_t(b / 4 * 4 + int(p) / 4) * kLeaf + size_t(b % 4 * 4 + int(p) % 4);
-      out.inside[at] = std::uint8_t(view.inside[p]),
-      out.crossed[at] = std::uint8_t(view.crossed[p]);
-      out.area[at] = view.area[p], out.in_parts[at] = view.in_parts >> p & 1u;
-    }
-  }
-}
-
 void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
                LeafPixels& left) {
   if (leaf.blend == Blend::linear)
@@ -399,16 +371,11 @@ namespace mien {
 namespace batch {
 HWY_EXPORT(PaintLeaf);
 HWY_EXPORT(SquareInParts);
-HWY_EXPORT(SeeLeaf);
 }  // namespace batch
 
 void paint_leaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, std::size_t stride,
                 LeafPixels& left) {
   HWY_DYNAMIC_DISPATCH(batch::PaintLeaf)(leaf, blocks, pixels, stride, left);
-}
-
-void see_leaf(const Leaf& leaf, std::uint32_t blocks, PixelSides& out) {
-  HWY_DYNAMIC_DISPATCH(batch::SeeLeaf)(leaf, blocks, out);
 }
 
 Mix square_in_parts(const Leaf& leaf, double x, double y, double side, std::uint32_t asked,

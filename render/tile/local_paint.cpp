@@ -7,20 +7,6 @@
 namespace mien {
 namespace {
 
-/// Written so that a mirrored picture gives exactly mirrored numbers. The mean is that of the
-/// quadratic through the five values: 2/3 of the centre and 1/3 of the corners, since the corners
-/// are twice as far from it as the square's own second moment (1/4 + 1/4 against 1/12 + 1/12, times
-/// 1/3).
-Bilinear bilinear(const std::array<double, 4>& c, double center) {
-  const double left = c[0] + c[2], right = c[1] + c[3], top = c[0] + c[1], bottom = c[2] + c[3];
-  const double corners = 0.25 * (left + right);
-  return {.mean = (2.0 * center + corners) / 3.0,
-          .x = 0.5 * (right - left),
-          .y = 0.5 * (bottom - top),
-          .xy = (c[0] + c[3]) - (c[1] + c[2]),
-          .residual = std::abs(center - corners)};
-}
-
 /// The lines of the square along which a bilinear function takes a value, as cuts; the bilinear
 /// term left out.
 void add_cuts(const Bilinear& f, std::span<const double> values, std::vector<Cut>& cuts) {
@@ -31,6 +17,16 @@ void add_cuts(const Bilinear& f, std::span<const double> values, std::vector<Cut
 }
 
 }  // namespace
+
+Bilinear bilinear(const std::array<double, 4>& c, double center) {
+  const double left = c[0] + c[2], right = c[1] + c[3], top = c[0] + c[1], bottom = c[2] + c[3];
+  const double corners = 0.25 * (left + right);
+  return {.mean = (2.0 * center + corners) / 3.0,
+          .x = 0.5 * (right - left),
+          .y = 0.5 * (bottom - top),
+          .xy = (c[0] + c[3]) - (c[1] + c[2]),
+          .residual = std::abs(center - corners)};
+}
 
 glm::dvec2 LocalPaint::slope(glm::dvec2 u) const {
   const glm::dvec2 gradient{(distance.x + distance.xy * u.y) / side,

@@ -28,6 +28,12 @@ struct Bilinear {
   }
 };
 
+/// From a function's values at a square's corners (by y, then x) and centre. Written so that a mirrored picture gives
+/// exactly mirrored numbers. The mean is that of the quadratic through the five values: 2/3 of the centre and 1/3 of
+/// the corners, since the corners are twice as far from it as the square's own second moment (1/4 + 1/4 against
+/// 1/12 + 1/12, times 1/3).
+Bilinear bilinear(const std::array<double, 4>& corners, double center);
+
 /// A paint in a square.
 struct LocalPaint {
   const TapePaint* paint;
