@@ -24,15 +24,30 @@ double largest(const glm::dvec4& v) {
 constexpr double kGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
 constexpr double kGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
+/// The one change of sign between a and b: the secant of the ends, of which one that stays twice counts half.
+double root_between(const std::function<double(double)>& f, double a, double fa, double b,
+                    double fb) {
+  constexpr double kNear = 1e-13;  // [px]
+  double weight_a = fa, weight_b = fb;
+  for (int i = 0; i < 60 && b - a > kNear; ++i) {
+    const double secant = a + (b - a) * (weight_a / (weight_a - weight_b));
+    const double m = i % 8 == 7 || !(secant > a && secant < b)  // a jump or a flat: halves
+                         ? 0.5 * (a + b)
+                         : std::clamp(secant, a + 0.4 * kNear, b - 0.4 * kNear);
+    const double fm = f(m);
+    if ((fm <= 0) == (fa <= 0)) {
+      a = m, weight_a = fm, weight_b *= 0.5;
+    } else {
+      b = m, weight_b = fm, weight_a *= 0.5;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
 void find_between(const std::function<double(double)>& f, double lipschitz, double a, double fa,
                   double b, double fb, double shortest, std::vector<double>& out) {
   if (b - a < shortest) {
-    if ((fa <= 0) == (fb <= 0)) return;
-    for (int i = 0; i < 34; ++i) {
-      const double m = 0.5 * (a + b);
-      ((f(m) <= 0) == (fa <= 0) ? a : b) = m;
-    }
-    out.push_back(0.5 * (a + b));
+    if ((fa <= 0) != (fb <= 0)) out.push_back(root_between(f, a, fa, b, fb));
     return;
   }
   const double m = 0.5 * (a + b), fm = f(m);
@@ -133,7 +148,7 @@ glm::dvec4 ExactTruth::color(const Square& square, glm::dvec2 p) const {
 }
 
 ExactTruth::Square ExactTruth::square(int x, int y) const {
-  Square square{{}, double(x), double(y)};
+  Square square{{}, double(x), double(y), {}};
   const glm::dvec2 center = face(x + 0.5, y + 0.5);
   const double radius = 0.70711 * unit_;
   for (int i = 0; i < int(scene_.layers().size()); ++i) {
@@ -253,8 +268,12 @@ ExactTruth::Rows ExactTruth::rows(const Square& square, double top, double botto
     rows.alike &= k == 0 || order == rows.order;
     rows.order = order;
   }
-  for (const double y : {top, bottom})
-    rows.alike = rows.alike && order_along(square, ends_of(square, y), y) == rows.order;
+  for (const double y : {top, bottom}) {
+    if (!rows.alike) break;
+    const auto [known, is_new] = square.orders.try_emplace(y);
+    if (is_new) known->second = order_along(square, ends_of(square, y), y);
+    rows.alike = known->second == rows.order;
+  }
   return rows;
 }
 

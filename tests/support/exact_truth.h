@@ -3,7 +3,7 @@
 // blended in linear light are judged by.
 //
 // Along a horizontal line every layer is a set of spans. Their ends are where Scene::distance
-// changes sign: found by bisection, missing none longer than kShortest, since that distance is
+// changes sign: found by halving, missing none longer than kShortest, since that distance is
 // 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two ends the
 // visible colour is smooth, but for a gradient's kinks, which are found in the same way; there
 // Gauss's rule integrates it. Across the lines the integral is adaptive, from 72 lines a pixel on, and finer where layers come or go: what is
@@ -20,6 +20,7 @@
 #include <glm/vec4.hpp>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace mien::test {
@@ -46,6 +47,7 @@ class ExactTruth {
   struct Square {
     std::vector<Seen> seen;  ///< bottom to top
     double x, y;             ///< its left and upper edge [px]
+    mutable std::unordered_map<double, std::size_t> orders;  ///< of lines strips share
   };
 
   Square square(int x, int y) const;
