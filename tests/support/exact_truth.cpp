@@ -242,6 +242,17 @@ bool ExactTruth::plain(const Square& square) const {
   });
 }
 
+/// Whether a colour in the pixel jumps, along a line that may cut a corner off and be missed by few lines.
+bool ExactTruth::jumps(const Square& square) const {
+  return std::any_of(square.seen.begin(), square.seen.end(), [&](const Seen& seen) {
+    const auto& g = scene_.layers()[std::size_t(seen.layer)].paint.gradient;
+    if (!g) return false;
+    const auto same = [](const Stop& a, const Stop& b) { return a.at == b.at; };
+    return g->extend == Extend::repeat ||
+           std::adjacent_find(g->stops.begin(), g->stops.end(), same) != g->stops.end();
+  });
+}
+
 /// Which layers are where along the line, as a number: a line on which they are otherwise has most
 /// probably another one.
 std::size_t ExactTruth::order_along(const Square& square, const std::vector<double>& ends,
@@ -295,10 +306,10 @@ glm::dvec4 ExactTruth::pixel(int x, int y) const {
       std::all_of(s.seen.begin(), s.seen.end(), [](const Seen& seen) { return seen.whole; });
   if (whole && plain(s)) return color(s, face(x + 0.5, y + 0.5));
   constexpr int kDepth = 16;
-  const int kStrips = whole ? 2 : 24;
+  const int strips = whole && !jumps(s) ? 2 : 24;
   glm::dvec4 sum{0.0};
-  for (int i = 0; i < kStrips; ++i) {
-    const double top = y + double(i) / kStrips, bottom = y + double(i + 1) / kStrips;
+  for (int i = 0; i < strips; ++i) {
+    const double top = y + double(i) / strips, bottom = y + double(i + 1) / strips;
     sum += refined(s, top, bottom, rows(s, top, bottom), kDepth);
   }
   return sum;

@@ -67,6 +67,7 @@ class ExactTruth {
   glm::dvec4 refined_span(const Square& square, double a, double b, double y, glm::dvec4 coarse,
                           int depth) const;
   bool plain(const Square& square) const;
+  bool jumps(const Square& square) const;
   glm::dvec4 color(const Square& square, glm::dvec2 p) const;
   glm::dvec4 paint(const Layer& layer, glm::dvec2 p) const;
   double place(const Gradient& gradient, glm::dvec2 p) const;
