@@ -4,46 +4,13 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mien/sdf/edge/curve_leaves_simd.cpp"
 #include <hwy/foreach_target.h>
-#include <mien/sdf/batch/fma-inl.h>
 #include <mien/sdf/edge/leaf_edges.h>
+#include <mien/sdf/edge/leaf_remainder-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-
-HWY_INLINE V Set(double x) {
-  return hn::Set(D(), x);
-}
-
-/// How far along the tangent a leaf's points lie from its centre, and so from the foot: a square's half side
-/// times |n.x| + |n.y|. From 0.71 to 1 of the radius; its fifth power is what counts.
-HWY_INLINE V Along(V nx, V ny, double radius) {
-  constexpr double kHalfSide = 0.70710678118654757;
-  return hn::Mul(hn::Add(hn::Abs(nx), hn::Abs(ny)), Set(kHalfSide * radius));
-}
-
-/// A bound on how far the outline leaves circle + (c3 X³ + c4 X⁴)(1 + (bend X)²/2) for |X| <= along, from its
-/// curvature's first two changes per arc at the foot and a bound on the third over the leaf.
-HWY_INLINE V Remainder(V bend, V change, V change2, V change3, V along) {
-  const V turn = hn::Mul(hn::Abs(bend), along), turn2 = hn::Mul(turn, turn);
-  // Arc length over |X|: asin(z)/z <= 1 + z²/4 for z <= 0.7.
-  const V s = hn::Mul(along, Fused(turn2, Set(0.25), Set(1.0)));
-  const V s2 = hn::Mul(s, s), s4 = hn::Mul(s2, s2), s5 = hn::Mul(s4, s);
-  const V k2 = hn::Mul(bend, bend);
-  const V cross = Fused(hn::Abs(change2), hn::Mul(s, Set(0.5)), hn::Abs(change));
-  // Products of the change with itself: its turn, s² change/2, acting over its own displacement.
-  const V self = hn::Mul(hn::Mul(hn::Mul(change, change), s5), hn::Mul(turn, s));
-  // What 1 + (bend X)²/2 leaves of X against arc length: 0.0083 and, next, below 0.06 (bend X)².
-  const V slip = Fused(turn2, Set(0.08), Set(0.012));
-  const V sum = Fused(hn::Mul(hn::Mul(slip, k2), cross), s5,
-                      Fused(change3, hn::Mul(s5, Set(1.0 / 120)), hn::Mul(self, Set(0.05))));
-  const V unproven = Set(kUnproven);
-  return hn::IfThenElse(hn::Le(turn, Set(0.7)), hn::Mul(sum, Set(1.25)), unproven);
-}
 
 HWY_INLINE std::uint32_t Bits(hn::Mask<D> m) {
   std::uint8_t bytes[8] = {};
@@ -51,34 +18,31 @@ HWY_INLINE std::uint32_t Bits(hn::Mask<D> m) {
   return bytes[0] & ((1u << hn::Lanes(D())) - 1u);
 }
 
-/// The outline at `level` of a curve with curvature k, changing by k1, k2 and at most k3 per arc.
-struct OutlineBends {
-  V k, k1, k2, k3;
-};
-HWY_INLINE V StoreLevel(const OutlineBends& c, V level, V toward, V along, CurveLeaves::Level& out,
-                        size_t i) {
+HWY_INLINE void StoreLevel(const Bends& c, V toward, const Extent& extent, hn::Mask<D> steady,
+                           CurveLeaves::Level& out, size_t i) {
   const D d;
-  const V one = Set(1.0), m = FusedFrom(level, c.k, one);
-  const V inverse = hn::Div(one, hn::Max(m, Set(0.05)));
-  const V i2 = hn::Mul(inverse, inverse), i3 = hn::Mul(i2, inverse), i5 = hn::Mul(i3, i2);
-  const V bend = hn::Mul(c.k, inverse), change = hn::Mul(c.k1, i3);
-  const V change2 =
-      hn::Mul(i5, Fused(c.k2, m, hn::Mul(hn::Mul(Set(3.0), level), hn::Mul(c.k1, c.k1))));
-  // |l| grown by what the curvature may change within the leaf is in k3's own bound.
-  const V l = hn::Abs(level), a1 = hn::Abs(c.k1);
-  const V k3 = hn::Mul(
-      hn::Mul(i5, i2),
-      Fused(c.k3, hn::Mul(m, m),
-            Fused(hn::Mul(Set(10.0), hn::Mul(l, a1)), hn::Mul(hn::Abs(c.k2), hn::Max(m, one)),
-                  hn::Mul(Set(15.0), hn::Mul(hn::Mul(l, l), hn::Mul(a1, hn::Mul(a1, a1)))))));
-  const V error = Remainder(bend, change, change2, k3, along);
+  const Third third = FoldedThird(c, extent);
   // Along the outward normal n = toward·N the outline is −bend/2 X² − c3 X³ − c4 X⁴, X along
   // (−n.y, n.x): against the tangent if n = N, along it if n = −N.
-  hn::Store(hn::Mul(hn::Neg(toward), bend), d, out.bend.data() + i);
-  hn::Store(hn::Mul(change, Set(1.0 / 6)), d, out.c3.data() + i);
-  hn::Store(hn::Mul(hn::Mul(hn::Neg(toward), change2), Set(1.0 / 24)), d, out.c4.data() + i);
-  hn::Store(error, d, out.error.data() + i);
-  return m;
+  hn::Store(hn::Mul(hn::Neg(toward), c.k), d, out.bend.data() + i);
+  hn::Store(third.c3, d, out.c3.data() + i);
+  hn::Store(hn::Mul(hn::Mul(hn::Neg(toward), c.k2), Set(1.0 / 24)), d, out.c4.data() + i);
+  hn::Store(hn::IfThenElse(steady, third.error, Set(kUnproven)), d, out.error.data() + i);
+}
+
+/// What a parabola's slope y can be within arc `reach` of the foot, as (1 + y²)⁻¹: its least and its most.
+struct Flatness {
+  V least, most;
+};
+HWY_INLINE Flatness FlatnessWithin(V y, V curvature, V reach) {
+  const D d;
+  // y changes by at most 2a per arc; and on one flank an arc spans at least the difference of y² over 4a.
+  const V one = Set(1.0), shift = hn::Mul(hn::Abs(curvature), reach), a = hn::Abs(y);
+  const V y2 = hn::Mul(y, y), twice = hn::Add(shift, shift);
+  const V nearer = hn::Max(hn::Sub(a, shift), hn::Zero(d)), farther = hn::Add(a, shift);
+  const V lo = hn::Max(hn::Mul(nearer, nearer), hn::Sub(y2, twice));
+  const V hi = hn::Min(hn::Mul(farther, farther), hn::Add(y2, twice));
+  return {hn::Div(one, hn::Add(hi, one)), hn::Div(one, hn::Add(lo, one))};
 }
 
 void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& out) {
@@ -119,28 +83,36 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     // N = (−y, 1)/sigma in the frame.
     const V fx = hn::Neg(hn::Mul(y, is)), fy = is;
     const V nx = FusedLess(fx, rx, hn::Mul(fy, ry)), ny = Fused(fx, ry, hn::Mul(fy, rx));
-    const V along = Along(nx, ny, r);
     hn::Store(nx, d, out.nx.data() + i);
     hn::Store(ny, d, out.ny.data() + i);
     hn::Store(x, d, out.foot.data() + i);
     hn::Store(side, d, out.side.data() + i);
 
+    // With c = cos φ of the slope, A = 2a, dφ/ds = k: k = A c³, and so on (the derivation).
     const V i2 = hn::Mul(is, is), i3 = hn::Mul(i2, is), i6 = hn::Mul(i3, i3);
-    OutlineBends c;
     const V aa2 = hn::Mul(two_a, two_a), aa3 = hn::Mul(aa2, two_a);
+    Bends c;
     c.k = hn::Mul(two_a, i3);
     c.k1 = hn::Mul(hn::Mul(Set(-3.0), aa2), hn::Mul(y, i6));
     c.k2 = hn::Mul(hn::Mul(Set(-3.0), aa3),
                    hn::Mul(hn::Mul(i6, i3), FusedFrom(Set(5.0), hn::Mul(y, y), one)));
-    // |d³k/ds³| <= (2a)⁴ min(8.8, 105 (1 + y²)^(−9/2)), y as small as the leaf allows: feet lie
-    // within arc 2·radius, so within that in x; and on one flank an arc spans at least the
-    // difference of y² over 4a.
-    const V shift = hn::Mul(hn::Abs(two_a), Set(2.0 * r));
-    const V nearer = hn::Max(hn::Sub(hn::Abs(y), shift), hn::Zero(d));
-    const V least = hn::Max(hn::Mul(nearer, nearer), FusedFrom(Set(2.0), shift, hn::Mul(y, y)));
-    const V j2 = hn::Div(one, hn::Add(least, one)), j4 = hn::Mul(j2, j2);
-    c.k3 = hn::Mul(hn::Mul(aa2, aa2),
-                   hn::Min(Set(8.8), hn::Mul(hn::Mul(Set(105.0), hn::Mul(j4, j4)), hn::Sqrt(j2))));
+    c.k3 = hn::Mul(hn::Mul(hn::Mul(Set(3.0), hn::Mul(aa2, aa2)), hn::Mul(hn::Mul(i6, i3), is)),
+                   hn::Mul(y, FusedLess(Set(54.0), i2, Set(35.0))));
+    const V bent = hn::Mul(Set(level), hn::Abs(c.k));
+    const V least = f.stroke ? hn::Sub(one, bent) : FusedFrom(Set(l), c.k, one);
+    const V arc = hn::Div(one, hn::Max(least, Set(0.25)));
+    const Extent extent = ExtentOf(nx, ny, r, hn::Mul(c.k, arc), hn::Mul(c.k1, arc));
+    const V reach = hn::Min(Set(2.0 * r),
+                            hn::Mul(hn::Mul(Set(1.1), arc), hn::Mul(extent.stretch, extent.along)));
+    // The fourth change is 3 A⁵ c¹¹ (648 c⁴ − 944 c² + 315), whose bracket is least at c² = 0.73: −28.8.
+    const Flatness flat = FlatnessWithin(y, two_a, reach);
+    const auto bracket = [](V c2) MIEN_LANES {
+      return hn::Abs(Fused(Fused(Set(648.0), c2, Set(-944.0)), c2, Set(315.0)));
+    };
+    const V largest = hn::Max(Set(28.9), hn::Max(bracket(flat.least), bracket(flat.most)));
+    const V c2 = flat.most, c4 = hn::Mul(c2, c2);
+    const V c11 = hn::Mul(hn::Mul(c4, c4), hn::Mul(c2, hn::Sqrt(c2)));
+    c.most_k4 = hn::Mul(hn::Mul(hn::Mul(Set(3.0), hn::Abs(aa3)), aa2), hn::Mul(c11, largest));
 
     // Points of the leaf on the outline are `level` from the curve, so the way to them from the
     // centre keeps within level + radius; feet then lie within arc radius·reach/(reach − that).
@@ -149,12 +121,16 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     auto ok = hn::And(hn::Le(hn::Abs(slip), Set(1e-9)), hn::Lt(distance, Set(most)));
     if (!(2.0 * (level + r) <= most)) ok = hn::Lt(one, hn::Zero(d));
     const V up = one, down = Set(-1.0);
+    ok = hn::And(ok, hn::Gt(least, Set(0.25)));
     if (f.stroke) {
-      const V m0 = StoreLevel(c, Set(l), up, along, out.levels[0], i);
-      const V m1 = StoreLevel(c, Set(-l), down, along, out.levels[1], i);
-      ok = hn::And(ok, hn::Gt(hn::Min(m0, m1), Set(0.25)));
+      const AtLevel over = BendsAt(c, Set(l), reach), under = BendsAt(c, Set(-l), reach);
+      StoreLevel(over.bends, up, extent, over.steady, out.levels[0], i);
+      StoreLevel(under.bends, down, extent, under.steady, out.levels[1], i);
+    } else if (l == 0.0) {
+      StoreLevel(c, down, extent, ok, out.levels[0], i);
     } else {
-      ok = hn::And(ok, hn::Gt(StoreLevel(c, Set(l), down, along, out.levels[0], i), Set(0.25)));
+      const AtLevel there = BendsAt(c, Set(l), reach);
+      StoreLevel(there.bends, down, extent, there.steady, out.levels[0], i);
     }
     proven |= Bits(ok) << i;
   }
@@ -212,22 +188,29 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
     // d/ds of that: −3/2 ab (g'' g^(−7/2) − 3 g'² g^(−9/2)).
     const V k2 = hn::Mul(hn::Mul(hn::Mul(Set(-1.5), ab), hn::Mul(ig3, root)),
                          FusedFrom(hn::Mul(Set(3.0), hn::Mul(g1, g1)), ig, g2));
-    // Third: at most 3/2 ab |g'| (4 + 9.5 |g''|/g + 13.5 g'²/g²) / g⁴, with g as small as the leaf
-    // allows, |g'| <= |a² − b²|, |g''| <= 2 |a² − b²|. Feet lie within arc 2·radius.
-    const V low = hn::Max(hn::Sub(g, Set(spread * 2.0 * r / small)), Set(small * small));
-    const V il = hn::Div(one, low), ratio = hn::Mul(Set(spread), il), il2 = hn::Mul(il, il);
-    const V most1 = hn::Min(Fused(Set(4.0 * spread * r), hn::Sqrt(il), hn::Abs(g1)), Set(spread));
-    const V part = hn::Mul(most1, il);
-    const V inner = Fused(hn::Mul(Set(13.5), part), part, Fused(Set(19.0), ratio, Set(4.0)));
-    const V k3 = hn::Mul(hn::Mul(Set(1.5), hn::Mul(most1, ab)), hn::Mul(hn::Mul(il2, il2), inner));
-    const V error = Remainder(k, k1, k2, k3, Along(world_x, world_y, r));
-    hn::Store(k, d, out.levels[0].bend.data() + i);
-    hn::Store(hn::Mul(k1, Set(1.0 / 6)), d, out.levels[0].c3.data() + i);
-    hn::Store(hn::Mul(k2, Set(1.0 / 24)), d, out.levels[0].c4.data() + i);
-    hn::Store(error, d, out.levels[0].error.data() + i);
+    // Third: −3/2 ab g' g⁻⁴ (−4 − 19/2 g''/g + 27/2 (g'/g)²).
+    const V p1 = hn::Mul(g1, ig), p2 = hn::Mul(g2, ig);
+    const V k3 = hn::Mul(hn::Mul(Set(-1.5), ab),
+                         hn::Mul(hn::Mul(p1, ig3), Fused(hn::Mul(Set(13.5), p1), p1,
+                                                         Fused(Set(-9.5), p2, Set(-4.0)))));
+    const Extent extent = ExtentOf(world_x, world_y, r, k, k1);
+    // Fourth: 3/2 ab g^(−7/2) |4 Q − 54 P² + 19/2 Q² − 88 P² Q + 81 P⁴|, P = g'/g, Q = g''/g, at most with g as
+    // small, g' and g'' as large as `arc` of way allows: |g'| <= |a² − b²|, |g''| <= 2 |a² − b²|.
+    const V arc = hn::Min(Set(2.0 * r), hn::Mul(extent.stretch, extent.along));
+    const V low = hn::Max(hn::Sub(g, hn::Mul(Set(spread / small), arc)), Set(small * small));
+    const V il = hn::Div(one, low), wide = hn::Mul(Set(2.0 * spread), hn::Mul(arc, hn::Sqrt(il)));
+    const V most1 = hn::Min(hn::Add(hn::Abs(g1), wide), Set(spread));
+    const V most2 = hn::Min(Fused(Set(2.0), wide, hn::Abs(g2)), Set(2.0 * spread));
+    const V big_p = hn::Mul(most1, il), big_q = hn::Mul(most2, il), pp = hn::Mul(big_p, big_p);
+    const V of_q = hn::Mul(big_q, Fused(Set(9.5), big_q, Set(4.0)));
+    const V of_p = hn::Mul(pp, Fused(Set(81.0), pp, Fused(Set(88.0), big_q, Set(54.0))));
+    const V il3 = hn::Mul(il, hn::Mul(il, il));
+    const V k4 =
+        hn::Mul(hn::Mul(Set(1.5), hn::Mul(ab, hn::Sqrt(il))), hn::Mul(il3, hn::Add(of_q, of_p)));
     auto ok = hn::And(hn::Le(hn::Abs(slip), Set(1e-9 + 1e-15 * (f.a + f.b))),
                       hn::Lt(hn::Abs(side), Set(f.reach)));
     if (!(2.0 * r <= f.reach)) ok = hn::Lt(one, hn::Zero(d));
+    StoreLevel({k, k1, k2, k3, k4}, Set(-1.0), extent, ok, out.levels[0], i);
     proven |= Bits(ok) << i;
   }
   out.proven = proven;
