@@ -14,6 +14,17 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The same as EdgeArea for a straight edge.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V StraightEdgeArea(D f, V d, V gx, V gy) {
+  const V half = hn::Set(f, 0.5f), zero = hn::Zero(f), one = hn::Set(f, 1.0f);
+  const V ax = hn::Abs(gx), ay = hn::Abs(gy);
+  const V a = hn::Max(ax, ay), b = hn::Max(hn::Min(ax, ay), hn::Set(f, 1e-5f));
+  const V u = hn::Max(FusedLess(half, hn::Add(a, b), hn::Abs(d)), zero), m = hn::Min(u, b);
+  const V outer = hn::Div(hn::Mul(hn::Mul(m, half), hn::Sub(hn::Add(u, u), m)), hn::Mul(a, b));
+  return hn::IfThenElse(hn::Lt(d, zero), hn::Sub(one, outer), outer);
+}
+
 /// Area of the unit square inside a bent edge.
 ///
 ///   d        signed distance, square's centre to edge, times |(gx, gy)|

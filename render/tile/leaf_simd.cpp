@@ -251,36 +251,81 @@ HWY_INLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t b
   StoreBlock(pixels, to, stride);
 }
 
-/// A block that one gentle edge crosses, away from its end.
+/// Blocks that one gentle edge crosses, away from its end, between two colours.
 struct Simple {
-  std::uint8_t block, edge, base;
+  std::uint8_t edge, base;
   bool beyond;  ///< a joint: its second body
+  std::uint32_t blocks;
 };
 
-/// The most common work of all, without a branch: blocks follow each other through the processor.
-template <bool kLinear>
-HWY_INLINE void SimpleBlocks(const Leaf& leaf, const Simple* blocks, int count,
-                             std::uint32_t* pixels, size_t stride) {
+/// Up to this bend, and what leaves the circle in a leaf, pixels take a straight edge: 0.043 levels by the
+/// bound k/24, and 0.05.
+constexpr float kStraightBend = 0.004f, kStraightLeaves = 2e-4f;
+
+/// The most common work of all, without a branch: blocks follow each other through the processor. The edge
+/// is that of See() and EdgeArea(), with what its blocks share taken out: turned coordinates x, y are sums
+/// of a pixel's and a block's. A block that an edge crosses is near: no clamp is needed.
+template <bool kLinear, bool kBent>
+HWY_INLINE void SimpleBlocks(const Leaf& leaf, const LeafEdge& e, std::uint32_t out,
+                             std::uint32_t in, std::uint32_t blocks, std::uint32_t* pixels,
+                             size_t stride) {
   const F f;
   const hn::RebindToSigned<F> di;
-  for (int n = 0; n < count; ++n) {
-    LeafEdge second;
-    if (blocks[n].beyond) second = leaf.edges[blocks[n].edge].beyond();
-    const LeafEdge& e = blocks[n].beyond ? second : leaf.edges[blocks[n].edge];
-    const int b = blocks[n].block;
-    const std::uint32_t out = blocks[n].base, in = out | 1u << blocks[n].edge;
-    alignas(64) std::int32_t block[kBlock];
-    for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
-      const Sight s = SeeGently(e, hn::Add(hn::Load(f, kPixels.x + i), Const(kBlocks.x[b])),
-                                hn::Add(hn::Load(f, kPixels.y + i), Const(kBlocks.y[b])));
-      const VF w = EdgeArea(f, s.d, s.gx, s.gy, s.k);
-      hn::Store(Packed<kLinear>(Between(leaf.palette[0].data(), out, in, w),
-                                Between(leaf.palette[1].data(), out, in, w),
-                                Between(leaf.palette[2].data(), out, in, w)),
-                di, block + i);
-    }
-    StoreBlock(block, pixels + size_t(b / 4 * 4) * stride + size_t(b % 4 * 4), stride);
+  const VF nx = Const(e.nx), ny = Const(e.ny), k = Const(e.bend), half = Const(0.5f * e.bend);
+  const VF k2 = Const(2.0f * e.bend), arc = Const(0.5f * e.bend * e.bend), one = Const(1.0f);
+  const VF c3 = Const(e.c3), c4 = Const(e.c4), s3 = Const(3.0f * e.c3), s4 = Const(4.0f * e.c4);
+  VF from[3], to[3];
+  for (size_t c = 0; c < 3; ++c) {
+    const float* plane = leaf.palette[c].data();
+    from[c] = Const(plane[out]), to[c] = Const(plane[in] - plane[out]);
   }
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(f)) {
+    const VF ux = hn::Sub(hn::Load(f, kPixels.x + i), Const(e.x));
+    const VF uy = hn::Sub(hn::Load(f, kPixels.y + i), Const(e.y));
+    const VF y0 = Fused(ux, nx, hn::Mul(uy, ny)), x0 = FusedLess(uy, nx, hn::Mul(ux, ny));
+    const VF gx0 = Fused(k, ux, nx), gy0 = Fused(k, uy, ny);
+    for (std::uint32_t rest = blocks; rest; rest &= rest - 1) {
+      const auto b = std::size_t(std::countr_zero(rest));
+      const VF bx = Const(kBlocks.x[b]), by = Const(kBlocks.y[b]);
+      const VF y = Fused(bx, nx, Fused(by, ny, y0)), x = Fused(by, nx, FusedFrom(bx, ny, x0));
+      const VF x2 = hn::Mul(x, x), circle = Fused(half, Fused(y, y, x2), y);
+      const VF q = hn::Mul(k2, circle);
+      const VF series = Fused(q, FusedFrom(Const(0.125f), q, Const(0.25f)), one);
+      VF gx = Fused(k, bx, gx0), gy = Fused(k, by, gy0), w;
+      if constexpr (kBent) {
+        const VF slope = hn::Mul(x2, Fused(s4, x, s3));
+        gx = FusedFrom(slope, ny, gx), gy = Fused(slope, nx, gy);
+        const VF leaves = hn::Mul(hn::Mul(hn::Mul(x2, x), Fused(arc, x2, one)), Fused(c4, x, c3));
+        w = EdgeArea(f, Fused(circle, series, leaves), gx, gy, k);
+      } else {
+        w = StraightEdgeArea(f, hn::Mul(circle, series), gx, gy);
+      }
+      const auto color = Packed<kLinear>(Fused(w, to[0], from[0]), Fused(w, to[1], from[1]),
+                                         Fused(w, to[2], from[2]));
+      alignas(64) std::int32_t rows[kBlock];
+      hn::Store(color, di, rows);
+      std::uint32_t* const at = pixels + (b / 4 * 4 + i / 4) * stride + b % 4 * 4;
+      for (size_t row = 0; row < hn::Lanes(f) / 4; ++row)
+        std::memcpy(at + row * stride, rows + 4 * row, 16);
+    }
+  }
+}
+
+template <bool kLinear>
+HWY_INLINE void SimpleRun(const Leaf& leaf, const Simple& run, std::uint32_t* pixels,
+                          size_t stride) {
+  const LeafEdge& first = leaf.edges[run.edge];
+  const LeafEdge second = run.beyond ? first.beyond() : LeafEdge{};
+  const LeafEdge& e = run.beyond ? second : first;
+  const std::uint32_t out = run.base, in = out | 1u << run.edge;
+  const auto size = [](float x) { return x < 0 ? -x : x; };
+  constexpr float kReach = 11.32f, kReach3 = kReach * kReach * kReach;  // a leaf's half diagonal
+  const bool straight = size(e.bend) <= kStraightBend &&
+                        (size(e.c3) + kReach * size(e.c4)) * kReach3 <= kStraightLeaves;
+  if (straight)
+    SimpleBlocks<kLinear, false>(leaf, e, out, in, run.blocks, pixels, stride);
+  else
+    SimpleBlocks<kLinear, true>(leaf, e, out, in, run.blocks, pixels, stride);
 }
 
 HWY_INLINE void FillBlock(std::uint32_t value, std::uint32_t* to, size_t stride) {
@@ -306,23 +351,116 @@ HWY_INLINE Use UseOf(const LeafEdge& e, float cx, float cy) {
   return {Part::both, HWY_MAX(2, StripsFor(most)), most > kTight};
 }
 
+/// All sixteen blocks in their colours, whole rows of the leaf at a time.
+HWY_INLINE void FillLeaf(const std::uint32_t* colors, std::uint32_t* pixels, size_t stride) {
+  const hn::CappedTag<std::uint32_t, 16> d;
+  for (size_t row = 0; row < 4; ++row) {
+    const std::uint32_t* const four = colors + 4 * row;
+    std::uint32_t* to = pixels + 4 * row * stride;
+    alignas(64) std::uint32_t line[kLeaf];
+    for (size_t i = 0; i < kLeaf; ++i) line[i] = four[i / 4];
+    for (size_t j = 0; j < 4; ++j, to += stride)
+      for (size_t i = 0; i < kLeaf; i += hn::Lanes(d)) hn::StoreU(hn::Load(d, line + i), d, to + i);
+  }
+}
+
+/// Where the leaf's blocks lie against its edges.
+struct Placed {
+  std::uint32_t crossed[Leaf::kMostEdges];  // by edge: blocks
+  std::uint32_t once = 0, twice = 0;        // blocks that one edge crosses at least, or two
+  alignas(64) std::int32_t base[kBlock];  // by block: inside which of the edges that don't cross it
+};
+HWY_INLINE void Place(const Leaf& leaf, std::uint32_t blocks, Placed& out) {
+  const hn::CappedTag<std::int32_t, 16> d;
+  std::uint32_t inside[Leaf::kMostEdges];
+  for (int e = 0; e < leaf.edge_count; ++e) {
+    const BlockSides sides = PlaceBlocks(leaf.edges[std::size_t(e)]);
+    out.crossed[e] = sides.crossed & blocks, inside[e] = sides.inside & ~sides.crossed;
+    out.twice |= out.once & out.crossed[e], out.once |= out.crossed[e];
+  }
+  for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+    auto base = hn::Zero(d);
+    for (int e = 0; e < leaf.edge_count; ++e) {
+      const std::uint32_t bits = inside[e] >> i;
+      const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
+      base = hn::Or(base, hn::IfThenElseZero(hn::LoadMaskBits(d, bytes), hn::Set(d, 1 << e)));
+    }
+    hn::Store(base, d, out.base + i);
+  }
+}
+
+/// The blocks that no edge crosses; all of a whole leaf, most of which others go over again.
+HWY_INLINE void Fill(const Leaf& leaf, const Placed& placed, std::uint32_t blocks,
+                     std::uint32_t* pixels, size_t stride) {
+  if (blocks == 0xFFFF) {
+    alignas(64) std::uint32_t colors[kBlock];
+    for (size_t b = 0; b < kBlock; ++b) colors[b] = leaf.packed[std::size_t(placed.base[b])];
+    return FillLeaf(colors, pixels, stride);
+  }
+  for (; blocks; blocks &= blocks - 1) {
+    const auto b = std::size_t(std::countr_zero(blocks));
+    FillBlock(leaf.packed[std::size_t(placed.base[b])], pixels + b / 4 * 4 * stride + b % 4 * 4,
+              stride);
+  }
+}
+
+/// Blocks that one edge alone crosses, in runs between the same two colours.
+template <bool kLinear>
+HWY_INLINE void PaintOnce(const Leaf& leaf, const Placed& placed, int e, std::uint32_t* pixels,
+                          size_t stride, LeafPixels& left) {
+  const LeafEdge& edge = leaf.edges[std::size_t(e)];
+  Use use = UseOf(edge, 0.0f, 0.0f);
+  const bool varies = edge.has_end() || edge.joined;
+  std::uint32_t rest = placed.crossed[e] & ~placed.twice;
+  while (rest) {
+    const auto first = std::size_t(std::countr_zero(rest));
+    const auto base = std::uint32_t(placed.base[first]);
+    std::uint32_t run = 0, simple = 0, beyond = 0;
+    for (std::uint32_t todo = rest; todo; todo &= todo - 1) {
+      const int b = std::countr_zero(todo);
+      if (std::uint32_t(placed.base[b]) == base) run |= 1u << b;
+    }
+    rest &= ~run;
+    if (leaf.same[base] == leaf.same[base | 1u << e]) continue;
+    left.edge_blocks |= run;
+    if (!varies && use.strips == 1) simple = run, run = 0;
+    for (; run; run &= run - 1) {
+      const int b = std::countr_zero(run);
+      if (varies) use = UseOf(edge, kBlocks.x[b], kBlocks.y[b]);
+      std::uint32_t* const to = pixels + size_t(b / 4 * 4) * stride + size_t(b % 4 * 4);
+      if (use.tight || use.part == Part::both) {
+        Use uses[Leaf::kMostEdges];
+        uses[e] = use;
+        AnyEdges<kLinear>(leaf, 1u << e, base, uses, b, to, stride, left);
+      } else if (use.strips == 1) {
+        (edge.joined && use.part == Part::end ? beyond : simple) |= 1u << b;
+      } else {
+        OneEdge<kLinear>(leaf, edge, base, base | 1u << e, kBlocks.x[b], kBlocks.y[b], use.strips,
+                         use.part, to, stride);
+      }
+    }
+    const Simple both[] = {{std::uint8_t(e), std::uint8_t(base), false, simple},
+                           {std::uint8_t(e), std::uint8_t(base), true, beyond}};
+    for (const Simple& blocks : both)
+      if (blocks.blocks) SimpleRun<kLinear>(leaf, blocks, pixels, stride);
+  }
+}
+
 template <bool kLinear>
 HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
                       LeafPixels& left) {
-  BlockSides sides[Leaf::kMostEdges];
-  for (int e = 0; e < leaf.edge_count; ++e) sides[e] = PlaceBlocks(leaf.edges[std::size_t(e)]);
-  Simple simple[kBlock];
-  int simple_count = 0;
-  for (std::uint32_t todo = blocks; todo; todo &= todo - 1) {
+  Placed placed;
+  Place(leaf, blocks, placed);
+  Fill(leaf, placed, blocks, pixels, stride);
+  for (int e = 0; e < leaf.edge_count; ++e)
+    PaintOnce<kLinear>(leaf, placed, e, pixels, stride, left);
+  for (std::uint32_t todo = placed.twice; todo; todo &= todo - 1) {
     const int b = std::countr_zero(todo);
     std::uint32_t* const to = pixels + size_t(b / 4 * 4) * stride + size_t(b % 4 * 4);
-    std::uint32_t base = 0, active = 0;
-    for (int e = 0; e < leaf.edge_count; ++e) {
-      const std::uint32_t near = sides[e].crossed >> b & 1u;
-      active |= near << e;
-      base |= (sides[e].inside >> b & 1u & ~near) << e;
-    }
-    if (active) active = Mattering(leaf, active, base);
+    const auto base = std::uint32_t(placed.base[b]);
+    std::uint32_t active = 0;
+    for (int e = 0; e < leaf.edge_count; ++e) active |= (placed.crossed[e] >> b & 1u) << e;
+    active = Mattering(leaf, active, base);
     if (!active) {
       FillBlock(leaf.packed[base], to, stride);
       continue;
@@ -334,18 +472,12 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
       uses[e] = UseOf(leaf.edges[std::size_t(e)], kBlocks.x[b], kBlocks.y[b]);
     }
     const int e = std::countr_zero(active);
-    const Use& use = uses[e];
-    if ((active & (active - 1)) != 0 || use.tight || use.part == Part::both) {
+    if ((active & (active - 1)) != 0 || uses[e].tight || uses[e].part == Part::both)
       AnyEdges<kLinear>(leaf, active, base, uses, b, to, stride, left);
-    } else if (use.strips == 1) {
-      const bool second = leaf.edges[std::size_t(e)].joined && use.part == Part::end;
-      simple[simple_count++] = {std::uint8_t(b), std::uint8_t(e), std::uint8_t(base), second};
-    } else {
+    else
       OneEdge<kLinear>(leaf, leaf.edges[std::size_t(e)], base, base | active, kBlocks.x[b],
-                       kBlocks.y[b], use.strips, use.part, to, stride);
-    }
+                       kBlocks.y[b], uses[e].strips, uses[e].part, to, stride);
   }
-  SimpleBlocks<kLinear>(leaf, simple, simple_count, pixels, stride);
 }
 
 void PaintLeaf(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pixels, size_t stride,
