@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -125,23 +126,36 @@ void BandPainter::group(int x, int tiles) {
             : classified(o, {xs_.data(), n}, {ys_.data(), n}, float(kSqrtHalf * kBandTile));
   const std::uint64_t valid = tiles == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << tiles) - 1;
   resolve(group_layers_, group_sides_, valid, group_);
-  for (int i = 0; i < tiles;) {
-    if (group_.mixed >> i & 1u) {
-      tile(i, x + i * kBandTile);
-      ++i;
-      continue;
-    }
-    int end = i + 1;  // a run of tiles of one colour
-    const int color = group_.color[std::size_t(i)];
-    if (color != kComposite)
-      while (end < tiles && !(group_.mixed >> end & 1u) && group_.color[std::size_t(end)] == color)
-        ++end;
-    fill(group_, i, {x + i * kBandTile, y_, (end - i) * kBandTile, kBandTile});
-    i = end;
+  std::array<int, kGroup> places;
+  int described = 0;
+  for (int i = 0; i < tiles; ++i) {
+    if (!(group_.mixed >> i & 1u)) continue;
+    if (tiles_.size() == std::size_t(described)) tiles_.emplace_back();
+    Tile& tile = tiles_[std::size_t(described)];
+    tile.x = x + i * kBandTile;
+    describe(i, tile);
+    places[std::size_t(i)] = described++;
   }
+  for (int row = 0; row < kLeavesAcross; ++row)
+    for (int i = 0; i < tiles;) {
+      if (group_.mixed >> i & 1u) {
+        draw_row(tiles_[std::size_t(places[std::size_t(i)])], row);
+        ++i;
+        continue;
+      }
+      int end = i + 1;  // a run of tiles of one colour
+      const int color = group_.color[std::size_t(i)];
+      if (color != kComposite)
+        while (end < tiles && !(group_.mixed >> end & 1u) &&
+               group_.color[std::size_t(end)] == color)
+          ++end;
+      fill(group_, i, {x + i * kBandTile, y_ + row * kLeaf, (end - i) * kBandTile, kLeaf});
+      i = end;
+    }
 }
 
-void BandPainter::tile(int index, int x) {
+/// The edges of every outline in the leaves that need them.
+void BandPainter::describe(int index, Tile& tile) {
   const Tape& tape = plan_->tape;
   tile_layers_.clear();
   for (const Seen& s : group_.seen)
@@ -149,14 +163,15 @@ void BandPainter::tile(int index, int x) {
 
   Leaves leaves;
   leaves.radius = kSqrtHalf * kLeaf;
-  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
-    leaves.x[i] = x + kLeaf * (double(i % kLeavesAcross) + 0.5) - 0.5 * width_;
-    leaves.y[i] = y_ + kLeaf * (double(i / kLeavesAcross) + 0.5) - 0.5 * height_;
-  }
   std::array<float, Leaves::kMost> xs, ys;
-  for (std::size_t i = 0; i < Leaves::kMost; ++i)
+  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+    leaves.x[i] = tile.x + kLeaf * (double(i % kLeavesAcross) + 0.5) - 0.5 * width_;
+    leaves.y[i] = y_ + kLeaf * (double(i / kLeavesAcross) + 0.5) - 0.5 * height_;
     xs[i] = float(leaves.x[i]), ys[i] = float(leaves.y[i]);
+  }
   note_outlines(tile_layers_);
+  tile.noted.assign(noted_.begin(), noted_.end());
+  tile.sides.clear();
   for (const int o : noted_) {
     const Sides s = group_sides_[std::size_t(o)];
     Sides& t = tile_sides_[std::size_t(o)];
@@ -167,36 +182,60 @@ void BandPainter::tile(int index, int x) {
       t = {0, ~std::uint64_t{0}};
     else
       t = classified(o, xs, ys, float(leaves.radius));
+    tile.sides.push_back(t);
   }
-  resolve(tile_layers_, tile_sides_, 0xFFFF, tile_);
+  resolve(tile_layers_, tile_sides_, 0xFFFF, tile.squares);
 
-  edges_.clear();
-  wanted_outlines_.clear();
-  for (const Seen& s : tile_.seen) {
+  tile.edges.clear(), tile.wanted.clear();
+  for (const Seen& s : tile.squares.seen) {
     if (!s.unknown) continue;
     for (const Step& step : steps_of(tape, s.layer)) {
       if (step.kind != Step::Kind::outline) continue;
       const auto o = std::size_t(step.outline);
       const auto lanes = std::uint32_t(s.unknown & tile_sides_[o].unknown());
-      if (lanes && !wanted_[o]) wanted_outlines_.push_back(step.outline);
+      if (lanes && !wanted_[o]) tile.wanted.push_back({step.outline, 0});
       wanted_[o] |= lanes;
     }
   }
-  if (leaf_outlines_.size() < wanted_outlines_.size())
-    leaf_outlines_.resize(wanted_outlines_.size());
-  for (std::size_t i = 0; i < wanted_outlines_.size(); ++i) {
-    const auto o = std::size_t(wanted_outlines_[i]);
-    leaves.wanted = wanted_[o];
-    plan_->outlines[o].in_leaves(leaves, leaf_outlines_[i], edges_);
+  if (tile.outlines.size() < tile.wanted.size()) tile.outlines.resize(tile.wanted.size());
+  for (std::size_t i = 0; i < tile.wanted.size(); ++i) {
+    const auto o = std::size_t(tile.wanted[i].outline);
+    leaves.wanted = tile.wanted[i].leaves = wanted_[o];
+    plan_->outlines[o].in_leaves(leaves, tile.outlines[i], tile.edges);
   }
-  for (int lane = 0; lane < int(Leaves::kMost); ++lane) {
-    leaf_x_ = x + kLeaf * (lane % kLeavesAcross), leaf_y_ = y_ + kLeaf * (lane / kLeavesAcross);
-    leaf_center_ = {leaves.x[std::size_t(lane)], leaves.y[std::size_t(lane)]};
-    if (tile_.mixed >> lane & 1u)
-      leaf(lane);
+}
+
+/// A row of a tile's leaves.
+void BandPainter::draw_row(const Tile& tile, int row) {
+  const PixelRect all{tile.x, y_ + row * kLeaf, kBandTile, kLeaf}, part = visible(all);
+  if (part.width <= 0 || part.height <= 0) return;
+  if (stores_ == Stores::streamed && part.width == all.width && part.height == all.height) {
+    std::byte* const to = at(all.x, all.y);
+    if (target_->stride % 64 == 0 && reinterpret_cast<std::uintptr_t>(to) % 64 == 0)
+      return stream_row(tile, row, reinterpret_cast<std::uint32_t*>(to));
+  }
+  for (int lane = row * kLeavesAcross; lane < (row + 1) * kLeavesAcross; ++lane) {
+    leaf_x_ = tile.x + kLeaf * (lane % kLeavesAcross), leaf_y_ = all.y;
+    leaf_center_ = glm::dvec2{leaf_x_, leaf_y_} + 0.5 * kLeaf - 0.5 * glm::dvec2{width_, height_};
+    if (tile.squares.mixed >> lane & 1u)
+      leaf(tile, lane);
     else
-      fill(tile_, lane, {leaf_x_, leaf_y_, kLeaf, kLeaf});
+      fill(tile.squares, lane, {leaf_x_, leaf_y_, kLeaf, kLeaf});
   }
+}
+
+/// The same beside the target, and then whole lines of memory past the caches.
+void BandPainter::stream_row(const Tile& tile, int row, std::uint32_t* to) {
+  const Target beside{.data = reinterpret_cast<std::byte*>(row_.data()),
+                      .stride = 4 * kBandTile,
+                      .depth = Depth::u8,
+                      .rect = {tile.x, y_ + row * kLeaf, kBandTile, kLeaf}};
+  const Target* const target = std::exchange(target_, &beside);
+  stores_ = Stores::ordinary;
+  draw_row(tile, row);
+  target_ = target;
+  stores_ = Stores::streamed;
+  stream_rows(row_.data(), kBandTile, kLeaf, to, target_->stride / 4);
 }
 
 /// The colour that a layer has all over a square; nothing if it varies there.
@@ -207,27 +246,23 @@ std::optional<Mix> BandPainter::mix_of(int layer, glm::dvec2 center, double side
   return l.mix;
 }
 
-void BandPainter::leaf(int lane) {
+void BandPainter::leaf(const Tile& tile, int lane) {
   const PixelRect part = visible({leaf_x_, leaf_y_, kLeaf, kLeaf});
   if (part.width <= 0 || part.height <= 0) return;
   leaf_layers_.clear();
-  for (const Seen& s : tile_.seen)
+  for (const Seen& s : tile.squares.seen)
     if ((s.in | s.unknown) >> lane & 1u) leaf_layers_.push_back(s.layer);
   leaf_wanted_.clear();
   leaf_list_.clear();
-  for (std::size_t i = 0; i < wanted_outlines_.size(); ++i)
-    if (wanted_[std::size_t(wanted_outlines_[i])] >> lane & 1u) {
-      leaf_wanted_.push_back(wanted_outlines_[i]);
-      leaf_list_.push_back(leaf_outlines_[i][std::size_t(lane)]);
+  for (std::size_t i = 0; i < tile.wanted.size(); ++i)
+    if (tile.wanted[i].leaves >> lane & 1u) {
+      leaf_wanted_.push_back(tile.wanted[i].outline);
+      leaf_list_.push_back(tile.outlines[i][std::size_t(lane)]);
     }
-  for (const int layer : leaf_layers_)
-    for (const Step& step : steps_of(plan_->tape, layer)) {
-      if (step.kind != Step::Kind::outline) continue;
-      const auto o = std::size_t(step.outline);
-      leaf_sides_[o] = tile_sides_[o].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0}
-                                                      : Sides{0, ~std::uint64_t{0}};
-    }
-  if (assemble(leaf_list_, edges_, {0.0, 0.0}, kLeaf, kMostLeafBend))
+  for (std::size_t i = 0; i < tile.noted.size(); ++i)
+    leaf_sides_[std::size_t(tile.noted[i])] =
+        tile.sides[i].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0} : Sides{0, ~std::uint64_t{0}};
+  if (assemble(leaf_list_, tile.edges, {0.0, 0.0}, kLeaf, kMostLeafBend))
     paint(0xFFFF);
   else if (!varies_here_)
     divide({0.0, 0.0}, kLeaf, 0, 0);

@@ -2,8 +2,9 @@
 // The fast way through a picture: bands of 64 rows, cut into tiles and leaves.
 //
 //   a band    up to 64 tiles of 64 × 64 pixels against every outline near, and the layers' programs
-//             on a bit per tile: tiles of one colour are filled;
-//   a tile    its 16 leaves of 16 × 16 pixels in the same way;
+//             on a bit per tile;
+//   a tile    its 16 leaves of 16 × 16 pixels in the same way; written a row of leaves at a time, across
+//             all tiles: memory takes long runs faster (docs/decisions/frame_times.md);
 //   a leaf    a few edges and a palette: drawn in vectors (leaf.h). What is not proven for a leaf is
 //             asked again for its quarters, down to blocks of 4 × 4; what is not proven there is
 //             resolved pixel by pixel (pixel.h).
@@ -55,9 +56,27 @@ class BandPainter {
   };
   static constexpr int kBackground = -1, kComposite = -2;
 
+  using OutlineInLeaves = std::array<LeafOutline, Leaves::kMost>;
+  /// A tile of several colours: its leaves described, to be drawn a row of them at a time.
+  struct Tile {
+    struct Wanted {
+      int outline;
+      std::uint32_t leaves;  // that need its edges
+    };
+    int x = 0;  // its left side [px]
+    Squares squares;
+    std::vector<int> noted;  // outlines that its layers read, and their sides
+    std::vector<Sides> sides;
+    std::vector<Wanted> wanted;
+    std::vector<OutlineInLeaves> outlines;  // by place in `wanted`
+    std::vector<LeafEdge> edges;
+  };
+
   void group(int x, int tiles);
-  void tile(int index, int x);
-  void leaf(int lane);
+  void describe(int index, Tile& tile);
+  void draw_row(const Tile& tile, int row);
+  void stream_row(const Tile& tile, int row, std::uint32_t* to);
+  void leaf(const Tile& tile, int lane);
   std::optional<Mix> mix_of(int layer, glm::dvec2 center, double side);
   void resolve(std::span<const int> layers, std::span<const Sides> outlines, std::uint64_t valid,
                Squares& squares);
@@ -104,7 +123,6 @@ class BandPainter {
 
   void paint(std::uint32_t blocks);
   void count(const LeafPixels& left, std::uint32_t blocks, const PixelRect& part);
-  using OutlineInLeaves = std::array<LeafOutline, Leaves::kMost>;
   /// The present leaf's outlines in parts of it.
   struct Parts {
     std::vector<OutlineInLeaves> found;  ///< by place in leaf_wanted_
@@ -134,16 +152,15 @@ class BandPainter {
   Leaf leaf_;
 
   // Scratch.
-  std::vector<int> group_layers_, tile_layers_, leaf_layers_, noted_, wanted_outlines_;
+  std::vector<int> group_layers_, tile_layers_, leaf_layers_, noted_;
   std::vector<std::uint32_t> stamp_;
   std::uint32_t stamp_now_ = 0;
   std::vector<Sides> group_sides_, tile_sides_, leaf_sides_, stack_;
-  Squares group_, tile_;
-  std::vector<std::uint32_t> wanted_;  // by outline: leaves that need its edges
-  std::vector<LeafEdge> edges_;
-  std::vector<OutlineInLeaves> leaf_outlines_;  // by place in wanted_outlines_
-  std::vector<int> leaf_wanted_;                // places of the present leaf
-  bool varies_here_ = false;                    // why assemble said no
+  Squares group_;
+  std::vector<Tile> tiles_;            // of the present group
+  std::vector<std::uint32_t> wanted_;  // by outline: leaves of a tile that need its edges
+  std::vector<int> leaf_wanted_;       // outlines of the present leaf
+  bool varies_here_ = false;           // why assemble said no
   std::optional<PaintSampler> paints_;
   std::optional<VariedSquare> lit_;
   std::vector<SquareLayer> square_layers_;
@@ -158,6 +175,8 @@ class BandPainter {
   std::array<float, kGroup> xs_, ys_;
   std::array<std::int8_t, kGroup> answers_;
   alignas(64) std::array<std::uint32_t, kLeaf * kLeaf> scratch_;
+  alignas(
+      64) std::array<std::uint32_t, kBandTile * kLeaf> row_;  // of leaves, before it is streamed
 };
 
 }  // namespace mien

@@ -166,14 +166,9 @@ void BandPainter::paint(std::uint32_t blocks) {
   // Rows of a target are whole pixels apart wherever callers let them be.
   if (whole && target_->stride % 4 == 0 && reinterpret_cast<std::uintptr_t>(target_->data) % 4 == 0)
     to = reinterpret_cast<std::uint32_t*>(at(leaf_x_, leaf_y_)), stride = target_->stride / 4;
-  const bool streamed = stores_ == Stores::streamed && blocks == 0xFFFF && to != scratch_.data() &&
-                        target_->stride % 64 == 0 && reinterpret_cast<std::uintptr_t>(to) % 64 == 0;
-  std::uint32_t* const final_to = to;
-  if (streamed) to = scratch_.data(), stride = kLeaf;
   LeafPixels left;
   paint_leaf(leaf_, blocks, to, stride, left);
   count(left, blocks, part);
-  if (streamed) return stream_square(scratch_.data(), kLeaf, final_to, target_->stride / 4);
   if (to != scratch_.data()) return;
   for (int y = part.y; y < part.y + part.height; ++y)
     for (int x = part.x; x < part.x + part.width; ++x) {

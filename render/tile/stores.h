@@ -14,9 +14,10 @@ enum class Stores { ordinary, streamed };
 void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value,
                Stores stores);
 
-/// Copies a square of side × side pixels, row after row, to memory by streamed stores. The side is a
+/// Copies `rows` rows of `count` pixels, one after the other, to memory by streamed stores. The count is a
 /// multiple of 16, and rows of the target begin at multiples of 64 bytes.
-void stream_square(const std::uint32_t* from, int side, std::uint32_t* pixels, std::size_t stride);
+void stream_rows(const std::uint32_t* from, int count, int rows, std::uint32_t* pixels,
+                 std::size_t stride);
 
 /// Call before other threads read what was streamed.
 void finish_streams();

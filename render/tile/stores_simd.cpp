@@ -29,11 +29,12 @@ void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::ui
   }
 }
 
-void StreamSquare(const std::uint32_t* from, int side, std::uint32_t* pixels, size_t stride) {
+void StreamRows(const std::uint32_t* from, int count, int rows, std::uint32_t* pixels,
+                size_t stride) {
   const hn::CappedTag<std::uint32_t, 16> d;
-  for (int row = 0; row < side; ++row)
-    for (size_t i = 0; i < size_t(side); i += hn::Lanes(d))
-      hn::Stream(hn::LoadU(d, from + size_t(row) * size_t(side) + i), d,
+  for (int row = 0; row < rows; ++row)
+    for (size_t i = 0; i < size_t(count); i += hn::Lanes(d))
+      hn::Stream(hn::LoadU(d, from + size_t(row) * size_t(count) + i), d,
                  pixels + size_t(row) * stride + i);
 }
 
@@ -47,7 +48,7 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(FillRows);
-HWY_EXPORT(StreamSquare);
+HWY_EXPORT(StreamRows);
 }  // namespace batch
 
 void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value,
@@ -55,8 +56,9 @@ void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, s
   HWY_DYNAMIC_DISPATCH(batch::FillRows)
   (pixels, stride, rows, count, value, stores == Stores::streamed);
 }
-void stream_square(const std::uint32_t* from, int side, std::uint32_t* pixels, std::size_t stride) {
-  HWY_DYNAMIC_DISPATCH(batch::StreamSquare)(from, side, pixels, stride);
+void stream_rows(const std::uint32_t* from, int count, int rows, std::uint32_t* pixels,
+                 std::size_t stride) {
+  HWY_DYNAMIC_DISPATCH(batch::StreamRows)(from, count, rows, pixels, stride);
 }
 void finish_streams() {
   hwy::FlushStream();

@@ -29,12 +29,12 @@ TEST(FillRows, FillsWhatIsAskedAndNothingElse) {
   });
 }
 
-TEST(StreamSquare, CopiesRowsAndNothingElse) {
+TEST(StreamRows, CopiesRowsAndNothingElse) {
   on_every_set([] {
     std::array<std::uint32_t, 256> from;
     std::iota(from.begin(), from.end(), 1u);
     alignas(64) std::array<std::uint32_t, 48 * 17> pixels{};
-    stream_square(from.data(), 16, pixels.data() + 16, 48);
+    stream_rows(from.data(), 16, 16, pixels.data() + 16, 48);
     finish_streams();
     for (int i = 0; i < int(pixels.size()); ++i) {
       const int x = i % 48 - 16, y = i / 48;
