@@ -168,16 +168,14 @@ HWY_INLINE VF AreaInStrips(VF px, VF py, float side, int strips, SeeAt see) {
 /// asked for, with all it inlines itself, it takes compilers minutes under sanitizers.
 HWY_NOINLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
   const F f;
-  const bool beyond = e.joined && part == Part::end;
-  const LeafEdge other = beyond ? e.beyond() : LeafEdge{};
-  const LeafEdge& body = beyond ? other : e;
+  if (e.joined && part == Part::end) return AreaOf(e.beyond(), px, py, strips, Part::body);
   if (strips == 1) {
-    const Sight s = SeeBody(body, px, py);  // ends take several strips
+    const Sight s = SeeBody(e, px, py);  // ends take several strips
     return EdgeArea(f, s.d, s.gx, s.gy, s.k);
   }
-  if (beyond || part == Part::body)
+  if (part == Part::body)
     return AreaInStrips(px, py, 1.0f, strips,
-                        [&](VF x, VF y) MIEN_LANES { return SeeBody(body, x, y); });
+                        [&](VF x, VF y) MIEN_LANES { return SeeBody(e, x, y); });
   if (e.joined) {
     const LeafEdge second = e.beyond();
     return AreaInStrips(px, py, 1.0f, strips,

@@ -66,15 +66,17 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
       const V along = Fused(from_x, Set(run * scale), hn::Mul(from_y, Set(rise * scale)));
       x = hn::Add(Set(f.lo), hn::Min(hn::Max(along, Set(-0.5 * run)), Set(1.5 * run)));
     }
-    V off = one;
+    // Halley's steps: what is left is the cube of the one before, times 4a² and less.
     constexpr int kSteps = 12;
     for (int step = 0; step < kSteps; ++step) {
-      const V x2 = hn::Mul(x, x), cube = hn::Mul(aa, x2);
-      off = hn::Sub(hn::Mul(x, hn::Add(w, cube)), u);
-      const V rise = Fused(Set(3.0), cube, w);
-      const V move = hn::Div(off, hn::Max(rise, Set(0.05)));
+      const V cube = hn::Mul(aa, hn::Mul(x, x));
+      const V off = FusedLess(x, hn::Add(w, cube), u), rise = Fused(Set(3.0), cube, w);
+      const V safe = hn::Max(rise, Set(0.05));
+      const V turn = hn::Mul(hn::Mul(Set(3.0), aa), hn::Mul(x, off));
+      const V move = hn::Div(hn::Mul(off, safe), hn::Max(FusedLess(safe, safe, turn),
+                                                         hn::Mul(Set(0.5), hn::Mul(safe, safe))));
       x = hn::Sub(x, move);
-      if (hn::AllTrue(d, hn::Le(hn::Abs(move), Set(1e-7)))) break;  // the step after: 1e-14
+      if (hn::AllTrue(d, hn::Le(hn::Abs(move), Set(1e-4)))) break;
     }
     const V y = hn::Mul(two_a, x), sigma2 = Fused(y, y, one), sigma = hn::Sqrt(sigma2);
     const V is = hn::Div(one, sigma), du = hn::Sub(u, x), dv = FusedFrom(hn::Mul(Set(a), x), x, v);
