@@ -136,22 +136,45 @@ void BandPainter::group(int x, int tiles) {
     describe(i, tile);
     places[std::size_t(i)] = described++;
   }
+  // The one colour that tile i shows in a row of leaves, if it does.
+  struct Filled {
+    const Squares* squares;
+    int lane;
+    int color() const { return squares->color[std::size_t(lane)]; }
+  };
+  const auto filled = [&](int i, int row) -> std::optional<Filled> {
+    if (!(group_.mixed >> i & 1u)) return Filled{&group_, i};
+    const Tile& tile = tiles_[std::size_t(places[std::size_t(i)])];
+    if (!tile.one_color(row)) return {};
+    return Filled{&tile.squares, row * kLeavesAcross};
+  };
   for (int row = 0; row < kLeavesAcross; ++row)
     for (int i = 0; i < tiles;) {
-      if (group_.mixed >> i & 1u) {
+      const std::optional<Filled> one = filled(i, row);
+      if (!one) {
         draw_row(tiles_[std::size_t(places[std::size_t(i)])], row);
         ++i;
         continue;
       }
-      int end = i + 1;  // a run of tiles of one colour
-      const int color = group_.color[std::size_t(i)];
-      if (color != kComposite)
-        while (end < tiles && !(group_.mixed >> end & 1u) &&
-               group_.color[std::size_t(end)] == color)
-          ++end;
-      fill(group_, i, {x + i * kBandTile, y_ + row * kLeaf, (end - i) * kBandTile, kLeaf});
+      int end = i + 1;  // a run of one colour
+      if (one->color() != kComposite)
+        for (; end < tiles; ++end) {
+          const std::optional<Filled> next = filled(end, row);
+          if (!next || next->color() != one->color()) break;
+        }
+      fill(*one->squares, one->lane,
+           {x + i * kBandTile, y_ + row * kLeaf, (end - i) * kBandTile, kLeaf});
       i = end;
     }
+}
+
+bool BandPainter::Tile::one_color(int row) const {
+  const int first = row * kLeavesAcross, last = first + kLeavesAcross - 1;
+  if (squares.mixed >> first & ((1u << kLeavesAcross) - 1)) return false;
+  const int color = squares.color[std::size_t(first)];
+  for (int lane = first + 1; lane <= last; ++lane)
+    if (squares.color[std::size_t(lane)] != color) return false;
+  return color != kComposite;
 }
 
 /// The edges of every outline in the leaves that need them.
@@ -214,13 +237,21 @@ void BandPainter::draw_row(const Tile& tile, int row) {
     if (target_->stride % 64 == 0 && reinterpret_cast<std::uintptr_t>(to) % 64 == 0)
       return stream_row(tile, row, reinterpret_cast<std::uint32_t*>(to));
   }
-  for (int lane = row * kLeavesAcross; lane < (row + 1) * kLeavesAcross; ++lane) {
+  const int last = (row + 1) * kLeavesAcross - 1;
+  for (int lane = row * kLeavesAcross; lane <= last; ++lane) {
     leaf_x_ = tile.x + kLeaf * (lane % kLeavesAcross), leaf_y_ = all.y;
     leaf_center_ = glm::dvec2{leaf_x_, leaf_y_} + 0.5 * kLeaf - 0.5 * glm::dvec2{width_, height_};
-    if (tile.squares.mixed >> lane & 1u)
+    if (tile.squares.mixed >> lane & 1u) {
       leaf(tile, lane);
-    else
-      fill(tile.squares, lane, {leaf_x_, leaf_y_, kLeaf, kLeaf});
+      continue;
+    }
+    const int color = tile.squares.color[std::size_t(lane)];
+    int leaves = 1;
+    for (; color != kComposite && lane < last; ++lane, ++leaves)
+      if (tile.squares.mixed >> (lane + 1) & 1u ||
+          tile.squares.color[std::size_t(lane + 1)] != color)
+        break;
+    fill(tile.squares, lane, {leaf_x_, leaf_y_, leaves * kLeaf, kLeaf});
   }
 }
 

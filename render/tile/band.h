@@ -70,6 +70,8 @@ class BandPainter {
     std::vector<Wanted> wanted;
     std::vector<OutlineInLeaves> outlines;  // by place in `wanted`
     std::vector<LeafEdge> edges;
+
+    bool one_color(int row) const;  // its leaves, all plain
   };
 
   void group(int x, int tiles);
