@@ -81,7 +81,7 @@ void Plan::make(Depth d) {
   outline_boxes.reserve(tape.outlines.size());
   for (const OffsetShape& s : tape.outlines) {
     squares.emplace_back(s, glm::dvec2{0.0});
-    outlines.emplace_back(s, tolerance / 8);
+    outlines.emplace_back(s, tolerance / 2.5);
     outline_boxes.push_back(box_of(s));
   }
   for (const TapeLayer& layer : tape.layers) {

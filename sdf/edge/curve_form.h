@@ -45,6 +45,15 @@ std::optional<ParabolaPiece> parabola_piece(const QuadBezier& curve);
 /// The reach of the piece, made longer by arc `margin` at both ends, or a bound below it.
 double reach_of(const ParabolaForm& form, double margin);
 
+/// Whether points of a disc whose outlines are at most `level` from a curve of that reach have their feet
+/// within arc 2·radius of the centre's. On the way to a point at distance `level`, with τ to go, the foot moves at most
+/// reach/(reach − level − τ) times as fast (Federer); summed: reach ln((reach − level)/(reach − level − radius)).
+inline bool feet_are_near(double reach, double level, double radius) {
+  const double far = level + radius;
+  if (2.0 * far <= reach) return true;
+  return far < reach && reach * std::log((reach - level) / (reach - far)) <= 2.0 * radius;
+}
+
 /// The outline of an ellipse.
 struct EllipseForm {
   glm::dvec2 center, axis;

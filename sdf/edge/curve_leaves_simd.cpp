@@ -116,12 +116,9 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
     const V c11 = hn::Mul(hn::Mul(c4, c4), hn::Mul(c2, hn::Sqrt(c2)));
     c.most_k4 = hn::Mul(hn::Mul(hn::Mul(Set(3.0), hn::Abs(aa3)), aa2), hn::Mul(c11, largest));
 
-    // Points of the leaf on the outline are `level` from the curve, so the way to them from the
-    // centre keeps within level + radius; feet then lie within arc radius·reach/(reach − that).
-    // Half the reach makes that 2·radius, as assumed.
     const V distance = hn::Abs(side);
     auto ok = hn::And(hn::Le(hn::Abs(slip), Set(1e-9)), hn::Lt(distance, Set(most)));
-    if (!(2.0 * (level + r) <= most)) ok = hn::Lt(one, hn::Zero(d));
+    if (!feet_are_near(most, level, r)) ok = hn::Lt(one, hn::Zero(d));
     const V up = one, down = Set(-1.0);
     ok = hn::And(ok, hn::Gt(least, Set(0.25)));
     if (f.stroke) {
@@ -211,7 +208,7 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
         hn::Mul(hn::Mul(Set(1.5), hn::Mul(ab, hn::Sqrt(il))), hn::Mul(il3, hn::Add(of_q, of_p)));
     auto ok = hn::And(hn::Le(hn::Abs(slip), Set(1e-9 + 1e-15 * (f.a + f.b))),
                       hn::Lt(hn::Abs(side), Set(f.reach)));
-    if (!(2.0 * r <= f.reach)) ok = hn::Lt(one, hn::Zero(d));
+    if (!feet_are_near(f.reach, 0.0, r)) ok = hn::Lt(one, hn::Zero(d));
     StoreLevel({k, k1, k2, k3, k4}, Set(-1.0), extent, ok, out.levels[0], i);
     proven |= Bits(ok) << i;
   }
