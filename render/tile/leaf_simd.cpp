@@ -304,9 +304,10 @@ HWY_INLINE void SimpleBlocks(const Leaf& leaf, const LeafEdge& e, std::uint32_t 
                                          Fused(w, to[2], from[2]));
       alignas(64) std::int32_t rows[kBlock];
       hn::Store(color, di, rows);
-      std::uint32_t* const at = pixels + (b / 4 * 4 + i / 4) * stride + b % 4 * 4;
-      for (size_t row = 0; row < hn::Lanes(f) / 4; ++row)
-        std::memcpy(at + row * stride, rows + 4 * row, 16);
+      std::uint32_t* const at = pixels + b / 4 * 4 * stride + b % 4 * 4;
+      constexpr size_t kRun = HWY_MIN(4, hn::MaxLanes(F()));  // lanes of one row
+      for (size_t j = 0; j < hn::Lanes(f); j += kRun)
+        std::memcpy(at + (i + j) / 4 * stride + (i + j) % 4, rows + j, 4 * kRun);
     }
   }
 }

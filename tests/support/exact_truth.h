@@ -45,8 +45,8 @@ class ExactTruth {
     bool whole;
   };
   struct Square {
-    std::vector<Seen> seen;  ///< bottom to top
-    double x, y;             ///< its left and upper edge [px]
+    std::vector<Seen> seen;                                  ///< bottom to top
+    double x, y;                                             ///< its left and upper edge [px]
     mutable std::unordered_map<double, std::size_t> orders;  ///< of lines strips share
   };
 
