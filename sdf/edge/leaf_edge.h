@@ -20,7 +20,8 @@ inline constexpr double kMostJointTurn = 0.005;
 ///     d(u) + (c3 X³ + c4 X⁴) (1 + (bend X)²/2) <= 0,
 ///
 /// d the signed distance to the circle Y + bend/2 |u|² = 0: the osculating circle, exactly, and the
-/// third and fourth order by which the outline leaves it, per arc length rather than X.
+/// third and fourth order by which the outline leaves it, per arc length rather than X; c3 with the fifth
+/// order folded in (leaf_remainder-inl.h).
 struct LeafEdge {
   float x, y;    ///< a point of the outline
   float nx, ny;  ///< unit outward normal there
