@@ -15,6 +15,9 @@ constexpr double kSqrtHalf = 0.70710678118654757;  // rounded up
 /// pixels there; measured: even at 15 MB, ahead from 30 MB on.
 constexpr std::size_t kStreamedFrom = 16u << 20;
 
+/// Outlines noted for tiles that are described together: half a kilobyte each. Faces never have so many.
+constexpr std::size_t kMostDescribed = 4096;
+
 std::span<const Step> steps_of(const Tape& tape, int layer) {
   const TapeLayer& l = tape.layers[std::size_t(layer)];
   return {tape.steps.data() + l.first, std::size_t(l.count)};
@@ -38,7 +41,7 @@ void BandPainter::draw(const Plan& plan, int width, int height, int y, const Tar
   width_ = width, height_ = height, y_ = y;
   const bool large = target.stride * std::size_t(target.rect.height) >= kStreamedFrom;
   stores_ = large && target.depth == Depth::u8 ? Stores::streamed : Stores::ordinary;
-  stamp_.resize(outlines), wanted_.resize(outlines);
+  stamp_.resize(outlines), wanted_.resize(outlines), heads_.assign(outlines, -1);
   group_sides_.resize(outlines), tile_sides_.resize(outlines), leaf_sides_.resize(outlines);
   const int first = target.rect.x / kBandTile;
   const int last = (target.rect.x + target.rect.width - 1) / kBandTile;
@@ -126,16 +129,27 @@ void BandPainter::group(int x, int tiles) {
             : classified(o, {xs_.data(), n}, {ys_.data(), n}, float(kSqrtHalf * kBandTile));
   const std::uint64_t valid = tiles == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << tiles) - 1;
   resolve(group_layers_, group_sides_, valid, group_);
+  for (int i = 0; i < tiles;) i = draw_tiles(x, i, tiles);
+}
+
+/// Tiles of the present group from the first on, as many as are described together; the next one.
+int BandPainter::draw_tiles(int x, int first, int tiles) {
   std::array<int, kGroup> places;
-  int described = 0;
-  for (int i = 0; i < tiles; ++i) {
-    if (!(group_.mixed >> i & 1u)) continue;
-    if (tiles_.size() == std::size_t(described)) tiles_.emplace_back();
-    Tile& tile = tiles_[std::size_t(described)];
-    tile.x = x + i * kBandTile;
-    describe(i, tile);
-    places[std::size_t(i)] = described++;
+  std::size_t noted = 0;
+  described_ = 0;
+  int last = first;
+  for (; last < tiles && noted <= kMostDescribed; ++last) {
+    if (!(group_.mixed >> last & 1u)) continue;
+    places[std::size_t(last)] = described_;
+    if (tiles_.size() == std::size_t(described_)) tiles_.emplace_back();
+    Tile& tile = tiles_[std::size_t(described_++)];
+    tile.x = x + last * kBandTile;
+    note(last, tile);
+    noted += tile.noted.size();
   }
+  place_leaves();
+  for (int i = 0; i < described_; ++i) resolve_leaves(i);
+  find_edges();
   // The one colour that tile i shows in a row of leaves, if it does.
   struct Filled {
     const Squares* squares;
@@ -149,7 +163,7 @@ void BandPainter::group(int x, int tiles) {
     return Filled{&tile.squares, row * kLeavesAcross};
   };
   for (int row = 0; row < kLeavesAcross; ++row)
-    for (int i = 0; i < tiles;) {
+    for (int i = first; i < last;) {
       const std::optional<Filled> one = filled(i, row);
       if (!one) {
         draw_row(tiles_[std::size_t(places[std::size_t(i)])], row);
@@ -158,7 +172,7 @@ void BandPainter::group(int x, int tiles) {
       }
       int end = i + 1;  // a run of one colour
       if (one->color() != kComposite)
-        for (; end < tiles; ++end) {
+        for (; end < last; ++end) {
           const std::optional<Filled> next = filled(end, row);
           if (!next || next->color() != one->color()) break;
         }
@@ -166,6 +180,7 @@ void BandPainter::group(int x, int tiles) {
            {x + i * kBandTile, y_ + row * kLeaf, (end - i) * kBandTile, kLeaf});
       i = end;
     }
+  return last;
 }
 
 bool BandPainter::Tile::one_color(int row) const {
@@ -177,42 +192,75 @@ bool BandPainter::Tile::one_color(int row) const {
   return color != kComposite;
 }
 
-/// The edges of every outline in the leaves that need them.
-void BandPainter::describe(int index, Tile& tile) {
-  const Tape& tape = plan_->tape;
-  tile_layers_.clear();
+/// The outlines that a tile's layers read: on which side of them it lies, if all of it does; else they are asked
+/// about its leaves.
+void BandPainter::note(int index, Tile& tile) {
+  tile.layers.clear();
   for (const Seen& s : group_.seen)
-    if ((s.in | s.unknown) >> index & 1u) tile_layers_.push_back(s.layer);
-
-  Leaves leaves;
-  leaves.radius = kSqrtHalf * kLeaf;
-  std::array<float, Leaves::kMost> xs, ys;
-  for (std::size_t i = 0; i < Leaves::kMost; ++i) {
-    leaves.x[i] = tile.x + kLeaf * (double(i % kLeavesAcross) + 0.5) - 0.5 * width_;
-    leaves.y[i] = y_ + kLeaf * (double(i / kLeavesAcross) + 0.5) - 0.5 * height_;
-    xs[i] = float(leaves.x[i]), ys[i] = float(leaves.y[i]);
-  }
-  note_outlines(tile_layers_);
+    if ((s.in | s.unknown) >> index & 1u) tile.layers.push_back(s.layer);
+  note_outlines(tile.layers);
   tile.noted.assign(noted_.begin(), noted_.end());
   tile.sides.clear();
   for (const int o : noted_) {
     const Sides s = group_sides_[std::size_t(o)];
-    Sides& t = tile_sides_[std::size_t(o)];
-    wanted_[std::size_t(o)] = 0;
-    if (s.in >> index & 1u)
-      t = {~std::uint64_t{0}, 0};
-    else if (s.out >> index & 1u)
-      t = {0, ~std::uint64_t{0}};
-    else
-      t = classified(o, xs, ys, float(leaves.radius));
-    tile.sides.push_back(t);
+    const bool in = s.in >> index & 1u, out = s.out >> index & 1u;
+    if (!in && !out) link(o, described_ - 1, int(tile.sides.size()));
+    tile.sides.push_back({in ? ~std::uint64_t{0} : 0, out ? ~std::uint64_t{0} : 0});
   }
-  resolve(tile_layers_, tile_sides_, 0xFFFF, tile.squares);
+}
 
-  tile.edges.clear(), tile.wanted.clear();
+void BandPainter::link(int outline, int tile, int place) {
+  int& head = heads_[std::size_t(outline)];
+  if (head < 0) linked_.push_back(outline);
+  links_.push_back({tile, place, head});
+  head = int(links_.size()) - 1;
+}
+
+glm::dvec2 BandPainter::center_of(const Tile& tile, int lane) const {
+  const glm::dvec2 corner{tile.x + kLeaf * (lane % kLeavesAcross),
+                          y_ + kLeaf * (lane / kLeavesAcross)};
+  return corner + 0.5 * kLeaf - 0.5 * glm::dvec2{width_, height_};
+}
+
+/// Where the leaves lie against the outlines asked for, those of four tiles at once.
+void BandPainter::place_leaves() {
+  constexpr std::size_t kTiles = kGroup / Leaves::kMost;
+  for (const int o : linked_) {
+    for (int next = std::exchange(heads_[std::size_t(o)], -1); next >= 0;) {
+      std::array<Sides*, kTiles> asked;
+      std::size_t count = 0;
+      for (; next >= 0 && count < kTiles; ++count) {
+        const Link& l = links_[std::size_t(next)];
+        Tile& tile = tiles_[std::size_t(l.tile)];
+        for (std::size_t i = 0; i < Leaves::kMost; ++i) {
+          const glm::dvec2 c = center_of(tile, int(i));
+          xs_[count * Leaves::kMost + i] = float(c.x), ys_[count * Leaves::kMost + i] = float(c.y);
+        }
+        asked[count] = &tile.sides[std::size_t(l.place)];
+        next = l.next;
+      }
+      const std::size_t n = count * Leaves::kMost;
+      const Sides all = classified(o, {xs_.data(), n}, {ys_.data(), n}, float(kSqrtHalf * kLeaf));
+      for (std::size_t t = 0; t < count; ++t)
+        *asked[t] = {all.in >> (t * Leaves::kMost) & 0xFFFFu,
+                     all.out >> (t * Leaves::kMost) & 0xFFFFu};
+    }
+  }
+  linked_.clear(), links_.clear();
+}
+
+/// What a tile's leaves show, and which need the edges of which outlines.
+void BandPainter::resolve_leaves(int index) {
+  Tile& tile = tiles_[std::size_t(index)];
+  for (std::size_t i = 0; i < tile.noted.size(); ++i) {
+    tile_sides_[std::size_t(tile.noted[i])] = tile.sides[i];
+    wanted_[std::size_t(tile.noted[i])] = 0;
+  }
+  resolve(tile.layers, tile_sides_, 0xFFFF, tile.squares);
+  tile.wanted.clear();
   for (const Seen& s : tile.squares.seen) {
     if (!s.unknown) continue;
-    for (const Step& step : steps_of(tape, s.layer)) {
+    for (const Step& step : steps_of(plan_->tape, s.layer)) {
       if (step.kind != Step::Kind::outline) continue;
       const auto o = std::size_t(step.outline);
       const auto lanes = std::uint32_t(s.unknown & tile_sides_[o].unknown());
@@ -222,10 +270,43 @@ void BandPainter::describe(int index, Tile& tile) {
   }
   if (tile.outlines.size() < tile.wanted.size()) tile.outlines.resize(tile.wanted.size());
   for (std::size_t i = 0; i < tile.wanted.size(); ++i) {
-    const auto o = std::size_t(tile.wanted[i].outline);
-    leaves.wanted = tile.wanted[i].leaves = wanted_[o];
-    plan_->outlines[o].in_leaves(leaves, tile.outlines[i], tile.edges);
+    Tile::Wanted& w = tile.wanted[i];
+    w.leaves = wanted_[std::size_t(w.outline)];
+    link(w.outline, index, int(i));
   }
+}
+
+/// The edges of every outline in the leaves that need them, sixteen at once wherever they are.
+void BandPainter::find_edges() {
+  edges_.clear();
+  Leaves leaves{.wanted = 0, .radius = kSqrtHalf * kLeaf};
+  OutlineInLeaves found;
+  std::array<LeafOutline*, Leaves::kMost> asked;
+  std::size_t count = 0;
+  const auto ask = [&](int outline) {
+    for (std::size_t i = count; i < Leaves::kMost; ++i)
+      leaves.x[i] = leaves.x[count - 1], leaves.y[i] = leaves.y[count - 1];
+    leaves.wanted = (1u << count) - 1;
+    plan_->outlines[std::size_t(outline)].in_leaves(leaves, found, edges_);
+    for (std::size_t i = 0; i < count; ++i) *asked[i] = found[i];
+    count = 0;
+  };
+  for (const int o : linked_) {
+    for (int next = std::exchange(heads_[std::size_t(o)], -1); next >= 0;) {
+      const Link& l = links_[std::size_t(next)];
+      Tile& tile = tiles_[std::size_t(l.tile)];
+      for (std::uint32_t left = tile.wanted[std::size_t(l.place)].leaves; left; left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        const glm::dvec2 c = center_of(tile, lane);
+        leaves.x[count] = c.x, leaves.y[count] = c.y;
+        asked[count++] = &tile.outlines[std::size_t(l.place)][std::size_t(lane)];
+        if (count == Leaves::kMost) ask(o);
+      }
+      next = l.next;
+    }
+    if (count > 0) ask(o);
+  }
+  linked_.clear(), links_.clear();
 }
 
 /// A row of a tile's leaves.
@@ -240,7 +321,7 @@ void BandPainter::draw_row(const Tile& tile, int row) {
   const int last = (row + 1) * kLeavesAcross - 1;
   for (int lane = row * kLeavesAcross; lane <= last; ++lane) {
     leaf_x_ = tile.x + kLeaf * (lane % kLeavesAcross), leaf_y_ = all.y;
-    leaf_center_ = glm::dvec2{leaf_x_, leaf_y_} + 0.5 * kLeaf - 0.5 * glm::dvec2{width_, height_};
+    leaf_center_ = center_of(tile, lane);
     if (tile.squares.mixed >> lane & 1u) {
       leaf(tile, lane);
       continue;
@@ -293,7 +374,7 @@ void BandPainter::leaf(const Tile& tile, int lane) {
   for (std::size_t i = 0; i < tile.noted.size(); ++i)
     leaf_sides_[std::size_t(tile.noted[i])] =
         tile.sides[i].in >> lane & 1u ? Sides{~std::uint64_t{0}, 0} : Sides{0, ~std::uint64_t{0}};
-  if (assemble(leaf_list_, tile.edges, {0.0, 0.0}, kLeaf, kMostLeafBend))
+  if (assemble(leaf_list_, edges_, {0.0, 0.0}, kLeaf, kMostLeafBend))
     paint(0xFFFF);
   else if (!varies_here_)
     divide({0.0, 0.0}, kLeaf, 0, 0);

@@ -64,18 +64,24 @@ class BandPainter {
       std::uint32_t leaves;  // that need its edges
     };
     int x = 0;  // its left side [px]
+    std::vector<int> layers;
     Squares squares;
-    std::vector<int> noted;  // outlines that its layers read, and their sides
+    std::vector<int> noted;  // outlines that its layers read, and where its leaves lie against them
     std::vector<Sides> sides;
     std::vector<Wanted> wanted;
     std::vector<OutlineInLeaves> outlines;  // by place in `wanted`
-    std::vector<LeafEdge> edges;
 
     bool one_color(int row) const;  // its leaves, all plain
   };
 
   void group(int x, int tiles);
-  void describe(int index, Tile& tile);
+  int draw_tiles(int x, int first, int tiles);
+  void note(int index, Tile& tile);
+  void link(int outline, int tile, int place);
+  glm::dvec2 center_of(const Tile& tile, int lane) const;
+  void place_leaves();
+  void resolve_leaves(int index);
+  void find_edges();
   void draw_row(const Tile& tile, int row);
   void stream_row(const Tile& tile, int row, std::uint32_t* to);
   void leaf(const Tile& tile, int lane);
@@ -154,12 +160,21 @@ class BandPainter {
   Leaf leaf_;
 
   // Scratch.
-  std::vector<int> group_layers_, tile_layers_, leaf_layers_, noted_;
+  std::vector<int> group_layers_, leaf_layers_, noted_;
   std::vector<std::uint32_t> stamp_;
   std::uint32_t stamp_now_ = 0;
   std::vector<Sides> group_sides_, tile_sides_, leaf_sides_, stack_;
   Squares group_;
-  std::vector<Tile> tiles_;            // of the present group
+  std::vector<Tile> tiles_;  // those described together, and their number
+  int described_ = 0;
+  std::vector<LeafEdge> edges_;  // of all their outlines
+  /// A tile that asks about an outline; what it asks for is at a place in its lists.
+  struct Link {
+    int tile, place;
+    int next;  // of the same outline; −1: none
+  };
+  std::vector<Link> links_;
+  std::vector<int> heads_, linked_;    // by outline: its first link; outlines that have one
   std::vector<std::uint32_t> wanted_;  // by outline: leaves of a tile that need its edges
   std::vector<int> leaf_wanted_;       // outlines of the present leaf
   bool varies_here_ = false;           // why assemble said no

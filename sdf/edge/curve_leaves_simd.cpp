@@ -67,7 +67,9 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
       x = hn::Add(Set(f.lo), hn::Min(hn::Max(along, Set(-0.5 * run)), Set(1.5 * run)));
     }
     // Halley's steps: what is left is the cube of the one before, times 4a² and less.
+    // Lanes that arrived stay: who else is asked about changes nobody's bits.
     constexpr int kSteps = 12;
+    auto moving = hn::Eq(one, one);
     for (int step = 0; step < kSteps; ++step) {
       const V cube = hn::Mul(aa, hn::Mul(x, x));
       const V off = FusedLess(x, hn::Add(w, cube), u), rise = Fused(Set(3.0), cube, w);
@@ -75,8 +77,9 @@ void ParabolaLeaves(const ParabolaForm& f, const Leaves& leaves, CurveLeaves& ou
       const V turn = hn::Mul(hn::Mul(Set(3.0), aa), hn::Mul(x, off));
       const V move = hn::Div(hn::Mul(off, safe), hn::Max(FusedLess(safe, safe, turn),
                                                          hn::Mul(Set(0.5), hn::Mul(safe, safe))));
-      x = hn::Sub(x, move);
-      if (hn::AllTrue(d, hn::Le(hn::Abs(move), Set(1e-4)))) break;
+      x = hn::Sub(x, hn::IfThenElseZero(moving, move));
+      moving = hn::And(moving, hn::Gt(hn::Abs(move), Set(1e-4)));
+      if (hn::AllFalse(d, moving)) break;
     }
     const V y = hn::Mul(two_a, x), sigma2 = Fused(y, y, one), sigma = hn::Sqrt(sigma2);
     const V is = hn::Div(one, sigma), du = hn::Sub(u, x), dv = FusedFrom(hn::Mul(Set(a), x), x, v);
@@ -151,6 +154,7 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
     const V size = hn::Max(hn::Sqrt(Fused(c, c, hn::Mul(s, s))), Set(1e-12));
     c = hn::Div(c, size), s = hn::Div(s, size);
     V slip = one, g = one;
+    auto moving = hn::Eq(one, one);
     constexpr int kSteps = 8;
     for (int step = 0; step < kSteps; ++step) {
       const V fx = hn::Mul(a, c), fy = hn::Mul(b, s), dx = hn::Sub(x, fx), dy = hn::Sub(y, fy);
@@ -158,13 +162,14 @@ void EllipseLeaves(const EllipseForm& f, const Leaves& leaves, CurveLeaves& out)
       g = Fused(tx, tx, hn::Mul(ty, ty));
       slip = Fused(dx, tx, hn::Mul(dy, ty));
       const V rise = Fused(dx, fx, Fused(dy, fy, g));
-      const V turn =
-          hn::Min(hn::Max(hn::Div(slip, hn::Max(rise, Set(1e-12))), Set(-0.5)), Set(0.5));
+      const V turn = hn::IfThenElseZero(
+          moving, hn::Min(hn::Max(hn::Div(slip, hn::Max(rise, Set(1e-12))), Set(-0.5)), Set(0.5)));
       const V h = hn::Mul(turn, Set(0.5)), hh = hn::Mul(h, h), inv = hn::Div(one, hn::Add(one, hh));
       const V cos = hn::Mul(hn::Sub(one, hh), inv), sin = hn::Mul(turn, inv);
       const V next = FusedLess(c, cos, hn::Mul(s, sin));
       s = Fused(s, cos, hn::Mul(c, sin)), c = next;
-      if (hn::AllTrue(d, hn::Le(hn::Abs(turn), Set(1e-8)))) break;
+      moving = hn::And(moving, hn::Gt(hn::Abs(turn), Set(1e-8)));
+      if (hn::AllFalse(d, moving)) break;
     }
     const V tx = hn::Neg(hn::Mul(a, s)), ty = hn::Mul(b, c);
     g = Fused(tx, tx, hn::Mul(ty, ty));
