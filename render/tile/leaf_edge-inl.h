@@ -164,15 +164,17 @@ HWY_INLINE VF AreaInStrips(VF px, VF py, float side, int strips, SeeAt see) {
   return hn::Mul(sum, thin);
 }
 
+/// The area of each pixel around (px, py) inside the edge's body, of a bend that takes one strip.
+HWY_INLINE VF GentleAreaOf(const LeafEdge& e, VF px, VF py) {
+  const Sight s = SeeGently(e, px, py);
+  return EdgeArea(F(), s.d, s.gx, s.gy, s.k);
+}
+
 /// The area of each pixel around (px, py) inside the edge. In a function of its own: inlined where it is
 /// asked for, with all it inlines itself, it takes compilers minutes under sanitizers.
 HWY_NOINLINE VF AreaOf(const LeafEdge& e, VF px, VF py, int strips, Part part) {
-  const F f;
   if (e.joined && part == Part::end) return AreaOf(e.beyond(), px, py, strips, Part::body);
-  if (strips == 1) {
-    const Sight s = SeeBody(e, px, py);  // ends take several strips
-    return EdgeArea(f, s.d, s.gx, s.gy, s.k);
-  }
+  if (strips == 1) return GentleAreaOf(e, px, py);  // ends take several strips
   if (part == Part::body)
     return AreaInStrips(px, py, 1.0f, strips,
                         [&](VF x, VF y) MIEN_LANES { return SeeBody(e, x, y); });
