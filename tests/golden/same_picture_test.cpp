@@ -11,6 +11,7 @@
 
 #include "tests/support/effort.h"
 #include "tests/support/faces.h"
+#include "tests/support/random_plain_scene.h"
 
 namespace mien {
 namespace {
@@ -52,6 +53,26 @@ TEST(SamePicture, StitchedFromRegions) {
         }
       EXPECT_EQ(stitched, whole.bytes) << name;
     }
+}
+
+// Which leaves are asked about together depends on what a region shows: no bit may follow it.
+TEST(SamePicture, OfRandomScenesInAnyRegion) {
+  constexpr int kWidth = 310, kHeight = 150;
+  for (int seed = 1; seed <= test::times(60); ++seed) {
+    const Scene scene = test::random_plain_scene(std::uint64_t(seed));
+    const Image whole = render(scene, {.width = kWidth, .height = kHeight});
+    for (const PixelRect part : {PixelRect{0, 0, 70, 150}, PixelRect{71, 3, 130, 61},
+                                 PixelRect{130, 66, 180, 84}, PixelRect{255, 0, 1, 150}}) {
+      View view{.width = kWidth, .height = kHeight};
+      view.region = part;
+      const Image piece = render(scene, view);
+      for (int y = 0; y < part.height; ++y)
+        ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + 4 * part.x,
+                              4 * std::size_t(part.width)),
+                  0)
+            << seed << " row " << y + part.y << ", from " << part.x << ' ' << part.y;
+    }
+  }
 }
 
 TEST(Seams, NoneBetweenAbuttingLayersOfOneColour) {

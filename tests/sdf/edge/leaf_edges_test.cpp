@@ -225,6 +225,51 @@ TEST(LeafOutlines, DescribeDiscsExactly) {
   EXPECT_EQ(t.proven, t.leaves);
 }
 
+/// What a kernel finds for one of the leaves.
+std::vector<double> numbers(const CurveLeaves& found, std::size_t leaf, std::size_t levels) {
+  std::vector<double> all{found.foot[leaf], found.side[leaf], found.nx[leaf], found.ny[leaf],
+                          double(found.proven >> leaf & 1u)};
+  for (std::size_t i = 0; i < levels; ++i) {
+    const CurveLeaves::Level& l = found.levels[i];
+    for (const double x : {l.bend[leaf], l.c3[leaf], l.c4[leaf], l.error[leaf]}) all.push_back(x);
+  }
+  return all;
+}
+
+// Which leaves are asked about together depends on what a region shows: no bit may follow it.
+TEST(CurveLeaves, DependOnNoOtherLeaf) {
+  on_every_set([] {
+    std::mt19937_64 random(23);
+    std::uniform_real_distribution<double> place(-60, 60), unit(0, 1);
+    const auto point = [&] { return glm::dvec2{place(random), place(random)}; };
+    for (int i = 0; i < 300; ++i) {
+      const OffsetShape stroke{QuadStroke{{point(), point(), point()}, 1 + 9 * unit(random)}, 0},
+          round{Ellipse{point(),
+                        {30 + 60 * unit(random), 30 + 60 * unit(random)},
+                        glm::normalize(point())},
+                0};
+      const auto parabola = parabola_form(stroke);
+      const auto ellipse = ellipse_form(round);
+      Leaves all{.wanted = 0xFFFF, .radius = 11.32};
+      for (std::size_t k = 0; k < Leaves::kMost; ++k)
+        all.x[k] = 1.3 * place(random), all.y[k] = 1.3 * place(random);
+      CurveLeaves together, alone;
+      for (std::size_t k = 0; k < Leaves::kMost; ++k) {
+        Leaves one = all;
+        one.x.fill(all.x[k]), one.y.fill(all.y[k]), one.wanted = 1;
+        if (parabola) {
+          parabola_leaves(*parabola, all, together), parabola_leaves(*parabola, one, alone);
+          ASSERT_EQ(numbers(together, k, 2), numbers(alone, 0, 2)) << "parabola " << i;
+        }
+        if (ellipse) {
+          ellipse_leaves(*ellipse, all, together), ellipse_leaves(*ellipse, one, alone);
+          ASSERT_EQ(numbers(together, k, 1), numbers(alone, 0, 1)) << "ellipse " << i;
+        }
+      }
+    }
+  });
+}
+
 TEST(LeafOutlines, AskForSmallerLeavesWhereNothingIsProven) {
   Leaves leaves{.wanted = 1, .radius = 11.4};
   leaves.x.fill(0), leaves.y.fill(0);
