@@ -54,7 +54,7 @@ HWY_INLINE VF Between(const float* plane, std::uint32_t out, std::uint32_t in, V
 }
 
 template <bool kLinear>
-HWY_INLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, std::uint32_t in,
+HWY_NOINLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, std::uint32_t in,
                         float cx, float cy, int strips, Part part, std::uint32_t* to,
                         size_t stride) {
   const F f;
@@ -125,7 +125,7 @@ struct BlockView {
   std::uint32_t in_parts;  // pixels that one area does not describe
 };
 
-HWY_INLINE void SeeBlock(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
+HWY_NOINLINE void SeeBlock(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
                          const Use* uses, int block, BlockView& out) {
   const F f;
   const hn::RebindToSigned<F> di;
@@ -169,7 +169,7 @@ HWY_INLINE void SeeBlock(const Leaf& leaf, std::uint32_t active, std::uint32_t b
 
 /// A block that is not simple. Pixels that one area does not describe are resolved in parts.
 template <bool kLinear>
-HWY_INLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
+HWY_NOINLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
                          const Use* uses, int block, std::uint32_t* to, size_t stride,
                          LeafPixels& left) {
   const F f;
@@ -220,7 +220,7 @@ constexpr float kStraightBend = 0.004f, kStraightLeaves = 2e-4f;
 /// is that of See() and EdgeArea(), with what its blocks share taken out: turned coordinates x, y are sums
 /// of a pixel's and a block's. A block that an edge crosses is near: no clamp is needed.
 template <bool kLinear, bool kBent>
-HWY_INLINE void SimpleBlocks(const Leaf& leaf, const LeafEdge& e, std::uint32_t out,
+HWY_NOINLINE void SimpleBlocks(const Leaf& leaf, const LeafEdge& e, std::uint32_t out,
                              std::uint32_t in, std::uint32_t blocks, std::uint32_t* pixels,
                              size_t stride) {
   const F f;

@@ -76,7 +76,7 @@ struct Placed {
   std::uint32_t once = 0, twice = 0;        // blocks that one edge crosses at least, or two
   alignas(64) std::int32_t base[kBlock];  // by block: inside which of the edges that don't cross it
 };
-HWY_INLINE void Place(const Leaf& leaf, std::uint32_t blocks, Placed& out) {
+HWY_NOINLINE void Place(const Leaf& leaf, std::uint32_t blocks, Placed& out) {
   const hn::CappedTag<std::int32_t, 16> d;
   std::uint32_t inside[Leaf::kMostEdges];
   for (int e = 0; e < leaf.edge_count; ++e) {
