@@ -17,6 +17,8 @@ constexpr std::size_t kStreamedFrom = 16u << 20;
 
 /// Outlines noted for tiles that are described together: half a kilobyte each. Faces never have so many.
 constexpr std::size_t kMostDescribed = 4096;
+/// Of those a tile's place keeps memory for so many.
+constexpr std::size_t kMostKept = 512;
 
 std::span<const Step> steps_of(const Tape& tape, int layer) {
   const TapeLayer& l = tape.layers[std::size_t(layer)];
@@ -180,6 +182,9 @@ int BandPainter::draw_tiles(int x, int first, int tiles) {
            {x + i * kBandTile, y_ + row * kLeaf, (end - i) * kBandTile, kLeaf});
       i = end;
     }
+  for (std::size_t i = 1; i < tiles_.size();
+       ++i)  // in any of 64 places a crowded tile may have been
+    if (tiles_[i].outlines.size() > kMostKept) tiles_[i].outlines = {};
   return last;
 }
 
