@@ -55,8 +55,8 @@ HWY_INLINE VF Between(const float* plane, std::uint32_t out, std::uint32_t in, V
 
 template <bool kLinear>
 HWY_NOINLINE void OneEdge(const Leaf& leaf, const LeafEdge& e, std::uint32_t out, std::uint32_t in,
-                        float cx, float cy, int strips, Part part, std::uint32_t* to,
-                        size_t stride) {
+                          float cx, float cy, int strips, Part part, std::uint32_t* to,
+                          size_t stride) {
   const F f;
   const hn::RebindToSigned<F> di;
   alignas(64) std::int32_t pixels[kBlock];
@@ -126,7 +126,7 @@ struct BlockView {
 };
 
 HWY_NOINLINE void SeeBlock(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
-                         const Use* uses, int block, BlockView& out) {
+                           const Use* uses, int block, BlockView& out) {
   const F f;
   const hn::RebindToSigned<F> di;
   using VI = hn::Vec<decltype(di)>;
@@ -170,8 +170,8 @@ HWY_NOINLINE void SeeBlock(const Leaf& leaf, std::uint32_t active, std::uint32_t
 /// A block that is not simple. Pixels that one area does not describe are resolved in parts.
 template <bool kLinear>
 HWY_NOINLINE void AnyEdges(const Leaf& leaf, std::uint32_t active, std::uint32_t base,
-                         const Use* uses, int block, std::uint32_t* to, size_t stride,
-                         LeafPixels& left) {
+                           const Use* uses, int block, std::uint32_t* to, size_t stride,
+                           LeafPixels& left) {
   const F f;
   const hn::RebindToSigned<F> di;
   BlockView view;
@@ -221,8 +221,8 @@ constexpr float kStraightBend = 0.004f, kStraightLeaves = 2e-4f;
 /// of a pixel's and a block's. A block that an edge crosses is near: no clamp is needed.
 template <bool kLinear, bool kBent>
 HWY_NOINLINE void SimpleBlocks(const Leaf& leaf, const LeafEdge& e, std::uint32_t out,
-                             std::uint32_t in, std::uint32_t blocks, std::uint32_t* pixels,
-                             size_t stride) {
+                               std::uint32_t in, std::uint32_t blocks, std::uint32_t* pixels,
+                               size_t stride) {
   const F f;
   const hn::RebindToSigned<F> di;
   const VF nx = Const(e.nx), ny = Const(e.ny), k = Const(e.bend), half = Const(0.5f * e.bend);
