@@ -182,8 +182,8 @@ int BandPainter::draw_tiles(int x, int first, int tiles) {
            {x + i * kBandTile, y_ + row * kLeaf, (end - i) * kBandTile, kLeaf});
       i = end;
     }
-  for (std::size_t i = 1; i < tiles_.size();
-       ++i)  // in any of 64 places a crowded tile may have been
+  // A crowded tile may have been in any of 64 places.
+  for (std::size_t i = 1; i < tiles_.size(); ++i)
     if (tiles_[i].outlines.size() > kMostKept) tiles_[i].outlines = {};
   return last;
 }

@@ -273,7 +273,8 @@ HWY_INLINE void SimpleRun(const Leaf& leaf, const Simple& run, std::uint32_t* pi
   const LeafEdge second = run.beyond ? first.beyond() : LeafEdge{};
   const LeafEdge& e = run.beyond ? second : first;
   const std::uint32_t out = run.base, in = out | 1u << run.edge;
-  const auto size = [](float x) { return x < 0 ? -x : x; };
+  const float shown = ShownBy(leaf.blend);
+  const auto size = [shown](float x) { return shown * (x < 0 ? -x : x); };
   constexpr float kReach = 11.32f, kReach3 = kReach * kReach * kReach;  // a leaf's half diagonal
   const bool straight = size(e.bend) <= kStraightBend &&
                         (size(e.c3) + kReach * size(e.c4)) * kReach3 <= kStraightLeaves;

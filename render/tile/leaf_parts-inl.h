@@ -56,7 +56,7 @@ HWY_INLINE std::uint32_t BitsOf(hn::Mask<F> m) {
 /// b/24 of a part, it loses where the edge runs along a side that it just misses: in two parts of a pixel's sixteen.
 /// 0.18 makes that a quarter of a level (measured: 0.07); in strips it falls with their number's square.
 HWY_INLINE int StripsOfPart(float bend) {
-  return bend <= 0.18f ? 1 : bend <= 0.5f ? 2 : 4;
+  return bend <= 0.18f ? 1 : bend <= 0.5f ? 2 : bend <= 2.0f ? 4 : 8;
 }
 
 /// Squares of half diagonal r around (px, py) that may hold the place where a body becomes its round end.
@@ -88,14 +88,15 @@ HWY_INLINE auto MayHoldJoint(const LeafEdge& e, VF px, VF py, float side) {
 }
 
 /// The edge from the centres of sixteen parts of side `step` around (cx, cy).
-HWY_NOINLINE void SeeParts(const LeafEdge& e, float cx, float cy, float step, float tolerance,
+HWY_NOINLINE void SeeParts(const LeafEdge& e, float cx, float cy, float step, const Leaf& leaf,
                            EdgeInParts& out) {
   const F f;
+  const float tolerance = ToleranceOf(leaf);
   const float inverse = 1.0f / step;
   const float end_bend = e.has_end() ? e.end_bend : 0.0f;
   const auto size = [](float x) { return x < 0 ? -x : x; };
   const float most = HWY_MAX(HWY_MAX(size(e.bend), size(e.next.bend)), end_bend);
-  const int strips = StripsOfPart(most * step);
+  const int strips = StripsOfPart(ShownBy(leaf.blend) * most * step);
   // An end begins in one part of a pixel or two.
   const bool end_matters = e.has_end() && end_error(end_bend, step) > 2.0f * tolerance;
   const bool joint_matters = e.joined && joint_error(e.next.bend - e.bend, step) > tolerance;
@@ -310,7 +311,7 @@ HWY_INLINE void CopyPart(const EdgeInParts& from, size_t part, EdgeInParts& to, 
 HWY_INLINE Light OneInParts(const Leaf& leaf, std::uint32_t active, std::uint32_t base, float cx,
                             float cy, float step, int depth) {
   EdgeInParts e;
-  SeeParts(leaf.edges[std::size_t(std::countr_zero(active))], cx, cy, step, ToleranceOf(leaf), e);
+  SeeParts(leaf.edges[std::size_t(std::countr_zero(active))], cx, cy, step, leaf, e);
   Light light;
   for (std::uint32_t rest = e.divide; rest; rest &= rest - 1) {
     const auto i = size_t(std::countr_zero(rest));
@@ -329,8 +330,8 @@ HWY_INLINE Light TwoInParts(const Leaf& leaf, std::uint32_t active, std::uint32_
   const float tolerance = ToleranceOf(leaf);
   const std::uint32_t bit_a = active & -active, bit_b = active & ~bit_a;
   EdgeInParts a, b;
-  SeeParts(leaf.edges[std::size_t(std::countr_zero(bit_a))], cx, cy, step, tolerance, a);
-  SeeParts(leaf.edges[std::size_t(std::countr_zero(bit_b))], cx, cy, step, tolerance, b);
+  SeeParts(leaf.edges[std::size_t(std::countr_zero(bit_a))], cx, cy, step, leaf, a);
+  SeeParts(leaf.edges[std::size_t(std::countr_zero(bit_b))], cx, cy, step, leaf, b);
   alignas(64) float both[kBlock];
   std::uint32_t divide = AreasInsideBoth(a, b, kBlock, step, tolerance, both);
   divide = (divide & a.crossed & b.crossed) | a.divide | b.divide;
@@ -362,7 +363,7 @@ HWY_INLINE Light AnyInParts(const Leaf& leaf, const std::uint32_t active, std::u
   EdgeInParts edges[Leaf::kMostEdges];
   for (std::uint32_t rest = active; rest; rest &= rest - 1) {
     const auto e = std::size_t(std::countr_zero(rest));
-    SeeParts(leaf.edges[e], cx, cy, step, ToleranceOf(leaf), edges[e]);
+    SeeParts(leaf.edges[e], cx, cy, step, leaf, edges[e]);
   }
   struct Pair {
     std::uint32_t sides, a, b;  // edges that are the same are one

@@ -58,13 +58,8 @@ HWY_INLINE BlockSides PlaceBlocks(const LeafEdge& e) {
     // kGentle, whose distances are up to a tenth longer here).
     const VF corner = hn::Min(hn::Add(bent, along), Const(3.2f));
     const VF reach = hn::Add(corner, Const(2e-3f + e.error + turn));
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(f, hn::Lt(s.d, hn::Zero(f)), bits);
-    const std::uint32_t in = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
-    bits[0] = bits[1] = 0;
-    hn::StoreMaskBits(f, hn::Le(hn::Abs(s.d), reach), bits);
-    const std::uint32_t near = std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
-    sides.inside |= in << i, sides.crossed |= near << i;
+    sides.inside |= BitsOf(hn::Lt(s.d, hn::Zero(f))) << i;
+    sides.crossed |= BitsOf(hn::Le(hn::Abs(s.d), reach)) << i;
   }
   if (e.has_end()) sides.crossed |= BlocksAtEnd(e);
   return sides;
@@ -115,13 +110,14 @@ struct Use {
 };
 
 /// How the block around (cx, cy) sees an edge.
-HWY_INLINE Use UseOf(const LeafEdge& e, float cx, float cy) {
+HWY_INLINE Use UseOf(const LeafEdge& e, float cx, float cy, Blend blend) {
   constexpr float kTight = 0.45f;
-  const auto size = [](float x) { return x < 0 ? -x : x; };
+  const float shown = ShownBy(blend);
+  const auto size = [shown](float x) { return shown * (x < 0 ? -x : x); };
   const float body = size(e.bend);
   if (!e.has_end() && !e.joined) return {Part::body, StripsFor(body), body > kTight};
   const float beyond = (cx - e.end_x) * e.along_x + (cy - e.end_y) * e.along_y;
-  const float other = e.joined ? size(e.next.bend) : e.end_bend;
+  const float other = size(e.joined ? e.next.bend : e.end_bend);
   if (beyond < -3.0f) return {Part::body, StripsFor(body), body > kTight};
   // Beyond the end's line edges are circles at most kEndHalo from being asked: never straight.
   if (beyond > 3.0f)

@@ -35,7 +35,7 @@ template <bool kLinear>
 HWY_INLINE void PaintOnce(const Leaf& leaf, const Placed& placed, int e, std::uint32_t* pixels,
                           size_t stride, LeafPixels& left) {
   const LeafEdge& edge = leaf.edges[std::size_t(e)];
-  Use use = UseOf(edge, 0.0f, 0.0f);
+  Use use = UseOf(edge, 0.0f, 0.0f, leaf.blend);
   const bool varies = edge.has_end() || edge.joined;
   std::uint32_t rest = placed.crossed[e] & ~placed.twice;
   while (rest) {
@@ -48,7 +48,7 @@ HWY_INLINE void PaintOnce(const Leaf& leaf, const Placed& placed, int e, std::ui
     if (!varies && use.strips == 1) simple = run, run = 0;
     for (; run; run &= run - 1) {
       const int b = std::countr_zero(run);
-      if (varies) use = UseOf(edge, kBlocks.x[b], kBlocks.y[b]);
+      if (varies) use = UseOf(edge, kBlocks.x[b], kBlocks.y[b], leaf.blend);
       std::uint32_t* const to = pixels + size_t(b / 4 * 4) * stride + size_t(b % 4 * 4);
       if (use.tight || use.part == Part::both) {
         Use uses[Leaf::kMostEdges];
@@ -91,7 +91,7 @@ HWY_INLINE void Paint(const Leaf& leaf, std::uint32_t blocks, std::uint32_t* pix
     Use uses[Leaf::kMostEdges];
     for (std::uint32_t rest = active; rest; rest &= rest - 1) {
       const int e = std::countr_zero(rest);
-      uses[e] = UseOf(leaf.edges[std::size_t(e)], kBlocks.x[b], kBlocks.y[b]);
+      uses[e] = UseOf(leaf.edges[std::size_t(e)], kBlocks.x[b], kBlocks.y[b], leaf.blend);
     }
     const int e = std::countr_zero(active);
     if ((active & (active - 1)) != 0 || uses[e].tight || uses[e].part == Part::both)
