@@ -1,0 +1,50 @@
+#pragma once
+// What is a shape's outline? Answered to a tolerance, in pixels, as pieces (outlines.h).
+//
+//   OutlineMaker maker;
+//   maker.begin({grid_from_face, window, 1.0 / 800}, outlines);
+//   const int head = maker.fill(shape);        // {distance <= 0}
+//   const int line = maker.rim(shape, 0.01);   // {|distance| <= 0.01}
+//
+// Only single shapes are asked for: offsets of combinations are pushed down to shapes by
+// AreaProgram (area_program.h), which asks for fills, rims and their combinations.
+
+#include <mien/lib/geom/box2.h>
+#include <mien/lib/geom/map.h>
+#include <mien/sdf/outline/outlines.h>
+
+#include <optional>
+
+namespace mien {
+
+struct OutlineFrame {
+  Map<GridSpace, FaceSpace> grid_from_face;
+  Box2 window;       ///< [px] inside it outlines are right; beyond it they may be anything that leaves
+                     ///< the winding numbers inside as they are
+  double tolerance;  ///< [px] by which a piece may leave the outline
+};
+
+/// Writes outlines one after the other; keeps its scratch. One per thread.
+class OutlineMaker {
+ public:
+  /// Clears `to`, which must stay where it is until `finish`.
+  void begin(const OutlineFrame& frame, Outlines& to);
+
+  /// The outline of {distance(shape) <= 0}; its index. Shapes without area give an outline without
+  /// pieces.
+  int fill(const Shape& shape);
+
+  /// The outline of {|distance(shape)| <= half_width} [face units, > 0], the ribbon along the shape's
+  /// own outline; its index.
+  int rim(const Shape& shape, double half_width);
+
+  /// Ties pieces to vertices and turns them to run down. Nothing is added afterwards.
+  void finish();
+};
+
+/// {distance(shape) <= amount} as another shape, where that is one: discs, strokes, half-planes … are
+/// as much wider. None where it is not (paths, ellipses, parabolas, …): then it is the fill with the
+/// rim of that half-width, or without it where `amount` < 0.
+std::optional<Shape> offset_shape(const Shape& shape, double amount);
+
+}  // namespace mien
