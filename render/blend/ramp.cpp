@@ -83,6 +83,23 @@ void Ramp::add_kinks(double begin, bool backward, double lo, double hi,
   }
 }
 
+bool Ramp::kinks(double lo, double hi, int most, std::vector<double>& to) const {
+  to.clear();
+  const double first = at_.front(), length = at_.back() - first;
+  if (extend_ == Extend::pad) {
+    add_kinks(first, false, lo, hi, to);
+  } else {
+    const double from = std::floor((lo - first) / length), until = std::floor((hi - first) / length);
+    if (!(until - from <= double(most))) return false;
+    for (double turn = from; turn <= until; turn += 1.0)
+      add_kinks(first + turn * length, extend_ == Extend::reflect && std::fmod(turn, 2.0) != 0.0,
+                lo, hi, to);
+  }
+  if (int(to.size()) <= most) return true;
+  to.clear();
+  return false;
+}
+
 Ramp::Range Ramp::range(double lo, double hi, std::vector<double>& kinks) const {
   kinks.clear();
   if (same_everywhere(lo, hi)) return {};

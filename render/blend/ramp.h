@@ -26,6 +26,10 @@ class Ramp {
   double least_opacity() const { return least_opacity_; }
   double most_opacity() const { return most_opacity_; }
 
+  /// Writes the places between lo and hi where the colour has a kink or a jump, rising; false where
+  /// there are more than `most` (then none).
+  bool kinks(double lo, double hi, int most, std::vector<double>& to) const;
+
   /// What the ramp is like between two places.
   struct Range {
     bool constant = true;  ///< one colour throughout

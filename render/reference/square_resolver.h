@@ -1,0 +1,54 @@
+#pragma once
+// The reference: a square's mean colour by distances alone.
+//
+// It shares nothing with the way pictures are drawn (outlines, their order, areas of pieces): only the
+// layers' signed distances and their paints. A square is divided into quarters until every layer
+// covers it, misses it or cuts it along what is all but a straight line. Slow and simple: it draws
+// what the arrangement's certificate refuses, and judges flat pictures in tests.
+
+#include <mien/render/shade/paint_table.h>
+
+#include <vector>
+
+namespace mien {
+
+/// A mean colour, premultiplied, in the blending space, and what a channel of it may be off by.
+struct Resolved {
+  Mix mix{0.0};
+  double bound = 0;
+};
+
+class SquareResolver {
+ public:
+  /// `tolerance`: what squares that are not divided any more may add to a pixel. All must outlive
+  /// this.
+  SquareResolver(const Scene& scene, const View& view, const PaintTable& paints, double tolerance);
+
+  /// The pixel (x, y) of the whole picture.
+  Resolved pixel(int x, int y);
+
+ private:
+  /// A layer that can be seen in a square.
+  struct Seen {
+    int layer;
+    bool whole;  ///< it covers it
+  };
+  Resolved square(glm::dvec2 center, double half, std::size_t first, int depth);
+  std::size_t look_at(glm::dvec2 center, double half, std::size_t first, std::size_t last);
+  Resolved covered(glm::dvec2 center, double half, std::size_t first, int depth);
+  bool cut(glm::dvec2 center, double half, std::size_t first, std::size_t which, Resolved& to);
+  Mix color(glm::dvec2 p, std::size_t first, std::size_t without);
+  Mix paint(const PaintedLayer& layer, glm::dvec2 p) const;
+  double distance(int layer, glm::dvec2 p) const;
+
+  const Scene& scene_;
+  const PaintTable& paints_;
+  Map<FaceSpace, GridSpace> face_from_grid_;
+  double scale_;  ///< [px per face unit]
+  double tolerance_;
+  std::vector<Seen> seen_;  ///< bottom to top; of all squares around the present one, in turn
+  std::vector<Mix> levels_;
+  std::vector<int> open_, chain_;
+};
+
+}  // namespace mien

@@ -1,0 +1,100 @@
+#include <mien/render/rows/drawing.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+/// How far an outline may be off [px]: three tenths of a level of 255 at full contrast, a quarter of
+/// 32 levels of 65535. Dark pixels blended in linear light are encoded 12.92 times as steep.
+double tolerance_of(Depth depth, Blend blend) {
+  const bool fine = depth != Depth::u8, linear = blend == Blend::linear;
+  return fine ? (linear ? 1.0 / 40'000 : 1.0 / 3300) : (linear ? 1.0 / 3300 : 1.0 / 800);
+}
+
+}  // namespace
+
+bool Drawing::make(const Scene& scene, const View& view, Depth depth) {
+  width_ = view.width, height_ = view.height, dither_ = view.dither;
+  paints_.make(scene, view);
+  for (const VariedPaint& varied : paints_.varied)
+    if (varied.dense || varied.paint.relief || varied.paint.field.kind == PaintField::Kind::distance)
+      return false;
+  format_ = PixelFormat(depth, view.blend);
+  make_outlines(scene, view, depth);
+  looks_.begin(paints_);
+  regions_.begin(int(paints_.programs.outlines().size()), looks_);
+  sweep_.run(outlines_, 0.0, view.height, regions_);
+  palette_.make(looks_, format_, regions_.look(0));
+  sort_into_strips();
+  return true;
+}
+
+void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {
+  constexpr double kMargin = 1.0;  // [px] pieces end where no pixel sees it
+  const Box2 window{{-kMargin, -kMargin}, {view.width + kMargin, view.height + kMargin}};
+  maker_.begin({grid_from_face(scene.canvas(), view), window, tolerance_of(depth, view.blend)},
+               outlines_);
+  for (const OutlineSource& source : paints_.programs.outlines()) {
+    const Shape& shape = paints_.programs.shape(source);
+    if (source.rim)
+      maker_.rim(shape, source.amount);
+    else if (source.amount == 0.0)
+      maker_.fill(shape);
+    else
+      maker_.fill(*offset_shape(shape, source.amount));
+  }
+  maker_.finish();
+}
+
+/// Fragments by the strips they cross.
+void Drawing::sort_into_strips() {
+  const int strips = (height_ + kRows - 1) / kRows;
+  const auto fragments = sweep_.fragments();
+  first_of_strip_.assign(std::size_t(strips) + 2, 0);
+  jumps_.clear();
+  const auto first = [](const Fragment& f) { return int(f.top) / kRows; };
+  const auto last = [&](const Fragment& f) {
+    return std::max((int(std::ceil(f.bottom)) - 1) / kRows, first(f));
+  };
+  for (const Fragment& f : fragments) {
+    jumps_.push_back(palette_.entries[std::size_t(f.right)].color -
+                     palette_.entries[std::size_t(f.left)].color);
+    for (int s = first(f); s <= last(f); ++s) ++first_of_strip_[std::size_t(s) + 2];
+  }
+  for (std::size_t s = 2; s < first_of_strip_.size(); ++s)
+    first_of_strip_[s] += first_of_strip_[s - 1];
+  in_strip_.resize(std::size_t(first_of_strip_.back()));
+  for (std::size_t i = 0; i < fragments.size(); ++i)
+    for (int s = first(fragments[i]); s <= last(fragments[i]); ++s)
+      in_strip_[std::size_t(first_of_strip_[std::size_t(s) + 1]++)] = int(i);
+}
+
+void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
+                         RenderStats& stats) const {
+  if (strip < 0 || strip >= (height_ + kRows - 1) / kRows) return;
+  const int top = strip * kRows, bottom = std::min(top + kRows, height_);
+  const PixelRect& rect = target.rect;
+  const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
+  if (first >= end) return;
+  scratch.sums.begin(kRows, width_);
+  const auto varied = [&](int look) {
+    return palette_.entries[std::size_t(look)].varies ? look : -1;
+  };
+  for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
+       ++k) {
+    const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
+    const Fragment& f = sweep_.fragments()[i];
+    const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
+    if (from < to)
+      scratch.sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, top, jumps_[i],
+                       varied(f.left), varied(f.right), f.right);
+  }
+  scratch.painter.begin(palette_, looks_, format_, dither_);
+  for (int y = first; y < end; ++y)
+    scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
+                          target.data + target.stride * std::size_t(y - rect.y), stats);
+}
+
+}  // namespace mien

@@ -1,0 +1,58 @@
+#pragma once
+// A scene on its way to pixels: outlines, arrangement and looks of a whole picture, made once; then
+// rows, in strips at absolute places.
+
+#include <mien/render/render_stats.h>
+#include <mien/render/rows/row_painter.h>
+#include <mien/sdf/arrange/sweep.h>
+#include <mien/sdf/outline/outline_maker.h>
+
+#include <vector>
+
+namespace mien {
+
+/// Where drawn pixels go.
+struct RowTarget {
+  std::byte* data;
+  std::size_t stride;  ///< [bytes]
+  PixelRect rect;      ///< the part of the picture that `data` holds
+};
+
+/// Scratch of one thread that draws strips.
+struct StripScratch {
+  RowSums sums;
+  RowPainter painter;
+};
+
+class Drawing {
+ public:
+  /// False where some of its paints are not known here.
+  bool make(const Scene& scene, const View& view, Depth depth);
+
+  /// Strips of kRows rows; those that show some of a target.
+  static constexpr int kRows = 16;
+  void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
+                  RenderStats& stats) const;
+
+  const Sweep& sweep() const { return sweep_; }
+  const Looks& looks() const { return looks_; }
+
+ private:
+  void make_outlines(const Scene& scene, const View& view, Depth depth);
+  void sort_into_strips();
+
+  int width_ = 0, height_ = 0;
+  bool dither_ = true;
+  PaintTable paints_;
+  Outlines outlines_;
+  OutlineMaker maker_;
+  Looks looks_;
+  Regions regions_;
+  Sweep sweep_;
+  PixelFormat format_{Depth::u8, Blend::srgb};
+  Palette palette_;
+  std::vector<Rgba> jumps_;  ///< by fragment
+  std::vector<int> first_of_strip_, in_strip_;
+};
+
+}  // namespace mien

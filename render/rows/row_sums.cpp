@@ -1,0 +1,64 @@
+#include <mien/render/rows/row_sums.h>
+
+#include <algorithm>
+
+namespace mien {
+
+void RowSums::begin(int rows, int width) {
+  const std::size_t stride = std::size_t(width) + 2, words = (std::size_t(width) + 65) / 64;
+  if (stride != stride_ || sums_.size() < stride * std::size_t(rows)) {
+    width_ = width, stride_ = stride, mark_words_ = words;
+    sums_.assign(stride * std::size_t(rows), {});
+    marks_.assign(words * std::size_t(rows), 0);
+    hints_.assign(stride * std::size_t(rows), 0);
+    shares_.resize(std::size_t(rows));
+  }
+}
+
+void RowSums::share(int row, const CellStretch& c, int left_varied, int right_varied) {
+  const double h = c.yq - c.yp, middle = 0.5 * (c.yp + c.yq) - (c.row + 0.5);
+  LookShare s{std::max(c.column, 0), 0,        float(c.area), 0.0f,
+              float(h * middle),     float(h), float(h * middle)};
+  if (c.column >= 0) {
+    // (1/2 − X)(1/2 + X)/2 and y (1/2 − X) along the stretch, by Simpson's rule: exact for its chord.
+    const double x = c.column + 0.5, y = c.row + 0.5, p = c.xp - x, q = c.xq - x, m = 0.5 * (p + q);
+    s.mx = float(h / 12 * ((0.25 - p * p) + 4 * (0.25 - m * m) + (0.25 - q * q)));
+    s.my = float(h / 6 *
+                 ((c.yp - y) * (0.5 - p) + 4 * middle * (0.5 - m) + (c.yq - y) * (0.5 - q)));
+  }
+  std::vector<LookShare>& to = shares_[std::size_t(row)];
+  if (left_varied >= 0)
+    to.push_back({s.column, left_varied, -s.area, -s.mx, -s.my, -s.height, -s.height_y});
+  if (right_varied >= 0) {
+    s.look = right_varied;
+    to.push_back(s);
+  }
+}
+
+template <bool kVaried>
+void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, int first,
+                        const Rgba& jump, int left_varied, int right_varied, int right_look) {
+  cells_of(piece, top, bottom, width_, [&](const CellStretch& c) {
+    const int row = c.row - first;
+    const std::size_t column = std::size_t(std::max(c.column, 0));
+    Rgba* const cell = sums(row) + column;
+    const float dy = float(c.yq - c.yp), area = float(c.area), rest = dy - area;
+    cell[0] = cell[0] + area * jump;
+    cell[1] = cell[1] + rest * jump;
+    std::uint64_t* const mark = marks(row);
+    mark[column >> 6] |= std::uint64_t{1} << (column & 63);
+    mark[(column + 1) >> 6] |= std::uint64_t{1} << ((column + 1) & 63);
+    hints_[std::size_t(row) * stride_ + column + 1] = std::uint16_t(right_look);
+    if constexpr (kVaried) share(row, c, left_varied, right_varied);
+  });
+}
+
+void RowSums::add(const OutlinePiece& piece, double top, double bottom, int first,
+                  const Rgba& jump, int left_varied, int right_varied, int right_look) {
+  if (left_varied < 0 && right_varied < 0)
+    add_cells<false>(piece, top, bottom, first, jump, left_varied, right_varied, right_look);
+  else
+    add_cells<true>(piece, top, bottom, first, jump, left_varied, right_varied, right_look);
+}
+
+}  // namespace mien

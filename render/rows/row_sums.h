@@ -1,0 +1,55 @@
+#pragma once
+// Jumps of colour summed into the cells of some rows, and the parts of pixels that varied looks take.
+//
+// A fragment that leaves area a of a pixel, and dy of all those after it, to its right adds
+// jump · a to the pixel and jump · (dy − a) to the next: a running sum along the row is the picture.
+
+#include <mien/render/cover/cells.h>
+#include <mien/render/rows/pixel_format.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace mien {
+
+/// What a varied look takes of a pixel: area and first moments about the pixel's middle, and what it
+/// takes of all pixels after it.
+struct LookShare {
+  int column, look;
+  float area, mx, my;     ///< of the pixel
+  float height, height_y;  ///< of every pixel after it: area, and moment about the row's middle
+};
+
+class RowSums {
+ public:
+  /// Empty rows of so many pixels.
+  void begin(int rows, int width);
+
+  /// A fragment's cells; `first` is the row of the picture that is row 0 here, heights lie within the
+  /// rows. `jump`: right colour minus left; looks that vary are −1 or an index.
+  void add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
+           int left_varied, int right_varied, int right_look);
+
+  /// Row by row: its sums, which the reader sets back to nothing, a bit per column that has one, and
+  /// the shares of varied looks.
+  Rgba* sums(int row) { return sums_.data() + std::size_t(row) * stride_; }
+  std::uint64_t* marks(int row) { return marks_.data() + std::size_t(row) * mark_words_; }
+  const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
+  std::vector<LookShare>& shares(int row) { return shares_[std::size_t(row)]; }
+  int mark_words() const { return int(mark_words_); }
+
+ private:
+  template <bool kVaried>
+  void add_cells(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
+                 int left_varied, int right_varied, int right_look);
+  void share(int row, const CellStretch& cell, int left_varied, int right_varied);
+
+  int width_ = 0;
+  std::size_t stride_ = 0, mark_words_ = 0;
+  std::vector<Rgba> sums_;
+  std::vector<std::uint64_t> marks_;
+  std::vector<std::uint16_t> hints_;  ///< the look that may follow, by cell
+  std::vector<std::vector<LookShare>> shares_;
+};
+
+}  // namespace mien

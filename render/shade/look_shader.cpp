@@ -1,0 +1,112 @@
+#include <mien/render/shade/look_shader.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+using Kind = LookStep::Kind;
+
+void fill(ColorRow& to, const Mix& mix, int count) {
+  to.room_for(std::size_t(count));
+  std::fill_n(to.r.begin(), count, float(mix.r));
+  std::fill_n(to.g.begin(), count, float(mix.g));
+  std::fill_n(to.b.begin(), count, float(mix.b));
+  std::fill_n(to.a.begin(), count, float(mix.a));
+}
+
+void lay_over(ColorRow& to, const Mix& mix, int count) {
+  const float r = float(mix.r), g = float(mix.g), b = float(mix.b), a = float(mix.a),
+              keep = float(1.0 - mix.a);
+  for (int i = 0; i < count; ++i) to.r[i] = to.r[i] * keep + r;
+  for (int i = 0; i < count; ++i) to.g[i] = to.g[i] * keep + g;
+  for (int i = 0; i < count; ++i) to.b[i] = to.b[i] * keep + b;
+  for (int i = 0; i < count; ++i) to.a[i] = to.a[i] * keep + a;
+}
+
+void lay_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
+  for (int i = 0; i < count; ++i) {
+    const float keep = 1.0f - opacity * group.a[i];
+    to.r[i] = to.r[i] * keep + opacity * group.r[i];
+    to.g[i] = to.g[i] * keep + opacity * group.g[i];
+    to.b[i] = to.b[i] * keep + opacity * group.b[i];
+    to.a[i] = to.a[i] * keep + opacity * group.a[i];
+  }
+}
+
+/// Lays at + slope · t over what is there.
+void lay_ramp(ColorRow& to, const RampSegment& s, const float* t, int count) {
+  const float alpha = float(s.at.a), alpha_slope = float(s.slope.a);
+  const auto channel = [&](float* c, double at, double slope) {
+    const float p = float(at), q = float(slope);
+    for (int i = 0; i < count; ++i)
+      c[i] = c[i] * (1.0f - (alpha + alpha_slope * t[i])) + (p + q * t[i]);
+  };
+  channel(to.r.data(), s.at.r, s.slope.r);
+  channel(to.g.data(), s.at.g, s.slope.g);
+  channel(to.b.data(), s.at.b, s.slope.b);
+  channel(to.a.data(), s.at.a, s.slope.a);
+}
+
+/// Mean t around (x + from + i, y).
+void along(const PaintField& field, double x, double y, int from, int count, double variance,
+           float* t) {
+  if (field.kind == PaintField::Kind::linear) {
+    const float first = float(field.at({x, y}, 0.0)), step = float(field.across.x);
+    for (int i = 0; i < count; ++i) t[i] = first + step * float(from + i);
+    return;
+  }
+  const glm::dmat2& u = field.unit;
+  const glm::dvec2 q = u * (glm::dvec2{x, y} - field.center);
+  const float qx = float(q.x), qy = float(q.y), sx = float(u[0].x), sy = float(u[0].y);
+  // tr UᵀU − |∇t|², with ∇t = Uᵀq / t
+  const float trace = float(glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]));
+  const float ax = float(u[0].x), ay = float(u[0].y), bx = float(u[1].x), by = float(u[1].y);
+  const float v = float(variance);
+  for (int i = 0; i < count; ++i) {
+    const float px = qx + sx * float(from + i), py = qy + sy * float(from + i), tt = px * px + py * py;
+    const float gx = ax * px + ay * py, gy = bx * px + by * py;
+    const float rest = trace - (gx * gx + gy * gy) / std::max(tt, 1e-30f);
+    t[i] = std::sqrt(tt + v * rest);
+  }
+}
+
+}  // namespace
+
+void LookShader::lay(const LookStep& step, double x, double y, int from, int count,
+                     double variance, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const RampSegment& segment = looks_->segment(step);
+  if (t_.size() < std::size_t(count)) t_.resize(std::size_t(count));
+  along(varied.paint.field, x, y, from, count, variance, t_.data());
+  const float least = float(segment.from), most = float(segment.to);
+  for (int i = 0; i < count; ++i) t_[std::size_t(i)] = std::clamp(t_[std::size_t(i)], least, most);
+  lay_ramp(to, segment, t_.data(), count);
+}
+
+const ColorRow& LookShader::places(int look, double x, double y, int from, int count,
+                                   double variance) {
+  std::size_t open = 0;
+  for (const LookStep& step : looks_->steps(look)) {
+    switch (step.kind) {
+      case Kind::open:
+        if (levels_.size() == open) levels_.emplace_back();
+        fill(levels_[open++], step.mix, count);
+        break;
+      case Kind::over:
+        lay_over(levels_[open - 1], step.mix, count);
+        break;
+      case Kind::paint:
+        lay(step, x, y, from, count, variance, levels_[open - 1]);
+        break;
+      case Kind::close:
+        --open;
+        lay_group(levels_[open - 1], levels_[open], float(step.mix.a), count);
+        break;
+    }
+  }
+  return levels_[0];
+}
+
+}  // namespace mien

@@ -1,0 +1,56 @@
+#pragma once
+// The mean colour of a look over whole pixels of a row, or over a part of one.
+//
+// A region has no kink inside it (paint_table.h), so over a part of a pixel a ramp along t is its value
+// at the part's mean t. For a linear gradient that is t at the centroid, exactly. For a radial one,
+// t = |q| with q = U (p − center), the second moments count:
+//
+//     mean of t  =  sqrt(t² + (tr UᵀU − |∇t|²) v) + O(v²),   v = 1/12 per axis for a whole pixel,
+//
+// since ½ v Δt = v (tr UᵀU − |∇t|²) / (2t); a part of area A is taken for one of v = A/12. Left out is
+// how t's own spread meets a translucent layer below that varies, too: a twelfth of the product of both
+// slopes per pixel.
+
+#include <mien/render/shade/looks.h>
+
+#include <vector>
+
+namespace mien {
+
+/// Colours side by side, premultiplied, in the blending space.
+struct ColorRow {
+  std::vector<float> r, g, b, a;
+  void room_for(std::size_t count) {
+    if (r.size() < count) r.resize(count), g.resize(count), b.resize(count), a.resize(count);
+  }
+};
+
+/// Keeps its scratch; one per thread.
+class LookShader {
+ public:
+  void begin(const Looks& looks) { looks_ = &looks; }
+
+  /// Whole pixels of row y, `count` from x on, none beyond the next multiple of kBlock: floats are
+  /// counted from there, so that a pixel does not depend on where a run begins.
+  const ColorRow& pixels(int look, int x, int y, int count) {
+    const int origin = x & ~(kBlock - 1);
+    return places(look, origin + 0.5, y + 0.5, x - origin, count, 1.0 / 12);
+  }
+  static constexpr int kBlock = 64;
+  /// A part of a pixel, by its centroid and area.
+  glm::vec4 part(int look, double x, double y, double area) {
+    const ColorRow& c = places(look, x, y, 0, 1, area / 12);
+    return {c.r[0], c.g[0], c.b[0], c.a[0]};
+  }
+
+ private:
+  const ColorRow& places(int look, double x, double y, int from, int count, double variance);
+  void lay(const LookStep& step, double x, double y, int from, int count, double variance,
+           ColorRow& to);
+
+  const Looks* looks_ = nullptr;
+  std::vector<ColorRow> levels_;
+  std::vector<float> t_;
+};
+
+}  // namespace mien

@@ -1,0 +1,297 @@
+#include <mien/render/shade/looks.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace mien {
+namespace {
+
+using Kind = LookStep::Kind;
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  hash = (hash ^ value) * 0x9e3779b97f4a7c15ull;
+  return hash ^ (hash >> 29);
+}
+
+std::uint64_t hash_of(const LookStep& step) {
+  std::uint64_t hash = mixed(std::uint64_t(step.kind) + 1, std::uint64_t(step.varied + 1) << 32 |
+                                                               std::uint32_t(step.segment));
+  for (int i = 0; i < 4; ++i) hash = mixed(hash, std::bit_cast<std::uint64_t>(step.mix[i] + 0.0));
+  return hash;
+}
+
+bool same(const LookStep& a, const LookStep& b) {
+  return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment && a.mix == b.mix;
+}
+
+/// The literals of a conjunction, written to `to`; false where it is none. Postfix: an `and` may only
+/// follow what are literals or conjunctions, so a program of outlines, nots of single outlines and
+/// ands is one.
+bool literals_of(std::span<const AreaStep> program, std::vector<int>& to) {
+  bool last_is_literal = false;
+  for (const AreaStep& step : program) {
+    switch (step.kind) {
+      case AreaStep::Kind::outline:
+        to.push_back(step.outline);
+        last_is_literal = true;
+        continue;
+      case AreaStep::Kind::not_:
+        if (!last_is_literal) return false;
+        to.back() = ~to.back();
+        continue;
+      case AreaStep::Kind::and_:
+        last_is_literal = false;
+        continue;
+      default:
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void Looks::begin(const PaintTable& paints) {
+  paints_ = &paints;
+  words_ = int(paints.layers.size() + 63) / 64;
+  looks_.clear(), steps_.clear();
+  table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
+  opaque_.assign(std::size_t(words_), 0);
+  conjunctions_.clear(), literals_.clear();
+  for (std::size_t i = 0; i < paints.layers.size(); ++i) {
+    const PaintedLayer& layer = paints.layers[i];
+    const double opacity = layer.varied < 0
+                               ? layer.mix.a
+                               : paints.varied[std::size_t(layer.varied)].paint.least_opacity();
+    if (opacity >= 1.0 && layer.group < 0) opaque_[i / 64] |= std::uint64_t{1} << (i % 64);
+    Conjunction c{.first = int(literals_.size())};
+    c.simple = literals_of(paints.programs.steps(layer.program), literals_);
+    if (!c.simple) literals_.resize(std::size_t(c.first));
+    c.count = int(literals_.size()) - c.first;
+    conjunctions_.push_back(c);
+  }
+  note_outlines();
+  make_segments();
+}
+
+void Looks::note_outline(int outline, int layer) {
+  reading_.emplace_back(outline, layer);
+}
+
+void Looks::note_outlines() {
+  const PaintTable& paints = *paints_;
+  const std::size_t outlines = paints.programs.outlines().size();
+  kink_.assign(outlines, 0);
+  reading_.clear();
+  const auto note = [&](const AreaProgram& program, int layer, bool kink) {
+    for (const AreaStep& step : paints.programs.steps(program)) {
+      if (step.kind != AreaStep::Kind::outline) continue;
+      note_outline(step.outline, layer);
+      if (kink) kink_[std::size_t(step.outline)] = 1;
+    }
+  };
+  for (std::size_t i = 0; i < paints.layers.size(); ++i) {
+    const PaintedLayer& layer = paints.layers[i];
+    note(layer.program, int(i), false);
+    if (layer.varied < 0) continue;
+    for (const PaintKink& kink : paints.varied[std::size_t(layer.varied)].kinks)
+      note(kink.program, int(i), true);
+  }
+  std::sort(reading_.begin(), reading_.end());
+  reading_.erase(std::unique(reading_.begin(), reading_.end()), reading_.end());
+  first_reader_.assign(outlines + 1, 0);
+  readers_.clear();
+  for (const auto& [outline, layer] : reading_) {
+    ++first_reader_[std::size_t(outline) + 1];
+    readers_.push_back(layer);
+  }
+  for (std::size_t i = 0; i < outlines; ++i) first_reader_[i + 1] += first_reader_[i];
+}
+
+/// A ramp is linear between kinks: two of its places say how.
+void Looks::make_segments() {
+  first_segment_.clear(), segments_.clear();
+  for (const VariedPaint& varied : paints_->varied) {
+    first_segment_.push_back(int(segments_.size()));
+    if (!varied.paint.ramp) continue;
+    for (std::size_t k = 0; k <= varied.kinks.size(); ++k) {
+      RampSegment s;
+      s.from = k > 0 ? varied.kinks[k - 1].at : varied.lowest;
+      s.to = k < varied.kinks.size() ? varied.kinks[k].at : varied.highest;
+      const double length = s.to - s.from;
+      if (length > 0.0) {
+        const double t = s.from + 0.25 * length, u = s.from + 0.75 * length;
+        const Mix a = varied.paint.ramp->color(t), b = varied.paint.ramp->color(u);
+        s.slope = a == b ? Mix{0.0} : (b - a) / (u - t);
+        s.at = a == b ? a : a - t * s.slope;
+      } else {
+        s.at = varied.paint.ramp->color(s.from);
+      }
+      segments_.push_back(s);
+    }
+  }
+}
+
+bool Looks::covers(int layer, const std::uint64_t* inside) {
+  const Conjunction& c = conjunctions_[std::size_t(layer)];
+  if (!c.simple)
+    return runs_true(paints_->programs.steps(paints_->layers[std::size_t(layer)].program), inside,
+                     stack_);
+  for (int i = c.first; i < c.first + c.count; ++i) {
+    const int literal = literals_[std::size_t(i)], outline = literal < 0 ? ~literal : literal;
+    if ((inside[outline >> 6] >> (outline & 63) & 1) == std::uint64_t(literal < 0)) return false;
+  }
+  return true;
+}
+
+/// How many kinks lie before the region.
+int Looks::segment_of(int varied, const std::uint64_t* inside) {
+  const std::vector<PaintKink>& kinks = paints_->varied[std::size_t(varied)].kinks;
+  int passed = 0;
+  for (const PaintKink& kink : kinks)
+    passed += runs_true(paints_->programs.steps(kink.program), inside, stack_) == kink.after;
+  return passed;
+}
+
+int Looks::first_look(std::uint64_t* state) {
+  const std::vector<std::uint64_t> nothing(paints_->programs.outlines().size() / 64 + 1, 0);
+  std::fill(state, state + words_, 0);
+  for (std::size_t i = 0; i < paints_->layers.size(); ++i)
+    if (covers(int(i), nothing.data())) state[i / 64] |= std::uint64_t{1} << (i % 64);
+  return compose(nothing.data(), state);
+}
+
+int Looks::look(const std::uint64_t* inside, int outline, const std::uint64_t* before,
+                int look_before, std::uint64_t* state) {
+  const int first = first_reader_[std::size_t(outline)],
+            end = first_reader_[std::size_t(outline) + 1];
+  for (int i = first; i < end; ++i) {
+    const int layer = readers_[std::size_t(i)];
+    const std::uint64_t bit = std::uint64_t{1} << (layer & 63);
+    if (covers(layer, inside))
+      state[layer >> 6] |= bit;
+    else
+      state[layer >> 6] &= ~bit;
+  }
+  if (!kink_[std::size_t(outline)] && std::equal(state, state + words_, before)) return look_before;
+  return compose(inside, state);
+}
+
+int Looks::compose(const std::uint64_t* inside, const std::uint64_t* covered) {
+  int bottom = -1;  // the topmost opaque layer
+  for (int w = words_ - 1; w >= 0 && bottom < 0; --w)
+    if (const std::uint64_t both = covered[w] & opaque_[std::size_t(w)])
+      bottom = 64 * w + 63 - std::countl_zero(both);
+  const std::size_t first_step = steps_.size();
+  levels_.assign(1, {});
+  levels_[0].mix = paints_->background;
+  open_.clear();
+  for (int w = std::max(bottom, 0) >> 6; w < words_; ++w) {
+    std::uint64_t bits = covered[w];
+    if (bottom >> 6 == w) bits &= ~std::uint64_t{0} << (bottom & 63);
+    for (; bits; bits &= bits - 1) {
+      const int i = 64 * w + std::countr_zero(bits);
+      const PaintedLayer& layer = paints_->layers[std::size_t(i)];
+      enter_group(layer.group);
+      if (i == bottom) levels_[0].mix = Mix{0.0};
+      if (layer.varied < 0)
+        lay_over(layer.mix);
+      else
+        lay_paint(layer.varied, segment_of(layer.varied, inside));
+    }
+  }
+  leave_groups(0);
+  write_pending(levels_[0], true);
+  return known_or_new(first_step);
+}
+
+/// Leaves and enters until `group` is the innermost open one.
+void Looks::enter_group(int group) {
+  chain_.clear();
+  for (int g = group; g >= 0; g = paints_->groups[std::size_t(g)].parent) chain_.push_back(g);
+  std::reverse(chain_.begin(), chain_.end());
+  std::size_t same_so_far = 0;
+  while (same_so_far < chain_.size() && same_so_far < open_.size() &&
+         chain_[same_so_far] == open_[same_so_far])
+    ++same_so_far;
+  leave_groups(same_so_far);
+  for (std::size_t i = same_so_far; i < chain_.size(); ++i) {
+    open_.push_back(chain_[i]);
+    levels_.emplace_back();
+  }
+}
+
+void Looks::leave_groups(std::size_t depth) {
+  while (open_.size() > depth) {
+    const double opacity = paints_->groups[std::size_t(open_.back())].opacity;
+    open_.pop_back();
+    Level level = levels_.back();
+    if (level.varies) {
+      write_pending(level, false);
+      levels_.pop_back();
+      steps_.push_back({.kind = Kind::close, .mix = {0.0, 0.0, 0.0, opacity}});
+    } else {
+      levels_.pop_back();
+      lay_over(opacity * level.mix);
+    }
+  }
+}
+
+void Looks::lay_over(const Mix& mix) {
+  levels_.back().mix = over(mix, levels_.back().mix);
+}
+
+/// What is constant so far becomes a step: the level's ground, or something over what is there.
+void Looks::write_pending(Level& level, bool ground) {
+  if (!level.varies) {
+    if (ground) steps_.push_back({.kind = Kind::open, .mix = level.mix});
+  } else if (level.mix != Mix{0.0}) {
+    steps_.push_back({.kind = Kind::over, .mix = level.mix});
+  }
+  level.mix = Mix{0.0};
+}
+
+void Looks::lay_paint(int varied, int segment) {
+  const VariedPaint& paint = paints_->varied[std::size_t(varied)];
+  if (!paint.paint.relief && !paint.dense && paint.paint.ramp) {
+    const RampSegment& s = segments_[std::size_t(first_segment_[std::size_t(varied)] + segment)];
+    if (s.slope == Mix{0.0}) return lay_over(s.at);
+  }
+  for (Level& level : levels_) {  // the grounds of the levels below come first
+    const bool opens = !level.varies;
+    write_pending(level, opens);
+    level.varies = true;
+  }
+  steps_.push_back({.kind = Kind::paint, .varied = varied, .segment = segment});
+}
+
+int Looks::known_or_new(std::size_t first_step) {
+  std::uint64_t hash = steps_.size() - first_step;
+  for (std::size_t i = first_step; i < steps_.size(); ++i) hash = mixed(hash, hash_of(steps_[i]));
+  if (2 * looks_.size() > table_.size()) {
+    table_.assign(2 * table_.size(), -1);
+    for (std::size_t k = 0; k < looks_.size(); ++k) {
+      std::size_t i = looks_[k].hash & (table_.size() - 1);
+      while (table_[i] >= 0) i = (i + 1) & (table_.size() - 1);
+      table_[i] = int(k);
+    }
+  }
+  std::size_t i = hash & (table_.size() - 1);
+  for (; table_[i] >= 0; i = (i + 1) & (table_.size() - 1)) {
+    const Look& known = looks_[std::size_t(table_[i])];
+    if (known.hash == hash &&
+        std::equal(steps_.begin() + known.first, steps_.begin() + known.first + known.count,
+                   steps_.begin() + std::ptrdiff_t(first_step), steps_.end(), same)) {
+      steps_.resize(first_step);
+      return table_[i];
+    }
+  }
+  const bool constant = steps_.size() == first_step + 1;
+  table_[i] = int(looks_.size());
+  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, int(first_step),
+                    int(steps_.size() - first_step), hash});
+  return table_[i];
+}
+
+}  // namespace mien

@@ -1,0 +1,109 @@
+#pragma once
+// What a region looks like: one colour, or how to find the colour of a place.
+//
+// A region is a set of outlines. The layers whose programs hold there are laid over each other, from
+// the topmost opaque one up; what is constant is laid together at once. Looks that are made alike are
+// one look: no outline is seen between them.
+
+#include <mien/render/shade/paint_table.h>
+#include <mien/sdf/arrange/regions.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mien {
+
+/// One step of composing the colour of a place, in order.
+struct LookStep {
+  enum class Kind : unsigned char {
+    open,   ///< begin with `mix`: the picture's ground, or a group's
+    over,   ///< lay `mix` over it
+    paint,  ///< lay a varied paint over it, in one of the segments between its kinks
+    close   ///< the group ends: lay it over what was there, times mix.a
+  } kind;
+  int varied = -1, segment = 0;  ///< of `paint`
+  Mix mix{0.0};
+};
+
+/// A ramp between two kinks: at + slope · t, for t from `from` to `to`.
+struct RampSegment {
+  Mix at{0.0}, slope{0.0};
+  double from = 0, to = 0;
+};
+
+class Looks final : public LookRule {
+ public:
+  /// Begins anew; memory is kept. The table must outlive its use here.
+  void begin(const PaintTable& paints);
+
+  int state_words() const override { return words_; }
+  int first_look(std::uint64_t* state) override;
+  int look(const std::uint64_t* inside, int outline, const std::uint64_t* before, int look_before,
+           std::uint64_t* state) override;
+
+  int count() const { return int(looks_.size()); }
+  bool constant(int look) const { return looks_[std::size_t(look)].count == 1; }
+  /// The colour of a constant look; nothing of another.
+  const Mix& mix(int look) const { return looks_[std::size_t(look)].mix; }
+  std::span<const LookStep> steps(int look) const {
+    const Look& l = looks_[std::size_t(look)];
+    return std::span(steps_).subspan(std::size_t(l.first), std::size_t(l.count));
+  }
+  const RampSegment& segment(const LookStep& step) const {
+    return segments_[std::size_t(first_segment_[std::size_t(step.varied)] + step.segment)];
+  }
+  const PaintTable& paints() const { return *paints_; }
+
+ private:
+  struct Look {
+    Mix mix;
+    int first, count;
+    std::uint64_t hash;
+  };
+  struct Level {
+    bool varies = false;  ///< steps are written
+    Mix mix{0.0};         ///< of what is constant since
+  };
+  void note_outlines();
+  void note_outline(int outline, int layer);
+  void make_segments();
+  bool covers(int layer, const std::uint64_t* inside);
+  int segment_of(int varied, const std::uint64_t* inside);
+  int compose(const std::uint64_t* inside, const std::uint64_t* covered);
+  void lay_over(const Mix& mix);
+  void lay_paint(int varied, int segment);
+  void write_pending(Level& level, bool opens);
+  void enter_group(int group);
+  void leave_groups(std::size_t depth);
+  int known_or_new(std::size_t first_step);
+
+  const PaintTable* paints_ = nullptr;
+  int words_ = 0;
+  std::vector<Look> looks_;
+  std::vector<LookStep> steps_;
+  std::vector<int> table_;  ///< of looks by hash, open addressing
+
+  // Layers of outlines: those whose program or paint reads them.
+  std::vector<int> first_reader_, readers_;
+  std::vector<std::pair<int, int>> reading_;
+  std::vector<char> kink_;              ///< by outline: some paint's kink
+  std::vector<std::uint64_t> opaque_;   ///< a bit per layer
+  std::vector<int> first_segment_;      ///< by varied paint
+  std::vector<RampSegment> segments_;
+  /// A program that is an and of outlines and their opposites: a mask test.
+  struct Conjunction {
+    int first = 0, count = 0;
+    bool simple = false;
+  };
+  std::vector<Conjunction> conjunctions_;  ///< by layer
+  std::vector<int> literals_;              ///< outline, or ~outline
+
+  std::vector<char> stack_;
+  std::vector<Level> levels_;
+  std::vector<int> open_;  ///< groups
+  std::vector<int> chain_;
+};
+
+}  // namespace mien

@@ -1,0 +1,173 @@
+#include <mien/render/shade/paint_table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace mien {
+namespace {
+
+constexpr double kLeast = 1e-9;  ///< [px] gradients shorter than that are sudden changes
+constexpr int kMostKinks = 96;   ///< of one paint in a picture: more make outlines dearer than samples
+
+class Maker {
+ public:
+  Maker(const Scene& scene, const View& view, PaintTable& to)
+      : scene_(scene), view_(view), map_(grid_from_face(scene.canvas(), view)), to_(to) {}
+
+  PaintedLayer layer(const Layer& layer) {
+    PaintedLayer made{.program = to_.programs.add(layer.area)};
+    const Paint& paint = layer.paint;
+    made.mix = mix_from_color(paint.color, view_.blend);
+    if (!paint.gradient && !paint.relief) return made;
+    VariedPaint varied;
+    varied.paint.color = made.mix;
+    if (paint.gradient) {
+      varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
+      std::visit([&](const auto& along) { field(along, varied); }, paint.gradient->along);
+    }
+    if (paint.relief) varied.paint.relief = relief(*paint.relief);
+    made.varied = int(to_.varied.size());
+    to_.varied.push_back(std::move(varied));
+    return made;
+  }
+
+ private:
+  /// The places t between lo and hi where the ramp has a kink; a whole picture's.
+  std::vector<double> places(VariedPaint& varied, double lo, double hi) {
+    std::vector<double> kinks;
+    varied.lowest = lo, varied.highest = hi;
+    varied.dense = !varied.paint.ramp->kinks(lo, hi, kMostKinks, kinks);
+    return kinks;
+  }
+
+  void field(const LinearGradient& g, VariedPaint& varied) {
+    PaintField& f = varied.paint.field;
+    const glm::dvec2 from = map_(g.from), way = map_(g.to) - from;
+    const double length = std::max(glm::length(way), kLeast);
+    f.kind = PaintField::Kind::linear;
+    if (way == glm::dvec2{0.0})
+      f.shift = 1.0;
+    else
+      f.across = way / (length * length), f.shift = -glm::dot(from, f.across);
+    f.per_pixel = glm::length(f.across);
+    const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
+    const double middle = f.at(half, 0.0), reach = f.per_pixel * glm::length(half);
+    if (way == glm::dvec2{0.0}) return;
+    const glm::dvec2 ahead = glm::normalize(g.to - g.from);
+    for (const double t : places(varied, middle - reach, middle + reach))
+      varied.kinks.push_back(
+          {to_.programs.add(HalfPlane{ahead, glm::dot(g.from, ahead) +
+                                                 t * glm::length(g.to - g.from)}),
+           false, t});
+  }
+
+  void field(const RadialGradient& g, VariedPaint& varied) {
+    PaintField& f = varied.paint.field;
+    f.kind = PaintField::Kind::radial, f.center = map_(g.center);
+    f.unit = unit(g.radii, g.axis);
+    f.per_pixel = 1.0 / (map_.scale() * std::max(std::min(g.radii.x, g.radii.y), kLeast));
+    double most = 0.0;
+    for (const double x : {0.0, double(view_.width)})
+      for (const double y : {0.0, double(view_.height)}) most = std::max(most, f.at({x, y}, 0.0));
+    for (const double t : places(varied, 0.0, most))
+      varied.kinks.push_back(
+          {to_.programs.add(Ellipse{g.center, t * glm::max(g.radii, kLeast / map_.scale()),
+                                    glm::normalize(g.axis)}),
+           false, t});
+  }
+
+  void field(const DistanceGradient& g, VariedPaint& varied) {
+    PaintField& f = varied.paint.field;
+    const double length = (g.to - g.from) * map_.scale();
+    f.kind = PaintField::Kind::distance, f.distance = distance(g.area);
+    f.from = g.from * map_.scale();
+    f.scale = 1.0 / (std::abs(length) > kLeast ? length : kLeast);
+    f.per_pixel = std::abs(f.scale);
+    // A distance is at most that of the picture's middle and half a diagonal.
+    const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
+    const double middle = f.at(half, to_.distances[std::size_t(f.distance)].at(half)),
+                 reach = f.per_pixel * glm::length(half);
+    for (const double t : places(varied, middle - reach, middle + reach))
+      varied.kinks.push_back(
+          {to_.programs.add(g.area, (f.from + t / f.scale) / map_.scale()), f.scale < 0.0, t});
+  }
+
+  /// Takes an ellipse's points, seen from its centre, to the unit circle.
+  glm::dmat2 unit(glm::dvec2 radii, glm::dvec2 axis) const {
+    const glm::dvec2 u = glm::normalize(map_.linear * axis), v{-u.y, u.x};
+    const double a = map_.scale() * std::max(radii.x, kLeast),
+                 b = map_.scale() * std::max(radii.y, kLeast);
+    return glm::dmat2{u.x / a, v.x / b, u.y / a, v.y / b};  // columns
+  }
+
+  TapeRelief relief(const Relief& r) {
+    TapeRelief made{.profile = r.profile, .lamp = Lamp(light(), r.specular, r.shininess)};
+    if (r.area.node >= 0 && r.profile != Profile::flat) made.distance = distance(r.area);
+    if (r.profile == Profile::custom && r.table.size() < 2) made.profile = Profile::flat;
+    made.width = std::max(r.width * map_.scale(), kLeast);
+    made.height = r.height * map_.scale();
+    made.table = r.table;
+    for (const Dome& dome : r.domes)
+      made.domes.push_back({map_(dome.center), unit(dome.radii, dome.axis),
+                            dome.height * map_.scale(),
+                            map_.scale() * std::max(dome.radii.x, dome.radii.y)});
+    return made;
+  }
+
+  Light light() const {
+    Light light = scene_.light();
+    if (view_.light) light.direction = *view_.light;
+    return light;
+  }
+
+  int distance(Area area) {
+    const auto [found, is_new] = distances_.try_emplace(area.node, int(to_.distances.size()));
+    if (is_new)
+      to_.distances.emplace_back(scene_, area, Map<PixelSpace, FaceSpace>{map_.linear, map_.shift});
+    return found->second;
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const Map<GridSpace, FaceSpace> map_;
+  PaintTable& to_;
+  std::map<int, int> distances_;
+};
+
+/// The translucent groups, and for every group of the scene the nearest of those it is in.
+std::vector<int> translucent_groups(const Scene& scene, std::vector<PaintedGroup>& to) {
+  std::vector<int> nearest;
+  for (const Group& group : scene.groups()) {
+    const int parent = group.parent < 0 ? -1 : nearest[std::size_t(group.parent)];
+    if (group.opacity >= 1.0) {
+      nearest.push_back(parent);  // its layers are as good as on their own
+      continue;
+    }
+    nearest.push_back(int(to.size()));
+    to.push_back({parent, group.opacity > 0.0 ? group.opacity : 0.0});
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Map<GridSpace, FaceSpace> grid_from_face(const Canvas& canvas, const View& view) {
+  const Map<PixelSpace, FaceSpace> map = pixel_from_face(canvas, view);
+  return {map.linear, map.shift + glm::dvec2{0.5 * view.width, 0.5 * view.height}};
+}
+
+void PaintTable::make(const Scene& scene, const View& view) {
+  programs.begin(scene);
+  layers.clear(), varied.clear(), groups.clear(), distances.clear();
+  blend = view.blend;
+  background = mix_from_color(view.background.value_or(scene.background()), view.blend);
+  Maker maker(scene, view, *this);
+  const std::vector<int> nearest = translucent_groups(scene, groups);
+  for (const Layer& layer : scene.layers()) {
+    layers.push_back(maker.layer(layer));
+    if (layer.group >= 0) layers.back().group = nearest[std::size_t(layer.group)];
+  }
+}
+
+}  // namespace mien

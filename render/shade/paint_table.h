@@ -1,0 +1,63 @@
+#pragma once
+// A scene's layers made ready to be seen: their programs on outlines, and their paints on the grid of
+// the whole picture's pixels.
+//
+// A gradient is smooth but for its stops, a relief's light but for the steps and the end of its
+// profile. Each of these kinks is a line, and the line is an outline like any other: so no region has
+// a kink inside it.
+
+#include <mien/render/tile/paint.h>
+#include <mien/render/view/view.h>
+#include <mien/sdf/outline/area_program.h>
+#include <mien/sdf/scene/scene.h>
+
+#include <map>
+#include <vector>
+
+namespace mien {
+
+/// Where a paint has a kink: a program that says whether a place lies before it.
+struct PaintKink {
+  AreaProgram program;
+  bool after = false;  ///< the program says whether it lies beyond it
+  double at;           ///< t of a gradient
+};
+
+/// A colour that varies from place to place.
+struct VariedPaint {
+  TapePaint paint;
+  std::vector<PaintKink> kinks;  ///< of the ramp, rising; none where they are too many
+  bool dense = false;            ///< they are
+  double lowest = 0, highest = 0;  ///< t in the picture
+};
+
+struct PaintedLayer {
+  AreaProgram program;
+  Mix mix{0.0};     ///< its colour, where that does not vary
+  int varied = -1;  ///< index into PaintTable::varied; −1: it does not
+  int group = -1;   ///< index into PaintTable::groups; −1: on its own
+};
+
+/// Layers that are mixed first and laid over what is below as one: translucent ones only.
+struct PaintedGroup {
+  int parent;  ///< −1: none
+  double opacity;
+};
+
+struct PaintTable {
+  AreaPrograms programs;
+  std::vector<PaintedLayer> layers;  ///< bottom to top
+  std::vector<VariedPaint> varied;
+  std::vector<PaintedGroup> groups;  ///< parents first
+  std::vector<AreaDistance> distances;
+  Mix background{0.0};
+  Blend blend = Blend::linear;
+
+  /// Made anew; memory is kept where it can be.
+  void make(const Scene& scene, const View& view);
+};
+
+/// Takes face units to the grid of the picture.
+Map<GridSpace, FaceSpace> grid_from_face(const Canvas& canvas, const View& view);
+
+}  // namespace mien

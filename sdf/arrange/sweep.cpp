@@ -1,0 +1,351 @@
+#include <mien/sdf/arrange/sweep.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+constexpr int kSpare = 16;        // slots read beyond the last, several at a time
+constexpr long kAgainFirst = 10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
+
+}  // namespace
+
+bool Sweep::later(const Event& a, const Event& b) {
+  return a.y != b.y ? a.y > b.y : a.x != b.x ? a.x > b.x : a.order > b.order;
+}
+
+bool Sweep::inside(int outline, int winding) const {
+  return outlines_->rules[std::size_t(outline)] == FillRule::even_odd ? winding & 1 : winding != 0;
+}
+
+void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& regions) {
+  outlines_ = &outlines, regions_ = &regions, top_ = top, bottom_ = bottom;
+  fragments_.clear(), doubts_.clear(), events_.clear(), again_.clear(), pieces_.clear();
+  stats_ = {}, count_ = 0, found_ = 0;
+  pieces_.reserve(outlines.pieces.size());
+  for (const OutlinePiece& p : outlines.pieces) pieces_.push_back(sweep_piece(p));
+  again_left_ = kAgainFirst + 4 * long(pieces_.size());
+  room_for(0);
+  sort_vertices();
+  begin_at_top();
+  for (const int i : order_) {
+    const OutlineVertex& v = outlines.vertices[std::size_t(i)];
+    events_until(v.y, v.x);
+    vertex(i);
+  }
+  events_until(bottom_, HUGE_VAL);
+  for (int slot = 0; slot < count_; ++slot) {
+    if (slot + 1 < count_) parted(slot, bottom_);
+    finish(slot, bottom_);
+  }
+  stats_.pieces = long(pieces_.size());
+  stats_.regions = regions.count();
+}
+
+/// Those between top and bottom, by height and then from the left: a bucket per height, each in order.
+void Sweep::sort_vertices() {
+  const auto& all = outlines_->vertices;
+  constexpr int kBuckets = 1024;
+  double lo = HUGE_VAL, hi = -HUGE_VAL;
+  const auto counts = [&](const OutlineVertex& v) { return v.y > top_ && v.y < bottom_; };
+  for (const OutlineVertex& v : all)
+    if (counts(v)) lo = std::min(lo, v.y), hi = std::max(hi, v.y);
+  const double scale = hi > lo ? (kBuckets - 1) / (hi - lo) : 0.0;
+  buckets_.assign(kBuckets + 1, 0);
+  const auto bucket = [&](const OutlineVertex& v) { return std::size_t((v.y - lo) * scale); };
+  for (const OutlineVertex& v : all)
+    if (counts(v)) ++buckets_[bucket(v) + 1];
+  for (std::size_t i = 0; i < kBuckets; ++i) buckets_[i + 1] += buckets_[i];
+  order_.resize(std::size_t(buckets_.back()));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (counts(all[i])) order_[std::size_t(buckets_[bucket(all[i])]++)] = int(i);
+  const auto first = [&](int i, int j) {
+    const OutlineVertex &a = all[std::size_t(i)], &b = all[std::size_t(j)];
+    return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : i < j;
+  };
+  for (std::size_t i = 0, from = 0; i < kBuckets; from = std::size_t(buckets_[i++]))
+    if (buckets_[i] - int(from) > 1)
+      std::sort(order_.begin() + std::ptrdiff_t(from), order_.begin() + buckets_[i], first);
+}
+
+void Sweep::room_for(int more) {
+  if (count_ + more + kSpare <= int(active_.size())) return;
+  const std::size_t size = 2 * active_.size() + std::size_t(more) + 64;
+  active_.resize(size), region_.resize(size), lowest_.resize(size), highest_.resize(size);
+  together_.resize(size);
+}
+
+void Sweep::put(int slot, int i) {
+  const auto s = std::size_t(slot);
+  SweepPiece& p = piece(i);
+  active_[s] = i, lowest_[s] = p.lowest_x, highest_[s] = p.highest_x, p.slot = slot;
+}
+
+/// The order at the top, from nothing: what crosses it, from left to right.
+void Sweep::begin_at_top() {
+  std::vector<int>& first = active_;  // sorted in its place
+  int n = 0;
+  for (const SweepPiece& p : pieces_) n += p.y0 <= top_ && p.y1 > top_;
+  room_for(n);
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    if (pieces_[i].y0 <= top_ && pieces_[i].y1 > top_) first[std::size_t(count_++)] = int(i);
+  std::sort(first.begin(), first.begin() + count_, [&](int i, int j) {
+    const SweepPiece &a = piece(i), &b = piece(j);
+    const double x = x_at(a, top_), u = x_at(b, top_);
+    return x != u ? x < u : i < j;
+  });
+  windings_.assign(outlines_->rules.size(), 0);
+  for (int slot = 0; slot < count_; ++slot) {
+    put(slot, first[std::size_t(slot)]);
+    SweepPiece& p = at(slot);
+    p.winding = windings_[std::size_t(p.outline)];
+    windings_[std::size_t(p.outline)] += p.turn;
+    p.flips = inside(p.outline, p.winding) != inside(p.outline, p.winding + p.turn);
+    const int left = region_left_of(slot);
+    region_[std::size_t(slot)] = p.flips ? regions_->across(left, p.outline) : left;
+    enter(slot, top_);
+  }
+  for (int slot = 0; slot < count_; ++slot) meet_others(active_[std::size_t(slot)], top_, slot + 1);
+}
+
+/// Looks of a piece that the sweep meets here.
+void Sweep::enter(int slot, double y) {
+  SweepPiece& p = at(slot);
+  p.left_look = regions_->look(region_left_of(slot));
+  p.right_look = regions_->look(region_[std::size_t(slot)]);
+  p.shown_from = y;
+  together_[std::size_t(slot)] = y;
+}
+
+/// Looks may have changed: what was shown so far is a fragment.
+void Sweep::show(int slot, double y) {
+  SweepPiece& p = at(slot);
+  const int left = regions_->look(region_left_of(slot)),
+            right = regions_->look(region_[std::size_t(slot)]);
+  if (left == p.left_look && right == p.right_look) return;
+  finish(slot, y);
+  p.left_look = left, p.right_look = right;
+}
+
+void Sweep::finish(int slot, double y) {
+  SweepPiece& p = at(slot);
+  if (p.left_look != p.right_look && y > p.shown_from)
+    fragments_.push_back(
+        {active_[std::size_t(slot)], p.left_look, p.right_look, p.shown_from, y});
+  p.shown_from = y;
+}
+
+void Sweep::vertex(int index) {
+  const OutlineVertex& v = outlines_->vertices[std::size_t(index)];
+  const bool in_ends = piece(v.in).bottom == index, out_ends = piece(v.out).bottom == index;
+  if (in_ends && out_ends)
+    end(v.in, v.out, v);
+  else if (in_ends)
+    go_on(v.in, v.out, v.y);
+  else if (out_ends)
+    go_on(v.out, v.in, v.y);
+  else
+    start(v.in, v.out, v);
+}
+
+void Sweep::go_on(int old, int now, double y) {
+  SweepPiece &o = piece(old), &n = piece(now);
+  const int slot = o.slot;
+  if (slot > 0) parted(slot - 1, y);
+  if (slot + 1 < count_) parted(slot, y);
+  finish(slot, y);
+  n.left_look = o.left_look, n.right_look = o.right_look, n.shown_from = y;
+  n.winding = o.winding, n.flips = o.flips;
+  o.slot = -1;
+  put(slot, now);
+  meet_others(now, y, 0);
+}
+
+void Sweep::start(int a, int b, const OutlineVertex& v) {
+  int slot = 0;
+  for (int end = count_; slot < end;) {
+    const int middle = (slot + end) / 2;
+    if (x_at(at(middle), v.y) < v.x)
+      slot = middle + 1;
+    else
+      end = middle;
+  }
+  // Which is left? By their ways, or by where they are a little farther on.
+  const SweepPiece &p = piece(a), &q = piece(b);
+  double side = p.ax * q.ay - q.ax * p.ay;
+  if (std::abs(side) <= 1e-12 * (std::abs(p.ax) + p.ay) * (std::abs(q.ax) + q.ay)) {
+    const double y = std::min(p.y1, q.y1), m = 0.5 * (v.y + y);
+    side = x_at(p, m) - x_at(q, m);
+    if (side == 0.0) side = x_at(p, y) - x_at(q, y);
+  }
+  const int left = side < 0.0 ? a : b, right = side < 0.0 ? b : a;
+  if (slot > 0 && slot < count_) parted(slot - 1, v.y);
+  room_for(2);
+  for (int i = count_ - 1; i >= slot; --i) {
+    put(i + 2, active_[std::size_t(i)]);
+    region_[std::size_t(i) + 2] = region_[std::size_t(i)];
+    together_[std::size_t(i) + 2] = together_[std::size_t(i)];
+  }
+  count_ += 2;
+  put(slot, left);
+  put(slot + 1, right);
+  SweepPiece &l = piece(left), &r = piece(right);
+  int winding = 0;
+  for (int i = slot - 1; i >= 0; --i)
+    if (const SweepPiece& f = at(i); f.outline == l.outline) {
+      winding = f.winding + f.turn;
+      break;
+    }
+  l.winding = winding;
+  r.winding = winding + l.turn;
+  l.flips = r.flips = inside(l.outline, winding) != inside(l.outline, winding + l.turn);
+  const int around = region_left_of(slot);
+  region_[std::size_t(slot)] = l.flips ? regions_->across(around, l.outline) : around;
+  region_[std::size_t(slot) + 1] = around;
+  enter(slot, v.y);
+  enter(slot + 1, v.y);
+  if (slot > 0) together_[std::size_t(slot) - 1] = v.y;
+  meet_others(left, v.y, 0);
+  meet_others(right, v.y, 0);
+}
+
+void Sweep::end(int a, int b, const OutlineVertex& v) {
+  int slot = std::min(piece(a).slot, piece(b).slot), last = std::max(piece(a).slot, piece(b).slot);
+  for (; last > slot + 1; --last) {  // what is still between is out of order
+    ++stats_.forced;
+    swap(last - 1, v.y);
+  }
+  for (int i = std::max(slot - 1, 0); i <= slot + 1 && i + 1 < count_; ++i) parted(i, v.y);
+  finish(slot, v.y);
+  finish(slot + 1, v.y);
+  piece(a).slot = piece(b).slot = -1;
+  for (int i = slot + 2; i < count_; ++i) {
+    put(i - 2, active_[std::size_t(i)]);
+    region_[std::size_t(i) - 2] = region_[std::size_t(i)];
+    together_[std::size_t(i) - 2] = together_[std::size_t(i)];
+  }
+  count_ -= 2;
+  if (slot > 0 && slot < count_) together_[std::size_t(slot) - 1] = v.y;
+}
+
+void Sweep::swap(int slot, double y) {
+  const auto s = std::size_t(slot);
+  const int a = active_[s], b = active_[s + 1];
+  for (int i = std::max(slot - 1, 0); i <= slot + 1 && i + 1 < count_; ++i) parted(i, y);
+  SweepPiece &p = piece(a), &q = piece(b);
+  if (p.outline == q.outline) {
+    q.winding = p.winding;
+    p.winding = q.winding + q.turn;
+    q.flips = inside(q.outline, q.winding) != inside(q.outline, q.winding + q.turn);
+    p.flips = inside(p.outline, p.winding) != inside(p.outline, p.winding + p.turn);
+  }
+  const int left = region_left_of(slot);
+  region_[s] = q.flips ? regions_->across(left, q.outline) : left;
+  put(slot, b);
+  put(slot + 1, a);
+  show(slot, y);
+  show(slot + 1, y);
+}
+
+void Sweep::events_until(double y, double x) {
+  while (!events_.empty() && !before(x, y, events_.front().x, events_.front().y)) {
+    const Event event = events_.front();
+    std::pop_heap(events_.begin(), events_.end(), later);
+    events_.pop_back();
+    const int from = piece(event.left).slot, to = piece(event.right).slot;
+    if (from >= 0 && to >= 0 && from < to) swap_past(event, from, to);
+  }
+}
+
+/// Swaps with all that lies between, too: its own events come at this height, or were missed.
+void Sweep::swap_past(const Event& event, int from, int to) {
+  for (int slot = from; slot < to; ++slot) swap(slot, event.y);
+  if (to == from + 1) return;
+  stats_.forced += to - from - 1;
+  for (int slot = from; slot < to - 1; ++slot)
+    again_.emplace_back(event.left, active_[std::size_t(slot)]);
+  for (; !again_.empty(); again_.pop_back()) {
+    const auto [a, b] = again_.back();
+    if (again_left_-- > 0) compare(a, b, event.y);
+  }
+}
+
+void Sweep::schedule(double y, int left, int right) {
+  const SweepPiece &a = piece(left), &b = piece(right);
+  double x = x_at(a.y1 - a.y0 > b.y1 - b.y0 ? a : b, y);  // the steeper one knows it better
+  if (y >= a.y1) x = std::min(x, a.x1);                   // before either ends
+  if (y >= b.y1) x = std::min(x, b.x1);
+  events_.push_back({y, x, left, right, found_++});
+  std::push_heap(events_.begin(), events_.end(), later);
+  ++stats_.crossings;
+}
+
+void Sweep::compare(int a, int b, double y) {
+  ++stats_.pairs;
+  const bool in_order = piece(a).slot < piece(b).slot;
+  int left = in_order ? a : b, right = in_order ? b : a;
+  const Crossings found = crossings(piece(left), piece(right), y);
+  for (int i = 0; i < found.count; ++i, std::swap(left, right))
+    schedule(found.at[std::size_t(i)], left, right);
+}
+
+/// Compares a piece with all active ones from a slot on whose reach along x meets its own.
+void Sweep::meet_others(int i, double y, int first_slot) {
+  const float lo = piece(i).lowest_x, hi = piece(i).highest_x;
+  constexpr int kAtOnce = 16;
+  for (int first = first_slot; first < count_; first += kAtOnce) {
+    unsigned met = 0;  // a loop that compilers take several at a time
+    for (int k = 0; k < kAtOnce; ++k) {
+      const auto s = std::size_t(first + k);
+      met |= unsigned((lowest_[s] <= hi) & (highest_[s] >= lo)) << k;
+    }
+    if (first + kAtOnce > count_) met &= (1u << (count_ - first)) - 1;
+    for (int k = 0; met; ++k, met >>= 1)
+      if (met & 1) {
+        const int other = active_[std::size_t(first + k)];
+        if (other != i) compare(i, other, y);
+      }
+  }
+}
+
+/// The pieces at a slot and the next were neighbours until now: were they in order?
+void Sweep::parted(int slot, double y) {
+  const double from = together_[std::size_t(slot)];
+  together_[std::size_t(slot)] = y;
+  if (!(y > from)) return;
+  const SweepPiece &left = at(slot), &right = at(slot + 1);
+  if (left.left_look == left.right_look && right.left_look == right.right_look) return;
+  ++stats_.proofs;
+  if (proven(left, right, from, y, 10)) return;
+  const double xs[] = {x_at(left, from), x_at(left, y), x_at(right, from), x_at(right, y)};
+  const auto [lo, hi] = std::minmax_element(std::begin(xs), std::end(xs));
+  doubts_.push_back({*lo, *hi, from, y});
+}
+
+/// The gap is at least that of its chord less what a convex right and a concave left piece sag below
+/// theirs: at most their bulge, and at most a quarter of height times change of slope.
+bool Sweep::proven(const SweepPiece& left, const SweepPiece& right, double from, double to,
+                   int depth) {
+  const double first = x_at(right, from) - x_at(left, from),
+               last = x_at(right, to) - x_at(left, to);
+  const double slack = std::min(first, last) + kOrder;
+  if (slack < 0.0) return false;
+  const auto sag = [&](const SweepPiece& p) {
+    if (p.bulge <= slack) return p.bulge;
+    const double t = parameter_at(p, from), u = parameter_at(p, to);
+    const double v = p.ay + t * p.by, w = p.ay + u * p.by;
+    if (!(v > 0.0) || !(w > 0.0)) return p.bulge;
+    const double turn = std::abs((p.ax + t * p.bx) / v - (p.ax + u * p.bx) / w);
+    return std::min(p.bulge, 0.25 * (to - from) * turn);
+  };
+  const double sags = (turning(right) < 0.0 ? sag(right) : 0.0) +
+                      (turning(left) > 0.0 ? sag(left) : 0.0);
+  if (sags <= slack) return true;
+  if (depth == 0 || to - from < kOrder) return to - from < kOrder;
+  const double middle = 0.5 * (from + to);
+  return proven(left, right, from, middle, depth - 1) &&
+         proven(left, right, middle, to, depth - 1);
+}
+
+}  // namespace mien

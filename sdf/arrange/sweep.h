@@ -1,0 +1,110 @@
+#pragma once
+// Outlines → order, regions and visible fragments: one sweep from the top, as if the picture were
+// tilted a little (of two things at one height the left one comes first).
+//
+// The state is the list of active pieces from left to right, the region right of each, and every
+// piece's own winding number. THE PERMUTATION IS THE TRUTH: an event swaps two neighbours, and looks
+// come from the order, so along any row their differences telescope by construction and no rounding
+// can travel along a row. A wrong order heals when its pieces are next compared.
+//
+// Neighbours are proven to be in order over the whole height they are neighbours, to kOrder. Where
+// that fails the place is told as a doubt, and whoever draws resolves its pixels otherwise.
+//
+// No colours here: of two regions only whether they look alike is asked (regions.h).
+
+#include <mien/sdf/arrange/crossings.h>
+#include <mien/sdf/arrange/regions.h>
+
+#include <span>
+#include <vector>
+
+namespace mien {
+
+/// A stretch of a piece whose two sides look different.
+struct Fragment {
+  int piece;
+  int left, right;     ///< looks
+  double top, bottom;  ///< heights [px], top < bottom
+};
+
+/// A place where the order of outlines could not be proven [px].
+struct Doubt {
+  double left, right, top, bottom;
+};
+
+struct SweepStats {
+  long pieces = 0, pairs = 0, crossings = 0, forced = 0, proofs = 0, regions = 0;
+};
+
+/// What neighbours may be out of order by [px]: a tenth of a level of 255 at full contrast, over the
+/// whole height of a pixel.
+inline constexpr double kOrder = 1.0 / 2560;
+
+/// Sweeps one arrangement after another; keeps its scratch.
+class Sweep {
+ public:
+  /// The arrangement between two heights. `regions` has begun with the outlines' number.
+  void run(const Outlines& outlines, double top, double bottom, Regions& regions);
+
+  /// By the order of their ends.
+  std::span<const Fragment> fragments() const { return fragments_; }
+  std::span<const SweepPiece> pieces() const { return pieces_; }
+  std::span<const Doubt> doubts() const { return doubts_; }
+  const SweepStats& stats() const { return stats_; }
+
+ private:
+  struct Event {  ///< `left` swaps with `right`
+    double y, x;
+    int left, right;
+    int order;  ///< in which events were found
+  };
+  static bool later(const Event& a, const Event& b);
+
+  void sort_vertices();
+  void begin_at_top();
+  void vertex(int index);
+  void go_on(int old, int now, double y);
+  void start(int a, int b, const OutlineVertex& v);
+  void end(int a, int b, const OutlineVertex& v);
+  void events_until(double y, double x);
+  void swap(int slot, double y);
+  void swap_past(const Event& event, int from, int to);
+  void meet_others(int piece, double y, int first_slot);
+  void compare(int a, int b, double y);
+  void schedule(double y, int left, int right);
+  void put(int slot, int piece);
+  void enter(int slot, double y);
+  void show(int slot, double y);
+  void finish(int slot, double y);
+  bool inside(int outline, int winding) const;
+  int region_left_of(int slot) const { return slot ? region_[std::size_t(slot) - 1] : 0; }
+  SweepPiece& piece(int i) { return pieces_[std::size_t(i)]; }
+  SweepPiece& at(int slot) { return pieces_[std::size_t(active_[std::size_t(slot)])]; }
+  void room_for(int slots);
+  void parted(int slot, double y);
+  bool proven(const SweepPiece& left, const SweepPiece& right, double from, double to, int depth);
+
+  const Outlines* outlines_ = nullptr;
+  Regions* regions_ = nullptr;
+  double top_ = 0, bottom_ = 0;
+  std::vector<SweepPiece> pieces_;
+  std::vector<Fragment> fragments_;
+  std::vector<Doubt> doubts_;
+  SweepStats stats_;
+
+  // By slot, from left to right.
+  int count_ = 0;
+  std::vector<int> active_;           ///< pieces
+  std::vector<int> region_;           ///< to the right of each
+  std::vector<float> lowest_, highest_;  ///< their reach along x
+  std::vector<double> together_;      ///< since when it and the next are neighbours
+
+  std::vector<Event> events_;  ///< a heap, the first on top
+  int found_ = 0;
+  std::vector<std::pair<int, int>> again_;  ///< to be compared again
+  long again_left_ = 0;
+  std::vector<int> order_, buckets_;  ///< vertices from the top down
+  std::vector<int> windings_;         ///< by outline, at the top
+};
+
+}  // namespace mien

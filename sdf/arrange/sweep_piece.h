@@ -1,0 +1,68 @@
+#pragma once
+// A piece of outline while the sweep passes it, and its place at a height.
+//
+// A piece is (x, y)(t) = (x0, y0) + t (2a + t b), a and a + b pointing down. The height y is met at
+//
+//     t = d / (a.y + sqrt(a.y² + b.y d)),   d = y − y0,
+//
+// the root of b.y t² + 2 a.y t − d = 0 without cancellation: both terms of the divisor are >= 0.
+// Its error in t is some roundings relative to t, so x is right to about 1e-15 of the piece's size.
+
+#include <mien/sdf/outline/outlines.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+struct SweepPiece : OutlinePiece {
+  float lowest_x, highest_x;  ///< rounded outwards
+  double bulge;               ///< how far it leaves its chord along x [px], an upper bound
+  int slot = -1;              ///< its place in the order from left to right; −1: not met or passed
+  int left_look = 0, right_look = 0;
+  int winding = 0;     ///< of its outline, to the left
+  bool flips = false;  ///< whether its outline's inside changes across it
+  double shown_from = 0;  ///< from what height the looks are as they are
+};
+
+inline double parameter_at(const OutlinePiece& p, double y) {
+  const double d = y - p.y0, divisor = p.ay + std::sqrt(std::max(0.0, p.ay * p.ay + p.by * d));
+  return divisor > 0.0 ? std::clamp(d / divisor, 0.0, 1.0) : 0.0;
+}
+
+inline double x_of(const OutlinePiece& p, double t) {
+  return p.x0 + t * (2.0 * p.ax + t * p.bx);
+}
+
+/// Its x at a height, clamped to its ends.
+inline double x_at(const OutlinePiece& p, double y) {
+  if (y >= p.y1) return p.x1;
+  if (y <= p.y0) return p.x0;
+  const double x = x_of(p, parameter_at(p, y));
+  return p.x1 > p.x0 ? std::clamp(x, p.x0, p.x1) : std::clamp(x, p.x1, p.x0);
+}
+
+/// The same where the sweep is at (x, y): level pieces are met at x.
+inline double x_there(const OutlinePiece& p, double y, double x) {
+  return p.y0 == p.y1 ? std::clamp(x, p.x0, p.x1) : x_at(p, y);
+}
+
+/// Whether the sweep, tilted a little, meets (x, y) before (u, v).
+inline bool before(double x, double y, double u, double v) {
+  return y != v ? y < v : x < u;
+}
+
+/// > 0 where x(e) − x(f) rises at that height.
+inline double parting(const OutlinePiece& e, const OutlinePiece& f, double y) {
+  const double t = parameter_at(e, y), u = parameter_at(f, y);
+  return (e.ax + t * e.bx) * (f.ay + u * f.by) - (f.ax + u * f.bx) * (e.ay + t * e.by);
+}
+
+/// Twice the curvature's sign along y: x(y) is convex where this is < 0.
+inline double turning(const OutlinePiece& p) {
+  return p.ax * p.by - p.ay * p.bx;
+}
+
+SweepPiece sweep_piece(const OutlinePiece& piece);
+
+}  // namespace mien

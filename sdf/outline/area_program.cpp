@@ -1,0 +1,129 @@
+#include <mien/sdf/outline/area_program.h>
+#include <mien/sdf/outline/outline_maker.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+using Kind = AreaStep::Kind;
+
+void AreaPrograms::begin(const Scene& scene) {
+  scene_ = &scene;
+  steps_.clear(), outlines_.clear(), added_.clear(), at_levels_.clear();
+  filled_.assign(scene.shapes().size(), -1);
+}
+
+/// Works off a stack of its own: trees may be a hundred thousand deep.
+AreaProgram AreaPrograms::add(Area area, double level) {
+  AreaProgram made{.first = int(steps_.size())};
+  todo_.clear();
+  if (area.node >= 0) todo_.push_back({.node = area.node, .level = level});
+  while (!todo_.empty()) {
+    const Task task = todo_.back();
+    todo_.pop_back();
+    if (task.node < 0)
+      step(task.kind);
+    else
+      expand(scene_->nodes()[std::size_t(task.node)], task.level);
+  }
+  made.count = int(steps_.size()) - made.first;
+  return made;
+}
+
+AreaProgram AreaPrograms::add(Shape shape) {
+  const int index = int(scene_->shapes().size() + added_.size());
+  added_.push_back(std::move(shape));
+  steps_.push_back({Kind::outline, int(outlines_.size())});
+  outlines_.push_back({index, 0.0, false});
+  return {int(steps_.size()) - 1, 1};
+}
+
+const Shape& AreaPrograms::shape(const OutlineSource& of) const {
+  const std::size_t own = scene_->shapes().size(), index = std::size_t(of.shape);
+  return index < own ? scene_->shapes()[index] : added_[index - own];
+}
+
+/// The stack runs backwards: last pushed is done first.
+void AreaPrograms::expand(const Node& n, double level) {
+  const auto visit_next = [&](int node, double v) { todo_.push_back({.node = node, .level = v}); };
+  const auto write_after = [&](Kind kind) { todo_.push_back({.kind = kind}); };
+  switch (n.op) {
+    case Op::shape:
+      return leaf(n.a, level);
+    case Op::either:
+    case Op::both:
+      write_after(n.op == Op::either ? Kind::or_ : Kind::and_);
+      visit_next(n.b, level);
+      return visit_next(n.a, level);
+    case Op::without:
+      write_after(Kind::and_);
+      write_after(Kind::not_);
+      visit_next(n.b, -level);
+      return visit_next(n.a, level);
+    case Op::complement:
+      write_after(Kind::not_);
+      return visit_next(n.a, -level);
+    case Op::offset:
+      return visit_next(n.a, level + n.amount);
+    case Op::shell: {
+      const double k = level + n.amount;
+      if (!(k >= 0.0)) return write_after(Kind::nothing);
+      write_after(Kind::and_);
+      write_after(Kind::not_);
+      visit_next(n.a, -k);
+      return visit_next(n.a, k);
+    }
+  }
+}
+
+void AreaPrograms::outline(int shape, double amount, bool rim) {
+  int& known = amount == 0.0 ? filled_[std::size_t(shape)]
+                             : at_levels_.try_emplace({shape, amount, rim}, -1).first->second;
+  if (known < 0) {
+    known = int(outlines_.size());
+    outlines_.push_back({shape, amount, rim});
+  }
+  steps_.push_back({Kind::outline, known});
+}
+
+void AreaPrograms::leaf(int index, double level) {
+  if (level == 0.0) return outline(index, 0.0, false);
+  if (!std::isfinite(level)) {  // all of the plane, or nothing
+    step(Kind::nothing);
+    if (level > 0.0) step(Kind::not_);
+    return;
+  }
+  if (offset_shape(scene_->shapes()[std::size_t(index)], level))
+    return outline(index, level, false);
+  outline(index, 0.0, false);
+  outline(index, std::abs(level), true);
+  if (level < 0.0) step(Kind::not_);
+  step(level < 0.0 ? Kind::and_ : Kind::or_);
+}
+
+bool runs_true(std::span<const AreaStep> program, const std::uint64_t* inside,
+               std::vector<char>& stack) {
+  stack.clear();
+  for (const AreaStep& step : program) switch (step.kind) {
+      case Kind::outline:
+        stack.push_back(char(inside[step.outline >> 6] >> (step.outline & 63) & 1));
+        break;
+      case Kind::nothing:
+        stack.push_back(0);
+        break;
+      case Kind::not_:
+        stack.back() = !stack.back();
+        break;
+      case Kind::and_:
+      case Kind::or_: {
+        const char b = stack.back();
+        stack.pop_back();
+        stack.back() = step.kind == Kind::and_ ? stack.back() & b : stack.back() | b;
+        break;
+      }
+    }
+  return program.empty() || stack.back();
+}
+
+}  // namespace mien

@@ -1,0 +1,84 @@
+#pragma once
+// What is inside an area, as a small program on bits: one bit per outline, and, or and not.
+//
+// CSG is resolved on bits, never on distances, so abutting areas of a union leave no seam. With f the
+// area's distance by its CSG tree, "f <= level" is pushed down to single shapes, whose offsets and
+// level lines are outlines of their own:
+//
+//   either, both: to both operands          complement: −a <= v  is  not (a <= −v)
+//   offset m:     a <= v + m                shell m:    |a| <= v + m =: k  is  a <= k and not (a <= −k)
+
+#include <mien/sdf/scene/scene.h>
+
+#include <map>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace mien {
+
+/// One step of a program, in postfix order.
+struct AreaStep {
+  enum class Kind : unsigned char { outline, nothing, not_, and_, or_ } kind;
+  int outline = 0;  ///< index into AreaPrograms::outlines
+};
+
+/// A range of steps. None at all: everywhere.
+struct AreaProgram {
+  int first = 0, count = 0;
+};
+
+/// What an outline is of: {distance(shape) <= amount}, or of |distance| where it is a rim.
+struct OutlineSource {
+  int shape;      ///< index into Scene::shapes, or beyond them of the shapes added
+  double amount;  ///< [face units]
+  bool rim;       ///< OutlineMaker::rim of that half-width
+};
+
+/// The programs of a scene's areas. A shape met again at the same level is the same outline.
+class AreaPrograms {
+ public:
+  /// Begins anew; memory is kept. The scene must outlive its use here.
+  void begin(const Scene& scene);
+
+  /// The program of {distance(area) <= level}; level in face units.
+  AreaProgram add(Area area, double level = 0.0);
+
+  /// The program of a shape that is not the scene's, in its units.
+  AreaProgram add(Shape shape);
+
+  /// The shape of an outline: the scene's, or one of those added.
+  const Shape& shape(const OutlineSource& of) const;
+
+  std::span<const AreaStep> steps() const { return steps_; }
+  std::span<const AreaStep> steps(const AreaProgram& of) const {
+    return std::span(steps_).subspan(std::size_t(of.first), std::size_t(of.count));
+  }
+  std::span<const OutlineSource> outlines() const { return outlines_; }
+
+ private:
+  struct Task {  ///< a node to write next, or a step
+    int node = -1;
+    double level = 0.0;
+    AreaStep::Kind kind{};
+  };
+  void expand(const Node& node, double level);
+  void leaf(int index, double level);
+  void outline(int shape, double amount, bool rim);
+  void step(AreaStep::Kind kind) { steps_.push_back({kind}); }
+
+  const Scene* scene_ = nullptr;
+  std::vector<AreaStep> steps_;
+  std::vector<OutlineSource> outlines_;
+  std::vector<Shape> added_;
+  std::vector<Task> todo_;
+  std::vector<int> filled_;                                  ///< by shape: its outline at level 0
+  std::map<std::tuple<int, double, bool>, int> at_levels_;  ///< the others
+};
+
+/// Whether the program's area holds a point, by the bits of its outlines; `stack` is scratch.
+bool runs_true(std::span<const AreaStep> program, const std::uint64_t* inside,
+               std::vector<char>& stack);
+
+}  // namespace mien
