@@ -11,6 +11,7 @@
 
 #include <mien/lib/geom/box2.h>
 #include <mien/lib/geom/map.h>
+#include <mien/sdf/outline/outline_loop.h>
 #include <mien/sdf/outline/outlines.h>
 
 #include <optional>
@@ -19,8 +20,8 @@ namespace mien {
 
 struct OutlineFrame {
   Map<GridSpace, FaceSpace> grid_from_face;
-  Box2 window;       ///< [px] inside it outlines are right; beyond it they may be anything that leaves
-                     ///< the winding numbers inside as they are
+  Box2 window;  ///< [px] inside it outlines are right; beyond it they may be anything that leaves
+                ///< the winding numbers inside as they are
   double tolerance;  ///< [px] by which a piece may leave the outline
 };
 
@@ -40,6 +41,12 @@ class OutlineMaker {
 
   /// Ties pieces to vertices and turns them to run down. Nothing is added afterwards.
   void finish();
+
+ private:
+  Map<GridSpace, FaceSpace> map_;
+  double scale_ = 1.0;
+  OutlineLoop loop_;
+  std::vector<glm::dvec2> points_;
 };
 
 /// {distance(shape) <= amount} as another shape, where that is one: discs, strokes, half-planes … are
