@@ -21,27 +21,47 @@ constexpr double kEighth = kCircle / 8.0;
 /// A bow flatter than this share of the tolerance is drawn straight.
 constexpr double kFlat = 0.25;
 
-int pieces_for(double radius, double turn, double tolerance) {
-  const double h = std::sqrt(std::sqrt(128.0 * 15.0 / 8.0 * tolerance / radius));
-  const double n = std::ceil(std::abs(turn) / std::min(h, kMostTurn));
+/// (c + 1/c)/2 − 1, c = cos x.
+double excess(double x) {
+  const double c = std::cos(x);
+  return 0.5 * (1.0 - c) * (1.0 - c) / c;
+}
+
+/// Balanced pieces: at their ends. Beside a given end a little more, found by looking along it.
+constexpr double kShare = 8.0 / 15.0, kShareByEnds = 0.56;
+
+/// `share`: of the excess, by which pieces are off at most.
+int pieces_for(double radius, double turn, double tolerance, double share) {
+  const double most = tolerance / (share * radius);
+  const double h = std::min(std::sqrt(std::sqrt(128.0 * most)), kMostTurn);
+  double n = std::ceil(std::abs(turn) / h);
+  if (h > 0.5 && excess(0.5 * turn / n) > most) n += 1.0;  // beyond the leading term
   return n > 1.0 ? static_cast<int>(std::min(n, double(kMostPieces))) : 1;
 }
 
-/// An arc in n pieces of the angle h each, beginning at center + u.
+/// An arc in n pieces of the angle h each, beginning at center + u. Where the ends are given, and so
+/// are not drawn in, the control points beside them make up for it.
 struct Turning {
   glm::dvec2 center, u, v;
   int n;
   double h, ch, sh;  ///< cosine and sine of h/2
-  double out, ends;  ///< how far out control points and ends lie
+  double pull;       ///< by which share ends are drawn in
+  int fixed;         ///< given ends: 0 or 2
 
-  Turning(glm::dvec2 c, glm::dvec2 u_, glm::dvec2 v_, int n_, double turn)
-      : center(c), u(u_), v(v_), n(n_), h(turn / n_), ch(std::cos(0.5 * h)), sh(std::sin(0.5 * h)) {
-    const double excess = 0.5 * (ch + 1.0 / ch) - 1.0;
-    ends = 1.0 - 8.0 / 15.0 * excess;
-    out = ends / ch;
+  Turning(glm::dvec2 c, glm::dvec2 u_, glm::dvec2 v_, int n_, double turn, int fixed_)
+      : center(c), u(u_), v(v_), n(n_), h(turn / n_), fixed(fixed_) {
+    ch = std::cos(0.5 * h), sh = std::sin(0.5 * h);
+    pull = kShare * excess(0.5 * h);
   }
   glm::dvec2 at(double radius, double c, double s) const {
     return center + (radius * c) * u + (radius * s) * v;
+  }
+  glm::dvec2 end(double c, double s) const { return at(1.0 - pull, c, s); }
+  /// How far out the i-th control point lies. The mean of a piece's excess less p at its ends and q
+  /// at its control point is 0 where (p0 + p1 + q)/3 is 8/15 of the excess.
+  double out(int i) const {
+    const int given = fixed == 0 ? 0 : (i == 0) + (i == n - 1);
+    return (1.0 - (1 + given) * pull) / ch;
   }
 
   /// Pieces i to j; the arc's last one ends at `to`.
@@ -51,7 +71,7 @@ struct Turning {
     for (; i < j; ++i) {
       const double mc = c * ch - s * sh, ms = c * sh + s * ch;
       c = mc * ch - ms * sh, s = mc * sh + ms * ch;
-      loop.quad(at(out, mc, ms), i + 1 < n ? at(ends, c, s) : to);
+      loop.quad(at(out(i), mc, ms), i + 1 < n ? end(c, s) : to);
     }
   }
 
@@ -61,11 +81,11 @@ struct Turning {
     for (int i = 0; i < n; i += step) {
       const int j = std::min(n, i + step);
       const double middle = 0.5 * (i + j) * h, wide = 1.01 / std::cos(0.5 * (j - i) * h);
-      const glm::dvec2 end = j < n ? at(ends, std::cos(j * h), std::sin(j * h)) : to;
-      const Box2 box = around(Box2{glm::min(loop.at(), end), glm::max(loop.at(), end)},
+      const glm::dvec2 stop = j < n ? end(std::cos(j * h), std::sin(j * h)) : to;
+      const Box2 box = around(Box2{glm::min(loop.at(), stop), glm::max(loop.at(), stop)},
                               at(wide, std::cos(middle), std::sin(middle)));
       if (loop.beyond(box)) {
-        loop.beyond_to(end);
+        loop.beyond_to(stop);
       } else {
         write(loop, i, j, to);
       }
@@ -92,9 +112,9 @@ void write_ellipse(OutlineLoop& loop, glm::dvec2 center, glm::dvec2 u, glm::dvec
   glm::dvec2 right = c * u + s * v, across = c * v - s * u;
   across.x = 0.0;
   if (across.y < 0.0) across.y = -across.y;
-  const int n = 4 * pieces_for(std::max(norm(u), norm(v)), 0.25 * kCircle, loop.tolerance());
-  const Turning arc(center, right, across, n, kCircle);
-  const glm::dvec2 start = arc.at(arc.ends, 1.0, 0.0);
+  const int n = 4 * pieces_for(std::max(norm(u), norm(v)), 0.25 * kCircle, loop.tolerance(), kShare);
+  const Turning arc(center, right, across, n, kCircle, 0);
+  const glm::dvec2 start = arc.end(1.0, 0.0);
   loop.begin(start);
   write_turning(loop, arc, start);
   loop.close();
@@ -104,8 +124,8 @@ void write_arc(OutlineLoop& loop, glm::dvec2 center, double radius, glm::dvec2 f
                glm::dvec2 to) {
   if (loop.beyond({center - radius, center + radius})) return loop.beyond_to(to);
   if (std::abs(radius * turn * turn) <= 8.0 * kFlat * loop.tolerance()) return loop.line(to);
-  const int n = pieces_for(radius, turn, loop.tolerance());
-  write_turning(loop, Turning(center, radius * from, radius * turned(from), n, turn), to);
+  const int n = pieces_for(radius, turn, loop.tolerance(), kShareByEnds);
+  write_turning(loop, Turning(center, radius * from, radius * turned(from), n, turn, 2), to);
 }
 
 }  // namespace mien

@@ -58,7 +58,7 @@ class SideWriter {
     const glm::dvec2 to = at + width_ * out;
     if (sine >= 0.0 && (sine > 0.0 || cosine < 0.0)) {
       loop_.line(at + width_ * out_);
-      write_arc(loop_, at, width_, out_, std::atan2(sine, cosine), to);
+      write_arc(loop_, at, width_, out_, std::atan2(std::abs(sine), cosine), to);
     } else if (-sine * width_ <= 0.5 * std::min(length, length_) * (1.0 + cosine)) {
       // Both pieces are long enough for their sides to meet: the short cut takes the kite between
       // them, which both strips hold, once less.

@@ -40,6 +40,9 @@ class RimWriter {
     if (loop_.beyond(part.box())) return loop_.beyond_to(b.point);
     glm::dvec2 control;
     if (joined(a, b, control) && fits(part, a, b, control)) return emit(control, b.point);
+    const double squared = (t1 - t0) * (t1 - t0);
+    if (longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
+      return emit(0.5 * (a.point + b.point), b.point);
     if (halvings == 0 || pieces_ > kMostPieces || !std::isfinite(b.speed))
       return emit(0.5 * (a.point + b.point), b.point);
     const double t = middle(a, b, t0, t1);
@@ -70,17 +73,23 @@ class RimWriter {
   }
 
   bool fits(const Pen& part, const Rim& a, const Rim& b, glm::dvec2 control) const {
-    if (lies_in_its_triangle(a, b, control)) return true;
     const glm::dvec2 da = (control - a.point) - part.a;
     const glm::dvec2 db = ((b.point - control) - (control - a.point)) - part.b;
     return deviation(part, a.point - part.p, da, db) <= loop_.tolerance();
   }
 
-  /// Rim and curve both lie between the chord and the tangents, if the rim turns one way: so short
-  /// a piece needs no other proof.
-  bool lies_in_its_triangle(const Rim& a, const Rim& b, glm::dvec2 control) const {
-    const glm::dvec2 chord = b.point - a.point;
-    return std::abs(cross(chord, control - a.point)) <= 0.5 * loop_.tolerance() * norm(chord);
+  /// A bound of a rim's length between a and b, speeds as of `q`: cusps included.
+  static double longest(const Pen& q, double speed0, double speed1) {
+    const glm::dvec2 v0 = q.velocity(0.0), v1 = q.velocity(1.0);
+    const double r0 = q.rate(0.0), r1 = q.rate(1.0);
+    const double slowest = std::min({glm::dot(v0, v0) - r0 * r0, glm::dot(v0, v1) - r0 * r1,
+                                     glm::dot(v1, v1) - r1 * r1});
+    if (!(slowest > 0.0)) return std::numeric_limits<double>::infinity();
+    const double pull = 2.0 * norm(q.b), swell = 2.0 * std::abs(q.wb), ahead = std::sqrt(slowest);
+    const double change =
+        2.0 * (std::max(norm(v0), norm(v1)) * pull + std::max(std::abs(r0), std::abs(r1)) * swell) +
+        (std::max(std::abs(r0), std::abs(r1)) + q.widest() * pull / ahead) * (pull + swell);
+    return (std::max(std::abs(speed0), std::abs(speed1)) + 0.5 * change) / ahead;
   }
 
   /// A bound of |min over t of |Q(s) − B(t)| − w(t)| along the piece, Q − B = d + s (2da + s db).
