@@ -29,7 +29,10 @@ SquareResolver::SquareResolver(const Scene& scene, const View& view, const Paint
 Resolved SquareResolver::pixel(int x, int y) {
   seen_.clear();
   for (int i = 0; i < int(paints_.layers.size()); ++i) seen_.push_back({i, false});
-  return square({x + 0.5, y + 0.5}, 0.5, 0, kDepth);
+  varies_ = false;
+  Resolved found = square({x + 0.5, y + 0.5}, 0.5, 0, kDepth);
+  found.varies = varies_;
+  return found;
 }
 
 double SquareResolver::distance(int layer, glm::dvec2 p) const {
@@ -148,8 +151,9 @@ bool SquareResolver::cut(glm::dvec2 center, double half, std::size_t first, std:
   return true;
 }
 
-Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) const {
+Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   if (layer.varied < 0) return layer.mix;
+  varies_ = true;
   const TapePaint& paint = paints_.varied[std::size_t(layer.varied)].paint;
   Mix mix = paint.color;
   if (paint.ramp) {

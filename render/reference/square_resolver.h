@@ -16,6 +16,7 @@ namespace mien {
 struct Resolved {
   Mix mix{0.0};
   double bound = 0;
+  bool varies = false;  ///< a paint that varies may be seen
 };
 
 class SquareResolver {
@@ -38,7 +39,7 @@ class SquareResolver {
   Resolved covered(glm::dvec2 center, double half, std::size_t first, int depth);
   bool cut(glm::dvec2 center, double half, std::size_t first, std::size_t which, Resolved& to);
   Mix color(glm::dvec2 p, std::size_t first, std::size_t without);
-  Mix paint(const PaintedLayer& layer, glm::dvec2 p) const;
+  Mix paint(const PaintedLayer& layer, glm::dvec2 p);
   double distance(int layer, glm::dvec2 p) const;
 
   const Scene& scene_;
@@ -47,6 +48,7 @@ class SquareResolver {
   double scale_;  ///< [px per face unit]
   double tolerance_;
   std::vector<Seen> seen_;  ///< bottom to top; of all squares around the present one, in turn
+  bool varies_ = false;
   std::vector<Mix> levels_;
   std::vector<int> open_, chain_;
 };

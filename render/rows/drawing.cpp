@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mien {
 namespace {
@@ -17,6 +18,7 @@ double tolerance_of(Depth depth, Blend blend) {
 
 bool Drawing::make(const Scene& scene, const View& view, Depth depth) {
   width_ = view.width, height_ = view.height, dither_ = view.dither;
+  scene_ = scene, view_ = view;
   paints_.make(scene, view);
   for (const VariedPaint& varied : paints_.varied)
     if (varied.dense || varied.paint.relief || varied.paint.field.kind == PaintField::Kind::distance)
@@ -95,6 +97,33 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   for (int y = first; y < end; ++y)
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
                           target.data + target.stride * std::size_t(y - rect.y), stats);
+  resolve_doubts(first, end, target, stats);
+}
+
+/// Pixels between outlines whose order is not proven, by distances.
+void Drawing::resolve_doubts(int first, int end, const RowTarget& target,
+                             RenderStats& stats) const {
+  const PixelRect& rect = target.rect;
+  std::optional<SquareResolver> resolver;
+  for (const Doubt& doubt : sweep_.doubts()) {
+    const int top = std::max(first, int(std::floor(doubt.top))),
+              bottom = std::min(end, int(std::ceil(doubt.bottom)));
+    const double least = rect.x, most = rect.x + rect.width;
+    const int left = int(std::clamp(std::floor(doubt.left - kOrder), least, most)),
+              right = int(std::clamp(std::ceil(doubt.right + kOrder), least, most));
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x) {
+        if (!resolver) resolver.emplace(scene_, view_, paints_, kOrder);
+        const Resolved found = resolver->pixel(x, y);
+        std::byte* const to = target.data + target.stride * std::size_t(y - rect.y) +
+                              format_.bytes() * std::size_t(x - rect.x);
+        if (dither_ && found.varies)
+          store_dithered(found.mix, format_.blend(), format_.depth(), x, y, to);
+        else
+          store(found.mix, format_.blend(), format_.depth(), to);
+        ++stats.divided_pixels;
+      }
+  }
 }
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 // A scene on its way to pixels: outlines, arrangement and looks of a whole picture, made once; then
 // rows, in strips at absolute places.
 
+#include <mien/render/reference/square_resolver.h>
 #include <mien/render/render_stats.h>
 #include <mien/render/rows/row_painter.h>
 #include <mien/sdf/arrange/sweep.h>
@@ -38,11 +39,14 @@ class Drawing {
   const Looks& looks() const { return looks_; }
 
  private:
+  void resolve_doubts(int first, int end, const RowTarget& target, RenderStats& stats) const;
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
 
   int width_ = 0, height_ = 0;
   bool dither_ = true;
+  Scene scene_;
+  View view_;
   PaintTable paints_;
   Outlines outlines_;
   OutlineMaker maker_;

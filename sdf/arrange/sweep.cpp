@@ -6,6 +6,7 @@
 namespace mien {
 namespace {
 
+constexpr int kHalvings = 16;     // of a height over which an order is to be proven
 constexpr int kSpare = 16;        // slots read beyond the last, several at a time
 constexpr long kAgainFirst = 10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
 
@@ -317,32 +318,30 @@ void Sweep::parted(int slot, double y) {
   const SweepPiece &left = at(slot), &right = at(slot + 1);
   if (left.left_look == left.right_look && right.left_look == right.right_look) return;
   ++stats_.proofs;
-  if (proven(left, right, from, y, 10)) return;
+  if (proven(left, right, from, y, kHalvings)) return;
   const double xs[] = {x_at(left, from), x_at(left, y), x_at(right, from), x_at(right, y)};
   const auto [lo, hi] = std::minmax_element(std::begin(xs), std::end(xs));
   doubts_.push_back({*lo, *hi, from, y});
 }
 
 /// The gap is at least that of its chord less what a convex right and a concave left piece sag below
-/// theirs: at most their bulge, and at most a quarter of height times change of slope.
+/// theirs: over a parameter length h and a height H by |turning| h³ / (2H), a parabola's half of its
+/// control point's distance. What is left may sag by an area that shows nowhere.
 bool Sweep::proven(const SweepPiece& left, const SweepPiece& right, double from, double to,
                    int depth) {
   const double first = x_at(right, from) - x_at(left, from),
                last = x_at(right, to) - x_at(left, to);
-  const double slack = std::min(first, last) + kOrder;
+  const double slack = std::min(first, last) + kOrder, height = to - from;
   if (slack < 0.0) return false;
   const auto sag = [&](const SweepPiece& p) {
     if (p.bulge <= slack) return p.bulge;
-    const double t = parameter_at(p, from), u = parameter_at(p, to);
-    const double v = p.ay + t * p.by, w = p.ay + u * p.by;
-    if (!(v > 0.0) || !(w > 0.0)) return p.bulge;
-    const double turn = std::abs((p.ax + t * p.bx) / v - (p.ax + u * p.bx) / w);
-    return std::min(p.bulge, 0.25 * (to - from) * turn);
+    const double h = parameter_at(p, to) - parameter_at(p, from);
+    return std::min(p.bulge, 0.5 * std::abs(turning(p)) * h * h * h / height);
   };
   const double sags = (turning(right) < 0.0 ? sag(right) : 0.0) +
                       (turning(left) > 0.0 ? sag(left) : 0.0);
-  if (sags <= slack) return true;
-  if (depth == 0 || to - from < kOrder) return to - from < kOrder;
+  if (sags <= slack || sags * height <= 0.25 * kOrder) return true;
+  if (depth == 0) return false;
   const double middle = 0.5 * (from + to);
   return proven(left, right, from, middle, depth - 1) &&
          proven(left, right, middle, to, depth - 1);
