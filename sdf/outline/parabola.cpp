@@ -62,10 +62,10 @@ ParabolaSide tamed(ParabolaSide side) {
   return side;
 }
 
-/// Writes what of a closed outline lies inside a parabola's side, as one loop.
+/// Writes what of a closed outline lies inside a parabola's side, as one pen.
 class CutWriter {
  public:
-  CutWriter(OutlineLoop& loop, const ParabolaSide& side) : loop_(loop), side_(side) {}
+  CutWriter(CurvePen& pen, const ParabolaSide& side) : pen_(pen), side_(side) {}
 
   void quad(glm::dvec2 p, glm::dvec2 control, glm::dvec2 to) {
     const glm::dvec2 a = control - p, b = (to - control) - a;
@@ -80,14 +80,14 @@ class CutWriter {
       if (!inside(p + middle * (2.0 * a + middle * b))) continue;
       enter(p + s * (2.0 * a + s * b));
       last_ = t < 1.0 ? p + t * (2.0 * a + t * b) : to;
-      loop_.quad(p + ((s + t) * a + (s * t) * b), last_);
+      pen_.quad(p + ((s + t) * a + (s * t) * b), last_);
     }
   }
 
   void close() {
     if (!begun_) return;
     enter(first_);
-    loop_.close();
+    pen_.close();
   }
 
  private:
@@ -110,16 +110,16 @@ class CutWriter {
   /// To `p`, where the outline comes in: along the side from where it went out.
   void enter(glm::dvec2 p) {
     if (!begun_) {
-      loop_.begin(p);
+      pen_.begin(p);
       begun_ = true;
       first_ = last_ = p;
     }
     if (p == last_) return;
-    loop_.quad(control(side_, in_frame(side_, last_).x, in_frame(side_, p).x), p);
+    pen_.quad(control(side_, in_frame(side_, last_).x, in_frame(side_, p).x), p);
     last_ = p;
   }
 
-  OutlineLoop& loop_;
+  CurvePen& pen_;
   const ParabolaSide& side_;
   bool begun_ = false;
   glm::dvec2 first_{0}, last_{0};
@@ -127,21 +127,21 @@ class CutWriter {
 
 }  // namespace
 
-void write_half_plane(OutlineLoop& loop, const HalfPlane& side) {
-  write_parabola_side(loop, {side.offset * side.normal, -side.normal, 0.0});
+void write_half_plane(CurvePen& pen, const HalfPlane& side) {
+  write_parabola_side(pen, {side.offset * side.normal, -side.normal, 0.0});
 }
 
-void write_parabola_side(OutlineLoop& loop, const ParabolaSide& side) {
-  const Closed c = closed(tamed(side), loop.window());
-  loop.begin(c.begin);
-  for (const Side& s : c.sides) loop.quad(s.control, s.to);
-  loop.close();
+void write_parabola_side(CurvePen& pen, const ParabolaSide& side) {
+  const Closed c = closed(tamed(side), pen.window());
+  pen.begin(c.begin);
+  for (const Side& s : c.sides) pen.quad(s.control, s.to);
+  pen.close();
 }
 
-void write_band(OutlineLoop& loop, const Band& band) {
+void write_band(CurvePen& pen, const Band& band) {
   const ParabolaSide upper = tamed(band.upper);
-  const Closed c = closed(tamed(band.lower), loop.window());
-  CutWriter cut(loop, upper);
+  const Closed c = closed(tamed(band.lower), pen.window());
+  CutWriter cut(pen, upper);
   glm::dvec2 p = c.begin;
   for (const Side& s : c.sides) {
     cut.quad(p, s.control, s.to);
