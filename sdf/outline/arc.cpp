@@ -65,67 +65,67 @@ struct Turning {
   }
 
   /// Pieces i to j; the arc's last one ends at `to`.
-  void write(OutlineLoop& loop, int i, int j, glm::dvec2 to) const {
+  void write(CurvePen& pen, int i, int j, glm::dvec2 to) const {
     double c = 1.0, s = 0.0;
     if (i > 0) c = std::cos(i * h), s = std::sin(i * h);
     for (; i < j; ++i) {
       const double mc = c * ch - s * sh, ms = c * sh + s * ch;
       c = mc * ch - ms * sh, s = mc * sh + ms * ch;
-      loop.quad(at(out(i), mc, ms), i + 1 < n ? end(c, s) : to);
+      pen.quad(at(out(i), mc, ms), i + 1 < n ? end(c, s) : to);
     }
   }
 
   /// The same for many pieces: what the window does not see is passed by.
-  void write_seen(OutlineLoop& loop, glm::dvec2 to) const {
+  void write_seen(CurvePen& pen, glm::dvec2 to) const {
     const int step = std::max(1, static_cast<int>(kEighth / std::abs(h)));
     for (int i = 0; i < n; i += step) {
       const int j = std::min(n, i + step);
       const double middle = 0.5 * (i + j) * h, wide = 1.01 / std::cos(0.5 * (j - i) * h);
       const glm::dvec2 stop = j < n ? end(std::cos(j * h), std::sin(j * h)) : to;
-      const Box2 box = around(Box2{glm::min(loop.at(), stop), glm::max(loop.at(), stop)},
+      const Box2 box = around(Box2{glm::min(pen.at(), stop), glm::max(pen.at(), stop)},
                               at(wide, std::cos(middle), std::sin(middle)));
-      if (loop.beyond(box)) {
-        loop.beyond_to(stop);
+      if (pen.beyond(box)) {
+        pen.beyond_to(stop);
       } else {
-        write(loop, i, j, to);
+        write(pen, i, j, to);
       }
     }
   }
 };
 
-void write_turning(OutlineLoop& loop, const Turning& arc, glm::dvec2 to) {
+void write_turning(CurvePen& pen, const Turning& arc, glm::dvec2 to) {
   if (arc.n <= kLong) {
-    arc.write(loop, 0, arc.n, to);
+    arc.write(pen, 0, arc.n, to);
   } else {
-    arc.write_seen(loop, to);
+    arc.write_seen(pen, to);
   }
 }
 
 }  // namespace
 
-void write_ellipse(OutlineLoop& loop, glm::dvec2 center, glm::dvec2 u, glm::dvec2 v) {
+void write_ellipse(CurvePen& pen, glm::dvec2 center, glm::dvec2 u, glm::dvec2 v) {
   if (!(std::abs(cross(u, v)) > 0.0)) return;
   const glm::dvec2 half{norm({u.x, v.x}), norm({u.y, v.y})};
-  if (loop.beyond({center - half, center + half})) return;
+  if (pen.beyond({center - half, center + half})) return;
   // Conjugate half-axes anew: the first to the ellipse's rightmost point, where x turns anyway.
   const double c = u.x / half.x, s = v.x / half.x;
   glm::dvec2 right = c * u + s * v, across = c * v - s * u;
   across.x = 0.0;
   if (across.y < 0.0) across.y = -across.y;
-  const int n = 4 * pieces_for(std::max(norm(u), norm(v)), 0.25 * kCircle, loop.tolerance(), kShare);
+  const int n = 4 * pieces_for(std::max(norm(u), norm(v)), 0.25 * kCircle, pen.tolerance(), kShare);
   const Turning arc(center, right, across, n, kCircle, 0);
   const glm::dvec2 start = arc.end(1.0, 0.0);
-  loop.begin(start);
-  write_turning(loop, arc, start);
-  loop.close();
+  pen.begin(start);
+  write_turning(pen, arc, start);
+  pen.close();
 }
 
-void write_arc(OutlineLoop& loop, glm::dvec2 center, double radius, glm::dvec2 from, double turn,
+void write_arc(CurvePen& pen, glm::dvec2 center, double radius, glm::dvec2 from, double turn,
                glm::dvec2 to) {
-  if (loop.beyond({center - radius, center + radius})) return loop.beyond_to(to);
-  if (std::abs(radius * turn * turn) <= 8.0 * kFlat * loop.tolerance()) return loop.line(to);
-  const int n = pieces_for(radius, turn, loop.tolerance(), kShareByEnds);
-  write_turning(loop, Turning(center, radius * from, radius * turned(from), n, turn, 2), to);
+  if (pen.beyond({center - radius, center + radius})) return pen.beyond_to(to);
+  if (std::abs(radius * turn * turn) <= 8.0 * kFlat * pen.tolerance()) return pen.line(to);
+  const int n = pieces_for(radius, turn, pen.tolerance(), kShareByEnds);
+  write_turning(pen, Turning(center, radius * from, radius * turned(from), n, turn, 2), to);
 }
 
 }  // namespace mien

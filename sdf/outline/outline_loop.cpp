@@ -56,6 +56,7 @@ struct Cuts {
 void OutlineLoop::frame(const Box2& window, double tolerance, Outlines& to) {
   to_ = &to;
   tolerance_ = tolerance;
+  backwards_ = false;
   window_ = window.empty() ? Box2{{0, 0}, {0, 0}} : grown(window, kMargin);
   for (int i = 0; i < 2; ++i) {
     window_.lo[i] = std::floor(std::clamp(window_.lo[i], -kFarthest, kFarthest));
@@ -138,7 +139,7 @@ bool OutlineLoop::runs_along_border(int vertex, glm::dvec2 to) const {
 }
 
 /// Until `finish` a piece holds its control point in (ax, ay), its vertices in the loop's order, and
-/// in `turn` whether it may bend.
+/// in `turn` whether it may bend, in bx its sense.
 void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
   const glm::dvec2 end{snapped(to.x), snapped(to.y)};
   const int last = static_cast<int>(to_->vertices.size()) - 1;
@@ -155,6 +156,7 @@ void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
   p.top = last, p.bottom = last + 1;
   p.outline = static_cast<int>(to_->rules.size()) - 1;
   p.turn = straight ? 0 : 1;
+  p.bx = backwards_ ? -1.0 : 1.0;
   to_->vertices.push_back({end.x, end.y, -1, -1});
 }
 
@@ -185,6 +187,7 @@ void OutlineLoop::finish() {
   auto& vertices = to_->vertices;
   for (std::size_t i = 0; i < to_->pieces.size(); ++i) {
     OutlinePiece& p = to_->pieces[i];
+    if (p.bx < 0.0) std::swap(p.top, p.bottom);
     OutlineVertex &from = vertices[p.top], &into = vertices[p.bottom];
     from.out = into.in = static_cast<int>(i);
     const bool down = from.y != into.y ? from.y < into.y : from.x < into.x;

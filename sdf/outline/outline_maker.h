@@ -13,6 +13,7 @@
 #include <mien/lib/geom/map.h>
 #include <mien/sdf/outline/outline_loop.h>
 #include <mien/sdf/outline/outlines.h>
+#include <mien/sdf/outline/side_list.h>
 
 #include <optional>
 
@@ -36,17 +37,24 @@ class OutlineMaker {
   int fill(const Shape& shape);
 
   /// The outline of {|distance(shape)| <= half_width} [face units, > 0], the ribbon along the shape's
-  /// own outline; its index.
+  /// own outline; its index. A stroke that overlaps itself has no such outline: ask for its wider
+  /// fill without its narrower one (offset_shape). A band without common points has no outline.
   int rim(const Shape& shape, double half_width);
 
   /// Ties pieces to vertices and turns them to run down. Nothing is added afterwards.
   void finish();
 
  private:
+  struct Filler;
+  struct Recorder;
+  void ribbons(const Shape& shape, double width);
+
   Map<GridSpace, FaceSpace> map_;
   double scale_ = 1.0;
   OutlineLoop loop_;
+  SideList list_;
   std::vector<glm::dvec2> points_;
+  std::vector<QuadBezier> sides_;
 };
 
 /// {distance(shape) <= amount} as another shape, where that is one: discs, strokes, half-planes … are

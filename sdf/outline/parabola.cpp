@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
+#include <limits>
 
 namespace mien {
 namespace {
@@ -62,10 +62,10 @@ ParabolaSide tamed(ParabolaSide side) {
   return side;
 }
 
-/// Writes what of a closed outline lies inside a parabola's side, as one loop.
+/// Writes what of a closed outline lies inside a parabola's side.
 class CutWriter {
  public:
-  CutWriter(OutlineLoop& loop, const ParabolaSide& side) : loop_(loop), side_(side) {}
+  CutWriter(CurvePen& pen, const ParabolaSide& side) : pen_(pen), side_(side) {}
 
   void quad(glm::dvec2 p, glm::dvec2 control, glm::dvec2 to) {
     const glm::dvec2 a = control - p, b = (to - control) - a;
@@ -75,25 +75,62 @@ class CutWriter {
     for (int i = 0; i < roots.count; ++i)
       if (roots.x[i] > 0.0 && roots.x[i] < 1.0) cut[count++] = roots.x[i];
     cut[count] = 1.0;
+    const auto at = [&](double t) { return t < 1.0 ? p + t * (2.0 * a + t * b) : to; };
     for (int i = 0; i < count; ++i) {
-      const double s = cut[i], t = cut[i + 1], middle = 0.5 * (s + t);
-      if (!inside(p + middle * (2.0 * a + middle * b))) continue;
-      enter(p + s * (2.0 * a + s * b));
-      last_ = t < 1.0 ? p + t * (2.0 * a + t * b) : to;
-      loop_.quad(p + ((s + t) * a + (s * t) * b), last_);
+      const double s = cut[i], t = cut[i + 1];
+      if (inside(at(0.5 * (s + t))))
+        runs_[count_++] = {at(s), p + ((s + t) * a + (s * t) * b), at(t)};
     }
   }
 
-  void close() {
-    if (!begun_) return;
-    enter(first_);
-    loop_.close();
+  void write() {
+    for (int i = 0; i < count_; ++i)
+      if (!runs_[i].written && enters(i)) write_from(i);
+    // All inside: no run enters.
+    if (count_ > 0 && !runs_[0].written) write_from(0);
   }
 
  private:
+  struct Run {
+    glm::dvec2 from, control, to;
+    bool written = false;
+  };
+
   bool inside(glm::dvec2 p) const {
     const glm::dvec2 q = in_frame(side_, p);
     return q.y >= side_.bend * q.x * q.x;
+  }
+  double u(glm::dvec2 p) const { return in_frame(side_, p).x; }
+  int next(int i) const { return i + 1 < count_ ? i + 1 : 0; }
+  bool enters(int i) const { return runs_[i > 0 ? i - 1 : count_ - 1].to != runs_[i].from; }
+
+  /// Along runs that go on, and along the side's own outline from where one leaves the side, with
+  /// falling u as all outlines here, to where the next one enters.
+  void write_from(int first) {
+    pen_.begin(runs_[first].from);
+    int i = first;
+    do {
+      Run& run = runs_[i];
+      run.written = true;
+      pen_.quad(run.control, run.to);
+      i = next(i);
+      if (!enters(i)) continue;
+      const double here = u(run.to);
+      i = entry_below(here, first);
+      pen_.quad(control(side_, here, u(runs_[i].from)), runs_[i].from);
+    } while (i != first && !runs_[i].written);
+    pen_.close();
+  }
+
+  /// The run that enters next below `here`. If rounding hides it the loop closes.
+  int entry_below(double here, int otherwise) const {
+    int best = otherwise;
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count_; ++i) {
+      const double there = u(runs_[i].from);
+      if (enters(i) && there <= here && there > highest) best = i, highest = there;
+    }
+    return best;
   }
 
   /// Parameters of p + t (2a + t b) where it crosses the side's outline.
@@ -107,47 +144,35 @@ class CutWriter {
                          c0.y - k * c0.x * c0.x);
   }
 
-  /// To `p`, where the outline comes in: along the side from where it went out.
-  void enter(glm::dvec2 p) {
-    if (!begun_) {
-      loop_.begin(p);
-      begun_ = true;
-      first_ = last_ = p;
-    }
-    if (p == last_) return;
-    loop_.quad(control(side_, in_frame(side_, last_).x, in_frame(side_, p).x), p);
-    last_ = p;
-  }
-
-  OutlineLoop& loop_;
+  CurvePen& pen_;
   const ParabolaSide& side_;
-  bool begun_ = false;
-  glm::dvec2 first_{0}, last_{0};
+  int count_ = 0;
+  std::array<Run, 20> runs_;
 };
 
 }  // namespace
 
-void write_half_plane(OutlineLoop& loop, const HalfPlane& side) {
-  write_parabola_side(loop, {side.offset * side.normal, -side.normal, 0.0});
+void write_half_plane(CurvePen& pen, const HalfPlane& side) {
+  write_parabola_side(pen, {side.offset * side.normal, -side.normal, 0.0});
 }
 
-void write_parabola_side(OutlineLoop& loop, const ParabolaSide& side) {
-  const Closed c = closed(tamed(side), loop.window());
-  loop.begin(c.begin);
-  for (const Side& s : c.sides) loop.quad(s.control, s.to);
-  loop.close();
+void write_parabola_side(CurvePen& pen, const ParabolaSide& side) {
+  const Closed c = closed(tamed(side), pen.window());
+  pen.begin(c.begin);
+  for (const Side& s : c.sides) pen.quad(s.control, s.to);
+  pen.close();
 }
 
-void write_band(OutlineLoop& loop, const Band& band) {
+void write_band(CurvePen& pen, const Band& band) {
   const ParabolaSide upper = tamed(band.upper);
-  const Closed c = closed(tamed(band.lower), loop.window());
-  CutWriter cut(loop, upper);
+  const Closed c = closed(tamed(band.lower), pen.window());
+  CutWriter cut(pen, upper);
   glm::dvec2 p = c.begin;
   for (const Side& s : c.sides) {
     cut.quad(p, s.control, s.to);
     p = s.to;
   }
-  cut.close();
+  cut.write();
 }
 
 }  // namespace mien

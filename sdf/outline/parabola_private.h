@@ -1,18 +1,18 @@
 #pragma once
-#include <mien/sdf/outline/outline_loop.h>
+#include <mien/sdf/outline/curve_pen.h>
 #include <mien/sdf/shape/shape.h>
 
 #include <vector>
 
 namespace mien {
 
-/// Sides without end are closed far enough around the loop's window; their numbers are in pixels.
+/// Sides without end are closed far enough around the pen's window; their numbers are in pixels.
 
-void write_half_plane(OutlineLoop& loop, const HalfPlane& side);
-void write_parabola_side(OutlineLoop& loop, const ParabolaSide& side);
+void write_half_plane(CurvePen& pen, const HalfPlane& side);
+void write_parabola_side(CurvePen& pen, const ParabolaSide& side);
 
 /// The first side's closed outline, cut to the second: where it leaves the second side, that one's
-/// own outline leads from there to where it comes back. docs/derivations/outlines.md
-void write_band(OutlineLoop& loop, const Band& band);
+/// own outline leads on to where it next comes in. Each loop is a part of what both have in common.
+void write_band(CurvePen& pen, const Band& band);
 
 }  // namespace mien

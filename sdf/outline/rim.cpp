@@ -82,8 +82,8 @@ class RimWriter {
   static double longest(const Pen& q, double speed0, double speed1) {
     const glm::dvec2 v0 = q.velocity(0.0), v1 = q.velocity(1.0);
     const double r0 = q.rate(0.0), r1 = q.rate(1.0);
-    const double slowest = std::min({glm::dot(v0, v0) - r0 * r0, glm::dot(v0, v1) - r0 * r1,
-                                     glm::dot(v1, v1) - r1 * r1});
+    const double slowest = std::min(
+        {glm::dot(v0, v0) - r0 * r0, glm::dot(v0, v1) - r0 * r1, glm::dot(v1, v1) - r1 * r1});
     if (!(slowest > 0.0)) return std::numeric_limits<double>::infinity();
     const double pull = 2.0 * norm(q.b), swell = 2.0 * std::abs(q.wb), ahead = std::sqrt(slowest);
     const double change =
