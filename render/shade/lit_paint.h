@@ -1,0 +1,56 @@
+#pragma once
+// A layer's lit paint, ready to be asked for means over pixels and parts of pixels.
+//
+//   LitPaint head(paint, tape.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
+//   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
+//   glm::vec4 edge = head.part(1, x, y, 0.4, centroid, scratch);
+//
+// Every answer depends on the paint and the pixel alone: not on what was asked before, nor on
+// scratch, region or thread.
+
+#include <mien/render/shade/lit_surface.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace mien {
+
+class LitPaint {
+ public:
+  /// What is kept between questions, of all paints. One per thread.
+  struct Scratch {
+    double error = 0;
+  };
+
+  /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose
+  /// own is its top left corner, y down. `tolerance`: what a mean may be off, in levels of 255.
+  LitPaint(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+           glm::dvec2 center, double tolerance = 0.3);
+
+  /// The depths (signed distances, falling, in px) at which the profile has a kink. Zone k lies
+  /// between level k − 1 and level k: zone 0 is outside, the last one the plateau. No levels: one
+  /// zone.
+  std::span<const double> levels() const { return surface_.levels(); }
+
+  /// Whether the surface is level in all of a zone: then it has its base colour there.
+  bool level(int zone) const;
+
+  /// Means of `count` whole pixels of row y from x on, all in `zone`: premultiplied, in the
+  /// blending space, to four planes.
+  void pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,
+              Scratch& scratch) const;
+
+  /// The mean over a part of pixel (x, y) that lies in `zone`: its area in (0, 1], its centroid in
+  /// the picture.
+  glm::vec4 part(int zone, int x, int y, double area, glm::dvec2 centroid, Scratch& scratch) const;
+
+  /// What the last answer may be off by, in levels of 255.
+  double error(const Scratch& scratch) const { return scratch.error; }
+
+ private:
+  LitSurface surface_;
+  double tolerance_;
+};
+
+}  // namespace mien

@@ -1,0 +1,61 @@
+#pragma once
+// A layer's lit paint point by point, in double precision and by definition: what the means of
+// LitPaint are means of.
+//
+// The relief's profile has kinks at a few depths. Between two of them, in a *zone*, it is smooth;
+// asked for beyond its zone, a zone's profile goes on as it was.
+
+#include <mien/render/tile/paint.h>
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+namespace mien {
+
+/// Signed distance to the relief's area, and the unit vector in which it grows.
+struct Outward {
+  double d = 0;
+  glm::dvec2 normal{0.0};
+};
+
+/// Refers to the paint and the distances it is made of. Coordinates: the whole picture's pixels,
+/// origin top left, y down.
+class LitSurface {
+ public:
+  /// `center`: where the paint's own origin lies.
+  LitSurface(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+             glm::dvec2 center);
+
+  /// Depths (signed distances, falling from 0) where the profile has a kink; none: one zone.
+  std::span<const double> levels() const { return levels_; }
+  int zones() const { return int(levels_.size()) + 1; }
+  /// Zone 0 is outside, zone k between levels k − 1 and k, the last one beyond the last level.
+  int zone_of(double d) const;
+  /// Whether the profile does not rise there.
+  bool flat(int zone) const;
+
+  Outward outward(glm::dvec2 p) const;
+  /// The profile's rise per pixel.
+  double rise(int zone, double depth) const;
+  /// Premultiplied, in the blending space.
+  Mix color(int zone, glm::dvec2 p, const Outward& outward) const;
+
+  const TapePaint& paint() const { return *paint_; }
+  const TapeRelief& relief() const { return *paint_->relief; }
+  const AreaDistance* area() const { return area_; }
+  Blend blend() const { return blend_; }
+  glm::dvec2 center() const { return center_; }
+
+ private:
+  Mix base(glm::dvec2 p, double d) const;
+
+  const TapePaint* paint_;
+  const AreaDistance *area_ = nullptr, *place_area_ = nullptr;
+  Blend blend_;
+  glm::dvec2 center_;
+  std::vector<double> levels_;
+  std::vector<double> rises_;  ///< of a table, by step
+};
+
+}  // namespace mien
