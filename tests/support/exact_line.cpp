@@ -48,25 +48,38 @@ std::vector<int> ExactTruth::stack_at(const Square& square, glm::dvec2 p) const 
   return stack;
 }
 
-/// Cuts a span at the kinks of what is in view.
-void ExactTruth::add_between_kinks(const Square& square, const FaceLine& line, Span span,
+/// Where a span's colour has kinks, jumps and ridges, in order, the span's ends among them.
+std::vector<LineEnd> ExactTruth::kinks_in(const Square& square, const FaceLine& line,
+                                          const Span& span) const {
+  std::vector<LineEnd> kinks{{span.a, 0}, {span.b, 0}};
+  const auto varying = [&](double a, double b, const auto& use) {
+    for (const int layer : span.stack)
+      if (std::ranges::find(square.seen, layer, &Seen::layer)->varies &&
+          paint_.varies(layer, line(0.5 * (a + b)), 0.4999 * (b - a) * unit_))
+        use(layer);
+  };
+  varying(span.a, span.b,
+          [&](int layer) { paint_.find_kinks(layer, line, span.a, span.b, kinks); });
+  std::erase_if(kinks, [&](const LineEnd& kink) {
+    return kink.what > 0 && (kink.at - span.a < kNothing || span.b - kink.at < kNothing);
+  });
+  std::ranges::sort(kinks, {}, &LineEnd::at);
+  for (std::size_t i = 1, count = kinks.size(); i < count; ++i) {
+    const double a = kinks[i - 1].at, b = kinks[i].at;
+    varying(a, b, [&](int layer) { paint_.find_ridges(layer, line, a, b, kinks); });
+  }
+  std::ranges::sort(kinks, {}, &LineEnd::at);
+  return kinks;
+}
+
+void ExactTruth::add_between_kinks(const Square& square, const FaceLine& line, const Span& span,
                                    Spans& out) const {
-  std::vector<LineEnd> ends{{span.a, 0}, {span.b, 0}};
-  const glm::dvec2 middle = line(0.5 * (span.a + span.b));
-  const double radius = 0.5001 * (span.b - span.a) * unit_;
-  for (const int layer : span.stack)
-    if (std::ranges::find(square.seen, layer, &Seen::layer)->varies &&
-        paint_.varies(layer, middle, radius))
-      paint_.find_kinks(layer, line, span.a, span.b, ends);
-  std::ranges::sort(ends, {}, &LineEnd::at);
   if (span.b - span.a < kNothing) return;
   for (const int layer : span.stack) out.order = followed_by(out.order, std::size_t(layer) + 7);
-  std::erase_if(ends, [&](const LineEnd& end) {
-    return end.what > 0 && (end.at - span.a < kNothing || span.b - end.at < kNothing);
-  });
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    Span part{ends[i - 1].at, ends[i].at, span.stack, false, false};
-    out.order = followed_by(out.order, ends[i].what);
+  const std::vector<LineEnd> kinks = kinks_in(square, line, span);
+  for (std::size_t i = 1; i < kinks.size(); ++i) {
+    Span part{kinks[i - 1].at, kinks[i].at, span.stack, false, false};
+    if (kinks[i].what > 0) out.order = followed_by(out.order, kinks[i].what);
     const glm::dvec2 center = line(0.5 * (part.a + part.b));
     for (const int layer : span.stack) {
       part.varies |= paint_.varies(layer, center, 0.4999 * (part.b - part.a) * unit_);
@@ -159,20 +172,6 @@ Mixes ExactTruth::refined_span(const Square& square, const Span& span, const Fac
   const double m = 0.5 * (from + to);
   const Mixes left = gauss(span, line, from, m), right = gauss(span, line, m, to);
   if (depth == 0 || off(square, left + right - coarse) <= tolerance_ / 4) return left + right;
-  if (depth == kDepth - 3 || depth == kDepth - 8)
-    for (const int layer : span.stack) {
-      const auto at = [&](double s) {
-        return span.a + (span.upright ? s * s * (3 - 2 * s) : s) * (span.b - span.a);
-      };
-      const double a = at(from), b = at(to), ridge = paint_.ridge(layer, line, a, b);
-      if (!(ridge > a && ridge < b)) continue;
-      Mixes sum;
-      for (const auto& [u, v] : {std::pair{a, ridge}, {ridge, b}}) {
-        const Span part{u, v, span.stack, true, span.upright};
-        sum = sum + refined_span(square, part, line, 0, 1, gauss(part, line, 0, 1), depth - 1);
-      }
-      return sum;
-    }
   return refined_span(square, span, line, from, m, left, depth - 1) +
          refined_span(square, span, line, m, to, right, depth - 1);
 }

@@ -190,17 +190,14 @@ void ExactPaint::relief_kinks(const Relief& relief, const FaceLine& line, double
   }
 }
 
-/// Halves that end where the slope jumps; where it only bends, both halves look alike.
-double ExactPaint::ridge(int i, const FaceLine& line, double a, double b) const {
-  constexpr double kJump = 1e-3;  // of the slope of a distance, which is 1
-  const auto& relief = layer(i).paint.relief;
-  if (!relief || !rises(*relief)) return a;
-  const auto slope = [&](double u) {
-    return distance_slope(scene_, relief->area, line(u), kSlopeStep * unit_);
-  };
+/// Halves that end where the slope jumps, if it jumps and does not bend; then both sides of that.
+void ExactPaint::ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_a, double b,
+                        const glm::dvec2& at_b, std::size_t what, std::vector<LineEnd>& out) const {
+  constexpr double kSuspicious = 0.1, kJump = 0.01;  // of the slope of a distance, which is 1
+  if (b - a < 0.01 || glm::distance(at_a, at_b) < kSuspicious) return;
   double from = a, to = b;
-  glm::dvec2 at_from = slope(from), at_to = slope(to);
-  while (to - from > 4 * kSlopeStep) {
+  glm::dvec2 at_from = at_a, at_to = at_b;
+  while (to - from > 4 * kSlopeStep && glm::distance(at_from, at_to) > kJump) {
     const double m = 0.5 * (from + to);
     const glm::dvec2 at_m = slope(m);
     if (glm::distance(at_from, at_m) > glm::distance(at_m, at_to))
@@ -208,7 +205,23 @@ double ExactPaint::ridge(int i, const FaceLine& line, double a, double b) const 
     else
       from = m, at_from = at_m;
   }
-  return glm::distance(at_from, at_to) > kJump ? 0.5 * (from + to) : a;
+  if (to - from > 4 * kSlopeStep) return;
+  const bool strong = glm::distance(at_from, at_to) > kSuspicious;
+  out.push_back({0.5 * (from + to), strong ? what : 0});
+  from -= 4 * kSlopeStep, to += 4 * kSlopeStep;  // there differences are of one side
+  if (from > a) ridges(slope, a, at_a, from, slope(from), what, out);
+  if (to < b) ridges(slope, to, slope(to), b, at_b, what, out);
+}
+
+void ExactPaint::find_ridges(int i, const FaceLine& line, double a, double b,
+                             std::vector<LineEnd>& out) const {
+  const auto& relief = layer(i).paint.relief;
+  if (!relief || !rises(*relief) || b - a < 10 * kSlopeStep) return;
+  const auto slope = [&](double u) {
+    return distance_slope(scene_, relief->area, line(u), kSlopeStep * unit_);
+  };
+  const double from = a + 2 * kSlopeStep, to = b - 2 * kSlopeStep;
+  ridges(slope, from, slope(from), to, slope(to), number(2 * std::size_t(i) + 1, 63), out);
 }
 
 }  // namespace mien::test

@@ -5,6 +5,7 @@
 #include <mien/render/view/view.h>
 #include <mien/sdf/scene/scene.h>
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -44,11 +45,12 @@ class ExactPaint {
 
   Mixes at(int layer, glm::dvec2 p) const;
 
-  /// Where between a and b the paint has a kink or a jump; ridges of its relief are left out.
+  /// Where between a and b the paint has a kink or a jump, but for ridges.
   void find_kinks(int layer, const FaceLine& line, double a, double b,
                   std::vector<LineEnd>& out) const;
-  /// The place between a and b where the relief has a ridge; a if there is none.
-  double ridge(int layer, const FaceLine& line, double a, double b) const;
+  /// Where between a and b its relief has a ridge: places equally far from two pieces of the outline.
+  void find_ridges(int layer, const FaceLine& line, double a, double b,
+                   std::vector<LineEnd>& out) const;
 
  private:
   const Layer& layer(int i) const { return scene_.layers()[std::size_t(i)]; }
@@ -61,6 +63,10 @@ class ExactPaint {
                       std::size_t what, std::vector<LineEnd>& out) const;
   void relief_kinks(const Relief& relief, const FaceLine& line, double a, double b,
                     std::size_t what, std::vector<LineEnd>& out) const;
+
+  using SlopeAlong = std::function<glm::dvec2(double)>;
+  void ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_a, double b,
+              const glm::dvec2& at_b, std::size_t what, std::vector<LineEnd>& out) const;
 
   const Scene& scene_;
   Light light_;

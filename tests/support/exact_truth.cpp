@@ -127,6 +127,11 @@ Mixes ExactTruth::refined(const Square& square, double top, double bottom, const
          refined(square, middle, bottom, lower, depth - 1);
 }
 
+Mixes ExactTruth::at(double x, double y) const {
+  const Square around = square(int(std::floor(x)), int(std::floor(y)));
+  return color(stack_at(around, face(x, y)), face(x, y));
+}
+
 bool ExactTruth::flat(const Square& square) {
   return std::ranges::all_of(square.seen, [](const Seen& s) { return s.whole && !s.varies; });
 }

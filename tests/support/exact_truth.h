@@ -5,8 +5,8 @@
 // changes sign: found by halving, missing none longer than ExactPaint::kShortest, since that
 // distance is 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two
 // ends the visible colour is smooth, but for kinks of gradients and reliefs, which are found in the
-// same way, and for ridges of reliefs, which are found where halving does not converge; there
-// Gauss's rule integrates it. Across the lines the integral is adaptive, and finer where anything
+// same way, and for ridges of reliefs, where the slope of a distance jumps, which are found by
+// comparing slopes; there Gauss's rule integrates it. Across the lines the integral is adaptive, and finer where anything
 // comes or goes: what is thinner than kThinnest and lies along the lines may fall between them.
 // Lines run across the steepest outline.
 //
@@ -40,6 +40,8 @@ class ExactTruth {
   glm::dvec4 pixel(int x, int y) const { return means(x, y).in(view_.blend); }
   /// The same in levels of `top`: encoded, straight, not rounded.
   glm::dvec4 levels(int x, int y, int top) const;
+  /// The colour at a place [px], of no area.
+  Mixes at(double x, double y) const;
   /// Whether the pixel has one colour only, proven; then its mean costs nothing.
   bool flat(int x, int y) const;
 
@@ -92,7 +94,9 @@ class ExactTruth {
   Spans spans(const Square& square, const FaceLine& line) const;
   std::vector<LineEnd> outline_ends(const Square& square, const FaceLine& line) const;
   std::vector<int> stack_at(const Square& square, glm::dvec2 p) const;
-  void add_between_kinks(const Square& square, const FaceLine& line, Span span, Spans& out) const;
+  std::vector<LineEnd> kinks_in(const Square& square, const FaceLine& line, const Span& span) const;
+  void add_between_kinks(const Square& square, const FaceLine& line, const Span& span,
+                         Spans& out) const;
   Mixes along(const Square& square, const FaceLine& line, const Spans& spans) const;
   Mixes color(const std::vector<int>& stack, glm::dvec2 p) const;
   Mixes gauss(const Span& span, const FaceLine& line, double from, double to) const;
