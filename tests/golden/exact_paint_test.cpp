@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "tests/support/effort.h"
+#include "tests/support/exact_compare.h"
 #include "tests/support/exact_truth.h"
 #include "tests/support/random_scene.h"
 

@@ -1,98 +1,115 @@
 #pragma once
-// The exact picture of any scene, to about 1e-6 of a pixel's area: what 16-bit pictures and pictures
-// blended in linear light are judged by.
+// The exact picture of any scene: what 8- and 16-bit pictures are judged by, in either blend.
 //
-// Along a horizontal line every layer is a set of spans. Their ends are where Scene::distance
-// changes sign: found by halving, missing none longer than kShortest, since that distance is
-// 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two ends the
-// visible colour is smooth, but for a gradient's kinks, which are found in the same way; there
-// Gauss's rule integrates it. Across the lines the integral is adaptive, from 72 lines a pixel on, and finer where layers come or go: what is
-// thinner than kThinnest and lies level may fall between them.
+// Along a line through a pixel every layer is a set of spans. Their ends are where Scene::distance
+// changes sign: found by halving, missing none longer than ExactPaint::kShortest, since that
+// distance is 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two
+// ends the visible colour is smooth, but for kinks of gradients and reliefs, which are found in the
+// same way, and for ridges of reliefs, where the slope of a distance jumps, which are found by
+// comparing slopes; there Gauss's rule integrates it. Across the lines the integral is adaptive, and finer where anything
+// comes or goes: what is thinner than kThinnest and lies along the lines may fall between them.
+// Lines run across the steepest outline.
 //
 // It shares no code with the renderer but the scene's own distances, which have truths of their own
-// in tests/sdf. Reliefs are left out: what they are lit to is no mean over an area.
+// in tests/sdf.
 
-#include <mien/render/image.h>
 #include <mien/render/view/view.h>
 #include <mien/sdf/scene/scene.h>
 
-#include <functional>
 #include <glm/vec4.hpp>
-#include <span>
-#include <string>
 #include <unordered_map>
 #include <vector>
+
+#include "tests/support/exact_mix.h"
+#include "tests/support/exact_paint.h"
 
 namespace mien::test {
 
 class ExactTruth {
  public:
-  static constexpr double kShortest = 1e-3;      ///< [px] spans that may be missed
-  static constexpr double kThinnest = 1.0 / 32;  ///< [px] level layers that may be
+  static constexpr double kThinnest = 1.0 / 32;  ///< [px] layers along the lines that may be missed
+  static constexpr double kFine = 1e-6;          ///< a quarter of a thousandth of a level of 255
+  static constexpr double kLit = 8e-5;           ///< 1/50 of a level of 255: for lit pictures
 
-  /// `tolerance`: what a pixel's mean may be off in the blending space. The scene must outlive this.
-  ExactTruth(const Scene& scene, const View& view, double tolerance = 1e-6);
+  /// `tolerance`: what a pixel's encoded mean may be off, of 1. The scene must outlive this.
+  ExactTruth(const Scene& scene, const View& view, double tolerance = kFine);
 
-  /// The mean over pixel (x, y): premultiplied, in the blending space.
-  glm::dvec4 pixel(int x, int y) const;
+  /// The means over pixel (x, y) in both blending spaces.
+  Mixes means(int x, int y) const;
+  /// That of the view's blend: premultiplied, in the blending space.
+  glm::dvec4 pixel(int x, int y) const { return means(x, y).in(view_.blend); }
   /// The same in levels of `top`: encoded, straight, not rounded.
   glm::dvec4 levels(int x, int y, int top) const;
+  /// The colour at a place [px], of no area.
+  Mixes at(double x, double y) const;
+  /// Whether the pixel has one colour only, proven; then its mean costs nothing.
+  bool flat(int x, int y) const;
 
  private:
   /// A layer that can be seen in a pixel; `whole`: it covers it.
   struct Seen {
     int layer;
     bool whole;
+    bool varies;  ///< its colour
   };
   struct Square {
     std::vector<Seen> seen;                                  ///< bottom to top
-    double x, y;                                             ///< its left and upper edge [px]
+    glm::dvec2 corner;                                       ///< its left and upper edge [px]
+    bool upright = false;                                    ///< lines run from top to bottom
+    double weight = 1;                                       ///< of errors in linear light
     mutable std::unordered_map<double, std::size_t> orders;  ///< of lines strips share
   };
-
-  Square square(int x, int y) const;
-  /// The integral over a strip by three lines, and whether the layers lie in one order along them.
-  struct Rows {
-    glm::dvec4 sum;
-    std::size_t order;
-    bool alike;
+  /// A stretch of a line with one stack of layers in view, between two kinks.
+  struct Span {
+    double a, b;
+    std::vector<int> stack;  ///< bottom to top
+    bool varies;             ///< a colour of the stack does
+    bool upright;            ///< a surface stands upright at an end
   };
+  struct Spans {
+    std::vector<Span> list;
+    std::size_t order =
+        1;  ///< what begins and ends, as a number: most probably others have another
+  };
+  /// The integral over a strip by three lines, and whether all have one order.
+  struct Rows {
+    Mixes sum;
+    std::size_t order = 0;
+    bool alike = true;
+  };
+
+  // exact_truth.cpp: the pixel
+  Square square(int x, int y) const;
+  static bool flat(const Square& square);
+  bool crosses_upright(const Square& square) const;
+  void weigh(Square& square) const;
   Rows rows(const Square& square, double top, double bottom) const;
-  std::size_t order_along(const Square& square, const std::vector<double>& ends, double y) const;
-  glm::dvec4 refined(const Square& square, double top, double bottom, const Rows& coarse,
-                     int depth) const;
-  std::vector<double> ends_of(const Square& square, double y) const;
-  glm::dvec4 line(const Square& square, double y, std::size_t& order) const;
-  glm::dvec4 span(const Square& square, double a, double b, double y) const;
-  glm::dvec4 refined_span(const Square& square, double a, double b, double y, glm::dvec4 coarse,
-                          int depth) const;
-  bool plain(const Square& square) const;
-  bool jumps(const Square& square) const;
-  glm::dvec4 color(const Square& square, glm::dvec2 p) const;
-  glm::dvec4 paint(const Layer& layer, glm::dvec2 p) const;
-  double place(const Gradient& gradient, glm::dvec2 p) const;
-  void find_kinks(const Gradient& gradient, const Square& square, double y,
-                  std::vector<double>& out) const;
+  Mixes refined(const Square& square, double top, double bottom, const Rows& coarse,
+                int depth) const;
   glm::dvec2 face(double x, double y) const;
-  glm::dvec4 blended(const Color& color, double opacity) const;
+  FaceLine line_at(const Square& square, double v) const;
+  double off(const Square& square, const Mixes& difference) const;
+
+  // exact_line.cpp: a line through it
+  Spans spans(const Square& square, const FaceLine& line) const;
+  std::vector<LineEnd> outline_ends(const Square& square, const FaceLine& line) const;
+  std::vector<int> stack_at(const Square& square, glm::dvec2 p) const;
+  std::vector<LineEnd> kinks_in(const Square& square, const FaceLine& line, const Span& span) const;
+  void add_between_kinks(const Square& square, const FaceLine& line, const Span& span,
+                         Spans& out) const;
+  Mixes along(const Square& square, const FaceLine& line, const Spans& spans) const;
+  Mixes color(const std::vector<int>& stack, glm::dvec2 p) const;
+  Mixes gauss(const Span& span, const FaceLine& line, double from, double to) const;
+  Mixes refined_span(const Square& square, const Span& span, const FaceLine& line, double from,
+                     double to, const Mixes& coarse, int depth) const;
 
   const Scene& scene_;
   View view_;
   double tolerance_, unit_;  ///< [face units] per pixel
+  ExactPaint paint_;
 };
 
-/// Where f changes sign between a and b; f changes by at most `lipschitz` per unit.
-void find_roots(const std::function<double(double)>& f, double lipschitz, double a, double b,
-                double shortest, std::vector<double>& out);
-
-struct ExactError {
-  long over = 0;      ///< pixels off by more than allowed, over all images
-  std::string where;  ///< one of them
-};
-
-/// Compares pixels of 8- and 16-bit images of one picture with the truth, one in `every`: no channel
-/// may be off by more than `allowed` levels, the truth not rounded.
-ExactError compare_exactly(std::span<const Image> images, const ExactTruth& truth,
-                           std::span<const double> allowed, int every = 1);
+/// In levels of `top`: encoded, straight, not rounded.
+glm::dvec4 levels_of(const Mixes& mixes, Blend blend, int top);
 
 }  // namespace mien::test

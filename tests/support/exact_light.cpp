@@ -1,0 +1,75 @@
+#include "tests/support/exact_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace mien::test {
+namespace {
+
+/// The derivative of the profile by x = distance inside / width.
+double profile_slope(const Relief& relief, double x) {
+  constexpr double kSteepest = 1e-14;  // of x: upright at the outline itself, yet finite
+  if (x < 0 || x >= 1) return 0;
+  switch (relief.profile) {
+    case Profile::flat:
+      return 0;
+    case Profile::bevel:
+      return 1;
+    case Profile::round: {
+      const double in = std::max(x, kSteepest);
+      return (1 - in) / std::sqrt(in * (2 - in));
+    }
+    case Profile::custom:
+      break;
+  }
+  const int steps = int(relief.table.size()) - 1, i = std::min(int(x * steps), steps - 1);
+  return steps * (relief.table[std::size_t(i) + 1] - relief.table[std::size_t(i)]);
+}
+
+glm::dvec2 dome_slope(const Dome& dome, glm::dvec2 p) {
+  const glm::dvec2 m = p - dome.center, across{-dome.axis.y, dome.axis.x};
+  const double u = glm::dot(m, dome.axis) / dome.radii.x, v = glm::dot(m, across) / dome.radii.y;
+  const double rest = 1 - (u * u + v * v);
+  if (rest <= 0) return {0, 0};
+  // height · rest²; its derivative by u is −4 · height · rest · u
+  return -4 * dome.height * rest * (u / dome.radii.x * dome.axis + v / dome.radii.y * across);
+}
+
+}  // namespace
+
+glm::dvec2 distance_slope(const Scene& scene, Area area, glm::dvec2 p, double step) {
+  const auto d = [&](double x, double y) { return scene.distance(area, p + glm::dvec2{x, y}); };
+  return glm::dvec2{d(step, 0) - d(-step, 0), d(0, step) - d(0, -step)} / (2 * step);
+}
+
+glm::dvec2 surface_slope(const Scene& scene, const Relief& relief, glm::dvec2 p, double step) {
+  glm::dvec2 slope{0.0};
+  if (relief.area.node >= 0 && relief.profile != Profile::flat && relief.height != 0) {
+    const double rise = relief.height / relief.width *
+                        profile_slope(relief, -scene.distance(relief.area, p) / relief.width);
+    if (rise != 0) slope -= rise * distance_slope(scene, relief.area, p, step);
+  }
+  for (const Dome& dome : relief.domes) slope += dome_slope(dome, p);
+  return slope;
+}
+
+glm::dvec3 lit(const glm::dvec3& color, glm::dvec2 slope, const Light& light,
+               const Relief& relief) {
+  const glm::dvec3 z{0, 0, 1};
+  const bool from_the_front = light.direction.z > 0;
+  const glm::dvec3 l = from_the_front ? glm::normalize(light.direction) : z;
+  const glm::dvec3 h = glm::normalize(l + z), n = glm::normalize(glm::dvec3{-slope, 1});
+  const double ambient = std::clamp(light.ambient, 0.0, 1.0);
+  const double strength = std::clamp(relief.specular, 0.0, 1.0);
+  const double diffuse = ambient + (1 - ambient) * std::max(0.0, glm::dot(n, l)) / l.z;
+  const double level = std::pow(h.z, relief.shininess);
+  double highlight = 0;
+  if (strength > 0 && level < 1) {
+    const double s = std::pow(std::max(0.0, glm::dot(n, h)), relief.shininess);
+    highlight = strength * std::max(0.0, (s - level) / (1 - level));
+  }
+  return glm::clamp(color * diffuse + highlight, 0.0, 1.0);
+}
+
+}  // namespace mien::test
