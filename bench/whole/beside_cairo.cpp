@@ -3,16 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <memory>
 
 #include "bench/support/fill_floor.h"
 #include "bench/whole/frame_drawer.h"
-#include "bench/whole/peer_drawing.h"
-#ifdef MIEN_HAVE_CAIRO
-#include "bench/whole/cairo_picture.h"
-#endif
+#include "bench/whole/peer.h"
 
 namespace mien::bench {
 namespace {
@@ -24,50 +18,6 @@ constexpr int kWarmUp = 2;  // rounds
 double most_difference(const View& view) {
   return 0.5 * std::max(1.0, 256.0 / view.width);
 }
-
-/// The peer's drawing of one scene, if it can be drawn by it.
-class Peer {
- public:
-  Peer(const Scene& scene, const View& view)
-      : pixels_(std::size_t(view.width) * std::size_t(view.height) * 4),
-        drawing_(peer_drawing(scene, view, why_)) {
-#ifdef MIEN_HAVE_CAIRO
-    if (drawing_) picture_ = std::make_unique<CairoPicture>(*drawing_, pixels_.data());
-#else
-    why_ = "built without Cairo", drawing_.reset();
-#endif
-  }
-
-  double draw() {
-#ifdef MIEN_HAVE_CAIRO
-    if (picture_) return ms_of([&] { picture_->draw(); });
-#endif
-    return 0;
-  }
-
-  bool draws() const {
-    return drawing_.has_value();
-  }
-  const std::string& why_not() const {
-    return why_;
-  }
-
-  /// Mean difference of the red channels, in levels: Cairo's is blue first.
-  double difference(const std::uint32_t* ours, std::size_t count) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      sum += std::abs(int(ours[i] & 255) - int(pixels_.data()[i] >> 16 & 255));
-    return sum / double(count);
-  }
-
- private:
-  Pixels pixels_;
-  std::string why_;
-  std::optional<PeerDrawing> drawing_;
-#ifdef MIEN_HAVE_CAIRO
-  std::unique_ptr<CairoPicture> picture_;
-#endif
-};
 
 /// [ms] of every round.
 struct Times {
@@ -124,7 +74,7 @@ bool beside_cairo(const Options& options, const FrameCase& c) {
   tell(options, c, take_rounds(options, subject, drawer, peer), peer.why_not());
   if (!peer.draws()) return true;
   drawer.draw(subject.scene(0));
-  const double off = peer.difference(drawer.pixels(), drawer.pixel_count());
+  const double off = peer.difference(drawer.pixels());
   if (off <= most_difference(drawer.view())) return true;
   fmt::print(stderr, "scene {}: Cairo drew something else: {:.2f} levels off\n", c.scene, off);
   return false;

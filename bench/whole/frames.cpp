@@ -12,7 +12,10 @@
 #include <cstdio>
 
 #include "bench/whole/beside_cairo.h"
+#include "bench/whole/modes.h"
+#include "bench/whole/old_command.h"
 #include "bench/whole/reuse.h"
+#include "bench/whole/thumbnails.h"
 
 namespace mien::bench {
 namespace {
@@ -28,14 +31,25 @@ std::vector<FrameCase> wanted_cases(const Options& options) {
 }
 
 bool tell(const Options& options, const FrameCase& c) {
-  if (!options.reuse) return beside_cairo(options, c);
-  reuse(options, c);
+  if (options.table == Table::cairo) return beside_cairo(options, c);
+  if (options.table == Table::old) return beside_old(options, c);
+  if (options.table == Table::reuse) reuse(options, c);
+  if (options.table == Table::mode) beside_encoded(options, c);
   return true;
 }
 
 std::string head(const Options& options) {
   if (options.json) return {};
-  return options.reuse ? reuse_head() : beside_cairo_head();
+  switch (options.table) {
+    case Table::reuse:
+      return reuse_head();
+    case Table::old:
+      return beside_old_head();
+    case Table::mode:
+      return beside_encoded_head(options);
+    default:
+      return beside_cairo_head();
+  }
 }
 
 int main_of(int count, char** words) {
@@ -44,6 +58,10 @@ int main_of(int count, char** words) {
   if (!options || help) {
     fmt::print(options ? stdout : stderr, "{}", help_text());
     return options ? 0 : 2;
+  }
+  if (options->table == Table::thumbnails) {
+    thumbnails(*options);
+    return 0;
   }
   fmt::print("{}", head(*options));
   bool same = true;

@@ -1,18 +1,17 @@
 #include "bench/whole/options.h"
 
-#include <mien/sdf/batch/instruction_sets.h>
-
 #include <cstdlib>
-#include <functional>
-#include <map>
 #include <string_view>
+
+#include "bench/whole/command_words.h"
 
 namespace mien::bench {
 namespace {
 
 constexpr std::string_view kHelp =
     R"(frames [--scenes LETTERS] [--most PIXELS] [--threads N] [--instructions NAME]
-       [--rounds N] [--seconds S] [--json] [--reuse]
+       [--rounds N] [--seconds S] [--json]
+       [--reuse | --old PROGRAM | --blend linear --depth 16|float | --thumbnails]
 
 Whole frames beside Cairo and beside the floor, in turns in one process: medians and ratios.
 Scenes: A seed0, B male, C toon, D bruno, E clay, F bruno without reliefs.
@@ -27,26 +26,36 @@ than in the frame before, so nothing made for one is of use for the next. `mien 
   --rounds N           rounds of a case, instead of 201 to 7 by size
   --seconds S          no further round of a case after that time (20), three rounds aside
   --json               a line of JSON for each case
-  --reuse              instead: a frame like the one before, and one in which the eyes alone have
-                       moved, beside a cold one
+
+Instead of the table beside Cairo:
+  --reuse              a frame like the one before, and one in which the eyes alone have moved,
+                       beside a cold one
+  --old PROGRAM        another build's `mien` command, run by its own `mien bench` in turns with
+                       this build's frames; --rounds: frames of a run. It chooses its own
+                       instructions, so --instructions does not go with it
+  --blend linear, --depth 16, --depth float
+                       frames mixed or stored like that beside the same frames mixed as encoded and
+                       stored in 8 bits
+  --thumbnails         1000 thumbnails of toon, 128 x 72, at 1000 poses, on --threads threads:
+                       seconds in all
 )";
 
-bool choose_instructions(std::string_view name) {
-  for (const batch::InstructionSet& set : batch::instruction_sets()) {
-    if (set.name == name) {
-      batch::use_instruction_set(set.id);
-      return true;
-    }
-  }
-  return false;
+bool choose_depth(Options& options, std::string_view name) {
+  options.table = Table::mode;
+  options.depth = name == "16" ? Depth::u16 : name == "float" ? Depth::f32 : Depth::u8;
+  return name == "8" || name == "16" || name == "float";
 }
 
-using Words = std::map<std::string_view, std::function<void()>>;
-using WordsWithValue = std::map<std::string_view, std::function<bool(const char*)>>;
+bool choose_blend(Options& options, std::string_view name) {
+  options.table = Table::mode;
+  options.blend = name == "linear" ? Blend::linear : Blend::srgb;
+  return name == "linear" || name == "srgb";
+}
 
 Words words_of(Options& options, bool& help) {
   return {{"--json", [&] { options.json = true; }},
-          {"--reuse", [&] { options.reuse = true; }},
+          {"--reuse", [&] { options.table = Table::reuse; }},
+          {"--thumbnails", [&] { options.table = Table::thumbnails; }},
           {"--help", [&] { help = true; }}};
 }
 
@@ -56,24 +65,25 @@ WordsWithValue words_with_value_of(Options& options) {
           {"--seconds", [&](const char* v) { return (options.seconds = std::atof(v)) > 0; }},
           {"--most", [&](const char* v) { return (options.most = std::atoll(v)) > 0; }},
           {"--scenes", [&](const char* v) { return !(options.scenes = v).empty(); }},
-          {"--instructions", choose_instructions}};
+          {"--blend", [&](const char* v) { return choose_blend(options, v); }},
+          {"--depth", [&](const char* v) { return choose_depth(options, v); }},
+          {"--old",
+           [&](const char* v) {
+             options.table = Table::old;
+             return !(options.old = v).empty();
+           }},
+          {"--instructions", [&](const char* v) {
+             options.best_instructions = false;
+             return choose_instructions(v);
+           }}};
 }
 
 }  // namespace
 
 std::optional<Options> read_options(int count, char** words, bool& help) {
   Options options;
-  const Words alone = words_of(options, help);
-  const WordsWithValue with_value = words_with_value_of(options);
-  for (int i = 1; i < count; ++i) {
-    if (const auto word = alone.find(words[i]); word != alone.end()) {
-      word->second();
-    } else if (const auto other = with_value.find(words[i]); other != with_value.end()) {
-      if (++i == count || !other->second(words[i])) return {};
-    } else {
-      return {};
-    }
-  }
+  if (!read_words(count, words, words_of(options, help), words_with_value_of(options))) return {};
+  if (options.table == Table::old && !options.best_instructions) return {};
   return options;
 }
 

@@ -195,6 +195,12 @@ struct FigureOf {
   }
 };
 
+/// Whether a surface is level but for domes, as lids are: those are drawn without their light, which
+/// changes a face's picture by far less than the light of a profile.
+bool is_level(const Relief& relief) {
+  return relief.profile == Profile::flat || relief.height == 0;
+}
+
 template <class Gradient>
 bool has_no_extent(const Gradient& along) {
   if constexpr (std::is_same_v<Gradient, LinearGradient>) return along.from == along.to;
@@ -241,7 +247,7 @@ class Maker {
 
   /// The figure with its paint. What has no extent is its last colour everywhere.
   PeerFigure painted(const Layer& layer) const {
-    if (layer.paint.relief) throw Refusal{"a lit surface"};
+    if (layer.paint.relief && !is_level(*layer.paint.relief)) throw Refusal{"a lit surface"};
     PeerFigure made = figure(layer.area);
     made.color = encoded(layer.paint.color);
     if (!layer.paint.gradient) return made;

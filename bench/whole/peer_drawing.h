@@ -48,6 +48,7 @@ struct PeerDrawing {
 };
 
 /// Nothing if the scene has something that fills and strokes of paths cannot say; `why` says what.
+/// Domes (a lid's bulge) are left out: the peer draws no light.
 std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, std::string& why);
 
 }  // namespace mien::bench
