@@ -5,7 +5,8 @@
 // same kind of memory. The floor is the faster of filling that buffer with ordinary and with
 // streaming stores. Every round takes each once; medians of the rounds are told, and their ratios.
 // Frames are cold: two faces in a row have no point or length in common (Subject::face). Cairo
-// remembers nothing, so it draws the same scene each time. Exit 1 if the pictures are not of the same thing.
+// remembers nothing, so it draws the same scene each time. Exit 1 if the pictures are not of the
+// same thing.
 
 #include <fmt/format.h>
 

@@ -195,8 +195,8 @@ struct FigureOf {
   }
 };
 
-/// Whether a surface is level but for domes, as lids are: those are drawn without their light, which
-/// changes a face's picture by far less than the light of a profile.
+/// Whether a surface is level but for domes, as lids are: those are drawn without their light,
+/// which changes a face's picture by far less than the light of a profile.
 bool is_level(const Relief& relief) {
   return relief.profile == Profile::flat || relief.height == 0;
 }

@@ -19,7 +19,7 @@ struct PathStep {
 };
 using PathSteps = std::vector<PathStep>;
 
-/// Colours along a line, or out of an ellipse's centre. A peer may mix between two stops as it does:
+/// Colours along a line, or out of an ellipse's centre. Between two stops a peer mixes as it does:
 /// Cairo mixes colours and opacities each for themselves, mien colours times their opacity, so
 /// where two stops differ in both, the pictures differ a little between them.
 struct PeerGradient {
