@@ -36,8 +36,39 @@ void add_ellipse(cairo_t* to, const Ellipse& e) {
   cairo_set_matrix(to, &before);
 }
 
+cairo_extend_t cairo_extend(Extend extend) {
+  return extend == Extend::pad      ? CAIRO_EXTEND_PAD
+         : extend == Extend::repeat ? CAIRO_EXTEND_REPEAT
+                                    : CAIRO_EXTEND_REFLECT;
+}
+
+/// The ellipse as the unit circle: the pattern's matrix leads from the picture to it.
+cairo_pattern_t* radial_pattern(const PeerGradient& g) {
+  cairo_pattern_t* const pattern = cairo_pattern_create_radial(0, 0, 0, 0, 0, 1);
+  const glm::dvec2 a = g.axis / g.radii.x, b = glm::dvec2{-g.axis.y, g.axis.x} / g.radii.y;
+  const cairo_matrix_t circle_from_picture{
+      a.x, b.x, a.y, b.y, -(a.x * g.from.x + a.y * g.from.y), -(b.x * g.from.x + b.y * g.from.y)};
+  cairo_pattern_set_matrix(pattern, &circle_from_picture);
+  return pattern;
+}
+
+void set_gradient(cairo_t* to, const PeerGradient& g) {
+  cairo_pattern_t* const pattern =
+      g.radii.x > 0 ? radial_pattern(g)
+                    : cairo_pattern_create_linear(g.from.x, g.from.y, g.to.x, g.to.y);
+  for (const Stop& s : g.stops)
+    cairo_pattern_add_color_stop_rgba(pattern, s.at, s.color.r, s.color.g, s.color.b, s.color.a);
+  cairo_pattern_set_extend(pattern, cairo_extend(g.extend));
+  cairo_set_source(to, pattern);
+  cairo_pattern_destroy(pattern);
+}
+
 void draw_figure(cairo_t* to, const PeerFigure& figure) {
-  cairo_set_source_rgba(to, figure.color.r, figure.color.g, figure.color.b, figure.color.a);
+  const Color& color = figure.color;
+  if (figure.gradient)
+    set_gradient(to, *figure.gradient);
+  else
+    cairo_set_source_rgba(to, color.r, color.g, color.b, color.a);
   if (!figure.clips.empty()) cairo_save(to);
   for (const PathSteps& clip : figure.clips) {
     add(to, clip);

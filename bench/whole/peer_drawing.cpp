@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace mien::bench {
@@ -194,6 +195,33 @@ struct FigureOf {
   }
 };
 
+/// Whether a surface is level but for domes, as lids are: those are drawn without their light,
+/// which changes a face's picture by far less than the light of a profile.
+bool is_level(const Relief& relief) {
+  return relief.profile == Profile::flat || relief.height == 0;
+}
+
+template <class Gradient>
+bool has_no_extent(const Gradient& along) {
+  if constexpr (std::is_same_v<Gradient, LinearGradient>) return along.from == along.to;
+  if constexpr (std::is_same_v<Gradient, RadialGradient>)
+    return !(along.radii.x > 0 && along.radii.y > 0);
+  return false;
+}
+
+struct GradientOf {
+  const Map<PixelSpace, FaceSpace>& pixels;
+
+  PeerGradient operator()(const LinearGradient& g) const { return {pixels(g.from), pixels(g.to)}; }
+  PeerGradient operator()(const RadialGradient& g) const {
+    return {
+        pixels(g.center), {}, pixels.scale() * g.radii, pixels.direction(g.axis) / pixels.scale()};
+  }
+  PeerGradient operator()(const DistanceGradient&) const {
+    throw Refusal{"a gradient by distance"};
+  }
+};
+
 class Maker {
  public:
   Maker(const Scene& scene, const View& view)
@@ -217,6 +245,26 @@ class Maker {
     return inner;
   }
 
+  /// The figure with its paint. What has no extent is its last colour everywhere.
+  PeerFigure painted(const Layer& layer) const {
+    if (layer.paint.relief && !is_level(*layer.paint.relief)) throw Refusal{"a lit surface"};
+    PeerFigure made = figure(layer.area);
+    made.color = encoded(layer.paint.color);
+    if (!layer.paint.gradient) return made;
+    const Gradient& gradient = *layer.paint.gradient;
+    PeerGradient peer = std::visit(GradientOf{pixels_}, gradient.along);
+    peer.extend = gradient.extend;
+    for (const Stop& stop : gradient.stops) {
+      peer.stops.push_back({stop.at, encoded(stop.color)});
+      peer.stops.back().color.a *= layer.paint.color.a;
+    }
+    if (std::visit([](const auto& along) { return has_no_extent(along); }, gradient.along))
+      made.color = peer.stops.back().color;
+    else
+      made.gradient = std::move(peer);
+    return made;
+  }
+
  private:
   const Scene& scene_;
   Map<PixelSpace, FaceSpace> pixels_;
@@ -228,11 +276,9 @@ std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, st
   try {
     const Maker maker(scene, view);
     PeerDrawing drawing{view.width, view.height, encoded(scene.background()), {}};
-    for (const Layer& layer : scene.layers()) {
-      if (layer.paint.gradient) throw Refusal{"a gradient"};
-      drawing.figures.push_back(maker.figure(layer.area));
-      drawing.figures.back().color = encoded(layer.paint.color);
-    }
+    for (const Group& group : scene.groups())
+      if (group.opacity < 1) throw Refusal{"a group with an opacity"};
+    for (const Layer& layer : scene.layers()) drawing.figures.push_back(maker.painted(layer));
     return drawing;
   } catch (const Refusal& refusal) {
     why = refusal.why;

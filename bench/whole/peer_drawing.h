@@ -19,14 +19,26 @@ struct PathStep {
 };
 using PathSteps = std::vector<PathStep>;
 
+/// Colours along a line, or out of an ellipse's centre. Between two stops a peer mixes as it does:
+/// Cairo mixes colours and opacities each for themselves, mien colours times their opacity, so
+/// where two stops differ in both, the pictures differ a little between them.
+struct PeerGradient {
+  glm::dvec2 from, to;  ///< of lines; of ellipses `from` is the centre
+  glm::dvec2 radii{};   ///< of ellipses; 0: a line
+  glm::dvec2 axis{};    ///< unit; where radii.x points
+  Extend extend = Extend::pad;
+  std::vector<Stop> stops;  ///< sRGB-encoded
+};
+
 struct PeerFigure {
   enum class Kind { fill, stroke, ellipse } kind;
-  PathSteps path;                ///< of fills and strokes
-  double width = 0;              ///< of strokes: round caps and joins
-  Ellipse ellipse{};             ///< of ellipses
-  bool even_odd = false;         ///< of fills
-  Color color{};                 ///< sRGB-encoded here
-  std::vector<PathSteps> clips;  ///< all of them hold
+  PathSteps path;                             ///< of fills and strokes
+  double width = 0;                           ///< of strokes: round caps and joins
+  Ellipse ellipse{};                          ///< of ellipses
+  bool even_odd = false;                      ///< of fills
+  Color color{};                              ///< sRGB-encoded here
+  std::vector<PathSteps> clips;               ///< all of them hold
+  std::optional<PeerGradient> gradient = {};  ///< instead of the colour
 };
 
 struct PeerDrawing {
@@ -36,6 +48,7 @@ struct PeerDrawing {
 };
 
 /// Nothing if the scene has something that fills and strokes of paths cannot say; `why` says what.
+/// Domes (a lid's bulge) are left out: the peer draws no light.
 std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, std::string& why);
 
 }  // namespace mien::bench

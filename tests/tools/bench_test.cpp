@@ -48,7 +48,7 @@ TEST(Bench, DrawsWhatTheOptionsSay) {
 TEST(Bench, TellsPeopleATable) {
   const Ran ran = run_mien({"bench", face_path("seed0"), "--size", "16", "--repeat", "2"});
   EXPECT_EQ(ran.code, 0);
-  EXPECT_EQ(ran.out.find("2 frames of 16 x 9 pixels\n"), 0u) << ran.out;
+  EXPECT_EQ(ran.out.find("2 cold frames of 16 x 9 pixels: "), 0u) << ran.out;
   for (const char* line : {"\npose ", "\nscene ", "\ndraw ", "\nframe "})
     EXPECT_NE(ran.out.find(line), std::string::npos) << line;
 }

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <mien/sdf/scene/scene.h>
+
+namespace mien::bench {
+
+/// The same scene, no layer of it lit: what a rasteriser of paths can draw too.
+Scene without_reliefs(const Scene& scene);
+
+}  // namespace mien::bench
