@@ -22,8 +22,8 @@ inline constexpr int kCrowdSide = 512;  ///< [px] of the square picture
 std::span<const Crowd> crowds();
 std::string_view crowd_name(Crowd crowd);
 
-/// `count` shapes at random places on white, one unit a pixel: of a seed always the same. With every
-/// `step` (of a hundred) all places and lengths are a hundred-thousandth smaller.
+/// `count` shapes at random places on white, one unit a pixel; the same for the same seed. With
+/// every `step` (of a hundred) all places and lengths are a hundred-thousandth smaller.
 Scene crowd_scene(Crowd crowd, int count, unsigned seed, int step = 0);
 
 }  // namespace mien::bench

@@ -21,8 +21,8 @@ constexpr std::string_view kHelp =
       [--rounds N] [--seconds S] [--json]
 
 10 to 100 000 shapes in 512 x 512 pixels beside Cairo, in turns in one process: medians and their
-ratio. A picture of mien is scene to pixels, mixed as encoded; one of Cairo is clear and every shape,
-paths built anew. Every picture of mien is of a scene whose places and lengths are all a little
+ratio. A picture of mien is scene to pixels, mixed as encoded; one of Cairo is clear and every
+shape, paths built anew. Every picture of mien is of a scene whose places and lengths are all a little
 smaller than in the one before, so nothing made for one is of use for the next.
 
   --kinds NAMES        discs,translucent,strokes,text: those only

@@ -31,8 +31,8 @@ Instead of the table beside Cairo:
   --reuse              a frame like the one before, and one in which the eyes alone have moved,
                        beside a cold one
   --old PROGRAM        another build's `mien` command, run by its own `mien bench` in turns with
-                       this build's frames; --rounds: frames of a run. It chooses its own
-                       instructions, so --instructions does not go with it
+                       this build's frames, out of the same face files; --rounds: frames of a
+                       run. It chooses its own instructions: --instructions does not go with it
   --blend linear, --depth 16, --depth float
                        frames mixed or stored like that beside the same frames mixed as encoded and
                        stored in 8 bits
