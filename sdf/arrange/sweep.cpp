@@ -333,8 +333,8 @@ bool Sweep::proven(const SweepPiece& left, const SweepPiece& right, double from,
                last = x_at(right, to) - x_at(left, to);
   const double slack = std::min(first, last) + kOrder, height = to - from;
   if (slack < 0.0) return false;
+  if (left.bulge + right.bulge <= slack) return true;
   const auto sag = [&](const SweepPiece& p) {
-    if (p.bulge <= slack) return p.bulge;
     const double h = parameter_at(p, to) - parameter_at(p, from);
     return std::min(p.bulge, 0.5 * std::abs(turning(p)) * h * h * h / height);
   };
