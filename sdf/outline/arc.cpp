@@ -16,7 +16,7 @@ constexpr double kMostTurn = 1.3;
 /// Beyond this number of pieces an arc's numbers have no pixels left: what is 10¹³ px large.
 constexpr int kMostPieces = 1 << 14;
 /// Arcs of more pieces are asked by eighths of a circle whether the window sees them at all.
-constexpr int kLong = 16;
+constexpr int kLong = 64;
 constexpr double kEighth = kCircle / 8.0;
 /// A bow flatter than this share of the tolerance is drawn straight.
 constexpr double kFlat = 0.25;

@@ -36,8 +36,8 @@ struct Cuts {
   int count = 0;
   std::array<double, 12> t;
 
-  void add(double value) {
-    if (value > kNearEnd && value < 1.0 - kNearEnd) t[count++] = value;
+  void add(double value, double near_end) {
+    if (value > near_end && value < 1.0 - near_end) t[count++] = value;
   }
   /// Where 2 a t + b t² = height.
   void add_crossings(double a, double b, double height) {
@@ -45,8 +45,8 @@ struct Cuts {
     if (!(root >= 0.0)) return;
     const double q = a + std::copysign(std::sqrt(root), a);
     if (q == 0.0) return;
-    add(height / q);
-    if (b != 0.0) add(-q / b);
+    add(height / q, 0.0);
+    if (b != 0.0) add(-q / b, 0.0);
   }
   void sort() { std::sort(t.begin(), t.begin() + count); }
 };
@@ -70,7 +70,7 @@ int OutlineLoop::outline(FillRule rule) {
 }
 
 bool OutlineLoop::is_number(glm::dvec2 p) {
-  bad_ = bad_ || !(std::abs(p.x) + std::abs(p.y) < kLargest);
+  if (!(std::abs(p.x) + std::abs(p.y) < kLargest)) bad_ = true;
   return !bad_;
 }
 
@@ -112,14 +112,14 @@ void OutlineLoop::quad(glm::dvec2 control, glm::dvec2 to) {
 /// From at_: at turns of x and y, and at the window's four lines. Between two cuts the curve stays
 /// in one of the nine fields around and in the window.
 void OutlineLoop::cut(glm::dvec2 control, glm::dvec2 to, bool clip) {
-  const glm::dvec2 p = at_, a = control - p, b = (to - control) - a;
+  const glm::dvec2 p = at_, a = control - p, c = to - control, b = c - a;
+  if (!clip && a.x * c.x >= 0.0 && a.y * c.y >= 0.0) return piece(control, to, false);
   Cuts cuts;
-  cuts.add(-a.x / b.x);
-  cuts.add(-a.y / b.y);
+  cuts.add(-a.x / b.x, kNearEnd);
+  cuts.add(-a.y / b.y, kNearEnd);
   if (clip)
     for (const glm::dvec2 corner : {window_.lo, window_.hi})
       for (int i = 0; i < 2; ++i) cuts.add_crossings(a[i], b[i], corner[i] - p[i]);
-  if (cuts.count == 0 && !clip) return piece(control, to, false);
   cuts.sort();
   double u = 0.0;
   for (int i = 0; i <= cuts.count; ++i) {

@@ -32,28 +32,37 @@ struct Side {
   glm::dvec2 control, to;
 };
 
-/// The inside of a parabola, cut off beyond a box around the window: from `begin` along four sides.
+/// The inside of a parabola, cut off beyond a box around the window: from `begin` along its sides.
 struct Closed {
   glm::dvec2 begin;
-  std::array<Side, 4> sides;
+  std::array<Side, 6> sides;
 };
 
 Closed closed(const ParabolaSide& side, const Box2& window) {
   Box2 seen;
   for (const double x : {window.lo.x, window.hi.x})
     for (const double y : {window.lo.y, window.hi.y}) seen = around(seen, in_frame(side, {x, y}));
-  const double margin = 1.0 + 0.01 * (seen.size().x + seen.size().y);
-  const double u = seen.lo.x - margin, w = seen.hi.x + margin;
-  const double top = margin + std::max({seen.hi.y, side.bend * u * u, side.bend * w * w});
+  seen = grown(seen, 1.0 + 0.01 * (seen.size().x + seen.size().y));
+  // The outline is seen between two u, and not beyond the height on which it leaves the box.
+  const double height = side.bend > 0.0 ? std::max(0.0, seen.hi.y) : std::min(0.0, seen.lo.y);
+  const double reach = side.bend != 0.0 ? std::sqrt(height / side.bend) : seen.size().x;
+  const double u = std::clamp(-reach, seen.lo.x, seen.hi.x);
+  const double w = std::clamp(reach, seen.lo.x, seen.hi.x);
+  const double v_at_u = side.bend * u * u, v_at_w = side.bend * w * w;
+  const double top = std::max({seen.hi.y, v_at_u, v_at_w});
   const auto at = [&](double x, double y) {
     return side.vertex + x * turned(side.axis) + y * side.axis;
   };
-  // From high u to low: with u to the left of the axis the inside is on the turned side.
+  // From high u to low, as all outlines here. A cup is closed upwards; a hill, and a line, goes on
+  // to both sides first.
+  const bool cup = side.bend > 0.0;
+  const double lo = cup ? u : seen.lo.x, hi = cup ? w : seen.hi.x;
+  const glm::dvec2 corners[] = {at(w, v_at_w), at(u, v_at_u),  at(lo, v_at_u), at(lo, top),
+                                at(hi, top),   at(hi, v_at_w), at(w, v_at_w)};
   Closed c;
-  c.begin = point(side, w);
-  const glm::dvec2 corners[] = {point(side, u), at(u, top), at(w, top), c.begin};
-  c.sides[0] = {control(side, u, w), corners[0]};
-  for (int i = 1; i < 4; ++i) c.sides[i] = {0.5 * (corners[i - 1] + corners[i]), corners[i]};
+  c.begin = corners[0];
+  c.sides[0] = {control(side, u, w), corners[1]};
+  for (int i = 1; i < 6; ++i) c.sides[i] = {0.5 * (corners[i] + corners[i + 1]), corners[i + 1]};
   return c;
 }
 
@@ -76,6 +85,7 @@ class CutWriter {
       if (roots.x[i] > 0.0 && roots.x[i] < 1.0) cut[count++] = roots.x[i];
     cut[count] = 1.0;
     const auto at = [&](double t) { return t < 1.0 ? p + t * (2.0 * a + t * b) : to; };
+    if (count > 1) met_ = true, meeting_ = at(cut[1]);
     for (int i = 0; i < count; ++i) {
       const double s = cut[i], t = cut[i + 1];
       if (inside(at(0.5 * (s + t))))
@@ -88,6 +98,10 @@ class CutWriter {
       if (!runs_[i].written && enters(i)) write_from(i);
     // All inside: no run enters.
     if (count_ > 0 && !runs_[0].written) write_from(0);
+    if (count_ == 0 && met_) {  // they touch: a point
+      pen_.begin(meeting_);
+      pen_.close();
+    }
   }
 
  private:
@@ -147,7 +161,9 @@ class CutWriter {
   CurvePen& pen_;
   const ParabolaSide& side_;
   int count_ = 0;
-  std::array<Run, 20> runs_;
+  bool met_ = false;
+  glm::dvec2 meeting_{0.0};
+  std::array<Run, 30> runs_;
 };
 
 }  // namespace

@@ -39,12 +39,16 @@ class RimWriter {
     const Pen part = pen_.part(t0, t1);
     if (loop_.beyond(part.box())) return loop_.beyond_to(b.point);
     glm::dvec2 control;
-    if (joined(a, b, control) && fits(part, a, b, control)) return emit(control, b.point);
+    double error = std::numeric_limits<double>::infinity();
+    if (joined(a, b, control)) {
+      error = deviation(part, a, b, control);
+      if (error <= loop_.tolerance()) return emit(control, b.point);
+    }
     const double squared = (t1 - t0) * (t1 - t0);
-    if (longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
+    if (halvings == 0 || pieces_ > kMostPieces || !std::isfinite(b.speed) ||
+        longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
       return emit(0.5 * (a.point + b.point), b.point);
-    if (halvings == 0 || pieces_ > kMostPieces || !std::isfinite(b.speed))
-      return emit(0.5 * (a.point + b.point), b.point);
+    if (std::isfinite(error)) return write_parts(a, b, t0, t1, error, halvings - 1);
     const double t = middle(a, b, t0, t1);
     if (t == t0 || t == t1) return emit(0.5 * (a.point + b.point), b.point);
     const Rim m = rim_at(pen_, toward_, t);
@@ -56,6 +60,21 @@ class RimWriter {
   void emit(glm::dvec2 control, glm::dvec2 to) {
     ++pieces_;
     loop_.quad(control, to);
+  }
+
+  /// As many parts as the error asks for, which falls with the fourth power of their length.
+  void write_parts(const Rim& a, const Rim& b, double t0, double t1, double error, int halvings) {
+    constexpr double kMost = 8.0, kReserve = 1.1;
+    const double wanted = std::sqrt(std::sqrt(kReserve * error / loop_.tolerance()));
+    const int n = static_cast<int>(std::min(std::ceil(wanted), kMost));
+    Rim from = a;
+    for (int i = 0; i < n; ++i) {
+      const double u = t0 + (i * (t1 - t0)) / n;
+      const double v = i + 1 < n ? t0 + ((i + 1) * (t1 - t0)) / n : t1;
+      const Rim to = i + 1 < n ? rim_at(pen_, toward_, v) : b;
+      write(from, to, u, v, halvings);
+      from = to;
+    }
   }
 
   /// Where the rims' tangents meet; false where that is not between them.
@@ -72,12 +91,6 @@ class RimWriter {
            std::min(std::abs(ahead), std::abs(back)) > kLeastLeg * length;
   }
 
-  bool fits(const Pen& part, const Rim& a, const Rim& b, glm::dvec2 control) const {
-    const glm::dvec2 da = (control - a.point) - part.a;
-    const glm::dvec2 db = ((b.point - control) - (control - a.point)) - part.b;
-    return deviation(part, a.point - part.p, da, db) <= loop_.tolerance();
-  }
-
   /// A bound of a rim's length between a and b, speeds as of `q`: cusps included.
   static double longest(const Pen& q, double speed0, double speed1) {
     const glm::dvec2 v0 = q.velocity(0.0), v1 = q.velocity(1.0);
@@ -92,9 +105,12 @@ class RimWriter {
     return (std::max(std::abs(speed0), std::abs(speed1)) + 0.5 * change) / ahead;
   }
 
-  /// A bound of |min over t of |Q(s) − B(t)| − w(t)| along the piece, Q − B = d + s (2da + s db).
-  /// Infinite where the second derivative along t may vanish: at a cusp.
-  static double deviation(const Pen& q, glm::dvec2 d, glm::dvec2 da, glm::dvec2 db) {
+  /// A bound of |min over t of |Q(s) − B(t)| − w(t)| along the piece. Infinite where the second
+  /// derivative along t may vanish: at a cusp.
+  static double deviation(const Pen& q, const Rim& begin, const Rim& end, glm::dvec2 control) {
+    // Q − B = d + s (2da + s db).
+    const glm::dvec2 d = begin.point - q.p, da = (control - begin.point) - q.a;
+    const glm::dvec2 db = ((end.point - control) - (control - begin.point)) - q.b;
     const double c = glm::dot(db, db) - q.wb * q.wb;
     // Half the derivative: s (1 − s) (h1 − s h3).
     const double h1 = glm::dot(d, q.b) + 2.0 * glm::dot(da, q.a) + q.w * q.wb + 2.0 * q.wa * q.wa;
@@ -130,8 +146,9 @@ class RimWriter {
       if (between(t)) return t;
     }
     constexpr double kLarge = 0.75;  // cosine
-    const glm::dvec2 u = glm::normalize(pen_.velocity(t0)), v = glm::normalize(pen_.velocity(t1));
-    if (glm::dot(u, v) < kLarge) {
+    glm::dvec2 u = pen_.velocity(t0), v = pen_.velocity(t1);
+    if (glm::dot(u, v) < kLarge * norm(u) * norm(v)) {
+      u = glm::normalize(u), v = glm::normalize(v);
       const glm::dvec2 way = glm::dot(u, v) > -0.5 ? u + v : turned(u - v);
       const double t = -cross(pen_.a, way) / cross(pen_.b, way);
       if (between(t)) return t;

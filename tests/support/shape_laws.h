@@ -1,43 +1,22 @@
 #pragma once
 // What every shape's distance must obey. One line per shape puts it under these laws:
 //
-//   template <> std::vector<Example<Disc>> examples() { return {{{{0, 0}, 1}, inside_of_disc}, …};
-//   } INSTANTIATE_TYPED_TEST_SUITE_P(Disc, ShapeLaws, Disc);
+//   INSTANTIATE_TYPED_TEST_SUITE_P(Disc, ShapeLaws, Disc);
+//
+// and its examples are in tests/support/shape_examples.
 
 #include <mien/lib/math/norm.h>
 #include <mien/sdf/shape/shape.h>
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <glm/geometric.hpp>
-#include <vector>
 
 #include "tests/support/effort.h"
 #include "tests/support/random.h"
+#include "tests/support/shape_example.h"
 
 namespace mien::test {
-
-/// A shape and what the laws need to know of it.
-template <class S>
-struct Example {
-  S shape;
-  /// How far inside p is by the shape's definition, in any unit: > 0 inside, < 0 outside, ~0 on the
-  /// outline. Independent of distance().
-  std::function<double(glm::dvec2)> inside;
-  double size = 3.0;    ///< points are taken from (−size, size)²
-  bool hollow = false;  ///< has no inside at all: a point, a line, nothing
-};
-
-template <class S>
-std::vector<Example<S>> examples();  // each shape's test file specialises this
-
-/// The shape run backwards or with its equal parts swapped: the same points. Itself where there is
-/// no such thing.
-template <class S>
-S backwards(S shape) {
-  return shape;
-}
 
 template <class S>
 class ShapeLaws : public testing::Test {

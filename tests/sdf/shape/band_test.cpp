@@ -2,43 +2,11 @@
 #include <mien/sdf/shape/parabola_side.h>
 
 #include "tests/support/effort.h"
+#include "tests/support/shape_examples/band.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
 namespace {
-
-double inside_of(const ParabolaSide& s, glm::dvec2 p) {
-  const glm::dvec2 q = p - s.vertex;
-  const double u = s.axis.x * q.y - s.axis.y * q.x;
-  return q.x * s.axis.x + q.y * s.axis.y - s.bend * u * u;
-}
-double inside_of(const Band& s, glm::dvec2 p) {
-  return std::min(inside_of(s.lower, p), inside_of(s.upper, p));
-}
-
-ParabolaSide above(double bend, double height) {
-  return {{0, height}, {0, 1}, bend};
-}
-ParabolaSide below(double bend, double height) {
-  return {{0, height}, {0, -1}, bend};
-}
-
-const std::vector<Band> kOpen = {
-    {above(0.9, -0.3), below(1, 0.3)},                         // a lens
-    {above(-0.5, 0.1), below(1.5, 0.6)},                       // a crescent
-    {above(0, 0), below(1, 0.5)},                              // a segment of a parabola
-    {{{0, -0.4}, {0, 1}, 2}, {{0.2, 0.3}, {0.6, -0.8}, 0.7}},  // not parallel
-    {{{0, -0.5}, {0, 1}, 3}, {{-0.5, 0}, {1, 0}, 3}},          // crossed: four corners
-    {above(1, 0), above(0.25, -0.5)},                          // one inside the other
-    {above(0, -0.2), below(0, 0.2)},                           // a strip
-    {above(0.9, -0.3), {{0, 0.3}, {0, 1}, -1}},  // upper turned over: two corners, endless
-    {above(0.3, -1e-5), below(0.1, 1e-5)},       // nearly shut
-};
-const std::vector<Band> kShut = {
-    {above(0.3, 0.2), below(0.1, 0.2)},                  // one point
-    {above(0.9, 0.5), below(1, -0.5)},                   // nothing
-    {{{0, 1}, {0, 1}, 2}, {{0, -1}, {0.6, -0.8}, 0.7}},  // nothing, not parallel
-};
 
 /// The pieces of a side's outline that lie in the other side: intervals of u, by scanning and
 /// halving.
@@ -82,26 +50,13 @@ double to_piece(const Piece& piece, glm::dvec2 p) {
 
 }  // namespace
 
-template <>
-std::vector<Example<Band>> examples() {
-  std::vector<Example<Band>> all;
-  for (const Band& s : kOpen)
-    all.push_back({s, [s](glm::dvec2 p) { return inside_of(s, p); }, 1.5});
-  for (const Band& s : kShut)
-    all.push_back({s, [s](glm::dvec2 p) { return inside_of(s, p); }, 1.5, true});
-  return all;
-}
-template <>
-Band backwards(Band s) {
-  return {s.upper, s.lower};
-}
 /// An empty band has no outline to walk to; its distance is a bound.
 INSTANTIATE_TYPED_TEST_SUITE_P(Band, ShapeLaws, Band);
 
 TEST(Band, IsTheDistanceToTheSurvivingPieces) {
   Random r(1);
-  for (std::size_t k = 0; k < kOpen.size(); ++k) {
-    const Band& s = kOpen[k];
+  for (std::size_t k = 0; k < kOpenBands.size(); ++k) {
+    const Band& s = kOpenBands[k];
     std::vector<Piece> pieces;
     collect(s.lower, s.upper, pieces);
     collect(s.upper, s.lower, pieces);
@@ -117,12 +72,12 @@ TEST(Band, IsTheDistanceToTheSurvivingPieces) {
 
 TEST(Band, CornersLieOnBothOutlines) {
   const std::size_t expected[] = {2, 2, 2, 2, 4, 0, 0, 2, 2};
-  for (std::size_t k = 0; k < kOpen.size(); ++k) {
-    const BandCorners c = corners(kOpen[k]);
+  for (std::size_t k = 0; k < kOpenBands.size(); ++k) {
+    const BandCorners c = corners(kOpenBands[k]);
     EXPECT_EQ(std::size_t(c.count), expected[k]) << k;
     for (int i = 0; i < c.count; ++i) {
-      EXPECT_NEAR(inside_of(kOpen[k].lower, c.point[i]), 0, 1e-13) << k;
-      EXPECT_NEAR(inside_of(kOpen[k].upper, c.point[i]), 0, 1e-13) << k;
+      EXPECT_NEAR(inside_of(kOpenBands[k].lower, c.point[i]), 0, 1e-13) << k;
+      EXPECT_NEAR(inside_of(kOpenBands[k].upper, c.point[i]), 0, 1e-13) << k;
     }
   }
 }
@@ -137,11 +92,11 @@ TEST(Band, IsExactAtItsCorners) {
 }
 
 TEST(Band, WithNothingInItIsOutsideEverywhere) {
-  for (const Band& open : kOpen) EXPECT_FALSE(is_empty(open));
-  EXPECT_FALSE(is_empty(kShut[0]));
-  EXPECT_TRUE(is_empty(kShut[1]));
-  EXPECT_TRUE(is_empty(kShut[2]));
-  EXPECT_EQ(exactness(Shape(kShut[1])), (Exactness{false, true}));
+  for (const Band& open : kOpenBands) EXPECT_FALSE(is_empty(open));
+  EXPECT_FALSE(is_empty(kShutBands[0]));
+  EXPECT_TRUE(is_empty(kShutBands[1]));
+  EXPECT_TRUE(is_empty(kShutBands[2]));
+  EXPECT_EQ(exactness(Shape(kShutBands[1])), (Exactness{false, true}));
   Random r(2);
   const Band nothing{above(0.9, 0.5), below(1, -0.5)};
   for (int i = 0; i < times(2000); ++i) {
@@ -154,7 +109,7 @@ TEST(Band, WithNothingInItIsOutsideEverywhere) {
 
 TEST(Band, OfTwoCupsIsBounded) {
   for (const std::size_t k : {0, 1, 2, 3, 4, 8}) {
-    const Box2 box = bounds(Shape(kOpen[k]));
+    const Box2 box = bounds(Shape(kOpenBands[k]));
     EXPECT_LT(box.size().x + box.size().y, 12) << k;
   }
   const Box2 lens = bounds(Shape(Band{above(1, -1), below(1, 1)}));

@@ -1,39 +1,16 @@
+#include "tests/support/shape_examples/cut_disc.h"
 #include "tests/support/real128.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
-namespace {
 
-double inside_of(const CutDisc& s, glm::dvec2 p) {
-  const glm::dvec2 q = p - s.center;
-  const double v = q.x * s.up.x + q.y * s.up.y, round = s.radius * s.radius - q.x * q.x - q.y * q.y;
-  const double top = s.upper < 1 ? s.upper * s.radius - v : 1.0;
-  return std::min({round, top, s.lower < 1 ? v + s.lower * s.radius : 1.0});
-}
-
-const std::vector<CutDisc> kDiscs = {
-    {{0, 0}, 1, 0.5, 0.7, {0, 1}},    {{0.2, -0.3}, 1.5, 0.1, 2, {0, -1}},
-    {{0, 0}, 1, 1, 0.3, {0.6, 0.8}},  {{0.1, 0}, 0.5, 0, 0.4, {1, 0}},
-    {{0, 0}, 1.2, 1, 1, {0, 1}},      {{0.1, 0.2}, 1, 0, 0, {0, 1}},
-    {{0.3, 0.1}, 0, 0.5, 0.5, {0, 1}}};
-
-}  // namespace
-
-template <>
-std::vector<Example<CutDisc>> examples() {
-  std::vector<Example<CutDisc>> all;
-  for (const CutDisc& s : kDiscs)
-    all.push_back({s, [s](glm::dvec2 p) { return inside_of(s, p); }, 2.0,
-                   s.radius == 0 || s.upper + s.lower == 0});
-  return all;
-}
 INSTANTIATE_TYPED_TEST_SUITE_P(CutDisc, ShapeLaws, CutDisc);
 
 /// Against the nearest of densely sampled outline points: never farther than one, nearer by no more
 /// than a step.
 TEST(CutDisc, IsTheDistanceToItsSampledOutline) {
   Random r(3);
-  for (const CutDisc& s : kDiscs) {
+  for (const CutDisc& s : kCutDiscs) {
     std::vector<glm::dvec2> outline;
     const glm::dvec2 across{s.up.y, -s.up.x};
     const double hi = std::min(s.upper, 1.0), lo = std::min(s.lower, 1.0), step = 2e-3;

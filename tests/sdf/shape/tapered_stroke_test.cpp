@@ -2,26 +2,11 @@
 
 #include "tests/support/bezier_cases.h"
 #include "tests/support/effort.h"
+#include "tests/support/shape_examples/tapered_stroke.h"
 #include "tests/support/shape_laws.h"
 
 namespace mien::test {
 namespace {
-
-/// Definition: p is in some disc. Sampled; within the sampling's slack the answer is 0, "on the
-/// outline".
-double inside_of(const TaperedStroke& s, glm::dvec2 p) {
-  double depth = -1e9;
-  constexpr int kSteps = 4000;
-  const QuadBezier w{{s.half_width[0], 0}, {s.half_width[1], 0}, {s.half_width[2], 0}};
-  for (int i = 0; i <= kSteps; ++i) {
-    const double t = double(i) / kSteps;
-    depth = std::max(depth, point(w, t).x - norm(point(s.spine, t) - p));
-  }
-  const double legs = norm(s.spine.p1 - s.spine.p0) + norm(s.spine.p2 - s.spine.p1) +
-                      std::abs(s.half_width[1] - s.half_width[0]) +
-                      std::abs(s.half_width[2] - s.half_width[1]);
-  return depth > 0 || depth < -2 * legs / kSteps ? depth : 0.0;
-}
 
 /// Every root of (q·q')² = w'²|q|² and both ends, in binary128.
 Real exact_distance(const TaperedStroke& s, glm::dvec2 p) {
@@ -51,25 +36,6 @@ Real exact_distance(const TaperedStroke& s, glm::dvec2 p) {
 
 }  // namespace
 
-template <>
-std::vector<Example<TaperedStroke>> examples() {
-  std::vector<Example<TaperedStroke>> all;
-  for (const TaperedStroke& s : {TaperedStroke{{{-1, 0}, {0, 1.5}, {1, 0}}, {0.05, 0.4, 0.1}},
-                                 TaperedStroke{{{-1, 0}, {0.3, 1}, {1, -0.4}}, {0.3, 0, 0.3}},
-                                 TaperedStroke{{{-1, 0}, {0, 1}, {1, 0}}, {0.2, 0.2, 0.2}},
-                                 TaperedStroke{{{0, 0}, {0, 0}, {0, 0}}, {0.1, 0.5, 0.3}},
-                                 TaperedStroke{{{-1, 0}, {0, 0}, {1, 0}}, {0, 0.5, 0}},
-                                 TaperedStroke{{{-0.1, 0}, {0, 0.1}, {0.1, 0}}, {0.1, 0.3, 1}},
-                                 TaperedStroke{{{-1, -1}, {2, 2}, {0.5, 0.5}}, {0.1, 0.2, 0.4}}})
-    all.push_back({s, [s](glm::dvec2 p) { return inside_of(s, p); }, 2.5});
-  const TaperedStroke bare{{{-1, 0}, {0, 1.5}, {1, 0}}, {0, 0, 0}};
-  all.push_back({bare, [bare](glm::dvec2 p) { return inside_of(bare, p); }, 2.5, true});
-  return all;
-}
-template <>
-TaperedStroke backwards(TaperedStroke s) {
-  return {reversed(s.spine), {s.half_width[2], s.half_width[1], s.half_width[0]}};
-}
 INSTANTIATE_TYPED_TEST_SUITE_P(TaperedStroke, ShapeLaws, TaperedStroke);
 
 class TaperedStrokeFamily : public testing::TestWithParam<int> {};
