@@ -8,6 +8,7 @@
 #include <mien/sdf/arrange/sweep.h>
 #include <mien/sdf/outline/outline_maker.h>
 
+#include <optional>
 #include <vector>
 
 namespace mien {
@@ -23,6 +24,7 @@ struct RowTarget {
 struct StripScratch {
   RowSums sums;
   RowPainter painter;
+  std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
 };
 
 class Drawing {
@@ -39,7 +41,10 @@ class Drawing {
   const Looks& looks() const { return looks_; }
 
  private:
-  void resolve_doubts(int first, int end, const RowTarget& target, RenderStats& stats) const;
+  void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
+                      RenderStats& stats) const;
+  void resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
+               RenderStats& stats) const;
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
 
