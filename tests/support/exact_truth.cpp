@@ -114,7 +114,8 @@ ExactTruth::Rows ExactTruth::rows(const Square& square, double top, double botto
   return rows;
 }
 
-/// Halves agree by chance where things come and go between the lines: there halving goes on.
+/// Halves agree by chance where things come and go between the lines: there halving goes on, in
+/// quick truths until lines are so close that what comes shows on some of them.
 Mixes ExactTruth::refined(const Square& square, double top, double bottom, const Rows& coarse,
                           int depth) const {
   const double middle = 0.5 * (top + bottom);
@@ -122,7 +123,8 @@ Mixes ExactTruth::refined(const Square& square, double top, double bottom, const
   const bool alike = upper.alike && lower.alike && upper.order == lower.order;
   const double change = off(square, upper.sum + lower.sum - coarse.sum);
   const bool thin = square.weight * (bottom - top) <= tolerance_;
-  if (depth == 0 || thin || (alike && change <= tolerance_ / 8)) return upper.sum + lower.sum;
+  const bool told = alike || bottom - top < (tolerance_ > kFine ? kThinnest / 8 : 0);
+  if (depth == 0 || thin || (told && change <= tolerance_ / 8)) return upper.sum + lower.sum;
   return refined(square, top, middle, upper, depth - 1) +
          refined(square, middle, bottom, lower, depth - 1);
 }
