@@ -45,10 +45,10 @@ FaceLine ExactTruth::line_at(const Square& square, double v) const {
   return {from, to - from};
 }
 
-ExactTruth::Square ExactTruth::square(int x, int y) const {
-  Square square{.seen = {}, .corner = {x, y}, .orders = {}};
-  const glm::dvec2 center = face(x + 0.5, y + 0.5);
-  const double radius = 0.70711 * unit_;
+ExactTruth::Square ExactTruth::square(const PixelRect& r) const {
+  Square square{.seen = {}, .corner = {r.x, r.y}, .orders = {}};
+  const glm::dvec2 center = face(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
+  const double radius = 0.50001 * std::hypot(r.width, r.height) * unit_;
   for (int i = 0; i < int(scene_.layers().size()); ++i) {
     const double d = scene_.distance(scene_.layers()[std::size_t(i)].area, center);
     if (d > radius) continue;
@@ -130,7 +130,7 @@ Mixes ExactTruth::refined(const Square& square, double top, double bottom, const
 }
 
 Mixes ExactTruth::at(double x, double y) const {
-  const Square around = square(int(std::floor(x)), int(std::floor(y)));
+  const Square around = square({int(std::floor(x)), int(std::floor(y)), 1, 1});
   return color(stack_at(around, face(x, y)), face(x, y));
 }
 
@@ -138,13 +138,19 @@ bool ExactTruth::flat(const Square& square) {
   return std::ranges::all_of(square.seen, [](const Seen& s) { return s.whole && !s.varies; });
 }
 
-bool ExactTruth::flat(int x, int y) const {
-  return flat(square(x, y));
+bool ExactTruth::flat(const PixelRect& pixels) const {
+  return flat(square(pixels));
+}
+
+bool ExactTruth::lit(int x, int y) const {
+  return std::ranges::any_of(square({x, y, 1, 1}).seen, [&](const Seen& seen) {
+    return seen.varies && scene_.layers()[std::size_t(seen.layer)].paint.relief;
+  });
 }
 
 Mixes ExactTruth::means(int x, int y) const {
   constexpr int kDepth = 16;
-  Square s = square(x, y);
+  Square s = square({x, y, 1, 1});
   const glm::dvec2 center = face(x + 0.5, y + 0.5);
   if (flat(s)) return color(stack_at(s, center), center);
   const bool smooth = std::ranges::all_of(s.seen, [&](const Seen& seen) {

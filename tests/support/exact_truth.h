@@ -42,8 +42,10 @@ class ExactTruth {
   glm::dvec4 levels(int x, int y, int top) const;
   /// The colour at a place [px], of no area.
   Mixes at(double x, double y) const;
-  /// Whether the pixel has one colour only, proven; then its mean costs nothing.
-  bool flat(int x, int y) const;
+  /// Whether these pixels all have one colour, proven; then means cost nothing.
+  bool flat(const PixelRect& pixels) const;
+  /// Whether light on a slope may be seen in the pixel.
+  bool lit(int x, int y) const;
 
  private:
   /// A layer that can be seen in a pixel; `whole`: it covers it.
@@ -79,7 +81,7 @@ class ExactTruth {
   };
 
   // exact_truth.cpp: the pixel
-  Square square(int x, int y) const;
+  Square square(const PixelRect& pixels) const;
   static bool flat(const Square& square);
   bool crosses_upright(const Square& square) const;
   void weigh(Square& square) const;
