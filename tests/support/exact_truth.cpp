@@ -124,7 +124,7 @@ Mixes ExactTruth::refined(const Square& square, double top, double bottom, const
   const double change = off(square, upper.sum + lower.sum - coarse.sum);
   const bool thin = square.weight * (bottom - top) <= tolerance_;
   const bool told = alike || bottom - top < (tolerance_ > kFine ? kThinnest / 8 : 0);
-  if (depth == 0 || thin || (told && change <= tolerance_ / 8)) return upper.sum + lower.sum;
+  if (depth == 0 || thin || (told && change <= tolerance_ / 4)) return upper.sum + lower.sum;
   return refined(square, top, middle, upper, depth - 1) +
          refined(square, middle, bottom, lower, depth - 1);
 }

@@ -18,7 +18,11 @@ class Window {
  public:
   Window(const Scene& scene, View view, const PixelRect& rect, const ExactTruth& truth,
          const Wanted& wanted, const Choice& choice, Tallies& tallies)
-      : rect_(rect), truth_(truth), choice_(choice), tallies_(tallies) {
+      : rect_(rect),
+        spread_(view.dither ? 1 : 0),
+        truth_(truth),
+        choice_(choice),
+        tallies_(tallies) {
     view.region = rect;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       view.blend = kStorages[i].blend;
@@ -55,7 +59,7 @@ class Window {
       const glm::dvec4 drawn = drawn_levels(images_[i], x - rect_.x, y - rect_.y);
       const double off = apart(drawn, want, storage.top);
       ++tally.judged;
-      if (off > storage.allowed) ++tally.over;
+      if (off > storage.allowed + spread_) ++tally.over;
       if (off <= tally.worst) continue;
       tally.worst = off;
       tally.where =
@@ -65,6 +69,7 @@ class Window {
   }
 
   PixelRect rect_;
+  double spread_;  ///< of a dither [levels]
   const ExactTruth& truth_;
   const Choice& choice_;
   Tallies& tallies_;

@@ -15,7 +15,7 @@
 
 namespace mien::test {
 
-/// How a picture is stored, and what it may be off by [levels of `top`].
+/// How a picture is stored, and what it may be off by [levels of `top`]; with dither one more.
 struct Storage {
   Blend blend;
   Depth depth;
