@@ -30,7 +30,9 @@ ExactTruth::ExactTruth(const Scene& scene, const View& view, double tolerance)
       view_(view),
       tolerance_(tolerance),
       unit_(unit_of(scene, view)),
-      paint_(scene, view, unit_) {}
+      paint_(scene, view, unit_) {
+  for (int i = 0; i < int(scene.layers().size()); ++i) all_.push_back({i, false, true});
+}
 
 glm::dvec2 ExactTruth::face(double x, double y) const {
   const glm::dvec2 p{unit_ * (x - 0.5 * view_.width), unit_ * (y - 0.5 * view_.height)};
@@ -45,17 +47,35 @@ FaceLine ExactTruth::line_at(const Square& square, double v) const {
   return {from, to - from};
 }
 
-ExactTruth::Square ExactTruth::square(const PixelRect& r) const {
-  Square square{.seen = {}, .corner = {r.x, r.y}, .orders = {}};
+/// What of `among` is seen in a rectangle.
+std::vector<ExactTruth::Seen> ExactTruth::seen_in(const PixelRect& r,
+                                                  const std::vector<Seen>& among) const {
   const glm::dvec2 center = face(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
   const double radius = 0.50001 * std::hypot(r.width, r.height) * unit_;
-  for (int i = 0; i < int(scene_.layers().size()); ++i) {
-    const double d = scene_.distance(scene_.layers()[std::size_t(i)].area, center);
+  std::vector<Seen> list;
+  for (Seen seen : among) {
+    const Area area = scene_.layers()[std::size_t(seen.layer)].area;
+    const double d = seen.whole ? -2 * radius : scene_.distance(area, center);
     if (d > radius) continue;
-    const bool whole = d < -radius;
-    if (whole && paint_.hides(i)) square.seen.clear();
-    square.seen.push_back({i, whole, paint_.varies(i, center, radius)});
+    seen.whole = d < -radius;
+    if (seen.whole && paint_.hides(seen.layer)) list.clear();
+    seen.varies = seen.varies && paint_.varies(seen.layer, center, radius);
+    list.push_back(seen);
   }
+  return list;
+}
+
+/// Blocks remember what is seen in them: most layers are far from most pixels.
+ExactTruth::Square ExactTruth::square(const PixelRect& r) const {
+  const int x = r.x / kBlock, y = r.y / kBlock;
+  Square square{.seen = {}, .corner = {r.x, r.y}, .orders = {}};
+  if (x != (r.x + r.width - 1) / kBlock || y != (r.y + r.height - 1) / kBlock) {
+    square.seen = seen_in(r, all_);
+    return square;
+  }
+  const auto [block, is_new] = blocks_.try_emplace({x, y});
+  if (is_new) block->second = seen_in({kBlock * x, kBlock * y, kBlock, kBlock}, all_);
+  square.seen = seen_in(r, block->second);
   return square;
 }
 

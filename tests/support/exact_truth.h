@@ -17,7 +17,9 @@
 #include <mien/sdf/scene/scene.h>
 
 #include <glm/vec4.hpp>
+#include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "tests/support/exact_mix.h"
@@ -25,6 +27,7 @@
 
 namespace mien::test {
 
+/// Not for several threads: it remembers.
 class ExactTruth {
  public:
   static constexpr double kThinnest = 1.0 / 32;  ///< [px] layers along the lines that may be missed
@@ -48,6 +51,8 @@ class ExactTruth {
   bool lit(int x, int y) const;
 
  private:
+  static constexpr int kBlock = 16;  // [px]
+
   /// A layer that can be seen in a pixel; `whole`: it covers it.
   struct Seen {
     int layer;
@@ -81,6 +86,7 @@ class ExactTruth {
   };
 
   // exact_truth.cpp: the pixel
+  std::vector<Seen> seen_in(const PixelRect& pixels, const std::vector<Seen>& among) const;
   Square square(const PixelRect& pixels) const;
   static bool flat(const Square& square);
   bool crosses_upright(const Square& square) const;
@@ -109,6 +115,8 @@ class ExactTruth {
   View view_;
   double tolerance_, unit_;  ///< [face units] per pixel
   ExactPaint paint_;
+  std::vector<Seen> all_;
+  mutable std::map<std::pair<int, int>, std::vector<Seen>> blocks_;
 };
 
 /// In levels of `top`: encoded, straight, not rounded.
