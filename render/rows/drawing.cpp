@@ -19,10 +19,7 @@ double tolerance_of(Depth depth, Blend blend) {
 bool Drawing::make(const Scene& scene, const View& view, Depth depth) {
   width_ = view.width, height_ = view.height, dither_ = view.dither;
   scene_ = scene, view_ = view;
-  paints_.make(scene, view);
-  for (const VariedPaint& varied : paints_.varied)
-    if (varied.dense || varied.paint.relief || varied.paint.field.kind == PaintField::Kind::distance)
-      return false;
+  paints_.make(scene, view, depth);
   format_ = PixelFormat(depth, view.blend);
   make_outlines(scene, view, depth);
   looks_.begin(paints_);

@@ -35,6 +35,8 @@ class LitPaint {
 
   /// Whether the surface is level in all of a zone: then it has its base colour there.
   bool level(int zone) const;
+  /// The same but for its domes.
+  bool flat(int zone) const { return surface_.flat(zone); }
 
   /// Means of `count` whole pixels of row y from x on, all in `zone`: premultiplied, in the
   /// blending space, to four planes.

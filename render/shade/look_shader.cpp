@@ -74,35 +74,50 @@ void along(const PaintField& field, double x, double y, int from, int count, dou
 
 }  // namespace
 
-void LookShader::lay(const LookStep& step, double x, double y, int from, int count,
-                     double variance, ColorRow& to) {
+void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
+  if (step.zone >= 0) return lay_lit(step, at, to);
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const RampSegment& segment = looks_->segment(step);
-  if (t_.size() < std::size_t(count)) t_.resize(std::size_t(count));
-  along(varied.paint.field, x, y, from, count, variance, t_.data());
+  const std::size_t count = std::size_t(at.count);
+  if (t_.size() < count) t_.resize(count);
+  along(varied.paint.field, at.first.x, at.first.y, at.from, at.count, at.area / 12, t_.data());
   const float least = float(segment.from), most = float(segment.to);
-  for (int i = 0; i < count; ++i) t_[std::size_t(i)] = std::clamp(t_[std::size_t(i)], least, most);
-  lay_ramp(to, segment, t_.data(), count);
+  for (std::size_t i = 0; i < count; ++i) t_[i] = std::clamp(t_[i], least, most);
+  lay_ramp(to, segment, t_.data(), at.count);
 }
 
-const ColorRow& LookShader::places(int look, double x, double y, int from, int count,
-                                   double variance) {
+void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
+  lit_.room_for(std::size_t(at.count));
+  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
+  if (at.part) {
+    const glm::vec4 c = lit.part(step.zone, x + at.from, y, at.area, at.first, lit_scratch_);
+    lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
+  } else {
+    lit.pixels(step.zone, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
+               lit_.a.data(), lit_scratch_);
+  }
+  lay_group(to, lit_, 1.0f, at.count);
+}
+
+const ColorRow& LookShader::places(int look, const Places& at) {
   std::size_t open = 0;
   for (const LookStep& step : looks_->steps(look)) {
     switch (step.kind) {
       case Kind::open:
         if (levels_.size() == open) levels_.emplace_back();
-        fill(levels_[open++], step.mix, count);
+        fill(levels_[open++], step.mix, at.count);
         break;
       case Kind::over:
-        lay_over(levels_[open - 1], step.mix, count);
+        lay_over(levels_[open - 1], step.mix, at.count);
         break;
       case Kind::paint:
-        lay(step, x, y, from, count, variance, levels_[open - 1]);
+        lay(step, at, levels_[open - 1]);
         break;
       case Kind::close:
         --open;
-        lay_group(levels_[open - 1], levels_[open], float(step.mix.a), count);
+        lay_group(levels_[open - 1], levels_[open], float(step.mix.a), at.count);
         break;
     }
   }

@@ -34,23 +34,32 @@ class LookShader {
   /// counted from there, so that a pixel does not depend on where a run begins.
   const ColorRow& pixels(int look, int x, int y, int count) {
     const int origin = x & ~(kBlock - 1);
-    return places(look, origin + 0.5, y + 0.5, x - origin, count, 1.0 / 12);
+    return places(look, {{origin + 0.5, y + 0.5}, x - origin, count, 1.0, false});
   }
   static constexpr int kBlock = 64;
   /// A part of a pixel, by its centroid and area.
   glm::vec4 part(int look, double x, double y, double area) {
-    const ColorRow& c = places(look, x, y, 0, 1, area / 12);
+    const ColorRow& c = places(look, {{x, y}, 0, 1, area, true});
     return {c.r[0], c.g[0], c.b[0], c.a[0]};
   }
 
  private:
-  const ColorRow& places(int look, double x, double y, int from, int count, double variance);
-  void lay(const LookStep& step, double x, double y, int from, int count, double variance,
-           ColorRow& to);
+  /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.
+  struct Places {
+    glm::dvec2 first;
+    int from, count;
+    double area;
+    bool part;
+  };
+  const ColorRow& places(int look, const Places& at);
+  void lay(const LookStep& step, const Places& at, ColorRow& to);
+  void lay_lit(const LookStep& step, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
   std::vector<ColorRow> levels_;
   std::vector<float> t_;
+  ColorRow lit_;
+  LitPaint::Scratch lit_scratch_;
 };
 
 }  // namespace mien

@@ -15,14 +15,15 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
 }
 
 std::uint64_t hash_of(const LookStep& step) {
-  std::uint64_t hash = mixed(std::uint64_t(step.kind) + 1, std::uint64_t(step.varied + 1) << 32 |
-                                                               std::uint32_t(step.segment));
+  std::uint64_t hash = mixed(std::uint64_t(step.kind) + 1, std::uint64_t(step.varied + 1));
+  hash = mixed(hash, std::uint64_t(step.segment) << 32 | std::uint32_t(step.zone));
   for (int i = 0; i < 4; ++i) hash = mixed(hash, std::bit_cast<std::uint64_t>(step.mix[i] + 0.0));
   return hash;
 }
 
 bool same(const LookStep& a, const LookStep& b) {
-  return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment && a.mix == b.mix;
+  return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment &&
+         a.zone == b.zone && a.mix == b.mix;
 }
 
 /// The literals of a conjunction, written to `to`; false where it is none. Postfix: an `and` may only
@@ -95,8 +96,10 @@ void Looks::note_outlines() {
     const PaintedLayer& layer = paints.layers[i];
     note(layer.program, int(i), false);
     if (layer.varied < 0) continue;
-    for (const PaintKink& kink : paints.varied[std::size_t(layer.varied)].kinks)
-      note(kink.program, int(i), true);
+    const VariedPaint& varied = paints.varied[std::size_t(layer.varied)];
+    for (const PaintKink& kink : varied.kinks) note(kink.program, int(i), true);
+    for (const AreaProgram& level : varied.levels) note(level, int(i), true);
+    for (const AreaProgram& dome : varied.domes) note(dome, int(i), true);
   }
   std::sort(reading_.begin(), reading_.end());
   reading_.erase(std::unique(reading_.begin(), reading_.end()), reading_.end());
@@ -198,7 +201,7 @@ int Looks::compose(const std::uint64_t* inside, const std::uint64_t* covered) {
       if (layer.varied < 0)
         lay_over(layer.mix);
       else
-        lay_paint(layer.varied, segment_of(layer.varied, inside));
+        lay_paint(layer.varied, inside);
     }
   }
   leave_groups(0);
@@ -252,18 +255,40 @@ void Looks::write_pending(Level& level, bool ground) {
   level.mix = Mix{0.0};
 }
 
-void Looks::lay_paint(int varied, int segment) {
+/// In which zone of its profile a paint lies, and whether its surface slopes there.
+Looks::Lie Looks::lie_of(const VariedPaint& paint, const std::uint64_t* inside) {
+  if (paint.lit < 0) return {};
+  const auto holds = [&](const AreaProgram& program) {
+    return runs_true(paints_->programs.steps(program), inside, stack_);
+  };
+  Lie lie;
+  for (const AreaProgram& level : paint.levels) lie.zone += holds(level);
+  lie.slopes = !paints_->lit[std::size_t(paint.lit)].flat(lie.zone) ||
+               std::any_of(paint.domes.begin(), paint.domes.end(), holds);
+  return lie;
+}
+
+void Looks::lay_paint(int varied, const std::uint64_t* inside) {
   const VariedPaint& paint = paints_->varied[std::size_t(varied)];
-  if (!paint.paint.relief && !paint.dense && paint.paint.ramp) {
-    const RampSegment& s = segments_[std::size_t(first_segment_[std::size_t(varied)] + segment)];
-    if (s.slope == Mix{0.0}) return lay_over(s.at);
+  const Lie lie = lie_of(paint, inside);
+  LookStep step{.kind = Kind::paint, .varied = varied};
+  if (!paint.paint.ramp) {
+    if (!lie.slopes) return lay_over(paint.paint.color);
+    step.zone = lie.zone;
+  } else if (paint.dense) {
+    step.zone = lie.zone;
+  } else {
+    step.segment = segment_of(varied, inside);
+    const bool constant = segment(step).slope == Mix{0.0};
+    if (constant && !lie.slopes) return lay_over(segment(step).at);
+    if (lie.slopes || paint.paint.field.kind == PaintField::Kind::distance) step.zone = lie.zone;
   }
   for (Level& level : levels_) {  // the grounds of the levels below come first
     const bool opens = !level.varies;
     write_pending(level, opens);
     level.varies = true;
   }
-  steps_.push_back({.kind = Kind::paint, .varied = varied, .segment = segment});
+  steps_.push_back(step);
 }
 
 int Looks::known_or_new(std::size_t first_step) {

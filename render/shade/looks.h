@@ -24,6 +24,7 @@ struct LookStep {
     close   ///< the group ends: lay it over what was there, times mix.a
   } kind;
   int varied = -1, segment = 0;  ///< of `paint`
+  int zone = -1;                 ///< of a lit paint, where it is not level; −1: its ramp alone
   Mix mix{0.0};
 };
 
@@ -62,6 +63,11 @@ class Looks final : public LookRule {
     int first, count;
     std::uint64_t hash;
   };
+  struct Lie {
+    int zone = 0;
+    bool slopes = false;
+  };
+  Lie lie_of(const VariedPaint& paint, const std::uint64_t* inside);
   struct Level {
     bool varies = false;  ///< steps are written
     Mix mix{0.0};         ///< of what is constant since
@@ -73,7 +79,7 @@ class Looks final : public LookRule {
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
   void lay_over(const Mix& mix);
-  void lay_paint(int varied, int segment);
+  void lay_paint(int varied, const std::uint64_t* inside);
   void write_pending(Level& level, bool opens);
   void enter_group(int group);
   void leave_groups(std::size_t depth);

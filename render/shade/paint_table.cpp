@@ -7,7 +7,7 @@
 namespace mien {
 namespace {
 
-constexpr double kLeast = 1e-9;  ///< [px] gradients shorter than that are sudden changes
+constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden changes
 constexpr int kMostKinks = 96;   ///< of one paint in a picture: more make outlines dearer than samples
 
 class Maker {
@@ -26,7 +26,13 @@ class Maker {
       varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
       std::visit([&](const auto& along) { field(along, varied); }, paint.gradient->along);
     }
-    if (paint.relief) varied.paint.relief = relief(*paint.relief);
+    const bool by_distance =
+        paint.gradient && varied.paint.field.kind == PaintField::Kind::distance;
+    if (paint.relief)
+      varied.paint.relief = relief(*paint.relief, varied);
+    else if (by_distance || varied.dense)
+      varied.paint.relief.emplace(TapeRelief{.lamp = Lamp(light(), 0.0, 1.0)});  // a level one
+    if (varied.paint.relief) varied.lit = 0;
     made.varied = int(to_.varied.size());
     to_.varied.push_back(std::move(varied));
     return made;
@@ -101,17 +107,21 @@ class Maker {
     return glm::dmat2{u.x / a, v.x / b, u.y / a, v.y / b};  // columns
   }
 
-  TapeRelief relief(const Relief& r) {
+  TapeRelief relief(const Relief& r, VariedPaint& varied) {
     TapeRelief made{.profile = r.profile, .lamp = Lamp(light(), r.specular, r.shininess)};
     if (r.area.node >= 0 && r.profile != Profile::flat) made.distance = distance(r.area);
     if (r.profile == Profile::custom && r.table.size() < 2) made.profile = Profile::flat;
     made.width = std::max(r.width * map_.scale(), kLeast);
     made.height = r.height * map_.scale();
     made.table = r.table;
-    for (const Dome& dome : r.domes)
+    for (const Dome& dome : r.domes) {
+      if (dome.height == 0.0) continue;
       made.domes.push_back({map_(dome.center), unit(dome.radii, dome.axis),
                             dome.height * map_.scale(),
                             map_.scale() * std::max(dome.radii.x, dome.radii.y)});
+      varied.domes.push_back(
+          to_.programs.add(Ellipse{dome.center, dome.radii, glm::normalize(dome.axis)}));
+    }
     return made;
   }
 
@@ -157,9 +167,9 @@ Map<GridSpace, FaceSpace> grid_from_face(const Canvas& canvas, const View& view)
   return {map.linear, map.shift + glm::dvec2{0.5 * view.width, 0.5 * view.height}};
 }
 
-void PaintTable::make(const Scene& scene, const View& view) {
+void PaintTable::make(const Scene& scene, const View& view, Depth depth) {
   programs.begin(scene);
-  layers.clear(), varied.clear(), groups.clear(), distances.clear();
+  layers.clear(), varied.clear(), groups.clear(), lit.clear(), distances.clear();
   blend = view.blend;
   background = mix_from_color(view.background.value_or(scene.background()), view.blend);
   Maker maker(scene, view, *this);
@@ -167,6 +177,23 @@ void PaintTable::make(const Scene& scene, const View& view) {
   for (const Layer& layer : scene.layers()) {
     layers.push_back(maker.layer(layer));
     if (layer.group >= 0) layers.back().group = nearest[std::size_t(layer.group)];
+  }
+  make_lit(scene, view, depth);
+}
+
+/// What is left of them once nothing moves in memory any more: lit paints refer to the others.
+void PaintTable::make_lit(const Scene& scene, const View& view, Depth depth) {
+  // [levels of 255] A mean may be off by so much: half of what a level's rounding leaves.
+  const double tolerance = depth == Depth::u8 ? 0.3 : 0.05;
+  const double scale = grid_from_face(scene.canvas(), view).scale();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (layers[i].varied < 0) continue;
+    VariedPaint& paint = varied[std::size_t(layers[i].varied)];
+    if (paint.lit < 0) continue;
+    paint.lit = int(lit.size());
+    lit.emplace_back(paint.paint, distances, blend, glm::dvec2{0.0}, tolerance);
+    for (const double level : lit.back().levels())
+      paint.levels.push_back(programs.add(scene.layers()[i].paint.relief->area, level / scale));
   }
 }
 

@@ -6,6 +6,7 @@
 // profile. Each of these kinks is a line, and the line is an outline like any other: so no region has
 // a kink inside it.
 
+#include <mien/render/shade/lit_paint.h>
 #include <mien/render/tile/paint.h>
 #include <mien/render/view/view.h>
 #include <mien/sdf/outline/area_program.h>
@@ -29,6 +30,11 @@ struct VariedPaint {
   std::vector<PaintKink> kinks;  ///< of the ramp, rising; none where they are too many
   bool dense = false;            ///< they are
   double lowest = 0, highest = 0;  ///< t in the picture
+  /// Its means are LitPaint's: it is lit, goes by a distance, or is dense. Index into
+  /// PaintTable::lit; −1: a ramp is all of it.
+  int lit = -1;
+  std::vector<AreaProgram> levels;  ///< of LitPaint, each as {distance <= level}
+  std::vector<AreaProgram> domes;   ///< beyond all of them they do nothing
 };
 
 struct PaintedLayer {
@@ -50,11 +56,19 @@ struct PaintTable {
   std::vector<VariedPaint> varied;
   std::vector<PaintedGroup> groups;  ///< parents first
   std::vector<AreaDistance> distances;
+  std::vector<LitPaint> lit;
   Mix background{0.0};
   Blend blend = Blend::linear;
 
+  PaintTable() = default;
+  PaintTable(const PaintTable&) = delete;  // its lit paints refer to it
+  PaintTable& operator=(const PaintTable&) = delete;
+
   /// Made anew; memory is kept where it can be.
-  void make(const Scene& scene, const View& view);
+  void make(const Scene& scene, const View& view, Depth depth);
+
+ private:
+  void make_lit(const Scene& scene, const View& view, Depth depth);
 };
 
 /// Takes face units to the grid of the picture.
