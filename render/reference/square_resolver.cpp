@@ -1,4 +1,3 @@
-#include <mien/render/cover/edge_coverage.h>
 #include <mien/render/reference/square_resolver.h>
 
 #include <algorithm>
@@ -10,7 +9,24 @@ namespace {
 
 constexpr double kSqrt2 = 1.4142135623730952;  // rounded up
 constexpr int kDepth = 10;  // halvings of a pixel: below 1/1024 px a cell shows in no depth
-constexpr std::size_t kNone = std::size_t(-1);
+constexpr std::size_t kMostLines = 8;  // across one square: more are fewer in its quarters
+constexpr std::size_t kMostCorners = 4 + kMostLines;
+
+/// Twice a polygon's area, and six times its first moments about its first corner.
+struct Moments {
+  double area = 0;
+  glm::dvec2 first{0.0};
+};
+
+Moments moments(std::span<const glm::dvec2> corners) {
+  Moments m;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const glm::dvec2 a = corners[i - 1] - corners[0], b = corners[i] - corners[0];
+    const double twice = a.x * b.y - a.y * b.x;
+    m.area += twice, m.first += twice * (a + b);
+  }
+  return m;
+}
 
 double largest(const Mix& d) {
   return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b), std::abs(d.a)});
@@ -28,7 +44,7 @@ SquareResolver::SquareResolver(const Scene& scene, const View& view, const Paint
 
 Resolved SquareResolver::pixel(int x, int y) {
   seen_.clear();
-  for (int i = 0; i < int(paints_.layers.size()); ++i) seen_.push_back({i, false});
+  for (int i = 0; i < int(paints_.layers.size()); ++i) seen_.push_back({i, Reach::part});
   varies_ = false;
   Resolved found = square({x + 0.5, y + 0.5}, 0.5, 0, kDepth);
   found.varies = varies_;
@@ -47,14 +63,14 @@ std::size_t SquareResolver::look_at(glm::dvec2 center, double half, std::size_t 
   const double reach = kSqrt2 * half;
   for (std::size_t i = last; i-- > first;) {
     Seen seen = seen_[i];
-    if (!seen.whole) {
+    if (seen.reach == Reach::part) {
       const double d = distance(seen.layer, center);
       if (!(d <= reach)) continue;
-      seen.whole = d < -reach;
+      if (d < -reach) seen.reach = Reach::whole;
     }
     seen_.push_back(seen);
     const PaintedLayer& layer = paints_.layers[std::size_t(seen.layer)];
-    if (!seen.whole || layer.group >= 0) continue;
+    if (seen.reach != Reach::whole || layer.group >= 0) continue;
     const double opacity = layer.varied < 0
                                ? layer.mix.a
                                : paints_.varied[std::size_t(layer.varied)].paint.least_opacity();
@@ -66,16 +82,15 @@ std::size_t SquareResolver::look_at(glm::dvec2 center, double half, std::size_t 
 
 Resolved SquareResolver::square(glm::dvec2 center, double half, std::size_t first, int depth) {
   const std::size_t begin = look_at(center, half, first, seen_.size());
-  std::size_t cuts = 0, which = kNone;
-  for (std::size_t i = begin; i < seen_.size(); ++i)
-    if (!seen_[i].whole) ++cuts, which = i;
+  const bool cut = std::any_of(seen_.begin() + std::ptrdiff_t(begin), seen_.end(),
+                               [](const Seen& s) { return s.reach == Reach::part; });
   Resolved found;
-  if (cuts == 0) {
+  if (!cut) {
     found = covered(center, half, begin, depth);
   } else if (depth == 0) {  // the middle decides
-    found.mix = color(center, begin, kNone);
+    found.mix = color(center, begin);
     found.bound = 1.0;
-  } else if (cuts > 1 || !cut(center, half, begin, which, found)) {
+  } else if (!cuts(center, half, begin, found)) {
     found = {};
     const double h = 0.5 * half;
     for (const double dy : {-h, h})
@@ -91,16 +106,16 @@ Resolved SquareResolver::square(glm::dvec2 center, double half, std::size_t firs
 
 /// Nothing but whole layers: Gauss's rule of four places, where the middle agrees with it.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, std::size_t first, int depth) {
-  const bool varies = std::any_of(
-      seen_.begin() + std::ptrdiff_t(first), seen_.end(),
-      [&](const Seen& s) { return paints_.layers[std::size_t(s.layer)].varied >= 0; });
-  const Mix middle = color(center, first, kNone);
+  const bool varies =
+      std::any_of(seen_.begin() + std::ptrdiff_t(first), seen_.end(),
+                  [&](const Seen& s) { return paints_.layers[std::size_t(s.layer)].varied >= 0; });
+  const Mix middle = color(center, first);
   if (!varies) return {middle, 0.0};
   const double g = half * 0.57735026918962576;
   Mix mean{0.0}, least = middle, most = middle;
   for (const double dy : {-g, g})
     for (const double dx : {-g, g}) {
-      const Mix c = color(center + glm::dvec2{dx, dy}, first, kNone);
+      const Mix c = color(center + glm::dvec2{dx, dy}, first);
       mean += 0.25 * c;
       least = glm::min(least, c), most = glm::max(most, c);
     }
@@ -119,10 +134,29 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, std::size_t fir
   return found;
 }
 
-/// One layer's outline across the square: straight where the distance at the corners is what its slope
-/// at the middle says.
-bool SquareResolver::cut(glm::dvec2 center, double half, std::size_t first, std::size_t which,
-                         Resolved& to) {
+/// All outlines across the square are straight ones, and what they cut it into has one colour each.
+bool SquareResolver::cuts(glm::dvec2 center, double half, std::size_t first, Resolved& to) {
+  constexpr double kSmall = 1.0 / 32;  // [px] varied paints are asked once a polygon
+  lines_.clear(), off_ = 0.0;
+  for (std::size_t i = first; i < seen_.size(); ++i) {
+    if (seen_[i].reach == Reach::part && !straight(center, half, i)) return false;
+    if (paints_.layers[std::size_t(seen_[i].layer)].varied >= 0 && 2.0 * half > kSmall)
+      return false;
+  }
+  const glm::dvec2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+  sum_ = Mix{0.0}, least_ = Mix{HUGE_VAL}, most_ = Mix{-HUGE_VAL};
+  polygon(center, first, 0, corners);
+  for (const StraightCut& line : lines_) seen_[line.seen].reach = Reach::part;
+  const double side = 2.0 * half;
+  to.mix = sum_ / (side * side);
+  to.bound = 2.0 * off_ / side * largest(most_ - least_);
+  return true;
+}
+
+/// One layer's outline: straight where the distance at the corners is what its slope at the middle
+/// says.
+bool SquareResolver::straight(glm::dvec2 center, double half, std::size_t which) {
+  if (lines_.size() == kMostLines) return false;
   const int layer = seen_[which].layer;
   const double corners[4] = {distance(layer, center + glm::dvec2{-half, -half}),
                              distance(layer, center + glm::dvec2{half, -half}),
@@ -136,19 +170,38 @@ bool SquareResolver::cut(glm::dvec2 center, double half, std::size_t first, std:
   const double length = glm::length(slope);
   const double off = std::abs(mean - middle) + twist + half * std::abs(length - 1.0);
   if (!(off <= tolerance_) || !(std::abs(length - 1.0) < 0.25)) return false;
-  // `edge_coverage` is of a pixel: lengths in sides.
-  const double side = 2.0 * half, d = (2.0 * middle + mean) / 3.0;
-  const double area = straight_edge_coverage(d / side, slope / length);
-  const Mix outside = color(center, first, which);
-  const bool was = seen_[which].whole;
-  seen_[which].whole = true;
-  const Mix inside = color(center, first, kNone);
-  seen_[which].whole = was;
-  to.mix = area * inside + (1.0 - area) * outside;
-  to.bound = 2.0 * off / side * largest(inside - outside);
-  for (std::size_t i = first; i < seen_.size(); ++i)
-    if (paints_.layers[std::size_t(seen_[i].layer)].varied >= 0 && side > 1.0 / 32) return false;
+  lines_.push_back({which, slope / length, (2.0 * middle + mean) / 3.0});
+  off_ += off;
   return true;
+}
+
+/// Adds a polygon of the square, cut by the lines from `done` on.
+void SquareResolver::polygon(glm::dvec2 center, std::size_t first, std::size_t done,
+                             std::span<const glm::dvec2> corners) {
+  const Moments m = moments(corners);
+  if (!(m.area > 0.0)) return;
+  if (done == lines_.size()) {
+    const Mix mix = color(center + corners[0] + m.first / (3.0 * m.area), first);
+    sum_ += 0.5 * m.area * mix;
+    least_ = glm::min(least_, mix), most_ = glm::max(most_, mix);
+    return;
+  }
+  const StraightCut& line = lines_[done];
+  for (const double sign : {1.0, -1.0}) {
+    glm::dvec2 part[kMostCorners];
+    std::size_t count = 0;
+    const auto depth = [&](glm::dvec2 p) {
+      return sign * (line.offset + glm::dot(line.normal, p));
+    };
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const glm::dvec2 p = corners[i], q = corners[i + 1 < corners.size() ? i + 1 : 0];
+      const double d = depth(p), e = depth(q);
+      if (d <= 0.0) part[count++] = p;
+      if ((d < 0.0 && e > 0.0) || (d > 0.0 && e < 0.0)) part[count++] = p + d / (d - e) * (q - p);
+    }
+    seen_[line.seen].reach = sign > 0.0 ? Reach::whole : Reach::none;
+    polygon(center, first, done + 1, {part, count});
+  }
 }
 
 Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
@@ -158,8 +211,9 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   Mix mix = paint.color;
   if (paint.ramp) {
     const PaintField& f = paint.field;
-    const double d =
-        f.kind == PaintField::Kind::distance ? paints_.distances[std::size_t(f.distance)].at(p) : 0.0;
+    const double d = f.kind == PaintField::Kind::distance
+                         ? paints_.distances[std::size_t(f.distance)].at(p)
+                         : 0.0;
     mix = paint.ramp->color(f.at(p, d));
   }
   if (!paint.relief) return mix;
@@ -178,7 +232,7 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
 }
 
 /// Layers bottom to top; a group is collected by itself and then laid over what was there.
-Mix SquareResolver::color(glm::dvec2 p, std::size_t first, std::size_t without) {
+Mix SquareResolver::color(glm::dvec2 p, std::size_t first) {
   levels_.assign(1, paints_.background);
   open_.clear();
   const auto close_to = [&](std::size_t depth) {
@@ -190,7 +244,8 @@ Mix SquareResolver::color(glm::dvec2 p, std::size_t first, std::size_t without) 
   };
   for (std::size_t i = first; i < seen_.size(); ++i) {
     const Seen& seen = seen_[i];
-    if (i == without || (!seen.whole && !(distance(seen.layer, p) <= 0.0))) continue;
+    if (seen.reach == Reach::none) continue;
+    if (seen.reach == Reach::part && !(distance(seen.layer, p) <= 0.0)) continue;
     const PaintedLayer& layer = paints_.layers[std::size_t(seen.layer)];
     chain_.clear();
     for (int g = layer.group; g >= 0; g = paints_.groups[std::size_t(g)].parent)

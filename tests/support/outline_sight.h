@@ -31,7 +31,7 @@ inline int winding(const Outlines& outlines, int outline, glm::dvec2 q) {
   for (const OutlinePiece& p : outlines.pieces) {
     if (p.outline != outline || !(p.y0 <= q.y && q.y < p.y1)) continue;
     const double lo = std::min(p.x0, p.x1), hi = std::max(p.x0, p.x1);
-    if (hi < q.x || (lo <= q.x && x_at(p, q.y) < q.x)) count += p.turn;
+    if (hi < q.x || (lo <= q.x && test::x_at(p, q.y) < q.x)) count += p.turn;
   }
   return count;
 }
