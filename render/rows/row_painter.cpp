@@ -39,14 +39,10 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
 /// What is neglected counts by how steeply the colour is encoded.
 void RowPainter::refuse(double neglected, const Rgba& mix, int column) {
   const double allowed = format_->depth() == Depth::u8 ? 0.4 / 255 : 8.0 / 65535;
-  if (neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed) return;
-  double steep = 1.0;
-  if (format_->blend() == Blend::linear) {
-    const double up = mix.a > 0.0f ? 1.0 / double(mix.a) : 1.0;
-    const double least = up * double(std::min({mix.r, mix.g, mix.b}));
-    steep = least <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(least, 1.0 / 2.4 - 1.0);
-  }
-  if (neglected * steep > allowed) refused_.push_back(column);
+  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed) return;
+  const double off = neglected * format_->steepness(mix);
+  if (note_) note_(column, y_, float(255.0 * off));
+  if (off > allowed) refused_.push_back(column);
 }
 
 float RowPainter::carry(int x) const {
@@ -159,7 +155,7 @@ void RowPainter::take_shares(int column) {
 
 void RowPainter::cell(int column) {
   if (column < x0_ || column >= x1_) return;
-  ++stats_->one_edge_pixels;
+  ++stats_->edge_pixels;
   Rgba mix = sum_;
   double neglected = 0.0;
   bool varies = false;

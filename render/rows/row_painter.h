@@ -9,6 +9,7 @@
 #include <mien/render/shade/look_shader.h>
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,9 @@ class RowPainter {
 
   /// Columns x0 to x1 of the picture's row y; `to` is where x0 goes. Sets the sums back to nothing.
   void paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to, RenderStats& stats);
+
+  /// Tells what means by centroids neglect of a pixel, in levels of 255; none: nobody asks.
+  void note_errors(std::function<void(int x, int y, float levels)> note) { note_ = std::move(note); }
 
   /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
   std::span<const int> refused() const { return refused_; }
@@ -72,6 +76,7 @@ class RowPainter {
   std::size_t next_share_ = 0;
   std::vector<Open> open_;
   std::vector<int> refused_;
+  std::function<void(int, int, float)> note_;
 };
 
 }  // namespace mien

@@ -1,4 +1,4 @@
-#include <mien/render/tile/stores.h>
+#include <mien/render/rows/stores.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/tile/area_distance.h>
+#include <mien/render/shade/area_distance.h>
 
 #include <gtest/gtest.h>
 

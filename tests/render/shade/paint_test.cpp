@@ -1,4 +1,4 @@
-#include <mien/render/tile/paint.h>
+#include <mien/render/shade/paint.h>
 
 #include <gtest/gtest.h>
 

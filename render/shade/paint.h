@@ -4,7 +4,7 @@
 
 #include <mien/render/blend/lit.h>
 #include <mien/render/blend/ramp.h>
-#include <mien/render/tile/area_distance.h>
+#include <mien/render/shade/area_distance.h>
 
 #include <optional>
 #include <vector>
