@@ -43,27 +43,6 @@ double TapeRelief::rise(double inside) const {
   return 0.0;
 }
 
-void TapeRelief::kinks(double lo, double hi, std::vector<double>& out) const {
-  out.clear();
-  const auto add = [&](double d) {
-    if (d > lo && d < hi) out.push_back(d);
-  };
-  if (distance < 0 || profile == Profile::flat) return;
-  add(0.0);
-  if (profile == Profile::custom)
-    for (std::size_t i = 1; i + 1 < table.size(); ++i)
-      add(-width * double(i) / double(table.size() - 1));
-  add(-width);
-}
-
-/// Whether the surface is level all over a disc, with d the distance at its centre.
-bool TapeRelief::level(glm::dvec2 center, double radius, double d) const {
-  for (const TapeDome& dome : domes)
-    if (glm::distance(center, dome.center) < radius + dome.max_radius) return false;
-  if (distance < 0 || profile == Profile::flat || height == 0.0) return true;
-  return d - radius > 0.01 || d + radius <= -width;
-}
-
 glm::dvec2 TapeRelief::slope(glm::dvec2 p, double d, glm::dvec2 gradient) const {
   glm::dvec2 rises{0.0};
   if (distance >= 0) rises = -rise(-d) * gradient;

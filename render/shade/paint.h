@@ -1,6 +1,5 @@
 #pragma once
-// Paints that vary from place to place, made ready to draw: in pixels, origin at the picture's
-// centre.
+// Paints that vary from place to place, made ready to draw: on the grid of the picture's pixels.
 
 #include <mien/render/blend/lit.h>
 #include <mien/render/blend/ramp.h>
@@ -22,7 +21,7 @@ struct PaintField {
   double shift = 0;
   glm::dvec2 center{0.0};
   glm::dmat2 unit{0.0};  ///< takes the ellipse to the unit circle
-  int distance = -1;     ///< index into Tape::distances
+  int distance = -1;     ///< index into PaintTable::distances
   double from = 0, scale = 0;
   double per_pixel = 0;  ///< t changes by at most this much per pixel
 
@@ -38,17 +37,15 @@ struct TapeRelief {
     double height;      ///< [px]
     double max_radius;  ///< [px]
   };
-  int distance = -1;  ///< index into Tape::distances; −1: none
+  int distance = -1;  ///< index into PaintTable::distances; −1: none
   Profile profile = Profile::flat;
   double width = 1, height = 0;  ///< [px]
   std::vector<double> table;
   std::vector<TapeDome> domes;
   Lamp lamp;
 
-  /// The profile's rise per pixel of distance inside, and where its slope jumps, as distances.
+  /// The profile's rise per pixel of distance inside.
   double rise(double inside) const;
-  void kinks(double lo, double hi, std::vector<double>& out) const;
-  bool level(glm::dvec2 center, double radius, double d) const;
   /// Rise per pixel at p: x right, y UP in the picture; d and its gradient as they are there.
   glm::dvec2 slope(glm::dvec2 p, double d, glm::dvec2 gradient) const;
 };
