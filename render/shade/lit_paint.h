@@ -9,18 +9,33 @@
 // scratch, region or thread.
 
 #include <mien/render/shade/lit_surface.h>
+#include <mien/render/shade/near_feet.h>
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 
 namespace mien {
 
+struct LitTile;
+
 class LitPaint {
  public:
   /// What is kept between questions, of all paints. One per thread.
-  struct Scratch {
-    double error = 0;
+  class Scratch {
+   public:
+    Scratch();
+    ~Scratch();
+    Scratch(Scratch&&) noexcept;
+    Scratch& operator=(Scratch&&) noexcept;
+
+   private:
+    friend class LitPaint;
+    struct Kept;
+    std::unique_ptr<Kept> kept_;
+    double error_ = 0;
   };
 
   /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose
@@ -48,11 +63,16 @@ class LitPaint {
   glm::vec4 part(int zone, int x, int y, double area, glm::dvec2 centroid, Scratch& scratch) const;
 
   /// What the last answer may be off by, in levels of 255.
-  double error(const Scratch& scratch) const { return scratch.error; }
+  double error(const Scratch& scratch) const { return scratch.error_; }
 
  private:
+  LitTile& tile(int zone, int x, int y, Scratch& scratch) const;
+  bool sure_way() const { return bool(surface_.paint().ramp); }
+
   LitSurface surface_;
+  FeetArea area_;
   double tolerance_;
+  std::uint64_t id_;  ///< of this paint and no other, ever
 };
 
 }  // namespace mien

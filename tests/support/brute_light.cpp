@@ -20,9 +20,9 @@ LitPart BruteLight::part(int zone, int x, int y, int places,
   LitPart out;
   for (int j = 0; j < places; ++j)
     for (int i = 0; i < places; ++i) {
-      // Rows are shifted by the golden ratio's multiples, so no line runs along the places.
-      const double u = std::fmod((i + 0.5) / places + j * 0.6180339887498949 / places, 1.0);
-      const double v = std::fmod((j + 0.5) / places + i * 0.6180339887498949 / places, 1.0);
+      // Rows are shifted by multiples of the golden ratio, so no line runs along the places.
+      const double u = std::fmod((i + 0.5) / places + j * 0.6180339887498949, 1.0);
+      const double v = (j + 0.5) / places;
       const glm::dvec2 p{x + u, y + v};
       Outward outward;
       if (area) {

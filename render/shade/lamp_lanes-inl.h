@@ -1,0 +1,119 @@
+// Light on a relief, many places at a time: the SIMD twin of LitSurface::color for one base colour.
+// Included once per instruction set. Error: 2e-5 of full white (tests/render/shade/lamp_lanes_test.cpp).
+#if defined(MIEN_RENDER_SHADE_LAMP_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIEN_RENDER_SHADE_LAMP_LANES_INL_H_
+#undef MIEN_RENDER_SHADE_LAMP_LANES_INL_H_
+#else
+#define MIEN_RENDER_SHADE_LAMP_LANES_INL_H_
+#endif
+
+#include <mien/render/shade/lamp_lanes.h>
+#include <mien/sdf/batch/fma-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using VF = hn::Vec<F>;
+using I = hn::RebindToSigned<F>;
+
+HWY_INLINE VF Const(float x) {
+  return hn::Set(F(), x);
+}
+
+/// log2 x for normal x > 0: with x = 2^e m, m in [√½, √2), and s = (m − 1)/(m + 1), it is e plus an
+/// odd series in s; its first four terms leave 4e-9.
+HWY_INLINE VF Log2(VF x) {
+  const I i;
+  const auto bits = hn::BitCast(i, x);
+  const auto e = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, 0x3f3504f3)));
+  const VF m = hn::BitCast(F(), hn::Sub(bits, hn::ShiftLeft<23>(e)));
+  const VF s = hn::Div(hn::Sub(m, Const(1.0f)), hn::Add(m, Const(1.0f))), q = hn::Mul(s, s);
+  const VF high = Fused(q, Const(0.431734902f), Const(0.576714441f));
+  const VF series = Fused(q, Fused(q, high, Const(0.961798847f)), Const(2.88539008f));
+  return Fused(s, series, hn::ConvertTo(F(), e));
+}
+
+/// 2^x for x in [−126, 126], within 2e-7 of it.
+HWY_INLINE VF Exp2(VF x) {
+  const I i;
+  const VF whole = hn::Round(x), u = hn::Sub(x, whole);
+  VF p = Fused(u, Const(0.00134004322f), Const(0.0096760371f));
+  p = Fused(u, p, Const(0.0555032721f)), p = Fused(u, p, Const(0.240221074f));
+  p = Fused(u, p, Const(0.693147207f)), p = Fused(u, p, Const(1.0f));
+  const auto power = hn::ShiftLeft<23>(hn::ConvertTo(i, whole));
+  return hn::BitCast(F(), hn::Add(hn::BitCast(i, p), power));
+}
+
+/// Linear light in [0, 1] to encoded values (IEC 61966-2-1). The power 1/2.4 is u^(5/3) of u = v^¼, which is
+/// smooth enough over [0.0031308, 1] for a polynomial of degree 7: within 5e-7.
+HWY_INLINE VF EncodedLight(VF v) {
+  const VF u = hn::Sqrt(hn::Sqrt(hn::Max(v, Const(0.0031308f))));
+  VF p = Fused(u, Const(-0.0719658426f), Const(0.376334839f));
+  p = Fused(u, p, Const(-0.865389785f)), p = Fused(u, p, Const(1.17733616f));
+  p = Fused(u, p, Const(-1.13820809f)), p = Fused(u, p, Const(1.45586885f));
+  p = Fused(u, p, Const(0.124537033f)), p = Fused(u, p, Const(-0.0585134138f));
+  return hn::IfThenElse(hn::Le(v, Const(0.0031308f)), hn::Mul(v, Const(12.92f)), p);
+}
+
+/// Three channels, premultiplied, in the blending space.
+struct LitColor {
+  VF r, g, b;
+};
+
+/// The profile's rise per pixel at a depth inside its zone, or not far beyond.
+HWY_INLINE VF RiseAt(const LampLanes& lamp, VF depth) {
+  if (lamp.rise_kind != LampLanes::Rise::round) return Const(lamp.rise);
+  const VF x = hn::Mul(depth, Const(lamp.one_over_width));
+  const VF in = hn::Min(hn::Max(x, Const(1e-9f)), Const(1.5f));
+  const VF square = hn::Mul(in, hn::Sub(Const(2.0f), in));  // 1 − (1 − x)²
+  return hn::Div(hn::Mul(Const(lamp.rise), hn::Sub(Const(1.0f), in)), hn::Sqrt(square));
+}
+
+/// n · way for the surface's normal n = (−slope, 1) · inverse.
+HWY_INLINE VF Towards(const std::array<float, 3>& way, VF sx, VF sy, VF inverse) {
+  const VF along = Fused(sx, Const(way[0]), hn::Mul(sy, Const(way[1])));
+  return hn::Mul(hn::Sub(Const(way[2]), along), inverse);
+}
+
+/// (nx, ny) the outward normal, (x, y) from the tile's middle.
+HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, VF y) {
+  const F f;
+  VF sx = hn::Zero(f), sy = hn::Zero(f);
+  if (lamp.rise_kind != LampLanes::Rise::none) {
+    const VF falls = hn::Neg(RiseAt(lamp, depth));
+    sx = hn::Mul(falls, nx), sy = hn::Mul(falls, ny);
+  }
+  for (const LampDome& dome : lamp.domes) {
+    const VF px = hn::Sub(x, Const(dome.x)), py = hn::Sub(y, Const(dome.y));
+    const VF u = Fused(px, Const(dome.xx), hn::Mul(py, Const(dome.xy)));
+    const VF v = Fused(px, Const(dome.yx), hn::Mul(py, Const(dome.yy)));
+    const VF in = hn::Max(FusedFrom(u, u, FusedFrom(v, v, Const(1.0f))), hn::Zero(f));
+    const VF by = hn::Mul(in, Const(dome.height));
+    sx = Fused(by, Fused(u, Const(dome.xx), hn::Mul(v, Const(dome.yx))), sx);
+    sy = Fused(by, Fused(u, Const(dome.xy), hn::Mul(v, Const(dome.yy))), sy);
+  }
+  const VF inverse = hn::Div(Const(1.0f), hn::Sqrt(Fused(sx, sx, Fused(sy, sy, Const(1.0f)))));
+  const VF facing = hn::Max(Towards(lamp.to_lamp, sx, sy, inverse), hn::Zero(f));
+  const VF diffuse = Fused(facing, Const(lamp.diffuse), Const(lamp.ambient));
+  VF shine = hn::Zero(f);
+  if (lamp.shine > 0.0f) {
+    const VF half = hn::Max(Towards(lamp.halfway, sx, sy, inverse), Const(1e-12f));
+    const VF power = hn::Max(hn::Mul(Const(lamp.shininess), Log2(half)), Const(-126.0f));
+    const VF over = hn::Sub(Exp2(power), Const(lamp.level_shine));
+    shine = hn::Mul(hn::Max(over, hn::Zero(f)), Const(lamp.shine));
+  }
+  const auto channel = [&](float light) HWY_ATTR {
+    const VF bright = Fused(Const(light), diffuse, shine);
+    const VF held = hn::Min(hn::Max(bright, hn::Zero(f)), Const(1.0f));
+    return hn::Mul(Const(lamp.alpha), lamp.linear ? held : EncodedLight(held));
+  };
+  return {channel(lamp.light[0]), channel(lamp.light[1]), channel(lamp.light[2])};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,36 @@
+#pragma once
+// A lit paint as the vectors see it: float numbers, places relative to a tile's middle.
+// lamp_lanes-inl.h is the twin of LitSurface::color.
+
+#include <mien/render/shade/lit_surface.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace mien {
+
+struct LampDome {
+  float x, y;            ///< its centre
+  float xx, xy, yx, yy;  ///< u = xx x + xy y, v = yx x + yy y: 1 all along its foot
+  float height;          ///< −4 × its height
+};
+
+struct LampLanes {
+  enum class Rise : unsigned char { none, constant, round } rise_kind = Rise::none;
+  float rise = 0;  ///< height / width, or that of a straight step
+  float width = 1, one_over_width = 1;
+  bool linear = false;
+  std::array<float, 3> light{};  ///< the base colour in linear light, by itself
+  float alpha = 1;
+  std::array<float, 3> to_lamp{}, halfway{};  ///< y DOWN
+  float ambient = 0, diffuse = 1;             ///< (1 − ambient) / to_lamp.z
+  float shine = 0;                            ///< specular / (1 − level_shine); 0: none
+  float level_shine = 0, shininess = 1;
+  std::vector<LampDome> domes;  ///< that reach the tile
+};
+
+/// The zone's light around `middle`, within `radius`; uses what `to` has allocated.
+void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius, LampLanes& to);
+
+}  // namespace mien

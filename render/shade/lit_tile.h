@@ -1,0 +1,51 @@
+#pragma once
+// A tile of 16 × 16 pixels at multiples of 16: what a zone of a lit paint is like at the pixels'
+// middles, and the means of those that these tell well enough.
+
+#include <mien/render/shade/lit_pixel.h>
+
+#include <array>
+#include <cstdint>
+
+namespace mien {
+
+struct LitTile {
+  static constexpr int kSide = 16, kRow = kSide + 2;
+  static constexpr int kPlaces = kRow * kRow, kPadded = (kPlaces + 15) / 16 * 16;
+  static constexpr int kPixels = kSide * kSide;
+
+  enum class Kind : unsigned char {
+    base,   ///< level all over: the base colour
+    means,  ///< by the planes below
+  } kind = Kind::means;
+
+  // Whose it is.
+  std::uint64_t paint = 0;
+  int zone = 0, x = 0, y = 0;  ///< its first pixel
+
+  bool rises = false;  ///< else there are no feet
+  float shallow, deep;
+  LampLanes lamp;
+  NearFeet feet;
+
+  std::array<float, kPadded> d, nx, ny, bend;  ///< at middles, one more all around
+  std::array<float, kPadded> r, g, b;
+  std::array<float, kPixels> mean_r, mean_g, mean_b;
+  std::array<float, kPixels> area, depth;  ///< of what lies in the zone: whose mean it is
+  enum class Trust : std::uint8_t {
+    around,  ///< it is right by the middles around
+    along,   ///< it is right by places along the gradient
+    none     ///< it is not good enough
+  };
+  std::array<Trust, kPixels> trust;
+
+  /// Of pixel (i, j) of the tile, from its middle.
+  glm::vec2 middle(int i, int j) const {
+    return {float(i) + 0.5f - 0.5f * kSide, float(j) + 0.5f - 0.5f * kSide};
+  }
+};
+
+/// Light at all places, then means and where they are rough. `levels`: what a mean may be off.
+void shade_tile(LitTile& tile, float levels);
+
+}  // namespace mien
