@@ -1,13 +1,12 @@
 #include <mien/render/blend/transfer.h>
 #include <mien/render/debug_picture.h>
-#include <mien/render/tile/pixel.h>
+#include <mien/render/rows/drawing.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <memory>
 
 namespace mien {
 namespace {
@@ -15,68 +14,89 @@ namespace {
 using Rgb = std::array<int, 3>;
 
 void put(Image& image, int x, int y, const Rgb& rgb) {
+  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
   std::byte* pixel = image.bytes.data() + image.stride() * std::size_t(y) + 4 * std::size_t(x);
   for (int i = 0; i < 3; ++i) pixel[i] = std::byte(std::clamp(rgb[std::size_t(i)], 0, 255));
   pixel[3] = std::byte{255};
 }
 
-/// Everything of one thread, and where pixels are.
-struct Sight {
-  Sight(const Tape& tape_, const View& view)
-      : tape(tape_),
-        rect(drawn_rect(view)),
-        half{0.5 * view.width, 0.5 * view.height},
-        scopes(tape_),
-        pixels(tape_, scopes, stats),
-        sampler(tape_) {}
+/// Colours that tell neighbours apart: hues a golden turn from each other.
+Rgb color_of(int index) {
+  constexpr double kGolden = 0.61803398874989485;
+  const double hue = 6.0 * std::fmod(kGolden * (index + 1), 1.0);
+  const auto channel = [&](double at) {
+    const double away = std::abs(std::remainder(hue - at, 6.0));
+    return 70 + int(150.0 * std::clamp(2.0 - away, 0.0, 1.0));
+  };
+  return {channel(0.0), channel(2.0), channel(4.0)};
+}
 
-  glm::dvec2 at(double x, double y) const { return glm::dvec2{rect.x + x, rect.y + y} - half; }
+/// Every region has a look of its own.
+class EachItsOwn final : public LookRule {
+ public:
+  int state_words() const override { return 0; }
+  int first_look(std::uint64_t*) override { return 0; }
+  int look(const std::uint64_t*, int, const std::uint64_t*, int, std::uint64_t*) override {
+    return ++last_;
+  }
 
-  const Tape& tape;
-  const PixelRect rect;
-  const glm::dvec2 half;
-  RenderStats stats;
-  ScopeStack scopes;
-  PixelResolver pixels;
-  PaintSampler sampler;
+ private:
+  int last_ = 0;
 };
 
-// tiles
-
-Rgb cost_of(const RenderStats& took) {
-  if (took.varied_pixels > 0) return {150, 90, 200};
-  if (took.one_edge_pixels > 0) return {60, 170, 90};
-  if (took.fill_pixels > 0) return {150, 190, 230};
-  if (took.cells == 0) return {230, 210, 70};
-  return {std::min(255, 200 + int(took.cells)), std::max(20, 150 - int(took.cells)), 40};
-}
-
-void tiles_square(Sight& sight, Image& image, const Scope& outer, int x, int y, int side) {
-  if (x >= image.width || y >= image.height) return;
-  const glm::dvec2 center = sight.at(x + 0.5 * side, y + 0.5 * side);
-  const auto mark = sight.scopes.mark();
-  const Scope scope = sight.scopes.narrowed(outer, center, 0.5 * side * 1.4142135623730952);
-  if (scope.outline_count == 0 && !scope.varied) {
-    const int light = 7 - int(std::lround(std::log2(double(side))));  // 0: 128 px … 7: one pixel
-    for (int j = y; j < std::min(y + side, image.height); ++j)
-      for (int i = x; i < std::min(x + side, image.width); ++i) {
-        const bool border = i == x || j == y;
-        const int v = 40 + 18 * light - (border && side > 1 ? 25 : 0);
-        put(image, i, j, {v / 2, v, std::min(255, v + 80)});
-      }
-  } else if (side == 1) {
-    sight.stats = {};
-    sight.pixels.pixel(outer, center);
-    put(image, x, y, cost_of(sight.stats));
-  } else {
-    const int h = side / 2;
-    for (const int dy : {0, h})
-      for (const int dx : {0, h}) tiles_square(sight, image, scope, x + dx, y + dy, h);
+/// Which look each row's middle has at the middles of pixels: a fragment changes it from its column
+/// on. Columns are those of the image.
+void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image,
+                bool dots, const Looks* looks) {
+  std::vector<std::pair<double, int>> changes;  // x, look to the right
+  for (int y = 0; y < rect.height; ++y) {
+    const double middle = rect.y + y + 0.5;
+    changes.clear();
+    for (const Fragment& f : sweep.fragments())
+      if (f.top <= middle && middle < f.bottom)
+        changes.emplace_back(x_at(sweep.pieces()[std::size_t(f.piece)], middle), f.right);
+    std::stable_sort(changes.begin(), changes.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::size_t next = 0;
+    int look = first_look;
+    for (int x = 0; x < rect.width; ++x) {
+      for (; next < changes.size() && changes[next].first < rect.x + x + 0.5; ++next)
+        look = changes[next].second;
+      const bool dot = dots && !looks->constant(look) && x % 4 == 0 && y % 4 == 0;
+      put(image, x, y, dot ? Rgb{255, 255, 255} : color_of(look));
+    }
   }
-  sight.scopes.reset(mark);
 }
 
-// distance
+void draw_piece(const OutlinePiece& piece, double top, double bottom, int width,
+                const PixelRect& rect, const Rgb& rgb, Image& image) {
+  const double from = std::max(top, double(rect.y)), to = std::min(bottom, double(rect.y + rect.height));
+  if (!(from < to)) return;
+  cells_of(piece, from, to, width, [&](const CellStretch& c) {
+    if (c.column >= 0) put(image, c.column - rect.x, c.row - rect.y, rgb);
+  });
+}
+
+void draw_outlines(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
+  for (const OutlinePiece& p : drawing.outlines().pieces)
+    draw_piece(p, p.y0, p.y1, width, rect, color_of(p.outline), image);
+  for (const OutlineVertex& v : drawing.outlines().vertices)
+    put(image, int(std::floor(v.x)) - rect.x, int(std::floor(v.y)) - rect.y, {255, 255, 255});
+}
+
+void draw_fragments(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
+  for (const OutlinePiece& p : drawing.outlines().pieces)
+    draw_piece(p, p.y0, p.y1, width, rect, {35, 45, 70}, image);
+  const Looks& looks = drawing.looks();
+  for (const Fragment& f : drawing.sweep().fragments()) {
+    const Mix jump = looks.mix(f.right) - looks.mix(f.left);
+    const bool varies = !looks.constant(f.left) || !looks.constant(f.right);
+    const double size = std::max({std::abs(jump.r), std::abs(jump.g), std::abs(jump.b)});
+    const int light = 90 + int(165.0 * std::clamp(size, 0.0, 1.0));
+    draw_piece(drawing.sweep().pieces()[std::size_t(f.piece)], f.top, f.bottom, width, rect,
+               varies ? Rgb{190, 120, 240} : Rgb{light, light, light / 2}, image);
+  }
+}
 
 Rgb isoline_color(double d) {
   if (std::abs(d) < 0.75) return {255, 255, 255};
@@ -99,42 +119,45 @@ double nearest_distance(const std::vector<AreaDistance>& layers, glm::dvec2 p) {
   return best;
 }
 
-// coverage
-
-/// A tape with one layer of another, white on black.
-Tape alone(const Tape& tape, int layer) {
-  Tape one = tape;
-  TapeLayer only = tape.layers[std::size_t(layer)];
-  only.mix = Mix{1.0};
-  only.paint = only.group = -1;
-  one.layers = {only};
-  one.background = Mix{0.0, 0.0, 0.0, 1.0};
-  return one;
-}
-
-/// Whether an outline of the layer comes into the pixel and the layer can be seen there: found by
-/// its own coverage.
-double coverage_of(Sight& layer, glm::dvec2 center) {
-  return layer.pixels.pixel(layer.scopes.everything(), center).r;
-}
-
-// normals
-
-Rgb normal_at(Sight& sight, const Scope& scope, glm::dvec2 center) {
-  const auto mark = sight.scopes.mark();
-  const Scope here = sight.scopes.narrowed(scope, center, 1e-6);
+/// Of the topmost layer there.
+Rgb normal_at(const PaintTable& paints, const std::vector<AreaDistance>& layers, glm::dvec2 p) {
   glm::dvec2 slope{0.0};
-  for (const ScopeStack::Layer& layer : sight.scopes.layers(here)) {
-    if (layer.paint >= 0 && sight.tape.paints[std::size_t(layer.paint)].relief) {
-      const LocalPaint local = sight.sampler.local(layer.paint, center, 1.0);
-      slope = local.slope({0.0, 0.0});
+  for (std::size_t i = layers.size(); i-- > 0;) {
+    if (!(layers[i].at(p) <= 0.0)) continue;
+    const int varied = paints.layers[i].varied;
+    if (varied < 0 || paints.varied[std::size_t(varied)].lit < 0) break;
+    const auto& relief = *paints.varied[std::size_t(varied)].paint.relief;
+    double d = 0.0;
+    glm::dvec2 gradient{0.0};
+    if (relief.distance >= 0) {
+      const AreaDistance& area = paints.distances[std::size_t(relief.distance)];
+      constexpr double kStep = 1e-5;  // [px]
+      d = area.at(p);
+      gradient = glm::dvec2{area.at({p.x + kStep, p.y}) - d, area.at({p.x, p.y + kStep}) - d} / kStep;
     }
+    slope = relief.slope(p, d, gradient);
     break;
   }
-  sight.scopes.reset(mark);
   const double length = std::sqrt(1.0 + slope.x * slope.x + slope.y * slope.y);
   const auto channel = [&](double v) { return level(0.5 + 0.5 * v / length, 255); };
   return {channel(-slope.x), channel(-slope.y), channel(1.0)};
+}
+
+void draw_places(const Scene& scene, const View& view, const Drawing& drawing, DebugPicture which,
+                 const Threads& threads, Image& image) {
+  const PixelRect rect = drawn_rect(view);
+  const auto map = grid_from_face(scene.canvas(), view);
+  std::vector<AreaDistance> layers;
+  for (const Layer& layer : scene.layers())
+    layers.emplace_back(scene, layer.area, Map<PixelSpace, FaceSpace>{map.linear, map.shift});
+  parallel_for(rect.height, threads, [&](int y) {
+    for (int x = 0; x < rect.width; ++x) {
+      const glm::dvec2 p{rect.x + x + 0.5, rect.y + y + 0.5};
+      put(image, x, y,
+          which == DebugPicture::distance ? isoline_color(nearest_distance(layers, p))
+                                          : normal_at(drawing.paints(), layers, p));
+    }
+  });
 }
 
 }  // namespace
@@ -144,45 +167,34 @@ Image debug_picture(const Scene& scene, const View& view, DebugPicture which,
   const PixelRect rect = drawn_rect(view);
   Image image{.width = rect.width, .height = rect.height};
   image.bytes.resize(image.stride() * std::size_t(rect.height));
-  const Tape tape = tape_from_scene(scene, view);
-  const auto map = pixel_from_face(scene.canvas(), view);
-  std::vector<AreaDistance> distances;
-  if (which == DebugPicture::distance)
-    for (const Layer& layer : scene.layers()) distances.emplace_back(scene, layer.area, map);
-  std::vector<Tape> alones;
-  if (which == DebugPicture::coverage)
-    for (int i = 0; i < int(tape.layers.size()); ++i) alones.push_back(alone(tape, i));
-  constexpr int kSide = 128;
-  parallel_for((rect.height + kSide - 1) / kSide, threads, [&](int row) {
-    Sight sight(tape, view);
-    const Scope all = sight.scopes.everything();
-    const int top = row * kSide, bottom = std::min(top + kSide, rect.height);
-    if (which == DebugPicture::tiles) {
-      for (int x = 0; x < rect.width; x += kSide) tiles_square(sight, image, all, x, top, kSide);
-      return;
+  for (int y = 0; y < rect.height; ++y)
+    for (int x = 0; x < rect.width; ++x) put(image, x, y, {12, 16, 28});
+  Drawing drawing;
+  drawing.make(scene, view, Depth::u8);
+  switch (which) {
+    case DebugPicture::outlines:
+      draw_outlines(drawing, view.width, rect, image);
+      break;
+    case DebugPicture::fragments:
+      draw_fragments(drawing, view.width, rect, image);
+      break;
+    case DebugPicture::looks:
+      draw_looks(drawing.sweep(), drawing.first_look(), rect, image, true, &drawing.looks());
+      break;
+    case DebugPicture::regions: {
+      EachItsOwn rule;
+      Regions regions;
+      regions.begin(int(drawing.outlines().rules.size()), rule);
+      Sweep sweep;
+      sweep.run(drawing.outlines(), 0.0, view.height, regions);
+      draw_looks(sweep, 0, rect, image, false, nullptr);
+      break;
     }
-    std::vector<std::unique_ptr<Sight>> layers;
-    for (const Tape& one : alones) layers.push_back(std::make_unique<Sight>(one, view));
-    for (int y = top; y < bottom; ++y)
-      for (int x = 0; x < rect.width; ++x) {
-        const glm::dvec2 center = sight.at(x + 0.5, y + 0.5);
-        if (which == DebugPicture::distance) {
-          put(image, x, y, isoline_color(nearest_distance(distances, center)));
-        } else if (which == DebugPicture::normals) {
-          put(image, x, y, normal_at(sight, all, center));
-        } else {
-          Rgb rgb{18, 26, 48};
-          for (const auto& layer : layers) {  // top to bottom
-            const double covered = coverage_of(*layer, center);
-            if (covered <= 0.0) continue;
-            if (covered < 1.0)
-              rgb = {level(covered, 255), level(covered, 255), level(covered, 255)};
-            break;
-          }
-          put(image, x, y, rgb);
-        }
-      }
-  });
+    case DebugPicture::distance:
+    case DebugPicture::normals:
+      draw_places(scene, view, drawing, which, threads, image);
+      break;
+  }
   return image;
 }
 

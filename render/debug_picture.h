@@ -10,16 +10,18 @@
 namespace mien {
 
 enum class DebugPicture : unsigned char {
-  /// What became of every square: filled with one colour (blue, the larger the square the darker),
-  /// a pixel with one edge (green), several edges (yellow), divided (orange to red, by cells),
-  /// varying paint (violet).
-  tiles,
+  /// Every piece of outline, each outline in a colour of its own, on black; ends of pieces are white.
+  outlines,
+  /// The regions between them, each in a colour of its own.
+  regions,
+  /// Stretches of outline that are seen, the brighter the more the colour changes across them; dim
+  /// where nothing is seen of a piece.
+  fragments,
+  /// Regions by what they look like: alike is one colour; white dots where the colour varies.
+  looks,
   /// The signed distance of the layer whose outline is nearest: blue inside, orange outside, a
   /// darker line every 10 pixels, the outline itself white.
   distance,
-  /// How much of a pixel is covered by the topmost layer whose outline crosses it, black to white;
-  /// pixels that no outline crosses are dim blue.
-  coverage,
   /// The surface's normal where the topmost layer has a relief: (x, y, z) from −1 … 1 to red, green,
   /// blue 0 … 255, y up; everything else is level, (128, 128, 255).
   normals

@@ -16,17 +16,18 @@ namespace mien {
 
 struct ErrorMap {
   int width = 0, height = 0;
-  /// Levels of 255, rows from the top: bounds of |pixel − exact mean| before rounding. Where nothing
-  /// better is proven a cell of a divided pixel counts with all of its area and any change of colour.
+  /// Levels of 255, rows from the top: bounds of |pixel − exact mean| before rounding, of the way the
+  /// picture is drawn: outlines' tolerance along their length and what their order may be off by, each
+  /// times the change of colour; what means of gradients neglect.
   std::vector<float> levels;
+  bool unproven = false;  ///< some paints' means are estimates: light, gradients along a distance
   float worst = 0;
 
   /// As grey: black 0, white `worst` (or all black).
   Image image() const;
 };
 
-/// The bounds of the exact path at a depth. What light on a relief makes of colours is not bounded:
-/// only where they are.
+/// The bounds of the picture that render() draws at a depth.
 MIEN_API ErrorMap error_map(const Scene& scene, const View& view, Depth depth = Depth::u8,
                             const Threads& threads = {});
 

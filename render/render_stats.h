@@ -6,20 +6,22 @@ namespace mien {
 /// What drawing a picture took.
 struct RenderStats {
   long long pixels = 0;           ///< drawn
-  long long fill_pixels = 0;      ///< in tiles of one colour
-  long long one_edge_pixels = 0;  ///< by the one-edge closed form
-  long long divided_pixels = 0;   ///< resolved per cell
-  long long varied_pixels = 0;    ///< where a gradient, light or a group's opacity is seen
-  long long cells = 0;            ///< cells those were divided into
+  long long fill_pixels = 0;      ///< in runs of one colour
+  long long varied_pixels = 0;    ///< in runs of a colour that varies
+  long long edge_pixels = 0;      ///< that visible outlines cross
+  long long resolved_pixels = 0;  ///< of all those: by distances, where nothing else was proven
+  long long pieces = 0;           ///< of outlines
+  long long crossings = 0;        ///< of pieces
+  long long regions = 0;          ///< sets of outlines that were met
+  long long doubts = 0;           ///< orders that could not be proven
+  long long roots = 0;            ///< solved: where visible pieces meet rows and columns of pixels
   bool cancelled = false;
 
   void add(const RenderStats& part) {
-    pixels += part.pixels;
-    fill_pixels += part.fill_pixels;
-    one_edge_pixels += part.one_edge_pixels;
-    divided_pixels += part.divided_pixels;
-    varied_pixels += part.varied_pixels;
-    cells += part.cells;
+    pixels += part.pixels, fill_pixels += part.fill_pixels, varied_pixels += part.varied_pixels;
+    edge_pixels += part.edge_pixels, resolved_pixels += part.resolved_pixels;
+    pieces += part.pieces, crossings += part.crossings, regions += part.regions;
+    doubts += part.doubts, roots += part.roots;
   }
 };
 

@@ -5,14 +5,6 @@
 #include <limits>
 
 namespace mien {
-namespace {
-
-double largest(const Mix& d) {
-  return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b), std::abs(d.a)});
-}
-
-}  // namespace
-
 Ramp::Ramp(const Gradient& gradient, double opacity, Blend blend) : extend_(gradient.extend) {
   double place = -std::numeric_limits<double>::infinity();
   for (const Stop& stop : gradient.stops) {
@@ -27,15 +19,7 @@ Ramp::Ramp(const Gradient& gradient, double opacity, Blend blend) : extend_(grad
   for (std::size_t i = 0; i < at_.size(); ++i) {
     least_opacity_ = std::min(least_opacity_, mix_[i].a);
     most_opacity_ = std::max(most_opacity_, mix_[i].a);
-    if (i == 0) continue;
-    const double change = largest(mix_[i] - mix_[i - 1]), length = at_[i] - at_[i - 1];
-    if (length > 0.0)
-      steepest_ = std::max(steepest_, change / length);
-    else
-      highest_jump_ = std::max(highest_jump_, change);
   }
-  if (extend_ == Extend::repeat)
-    highest_jump_ = std::max(highest_jump_, largest(mix_.back() - mix_.front()));
 }
 
 /// t brought between the first and the last stop.
@@ -56,20 +40,6 @@ Mix Ramp::color(double t) const {
   const auto i = std::size_t(after - at_.begin());
   const double u = (s - at_[i - 1]) / (at_[i] - at_[i - 1]);
   return mix_[i - 1] + u * (mix_[i] - mix_[i - 1]);
-}
-
-bool Ramp::same_everywhere(double lo, double hi) const {
-  if (extend_ == Extend::pad) {
-    if (hi <= at_.front() || lo >= at_.back()) return true;
-    for (std::size_t i = 1; i < at_.size(); ++i)
-      if (at_[i] > lo && at_[i - 1] < hi && mix_[i] != mix_[i - 1]) return false;
-    // Between the ends all that is met is level; a lone end's colour joins its neighbour's.
-    for (std::size_t i = 1; i < at_.size(); ++i)
-      if (at_[i] == at_[i - 1] && at_[i] >= lo && at_[i] <= hi && mix_[i] != mix_[i - 1])
-        return false;
-    return true;
-  }
-  return steepest_ == 0.0 && highest_jump_ == 0.0;
 }
 
 /// The stops of one run of the ramp that begins at `begin`.
@@ -98,35 +68,6 @@ bool Ramp::kinks(double lo, double hi, int most, std::vector<double>& to) const 
   if (int(to.size()) <= most) return true;
   to.clear();
   return false;
-}
-
-Ramp::Range Ramp::range(double lo, double hi, std::vector<double>& kinks) const {
-  kinks.clear();
-  if (same_everywhere(lo, hi)) return {};
-  Range range{.constant = false, .slope = steepest_, .jump = highest_jump_};
-  if (extend_ == Extend::pad) {
-    range.slope = range.jump = 0.0;
-    for (std::size_t i = 1; i < at_.size(); ++i) {
-      if (!(at_[i] >= lo && at_[i - 1] <= hi)) continue;
-      const double change = largest(mix_[i] - mix_[i - 1]), length = at_[i] - at_[i - 1];
-      if (length > 0.0)
-        range.slope = std::max(range.slope, change / length);
-      else
-        range.jump = std::max(range.jump, change);
-    }
-    add_kinks(at_.front(), false, lo, hi, kinks);
-  } else {
-    const double first = at_.front(), length = at_.back() - first;
-    const double from = std::floor((lo - first) / length), to = std::floor((hi - first) / length);
-    if (!(to - from <= double(kMostKinks))) range.many = true;
-    for (double turn = from; !range.many && turn <= to; turn += 1.0)
-      add_kinks(first + turn * length, extend_ == Extend::reflect && std::fmod(turn, 2.0) != 0.0,
-                lo, hi, kinks);
-  }
-  if (kinks.size() > kMostKinks) range.many = true;
-  if (range.many) kinks.clear();
-  if (kinks.empty() && !range.many) range.jump = 0.0;
-  return range;
 }
 
 }  // namespace mien

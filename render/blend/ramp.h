@@ -30,28 +30,15 @@ class Ramp {
   /// there are more than `most` (then none).
   bool kinks(double lo, double hi, int most, std::vector<double>& to) const;
 
-  /// What the ramp is like between two places.
-  struct Range {
-    bool constant = true;  ///< one colour throughout
-    bool many = false;     ///< more than kMostKinks places: the numbers below are unknown
-    double slope = 0;      ///< the largest change of a channel per unit of t, jumps left out
-    double jump = 0;       ///< the largest sudden change of a channel
-  };
-  static constexpr std::size_t kMostKinks = 12;
-
-  /// Writes the places strictly between lo and hi where the colour has a kink or a jump, rising.
-  Range range(double lo, double hi, std::vector<double>& kinks) const;
-
  private:
   double inner(double t) const;
   void add_kinks(double begin, bool backward, double lo, double hi,
                  std::vector<double>& kinks) const;
-  bool same_everywhere(double lo, double hi) const;
 
   std::vector<double> at_;
   std::vector<Mix> mix_;
   Extend extend_;
-  double least_opacity_ = 1, most_opacity_ = 0, steepest_ = 0, highest_jump_ = 0;
+  double least_opacity_ = 1, most_opacity_ = 0;
 };
 
 }  // namespace mien

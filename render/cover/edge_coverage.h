@@ -1,5 +1,5 @@
 #pragma once
-// How much of a square does one edge cover?  Exact box-filter antialiasing, in closed form.
+// How much of a square lies inside a straight edge, in closed form.
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,9 @@
 
 namespace mien {
 
-/// What the forms below promise; their tests read these numbers.
+/// What the form below promises; its test reads this number.
 struct EdgeCoverageContract {
   static constexpr double kStraightError = 4e-15;  ///< of straight_edge_coverage, rounding alone
-  static constexpr double kBentError = 1e-13;      ///< of bent_edge_coverage, rounding alone
-  static constexpr double kStraightenedPerBend = 0.25;  ///< of straightened
 };
 
 /// Area of the unit square inside a straight edge.
@@ -43,23 +41,5 @@ inline double straight_edge_coverage(double d, glm::dvec2 n) {
     outer = reach * reach / (2.0 * a * b);
   return d < 0.0 ? 1.0 - outer : outer;
 }
-
-/// Area of the unit square inside a bent edge: where d + n·u + bend/2 (m·u)² <= 0, m = (−n.y, n.x).
-///
-///   bend   the edge's curvature, in 1 / side; positive where the inside is convex
-///
-/// Derivation.  By Green, twice the area is the integral of cross(u, du) along the boundary, which is made of
-///   pieces of the four sides, each cross(u, du) = 1/2 per unit of length, and of the parabola
-///   u(t) = t m − (d + bend t²/2) n, where it is (d − bend t²/2) dt. On a side the condition is a quadratic in the
-///   place along it; its roots give both the inside lengths and the t between which the parabola is in the square.
-/// Error.  kBentError: rounding alone, for |bend| <= 1. A straight edge moved by the mean of the bend over its chord
-///   would be simpler, but is off by up to 0.08·bend where the edge runs along a side of the square (tried).
-double bent_edge_coverage(double d, glm::dvec2 n, double bend);
-
-/// The distance of a straight edge near a bent one: moved by the mean of the bend over the
-/// tangent's chord [t1, t2] in the square, bend/6 (t1² + t1 t2 + t2²); a tangent that misses the
-/// square is held at the corner it comes nearest to. Nowhere farther from the bent edge than
-/// |bend|/4.
-double straightened(double d, glm::dvec2 n, double bend);
 
 }  // namespace mien

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace mien {
 namespace {
@@ -16,7 +15,7 @@ double tolerance_of(Depth depth, Blend blend) {
 
 }  // namespace
 
-bool Drawing::make(const Scene& scene, const View& view, Depth depth) {
+void Drawing::make(const Scene& scene, const View& view, Depth depth) {
   width_ = view.width, height_ = view.height, dither_ = view.dither;
   scene_ = scene, view_ = view;
   paints_.make(scene, view, depth);
@@ -27,14 +26,13 @@ bool Drawing::make(const Scene& scene, const View& view, Depth depth) {
   sweep_.run(outlines_, 0.0, view.height, regions_);
   palette_.make(looks_, format_, regions_.look(0));
   sort_into_strips();
-  return true;
 }
 
 void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {
   constexpr double kMargin = 1.0;  // [px] pieces end where no pixel sees it
   const Box2 window{{-kMargin, -kMargin}, {view.width + kMargin, view.height + kMargin}};
-  maker_.begin({grid_from_face(scene.canvas(), view), window, tolerance_of(depth, view.blend)},
-               outlines_);
+  tolerance_ = tolerance_of(depth, view.blend);
+  maker_.begin({grid_from_face(scene.canvas(), view), window, tolerance_}, outlines_);
   for (const OutlineSource& source : paints_.programs.outlines()) {
     const Shape& shape = paints_.programs.shape(source);
     if (source.rim)
@@ -78,6 +76,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
   if (first >= end) return;
   scratch.sums.begin(kRows, width_);
+  const long long cells_before = scratch.sums.cells();
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
   };
@@ -90,18 +89,39 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
       scratch.sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, top, jumps_[i],
                        varied(f.left), varied(f.right), f.right);
   }
+  stats.roots += scratch.sums.cells() - cells_before;
   scratch.painter.begin(palette_, looks_, format_, dither_);
-  for (int y = first; y < end; ++y)
+  scratch.resolver.reset();
+  for (int y = first; y < end; ++y) {
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
                           target.data + target.stride * std::size_t(y - rect.y), stats);
-  resolve_doubts(first, end, target, stats);
+    for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
+  }
+  resolve_doubts(first, end, target, scratch, stats);
 }
 
-/// Pixels between outlines whose order is not proven, by distances.
-void Drawing::resolve_doubts(int first, int end, const RowTarget& target,
+/// One pixel by distances.
+Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
+                          RenderStats& stats) const {
+  // A quarter of what a pixel may be off by; dark ones in linear light are encoded 12.92 times as
+  // steep, but divided no finer: their squares' errors fall by chance.
+  const double tolerance = format_.depth() == Depth::u8 ? 0x1p-11 : 0x1p-14;
+  if (!scratch.resolver) scratch.resolver.emplace(scene_, view_, paints_, tolerance);
+  const Resolved found = scratch.resolver->pixel(x, y);
+  std::byte* const to = target.data + target.stride * std::size_t(y - target.rect.y) +
+                        format_.bytes() * std::size_t(x - target.rect.x);
+  if (dither_ && found.varies)
+    store_dithered(found.mix, format_.blend(), format_.depth(), x, y, to);
+  else
+    store(found.mix, format_.blend(), format_.depth(), to);
+  ++stats.resolved_pixels;
+  return found;
+}
+
+/// Pixels between outlines whose order is not proven.
+void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
                              RenderStats& stats) const {
   const PixelRect& rect = target.rect;
-  std::optional<SquareResolver> resolver;
   for (const Doubt& doubt : sweep_.doubts()) {
     const int top = std::max(first, int(std::floor(doubt.top))),
               bottom = std::min(end, int(std::ceil(doubt.bottom)));
@@ -109,17 +129,52 @@ void Drawing::resolve_doubts(int first, int end, const RowTarget& target,
     const int left = int(std::clamp(std::floor(doubt.left - kOrder), least, most)),
               right = int(std::clamp(std::ceil(doubt.right + kOrder), least, most));
     for (int y = top; y < bottom; ++y)
-      for (int x = left; x < right; ++x) {
-        if (!resolver) resolver.emplace(scene_, view_, paints_, kOrder);
-        const Resolved found = resolver->pixel(x, y);
-        std::byte* const to = target.data + target.stride * std::size_t(y - rect.y) +
-                              format_.bytes() * std::size_t(x - rect.x);
-        if (dither_ && found.varies)
-          store_dithered(found.mix, format_.blend(), format_.depth(), x, y, to);
-        else
-          store(found.mix, format_.blend(), format_.depth(), to);
-        ++stats.divided_pixels;
-      }
+      for (int x = left; x < right; ++x) resolve(x, y, target, scratch, stats);
+  }
+}
+
+void Drawing::tell(RenderStats& stats) const {
+  stats.pieces = sweep_.stats().pieces;
+  stats.crossings = sweep_.stats().crossings;
+  stats.regions = sweep_.stats().regions;
+  stats.doubts = (long long)sweep_.doubts().size();
+}
+
+/// A piece may be off by its tolerance along its length, neighbours out of order by kOrder, each times
+/// the jump; means by centroids by what they neglect; what was resolved, by its own bound.
+void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
+                                     float* map) const {
+  const int top = strip * kRows, bottom = std::min(top + kRows, height_);
+  const PixelRect& rect = target.rect;
+  const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
+  if (first >= end) return;
+  const auto row_of = [&](int y) { return map + std::size_t(y - rect.y) * std::size_t(rect.width); };
+  RenderStats stats;
+  scratch.painter.note_errors(
+      [&](int x, int y, float e) { row_of(y)[x - rect.x] = e; });
+  draw_strip(strip, target, scratch, stats);
+  scratch.painter.note_errors({});
+  for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
+       ++k) {
+    const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
+    const Fragment& f = sweep_.fragments()[i];
+    const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
+    if (!(from < to)) continue;
+    const Rgba& j = jumps_[i];
+    const bool varies = palette_.entries[std::size_t(f.left)].varies ||
+                        palette_.entries[std::size_t(f.right)].varies;
+    const double jump = varies ? 1.0
+                               : double(std::max({std::abs(j.r), std::abs(j.g), std::abs(j.b),
+                                                  std::abs(j.a)}));
+    // How steeply a mixed colour is encoded lies between what it is at the two: the darker one counts.
+    const double steep = std::max(format_.steepness(palette_.entries[std::size_t(f.left)].color),
+                                  format_.steepness(palette_.entries[std::size_t(f.right)].color));
+    cells_of(sweep_.pieces()[std::size_t(f.piece)], from, to, width_, [&](const CellStretch& c) {
+      if (c.column < rect.x || c.column >= rect.x + rect.width) return;
+      const double length = std::hypot(c.xq - c.xp, c.yq - c.yp);
+      row_of(c.row)[c.column - rect.x] +=
+          float(255.0 * steep * jump * (tolerance_ * length + kOrder * (c.yq - c.yp)));
+    });
   }
 }
 

@@ -8,6 +8,7 @@
 #include <mien/sdf/arrange/sweep.h>
 #include <mien/sdf/outline/outline_maker.h>
 
+#include <optional>
 #include <vector>
 
 namespace mien {
@@ -23,28 +24,43 @@ struct RowTarget {
 struct StripScratch {
   RowSums sums;
   RowPainter painter;
+  std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
 };
 
 class Drawing {
  public:
-  /// False where some of its paints are not known here.
-  bool make(const Scene& scene, const View& view, Depth depth);
+  void make(const Scene& scene, const View& view, Depth depth);
 
   /// Strips of kRows rows; those that show some of a target.
   static constexpr int kRows = 16;
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
                   RenderStats& stats) const;
 
+  /// Bounds on what the pixels of a strip may be off by, in levels of 255, written to a map of the
+  /// target's rectangle; the pixels are drawn to `target` on the way.
+  void draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
+                              float* map) const;
+
+  /// What all strips have in common.
+  void tell(RenderStats& stats) const;
+
+  const Outlines& outlines() const { return outlines_; }
+  const PaintTable& paints() const { return paints_; }
   const Sweep& sweep() const { return sweep_; }
+  int first_look() const { return palette_.first; }
   const Looks& looks() const { return looks_; }
 
  private:
-  void resolve_doubts(int first, int end, const RowTarget& target, RenderStats& stats) const;
+  void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
+                      RenderStats& stats) const;
+  Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
+                   RenderStats& stats) const;
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
 
   int width_ = 0, height_ = 0;
   bool dither_ = true;
+  double tolerance_ = 0;  ///< of outlines [px]
   Scene scene_;
   View view_;
   PaintTable paints_;

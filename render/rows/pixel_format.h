@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -67,6 +68,14 @@ class PixelFormat {
       case Depth::f32:
         return light(mix, to);
     }
+  }
+
+  /// How much steeper than itself a colour's darkest channel is encoded.
+  double steepness(const Rgba& mix) const {
+    if (blend_ != Blend::linear) return 1.0;
+    const double up = mix.a > 0.0f ? 1.0 / double(mix.a) : 1.0;
+    const double least = up * double(std::min({mix.r, mix.g, mix.b}));
+    return least <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(least, 1.0 / 2.4 - 1.0);
   }
 
  private:

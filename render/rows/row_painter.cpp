@@ -36,6 +36,15 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
   shader_.begin(looks);
 }
 
+/// What is neglected counts by how steeply the colour is encoded.
+void RowPainter::refuse(double neglected, const Rgba& mix, int column) {
+  const double allowed = format_->depth() == Depth::u8 ? 0.4 / 255 : 8.0 / 65535;
+  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed) return;
+  const double off = neglected * format_->steepness(mix);
+  if (note_) note_(column, y_, float(255.0 * off));
+  if (off > allowed) refused_.push_back(column);
+}
+
 float RowPainter::carry(int x) const {
   return dither_ ? float(dither_threshold(x, y_)) : 0.5f;
 }
@@ -45,6 +54,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
   shares_ = &sums.shares(row);
+  refused_.clear();
   std::sort(shares_->begin(), shares_->end(),
             [](const LookShare& a, const LookShare& b) { return a.column < b.column; });
   next_share_ = 0;
@@ -115,13 +125,16 @@ void RowPainter::run_of(int look, int from, int until) {
     return fill_pixels(at(from), until - from, e.pixel.data(), bytes_);
   }
   stats_->varied_pixels += until - from;
+  const double neglected = looks_->neglected(look).whole;
   while (from < until) {
     const int block_end = (from & ~(LookShader::kBlock - 1)) + LookShader::kBlock;
     const int count = std::min(until, block_end) - from;
     const ColorRow& c = shader_.pixels(look, from, y_, count);
     for (int i = 0; i < count; ++i) {
       const auto k = std::size_t(i);
-      format_->put({c.r[k], c.g[k], c.b[k], c.a[k]}, carry(from + i), at(from + i));
+      const Rgba mix{c.r[k], c.g[k], c.b[k], c.a[k]};
+      format_->put(mix, carry(from + i), at(from + i));
+      if (neglected > 0.0) refuse(neglected, mix, from + i);
     }
     from += count;
   }
@@ -142,8 +155,9 @@ void RowPainter::take_shares(int column) {
 
 void RowPainter::cell(int column) {
   if (column < x0_ || column >= x1_) return;
-  ++stats_->one_edge_pixels;
+  ++stats_->edge_pixels;
   Rgba mix = sum_;
+  double neglected = 0.0;
   bool varies = false;
   for (const Open& o : open_) {
     if (std::abs(o.area) < kNoArea) continue;
@@ -152,8 +166,10 @@ void RowPainter::cell(int column) {
     const glm::vec4 c = shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y),
                                      std::min(double(std::abs(o.area)), 1.0));
     mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
+    neglected += double(std::abs(o.area)) * looks_->neglected(o.look).part;
     varies = true;
   }
+  if (neglected > 0.0) refuse(neglected, mix, column);
   format_->put(mix, varies ? carry(column) : 0.5f, at(column));
 }
 

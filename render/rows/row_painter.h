@@ -9,6 +9,8 @@
 #include <mien/render/shade/look_shader.h>
 
 #include <array>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace mien {
@@ -33,6 +35,12 @@ class RowPainter {
   /// Columns x0 to x1 of the picture's row y; `to` is where x0 goes. Sets the sums back to nothing.
   void paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to, RenderStats& stats);
 
+  /// Tells what means by centroids neglect of a pixel, in levels of 255; none: nobody asks.
+  void note_errors(std::function<void(int x, int y, float levels)> note) { note_ = std::move(note); }
+
+  /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
+  std::span<const int> refused() const { return refused_; }
+
  private:
   /// What a varied look takes of the pixels from here on, and of the pixel at hand.
   struct Open {
@@ -48,6 +56,7 @@ class RowPainter {
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
   float carry(int x) const;
+  void refuse(double neglected, const Rgba& mix, int column);
 
   const Palette* palette_ = nullptr;
   const Looks* looks_ = nullptr;
@@ -66,7 +75,8 @@ class RowPainter {
   std::vector<LookShare>* shares_ = nullptr;
   std::size_t next_share_ = 0;
   std::vector<Open> open_;
-  std::array<std::byte, 16> pixel_{};
+  std::vector<int> refused_;
+  std::function<void(int, int, float)> note_;
 };
 
 }  // namespace mien

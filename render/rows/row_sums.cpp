@@ -39,6 +39,7 @@ template <bool kVaried>
 void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, int first,
                         const Rgba& jump, int left_varied, int right_varied, int right_look) {
   cells_of(piece, top, bottom, width_, [&](const CellStretch& c) {
+    ++cells_;
     const int row = c.row - first;
     const std::size_t column = std::size_t(std::max(c.column, 0));
     Rgba* const cell = sums(row) + column;

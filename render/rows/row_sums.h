@@ -37,6 +37,7 @@ class RowSums {
   const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
   std::vector<LookShare>& shares(int row) { return shares_[std::size_t(row)]; }
   int mark_words() const { return int(mark_words_); }
+  long long cells() const { return cells_; }  ///< since it was made
 
  private:
   template <bool kVaried>
@@ -44,6 +45,7 @@ class RowSums {
                  int left_varied, int right_varied, int right_look);
   void share(int row, const CellStretch& cell, int left_varied, int right_varied);
 
+  long long cells_ = 0;
   int width_ = 0;
   std::size_t stride_ = 0, mark_words_ = 0;
   std::vector<Rgba> sums_;

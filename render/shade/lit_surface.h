@@ -5,7 +5,7 @@
 // The relief's profile has kinks at a few depths. Between two of them, in a *zone*, it is smooth;
 // asked for beyond its zone, a zone's profile goes on as it was.
 
-#include <mien/render/tile/paint.h>
+#include <mien/render/shade/paint.h>
 
 #include <glm/vec2.hpp>
 #include <span>

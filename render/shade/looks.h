@@ -57,9 +57,17 @@ class Looks final : public LookRule {
   }
   const PaintTable& paints() const { return *paints_; }
 
+  /// What a mean by centroids may be off by: of whole pixels, and of parts of pixels. Of the blending
+  /// space.
+  struct Neglected {
+    double whole = 0, part = 0;
+  };
+  const Neglected& neglected(int look) const { return looks_[std::size_t(look)].neglected; }
+
  private:
   struct Look {
     Mix mix;
+    Neglected neglected;
     int first, count;
     std::uint64_t hash;
   };
@@ -84,6 +92,7 @@ class Looks final : public LookRule {
   void enter_group(int group);
   void leave_groups(std::size_t depth);
   int known_or_new(std::size_t first_step);
+  Neglected neglected_by(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;

@@ -7,7 +7,7 @@
 // a kink inside it.
 
 #include <mien/render/shade/lit_paint.h>
-#include <mien/render/tile/paint.h>
+#include <mien/render/shade/paint.h>
 #include <mien/render/view/view.h>
 #include <mien/sdf/outline/area_program.h>
 #include <mien/sdf/scene/scene.h>

@@ -44,11 +44,12 @@ class RimWriter {
       error = deviation(part, a, b, control);
       if (error <= loop_.tolerance()) return emit(control, b.point);
     }
-    const double squared = (t1 - t0) * (t1 - t0);
-    if (halvings == 0 || pieces_ > kMostPieces || !std::isfinite(b.speed) ||
-        longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
+    if (halvings == 0 || pieces_ > kMostPieces || !std::isfinite(b.speed))
       return emit(0.5 * (a.point + b.point), b.point);
     if (std::isfinite(error)) return write_parts(a, b, t0, t1, error, halvings - 1);
+    const double squared = (t1 - t0) * (t1 - t0);
+    if (longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
+      return emit(0.5 * (a.point + b.point), b.point);
     const double t = middle(a, b, t0, t1);
     if (t == t0 || t == t1) return emit(0.5 * (a.point + b.point), b.point);
     const Rim m = rim_at(pen_, toward_, t);

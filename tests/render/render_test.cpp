@@ -48,7 +48,7 @@ TEST(Render, CountsWhatItDid) {
   RenderStats stats;
   render(beads(), {.width = 200, .height = 200}, {}, &stats);
   EXPECT_EQ(stats.pixels, 40000);
-  EXPECT_EQ(stats.fill_pixels + stats.one_edge_pixels + stats.divided_pixels, 40000);
+  EXPECT_EQ(stats.fill_pixels + stats.edge_pixels, 40000);
   EXPECT_GT(stats.fill_pixels, 20000);
   EXPECT_FALSE(stats.cancelled);
 }

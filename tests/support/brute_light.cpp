@@ -17,7 +17,6 @@ LitPart BruteLight::part(int zone, int x, int y, int places,
                          const std::function<bool(glm::dvec2)>& keeps) {
   constexpr double kStep = 1e-5;
   const AreaDistance* area = surface_.area();
-  if (area) near_.narrow(*area, glm::dvec2{x + 0.5, y + 0.5} - surface_.center(), 0.708);
   LitPart out;
   for (int j = 0; j < places; ++j)
     for (int i = 0; i < places; ++i) {
@@ -28,10 +27,10 @@ LitPart BruteLight::part(int zone, int x, int y, int places,
       Outward outward;
       if (area) {
         const glm::dvec2 q = p - surface_.center();
-        outward.d = near_.at(q);
+        outward.d = area->at(q);
         if (surface_.zone_of(outward.d) != zone) continue;
-        const glm::dvec2 grows{near_.at({q.x + kStep, q.y}) - outward.d,
-                               near_.at({q.x, q.y + kStep}) - outward.d};
+        const glm::dvec2 grows{area->at({q.x + kStep, q.y}) - outward.d,
+                               area->at({q.x, q.y + kStep}) - outward.d};
         const double length = glm::length(grows);
         outward.normal = length > 0.0 ? grows / length : glm::dvec2{0.0};
       }

@@ -2,7 +2,6 @@
 // Means of a lit surface over parts of pixels by very many places: the judge of render/shade.
 
 #include <mien/render/shade/lit_surface.h>
-#include <mien/render/tile/near_area.h>
 
 #include <functional>
 
@@ -27,7 +26,6 @@ class BruteLight {
 
  private:
   const LitSurface& surface_;
-  NearArea near_;
 };
 
 /// By how many levels of 255 two means differ, encoded; `area` scales it.

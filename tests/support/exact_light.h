@@ -8,9 +8,9 @@
 
 namespace mien::test {
 
-/// How far apart distances are asked for whose difference is a slope; a ridge nearer than that
-/// mixes both its sides.
-inline constexpr double kSlopeStep = 1e-5;  // [px]
+/// How far apart distances are asked for whose difference is a slope: that is off by half of it times
+/// the curvature, and by rounding, 10^-15 of the face over it.
+inline constexpr double kSlopeStep = 1e-6;  // [px]
 
 /// The steepest direction in which the distance of `area` grows and how much [per face unit].
 glm::dvec2 distance_slope(const Scene& scene, Area area, glm::dvec2 p, double step);

@@ -171,7 +171,7 @@ Mixes ExactTruth::refined_span(const Square& square, const Span& span, const Fac
                                double from, double to, const Mixes& coarse, int depth) const {
   const double m = 0.5 * (from + to);
   const Mixes left = gauss(span, line, from, m), right = gauss(span, line, m, to);
-  if (depth == 0 || off(square, left + right - coarse) <= tolerance_ / 4) return left + right;
+  if (depth == 0 || off(square, left + right - coarse) <= 2 * tolerance_) return left + right;
   return refined_span(square, span, line, from, m, left, depth - 1) +
          refined_span(square, span, line, m, to, right, depth - 1);
 }

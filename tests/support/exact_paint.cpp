@@ -194,10 +194,11 @@ void ExactPaint::relief_kinks(const Relief& relief, const FaceLine& line, double
 void ExactPaint::ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_a, double b,
                         const glm::dvec2& at_b, std::size_t what, std::vector<LineEnd>& out) const {
   constexpr double kSuspicious = 0.1, kJump = 0.01;  // of the slope of a distance, which is 1
+  constexpr double kNear = 2e-5;                     // [px]
   if (b - a < 0.01 || glm::distance(at_a, at_b) < kSuspicious) return;
   double from = a, to = b;
   glm::dvec2 at_from = at_a, at_to = at_b;
-  while (to - from > 4 * kSlopeStep && glm::distance(at_from, at_to) > kJump) {
+  while (to - from > kNear && glm::distance(at_from, at_to) > kJump) {
     const double m = 0.5 * (from + to);
     const glm::dvec2 at_m = slope(m);
     if (glm::distance(at_from, at_m) > glm::distance(at_m, at_to))
@@ -205,10 +206,10 @@ void ExactPaint::ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_
     else
       from = m, at_from = at_m;
   }
-  if (to - from > 4 * kSlopeStep) return;
+  if (to - from > kNear) return;
   const bool strong = glm::distance(at_from, at_to) > kSuspicious;
   out.push_back({0.5 * (from + to), strong ? what : 0});
-  from -= 4 * kSlopeStep, to += 4 * kSlopeStep;  // there differences are of one side
+  from -= kNear, to += kNear;  // there differences are of one side
   if (from > a) ridges(slope, a, at_a, from, slope(from), what, out);
   if (to < b) ridges(slope, to, slope(to), b, at_b, what, out);
 }

@@ -30,7 +30,9 @@ ExactTruth::ExactTruth(const Scene& scene, const View& view, double tolerance)
       view_(view),
       tolerance_(tolerance),
       unit_(unit_of(scene, view)),
-      paint_(scene, view, unit_) {}
+      paint_(scene, view, unit_) {
+  for (int i = 0; i < int(scene.layers().size()); ++i) all_.push_back({i, false, true});
+}
 
 glm::dvec2 ExactTruth::face(double x, double y) const {
   const glm::dvec2 p{unit_ * (x - 0.5 * view_.width), unit_ * (y - 0.5 * view_.height)};
@@ -45,17 +47,35 @@ FaceLine ExactTruth::line_at(const Square& square, double v) const {
   return {from, to - from};
 }
 
-ExactTruth::Square ExactTruth::square(int x, int y) const {
-  Square square{.seen = {}, .corner = {x, y}, .orders = {}};
-  const glm::dvec2 center = face(x + 0.5, y + 0.5);
-  const double radius = 0.70711 * unit_;
-  for (int i = 0; i < int(scene_.layers().size()); ++i) {
-    const double d = scene_.distance(scene_.layers()[std::size_t(i)].area, center);
+/// What of `among` is seen in a rectangle.
+std::vector<ExactTruth::Seen> ExactTruth::seen_in(const PixelRect& r,
+                                                  const std::vector<Seen>& among) const {
+  const glm::dvec2 center = face(r.x + 0.5 * r.width, r.y + 0.5 * r.height);
+  const double radius = 0.50001 * std::hypot(r.width, r.height) * unit_;
+  std::vector<Seen> list;
+  for (Seen seen : among) {
+    const Area area = scene_.layers()[std::size_t(seen.layer)].area;
+    const double d = seen.whole ? -2 * radius : scene_.distance(area, center);
     if (d > radius) continue;
-    const bool whole = d < -radius;
-    if (whole && paint_.hides(i)) square.seen.clear();
-    square.seen.push_back({i, whole, paint_.varies(i, center, radius)});
+    seen.whole = d < -radius;
+    if (seen.whole && paint_.hides(seen.layer)) list.clear();
+    seen.varies = seen.varies && paint_.varies(seen.layer, center, radius);
+    list.push_back(seen);
   }
+  return list;
+}
+
+/// Blocks remember what is seen in them: most layers are far from most pixels.
+ExactTruth::Square ExactTruth::square(const PixelRect& r) const {
+  const int x = r.x / kBlock, y = r.y / kBlock;
+  Square square{.seen = {}, .corner = {r.x, r.y}, .orders = {}};
+  if (x != (r.x + r.width - 1) / kBlock || y != (r.y + r.height - 1) / kBlock) {
+    square.seen = seen_in(r, all_);
+    return square;
+  }
+  const auto [block, is_new] = blocks_.try_emplace({x, y});
+  if (is_new) block->second = seen_in({kBlock * x, kBlock * y, kBlock, kBlock}, all_);
+  square.seen = seen_in(r, block->second);
   return square;
 }
 
@@ -114,7 +134,8 @@ ExactTruth::Rows ExactTruth::rows(const Square& square, double top, double botto
   return rows;
 }
 
-/// Halves agree by chance where things come and go between the lines: there halving goes on.
+/// Halves agree by chance where things come and go between the lines: there halving goes on, in
+/// quick truths until lines are so close that what comes shows on some of them.
 Mixes ExactTruth::refined(const Square& square, double top, double bottom, const Rows& coarse,
                           int depth) const {
   const double middle = 0.5 * (top + bottom);
@@ -122,13 +143,14 @@ Mixes ExactTruth::refined(const Square& square, double top, double bottom, const
   const bool alike = upper.alike && lower.alike && upper.order == lower.order;
   const double change = off(square, upper.sum + lower.sum - coarse.sum);
   const bool thin = square.weight * (bottom - top) <= tolerance_;
-  if (depth == 0 || thin || (alike && change <= tolerance_ / 8)) return upper.sum + lower.sum;
+  const bool told = alike || bottom - top < (tolerance_ > kFine ? kThinnest / 8 : 0);
+  if (depth == 0 || thin || (told && change <= tolerance_ / 4)) return upper.sum + lower.sum;
   return refined(square, top, middle, upper, depth - 1) +
          refined(square, middle, bottom, lower, depth - 1);
 }
 
 Mixes ExactTruth::at(double x, double y) const {
-  const Square around = square(int(std::floor(x)), int(std::floor(y)));
+  const Square around = square({int(std::floor(x)), int(std::floor(y)), 1, 1});
   return color(stack_at(around, face(x, y)), face(x, y));
 }
 
@@ -136,13 +158,19 @@ bool ExactTruth::flat(const Square& square) {
   return std::ranges::all_of(square.seen, [](const Seen& s) { return s.whole && !s.varies; });
 }
 
-bool ExactTruth::flat(int x, int y) const {
-  return flat(square(x, y));
+bool ExactTruth::flat(const PixelRect& pixels) const {
+  return flat(square(pixels));
+}
+
+bool ExactTruth::lit(int x, int y) const {
+  return std::ranges::any_of(square({x, y, 1, 1}).seen, [&](const Seen& seen) {
+    return seen.varies && scene_.layers()[std::size_t(seen.layer)].paint.relief;
+  });
 }
 
 Mixes ExactTruth::means(int x, int y) const {
   constexpr int kDepth = 16;
-  Square s = square(x, y);
+  Square s = square({x, y, 1, 1});
   const glm::dvec2 center = face(x + 0.5, y + 0.5);
   if (flat(s)) return color(stack_at(s, center), center);
   const bool smooth = std::ranges::all_of(s.seen, [&](const Seen& seen) {

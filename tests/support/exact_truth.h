@@ -17,7 +17,9 @@
 #include <mien/sdf/scene/scene.h>
 
 #include <glm/vec4.hpp>
+#include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "tests/support/exact_mix.h"
@@ -25,6 +27,7 @@
 
 namespace mien::test {
 
+/// Not for several threads: it remembers.
 class ExactTruth {
  public:
   static constexpr double kThinnest = 1.0 / 32;  ///< [px] layers along the lines that may be missed
@@ -42,10 +45,14 @@ class ExactTruth {
   glm::dvec4 levels(int x, int y, int top) const;
   /// The colour at a place [px], of no area.
   Mixes at(double x, double y) const;
-  /// Whether the pixel has one colour only, proven; then its mean costs nothing.
-  bool flat(int x, int y) const;
+  /// Whether these pixels all have one colour, proven; then means cost nothing.
+  bool flat(const PixelRect& pixels) const;
+  /// Whether light on a slope may be seen in the pixel.
+  bool lit(int x, int y) const;
 
  private:
+  static constexpr int kBlock = 16;  // [px]
+
   /// A layer that can be seen in a pixel; `whole`: it covers it.
   struct Seen {
     int layer;
@@ -79,7 +86,8 @@ class ExactTruth {
   };
 
   // exact_truth.cpp: the pixel
-  Square square(int x, int y) const;
+  std::vector<Seen> seen_in(const PixelRect& pixels, const std::vector<Seen>& among) const;
+  Square square(const PixelRect& pixels) const;
   static bool flat(const Square& square);
   bool crosses_upright(const Square& square) const;
   void weigh(Square& square) const;
@@ -107,6 +115,8 @@ class ExactTruth {
   View view_;
   double tolerance_, unit_;  ///< [face units] per pixel
   ExactPaint paint_;
+  std::vector<Seen> all_;
+  mutable std::map<std::pair<int, int>, std::vector<Seen>> blocks_;
 };
 
 /// In levels of `top`: encoded, straight, not rounded.

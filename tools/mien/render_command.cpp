@@ -37,12 +37,15 @@ struct Times {
 
 std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const Times& times) {
   return fmt::format(
-      "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, \"one_edge_pixels\": "
-      "{}, "
-      "\"divided_pixels\": {}, \"cells\": {}, \"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
+      "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, "
+      "\"varied_pixels\": {}, \"edge_pixels\": {}, \"resolved_pixels\": {}, \"pieces\": {}, "
+      "\"crossings\": {}, \"regions\": {}, \"doubts\": {}, \"roots\": {}, "
+      "\"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
       "\"picture\": {:.6f}, \"draw\": {:.6f}, \"encode\": {:.6f}, \"write\": {:.6f}}}}}\n",
       drawn.width, drawn.height, stats.render.pixels, stats.render.fill_pixels,
-      stats.render.one_edge_pixels, stats.render.divided_pixels, stats.render.cells, times.read,
+      stats.render.varied_pixels, stats.render.edge_pixels, stats.render.resolved_pixels,
+      stats.render.pieces, stats.render.crossings, stats.render.regions, stats.render.doubts,
+      stats.render.roots, times.read,
       times.scene, times.picture, stats.draw, stats.encode, stats.put);
 }
 
@@ -111,7 +114,9 @@ int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Sc
       write_image_by(load_encoder, map.image(), *plan.error_map, plan.error_map_write);
   if (!done) return complain(done.error(), kFailed);
   return print_stats(
-      fmt::format("no channel is off by more than {:.3f} of 255, rounding left out\n", map.worst),
+      fmt::format("no channel is off by more than {:.3f} of 255, rounding left out{}\n", map.worst,
+                  map.unproven ? "; light and gradients along a distance are estimated, not proven"
+                               : ""),
       *plan.error_map == "-" ? *plan.error_map : arguments.output);
 }
 

@@ -39,30 +39,18 @@ TEST(Ramp, JumpsWhereTwoStopsMeet) {
   EXPECT_EQ(red(ramp, std::nextafter(0.5, 0)), 0);
   EXPECT_EQ(red(ramp, 0.5), 1);
   std::vector<double> kinks;
-  const Ramp::Range range = ramp.range(0.4, 0.6, kinks);
-  EXPECT_FALSE(range.constant);
-  EXPECT_EQ(range.jump, 1);
-  EXPECT_EQ(range.slope, 0);
+  EXPECT_TRUE(ramp.kinks(0.4, 0.6, 9, kinks));
   EXPECT_EQ(kinks, std::vector<double>{0.5});
 }
 
-TEST(Ramp, KnowsWhereItIsOneColour) {
+TEST(Ramp, NamesEveryKinkBetweenTwoPlaces) {
   std::vector<double> kinks;
-  const Ramp ramp({LinearGradient{}, {{0, kBlack}, {0.2, kBlack}, {0.7, kWhite}, {1, kWhite}}}, 1,
-                  Blend::linear);
-  EXPECT_TRUE(ramp.range(-5, 0.2, kinks).constant);
-  EXPECT_TRUE(ramp.range(0.7, 9, kinks).constant);
-  EXPECT_FALSE(ramp.range(0.1, 0.3, kinks).constant);
-  EXPECT_FALSE(ramp.range(0.3, 0.4, kinks).constant);
-  EXPECT_FALSE(black_to_white(Extend::repeat).range(7.1, 7.2, kinks).constant);
-}
-
-TEST(Ramp, NamesEveryKinkOfARange) {
-  std::vector<double> kinks;
-  EXPECT_FALSE(black_to_white(Extend::reflect).range(-1.5, 2.5, kinks).many);
+  EXPECT_TRUE(black_to_white(Extend::reflect).kinks(-1.5, 2.5, 9, kinks));
   EXPECT_EQ(kinks, (std::vector<double>{-1, 0, 1, 2}));
-  EXPECT_EQ(black_to_white(Extend::repeat).range(0.5, 1.5, kinks).jump, 1);
-  EXPECT_TRUE(black_to_white(Extend::repeat).range(0, 1e9, kinks).many);
+  EXPECT_TRUE(black_to_white(Extend::pad).kinks(-1.5, 2.5, 9, kinks));
+  EXPECT_EQ(kinks, (std::vector<double>{0, 1}));
+  EXPECT_FALSE(black_to_white(Extend::repeat).kinks(0, 1e9, 9, kinks));
+  EXPECT_TRUE(kinks.empty());
 }
 
 TEST(Ramp, OfStopsThatFallOrAreMissingIsStillARamp) {

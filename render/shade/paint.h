@@ -1,0 +1,63 @@
+#pragma once
+// Paints that vary from place to place, made ready to draw: on the grid of the picture's pixels.
+
+#include <mien/render/blend/lit.h>
+#include <mien/render/blend/ramp.h>
+#include <mien/render/shade/area_distance.h>
+
+#include <optional>
+#include <vector>
+
+namespace mien {
+
+/// The place t along a gradient, as a function of the point.
+struct PaintField {
+  enum class Kind : unsigned char {
+    linear,   ///< dot(p, across) + shift
+    radial,   ///< |unit · (p − center)|
+    distance  ///< (distance − from) · scale
+  } kind = Kind::linear;
+  glm::dvec2 across{0.0};
+  double shift = 0;
+  glm::dvec2 center{0.0};
+  glm::dmat2 unit{0.0};  ///< takes the ellipse to the unit circle
+  int distance = -1;     ///< index into PaintTable::distances
+  double from = 0, scale = 0;
+  double per_pixel = 0;  ///< t changes by at most this much per pixel
+
+  /// t of a point; for Kind::distance give the distance there.
+  double at(glm::dvec2 p, double d) const;
+};
+
+/// A surface over a layer, in pixels.
+struct TapeRelief {
+  struct TapeDome {
+    glm::dvec2 center;
+    glm::dmat2 unit;    ///< takes the ellipse to the unit circle
+    double height;      ///< [px]
+    double max_radius;  ///< [px]
+  };
+  int distance = -1;  ///< index into PaintTable::distances; −1: none
+  Profile profile = Profile::flat;
+  double width = 1, height = 0;  ///< [px]
+  std::vector<double> table;
+  std::vector<TapeDome> domes;
+  Lamp lamp;
+
+  /// The profile's rise per pixel of distance inside.
+  double rise(double inside) const;
+  /// Rise per pixel at p: x right, y UP in the picture; d and its gradient as they are there.
+  glm::dvec2 slope(glm::dvec2 p, double d, glm::dvec2 gradient) const;
+};
+
+/// A gradient, a relief, or both.
+struct TapePaint {
+  Mix color{0.0};            ///< without a gradient
+  std::optional<Ramp> ramp;  ///< with one
+  PaintField field;
+  std::optional<TapeRelief> relief;
+
+  double least_opacity() const { return ramp ? ramp->least_opacity() : color.a; }
+};
+
+}  // namespace mien

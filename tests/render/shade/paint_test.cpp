@@ -1,0 +1,86 @@
+#include <mien/render/shade/paint.h>
+
+#include <gtest/gtest.h>
+
+#include <mien/render/shade/paint_table.h>
+
+#include <cmath>
+#include <memory>
+
+namespace mien {
+namespace {
+
+constexpr View kView{.width = 200, .height = 200};  // 100 px a unit
+
+std::unique_ptr<PaintTable> table_of(const Paint& paint) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  build.shape(Disc{{0, 0}, 0.5});  // area 0
+  build.layer("layer", build.everywhere(), paint);
+  auto table = std::make_unique<PaintTable>();
+  table->make(std::move(build).finish(), kView, Depth::u8);
+  return table;
+}
+
+/// At a pixel counted from the picture's middle.
+double place(const Gradient& gradient, glm::dvec2 pixel) {
+  const auto table = table_of({.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
+  const PaintField& field = table->varied.at(0).paint.field;
+  const glm::dvec2 p = pixel + glm::dvec2{100, 100};
+  return field.at(p,
+                  field.distance < 0 ? 0 : table->distances[std::size_t(field.distance)].at(p));
+}
+
+TEST(PaintField, IsTheGradientsPlaceInPixels) {  // y is down in pixels
+  const std::vector<Stop> stops{{0, {}}, {1, {}}};
+  EXPECT_NEAR(place({LinearGradient{{0, 0}, {0.5, 0}}, stops}, {20, 77}), 0.4, 1e-14);
+  EXPECT_NEAR(place({LinearGradient{{0, 0}, {0, 0.5}}, stops}, {3, -20}), 0.4, 1e-14);
+  EXPECT_EQ(place({LinearGradient{{0, 0}, {0, 0}}, stops}, {3, -20}), 1);
+  EXPECT_NEAR(place({RadialGradient{{0.1, 0.2}, {0.5, 0.25}}, stops}, {10, -45}), 1, 1e-14);
+  EXPECT_NEAR(place({RadialGradient{{0.1, 0.2}, {0.5, 0.25}, {0, 1}}, stops}, {10, -45}), 0.5,
+              1e-14);
+  EXPECT_NEAR(place({DistanceGradient{Area{0}, -0.1, 0.3}, stops}, {60, 0}), 0.5, 1e-14);
+}
+
+TapeRelief relief_of(const Relief& relief) {
+  return *table_of({.color = {1, 1, 1, 1}, .relief = shared(relief)})->varied.at(0).paint.relief;
+}
+
+TEST(TapeRelief, RisesAsItsProfileSays) {
+  const TapeRelief bevel =
+      relief_of({.area = {0}, .profile = Profile::bevel, .width = 0.1, .height = 0.05});
+  EXPECT_NEAR(bevel.rise(5), 0.5, 1e-15);
+  EXPECT_EQ(bevel.rise(10.01), 0);
+  EXPECT_EQ(bevel.rise(-1), 0);
+  const TapeRelief round =
+      relief_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
+  for (const double x : {0.5, 2.0, 9.0}) {  // the slope of its own height
+    const auto height = [](double inside) {
+      return std::sqrt(100 - (10 - inside) * (10 - inside));
+    };
+    EXPECT_NEAR(round.rise(x), (height(x + 1e-6) - height(x - 1e-6)) / 2e-6, 1e-6);
+  }
+  const TapeRelief table = relief_of(
+      {.area = {0}, .profile = Profile::custom, .width = 0.1, .height = 0.1, .table = {0, 1, 0.5}});
+  EXPECT_NEAR(table.rise(2), 2, 1e-14);
+  EXPECT_NEAR(table.rise(7), -1, 1e-14);
+}
+
+TEST(TapeRelief, AddsDomes) {  // C: the hook of the cornea's bulge
+  const TapeRelief relief =
+      relief_of({.domes = {{.center = {0.1, 0.05}, .radii = {0.2, 0.1}, .height = 0.03}}});
+  const auto height = [](glm::dvec2 p) {  // in pixels, y down
+    const glm::dvec2 q = (p - glm::dvec2{110, 95}) / glm::dvec2{20, 10};
+    const double in = 1 - (q.x * q.x + q.y * q.y);
+    return in > 0 ? 3 * in * in : 0;
+  };
+  for (const glm::dvec2 p : {glm::dvec2{112, 93}, {125, 97}, {110, 95}, {131, 95}}) {
+    const glm::dvec2 slope = relief.slope(p, 0, {0, 0});
+    EXPECT_NEAR(slope.x, (height(p + glm::dvec2{1e-5, 0}) - height(p - glm::dvec2{1e-5, 0})) / 2e-5,
+                1e-8);
+    EXPECT_NEAR(slope.y,
+                -(height(p + glm::dvec2{0, 1e-5}) - height(p - glm::dvec2{0, 1e-5})) / 2e-5, 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace mien
