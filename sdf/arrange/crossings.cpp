@@ -166,8 +166,8 @@ SweepPiece sweep_piece(const OutlinePiece& piece) {
   made.highest_x = std::nextafter(float(std::max(piece.x0, piece.x1)), HUGE_VALF);
   // Half the control point's distance from the chord, along x; a level piece has none to speak of.
   const double off = 0.5 * std::abs(wide * piece.ay - high * piece.ax);
-  made.bulge = high > 0.0 ? std::min(off / high, std::abs(wide)) * (1.0 + 1e-6) + 1e-9
-                          : std::abs(wide);
+  made.bulge =
+      high > 0.0 ? std::min(off / high, std::abs(wide)) * (1.0 + 1e-6) + 1e-9 : std::abs(wide);
   return made;
 }
 

@@ -41,8 +41,7 @@ int Regions::across(int region, int outline) {
   const std::uint64_t* const from = words(region);
   std::copy(from, from + stride_, to);
   to[outline >> 6] ^= std::uint64_t{1} << (outline & 63);
-  looks_.push_back(
-      rule_->look(to, outline, from + set_words_, look(region), to + set_words_));
+  looks_.push_back(rule_->look(to, outline, from + set_words_, look(region), to + set_words_));
   return made;
 }
 

@@ -6,9 +6,9 @@
 namespace mien {
 namespace {
 
-constexpr int kHalvings = 16;     // of a height over which an order is to be proven
-constexpr int kSpare = 16;        // slots read beyond the last, several at a time
-constexpr long kAgainFirst = 10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
+constexpr int kSpare = 16;  // slots read beyond the last, several at a time
+constexpr long kAgainFirst =
+    10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
 
 }  // namespace
 
@@ -132,8 +132,7 @@ void Sweep::show(int slot, double y) {
 void Sweep::finish(int slot, double y) {
   SweepPiece& p = at(slot);
   if (p.left_look != p.right_look && y > p.shown_from)
-    fragments_.push_back(
-        {active_[std::size_t(slot)], p.left_look, p.right_look, p.shown_from, y});
+    fragments_.push_back({active_[std::size_t(slot)], p.left_look, p.right_look, p.shown_from, y});
   p.shown_from = y;
 }
 
@@ -315,36 +314,14 @@ void Sweep::parted(int slot, double y) {
   const double from = together_[std::size_t(slot)];
   together_[std::size_t(slot)] = y;
   if (!(y > from)) return;
+  // Those that show nothing, too: what shows may be hidden behind a wrong order of theirs.
   const SweepPiece &left = at(slot), &right = at(slot + 1);
-  if (left.left_look == left.right_look && right.left_look == right.right_look) return;
+  if (left.highest_x <= right.lowest_x) return;
   ++stats_.proofs;
-  if (proven(left, right, from, y, kHalvings)) return;
+  if (in_order(left, right, from, y)) return;
   const double xs[] = {x_at(left, from), x_at(left, y), x_at(right, from), x_at(right, y)};
   const auto [lo, hi] = std::minmax_element(std::begin(xs), std::end(xs));
   doubts_.push_back({*lo, *hi, from, y});
-}
-
-/// The gap is at least that of its chord less what a convex right and a concave left piece sag below
-/// theirs: over a parameter length h and a height H by |turning| h³ / (2H), a parabola's half of its
-/// control point's distance. What is left may sag by an area that shows nowhere.
-bool Sweep::proven(const SweepPiece& left, const SweepPiece& right, double from, double to,
-                   int depth) {
-  const double first = x_at(right, from) - x_at(left, from),
-               last = x_at(right, to) - x_at(left, to);
-  const double slack = std::min(first, last) + kOrder, height = to - from;
-  if (slack < 0.0) return false;
-  if (left.bulge + right.bulge <= slack) return true;
-  const auto sag = [&](const SweepPiece& p) {
-    const double h = parameter_at(p, to) - parameter_at(p, from);
-    return std::min(p.bulge, 0.5 * std::abs(turning(p)) * h * h * h / height);
-  };
-  const double sags = (turning(right) < 0.0 ? sag(right) : 0.0) +
-                      (turning(left) > 0.0 ? sag(left) : 0.0);
-  if (sags <= slack || sags * height <= 0.25 * kOrder) return true;
-  if (depth == 0) return false;
-  const double middle = 0.5 * (from + to);
-  return proven(left, right, from, middle, depth - 1) &&
-         proven(left, right, middle, to, depth - 1);
 }
 
 }  // namespace mien

@@ -13,6 +13,7 @@
 // No colours here: of two regions only whether they look alike is asked (regions.h).
 
 #include <mien/sdf/arrange/crossings.h>
+#include <mien/sdf/arrange/order_proof.h>
 #include <mien/sdf/arrange/regions.h>
 
 #include <span>
@@ -35,10 +36,6 @@ struct Doubt {
 struct SweepStats {
   long pieces = 0, pairs = 0, crossings = 0, forced = 0, proofs = 0, regions = 0;
 };
-
-/// What neighbours may be out of order by [px]: a tenth of a level of 255 at full contrast, over the
-/// whole height of a pixel.
-inline constexpr double kOrder = 1.0 / 2560;
 
 /// Sweeps one arrangement after another; keeps its scratch.
 class Sweep {
@@ -82,7 +79,6 @@ class Sweep {
   SweepPiece& at(int slot) { return pieces_[std::size_t(active_[std::size_t(slot)])]; }
   void room_for(int slots);
   void parted(int slot, double y);
-  bool proven(const SweepPiece& left, const SweepPiece& right, double from, double to, int depth);
 
   const Outlines* outlines_ = nullptr;
   Regions* regions_ = nullptr;
@@ -94,10 +90,10 @@ class Sweep {
 
   // By slot, from left to right.
   int count_ = 0;
-  std::vector<int> active_;           ///< pieces
-  std::vector<int> region_;           ///< to the right of each
+  std::vector<int> active_;              ///< pieces
+  std::vector<int> region_;              ///< to the right of each
   std::vector<float> lowest_, highest_;  ///< their reach along x
-  std::vector<double> together_;      ///< since when it and the next are neighbours
+  std::vector<double> together_;         ///< since when it and the next are neighbours
 
   std::vector<Event> events_;  ///< a heap, the first on top
   int found_ = 0;

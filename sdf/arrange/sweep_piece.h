@@ -18,10 +18,10 @@ namespace mien {
 struct SweepPiece : OutlinePiece {
   float lowest_x, highest_x;  ///< rounded outwards
   double bulge;               ///< how far it leaves its chord along x [px], an upper bound
-  int slot = -1;              ///< its place in the order from left to right; −1: not met or passed
+  int slot = -1;  ///< its place in the order from left to right; −1: not met or passed
   int left_look = 0, right_look = 0;
-  int winding = 0;     ///< of its outline, to the left
-  bool flips = false;  ///< whether its outline's inside changes across it
+  int winding = 0;        ///< of its outline, to the left
+  bool flips = false;     ///< whether its outline's inside changes across it
   double shown_from = 0;  ///< from what height the looks are as they are
 };
 

@@ -1,5 +1,6 @@
 #include <mien/sdf/outline/area_program.h>
 #include <mien/sdf/outline/outline_maker.h>
+#include <mien/sdf/shape/band.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +33,14 @@ AreaProgram AreaPrograms::add(Area area, double level) {
 }
 
 AreaProgram AreaPrograms::add(Shape shape) {
-  const int index = int(scene_->shapes().size() + added_.size());
-  added_.push_back(std::move(shape));
-  steps_.push_back({Kind::outline, int(outlines_.size())});
-  outlines_.push_back({index, 0.0, false});
+  outline(added(std::move(shape)), 0.0, false);
   return {int(steps_.size()) - 1, 1};
+}
+
+int AreaPrograms::added(Shape shape) {
+  added_.push_back(std::move(shape));
+  filled_.push_back(-1);
+  return int(filled_.size()) - 1;
 }
 
 const Shape& AreaPrograms::shape(const OutlineSource& of) const {
@@ -94,8 +98,15 @@ void AreaPrograms::leaf(int index, double level) {
     if (level > 0.0) step(Kind::not_);
     return;
   }
-  if (offset_shape(scene_->shapes()[std::size_t(index)], level))
-    return outline(index, level, false);
+  const Shape& whole = shape({index, 0.0, false});
+  if (offset_shape(whole, level)) return outline(index, level, false);
+  if (const Band* band = std::get_if<Band>(&whole); band && is_empty(*band)) {
+    // Its distance is that to the farther side: positive, but it may be less than the level.
+    const Band sides = *band;
+    leaf(added(sides.lower), level);
+    leaf(added(sides.upper), level);
+    return step(Kind::and_);
+  }
   outline(index, 0.0, false);
   outline(index, std::abs(level), true);
   if (level < 0.0) step(Kind::not_);

@@ -66,6 +66,7 @@ class AreaPrograms {
   void expand(const Node& node, double level);
   void leaf(int index, double level);
   void outline(int shape, double amount, bool rim);
+  int added(Shape shape);
   void step(AreaStep::Kind kind) { steps_.push_back({kind}); }
 
   const Scene* scene_ = nullptr;
@@ -73,7 +74,7 @@ class AreaPrograms {
   std::vector<OutlineSource> outlines_;
   std::vector<Shape> added_;
   std::vector<Task> todo_;
-  std::vector<int> filled_;                                  ///< by shape: its outline at level 0
+  std::vector<int> filled_;                                 ///< by shape: its outline at level 0
   std::map<std::tuple<int, double, bool>, int> at_levels_;  ///< the others
 };
 

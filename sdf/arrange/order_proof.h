@@ -1,0 +1,28 @@
+#pragma once
+// Is one piece left of another over a whole stretch of height? A bound says so, not a look here and
+// there.
+
+#include <mien/sdf/arrange/sweep_piece.h>
+
+namespace mien {
+
+/// What neighbours may be out of order by [px]: a tenth of a level of 255 at full contrast, over the
+/// whole height of a pixel.
+inline constexpr double kOrder = 1.0 / 2560;
+
+/// Whether `left` is left of `right` between two heights: nowhere farther right than kOrder, but for
+/// stretches whose area shows nowhere (a quarter of kOrder). False where it is not known.
+///
+/// Derivation. Let g be the gap, g0 and g1 that at the ends, H the height between. g leaves its chord,
+/// which is at least min(g0, g1), downwards by no more than either of
+///
+///   what the right piece sags to the left of its chord and the left one to the right, where they do:
+///     over a parameter length h by |turning| h³ / (2H), half of what its control point is off;
+///   H²/8 times the greatest g'' = x''(right) − x''(left), where x'' = −turning / (2 v³) with v the
+///     speed down. v is linear in the parameter, so x'' is greatest and least at the ends.
+///
+/// The first is good for long stretches and where v is 0, the second for pieces alike, at whose ends
+/// both bend alike. Where neither is enough the height is halved.
+bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to);
+
+}  // namespace mien
