@@ -125,7 +125,8 @@ void RowPainter::run_of(int look, int from, int until) {
     return fill_pixels(at(from), until - from, e.pixel.data(), bytes_);
   }
   stats_->varied_pixels += until - from;
-  const double neglected = looks_->neglected(look).whole;
+  const double neglected = looks_->neglected(look);
+  const bool tip = looks_->has_tip(look);
   while (from < until) {
     const int block_end = (from & ~(LookShader::kBlock - 1)) + LookShader::kBlock;
     const int count = std::min(until, block_end) - from;
@@ -134,7 +135,11 @@ void RowPainter::run_of(int look, int from, int until) {
       const auto k = std::size_t(i);
       const Rgba mix{c.r[k], c.g[k], c.b[k], c.a[k]};
       format_->put(mix, carry(from + i), at(from + i));
-      if (neglected > 0.0) refuse(neglected, mix, from + i);
+      if (tip)
+        refuse(neglected + looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false), mix,
+               from + i);
+      else if (neglected > 0.0)
+        refuse(neglected, mix, from + i);
     }
     from += count;
   }
@@ -166,7 +171,9 @@ void RowPainter::cell(int column) {
     const glm::vec4 c = shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y),
                                      std::min(double(std::abs(o.area)), 1.0));
     mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
-    neglected += double(std::abs(o.area)) * looks_->neglected(o.look).part;
+    neglected += double(std::abs(o.area)) *
+                 (looks_->neglected(o.look) +
+                  looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true));
     varies = true;
   }
   if (neglected > 0.0) refuse(neglected, mix, column);

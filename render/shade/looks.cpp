@@ -314,33 +314,43 @@ int Looks::known_or_new(std::size_t first_step) {
   }
   const bool constant = steps_.size() == first_step + 1;
   table_[i] = int(looks_.size());
-  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0},
-                    neglected_by(std::span(steps_).subspan(first_step)), int(first_step),
+  bool tip = false;
+  const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
+  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected, tip, int(first_step),
                     int(steps_.size() - first_step), hash});
   return table_[i];
 }
 
-/// Two ramps over each other: the mean of their product is not that of their means, but for a twelfth
-/// of the product of what both change by per pixel. A radial ramp of slope s per pixel, r pixels from
-/// its centre, bends by s / r: a part's variance is not a square's, and at the centre there is a tip.
-Looks::Neglected Looks::neglected_by(std::span<const LookStep> steps) const {
-  Neglected sum;
-  double slopes = 0.0;
+/// What a ramp changes by per pixel.
+double Looks::slope_of(const LookStep& step) const {
+  const Mix& along = segment(step).slope;
+  return paints_->varied[std::size_t(step.varied)].paint.field.per_pixel *
+         std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b), std::abs(along.a)});
+}
+
+double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
+  double sum = 0.0, slopes = 0.0;
   for (const LookStep& step : steps) {
     if (step.kind != Kind::paint || step.zone >= 0) continue;
-    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
-    const Mix& along = segment(step).slope;
-    const double slope = field.per_pixel * std::max({std::abs(along.r), std::abs(along.g),
-                                                     std::abs(along.b), std::abs(along.a)});
-    sum.whole += slope * slopes / 12;
+    const double slope = slope_of(step);
+    sum += slope * slopes / 12;
     slopes += slope;
-    if (field.kind != PaintField::Kind::radial) continue;
-    // The tip's mean is off by 0.02 s; a pixel farther off by ever less, and a part by 0.03 s / r.
-    const double radius = std::max(segment(step).from / field.per_pixel, 0.5);
-    sum.whole += 0.02 * slope / (radius * radius);
-    sum.part += 0.03 * slope / radius;
+    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
+    tip = tip || (field.kind == PaintField::Kind::radial &&
+                  segment(step).from < kTipReach * field.per_pixel);
   }
-  sum.part += sum.whole;
+  return sum;
+}
+
+double Looks::neglected_near(int look, glm::dvec2 p, bool part) const {
+  double sum = 0.0;
+  for (const LookStep& step : steps(look)) {
+    if (step.kind != Kind::paint || step.zone >= 0) continue;
+    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
+    if (field.kind != PaintField::Kind::radial) continue;
+    const double r = std::max(field.at(p, 0.0) / field.per_pixel, 0.5);
+    sum += slope_of(step) * (0.02 / (r * r) + (part ? 0.03 / r : 0.0));
+  }
   return sum;
 }
 

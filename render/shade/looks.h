@@ -36,6 +36,9 @@ struct RampSegment {
 
 class Looks final : public LookRule {
  public:
+  /// [px] A radial ramp's tip shows no farther from its centre.
+  static constexpr double kTipReach = 6;
+
   /// Begins anew; memory is kept. The table must outlive its use here.
   void begin(const PaintTable& paints);
 
@@ -57,17 +60,22 @@ class Looks final : public LookRule {
   }
   const PaintTable& paints() const { return *paints_; }
 
-  /// What a mean by centroids may be off by: of whole pixels, and of parts of pixels. Of the blending
-  /// space.
-  struct Neglected {
-    double whole = 0, part = 0;
-  };
-  const Neglected& neglected(int look) const { return looks_[std::size_t(look)].neglected; }
+  /// What means by centroids may be off by, in the blending space. Two ramps over each other: the mean of
+  /// their product is not that of their means, but for a twelfth of the product of what both change by
+  /// per pixel.
+  double neglected(int look) const { return looks_[std::size_t(look)].neglected; }
+  /// What is added where a radial ramp is seen: of slope s per pixel, r pixels from its centre, it bends
+  /// by s / r. A part's variance is not a square's (0.03 s / r), and what is left of a whole pixel is
+  /// 0.02 s / r² and less, the tip's own share at the centre among it. [px]
+  double neglected_near(int look, glm::dvec2 p, bool part) const;
+  /// Whether a radial ramp's centre may lie in it.
+  bool has_tip(int look) const { return looks_[std::size_t(look)].tip; }
 
  private:
   struct Look {
     Mix mix;
-    Neglected neglected;
+    double neglected;
+    bool tip;
     int first, count;
     std::uint64_t hash;
   };
@@ -92,7 +100,8 @@ class Looks final : public LookRule {
   void enter_group(int group);
   void leave_groups(std::size_t depth);
   int known_or_new(std::size_t first_step);
-  Neglected neglected_by(std::span<const LookStep> steps) const;
+  double slope_of(const LookStep& step) const;
+  double neglected_by(std::span<const LookStep> steps, bool& tip) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;
