@@ -19,10 +19,8 @@ import sys
 ORDER = """
     version.h
     lib/base  lib/math  lib/geom  lib/face  lib/rig  lib/file
-    sdf/shape  sdf/distance.h  sdf/batch  sdf/csg  sdf/edge  sdf/scene  sdf/outline  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
-    render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/tile  render/effect  render
-    sdf/shape  sdf/distance.h  sdf/batch  sdf/csg  sdf/edge  sdf/scene  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
-    render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/tile  render/shade  render/effect  render
+    sdf/shape  sdf/distance.h  sdf/batch  sdf/csg  sdf/scene  sdf/outline  sdf/arrange  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
+    render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render
     mien.h  image.h  render/image  tools
 """.split()
 FACES = ("lib/face", "lib/rig", "lib/file")

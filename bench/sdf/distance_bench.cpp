@@ -8,7 +8,6 @@
 #include <mien/sdf/batch/grid_work.h>
 #include <mien/sdf/batch/instruction_sets.h>
 #include <mien/sdf/distance.h>
-#include <mien/sdf/edge/classify.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -168,26 +167,6 @@ void Grid(benchmark::State& state, size_t side, bool only_certified, long long s
   batch::use_instruction_set(0);
 }
 
-/// The sides of the figure for squares 1/64 wide, 16 per call.
-void Classify(benchmark::State& state, const Shape& shape, long long set) {
-  batch::use_instruction_set(set);
-  Work<float> work(Pattern::incoherent);
-  const Classifier classifier({shape}, {0, 0});
-  std::int8_t sides[16];
-  for (auto _ : state) {
-    for (size_t c = 0; c < kCurves; ++c) {
-      for (size_t i = 0; i < kPoints; i += 16) {
-        classifier.classify(work.xs(c).subspan(i, 16), work.ys(c).subspan(i, 16), 0.011f, sides);
-        benchmark::DoNotOptimize(sides[0]);
-      }
-    }
-  }
-  state.counters["ns"] =
-      benchmark::Counter(double(state.iterations()) * kCurves * kPoints * 1e-9,
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  batch::use_instruction_set(0);
-}
-
 void Scalar(benchmark::State& state, Pattern pattern) {
   Work<double> work(pattern);
   each_set(state, work, [&](size_t c) {
@@ -273,11 +252,6 @@ void register_all() {
     add("grid 16 × 16", [=](auto& s) { Grid(s, 16, false, id); });
     add("grid 128 × 128", [=](auto& s) { Grid(s, 128, false, id); });
     add("grid 128 × 128, all certified", [=](auto& s) { Grid(s, 128, true, id); });
-    add("classify ellipse", [=](auto& s) { Classify(s, kEllipse, id); });
-    add("classify parabola", [=](auto& s) { Classify(s, kParabola, id); });
-    add("classify line", [=](auto& s) { Classify(s, Line{{0.1, 0.2}, {0.9, 0.3}, 0.05}, id); });
-    add("classify stroke", [=](auto& s) { Classify(s, QuadStroke{kStroke.spine, 0.05}, id); });
-    add("classify tapered", [=](auto& s) { Classify(s, kStroke, id); });
   }
   bench::register_floor();
 }

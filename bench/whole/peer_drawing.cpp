@@ -1,7 +1,7 @@
 #include "bench/whole/peer_drawing.h"
 
 #include <mien/lib/geom/srgb.h>
-#include <mien/sdf/edge/outline_form.h>
+#include <mien/sdf/outline/outline_maker.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,25 +126,31 @@ PathSteps ellipse_path(const Ellipse& s) {
   return path;
 }
 
-/// Its rims as fitted by mien, to 1/100 px, and arcs around its ends. Nothing where it has no width.
+/// Its outline as fitted by mien, to 1/100 px. Nothing where it has no width.
 PathSteps tapered_path(const TaperedStroke& s) {
   PathSteps path;
-  const double* w = s.half_width;
-  if (!(std::max({w[0], w[1], w[2]}) > 0)) return path;
-  const auto rims = tapered_outline(s, 0, 0.01);
-  if (!rims) throw Refusal{"a stroke whose discs swallow each other"};
-  const auto around = [&](glm::dvec2 center, double radius, glm::dvec2 a, glm::dvec2 b) {
-    const double from = std::atan2(a.y - center.y, a.x - center.x);
-    double until = std::atan2(b.y - center.y, b.x - center.x);
-    if (until < from) until += 6.283185307179586;
-    if (radius > 0 && until > from) arc(path, center, radius, from, until);
-  };
-  move(path, rims->right.front().p0);
-  for (const QuadBezier& q : rims->right) quad(path, q);
-  around(s.spine.p2, rims->end_radius, rims->right.back().p2, rims->left.front().p0);
-  for (const QuadBezier& q : rims->left) quad(path, q);
-  around(s.spine.p0, rims->begin_radius, rims->left.back().p2, rims->right.front().p0);
-  close(path);
+  constexpr double kFar = 1e6;  // [px] nothing is cut
+  Outlines outlines;
+  OutlineMaker maker;
+  maker.begin({{}, {{-kFar, -kFar}, {kFar, kFar}}, 0.01}, outlines);
+  maker.fill(s);
+  maker.finish();
+  std::vector<char> taken(outlines.pieces.size(), 0);
+  for (std::size_t first = 0; first < outlines.vertices.size(); ++first) {
+    std::size_t at = first;
+    if (taken[std::size_t(outlines.vertices[at].out)]) continue;
+    move(path, {outlines.vertices[at].x, outlines.vertices[at].y});
+    do {
+      const int next = outlines.vertices[at].out;
+      const OutlinePiece& piece = outlines.pieces[std::size_t(next)];
+      taken[std::size_t(next)] = 1;
+      const std::size_t to = std::size_t(std::size_t(piece.top) == at ? piece.bottom : piece.top);
+      const OutlineVertex &a = outlines.vertices[at], &b = outlines.vertices[to];
+      quad(path, {{a.x, a.y}, {piece.x0 + piece.ax, piece.y0 + piece.ay}, {b.x, b.y}});
+      at = to;
+    } while (at != first);
+    close(path);
+  }
   return path;
 }
 

@@ -31,14 +31,6 @@ PixelBuffer cut(const Image& image, const PixelRect& piece) {
   return {const_cast<std::byte*>(image.bytes.data()) + offset, image.stride(), image.depth};
 }
 
-void add(RenderStats& sum, const RenderStats& part) {
-  sum.pixels += part.pixels;
-  sum.fill_pixels += part.fill_pixels;
-  sum.one_edge_pixels += part.one_edge_pixels;
-  sum.divided_pixels += part.divided_pixels;
-  sum.cells += part.cells;
-}
-
 /// Draws pieces of a view, each by one thread.
 class DrawnPieces {
  public:
@@ -70,7 +62,7 @@ class DrawnPieces {
   PictureStats stats() const {
     PictureStats sum;
     for (const auto& slot : slots_) {
-      add(sum.render, slot->stats);
+      sum.render.add(slot->stats);
       sum.draw += slot->seconds;
     }
     return sum;

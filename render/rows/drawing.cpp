@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mien {
 namespace {
@@ -15,7 +16,21 @@ double tolerance_of(Depth depth, Blend blend) {
 
 }  // namespace
 
+/// Scenes never change, and the one drawn is held: the same place in memory is the same scene.
+bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
+  const auto same_color = [](const std::optional<Color>& a, const std::optional<Color>& b) {
+    return a.has_value() == b.has_value() &&
+           (!a || (a->r == b->r && a->g == b->g && a->b == b->b && a->a == b->a));
+  };
+  return made_ && &scene.background() == &scene_.background() && format_.depth() == depth &&
+         view.width == view_.width && view.height == view_.height && view.fit == view_.fit &&
+         view.blend == view_.blend && view.dither == view_.dither && view.light == view_.light &&
+         same_color(view.background, view_.background);
+}
+
 void Drawing::make(const Scene& scene, const View& view, Depth depth) {
+  if (is_of(scene, view, depth)) return;
+  made_ = false;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
   scene_ = scene, view_ = view;
   paints_.make(scene, view, depth);
@@ -26,6 +41,7 @@ void Drawing::make(const Scene& scene, const View& view, Depth depth) {
   sweep_.run(outlines_, 0.0, view.height, regions_);
   palette_.make(looks_, format_, regions_.look(0));
   sort_into_strips();
+  made_ = true;
 }
 
 void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {

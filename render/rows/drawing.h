@@ -29,6 +29,7 @@ struct StripScratch {
 
 class Drawing {
  public:
+  /// Nothing is done where all but the view's region is as it was: pieces of one picture share it.
   void make(const Scene& scene, const View& view, Depth depth);
 
   /// Strips of kRows rows; those that show some of a target.
@@ -55,12 +56,14 @@ class Drawing {
                       RenderStats& stats) const;
   Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
                    RenderStats& stats) const;
+  bool is_of(const Scene& scene, const View& view, Depth depth) const;
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
 
   int width_ = 0, height_ = 0;
   bool dither_ = true;
   double tolerance_ = 0;  ///< of outlines [px]
+  bool made_ = false;
   Scene scene_;
   View view_;
   PaintTable paints_;

@@ -5,6 +5,8 @@
 #include <mien/sdf/arrange/sweep.h>
 #include <mien/sdf/outline/outline_maker.h>
 
+#include <algorithm>
+#include <bit>
 #include <map>
 #include <span>
 #include <vector>
@@ -76,7 +78,7 @@ struct Arranged {
     double x;
     int left, right;
   };
-  /// The fragments at a height, from left to right; of those at one place in an order that joins.
+  /// The fragments at a height, from left to right.
   std::vector<Crossed> row(double y) const {
     std::vector<Crossed> found;
     for (const Fragment& f : sweep.fragments())
@@ -87,18 +89,20 @@ struct Arranged {
     return found;
   }
 
-  /// The look that the fragments left of a place lead to: by sums, so that their order is of no
-  /// matter.
-  static bool telescopes(std::span<const Crossed> row, int first) {
+  /// The look that the fragments left of a place lead to, beginning with that left of all; −1 where
+  /// they do not join. By sums: the order of those at one place is of no matter.
+  int shown(glm::dvec2 p) {
     std::map<int, int> balance;
-    ++balance[first];
-    for (const Crossed& c : row) --balance[c.left], ++balance[c.right];
-    int looks = 0;
-    for (const auto& [look, count] : balance) {
-      if (count != 0 && count != 1) return false;
-      looks += count;
+    ++balance[look_at({-1e6, p.y})];
+    for (const Crossed& c : row(p.y))
+      if (c.x < p.x) --balance[c.left], ++balance[c.right];
+    int look = -1;
+    for (const auto& [which, count] : balance) {
+      if (count == 0) continue;
+      if (count != 1 || look >= 0) return -1;
+      look = which;
     }
-    return looks == 1;
+    return look;
   }
 };
 

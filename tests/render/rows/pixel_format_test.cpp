@@ -1,0 +1,157 @@
+#include <mien/render/blend/transfer.h>
+#include <mien/render/rows/pixel_format.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/random.h"
+
+namespace mien::test {
+namespace {
+
+template <class Channel>
+std::array<Channel, 4> put(const PixelFormat& format, const Mix& mix, double carry) {
+  std::array<Channel, 4> out;
+  format.put(rgba_from_mix(mix), float(carry), reinterpret_cast<std::byte*>(out.data()));
+  return out;
+}
+
+template <class Channel>
+std::array<Channel, 4> stored(const PixelFormat& format, const Mix& mix) {
+  std::array<Channel, 4> out;
+  store(mix, format.blend(), format.depth(), out.data());
+  return out;
+}
+
+Mix random_mix(Random& r, bool opaque) {
+  const double a = opaque ? 1.0 : r.chance(0.1) ? 0.0 : r.unit();
+  const double dark = r.chance(0.3) ? 0.01 : 1.0;
+  const double red = r.unit(), green = r.unit();
+  return a * Mix{dark * red, dark * green, dark * r.unit(), 1.0};
+}
+
+template <class Channel>
+void expect_twins(Depth depth, double allowed) {
+  for (const Blend blend : {Blend::linear, Blend::srgb})
+    for (const bool opaque : {true, false}) {
+      const PixelFormat format(depth, blend);
+      Random r(1);
+      double worst = 0.0;
+      for (int i = 0; i < 20'000; ++i) {
+        const Mix mix = random_mix(r, opaque);
+        const auto a = put<Channel>(format, mix, 0.5), b = stored<Channel>(format, mix);
+        // What hardly covers has a colour that hardly counts.
+        const double seen = std::min(1.0, mix.a * 64);
+        for (std::size_t c = 0; c < 4; ++c)
+          worst = std::max(worst, (c < 3 ? seen : 1.0) * std::abs(double(a[c]) - double(b[c])));
+      }
+      EXPECT_LE(worst, allowed) << int(blend) << opaque;
+    }
+}
+
+TEST(PixelFormat, EightBitsAreThoseOfStoreButForRoundingUpOrDown) {
+  expect_twins<std::uint8_t>(Depth::u8, 1.0);
+}
+
+TEST(PixelFormat, SixteenBitsAreThoseOfStoreButForAFewLevels) {
+  expect_twins<std::uint16_t>(Depth::u16, 2.0);
+}
+
+TEST(PixelFormat, EightBitsAreThoseOfStoreWhereItIsNoCloseCall) {
+  for (const Blend blend : {Blend::linear, Blend::srgb}) {
+    const PixelFormat format(Depth::u8, blend);
+    Random r(2);
+    for (int i = 0; i < 20'000; ++i) {
+      Mix mix{0.0, 0.0, 0.0, 1.0};
+      double level[3];
+      for (int c = 0; c < 3; ++c) {
+        level[c] = r.below(255) + r.between(0.02, 0.98) - 0.5;
+        const double v = std::max(level[c], 0.0) / 255;
+        mix[c] = blend == Blend::linear ? linear_from_srgb(v) : v;
+      }
+      ASSERT_EQ(put<std::uint8_t>(format, mix, 0.5), stored<std::uint8_t>(format, mix)) << i;
+    }
+  }
+}
+
+TEST(PixelFormat, ADithersThresholdIsAdded) {
+  for (const Depth depth : {Depth::u8, Depth::u16})
+    for (const Blend blend : {Blend::linear, Blend::srgb}) {
+      const PixelFormat format(depth, blend);
+      Random r(3);
+      for (int i = 0; i < 4000; ++i) {
+        const Mix mix = random_mix(r, true);
+        const int x = r.below(100), y = r.below(100);
+        if (depth == Depth::u8) {
+          std::array<std::uint8_t, 4> b;
+          store_dithered(mix, blend, depth, x, y, b.data());
+          const auto a = put<std::uint8_t>(format, mix, dither_threshold(x, y));
+          for (std::size_t c = 0; c < 4; ++c) ASSERT_LE(std::abs(a[c] - b[c]), 1);
+        } else {
+          std::array<std::uint16_t, 4> b;
+          store_dithered(mix, blend, depth, x, y, b.data());
+          const auto a = put<std::uint16_t>(format, mix, dither_threshold(x, y));
+          for (std::size_t c = 0; c < 4; ++c) ASSERT_LE(std::abs(a[c] - b[c]), 2);
+        }
+      }
+    }
+}
+
+TEST(PixelFormat, FloatsAreThoseOfStore) {
+  for (const Blend blend : {Blend::linear, Blend::srgb}) {
+    const PixelFormat format(Depth::f32, blend);
+    Random r(4);
+    for (int i = 0; i < 4000; ++i) {
+      const Mix mix = random_mix(r, r.chance(0.5));
+      const auto a = put<float>(format, mix, 0.5), b = stored<float>(format, mix);
+      for (std::size_t c = 0; c < 4; ++c) ASSERT_NEAR(a[c], b[c], 1e-6);
+    }
+  }
+}
+
+TEST(PixelFormat, OpaqueIsOpaqueInSpiteOfRoundings) {
+  const PixelFormat format(Depth::u16, Blend::srgb);
+  for (const double a : {1.0, 1.0 - 1e-7, 1.0 + 1e-6}) {
+    const auto out = put<std::uint16_t>(format, Mix{0.5, 0.5, 0.5, a}, 0.0);
+    EXPECT_EQ(out[3], 65535) << a;
+  }
+}
+
+TEST(PixelFormat, NothingIsBlackAndClear) {
+  for (const Depth depth : {Depth::u8, Depth::u16})
+    for (const Blend blend : {Blend::linear, Blend::srgb}) {
+      const PixelFormat format(depth, blend);
+      std::array<std::byte, 8> out;
+      out.fill(std::byte{77});
+      format.put({}, 0.5f, out.data());
+      for (std::size_t i = 0; i < format.bytes(); ++i) EXPECT_EQ(out[i], std::byte{0});
+      format.put({-1e-7f, 1e-8f, -1e-7f, -1e-7f}, 0.5f, out.data());  // what roundings leave
+      for (std::size_t i = 0; i < format.bytes(); ++i) EXPECT_EQ(out[i], std::byte{0});
+    }
+}
+
+TEST(PixelFormat, TheTableIsTheCurveToAHundredthOfALevel) {
+  double worst = 0.0;
+  for (int i = 0; i <= 1'000'000; ++i) {
+    const double v = i / 1e6;
+    worst =
+        std::max(worst, std::abs(double(EncodeTable::shared()(float(v))) - srgb_from_linear(v)));
+  }
+  EXPECT_LE(worst, 1.9e-5);
+}
+
+TEST(PixelFormat, RunsAreFilledWholeAndNoFarther) {
+  for (const std::size_t bytes : {4u, 8u, 16u})
+    for (const int count : {0, 1, 2, 3, 17}) {
+      std::array<std::byte, 16> value;
+      for (std::size_t i = 0; i < 16; ++i) value[i] = std::byte(i + 1);
+      std::vector<std::byte> row(bytes * 20, std::byte{0});
+      fill_pixels(row.data(), count, value.data(), bytes);
+      for (std::size_t i = 0; i < row.size(); ++i)
+        ASSERT_EQ(row[i], i < bytes * std::size_t(count) ? value[i % bytes] : std::byte{0});
+    }
+}
+
+}  // namespace
+}  // namespace mien::test

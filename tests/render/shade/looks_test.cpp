@@ -1,0 +1,82 @@
+#include <mien/render/shade/looks.h>
+
+#include <gtest/gtest.h>
+
+namespace mien {
+namespace {
+
+constexpr View kView{.width = 100, .height = 100, .blend = Blend::srgb};
+
+struct Table {
+  PaintTable paints;
+  Looks looks;
+  Regions regions;
+
+  explicit Table(SceneBuilder&& build) {
+    paints.make(std::move(build).finish(), kView, Depth::u8);
+    looks.begin(paints);
+    regions.begin(int(paints.programs.outlines().size()), looks);
+  }
+  /// The look inside of these outlines.
+  int look(std::initializer_list<int> inside) {
+    int region = 0;
+    for (const int outline : inside) region = regions.across(region, outline);
+    return regions.look(region);
+  }
+  Mix mix(std::initializer_list<int> inside) { return looks.mix(look(inside)); }
+};
+
+SceneBuilder builder() {
+  return SceneBuilder({.box = {{0, 0}, {1, 1}}}, {1, 1, 1, 1});
+}
+
+TEST(Looks, LayWhatIsTranslucentOverWhatIsBelow) {
+  SceneBuilder build = builder();
+  build.layer("red", build.shape(Disc{{0.4, 0.5}, 0.3}), {{1, 0, 0, 1}});
+  build.layer("shade", build.shape(Disc{{0.6, 0.5}, 0.3}), {{0, 0, 0, 0.25}});
+  Table t(std::move(build));
+  EXPECT_EQ(t.mix({}), (Mix{1, 1, 1, 1}));
+  EXPECT_EQ(t.mix({0}), (Mix{1, 0, 0, 1}));
+  EXPECT_EQ(t.mix({1}), (Mix{0.75, 0.75, 0.75, 1}));
+  EXPECT_EQ(t.mix({0, 1}), (Mix{0.75, 0, 0, 1}));
+  EXPECT_EQ(t.look({1, 0}), t.look({0, 1}));
+}
+
+TEST(Looks, AreOneWhereNothingOfTheDifferenceIsSeen) {
+  SceneBuilder build = builder();
+  build.layer("below", build.shape(Disc{{0.4, 0.5}, 0.3}), {{1, 0, 0, 1}});
+  build.layer("cover", build.shape(Disc{{0.5, 0.5}, 0.4}), {{0, 0, 1, 1}});
+  Table t(std::move(build));
+  EXPECT_EQ(t.look({0, 1}), t.look({1}));
+  EXPECT_NE(t.look({0}), t.look({}));
+}
+
+TEST(Looks, MixGroupsFirst) {
+  SceneBuilder build = builder();
+  build.open_group("outer", 0.5);
+  build.layer("black", build.shape(Disc{{0.4, 0.5}, 0.3}), {{0, 0, 0, 1}});
+  build.open_group("inner", 0.5);
+  build.layer("white", build.shape(Disc{{0.6, 0.5}, 0.3}), {{1, 1, 1, 1}});
+  build.close_group();
+  build.close_group();
+  Table t(std::move(build));
+  EXPECT_EQ(t.mix({0}), (Mix{0.5, 0.5, 0.5, 1}));
+  EXPECT_EQ(t.mix({0, 1}), (Mix{0.75, 0.75, 0.75, 1}));  // half white over black, half of that
+}
+
+TEST(Looks, ChangeAtTheStopsOfAGradient) {
+  SceneBuilder build = builder();
+  build.layer("ramp", build.everywhere(),
+              {.color = {0, 0, 0, 1},
+               .gradient = shared(Gradient{LinearGradient{{0.25, 0}, {0.75, 0}},
+                                           {{0, {0, 0, 0, 1}}, {1, {1, 1, 1, 1}}}})});
+  Table t(std::move(build));
+  ASSERT_EQ(t.paints.programs.outlines().size(), 2u);  // one per stop
+  EXPECT_TRUE(t.looks.constant(t.look({})));           // beyond the last
+  EXPECT_EQ(t.mix({}), (Mix{1, 1, 1, 1}));
+  EXPECT_FALSE(t.looks.constant(t.look({1})));  // between them
+  EXPECT_EQ(t.mix({0, 1}), (Mix{0, 0, 0, 1}));  // before the first
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,265 @@
+#include <mien/sdf/arrange/sweep.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/arranged.h"
+#include "tests/support/effort.h"
+
+namespace mien::test {
+namespace {
+
+constexpr double kSide = 32;
+const Box2 kWindow{{-1, -1}, {kSide + 1, kSide + 1}};
+
+/// Discs, ellipses, strokes and paths over themselves; with `lattice` all of them on points that they
+/// share.
+std::vector<Shape> random_shapes(Random& r, bool lattice) {
+  const auto at = [&] {
+    if (!lattice) return r.point(-4, kSide + 4);
+    const double x = 4.0 * r.below(9);
+    return glm::dvec2{x, 4.0 * r.below(9)};
+  };
+  const auto size = [&] { return lattice ? 2.0 * (1 + r.below(3)) : r.between(0.3, 9.0); };
+  std::vector<Shape> shapes;
+  for (int i = 0; i < 7; ++i) {
+    const glm::dvec2 a = at(), b = at(), c = at(), d = at();
+    switch (r.below(5)) {
+      case 0:
+        shapes.push_back(Disc{a, size()});
+        break;
+      case 1: {
+        const double wide = size();
+        shapes.push_back(Ellipse{a, {wide, size()}});
+        break;
+      }
+      case 2:
+        shapes.push_back(Line{a, b, 0.25 * size()});
+        break;
+      case 3:
+        shapes.push_back(QuadStroke{{a, b, c}, 0.1 * size()});
+        break;
+      default: {
+        Path path{.rule = r.chance(0.5) ? FillRule::nonzero : FillRule::even_odd};
+        path.loops.push_back({{{a, r.chance(0.5) ? 0.5 * (a + b) : c, b},
+                               {b, d, c},
+                               {c, 0.5 * (c + d), d},
+                               {d, 0.5 * (d + a), a}}});
+        shapes.push_back(path);
+      }
+    }
+  }
+  return shapes;
+}
+
+Arranged arranged(std::span<const Shape> shapes) {
+  return {outlines_of(shapes, kWindow), 0.0, kSide};
+}
+
+bool doubted(const Arranged& a, glm::dvec2 p, double margin) {
+  for (const Doubt& d : a.sweep.doubts())
+    if (p.x >= d.left - margin && p.x <= d.right + margin && p.y >= d.top - margin &&
+        p.y <= d.bottom + margin)
+      return true;
+  return false;
+}
+
+/// How far from a place the nearest piece passes along its row.
+double nearest_crossing(const Outlines& outlines, glm::dvec2 p) {
+  double least = HUGE_VAL;
+  for (const OutlinePiece& piece : outlines.pieces)
+    if (piece.y0 <= p.y && p.y <= piece.y1)
+      least = std::min(least, std::abs(mien::x_at(piece, p.y) - p.x));
+  return least;
+}
+
+class EverySweep : public testing::TestWithParam<bool> {
+ protected:
+  template <class Look>
+  void over_random_arrangements(int count, Look&& look) {
+    for (int seed = 0; seed < times(count); ++seed) {
+      Random r(std::uint64_t(seed) + 100);
+      Arranged a = arranged(random_shapes(r, GetParam()));
+      SCOPED_TRACE(seed);
+      look(a, r);
+      if (HasFailure()) return;
+    }
+  }
+};
+
+TEST_P(EverySweep, LooksTelescopeAlongEveryRow) {
+  over_random_arrangements(200, [](Arranged& a, Random& r) {
+    for (int i = 0; i < 60; ++i) {
+      const double y = r.between(0, kSide);
+      ASSERT_GE(a.shown({1e6, y}), 0) << y;
+      const auto row = a.row(y);
+      for (std::size_t k = 1; k < row.size(); ++k) {
+        if (row[k].left == row[k - 1].right) continue;
+        // Only pieces at one place may seem out of turn: x does not tell their order.
+        ASSERT_LT(row[k].x - row[k - 1].x, 1e-3) << y;
+      }
+    }
+  });
+}
+
+TEST_P(EverySweep, EveryPlaceHasTheLookOfItsOutlines) {
+  over_random_arrangements(200, [](Arranged& a, Random& r) {
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec2 p = r.point(0, kSide);
+      if (nearest_crossing(a.outlines, p) < 2 * kOrder || doubted(a, p, 0.0)) continue;
+      ASSERT_EQ(a.shown(p), a.look_at(p)) << p.x << ", " << p.y;
+    }
+  });
+}
+
+/// Green: the sum of the fragments' own areas to the right, per look, is the look's area.
+TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
+  over_random_arrangements(60, [](Arranged& a, Random&) {
+    constexpr int kRows = 1600;
+    std::map<int, double> green, rows;
+    for (const Fragment& f : a.sweep.fragments()) {
+      const OutlinePiece& p = a.sweep.pieces()[std::size_t(f.piece)];
+      constexpr int kParts = 64;
+      double area = 0.0;  // between the piece and x = kSide + 100
+      const double h = (f.bottom - f.top) / kParts;
+      for (int i = 0; i < kParts; ++i)
+        area += h * (kSide + 100 - mien::x_at(p, f.top + (i + 0.5) * h));
+      green[f.right] += area, green[f.left] -= area;
+    }
+    for (int i = 0; i < kRows; ++i) {
+      const double y = (i + 0.5) * kSide / kRows;
+      for (const Arranged::Crossed& c : a.row(y)) {
+        rows[c.right] += (kSide + 100 - c.x) * kSide / kRows;
+        rows[c.left] -= (kSide + 100 - c.x) * kSide / kRows;
+      }
+    }
+    double sum = 0.0;
+    for (const auto& [look, area] : green) {
+      ASSERT_NEAR(area, rows[look], 2.0) << look;
+      sum += area;
+    }
+    ASSERT_NEAR(sum, 0.0, 1e-6);
+  });
+}
+
+TEST_P(EverySweep, NothingIsLeftInDoubt) {
+  long doubts = 0, forced = 0, pieces = 0;
+  over_random_arrangements(400, [&](Arranged& a, Random&) {
+    doubts += long(a.sweep.doubts().size()), forced += a.sweep.stats().forced;
+    pieces += a.sweep.stats().pieces;
+  });
+  EXPECT_LE(doubts, times(400) / 50);
+  EXPECT_LE(forced, pieces / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Anywhere, EverySweep, testing::Values(false));
+INSTANTIATE_TEST_SUITE_P(OnALattice, EverySweep, testing::Values(true));
+
+TEST(Sweep, NothingGivesNothing) {
+  const Arranged a({}, 0, kSide);
+  EXPECT_TRUE(a.sweep.fragments().empty());
+  EXPECT_TRUE(a.sweep.doubts().empty());
+}
+
+TEST(Sweep, ADiscIsItsOutline) {
+  const Shape shapes[] = {Disc{{16, 16}, 8}};
+  const Arranged a = arranged(shapes);
+  EXPECT_EQ(a.sweep.fragments().size(), a.outlines.pieces.size());
+  EXPECT_EQ(a.regions.count(), 2);
+}
+
+TEST(Sweep, OutlinesThatCoincideCancelTheirWidth) {
+  const Shape disc = Disc{{16, 16}, 8}, shapes[] = {disc, disc, disc};
+  Arranged a = arranged(shapes);
+  for (double y = 8.5; y < 24; y += 0.37) {
+    const auto row = a.row(y);
+    ASSERT_EQ(row.size(), 6u);
+    EXPECT_EQ(row[0].x, row[2].x);
+    EXPECT_EQ(row[3].x, row[5].x);
+  }
+  EXPECT_TRUE(a.sweep.doubts().empty());
+}
+
+TEST(Sweep, FragmentsLieBetweenTheHeightsAsked) {
+  Random r(9);
+  const std::vector<Shape> shapes = random_shapes(r, false);
+  const Arranged a(outlines_of(shapes, kWindow), 10.25, 19.5);
+  EXPECT_FALSE(a.sweep.fragments().empty());
+  for (const Fragment& f : a.sweep.fragments()) {
+    EXPECT_GE(f.top, 10.25);
+    EXPECT_LE(f.bottom, 19.5);
+    EXPECT_LT(f.top, f.bottom);
+    EXPECT_NE(f.left, f.right);
+  }
+}
+
+TEST(Sweep, APartOfThePictureHasTheLooksOfTheWhole) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Random r(seed);
+    const std::vector<Shape> shapes = random_shapes(r, seed % 2 == 0);
+    Arranged part(outlines_of(shapes, kWindow), 11, 23);
+    for (int i = 0; i < 100; ++i) {
+      const glm::dvec2 p{r.between(0, kSide), r.between(11, 23)};
+      if (nearest_crossing(part.outlines, p) < 2 * kOrder || doubted(part, p, 0.0)) continue;
+      ASSERT_EQ(part.shown(p), part.look_at(p)) << seed;
+    }
+  }
+}
+
+/// A square from x = 2 to 10, and one from x = 12 to 20 whose left side is made to jump over the right
+/// side of the first, unknown to the vertices: from (5, 6) it runs back to (12, 12).
+Outlines with_a_jump() {
+  const auto square = [](double left, double right, double middle) {
+    Path path;
+    const glm::dvec2 a{left, 2}, b{right, 2}, c{right, 30}, d{left, 30}, m{left, middle};
+    const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+    path.loops.push_back({{side(a, b), side(b, c), side(c, d), side(d, m), side(m, a)}});
+    return Shape(path);
+  };
+  const Shape shapes[] = {square(2, 10, 16), square(12, 20, 6)};
+  Outlines o = outlines_of(shapes, kWindow);
+  for (OutlinePiece& p : o.pieces)
+    if (p.outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
+  return o;
+}
+
+TEST(Sweep, AWrongOrderIsDoubted) {
+  const Arranged a(with_a_jump(), 0, kSide);
+  ASSERT_FALSE(a.sweep.doubts().empty());
+  // Wrong is what lies between x = 10 and the side that jumped: from (5, 6) to where it is at 10.
+  for (double y = 6.01; y < 23; y += 0.5)
+    for (double x = 5 + 7 * (y - 6) / 24 + 0.01; x < 9.99; x += 0.5)
+      ASSERT_TRUE(doubted(a, {x, y}, kOrder)) << x << ", " << y;
+  for (const Doubt& d : a.sweep.doubts()) {
+    EXPECT_GE(d.left, 5);
+    EXPECT_LE(d.right, 12);
+    EXPECT_GE(d.top, 6);
+  }
+}
+
+TEST(Sweep, AWrongOrderEndsWhereItsPieceEnds) {
+  Arranged a(with_a_jump(), 0, kSide);
+  for (const double y : {3.0, 5.5}) {
+    const auto row = a.row(y);
+    ASSERT_EQ(row.size(), 4u);
+    for (std::size_t k = 1; k < row.size(); ++k) EXPECT_EQ(row[k].left, row[k - 1].right);
+  }
+  for (double y = 0.5; y < kSide; ++y) EXPECT_EQ(a.shown({1e6, y}), 0) << y;
+}
+
+TEST(Sweep, SweepingAnewForgetsAll) {
+  Random r(3);
+  const std::vector<Shape> first = random_shapes(r, false), second = random_shapes(r, true);
+  Arranged fresh = arranged(second), used = arranged(first);
+  const Outlines outlines = outlines_of(second, kWindow);
+  SetRule rule(int(outlines.rules.size()));
+  used.regions.begin(int(outlines.rules.size()), rule);
+  used.sweep.run(outlines, 0, kSide, used.regions);
+  ASSERT_EQ(used.sweep.fragments().size(), fresh.sweep.fragments().size());
+  for (std::size_t i = 0; i < fresh.sweep.fragments().size(); ++i) {
+    EXPECT_EQ(used.sweep.fragments()[i].piece, fresh.sweep.fragments()[i].piece);
+    EXPECT_EQ(used.sweep.fragments()[i].top, fresh.sweep.fragments()[i].top);
+  }
+}
+
+}  // namespace
+}  // namespace mien::test
