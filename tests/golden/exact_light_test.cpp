@@ -8,10 +8,13 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "tests/support/exact_truth.h"
 #include "tests/support/faces.h"
+#include "tests/support/random.h"
+#include "tests/support/random_lit_scene.h"
 
 namespace mien {
 namespace {
@@ -237,6 +240,14 @@ TEST(ExactLight, TheViewsLampTakesThePlaceOfTheScenes) {
               1e-7);
 }
 
+TEST(ExactLight, UpIsUpInThePictureWhereverYPoints) {
+  SceneBuilder build({.box = {{0, 0}, {1, 1}}, .y_up = false}, {0, 0, 0, 1});
+  build.light(kLight);
+  const Area all = build.shape(HalfPlane{{0, -1}, 3});  // falls towards smaller y: upwards
+  build.layer("slope", all, {{0.5, 0.5, 0.5, 1}, {}, shared(bevel(all, 9, 3))});
+  EXPECT_NEAR(mean_of(std::move(build)).linear.r, 0.5 * brightness(1.0 / 3, {0, 1}), 1e-7);
+}
+
 TEST(ExactLight, AnswersThatAreAskedForMoreExactlyAreTheSame) {
   const Scene scene = scene_from_face(test::face_named("clay"));
   const View view{.width = 128, .height = 128};
@@ -244,6 +255,25 @@ TEST(ExactLight, AnswersThatAreAskedForMoreExactlyAreTheSame) {
   for (const auto& [x, y] : {std::pair{64, 64}, {24, 32}, {40, 50}, {70, 90}, {64, 20}, {88, 64}})
     for (int k = 0; k < 3; ++k)
       EXPECT_NEAR(quick.levels(x, y, 255)[k], fine.levels(x, y, 255)[k], 0.02) << x << ' ' << y;
+}
+
+TEST(ExactLight, IsWhatManySamplesSee) {
+  for (const auto& [seed, x, y] : {std::tuple{6, 15, 14}, {1, 10, 18}, {23, 7, 16}}) {
+    const Scene scene = test::random_lit_scene(std::uint64_t(seed));
+    const ExactTruth truth(scene, {.width = 24, .height = 24}, ExactTruth::kLit);
+    constexpr int kSide = 120;  // samples, each somewhere in its part of the pixel
+    test::Random random(1);
+    Mixes sum;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const double right = i % kSide + random.unit(), down = i / kSide + random.unit();
+      sum = sum + truth.at(x + right / kSide, y + down / kSide);
+    }
+    const Mixes mean = truth.means(x, y), seen = 1.0 / (kSide * kSide) * sum;
+    for (const Blend blend : {Blend::linear, Blend::srgb})
+      for (int k = 0; k < 4; ++k)
+        EXPECT_NEAR(test::levels_of(mean, blend, 255)[k], test::levels_of(seen, blend, 255)[k], 0.1)
+            << seed;
+  }
 }
 
 }  // namespace

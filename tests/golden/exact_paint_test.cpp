@@ -2,8 +2,8 @@
 // 255 or 32 of 65535 from the exact picture, not rounded, without dither, in either blend.
 //
 // The long form draws a thousand scenes: MIEN_RANDOM_SCENES=1000 mien_golden_tests
-// --gtest_filter=ExactPaint.* (hours on one core; ExactPaint.WhereScenesChangeMost alone ten minutes).
-// MIEN_FIRST_SCENE=501 begins later: so several processes share the thousand.
+// --gtest_filter=ExactPaint.* (hours on one core; ExactPaint.WhereScenesChangeMost alone ten minutes),
+// or ctest -L long. MIEN_FIRST_SCENE=501 begins later: so several processes share the thousand.
 
 #include <mien/render/render.h>
 
@@ -234,7 +234,8 @@ std::vector<glm::ivec2> busy_pixels(const Image& image, int side) {
 // Pictures large enough for leaves in vectors, at the pixels in which most happens. Those are of 8 bits; what is
 // finer than the truth's lines (kThinnest) may show in 16: seed 1001 at (29, 4) is 36 of 65535 off in the truth.
 TEST(ExactPaint, WhereScenesChangeMost) {
-  for (int seed = 1001; seed < 1001 + scenes(test::times(12)); ++seed) {
+  const int first = 1000 + test::asked_of("MIEN_FIRST_SCENE", 1);
+  for (int seed = first; seed < first + scenes(test::times(12)); ++seed) {
     const Scene scene = test::random_painted_scene(std::uint64_t(seed));
     const int side = seed % 3 == 0 ? 16 : seed % 3 == 1 ? 31 : 48;
     const View view{.width = side,
