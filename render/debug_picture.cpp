@@ -46,8 +46,8 @@ class EachItsOwn final : public LookRule {
 
 /// Which look each row's middle has at the middles of pixels: a fragment changes it from its column
 /// on. Columns are those of the image.
-void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image,
-                bool dots, const Looks* looks) {
+void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image, bool dots,
+                const Looks* looks) {
   std::vector<std::pair<double, int>> changes;  // x, look to the right
   for (int y = 0; y < rect.height; ++y) {
     const double middle = rect.y + y + 0.5;
@@ -70,7 +70,8 @@ void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image
 
 void draw_piece(const OutlinePiece& piece, double top, double bottom, int width,
                 const PixelRect& rect, const Rgb& rgb, Image& image) {
-  const double from = std::max(top, double(rect.y)), to = std::min(bottom, double(rect.y + rect.height));
+  const double from = std::max(top, double(rect.y)),
+               to = std::min(bottom, double(rect.y + rect.height));
   if (!(from < to)) return;
   cells_of(piece, from, to, width, [&](const CellStretch& c) {
     if (c.column >= 0) put(image, c.column - rect.x, c.row - rect.y, rgb);
@@ -133,7 +134,8 @@ Rgb normal_at(const PaintTable& paints, const std::vector<AreaDistance>& layers,
       const AreaDistance& area = paints.distances[std::size_t(relief.distance)];
       constexpr double kStep = 1e-5;  // [px]
       d = area.at(p);
-      gradient = glm::dvec2{area.at({p.x + kStep, p.y}) - d, area.at({p.x, p.y + kStep}) - d} / kStep;
+      gradient =
+          glm::dvec2{area.at({p.x + kStep, p.y}) - d, area.at({p.x, p.y + kStep}) - d} / kStep;
     }
     slope = relief.slope(p, d, gradient);
     break;

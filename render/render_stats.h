@@ -1,6 +1,8 @@
 #pragma once
 // Where the work of drawing went. Counted always: it costs nothing beside the drawing.
 
+#include <algorithm>
+
 namespace mien {
 
 /// What drawing a picture took.
@@ -17,11 +19,12 @@ struct RenderStats {
   long long roots = 0;            ///< solved: where visible pieces meet rows and columns of pixels
   bool cancelled = false;
 
+  /// Of another part of the same picture: outlines and regions are those of all of it.
   void add(const RenderStats& part) {
     pixels += part.pixels, fill_pixels += part.fill_pixels, varied_pixels += part.varied_pixels;
-    edge_pixels += part.edge_pixels, resolved_pixels += part.resolved_pixels;
-    pieces += part.pieces, crossings += part.crossings, regions += part.regions;
-    doubts += part.doubts, roots += part.roots;
+    edge_pixels += part.edge_pixels, resolved_pixels += part.resolved_pixels, roots += part.roots;
+    pieces = std::max(pieces, part.pieces), crossings = std::max(crossings, part.crossings);
+    regions = std::max(regions, part.regions), doubts = std::max(doubts, part.doubts);
   }
 };
 

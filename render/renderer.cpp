@@ -105,8 +105,8 @@ bool Renderer::render_into(const PixelBuffer& out, const Scene& scene, const Vie
   try {
     if (!scratch_) scratch_ = std::make_unique<Scratch>();
     scratch_->drawing.make(scene, view, out.depth);
-    const RenderStats took = scratch_->draw(
-        {static_cast<std::byte*>(out.data), out.stride, drawn_rect(view)}, how);
+    const RenderStats took =
+        scratch_->draw({static_cast<std::byte*>(out.data), out.stride, drawn_rect(view)}, how);
     if (stats) *stats = took;
     return !took.cancelled;
   } catch (const std::bad_alloc&) {

@@ -11,8 +11,8 @@ namespace mien {
 struct FaceSpace;   ///< the face file's own units and y direction, as its canvas states them
 struct PixelSpace;  ///< 1 = pixel, y down, origin at the CENTRE of the whole picture: mirror images
                     ///< about the middle of the picture have exactly opposite coordinates
-struct GridSpace;   ///< 1 = pixel, y down, origin at the TOP LEFT corner of the whole picture: pixel
-                    ///< (x, y) is the square from (x, y) to (x + 1, y + 1)
+struct GridSpace;  ///< 1 = pixel, y down, origin at the TOP LEFT corner of the whole picture: pixel
+                   ///< (x, y) is the square from (x, y) to (x + 1, y + 1)
 
 /// Takes points of From to points of To. Read a name right to left: pixel_from_face.
 /// Invariant: a similarity, i.e. `linear` is a rotation times a positive scale, perhaps mirrored.

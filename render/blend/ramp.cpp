@@ -59,7 +59,8 @@ bool Ramp::kinks(double lo, double hi, int most, std::vector<double>& to) const 
   if (extend_ == Extend::pad) {
     add_kinks(first, false, lo, hi, to);
   } else {
-    const double from = std::floor((lo - first) / length), until = std::floor((hi - first) / length);
+    const double from = std::floor((lo - first) / length),
+                 until = std::floor((hi - first) / length);
     if (!(until - from <= double(most))) return false;
     for (double turn = from; turn <= until; turn += 1.0)
       add_kinks(first + turn * length, extend_ == Extend::reflect && std::fmod(turn, 2.0) != 0.0,

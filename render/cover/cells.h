@@ -19,9 +19,9 @@ namespace mien {
 
 /// A stretch of a piece within one cell.
 struct CellStretch {
-  int row, column;         ///< column −1: left of the picture
-  double xp, yp, xq, yq;   ///< its ends; yp < yq
-  double area;             ///< to its right, in the cell
+  int row, column;        ///< column −1: left of the picture
+  double xp, yp, xq, yq;  ///< its ends; yp < yq
+  double area;            ///< to its right, in the cell
 };
 
 /// Calls sink(CellStretch) for the cells that the piece crosses between two heights, from the top
@@ -36,9 +36,7 @@ void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&
     return divisor > 0.0 ? d / divisor : 0.0;
   };
   const auto x_of = [&](double t) { return p.x0 + t * (2.0 * p.ax + t * p.bx); };
-  const auto column_of = [&](double x) {
-    return x < 0.0 ? -1 : x >= width ? width : int(x);
-  };
+  const auto column_of = [&](double x) { return x < 0.0 ? -1 : x >= width ? width : int(x); };
   const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
   double y = top, t = parameter(top), x = x_of(t);
   for (int row = int(top); row <= last_row; ++row) {
@@ -59,8 +57,7 @@ void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&
       if (column < width) {
         const double h = tq - tp, dy = yq - yp;
         sink(CellStretch{row, column, xp, yp, xq, yq,
-                         column < 0 ? dy
-                                    : (column + 1 - 0.5 * (xp + xq)) * dy - lens * h * h * h});
+                         column < 0 ? dy : (column + 1 - 0.5 * (xp + xq)) * dy - lens * h * h * h});
       }
       if (column == last) break;
       xp = xq, yp = yq, tp = tq;

@@ -3,7 +3,7 @@
 #include <mien/render/image/file_type.h>
 #include <mien/render/image/in_order.h>
 #include <mien/render/image/write_pieces.h>
-#include <mien/render/render.h>
+#include <mien/render/renderer.h>
 
 #include <fmt/format.h>
 
@@ -49,12 +49,12 @@ class DrawnPieces {
     how.progress = [&](double) { return !watch.ask(); };
     RenderStats stats;
     const auto began = std::chrono::steady_clock::now();
-    if (!render_into(buffer, scene_, view, how, &stats)) {
+    if (!own.renderer.render_into(buffer, scene_, view, how, &stats)) {
       if (!watch.stopped()) throw std::bad_alloc();  // the only other reason
       return {};
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    add(own.stats, stats);
+    own.stats.add(stats);
     own.seconds += took.count();
     return buffer;
   }
@@ -70,6 +70,7 @@ class DrawnPieces {
 
  private:
   struct Slot {
+    Renderer renderer;  ///< what pieces of one picture share is made once
     std::vector<std::byte> pixels;
     RenderStats stats;
     double seconds = 0;

@@ -164,10 +164,11 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
   const PixelRect& rect = target.rect;
   const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
   if (first >= end) return;
-  const auto row_of = [&](int y) { return map + std::size_t(y - rect.y) * std::size_t(rect.width); };
+  const auto row_of = [&](int y) {
+    return map + std::size_t(y - rect.y) * std::size_t(rect.width);
+  };
   RenderStats stats;
-  scratch.painter.note_errors(
-      [&](int x, int y, float e) { row_of(y)[x - rect.x] = e; });
+  scratch.painter.note_errors([&](int x, int y, float e) { row_of(y)[x - rect.x] = e; });
   draw_strip(strip, target, scratch, stats);
   scratch.painter.note_errors({});
   for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
@@ -179,9 +180,9 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
     const Rgba& j = jumps_[i];
     const bool varies = palette_.entries[std::size_t(f.left)].varies ||
                         palette_.entries[std::size_t(f.right)].varies;
-    const double jump = varies ? 1.0
-                               : double(std::max({std::abs(j.r), std::abs(j.g), std::abs(j.b),
-                                                  std::abs(j.a)}));
+    const double jump =
+        varies ? 1.0
+               : double(std::max({std::abs(j.r), std::abs(j.g), std::abs(j.b), std::abs(j.a)}));
     // How steeply a mixed colour is encoded lies between what it is at the two: the darker one counts.
     const double steep = std::max(format_.steepness(palette_.entries[std::size_t(f.left)].color),
                                   format_.steepness(palette_.entries[std::size_t(f.right)].color));

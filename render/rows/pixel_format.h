@@ -89,9 +89,7 @@ class PixelFormat {
       c = {up * mix.r, up * mix.g, up * mix.b, mix.a};
     }
     if (blend_ == Blend::linear) c = {(*encode_)(c.r), (*encode_)(c.g), (*encode_)(c.b), c.a};
-    const auto level = [&](float v) {
-      return Channel(std::clamp(v, 0.0f, 1.0f) * kTop + carry);
-    };
+    const auto level = [&](float v) { return Channel(std::clamp(v, 0.0f, 1.0f) * kTop + carry); };
     const Channel out[4] = {level(c.r), level(c.g), level(c.b),
                             mix.a < whole ? level(c.a) : Channel(-1)};
     std::memcpy(to, out, sizeof out);

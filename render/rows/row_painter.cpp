@@ -7,9 +7,9 @@
 namespace mien {
 namespace {
 
-constexpr float kSame = 1e-5f;     // sums of thousands of cells agree with their look to less
-constexpr float kNoArea = 1e-6f;   // a share of less shows nowhere
-constexpr float kClosed = 1e-5f;   // a look that goes on by less has ended
+constexpr float kSame = 1e-5f;    // sums of thousands of cells agree with their look to less
+constexpr float kNoArea = 1e-6f;  // a share of less shows nowhere
+constexpr float kClosed = 1e-5f;  // a look that goes on by less has ended
 
 bool close(const Rgba& x, const Rgba& y) {
   return std::abs(x.r - y.r) < kSame && std::abs(x.g - y.g) < kSame &&
@@ -150,8 +150,8 @@ void RowPainter::take_shares(int column) {
   for (Open& o : open_) o.area = o.height, o.mx = 0.0f, o.my = o.height_y;
   for (; next_share_ < shares_->size() && (*shares_)[next_share_].column <= column; ++next_share_) {
     const LookShare& s = (*shares_)[next_share_];
-    auto found = std::find_if(open_.begin(), open_.end(),
-                              [&](const Open& o) { return o.look == s.look; });
+    auto found =
+        std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.look == s.look; });
     if (found == open_.end()) found = open_.insert(found, {s.look, 0, 0, 0, 0, 0});
     found->area += s.area, found->mx += s.mx, found->my += s.my;
     found->height += s.height, found->height_y += s.height_y;
@@ -171,9 +171,9 @@ void RowPainter::cell(int column) {
     const glm::vec4 c = shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y),
                                      std::min(double(std::abs(o.area)), 1.0));
     mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
-    neglected += double(std::abs(o.area)) *
-                 (looks_->neglected(o.look) +
-                  looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true));
+    neglected +=
+        double(std::abs(o.area)) * (looks_->neglected(o.look) +
+                                    looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true));
     varies = true;
   }
   if (neglected > 0.0) refuse(neglected, mix, column);

@@ -18,7 +18,7 @@ namespace mien {
 /// The looks of a picture as its rows need them.
 struct Palette {
   struct Entry {
-    Rgba color;       ///< nothing where it varies
+    Rgba color;  ///< nothing where it varies
     bool varies;
     std::array<std::byte, 16> pixel;  ///< a whole pixel of it
   };
@@ -36,7 +36,9 @@ class RowPainter {
   void paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to, RenderStats& stats);
 
   /// Tells what means by centroids neglect of a pixel, in levels of 255; none: nobody asks.
-  void note_errors(std::function<void(int x, int y, float levels)> note) { note_ = std::move(note); }
+  void note_errors(std::function<void(int x, int y, float levels)> note) {
+    note_ = std::move(note);
+  }
 
   /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
   std::span<const int> refused() const { return refused_; }

@@ -17,14 +17,14 @@ void RowSums::begin(int rows, int width) {
 
 void RowSums::share(int row, const CellStretch& c, int left_varied, int right_varied) {
   const double h = c.yq - c.yp, middle = 0.5 * (c.yp + c.yq) - (c.row + 0.5);
-  LookShare s{std::max(c.column, 0), 0,        float(c.area), 0.0f,
+  LookShare s{std::max(c.column, 0), 0,        float(c.area),    0.0f,
               float(h * middle),     float(h), float(h * middle)};
   if (c.column >= 0) {
     // (1/2 − X)(1/2 + X)/2 and y (1/2 − X) along the stretch, by Simpson's rule: exact for its chord.
     const double x = c.column + 0.5, y = c.row + 0.5, p = c.xp - x, q = c.xq - x, m = 0.5 * (p + q);
     s.mx = float(h / 12 * ((0.25 - p * p) + 4 * (0.25 - m * m) + (0.25 - q * q)));
-    s.my = float(h / 6 *
-                 ((c.yp - y) * (0.5 - p) + 4 * middle * (0.5 - m) + (c.yq - y) * (0.5 - q)));
+    s.my =
+        float(h / 6 * ((c.yp - y) * (0.5 - p) + 4 * middle * (0.5 - m) + (c.yq - y) * (0.5 - q)));
   }
   std::vector<LookShare>& to = shares_[std::size_t(row)];
   if (left_varied >= 0)
@@ -54,8 +54,8 @@ void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, in
   });
 }
 
-void RowSums::add(const OutlinePiece& piece, double top, double bottom, int first,
-                  const Rgba& jump, int left_varied, int right_varied, int right_look) {
+void RowSums::add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
+                  int left_varied, int right_varied, int right_look) {
   if (left_varied < 0 && right_varied < 0)
     add_cells<false>(piece, top, bottom, first, jump, left_varied, right_varied, right_look);
   else

@@ -16,7 +16,7 @@ namespace mien {
 /// takes of all pixels after it.
 struct LookShare {
   int column, look;
-  float area, mx, my;     ///< of the pixel
+  float area, mx, my;      ///< of the pixel
   float height, height_y;  ///< of every pixel after it: area, and moment about the row's middle
 };
 

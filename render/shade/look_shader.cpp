@@ -65,7 +65,8 @@ void along(const PaintField& field, double x, double y, int from, int count, dou
   const float ax = float(u[0].x), ay = float(u[0].y), bx = float(u[1].x), by = float(u[1].y);
   const float v = float(variance);
   for (int i = 0; i < count; ++i) {
-    const float px = qx + sx * float(from + i), py = qy + sy * float(from + i), tt = px * px + py * py;
+    const float px = qx + sx * float(from + i), py = qy + sy * float(from + i),
+                tt = px * px + py * py;
     const float gx = ax * px + ay * py, gy = bx * px + by * py;
     const float rest = trace - (gx * gx + gy * gy) / std::max(tt, 1e-30f);
     t[i] = std::sqrt(tt + v * rest);

@@ -22,8 +22,8 @@ std::uint64_t hash_of(const LookStep& step) {
 }
 
 bool same(const LookStep& a, const LookStep& b) {
-  return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment &&
-         a.zone == b.zone && a.mix == b.mix;
+  return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment && a.zone == b.zone &&
+         a.mix == b.mix;
 }
 
 /// The literals of a conjunction, written to `to`; false where it is none. Postfix: an `and` may only

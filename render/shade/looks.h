@@ -112,9 +112,9 @@ class Looks final : public LookRule {
   // Layers of outlines: those whose program or paint reads them.
   std::vector<int> first_reader_, readers_;
   std::vector<std::pair<int, int>> reading_;
-  std::vector<char> kink_;              ///< by outline: some paint's kink
-  std::vector<std::uint64_t> opaque_;   ///< a bit per layer
-  std::vector<int> first_segment_;      ///< by varied paint
+  std::vector<char> kink_;             ///< by outline: some paint's kink
+  std::vector<std::uint64_t> opaque_;  ///< a bit per layer
+  std::vector<int> first_segment_;     ///< by varied paint
   std::vector<RampSegment> segments_;
   /// A program that is an and of outlines and their opposites: a mask test.
   struct Conjunction {

@@ -8,7 +8,8 @@ namespace mien {
 namespace {
 
 constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden changes
-constexpr int kMostKinks = 96;   ///< of one paint in a picture: more make outlines dearer than samples
+constexpr int kMostKinks =
+    96;  ///< of one paint in a picture: more make outlines dearer than samples
 
 class Maker {
  public:
@@ -62,10 +63,9 @@ class Maker {
     if (way == glm::dvec2{0.0}) return;
     const glm::dvec2 ahead = glm::normalize(g.to - g.from);
     for (const double t : places(varied, middle - reach, middle + reach))
-      varied.kinks.push_back(
-          {to_.programs.add(HalfPlane{ahead, glm::dot(g.from, ahead) +
-                                                 t * glm::length(g.to - g.from)}),
-           false, t});
+      varied.kinks.push_back({to_.programs.add(HalfPlane{
+                                  ahead, glm::dot(g.from, ahead) + t * glm::length(g.to - g.from)}),
+                              false, t});
   }
 
   void field(const RadialGradient& g, VariedPaint& varied) {

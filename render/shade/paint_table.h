@@ -27,8 +27,8 @@ struct PaintKink {
 /// A colour that varies from place to place.
 struct VariedPaint {
   TapePaint paint;
-  std::vector<PaintKink> kinks;  ///< of the ramp, rising; none where they are too many
-  bool dense = false;            ///< they are
+  std::vector<PaintKink> kinks;    ///< of the ramp, rising; none where they are too many
+  bool dense = false;              ///< they are
   double lowest = 0, highest = 0;  ///< t in the picture
   /// Its means are LitPaint's: it is lit, goes by a distance, or is dense. Index into
   /// PaintTable::lit; −1: a ramp is all of it.

@@ -33,7 +33,7 @@ AreaDistance random_area(Random& random, int kind, double size) {
   const glm::dvec2 a = c - 0.4 * size * way, b = c + 0.4 * size * way;
   const glm::dvec2 m = c + 0.3 * size * random.between(-1, 1) * glm::dvec2{way.y, -way.x};
   const auto half = [&] { return size * random.between(0.03, 0.15); };
-  SceneBuilder scene;
+  SceneBuilder scene({}, {});
   Area area;
   switch (kind) {
     case 0:

@@ -78,7 +78,8 @@ const Wrong kWrongs[] = {
      "--light 1,2,-3: expected X,Y,Z, the last more than 0: the lamp is before us"},
     {{"render", "FACE", "-o", "OUT", "--debug", "everything"},
      2,
-     "--debug everything: expected outlines, regions, fragments, looks, distance, normals, morph, muscles or points"},
+     "--debug everything: expected outlines, regions, fragments, looks, distance, normals, morph, "
+     "muscles or points"},
     {{"render", "FACE", "-o", "OUT", "--dither", "maybe"}, 2, "--dither maybe: expected on or off"},
     {{"render", "FACE", "-o", "OUT", "--depth", "12"},
      2,

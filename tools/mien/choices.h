@@ -7,7 +7,8 @@ namespace mien::command {
 
 inline constexpr std::string_view kFits = "meet|slice";
 inline constexpr std::string_view kBlends = "linear|srgb";
-inline constexpr std::string_view kDebugs = "outlines|regions|fragments|looks|distance|normals|morph|muscles|points";
+inline constexpr std::string_view kDebugs =
+    "outlines|regions|fragments|looks|distance|normals|morph|muscles|points";
 inline constexpr std::string_view kFaceDebugs = "muscles|points";  ///< those that are scenes
 inline bool is_face_debug(std::string_view word) {
   return word == "muscles" || word == "points";

@@ -175,10 +175,11 @@ void add_threads(CLI::App* to, RenderArguments& render) {
 namespace {
 
 void add_insight(CLI::App* to, RenderArguments& render) {
-  to->add_option(
-        "--debug", render.debug,
-        "Instead of the face: its outlines, regions, fragments or looks as they were drawn, isolines "
-        "of distance, normals, or how far a pose moves each point; or over it: its muscles, its points by name")
+  to->add_option("--debug", render.debug,
+                 "Instead of the face: its outlines, regions, fragments or looks as they were "
+                 "drawn, isolines "
+                 "of distance, normals, or how far a pose moves each point; or over it: its "
+                 "muscles, its points by name")
       ->type_name(std::string(kDebugs));
   to->add_option("--error-map", render.error_map,
                  "Also write the proven error of every pixel, as grey, and print the largest")

@@ -45,8 +45,8 @@ std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const 
       drawn.width, drawn.height, stats.render.pixels, stats.render.fill_pixels,
       stats.render.varied_pixels, stats.render.edge_pixels, stats.render.resolved_pixels,
       stats.render.pieces, stats.render.crossings, stats.render.regions, stats.render.doubts,
-      stats.render.roots, times.read,
-      times.scene, times.picture, stats.draw, stats.encode, stats.put);
+      stats.render.roots, times.read, times.scene, times.picture, stats.draw, stats.encode,
+      stats.put);
 }
 
 /// On standard output, unless a picture is there.
@@ -114,9 +114,9 @@ int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Sc
       write_image_by(load_encoder, map.image(), *plan.error_map, plan.error_map_write);
   if (!done) return complain(done.error(), kFailed);
   return print_stats(
-      fmt::format("no channel is off by more than {:.3f} of 255, rounding left out{}\n", map.worst,
-                  map.unproven ? "; light and gradients along a distance are estimated, not proven"
-                               : ""),
+      fmt::format(
+          "no channel is off by more than {:.3f} of 255, rounding left out{}\n", map.worst,
+          map.unproven ? "; light and gradients along a distance are estimated, not proven" : ""),
       *plan.error_map == "-" ? *plan.error_map : arguments.output);
 }
 

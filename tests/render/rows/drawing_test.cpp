@@ -18,7 +18,8 @@ TEST(Drawing, OfAPartIsThatPartOfTheWhole) {
       View view{.width = 71, .height = 53};
       const Image whole = render(scene, view, {.depth = depth});
       const std::size_t pixel = 4 * bytes_per_channel(depth);
-      for (const PixelRect part : {PixelRect{0, 0, 1, 1}, {70, 52, 1, 1}, {13, 15, 40, 3}, {64, 0, 7, 53}}) {
+      for (const PixelRect part :
+           {PixelRect{0, 0, 1, 1}, {70, 52, 1, 1}, {13, 15, 40, 3}, {64, 0, 7, 53}}) {
         view.region = part;
         const Image piece = render(scene, view, {.depth = depth});
         for (int y = 0; y < part.height; ++y)

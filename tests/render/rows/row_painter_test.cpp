@@ -31,10 +31,11 @@ TEST(RowPainter, WritesRunsInExactlyTheLooksColour) {  // however many sums lie 
 
 TEST(RowPainter, DithersWhatVariesAndNothingElse) {
   SceneBuilder build({.box = {{0, 0}, {64, 16}}, .y_up = false}, {0.2, 0.4, 0.6, 1});
-  build.layer("ramp", build.shape(HalfPlane{{1, 0}, 32.5}),
-              {.color = {0, 0, 0, 1},
-               .gradient = shared(Gradient{LinearGradient{{0, 0}, {64, 0}},
-                                           {{0, {0.2, 0.2, 0.2, 1}}, {1, {0.21, 0.21, 0.21, 1}}}})});
+  build.layer(
+      "ramp", build.shape(HalfPlane{{1, 0}, 32.5}),
+      {.color = {0, 0, 0, 1},
+       .gradient = shared(Gradient{LinearGradient{{0, 0}, {64, 0}},
+                                   {{0, {0.2, 0.2, 0.2, 1}}, {1, {0.21, 0.21, 0.21, 1}}}})});
   const Scene scene = std::move(build).finish();
   View view{.width = 64, .height = 16};
   const Image dithered = render(scene, view);

@@ -16,8 +16,7 @@ struct Shaded {
 
   explicit Shaded(const Gradient& gradient, int inside) {
     SceneBuilder build({.box = {{0, 0}, {128, 128}}, .y_up = false}, {1, 1, 1, 1});
-    build.layer("ramp", build.everywhere(),
-                {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
+    build.layer("ramp", build.everywhere(), {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
     paints.make(std::move(build).finish(), {.width = 128, .height = 128, .blend = Blend::linear},
                 Depth::u8);
     looks.begin(paints);

@@ -23,16 +23,20 @@ TEST(PaintTable, CountsFromThePicturesCorner) {
 
 TEST(PaintTable, MakesAnOutlineOfEveryStopThatThePictureShows) {
   PaintTable table;
-  const Gradient gradient{RadialGradient{{1, 0.5}, {0.2, 0.1}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
-  const VariedPaint& paint = varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
+  const Gradient gradient{
+      RadialGradient{{1, 0.5}, {0.2, 0.1}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
+  const VariedPaint& paint =
+      varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
   EXPECT_FALSE(paint.dense);
   EXPECT_EQ(paint.kinks.size(), 7u);  // the corner lies at t = 7.07; t = 0 has no outline
 }
 
 TEST(PaintTable, KnowsStopsThatAreTooManyToBeOutlines) {
   PaintTable table;
-  const Gradient gradient{LinearGradient{{0, 0}, {0.001, 0}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
-  const VariedPaint& paint = varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
+  const Gradient gradient{
+      LinearGradient{{0, 0}, {0.001, 0}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
+  const VariedPaint& paint =
+      varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
   EXPECT_TRUE(paint.dense);
   EXPECT_TRUE(paint.kinks.empty());
   EXPECT_GE(paint.lit, 0);
@@ -40,7 +44,10 @@ TEST(PaintTable, KnowsStopsThatAreTooManyToBeOutlines) {
 
 TEST(PaintTable, MakesOutlinesOfAReliefsStepsAndDomes) {
   PaintTable table;
-  const Relief relief{.area = {0}, .profile = Profile::custom, .width = 0.1, .height = 0.1,
+  const Relief relief{.area = {0},
+                      .profile = Profile::custom,
+                      .width = 0.1,
+                      .height = 0.1,
                       .table = {0, 1, 0.5},
                       .domes = {{.center = {1, 0.5}, .radii = {0.1, 0.1}, .height = 0.1},
                                 {.center = {1, 0.5}, .radii = {0.1, 0.1}, .height = 0}}};

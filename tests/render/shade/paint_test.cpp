@@ -26,8 +26,7 @@ double place(const Gradient& gradient, glm::dvec2 pixel) {
   const auto table = table_of({.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
   const PaintField& field = table->varied.at(0).paint.field;
   const glm::dvec2 p = pixel + glm::dvec2{100, 100};
-  return field.at(p,
-                  field.distance < 0 ? 0 : table->distances[std::size_t(field.distance)].at(p));
+  return field.at(p, field.distance < 0 ? 0 : table->distances[std::size_t(field.distance)].at(p));
 }
 
 TEST(PaintField, IsTheGradientsPlaceInPixels) {  // y is down in pixels

@@ -117,7 +117,9 @@ TEST(Crossings, TheOrderBetweenThemIsTrue) {
     for (int k = 0; k < found.count; ++k) {
       ASSERT_GE(found.at[std::size_t(k)], from) << i;
       ASSERT_LE(found.at[std::size_t(k)], to) << i;
-      if (k > 0) ASSERT_LE(found.at[std::size_t(k) - 1], found.at[std::size_t(k)] + 1e-9) << i;
+      if (k > 0) {
+        ASSERT_LE(found.at[std::size_t(k) - 1], found.at[std::size_t(k)] + 1e-9) << i;
+      }
     }
     missed += wrong_gap(a, b, found) > 1e-4;
   }

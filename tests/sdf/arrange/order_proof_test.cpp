@@ -38,7 +38,7 @@ TEST(OrderProof, WhatIsProvenIsTrue) {
   for (int i = 0; i < 3000; ++i) {
     const double side = r.size(-1, 3);
     const SweepPiece a = sweep_piece(random_piece(r, side));
-    OutlinePiece moved = r.chance(0.5) ? a : random_piece(r, side);
+    OutlinePiece moved = r.chance(0.5) ? OutlinePiece(a) : random_piece(r, side);
     if (r.chance(0.5)) {  // about as far as it can touch
       const Between y = heights_of(a, moved);
       if (!(y.to > y.from)) continue;
@@ -64,7 +64,7 @@ TEST(OrderProof, WhatIsInOrderIsProven) {
   for (int i = 0; i < 3000; ++i) {
     const double side = r.size(-1, 3);
     const SweepPiece a = sweep_piece(random_piece(r, side));
-    OutlinePiece moved = r.chance(0.5) ? a : random_piece(r, side);
+    OutlinePiece moved = r.chance(0.5) ? OutlinePiece(a) : random_piece(r, side);
     Between y = heights_of(a, moved);
     if (!(y.to > y.from)) continue;
     const double shift = -wrong(a, moved, y).gap;
