@@ -7,11 +7,11 @@
 namespace mien {
 namespace {
 
-/// How far an outline may be off [px]: three tenths of a level of 255 at full contrast, a quarter of
-/// 32 levels of 65535. Dark pixels blended in linear light are encoded 12.92 times as steep.
+/// How far an outline may be off [px]: a third of a level of 255 at full contrast, or of 32 levels of
+/// 65535. Dark pixels blended in linear light are encoded 12.92 times as steep: as much of that.
 double tolerance_of(Depth depth, Blend blend) {
   const bool fine = depth != Depth::u8, linear = blend == Blend::linear;
-  return fine ? (linear ? 1.0 / 40'000 : 1.0 / 3300) : (linear ? 1.0 / 3300 : 1.0 / 800);
+  return fine ? (linear ? 1.0 / 48'000 : 1.0 / 4000) : (linear ? 1.0 / 9000 : 1.0 / 800);
 }
 
 }  // namespace

@@ -125,7 +125,8 @@ void RowPainter::run_of(int look, int from, int until) {
     return fill_pixels(at(from), until - from, e.pixel.data(), bytes_);
   }
   stats_->varied_pixels += until - from;
-  const double neglected = looks_->neglected(look);
+  // Whole pixels are divided where that helps: a fifth of what parts are off by is left.
+  const double neglected = looks_->neglected(look) + 0.2 * looks_->estimated(look);
   const bool tip = looks_->has_tip(look);
   while (from < until) {
     const int block_end = (from & ~(LookShader::kBlock - 1)) + LookShader::kBlock;
@@ -172,7 +173,7 @@ void RowPainter::cell(int column) {
                                      std::min(double(std::abs(o.area)), 1.0));
     mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
     neglected +=
-        double(std::abs(o.area)) * (looks_->neglected(o.look) +
+        double(std::abs(o.area)) * (looks_->neglected(o.look) + looks_->estimated(o.look) +
                                     looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true));
     varies = true;
   }

@@ -316,7 +316,8 @@ int Looks::known_or_new(std::size_t first_step) {
   table_[i] = int(looks_.size());
   bool tip = false;
   const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
-  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected, tip, int(first_step),
+  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected,
+                    estimated_by(std::span(steps_).subspan(first_step)), tip, int(first_step),
                     int(steps_.size() - first_step), hash});
   return table_[i];
 }
@@ -338,6 +339,18 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
     const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
     tip = tip || (field.kind == PaintField::Kind::radial &&
                   segment(step).from < kTipReach * field.per_pixel);
+  }
+  return sum;
+}
+
+/// A twentieth of what the ramp changes by per pixel: what a part's mean was seen to be off by at most.
+double Looks::estimated_by(std::span<const LookStep> steps) const {
+  constexpr double kSeen = 0.05;
+  double sum = 0.0;
+  for (const LookStep& step : steps) {
+    if (step.kind != Kind::paint || step.zone < 0) continue;
+    const VariedPaint& paint = paints_->varied[std::size_t(step.varied)];
+    if (paint.paint.ramp) sum += kSeen * (paint.dense ? 1.0 : slope_of(step));
   }
   return sum;
 }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "tests/support/random.h"
 
@@ -12,8 +14,10 @@ namespace {
 
 template <class Channel>
 std::array<Channel, 4> put(const PixelFormat& format, const Mix& mix, double carry) {
+  std::array<std::byte, 16> bytes{};  // as long as the longest pixel
+  format.put(rgba_from_mix(mix), float(carry), bytes.data());
   std::array<Channel, 4> out;
-  format.put(rgba_from_mix(mix), float(carry), reinterpret_cast<std::byte*>(out.data()));
+  std::memcpy(out.data(), bytes.data(), sizeof out);
   return out;
 }
 
