@@ -125,8 +125,7 @@ void RowPainter::run_of(int look, int from, int until) {
     return fill_pixels(at(from), until - from, e.pixel.data(), bytes_);
   }
   stats_->varied_pixels += until - from;
-  // Whole pixels are divided where that helps: a fifth of what parts are off by is left.
-  const double neglected = looks_->neglected(look) + 0.2 * looks_->estimated(look);
+  const double neglected = looks_->neglected(look);
   const bool tip = looks_->has_tip(look);
   while (from < until) {
     const int block_end = (from & ~(LookShader::kBlock - 1)) + LookShader::kBlock;

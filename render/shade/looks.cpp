@@ -332,7 +332,11 @@ double Looks::slope_of(const LookStep& step) const {
 double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
   double sum = 0.0, slopes = 0.0;
   for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint || step.zone >= 0) continue;
+    if (step.kind != Kind::paint) continue;
+    if (step.zone >= 0) {  // integrated, but for more stops than can be told apart
+      sum += paints_->varied[std::size_t(step.varied)].dense ? 0.01 : 0.0;
+      continue;
+    }
     const double slope = slope_of(step);
     sum += slope * slopes / 12;
     slopes += slope;
