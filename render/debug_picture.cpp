@@ -48,20 +48,33 @@ class EachItsOwn final : public LookRule {
 /// on. Columns are those of the image.
 void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image, bool dots,
                 const Looks* looks) {
-  std::vector<std::pair<double, int>> changes;  // x, look to the right
+  struct Change {
+    double x;
+    int left, right;
+  };
+  std::vector<Change> changes;
   for (int y = 0; y < rect.height; ++y) {
     const double middle = rect.y + y + 0.5;
     changes.clear();
     for (const Fragment& f : sweep.fragments())
       if (f.top <= middle && middle < f.bottom)
-        changes.emplace_back(x_at(sweep.pieces()[std::size_t(f.piece)], middle), f.right);
-    std::stable_sort(changes.begin(), changes.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+        changes.push_back({x_at(sweep.pieces()[std::size_t(f.piece)], middle), f.left, f.right});
+    std::sort(changes.begin(), changes.end(),
+              [](const Change& a, const Change& b) { return a.x < b.x; });
+    // Those at one place follow each other as their looks do.
+    constexpr double kOnePlace = 1e-3;  // [px]
+    int now = first_look;
+    for (std::size_t i = 0; i < changes.size(); now = changes[i++].right)
+      for (std::size_t k = i; k < changes.size() && changes[k].x < changes[i].x + kOnePlace; ++k)
+        if (changes[k].left == now) {
+          std::swap(changes[i], changes[k]);
+          break;
+        }
     std::size_t next = 0;
     int look = first_look;
     for (int x = 0; x < rect.width; ++x) {
-      for (; next < changes.size() && changes[next].first < rect.x + x + 0.5; ++next)
-        look = changes[next].second;
+      for (; next < changes.size() && changes[next].x < rect.x + x + 0.5; ++next)
+        look = changes[next].right;
       const bool dot = dots && !looks->constant(look) && x % 4 == 0 && y % 4 == 0;
       put(image, x, y, dot ? Rgb{255, 255, 255} : color_of(look));
     }

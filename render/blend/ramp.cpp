@@ -19,7 +19,9 @@ Ramp::Ramp(const Gradient& gradient, double opacity, Blend blend) : extend_(grad
   for (std::size_t i = 0; i < at_.size(); ++i) {
     least_opacity_ = std::min(least_opacity_, mix_[i].a);
     most_opacity_ = std::max(most_opacity_, mix_[i].a);
+    if (i > 0 && at_[i] == at_[i - 1] && mix_[i] != mix_[i - 1]) jumps_ = true;
   }
+  if (extend_ == Extend::repeat && mix_.back() != mix_.front()) jumps_ = true;
 }
 
 /// t brought between the first and the last stop.

@@ -22,6 +22,9 @@ class Ramp {
   const std::vector<Mix>& mixes() const { return mix_; }
   Extend extend() const { return extend_; }
 
+  /// Whether the colour changes suddenly anywhere.
+  bool jumps() const { return jumps_; }
+
   /// The least and the largest opacity anywhere.
   double least_opacity() const { return least_opacity_; }
   double most_opacity() const { return most_opacity_; }
@@ -39,6 +42,7 @@ class Ramp {
   std::vector<Mix> mix_;
   Extend extend_;
   double least_opacity_ = 1, most_opacity_ = 0;
+  bool jumps_ = false;
 };
 
 }  // namespace mien

@@ -104,6 +104,24 @@ Resolved SquareResolver::square(glm::dvec2 center, double half, std::size_t firs
   return found;
 }
 
+/// Whether a gradient may have a stop in the square at which it jumps.
+bool SquareResolver::may_jump(glm::dvec2 center, double half, std::size_t first) {
+  for (std::size_t i = first; i < seen_.size(); ++i) {
+    const int index = paints_.layers[std::size_t(seen_[i].layer)].varied;
+    if (index < 0) continue;
+    const TapePaint& paint = paints_.varied[std::size_t(index)].paint;
+    if (!paint.ramp || !paint.ramp->jumps()) continue;
+    const PaintField& f = paint.field;
+    const double d = f.kind == PaintField::Kind::distance
+                         ? paints_.distances[std::size_t(f.distance)].at(center)
+                         : 0.0;
+    const double t = f.at(center, d), reach = f.per_pixel * kSqrt2 * half;
+    constexpr int kFew = 8;
+    if (!paint.ramp->kinks(t - reach, t + reach, kFew, kinks_) || !kinks_.empty()) return true;
+  }
+  return false;
+}
+
 /// Nothing but whole layers: Gauss's rule of four places, where the middle agrees with it.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, std::size_t first, int depth) {
   const bool varies =
@@ -120,9 +138,11 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, std::size_t fir
       least = glm::min(least, c), most = glm::max(most, c);
     }
   // What is smooth differs little; a kink in the square moves the mean by less than an eighth of the
-  // change across it.
+  // change across it. A jump may be missed by all five places: there squares are divided to the end.
   const double change = largest(most - least), bend = largest(mean - middle);
-  if (depth == 0 || (bend <= tolerance_ && change <= 8.0 * tolerance_)) return {mean, bend};
+  const bool smooth = !may_jump(center, half, first);
+  if (depth == 0 || (smooth && bend <= tolerance_ && change <= 24.0 * tolerance_))
+    return {mean, bend};
   Resolved found;
   const double h = 0.5 * half;
   for (const double dy : {-h, h})

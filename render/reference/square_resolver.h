@@ -45,6 +45,7 @@ class SquareResolver {
   };
   Resolved square(glm::dvec2 center, double half, std::size_t first, int depth);
   std::size_t look_at(glm::dvec2 center, double half, std::size_t first, std::size_t last);
+  bool may_jump(glm::dvec2 center, double half, std::size_t first);
   Resolved covered(glm::dvec2 center, double half, std::size_t first, int depth);
   bool cuts(glm::dvec2 center, double half, std::size_t first, Resolved& to);
   bool straight(glm::dvec2 center, double half, std::size_t which);
@@ -61,6 +62,7 @@ class SquareResolver {
   double tolerance_;
   std::vector<Seen> seen_;  ///< bottom to top; of all squares around the present one, in turn
   bool varies_ = false;
+  std::vector<double> kinks_;
   std::vector<StraightCut> lines_;
   double off_ = 0;  ///< what the lines leave their outlines by, together [px]
   Mix sum_{0.0}, least_{0.0}, most_{0.0};  ///< of the square's polygons: by area; their colours

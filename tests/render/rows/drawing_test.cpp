@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 TEST(Drawing, OfAPartIsThatPartOfTheWhole) {
-  for (int seed = 1; seed <= 6; ++seed) {
+  for (int seed = 1; seed <= 2; ++seed) {
     const Scene scene = test::random_painted_scene(std::uint64_t(seed));
     for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
       View view{.width = 71, .height = 53};
