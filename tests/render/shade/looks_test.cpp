@@ -71,11 +71,11 @@ TEST(Looks, ChangeAtTheStopsOfAGradient) {
                .gradient = shared(Gradient{LinearGradient{{0.25, 0}, {0.75, 0}},
                                            {{0, {0, 0, 0, 1}}, {1, {1, 1, 1, 1}}}})});
   Table t(std::move(build));
-  ASSERT_EQ(t.paints.programs.outlines().size(), 2u);  // one per stop
+  ASSERT_EQ(t.paints.programs.outlines().size(), 3u);  // everywhere, and one per stop
   EXPECT_TRUE(t.looks.constant(t.look({})));           // beyond the last
-  EXPECT_EQ(t.mix({}), (Mix{1, 1, 1, 1}));
-  EXPECT_FALSE(t.looks.constant(t.look({1})));  // between them
-  EXPECT_EQ(t.mix({0, 1}), (Mix{0, 0, 0, 1}));  // before the first
+  EXPECT_NEAR(t.mix({}).r, 1, 1e-12);
+  EXPECT_FALSE(t.looks.constant(t.look({2})));  // between them
+  EXPECT_NEAR(t.mix({1, 2}).r, 0, 1e-12);       // before the first
 }
 
 }  // namespace
