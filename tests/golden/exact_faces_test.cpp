@@ -64,6 +64,11 @@ void expect_exact(const Scene& scene, const View& view, Pixels kind, int every) 
 
 class ExactFaces : public testing::TestWithParam<const char*> {
  protected:
+  void SetUp() override {
+    if (!kLightIsExact && GetParam() == std::string("clay"))
+      GTEST_SKIP() << "light is not exact yet, and clay is lit all over";
+  }
+
   /// The face in all its poses, small.
   void expect_exact_poses(Pixels kind) {
     const Face face = test::face_named(GetParam());
