@@ -1,4 +1,5 @@
 #include <mien/sdf/arrange/crossings.h>
+#include <mien/sdf/arrange/order_proof.h>
 
 #include <cmath>
 #include <limits>
@@ -7,11 +8,12 @@ namespace mien {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+constexpr double kDeep = 1e-7;  // [px] what dips less shows nowhere
 
 /// The signed distance along x, of a pair in the order the sweep has them.
 class Pair {
  public:
-  Pair(const OutlinePiece& left, const OutlinePiece& right) : l_(left), r_(right) {}
+  Pair(const SweepPiece& left, const SweepPiece& right) : l_(left), r_(right) {}
 
   double gap(double y) const { return x_at(r_, y) - x_at(l_, y); }
   double widening(double y) const { return parting(r_, l_, y); }
@@ -31,13 +33,19 @@ class Pair {
     return (a > 0 && b > 0 && c > 0 && d > 0) || (a < 0 && b < 0 && c < 0 && d < 0);
   }
 
+  /// Whether sign · gap is proven to be > −kDeep between two heights, at little cost.
+  bool in_order(double a, double b, double sign) const {
+    constexpr int kHalvings = 1;
+    return sign > 0.0 ? stays_in_order(l_, r_, a, b, kDeep, kHalvings)
+                      : stays_in_order(r_, l_, a, b, kDeep, kHalvings);
+  }
   double meeting(double a, double b, double sign) const;
   double dip(double a, double b, double sign, int depth) const;
 
  private:
   double newton(double y, double a, double b) const;
 
-  const OutlinePiece &l_, &r_;
+  const SweepPiece &l_, &r_;
 };
 
 /// Newton's steps in both parameters; none where they lead astray.
@@ -110,7 +118,6 @@ double Pair::meeting(double a, double b, double sign) const {
 /// A height between a and b, at whose ends sign · gap >= 0, where it is less than nothing. Where the
 /// gap is convex that is decided by its slopes; where neither convex nor concave is sure, by halves.
 double Pair::dip(double a, double b, double sign, int depth) const {
-  constexpr double kDeep = 1e-7;  // [px] what shows less is none
   if (sign * widening(a) < 0.0 && sign * widening(b) > 0.0) {
     double p = a, q = b;
     for (int i = 0; i < 24 && q - p > kDeep; ++i) {
@@ -134,23 +141,8 @@ double Pair::dip(double a, double b, double sign, int depth) const {
   return first == first ? first : dip(m, b, sign, depth - 1);
 }
 
-/// By the strip around a's chord that holds a: where b lies wholly to one side of it, in y's reach of
-/// both. +1: b is to the right (x greater) of a, −1: left, 0: not known.
-int side_of_strip(const OutlinePiece& a, const OutlinePiece& b) {
-  const double dx = a.x1 - a.x0, dy = a.y1 - a.y0;
-  const double control = 0.5 * (dx * a.ay - dy * a.ax);  // the curve's farthest point, by area
-  const double lo = std::min(0.0, control), hi = std::max(0.0, control);
-  const double qx = b.x0 - a.x0, qy = b.y0 - a.y0;
-  const double s0 = dx * qy - dy * qx, s1 = s0 + dx * b.ay - dy * b.ax,
-               s2 = dx * (b.y1 - a.y0) - dy * (b.x1 - a.x0);
-  const double slack = 1e-9 * (std::abs(dx) + std::abs(dy));
-  if (std::min({s0, s1, s2}) > hi + slack) return -1;
-  if (std::max({s0, s1, s2}) < lo - slack) return 1;
-  return 0;
-}
-
 void there_and_back(const Pair& pair, double a, double b, double sign, Crossings& out) {
-  if (!(b - a > 1e-9)) return;
+  if (!(b - a > 1e-9) || pair.in_order(a, b, sign)) return;
   const double m = pair.dip(a, b, sign, 2);
   if (!(m == m)) return;
   out.add(pair.meeting(a, m, sign));
@@ -164,24 +156,29 @@ SweepPiece sweep_piece(const OutlinePiece& piece) {
   const double wide = piece.x1 - piece.x0, high = piece.y1 - piece.y0;
   made.lowest_x = std::nextafter(float(std::min(piece.x0, piece.x1)), -HUGE_VALF);
   made.highest_x = std::nextafter(float(std::max(piece.x0, piece.x1)), HUGE_VALF);
-  // Half the control point's distance from the chord, along x; a level piece has none to speak of.
-  const double off = 0.5 * std::abs(wide * piece.ay - high * piece.ax);
-  made.bulge =
-      high > 0.0 ? std::min(off / high, std::abs(wide)) * (1.0 + 1e-6) + 1e-9 : std::abs(wide);
+  // Half the control point's distance from the chord, along x. A piece as good as level has no lean to
+  // speak of: all its width.
+  constexpr double kLevel = 1e-4;
+  const double off = wide * piece.ay - high * piece.ax, most = std::abs(wide);
+  made.lean = 0.0, made.left_bulge = made.right_bulge = most;
+  if (high > kLevel * most) {
+    made.lean = wide / high;
+    const double bulge = std::min(0.5 * std::abs(off) / high, most) * (1.0 + 1e-6) + 1e-9;
+    made.left_bulge = off > 0.0 ? bulge : 1e-9, made.right_bulge = off > 0.0 ? 1e-9 : bulge;
+  }
   return made;
 }
 
 Crossings crossings(const SweepPiece& left, const SweepPiece& right, double y) {
   Crossings found;
-  for (const int side : {side_of_strip(left, right), -side_of_strip(right, left)}) {
-    if (side > 0) return found;
-    if (side < 0) {
-      found.add(y);
-      return found;
-    }
+  const double end = std::min(left.y1, right.y1);
+  if (least_gap(left, right, y, end) > 0.0) return found;
+  if (least_gap(right, left, y, end) > 0.0) {
+    found.add(y);
+    return found;
   }
   const Pair pair(left, right);
-  const double end = std::min(left.y1, right.y1), last = pair.last_gap();
+  const double last = pair.last_gap();
   const bool once = last < -kTouch;
   if (!(end > y)) {
     if (once) found.add(y);
@@ -199,9 +196,6 @@ Crossings crossings(const SweepPiece& left, const SweepPiece& right, double y) {
     return found;
   }
   if (pair.one_way()) return found;
-  // Between its ends the gap is less than there by no more than both bulge.
-  const double bulge = left.bulge + right.bulge;
-  if (std::abs(last) > bulge && std::abs(pair.gap(y)) > bulge) return found;
   there_and_back(pair, y, end, 1.0, found);
   return found;
 }

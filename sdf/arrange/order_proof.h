@@ -19,10 +19,16 @@ inline constexpr double kOrder = 1.0 / 2560;
 ///   what the right piece sags to the left of its chord and the left one to the right, where they do:
 ///     over a parameter length h by |turning| h³ / (2H), half of what its control point is off;
 ///   H²/8 times the greatest g'' = x''(right) − x''(left), where x'' = −turning / (2 v³) with v the
-///     speed down. v is linear in the parameter, so x'' is greatest and least at the ends.
+///     speed down. v is linear in the parameter, so x'' is greatest and least at the ends. By a parabola
+///     of that bend below the chord, which may fall from one end to the other.
 ///
 /// The first is good for long stretches and where v is 0, the second for pieces alike, at whose ends
 /// both bend alike. Where neither is enough the height is halved.
+/// Before all that, chords and how far pieces leave them may do; and pieces are monotone: their ends may.
 bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to);
+
+/// The same to another tolerance [px], with so many halvings at most and without the chords.
+bool stays_in_order(const SweepPiece& left, const SweepPiece& right, double from, double to,
+                    double tolerance, int halvings);
 
 }  // namespace mien

@@ -1,12 +1,13 @@
+#include <mien/sdf/arrange/reach.h>
 #include <mien/sdf/arrange/sweep.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace mien {
 namespace {
 
-constexpr int kSpare = 16;  // slots read beyond the last, several at a time
 constexpr long kAgainFirst =
     10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
 
@@ -71,7 +72,7 @@ void Sweep::sort_vertices() {
 }
 
 void Sweep::room_for(int more) {
-  if (count_ + more + kSpare <= int(active_.size())) return;
+  if (count_ + more + int(kReachSpare) <= int(active_.size())) return;
   const std::size_t size = 2 * active_.size() + std::size_t(more) + 64;
   active_.resize(size), region_.resize(size), lowest_.resize(size), highest_.resize(size);
   together_.resize(size);
@@ -292,21 +293,20 @@ void Sweep::compare(int a, int b, double y) {
 
 /// Compares a piece with all active ones from a slot on whose reach along x meets its own.
 void Sweep::meet_others(int i, double y, int first_slot) {
-  const float lo = piece(i).lowest_x, hi = piece(i).highest_x;
-  constexpr int kAtOnce = 16;
-  for (int first = first_slot; first < count_; first += kAtOnce) {
-    unsigned met = 0;  // a loop that compilers take several at a time
-    for (int k = 0; k < kAtOnce; ++k) {
-      const auto s = std::size_t(first + k);
-      met |= unsigned((lowest_[s] <= hi) & (highest_[s] >= lo)) << k;
+  const SweepPiece& p = piece(i);
+  const std::size_t first = std::size_t(first_slot), count = std::size_t(count_) - first;
+  const std::size_t words = (count + 63) / 64;
+  met_.resize(words);
+  if (words == 0) return;
+  met_.back() = 0;
+  meeting({lowest_.data() + first, highest_.data() + first, count}, p.lowest_x, p.highest_x,
+          reinterpret_cast<std::uint8_t*>(met_.data()));
+  if (count % 64) met_.back() &= (std::uint64_t{1} << count % 64) - 1;
+  for (std::size_t w = 0; w < words; ++w)
+    for (std::uint64_t bits = met_[w]; bits; bits &= bits - 1) {
+      const int other = active_[first + 64 * w + std::size_t(std::countr_zero(bits))];
+      if (other != i) compare(i, other, y);
     }
-    if (first + kAtOnce > count_) met &= (1u << (count_ - first)) - 1;
-    for (int k = 0; met; ++k, met >>= 1)
-      if (met & 1) {
-        const int other = active_[std::size_t(first + k)];
-        if (other != i) compare(i, other, y);
-      }
-  }
 }
 
 /// The pieces at a slot and the next were neighbours until now: were they in order?

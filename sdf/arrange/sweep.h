@@ -94,6 +94,7 @@ class Sweep {
   std::vector<int> region_;              ///< to the right of each
   std::vector<float> lowest_, highest_;  ///< their reach along x
   std::vector<double> together_;         ///< since when it and the next are neighbours
+  std::vector<std::uint64_t> met_;       ///< a bit by slot, scratch
 
   std::vector<Event> events_;  ///< a heap, the first on top
   int found_ = 0;

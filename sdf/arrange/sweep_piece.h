@@ -16,8 +16,9 @@
 namespace mien {
 
 struct SweepPiece : OutlinePiece {
-  float lowest_x, highest_x;  ///< rounded outwards
-  double bulge;               ///< how far it leaves its chord along x [px], an upper bound
+  float lowest_x, highest_x;       ///< rounded outwards
+  double lean;                     ///< of its chord, dx / dy
+  double left_bulge, right_bulge;  ///< how far it leaves its chord along x [px], upper bounds
   int slot = -1;  ///< its place in the order from left to right; −1: not met or passed
   int left_look = 0, right_look = 0;
   int winding = 0;        ///< of its outline, to the left
@@ -61,6 +62,18 @@ inline double parting(const OutlinePiece& e, const OutlinePiece& f, double y) {
 /// Twice the curvature's sign along y: x(y) is convex where this is < 0.
 inline double turning(const OutlinePiece& p) {
   return p.ax * p.by - p.ay * p.bx;
+}
+
+/// The chord's x at a height.
+inline double chord_at(const SweepPiece& p, double y) {
+  return p.x0 + (y - p.y0) * p.lean;
+}
+
+/// The gap from `left` to `right` between two heights, at least; level pieces have a poor one.
+inline double least_gap(const SweepPiece& left, const SweepPiece& right, double from, double to) {
+  const double a = chord_at(right, from) - chord_at(left, from),
+               b = chord_at(right, to) - chord_at(left, to);
+  return std::min(a, b) - left.right_bulge - right.left_bulge;
 }
 
 SweepPiece sweep_piece(const OutlinePiece& piece);

@@ -87,8 +87,8 @@ TEST(SweepPiece, ItStaysWithinItsReachAndItsBulge) {
       const double y = p.y0 + (p.y1 - p.y0) * k / 20, x = mien::x_at(p, y);
       ASSERT_LE(double(p.lowest_x), x);
       ASSERT_GE(double(p.highest_x), x);
-      const double chord = p.x0 + (p.x1 - p.x0) * (y - p.y0) / (p.y1 - p.y0);
-      ASSERT_LE(std::abs(x - chord), p.bulge) << i;
+      ASSERT_LE(x - chord_at(p, y), p.right_bulge) << i;
+      ASSERT_LE(chord_at(p, y) - x, p.left_bulge) << i;
     }
   }
 }
@@ -97,14 +97,31 @@ TEST(SweepPiece, TheBulgeIsNoLargerThanItMustBe) {
   Random r(6);
   for (int i = 0; i < 300; ++i) {
     const SweepPiece p = sweep_piece(random_piece(r, 100));
-    double most = 0.0;
+    double left = 0.0, right = 0.0;
     for (int k = 1; k < 1000; ++k) {
-      const double y = p.y0 + (p.y1 - p.y0) * k / 1000;
-      most = std::max(
-          most, std::abs(mien::x_at(p, y) - p.x0 - (p.x1 - p.x0) * (y - p.y0) / (p.y1 - p.y0)));
+      const double y = p.y0 + (p.y1 - p.y0) * k / 1000, out = mien::x_at(p, y) - chord_at(p, y);
+      left = std::max(left, -out), right = std::max(right, out);
     }
-    ASSERT_LE(p.bulge, 1.05 * most + 1e-3) << i;
+    ASSERT_LE(p.left_bulge, 1.05 * left + 1e-3) << i;
+    ASSERT_LE(p.right_bulge, 1.05 * right + 1e-3) << i;
   }
+}
+
+TEST(SweepPiece, TheLeastGapIsNoMoreThanAnyGap) {
+  Random r(8);
+  int apart = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const SweepPiece a = sweep_piece(random_piece(r, 100)), b = sweep_piece(random_piece(r, 100));
+    const double from = std::max(a.y0, b.y0), to = std::min(a.y1, b.y1);
+    if (!(to > from)) continue;
+    const double least = least_gap(a, b, from, to);
+    apart += least > 0.0;
+    for (int k = 0; k <= 50; ++k) {
+      const double y = from + (to - from) * k / 50;
+      ASSERT_GE(mien::x_at(b, y) - mien::x_at(a, y), least - 1e-9) << i;
+    }
+  }
+  EXPECT_GT(apart, 300);
 }
 
 }  // namespace
