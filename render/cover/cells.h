@@ -10,6 +10,7 @@
 // parameter length h and its chord is a constant of the curve times h³ (Archimedes). So it is exact.
 // All cells farther right lie to its right with dy.
 
+#include <mien/render/cover/row_roots.h>
 #include <mien/sdf/outline/outlines.h>
 
 #include <algorithm>
@@ -24,45 +25,48 @@ struct CellStretch {
   double area;            ///< to its right, in the cell
 };
 
+/// The cells of a row that a stretch from (x, y, t) to (next_x, next_y, next_t) crosses.
+template <class Sink>
+void cells_of_row(const OutlinePiece& p, int row, double x, double y, double t, double next_x,
+                  double next_y, double next_t, int width, Sink&& sink) {
+  const double lens = (p.ax * p.by - p.ay * p.bx) / 3.0;
+  const auto column_of = [&](double at) { return at < 0.0 ? -1 : at >= width ? width : int(at); };
+  int column = column_of(x);
+  const int last = column_of(next_x), step = last > column ? 1 : -1;
+  for (;; column += step) {
+    double xq = next_x, yq = next_y, tq = next_t;
+    if (column != last) {
+      xq = step > 0 ? column + 1.0 : column;
+      const double d = xq - p.x0, s = std::sqrt(std::max(0.0, p.ax * p.ax + p.bx * d));
+      const double divisor = p.ax + step * s;
+      tq = std::clamp(divisor != 0.0 ? d / divisor : t, t, next_t);
+      yq = std::clamp(p.y0 + tq * (2.0 * p.ay + tq * p.by), y, next_y);
+    }
+    if (column < width) {
+      const double h = tq - t, dy = yq - y;
+      sink(CellStretch{row, column, x, y, xq, yq,
+                       column < 0 ? dy : (column + 1 - 0.5 * (x + xq)) * dy - lens * h * h * h});
+    }
+    if (column == last) break;
+    x = xq, y = yq, t = tq;
+  }
+}
+
 /// Calls sink(CellStretch) for the cells that the piece crosses between two heights, from the top
 /// down. Columns beyond `width` are left out, those left of 0 are told as −1.
 template <class Sink>
 void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
-  const double ay2 = p.ay * p.ay, ax2 = p.ax * p.ax;
-  const double lens = (p.ax * p.by - p.ay * p.bx) / 3.0;
-  const auto parameter = [&](double y) {
-    const double d = y - p.y0, s = std::sqrt(std::max(0.0, ay2 + p.by * d));
-    const double divisor = p.ay + s;
-    return divisor > 0.0 ? d / divisor : 0.0;
-  };
-  const auto x_of = [&](double t) { return p.x0 + t * (2.0 * p.ax + t * p.bx); };
-  const auto column_of = [&](double x) { return x < 0.0 ? -1 : x >= width ? width : int(x); };
   const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
-  double y = top, t = parameter(top), x = x_of(t);
-  for (int row = int(top); row <= last_row; ++row) {
-    const double next_y = row == last_row ? bottom : row + 1.0;
-    const double next_t = parameter(next_y), next_x = x_of(next_t);
-    int column = column_of(x);
-    const int last = column_of(next_x), step = last > column ? 1 : -1;
-    double xp = x, yp = y, tp = t;
-    for (;; column += step) {
-      double xq = next_x, yq = next_y, tq = next_t;
-      if (column != last) {
-        xq = step > 0 ? column + 1.0 : column;
-        const double d = xq - p.x0, s = std::sqrt(std::max(0.0, ax2 + p.bx * d));
-        const double divisor = p.ax + step * s;
-        tq = std::clamp(divisor != 0.0 ? d / divisor : tp, tp, next_t);
-        yq = std::clamp(p.y0 + tq * (2.0 * p.ay + tq * p.by), yp, next_y);
-      }
-      if (column < width) {
-        const double h = tq - tp, dy = yq - yp;
-        sink(CellStretch{row, column, xp, yp, xq, yq,
-                         column < 0 ? dy : (column + 1 - 0.5 * (xp + xq)) * dy - lens * h * h * h});
-      }
-      if (column == last) break;
-      xp = xq, yp = yq, tp = tq;
+  for (int first = int(top); first <= last_row; first += RowRoots::kRows) {
+    const int rows = std::min(RowRoots::kRows, last_row + 1 - first);
+    const double begin = std::max(top, double(first)), end = std::min(bottom, double(first + rows));
+    RowRoots at;
+    row_roots(p, begin, end, first, rows, at);
+    for (int k = 0; k < rows; ++k) {
+      const auto i = std::size_t(k);
+      cells_of_row(p, first + k, at.x[i], k > 0 ? first + k : begin, at.t[i], at.x[i + 1],
+                   k + 1 < rows ? first + k + 1 : end, at.t[i + 1], width, sink);
     }
-    y = next_y, t = next_t, x = next_x;
   }
 }
 

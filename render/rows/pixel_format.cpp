@@ -1,20 +1,18 @@
-#include <mien/render/blend/transfer.h>
 #include <mien/render/rows/pixel_format.h>
+
+#include <cstring>
 
 namespace mien {
 
-EncodeTable::EncodeTable() {
-  for (int i = 0; i <= kCells; ++i)
-    values_[std::size_t(i)] = float(srgb_from_linear(double(i) / kCells));
-}
-
-const EncodeTable& EncodeTable::shared() {
-  static const EncodeTable table;
-  return table;
-}
-
-void PixelFormat::light(const Rgba& mix, std::byte* to) const {
-  store({mix.r, mix.g, mix.b, mix.a}, blend_, Depth::f32, to);
+void scatter_pixels(const std::byte* from, std::span<const int> columns, std::size_t bytes,
+                    std::byte* to) {
+  const auto scatter = [&]<std::size_t kBytes>() {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      std::memcpy(to + std::ptrdiff_t(kBytes) * columns[i], from + kBytes * i, kBytes);
+  };
+  if (bytes == 4) return scatter.operator()<4>();
+  if (bytes == 8) return scatter.operator()<8>();
+  scatter.operator()<16>();
 }
 
 void fill_pixels(std::byte* to, int count, const std::byte* value, std::size_t bytes) {

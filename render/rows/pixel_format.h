@@ -1,15 +1,15 @@
 #pragma once
-// From mixed colours to the bytes of pixels: fast twins of store() and store_dithered()
+// From mixed colours to the bytes of pixels: twins in lanes of store() and store_dithered()
 // (render/blend/blender.h), off by less than a hundredth of a level of 255 and half a level of 65535.
 
 #include <mien/render/blend/blender.h>
+#include <mien/render/shade/color_row.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <span>
 
 namespace mien {
 
@@ -30,44 +30,28 @@ inline Rgba rgba_from_mix(const Mix& m) {
   return {float(m.r), float(m.g), float(m.b), float(m.a)};
 }
 
-/// srgb_from_linear by a table of chords: 4096 of them are off by at most 1.8e-5, half of what the
-/// steepest bend (at 0.0031, f'' = −2400) allows: h² f'' / 8.
-class EncodeTable {
- public:
-  EncodeTable();
-  float operator()(float linear) const {
-    const float x = std::clamp(linear, 0.0f, 1.0f) * kCells;
-    const int i = std::min(int(x), kCells - 1);
-    const float at = values_[std::size_t(i)];
-    return at + (x - float(i)) * (values_[std::size_t(i) + 1] - at);
-  }
-  static const EncodeTable& shared();
-
- private:
-  static constexpr int kCells = 4096;
-  std::array<float, kCells + 1> values_;
+/// Colours on their way to pixels.
+struct PixelWork {
+  ColorPlanes from;
+  const float* carry;  ///< is added before rounding down: a half, or a dither's threshold; spare, too
+  int count;
+  Blend blend;
+  Depth depth;
+  std::byte* to;
 };
+void put_pixels(const PixelWork& work);
 
 /// How the pixels of one picture are written.
 class PixelFormat {
  public:
-  PixelFormat(Depth depth, Blend blend)
-      : depth_(depth), blend_(blend), encode_(&EncodeTable::shared()) {}
+  PixelFormat(Depth depth, Blend blend) : depth_(depth), blend_(blend) {}
 
   std::size_t bytes() const { return 4 * bytes_per_channel(depth_); }
   Depth depth() const { return depth_; }
   Blend blend() const { return blend_; }
 
-  /// One pixel; `carry` is added before rounding down: a half, or a dither's threshold.
-  void put(const Rgba& mix, float carry, std::byte* to) const {
-    switch (depth_) {
-      case Depth::u8:
-        return levels<std::uint8_t>(mix, carry, to);
-      case Depth::u16:
-        return levels<std::uint16_t>(mix, carry, to);
-      case Depth::f32:
-        return light(mix, to);
-    }
+  void put(const ColorPlanes& from, const float* carry, int count, std::byte* to) const {
+    put_pixels({from, carry, count, blend_, depth_, to});
   }
 
   /// How much steeper than itself a colour's darkest channel is encoded.
@@ -79,27 +63,13 @@ class PixelFormat {
   }
 
  private:
-  template <class Channel>
-  void levels(const Rgba& mix, float carry, std::byte* to) const {
-    constexpr float kTop = Channel(-1);
-    const float whole = 1.0f - 0x1p-20f;  // opaque but for the sum's roundings
-    Rgba c = mix;
-    if (mix.a < whole) {
-      const float up = mix.a > 0x1p-20f ? 1.0f / mix.a : 0.0f;
-      c = {up * mix.r, up * mix.g, up * mix.b, mix.a};
-    }
-    if (blend_ == Blend::linear) c = {(*encode_)(c.r), (*encode_)(c.g), (*encode_)(c.b), c.a};
-    const auto level = [&](float v) { return Channel(std::clamp(v, 0.0f, 1.0f) * kTop + carry); };
-    const Channel out[4] = {level(c.r), level(c.g), level(c.b),
-                            mix.a < whole ? level(c.a) : Channel(-1)};
-    std::memcpy(to, out, sizeof out);
-  }
-  void light(const Rgba& mix, std::byte* to) const;
-
   Depth depth_;
   Blend blend_;
-  const EncodeTable* encode_;
 };
+
+/// Writes pixels side by side to columns; `to` is column 0.
+void scatter_pixels(const std::byte* from, std::span<const int> columns, std::size_t bytes,
+                    std::byte* to);
 
 /// Writes `count` pixels of one value, which is `bytes` long.
 void fill_pixels(std::byte* to, int count, const std::byte* value, std::size_t bytes);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace mien {
 namespace {
@@ -34,6 +35,7 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
   palette_ = &palette, looks_ = &looks, format_ = &format, dither_ = dither;
   bytes_ = format.bytes();
   shader_.begin(looks);
+  thresholds_.fill(0.5f);
 }
 
 /// What is neglected counts by how steeply the colour is encoded.
@@ -45,16 +47,18 @@ void RowPainter::refuse(double neglected, const Rgba& mix, int column) {
   if (off > allowed) refused_.push_back(column);
 }
 
-float RowPainter::carry(int x) const {
-  return dither_ ? float(dither_threshold(x, y_)) : 0.5f;
-}
-
 void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to,
                        RenderStats& stats) {
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
   shares_ = &sums.shares(row);
-  refused_.clear();
+  refused_.clear(), columns_.clear(), carries_.clear();
+  cells_.room_for(std::size_t(x1 - x0));
+  if (dither_) {
+    constexpr std::size_t kPeriod = 8;
+    for (std::size_t i = 0; i < thresholds_.size(); ++i)
+      thresholds_[i] = i < kPeriod ? float(dither_threshold(int(i), y)) : thresholds_[i - kPeriod];
+  }
   std::sort(shares_->begin(), shares_->end(),
             [](const LookShare& a, const LookShare& b) { return a.column < b.column; });
   next_share_ = 0;
@@ -72,15 +76,25 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
       if (column < x1) {
         if (column > at) run(at, column);
         sum_ = sum_ + cells[column];
-        take_shares(column);
+        if (!open_.empty() || next_share_ < shares_->size()) take_shares(column);
         cell(column);
         at = column + 1;
+        sum_ = sum_ + cells[at];  // what the pixel's outlines leave of all those after it
       }
-      cells[column] = {};
+      cells[column] = cells[column + 1] = {};
     }
   }
   if (at < x1) run(at, x1);
+  put_cells();
   shares_->clear();
+}
+
+void RowPainter::put_cells() {
+  const int count = int(columns_.size());
+  carries_.resize(columns_.size() + kColorSpare, 0.5f);
+  made_.resize(bytes_ * columns_.size());
+  format_->put(cells_.planes(), carries_.data(), count, made_.data());
+  scatter_pixels(made_.data(), columns_, bytes_, at(0));
 }
 
 /// Whether a look is what all the sums up to here say.
@@ -102,7 +116,8 @@ int RowPainter::look_of_run(int column) const {
 
 void RowPainter::run(int from, int until) {
   // A varied look that has all but ended or all but filled the row goes on as if it had.
-  std::erase_if(open_, [](const Open& o) { return std::abs(o.height) < kClosed; });
+  if (!open_.empty())
+    std::erase_if(open_, [](const Open& o) { return std::abs(o.height) < kClosed; });
   const int look = look_of_run(from);
   if (look >= 0) {
     look_ = look;
@@ -125,23 +140,24 @@ void RowPainter::run_of(int look, int from, int until) {
     return fill_pixels(at(from), until - from, e.pixel.data(), bytes_);
   }
   stats_->varied_pixels += until - from;
+  while (from < until) {
+    const int first = from & ~(LookShader::kBlock - 1);
+    const int count = std::min(until, first + LookShader::kBlock) - from;
+    const ColorRow& c = shader_.pixels(look, from, y_, count);
+    format_->put(c.planes(), &thresholds_[std::size_t(from - first)], count, at(from));
+    if (looks_->neglected(look) > 0.0 || looks_->has_tip(look)) refuse_run(look, from, count, c);
+    from += count;
+  }
+}
+
+void RowPainter::refuse_run(int look, int from, int count, const ColorRow& c) {
   const double neglected = looks_->neglected(look);
   const bool tip = looks_->has_tip(look);
-  while (from < until) {
-    const int block_end = (from & ~(LookShader::kBlock - 1)) + LookShader::kBlock;
-    const int count = std::min(until, block_end) - from;
-    const ColorRow& c = shader_.pixels(look, from, y_, count);
-    for (int i = 0; i < count; ++i) {
-      const auto k = std::size_t(i);
-      const Rgba mix{c.r[k], c.g[k], c.b[k], c.a[k]};
-      format_->put(mix, carry(from + i), at(from + i));
-      if (tip)
-        refuse(neglected + looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false), mix,
-               from + i);
-      else if (neglected > 0.0)
-        refuse(neglected, mix, from + i);
-    }
-    from += count;
+  for (int i = 0; i < count; ++i) {
+    const auto k = std::size_t(i);
+    const double near =
+        tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false) : 0.0;
+    refuse(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i);
   }
 }
 
@@ -177,7 +193,10 @@ void RowPainter::cell(int column) {
     varies = true;
   }
   if (neglected > 0.0) refuse(neglected, mix, column);
-  format_->put(mix, varies ? carry(column) : 0.5f, at(column));
+  const std::size_t k = columns_.size();
+  cells_.r[k] = mix.r, cells_.g[k] = mix.g, cells_.b[k] = mix.b, cells_.a[k] = mix.a;
+  columns_.push_back(column);
+  carries_.push_back(varies ? thresholds_[std::size_t(column % LookShader::kBlock)] : 0.5f);
 }
 
 }  // namespace mien

@@ -57,7 +57,8 @@ class RowPainter {
   int look_of_run(int column) const;
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
-  float carry(int x) const;
+  void refuse_run(int look, int from, int count, const ColorRow& colors);
+  void put_cells();
   void refuse(double neglected, const Rgba& mix, int column);
 
   const Palette* palette_ = nullptr;
@@ -78,6 +79,11 @@ class RowPainter {
   std::size_t next_share_ = 0;
   std::vector<Open> open_;
   std::vector<int> refused_;
+  ColorRow cells_;  ///< mixed, to be put together
+  std::vector<int> columns_;
+  std::vector<float> carries_;
+  std::vector<std::byte> made_;
+  std::array<float, LookShader::kBlock + kColorSpare> thresholds_;  ///< of the row's dither
   std::function<void(int, int, float)> note_;
 };
 

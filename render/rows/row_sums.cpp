@@ -46,10 +46,8 @@ void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, in
     const float dy = float(c.yq - c.yp), area = float(c.area), rest = dy - area;
     cell[0] = cell[0] + area * jump;
     cell[1] = cell[1] + rest * jump;
-    std::uint64_t* const mark = marks(row);
-    mark[column >> 6] |= std::uint64_t{1} << (column & 63);
-    mark[(column + 1) >> 6] |= std::uint64_t{1} << ((column + 1) & 63);
-    hints_[std::size_t(row) * stride_ + column + 1] = std::uint16_t(right_look);
+    marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
+    hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
     if constexpr (kVaried) share(row, c, left_varied, right_varied);
   });
 }

@@ -30,8 +30,8 @@ class RowSums {
   void add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
            int left_varied, int right_varied, int right_look);
 
-  /// Row by row: its sums, which the reader sets back to nothing, a bit per column that has one, and
-  /// the shares of varied looks.
+  /// Row by row: its sums, which the reader sets back to nothing; a bit per column that outlines cross,
+  /// the one after which has a sum, too; and the shares of varied looks.
   Rgba* sums(int row) { return sums_.data() + std::size_t(row) * stride_; }
   std::uint64_t* marks(int row) { return marks_.data() + std::size_t(row) * mark_words_; }
   const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
@@ -50,7 +50,7 @@ class RowSums {
   std::size_t stride_ = 0, mark_words_ = 0;
   std::vector<Rgba> sums_;
   std::vector<std::uint64_t> marks_;
-  std::vector<std::uint16_t> hints_;  ///< the look that may follow, by cell
+  std::vector<std::uint16_t> hints_;  ///< the look that may follow a cell
   std::vector<std::vector<LookShare>> shares_;
 };
 

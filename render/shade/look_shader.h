@@ -11,19 +11,12 @@
 // how t's own spread meets a translucent layer below that varies, too: a twelfth of the product of both
 // slopes per pixel.
 
+#include <mien/render/shade/color_row.h>
 #include <mien/render/shade/looks.h>
 
 #include <vector>
 
 namespace mien {
-
-/// Colours side by side, premultiplied, in the blending space.
-struct ColorRow {
-  std::vector<float> r, g, b, a;
-  void room_for(std::size_t count) {
-    if (r.size() < count) r.resize(count), g.resize(count), b.resize(count), a.resize(count);
-  }
-};
 
 /// Keeps its scratch; one per thread.
 class LookShader {
