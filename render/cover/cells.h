@@ -21,6 +21,7 @@ namespace mien {
 struct CellStretch {
   int row, column;        ///< column −1: left of the picture
   double xp, yp, xq, yq;  ///< its ends; yp < yq
+  double xm, ym;          ///< its middle, by the parameter
   double area;            ///< to its right, in the cell
 };
 
@@ -55,8 +56,9 @@ void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&
         yq = std::clamp(p.y0 + tq * (2.0 * p.ay + tq * p.by), yp, next_y);
       }
       if (column < width) {
-        const double h = tq - tp, dy = yq - yp;
-        sink(CellStretch{row, column, xp, yp, xq, yq,
+        const double h = tq - tp, dy = yq - yp, bulge = 0.25 * h * h;
+        sink(CellStretch{row, column, xp, yp, xq, yq, 0.5 * (xp + xq) - bulge * p.bx,
+                         0.5 * (yp + yq) - bulge * p.by,
                          column < 0 ? dy : (column + 1 - 0.5 * (xp + xq)) * dy - lens * h * h * h});
       }
       if (column == last) break;

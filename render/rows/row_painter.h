@@ -49,16 +49,21 @@ class RowPainter {
     int look;
     float height, height_y;
     float area, mx, my;
+    std::array<float, PartForm::kRows> left;  ///< its height before this pixel, where forms count
   };
+  static Open whole(int look);
+  void move_on();
   void run(int from, int until);
   void run_of(int look, int from, int until);
   void cell(int column);
   void take_shares(int column);
+  Rgba parts(int column, bool by_cells);
+  glm::vec4 part(const Open& open, int column, bool by_cells);
   int look_of_run(int column) const;
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
   float carry(int x) const;
-  void refuse(double neglected, const Rgba& mix, int column);
+  bool too_rough(double neglected, const Rgba& mix, int column) const;
 
   const Palette* palette_ = nullptr;
   const Looks* looks_ = nullptr;
@@ -77,6 +82,13 @@ class RowPainter {
   std::vector<LookShare>* shares_ = nullptr;
   std::size_t next_share_ = 0;
   std::vector<Open> open_;
+  struct Formed {
+    int look;
+    PartStretch stretch;
+  };
+  std::vector<Formed> formed_;          ///< stretches in the pixel at hand
+  std::vector<int> rough_;              ///< columns of a run that cells are asked for
+  std::vector<PartStretch> stretches_;  ///< those of one look
   std::vector<int> refused_;
   std::function<void(int, int, float)> note_;
 };
