@@ -22,6 +22,7 @@ namespace mien {
 struct CellStretch {
   int row, column;        ///< column −1: left of the picture
   double xp, yp, xq, yq;  ///< its ends; yp < yq
+  double xm, ym;          ///< its middle, by the parameter
   double area;            ///< to its right, in the cell
 };
 
@@ -43,8 +44,9 @@ void cells_of_row(const OutlinePiece& p, int row, double x, double y, double t, 
       yq = std::clamp(p.y0 + tq * (2.0 * p.ay + tq * p.by), y, next_y);
     }
     if (column < width) {
-      const double h = tq - t, dy = yq - y;
-      sink(CellStretch{row, column, x, y, xq, yq,
+      const double h = tq - t, dy = yq - y, bulge = 0.25 * h * h;
+      sink(CellStretch{row, column, x, y, xq, yq, 0.5 * (x + xq) - bulge * p.bx,
+                       0.5 * (y + yq) - bulge * p.by,
                        column < 0 ? dy : (column + 1 - 0.5 * (x + xq)) * dy - lens * h * h * h});
     }
     if (column == last) break;

@@ -33,7 +33,8 @@ inline Rgba rgba_from_mix(const Mix& m) {
 /// Colours on their way to pixels.
 struct PixelWork {
   ColorPlanes from;
-  const float* carry;  ///< is added before rounding down: a half, or a dither's threshold; spare, too
+  const float*
+      carry;  ///< is added before rounding down: a half, or a dither's threshold; spare, too
   int count;
   Blend blend;
   Depth depth;

@@ -37,9 +37,8 @@ HWY_INLINE Straight StraightOf(const ColorPlanes& from, size_t i) {
   const auto opaque = hn::Ge(a, Const(1.0f - 0x1p-20f)), seen = hn::Gt(a, Const(0x1p-20f));
   const VF up = hn::IfThenElse(opaque, one,
                                hn::IfThenElseZero(seen, hn::Div(one, hn::Max(a, Const(0x1p-20f)))));
-  const auto channel = [&](const float* c) HWY_ATTR {
-    return Held(hn::Mul(up, hn::LoadU(f, c + i)));
-  };
+  const auto channel = [&](const float* c)
+                           HWY_ATTR { return Held(hn::Mul(up, hn::LoadU(f, c + i))); };
   return {channel(from.r), channel(from.g), channel(from.b), hn::IfThenElse(opaque, one, Held(a))};
 }
 
@@ -66,9 +65,9 @@ HWY_INLINE void PutLanes(const PixelWork& work, size_t i, std::uint32_t* to) {
   const VU r = LevelOf(Held(c.r), top, carry), g = LevelOf(Held(c.g), top, carry),
            b = LevelOf(Held(c.b), top, carry), a = LevelOf(c.a, top, carry);
   if (work.depth == Depth::u8) {
-    hn::StoreU(hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)),
-                      hn::Or(hn::ShiftLeft<16>(b), hn::ShiftLeft<24>(a))),
-               u, to);
+    hn::StoreU(
+        hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), hn::Or(hn::ShiftLeft<16>(b), hn::ShiftLeft<24>(a))),
+        u, to);
   } else {
     hn::StoreInterleaved2(hn::Or(r, hn::ShiftLeft<16>(g)), hn::Or(b, hn::ShiftLeft<16>(a)), u, to);
   }

@@ -22,9 +22,11 @@ bool close(const Rgba& x, const Rgba& y) {
 void Palette::make(const Looks& looks, const PixelFormat& format, int first_look) {
   first = first_look;
   entries.resize(std::size_t(looks.count()));
+  any_varies = false;
   for (int i = 0; i < looks.count(); ++i) {
     Entry& e = entries[std::size_t(i)];
     e.varies = !looks.constant(i);
+    any_varies = any_varies || e.varies;
     e.color = rgba_from_mix(looks.mix(i));
     if (!e.varies) store(looks.mix(i), format.blend(), format.depth(), e.pixel.data());
   }
@@ -33,18 +35,32 @@ void Palette::make(const Looks& looks, const PixelFormat& format, int first_look
 void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFormat& format,
                        bool dither) {
   palette_ = &palette, looks_ = &looks, format_ = &format, dither_ = dither;
+  if (bytes_ != format.bytes()) columns_.clear();  // room is made anew
   bytes_ = format.bytes();
   shader_.begin(looks);
   thresholds_.fill(0.5f);
 }
 
-/// What is neglected counts by how steeply the colour is encoded.
-void RowPainter::refuse(double neglected, const Rgba& mix, int column) {
+/// Whether what is neglected shows: it counts by how steeply the colour is encoded.
+bool RowPainter::too_rough(double neglected, const Rgba& mix, int column) const {
   const double allowed = format_->depth() == Depth::u8 ? 0.4 / 255 : 8.0 / 65535;
-  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed) return;
+  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed)
+    return false;
   const double off = neglected * format_->steepness(mix);
-  if (note_) note_(column, y_, float(255.0 * off));
-  if (off > allowed) refused_.push_back(column);
+  if (note_) note_(column, y_, float(255.0 * std::min(off, allowed)));
+  return off > allowed;
+}
+
+void RowPainter::set_thresholds() {
+  constexpr std::size_t kPeriod = 8;
+  for (std::size_t i = 0; i < thresholds_.size(); ++i)
+    thresholds_[i] = i < kPeriod ? float(dither_threshold(int(i), y_)) : thresholds_[i - kPeriod];
+}
+
+void RowPainter::room_for(std::size_t cells) {
+  cells_.room_for(cells);
+  if (columns_.size() >= cells) return;
+  columns_.resize(cells), carries_.resize(cells + kColorSpare), made_.resize(bytes_ * cells);
 }
 
 void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to,
@@ -52,21 +68,16 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
   shares_ = &sums.shares(row);
-  refused_.clear(), columns_.clear(), carries_.clear();
-  cells_.room_for(std::size_t(x1 - x0));
-  if (dither_) {
-    constexpr std::size_t kPeriod = 8;
-    for (std::size_t i = 0; i < thresholds_.size(); ++i)
-      thresholds_[i] = i < kPeriod ? float(dither_threshold(int(i), y)) : thresholds_[i - kPeriod];
-  }
+  refused_.clear();
+  room_for(std::size_t(x1 - x0));
+  if (dither_ && palette_->any_varies) set_thresholds();
   std::sort(shares_->begin(), shares_->end(),
             [](const LookShare& a, const LookShare& b) { return a.column < b.column; });
   next_share_ = 0;
-  open_.clear();
+  open_.clear(), formed_.clear();
   look_ = palette_->first;
   sum_ = palette_->entries[std::size_t(look_)].color;
-  if (palette_->entries[std::size_t(look_)].varies)
-    open_.push_back({look_, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f});
+  if (palette_->entries[std::size_t(look_)].varies) open_.push_back(whole(look_));
   Rgba* const cells = sums.sums(row);
   std::uint64_t* const marks = sums.marks(row);
   int at = 0;
@@ -89,14 +100,6 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   shares_->clear();
 }
 
-void RowPainter::put_cells() {
-  const int count = int(columns_.size());
-  carries_.resize(columns_.size() + kColorSpare, 0.5f);
-  made_.resize(bytes_ * columns_.size());
-  format_->put(cells_.planes(), carries_.data(), count, made_.data());
-  scatter_pixels(made_.data(), columns_, bytes_, at(0));
-}
-
 /// Whether a look is what all the sums up to here say.
 bool RowPainter::looks_like(int look) const {
   const Palette::Entry& e = palette_->entries[std::size_t(look)];
@@ -114,7 +117,23 @@ int RowPainter::look_of_run(int column) const {
   return -1;
 }
 
+/// A look that fills the row from the left.
+RowPainter::Open RowPainter::whole(int look) {
+  Open o{look, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, {}};
+  o.left.fill(1.0f / PartForm::kRows);
+  return o;
+}
+
+/// What stretches did to this pixel they do to all after it.
+void RowPainter::move_on() {
+  for (const auto& [look, stretch] : formed_)
+    for (Open& o : open_)
+      if (o.look == look) add_height(stretch, o.left);
+  formed_.clear();
+}
+
 void RowPainter::run(int from, int until) {
+  if (!formed_.empty()) move_on();
   // A varied look that has all but ended or all but filled the row goes on as if it had.
   if (!open_.empty())
     std::erase_if(open_, [](const Open& o) { return std::abs(o.height) < kClosed; });
@@ -122,6 +141,7 @@ void RowPainter::run(int from, int until) {
   if (look >= 0) {
     look_ = look;
     sum_ = palette_->entries[std::size_t(look)].color;
+    if (!open_.empty()) open_[0] = whole(look);
   }
   from = std::max(from, x0_), until = std::min(until, x1_);
   if (from >= until) return;
@@ -145,58 +165,102 @@ void RowPainter::run_of(int look, int from, int until) {
     const int count = std::min(until, first + LookShader::kBlock) - from;
     const ColorRow& c = shader_.pixels(look, from, y_, count);
     format_->put(c.planes(), &thresholds_[std::size_t(from - first)], count, at(from));
-    if (looks_->neglected(look) > 0.0 || looks_->has_tip(look)) refuse_run(look, from, count, c);
+    if (looks_->neglected(look) > 0.0 || looks_->has_tip(look)) mend_run(look, from, count, c);
     from += count;
   }
 }
 
-void RowPainter::refuse_run(int look, int from, int count, const ColorRow& c) {
+/// What is neglected shows in some pixels: those are seen in cells.
+void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   const double neglected = looks_->neglected(look);
   const bool tip = looks_->has_tip(look);
+  rough_.clear();
   for (int i = 0; i < count; ++i) {
     const auto k = std::size_t(i);
-    const double near =
-        tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false) : 0.0;
-    refuse(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i);
+    const double near = tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false) : 0.0;
+    if (too_rough(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i))
+      rough_.push_back(from + i);
+  }
+  for (const int x : rough_) {
+    if (looks_->dense(look)) refused_.push_back(x);
+    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr);
+    keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }
 }
 
 /// What varied looks take of the pixel, and of those after it.
 void RowPainter::take_shares(int column) {
+  move_on();
   for (Open& o : open_) o.area = o.height, o.mx = 0.0f, o.my = o.height_y;
   for (; next_share_ < shares_->size() && (*shares_)[next_share_].column <= column; ++next_share_) {
     const LookShare& s = (*shares_)[next_share_];
     auto found =
         std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.look == s.look; });
-    if (found == open_.end()) found = open_.insert(found, {s.look, 0, 0, 0, 0, 0});
+    if (found == open_.end()) found = open_.insert(found, {s.look, 0, 0, 0, 0, 0, {}});
     found->area += s.area, found->mx += s.mx, found->my += s.my;
     found->height += s.height, found->height_y += s.height_y;
+    if (looks_->formed(s.look)) formed_.push_back({s.look, s.stretch});
   }
+}
+
+/// The mean over what a look takes of the pixel.
+glm::vec4 RowPainter::part(const Open& o, int column, bool by_cells) {
+  const float up = 1.0f / o.area;
+  const float x = std::clamp(o.mx * up, -0.4999f, 0.4999f),
+              y = std::clamp(o.my * up, -0.4999f, 0.4999f);
+  const double area = std::min(double(std::abs(o.area)), 1.0);
+  if (!looks_->formed(o.look))
+    return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area);
+  stretches_.clear();
+  for (const auto& [look, stretch] : formed_)
+    if (look == o.look) stretches_.push_back(stretch);
+  const PartForm form{o.left, stretches_};
+  if (by_cells) return shader_.by_cells(o.look, column, y_, &form);
+  return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area, &form);
+}
+
+Rgba RowPainter::parts(int column, bool by_cells) {
+  Rgba mix = sum_;
+  for (const Open& o : open_) {
+    if (std::abs(o.area) < kNoArea) continue;
+    const glm::vec4 c = part(o, column, by_cells);
+    mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
+  }
+  return mix;
 }
 
 void RowPainter::cell(int column) {
   if (column < x0_ || column >= x1_) return;
   ++stats_->edge_pixels;
-  Rgba mix = sum_;
+  if (open_.empty()) return keep_cell(sum_, 0.5f, column);
+  Rgba mix = parts(column, false);
   double neglected = 0.0;
-  bool varies = false;
+  bool varies = false, dense = false;
   for (const Open& o : open_) {
     if (std::abs(o.area) < kNoArea) continue;
-    const float up = 1.0f / o.area;
-    const float x = std::clamp(o.mx * up, -0.5f, 0.5f), y = std::clamp(o.my * up, -0.5f, 0.5f);
-    const glm::vec4 c = shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y),
-                                     std::min(double(std::abs(o.area)), 1.0));
-    mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
     neglected +=
-        double(std::abs(o.area)) * (looks_->neglected(o.look) + looks_->estimated(o.look) +
+        double(std::abs(o.area)) * (looks_->neglected(o.look) +
                                     looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true));
-    varies = true;
+    varies = true, dense = dense || looks_->dense(o.look);
   }
-  if (neglected > 0.0) refuse(neglected, mix, column);
-  const std::size_t k = columns_.size();
+  if (neglected > 0.0 && too_rough(neglected, mix, column)) {
+    if (dense) refused_.push_back(column);
+    mix = parts(column, true);
+  }
+  keep_cell(mix, varies ? threshold(column) : 0.5f, column);
+}
+
+/// To be put with the row's others.
+void RowPainter::keep_cell(const Rgba& mix, float carry, int column) {
+  const auto k = std::size_t(kept_++);
   cells_.r[k] = mix.r, cells_.g[k] = mix.g, cells_.b[k] = mix.b, cells_.a[k] = mix.a;
-  columns_.push_back(column);
-  carries_.push_back(varies ? thresholds_[std::size_t(column % LookShader::kBlock)] : 0.5f);
+  columns_[k] = column, carries_[k] = carry;
+}
+
+void RowPainter::put_cells() {
+  const auto count = std::size_t(std::exchange(kept_, 0));
+  format_->put(cells_.planes(), carries_.data(), int(count), made_.data());
+  scatter_pixels(made_.data(), {columns_.data(), count}, bytes_, at(0));
 }
 
 }  // namespace mien

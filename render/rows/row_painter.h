@@ -23,7 +23,8 @@ struct Palette {
     std::array<std::byte, 16> pixel;  ///< a whole pixel of it
   };
   std::vector<Entry> entries;  ///< by look
-  int first = 0;               ///< the look left of the picture
+  bool any_varies = false;
+  int first = 0;  ///< the look left of the picture
   void make(const Looks& looks, const PixelFormat& format, int first_look);
 };
 
@@ -44,22 +45,32 @@ class RowPainter {
   std::span<const int> refused() const { return refused_; }
 
  private:
+  static constexpr int kBlock = LookShader::kBlock;
   /// What a varied look takes of the pixels from here on, and of the pixel at hand.
   struct Open {
     int look;
     float height, height_y;
     float area, mx, my;
+    std::array<float, PartForm::kRows> left;  ///< its height before this pixel, where forms count
   };
+  static Open whole(int look);
+  void move_on();
   void run(int from, int until);
   void run_of(int look, int from, int until);
   void cell(int column);
   void take_shares(int column);
+  Rgba parts(int column, bool by_cells);
+  glm::vec4 part(const Open& open, int column, bool by_cells);
   int look_of_run(int column) const;
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
-  void refuse_run(int look, int from, int count, const ColorRow& colors);
+  void mend_run(int look, int from, int count, const ColorRow& colors);
+  void keep_cell(const Rgba& mix, float carry, int column);
   void put_cells();
-  void refuse(double neglected, const Rgba& mix, int column);
+  void set_thresholds();
+  void room_for(std::size_t cells);
+  float threshold(int column) const { return thresholds_[std::size_t(column % kBlock)]; }
+  bool too_rough(double neglected, const Rgba& mix, int column) const;
 
   const Palette* palette_ = nullptr;
   const Looks* looks_ = nullptr;
@@ -78,12 +89,19 @@ class RowPainter {
   std::vector<LookShare>* shares_ = nullptr;
   std::size_t next_share_ = 0;
   std::vector<Open> open_;
-  std::vector<int> refused_;
-  ColorRow cells_;  ///< mixed, to be put together
+  struct Formed {
+    int look;
+    PartStretch stretch;
+  };
+  std::vector<Formed> formed_;          ///< stretches in the pixel at hand
+  std::vector<PartStretch> stretches_;  ///< those of one look
+  std::vector<int> rough_, refused_;
+  ColorRow cells_;  ///< mixed, to be put together, after the runs
   std::vector<int> columns_;
+  int kept_ = 0;
   std::vector<float> carries_;
   std::vector<std::byte> made_;
-  std::array<float, LookShader::kBlock + kColorSpare> thresholds_;  ///< of the row's dither
+  std::array<float, kBlock + kColorSpare> thresholds_;  ///< of the row's dither
   std::function<void(int, int, float)> note_;
 };
 

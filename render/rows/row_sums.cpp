@@ -3,6 +3,18 @@
 #include <algorithm>
 
 namespace mien {
+namespace {
+
+/// Left of the picture it is as good as at its border.
+PartStretch stretch_of(const CellStretch& c) {
+  const auto x = [&](double at) {
+    return c.column < 0 ? 0.0f : std::clamp(float(at - c.column), 0.0f, 1.0f);
+  };
+  const auto y = [&](double at) { return std::clamp(float(at - c.row), 0.0f, 1.0f); };
+  return {x(c.xp), y(c.yp), x(c.xm), y(c.ym), x(c.xq), y(c.yq), 1.0f};
+}
+
+}  // namespace
 
 void RowSums::begin(int rows, int width) {
   const std::size_t stride = std::size_t(width) + 2, words = (std::size_t(width) + 65) / 64;
@@ -17,8 +29,8 @@ void RowSums::begin(int rows, int width) {
 
 void RowSums::share(int row, const CellStretch& c, int left_varied, int right_varied) {
   const double h = c.yq - c.yp, middle = 0.5 * (c.yp + c.yq) - (c.row + 0.5);
-  LookShare s{std::max(c.column, 0), 0,        float(c.area),    0.0f,
-              float(h * middle),     float(h), float(h * middle)};
+  LookShare s{std::max(c.column, 0), 0,        float(c.area),     0.0f,
+              float(h * middle),     float(h), float(h * middle), stretch_of(c)};
   if (c.column >= 0) {
     // (1/2 − X)(1/2 + X)/2 and y (1/2 − X) along the stretch, by Simpson's rule: exact for its chord.
     const double x = c.column + 0.5, y = c.row + 0.5, p = c.xp - x, q = c.xq - x, m = 0.5 * (p + q);
@@ -28,7 +40,8 @@ void RowSums::share(int row, const CellStretch& c, int left_varied, int right_va
   }
   std::vector<LookShare>& to = shares_[std::size_t(row)];
   if (left_varied >= 0)
-    to.push_back({s.column, left_varied, -s.area, -s.mx, -s.my, -s.height, -s.height_y});
+    to.push_back({s.column, left_varied, -s.area, -s.mx, -s.my, -s.height, -s.height_y, s.stretch}),
+        to.back().stretch.sign = -1.0f;
   if (right_varied >= 0) {
     s.look = right_varied;
     to.push_back(s);

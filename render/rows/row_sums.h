@@ -5,6 +5,7 @@
 // jump · a to the pixel and jump · (dy − a) to the next: a running sum along the row is the picture.
 
 #include <mien/render/cover/cells.h>
+#include <mien/render/cover/part_form.h>
 #include <mien/render/rows/pixel_format.h>
 
 #include <cstdint>
@@ -12,12 +13,13 @@
 
 namespace mien {
 
-/// What a varied look takes of a pixel: area and first moments about the pixel's middle, and what it
-/// takes of all pixels after it.
+/// What a varied look takes of a pixel: area and first moments about the pixel's middle, what it takes
+/// of all pixels after it, and the stretch of outline that says so.
 struct LookShare {
   int column, look;
   float area, mx, my;      ///< of the pixel
   float height, height_y;  ///< of every pixel after it: area, and moment about the row's middle
+  PartStretch stretch;
 };
 
 class RowSums {

@@ -1,34 +1,53 @@
 #pragma once
-// A square seen as 4 × 4 cells: what of each lies in a zone, and its colour. Ridges, where two feet
-// are as near, and the zone's own ends cut cells in closed form.
+// The mean light over cells of a pixel, each seen at its centroid.
 //
-// A ridge is found by its far side: each of the eight neighbours tells, by its distance, gradient and
-// bend, what its foot's distance would be here. Where its gradient is another one, the ridge lies where
-// the two distances agree. So nothing need be known of the shape.
+// A ridge, where two feet are as near and the gradient jumps, cuts cells in closed form. It is found by
+// its far side: each of a cell's eight neighbours tells, by its distance, gradient and bend, what its
+// foot's distance would be here. Where its gradient is another one, the ridge lies where the two
+// distances agree. So nothing need be known of the shape.
 
+#include <mien/render/cover/part_form.h>
 #include <mien/render/shade/lamp_lanes.h>
 
 #include <array>
+#include <span>
 
 namespace mien {
 
-struct LitCells {
-  static constexpr int kSide = 4, kRow = kSide + 2, kPlaces = kRow * kRow;
-  static constexpr int kCells = kSide * kSide;
-
-  // Given: the middles of the cells and of their neighbours all around, by row.
-  float x, y, side;  ///< the square's middle, from the tile's; a cell's side
-  std::array<float, kPlaces> d, nx, ny, bend;
-  float shallow, deep;  ///< the zone's depths
-
-  // Found, by cell.
-  std::array<float, kCells> area;  ///< share of the cell
-  std::array<float, kCells> r, g, b;
-  std::array<float, kCells> cx, cy;  ///< centroid of what counts, from the square's middle
-  std::array<float, kCells> divide;  ///< not 0: two cuts meet in the cell, look closer
+/// The signed distance at a place, its gradient, and how fast that turns along the level line [1/px].
+struct FootAt {
+  float d, nx, ny, bend;
 };
 
-/// Areas and centroids alone, without ridges: for parts that something else cuts, too.
-void color_cells(const LampLanes& lamp, LitCells& cells);
+/// Cells in rows with a margin all around, as ridges ask for.
+struct LitCells {
+  static constexpr int kMostRow = PartCells::kMostSide + 2;
+  static constexpr int kMost = (kMostRow * kMostRow + 15) / 16 * 16 + 32;
+
+  float x, y;           ///< the pixel's middle, from the tile's
+  float shallow, deep;  ///< the zone's depths
+  int side = 4, row = 4;
+  bool ringed =
+      false;    ///< one cell more all around, and a foot for each; else `foot` tells them all
+  FootAt foot;  ///< at the pixel's middle
+  alignas(64) std::array<float, kMost> area, at_x, at_y;  ///< as in PartCells
+  alignas(64) std::array<float, kMost> mid_x, mid_y;      ///< middles, from the tile's
+  alignas(64) std::array<float, kMost> d, nx, ny, bend;   ///< there
+
+  /// All cells with the foot at the pixel's middle; or with a margin, whose feet are then to be found.
+  void take(const PartCells& cells, bool ring);
+  int places() const { return row * row; }
+};
+
+struct LitMean {
+  float r, g, b;
+  float rough;  ///< how far colours are from a plane over the pixel, root of the mean square
+  float jump;   ///< the most that a ridge changes colours by
+  float
+      unsure;  ///< share of cells that two ridges cut, or a ridge and an outline, times what it changes
+  float turn;  ///< the most that a gradient turns within a cell
+};
+
+LitMean mean_of_cells(const LampLanes& lamp, LitCells& cells);
 
 }  // namespace mien

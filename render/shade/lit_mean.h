@@ -1,6 +1,7 @@
 #pragma once
 // Means of a lit surface by division: the sure and slow way.
 
+#include <mien/render/cover/part_form.h>
 #include <mien/render/shade/lit_surface.h>
 
 namespace mien {
@@ -11,10 +12,9 @@ namespace mien {
 Mix square_mean(const LitSurface& surface, int zone, glm::dvec2 corner, double side,
                 double tolerance);
 
-/// The mean over a part of the pixel with that corner: what lies in `zone`, and of that the side of
-/// a straight cut that makes area and centroid right. What the cut leaves wrong of the centroid is
-/// put right by the colours' slope.
-Mix part_mean(const LitSurface& surface, int zone, glm::dvec2 corner, double area,
-              glm::dvec2 centroid, int places);
+/// The mean over a part of the pixel with that corner, by 8 × 8 cells, or 16 × 16 where those of 4 × 4 are off by
+/// more than the tolerance.
+Mix part_mean(const LitSurface& surface, int zone, glm::dvec2 corner, const PartForm& form,
+              double tolerance);
 
 }  // namespace mien

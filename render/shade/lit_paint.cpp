@@ -10,6 +10,19 @@
 namespace mien {
 namespace {
 
+constexpr double kRadius = 13.0;  // [px] of a tile, and what cells beside it need
+
+/// The feet at the middles of a tile's pixels and of those around it.
+void find_feet(const FeetArea& area, glm::dvec2 middle, LitTile& t) {
+  t.feet.narrow(area, middle, kRadius);
+  std::array<float, LitTile::kPadded> px, py;
+  for (int i = 0; i < LitTile::kPadded; ++i) {
+    px[std::size_t(i)] = float(i % LitTile::kRow) - 8.5f;
+    py[std::size_t(i)] = float(i / LitTile::kRow) - 8.5f;
+  }
+  t.feet.at(px, py, {t.d.data(), t.nx.data(), t.ny.data(), t.bend.data()});
+}
+
 std::uint64_t next_id() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -19,30 +32,30 @@ int floor_to_tile(int x) {
   return x & ~(LitTile::kSide - 1);
 }
 
-/// Whether a part is what the zone's own ends leave of the pixel: has its area, and its depth.
-bool is_own_part(const LitTile& t, int column, int row, float area, glm::vec2 off) {
-  constexpr float kAreaApart = 0.01f, kDepthApart = 0.01f;
-  const auto k = std::size_t(row * LitTile::kSide + column);
-  if (t.trust[k] == LitTile::Trust::none || std::abs(t.area[k] - area) > kAreaApart) return false;
-  if (!t.rises) return false;
-  const auto at = std::size_t((row + 1) * LitTile::kRow + column + 1);
-  const float out = off.x * t.nx[at] + off.y * t.ny[at],
-              aside = off.y * t.nx[at] - off.x * t.ny[at];
-  const float d = t.d[at] + out + 0.5f * t.bend[at] * aside * aside;
-  return std::abs(-d - t.depth[k]) < kDepthApart && std::abs(aside * t.bend[at]) < 0.01f;
-}
-
-/// The mean of a part of a pixel that the middles around it tell well, to second order: what is left
-/// of the pixel is taken to spread as it would if it kept its form.
-glm::vec3 smooth_part(const LitTile& t, int column, int row, float area, glm::vec2 off) {
+/// The mean of a part of a pixel that the middles around it tell well, to second order.
+glm::vec3 smooth_part(const LitTile& t, int column, int row, const PartForm& form) {
+  PartCells cells;
+  cells_of_form(form, 4, cells);
   const auto at = std::size_t((row + 1) * LitTile::kRow + column + 1),
              below = std::size_t(LitTile::kRow);
+  float area = 0.0f, x = 0.0f, y = 0.0f, xx = 0.0f, xy = 0.0f, yy = 0.0f;
+  for (std::size_t k = 0; k < 16; ++k) {
+    const float a = cells.area[k],
+                own = a * a / 12;  // of what is left of a cell: as much as its area
+    area += a, x += a * cells.x[k], y += a * cells.y[k];
+    xx += a * cells.x[k] * cells.x[k] + own, yy += a * cells.y[k] * cells.y[k] + own;
+    xy += a * cells.x[k] * cells.y[k];
+  }
+  if (!(area > 0.0f)) return {t.r[at], t.g[at], t.b[at]};
+  const float over = 1.0f / area;
   const auto of = [&](const auto& c) {
-    const float x = c[at + 1] - c[at - 1], y = c[at + below] - c[at - below];
-    const float xx = c[at + 1] + c[at - 1] - 2.0f * c[at];
-    const float yy = c[at + below] + c[at - below] - 2.0f * c[at], spread = area / 24.0f;
-    return c[at] + 0.5f * (x * off.x + y * off.y) + xx * (spread + 0.5f * off.x * off.x) +
-           yy * (spread + 0.5f * off.y * off.y);
+    const float by_x = c[at + 1] - c[at - 1], by_y = c[at + below] - c[at - below];
+    const float bends_x = c[at + 1] + c[at - 1] - 2.0f * c[at],
+                bends_y = c[at + below] + c[at - below] - 2.0f * c[at];
+    const float twists =
+        c[at + below + 1] + c[at - below - 1] - c[at + below - 1] - c[at - below + 1];
+    return c[at] +
+           0.5f * over * (by_x * x + by_y * y + bends_x * xx + bends_y * yy + 0.5f * twists * xy);
   };
   return {of(t.r), of(t.g), of(t.b)};
 }
@@ -65,42 +78,66 @@ LitPaint::LitPaint(const TapePaint& paint, std::span<const AreaDistance> distanc
                    glm::dvec2 center, double tolerance)
     : surface_(paint, distances, blend, center), tolerance_(tolerance), id_(next_id()) {
   if (surface_.area()) area_ = FeetArea(*surface_.area(), center);
+  if (surface_.gradient_area()) gradient_area_ = FeetArea(*surface_.gradient_area(), center);
 }
 
 bool LitPaint::level(int zone) const {
   return surface_.relief().domes.empty() && surface_.flat(zone);
 }
 
-/// The tile that has pixel (x, y), made if it is not there.
+/// The tile that has pixel (x, y), made if it is not there. Zone −1: of the gradient's distance.
 LitTile& LitPaint::tile(int zone, int x, int y, Scratch& scratch) const {
   const int left = floor_to_tile(x), top = floor_to_tile(y);
   const std::uint64_t column = std::uint64_t(left / LitTile::kSide);
-  const std::uint64_t hash = (id_ * 8 + std::uint64_t(zone)) * 0x9E3779B97F4A7C15u;
+  const std::uint64_t hash = (id_ * 8 + std::uint64_t(zone + 1)) * 0x9E3779B97F4A7C15u;
   auto& slot = scratch.kept_->tiles[std::size_t((column + (hash >> 40)) % Scratch::Kept::kTiles)];
   if (!slot) slot = std::make_unique<LitTile>();
   LitTile& t = *slot;
   if (t.paint == id_ && t.zone == zone && t.x == left && t.y == top) return t;
   t.paint = id_, t.zone = zone, t.x = left, t.y = top;
-  constexpr double kRadius = 13.0;  // of the tile, and what cells beside it need
-  const glm::dvec2 middle = glm::dvec2{left, top} + 0.5 * LitTile::kSide;
-  set_lamp(surface_, zone, middle, kRadius, t.lamp);
-  t.rises = !surface_.flat(zone);
-  t.kind = t.rises || !t.lamp.domes.empty() ? LitTile::Kind::means : LitTile::Kind::base;
-  if (t.kind == LitTile::Kind::base) return t;
-  const auto levels = surface_.levels();
-  t.shallow = zone > 0 ? float(-levels[std::size_t(zone) - 1]) : -1e9f;
-  t.deep = std::size_t(zone) < levels.size() ? float(-levels[std::size_t(zone)]) : 1e9f;
-  if (t.rises) {
-    t.feet.narrow(area_, middle, kRadius);
-    std::array<float, LitTile::kPadded> px, py;
-    for (int i = 0; i < LitTile::kPadded; ++i) {
-      px[std::size_t(i)] = float(i % LitTile::kRow) - 8.5f;
-      py[std::size_t(i)] = float(i / LitTile::kRow) - 8.5f;
-    }
-    t.feet.at(px, py, {t.d.data(), t.nx.data(), t.ny.data(), t.bend.data()});
-  }
-  shade_tile(t, float(tolerance_));
+  if (zone < 0)
+    make_distances(t);
+  else
+    make_tile(t);
   return t;
+}
+
+void LitPaint::make_tile(LitTile& t) const {
+  const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
+  set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
+  t.rises = !surface_.flat(t.zone);
+  t.kind = t.rises || !t.lamp.domes.empty() ? LitTile::Kind::means : LitTile::Kind::base;
+  if (t.kind == LitTile::Kind::base) return;
+  const auto levels = surface_.levels();
+  t.shallow = t.zone > 0 ? float(-levels[std::size_t(t.zone) - 1]) : -1e9f;
+  t.deep = std::size_t(t.zone) < levels.size() ? float(-levels[std::size_t(t.zone)]) : 1e9f;
+  if (t.rises) find_feet(area_, middle, t);
+  shade_tile(t, float(tolerance_));
+}
+
+void LitPaint::make_distances(LitTile& t) const {
+  const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
+  t.rises = true, t.kind = LitTile::Kind::distances;
+  t.shallow = -1e9f, t.deep = 1e9f;
+  find_feet(gradient_area_, middle, t);
+  judge_distances(t);
+}
+
+/// Of a pixel of the tile.
+LitPixel::Place LitPaint::place(LitTile& t, int x, int y) const {
+  const int column = x - t.x, row = y - t.y;
+  const auto k = std::size_t(row * LitTile::kSide + column),
+             at = std::size_t((row + 1) * LitTile::kRow + column + 1);
+  const FootAt foot =
+      t.rises ? FootAt{t.d[at], t.nx[at], t.ny[at], t.bend[at]} : FootAt{0.0f, 1.0f, 0.0f, 0.0f};
+  return {&t.lamp,
+          t.rises ? &t.feet : nullptr,
+          t.shallow,
+          t.deep,
+          t.middle(column, row),
+          foot,
+          !t.rises || t.trust[k] != LitTile::Trust::none,
+          float(tolerance_ / 255.0)};
 }
 
 void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,
@@ -129,33 +166,51 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
     std::copy_n(&t.mean_r[from], n, r + i), std::copy_n(&t.mean_g[from], n, g + i);
     std::copy_n(&t.mean_b[from], n, b + i);
     for (int k = 0; k < n; ++k) {
-      if (t.trust[from + std::size_t(k)] != LitTile::Trust::none) continue;
-      const LitPixel::Place place{&t.lamp, t.rises ? &t.feet : nullptr, t.shallow, t.deep};
-      const glm::vec3 mean = scratch.kept_->pixel.whole(place, t.middle(column + k, row));
+      if (t.trust[from + std::size_t(k)] == LitTile::Trust::around) continue;
+      const glm::vec3 mean = scratch.kept_->pixel.mean(place(t, x + i + k, y), nullptr);
       r[i + k] = mean.r, g[i + k] = mean.g, b[i + k] = mean.b;
     }
     i += n;
   }
 }
 
-glm::vec4 LitPaint::part(int zone, int x, int y, double area, glm::dvec2 centroid,
-                         Scratch& scratch) const {
+glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const {
   scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
-  if (sure_way()) return glm::vec4(part_mean(surface_, zone, {x, y}, area, centroid, 10));
+  if (sure_way()) return glm::vec4(part_mean(surface_, zone, {x, y}, form, tolerance_ / 255.0));
   LitTile& t = tile(zone, x, y, scratch);
   if (t.kind == LitTile::Kind::base) return glm::vec4(base);
-  const glm::vec2 off{centroid - glm::dvec2{x + 0.5, y + 0.5}};
   const int column = x - t.x, row = y - t.y;
-  const auto k = std::size_t(row * LitTile::kSide + column);
-  if (t.trust[k] == LitTile::Trust::around)
-    return {smooth_part(t, column, row, float(area), off), float(base.a)};
-  if (is_own_part(t, column, row, float(area), off)) {
-    return {t.mean_r[k], t.mean_g[k], t.mean_b[k], float(base.a)};
+  if (t.trust[std::size_t(row * LitTile::kSide + column)] == LitTile::Trust::around)
+    return {smooth_part(t, column, row, form), float(base.a)};
+  return {scratch.kept_->pixel.mean(place(t, x, y), &form), float(base.a)};
+}
+
+void LitPaint::distances(int x, int y, int count, float* d, Scratch& scratch) const {
+  for (int i = 0; i < count; ++i) {
+    LitTile& t = tile(-1, x + i, y, scratch);
+    const auto k = std::size_t((y - t.y) * LitTile::kSide + x + i - t.x);
+    d[i] = t.trust[k] == LitTile::Trust::around
+               ? t.mean_r[k]
+               : scratch.kept_->pixel.distance(place(t, x + i, y), nullptr);
   }
-  const LitPixel::Place place{&t.lamp, t.rises ? &t.feet : nullptr, t.shallow, t.deep};
-  const glm::vec3 mean = scratch.kept_->pixel.part(place, t.middle(column, row), float(area), off);
-  return {mean, float(base.a)};
+}
+
+void LitPaint::distances_of_cells(int x, int y, const PartCells& cells, float* d,
+                                  Scratch& scratch) const {
+  LitTile& t = tile(-1, x, y, scratch);
+  const glm::vec2 middle = t.middle(x - t.x, y - t.y);
+  std::array<float, PartCells::kMost> px, py, nx, ny, bend;
+  const auto count = std::size_t(cells.count());
+  for (std::size_t k = 0; k < count; ++k)
+    px[k] = middle.x + cells.x[k], py[k] = middle.y + cells.y[k];
+  t.feet.at(std::span(px).first(count), std::span(py).first(count),
+            {d, nx.data(), ny.data(), bend.data()});
+}
+
+float LitPaint::distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const {
+  LitTile& t = tile(-1, x, y, scratch);
+  return scratch.kept_->pixel.distance(place(t, x, y), &form);
 }
 
 }  // namespace mien

@@ -3,13 +3,13 @@
 //
 //   LitPaint head(paint, tape.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
 //   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
-//   glm::vec4 edge = head.part(1, x, y, 0.4, centroid, scratch);
+//   glm::vec4 edge = head.part(1, x, y, form, scratch);
 //
 // Every answer depends on the paint and the pixel alone: not on what was asked before, nor on
 // scratch, region or thread.
 
+#include <mien/render/shade/lit_pixel.h>
 #include <mien/render/shade/lit_surface.h>
-#include <mien/render/shade/near_feet.h>
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -58,19 +58,27 @@ class LitPaint {
   void pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,
               Scratch& scratch) const;
 
-  /// The mean over a part of pixel (x, y) that lies in `zone`: its area in (0, 1], its centroid in
-  /// the picture.
-  glm::vec4 part(int zone, int x, int y, double area, glm::dvec2 centroid, Scratch& scratch) const;
+  /// The mean over a part of pixel (x, y) that lies in `zone`.
+  glm::vec4 part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const;
+
+  /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
+  void distances(int x, int y, int count, float* d, Scratch& scratch) const;
+  float distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const;
+  /// The distance at the centroids of a pixel's cells.
+  void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
 
   /// What the last answer may be off by, in levels of 255.
   double error(const Scratch& scratch) const { return scratch.error_; }
 
  private:
   LitTile& tile(int zone, int x, int y, Scratch& scratch) const;
+  void make_tile(LitTile& tile) const;
+  void make_distances(LitTile& tile) const;
+  LitPixel::Place place(LitTile& tile, int x, int y) const;
   bool sure_way() const { return bool(surface_.paint().ramp); }
 
   LitSurface surface_;
-  FeetArea area_;
+  FeetArea area_, gradient_area_;
   double tolerance_;
   std::uint64_t id_;  ///< of this paint and no other, ever
 };

@@ -1,7 +1,7 @@
 #pragma once
-// A pixel, or a part of one, seen as 4 × 4 cells, and as 16 × 16 where that is not enough.
+// A pixel, or a part of one in its real form, seen as 4 × 4 cells; as 8 × 8 or 16 × 16 where these say
+// that they are not enough.
 
-#include <mien/render/shade/lamp_lanes.h>
 #include <mien/render/shade/lit_cells.h>
 #include <mien/render/shade/near_feet.h>
 
@@ -13,27 +13,28 @@ namespace mien {
 /// Keeps its scratch; one per thread.
 class LitPixel {
  public:
-  /// Where the pixels are asked for: the light and the feet around a tile's middle, and the zone.
+  /// Where the pixel is asked for: the light and the feet around a tile's middle, and the zone.
   struct Place {
     const LampLanes* lamp;
     NearFeet* feet;  ///< none: nothing rises here
     float shallow, deep;
+    glm::vec2 at;     ///< the pixel's middle, from the tile's
+    FootAt foot;      ///< there
+    bool calm;        ///< the foot tells all of the pixel's
+    float tolerance;  ///< of the mean
   };
-  /// The mean of a whole pixel whose middle is `at` from the tile's.
-  glm::vec3 whole(const Place& place, glm::vec2 at);
-  /// That of a part, `centroid` from the pixel's middle.
-  glm::vec3 part(const Place& place, glm::vec2 at, float area, glm::vec2 centroid);
+  /// The mean of the form; of the whole pixel without one.
+  glm::vec3 mean(const Place& place, const PartForm* form);
+
+  /// The signed distance's mean.
+  float distance(const Place& place, const PartForm* form);
 
  private:
-  struct Cell {
-    float x, y, side, area;  ///< centroid from the pixel's middle; area in pixels
-    glm::vec3 color;
-  };
-  void see(const Place& place, glm::vec2 at, glm::vec2 from, float side, bool last);
-  void see_all(const Place& place, glm::vec2 at);
-  void cut(float area, glm::vec2 centroid);
+  void see(const Place& place, const PartForm* form, int side);
+  void find_feet(NearFeet& feet);
 
-  std::vector<Cell> seen_;
+  PartCells parts_;
+  LitCells cells_;
 };
 
 }  // namespace mien

@@ -10,7 +10,7 @@ LitSurface::LitSurface(const TapePaint& paint, std::span<const AreaDistance> dis
                        glm::dvec2 center)
     : paint_(&paint), blend_(blend), center_(center) {
   if (paint.ramp && paint.field.kind == PaintField::Kind::distance)
-    place_area_ = &distances[std::size_t(paint.field.distance)];
+    gradient_area_ = &distances[std::size_t(paint.field.distance)];
   const TapeRelief& r = relief();
   if (r.distance < 0 || r.profile == Profile::flat || r.height == 0.0) return;
   area_ = &distances[std::size_t(r.distance)];
@@ -56,7 +56,7 @@ Outward LitSurface::outward(glm::dvec2 p) const {
 
 Mix LitSurface::base(glm::dvec2 p, double d) const {
   if (!paint_->ramp) return paint_->color;
-  if (place_area_) d = place_area_->at(p - center_);
+  if (gradient_area_) d = gradient_area_->at(p - center_);
   return paint_->ramp->color(paint_->field.at(p - center_, d));
 }
 

@@ -44,6 +44,8 @@ class LitSurface {
   const TapePaint& paint() const { return *paint_; }
   const TapeRelief& relief() const { return *paint_->relief; }
   const AreaDistance* area() const { return area_; }
+  /// That its gradient goes by; none if it does not go by a distance.
+  const AreaDistance* gradient_area() const { return gradient_area_; }
   Blend blend() const { return blend_; }
   glm::dvec2 center() const { return center_; }
 
@@ -51,7 +53,7 @@ class LitSurface {
   Mix base(glm::dvec2 p, double d) const;
 
   const TapePaint* paint_;
-  const AreaDistance *area_ = nullptr, *place_area_ = nullptr;
+  const AreaDistance *area_ = nullptr, *gradient_area_ = nullptr;
   Blend blend_;
   glm::dvec2 center_;
   std::vector<double> levels_;

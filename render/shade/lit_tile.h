@@ -15,8 +15,9 @@ struct LitTile {
   static constexpr int kPixels = kSide * kSide;
 
   enum class Kind : unsigned char {
-    base,   ///< level all over: the base colour
-    means,  ///< by the planes below
+    base,      ///< level all over: the base colour
+    means,     ///< by the planes below
+    distances  ///< of a gradient's area: mean_r
   } kind = Kind::means;
 
   // Whose it is.
@@ -31,11 +32,10 @@ struct LitTile {
   std::array<float, kPadded> d, nx, ny, bend;  ///< at middles, one more all around
   std::array<float, kPadded> r, g, b;
   std::array<float, kPixels> mean_r, mean_g, mean_b;
-  std::array<float, kPixels> area, depth;  ///< of what lies in the zone: whose mean it is
   enum class Trust : std::uint8_t {
-    around,  ///< it is right by the middles around
-    along,   ///< it is right by places along the gradient
-    none     ///< it is not good enough
+    around,  ///< the mean is right by the middles around
+    calm,    ///< it is not, but the foot at its middle tells all of the pixel's
+    none     ///< there may be a ridge, or level lines are bent much
   };
   std::array<Trust, kPixels> trust;
 
@@ -47,5 +47,8 @@ struct LitTile {
 
 /// Light at all places, then means and where they are rough. `levels`: what a mean may be off.
 void shade_tile(LitTile& tile, float levels);
+
+/// Mean distances, and where they are rough.
+void judge_distances(LitTile& tile);
 
 }  // namespace mien

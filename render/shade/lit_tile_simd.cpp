@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mien/render/shade/lit_tile_simd.cpp"
 #include <hwy/foreach_target.h>
-#include <mien/render/shade/lit_piece-inl.h>
+#include <mien/render/shade/lamp_lanes-inl.h>
 #include <mien/render/shade/lit_tile.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -98,70 +98,59 @@ HWY_INLINE VF RidgeFear(const float* right, const float* below, int row, size_t 
   return most;
 }
 
-/// Means by three places along the gradient, where seconds differences will not do or the zone ends: `wanted` of 1.
-/// Returns where these will not do either.
-HWY_INLINE VF MeansAlong(LitTile& tile, int row, size_t column, VF wanted, float levels) {
+/// Where level lines are bent more than this, the foot at a pixel's middle does not tell its corners'.
+constexpr float kMostBend = 0.12f;  // [1/px]
+
+void JudgeRow(const LitTile& tile, const float* right, const float* below, float levels, int row,
+              const float* rough, LitTile::Trust* trust) {
   const F f;
-  const size_t at = size_t((row + 1) * kRow + 1) + column, to = size_t(row * kSide) + column;
-  HWY_ALIGN float steps[hn::MaxLanes(F())];
-  for (size_t i = 0; i < hn::Lanes(f); ++i) steps[i] = float(column + i) - 7.5f;
-  const ZoneCell zone{tile.shallow, tile.deep, 1.0f};
-  const Spot spot{hn::LoadU(f, &tile.d[at]), hn::LoadU(f, &tile.nx[at]),
-                  hn::LoadU(f, &tile.ny[at])};
-  const Piece piece = PieceOf(tile.lamp, zone, spot, hn::Load(f, steps), Const(float(row) - 7.5f));
-  const auto use = hn::Gt(wanted, hn::Zero(f));
-  const auto put = [&](VF v, float* plane) HWY_ATTR {
-    hn::StoreU(hn::IfThenElse(use, v, hn::LoadU(f, plane + to)), f, plane + to);
-  };
-  put(piece.area, tile.area.data()), put(piece.depth, tile.depth.data());
-  put(piece.color.r, tile.mean_r.data()), put(piece.color.g, tile.mean_g.data());
-  put(piece.color.b, tile.mean_b.data());
-  constexpr float kMostBend = 0.12f;  // [1/px]: light along the level line is taken for straight
-  const VF bend = hn::Mul(hn::Abs(hn::LoadU(f, &tile.bend[at])), Const(1.0f / kMostBend));
-  const VF fear = hn::Max(bend, hn::Mul(piece.bends, Const(0.1f * 255.0f / levels)));
-  return hn::IfThenElseZero(hn::And(use, hn::Gt(piece.area, hn::Zero(f))), fear);
+  constexpr float kLevelsOfSlope = 200.0f;
+  for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
+    HWY_ALIGN float around[hn::MaxLanes(F())], calm[hn::MaxLanes(F())];
+    VF wild = hn::Zero(f);
+    if (tile.rises) {
+      const size_t at = size_t((row + 1) * kRow + 1) + i;
+      const VF bend = hn::Mul(hn::Abs(hn::LoadU(f, &tile.bend[at])), Const(1.0f / kMostBend));
+      wild =
+          hn::Max(bend, hn::Mul(RidgeFear(right, below, row, i), Const(kLevelsOfSlope / levels)));
+    }
+    hn::Store(wild, f, calm);
+    hn::Store(hn::Max(wild, hn::LoadU(f, rough + i)), f, around);
+    for (size_t k = 0; k < hn::Lanes(f); ++k)
+      trust[i + k] = around[k] <= 1.0f ? LitTile::Trust::around
+                     : calm[k] <= 1.0f ? LitTile::Trust::calm
+                                       : LitTile::Trust::none;
+  }
 }
 
 void ShadeTile(LitTile& tile, float levels) {
-  const F f;
   ShadePlaces(tile);
-  HWY_ALIGN float rough[LitTile::kPixels] = {}, along[LitTile::kPixels] = {};
+  HWY_ALIGN float rough[LitTile::kPixels] = {};
   MeansOf(tile.r.data(), levels, tile.mean_r.data(), rough);
   MeansOf(tile.g.data(), levels, tile.mean_g.data(), rough);
   MeansOf(tile.b.data(), levels, tile.mean_b.data(), rough);
   HWY_ALIGN float right[LitTile::kPadded + 16] = {}, below[LitTile::kPadded + 16] = {};
-  constexpr float kLevelsOfSlope = 200.0f;
   if (tile.rises) FindRidges(tile, right, below);
-  const VF one = Const(1.0f), zero = hn::Zero(f), reach = Const(0.70710678f);
   for (int j = 0; j < kSide; ++j)
+    JudgeRow(tile, right, below, levels, j, rough + j * kSide, &tile.trust[size_t(j * kSide)]);
+}
+
+/// A distance's Laplacian is its bend. A ridge costs a level's fifth at most where the gradient falls by
+/// one level per hundredth of a pixel.
+void JudgeDistances(LitTile& tile) {
+  const F f;
+  HWY_ALIGN float right[LitTile::kPadded + 16] = {}, below[LitTile::kPadded + 16] = {};
+  tile.lamp.rise_kind = LampLanes::Rise::constant, tile.lamp.rise = 1.0f;
+  FindRidges(tile, right, below);
+  HWY_ALIGN float rough[kSide] = {};
+  for (int j = 0; j < kSide; ++j) {
+    JudgeRow(tile, right, below, 1.0f, j, rough, &tile.trust[size_t(j * kSide)]);
     for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
-      const size_t to = size_t(j * kSide) + i, at = size_t((j + 1) * kRow + 1) + i;
-      VF fear = hn::LoadU(f, rough + to);
-      if (tile.rises) {
-        const VF depth = hn::Neg(hn::LoadU(f, &tile.d[at]));
-        const VF in =
-            hn::Min(hn::Sub(depth, Const(tile.shallow)), hn::Sub(Const(tile.deep), depth));
-        hn::StoreU(hn::IfThenElseZero(hn::Gt(in, hn::Neg(reach)), one), f, &tile.area[to]);
-        hn::StoreU(depth, f, &tile.depth[to]);
-        const auto cut = hn::And(hn::Lt(in, reach), hn::Gt(in, hn::Neg(reach)));
-        const auto inside = hn::Gt(in, hn::Neg(reach));
-        const auto wanted = hn::And(inside, hn::Or(cut, hn::Gt(fear, one)));
-        if (!hn::AllFalse(f, wanted)) {
-          const VF want = hn::IfThenElseZero(wanted, one);
-          hn::StoreU(want, f, along + to);
-          fear = hn::IfThenElse(wanted, MeansAlong(tile, j, i, want, levels), fear);
-        }
-        const VF ridge = hn::Mul(RidgeFear(right, below, j, i), Const(kLevelsOfSlope / levels));
-        fear = hn::IfThenElseZero(inside, hn::Max(fear, ridge));
-      } else {
-        hn::StoreU(one, f, &tile.area[to]), hn::StoreU(zero, f, &tile.depth[to]);
-      }
-      hn::StoreU(fear, f, rough + to);
+      const size_t at = size_t((j + 1) * kRow + 1) + i;
+      const VF d = Fused(hn::LoadU(f, &tile.bend[at]), Const(1.0f / 24), hn::LoadU(f, &tile.d[at]));
+      hn::StoreU(d, f, &tile.mean_r[size_t(j * kSide) + i]);
     }
-  for (int k = 0; k < LitTile::kPixels; ++k)
-    tile.trust[size_t(k)] = !(rough[k] <= 1.0f) ? LitTile::Trust::none
-                            : along[k] != 0.0f  ? LitTile::Trust::along
-                                                : LitTile::Trust::around;
+  }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -172,10 +161,15 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(ShadeTile);
+HWY_EXPORT(JudgeDistances);
 }  // namespace batch
 
 void shade_tile(LitTile& tile, float levels) {
   HWY_DYNAMIC_DISPATCH(batch::ShadeTile)(tile, levels);
+}
+
+void judge_distances(LitTile& tile) {
+  HWY_DYNAMIC_DISPATCH(batch::JudgeDistances)(tile);
 }
 
 }  // namespace mien

@@ -81,10 +81,62 @@ void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
   const RampSegment& segment = looks_->segment(step);
   const std::size_t count = std::size_t(at.count);
   if (t_.size() < count) t_.resize(count);
-  along(varied.paint.field, at.first.x, at.first.y, at.from, at.count, at.area / 12, t_.data());
+  if (at.cells)
+    along_cells(varied, at, t_.data());
+  else if (varied.paint.field.kind == PaintField::Kind::distance)
+    along_distance(varied, at, t_.data());
+  else
+    along(varied.paint.field, at.first.x, at.first.y, at.from, at.count, at.area / 12, t_.data());
   const float least = float(segment.from), most = float(segment.to);
   for (std::size_t i = 0; i < count; ++i) t_[i] = std::clamp(t_[i], least, most);
   lay_ramp(to, segment, t_.data(), at.count);
+}
+
+/// Mean t along a distance.
+void LookShader::along_distance(const VariedPaint& varied, const Places& at, float* t) {
+  const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
+  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
+  if (at.form)
+    t[0] = lit.distance_of_part(x, y, *at.form, lit_scratch_);
+  else
+    lit.distances(x + at.from, y, at.count, t, lit_scratch_);
+  const float from = float(varied.paint.field.from), scale = float(varied.paint.field.scale);
+  for (int i = 0; i < at.count; ++i) t[i] = (t[i] - from) * scale;
+}
+
+/// t at the cells' centroids, and of a radial gradient how it bends within a cell.
+void LookShader::along_cells(const VariedPaint& varied, const Places& at, float* t) {
+  const PaintField& field = varied.paint.field;
+  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
+  if (field.kind == PaintField::Kind::distance) {
+    const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
+    lit.distances_of_cells(x, y, *at.cells, t, lit_scratch_);
+    for (int i = 0; i < at.count; ++i) t[i] = float(field.at({}, double(t[i])));
+    return;
+  }
+  const double variance = double(at.cells->cell() * at.cells->cell()) / 12;
+  for (std::size_t k = 0; k < std::size_t(at.count); ++k) {
+    const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{at.cells->x[k], at.cells->y[k]};
+    if (field.kind == PaintField::Kind::linear)
+      t[k] = float(field.at(p, 0.0));
+    else
+      along(field, p.x, p.y, 0, 1, variance, t + k);
+  }
+}
+
+glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form) {
+  if (form)
+    cells_of_form(*form, PartCells::kMostSide, cells_);
+  else
+    whole_cells(PartCells::kMostSide, cells_);
+  const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
+  glm::vec4 sum{0.0f};
+  float area = 0.0f;
+  for (std::size_t k = 0; k < std::size_t(cells_.count()); ++k) {
+    sum += cells_.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
+    area += cells_.area[k];
+  }
+  return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
 }
 
 void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
@@ -92,9 +144,15 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
   const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
   lit_.room_for(std::size_t(at.count));
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
-  if (at.part) {
-    const glm::vec4 c = lit.part(step.zone, x + at.from, y, at.area, at.first, lit_scratch_);
-    lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
+  if (at.form) {
+    const glm::vec4 c = lit.part(step.zone, x, y, *at.form, lit_scratch_);
+    std::fill_n(lit_.r.begin(), at.count, c.r), std::fill_n(lit_.g.begin(), at.count, c.g);
+    std::fill_n(lit_.b.begin(), at.count, c.b), std::fill_n(lit_.a.begin(), at.count, c.a);
+  } else if (at.cells) {
+    float c[4];
+    lit.pixels(step.zone, x, y, 1, &c[0], &c[1], &c[2], &c[3], lit_scratch_);
+    std::fill_n(lit_.r.begin(), at.count, c[0]), std::fill_n(lit_.g.begin(), at.count, c[1]);
+    std::fill_n(lit_.b.begin(), at.count, c[2]), std::fill_n(lit_.a.begin(), at.count, c[3]);
   } else {
     lit.pixels(step.zone, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
                lit_.a.data(), lit_scratch_);

@@ -27,14 +27,17 @@ class LookShader {
   /// counted from there, so that a pixel does not depend on where a run begins.
   const ColorRow& pixels(int look, int x, int y, int count) {
     const int origin = x & ~(kBlock - 1);
-    return places(look, {{origin + 0.5, y + 0.5}, x - origin, count, 1.0, false});
+    return places(look, {{origin + 0.5, y + 0.5}, x - origin, count, 1.0, nullptr});
   }
   static constexpr int kBlock = 64;
-  /// A part of a pixel, by its centroid and area.
-  glm::vec4 part(int look, double x, double y, double area) {
-    const ColorRow& c = places(look, {{x, y}, 0, 1, area, true});
+  /// A part of a pixel, by its centroid and area; of a look that asks for it, by its form.
+  glm::vec4 part(int look, double x, double y, double area, const PartForm* form = nullptr) {
+    const ColorRow& c = places(look, {{x, y}, 0, 1, area, form});
     return {c.r[0], c.g[0], c.b[0], c.a[0]};
   }
+
+  /// The mean over a pixel or a part of one by 16 × 16 cells: what centroids neglect falls by as much.
+  glm::vec4 by_cells(int look, int x, int y, const PartForm* form);
 
  private:
   /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.
@@ -42,16 +45,20 @@ class LookShader {
     glm::dvec2 first;
     int from, count;
     double area;
-    bool part;
+    const PartForm* form;
+    const PartCells* cells = nullptr;  ///< of the pixel at `first`, instead of all of it
   };
   const ColorRow& places(int look, const Places& at);
   void lay(const LookStep& step, const Places& at, ColorRow& to);
   void lay_lit(const LookStep& step, const Places& at, ColorRow& to);
+  void along_distance(const VariedPaint& varied, const Places& at, float* t);
+  void along_cells(const VariedPaint& varied, const Places& at, float* t);
 
   const Looks* looks_ = nullptr;
   std::vector<ColorRow> levels_;
   std::vector<float> t_;
   ColorRow lit_;
+  PartCells cells_;
   LitPaint::Scratch lit_scratch_;
 };
 

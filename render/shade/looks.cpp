@@ -281,7 +281,7 @@ void Looks::lay_paint(int varied, const std::uint64_t* inside) {
     step.segment = segment_of(varied, inside);
     const bool constant = segment(step).slope == Mix{0.0};
     if (constant && !lie.slopes) return lay_over(segment(step).at);
-    if (lie.slopes || paint.paint.field.kind == PaintField::Kind::distance) step.zone = lie.zone;
+    if (lie.slopes) step.zone = lie.zone;
   }
   for (Level& level : levels_) {  // the grounds of the levels below come first
     const bool opens = !level.varies;
@@ -316,8 +316,9 @@ int Looks::known_or_new(std::size_t first_step) {
   table_[i] = int(looks_.size());
   bool tip = false;
   const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
-  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected,
-                    estimated_by(std::span(steps_).subspan(first_step)), tip, int(first_step),
+  const auto steps = std::span(steps_).subspan(first_step);
+  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected, tip,
+                    neglected > 0.0 || formed_by(steps), dense_by(steps), int(first_step),
                     int(steps_.size() - first_step), hash});
   return table_[i];
 }
@@ -347,16 +348,18 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
   return sum;
 }
 
-/// A twentieth of what the ramp changes by per pixel: what a part's mean was seen to be off by at most.
-double Looks::estimated_by(std::span<const LookStep> steps) const {
-  constexpr double kSeen = 0.05;
-  double sum = 0.0;
-  for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint || step.zone < 0) continue;
-    const VariedPaint& paint = paints_->varied[std::size_t(step.varied)];
-    if (paint.paint.ramp) sum += kSeen * (paint.dense ? 1.0 : slope_of(step));
-  }
-  return sum;
+bool Looks::formed_by(std::span<const LookStep> steps) const {
+  return std::ranges::any_of(steps, [&](const LookStep& step) {
+    return step.kind == Kind::paint &&
+           (step.zone >= 0 ||
+            paints_->varied[std::size_t(step.varied)].paint.field.kind != PaintField::Kind::linear);
+  });
+}
+
+bool Looks::dense_by(std::span<const LookStep> steps) const {
+  return std::ranges::any_of(steps, [&](const LookStep& step) {
+    return step.kind == Kind::paint && paints_->varied[std::size_t(step.varied)].dense;
+  });
 }
 
 double Looks::neglected_near(int look, glm::dvec2 p, bool part) const {

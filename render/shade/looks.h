@@ -64,13 +64,15 @@ class Looks final : public LookRule {
   /// their product is not that of their means, but for a twelfth of the product of what both change by
   /// per pixel.
   double neglected(int look) const { return looks_[std::size_t(look)].neglected; }
-  /// What the mean over a part of a pixel of a lit paint's or a distance's ramp may be off by: its shape
-  /// is known by area and centroid alone.
-  double estimated(int look) const { return looks_[std::size_t(look)].estimated; }
   /// What is added where a radial ramp is seen: of slope s per pixel, r pixels from its centre, it bends
   /// by s / r. A part's variance is not a square's (0.03 s / r), and what is left of a whole pixel is
   /// 0.02 s / r² and less, the tip's own share at the centre among it. [px]
   double neglected_near(int look, glm::dvec2 p, bool part) const;
+  /// Whether its mean over a part of a pixel may ask for the part's form: it is lit, goes by a distance, or
+  /// means by centroids neglect something.
+  bool formed(int look) const { return looks_[std::size_t(look)].formed; }
+  /// Whether cells do not help either: a gradient of it has more stops than can be told apart.
+  bool dense(int look) const { return looks_[std::size_t(look)].dense; }
   /// Whether a radial ramp's centre may lie in it.
   bool has_tip(int look) const { return looks_[std::size_t(look)].tip; }
 
@@ -78,8 +80,7 @@ class Looks final : public LookRule {
   struct Look {
     Mix mix;
     double neglected;
-    double estimated;
-    bool tip;
+    bool tip, formed, dense;
     int first, count;
     std::uint64_t hash;
   };
@@ -106,7 +107,8 @@ class Looks final : public LookRule {
   int known_or_new(std::size_t first_step);
   double slope_of(const LookStep& step) const;
   double neglected_by(std::span<const LookStep> steps, bool& tip) const;
-  double estimated_by(std::span<const LookStep> steps) const;
+  bool formed_by(std::span<const LookStep> steps) const;
+  bool dense_by(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;

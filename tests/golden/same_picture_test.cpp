@@ -92,17 +92,24 @@ TEST(Seams, NoneBetweenAbuttingLayersOfOneColour) {
   }
 }
 
-/// With the lamp in the middle, and no dither.
+/// With the lamp in the middle, and no dither. In 16 bits, where no tie hides a difference: outlines are
+/// fitted from one side, and vertices lie on a grid of 1e-6 px.
 TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
   constexpr glm::dvec3 kAbove{0, 0.65, 0.85};
   for (const int width : {320, 640, 992}) {
-    const Image image =
-        render(posed_scene("toon"),
-               {.width = width, .height = width * 9 / 16, .light = kAbove, .dither = false});
-    for (int y = 0; y < image.height; ++y)
+    const int height = width * 9 / 16;
+    std::vector<std::uint16_t> pixels(std::size_t(4 * width * height));
+    Renderer().render_into(
+        {reinterpret_cast<std::byte*>(pixels.data()), std::size_t(8 * width), Depth::u16},
+        posed_scene("toon"), {.width = width, .height = height, .light = kAbove, .dither = false});
+    const auto channel = [&](int x, int y, int c) {
+      return int(pixels[std::size_t(4 * (y * width + x) + c)]);
+    };
+    for (int y = 0; y < height; ++y)
       for (int x = 0; x < width / 2; ++x)
-        ASSERT_EQ(std::memcmp(image.row(y) + 4 * x, image.row(y) + 4 * (width - 1 - x), 4), 0)
-            << width << ": " << x << ' ' << y;
+        for (int c = 0; c < 4; ++c)
+          ASSERT_LE(std::abs(channel(x, y, c) - channel(width - 1 - x, y, c)), 2)
+              << width << ": " << x << ' ' << y;
   }
   const Image odd = render(posed_scene("toon", {"blink=0.4"}),
                            {.width = 333, .height = 200, .light = kAbove, .dither = false});

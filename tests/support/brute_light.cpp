@@ -8,6 +8,27 @@
 
 namespace mien::test {
 
+CountedForm BruteLight::form(int zone, int x, int y,
+                             const std::function<bool(glm::dvec2)>& keeps) const {
+  constexpr int kRows = 64, kPlaces = 256;
+  CountedForm made;
+  for (int j = 0; j < kRows; ++j) {
+    const float top = float(j) / kRows, middle = (float(j) + 0.5f) / kRows,
+                bottom = float(j + 1) / kRows;
+    bool was = false;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const glm::dvec2 p{x + (i + 0.5) / kPlaces, y + (j + 0.5) / kRows};
+      const bool in = i < kPlaces &&
+                      (!surface_.area() || surface_.zone_of(surface_.outward(p).d) == zone) &&
+                      (!keeps || keeps(p));
+      const float at = float(i) / kPlaces;
+      if (in != was) made.stretches.push_back({at, top, at, middle, at, bottom, in ? 1.0f : -1.0f});
+      was = in;
+    }
+  }
+  return made;
+}
+
 double BruteLight::middle(int x, int y) const {
   const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} - surface_.center();
   return surface_.area() ? surface_.area()->at(p) : 0.0;

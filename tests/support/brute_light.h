@@ -1,9 +1,12 @@
 #pragma once
 // Means of a lit surface over parts of pixels by very many places: the judge of render/shade.
 
+#include <mien/render/cover/part_form.h>
 #include <mien/render/shade/lit_surface.h>
 
+#include <array>
 #include <functional>
+#include <vector>
 
 namespace mien::test {
 
@@ -13,6 +16,13 @@ struct LitPart {
   Mix mean{0.0};
 };
 
+/// A part's form by rows of places: each stretch of them ends upright.
+struct CountedForm {
+  std::array<float, PartForm::kRows> left{};
+  std::vector<PartStretch> stretches;
+  PartForm form() const { return {left, stretches}; }
+};
+
 class BruteLight {
  public:
   explicit BruteLight(const LitSurface& surface) : surface_(surface) {}
@@ -20,6 +30,9 @@ class BruteLight {
   /// What of pixel (x, y) lies in `zone` and where `keeps` says so, by `places` squared places.
   LitPart part(int zone, int x, int y, int places,
                const std::function<bool(glm::dvec2)>& keeps = {});
+
+  /// That part's form, by 64 rows.
+  CountedForm form(int zone, int x, int y, const std::function<bool(glm::dvec2)>& keeps = {}) const;
 
   /// The distance at the pixel's middle.
   double middle(int x, int y) const;

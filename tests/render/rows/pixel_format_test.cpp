@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
+#include "tests/support/every_instruction_set.h"
 #include "tests/support/random.h"
 
 namespace mien::test {
@@ -15,7 +17,12 @@ namespace {
 template <class Channel>
 std::array<Channel, 4> put(const PixelFormat& format, const Mix& mix, double carry) {
   std::array<std::byte, 16> bytes{};  // as long as the longest pixel
-  format.put(rgba_from_mix(mix), float(carry), bytes.data());
+  const std::vector<float> carries(1 + kColorSpare, float(carry));
+  ColorRow row;
+  row.room_for(1);
+  const Rgba c = rgba_from_mix(mix);
+  row.r[0] = c.r, row.g[0] = c.g, row.b[0] = c.b, row.a[0] = c.a;
+  format.put(row.planes(), carries.data(), 1, bytes.data());
   std::array<Channel, 4> out;
   std::memcpy(out.data(), bytes.data(), sizeof out);
   return out;
@@ -55,11 +62,11 @@ void expect_twins(Depth depth, double allowed) {
 }
 
 TEST(PixelFormat, EightBitsAreThoseOfStoreButForRoundingUpOrDown) {
-  expect_twins<std::uint8_t>(Depth::u8, 1.0);
+  on_every_set([] { expect_twins<std::uint8_t>(Depth::u8, 1.0); });
 }
 
 TEST(PixelFormat, SixteenBitsAreThoseOfStoreButForAFewLevels) {
-  expect_twins<std::uint16_t>(Depth::u16, 2.0);
+  on_every_set([] { expect_twins<std::uint16_t>(Depth::u16, 2.0); });
 }
 
 TEST(PixelFormat, EightBitsAreThoseOfStoreWhereItIsNoCloseCall) {
@@ -123,38 +130,51 @@ TEST(PixelFormat, OpaqueIsOpaqueInSpiteOfRoundings) {
 }
 
 TEST(PixelFormat, NothingIsBlackAndClear) {
-  for (const Depth depth : {Depth::u8, Depth::u16})
-    for (const Blend blend : {Blend::linear, Blend::srgb}) {
-      const PixelFormat format(depth, blend);
-      std::array<std::byte, 8> out;
-      out.fill(std::byte{77});
-      format.put({}, 0.5f, out.data());
-      for (std::size_t i = 0; i < format.bytes(); ++i) EXPECT_EQ(out[i], std::byte{0});
-      format.put({-1e-7f, 1e-8f, -1e-7f, -1e-7f}, 0.5f, out.data());  // what roundings leave
-      for (std::size_t i = 0; i < format.bytes(); ++i) EXPECT_EQ(out[i], std::byte{0});
-    }
-}
-
-TEST(PixelFormat, TheTableIsTheCurveToAHundredthOfALevel) {
-  double worst = 0.0;
-  for (int i = 0; i <= 1'000'000; ++i) {
-    const double v = i / 1e6;
-    worst =
-        std::max(worst, std::abs(double(EncodeTable::shared()(float(v))) - srgb_from_linear(v)));
+  for (const Blend blend : {Blend::linear, Blend::srgb}) {
+    const PixelFormat format(Depth::u16, blend);
+    const std::array<std::uint16_t, 4> nothing{};
+    EXPECT_EQ(put<std::uint16_t>(format, {}, 0.5), nothing);
+    const Mix roundings{-1e-7, 1e-8, -1e-7, -1e-7};
+    EXPECT_EQ(put<std::uint16_t>(format, roundings, 0.5), nothing);
   }
-  EXPECT_LE(worst, 1.9e-5);
 }
 
-TEST(PixelFormat, RunsAreFilledWholeAndNoFarther) {
-  for (const std::size_t bytes : {4u, 8u, 16u})
-    for (const int count : {0, 1, 2, 3, 17}) {
-      std::array<std::byte, 16> value;
-      for (std::size_t i = 0; i < 16; ++i) value[i] = std::byte(i + 1);
-      std::vector<std::byte> row(bytes * 20, std::byte{0});
-      fill_pixels(row.data(), count, value.data(), bytes);
-      for (std::size_t i = 0; i < row.size(); ++i)
-        ASSERT_EQ(row[i], i < bytes * std::size_t(count) ? value[i % bytes] : std::byte{0});
+TEST(PixelFormat, ManyAreAsOneByOneAndNothingElseIsWritten) {
+  for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32})
+    for (const int count : {0, 1, 7, 8, 9, 16, 33}) {
+      const PixelFormat format(depth, Blend::linear);
+      Random r(5);
+      ColorRow row;
+      row.room_for(std::size_t(count));
+      std::vector<float> carries(std::size_t(count) + kColorSpare, 0.5f);
+      std::vector<std::byte> all((std::size_t(count) + 1) * format.bytes(), std::byte{77});
+      for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        const Rgba c = rgba_from_mix(random_mix(r, i % 2));
+        row.r[i] = c.r, row.g[i] = c.g, row.b[i] = c.b, row.a[i] = c.a;
+        carries[i] = float(r.unit());
+      }
+      format.put(row.planes(), carries.data(), count, all.data());
+      for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        const ColorPlanes from{&row.r[i], &row.g[i], &row.b[i], &row.a[i]};
+        std::array<std::byte, 16> one;
+        format.put(from, &carries[i], 1, one.data());
+        ASSERT_EQ(0, std::memcmp(one.data(), all.data() + i * format.bytes(), format.bytes())) << i;
+      }
+      for (std::size_t i = std::size_t(count) * format.bytes(); i < all.size(); ++i)
+        ASSERT_EQ(all[i], std::byte{77});
     }
+}
+
+TEST(PixelFormat, ScatteredPixelsAreWhereTheirColumnsSay) {
+  for (const std::size_t bytes : {4, 8, 16}) {
+    std::vector<std::byte> from(3 * bytes), to(10 * bytes);
+    for (std::size_t i = 0; i < from.size(); ++i) from[i] = std::byte(i + 1);
+    const std::array<int, 3> columns{7, 0, 3};
+    scatter_pixels(from.data(), columns, bytes, to.data());
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(0, std::memcmp(&to[std::size_t(columns[i]) * bytes], &from[i * bytes], bytes));
+    EXPECT_EQ(to[bytes], std::byte{0});
+  }
 }
 
 }  // namespace

@@ -47,15 +47,17 @@ void judge(test::Random& random, int kind, double size, Profile profile, Blend b
     const int zone = surface.zone_of(d);
     if (zone == 0 || d < -surface.relief().width - 1.0 || paint.level(zone)) continue;
     const bool cuts = surface.zone_of(d - 0.71) != zone || surface.zone_of(d + 0.71) != zone;
-    const auto ask_part = [&](const test::LitPart& part) {
-      return Mix(paint.part(zone, x, y, part.area, part.centroid, scratch));
-    };
     const glm::dvec2 way = random.direction(), middle{x + 0.5, y + 0.5};
     const double at = random.between(-0.4, 0.4);
     const auto keeps = [&](glm::dvec2 p) { return glm::dot(p - middle, way) < at; };
-    cut.add(judged(brute, blend, zone, x, y, ask_part, keeps));
+    const auto part = [&](const test::CountedForm& form) {
+      return [&, form](const test::LitPart&) {
+        return Mix(paint.part(zone, x, y, form.form(), scratch));
+      };
+    };
+    cut.add(judged(brute, blend, zone, x, y, part(brute.form(zone, x, y, keeps)), keeps));
     if (cuts) {
-      own.add(judged(brute, blend, zone, x, y, ask_part));
+      own.add(judged(brute, blend, zone, x, y, part(brute.form(zone, x, y))));
       continue;
     }
     whole.add(judged(brute, blend, zone, x, y, [&](const test::LitPart&) {
@@ -92,7 +94,8 @@ TEST(LitPaint, DoesNotDependOnWhatWasAskedBefore) {
       for (int y = 40; y-- > 24;) {
         one.pixels(zone, 0, y, 64, row[0], row[1], row[2], row[3], scratch);
         const int x = random.below(64);
-        other.part(zone, x, y, 0.5, {x + 0.4, y + 0.5}, fresh);
+        const PartStretch half{0.3f, 0, 0.4f, 0.5f, 0.5f, 1, 1};
+        other.part(zone, x, y, {.stretches = {&half, 1}}, fresh);
         other.pixels(zone, x, y, 1, &single[0], &single[1], &single[2], &single[3], fresh);
         for (int c = 0; c < 4; ++c)
           EXPECT_EQ(std::memcmp(&row[c][x], &single[c], sizeof(float)), 0) << k;

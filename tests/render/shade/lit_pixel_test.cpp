@@ -29,7 +29,8 @@ TEST(LitPixel, KnowsCrests) {
     LampLanes lamp;
     set_lamp(surface, 1, middle, 13.0, lamp);
     const glm::vec2 at{glm::dvec2{x + 0.5, y + 0.5} - middle};
-    const glm::vec3 got = pixel.whole({&lamp, &feet, 0.0f, 20.0f}, at);
+    const glm::vec3 got =
+        pixel.mean({&lamp, &feet, 0.0f, 20.0f, at, {}, false, 0.3f / 255}, nullptr);
     const test::LitPart truth = test::BruteLight(surface).part(1, x, y, 200);
     EXPECT_LT(
         test::levels_apart(Mix{got.x, got.y, got.z, scene.paint.color.a}, truth.mean, Blend::srgb),

@@ -1,0 +1,128 @@
+#include <mien/render/cover/part_form.h>
+
+#include <algorithm>
+
+namespace mien {
+namespace {
+
+constexpr float kNoArea = 1e-6f;  // [px]: what roundings leave of nothing
+
+/// Sums of a form's cells: areas and first moments about their middles, and what fills all cells from a
+/// column on.
+struct CellSums {
+  static constexpr int kMostSide = PartCells::kMostSide;
+  int side;
+  float cell;
+  float area[kMostSide][kMostSide], mx[kMostSide][kMostSide], my[kMostSide][kMostSide];
+  float from[kMostSide][kMostSide + 1], from_y[kMostSide][kMostSide + 1];
+
+  explicit CellSums(int n) : side(n), cell(1.0f / float(n)) {
+    for (int j = 0; j < n; ++j) {
+      std::fill_n(area[j], n, 0.0f), std::fill_n(mx[j], n, 0.0f), std::fill_n(my[j], n, 0.0f);
+      std::fill_n(from[j], n + 1, 0.0f), std::fill_n(from_y[j], n + 1, 0.0f);
+    }
+  }
+
+  void add_left(const std::array<float, PartForm::kRows>& left);
+  void add_chord(float xp, float yp, float xq, float yq, float sign);
+  void add_in_row(int row, float xp, float yp, float xq, float yq, float sign);
+  void add_in_cell(int row, int column, float xp, float yp, float xq, float yq, float sign);
+};
+
+void CellSums::add_left(const std::array<float, PartForm::kRows>& left) {
+  const int rows = PartForm::kRows / side;
+  for (int k = 0; k < PartForm::kRows; ++k) {
+    const int j = k / rows;
+    const float y = (float(k % rows) + 0.5f) / PartForm::kRows - 0.5f * cell;
+    from[j][0] += left[std::size_t(k)], from_y[j][0] += left[std::size_t(k)] * y;
+  }
+}
+
+void CellSums::add_chord(float xp, float yp, float xq, float yq, float sign) {
+  if (!(yq > yp)) return;
+  const float n = float(side), slope = (xq - xp) / (yq - yp);
+  const int last = std::clamp(int(yq * n), 0, side - 1);
+  for (int row = std::clamp(int(yp * n), 0, side - 1); row <= last; ++row) {
+    const float top = std::max(yp, float(row) * cell),
+                bottom = row == last ? yq : std::min(yq, float(row + 1) * cell);
+    if (!(bottom > top)) continue;
+    const auto x_at = [&](float y) { return std::clamp(xp + slope * (y - yp), 0.0f, 1.0f); };
+    add_in_row(row, top == yp ? xp : x_at(top), top, bottom == yq ? xq : x_at(bottom), bottom,
+               sign);
+  }
+}
+
+void CellSums::add_in_row(int row, float xp, float yp, float xq, float yq, float sign) {
+  const float n = float(side);
+  const auto column_of = [&](float x) { return std::clamp(int(x * n), 0, side - 1); };
+  const int last = column_of(xq), step = xq > xp ? 1 : -1;
+  int column = column_of(xp);
+  const float rate = xq != xp ? (yq - yp) / (xq - xp) : 0.0f;
+  float x = xp, y = yp;
+  for (; column != last; column += step) {
+    const float border = float(step > 0 ? column + 1 : column) * cell;
+    const float at = std::clamp(yp + rate * (border - xp), y, yq);
+    add_in_cell(row, column, x, y, border, at, sign);
+    x = border, y = at;
+  }
+  add_in_cell(row, column, x, y, xq, yq, sign);
+}
+
+/// With u, v from the cell's middle and its half side s the stretch leaves to its right s − u over dv: so much
+/// area, and moments (s² − u²)/2 and v (s − u).
+void CellSums::add_in_cell(int row, int column, float xp, float yp, float xq, float yq,
+                           float sign) {
+  const float s = 0.5f * cell, h = sign * (yq - yp);
+  const float x = (float(column) + 0.5f) * cell, y = (float(row) + 0.5f) * cell;
+  const float up = xp - x, uq = xq - x, u = 0.5f * (up + uq), v = 0.5f * (yp + yq) - y;
+  area[row][column] += h * (s - u);
+  mx[row][column] += 0.5f * h * (s * s - (up * up + up * uq + uq * uq) * (1.0f / 3));
+  my[row][column] += h * (v * (s - u) - (uq - up) * (yq - yp) * (1.0f / 12));
+  from[row][column + 1] += h, from_y[row][column + 1] += h * v;
+}
+
+}  // namespace
+
+void add_height(const PartStretch& s, std::array<float, PartForm::kRows>& left) {
+  constexpr float kRow = 1.0f / PartForm::kRows;
+  for (int k = 0; k < PartForm::kRows; ++k) {
+    const float top = float(k) * kRow;
+    left[std::size_t(k)] +=
+        s.sign * std::max(std::min(s.yq, top + kRow) - std::max(s.yp, top), 0.0f);
+  }
+}
+
+void whole_cells(int side, PartCells& to) {
+  to.side = side;
+  const float cell = 1.0f / float(side);
+  for (int k = 0; k < side * side; ++k) {
+    to.area[std::size_t(k)] = cell * cell;
+    to.x[std::size_t(k)] = (float(k % side) + 0.5f) * cell - 0.5f;
+    to.y[std::size_t(k)] = (float(k / side) + 0.5f) * cell - 0.5f;
+  }
+}
+
+void cells_of_form(const PartForm& form, int side, PartCells& to) {
+  whole_cells(side, to);
+  CellSums sums(side);
+  sums.add_left(form.left);
+  for (const PartStretch& s : form.stretches) {
+    sums.add_chord(s.xp, s.yp, s.xm, s.ym, s.sign);
+    sums.add_chord(s.xm, s.ym, s.xq, s.yq, s.sign);
+  }
+  const float cell = sums.cell, half = 0.5f * cell;
+  std::size_t k = 0;
+  for (int j = 0; j < side; ++j) {
+    float height = 0.0f, height_y = 0.0f;
+    for (int i = 0; i < side; ++i, ++k) {
+      height += sums.from[j][i], height_y += sums.from_y[j][i];
+      const float area = sums.area[j][i] + height * cell;
+      to.area[k] = area > kNoArea ? area : 0.0f;
+      if (!(area > kNoArea)) continue;
+      to.x[k] += std::clamp(sums.mx[j][i] / area, -half, half);
+      to.y[k] += std::clamp((sums.my[j][i] + height_y * cell) / area, -half, half);
+    }
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,77 @@
+#include <mien/render/cover/part_form.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/support/random.h"
+
+namespace mien {
+namespace {
+
+/// Right of a chord from (a, 0) to (b, 1), by very many places.
+struct Counted {
+  std::vector<double> area, x, y;
+
+  Counted(int side, float a, float b)
+      : area(std::size_t(side * side)), x(std::size_t(side * side)), y(std::size_t(side * side)) {
+    constexpr int kRows = 4096;
+    for (int k = 0; k < kRows; ++k) {
+      const double v = (k + 0.5) / kRows, cut = a + (b - a) * v;
+      for (int i = 0; i < side; ++i) {
+        const double left = std::max(cut, double(i) / side), right = double(i + 1) / side;
+        if (left >= right) continue;
+        const auto c = std::size_t(int(v * side) * side + i);
+        const double w = (right - left) / kRows;
+        area[c] += w, x[c] += w * (0.5 * (left + right) - 0.5), y[c] += w * (v - 0.5);
+      }
+    }
+  }
+};
+
+TEST(PartForm, GivesCellsTheirAreasAndCentroids) {
+  test::Random random(5);
+  for (int k = 0; k < 60; ++k) {
+    const int side = 4 << k % 3;
+    const float a = float(random.between(0, 1)), b = float(random.between(0, 1)),
+                m = 0.5f * (a + b);
+    const PartStretch stretch{a, 0, m, 0.5f, b, 1, 1};
+    PartCells cells;
+    cells_of_form({.stretches = {&stretch, 1}}, side, cells);
+    const Counted want(side, a, b);
+    for (std::size_t c = 0; c < std::size_t(cells.count()); ++c) {
+      EXPECT_NEAR(cells.area[c], want.area[c], 2e-5);
+      if (want.area[c] < 1e-3) continue;
+      EXPECT_NEAR(cells.x[c], want.x[c] / want.area[c], 1e-3);
+      EXPECT_NEAR(cells.y[c], want.y[c] / want.area[c], 1e-3);
+    }
+  }
+}
+
+TEST(PartForm, IsWhatEntersFromTheLeftLessWhatStretchesTake) {
+  const PartStretch entry{0.3f, 0.25f, 0.4f, 0.5f, 0.5f, 0.75f, 1};
+  std::array<float, PartForm::kRows> left{};
+  add_height(entry, left);
+  float height = 0;
+  for (const float h : left) height += h;
+  EXPECT_FLOAT_EQ(height, 0.5f);
+  EXPECT_EQ(left[3], 0);
+  EXPECT_FLOAT_EQ(left[4], 1.0f / 16);
+  PartStretch exit = entry;
+  exit.sign = -1;
+  PartCells cells, whole;
+  cells_of_form({left, {&exit, 1}}, 8, cells);  // beside it, the same outline again
+  whole_cells(8, whole);
+  double area = 0;
+  for (std::size_t c = 0; c < 64; ++c) {
+    area += double(cells.area[c]);
+    EXPECT_LE(cells.area[c], whole.area[c] + 1e-6f);
+  }
+  EXPECT_NEAR(area, 0.5 * 0.4, 1e-6);
+  EXPECT_EQ(cells.area[0], 0);
+  EXPECT_FLOAT_EQ(cells.area[16], 1.0f / 64);
+}
+
+}  // namespace
+}  // namespace mien
