@@ -185,7 +185,7 @@ Image debug_picture(const Scene& scene, const View& view, DebugPicture which,
   for (int y = 0; y < rect.height; ++y)
     for (int x = 0; x < rect.width; ++x) put(image, x, y, {12, 16, 28});
   Drawing drawing;
-  drawing.make(scene, view, Depth::u8);
+  drawing.make_whole(scene, view, Depth::u8);
   switch (which) {
     case DebugPicture::outlines:
       draw_outlines(drawing, view.width, rect, image);

@@ -16,6 +16,17 @@ double tolerance_of(Depth depth, Blend blend) {
 
 }  // namespace
 
+/// A crowd's window is drawn as a picture of its own.
+struct StripScratch::Window {
+  CrowdScratch crowd;
+  Drawing drawing;
+  StripScratch strip;
+};
+
+StripScratch::StripScratch() = default;
+StripScratch::~StripScratch() = default;
+StripScratch::StripScratch(StripScratch&&) noexcept = default;
+
 /// Scenes never change, and the one drawn is held: the same place in memory is the same scene.
 bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
   const auto same_color = [](const std::optional<Color>& a, const std::optional<Color>& b) {
@@ -29,8 +40,19 @@ bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
 }
 
 void Drawing::make(const Scene& scene, const View& view, Depth depth) {
-  if (is_of(scene, view, depth)) return;
-  made_ = false;
+  if (!Crowd::is_one(scene)) return make_whole(scene, view, depth);
+  if (crowded_ && is_of(scene, view, depth)) return;
+  made_ = false, crowded_ = true;
+  width_ = view.width, height_ = view.height;
+  scene_ = scene, view_ = view;
+  format_ = PixelFormat(depth, view.blend);
+  crowd_.make(scene, view);
+  made_ = true;
+}
+
+void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
+  if (!crowded_ && is_of(scene, view, depth)) return;
+  made_ = crowded_ = false;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
   scene_ = scene, view_ = view;
   paints_.make(scene, view, depth);
@@ -91,6 +113,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   const PixelRect& rect = target.rect;
   const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
   if (first >= end) return;
+  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
   scratch.sums.begin(kRows, width_);
   const long long cells_before = scratch.sums.cells();
   const auto varied = [&](int look) {
@@ -114,6 +137,32 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
   }
   resolve_doubts(first, end, target, scratch, stats);
+}
+
+void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
+                           RenderStats& stats, float* map) const {
+  if (!scratch.window) scratch.window = std::make_unique<StripScratch::Window>();
+  StripScratch::Window& own = *scratch.window;
+  const PixelRect& all = target.rect;
+  crowd_.each_window(top, bottom, all, own.crowd, [&](const CrowdWindow& window) {
+    const PixelRect& w = window.rect;
+    const int x = std::max(w.x, all.x), y = std::max(w.y, all.y);
+    const PixelRect seen{x - w.x, y - w.y, std::min(w.x + w.width, all.x + all.width) - x,
+                         std::min(w.y + w.height, all.y + all.height) - y};
+    const std::size_t before = std::size_t(x - all.x), above = std::size_t(y - all.y);
+    const RowTarget part{target.data + target.stride * above + format_.bytes() * before,
+                         target.stride, seen};
+    own.drawing.make_whole(window.scene, window.view, format_.depth());
+    if (!map) {
+      own.drawing.draw_strip(0, part, own.strip, stats);
+      return own.drawing.tell(stats);
+    }
+    std::vector<float> levels(std::size_t(seen.width) * std::size_t(seen.height));
+    own.drawing.draw_strip_with_errors(0, part, own.strip, levels.data());
+    for (std::size_t row = 0; row < std::size_t(seen.height); ++row)
+      std::copy_n(&levels[row * std::size_t(seen.width)], seen.width,
+                  map + (above + row) * std::size_t(all.width) + before);
+  });
 }
 
 /// One pixel by distances.
@@ -150,10 +199,13 @@ void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripS
 }
 
 void Drawing::tell(RenderStats& stats) const {
-  stats.pieces = sweep_.stats().pieces;
-  stats.crossings = sweep_.stats().crossings;
-  stats.regions = sweep_.stats().regions;
-  stats.doubts = (long long)sweep_.doubts().size();
+  if (crowded_) return;  // its windows told
+  RenderStats own;
+  own.pieces = sweep_.stats().pieces;
+  own.crossings = sweep_.stats().crossings;
+  own.regions = sweep_.stats().regions;
+  own.doubts = (long long)sweep_.doubts().size();
+  stats.add(own);
 }
 
 /// A piece may be off by its tolerance along its length, neighbours out of order by kOrder, each times
@@ -168,6 +220,7 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
     return map + std::size_t(y - rect.y) * std::size_t(rect.width);
   };
   RenderStats stats;
+  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, map);
   scratch.painter.note_errors([&](int x, int y, float e) { row_of(y)[x - rect.x] = e; });
   draw_strip(strip, target, scratch, stats);
   scratch.painter.note_errors({});

@@ -4,10 +4,12 @@
 
 #include <mien/render/reference/square_resolver.h>
 #include <mien/render/render_stats.h>
+#include <mien/render/rows/crowd.h>
 #include <mien/render/rows/row_painter.h>
 #include <mien/sdf/arrange/sweep.h>
 #include <mien/sdf/outline/outline_maker.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,15 +24,24 @@ struct RowTarget {
 
 /// Scratch of one thread that draws strips.
 struct StripScratch {
+  StripScratch();
+  ~StripScratch();
+  StripScratch(StripScratch&&) noexcept;
+
   RowSums sums;
   RowPainter painter;
   std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
+  struct Window;
+  std::unique_ptr<Window> window;  ///< of a crowd
 };
 
 class Drawing {
  public:
   /// Nothing is done where all but the view's region is as it was: pieces of one picture share it.
+  /// A crowd's outlines are left to its windows.
   void make(const Scene& scene, const View& view, Depth depth);
+  /// The same of all outlines at once, a crowd's too.
+  void make_whole(const Scene& scene, const View& view, Depth depth);
 
   /// Strips of kRows rows; those that show some of a target.
   static constexpr int kRows = 16;
@@ -52,6 +63,8 @@ class Drawing {
   const Looks& looks() const { return looks_; }
 
  private:
+  void draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
+                    RenderStats& stats, float* map) const;
   void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
                       RenderStats& stats) const;
   Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
@@ -63,7 +76,8 @@ class Drawing {
   int width_ = 0, height_ = 0;
   bool dither_ = true;
   double tolerance_ = 0;  ///< of outlines [px]
-  bool made_ = false;
+  bool made_ = false, crowded_ = false;
+  Crowd crowd_;
   Scene scene_;
   View view_;
   PaintTable paints_;

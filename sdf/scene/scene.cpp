@@ -27,6 +27,8 @@ std::vector<int> nodes_under(std::span<const Node> nodes, Area area) {
 /// Runs `leaf` and `inner` over the nodes under `area` and gives the last value.
 template <class Value, class Leaf, class Inner>
 Value fold(std::span<const Node> nodes, Area area, Leaf leaf, Inner inner) {
+  const Node& root = nodes[std::size_t(area.node)];
+  if (root.op == Op::shape) return leaf(root.a);
   std::vector<Value> value(std::size_t(area.node) + 1);
   for (int i : nodes_under(nodes, area)) {
     const Node& n = nodes[std::size_t(i)];

@@ -1,0 +1,87 @@
+#include <mien/render/render.h>
+#include <mien/render/rows/drawing.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/support/random.h"
+
+namespace mien::test {
+namespace {
+
+/// Discs over each other, opaque or not, some in groups, some lit, some with a hole.
+Scene crowd(std::uint64_t seed, std::size_t layers) {
+  SceneBuilder build({.box = {{0, 0}, {100, 60}}}, {0.2, 0.3, 0.4, 1});
+  Random r(seed);
+  for (std::size_t i = 0; i < layers; ++i) {
+    const Disc disc{{r.between(-5, 105), r.between(-5, 65)}, r.between(0.3, 9)};
+    const Area whole = build.shape(disc);
+    const Area hole = build.shape(Disc{disc.center, 0.4 * disc.radius});
+    Paint paint{.color = {r.unit(), r.unit(), r.unit(), r.chance(0.8) ? 1.0 : r.unit()}};
+    if (r.chance(0.02))
+      paint.relief = shared({.area = whole, .profile = Profile::bevel, .width = 2, .height = 1});
+    const bool grouped = r.chance(0.05);
+    if (grouped) build.open_group("group", 0.5);
+    build.layer("disc", r.chance(0.2) ? build.without(whole, hole) : whole, paint);
+    if (grouped) build.close_group();
+  }
+  return std::move(build).finish();
+}
+
+std::vector<std::byte> drawn(const Scene& scene, const View& view, bool whole) {
+  Drawing drawing;
+  if (whole)
+    drawing.make_whole(scene, view, Depth::u8);
+  else
+    drawing.make(scene, view, Depth::u8);
+  const std::size_t stride = 4 * std::size_t(view.width);
+  std::vector<std::byte> pixels(stride * std::size_t(view.height));
+  StripScratch scratch;
+  RenderStats stats;
+  for (int strip = 0; strip * Drawing::kRows < view.height; ++strip)
+    drawing.draw_strip(strip, {pixels.data(), stride, drawn_rect(view)}, scratch, stats);
+  return pixels;
+}
+
+TEST(Crowd, DrawnInWindowsIsThePictureOfOneSweep) {
+  const Scene scene = crowd(1, Crowd::kMany);
+  ASSERT_TRUE(Crowd::is_one(scene));
+  for (const bool y_up : {true, false}) {
+    const View view{
+        .width = 250, .height = y_up ? 150 : 120, .blend = Blend::srgb, .dither = false};
+    const auto whole = drawn(scene, view, true), windows = drawn(scene, view, false);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      ASSERT_LE(std::abs(int(whole[i]) - int(windows[i])), 1) << i / 4 % 250 << ' ' << i / 1000;
+  }
+}
+
+TEST(Crowd, OfAPartIsThatPartOfTheWhole) {
+  const Scene scene = crowd(2, Crowd::kMany);
+  View view{.width = 203, .height = 122};
+  const Image whole = render(scene, view);
+  for (const PixelRect part : {PixelRect{0, 0, 1, 1}, {17, 15, 60, 40}, {190, 100, 13, 22}}) {
+    view.region = part;
+    const Image piece = render(scene, view);
+    for (int y = 0; y < part.height; ++y)
+      ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + 4 * part.x,
+                            4 * std::size_t(part.width)),
+                0);
+  }
+}
+
+TEST(Crowd, OnlyWhatIsSeenIsDrawn) {
+  SceneBuilder build({.box = {{0, 0}, {64, 64}}}, {0, 0, 0, 1});
+  for (int i = 0; i < int(Crowd::kMany); ++i)
+    build.layer("hidden", build.shape(Disc{{32.0, 32.0}, 1.0 + 0.001 * i}), {{1, 0, 0, 1}});
+  build.layer("cover", build.shape(Disc{{32, 32}, 100}), {{0, 1, 0, 1}});
+  RenderStats stats;
+  const Image image = render(std::move(build).finish(), {.width = 64, .height = 64}, {}, &stats);
+  EXPECT_EQ(image.row(32)[4 * 32], 0);
+  EXPECT_EQ(image.row(32)[4 * 32 + 1], 255);
+  EXPECT_EQ(stats.fill_pixels + stats.edge_pixels, 64 * 64);
+  EXPECT_EQ(stats.crossings, 0);
+}
+
+}  // namespace
+}  // namespace mien::test
