@@ -24,7 +24,8 @@ struct CellCut {
 ///
 /// Derivation.  With a = side |nx|, b = side |ny|, t is the sum of its middle and of two numbers spread evenly over
 ///   [−a/2, a/2] and [−b/2, b/2]. So the mean of g(t) for t > 0 is the second difference of g's second integral G over
-///   the corners' values: (G(m+p) − G(m+q) − G(m−q) + G(m−p)) / (ab), p = (a+b)/2, q = |a−b|/2. For 1 and t: G = t²/2, t³/6.
+///   the corners' values: (G(m+p) − G(m+q) − G(m−q) + G(m−p)) / (ab), p = (a+b)/2, q = |a−b|/2. For 1 and t:
+///   G = t²/2, t³/6.
 /// Error.  b is taken as at least a/16 (t's spread grows by 1e-4 side²); |middle| within a side, rounding leaves 1e-4.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE CellCut<V> CutCell(D f, V middle, V nx, V ny, V side) {

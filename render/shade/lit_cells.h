@@ -41,6 +41,8 @@ struct LitCells {
 
 struct LitMean {
   float r, g, b;
+  float area;   ///< of the cells, at least a tenth
+  float lean;   ///< how far that plane's colours are from the mean
   float rough;  ///< how far colours are from a plane over the pixel, root of the mean square
   float jump;   ///< the most that a ridge changes colours by
   float

@@ -222,7 +222,7 @@ LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
     s.ry = Fused(ay, c.r, s.ry), s.gy = Fused(ay, c.g, s.gy), s.by = Fused(ay, c.b, s.by);
   }
   const float all = Sum(s.area), over = all > 0.0f ? 1.0f / all : 0.0f;
-  LitMean mean{Sum(s.r) * over, Sum(s.g) * over, Sum(s.b) * over, 0.0f,
+  LitMean mean{Sum(s.r) * over, Sum(s.g) * over, Sum(s.b) * over, HWY_MAX(all, 0.1f), 0.0f, 0.0f,
                Most(s.jump),    Sum(s.unsure),   Most(s.turn)};
   if (cells.side == PartCells::kMostSide || !(all > 0.0f)) return mean;
   Moments m{all, Sum(s.x) * over, Sum(s.y) * over, 0, 0, 0};
@@ -246,6 +246,11 @@ LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
     off_r = hn::Add(off_r, off(r, pr)), off_g = hn::Add(off_g, off(g, pg));
     off_b = hn::Add(off_b, off(b, pb));
   }
+  const auto explained = [&](const Plane& p) {
+    return p.x * p.x * m.xx + 2 * p.x * p.y * m.xy + p.y * p.y * m.yy;
+  };
+  mean.lean =
+      std::sqrt(HWY_MAX(HWY_MAX(explained(pr), 0.0f), HWY_MAX(explained(pg), explained(pb))));
   const float worst = HWY_MAX(Sum(off_r), HWY_MAX(Sum(off_g), Sum(off_b)));
   mean.rough = std::sqrt(HWY_MAX(worst * over, 0.0f));
   return mean;
@@ -266,13 +271,13 @@ HWY_EXPORT(MeanOfCells);
 void LitCells::take(const PartCells& cells, bool ring) {
   side = cells.side, ringed = ring;
   row = ring ? side + 2 : side;
-  const std::size_t padded = std::size_t(places()) + 32;
   if (!ring) {
     std::copy_n(cells.area.data(), cells.count(), area.data());
     std::copy_n(cells.x.data(), cells.count(), at_x.data());
     std::copy_n(cells.y.data(), cells.count(), at_y.data());
     return;
   }
+  const std::size_t padded = std::size_t(places()) + 32;
   std::fill_n(area.data(), padded, 0.0f);
   std::fill_n(at_x.data(), padded, 0.0f), std::fill_n(at_y.data(), padded, 0.0f);
   for (int j = 0; j < side; ++j) {

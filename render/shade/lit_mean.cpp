@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -42,14 +43,22 @@ Mix divided(const LitSurface& surface, int zone, glm::dvec2 middle, double side,
   return sum;
 }
 
-Mix mean_of_cells(const LitSurface& surface, int zone, glm::dvec2 corner, const PartCells& cells) {
+/// Each cell by places × places of a square of its area around its centroid.
+Mix mean_of_cells(const LitSurface& surface, int zone, glm::dvec2 corner, const PartCells& cells,
+                  int places) {
   Mix sum{0.0};
   double area = 0.0;
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
     if (cells.area[k] == 0.0f) continue;
-    const glm::dvec2 p = corner + 0.5 + glm::dvec2{cells.x[k], cells.y[k]};
-    sum += double(cells.area[k]) * surface.color(zone, p, surface.outward(p));
-    area += double(cells.area[k]);
+    const double step = std::sqrt(double(cells.area[k])) / places;
+    const glm::dvec2 middle = corner + 0.5 + glm::dvec2{cells.x[k], cells.y[k]};
+    Mix mean{0.0};
+    for (int j = 0; j < places; ++j)
+      for (int i = 0; i < places; ++i) {
+        const glm::dvec2 p = middle + step * (glm::dvec2{i, j} - 0.5 * (places - 1));
+        mean += surface.color(zone, p, surface.outward(p));
+      }
+    sum += (double(cells.area[k]) / (places * places)) * mean, area += double(cells.area[k]);
   }
   return area > 0.0 ? sum / area : surface.color(zone, corner + 0.5, surface.outward(corner + 0.5));
 }
@@ -65,13 +74,22 @@ Mix square_mean(const LitSurface& surface, int zone, glm::dvec2 corner, double s
 
 Mix part_mean(const LitSurface& surface, int zone, glm::dvec2 corner, const PartForm& form,
               double tolerance) {
+  constexpr std::pair<int, int> kFiner[] = {{4, 1}, {8, 1}, {16, 1}, {16, 2}, {16, 4}};
   PartCells cells;
-  const auto by = [&](int side) {
+  cells_of_form(form, 4, cells);
+  float area = 0.0f;
+  for (int k = 0; k < cells.count(); ++k) area += cells.area[std::size_t(k)];
+  // What is narrow may lie in one column of coarse cells: these agree by chance.
+  const std::size_t first = area < 0.4f ? 2 : 0;
+  Mix coarse{0.0};
+  for (std::size_t i = first; i < std::size(kFiner); ++i) {
+    const auto [side, places] = kFiner[i];
     cells_of_form(form, side, cells);
-    return mean_of_cells(surface, zone, corner, cells);
-  };
-  const Mix coarse = by(4), fine = by(8);
-  return largest(fine - coarse) > tolerance ? by(16) : fine;
+    const Mix fine = mean_of_cells(surface, zone, corner, cells, places);
+    if (i > first && largest(fine - coarse) < tolerance) return fine;
+    coarse = fine;
+  }
+  return coarse;
 }
 
 }  // namespace mien

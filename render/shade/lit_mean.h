@@ -12,8 +12,8 @@ namespace mien {
 Mix square_mean(const LitSurface& surface, int zone, glm::dvec2 corner, double side,
                 double tolerance);
 
-/// The mean over a part of the pixel with that corner, by 8 × 8 cells, or 16 × 16 where those of 4 × 4 are off by
-/// more than the tolerance.
+/// The mean over a part of the pixel with that corner: by cells, finer ones until two means agree within the tolerance,
+/// 64 × 64 places at most.
 Mix part_mean(const LitSurface& surface, int zone, glm::dvec2 corner, const PartForm& form,
               double tolerance);
 

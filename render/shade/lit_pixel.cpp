@@ -6,16 +6,38 @@
 namespace mien {
 namespace {
 
-/// What the mean by so many cells may be off by, from what its colours do. Seen of kinks, steep outlines and smooth
-/// bends: a tenth of how far colours are from a plane with 4 × 4 cells, a quarter of that with twice as many. A ridge
-/// is cut in closed form: its own jump does not count, but where it meets another or an outline in a cell.
-float error_of(const LitMean& mean, int side) {
-  const float finer = float(side * side) / 16;
-  const float rough = std::max(mean.rough - 0.3f * mean.jump, 0.0f);
-  return 0.1f * rough / finer + 0.15f * mean.unsure;
+/// [px] Within so much of its own outline, a round profile of less than so much width is steep.
+constexpr float kEdge = 0.75f, kSteepWidth = 12.0f;
+constexpr float kMostTurn = 0.25f;  // of the gradient within a cell
+
+bool is_steep(const LitPixel::Place& place) {
+  return place.lamp->rise_kind == LampLanes::Rise::round && place.foot.d > -kEdge &&
+         place.lamp->width < kSteepWidth;
 }
 
-constexpr float kMostTurn = 0.25f;  // of the gradient within a cell
+float apart(const LitMean& a, const LitMean& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
+/// seen to be within one; what is narrow has no plane, so there the colours themselves count. A ridge is cut in closed
+/// form, which leaves a twentieth of its jump.
+bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
+  const float allowed = place.tolerance / mean.area;
+  return mean.rough > 3.3f * allowed || mean.jump > 6.0f * allowed || mean.turn > kMostTurn ||
+         (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place));
+}
+
+/// Whether cells half as wide as those of `coarse` may be: they are nearer to the truth than those are to them. Two
+/// ridges in a cell are told by one of them.
+bool asks_for_finer(const LitPixel::Place& place, const LitMean& mean, const LitMean& coarse) {
+  const float allowed = place.tolerance / mean.area;
+  return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn ||
+         0.15f * mean.unsure > place.tolerance;
+}
+
+/// 16 × 16 cells are enough for three tenths of a level, seen of the worst ridges and tips.
+constexpr float kFine = 0.1f / 255;
 
 }  // namespace
 
@@ -37,17 +59,21 @@ void LitPixel::see(const Place& place, const PartForm* form, int side) {
   if (!place.calm) find_feet(*place.feet);
 }
 
+LitMean LitPixel::seen(const Place& place, const PartForm* form, int side) {
+  see(place, form, side);
+  return mean_of_cells(*place.lamp, cells_);
+}
+
 glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
-  int side = 4;
-  LitMean mean;
-  for (;;) {
-    see(place, form, side);
-    mean = mean_of_cells(*place.lamp, cells_);
-    if (side == PartCells::kMostSide) break;
-    const float error = error_of(mean, side), turn = mean.turn;
-    if (error <= place.tolerance && turn <= kMostTurn) break;
-    const bool much = error > 4 * place.tolerance || turn > 2 * kMostTurn;
-    side = much ? PartCells::kMostSide : 2 * side;
+  LitMean mean = seen(place, form, 4);
+  if (!asks_for_more(place, mean, form)) return {mean.r, mean.g, mean.b};
+  const bool fine = place.tolerance < kFine;
+  const int most = fine ? PartCells::kMostSide : 16;
+  for (int side = 8; side <= most; side *= 2) {
+    const LitMean coarse = mean;
+    mean = seen(place, form, side);
+    const bool by_chance = fine && side == 8;  // two coarse means may agree
+    if (!by_chance && !asks_for_finer(place, mean, coarse)) break;
   }
   return {mean.r, mean.g, mean.b};
 }

@@ -30,6 +30,7 @@ class LitPixel {
   float distance(const Place& place, const PartForm* form);
 
  private:
+  LitMean seen(const Place& place, const PartForm* form, int side);
   void see(const Place& place, const PartForm* form, int side);
   void find_feet(NearFeet& feet);
 
