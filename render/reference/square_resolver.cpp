@@ -8,28 +8,30 @@ namespace mien {
 namespace {
 
 constexpr double kSqrt2 = 1.4142135623730952;  // rounded up
-constexpr int kDepth = 10;  // halvings of a pixel: below 1/1024 px a cell shows in no depth
-constexpr std::size_t kMostLines = 8;  // across one square: more are fewer in its quarters
-constexpr std::size_t kMostCorners = 4 + kMostLines;
-
-/// Twice a polygon's area, and six times its first moments about its first corner.
-struct Moments {
-  double area = 0;
-  glm::dvec2 first{0.0};
-};
-
-Moments moments(std::span<const glm::dvec2> corners) {
-  Moments m;
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    const glm::dvec2 a = corners[i - 1] - corners[0], b = corners[i] - corners[0];
-    const double twice = a.x * b.y - a.y * b.x;
-    m.area += twice, m.first += twice * (a + b);
-  }
-  return m;
-}
+constexpr double kRounding = 1e-9;             // [px] of a distance, and more
+constexpr int kMostDepth = 10;                 // halvings of a pixel
 
 double largest(const Mix& d) {
   return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b), std::abs(d.a)});
+}
+
+/// Which layers nothing is seen through.
+std::vector<char> opaque(const PaintTable& paints) {
+  std::vector<char> covers;
+  for (const PaintedLayer& layer : paints.layers) {
+    const double opacity = layer.varied < 0
+                               ? layer.mix.a
+                               : paints.varied[std::size_t(layer.varied)].paint.least_opacity();
+    covers.push_back(layer.group < 0 && opacity >= 1.0);
+  }
+  return covers;
+}
+
+/// Halvings after which a square is too small to show: a quarter of the tolerance.
+int depth_for(double tolerance) {
+  int depth = 1;
+  while (depth < kMostDepth && std::ldexp(1.0, -2 * depth) > 0.25 * tolerance) ++depth;
+  return depth;
 }
 
 }  // namespace
@@ -40,188 +42,153 @@ SquareResolver::SquareResolver(const Scene& scene, const View& view, const Paint
       paints_(paints),
       face_from_grid_(inverse(grid_from_face(scene.canvas(), view))),
       scale_(1.0 / face_from_grid_.scale()),
-      tolerance_(tolerance) {}
+      tolerance_(tolerance),
+      depth_(depth_for(tolerance)),
+      logic_(scene, opaque(paints)),
+      inside_(logic_.sets().size()) {}
 
 Resolved SquareResolver::pixel(int x, int y) {
-  seen_.clear();
-  for (int i = 0; i < int(paints_.layers.size()); ++i) seen_.push_back({i, Reach::part});
+  enter_blocks(x, y);
+  corner_ = {x, y};
+  table_.begin();
   varies_ = false;
-  Resolved found = square({x + 0.5, y + 0.5}, 0.5, 0, kDepth);
+  const Scope scope = scope_of(blocks_.back().scope, {x + 0.5, y + 0.5}, 0.5);
+  Resolved found = square({kUnits / 2, kUnits / 2, kUnits / 2}, scope, depth_);
+  logic_.leave(scope);
   found.varies = varies_;
   return found;
 }
 
-double SquareResolver::distance(int layer, glm::dvec2 p) const {
-  return scale_ * scene_.distance(scene_.layers()[std::size_t(layer)].area, face_from_grid_(p));
-}
-
-/// The layers of those from `first` to `last` that are seen in the square are put behind them; says
-/// from where on.
-std::size_t SquareResolver::look_at(glm::dvec2 center, double half, std::size_t first,
-                                    std::size_t last) {
-  const std::size_t begin = seen_.size();
-  const double reach = kSqrt2 * half;
-  for (std::size_t i = last; i-- > first;) {
-    Seen seen = seen_[i];
-    if (seen.reach == Reach::part) {
-      const double d = distance(seen.layer, center);
-      if (!(d <= reach)) continue;
-      if (d < -reach) seen.reach = Reach::whole;
-    }
-    seen_.push_back(seen);
-    const PaintedLayer& layer = paints_.layers[std::size_t(seen.layer)];
-    if (seen.reach != Reach::whole || layer.group >= 0) continue;
-    const double opacity = layer.varied < 0
-                               ? layer.mix.a
-                               : paints_.varied[std::size_t(layer.varied)].paint.least_opacity();
-    if (opacity >= 1.0) break;
+/// Whole blocks leave few layers to their pixels.
+void SquareResolver::enter_blocks(int x, int y) {
+  std::size_t same = 0;
+  const auto first = [](int v, int side) { return side * (v / side); };
+  while (same < blocks_.size() && blocks_[same].x == first(x, kBlocks[same]) &&
+         blocks_[same].y == first(y, kBlocks[same]))
+    ++same;
+  for (; blocks_.size() > same; blocks_.pop_back()) logic_.leave(blocks_.back().scope);
+  for (; same < std::size(kBlocks); ++same) {
+    const int side = kBlocks[same], left = first(x, side), top = first(y, side);
+    const double half = 0.5 * side;
+    const Scope& outer = same ? blocks_.back().scope : logic_.whole_picture();
+    blocks_.push_back({left, top, scope_of(outer, {left + half, top + half}, half)});
   }
-  std::reverse(seen_.begin() + std::ptrdiff_t(begin), seen_.end());
-  return begin;
 }
 
-Resolved SquareResolver::square(glm::dvec2 center, double half, std::size_t first, int depth) {
-  const std::size_t begin = look_at(center, half, first, seen_.size());
-  const bool cut = std::any_of(seen_.begin() + std::ptrdiff_t(begin), seen_.end(),
-                               [](const Seen& s) { return s.reach == Reach::part; });
+SquareResolver::Scope SquareResolver::scope_of(const Scope& outer, glm::dvec2 center, double half) {
+  const double reach = kSqrt2 * half + kRounding;
+  return logic_.enter(outer, [&](int set) {
+    const LevelSet& s = logic_.sets()[std::size_t(set)];
+    const double d = s.level > -HUGE_VAL ? distance(s.shape, center) - scale_ * s.level : HUGE_VAL;
+    return d < -reach ? Reach::whole : d <= reach ? Reach::part : Reach::none;
+  });
+}
+
+double SquareResolver::distance(int shape, glm::dvec2 p) {
+  ++stats_.distances;
+  return scale_ * mien::distance(scene_.shapes()[std::size_t(shape)], face_from_grid_(p));
+}
+
+glm::dvec2 SquareResolver::place(int x, int y) const {
+  return {corner_.x + double(x) / kUnits, corner_.y + double(y) / kUnits};
+}
+
+double SquareResolver::distance(int shape, int x, int y) {
+  return table_.at(shape, x, y, [&] { return distance(shape, place(x, y)); });
+}
+
+Resolved SquareResolver::square(const Square& s, const Scope& scope, int depth) {
+  ++stats_.squares;
+  const glm::dvec2 center = place(s.x, s.y);
+  if (scope.open == 0) return covered(center, double(s.half) / kUnits, scope, depth);
   Resolved found;
-  if (!cut) {
-    found = covered(center, half, begin, depth);
-  } else if (depth == 0) {  // the middle decides
-    found.mix = color(center, begin);
-    found.bound = 1.0;
-  } else if (!cuts(center, half, begin, found)) {
-    found = {};
-    const double h = 0.5 * half;
-    for (const double dy : {-h, h})
-      for (const double dx : {-h, h}) {
-        const Resolved part = square(center + glm::dvec2{dx, dy}, h, begin, depth - 1);
-        found.mix += 0.25 * part.mix;
-        found.bound += 0.25 * part.bound;
-      }
-  }
-  seen_.resize(begin);
-  return found;
-}
-
-/// Whether a gradient may have a stop in the square at which it jumps.
-bool SquareResolver::may_jump(glm::dvec2 center, double half, std::size_t first) {
-  for (std::size_t i = first; i < seen_.size(); ++i) {
-    const int index = paints_.layers[std::size_t(seen_[i].layer)].varied;
-    if (index < 0) continue;
-    const TapePaint& paint = paints_.varied[std::size_t(index)].paint;
-    if (!paint.ramp || !paint.ramp->jumps()) continue;
-    const PaintField& f = paint.field;
-    const double d = f.kind == PaintField::Kind::distance
-                         ? paints_.distances[std::size_t(f.distance)].at(center)
-                         : 0.0;
-    const double t = f.at(center, d), reach = f.per_pixel * kSqrt2 * half;
-    constexpr int kFew = 8;
-    if (!paint.ramp->kinks(t - reach, t + reach, kFew, kinks_) || !kinks_.empty()) return true;
-  }
-  return false;
-}
-
-/// Nothing but whole layers: Gauss's rule of four places, where the middle agrees with it.
-Resolved SquareResolver::covered(glm::dvec2 center, double half, std::size_t first, int depth) {
-  const bool varies =
-      std::any_of(seen_.begin() + std::ptrdiff_t(first), seen_.end(),
-                  [&](const Seen& s) { return paints_.layers[std::size_t(s.layer)].varied >= 0; });
-  const Mix middle = color(center, first);
-  if (!varies) return {middle, 0.0};
-  const double g = half * 0.57735026918962576;
-  Mix mean{0.0}, least = middle, most = middle;
-  for (const double dy : {-g, g})
-    for (const double dx : {-g, g}) {
-      const Mix c = color(center + glm::dvec2{dx, dy}, first);
-      mean += 0.25 * c;
-      least = glm::min(least, c), most = glm::max(most, c);
+  if (depth == 0) {  // the middle decides
+    for (const int set : logic_.open_sets(scope)) {
+      const LevelSet& level = logic_.sets()[std::size_t(set)];
+      inside_[std::size_t(set)] = distance(level.shape, center) <= scale_ * level.level;
     }
-  // What is smooth differs little; a kink in the square moves the mean by less than an eighth of the
-  // change across it. A jump may be missed by all five places: there squares are divided to the end.
-  const double change = largest(most - least), bend = largest(mean - middle);
-  const bool smooth = !may_jump(center, half, first);
-  if (depth == 0 || (smooth && bend <= tolerance_ && change <= 24.0 * tolerance_))
-    return {mean, bend};
-  Resolved found;
-  const double h = 0.5 * half;
-  for (const double dy : {-h, h})
-    for (const double dx : {-h, h}) {
-      const Resolved part = covered(center + glm::dvec2{dx, dy}, h, first, depth - 1);
+    return {color(center, scope), 1.0};
+  }
+  if (cuts(s, scope, found)) return found;
+  found = {};
+  const int h = s.half / 2;
+  for (const int dy : {-h, h})
+    for (const int dx : {-h, h}) {
+      const Square quarter{s.x + dx, s.y + dy, h};
+      const Scope inner = scope_of(scope, place(quarter.x, quarter.y), double(h) / kUnits);
+      const Resolved part = square(quarter, inner, depth - 1);
+      logic_.leave(inner);
       found.mix += 0.25 * part.mix;
       found.bound += 0.25 * part.bound;
     }
   return found;
 }
 
-/// All outlines across the square are straight ones, and what they cut it into has one colour each.
-bool SquareResolver::cuts(glm::dvec2 center, double half, std::size_t first, Resolved& to) {
-  constexpr double kSmall = 1.0 / 32;  // [px] varied paints are asked once a polygon
-  lines_.clear(), off_ = 0.0;
-  for (std::size_t i = first; i < seen_.size(); ++i) {
-    if (seen_[i].reach == Reach::part && !straight(center, half, i)) return false;
-    if (paints_.layers[std::size_t(seen_[i].layer)].varied >= 0 && 2.0 * half > kSmall)
-      return false;
-  }
-  const glm::dvec2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-  sum_ = Mix{0.0}, least_ = Mix{HUGE_VAL}, most_ = Mix{-HUGE_VAL};
-  polygon(center, first, 0, corners);
-  for (const StraightCut& line : lines_) seen_[line.seen].reach = Reach::part;
-  const double side = 2.0 * half;
-  to.mix = sum_ / (side * side);
-  to.bound = 2.0 * off_ / side * largest(most_ - least_);
-  return true;
+bool SquareResolver::varied(const Scope& scope) const {
+  const auto live = logic_.live(scope);
+  return std::any_of(live.begin(), live.end(), [&](const LiveLayer& l) {
+    return paints_.layers[std::size_t(l.layer)].varied >= 0;
+  });
 }
 
-/// One layer's outline: straight where the distance at the corners is what its slope at the middle
-/// says.
-bool SquareResolver::straight(glm::dvec2 center, double half, std::size_t which) {
-  if (lines_.size() == kMostLines) return false;
-  const int layer = seen_[which].layer;
-  const double corners[4] = {distance(layer, center + glm::dvec2{-half, -half}),
-                             distance(layer, center + glm::dvec2{half, -half}),
-                             distance(layer, center + glm::dvec2{-half, half}),
-                             distance(layer, center + glm::dvec2{half, half})};
-  const double middle = distance(layer, center);
-  const glm::dvec2 slope{(corners[1] + corners[3] - corners[0] - corners[2]) / (4.0 * half),
-                         (corners[2] + corners[3] - corners[0] - corners[1]) / (4.0 * half)};
-  const double mean = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
-  const double twist = 0.25 * std::abs(corners[0] + corners[3] - corners[1] - corners[2]);
-  const double length = glm::length(slope);
-  const double off = std::abs(mean - middle) + twist + half * std::abs(length - 1.0);
-  if (!(off <= tolerance_) || !(std::abs(length - 1.0) < 0.25)) return false;
-  lines_.push_back({which, slope / length, (2.0 * middle + mean) / 3.0});
-  off_ += off;
-  return true;
+/// What a gradient seen in the square may have there: a stop, even one at which it jumps.
+SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, const Scope& scope) {
+  Kink worst = Kink::none;
+  for (const LiveLayer& live : logic_.live(scope)) {
+    const int index = paints_.layers[std::size_t(live.layer)].varied;
+    if (index < 0) continue;
+    const TapePaint& paint = paints_.varied[std::size_t(index)].paint;
+    if (!paint.ramp) continue;
+    const PaintField& f = paint.field;
+    const double d = f.kind == PaintField::Kind::distance
+                         ? paints_.distances[std::size_t(f.distance)].at(center)
+                         : 0.0;
+    const double t = f.at(center, d), reach = f.per_pixel * kSqrt2 * half;
+    constexpr int kFew = 8;
+    if (paint.ramp->kinks(t - reach, t + reach, kFew, kinks_) && kinks_.empty()) continue;
+    if (paint.ramp->jumps()) return Kink::jump;
+    worst = Kink::stop;
+  }
+  return worst;
 }
 
-/// Adds a polygon of the square, cut by the lines from `done` on.
-void SquareResolver::polygon(glm::dvec2 center, std::size_t first, std::size_t done,
-                             std::span<const glm::dvec2> corners) {
-  const Moments m = moments(corners);
-  if (!(m.area > 0.0)) return;
-  if (done == lines_.size()) {
-    const Mix mix = color(center + corners[0] + m.first / (3.0 * m.area), first);
-    sum_ += 0.5 * m.area * mix;
-    least_ = glm::min(least_, mix), most_ = glm::max(most_, mix);
-    return;
-  }
-  const StraightCut& line = lines_[done];
-  for (const double sign : {1.0, -1.0}) {
-    glm::dvec2 part[kMostCorners];
-    std::size_t count = 0;
-    const auto depth = [&](glm::dvec2 p) {
-      return sign * (line.offset + glm::dot(line.normal, p));
-    };
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const glm::dvec2 p = corners[i], q = corners[i + 1 < corners.size() ? i + 1 : 0];
-      const double d = depth(p), e = depth(q);
-      if (d <= 0.0) part[count++] = p;
-      if ((d < 0.0 && e > 0.0) || (d > 0.0 && e < 0.0)) part[count++] = p + d / (d - e) * (q - p);
+/// Nothing but whole layers: by three rules of four places (and the middle), each right for polynomials
+/// of third degree. A ridge in the square would have to lie so that all three see the same of it. Stops of
+/// gradients are known: what changes little there has little of a kink. A jump may be missed by all
+/// places: there squares are divided to the end.
+Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
+  const Mix middle = color(center, scope);
+  if (!varied(scope)) return {middle, 0.0};
+  Mix least = middle, most = middle;
+  const auto mean_of_four = [&](glm::dvec2 p) {
+    Mix sum{0.0};
+    for (int i = 0; i < 4; ++i, p = {-p.y, p.x}) {
+      const Mix c = color(center + p, scope);
+      sum += c, least = glm::min(least, c), most = glm::max(most, c);
     }
-    seen_[line.seen].reach = sign > 0.0 ? Reach::whole : Reach::none;
-    polygon(center, first, done + 1, {part, count});
+    return 0.25 * sum;
+  };
+  constexpr double kGauss = 0.57735026918962576, kRing = 0.81649658092772603;
+  const Mix mean = mean_of_four({kGauss * half, kGauss * half});
+  if (depth == 0) return {mean, largest(mean - middle)};
+  const Kink kink = kink_in(center, half, scope);
+  if (kink != Kink::jump) {
+    const Mix edges = (middle + 2.0 * mean_of_four({half, 0.0})) / 3.0;
+    double off = largest(mean - edges);
+    if (off <= tolerance_) off = std::max(off, largest(mean - mean_of_four({kRing * half, 0.0})));
+    const double change = largest(most - least);
+    if (off <= tolerance_ && (kink == Kink::none || change <= 24.0 * tolerance_))
+      return {mean, std::max({tolerance_, off, kink == Kink::none ? 0.0 : 0.05 * change})};
   }
+  Resolved found;
+  const double h = 0.5 * half;
+  for (const double dy : {-h, h})
+    for (const double dx : {-h, h}) {
+      const Resolved part = covered(center + glm::dvec2{dx, dy}, h, scope, depth - 1);
+      found.mix += 0.25 * part.mix;
+      found.bound += 0.25 * part.bound;
+    }
+  return found;
 }
 
 Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
@@ -252,7 +219,7 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
 }
 
 /// Layers bottom to top; a group is collected by itself and then laid over what was there.
-Mix SquareResolver::color(glm::dvec2 p, std::size_t first) {
+Mix SquareResolver::color(glm::dvec2 p, const Scope& scope) {
   levels_.assign(1, paints_.background);
   open_.clear();
   const auto close_to = [&](std::size_t depth) {
@@ -262,11 +229,9 @@ Mix SquareResolver::color(glm::dvec2 p, std::size_t first) {
       levels_.back() = over(mix, levels_.back());
     }
   };
-  for (std::size_t i = first; i < seen_.size(); ++i) {
-    const Seen& seen = seen_[i];
-    if (seen.reach == Reach::none) continue;
-    if (seen.reach == Reach::part && !(distance(seen.layer, p) <= 0.0)) continue;
-    const PaintedLayer& layer = paints_.layers[std::size_t(seen.layer)];
+  for (const LiveLayer& live : logic_.live(scope)) {
+    if (!logic_.holds(live, inside_)) continue;
+    const PaintedLayer& layer = paints_.layers[std::size_t(live.layer)];
     chain_.clear();
     for (int g = layer.group; g >= 0; g = paints_.groups[std::size_t(g)].parent)
       chain_.insert(chain_.begin(), g);

@@ -2,15 +2,21 @@
 // The reference: a square's mean colour by distances alone.
 //
 // It shares nothing with the way pictures are drawn (outlines, their order, areas of pieces): only the
-// layers' signed distances and their paints. A square is divided into quarters until every layer
-// covers it, misses it or cuts it along what is all but a straight line; those lines cut it into
-// polygons of one colour each. Slow and simple: it draws what the arrangement's certificate refuses,
-// and judges flat pictures in tests.
+// shapes' signed distances and the layers' paints. A square is divided into quarters until every shape
+// that matters covers it, misses it, or crosses it along what is all but a parabola. Nine distances say
+// so, three more where it crosses measure by how much it is off; parabolas count as the straight lines
+// that part the square in the same areas, and these cut it into polygons of one colour each. It draws
+// what the arrangement's certificate refuses, and judges flat pictures in tests.
 
+#include <mien/render/reference/layer_logic.h>
 #include <mien/render/shade/paint_table.h>
 
+#include <array>
 #include <span>
 #include <vector>
+
+#include "distance_table_private.h"
+#include "outline_fit_private.h"
 
 namespace mien {
 
@@ -19,6 +25,11 @@ struct Resolved {
   Mix mix{0.0};
   double bound = 0;
   bool varies = false;  ///< a paint that varies may be seen
+};
+
+/// What resolving took so far.
+struct ResolverStats {
+  long long squares = 0, distances = 0;
 };
 
 class SquareResolver {
@@ -30,42 +41,87 @@ class SquareResolver {
   /// The pixel (x, y) of the whole picture.
   Resolved pixel(int x, int y);
 
+  const ResolverStats& stats() const { return stats_; }
+
  private:
-  enum class Reach : unsigned char { part, whole, none };
-  /// A layer that can be seen in a square.
-  struct Seen {
-    int layer;
-    Reach reach;  ///< how much of the square it covers
+  using Scope = LayerLogic::Scope;
+  static constexpr int kUnits = 2048;  ///< of a pixel, in which squares are placed
+  /// A square of the pixel at hand, by its middle and half its side.
+  struct Square {
+    int x, y, half;
   };
-  /// An outline across a square: inside where offset + dot(normal, p − middle) <= 0.
-  struct StraightCut {
-    std::size_t seen;
+  /// A straight line that stands for an outline across the square: offset + dot(normal, p) = 0.
+  struct Line {
     glm::dvec2 normal;
     double offset;
+    double bend;  ///< of what it stands for
+    double sag;   ///< how far that leaves it
   };
-  Resolved square(glm::dvec2 center, double half, std::size_t first, int depth);
-  std::size_t look_at(glm::dvec2 center, double half, std::size_t first, std::size_t last);
-  bool may_jump(glm::dvec2 center, double half, std::size_t first);
-  Resolved covered(glm::dvec2 center, double half, std::size_t first, int depth);
-  bool cuts(glm::dvec2 center, double half, std::size_t first, Resolved& to);
-  bool straight(glm::dvec2 center, double half, std::size_t which);
-  void polygon(glm::dvec2 center, std::size_t first, std::size_t done,
-               std::span<const glm::dvec2> corners);
-  Mix color(glm::dvec2 p, std::size_t first);
+  /// A set in the square: where it is on the given sides of its lines, or is not.
+  struct Cut {
+    int set;
+    int line[2] = {-1, -1};
+    bool inside[2] = {true, true};  ///< where offset + dot(normal, p) <= 0
+    bool opposite = false;
+  };
+  enum class Side : unsigned char { crosses, inside, outside, unknown };
+
+  enum class Kink : unsigned char { none, stop, jump };
+
+  // square_resolver.cpp: squares
+  void enter_blocks(int x, int y);
+  Scope scope_of(const Scope& outer, glm::dvec2 center, double half);
+  Resolved square(const Square& s, const Scope& scope, int depth);
+  Resolved covered(glm::dvec2 center, double half, const Scope& scope, int depth);
+  Kink kink_in(glm::dvec2 center, double half, const Scope& scope);
+  bool varied(const Scope& scope) const;
+  Mix color(glm::dvec2 p, const Scope& scope);
   Mix paint(const PaintedLayer& layer, glm::dvec2 p);
-  double distance(int layer, glm::dvec2 p) const;
+  double distance(int shape, glm::dvec2 p);
+  double distance(int shape, int x, int y);
+  glm::dvec2 place(int x, int y) const;
+
+  // square_cuts.cpp: what outlines part a square into
+  bool cuts(const Square& s, const Scope& scope, Resolved& to);
+  bool cut_by(int set, const Square& s);
+  bool folded(int set, const Square& s, const NineDistances& d);
+  Side side_of(int set, const Square& s, const OutlineFit& fit, double sign, int& line);
+  Side crosses(int set, const Square& s, const OutlineFit& fit, double sign, int& line);
+  int line_like(const Line& line, double half, bool& turned);
+  double beside_ends(const Line& line, double half) const;
+  double crossings(double half) const;
+  void add_varied(glm::dvec2 center, const Scope& scope, std::span<const glm::dvec2> corners);
+  void polygon(const Square& s, const Scope& scope, std::size_t done,
+               std::span<const glm::dvec2> corners);
 
   const Scene& scene_;
   const PaintTable& paints_;
   Map<FaceSpace, GridSpace> face_from_grid_;
   double scale_;  ///< [px per face unit]
   double tolerance_;
-  std::vector<Seen> seen_;  ///< bottom to top; of all squares around the present one, in turn
+  int depth_;  ///< halvings of a pixel
+  LayerLogic logic_;
+  ResolverStats stats_;
+
+  static constexpr int kBlocks[] = {64, 8};  ///< [px] parts of the picture, one within the other
+  struct Block {
+    int x, y;
+    Scope scope;
+  };
+  std::vector<Block> blocks_;
+  glm::dvec2 corner_{0.0};  ///< of the pixel at hand
+  DistanceTable table_;
   bool varies_ = false;
   std::vector<double> kinks_;
-  std::vector<StraightCut> lines_;
-  double off_ = 0;  ///< what the lines leave their outlines by, together [px]
+
+  std::vector<Line> lines_;
+  std::vector<Cut> cuts_;
+  std::array<char, 8> sides_{};  ///< by line: whether the polygon at hand is inside
+  bool varies_here_ = false;
+  double bent_ = 0;  ///< what means of colours that vary may be off by, times their area
+  double off_ = 0;   ///< what lines may take from one side to the other [px²]
   Mix sum_{0.0}, least_{0.0}, most_{0.0};  ///< of the square's polygons: by area; their colours
+  std::vector<char> inside_;               ///< by set, at the place at hand
   std::vector<Mix> levels_;
   std::vector<int> open_, chain_;
 };

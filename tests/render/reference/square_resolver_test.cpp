@@ -2,8 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
+
+#include "tests/support/degenerate_scene.h"
+#include "tests/support/effort.h"
+#include "tests/support/exact_truth.h"
+#include "tests/support/random_plain_scene.h"
+#include "tests/support/random_scene.h"
 
 namespace mien {
 namespace {
@@ -52,6 +60,119 @@ TEST(SquareResolver, TakesTheMeanOfARadialGradientWithAJump) {
   double bound = 0;  // a cone within the ellipse: 2/3 of its area
   EXPECT_NEAR(4 * sum_of_red(std::move(build).finish(), 1, bound),
               2.0 / 3 * std::numbers::pi * 0.5 * 0.25, 4e-3);
+}
+
+// Its word: no pixel is farther from the truth than its bound says, and bounds are small.
+
+struct Word {
+  long pixels = 0, broken = 0;
+  double worst = 0, bounds = 0;
+  std::string where;
+};
+
+/// `to_judge`: the scene resolved may be another than that it is judged by.
+void keep_to(const Scene& scene, const Scene& to_judge, int side, int every, Word& word) {
+  constexpr double kTolerance = 0x1p-14, kTruth = 2e-6;
+  const View view{.width = side, .height = side, .blend = Blend::srgb, .dither = false};
+  PaintTable paints;
+  paints.make(scene, view, Depth::u16);
+  SquareResolver resolver(scene, view, paints, kTolerance);
+  const test::ExactTruth truth(to_judge, view);
+  for (int y = 0; y < side; ++y)
+    for (int x = y % every; x < side; x += every) {
+      const Resolved found = resolver.pixel(x, y);
+      const double off = test::largest(found.mix - truth.pixel(x, y));
+      ++word.pixels, word.bounds += found.bound, word.worst = std::max(word.worst, off);
+      if (off > found.bound + kTruth) {
+        ++word.broken;
+        word.where = fmt::format("({}, {}) off {:.2e}, bound {:.2e}", x, y, off, found.bound);
+      }
+    }
+}
+
+void expect_kept(const Word& word, double worst, double mean_bound) {
+  EXPECT_EQ(word.broken, 0) << word.where;
+  EXPECT_LT(word.worst, worst);
+  EXPECT_LT(word.bounds / double(word.pixels), mean_bound);
+}
+
+TEST(SquareResolver, KeepsItsBoundOnRandomScenes) {
+  Word word;
+  for (int seed = 1; seed <= test::times(12); ++seed) {
+    const Scene scene = test::random_plain_scene(std::uint64_t(seed));
+    keep_to(scene, scene, 12, 1, word);
+  }
+  expect_kept(word, 32.0 / 65535, 1e-4);
+}
+
+TEST(SquareResolver, KeepsItsBoundOnLatticesAndNearThem) {
+  for (const double jitter : {0.0, 1e-13, 1e-6, 1e-3}) {
+    Word word;
+    for (int seed = 1; seed <= test::times(4); ++seed) {
+      const Scene scene = test::degenerate_scene(std::uint64_t(seed), jitter);
+      keep_to(scene, scene, 12, 7, word);
+    }
+    SCOPED_TRACE(jitter);
+    expect_kept(word, 64.0 / 65535, 1e-3);
+  }
+}
+
+TEST(SquareResolver, KeepsItsBoundWherePaintsVary) {
+  Word word;
+  for (int seed = 1; seed <= test::times(6); ++seed) {
+    const Scene scene = test::random_painted_scene(std::uint64_t(seed));
+    keep_to(scene, scene, 7, 2, word);
+  }
+  expect_kept(word, 64.0 / 65535, 1e-3);
+}
+
+/// The first layer's shape grown by a little.
+Scene grown(const Scene& scene, double by) {
+  SceneBuilder build(scene.canvas(), scene.background());
+  std::vector<Area> areas;
+  for (const Shape& shape : scene.shapes()) {
+    const Area area = build.shape(shape);
+    areas.push_back(areas.empty() ? build.offset(area, by) : area);
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    build.layer("layer", areas[i], scene.layers()[0].paint);
+  return std::move(build).finish();
+}
+
+TEST(SquareResolver, ThatATruthIsAnotherIsSeen) {  // a hundredth of a pixel
+  SceneBuilder build({.box = {{0, 0}, {12, 12}}}, kBlack);
+  build.layer("disc", build.shape(Disc{{6.1, 5.7}, 3.3}), {kWhite});
+  const Scene scene = std::move(build).finish();
+  Word same, other;
+  keep_to(scene, scene, 12, 1, same);
+  keep_to(grown(scene, 0.01), scene, 12, 1, other);
+  EXPECT_EQ(same.broken, 0) << same.where;
+  EXPECT_GT(other.broken, 15);
+}
+
+TEST(SquareResolver, AsksFewDistances) {
+  const Scene scene = test::random_plain_scene(1);
+  const View view{.width = 24, .height = 24};
+  PaintTable paints;
+  paints.make(scene, view, Depth::u16);
+  SquareResolver resolver(scene, view, paints, 0x1p-14);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x) resolver.pixel(x, y);
+  EXPECT_LT(resolver.stats().distances, 24 * 24 * 40);
+}
+
+TEST(SquareResolver, KnowsPathsOverThemselvesAndThinStrokes) {
+  SceneBuilder build({.box = {{0, 0}, {8, 8}}}, kBlack);
+  const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+  Path path;  // two squares, one over the other: 4 × 4 and 3 × 3, in common 2 × 2
+  for (const auto& [lo, hi] : {std::pair{1.3, 5.3}, {3.3, 6.3}})
+    path.loops.push_back({{side({lo, lo}, {hi, lo}), side({hi, lo}, {hi, hi}),
+                           side({hi, hi}, {lo, hi}), side({lo, hi}, {lo, lo})}});
+  build.layer("path", build.shape(path), {kWhite});
+  build.layer("line", build.shape(Line{{0.1, 7.3}, {7.9, 7.1}, 0.003}), {kWhite});
+  double bound = 0;
+  const double line = 0.006 * std::hypot(7.8, 0.2) + std::numbers::pi * 0.003 * 0.003;
+  EXPECT_NEAR(sum_of_red(std::move(build).finish(), 8, bound), 16 + 9 - 4 + line, 1e-4);
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// Random scenes of plain colours, on lattices and off them, every pixel judged: a slice of what
+// mien_fuzz_pictures does for as long as one likes.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "tests/support/effort.h"
+#include "tests/support/fuzzed_picture.h"
+
+namespace mien::test {
+namespace {
+
+void expect_right(std::string_view kind, std::uint64_t seed, int side, FuzzTally& tally) {
+  Scene scene;
+  ASSERT_TRUE(fuzzed_scene(kind, seed, scene));
+  judge_fuzzed(scene, side, tally);
+  EXPECT_EQ(tally.over, 0) << kind << ' ' << seed << ": " << tally.where;
+}
+
+class FuzzedPictures : public testing::TestWithParam<const char*> {};
+
+TEST_P(FuzzedPictures, AreRightInEveryPixel) {
+  FuzzTally tally;
+  for (int seed = 1; seed <= times(24); ++seed)
+    expect_right(GetParam(), std::uint64_t(seed), seed % 2 ? 24 : 32, tally);
+  EXPECT_LE(tally.doubted, tally.pictures / 4);
+  RecordProperty("worst", fmt::format("{:.3f} of what is allowed, of {} pixels asked about",
+                                      tally.worst, tally.asked));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FuzzedPictures, testing::Values("lattice", "jittered", "generic"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
+TEST(FuzzedScene, KnowsItsKinds) {
+  Scene scene;
+  for (const char* kind : {"lattice", "jittered", "generic", "painted"})
+    EXPECT_TRUE(fuzzed_scene(kind, 1, scene));
+  EXPECT_FALSE(fuzzed_scene("other", 1, scene));
+}
+
+}  // namespace
+}  // namespace mien::test
