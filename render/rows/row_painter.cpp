@@ -38,17 +38,19 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
   if (bytes_ != format.bytes()) columns_.clear();  // room is made anew
   bytes_ = format.bytes();
   shader_.begin(looks);
+  allowed_ = format.depth() == Depth::u8 ? 0.4 / 255 : 8.0 / 65535;
+  // A twentieth of what is allowed where colours are encoded the steepest.
+  least_ = note_ ? 0.0 : 0.05 * allowed_ / (format.blend() == Blend::linear ? 12.92 : 1.0);
   thresholds_.fill(0.5f);
 }
 
 /// Whether what is neglected shows: it counts by how steeply the colour is encoded.
 bool RowPainter::too_rough(double neglected, const Rgba& mix, int column) const {
-  const double allowed = format_->depth() == Depth::u8 ? 0.4 / 255 : 8.0 / 65535;
-  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed)
+  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed_)
     return false;
   const double off = neglected * format_->steepness(mix);
-  if (note_) note_(column, y_, float(255.0 * std::min(off, allowed)));
-  return off > allowed;
+  if (note_) note_(column, y_, float(255.0 * std::min(off, allowed_)));
+  return off > allowed_;
 }
 
 void RowPainter::set_thresholds() {
@@ -177,7 +179,8 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   rough_.clear();
   for (int i = 0; i < count; ++i) {
     const auto k = std::size_t(i);
-    const double near = tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false) : 0.0;
+    const double near =
+        tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false, least_) : 0.0;
     if (too_rough(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i))
       rough_.push_back(from + i);
   }
@@ -238,9 +241,9 @@ void RowPainter::cell(int column) {
   bool varies = false, dense = false;
   for (const Open& o : open_) {
     if (std::abs(o.area) < kNoArea) continue;
-    neglected +=
-        double(std::abs(o.area)) * (looks_->neglected(o.look) +
-                                    looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true));
+    neglected += double(std::abs(o.area)) *
+                 (looks_->neglected(o.look) +
+                  looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true, least_));
     varies = true, dense = dense || looks_->dense(o.look);
   }
   if (neglected > 0.0 && too_rough(neglected, mix, column)) {

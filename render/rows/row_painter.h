@@ -76,6 +76,8 @@ class RowPainter {
   const Looks* looks_ = nullptr;
   const PixelFormat* format_ = nullptr;
   bool dither_ = false;
+  double allowed_ = 0,
+         least_ = 0;  ///< of what is neglected: that may be; that is not even looked at
   std::size_t bytes_ = 4;
   LookShader shader_;
 

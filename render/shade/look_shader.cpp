@@ -1,4 +1,5 @@
 #include <mien/render/shade/look_shader.h>
+#include <mien/render/shade/ramp_lanes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,18 +36,14 @@ void lay_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
   }
 }
 
-/// Lays at + slope · t over what is there.
-void lay_ramp(ColorRow& to, const RampSegment& s, const float* t, int count) {
-  const float alpha = float(s.at.a), alpha_slope = float(s.slope.a);
-  const auto channel = [&](float* c, double at, double slope) {
-    const float p = float(at), q = float(slope);
-    for (int i = 0; i < count; ++i)
-      c[i] = c[i] * (1.0f - (alpha + alpha_slope * t[i])) + (p + q * t[i]);
-  };
-  channel(to.r.data(), s.at.r, s.slope.r);
-  channel(to.g.data(), s.at.g, s.slope.g);
-  channel(to.b.data(), s.at.b, s.slope.b);
-  channel(to.a.data(), s.at.a, s.slope.a);
+void lay(const RampSegment& s, const float* t, int count, ColorRow& to) {
+  const auto& p = s.at;
+  const auto& q = s.slope;
+  lay_ramp({{float(p.r), float(p.g), float(p.b), float(p.a)},
+            {float(q.r), float(q.g), float(q.b), float(q.a)},
+            float(s.from),
+            float(s.to)},
+           t, count, to.r.data(), to.g.data(), to.b.data(), to.a.data());
 }
 
 /// Mean t around (x + from + i, y).
@@ -59,18 +56,19 @@ void along(const PaintField& field, double x, double y, int from, int count, dou
   }
   const glm::dmat2& u = field.unit;
   const glm::dvec2 q = u * (glm::dvec2{x, y} - field.center);
-  const float qx = float(q.x), qy = float(q.y), sx = float(u[0].x), sy = float(u[0].y);
-  // tr UᵀU − |∇t|², with ∇t = Uᵀq / t
-  const float trace = float(glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]));
-  const float ax = float(u[0].x), ay = float(u[0].y), bx = float(u[1].x), by = float(u[1].y);
-  const float v = float(variance);
-  for (int i = 0; i < count; ++i) {
-    const float px = qx + sx * float(from + i), py = qy + sy * float(from + i),
-                tt = px * px + py * py;
-    const float gx = ax * px + ay * py, gy = bx * px + by * py;
-    const float rest = trace - (gx * gx + gy * gy) / std::max(tt, 1e-30f);
-    t[i] = std::sqrt(tt + v * rest);
-  }
+  const double trace = glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]);
+  radial_places({.qx = float(q.x),
+                 .qy = float(q.y),
+                 .sx = float(u[0].x),
+                 .sy = float(u[0].y),
+                 .ax = float(u[0].x),
+                 .ay = float(u[0].y),
+                 .bx = float(u[1].x),
+                 .by = float(u[1].y),
+                 .trace = float(trace),
+                 .variance = float(variance),
+                 .from = from},
+                count, t);
 }
 
 }  // namespace
@@ -80,16 +78,14 @@ void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const RampSegment& segment = looks_->segment(step);
   const std::size_t count = std::size_t(at.count);
-  if (t_.size() < count) t_.resize(count);
+  if (t_.size() < count + kColorSpare) t_.resize(count + kColorSpare);
   if (at.cells)
     along_cells(varied, at, t_.data());
   else if (varied.paint.field.kind == PaintField::Kind::distance)
     along_distance(varied, at, t_.data());
   else
     along(varied.paint.field, at.first.x, at.first.y, at.from, at.count, at.area / 12, t_.data());
-  const float least = float(segment.from), most = float(segment.to);
-  for (std::size_t i = 0; i < count; ++i) t_[i] = std::clamp(t_[i], least, most);
-  lay_ramp(to, segment, t_.data(), at.count);
+  mien::lay(segment, t_.data(), at.count, to);
 }
 
 /// Mean t along a distance.

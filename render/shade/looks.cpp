@@ -362,14 +362,19 @@ bool Looks::dense_by(std::span<const LookStep> steps) const {
   });
 }
 
-double Looks::neglected_near(int look, glm::dvec2 p, bool part) const {
+double Looks::neglected_near(int look, glm::dvec2 p, bool part, double least) const {
   double sum = 0.0;
   for (const LookStep& step : steps(look)) {
     if (step.kind != Kind::paint || step.zone >= 0) continue;
     const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
     if (field.kind != PaintField::Kind::radial) continue;
+    const double slope = slope_of(step), bend = part ? 0.03 * slope : 0.0;
+    // r is at least the distance times the smaller radius over the larger one.
+    const glm::dvec2 way = p - field.center;
+    const double near2 = glm::dot(way, way) * field.narrow * field.narrow;
+    if (0.02 * slope + bend * std::sqrt(near2) < least * near2) continue;
     const double r = std::max(field.at(p, 0.0) / field.per_pixel, 0.5);
-    sum += slope_of(step) * (0.02 / (r * r) + (part ? 0.03 / r : 0.0));
+    sum += 0.02 * slope / (r * r) + bend / r;
   }
   return sum;
 }

@@ -67,7 +67,8 @@ class Looks final : public LookRule {
   /// What is added where a radial ramp is seen: of slope s per pixel, r pixels from its centre, it bends
   /// by s / r. A part's variance is not a square's (0.03 s / r), and what is left of a whole pixel is
   /// 0.02 s / r² and less, the tip's own share at the centre among it. [px]
-  double neglected_near(int look, glm::dvec2 p, bool part) const;
+  /// Less than `least` may be told as nothing.
+  double neglected_near(int look, glm::dvec2 p, bool part, double least) const;
   /// Whether its mean over a part of a pixel may ask for the part's form: it is lit, goes by a distance, or
   /// means by centroids neglect something.
   bool formed(int look) const { return looks_[std::size_t(look)].formed; }
