@@ -129,7 +129,11 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
                        varied(f.left), varied(f.right), f.right);
   }
   stats.roots += scratch.sums.cells() - cells_before;
-  scratch.painter.begin(palette_, looks_, format_, dither_);
+  // What caches hold is worth keeping there.
+  constexpr std::size_t kCaches = std::size_t{8} << 20;
+  const bool large = target.stride * std::size_t(rect.height) > kCaches;
+  scratch.painter.begin(palette_, looks_, format_, dither_,
+                        large ? Stores::streamed : Stores::ordinary);
   scratch.resolver.reset();
   for (int y = first; y < end; ++y) {
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
@@ -137,6 +141,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
   }
   resolve_doubts(first, end, target, scratch, stats);
+  if (large) finish_streams();
 }
 
 void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,

@@ -72,7 +72,4 @@ class PixelFormat {
 void scatter_pixels(const std::byte* from, std::span<const int> columns, std::size_t bytes,
                     std::byte* to);
 
-/// Writes `count` pixels of one value, which is `bytes` long.
-void fill_pixels(std::byte* to, int count, const std::byte* value, std::size_t bytes);
-
 }  // namespace mien

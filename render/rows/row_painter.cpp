@@ -28,12 +28,16 @@ void Palette::make(const Looks& looks, const PixelFormat& format, int first_look
     e.varies = !looks.constant(i);
     any_varies = any_varies || e.varies;
     e.color = rgba_from_mix(looks.mix(i));
-    if (!e.varies) store(looks.mix(i), format.blend(), format.depth(), e.pixel.data());
+    if (e.varies) continue;
+    store(looks.mix(i), format.blend(), format.depth(), e.pixels.data());
+    for (std::size_t k = format.bytes(); k < e.pixels.size(); ++k)
+      e.pixels[k] = e.pixels[k - format.bytes()];
   }
 }
 
 void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFormat& format,
-                       bool dither) {
+                       bool dither, Stores stores) {
+  stores_ = stores;
   palette_ = &palette, looks_ = &looks, format_ = &format, dither_ = dither;
   if (bytes_ != format.bytes()) columns_.clear();  // room is made anew
   bytes_ = format.bytes();
@@ -159,7 +163,7 @@ void RowPainter::run_of(int look, int from, int until) {
   const Palette::Entry& e = palette_->entries[std::size_t(look)];
   if (!e.varies) {
     stats_->fill_pixels += until - from;
-    return fill_pixels(at(from), until - from, e.pixel.data(), bytes_);
+    return fill_run(at(from), until - from, e.pixels, bytes_, stores_);
   }
   stats_->varied_pixels += until - from;
   while (from < until) {

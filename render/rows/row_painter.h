@@ -6,6 +6,7 @@
 
 #include <mien/render/render_stats.h>
 #include <mien/render/rows/row_sums.h>
+#include <mien/render/rows/stores.h>
 #include <mien/render/shade/look_shader.h>
 
 #include <array>
@@ -20,7 +21,7 @@ struct Palette {
   struct Entry {
     Rgba color;  ///< nothing where it varies
     bool varies;
-    std::array<std::byte, 16> pixel;  ///< a whole pixel of it
+    RunPattern pixels;  ///< whole ones of it
   };
   std::vector<Entry> entries;  ///< by look
   bool any_varies = false;
@@ -31,7 +32,8 @@ struct Palette {
 /// Keeps its scratch; one per thread.
 class RowPainter {
  public:
-  void begin(const Palette& palette, const Looks& looks, const PixelFormat& format, bool dither);
+  void begin(const Palette& palette, const Looks& looks, const PixelFormat& format, bool dither,
+             Stores stores = Stores::ordinary);
 
   /// Columns x0 to x1 of the picture's row y; `to` is where x0 goes. Sets the sums back to nothing.
   void paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to, RenderStats& stats);
@@ -76,6 +78,7 @@ class RowPainter {
   const Looks* looks_ = nullptr;
   const PixelFormat* format_ = nullptr;
   bool dither_ = false;
+  Stores stores_ = Stores::ordinary;
   double allowed_ = 0,
          least_ = 0;  ///< of what is neglected: that may be; that is not even looked at
   std::size_t bytes_ = 4;

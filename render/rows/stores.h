@@ -1,23 +1,21 @@
 #pragma once
-// How pixels of 8 bits go to memory, many at a time.
+// How runs of one colour go to memory.
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
 
 namespace mien {
 
-/// `streamed` stores pass the caches by. Right for buffers that are larger than those, wrong for
+/// `streamed` stores pass the caches by. Right for pictures that are larger than those, wrong for
 /// smaller ones.
 enum class Stores { ordinary, streamed };
 
-/// Fills `rows` rows of `count` pixels, rows `stride` pixels apart.
-void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value,
-               Stores stores);
+/// A pixel again and again.
+using RunPattern = std::array<std::byte, 64>;
 
-/// Copies `rows` rows of `count` pixels, one after the other, to memory by streamed stores. The count is a
-/// multiple of 16, and rows of the target begin at multiples of 64 bytes.
-void stream_rows(const std::uint32_t* from, int count, int rows, std::uint32_t* pixels,
-                 std::size_t stride);
+/// Writes `count` pixels of `bytes` each: 4, 8 or 16. Short runs are never streamed.
+void fill_run(std::byte* to, int count, const RunPattern& pattern, std::size_t bytes,
+              Stores stores);
 
 /// Call before other threads read what was streamed.
 void finish_streams();

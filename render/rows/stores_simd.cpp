@@ -6,36 +6,33 @@
 #include <hwy/highway.h>
 #include <mien/render/rows/stores.h>
 
+#include <cstdint>
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void FillRows(std::uint32_t* pixels, size_t stride, int rows, int count, std::uint32_t value,
-              bool streamed) {
-  const hn::CappedTag<std::uint32_t, 16> d;
-  const auto v = hn::Set(d, value);
-  const size_t n = hn::Lanes(d), all = size_t(count);
-  for (int row = 0; row < rows; ++row, pixels += stride) {
-    size_t i = 0;
-    if (streamed) {
-      for (; i < all && reinterpret_cast<std::uintptr_t>(pixels + i) % (4 * n) != 0; ++i)
-        pixels[i] = value;
-      for (; i + n <= all; i += n) hn::Stream(v, d, pixels + i);
-    } else {
-      for (; i + n <= all; i += n) hn::StoreU(v, d, pixels + i);
-    }
-    for (; i < all; ++i) pixels[i] = value;
+/// A pixel is as long as a part of 16 bytes, and so is any whole number of them: the same vector is right from wherever
+/// a pixel begins.
+void FillRun(std::uint8_t* to, size_t size, const std::uint8_t* pattern, size_t bytes,
+             bool streamed) {
+  constexpr size_t kLine = 64, kWorth = 8 * kLine;
+  const hn::CappedTag<std::uint8_t, kLine> d;
+  const size_t lanes = hn::Lanes(d);
+  const auto v = hn::LoadU(d, pattern);
+  size_t i = 0;
+  if (streamed && size >= kWorth && reinterpret_cast<std::uintptr_t>(to) % bytes == 0) {
+    i = (kLine - reinterpret_cast<std::uintptr_t>(to) % kLine) % kLine;
+    std::memcpy(to, pattern, i);
+    for (const size_t end = i + (size - i) / kLine * kLine; i < end; i += lanes)
+      hn::Stream(v, d, to + i);
   }
-}
-
-void StreamRows(const std::uint32_t* from, int count, int rows, std::uint32_t* pixels,
-                size_t stride) {
-  const hn::CappedTag<std::uint32_t, 16> d;
-  for (int row = 0; row < rows; ++row)
-    for (size_t i = 0; i < size_t(count); i += hn::Lanes(d))
-      hn::Stream(hn::LoadU(d, from + size_t(row) * size_t(count) + i), d,
-                 pixels + size_t(row) * stride + i);
+  for (; i + lanes <= size; i += lanes) hn::StoreU(v, d, to + i);
+  for (; i + 16 <= size; i += 16) std::memcpy(to + i, pattern, 16);
+  if (i + 8 <= size) std::memcpy(to + i, pattern, 8), i += 8;
+  if (i + 4 <= size) std::memcpy(to + i, pattern, 4);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -47,18 +44,14 @@ HWY_AFTER_NAMESPACE();
 
 namespace mien {
 namespace batch {
-HWY_EXPORT(FillRows);
-HWY_EXPORT(StreamRows);
+HWY_EXPORT(FillRun);
 }  // namespace batch
 
-void fill_rows(std::uint32_t* pixels, std::size_t stride, int rows, int count, std::uint32_t value,
-               Stores stores) {
-  HWY_DYNAMIC_DISPATCH(batch::FillRows)
-  (pixels, stride, rows, count, value, stores == Stores::streamed);
-}
-void stream_rows(const std::uint32_t* from, int count, int rows, std::uint32_t* pixels,
-                 std::size_t stride) {
-  HWY_DYNAMIC_DISPATCH(batch::StreamRows)(from, count, rows, pixels, stride);
+void fill_run(std::byte* to, int count, const RunPattern& pattern, std::size_t bytes,
+              Stores stores) {
+  HWY_DYNAMIC_DISPATCH(batch::FillRun)
+  (reinterpret_cast<std::uint8_t*>(to), std::size_t(count) * bytes,
+   reinterpret_cast<const std::uint8_t*>(pattern.data()), bytes, stores == Stores::streamed);
 }
 void finish_streams() {
   hwy::FlushStream();
