@@ -23,13 +23,14 @@ void FillRun(std::uint8_t* to, size_t size, const std::uint8_t* pattern, size_t 
   const size_t lanes = hn::Lanes(d);
   const auto v = hn::LoadU(d, pattern);
   size_t i = 0;
-  if (streamed && size >= kWorth && reinterpret_cast<std::uintptr_t>(to) % bytes == 0) {
+  const bool wide = lanes >= 16;  // else a vector is shorter than a pixel
+  if (streamed && wide && size >= kWorth && reinterpret_cast<std::uintptr_t>(to) % bytes == 0) {
     i = (kLine - reinterpret_cast<std::uintptr_t>(to) % kLine) % kLine;
     std::memcpy(to, pattern, i);
     for (const size_t end = i + (size - i) / kLine * kLine; i < end; i += lanes)
       hn::Stream(v, d, to + i);
   }
-  for (; i + lanes <= size; i += lanes) hn::StoreU(v, d, to + i);
+  for (; wide && i + lanes <= size; i += lanes) hn::StoreU(v, d, to + i);
   for (; i + 16 <= size; i += 16) std::memcpy(to + i, pattern, 16);
   if (i + 8 <= size) std::memcpy(to + i, pattern, 8), i += 8;
   if (i + 4 <= size) std::memcpy(to + i, pattern, 4);
