@@ -26,31 +26,54 @@ struct CellStretch {
   double area;            ///< to its right, in the cell
 };
 
-/// The cells of a row that a stretch from (x, y, t) to (next_x, next_y, next_t) crosses.
+/// A stretch of a piece within one row: where it begins and ends.
+struct RowStretch {
+  int row;
+  double x, y, t, next_x, next_y, next_t;
+  int column, last;  ///< of both
+};
+
+/// The cells of a row that a stretch crosses.
 template <class Sink>
-void cells_of_row(const OutlinePiece& p, int row, double x, double y, double t, double next_x,
-                  double next_y, double next_t, int width, Sink&& sink) {
+void cells_of_row(const OutlinePiece& p, const RowStretch& s, int width, Sink&& sink) {
   const double lens = (p.ax * p.by - p.ay * p.bx) / 3.0;
-  const auto column_of = [&](double at) { return at < 0.0 ? -1 : at >= width ? width : int(at); };
-  int column = column_of(x);
-  const int last = column_of(next_x), step = last > column ? 1 : -1;
-  for (;; column += step) {
-    double xq = next_x, yq = next_y, tq = next_t;
-    if (column != last) {
+  const int step = s.last > s.column ? 1 : -1;
+  double x = s.x, y = s.y, t = s.t;
+  for (int column = s.column;; column += step) {
+    double xq = s.next_x, yq = s.next_y, tq = s.next_t;
+    if (column != s.last) {
       xq = step > 0 ? column + 1.0 : column;
-      const double d = xq - p.x0, s = std::sqrt(std::max(0.0, p.ax * p.ax + p.bx * d));
-      const double divisor = p.ax + step * s;
-      tq = std::clamp(divisor != 0.0 ? d / divisor : t, t, next_t);
-      yq = std::clamp(p.y0 + tq * (2.0 * p.ay + tq * p.by), y, next_y);
+      const double d = xq - p.x0, root = std::sqrt(std::max(0.0, p.ax * p.ax + p.bx * d));
+      const double divisor = p.ax + step * root;
+      tq = std::clamp(divisor != 0.0 ? d / divisor : t, t, s.next_t);
+      yq = std::clamp(p.y0 + tq * (2.0 * p.ay + tq * p.by), y, s.next_y);
     }
     if (column < width) {
       const double h = tq - t, dy = yq - y, bulge = 0.25 * h * h;
-      sink(CellStretch{row, column, x, y, xq, yq, 0.5 * (x + xq) - bulge * p.bx,
+      sink(CellStretch{s.row, column, x, y, xq, yq, 0.5 * (x + xq) - bulge * p.bx,
                        0.5 * (y + yq) - bulge * p.by,
                        column < 0 ? dy : (column + 1 - 0.5 * (x + xq)) * dy - lens * h * h * h});
     }
-    if (column == last) break;
+    if (column == s.last) break;
     x = xq, y = yq, t = tq;
+  }
+}
+
+/// Calls sink(RowStretch) for the rows that the piece crosses between two heights, from the top down.
+template <class Sink>
+void rows_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
+  const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
+  for (int first = int(top); first <= last_row; first += RowRoots::kRows) {
+    const int rows = std::min(RowRoots::kRows, last_row + 1 - first);
+    const double begin = std::max(top, double(first)), end = std::min(bottom, double(first + rows));
+    RowRoots at;
+    row_roots(p, {begin, end, first, rows, width}, at);
+    for (int k = 0; k < rows; ++k) {
+      const auto i = std::size_t(k);
+      sink(RowStretch{first + k, at.x[i], k > 0 ? first + k : begin, at.t[i], at.x[i + 1],
+                      k + 1 < rows ? first + k + 1 : end, at.t[i + 1], at.column[i],
+                      at.column[i + 1]});
+    }
   }
 }
 
@@ -58,18 +81,7 @@ void cells_of_row(const OutlinePiece& p, int row, double x, double y, double t, 
 /// down. Columns beyond `width` are left out, those left of 0 are told as −1.
 template <class Sink>
 void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
-  const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
-  for (int first = int(top); first <= last_row; first += RowRoots::kRows) {
-    const int rows = std::min(RowRoots::kRows, last_row + 1 - first);
-    const double begin = std::max(top, double(first)), end = std::min(bottom, double(first + rows));
-    RowRoots at;
-    row_roots(p, begin, end, first, rows, at);
-    for (int k = 0; k < rows; ++k) {
-      const auto i = std::size_t(k);
-      cells_of_row(p, first + k, at.x[i], k > 0 ? first + k : begin, at.t[i], at.x[i + 1],
-                   k + 1 < rows ? first + k + 1 : end, at.t[i + 1], width, sink);
-    }
-  }
+  rows_of(p, top, bottom, width, [&](const RowStretch& s) { cells_of_row(p, s, width, sink); });
 }
 
 }  // namespace mien

@@ -8,17 +8,23 @@
 
 namespace mien {
 
-/// Of a stretch of a piece: its parameter and x where it begins, at each border of rows it passes, and
-/// where it ends.
+/// A stretch of a piece: from `top`, in `first_row`, to `bottom`, in the last of `rows` rows.
+struct RowRange {
+  double top, bottom;
+  int first_row, rows;
+  int width;  ///< of the picture: columns are −1 left of it, and `width` right of it
+};
+
+/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends.
 struct RowRoots {
   static constexpr int kRows = 16, kSpare = 8;
   std::array<double, kRows + kSpare> t, x;
+  std::array<int, kRows + kSpare> column;
 };
 
-/// The stretch from `top`, in `first_row`, to `bottom`, in the last of `rows` rows, kRows at most.
+/// RowRoots::kRows rows at most. With d = y − y0:
 ///
-/// With d = y − y0:  t = d / (a.y + sqrt(a.y² + b.y d)),  as in sdf/arrange/sweep_piece.h.
-void row_roots(const OutlinePiece& piece, double top, double bottom, int first_row, int rows,
-               RowRoots& to);
+///     t = d / (a.y + sqrt(a.y² + b.y d)),   as in sdf/arrange/sweep_piece.h.
+void row_roots(const OutlinePiece& piece, const RowRange& range, RowRoots& to);
 
 }  // namespace mien

@@ -84,16 +84,25 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   look_ = palette_->first;
   sum_ = palette_->entries[std::size_t(look_)].color;
   if (palette_->entries[std::size_t(look_)].varies) open_.push_back(whole(look_));
+  if (open_.empty() && shares_->empty())
+    paint_flat(sums, row);
+  else
+    paint_varied(sums, row);
+  put_cells();
+  shares_->clear();
+}
+
+void RowPainter::paint_varied(RowSums& sums, int row) {
   Rgba* const cells = sums.sums(row);
   std::uint64_t* const marks = sums.marks(row);
   int at = 0;
   for (int w = 0; w < sums.mark_words(); ++w) {
     for (std::uint64_t bits = std::exchange(marks[w], 0); bits; bits &= bits - 1) {
       const int column = 64 * w + std::countr_zero(bits);
-      if (column < x1) {
+      if (column < x1_) {
         if (column > at) run(at, column);
         sum_ = sum_ + cells[column];
-        if (!open_.empty() || next_share_ < shares_->size()) take_shares(column);
+        take_shares(column);
         cell(column);
         at = column + 1;
         sum_ = sum_ + cells[at];  // what the pixel's outlines leave of all those after it
@@ -101,9 +110,69 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
       cells[column] = cells[column + 1] = {};
     }
   }
-  if (at < x1) run(at, x1);
-  put_cells();
-  shares_->clear();
+  if (at < x1_) run(at, x1_);
+}
+
+/// The same where no look varies: with the sum at hand.
+void RowPainter::paint_flat(RowSums& sums, int row) {
+  Rgba* const cells = sums.sums(row);
+  std::uint64_t* const marks = sums.marks(row);
+  float r = sum_.r, g = sum_.g, b = sum_.b, a = sum_.a;  // each in a register
+  const auto add = [&](const Rgba& c) { r += c.r, g += c.g, b += c.b, a += c.a; };
+  const auto run_to = [&](int from, int until) {
+    const Rgba sum = flat_run(from, until, {r, g, b, a});
+    r = sum.r, g = sum.g, b = sum.b, a = sum.a;
+  };
+  int at = 0, kept = 0;
+  for (int w = 0; w < sums.mark_words(); ++w) {
+    for (std::uint64_t bits = std::exchange(marks[w], 0); bits; bits &= bits - 1) {
+      const int column = 64 * w + std::countr_zero(bits);
+      if (column < x1_) {
+        if (column > at) run_to(at, column);
+        add(cells[column]);
+        if (column >= x0_) {
+          const auto k = std::size_t(kept++);
+          cells_.r[k] = r, cells_.g[k] = g, cells_.b[k] = b, cells_.a[k] = a;
+          columns_[k] = column, carries_[k] = 0.5f;
+        }
+        at = column + 1;
+        add(cells[at]);
+      }
+      cells[column] = cells[column + 1] = {};
+    }
+  }
+  if (at < x1_) run_to(at, x1_);
+  kept_ = kept;
+  stats_->edge_pixels += kept;
+}
+
+/// Draws a run; its sum, in its look's own colour if that is known.
+Rgba RowPainter::flat_run(int from, int until, const Rgba& sum) {
+  const Palette::Entry* entry =
+      &palette_->entries[std::size_t(from > 0 ? hints_[from - 1] : look_)];
+  const bool hinted = !entry->varies && close(sum, entry->color);
+  if (!hinted) {
+    sum_ = sum;
+    const int look = look_of_run(from);
+    entry = look >= 0 ? &palette_->entries[std::size_t(look)] : nullptr;
+  }
+  const int first = std::max(from, x0_), end = std::min(until, x1_);
+  if (first < end) {
+    stats_->fill_pixels += end - first;
+    if (entry)
+      fill_run(at(first), end - first, entry->pixels, bytes_, stores_);
+    else
+      fill_run(at(first), end - first, pattern_of(sum), bytes_, stores_);
+  }
+  return entry ? entry->color : sum;
+}
+
+RunPattern RowPainter::pattern_of(const Rgba& mix) const {
+  std::array<float, 1 + kColorSpare> r{mix.r}, g{mix.g}, b{mix.b}, a{mix.a}, carry{0.5f};
+  RunPattern pattern;
+  format_->put({r.data(), g.data(), b.data(), a.data()}, carry.data(), 1, pattern.data());
+  for (std::size_t k = bytes_; k < pattern.size(); ++k) pattern[k] = pattern[k - bytes_];
+  return pattern;
 }
 
 /// Whether a look is what all the sums up to here say.
@@ -118,7 +187,8 @@ bool RowPainter::looks_like(int look) const {
 int RowPainter::look_of_run(int column) const {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
-  for (int i = 0; i < int(palette_->entries.size()); ++i)
+  constexpr int kFew = 64;  // more are not looked through for every run
+  for (int i = 0; i < std::min(kFew, int(palette_->entries.size())); ++i)
     if (looks_like(i)) return i;
   return -1;
 }

@@ -56,6 +56,10 @@ class RowPainter {
     std::array<float, PartForm::kRows> left;  ///< its height before this pixel, where forms count
   };
   static Open whole(int look);
+  void paint_varied(RowSums& sums, int row);
+  void paint_flat(RowSums& sums, int row);
+  Rgba flat_run(int from, int until, const Rgba& sum);
+  RunPattern pattern_of(const Rgba& mix) const;
   void move_on();
   void run(int from, int until);
   void run_of(int look, int from, int until);

@@ -51,17 +51,21 @@ void RowSums::share(int row, const CellStretch& c, int left_varied, int right_va
 template <bool kVaried>
 void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, int first,
                         const Rgba& jump, int left_varied, int right_varied, int right_look) {
-  cells_of(piece, top, bottom, width_, [&](const CellStretch& c) {
-    ++cells_;
-    const int row = c.row - first;
-    const std::size_t column = std::size_t(std::max(c.column, 0));
-    Rgba* const cell = sums(row) + column;
-    const float dy = float(c.yq - c.yp), area = float(c.area), rest = dy - area;
-    cell[0] = cell[0] + area * jump;
-    cell[1] = cell[1] + rest * jump;
-    marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
-    hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
-    if constexpr (kVaried) share(row, c, left_varied, right_varied);
+  rows_of(piece, top, bottom, width_, [&](const RowStretch& s) {
+    const int row = s.row - first;
+    Rgba* const row_sums = sums(row);
+    std::uint64_t* const row_marks = marks(row);
+    std::uint16_t* const row_hints = hints_.data() + std::size_t(row) * stride_;
+    cells_of_row(piece, s, width_, [&](const CellStretch& c) {
+      ++cells_;
+      const std::size_t column = std::size_t(std::max(c.column, 0));
+      const float dy = float(c.yq - c.yp), area = float(c.area), rest = dy - area;
+      row_sums[column] = row_sums[column] + area * jump;
+      row_sums[column + 1] = row_sums[column + 1] + rest * jump;
+      row_marks[column >> 6] |= std::uint64_t{1} << (column & 63);
+      row_hints[column] = std::uint16_t(right_look);
+      if constexpr (kVaried) share(row, c, left_varied, right_varied);
+    });
   });
 }
 
