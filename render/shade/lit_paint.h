@@ -72,7 +72,9 @@ class LitPaint {
 
  private:
   LitTile& tile(int zone, int x, int y, Scratch& scratch) const;
-  void make_tile(LitTile& tile) const;
+  void make_tile(LitTile& tile, Scratch& scratch) const;
+  void make_full(LitTile& tile) const;
+  void make_smooth(LitTile& tile, Scratch& scratch) const;
   void make_distances(LitTile& tile) const;
   LitPixel::Place place(LitTile& tile, int x, int y) const;
   bool sure_way() const { return bool(surface_.paint().ramp); }
