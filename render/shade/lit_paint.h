@@ -61,6 +61,12 @@ class LitPaint {
   /// The mean over a part of pixel (x, y) that lies in `zone`.
   glm::vec4 part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const;
 
+  /// Colours at the centroids of a pixel's cells, of a ramp under light; else `part` of all of them, the whole pixel
+  /// without a form.
+  void colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
+                       std::span<float> r, std::span<float> g, std::span<float> b,
+                       std::span<float> a, Scratch& scratch) const;
+
   /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
   void distances(int x, int y, int count, float* d, Scratch& scratch) const;
   float distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const;
