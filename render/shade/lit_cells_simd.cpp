@@ -6,63 +6,15 @@
 #include <mien/render/shade/cell_cut-inl.h>
 #include <mien/render/shade/lamp_lanes-inl.h>
 #include <mien/render/shade/lit_cells.h>
+#include <mien/render/shade/ridge-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-struct Spot {
-  VF d, nx, ny;
-};
-
-/// A branch of the distance seen from (x, y) away, to second order in that: level lines as parabolas. Off by
-/// |bend|² |(x, y)|³ / 2.
-HWY_INLINE Spot SeenFrom(VF d, VF nx, VF ny, VF bend, VF x, VF y) {
-  const VF out = Fused(nx, x, hn::Mul(ny, y)), aside = FusedFrom(ny, x, hn::Mul(nx, y));
-  const VF turn = hn::Mul(hn::Mul(bend, aside), FusedFrom(bend, out, Const(1.0f)));
-  const VF half = hn::Mul(Const(0.5f), turn), back = FusedFrom(half, turn, Const(1.0f));
-  return {hn::Add(d, Fused(half, aside, out)), FusedFrom(turn, ny, hn::Mul(nx, back)),
-          Fused(turn, nx, hn::Mul(ny, back))};
-}
-
-struct Ridge {
-  VF offset;    ///< from the cell's centroid, 1e9 if there is none
-  VF ex, ey;    ///< towards it, unit
-  VF next;      ///< the offset of another one
-  Spot beyond;  ///< the branch there, as it would be at the centroid
-};
-
-/// Gradients nearer to each other than this are one branch. Of what is left a slope of 1 makes a level.
+/// Of what is left of two gradients so near to each other a slope of 1 makes a level.
 constexpr float kSameBranch = 0.02f;
-
-HWY_INLINE Ridge NoRidge() {
-  const VF zero = hn::Zero(F()), far = Const(1e9f);
-  return {far, zero, zero, far, {zero, zero, zero}};
-}
-
-HWY_INLINE void Consider(const Spot& here, const Spot& other, Ridge& ridge) {
-  const VF mx = hn::Sub(other.nx, here.nx), my = hn::Sub(other.ny, here.ny);
-  const VF m2 = Fused(mx, mx, hn::Mul(my, my));
-  const auto another = hn::Gt(m2, Const(kSameBranch * kSameBranch));
-  if (hn::AllFalse(F(), another)) return;
-  const VF by = hn::Div(Const(1.0f), hn::Sqrt(hn::Max(m2, Const(1e-20f))));
-  const VF apart = hn::Sub(other.d, here.d);
-  const VF offset = hn::Mul(hn::Abs(apart), by);
-  const auto nearer = hn::And(another, hn::Lt(offset, ridge.offset));
-  // The one passed over is another ridge if it has another gradient beyond.
-  const VF qx = hn::Sub(other.nx, ridge.beyond.nx), qy = hn::Sub(other.ny, ridge.beyond.ny);
-  const auto differs = hn::And(another, hn::Gt(Fused(qx, qx, hn::Mul(qy, qy)), Const(0.01f)));
-  const VF passed = hn::Max(offset, ridge.offset);
-  ridge.next = hn::IfThenElse(differs, hn::Min(ridge.next, passed), ridge.next);
-  const VF way = hn::CopySign(by, hn::Neg(apart));
-  ridge.offset = hn::IfThenElse(nearer, offset, ridge.offset);
-  ridge.ex = hn::IfThenElse(nearer, hn::Mul(mx, way), ridge.ex);
-  ridge.ey = hn::IfThenElse(nearer, hn::Mul(my, way), ridge.ey);
-  ridge.beyond.d = hn::IfThenElse(nearer, other.d, ridge.beyond.d);
-  ridge.beyond.nx = hn::IfThenElse(nearer, other.nx, ridge.beyond.nx);
-  ridge.beyond.ny = hn::IfThenElse(nearer, other.ny, ridge.beyond.ny);
-}
 
 /// Depths in a zone, and what cells are like there.
 struct Zone {
@@ -128,7 +80,7 @@ Ridge NearestRidge(const LitCells& cells, size_t k, const Spot& here, VF ox, VF 
       Consider(here,
                SeenFrom(hn::LoadU(f, &cells.d[at]), hn::LoadU(f, &cells.nx[at]),
                         hn::LoadU(f, &cells.ny[at]), hn::LoadU(f, &cells.bend[at]), x, y),
-               ridge);
+               kSameBranch, ridge);
     }
   return ridge;
 }

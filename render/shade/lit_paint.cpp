@@ -13,14 +13,15 @@ namespace {
 constexpr double kRadius = 13.0;  // [px] of a tile, and what cells beside it need
 
 /// The feet at the middles of a tile's pixels and of those around it.
-void find_feet(const FeetArea& area, glm::dvec2 middle, LitTile& t) {
-  t.feet.narrow(area, middle, kRadius);
-  std::array<float, LitTile::kPadded> px, py;
-  for (int i = 0; i < LitTile::kPadded; ++i) {
-    px[std::size_t(i)] = float(i % LitTile::kRow) - 8.5f;
-    py[std::size_t(i)] = float(i / LitTile::kRow) - 8.5f;
+void find_feet(LitTile& t) {
+  constexpr std::size_t kCount = (LitTile::kBlocks * LitTile::kBlocks + 15) / 16 * 16;
+  std::array<float, kCount> px, py;
+  for (int i = 0; i < int(kCount); ++i) {
+    px[std::size_t(i)] = float(2 * (i % LitTile::kBlocks)) - 8.0f;
+    py[std::size_t(i)] = float(2 * std::min(i / LitTile::kBlocks, LitTile::kBlocks - 1)) - 8.0f;
   }
-  t.feet.at(px, py, {t.d.data(), t.nx.data(), t.ny.data(), t.bend.data()});
+  t.feet.at(px, py, {t.block_d.data(), t.block_nx.data(), t.block_ny.data(), t.block_bend.data()});
+  spread_feet(t);
 }
 
 std::uint64_t next_id() {
@@ -67,6 +68,7 @@ struct LitPaint::Scratch::Kept {
   static constexpr std::size_t kTiles = 512;
   std::vector<std::unique_ptr<LitTile>> tiles{kTiles};
   LitPixel pixel;
+  SmoothPlaces smooth;
 };
 
 LitPaint::Scratch::Scratch() : kept_(std::make_unique<Kept>()) {}
@@ -98,28 +100,46 @@ LitTile& LitPaint::tile(int zone, int x, int y, Scratch& scratch) const {
   if (zone < 0)
     make_distances(t);
   else
-    make_tile(t);
+    make_tile(t, scratch);
   return t;
 }
 
-void LitPaint::make_tile(LitTile& t) const {
+void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
   set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
+  t.full = t.smooth = false;
   t.rises = !surface_.flat(t.zone);
   t.kind = t.rises || !t.lamp.domes.empty() ? LitTile::Kind::means : LitTile::Kind::base;
   if (t.kind == LitTile::Kind::base) return;
   const auto levels = surface_.levels();
   t.shallow = t.zone > 0 ? float(-levels[std::size_t(t.zone) - 1]) : -1e9f;
   t.deep = std::size_t(t.zone) < levels.size() ? float(-levels[std::size_t(t.zone)]) : 1e9f;
-  if (t.rises) find_feet(area_, middle, t);
+  if (t.rises) t.feet.narrow(area_, middle, kRadius);
+  make_smooth(t, scratch);
+}
+
+void LitPaint::make_smooth(LitTile& t, Scratch& scratch) const {
+  constexpr double kShare = 0.5;  // of the tolerance: the border is where polynomials are worst
+  SmoothPlaces& at = scratch.kept_->smooth;
+  if (t.rises) t.feet.at(at.x, at.y, {at.d.data(), at.nx.data(), at.ny.data(), at.bend.data()});
+  t.smooth = smooth_means(at, float(kShare * tolerance_ / 255.0), t);
+}
+
+/// What pixels ask for that smooth means do not tell.
+void LitPaint::make_full(LitTile& t) const {
+  if (t.full) return;
+  t.full = true;
+  if (t.rises) find_feet(t);
   shade_tile(t, float(tolerance_));
 }
 
 void LitPaint::make_distances(LitTile& t) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
   t.rises = true, t.kind = LitTile::Kind::distances;
+  t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f;
   t.shallow = -1e9f, t.deep = 1e9f;
-  find_feet(gradient_area_, middle, t);
+  t.feet.narrow(gradient_area_, middle, kRadius);
+  find_feet(t);
   judge_distances(t);
 }
 
@@ -163,6 +183,13 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
       i += n;
       continue;
     }
+    if (t.smooth) {
+      std::copy_n(&t.smooth_r[from], n, r + i), std::copy_n(&t.smooth_g[from], n, g + i);
+      std::copy_n(&t.smooth_b[from], n, b + i);
+      i += n;
+      continue;
+    }
+    make_full(t);
     std::copy_n(&t.mean_r[from], n, r + i), std::copy_n(&t.mean_g[from], n, g + i);
     std::copy_n(&t.mean_b[from], n, b + i);
     for (int k = 0; k < n; ++k) {
@@ -180,10 +207,29 @@ glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, Scratch& 
   if (sure_way()) return glm::vec4(part_mean(surface_, zone, {x, y}, form, tolerance_ / 255.0));
   LitTile& t = tile(zone, x, y, scratch);
   if (t.kind == LitTile::Kind::base) return glm::vec4(base);
+  make_full(t);
   const int column = x - t.x, row = y - t.y;
   if (t.trust[std::size_t(row * LitTile::kSide + column)] == LitTile::Trust::around)
     return {smooth_part(t, column, row, form), float(base.a)};
   return {scratch.kept_->pixel.mean(place(t, x, y), &form), float(base.a)};
+}
+
+void LitPaint::colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
+                               std::span<float> r, std::span<float> g, std::span<float> b,
+                               std::span<float> a, Scratch& scratch) const {
+  const auto count = std::size_t(cells.count());
+  glm::vec4 c{0.0f};
+  if (form && !sure_way())
+    c = part(zone, x, y, *form, scratch);
+  else if (!sure_way())
+    pixels(zone, x, y, 1, &c.r, &c.g, &c.b, &c.a, scratch);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (sure_way()) {
+      const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{cells.x[k], cells.y[k]};
+      c = glm::vec4(surface_.color(zone, p, surface_.outward(p)));
+    }
+    r[k] = c.r, g[k] = c.g, b[k] = c.b, a[k] = c.a;
+  }
 }
 
 void LitPaint::distances(int x, int y, int count, float* d, Scratch& scratch) const {

@@ -61,6 +61,12 @@ class LitPaint {
   /// The mean over a part of pixel (x, y) that lies in `zone`.
   glm::vec4 part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const;
 
+  /// Colours at the centroids of a pixel's cells, of a ramp under light; else `part` of all of them, the whole pixel
+  /// without a form.
+  void colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
+                       std::span<float> r, std::span<float> g, std::span<float> b,
+                       std::span<float> a, Scratch& scratch) const;
+
   /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
   void distances(int x, int y, int count, float* d, Scratch& scratch) const;
   float distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const;
@@ -72,7 +78,9 @@ class LitPaint {
 
  private:
   LitTile& tile(int zone, int x, int y, Scratch& scratch) const;
-  void make_tile(LitTile& tile) const;
+  void make_tile(LitTile& tile, Scratch& scratch) const;
+  void make_full(LitTile& tile) const;
+  void make_smooth(LitTile& tile, Scratch& scratch) const;
   void make_distances(LitTile& tile) const;
   LitPixel::Place place(LitTile& tile, int x, int y) const;
   bool sure_way() const { return bool(surface_.paint().ramp); }

@@ -19,11 +19,19 @@ float apart(const LitMean& a, const LitMean& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
+/// What a mean may be off in the blending space: dark colours in linear light are encoded steeply.
+float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
+  if (!place.lamp->linear) return place.tolerance;
+  const float dark = std::max(std::min({mean.r, mean.g, mean.b}), 0.0031308f);
+  constexpr float kTwice = 2.0f;  // as steep as that is taken as the rest is
+  return place.tolerance / std::max(0.44f * std::pow(dark, -0.5833f) / kTwice, 1.0f);
+}
+
 /// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
 /// seen to be within one; what is narrow has no plane, so there the colours themselves count. A ridge is cut in closed
 /// form, which leaves a twentieth of its jump.
 bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
-  const float allowed = place.tolerance / mean.area;
+  const float allowed = allowed_of(place, mean) / mean.area;
   return mean.rough > 3.3f * allowed || mean.jump > 6.0f * allowed || mean.turn > kMostTurn ||
          (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place));
 }
@@ -31,7 +39,7 @@ bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part)
 /// Whether cells half as wide as those of `coarse` may be: they are nearer to the truth than those are to them. Two
 /// ridges in a cell are told by one of them.
 bool asks_for_finer(const LitPixel::Place& place, const LitMean& mean, const LitMean& coarse) {
-  const float allowed = place.tolerance / mean.area;
+  const float allowed = allowed_of(place, mean) / mean.area;
   return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn ||
          0.15f * mean.unsure > place.tolerance;
 }

@@ -3,8 +3,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mien/render/shade/lit_tile_simd.cpp"
 #include <hwy/foreach_target.h>
-#include <mien/render/shade/lamp_lanes-inl.h>
 #include <mien/render/shade/lit_tile.h>
+#include <mien/render/shade/ridge-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -27,28 +27,100 @@ void ShadePlaces(LitTile& tile) {
   }
 }
 
-/// How much more the gradient turns from one place to the next than its bends tell, times what a
-/// slope of that is worth in levels: large where a ridge lies between.
-void FindRidges(const LitTile& tile, float* right, float* below) {
+constexpr int kBlocks = LitTile::kBlocks, kWide = 32;  // a row of kRow and what lanes read beyond
+
+/// A row of places as one of the three columns of blocks around each of them sees it.
+struct Seen {
+  float d[kWide], nx[kWide], ny[kWide], bend[kWide], x[kWide];
+};
+
+void SeeRow(const LitTile& tile, int block_row, int shift, Seen& to) {
+  for (int i = 0; i < kWide; ++i) {
+    const int column = HWY_MIN(HWY_MAX(HWY_MIN(i, kRow - 1) / 2 + shift, 0), kBlocks - 1);
+    const size_t from = size_t(block_row * kBlocks + column);
+    to.d[i] = tile.block_d[from], to.nx[i] = tile.block_nx[from];
+    to.ny[i] = tile.block_ny[from], to.bend[i] = tile.block_bend[from];
+    to.x[i] = float(HWY_MIN(i, kRow - 1)) - 0.5f - float(2 * column);
+  }
+}
+
+HWY_INLINE Spot SpotAt(const Seen& seen, size_t i, float y) {
   const F f;
-  for (size_t k = 0; k + size_t(kRow) < size_t(LitTile::kPadded); k += hn::Lanes(f)) {
-    const auto off = [&](size_t next, bool down) HWY_ATTR {
-      const VF ax = hn::LoadU(f, &tile.nx[k]), ay = hn::LoadU(f, &tile.ny[k]);
-      const VF bx = hn::LoadU(f, &tile.nx[next]), by = hn::LoadU(f, &tile.ny[next]);
-      const VF ka = hn::LoadU(f, &tile.bend[k]), kb = hn::LoadU(f, &tile.bend[next]);
-      const VF half = Const(0.5f);
-      // Along (1, 0) the gradient turns by −ny times bend, along (0, 1) by nx.
-      const VF ta = hn::Mul(ka, down ? ax : hn::Neg(ay)), tb = hn::Mul(kb, down ? bx : hn::Neg(by));
-      const VF mx =
-          hn::Sub(hn::Sub(bx, ax), hn::Mul(half, hn::Neg(Fused(ta, ay, hn::Mul(tb, by)))));
-      const VF my = hn::Sub(hn::Sub(by, ay), hn::Mul(half, Fused(ta, ax, hn::Mul(tb, bx))));
-      const VF rise = hn::Max(hn::Abs(RiseAt(tile.lamp, hn::Neg(hn::LoadU(f, &tile.d[k])))),
-                              hn::Abs(RiseAt(tile.lamp, hn::Neg(hn::LoadU(f, &tile.d[next])))));
-      const VF steep = hn::Min(rise, Const(1.0f));  // steeper ones turn light no more
-      return hn::Mul(hn::Sqrt(Fused(mx, mx, hn::Mul(my, my))), steep);
+  return SeenFrom(hn::LoadU(f, seen.d + i), hn::LoadU(f, seen.nx + i), hn::LoadU(f, seen.ny + i),
+                  hn::LoadU(f, seen.bend + i), hn::LoadU(f, seen.x + i), Const(y));
+}
+
+/// Gradients that agree so well seen from one block and from the next are of one branch.
+constexpr float kSameFoot = 0.02f;
+constexpr float kFarRidge = 1e9f;
+
+/// Whether some block's foot is of another branch than the one right of it or below it.
+bool HasRidges(const LitTile& tile) {
+  const F f;
+  constexpr size_t kCount = size_t(kBlocks * kBlocks);
+  VF most = hn::Zero(f);
+  const auto look = [&](size_t k, size_t next, float x, float y, VF use) HWY_ATTR {
+    const auto seen = [&](size_t from, float dx, float dy) HWY_ATTR {
+      return SeenFrom(hn::LoadU(f, &tile.block_d[from]), hn::LoadU(f, &tile.block_nx[from]),
+                      hn::LoadU(f, &tile.block_ny[from]), hn::LoadU(f, &tile.block_bend[from]),
+                      Const(dx), Const(dy));
     };
-    hn::StoreU(off(k + 1, false), f, right + k);
-    hn::StoreU(off(k + size_t(kRow), true), f, below + k);
+    const Spot a = seen(k, x, y), b = seen(next, -x, -y);
+    const VF mx = hn::Sub(b.nx, a.nx), my = hn::Sub(b.ny, a.ny);
+    most = hn::Max(most, hn::Mul(use, Fused(mx, mx, hn::Mul(my, my))));
+  };
+  HWY_ALIGN float use[hn::MaxLanes(F())];
+  for (size_t k = 0; k < kCount; k += hn::Lanes(f)) {
+    for (size_t i = 0; i < hn::Lanes(f); ++i)
+      use[i] = (k + i) % size_t(kBlocks) + 1 < size_t(kBlocks) && k + i < kCount ? 1.0f : 0.0f;
+    look(k, k + 1, 1.0f, 0.0f, hn::Load(f, use));
+    for (size_t i = 0; i < hn::Lanes(f); ++i)
+      use[i] = k + i + size_t(kBlocks) < kCount ? 1.0f : 0.0f;
+    look(k, k + size_t(kBlocks), 0.0f, 1.0f, hn::Load(f, use));
+  }
+  return !hn::AllFalse(f, hn::Gt(most, Const(kSameFoot * kSameFoot)));
+}
+
+/// A ridge so far beside a pixel does not touch it; one beyond `kClear` none of the middles around, nor their blocks.
+constexpr float kReach = 0.25f, kClear = 1.7f;
+
+/// How far beside each pixel of a row the nearest ridge is, told by the nine blocks around it.
+void FindRidges(LitTile& tile, int row, const Seen (&around)[3][3], const float (&y)[3]) {
+  const F f;
+  for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
+    const Spot here = SpotAt(around[1][1], i + 1, y[1]);
+    Ridge ridge = NoRidge();
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        if (j != 1 || k != 1) Consider(here, SpotAt(around[j][k], i + 1, y[j]), kSameFoot, ridge);
+    const VF corner = hn::Mul(Const(0.5f), hn::Add(hn::Abs(ridge.ex), hn::Abs(ridge.ey)));
+    const VF beside = hn::Sub(ridge.offset, corner);
+    hn::StoreU(beside, f, &tile.ridge[size_t(row * kSide) + i]);
+  }
+}
+
+void SpreadFeet(LitTile& tile) {
+  const F f;
+  const bool ridges = HasRidges(tile);
+  if (!ridges) tile.ridge.fill(kFarRidge);
+  HWY_ALIGN Seen around[3][3];
+  for (int row = 0; row < kRow; ++row) {
+    float y[3];
+    for (int j = 0; j < 3; ++j) {
+      const int block = HWY_MIN(HWY_MAX(row / 2 + j - 1, 0), kBlocks - 1);
+      y[j] = float(row) - 0.5f - float(2 * block);
+      if (row % 2 == 0 && (ridges || j == 1))
+        for (int k = ridges ? 0 : 1; k < (ridges ? 3 : 2); ++k)
+          SeeRow(tile, block, k - 1, around[j][k]);
+    }
+    for (size_t i = 0; i < size_t(kRow); i += hn::Lanes(f)) {
+      const Spot at = SpotAt(around[1][1], i, y[1]);
+      const size_t to = size_t(row * kRow) + i;  // the next row writes over what is beyond this one
+      hn::StoreU(at.d, f, &tile.d[to]), hn::StoreU(at.nx, f, &tile.nx[to]);
+      hn::StoreU(at.ny, f, &tile.ny[to]);
+      hn::StoreU(hn::LoadU(f, around[1][1].bend + i), f, &tile.bend[to]);
+    }
+    if (ridges && row > 0 && row <= kSide) FindRidges(tile, row - 1, around, y);
   }
 }
 
@@ -85,41 +157,17 @@ void MeansOf(const float* c, float levels, float* mean, float* rough) {
   }
 }
 
-/// Of places in a row, what is to be feared of ridges around them.
-HWY_INLINE VF RidgeFear(const float* right, const float* below, int row, size_t column) {
-  const F f;
-  VF most = hn::Zero(f);
-  for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 2; ++i)
-      most = hn::Max(most, hn::LoadU(f, right + size_t((row + j) * kRow + i) + column));
-  for (int j = 0; j < 2; ++j)
-    for (int i = 0; i < 3; ++i)
-      most = hn::Max(most, hn::LoadU(f, below + size_t((row + j) * kRow + i) + column));
-  return most;
-}
-
 /// Where level lines are bent more than this, the foot at a pixel's middle does not tell its corners'.
 constexpr float kMostBend = 0.12f;  // [1/px]
 
-void JudgeRow(const LitTile& tile, const float* right, const float* below, float levels, int row,
-              const float* rough, LitTile::Trust* trust) {
-  const F f;
-  constexpr float kLevelsOfSlope = 200.0f;
-  for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
-    HWY_ALIGN float around[hn::MaxLanes(F())], calm[hn::MaxLanes(F())];
-    VF wild = hn::Zero(f);
-    if (tile.rises) {
-      const size_t at = size_t((row + 1) * kRow + 1) + i;
-      const VF bend = hn::Mul(hn::Abs(hn::LoadU(f, &tile.bend[at])), Const(1.0f / kMostBend));
-      wild =
-          hn::Max(bend, hn::Mul(RidgeFear(right, below, row, i), Const(kLevelsOfSlope / levels)));
-    }
-    hn::Store(wild, f, calm);
-    hn::Store(hn::Max(wild, hn::LoadU(f, rough + i)), f, around);
-    for (size_t k = 0; k < hn::Lanes(f); ++k)
-      trust[i + k] = around[k] <= 1.0f ? LitTile::Trust::around
-                     : calm[k] <= 1.0f ? LitTile::Trust::calm
-                                       : LitTile::Trust::none;
+void JudgeRow(const LitTile& tile, int row, const float* rough, LitTile::Trust* trust) {
+  for (int i = 0; i < kSide; ++i) {
+    const float ridge = tile.rises ? tile.ridge[size_t(row * kSide + i)] : kFarRidge;
+    const float bend = tile.rises ? tile.bend[size_t((row + 1) * kRow + 1 + i)] : 0.0f;
+    const bool calm = ridge > kReach && HWY_MAX(bend, -bend) <= kMostBend;
+    trust[i] = calm && ridge > kClear && rough[i] <= 1.0f ? LitTile::Trust::around
+               : calm                                     ? LitTile::Trust::calm
+                                                          : LitTile::Trust::none;
   }
 }
 
@@ -129,22 +177,16 @@ void ShadeTile(LitTile& tile, float levels) {
   MeansOf(tile.r.data(), levels, tile.mean_r.data(), rough);
   MeansOf(tile.g.data(), levels, tile.mean_g.data(), rough);
   MeansOf(tile.b.data(), levels, tile.mean_b.data(), rough);
-  HWY_ALIGN float right[LitTile::kPadded + 16] = {}, below[LitTile::kPadded + 16] = {};
-  if (tile.rises) FindRidges(tile, right, below);
   for (int j = 0; j < kSide; ++j)
-    JudgeRow(tile, right, below, levels, j, rough + j * kSide, &tile.trust[size_t(j * kSide)]);
+    JudgeRow(tile, j, rough + j * kSide, &tile.trust[size_t(j * kSide)]);
 }
 
-/// A distance's Laplacian is its bend. A ridge costs a level's fifth at most where the gradient falls by
-/// one level per hundredth of a pixel.
+/// A distance's Laplacian is its bend.
 void JudgeDistances(LitTile& tile) {
   const F f;
-  HWY_ALIGN float right[LitTile::kPadded + 16] = {}, below[LitTile::kPadded + 16] = {};
-  tile.lamp.rise_kind = LampLanes::Rise::constant, tile.lamp.rise = 1.0f;
-  FindRidges(tile, right, below);
-  HWY_ALIGN float rough[kSide] = {};
+  HWY_ALIGN const float rough[kSide] = {};
   for (int j = 0; j < kSide; ++j) {
-    JudgeRow(tile, right, below, 1.0f, j, rough, &tile.trust[size_t(j * kSide)]);
+    JudgeRow(tile, j, rough, &tile.trust[size_t(j * kSide)]);
     for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
       const size_t at = size_t((j + 1) * kRow + 1) + i;
       const VF d = Fused(hn::LoadU(f, &tile.bend[at]), Const(1.0f / 24), hn::LoadU(f, &tile.d[at]));
@@ -160,9 +202,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mien {
 namespace batch {
+HWY_EXPORT(SpreadFeet);
 HWY_EXPORT(ShadeTile);
 HWY_EXPORT(JudgeDistances);
 }  // namespace batch
+
+void spread_feet(LitTile& tile) {
+  HWY_DYNAMIC_DISPATCH(batch::SpreadFeet)(tile);
+}
 
 void shade_tile(LitTile& tile, float levels) {
   HWY_DYNAMIC_DISPATCH(batch::ShadeTile)(tile, levels);

@@ -141,15 +141,12 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
   const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
   lit_.room_for(std::size_t(at.count));
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
-  if (at.form) {
+  if (at.cells) {
+    lit.colors_of_cells(step.zone, x, y, *at.cells, at.form, lit_.r, lit_.g, lit_.b, lit_.a,
+                        lit_scratch_);
+  } else if (at.form) {
     const glm::vec4 c = lit.part(step.zone, x, y, *at.form, lit_scratch_);
-    std::fill_n(lit_.r.begin(), at.count, c.r), std::fill_n(lit_.g.begin(), at.count, c.g);
-    std::fill_n(lit_.b.begin(), at.count, c.b), std::fill_n(lit_.a.begin(), at.count, c.a);
-  } else if (at.cells) {
-    float c[4];
-    lit.pixels(step.zone, x, y, 1, &c[0], &c[1], &c[2], &c[3], lit_scratch_);
-    std::fill_n(lit_.r.begin(), at.count, c[0]), std::fill_n(lit_.g.begin(), at.count, c[1]);
-    std::fill_n(lit_.b.begin(), at.count, c[2]), std::fill_n(lit_.a.begin(), at.count, c[3]);
+    lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
   } else {
     lit.pixels(step.zone, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
                lit_.a.data(), lit_scratch_);

@@ -6,6 +6,8 @@
 #include <mien/render/shade/near_feet.h>
 #include <mien/sdf/batch/fma-inl.h>
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
@@ -174,6 +176,48 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
   return {d, hn::Mul(sign, nx), hn::Mul(sign, ny), hn::Mul(sign, held)};
 }
 
+/// A spine that can be nearest somewhere in a disc, with the looks that tell where.
+struct Chosen {
+  const NearSpine* near;
+  Looks looks;
+};
+constexpr int kMostChosen = 24;
+
+/// Those of a disc: none farther than the nearest by more than the disc is wide. Their number, −1: too many.
+template <bool kStroke>
+HWY_INLINE int Choose(std::span<const NearSpine> spines, const Around& around, Chosen* chosen) {
+  const float away = hn::GetLane(around.away);
+  const float x = hn::GetLane(around.x), y = hn::GetLane(around.y);
+  const float from_middle = std::sqrt(x * x + y * y);
+  float best = 1e30f;
+  int seen = 0, count = 0;
+  for (const NearSpine& near : spines) {
+    if (near.least - from_middle > best + 2.0f * away) break;
+    if (seen == kMostChosen) return -1;
+    const Looks looks = LooksAround<kStroke>(near, around);
+    best = HWY_MIN(best, looks.least + near.apart);
+    chosen[seen++] = {&near, looks};
+  }
+  for (int i = 0; i < seen; ++i)
+    if (chosen[i].looks.least <= best + 2.0f * away) chosen[count++] = chosen[i];
+  return count;
+}
+
+/// Takes the foot on one more spine where it is nearer.
+template <bool kStroke>
+HWY_INLINE void Take(const NearSpine& near, const Looks& looks, VF x, VF y, VF& best,
+                     FootForm& form) {
+  const Foot foot = FootOn<kStroke>(near, looks, x, y);
+  const auto nearer = hn::Lt(foot.key, best);
+  if (hn::AllFalse(F(), nearer)) return;
+  const FootForm other = FormOf<kStroke>(near.spine, x, y, foot.t, foot.key);
+  best = hn::IfThenElse(nearer, foot.key, best);
+  form.d = hn::IfThenElse(nearer, other.d, form.d);
+  form.nx = hn::IfThenElse(nearer, other.nx, form.nx);
+  form.ny = hn::IfThenElse(nearer, other.ny, form.ny);
+  form.bend = hn::IfThenElse(nearer, other.bend, form.bend);
+}
+
 template <bool kStroke>
 HWY_INLINE FootForm Nearest(std::span<const NearSpine> spines, VF x, VF y) {
   VF best = Const(1e30f);
@@ -186,15 +230,7 @@ HWY_INLINE FootForm Nearest(std::span<const NearSpine> spines, VF x, VF y) {
     if (hn::AllTrue(F(), hn::Lt(best, hn::Sub(Const(near.least), from_middle)))) break;
     const Looks looks = LooksAround<kStroke>(near, around);
     if (hn::AllTrue(F(), hn::Lt(best, Const(looks.least - away)))) continue;
-    const Foot foot = FootOn<kStroke>(near, looks, x, y);
-    const auto nearer = hn::Lt(foot.key, best);
-    if (hn::AllFalse(F(), nearer)) continue;
-    const FootForm other = FormOf<kStroke>(near.spine, x, y, foot.t, foot.key);
-    best = hn::IfThenElse(nearer, foot.key, best);
-    form.d = hn::IfThenElse(nearer, other.d, form.d);
-    form.nx = hn::IfThenElse(nearer, other.nx, form.nx);
-    form.ny = hn::IfThenElse(nearer, other.ny, form.ny);
-    form.bend = hn::IfThenElse(nearer, other.bend, form.bend);
+    Take<kStroke>(near, looks, x, y, best, form);
   }
   return form;
 }
@@ -263,14 +299,51 @@ void EllipseFeet(const NearEllipse& ellipse, std::span<const float> x, std::span
     StoreForm(EllipseForm(ellipse, hn::LoadU(f, x.data() + k), hn::LoadU(f, y.data() + k)), out, k);
 }
 
-void SpineFeet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
-               std::span<const float> y, const Feet& out) {
+/// A disc that holds all places.
+Around AroundAll(std::span<const float> x, std::span<const float> y) {
   const F f;
+  VF low_x = Const(x[0]), high_x = low_x, low_y = Const(y[0]), high_y = low_y;
   for (size_t k = 0; k < x.size(); k += hn::Lanes(f)) {
     const VF px = hn::LoadU(f, x.data() + k), py = hn::LoadU(f, y.data() + k);
-    const FootForm form = stroke ? Nearest<true>(spines, px, py) : Nearest<false>(spines, px, py);
+    low_x = hn::Min(low_x, px), high_x = hn::Max(high_x, px);
+    low_y = hn::Min(low_y, py), high_y = hn::Max(high_y, py);
+  }
+  const VF half = Const(0.5f);
+  const VF x0 = hn::MinOfLanes(f, low_x), x1 = hn::MaxOfLanes(f, high_x);
+  const VF y0 = hn::MinOfLanes(f, low_y), y1 = hn::MaxOfLanes(f, high_y);
+  const VF wide = hn::Mul(half, hn::Sub(x1, x0)), high = hn::Mul(half, hn::Sub(y1, y0));
+  return {hn::Mul(half, hn::Add(x0, x1)), hn::Mul(half, hn::Add(y0, y1)),
+          hn::Sqrt(Fused(wide, wide, hn::Mul(high, high)))};
+}
+
+template <bool kStroke>
+void FeetOn(std::span<const NearSpine> spines, std::span<const float> x, std::span<const float> y,
+            const Feet& out) {
+  const F f;
+  constexpr float kSmall = 1.5f;  // [px]: so wide a disc is looked around once for all its places
+  const Around around = AroundAll(x, y);
+  Chosen chosen[kMostChosen];
+  const int count =
+      hn::GetLane(around.away) < kSmall ? Choose<kStroke>(spines, around, chosen) : -1;
+  for (size_t k = 0; k < x.size(); k += hn::Lanes(f)) {
+    const VF px = hn::LoadU(f, x.data() + k), py = hn::LoadU(f, y.data() + k);
+    VF best = Const(1e30f);
+    FootForm form{best, Const(1.0f), hn::Zero(f), hn::Zero(f)};
+    if (count < 0)
+      form = Nearest<kStroke>(spines, px, py);
+    else
+      for (int i = 0; i < count; ++i)
+        Take<kStroke>(*chosen[i].near, chosen[i].looks, px, py, best, form);
     StoreForm(form, out, k);
   }
+}
+
+void SpineFeet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
+               std::span<const float> y, const Feet& out) {
+  if (stroke)
+    FeetOn<true>(spines, x, y, out);
+  else
+    FeetOn<false>(spines, x, y, out);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -56,8 +56,8 @@ TEST(PartForm, IsWhatEntersFromTheLeftLessWhatStretchesTake) {
   float height = 0;
   for (const float h : left) height += h;
   EXPECT_FLOAT_EQ(height, 0.5f);
-  EXPECT_EQ(left[3], 0);
-  EXPECT_FLOAT_EQ(left[4], 1.0f / 16);
+  EXPECT_EQ(left[7], 0);
+  EXPECT_FLOAT_EQ(left[8], 1.0f / 32);
   PartStretch exit = entry;
   exit.sign = -1;
   PartCells cells, whole;
