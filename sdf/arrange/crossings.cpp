@@ -149,6 +149,12 @@ int side_of_strip(const OutlinePiece& a, const OutlinePiece& b) {
   return 0;
 }
 
+/// The same way from end to end: as of copies of a shape, of which there may be thousands.
+bool coincide(const OutlinePiece& a, const OutlinePiece& b) {
+  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1 && a.ax == b.ax &&
+         a.ay == b.ay && a.bx == b.bx && a.by == b.by;
+}
+
 void there_and_back(const Pair& pair, double a, double b, double sign, Crossings& out) {
   if (!(b - a > 1e-9)) return;
   const double m = pair.dip(a, b, sign, 2);
@@ -173,6 +179,7 @@ SweepPiece sweep_piece(const OutlinePiece& piece) {
 
 Crossings crossings(const SweepPiece& left, const SweepPiece& right, double y) {
   Crossings found;
+  if (coincide(left, right)) return found;
   for (const int side : {side_of_strip(left, right), -side_of_strip(right, left)}) {
     if (side > 0) return found;
     if (side < 0) {
