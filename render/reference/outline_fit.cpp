@@ -36,6 +36,10 @@ OutlineFit fit_outline(const NineDistances& d, double half) {
   return fit;
 }
 
+double allowed_off(const OutlineFit& fit, double half, double tolerance) {
+  return tolerance + std::min(2.0 * fit.bend * fit.bend * half * half, 0.02) * half;
+}
+
 Chord chord_in_square(glm::dvec2 normal, double offset, double half) {
   const glm::dvec2 along{-normal.y, normal.x}, foot = -offset * normal;
   Chord chord{-HUGE_VAL, HUGE_VAL};

@@ -23,6 +23,10 @@ struct OutlineFit {
 /// The nearest such form; off is large where the distance has a kink.
 OutlineFit fit_outline(const NineDistances& d, double half);
 
+/// What nine distances to a smooth outline may leave their form by: terms of third order. More is a kink,
+/// or another outline near the border.
+double allowed_off(const OutlineFit& fit, double half, double tolerance);
+
 /// A part of a straight line, from `from` to `to` along `along`, at `offset` + dot(normal, p) = 0.
 struct Chord {
   double from = 0, to = 0;

@@ -34,19 +34,6 @@ double largest(const Mix& d) {
   return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b), std::abs(d.a)});
 }
 
-/// The half-width of a stroke, whose distance is that to its spine less that much; 0 of a path, whose
-/// distance is that to its sides, with a sign; < 0 of all others.
-struct Pen {
-  double operator()(const mien::Line& s) const { return s.half_width; }
-  double operator()(const Polyline& s) const { return s.half_width; }
-  double operator()(const QuadStroke& s) const { return s.half_width; }
-  double operator()(const Path&) const { return 0.0; }
-  template <class Other>
-  double operator()(const Other&) const {
-    return -1.0;
-  }
-};
-
 }  // namespace
 
 /// All outlines across the square are known, and what they part it into has one colour each.
@@ -84,60 +71,13 @@ bool SquareResolver::cut_by(int set, const Square& s) {
         scale_ * level.level;
   const double half = double(s.half) / kUnits;
   const OutlineFit fit = fit_outline(d, half);
-  if (!(fit.off <= kForm * half + tolerance_)) return folded(set, s, d);
+  if (!(fit.off <= allowed_off(fit, half, tolerance_)))
+    return folded(set, s, d) || two_lines(set, s, d);
   Cut cut{set};
   const Side side = side_of(set, s, fit, 1.0, cut.line[0]);
   if (side == Side::unknown) return false;
   if (side == Side::crosses && cut.line[0] < 0) cut.line[0] = ~cut.line[0], cut.inside[0] = false;
   cut.opposite = side == Side::outside;
-  cuts_.push_back(cut);
-  return true;
-}
-
-/// A distance with a fold along a line: a stroke about its spine, a path about a side that has inside
-/// or outside on both hands. Unfolded it has the form again.
-bool SquareResolver::folded(int set, const Square& s, const NineDistances& d) {
-  const LevelSet& level = logic_.sets()[std::size_t(set)];
-  const double pen = scale_ * std::visit(Pen{}, scene_.shapes()[std::size_t(level.shape)]);
-  if (pen < 0.0) return false;
-  const double half = double(s.half) / kUnits, at_level = scale_ * level.level;
-  const bool within = pen == 0.0 && d[4] + at_level <= 0.0;  // inside on both hands
-  const double sign = within ? -1.0 : 1.0, width = within ? -at_level : pen + at_level;
-  NineDistances u;  // the way to the fold
-  for (std::size_t i = 0; i < 9; ++i) u[i] = sign * d[i] + width;
-  if (*std::min_element(u.begin(), u.end()) < 0.0) return false;
-  const auto far = int(std::max_element(u.begin(), u.end()) - u.begin());
-  constexpr double kStep = 1e-6;  // [px]
-  const auto offset_of = [&](int i) { return glm::dvec2{half * (i % 3 - 1), half * (i / 3 - 1)}; };
-  const auto way = [&](glm::dvec2 p) {
-    return sign * (distance(level.shape, place(s.x, s.y) + p) - at_level) + width;
-  };
-  const glm::dvec2 p = offset_of(far);
-  const double here = u[std::size_t(far)];
-  const glm::dvec2 slope{(way(p + glm::dvec2{kStep, 0.0}) - here) / kStep,
-                         (way(p + glm::dvec2{0.0, kStep}) - here) / kStep};
-  for (int i = 0; i < 9; ++i)
-    if (here + glm::dot(slope, offset_of(i) - p) < 0.0) u[std::size_t(i)] *= -1.0;
-  OutlineFit fit = fit_outline(u, half);
-  if (!(fit.off <= (width > 0.0 ? kForm * half : 0.0) + 4.0 * tolerance_)) return false;
-  Cut cut{.set = set, .opposite = within};
-  if (!(width > 0.0)) {  // no area
-    cut.opposite = !within;
-    off_ += 2.0 * half * fit.off;
-    cuts_.push_back(cut);
-    return true;
-  }
-  const OutlineFit sides[] = {{fit.at - width, fit.normal, fit.bend, fit.off},
-                              {-fit.at - width, -fit.normal, -fit.bend, fit.off}};
-  for (int k = 0; k < 2; ++k) {
-    const Side side = side_of(set, s, sides[k], sign, cut.line[k]);
-    if (side == Side::unknown) return false;
-    if (side == Side::outside) {
-      cuts_.push_back({.set = set, .opposite = !within});
-      return true;
-    }
-    if (side == Side::crosses && cut.line[k] < 0) cut.line[k] = ~cut.line[k], cut.inside[k] = false;
-  }
   cuts_.push_back(cut);
   return true;
 }

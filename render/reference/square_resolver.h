@@ -84,7 +84,6 @@ class SquareResolver {
   // square_cuts.cpp: what outlines part a square into
   bool cuts(const Square& s, const Scope& scope, Resolved& to);
   bool cut_by(int set, const Square& s);
-  bool folded(int set, const Square& s, const NineDistances& d);
   Side side_of(int set, const Square& s, const OutlineFit& fit, double sign, int& line);
   Side crosses(int set, const Square& s, const OutlineFit& fit, double sign, int& line);
   int line_like(const Line& line, double half, bool& turned);
@@ -93,6 +92,13 @@ class SquareResolver {
   void add_varied(glm::dvec2 center, const Scope& scope, std::span<const glm::dvec2> corners);
   void polygon(const Square& s, const Scope& scope, std::size_t done,
                std::span<const glm::dvec2> corners);
+
+  // square_folds.cpp: where distances are not smooth
+  bool folded(int set, const Square& s, const NineDistances& d);
+  bool two_lines(int set, const Square& s, const NineDistances& d);
+  bool hold_between(int set, const Square& s, std::span<const OutlineFit> lines, bool either);
+  bool cut_by_both(int set, std::span<const OutlineFit> lines, bool either, double off,
+                   double half);
 
   const Scene& scene_;
   const PaintTable& paints_;

@@ -171,6 +171,7 @@ SweepPiece sweep_piece(const OutlinePiece& piece) {
 
 Crossings crossings(const SweepPiece& left, const SweepPiece& right, double y) {
   Crossings found;
+  if (coincide(left, right)) return found;
   const double end = std::min(left.y1, right.y1);
   if (least_gap(left, right, y, end) > 0.0) return found;
   if (least_gap(right, left, y, end) > 0.0) {

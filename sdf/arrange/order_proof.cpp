@@ -65,16 +65,10 @@ class OrderProof {
   double tolerance_;
 };
 
-/// Abutting shapes share stretches of their outlines bit for bit.
-bool are_same(const OutlinePiece& a, const OutlinePiece& b) {
-  return a.x0 == b.x0 && a.y0 == b.y0 && a.ax == b.ax && a.ay == b.ay && a.bx == b.bx &&
-         a.by == b.by;
-}
-
 }  // namespace
 
 bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to) {
-  if (least_gap(left, right, from, to) >= -kOrder || are_same(left, right)) return true;
+  if (least_gap(left, right, from, to) >= -kOrder || coincide(left, right)) return true;
   return stays_in_order(left, right, from, to, kOrder, kHalvings);
 }
 

@@ -76,6 +76,12 @@ inline double least_gap(const SweepPiece& left, const SweepPiece& right, double 
   return std::min(a, b) - left.right_bulge - right.left_bulge;
 }
 
+/// The same way from end to end: as of abutting shapes, or of copies of one, of which there may be thousands.
+inline bool coincide(const OutlinePiece& a, const OutlinePiece& b) {
+  return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1 && a.ax == b.ax &&
+         a.ay == b.ay && a.bx == b.bx && a.by == b.by;
+}
+
 SweepPiece sweep_piece(const OutlinePiece& piece);
 
 }  // namespace mien

@@ -2,6 +2,8 @@
 #include <mien/sdf/outline/outline_maker.h>
 #include <mien/sdf/shape/band.h>
 
+#include "same_shape_private.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,24 @@ void AreaPrograms::begin(const Scene& scene) {
   scene_ = &scene;
   steps_.clear(), outlines_.clear(), added_.clear(), at_levels_.clear();
   filled_.assign(scene.shapes().size(), -1);
+  find_alike();
+}
+
+/// The first of every kind of equal shapes stands for all of them.
+void AreaPrograms::find_alike() {
+  const auto shapes = scene_->shapes();
+  hashes_.clear(), alike_.clear();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    hashes_.emplace_back(hash_of(shapes[i]), int(i));
+    alike_.push_back(int(i));
+  }
+  std::sort(hashes_.begin(), hashes_.end());
+  for (std::size_t i = 1; i < hashes_.size(); ++i) {
+    const int before = alike_[std::size_t(hashes_[i - 1].second)], now = hashes_[i].second;
+    if (hashes_[i].first == hashes_[i - 1].first &&
+        same_shape(shapes[std::size_t(before)], shapes[std::size_t(now)]))
+      alike_[std::size_t(now)] = before;
+  }
 }
 
 /// Works off a stack of its own: trees may be a hundred thousand deep.
@@ -40,6 +60,7 @@ AreaProgram AreaPrograms::add(Shape shape) {
 int AreaPrograms::added(Shape shape) {
   added_.push_back(std::move(shape));
   filled_.push_back(-1);
+  alike_.push_back(int(alike_.size()));
   return int(filled_.size()) - 1;
 }
 
@@ -92,6 +113,7 @@ void AreaPrograms::outline(int shape, double amount, bool rim) {
 }
 
 void AreaPrograms::leaf(int index, double level) {
+  index = alike_[std::size_t(index)];
   if (level == 0.0) return outline(index, 0.0, false);
   if (!std::isfinite(level)) {  // all of the plane, or nothing
     step(Kind::nothing);

@@ -10,6 +10,7 @@
 
 #include <mien/sdf/scene/scene.h>
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <tuple>
@@ -36,7 +37,8 @@ struct OutlineSource {
   bool rim;       ///< OutlineMaker::rim of that half-width
 };
 
-/// The programs of a scene's areas. A shape met again at the same level is the same outline.
+/// The programs of a scene's areas. A shape met again at the same level is the same outline, also
+/// where it stands in the scene several times.
 class AreaPrograms {
  public:
   /// Begins anew; memory is kept. The scene must outlive its use here.
@@ -63,6 +65,7 @@ class AreaPrograms {
     double level = 0.0;
     AreaStep::Kind kind{};
   };
+  void find_alike();
   void expand(const Node& node, double level);
   void leaf(int index, double level);
   void outline(int shape, double amount, bool rim);
@@ -74,7 +77,9 @@ class AreaPrograms {
   std::vector<OutlineSource> outlines_;
   std::vector<Shape> added_;
   std::vector<Task> todo_;
-  std::vector<int> filled_;                                 ///< by shape: its outline at level 0
+  std::vector<int> alike_;                             ///< by shape: the first that is the same
+  std::vector<std::pair<std::uint64_t, int>> hashes_;  ///< of shapes
+  std::vector<int> filled_;                            ///< by shape: its outline at level 0
   std::map<std::tuple<int, double, bool>, int> at_levels_;  ///< the others
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Halvings: a rim as wide as 10⁹ px reaches its tolerance with ten; cusps and round tips take two
 /// for each factor of four.
-constexpr int kHalvings = 24;
+constexpr int kHalvings = 64;
 /// Pieces of one rim. What needs more is drawn as well as they can.
 constexpr int kMostPieces = 2048;
 /// The sine of the most that a piece turns.
@@ -186,12 +186,23 @@ class RimWriter {
 
 }  // namespace
 
+namespace {
+
+/// A straight spine may begin or end with no speed; its direction is that of the rest.
+glm::dvec2 direction_at(const Pen& pen, double t) {
+  const glm::dvec2 v = pen.velocity(t);
+  return v == glm::dvec2(0.0) ? pen.velocity(0.5) : v;
+}
+
+}  // namespace
+
+double lean_at(const Pen& pen, double t) {
+  return std::clamp(pen.rate(t) / norm(direction_at(pen, t)), -1.0, 1.0);
+}
+
 Rim rim_at(const Pen& pen, double toward, double t) {
-  glm::dvec2 v = pen.velocity(t);
-  // A straight spine may begin or end with no speed; its direction is that of the rest.
-  if (v == glm::dvec2(0.0)) v = pen.velocity(0.5);
-  const double width = pen.width(t), rate = pen.rate(t), speed = norm(v);
-  const double lean = std::clamp(rate / speed, -1.0, 1.0);
+  const glm::dvec2 v = direction_at(pen, t);
+  const double width = pen.width(t), rate = pen.rate(t), speed = norm(v), lean = lean_at(pen, t);
   const glm::dvec2 ahead = v / speed;
   Rim rim;
   rim.normal = toward * std::sqrt((1.0 - lean) * (1.0 + lean)) * turned(ahead) - lean * ahead;

@@ -15,8 +15,11 @@
 namespace mien {
 namespace {
 
-/// [px] Thinner than this there is no stroke, and a bend this flat is none.
+/// [px] Thinner than this there is no stroke.
 constexpr double kThin = 1e-9;
+/// [px] A bend this flat is none, and a width that changes as little towards a turn rests: the lattice that
+/// vertices lie on, three times, below which rims come apart. A seventh of the finest tolerance.
+constexpr double kFlat = 3e-6;
 /// Parameters this close are one.
 constexpr double kSame = 1e-12;
 
@@ -54,8 +57,18 @@ double widest_on(const Pen& pen) {
 
 /// Around the disc at the pen's end from one rim to the other.
 void write_cap(OutlineLoop& loop, const Pen& pen, double t, glm::dvec2 from, glm::dvec2 to) {
-  const double lean = std::clamp(pen.rate(t) / norm(pen.velocity(t)), -1.0, 1.0);
+  const double lean = lean_at(pen, t);
   write_arc(loop, pen.center(t), pen.width(t), from, 2.0 * std::acos(t > 0.5 ? -lean : lean), to);
+}
+
+/// Where |w'| comes up to |B'| both rims end in one point, but for what t is off by: a tight bend of the
+/// spine makes much of that. The disc there fills the rest.
+void write_tip(OutlineLoop& loop, const Pen& pen, double t, double end, glm::dvec2 from,
+               glm::dvec2 to) {
+  const double lean = lean_at(pen, t);
+  const double turn = 2.0 * std::acos(std::abs(lean));
+  if (turn < 1.0)
+    write_arc(loop, pen.center(t), pen.width(t), from, lean * end < 0.0 ? turn : -turn, to);
 }
 
 /// The rims from t0 to t1, where |w'| <= |B'|, with a round end at 0 and at 1.
@@ -65,9 +78,11 @@ void write_open(OutlineLoop& loop, const Pen& pen, double t0, double t1) {
   loop.begin(right0.point);
   write_rim(loop, pen, -1.0, t0, t1);
   if (t1 == 1.0 && pen.width(1.0) > kThin) write_cap(loop, pen, 1.0, right1.normal, left1.point);
+  if (t1 < 1.0) write_tip(loop, pen, t1, 1.0, right1.normal, left1.point);
   loop.line(left1.point);
   write_rim(loop, pen, 1.0, t1, t0);
   if (t0 == 0.0 && pen.w > kThin) write_cap(loop, pen, 0.0, left0.normal, right0.point);
+  if (t0 > 0.0) write_tip(loop, pen, t0, -1.0, left0.normal, right0.point);
   loop.close();
 }
 
@@ -98,16 +113,31 @@ void write_capsule(OutlineLoop& loop, glm::dvec2 c0, double r0, glm::dvec2 c1, d
   write_open(loop, Pen({c0, 0.5 * (c0 + c1), c1}, r0, 0.5 * (r0 + r1), r1), 0.0, 1.0);
 }
 
-void write_stroke(OutlineLoop& loop, const Pen& pen) {
+namespace {
+
+/// Its spine, which is all but straight, made so.
+Pen straightened(Pen pen) {
+  const glm::dvec2 way = glm::normalize(norm(pen.a) > norm(pen.b) ? pen.a : pen.b);
+  pen.a = glm::dot(pen.a, way) * way, pen.b = glm::dot(pen.b, way) * way;
+  return pen;
+}
+
+}  // namespace
+
+void write_stroke(OutlineLoop& loop, const Pen& drawn) {
+  Pen pen = drawn;
   if (!(pen.widest() > kThin) || loop.beyond(pen.box())) return;
   Cuts cuts;
   if (std::min({pen.w, pen.w + pen.wa, pen.w + 2.0 * pen.wa + pen.wb}) < 0.0)
     cuts.add_roots(pen.wb, 2.0 * pen.wa, pen.w);
   const double size = std::max(norm(pen.a), norm(pen.b));
   if (size <= kThin) return write_disc(loop, pen.p, widest_on(pen));
-  const bool straight = std::abs(cross(pen.a, pen.b)) <= kThin * size;
-  const double turn = straight ? -glm::dot(pen.a, pen.b) / glm::dot(pen.b, pen.b) : -1.0;
-  const bool turns = turn > -kSame && turn < 1.0 + kSame;
+  const bool straight = std::abs(cross(pen.a, pen.b)) <= kFlat * size;
+  if (straight) pen = straightened(pen);
+  double turn = straight ? -glm::dot(pen.a, pen.b) / glm::dot(pen.b, pen.b) : -1.0;
+  constexpr double kNear = 1e-6;  // a spine that all but turns at its end does
+  const bool turns = turn > -kNear && turn < 1.0 + kNear;
+  turn = std::clamp(turn, 0.0, 1.0);
   if (turns) cuts.add(turn);
   cuts.end();
   for (int i = 1; i < cuts.count; ++i) {
@@ -116,7 +146,7 @@ void write_stroke(OutlineLoop& loop, const Pen& pen) {
     const Pen part = pen.part(t0, t1);
     const bool rests = turns && std::min(std::abs(t0 - turn), std::abs(t1 - turn)) <= kSame;
     // Towards a turn where the width rests too, spine and width are one function of t: a cone.
-    if (rests && std::abs(pen.rate(turn)) <= kThin) {
+    if (rests && std::abs(pen.rate(turn)) <= kFlat) {
       write_capsule(loop, part.p, part.w, part.center(1.0), part.width(1.0));
     } else {
       write_part(loop, part);

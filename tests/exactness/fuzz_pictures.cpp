@@ -63,9 +63,10 @@ int run(const Asked& asked) {
   }
   fmt::print(
       "{} {} to {}: {} pictures, {} pixels; {} over, worst {:.3f} of what is allowed; {} pictures "
-      "with doubts, {} pixels by distances, {} asked of the truth\n",
+      "with doubts, {} pixels by distances, {} asked of the truth, {} of "
+      "them disputed\n",
       asked.kind, asked.first, seed - 1, all.pictures, all.pixels, all.over, all.worst, all.doubted,
-      all.resolved, all.asked);
+      all.resolved, all.asked, all.disputed);
   return all.over ? 1 : 0;
 }
 

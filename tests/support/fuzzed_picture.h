@@ -19,7 +19,8 @@ struct FuzzTally {
   long doubted = 0;   ///< pictures in which some order was not proven
   long resolved = 0;  ///< pixels drawn by distances, therefore or for their paints
   long asked = 0;     ///< pixels that the truth was asked about
-  long over = 0;      ///< off by more than 1 of 255 or 32 of 65535
+  long disputed = 0;  ///< of those: off by the truth alone
+  long over = 0;      ///< off by more than 1 of 255 or 32 of 65535, by both
   double worst = 0;   ///< of those asked about, in shares of what is allowed
   std::string where;  ///< the last that is over
 };
