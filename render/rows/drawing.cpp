@@ -58,12 +58,16 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
   paints_.make(scene, view, depth);
   format_ = PixelFormat(depth, view.blend);
   make_outlines(scene, view, depth);
+  arrange();
+  made_ = true;
+}
+
+void Drawing::arrange() {
   looks_.begin(paints_);
   regions_.begin(int(paints_.programs.outlines().size()), looks_);
-  sweep_.run(outlines_, 0.0, view.height, regions_);
+  sweep_.run(outlines_, 0.0, height_, regions_);
   palette_.make(looks_, format_, regions_.look(0));
   sort_into_strips();
-  made_ = true;
 }
 
 void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {

@@ -70,6 +70,8 @@ class Drawing {
   Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
                    RenderStats& stats) const;
   bool is_of(const Scene& scene, const View& view, Depth depth) const;
+  friend class DrawingProbe;  // plants faults, in tests
+  void arrange();
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
 

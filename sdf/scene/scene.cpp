@@ -2,6 +2,7 @@
 #include <mien/sdf/scene/scene.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -39,6 +40,32 @@ Value fold(std::span<const Node> nodes, Area area, Leaf leaf, Inner inner) {
   return value[std::size_t(area.node)];
 }
 
+/// Whether all points and widths are numbers. The planes' and parabolas' may be without end.
+struct IsFinite {
+  bool of(double v) const { return std::isfinite(v); }
+  bool of(glm::dvec2 p) const { return of(p.x) && of(p.y); }
+  bool of(const QuadBezier& c) const { return of(c.p0) && of(c.p1) && of(c.p2); }
+  template <class List>
+  bool all(const List& list) const {
+    return std::ranges::all_of(list, [&](const auto& v) { return of(v); });
+  }
+  bool operator()(const Disc& s) const { return of(s.center) && of(s.radius); }
+  bool operator()(const CutDisc& s) const { return of(s.center) && of(s.radius); }
+  bool operator()(const Ellipse& s) const { return of(s.center) && of(s.radii) && of(s.axis); }
+  bool operator()(const Triangle& s) const { return of(s.a) && of(s.b) && of(s.c); }
+  bool operator()(const Line& s) const { return of(s.a) && of(s.b) && of(s.half_width); }
+  bool operator()(const Polyline& s) const { return all(s.points) && of(s.half_width); }
+  bool operator()(const QuadStroke& s) const { return of(s.spine) && of(s.half_width); }
+  bool operator()(const TaperedStroke& s) const { return of(s.spine) && all(s.half_width); }
+  bool operator()(const Path& s) const {
+    return std::ranges::all_of(s.loops, [&](const Path::Loop& l) { return all(l.sides); });
+  }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return true;
+  }
+};
+
 }  // namespace
 
 SceneBuilder::SceneBuilder(Canvas canvas, Color background) {
@@ -52,6 +79,7 @@ Area SceneBuilder::add(Node node) {
 }
 
 Area SceneBuilder::shape(Shape shape) {
+  if (!std::visit(IsFinite{}, shape)) shape = Path{};
   data_.shapes.push_back(std::move(shape));
   return add({.op = Op::shape, .a = int(data_.shapes.size()) - 1});
 }

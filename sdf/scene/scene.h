@@ -87,6 +87,7 @@ class MIEN_API SceneBuilder {
  public:
   SceneBuilder(Canvas canvas, Color background);
 
+  /// Nothing, if a point or a width of it is no finite number.
   Area shape(Shape shape);
   Area either(Area a, Area b);
   Area both(Area a, Area b);

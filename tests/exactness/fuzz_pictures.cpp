@@ -13,7 +13,7 @@ namespace mien::test {
 namespace {
 
 constexpr const char* kUse =
-    "mien_fuzz_pictures [--kind lattice|jittered|generic|painted] [--first N] [--count N]\n"
+    "mien_fuzz_pictures [--kind lattice|jittered|generic|huge|painted] [--first N] [--count N]\n"
     "                   [--seconds N]\n"
     "Draws scenes by their seeds at 24 and 32 px, 8 and 16 bits, in both blends: no pixel may be\n"
     "off by more than 1 of 255 or 32 of 65535. Names each scene in which one is; a run goes on\n"

@@ -8,6 +8,7 @@
 #include "tests/support/degenerate_scene.h"
 #include "tests/support/exact_compare.h"
 #include "tests/support/exact_truth.h"
+#include "tests/support/huge_scene.h"
 #include "tests/support/random_plain_scene.h"
 #include "tests/support/random_scene.h"
 
@@ -72,6 +73,8 @@ bool fuzzed_scene(std::string_view kind, std::uint64_t seed, Scene& scene) {
     scene = degenerate_scene(seed, kJitters[seed % 3]);
   else if (kind == "generic")
     scene = random_plain_scene(seed);
+  else if (kind == "huge")
+    scene = huge_scene(seed);
   else if (kind == "painted")
     scene = random_painted_scene(seed);
   else

@@ -10,8 +10,8 @@
 
 namespace mien::test {
 
-/// lattice, jittered (the same shaken by 1e-13, 1e-6 and 1e-3 in turn), generic, painted; false where
-/// there is no such kind.
+/// lattice, jittered (the same shaken by 1e-13, 1e-6 and 1e-3 in turn), generic, huge, painted;
+/// false where there is no such kind.
 bool fuzzed_scene(std::string_view kind, std::uint64_t seed, Scene& scene);
 
 struct FuzzTally {

@@ -4,12 +4,125 @@
 
 #include <mien/render/render.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "tests/support/random_scene.h"
 
 namespace mien {
+
+/// A picture whose outlines, areas or looks are not those of its scene.
+class DrawingProbe {
+ public:
+  DrawingProbe(const Scene& scene, const View& view) : view_(view) {
+    drawing_.make(scene, view, Depth::u16);
+  }
+
+  Outlines& outlines() { return drawing_.outlines_; }
+  /// Arranges the outlines as they are now.
+  void arrange() { drawing_.arrange(); }
+  /// The fragments' two sides changed for each other.
+  void turn_jumps() {
+    for (Rgba& jump : drawing_.jumps_) jump = Rgba{} - jump;
+  }
+
+  /// The most that a channel of a pixel is off by beside the reference, of 1.
+  double off(RenderStats& stats) {
+    std::vector<std::uint16_t> pixels(std::size_t(4 * view_.width * view_.height));
+    const RowTarget target{reinterpret_cast<std::byte*>(pixels.data()),
+                           std::size_t(8 * view_.width),
+                           {0, 0, view_.width, view_.height}};
+    StripScratch scratch;
+    for (int strip = 0; strip * Drawing::kRows < view_.height; ++strip)
+      drawing_.draw_strip(strip, target, scratch, stats);
+    drawing_.tell(stats);
+    SquareResolver resolver(drawing_.scene_, view_, drawing_.paints(), 0x1p-15);
+    double most = 0;
+    for (int y = 0; y < view_.height; ++y)
+      for (int x = 0; x < view_.width; ++x) {
+        const Mix mix = resolver.pixel(x, y).mix;
+        for (int k = 0; k < 4; ++k)
+          most = std::max(
+              most,
+              std::abs(mix[k] - pixels[std::size_t(4 * (y * view_.width + x) + k)] / 65535.0));
+      }
+    return most;
+  }
+
+ private:
+  View view_;
+  Drawing drawing_;
+};
+
 namespace {
+
+constexpr double kAllowed = 32.0 / 65535;
+
+/// Two squares beside each other in plain colours.
+Scene two_squares() {
+  SceneBuilder build({.box = {{0, 0}, {32, 32}}, .y_up = false}, {0, 0, 0, 1});
+  const auto square = [&](double left, double right, double middle) {
+    Path path;
+    const glm::dvec2 a{left, 2}, b{right, 2}, c{right, 30}, d{left, 30}, m{left, middle};
+    const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+    path.loops.push_back({{side(a, b), side(b, c), side(c, d), side(d, m), side(m, a)}});
+    return build.shape(path);
+  };
+  build.layer("left", square(2, 10, 16), {{1, 0.2, 0.1, 1}});
+  build.layer("right", square(12, 20, 6), {{0.1, 0.3, 1, 1}});
+  return std::move(build).finish();
+}
+
+const View kView{.width = 32, .height = 32, .blend = Blend::srgb, .dither = false};
+
+TEST(Drawing, IsWhatTheReferenceSays) {
+  RenderStats stats;
+  EXPECT_LT(DrawingProbe(two_squares(), kView).off(stats), kAllowed);
+  EXPECT_EQ(stats.doubts, 0);
+  EXPECT_EQ(stats.resolved_pixels, 0);
+}
+
+/// A side that jumps over another one, unknown to the vertices: so the order is wrong for most of its way.
+TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
+  DrawingProbe probe(two_squares(), kView);
+  for (OutlinePiece& p : probe.outlines().pieces)
+    if (p.outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
+  probe.arrange();
+  RenderStats stats;
+  EXPECT_LT(probe.off(stats), kAllowed);
+  EXPECT_GT(stats.doubts, 0);
+  EXPECT_GT(stats.resolved_pixels, 50);
+}
+
+TEST(Drawing, FaultsInWindingsAndJumpsAreSeen) {
+  const auto off_with = [](auto fault) {
+    DrawingProbe probe(two_squares(), kView);
+    for (OutlinePiece& p : probe.outlines().pieces)
+      if (p.outline == 0 && p.x0 == 10) fault(p);
+    probe.arrange();
+    RenderStats stats;
+    return probe.off(stats);
+  };
+  EXPECT_LT(off_with([](OutlinePiece&) {}), kAllowed);
+  EXPECT_GT(off_with([](OutlinePiece& p) { p.x0 += 0.002, p.ax -= 0.001; }), kAllowed);
+  EXPECT_GT(off_with([](OutlinePiece& p) { p.bx = 0.003, p.ax = -0.0015; }), 0.0);
+  SceneBuilder build({.box = {{0, 0}, {32, 32}}}, {0, 0, 0, 1});
+  const QuadBezier round[] = {{{4, 4}, {28, 4}, {28, 28}}, {{28, 28}, {4, 28}, {4, 4}}};
+  build.layer("twice", build.shape(Path{{{{round[0], round[1], round[0], round[1]}}}}),
+              {{1, 1, 1, 1}});
+  DrawingProbe wound(std::move(build).finish(), kView);
+  wound.outlines().rules[0] = FillRule::even_odd;
+  wound.arrange();
+  RenderStats of_wound;
+  EXPECT_GT(wound.off(of_wound), 0.1);
+  DrawingProbe turned(two_squares(), kView);
+  turned.turn_jumps();
+  RenderStats stats;
+  EXPECT_GT(turned.off(stats), 0.1);
+}
 
 TEST(Drawing, OfAPartIsThatPartOfTheWhole) {
   for (int seed = 1; seed <= 2; ++seed) {
