@@ -50,8 +50,6 @@ HWY_INLINE Spot SpotAt(const Seen& seen, size_t i, float y) {
                   hn::LoadU(f, seen.bend + i), hn::LoadU(f, seen.x + i), Const(y));
 }
 
-/// Gradients that agree so well seen from one block and from the next are of one branch.
-constexpr float kSameFoot = 0.02f;
 constexpr float kFarRidge = 1e9f;
 
 /// Whether some block's foot is of another branch than the one right of it or below it.
@@ -78,7 +76,7 @@ bool HasRidges(const LitTile& tile) {
       use[i] = k + i + size_t(kBlocks) < kCount ? 1.0f : 0.0f;
     look(k, k + size_t(kBlocks), 0.0f, 1.0f, hn::Load(f, use));
   }
-  return !hn::AllFalse(f, hn::Gt(most, Const(kSameFoot * kSameFoot)));
+  return !hn::AllFalse(f, hn::Gt(most, Const(tile.same * tile.same)));
 }
 
 /// A ridge so far beside a pixel does not touch it; one beyond `kClear` none of the middles around, nor their blocks.
@@ -92,7 +90,7 @@ void FindRidges(LitTile& tile, int row, const Seen (&around)[3][3], const float 
     Ridge ridge = NoRidge();
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
-        if (j != 1 || k != 1) Consider(here, SpotAt(around[j][k], i + 1, y[j]), kSameFoot, ridge);
+        if (j != 1 || k != 1) Consider(here, SpotAt(around[j][k], i + 1, y[j]), tile.same, ridge);
     const VF corner = hn::Mul(Const(0.5f), hn::Add(hn::Abs(ridge.ex), hn::Abs(ridge.ey)));
     const VF beside = hn::Sub(ridge.offset, corner);
     hn::StoreU(beside, f, &tile.ridge[size_t(row * kSide) + i]);
