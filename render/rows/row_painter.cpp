@@ -260,7 +260,7 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   }
   for (const int x : rough_) {
     if (looks_->dense(look)) refused_.push_back(x);
-    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr);
+    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, cell_side());
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }
 }
@@ -292,7 +292,7 @@ glm::vec4 RowPainter::part(const Open& o, int column, bool by_cells) {
   for (const auto& [look, stretch] : formed_)
     if (look == o.look) stretches_.push_back(stretch);
   const PartForm form{o.left, stretches_};
-  if (by_cells) return shader_.by_cells(o.look, column, y_, &form);
+  if (by_cells) return shader_.by_cells(o.look, column, y_, &form, cell_side());
   return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area, &form);
 }
 

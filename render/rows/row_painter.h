@@ -65,6 +65,7 @@ class RowPainter {
   void run_of(int look, int from, int until);
   void cell(int column);
   void take_shares(int column);
+  int cell_side() const { return format_->depth() == Depth::u8 ? 16 : 32; }
   Rgba parts(int column, bool by_cells);
   glm::vec4 part(const Open& open, int column, bool by_cells);
   int look_of_run(int column) const;

@@ -108,6 +108,8 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
   set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
   t.full = t.smooth = false;
+  constexpr double kSame = 0.02;  // per level of tolerance: a slope of that jump is worth as much
+  t.same = float(std::clamp(kSame * tolerance_, 0.002, 0.02));
   t.rises = !surface_.flat(t.zone);
   t.kind = t.rises || !t.lamp.domes.empty() ? LitTile::Kind::means : LitTile::Kind::base;
   if (t.kind == LitTile::Kind::base) return;
@@ -122,7 +124,12 @@ void LitPaint::make_smooth(LitTile& t, Scratch& scratch) const {
   constexpr double kShare = 0.5;  // of the tolerance: the border is where polynomials are worst
   SmoothPlaces& at = scratch.kept_->smooth;
   if (t.rises) t.feet.at(at.x, at.y, {at.d.data(), at.nx.data(), at.ny.data(), at.bend.data()});
-  t.smooth = smooth_means(at, float(kShare * tolerance_ / 255.0), t);
+  // A dome that is small for a tile may lie between its places.
+  constexpr float kSmall = 1.0f / 20;  // [1/px]
+  const bool small = std::ranges::any_of(t.lamp.domes, [](const LampDome& d) {
+    return d.xx * d.xx + d.xy * d.xy + d.yx * d.yx + d.yy * d.yy > 2.0f * kSmall * kSmall;
+  });
+  t.smooth = !small && smooth_means(at, float(kShare * tolerance_ / 255.0), t);
 }
 
 /// What pixels ask for that smooth means do not tell.
@@ -193,7 +200,7 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
     std::copy_n(&t.mean_r[from], n, r + i), std::copy_n(&t.mean_g[from], n, g + i);
     std::copy_n(&t.mean_b[from], n, b + i);
     for (int k = 0; k < n; ++k) {
-      if (t.trust[from + std::size_t(k)] == LitTile::Trust::around) continue;
+      if (t.trust[from + std::size_t(k)] <= LitTile::Trust::within) continue;
       const glm::vec3 mean = scratch.kept_->pixel.mean(place(t, x + i + k, y), nullptr);
       r[i + k] = mean.r, g[i + k] = mean.g, b[i + k] = mean.b;
     }
@@ -204,7 +211,11 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
 glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const {
   scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
-  if (sure_way()) return glm::vec4(part_mean(surface_, zone, {x, y}, form, tolerance_ / 255.0));
+  if (sure_way()) {
+    // Dark colours in linear light are encoded up to 12.92 times as steep.
+    const double steep = surface_.blend() == Blend::linear ? 6.0 : 1.0;
+    return glm::vec4(part_mean(surface_, zone, {x, y}, form, tolerance_ / 255.0 / steep));
+  }
   LitTile& t = tile(zone, x, y, scratch);
   if (t.kind == LitTile::Kind::base) return glm::vec4(base);
   make_full(t);

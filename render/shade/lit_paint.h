@@ -61,8 +61,8 @@ class LitPaint {
   /// The mean over a part of pixel (x, y) that lies in `zone`.
   glm::vec4 part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const;
 
-  /// Colours at the centroids of a pixel's cells, of a ramp under light; else `part` of all of them, the whole pixel
-  /// without a form.
+  /// Colours at the centroids of a pixel's cells, where the paint is a ramp under light; else the mean over the form, or
+  /// the whole pixel without one, for each of them.
   void colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
                        std::span<float> r, std::span<float> g, std::span<float> b,
                        std::span<float> a, Scratch& scratch) const;

@@ -19,12 +19,15 @@ float apart(const LitMean& a, const LitMean& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
+/// 16 × 16 cells are enough for three tenths of a level, seen of the worst ridges and tips.
+constexpr float kFine = 0.1f / 255;
+
 /// What a mean may be off in the blending space: dark colours in linear light are encoded steeply.
 float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
   if (!place.lamp->linear) return place.tolerance;
   const float dark = std::max(std::min({mean.r, mean.g, mean.b}), 0.0031308f);
-  constexpr float kTwice = 2.0f;  // as steep as that is taken as the rest is
-  return place.tolerance / std::max(0.44f * std::pow(dark, -0.5833f) / kTwice, 1.0f);
+  const float steep = 0.44f * std::pow(dark, -0.5833f);
+  return place.tolerance / std::max(place.tolerance < kFine ? steep : 0.5f * steep, 1.0f);
 }
 
 /// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
@@ -43,9 +46,6 @@ bool asks_for_finer(const LitPixel::Place& place, const LitMean& mean, const Lit
   return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn ||
          0.15f * mean.unsure > place.tolerance;
 }
-
-/// 16 × 16 cells are enough for three tenths of a level, seen of the worst ridges and tips.
-constexpr float kFine = 0.1f / 255;
 
 }  // namespace
 

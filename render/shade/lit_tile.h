@@ -29,6 +29,8 @@ struct LitTile {
   bool smooth = false;
   std::array<float, kPixels> smooth_r, smooth_g, smooth_b;  ///< means, where the tile is smooth
   float shallow, deep;
+  float same =
+      0.02f;  ///< gradients that agree so well seen from one block and from the next are of one branch
   LampLanes lamp;
   NearFeet feet;
 
@@ -41,6 +43,7 @@ struct LitTile {
   std::array<float, kPixels> mean_r, mean_g, mean_b;
   enum class Trust : std::uint8_t {
     around,  ///< the mean is right by the middles around
+    within,  ///< it is right by places within the pixel, all of which its middle's foot tells
     calm,    ///< it is not, but the foot at its middle tells all of the pixel's
     none     ///< there may be a ridge, or level lines are bent much
   };

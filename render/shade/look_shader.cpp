@@ -120,12 +120,11 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
   }
 }
 
-glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form) {
-  constexpr int kSide = 16;
+glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side) {
   if (form)
-    cells_of_form(*form, kSide, cells_);
+    cells_of_form(*form, side, cells_);
   else
-    whole_cells(kSide, cells_);
+    whole_cells(side, cells_);
   const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
   glm::vec4 sum{0.0f};
   float area = 0.0f;

@@ -36,8 +36,8 @@ class LookShader {
     return {c.r[0], c.g[0], c.b[0], c.a[0]};
   }
 
-  /// The mean over a pixel or a part of one by 16 × 16 cells: what centroids neglect falls by as much.
-  glm::vec4 by_cells(int look, int x, int y, const PartForm* form);
+  /// The mean over a pixel or a part of one by side × side cells: what centroids neglect falls by as much.
+  glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side);
 
  private:
   /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.

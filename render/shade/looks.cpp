@@ -332,17 +332,20 @@ double Looks::slope_of(const LookStep& step) const {
 
 /// Two paints over each other, the upper one's opacity varying: a twelfth of the product of both slopes.
 double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
-  constexpr double kLit = 0.3;  // [1/px] what light may add to a ramp's slope
-  double sum = 0.0, slopes = 0.0;
+  constexpr double kLit = 0.3;  // [1/px] what light may change by
+  double sum = 0.0, slopes = 0.0, lit = 0.0;
   for (const LookStep& step : steps) {
     if (step.kind != Kind::paint) continue;
     const TapePaint& paint = paints_->varied[std::size_t(step.varied)].paint;
     const bool dense = paints_->varied[std::size_t(step.varied)].dense;
     if (step.zone >= 0) {  // integrated, but for more stops than can be told apart
       sum += dense ? 0.01 : 0.0;
-      if (!paint.ramp || dense) continue;
-      sum += paint.field.per_pixel * std::abs(segment(step).slope.a) * slopes / 12;
-      slopes += slope_of(step) + kLit;
+      if (paint.ramp && !dense) {
+        const double opacity = paint.field.per_pixel * std::abs(segment(step).slope.a);
+        sum += opacity * (slopes + lit) / 12;
+        slopes += slope_of(step) + kLit;
+      }
+      lit += kLit;
       continue;
     }
     const double slope = slope_of(step);
