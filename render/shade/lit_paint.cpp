@@ -226,16 +226,16 @@ glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, Scratch& 
 }
 
 void LitPaint::colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
-                               std::span<float> r, std::span<float> g, std::span<float> b,
-                               std::span<float> a, Scratch& scratch) const {
+                               bool each, std::span<float> r, std::span<float> g,
+                               std::span<float> b, std::span<float> a, Scratch& scratch) const {
   const auto count = std::size_t(cells.count());
   glm::vec4 c{0.0f};
-  if (form && !sure_way())
+  if (form && !each)
     c = part(zone, x, y, *form, scratch);
-  else if (!sure_way())
+  else if (!each)
     pixels(zone, x, y, 1, &c.r, &c.g, &c.b, &c.a, scratch);
   for (std::size_t k = 0; k < count; ++k) {
-    if (sure_way()) {
+    if (each) {
       const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{cells.x[k], cells.y[k]};
       c = glm::vec4(surface_.color(zone, p, surface_.outward(p)));
     }

@@ -61,10 +61,10 @@ class LitPaint {
   /// The mean over a part of pixel (x, y) that lies in `zone`.
   glm::vec4 part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const;
 
-  /// Colours at the centroids of a pixel's cells, where the paint is a ramp under light; else the mean over the form, or
-  /// the whole pixel without one, for each of them.
+  /// Colours at the centroids of a pixel's cells, each looked at by itself; else the mean over the form, or the whole
+  /// pixel without one, for all of them.
   void colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
-                       std::span<float> r, std::span<float> g, std::span<float> b,
+                       bool each, std::span<float> r, std::span<float> g, std::span<float> b,
                        std::span<float> a, Scratch& scratch) const;
 
   /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.

@@ -125,6 +125,11 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
     cells_of_form(*form, side, cells_);
   else
     whole_cells(side, cells_);
+  // Under a ramp whose opacity varies what lies below counts by place.
+  each_ = std::ranges::any_of(looks_->steps(look), [&](const LookStep& step) {
+    return step.kind == Kind::paint && step.zone >= 0 &&
+           looks_->paints().varied[std::size_t(step.varied)].paint.ramp;
+  });
   const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
   glm::vec4 sum{0.0f};
   float area = 0.0f;
@@ -141,7 +146,7 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
   lit_.room_for(std::size_t(at.count));
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
   if (at.cells) {
-    lit.colors_of_cells(step.zone, x, y, *at.cells, at.form, lit_.r, lit_.g, lit_.b, lit_.a,
+    lit.colors_of_cells(step.zone, x, y, *at.cells, at.form, each_, lit_.r, lit_.g, lit_.b, lit_.a,
                         lit_scratch_);
   } else if (at.form) {
     const glm::vec4 c = lit.part(step.zone, x, y, *at.form, lit_scratch_);

@@ -59,6 +59,7 @@ class LookShader {
   std::vector<float> t_;
   ColorRow lit_;
   PartCells cells_;
+  bool each_ = false;  ///< cells of lit paints are looked at one by one
   LitPaint::Scratch lit_scratch_;
 };
 
