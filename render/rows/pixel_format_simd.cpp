@@ -16,13 +16,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 using U = hn::RebindToUnsigned<F>;
 using VU = hn::Vec<U>;
 
-/// Encoded values in [0, 1] to linear light, within 1e-6.
-HWY_INLINE VF LightOf(VF v) {
-  const VF base = hn::Mul(hn::Add(v, Const(0.055f)), Const(1.0f / 1.055f));
-  const VF power = Exp2(hn::Mul(Const(2.4f), Log2(hn::Max(base, Const(0.05f)))));
-  return hn::IfThenElse(hn::Le(v, Const(0.04045f)), hn::Mul(v, Const(1.0f / 12.92f)), power);
-}
-
 HWY_INLINE VF Held(VF v) {
   return hn::Min(hn::Max(v, hn::Zero(F())), Const(1.0f));
 }

@@ -63,6 +63,44 @@ struct LitColor {
   VF r, g, b;
 };
 
+/// Encoded values in [0, 1] to linear light, within 1e-6.
+HWY_INLINE VF LightOf(VF v) {
+  const VF base = hn::Mul(hn::Add(v, Const(0.055f)), Const(1.0f / 1.055f));
+  const VF power = Exp2(hn::Mul(Const(2.4f), Log2(hn::Max(base, Const(0.05f)))));
+  return hn::IfThenElse(hn::Le(v, Const(0.04045f)), hn::Mul(v, Const(1.0f / 12.92f)), power);
+}
+
+/// A base colour, straight, in linear light, and its opacity.
+struct LitBase {
+  VF r, g, b, a;
+};
+
+HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y) {
+  const LampRamp& ramp = lamp.ramp;
+  if (ramp.kind == LampRamp::Kind::none)
+    return {Const(lamp.light[0]), Const(lamp.light[1]), Const(lamp.light[2]), Const(lamp.alpha)};
+  VF t = Fused(x, Const(ramp.xx), Fused(y, Const(ramp.xy), Const(ramp.x)));
+  if (ramp.kind == LampRamp::Kind::radial) {
+    const VF px = hn::Sub(x, Const(ramp.x)), py = hn::Sub(y, Const(ramp.y));
+    const VF u = Fused(px, Const(ramp.xx), hn::Mul(py, Const(ramp.xy)));
+    const VF v = Fused(px, Const(ramp.yx), hn::Mul(py, Const(ramp.yy)));
+    t = hn::Sqrt(Fused(u, u, hn::Mul(v, v)));
+  }
+  LitBase c{Const(ramp.first[0]), Const(ramp.first[1]), Const(ramp.first[2]), Const(ramp.first[3])};
+  for (const LampRamp::Stretch& s : ramp.stretches) {
+    const VF way = hn::Mul(hn::Sub(t, Const(s.at)), Const(s.over));
+    const VF in = hn::Min(hn::Max(way, hn::Zero(F())), Const(1.0f));
+    c.r = Fused(in, Const(s.change[0]), c.r), c.g = Fused(in, Const(s.change[1]), c.g);
+    c.b = Fused(in, Const(s.change[2]), c.b), c.a = Fused(in, Const(s.change[3]), c.a);
+  }
+  const VF up = hn::Div(Const(1.0f), hn::Max(c.a, Const(1e-5f)));  // less shows nowhere
+  const auto light = [&](VF v) HWY_ATTR {
+    const VF straight = hn::Min(hn::Mul(up, v), Const(1.0f));
+    return lamp.linear ? straight : LightOf(straight);
+  };
+  return {light(c.r), light(c.g), light(c.b), hn::Max(c.a, hn::Zero(F()))};
+}
+
 /// The profile's rise per pixel at a depth inside its zone, or not far beyond.
 HWY_INLINE VF RiseAt(const LampLanes& lamp, VF depth) {
   if (lamp.rise_kind != LampLanes::Rise::round) return Const(lamp.rise);
@@ -105,12 +143,13 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
     const VF over = hn::Sub(Exp2(power), Const(lamp.level_shine));
     shine = hn::Mul(hn::Max(over, hn::Zero(f)), Const(lamp.shine));
   }
-  const auto channel = [&](float light) HWY_ATTR {
-    const VF bright = Fused(Const(light), diffuse, shine);
+  const LitBase base = BaseAt(lamp, x, y);
+  const auto channel = [&](VF light) HWY_ATTR {
+    const VF bright = Fused(light, diffuse, shine);
     const VF held = hn::Min(hn::Max(bright, hn::Zero(f)), Const(1.0f));
-    return hn::Mul(Const(lamp.alpha), lamp.linear ? held : EncodedLight(held));
+    return hn::Mul(base.a, lamp.linear ? held : EncodedLight(held));
   };
-  return {channel(lamp.light[0]), channel(lamp.light[1]), channel(lamp.light[2])};
+  return {channel(base.r), channel(base.g), channel(base.b)};
 }
 
 }  // namespace HWY_NAMESPACE

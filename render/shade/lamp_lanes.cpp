@@ -11,7 +11,43 @@ std::array<float, 3> flipped(const glm::dvec3& v) {
   return {float(v.x), float(-v.y), float(v.z)};
 }
 
+void set_ramp(const TapePaint& paint, glm::dvec2 middle, LampRamp& to) {
+  to.kind = LampRamp::Kind::none;
+  if (!paint.ramp) return;
+  const PaintField& f = paint.field;
+  const bool linear = f.kind == PaintField::Kind::linear;
+  to.kind = linear ? LampRamp::Kind::linear : LampRamp::Kind::radial;
+  if (linear) {
+    to.x = float(f.at(middle, 0.0)), to.xx = float(f.across.x), to.xy = float(f.across.y);
+  } else {
+    to.x = float(f.center.x - middle.x), to.y = float(f.center.y - middle.y);
+    to.xx = float(f.unit[0][0]), to.xy = float(f.unit[1][0]);
+    to.yx = float(f.unit[0][1]), to.yy = float(f.unit[1][1]);
+  }
+  const auto& at = paint.ramp->at();
+  const auto& mixes = paint.ramp->mixes();
+  to.stretches.clear();
+  for (int c = 0; c < 4; ++c) to.first[std::size_t(c)] = float(mixes[0][c]);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    LampRamp::Stretch s{float(at[i]), float(1.0 / (at[i + 1] - at[i])), {}};
+    for (int c = 0; c < 4; ++c) s.change[std::size_t(c)] = float(mixes[i + 1][c] - mixes[i][c]);
+    to.stretches.push_back(s);
+  }
+}
+
 }  // namespace
+
+bool lanes_know(const TapePaint& paint) {
+  if (!paint.ramp) return true;
+  constexpr std::size_t kFew = 12;
+  constexpr double kLeast = 1e-4;  // of a stretch: floats know no shorter one
+  const Ramp& ramp = *paint.ramp;
+  if (paint.field.kind == PaintField::Kind::distance || ramp.extend() != Extend::pad) return false;
+  if (ramp.jumps() || ramp.at().empty() || ramp.at().size() > kFew) return false;
+  for (std::size_t i = 0; i + 1 < ramp.at().size(); ++i)
+    if (!(ramp.at()[i + 1] - ramp.at()[i] > kLeast)) return false;
+  return true;
+}
 
 void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius,
               LampLanes& to) {
@@ -29,6 +65,7 @@ void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double rad
     to.light[i] = float(to.linear ? v : linear_from_srgb(v));
   }
   to.alpha = float(c.a);
+  set_ramp(surface.paint(), middle - surface.center(), to.ramp);
   to.to_lamp = flipped(r.lamp.to_lamp()), to.halfway = flipped(r.lamp.halfway());
   to.ambient = float(r.lamp.ambient());
   to.diffuse = float((1.0 - r.lamp.ambient()) / r.lamp.to_lamp().z);

@@ -78,7 +78,10 @@ LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 
 LitPaint::LitPaint(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
                    glm::dvec2 center, double tolerance)
-    : surface_(paint, distances, blend, center), tolerance_(tolerance), id_(next_id()) {
+    : surface_(paint, distances, blend, center),
+      tolerance_(tolerance),
+      in_lanes_(lanes_know(paint)),
+      id_(next_id()) {
   if (surface_.area()) area_ = FeetArea(*surface_.area(), center);
   if (surface_.gradient_area()) gradient_area_ = FeetArea(*surface_.gradient_area(), center);
 }
@@ -111,7 +114,8 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   constexpr double kSame = 0.02;  // per level of tolerance: a slope of that jump is worth as much
   t.same = float(std::clamp(kSame * tolerance_, 0.002, 0.02));
   t.rises = !surface_.flat(t.zone);
-  t.kind = t.rises || !t.lamp.domes.empty() ? LitTile::Kind::means : LitTile::Kind::base;
+  const bool varies = t.rises || !t.lamp.domes.empty() || t.lamp.ramp.kind != LampRamp::Kind::none;
+  t.kind = varies ? LitTile::Kind::means : LitTile::Kind::base;
   if (t.kind == LitTile::Kind::base) return;
   const auto levels = surface_.levels();
   t.shallow = t.zone > 0 ? float(-levels[std::size_t(t.zone) - 1]) : -1e9f;
@@ -178,7 +182,7 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
     }
     return;
   }
-  std::fill_n(a, count, float(base.a));
+  for (int i = 0; i < count; ++i) a[i] = opacity({x + i + 0.5, y + 0.5}, 1.0 / 12);
   for (int i = 0; i < count;) {
     LitTile& t = tile(zone, x + i, y, scratch);
     const int column = x + i - t.x, row = y - t.y;
@@ -208,7 +212,17 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
   }
 }
 
-glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const {
+/// A ramp's kinks are outlines: over a part of a pixel its opacity is that of the mean t.
+float LitPaint::opacity(glm::dvec2 centroid, double variance) const {
+  const TapePaint& paint = surface_.paint();
+  if (!paint.ramp) return float(paint.color.a);
+  const Ramp& ramp = *paint.ramp;
+  if (ramp.least_opacity() == ramp.most_opacity()) return float(ramp.least_opacity());
+  return float(ramp.color(paint.field.mean(centroid - surface_.center(), variance)).a);
+}
+
+glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, glm::dvec2 centroid,
+                         double area, Scratch& scratch) const {
   scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
   if (sure_way()) {
@@ -219,10 +233,11 @@ glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, Scratch& 
   LitTile& t = tile(zone, x, y, scratch);
   if (t.kind == LitTile::Kind::base) return glm::vec4(base);
   make_full(t);
+  const float opacity = this->opacity(centroid, area / 12);
   const int column = x - t.x, row = y - t.y;
   if (t.trust[std::size_t(row * LitTile::kSide + column)] == LitTile::Trust::around)
-    return {smooth_part(t, column, row, form), float(base.a)};
-  return {scratch.kept_->pixel.mean(place(t, x, y), &form), float(base.a)};
+    return {smooth_part(t, column, row, form), opacity};
+  return {scratch.kept_->pixel.mean(place(t, x, y), &form), opacity};
 }
 
 void LitPaint::colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
@@ -231,7 +246,7 @@ void LitPaint::colors_of_cells(int zone, int x, int y, const PartCells& cells, c
   const auto count = std::size_t(cells.count());
   glm::vec4 c{0.0f};
   if (form && !each)
-    c = part(zone, x, y, *form, scratch);
+    c = part(zone, x, y, *form, {x + 0.5, y + 0.5}, 1.0, scratch);  // no ramp: of one opacity
   else if (!each)
     pixels(zone, x, y, 1, &c.r, &c.g, &c.b, &c.a, scratch);
   for (std::size_t k = 0; k < count; ++k) {

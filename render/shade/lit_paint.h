@@ -3,7 +3,7 @@
 //
 //   LitPaint head(paint, tape.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
 //   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
-//   glm::vec4 edge = head.part(1, x, y, form, scratch);
+//   glm::vec4 edge = head.part(1, x, y, form, centroid, area, scratch);
 //
 // Every answer depends on the paint and the pixel alone: not on what was asked before, nor on
 // scratch, region or thread.
@@ -58,8 +58,9 @@ class LitPaint {
   void pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,
               Scratch& scratch) const;
 
-  /// The mean over a part of pixel (x, y) that lies in `zone`.
-  glm::vec4 part(int zone, int x, int y, const PartForm& form, Scratch& scratch) const;
+  /// The mean over a part of pixel (x, y) that lies in `zone`, with its centroid and area.
+  glm::vec4 part(int zone, int x, int y, const PartForm& form, glm::dvec2 centroid, double area,
+                 Scratch& scratch) const;
 
   /// Colours at the centroids of a pixel's cells, each looked at by itself; else the mean over the form, or the whole
   /// pixel without one, for all of them.
@@ -83,11 +84,13 @@ class LitPaint {
   void make_smooth(LitTile& tile, Scratch& scratch) const;
   void make_distances(LitTile& tile) const;
   LitPixel::Place place(LitTile& tile, int x, int y) const;
-  bool sure_way() const { return bool(surface_.paint().ramp); }
+  bool sure_way() const { return !in_lanes_; }
+  float opacity(glm::dvec2 centroid, double variance) const;
 
   LitSurface surface_;
   FeetArea area_, gradient_area_;
   double tolerance_;
+  bool in_lanes_;
   std::uint64_t id_;  ///< of this paint and no other, ever
 };
 

@@ -192,17 +192,16 @@ void MeansWithin(LitTile& tile, int row, float levels) {
           spot = SeenFrom(hn::LoadU(f, &tile.d[at]), hn::LoadU(f, &tile.nx[at]),
                           hn::LoadU(f, &tile.ny[at]), hn::LoadU(f, &tile.bend[at]), Const(dx),
                           Const(dy));
-        const LitColor c = LitAt(tile.lamp, hn::Neg(spot.d), spot.nx, spot.ny,
-                                 hn::Add(hn::Load(f, steps + i), Const(dx)),
-                                 Const(float(row) - 7.5f + dy));
+        const LitColor c =
+            LitAt(tile.lamp, hn::Neg(spot.d), spot.nx, spot.ny,
+                  hn::Add(hn::Load(f, steps + i), Const(dx)), Const(float(row) - 7.5f + dy));
         r = hn::Add(r, c.r), g = hn::Add(g, c.g), b = hn::Add(b, c.b);
       }
     HWY_ALIGN float apart[hn::MaxLanes(F())], mean[3][hn::MaxLanes(F())];
     const VF quarter = Const(0.25f);
     r = hn::Mul(r, quarter), g = hn::Mul(g, quarter), b = hn::Mul(b, quarter);
-    const auto off = [&](VF v, const float* by_middles) HWY_ATTR {
-      return hn::Abs(hn::Sub(v, hn::LoadU(f, by_middles + to)));
-    };
+    const auto off = [&](VF v, const float* by_middles)
+                         HWY_ATTR { return hn::Abs(hn::Sub(v, hn::LoadU(f, by_middles + to))); };
     hn::Store(hn::Max(off(r, tile.mean_r.data()),
                       hn::Max(off(g, tile.mean_g.data()), off(b, tile.mean_b.data()))),
               f, apart);

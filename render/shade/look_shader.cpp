@@ -149,7 +149,7 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
     lit.colors_of_cells(step.zone, x, y, *at.cells, at.form, each_, lit_.r, lit_.g, lit_.b, lit_.a,
                         lit_scratch_);
   } else if (at.form) {
-    const glm::vec4 c = lit.part(step.zone, x, y, *at.form, lit_scratch_);
+    const glm::vec4 c = lit.part(step.zone, x, y, *at.form, at.first, at.area, lit_scratch_);
     lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
   } else {
     lit.pixels(step.zone, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),

@@ -18,6 +18,14 @@ double PaintField::at(glm::dvec2 p, double d) const {
   return 0.0;
 }
 
+double PaintField::mean(glm::dvec2 p, double variance) const {
+  if (kind != Kind::radial) return at(p, 0.0);
+  const glm::dvec2 q = unit * (p - center), gradient = glm::transpose(unit) * q;
+  const double tt = glm::dot(q, q), trace = glm::dot(unit[0], unit[0]) + glm::dot(unit[1], unit[1]);
+  const double bends = trace - glm::dot(gradient, gradient) / std::max(tt, 1e-30);
+  return std::sqrt(std::max(tt + variance * bends, 0.0));
+}
+
 double TapeRelief::rise(double inside) const {
   // A hundredth of a pixel beyond the outline still counts as the outline: what is painted there is
   // inside, and only the local form of its distance says otherwise.

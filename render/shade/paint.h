@@ -28,6 +28,8 @@ struct PaintField {
 
   /// t of a point; for Kind::distance give the distance there.
   double at(glm::dvec2 p, double d) const;
+  /// Its mean over something of that variance along both axes around p; of linear and radial ones, to second order.
+  double mean(glm::dvec2 p, double variance) const;
 };
 
 /// A surface over a layer, in pixels.

@@ -28,6 +28,17 @@ Mix light_at(const LampLanes& lamp, int zone, const LitSurface& surface, glm::dv
   return {mean.r, mean.g, mean.b, surface.paint().color.a};
 }
 
+/// Gives a paint a ramp of three stops, from a centre or along a line.
+void under_ramp(TapePaint& paint, bool radial, Blend blend) {
+  const std::vector<Stop> stops{
+      {0.1, {0.9, 0.2, 0.3, 1}}, {0.5, {0.1, 0.4, 0.02, 1}}, {0.9, {1, 1, 1, 0.3}}};
+  paint.ramp.emplace(Gradient{.along = LinearGradient{}, .stops = stops}, 0.75, blend);
+  paint.field.kind = radial ? PaintField::Kind::radial : PaintField::Kind::linear;
+  paint.field.center = {30, 35}, paint.field.unit = {0.04, 0.01, -0.01, 0.03};
+  paint.field.across = {0.02, 0.01}, paint.field.shift = -0.3;
+  ASSERT_TRUE(lanes_know(paint));
+}
+
 /// Every lane says what LitSurface does, on every instruction set.
 TEST(LampLanes, AreTheTwinOfTheSurface) {
   test::on_every_set([] {
@@ -35,8 +46,8 @@ TEST(LampLanes, AreTheTwinOfTheSurface) {
     LitCells cells;
     for (int k = 0; k < 160; ++k) {
       const Blend blend = k % 3 ? Blend::srgb : Blend::linear;
-      const auto scene =
-          test::random_lit(random, k % test::kLitShapes, 40, Profile(1 + k % 3), blend);
+      auto scene = test::random_lit(random, k % test::kLitShapes, 40, Profile(1 + k % 3), blend);
+      if (k % 4 == 1) under_ramp(scene.paint, k % 8 == 1, blend);
       const LitSurface surface(scene.paint, scene.distances, blend, {0, 0});
       const glm::dvec2 p = random.point(24, 40), middle{32, 32};
       const Outward at = surface.outward(p);
