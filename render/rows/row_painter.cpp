@@ -42,19 +42,24 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
   if (bytes_ != format.bytes()) columns_.clear();  // room is made anew
   bytes_ = format.bytes();
   shader_.begin(looks);
-  allowed_ = format.depth() == Depth::u8 ? 0.4 / 255 : 8.0 / 65535;
+  allowed_ = format.depth() == Depth::u8 ? 0.2 / 255 : 4.0 / 65535;
   // A twentieth of what is allowed where colours are encoded the steepest.
   least_ = note_ ? 0.0 : 0.05 * allowed_ / (format.blend() == Blend::linear ? 12.92 : 1.0);
   thresholds_.fill(0.5f);
 }
 
-/// Whether what is neglected shows: it counts by how steeply the colour is encoded.
-bool RowPainter::too_rough(double neglected, const Rgba& mix, int column) const {
-  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed_)
-    return false;
+/// Into how many cells each way a pixel must be seen, so that what is neglected does not show; 0: it need not. It
+/// counts by how steeply the colour is encoded, and falls as the square of the cells' side.
+int RowPainter::cells_for(double neglected, const Rgba& mix, int column) const {
+  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed_) return 0;
   const double off = neglected * format_->steepness(mix);
   if (note_) note_(column, y_, float(255.0 * std::min(off, allowed_)));
-  return off > allowed_;
+  if (off <= allowed_) return 0;
+  const double share = format_->depth() == Depth::u8 ? 0.5 : 0.2;  // of what may be
+  const int most = format_->depth() == Depth::u8 ? 16 : 32;
+  int side = 4;
+  while (side < most && off > share * allowed_ * side * side) side *= 2;
+  return side;
 }
 
 void RowPainter::set_thresholds() {
@@ -255,12 +260,12 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
     const auto k = std::size_t(i);
     const double near =
         tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false, least_) : 0.0;
-    if (too_rough(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i))
-      rough_.push_back(from + i);
+    if (const int side = cells_for(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i))
+      rough_.push_back({from + i, side});
   }
-  for (const int x : rough_) {
+  for (const auto& [x, side] : rough_) {
     if (looks_->dense(look)) refused_.push_back(x);
-    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, cell_side());
+    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side);
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }
 }
@@ -281,7 +286,7 @@ void RowPainter::take_shares(int column) {
 }
 
 /// The mean over what a look takes of the pixel.
-glm::vec4 RowPainter::part(const Open& o, int column, bool by_cells) {
+glm::vec4 RowPainter::part(const Open& o, int column, int side) {
   const float up = 1.0f / o.area;
   const float x = std::clamp(o.mx * up, -0.4999f, 0.4999f),
               y = std::clamp(o.my * up, -0.4999f, 0.4999f);
@@ -292,15 +297,15 @@ glm::vec4 RowPainter::part(const Open& o, int column, bool by_cells) {
   for (const auto& [look, stretch] : formed_)
     if (look == o.look) stretches_.push_back(stretch);
   const PartForm form{o.left, stretches_};
-  if (by_cells) return shader_.by_cells(o.look, column, y_, &form, cell_side());
+  if (side > 0) return shader_.by_cells(o.look, column, y_, &form, side);
   return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area, &form);
 }
 
-Rgba RowPainter::parts(int column, bool by_cells) {
+Rgba RowPainter::parts(int column, int side) {
   Rgba mix = sum_;
   for (const Open& o : open_) {
     if (std::abs(o.area) < kNoArea) continue;
-    const glm::vec4 c = part(o, column, by_cells);
+    const glm::vec4 c = part(o, column, side);
     mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
   }
   return mix;
@@ -310,7 +315,7 @@ void RowPainter::cell(int column) {
   if (column < x0_ || column >= x1_) return;
   ++stats_->edge_pixels;
   if (open_.empty()) return keep_cell(sum_, 0.5f, column);
-  Rgba mix = parts(column, false);
+  Rgba mix = parts(column, 0);
   double neglected = 0.0;
   bool varies = false, dense = false;
   for (const Open& o : open_) {
@@ -320,9 +325,9 @@ void RowPainter::cell(int column) {
                   looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true, least_));
     varies = true, dense = dense || looks_->dense(o.look);
   }
-  if (neglected > 0.0 && too_rough(neglected, mix, column)) {
+  if (const int side = neglected > 0.0 ? cells_for(neglected, mix, column) : 0) {
     if (dense) refused_.push_back(column);
-    mix = parts(column, true);
+    mix = parts(column, side);
   }
   keep_cell(mix, varies ? threshold(column) : 0.5f, column);
 }

@@ -65,9 +65,8 @@ class RowPainter {
   void run_of(int look, int from, int until);
   void cell(int column);
   void take_shares(int column);
-  int cell_side() const { return format_->depth() == Depth::u8 ? 16 : 32; }
-  Rgba parts(int column, bool by_cells);
-  glm::vec4 part(const Open& open, int column, bool by_cells);
+  Rgba parts(int column, int side);
+  glm::vec4 part(const Open& open, int column, int side);
   int look_of_run(int column) const;
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
@@ -77,7 +76,7 @@ class RowPainter {
   void set_thresholds();
   void room_for(std::size_t cells);
   float threshold(int column) const { return thresholds_[std::size_t(column % kBlock)]; }
-  bool too_rough(double neglected, const Rgba& mix, int column) const;
+  int cells_for(double neglected, const Rgba& mix, int column) const;
 
   const Palette* palette_ = nullptr;
   const Looks* looks_ = nullptr;
@@ -103,9 +102,10 @@ class RowPainter {
     int look;
     PartStretch stretch;
   };
-  std::vector<Formed> formed_;          ///< stretches in the pixel at hand
-  std::vector<PartStretch> stretches_;  ///< those of one look
-  std::vector<int> rough_, refused_;
+  std::vector<Formed> formed_;              ///< stretches in the pixel at hand
+  std::vector<PartStretch> stretches_;      ///< those of one look
+  std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
+  std::vector<int> refused_;
   ColorRow cells_;  ///< mixed, to be put together, after the runs
   std::vector<int> columns_;
   int kept_ = 0;
