@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-constexpr int kNarrowest = 16;    // [px] of a window: a dither's period and half a strip's height
+constexpr int kNarrowest = 16;    // [px] of a window: a multiple of a dither's period
 constexpr std::size_t kFew = 24;  // layers: fewer are not worth another window
 constexpr double kBeyond = 2.0;   // [px] around a window that its outlines may see
 
