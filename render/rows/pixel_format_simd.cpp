@@ -3,8 +3,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mien/render/rows/pixel_format_simd.cpp"
 #include <hwy/foreach_target.h>
+#include <mien/render/blend/transfer-inl.h>
 #include <mien/render/rows/pixel_format.h>
-#include <mien/render/shade/lamp_lanes-inl.h>
 
 #include <cstring>
 

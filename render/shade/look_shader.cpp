@@ -113,10 +113,7 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
   const double variance = double(at.cells->cell() * at.cells->cell()) / 12;
   for (std::size_t k = 0; k < std::size_t(at.count); ++k) {
     const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{at.cells->x[k], at.cells->y[k]};
-    if (field.kind == PaintField::Kind::linear)
-      t[k] = float(field.at(p, 0.0));
-    else
-      along(field, p.x, p.y, 0, 1, variance, t + k);
+    t[k] = float(field.mean(p, variance));
   }
 }
 
