@@ -44,6 +44,19 @@ Mix Ramp::color(double t) const {
   return mix_[i - 1] + u * (mix_[i] - mix_[i - 1]);
 }
 
+double Ramp::steepest() const {
+  double most = 0.0;
+  for (std::size_t i = 1; i < at_.size(); ++i) {
+    const Mix by = mix_[i] - mix_[i - 1];
+    const double length = at_[i] - at_[i - 1];
+    if (length > 0.0)
+      most = std::max(
+          most,
+          std::max({std::abs(by.r), std::abs(by.g), std::abs(by.b), std::abs(by.a)}) / length);
+  }
+  return most;
+}
+
 /// The stops of one run of the ramp that begins at `begin`.
 void Ramp::add_kinks(double begin, bool backward, double lo, double hi,
                      std::vector<double>& kinks) const {

@@ -29,6 +29,9 @@ class Ramp {
   double least_opacity() const { return least_opacity_; }
   double most_opacity() const { return most_opacity_; }
 
+  /// The most that a channel changes by per t between two stops.
+  double steepest() const;
+
   /// Writes the places between lo and hi where the colour has a kink or a jump, rising; false where
   /// there are more than `most` (then none).
   bool kinks(double lo, double hi, int most, std::vector<double>& to) const;

@@ -83,7 +83,13 @@ LitPaint::LitPaint(const TapePaint& paint, std::span<const AreaDistance> distanc
       in_lanes_(lanes_know(paint)),
       id_(next_id()) {
   if (surface_.area()) area_ = FeetArea(*surface_.area(), center);
-  if (surface_.gradient_area()) gradient_area_ = FeetArea(*surface_.gradient_area(), center);
+  if (surface_.gradient_area()) {
+    gradient_area_ = FeetArea(*surface_.gradient_area(), center);
+    // Dark colours in linear light are encoded up to 12.92 times as steep.
+    const double steep = blend == Blend::linear ? 6.0 : 1.0;
+    const double slope = steep * paint.ramp->steepest() * paint.field.per_pixel;
+    distance_tolerance_ = tolerance / 255.0 / std::max(slope, 1e-3);
+  }
 }
 
 bool LitPaint::level(int zone) const {
@@ -168,7 +174,7 @@ LitPixel::Place LitPaint::place(LitTile& t, int x, int y) const {
           t.middle(column, row),
           foot,
           !t.rises || t.trust[k] != LitTile::Trust::none,
-          float(tolerance_ / 255.0)};
+          float(t.kind == LitTile::Kind::distances ? distance_tolerance_ : tolerance_ / 255.0)};
 }
 
 void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,

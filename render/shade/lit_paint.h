@@ -89,7 +89,7 @@ class LitPaint {
 
   LitSurface surface_;
   FeetArea area_, gradient_area_;
-  double tolerance_;
+  double tolerance_, distance_tolerance_ = 0;  ///< the latter in px
   bool in_lanes_;
   std::uint64_t id_;  ///< of this paint and no other, ever
 };

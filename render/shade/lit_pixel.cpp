@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -86,30 +87,36 @@ glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
   return {mean.r, mean.g, mean.b};
 }
 
-float LitPixel::distance(const Place& place, const PartForm* form) {
-  see(place, form, 4);
+float LitPixel::distance_by(const Place& place, const PartForm* form, int side) {
+  see(place, form, side);
   float sum = 0.0f, area = 0.0f;
   const float cell = parts_.cell(), spread = cell * cell / 24;
-  for (std::size_t k = 0; k < std::size_t(parts_.count()); ++k) {
-    const float a = parts_.area[k];
+  for (int k = 0; k < parts_.count(); ++k) {
+    const auto own = std::size_t(k);
+    const float a = parts_.area[own];
     if (a == 0.0f) continue;
-    float d = 0.0f;
-    if (place.calm) {
-      const FootAt& f = place.foot;
-      const float out = f.nx * parts_.x[k] + f.ny * parts_.y[k],
-                  aside = f.nx * parts_.y[k] - f.ny * parts_.x[k];
-      d = f.d + out + f.bend * (0.5f * aside * aside + spread);
-    } else {
-      const std::size_t at = (k / 4 + 1) * 6 + k % 4 + 1;
-      const float x = parts_.x[k] + place.at.x - cells_.mid_x[at],
-                  y = parts_.y[k] + place.at.y - cells_.mid_y[at];
-      const float aside = cells_.nx[at] * y - cells_.ny[at] * x;
-      d = cells_.d[at] + cells_.nx[at] * x + cells_.ny[at] * y +
-          cells_.bend[at] * (0.5f * aside * aside + spread);
+    FootAt f = place.foot;
+    float x = parts_.x[own], y = parts_.y[own];
+    if (!place.calm) {
+      const auto at = std::size_t((k / side + 1) * cells_.row + k % side + 1);
+      f = {cells_.d[at], cells_.nx[at], cells_.ny[at], cells_.bend[at]};
+      x += place.at.x - cells_.mid_x[at], y += place.at.y - cells_.mid_y[at];
     }
-    sum += a * d, area += a;
+    const float aside = f.nx * y - f.ny * x;
+    sum += a * (f.d + f.nx * x + f.ny * y + f.bend * (0.5f * aside * aside + spread)), area += a;
   }
   return area > 0.0f ? sum / area : place.foot.d;
+}
+
+float LitPixel::distance(const Place& place, const PartForm* form) {
+  float mean = distance_by(place, form, 4);
+  if (place.calm) return mean;
+  // A ridge through cells leaves a sixteenth of what it leaves of cells four times as wide.
+  for (int side = 8; side <= PartCells::kMostSide; side *= 2) {
+    const float coarse = std::exchange(mean, distance_by(place, form, side));
+    if (std::abs(mean - coarse) <= place.tolerance) break;
+  }
+  return mean;
 }
 
 }  // namespace mien

@@ -26,10 +26,11 @@ class LitPixel {
   /// The mean of the form; of the whole pixel without one.
   glm::vec3 mean(const Place& place, const PartForm* form);
 
-  /// The signed distance's mean.
+  /// The signed distance's mean; of it the place's tolerance is [px].
   float distance(const Place& place, const PartForm* form);
 
  private:
+  float distance_by(const Place& place, const PartForm* form, int side);
   LitMean seen(const Place& place, const PartForm* form, int side);
   void see(const Place& place, const PartForm* form, int side);
   void find_feet(NearFeet& feet);

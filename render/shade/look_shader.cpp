@@ -107,6 +107,16 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
   if (field.kind == PaintField::Kind::distance) {
     const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
     lit.distances_of_cells(x, y, *at.cells, t, lit_scratch_);
+    // A ridge that runs through cells lowers their mean: that is known better.
+    float mean = 0.0f, sum = 0.0f, area = 0.0f;
+    if (at.form)
+      mean = lit.distance_of_part(x, y, *at.form, lit_scratch_);
+    else
+      lit.distances(x, y, 1, &mean, lit_scratch_);
+    for (std::size_t k = 0; k < std::size_t(at.count); ++k)
+      sum += at.cells->area[k] * t[k], area += at.cells->area[k];
+    if (area > 0.0f)
+      for (int i = 0; i < at.count; ++i) t[i] += mean - sum / area;
     for (int i = 0; i < at.count; ++i) t[i] = float(field.at({}, double(t[i])));
     return;
   }
