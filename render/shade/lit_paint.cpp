@@ -250,18 +250,34 @@ void LitPaint::colors_of_cells(int zone, int x, int y, const PartCells& cells, c
                                bool each, std::span<float> r, std::span<float> g,
                                std::span<float> b, std::span<float> a, Scratch& scratch) const {
   const auto count = std::size_t(cells.count());
-  glm::vec4 c{0.0f};
-  if (form && !each)
-    c = part(zone, x, y, *form, {x + 0.5, y + 0.5}, 1.0, scratch);  // no ramp: of one opacity
-  else if (!each)
-    pixels(zone, x, y, 1, &c.r, &c.g, &c.b, &c.a, scratch);
+  glm::vec4 mean{0.0f};
+  const glm::dvec2 middle{x + 0.5, y + 0.5};
+  if (form) {
+    glm::dvec2 at{0.0};
+    double area = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      area += double(cells.area[k]);
+      at += double(cells.area[k]) * glm::dvec2{cells.x[k], cells.y[k]};
+    }
+    mean = part(zone, x, y, *form, area > 0.0 ? middle + at / area : middle, area, scratch);
+  } else {
+    pixels(zone, x, y, 1, &mean.r, &mean.g, &mean.b, &mean.a, scratch);
+  }
+  glm::vec4 sum{0.0f};
+  float area = 0.0f;
   for (std::size_t k = 0; k < count; ++k) {
+    glm::vec4 c = mean;
     if (each) {
-      const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{cells.x[k], cells.y[k]};
+      const glm::dvec2 p = middle + glm::dvec2{cells.x[k], cells.y[k]};
       c = glm::vec4(surface_.color(zone, p, surface_.outward(p)));
     }
     r[k] = c.r, g[k] = c.g, b[k] = c.b, a[k] = c.a;
+    sum += cells.area[k] * c, area += cells.area[k];
   }
+  if (!each || !(area > 0.0f)) return;
+  // Places tell how it varies, the form what its mean is.
+  const glm::vec4 by = mean - sum / area;
+  for (std::size_t k = 0; k < count; ++k) r[k] += by.r, g[k] += by.g, b[k] += by.b, a[k] += by.a;
 }
 
 void LitPaint::distances(int x, int y, int count, float* d, Scratch& scratch) const {

@@ -112,9 +112,11 @@ float LitPixel::distance(const Place& place, const PartForm* form) {
   float mean = distance_by(place, form, 4);
   if (place.calm) return mean;
   // A ridge through cells leaves a sixteenth of what it leaves of cells four times as wide.
-  for (int side = 8; side <= PartCells::kMostSide; side *= 2) {
+  // Two means may agree by chance; three are asked to.
+  int agree = 0;
+  for (int side = 8; side <= PartCells::kMostSide && agree < 2; side *= 2) {
     const float coarse = std::exchange(mean, distance_by(place, form, side));
-    if (std::abs(mean - coarse) <= place.tolerance) break;
+    agree = std::abs(mean - coarse) <= place.tolerance ? agree + 1 : 0;
   }
   return mean;
 }

@@ -54,10 +54,16 @@ HWY_INLINE Spot SpotAt(const Seen& seen, size_t i, float y) {
 
 constexpr float kFarRidge = 1e9f;
 
+/// By more than what second order neglects: two branches of the same gradient, with ridges between.
+HWY_INLINE VF TooFarApart(VF a, VF b, VF bend) {
+  const VF neglected = Fused(hn::Mul(Const(8.0f), bend), bend, Const(0.02f));
+  return hn::Sub(hn::Abs(hn::Sub(a, b)), neglected);
+}
+
 /// Whether some block's foot is of another branch than the one right of it or below it.
 bool HasRidges(const LitTile& tile) {
   const F f;
-  constexpr size_t kCount = size_t(kBlocks * kBlocks);
+  constexpr size_t kRowOf = size_t(kBlocks), kCount = kRowOf * kRowOf;
   VF most = hn::Zero(f);
   const auto look = [&](size_t k, size_t next, float x, float y, VF use) HWY_ATTR {
     const auto seen = [&](size_t from, float dx, float dy) HWY_ATTR {
@@ -67,18 +73,40 @@ bool HasRidges(const LitTile& tile) {
     };
     const Spot a = seen(k, x, y), b = seen(next, -x, -y);
     const VF mx = hn::Sub(b.nx, a.nx), my = hn::Sub(b.ny, a.ny);
-    most = hn::Max(most, hn::Mul(use, Fused(mx, mx, hn::Mul(my, my))));
+    const VF bend = hn::Max(hn::Abs(hn::LoadU(f, &tile.block_bend[k])),
+                            hn::Abs(hn::LoadU(f, &tile.block_bend[next])));
+    const VF apart = hn::Max(Fused(mx, mx, hn::Mul(my, my)), TooFarApart(a.d, b.d, bend));
+    most = hn::Max(most, hn::Mul(use, apart));
   };
   HWY_ALIGN float use[hn::MaxLanes(F())];
   for (size_t k = 0; k < kCount; k += hn::Lanes(f)) {
     for (size_t i = 0; i < hn::Lanes(f); ++i)
-      use[i] = (k + i) % size_t(kBlocks) + 1 < size_t(kBlocks) && k + i < kCount ? 1.0f : 0.0f;
+      use[i] = (k + i) % kRowOf + 1 < kRowOf && k + i < kCount ? 1.0f : 0.0f;
     look(k, k + 1, 1.0f, 0.0f, hn::Load(f, use));
-    for (size_t i = 0; i < hn::Lanes(f); ++i)
-      use[i] = k + i + size_t(kBlocks) < kCount ? 1.0f : 0.0f;
-    look(k, k + size_t(kBlocks), 0.0f, 1.0f, hn::Load(f, use));
+    for (size_t i = 0; i < hn::Lanes(f); ++i) use[i] = k + i + kRowOf < kCount ? 1.0f : 0.0f;
+    look(k, k + kRowOf, 0.0f, 1.0f, hn::Load(f, use));
   }
   return !hn::AllFalse(f, hn::Gt(most, Const(tile.same * tile.same)));
+}
+
+/// More than 0 where a pixel's foot, spread from the middle of its block (ox, oy) away, may be of another branch than the
+/// pixel: where another block's foot differs in its gradient and the ridge lies on the way, or has the same gradient at
+/// another distance, with ridges between.
+HWY_INLINE VF Mistaken(const Spot& here, const Spot& other, VF ox, VF oy, float same, VF bend) {
+  const F f;
+  const VF zero = hn::Zero(f), one = Const(1.0f);
+  const VF mx = hn::Sub(other.nx, here.nx), my = hn::Sub(other.ny, here.ny);
+  const VF m2 = Fused(mx, mx, hn::Mul(my, my));
+  const VF apart = hn::Sub(other.d, here.d);
+  const VF before = hn::Sub(apart, Fused(mx, ox, hn::Mul(my, oy)));
+  const auto on_the_way =
+      hn::And(hn::Gt(m2, Const(same * same)), hn::Lt(hn::Mul(apart, before), zero));
+  constexpr float kAlike = 0.02f;  // of m²: an eighth of a radian
+  // Seen from three times as far as blocks lie apart.
+  const auto another =
+      hn::And(hn::Lt(m2, Const(kAlike)),
+              hn::Gt(TooFarApart(here.d, other.d, hn::Mul(Const(3.0f), bend)), zero));
+  return hn::IfThenElseZero(hn::Or(on_the_way, another), one);
 }
 
 /// A ridge so far beside a pixel does not touch it; one beyond `kClear` none of the middles around, nor their blocks.
@@ -90,12 +118,21 @@ void FindRidges(LitTile& tile, int row, const Seen (&around)[3][3], const float 
   for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
     const Spot here = SpotAt(around[1][1], i + 1, y[1]);
     Ridge ridge = NoRidge();
+    const VF bend = hn::Abs(hn::LoadU(f, around[1][1].bend + i + 1));
+    const VF ox = hn::LoadU(f, around[1][1].x + i + 1), oy = Const(y[1]);
+    VF wrong = hn::Zero(f);  // where it is more the foot tells nothing
     for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        if (j != 1 || k != 1) Consider(here, SpotAt(around[j][k], i + 1, y[j]), tile.same, ridge);
+      for (int k = 0; k < 3; ++k) {
+        if (j == 1 && k == 1) continue;
+        const Spot other = SpotAt(around[j][k], i + 1, y[j]);
+        Consider(here, other, tile.same, ridge);
+        const VF most = hn::Max(bend, hn::Abs(hn::LoadU(f, around[j][k].bend + i + 1)));
+        wrong = hn::Max(wrong, Mistaken(here, other, ox, oy, tile.same, most));
+      }
     const VF corner = hn::Mul(Const(0.5f), hn::Add(hn::Abs(ridge.ex), hn::Abs(ridge.ey)));
     const VF beside = hn::Sub(ridge.offset, corner);
-    hn::StoreU(beside, f, &tile.ridge[size_t(row * kSide) + i]);
+    hn::StoreU(hn::IfThenElse(hn::Gt(wrong, hn::Zero(f)), hn::Zero(f), beside), f,
+               &tile.ridge[size_t(row * kSide) + i]);
   }
 }
 
@@ -160,11 +197,41 @@ void MeansOf(const float* c, float levels, float* mean, float* rough) {
 /// Where level lines are bent more than this, the foot at a pixel's middle does not tell its corners'.
 constexpr float kMostBend = 0.12f;  // [1/px]
 
-void JudgeRow(const LitTile& tile, int row, const float* rough, LitTile::Trust* trust) {
+/// How much level lines are bent in or beside each pixel of a row, and by how much that differs. Where a side goes over
+/// into another one or a tip the gradient goes on, but the bend jumps: the sector beyond spreads, so a pixel beside is
+/// in it.
+struct Bends {
+  HWY_ALIGN float most[kSide + hn::MaxLanes(F())] = {}, swing[kSide + hn::MaxLanes(F())] = {};
+};
+
+void BendsOf(const LitTile& tile, int row, Bends& to) {
+  const F f;
+  for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
+    VF least = Const(1e9f), most = Const(-1e9f);
+    for (int j = 0; j < 3; ++j)
+      for (size_t k = 0; k < 3; ++k) {
+        const VF bend = hn::LoadU(f, &tile.bend[size_t((row + j) * kRow) + i + k]);
+        least = hn::Min(least, bend), most = hn::Max(most, bend);
+      }
+    hn::StoreU(hn::Max(most, hn::Neg(least)), f, to.most + i);
+    hn::StoreU(hn::Sub(most, least), f, to.swing + i);
+  }
+}
+
+/// `levels`: what a mean may be off by. A foot told by another bend is off by that times its distance along the level
+/// line, half a pixel, in its normal; light changes by up to 100 levels for a radian.
+void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
+              LitTile::Trust* trust) {
+  const float most_swing = 0.05f * levels;  // [1/px]
+  if (tile.rises && tile.feet.tangled()) {
+    std::fill_n(trust, kSide, LitTile::Trust::none);
+    return;
+  }
+  Bends bends;
+  if (tile.rises) BendsOf(tile, row, bends);
   for (int i = 0; i < kSide; ++i) {
     const float ridge = tile.rises ? tile.ridge[size_t(row * kSide + i)] : kFarRidge;
-    const float bend = tile.rises ? tile.bend[size_t((row + 1) * kRow + 1 + i)] : 0.0f;
-    const bool calm = ridge > kReach && HWY_MAX(bend, -bend) <= kMostBend;
+    const bool calm = ridge > kReach && bends.most[i] <= kMostBend && bends.swing[i] <= most_swing;
     trust[i] = calm && ridge > kClear && rough[i] <= 1.0f ? LitTile::Trust::around
                : calm                                     ? LitTile::Trust::calm
                                                           : LitTile::Trust::none;
@@ -222,17 +289,18 @@ void ShadeTile(LitTile& tile, float levels) {
   MeansOf(tile.g.data(), levels, tile.mean_g.data(), rough);
   MeansOf(tile.b.data(), levels, tile.mean_b.data(), rough);
   for (int j = 0; j < kSide; ++j) {
-    JudgeRow(tile, j, rough + j * kSide, &tile.trust[size_t(j * kSide)]);
+    JudgeRow(tile, j, rough + j * kSide, levels, &tile.trust[size_t(j * kSide)]);
     MeansWithin(tile, j, levels);
   }
 }
 
-/// A distance's Laplacian is its bend.
+/// A distance's Laplacian is its bend. Its normal does not count.
 void JudgeDistances(LitTile& tile) {
   const F f;
   HWY_ALIGN const float rough[kSide] = {};
+  constexpr float kAnySwing = 1e9f;
   for (int j = 0; j < kSide; ++j) {
-    JudgeRow(tile, j, rough, &tile.trust[size_t(j * kSide)]);
+    JudgeRow(tile, j, rough, kAnySwing, &tile.trust[size_t(j * kSide)]);
     for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
       const size_t at = size_t((j + 1) * kRow + 1) + i;
       const VF d = Fused(hn::LoadU(f, &tile.bend[at]), Const(1.0f / 24), hn::LoadU(f, &tile.d[at]));

@@ -134,8 +134,11 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
     whole_cells(side, cells_);
   // Under a ramp whose opacity varies what lies below counts by place.
   each_ = std::ranges::any_of(looks_->steps(look), [&](const LookStep& step) {
-    return step.kind == Kind::paint && step.zone >= 0 &&
-           looks_->paints().varied[std::size_t(step.varied)].paint.ramp;
+    const auto fades = [&] {
+      const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+      return varied.paint.ramp && !varied.dense && looks_->segment(step).slope.a != 0.0;
+    };
+    return step.kind == Kind::paint && fades();
   });
   const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
   glm::vec4 sum{0.0f};

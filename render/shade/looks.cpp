@@ -330,29 +330,25 @@ double Looks::slope_of(const LookStep& step) const {
          std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b), std::abs(along.a)});
 }
 
-/// Two paints over each other, the upper one's opacity varying: a twelfth of the product of both slopes.
+/// Two paints over each other: the upper one's opacity times the lower one's colour has a mean of its own, a twelfth of the
+/// product of both slopes away from the product of their means.
 double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
   constexpr double kLit = 0.3;  // [1/px] what light may change by
-  double sum = 0.0, slopes = 0.0, lit = 0.0;
+  double sum = 0.0, below = 0.0;
   for (const LookStep& step : steps) {
     if (step.kind != Kind::paint) continue;
-    const TapePaint& paint = paints_->varied[std::size_t(step.varied)].paint;
-    const bool dense = paints_->varied[std::size_t(step.varied)].dense;
-    if (step.zone >= 0) {  // integrated, but for more stops than can be told apart
-      sum += dense ? 0.01 : 0.0;
-      if (paint.ramp && !dense) {
-        const double opacity = paint.field.per_pixel * std::abs(segment(step).slope.a);
-        sum += opacity * (slopes + lit) / 12;
-        slopes += slope_of(step) + kLit;
-      }
-      lit += kLit;
-      continue;
+    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
+    const TapePaint& paint = varied.paint;
+    const bool lit = step.zone >= 0;
+    if (varied.dense) sum += 0.01;  // integrated, but for more stops than can be told apart
+    if (paint.ramp && !varied.dense) {
+      const RampSegment& along = segment(step);
+      sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;
+      below += slope_of(step);
+      tip = tip || (!lit && paint.field.kind == PaintField::Kind::radial &&
+                    along.from < kTipReach * paint.field.per_pixel);
     }
-    const double slope = slope_of(step);
-    sum += slope * slopes / 12;
-    slopes += slope;
-    tip = tip || (paint.field.kind == PaintField::Kind::radial &&
-                  segment(step).from < kTipReach * paint.field.per_pixel);
+    if (lit) below += kLit;
   }
   return sum;
 }

@@ -125,6 +125,12 @@ SpineShape spines_of(const Shape& shape, glm::dvec2 center) {
           add(s.spine, s.half_width, s.half_width, s.half_width);
         } else if constexpr (std::is_same_v<S, Line>) {
           add(straight(s.a, s.b), s.half_width, s.half_width, s.half_width);
+        } else if constexpr (std::is_same_v<S, Polyline>) {
+          for (std::size_t i = 1; i < s.points.size(); ++i)
+            add(straight(s.points[i - 1], s.points[i]), s.half_width, s.half_width, s.half_width);
+          if (s.points.size() == 1)
+            add(straight(s.points[0], s.points[0]), s.half_width, s.half_width, s.half_width);
+          made.slow = made.spines.empty();
         } else if constexpr (std::is_same_v<S, Disc>) {
           add(straight(s.center, s.center), s.radius, s.radius, s.radius);
         } else if constexpr (std::is_same_v<S, Path>) {
@@ -145,6 +151,8 @@ SpineShape spines_of(const Shape& shape, glm::dvec2 center) {
       },
       shape);
   if (made.slow) made.spines.clear();
+  made.crosses =
+      std::holds_alternative<Polyline>(shape) || (made.slow && std::holds_alternative<Path>(shape));
   for (Spine<double>& s : made.spines) {
     s.x0 += center.x, s.y0 += center.y;
     double most = 0.0;
@@ -190,6 +198,7 @@ FeetArea::FeetArea(const AreaDistance& area, glm::dvec2 center) : area_(&area), 
 void NearFeet::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
   area_ = &area, middle_ = middle, radius_ = radius;
   leaves_.clear(), spines_.clear();
+  tangled_ = false;
   const AreaDistance& tree = *area.area();
   for (const Node& n : tree.nodes()) {
     if (n.op != Op::shape) continue;
@@ -197,6 +206,7 @@ void NearFeet::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
     Leaf leaf{&tree.shapes()[std::size_t(n.a)], &shape, spines_.size(), 0};
     if (!shape.slow) narrow_shape(shape);
     leaf.count = spines_.size() - leaf.first;
+    tangled_ = tangled_ || (shape.crosses && (shape.slow || leaf.count > 1));
     leaves_.push_back(leaf);
   }
 }

@@ -50,7 +50,8 @@ struct Feet {
 
 /// A shape as spines.
 struct SpineShape {
-  bool slow = false;  ///< no spines: asked for one by one
+  bool slow = false;     ///< no spines: asked for one by one
+  bool crosses = false;  ///< spines may cross each other
   std::optional<Ellipse> ellipse;
   bool stroke = false;
   std::vector<Spine<double>> spines;
@@ -81,6 +82,9 @@ class NearFeet {
   /// From now on: the disc around `middle`, a place of the picture.
   void narrow(const FeetArea& area, glm::dvec2 middle, double radius);
 
+  /// Whether spines in the disc may cross: then feet a pixel apart do not tell of what lies between.
+  bool tangled() const { return tangled_; }
+
   /// Of places relative to the middle, a multiple of 16 of them.
   void at(std::span<const float> x, std::span<const float> y, const Feet& out);
 
@@ -100,6 +104,7 @@ class NearFeet {
   const FeetArea* area_ = nullptr;
   glm::dvec2 middle_{0.0};
   double radius_ = 0;
+  bool tangled_ = false;
   std::vector<Leaf> leaves_;
   std::vector<NearSpine> spines_;
   std::vector<float> nodes_;  ///< [node][d, nx, ny, bend][place]
