@@ -1,6 +1,8 @@
 #include <mien/render/blend/transfer.h>
 #include <mien/render/shade/lamp_lanes.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace mien {
@@ -72,13 +74,18 @@ void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double rad
   to.level_shine = float(r.lamp.level_shine()), to.shininess = float(r.lamp.shininess());
   to.shine = float(r.lamp.specular() / (1.0 - r.lamp.level_shine()));
   if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
-  to.domes.clear();
+  to.domes.clear(), to.finest = 1e9f;
   for (const TapeRelief::TapeDome& dome : r.domes) {
     const glm::dvec2 at = surface.center() + dome.center - middle;
     if (glm::length(at) > dome.max_radius + radius) continue;
     const glm::dmat2& u = dome.unit;
     to.domes.push_back({float(at.x), float(at.y), float(u[0][0]), float(u[1][0]), float(u[0][1]),
                         float(u[1][1]), float(-4.0 * dome.height)});
+    // The slope changes by 4 height / radius² per pixel at the top; a highlight is a bell of 1 / √shininess in slope.
+    const double r2 = 1.0 / std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0],
+                                     u[0][1] * u[0][1] + u[1][1] * u[1][1]);
+    const double bell = r2 / (4.0 * std::abs(dome.height) * std::sqrt(r.lamp.shininess()));
+    to.finest = float(std::min({double(to.finest), std::sqrt(r2), to.shine > 0.0f ? bell : 1e9}));
   }
 }
 

@@ -41,7 +41,9 @@ struct LampLanes {
   float shine = 0;                            ///< specular / (1 − level_shine); 0: none
   float level_shine = 0, shininess = 1;
   std::vector<LampDome> domes;  ///< that reach the tile
-  LampRamp ramp;                ///< instead of `light`
+  float finest =
+      1e9f;       ///< [px] half as wide is the narrowest of the domes or of the highlights on them
+  LampRamp ramp;  ///< instead of `light`
 };
 
 /// Whether a paint has a base that lanes know: one colour, or a ramp of few stops that ends in plain colours, along a line

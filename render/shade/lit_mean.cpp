@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace mien {
 namespace {
 
 /// By Gauss's two places each way.
-Mix gauss_mean(const LitSurface& surface, int zone, glm::dvec2 middle, double side) {
+Mix gauss_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle, double side) {
   const double g = side * 0.28867513459481287;
   Mix sum{0.0};
   for (const glm::dvec2 by : {glm::dvec2{-g, -g}, {g, -g}, {-g, g}, {g, g}})
-    sum += 0.25 * surface.color(zone, middle + by, surface.outward(middle + by));
+    sum += 0.25 * surface.color(piece, middle + by, surface.outward(middle + by));
   return sum;
 }
 
@@ -21,8 +20,8 @@ double largest(const Mix& m) {
   return std::max({std::abs(m.r), std::abs(m.g), std::abs(m.b), std::abs(m.a)});
 }
 
-Mix divided(const LitSurface& surface, int zone, glm::dvec2 middle, double side, const Mix& coarse,
-            double tolerance, int depth) {
+Mix divided(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle, double side,
+            const Mix& coarse, double tolerance, int depth) {
   const double q = 0.25 * side;
   const std::array<glm::dvec2, 4> middles{middle + glm::dvec2{-q, -q}, middle + glm::dvec2{q, -q},
                                           middle + glm::dvec2{-q, q}, middle + glm::dvec2{q, q}};
@@ -30,7 +29,7 @@ Mix divided(const LitSurface& surface, int zone, glm::dvec2 middle, double side,
   Mix sum{0.0};
   double apart = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
-    parts[i] = gauss_mean(surface, zone, middles[i], 0.5 * side);
+    parts[i] = gauss_mean(surface, piece, middles[i], 0.5 * side);
     sum += 0.25 * parts[i];
     apart = std::max(apart, largest(parts[i] - parts[0]));
   }
@@ -38,58 +37,58 @@ Mix divided(const LitSurface& surface, int zone, glm::dvec2 middle, double side,
   if (depth == 0 || (largest(sum - coarse) < tolerance && apart < 30.0 * tolerance)) return sum;
   sum = Mix{0.0};
   for (std::size_t i = 0; i < 4; ++i)
-    sum +=
-        0.25 * divided(surface, zone, middles[i], 0.5 * side, parts[i], 2.0 * tolerance, depth - 1);
+    sum += 0.25 *
+           divided(surface, piece, middles[i], 0.5 * side, parts[i], 2.0 * tolerance, depth - 1);
   return sum;
 }
 
-/// Each cell by places × places of a square of its area around its centroid.
-Mix mean_of_cells(const LitSurface& surface, int zone, glm::dvec2 corner, const PartCells& cells,
-                  int places) {
+/// Each cell by a square of its area around its centroid: by its middle, or divided until it is right.
+Mix mean_of_cells(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corner,
+                  const PartCells& cells, double tolerance) {
   Mix sum{0.0};
   double area = 0.0;
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
-    if (cells.area[k] == 0.0f) continue;
-    const double step = std::sqrt(double(cells.area[k])) / places;
+    const auto own = double(cells.area[k]);
+    if (own == 0.0) continue;
     const glm::dvec2 middle = corner + 0.5 + glm::dvec2{cells.x[k], cells.y[k]};
-    Mix mean{0.0};
-    for (int j = 0; j < places; ++j)
-      for (int i = 0; i < places; ++i) {
-        const glm::dvec2 p = middle + step * (glm::dvec2{i, j} - 0.5 * (places - 1));
-        mean += surface.color(zone, p, surface.outward(p));
-      }
-    sum += (double(cells.area[k]) / (places * places)) * mean, area += double(cells.area[k]);
+    const double side = std::sqrt(own);
+    const Mix mean = tolerance > 0.0
+                         ? square_mean(surface, piece, middle - 0.5 * side, side, tolerance)
+                         : surface.color(piece, middle, surface.outward(middle));
+    sum += own * mean, area += own;
   }
-  return area > 0.0 ? sum / area : surface.color(zone, corner + 0.5, surface.outward(corner + 0.5));
+  return area > 0.0 ? sum / area
+                    : surface.color(piece, corner + 0.5, surface.outward(corner + 0.5));
 }
 
 }  // namespace
 
-Mix square_mean(const LitSurface& surface, int zone, glm::dvec2 corner, double side,
+Mix square_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corner, double side,
                 double tolerance) {
   const glm::dvec2 middle = corner + 0.5 * side;
-  return divided(surface, zone, middle, side, gauss_mean(surface, zone, middle, side), tolerance,
+  return divided(surface, piece, middle, side, gauss_mean(surface, piece, middle, side), tolerance,
                  5);
 }
 
-Mix part_mean(const LitSurface& surface, int zone, glm::dvec2 corner, const PartForm& form,
-              double tolerance) {
-  constexpr std::pair<int, int> kFiner[] = {{4, 1}, {8, 1}, {16, 1}, {16, 2}, {16, 4}};
+Mix part_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corner,
+              const PartForm& form, double tolerance) {
   PartCells cells;
   cells_of_form(form, 4, cells);
   float area = 0.0f;
   for (int k = 0; k < cells.count(); ++k) area += cells.area[std::size_t(k)];
-  // What is narrow may lie in one column of coarse cells: these agree by chance.
-  const std::size_t first = area < 0.4f ? 2 : 0;
+  // What is narrow may lie in one column of coarse cells, and a ridge between two columns: means agree by chance, so
+  // three are asked to.
   Mix coarse{0.0};
-  for (std::size_t i = first; i < std::size(kFiner); ++i) {
-    const auto [side, places] = kFiner[i];
+  int agree = -1;
+  for (int side = area < 0.4f ? 16 : 4; side <= PartCells::kMostSide; side *= 2) {
     cells_of_form(form, side, cells);
-    const Mix fine = mean_of_cells(surface, zone, corner, cells, places);
-    if (i > first && largest(fine - coarse) < tolerance) return fine;
+    const Mix fine = mean_of_cells(surface, piece, corner, cells, 0.0);
+    agree = agree >= 0 && largest(fine - coarse) < tolerance ? agree + 1 : 0;
+    if (agree == 2) return fine;
     coarse = fine;
   }
-  return coarse;
+  cells_of_form(form, 16, cells);
+  return mean_of_cells(surface, piece, corner, cells, tolerance);
 }
 
 }  // namespace mien

@@ -134,11 +134,12 @@ void LitPaint::make_smooth(LitTile& t, Scratch& scratch) const {
   constexpr double kShare = 0.5;  // of the tolerance: the border is where polynomials are worst
   SmoothPlaces& at = scratch.kept_->smooth;
   if (t.rises) t.feet.at(at.x, at.y, {at.d.data(), at.nx.data(), at.ny.data(), at.bend.data()});
-  // A dome that is small for a tile may lie between its places.
-  constexpr float kSmall = 1.0f / 20;  // [1/px]
-  const bool small = std::ranges::any_of(t.lamp.domes, [](const LampDome& d) {
-    return d.xx * d.xx + d.xy * d.xy + d.yx * d.yx + d.yy * d.yy > 2.0f * kSmall * kSmall;
-  });
+  // A dome that is small for a tile may lie between its places, a highlight on it, too.
+  constexpr float kSmall = 20.0f, kNarrow = 3.0f;  // [px]
+  const bool small =
+      t.lamp.finest < kNarrow || std::ranges::any_of(t.lamp.domes, [](const LampDome& d) {
+        return d.xx * d.xx + d.xy * d.xy + d.yx * d.yx + d.yy * d.yy > 2.0f / (kSmall * kSmall);
+      });
   t.smooth = !small && smooth_means(at, float(kShare * tolerance_ / 255.0), t);
 }
 
@@ -177,20 +178,20 @@ LitPixel::Place LitPaint::place(LitTile& t, int x, int y) const {
           float(t.kind == LitTile::Kind::distances ? distance_tolerance_ : tolerance_ / 255.0)};
 }
 
-void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,
-                      Scratch& scratch) const {
+void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,
+                      float* a, Scratch& scratch) const {
   scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
   if (sure_way()) {
     for (int i = 0; i < count; ++i) {
-      const Mix mean = square_mean(surface_, zone, {x + i, y}, 1.0, 0.3 * tolerance_ / 255.0);
+      const Mix mean = square_mean(surface_, piece, {x + i, y}, 1.0, 0.3 * tolerance_ / 255.0);
       r[i] = float(mean.r), g[i] = float(mean.g), b[i] = float(mean.b), a[i] = float(mean.a);
     }
     return;
   }
-  for (int i = 0; i < count; ++i) a[i] = opacity({x + i + 0.5, y + 0.5}, 1.0 / 12);
+  for (int i = 0; i < count; ++i) a[i] = opacity(piece, x + i, y, nullptr);
   for (int i = 0; i < count;) {
-    LitTile& t = tile(zone, x + i, y, scratch);
+    LitTile& t = tile(piece.zone, x + i, y, scratch);
     const int column = x + i - t.x, row = y - t.y;
     const int n = std::min(count - i, LitTile::kSide - column);
     const std::size_t from = std::size_t(row * LitTile::kSide + column);
@@ -218,58 +219,77 @@ void LitPaint::pixels(int zone, int x, int y, int count, float* r, float* g, flo
   }
 }
 
-/// A ramp's kinks are outlines: over a part of a pixel its opacity is that of the mean t.
-float LitPaint::opacity(glm::dvec2 centroid, double variance) const {
+/// A ramp's kinks are outlines: over a part of a pixel its opacity is that of the mean t. Along a line that is t at the
+/// centroid, which is all that is asked for; from a centre it bends, and cells tell.
+float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* form) const {
   const TapePaint& paint = surface_.paint();
   if (!paint.ramp) return float(paint.color.a);
   const Ramp& ramp = *paint.ramp;
   if (ramp.least_opacity() == ramp.most_opacity()) return float(ramp.least_opacity());
-  return float(ramp.color(paint.field.mean(centroid - surface_.center(), variance)).a);
+  const auto at = [&](double t) {
+    const RampSegment* s = piece.segment;
+    return float(s ? s->at.a + std::clamp(t, s->from, s->to) * s->slope.a : ramp.color(t).a);
+  };
+  const glm::dvec2 middle = glm::dvec2{x, y} + 0.5 - surface_.center();
+  constexpr double kFar =
+      6.0;  // [px] a radial gradient's centre: a pixel's mean is right to second order
+  const PaintField& field = paint.field;
+  const bool straight = field.kind == PaintField::Kind::linear;
+  if (!form && (straight || field.at(middle, 0.0) > kFar * field.per_pixel))
+    return at(field.mean(middle, 1.0 / 12));
+  PartCells cells;
+  if (form)
+    cells_of_form(*form, 4, cells);
+  else
+    whole_cells(4, cells);
+  const double variance = double(cells.cell() * cells.cell()) / 12;
+  double sum = 0.0, area = 0.0;
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+    const auto a = double(cells.area[k]);
+    if (a == 0.0) continue;
+    const glm::dvec2 p = middle + glm::dvec2{cells.x[k], cells.y[k]};
+    sum += a * field.mean(p, a * double(cells.count()) * variance), area += a;
+  }
+  return at(area > 0.0 ? sum / area : field.mean(middle, 0.0));
 }
 
-glm::vec4 LitPaint::part(int zone, int x, int y, const PartForm& form, glm::dvec2 centroid,
-                         double area, Scratch& scratch) const {
+glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const PartForm& form,
+                         Scratch& scratch) const {
   scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
   if (sure_way()) {
     // Dark colours in linear light are encoded up to 12.92 times as steep.
     const double steep = surface_.blend() == Blend::linear ? 6.0 : 1.0;
-    return glm::vec4(part_mean(surface_, zone, {x, y}, form, tolerance_ / 255.0 / steep));
+    return glm::vec4(part_mean(surface_, piece, {x, y}, form, tolerance_ / 255.0 / steep));
   }
-  LitTile& t = tile(zone, x, y, scratch);
+  LitTile& t = tile(piece.zone, x, y, scratch);
   if (t.kind == LitTile::Kind::base) return glm::vec4(base);
   make_full(t);
-  const float opacity = this->opacity(centroid, area / 12);
+  const float opacity = this->opacity(piece, x, y, &form);
   const int column = x - t.x, row = y - t.y;
   if (t.trust[std::size_t(row * LitTile::kSide + column)] == LitTile::Trust::around)
     return {smooth_part(t, column, row, form), opacity};
   return {scratch.kept_->pixel.mean(place(t, x, y), &form), opacity};
 }
 
-void LitPaint::colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
-                               bool each, std::span<float> r, std::span<float> g,
-                               std::span<float> b, std::span<float> a, Scratch& scratch) const {
+void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCells& cells,
+                               const PartForm* form, bool each, std::span<float> r,
+                               std::span<float> g, std::span<float> b, std::span<float> a,
+                               Scratch& scratch) const {
   const auto count = std::size_t(cells.count());
   glm::vec4 mean{0.0f};
   const glm::dvec2 middle{x + 0.5, y + 0.5};
-  if (form) {
-    glm::dvec2 at{0.0};
-    double area = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      area += double(cells.area[k]);
-      at += double(cells.area[k]) * glm::dvec2{cells.x[k], cells.y[k]};
-    }
-    mean = part(zone, x, y, *form, area > 0.0 ? middle + at / area : middle, area, scratch);
-  } else {
-    pixels(zone, x, y, 1, &mean.r, &mean.g, &mean.b, &mean.a, scratch);
-  }
+  if (form)
+    mean = part(piece, x, y, *form, scratch);
+  else
+    pixels(piece, x, y, 1, &mean.r, &mean.g, &mean.b, &mean.a, scratch);
   glm::vec4 sum{0.0f};
   float area = 0.0f;
   for (std::size_t k = 0; k < count; ++k) {
     glm::vec4 c = mean;
     if (each) {
       const glm::dvec2 p = middle + glm::dvec2{cells.x[k], cells.y[k]};
-      c = glm::vec4(surface_.color(zone, p, surface_.outward(p)));
+      c = glm::vec4(surface_.color(piece, p, surface_.outward(p)));
     }
     r[k] = c.r, g[k] = c.g, b[k] = c.b, a[k] = c.a;
     sum += cells.area[k] * c, area += cells.area[k];

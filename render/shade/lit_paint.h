@@ -3,7 +3,7 @@
 //
 //   LitPaint head(paint, tape.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
 //   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
-//   glm::vec4 edge = head.part(1, x, y, form, centroid, area, scratch);
+//   glm::vec4 edge = head.part(1, x, y, form, scratch);
 //
 // Every answer depends on the paint and the pixel alone: not on what was asked before, nor on
 // scratch, region or thread.
@@ -53,20 +53,19 @@ class LitPaint {
   /// The same but for its domes.
   bool flat(int zone) const { return surface_.flat(zone); }
 
-  /// Means of `count` whole pixels of row y from x on, all in `zone`: premultiplied, in the
+  /// Means of `count` whole pixels of row y from x on, all of that piece: premultiplied, in the
   /// blending space, to four planes.
-  void pixels(int zone, int x, int y, int count, float* r, float* g, float* b, float* a,
-              Scratch& scratch) const;
+  void pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,
+              float* a, Scratch& scratch) const;
 
-  /// The mean over a part of pixel (x, y) that lies in `zone`, with its centroid and area.
-  glm::vec4 part(int zone, int x, int y, const PartForm& form, glm::dvec2 centroid, double area,
-                 Scratch& scratch) const;
+  /// The mean over a part of pixel (x, y) that lies in that piece.
+  glm::vec4 part(const LitPiece& piece, int x, int y, const PartForm& form, Scratch& scratch) const;
 
   /// Colours at the centroids of a pixel's cells, each looked at by itself; else the mean over the form, or the whole
   /// pixel without one, for all of them.
-  void colors_of_cells(int zone, int x, int y, const PartCells& cells, const PartForm* form,
-                       bool each, std::span<float> r, std::span<float> g, std::span<float> b,
-                       std::span<float> a, Scratch& scratch) const;
+  void colors_of_cells(const LitPiece& piece, int x, int y, const PartCells& cells,
+                       const PartForm* form, bool each, std::span<float> r, std::span<float> g,
+                       std::span<float> b, std::span<float> a, Scratch& scratch) const;
 
   /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
   void distances(int x, int y, int count, float* d, Scratch& scratch) const;
@@ -85,7 +84,7 @@ class LitPaint {
   void make_distances(LitTile& tile) const;
   LitPixel::Place place(LitTile& tile, int x, int y) const;
   bool sure_way() const { return !in_lanes_; }
-  float opacity(glm::dvec2 centroid, double variance) const;
+  float opacity(const LitPiece& piece, int x, int y, const PartForm* form) const;
 
   LitSurface surface_;
   FeetArea area_, gradient_area_;

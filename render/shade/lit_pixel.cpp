@@ -26,7 +26,8 @@ constexpr float kFine = 0.1f / 255;
 /// What a mean may be off in the blending space: dark colours in linear light are encoded steeply.
 float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
   if (!place.lamp->linear) return place.tolerance;
-  const float dark = std::max(std::min({mean.r, mean.g, mean.b}), 0.0031308f);
+  // The rest of the pixel may be as dark as it likes.
+  const float dark = std::max(mean.area * std::min({mean.r, mean.g, mean.b}), 0.0031308f);
   const float steep = 0.44f * std::pow(dark, -0.5833f);
   return place.tolerance / std::max(place.tolerance < kFine ? steep : 0.5f * steep, 1.0f);
 }
@@ -75,8 +76,10 @@ LitMean LitPixel::seen(const Place& place, const PartForm* form, int side) {
 
 glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
   LitMean mean = seen(place, form, 4);
-  if (!asks_for_more(place, mean, form)) return {mean.r, mean.g, mean.b};
-  const bool fine = place.tolerance < kFine;
+  constexpr float kSmall = 3.0f;  // [px] less may lie between the middles of cells
+  const bool small = place.lamp->finest < kSmall;
+  if (!small && !asks_for_more(place, mean, form)) return {mean.r, mean.g, mean.b};
+  const bool fine = place.tolerance < kFine || small;
   const int most = fine ? PartCells::kMostSide : 16;
   for (int side = 8; side <= most; side *= 2) {
     const LitMean coarse = mean;

@@ -54,21 +54,24 @@ Outward LitSurface::outward(glm::dvec2 p) const {
   return {d, length > 0.0 ? grows / length : glm::dvec2{0.0}};
 }
 
-Mix LitSurface::base(glm::dvec2 p, double d) const {
+Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
   if (!paint_->ramp) return paint_->color;
   if (gradient_area_) d = gradient_area_->at(p - center_);
-  return paint_->ramp->color(paint_->field.at(p - center_, d));
+  const double t = paint_->field.at(p - center_, d);
+  if (!piece.segment) return paint_->ramp->color(t);
+  const RampSegment& s = *piece.segment;
+  return s.at + std::clamp(t, s.from, s.to) * s.slope;
 }
 
-Mix LitSurface::color(int zone, glm::dvec2 p, const Outward& outward) const {
+Mix LitSurface::color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const {
   const TapeRelief& r = relief();
-  glm::dvec2 rises = -rise(zone, -outward.d) * outward.normal;
+  glm::dvec2 rises = -rise(piece.zone, -outward.d) * outward.normal;
   for (const TapeRelief::TapeDome& dome : r.domes) {
     const glm::dvec2 q = dome.unit * (p - center_ - dome.center);
     const double in = 1.0 - glm::dot(q, q);
     if (in > 0.0) rises += -4.0 * dome.height * in * (glm::transpose(dome.unit) * q);
   }
-  return r.lamp.lit(base(p, outward.d), {rises.x, -rises.y}, blend_);
+  return r.lamp.lit(base(piece, p, outward.d), {rises.x, -rises.y}, blend_);
 }
 
 }  // namespace mien

@@ -19,6 +19,14 @@ struct Outward {
   glm::dvec2 normal{0.0};
 };
 
+/// Where a lit paint is smooth: in a zone of its profile and between two kinks of its ramp, if it has one. Asked for
+/// beyond it goes on as it was, and so no square around a cell sees what lies beyond a jump.
+struct LitPiece {
+  int zone;
+  const RampSegment* segment;  ///< none: the whole ramp
+  LitPiece(int of_zone, const RampSegment* between = nullptr) : zone(of_zone), segment(between) {}
+};
+
 /// Refers to the paint and the distances it is made of. Coordinates: the whole picture's pixels,
 /// origin top left, y down.
 class LitSurface {
@@ -39,7 +47,7 @@ class LitSurface {
   /// The profile's rise per pixel.
   double rise(int zone, double depth) const;
   /// Premultiplied, in the blending space.
-  Mix color(int zone, glm::dvec2 p, const Outward& outward) const;
+  Mix color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const;
 
   const TapePaint& paint() const { return *paint_; }
   const TapeRelief& relief() const { return *paint_->relief; }
@@ -50,7 +58,7 @@ class LitSurface {
   glm::dvec2 center() const { return center_; }
 
  private:
-  Mix base(glm::dvec2 p, double d) const;
+  Mix base(const LitPiece& piece, glm::dvec2 p, double d) const;
 
   const TapePaint* paint_;
   const AreaDistance *area_ = nullptr, *gradient_area_ = nullptr;

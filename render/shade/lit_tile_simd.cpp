@@ -218,11 +218,18 @@ void BendsOf(const LitTile& tile, int row, Bends& to) {
   }
 }
 
+/// Nothing lies between middles or Gauss's places.
+bool IsWide(const LitTile& tile) {
+  constexpr float kNarrow = 1.5f;  // [px]
+  return tile.lamp.finest > kNarrow;
+}
+
 /// `levels`: what a mean may be off by. A foot told by another bend is off by that times its distance along the level
 /// line, half a pixel, in its normal; light changes by up to 100 levels for a radian.
 void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
               LitTile::Trust* trust) {
   const float most_swing = 0.05f * levels;  // [1/px]
+  const bool wide = IsWide(tile);
   if (tile.rises && tile.feet.tangled()) {
     std::fill_n(trust, kSide, LitTile::Trust::none);
     return;
@@ -232,9 +239,9 @@ void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
   for (int i = 0; i < kSide; ++i) {
     const float ridge = tile.rises ? tile.ridge[size_t(row * kSide + i)] : kFarRidge;
     const bool calm = ridge > kReach && bends.most[i] <= kMostBend && bends.swing[i] <= most_swing;
-    trust[i] = calm && ridge > kClear && rough[i] <= 1.0f ? LitTile::Trust::around
-               : calm                                     ? LitTile::Trust::calm
-                                                          : LitTile::Trust::none;
+    trust[i] = calm && ridge > kClear && rough[i] <= 1.0f && wide ? LitTile::Trust::around
+               : calm                                             ? LitTile::Trust::calm
+                                                                  : LitTile::Trust::none;
   }
 }
 
@@ -290,7 +297,7 @@ void ShadeTile(LitTile& tile, float levels) {
   MeansOf(tile.b.data(), levels, tile.mean_b.data(), rough);
   for (int j = 0; j < kSide; ++j) {
     JudgeRow(tile, j, rough + j * kSide, levels, &tile.trust[size_t(j * kSide)]);
-    MeansWithin(tile, j, levels);
+    if (IsWide(tile)) MeansWithin(tile, j, levels);
   }
 }
 

@@ -153,16 +153,18 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
 void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
+  const bool segmented = varied.paint.ramp && !varied.dense;
+  const LitPiece piece{step.zone, segmented ? &looks_->segment(step) : nullptr};
   lit_.room_for(std::size_t(at.count));
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
   if (at.cells) {
-    lit.colors_of_cells(step.zone, x, y, *at.cells, at.form, each_, lit_.r, lit_.g, lit_.b, lit_.a,
+    lit.colors_of_cells(piece, x, y, *at.cells, at.form, each_, lit_.r, lit_.g, lit_.b, lit_.a,
                         lit_scratch_);
   } else if (at.form) {
-    const glm::vec4 c = lit.part(step.zone, x, y, *at.form, at.first, at.area, lit_scratch_);
+    const glm::vec4 c = lit.part(piece, x, y, *at.form, lit_scratch_);
     lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
   } else {
-    lit.pixels(step.zone, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
+    lit.pixels(piece, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
                lit_.a.data(), lit_scratch_);
   }
   lay_group(to, lit_, 1.0f, at.count);

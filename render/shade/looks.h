@@ -28,12 +28,6 @@ struct LookStep {
   Mix mix{0.0};
 };
 
-/// A ramp between two kinks: at + slope · t, for t from `from` to `to`.
-struct RampSegment {
-  Mix at{0.0}, slope{0.0};
-  double from = 0, to = 0;
-};
-
 class Looks final : public LookRule {
  public:
   /// [px] A radial ramp's tip shows no farther from its centre.

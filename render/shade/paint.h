@@ -32,6 +32,12 @@ struct PaintField {
   double mean(glm::dvec2 p, double variance) const;
 };
 
+/// A ramp between two kinks: at + slope · t, for t from `from` to `to`.
+struct RampSegment {
+  Mix at{0.0}, slope{0.0};
+  double from = 0, to = 0;
+};
+
 /// A surface over a layer, in pixels.
 struct TapeRelief {
   struct TapeDome {

@@ -52,7 +52,7 @@ void judge(test::Random& random, int kind, double size, Profile profile, Blend b
     const auto keeps = [&](glm::dvec2 p) { return glm::dot(p - middle, way) < at; };
     const auto part = [&](const test::CountedForm& form) {
       return [&, form](const test::LitPart&) {
-        return Mix(paint.part(zone, x, y, form.form(), {x + 0.5, y + 0.5}, 1.0, scratch));
+        return Mix(paint.part(zone, x, y, form.form(), scratch));
       };
     };
     cut.add(judged(brute, blend, zone, x, y, part(brute.form(zone, x, y, keeps)), keeps));
@@ -95,7 +95,7 @@ TEST(LitPaint, DoesNotDependOnWhatWasAskedBefore) {
         one.pixels(zone, 0, y, 64, row[0], row[1], row[2], row[3], scratch);
         const int x = random.below(64);
         const PartStretch half{0.3f, 0, 0.4f, 0.5f, 0.5f, 1, 1};
-        other.part(zone, x, y, {.stretches = {&half, 1}}, {x + 0.5, y + 0.5}, 0.5, fresh);
+        other.part(zone, x, y, {.stretches = {&half, 1}}, fresh);
         other.pixels(zone, x, y, 1, &single[0], &single[1], &single[2], &single[3], fresh);
         for (int c = 0; c < 4; ++c)
           EXPECT_EQ(std::memcmp(&row[c][x], &single[c], sizeof(float)), 0) << k;
