@@ -127,6 +127,7 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   t.shallow = t.zone > 0 ? float(-levels[std::size_t(t.zone) - 1]) : -1e9f;
   t.deep = std::size_t(t.zone) < levels.size() ? float(-levels[std::size_t(t.zone)]) : 1e9f;
   if (t.rises) t.feet.narrow(area_, middle, kRadius);
+  t.tangled = t.rises && t.feet.tangled();
   make_smooth(t, scratch);
 }
 
@@ -157,6 +158,7 @@ void LitPaint::make_distances(LitTile& t) const {
   t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f;
   t.shallow = -1e9f, t.deep = 1e9f;
   t.feet.narrow(gradient_area_, middle, kRadius);
+  t.tangled = t.feet.tangled() || gradient_area_.is_fine();
   find_feet(t);
   judge_distances(t);
 }

@@ -31,6 +31,7 @@ struct LitTile {
   float shallow, deep;
   float same =
       0.02f;  ///< gradients that agree so well seen from one block and from the next are of one branch
+  bool tangled = false;  ///< feet in the blocks' middles do not tell of what lies between
   LampLanes lamp;
   NearFeet feet;
 

@@ -230,7 +230,7 @@ void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
               LitTile::Trust* trust) {
   const float most_swing = 0.05f * levels;  // [1/px]
   const bool wide = IsWide(tile);
-  if (tile.rises && tile.feet.tangled()) {
+  if (tile.rises && tile.tangled) {
     std::fill_n(trust, kSide, LitTile::Trust::none);
     return;
   }

@@ -192,7 +192,12 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
 }  // namespace
 
 FeetArea::FeetArea(const AreaDistance& area, glm::dvec2 center) : area_(&area), center_(center) {
-  for (const Shape& shape : area.shapes()) shapes_.push_back(spines_of(shape, center));
+  constexpr double kSmall = 32.0;  // [px]
+  for (const Shape& shape : area.shapes()) {
+    shapes_.push_back(spines_of(shape, center));
+    const glm::dvec2 size = bounds(shape).size();
+    fine_ = fine_ || (area.shapes().size() > 1 && std::min(size.x, size.y) < kSmall);
+  }
 }
 
 void NearFeet::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {

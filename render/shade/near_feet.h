@@ -69,11 +69,14 @@ class FeetArea {
   const AreaDistance* area() const { return area_; }
   glm::dvec2 center() const { return center_; }
   const std::vector<SpineShape>& shapes() const { return shapes_; }
+  /// Whether it is a combination of small shapes: where several meet, ridges lie a pixel apart.
+  bool is_fine() const { return fine_; }
 
  private:
   const AreaDistance* area_ = nullptr;
   glm::dvec2 center_{0.0};
   std::vector<SpineShape> shapes_;
+  bool fine_ = false;
 };
 
 /// Keeps its scratch; one per thread.
