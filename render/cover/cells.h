@@ -31,6 +31,8 @@ struct RowStretch {
   int row;
   double x, y, t, next_x, next_y, next_t;
   int column, last;  ///< of both
+  float area,
+      rest;  ///< where they are the same: to its right in the cell, and of every one after it
 };
 
 /// The cells of a row that a stretch crosses.
@@ -72,7 +74,7 @@ void rows_of(const OutlinePiece& p, double top, double bottom, int width, Sink&&
       const auto i = std::size_t(k);
       sink(RowStretch{first + k, at.x[i], k > 0 ? first + k : begin, at.t[i], at.x[i + 1],
                       k + 1 < rows ? first + k + 1 : end, at.t[i + 1], at.column[i],
-                      at.column[i + 1]});
+                      at.column[i + 1], at.area[i], at.rest[i]});
     }
   }
 }

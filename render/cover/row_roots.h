@@ -15,11 +15,13 @@ struct RowRange {
   int width;  ///< of the picture: columns are −1 left of it, and `width` right of it
 };
 
-/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends.
+/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends. And for
+/// rows in which it stays in one column what it leaves to its right there, and of every pixel after (cells.h).
 struct RowRoots {
   static constexpr int kRows = 16, kSpare = 8;
   std::array<double, kRows + kSpare> t, x;
   std::array<int, kRows + kSpare> column;
+  std::array<float, kRows + kSpare> area, rest;
 };
 
 /// RowRoots::kRows rows at most. With d = y − y0:

@@ -11,6 +11,29 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Trapezoid and lens, as in cells.h.
+HWY_INLINE void Areas(const OutlinePiece& p, const RowRange& range, RowRoots& to) {
+  const hn::CappedTag<double, RowRoots::kSpare> d;
+  const hn::Rebind<float, decltype(d)> f;
+  const auto lens = hn::Set(d, (p.ax * p.by - p.ay * p.bx) / 3.0), zero = hn::Zero(d),
+             half = hn::Set(d, 0.5), one = hn::Set(d, 1.0), least = hn::Set(d, range.top),
+             most = hn::Set(d, range.bottom);
+  for (int k = 0; k < range.rows; k += int(hn::Lanes(d))) {
+    const size_t at = size_t(k);
+    const auto border = hn::Iota(d, double(range.first_row + k));
+    const auto dy = hn::Sub(hn::Min(hn::Add(border, one), most), hn::Max(border, least));
+    const auto x = hn::LoadU(d, &to.x[at]), next_x = hn::LoadU(d, &to.x[at + 1]);
+    const auto h = hn::Sub(hn::LoadU(d, &to.t[at + 1]), hn::LoadU(d, &to.t[at]));
+    const auto column = hn::Floor(x);
+    const auto right = hn::Sub(hn::Add(column, one), hn::Mul(half, hn::Add(x, next_x)));
+    const auto bow = hn::Mul(hn::Mul(hn::Mul(lens, h), h), h);
+    const auto area = hn::IfThenElse(hn::Lt(column, zero), dy, hn::Sub(hn::Mul(right, dy), bow));
+    const auto area_f = hn::DemoteTo(f, area);
+    hn::StoreU(area_f, f, &to.area[at]);
+    hn::StoreU(hn::Sub(hn::DemoteTo(f, dy), area_f), f, &to.rest[at]);
+  }
+}
+
 /// Products and sums by themselves: the same bits with and without fused ones.
 void Roots(const OutlinePiece& p, const RowRange& range, RowRoots& to) {
   const hn::CappedTag<double, RowRoots::kSpare> d;
@@ -32,6 +55,7 @@ void Roots(const OutlinePiece& p, const RowRange& range, RowRoots& to) {
     const auto column = hn::Floor(hn::Min(hn::Max(x, hn::Set(d, -1.0)), width));
     hn::StoreU(hn::DemoteTo(i, column), i, &to.column[size_t(k)]);
   }
+  Areas(p, range, to);
 }
 
 }  // namespace HWY_NAMESPACE
