@@ -134,8 +134,11 @@ class RimWriter {
     if (!(h * std::max(third(0.0), third(1.0)) <= 0.5 * least * least))
       return std::numeric_limits<double>::infinity();
     const double most = std::abs(c) + 8.0 * h * h / least;
-    const double by_width = most * most_over(q.w, q.w + q.wa, q.w + 2.0 * q.wa + q.wb);
-    return std::min(by_width, 0.25 * std::sqrt(most));
+    // w − sqrt(w² − x w) = x / (1 + sqrt(1 − x/w)): of x, the most, about half where w is larger.
+    const double w0 = q.w, w1 = q.w + q.wa, w2 = q.w + 2.0 * q.wa + q.wb;
+    const double by_width = most * most_over(w0, w1, w2), narrowest = std::min({w0, w1, w2});
+    const double left = by_width < narrowest ? std::sqrt(1.0 - by_width / narrowest) : 0.0;
+    return std::min(by_width / (1.0 + left), 0.25 * std::sqrt(most));
   }
 
   /// Where to halve: in the middle of a large turn, at a cusp, or of t.
