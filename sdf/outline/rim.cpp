@@ -133,7 +133,8 @@ class RimWriter {
     // On the way to the foot the second derivative keeps half its size.
     if (!(h * std::max(third(0.0), third(1.0)) <= 0.5 * least * least))
       return std::numeric_limits<double>::infinity();
-    const double most = std::abs(c) + 8.0 * h * h / least;
+    const double foot = std::copysign(2.0 * h * h / least, k0),
+                 most = std::max(std::abs(c), std::abs(c - foot));
     // w − sqrt(w² − x w) = x / (1 + sqrt(1 − x/w)): of x, the most, about half where w is larger.
     const double w0 = q.w, w1 = q.w + q.wa, w2 = q.w + 2.0 * q.wa + q.wb;
     const double by_width = most * most_over(w0, w1, w2), narrowest = std::min({w0, w1, w2});
