@@ -50,17 +50,17 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
 /// Those between top and bottom, by height and then from the left: a bucket per height, each in order.
 void Sweep::sort_vertices() {
   const auto& all = outlines_->vertices;
-  constexpr int kBuckets = 1024;
+  const std::size_t buckets = std::clamp<std::size_t>(all.size(), 1, 1024);
   double lo = HUGE_VAL, hi = -HUGE_VAL;
   const auto counts = [&](const OutlineVertex& v) { return v.y > top_ && v.y < bottom_; };
   for (const OutlineVertex& v : all)
     if (counts(v)) lo = std::min(lo, v.y), hi = std::max(hi, v.y);
-  const double scale = hi > lo ? (kBuckets - 1) / (hi - lo) : 0.0;
-  buckets_.assign(kBuckets + 1, 0);
+  const double scale = hi > lo ? double(buckets - 1) / (hi - lo) : 0.0;
+  buckets_.assign(buckets + 1, 0);
   const auto bucket = [&](const OutlineVertex& v) { return std::size_t((v.y - lo) * scale); };
   for (const OutlineVertex& v : all)
     if (counts(v)) ++buckets_[bucket(v) + 1];
-  for (std::size_t i = 0; i < kBuckets; ++i) buckets_[i + 1] += buckets_[i];
+  for (std::size_t i = 0; i < buckets; ++i) buckets_[i + 1] += buckets_[i];
   order_.resize(std::size_t(buckets_.back()));
   for (std::size_t i = 0; i < all.size(); ++i)
     if (counts(all[i])) order_[std::size_t(buckets_[bucket(all[i])]++)] = int(i);
@@ -68,7 +68,7 @@ void Sweep::sort_vertices() {
     const OutlineVertex &a = all[std::size_t(i)], &b = all[std::size_t(j)];
     return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : i < j;
   };
-  for (std::size_t i = 0, from = 0; i < kBuckets; from = std::size_t(buckets_[i++]))
+  for (std::size_t i = 0, from = 0; i < buckets; from = std::size_t(buckets_[i++]))
     if (buckets_[i] - int(from) > 1)
       std::sort(order_.begin() + std::ptrdiff_t(from), order_.begin() + buckets_[i], first);
 }
