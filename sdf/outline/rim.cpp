@@ -130,9 +130,10 @@ class RimWriter {
     const auto third = [&](double s) {
       return 3.0 * std::abs(glm::dot(q.velocity(s), 2.0 * q.b) - q.rate(s) * 2.0 * q.wb);
     };
-    // On the way to the foot, which lies on the piece, the second derivative keeps this share of its size.
-    const double kept = 1.0 - h * std::max(third(0.0), third(1.0)) / (least * least);
-    if (!(kept >= 0.5 && h <= 0.25 * least)) return std::numeric_limits<double>::infinity();
+    // On the way to the foot the second derivative keeps half its size, and more where that lies on the piece.
+    double kept = 1.0 - h * std::max(third(0.0), third(1.0)) / (least * least);
+    if (!(kept >= 0.5)) return std::numeric_limits<double>::infinity();
+    if (h > 0.25 * least) kept = 0.5;
     const double foot = std::copysign(4.0 * h * h / (least * kept), k0),
                  most = std::max(std::abs(c), std::abs(c - foot));
     // w − sqrt(w² − x w) = x / (1 + sqrt(1 − x/w)): of x, the most, about half where w is larger.
