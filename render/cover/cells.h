@@ -31,6 +31,8 @@ struct RowStretch {
   int row;
   double x, y, t, next_x, next_y, next_t;
   int column, last;  ///< of both
+  bool told;         ///< whether its cells are, where columns are the same, or neighbours:
+  CellPart first, second;
 };
 
 /// The cells of a row that a stretch crosses.
@@ -59,20 +61,64 @@ void cells_of_row(const OutlinePiece& p, const RowStretch& s, int width, Sink&& 
   }
 }
 
+/// Calls sink(RowStretch) for the rows of a range whose roots are known.
+template <class Sink>
+void rows_between(const RowRange& range, const RowRoots& at, Sink&& sink) {
+  for (int k = 0; k < range.rows; ++k) {
+    const auto i = std::size_t(k);
+    const int row = range.first_row + k;
+    sink(RowStretch{row, at.x[i], k > 0 ? row : range.top, at.t[i], at.x[i + 1],
+                    k + 1 < range.rows ? row + 1 : range.bottom, at.t[i + 1], at.column[i],
+                    at.column[i + 1], at.first(i), at.second(i)});
+  }
+}
+
+/// Calls sink(RowRange) for the rows between two heights, as many at once as roots are found.
+template <class Sink>
+void ranges_of(double top, double bottom, int width, Sink&& sink) {
+  const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
+  for (int first = int(top); first <= last_row; first += RowRoots::kRows) {
+    const int rows = std::min(RowRoots::kRows, last_row + 1 - first);
+    sink(RowRange{std::max(top, double(first)), std::min(bottom, double(first + rows)), first, rows,
+                  width});
+  }
+}
+
+/// One row alone: done before lanes are filled. The same bits as row_roots().
+inline RowStretch row_stretch(const OutlinePiece& p, const RowRange& range) {
+  const auto parameter = [&](double y) {
+    const double d = y - p.y0, divisor = p.ay + std::sqrt(std::max(0.0, p.ay * p.ay + p.by * d));
+    return divisor > 0.0 ? d / divisor : 0.0;
+  };
+  const double t = parameter(range.top), u = parameter(range.bottom),
+               x = p.x0 + t * (2.0 * p.ax + t * p.bx), v = p.x0 + u * (2.0 * p.ax + u * p.bx);
+  const auto column = [&](double at) {  // floor()
+    const double held = std::min(std::max(at, -1.0), double(range.width));
+    return int(held) - int(held < int(held));
+  };
+  return {range.first_row, x,         range.top, t,  v, range.bottom, u,
+          column(x),       column(v), false,     {}, {}};
+}
+
 /// Calls sink(RowStretch) for the rows that the piece crosses between two heights, from the top down.
 template <class Sink>
 void rows_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
   const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
   for (int first = int(top); first <= last_row; first += RowRoots::kRows) {
     const int rows = std::min(RowRoots::kRows, last_row + 1 - first);
-    const double begin = std::max(top, double(first)), end = std::min(bottom, double(first + rows));
+    const RowRange range{std::max(top, double(first)), std::min(bottom, double(first + rows)),
+                         first, rows, width};
+    if (rows == 1) {
+      sink(row_stretch(p, range));
+      continue;
+    }
     RowRoots at;
-    row_roots(p, {begin, end, first, rows, width}, at);
+    row_roots(p, range, at);
     for (int k = 0; k < rows; ++k) {
       const auto i = std::size_t(k);
-      sink(RowStretch{first + k, at.x[i], k > 0 ? first + k : begin, at.t[i], at.x[i + 1],
-                      k + 1 < rows ? first + k + 1 : end, at.t[i + 1], at.column[i],
-                      at.column[i + 1]});
+      sink(RowStretch{first + k, at.x[i], k > 0 ? first + k : range.top, at.t[i], at.x[i + 1],
+                      k + 1 < rows ? first + k + 1 : range.bottom, at.t[i + 1], at.column[i],
+                      at.column[i + 1], true, at.first(i), at.second(i)});
     }
   }
 }

@@ -15,11 +15,21 @@ struct RowRange {
   int width;  ///< of the picture: columns are −1 left of it, and `width` right of it
 };
 
-/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends.
+/// A cell's part of a piece: the area to its right there, and what it takes of every pixel after.
+struct CellPart {
+  float area, rest;
+};
+
+/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends. And for
+/// rows in which it stays in one column, or goes on to the next: what it leaves in the first, and in the other.
 struct RowRoots {
-  static constexpr int kRows = 16, kSpare = 8;
+  static constexpr int kRows = 16, kSpare = 8 + 1;
   std::array<double, kRows + kSpare> t, x;
   std::array<int, kRows + kSpare> column;
+  std::array<float, kRows + kSpare> area, rest, next_area, next_rest;
+
+  CellPart first(std::size_t row) const { return {area[row], rest[row]}; }
+  CellPart second(std::size_t row) const { return {next_area[row], next_rest[row]}; }
 };
 
 /// RowRoots::kRows rows at most. With d = y − y0:

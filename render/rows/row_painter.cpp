@@ -13,8 +13,8 @@ constexpr float kNoArea = 1e-6f;  // a share of less shows nowhere
 constexpr float kClosed = 1e-5f;  // a look that goes on by less has ended
 
 bool close(const Rgba& x, const Rgba& y) {
-  return std::abs(x.r - y.r) < kSame && std::abs(x.g - y.g) < kSame &&
-         std::abs(x.b - y.b) < kSame && std::abs(x.a - y.a) < kSame;
+  return std::max(std::max(std::abs(x.r - y.r), std::abs(x.g - y.g)),
+                  std::max(std::abs(x.b - y.b), std::abs(x.a - y.a))) < kSame;
 }
 
 }  // namespace
@@ -81,7 +81,6 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   shares_ = &sums.shares(row);
   refused_.clear();
   room_for(std::size_t(x1 - x0));
-  if (dither_ && palette_->any_varies) set_thresholds();
   std::sort(shares_->begin(), shares_->end(),
             [](const LookShare& a, const LookShare& b) { return a.column < b.column; });
   next_share_ = 0;
@@ -98,6 +97,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
 }
 
 void RowPainter::paint_varied(RowSums& sums, int row) {
+  if (dither_) set_thresholds();
   Rgba* const cells = sums.sums(row);
   std::uint64_t* const marks = sums.marks(row);
   int at = 0;
@@ -162,14 +162,19 @@ Rgba RowPainter::flat_run(int from, int until, const Rgba& sum) {
     entry = look >= 0 ? &palette_->entries[std::size_t(look)] : nullptr;
   }
   const int first = std::max(from, x0_), end = std::min(until, x1_);
-  if (first < end) {
-    stats_->fill_pixels += end - first;
-    if (entry)
-      fill_run(at(first), end - first, entry->pixels, bytes_, stores_);
-    else
-      fill_run(at(first), end - first, pattern_of(sum), bytes_, stores_);
-  }
+  if (first < end && entry) fill(first, end, entry->pixels);
+  if (first < end && !entry) fill(first, end, pattern_of(sum));
   return entry ? entry->color : sum;
+}
+
+/// Columns of one colour. A short run is written as long as a pattern: what is right of it comes later.
+void RowPainter::fill(int first, int end, const RunPattern& pattern) {
+  stats_->fill_pixels += end - first;
+  const std::size_t size = std::size_t(end - first) * bytes_;
+  if (size <= pattern.size() && std::size_t(x1_ - first) * bytes_ >= pattern.size())
+    std::memcpy(at(first), pattern.data(), pattern.size());
+  else
+    fill_run(at(first), end - first, pattern, bytes_, stores_);
 }
 
 RunPattern RowPainter::pattern_of(const Rgba& mix) const {
@@ -236,10 +241,7 @@ void RowPainter::run(int from, int until) {
 
 void RowPainter::run_of(int look, int from, int until) {
   const Palette::Entry& e = palette_->entries[std::size_t(look)];
-  if (!e.varies) {
-    stats_->fill_pixels += until - from;
-    return fill_run(at(from), until - from, e.pixels, bytes_, stores_);
-  }
+  if (!e.varies) return fill(from, until, e.pixels);
   stats_->varied_pixels += until - from;
   while (from < until) {
     const int first = from & ~(LookShader::kBlock - 1);

@@ -60,6 +60,7 @@ class RowPainter {
   void paint_flat(RowSums& sums, int row);
   Rgba flat_run(int from, int until, const Rgba& sum);
   RunPattern pattern_of(const Rgba& mix) const;
+  void fill(int first, int end, const RunPattern& pattern);
   void move_on();
   void run(int from, int until);
   void run_of(int look, int from, int until);

@@ -77,14 +77,23 @@ void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, in
     Rgba* const row_sums = sums(row);
     std::uint64_t* const row_marks = marks(row);
     std::uint16_t* const row_hints = hints_.data() + std::size_t(row) * stride_;
-    cells_of_row(piece, s, width_, [&](const CellStretch& c) {
+    const auto add_cell = [&](int at, const CellPart& part) {
+      if (at >= width_) return;
       ++cells_;
-      const std::size_t column = std::size_t(std::max(c.column, 0));
-      const float dy = float(c.yq - c.yp), area = float(c.area), rest = dy - area;
-      row_sums[column] = row_sums[column] + area * jump;
-      row_sums[column + 1] = row_sums[column + 1] + rest * jump;
+      const std::size_t column = std::size_t(std::max(at, 0));
+      row_sums[column] = row_sums[column] + part.area * jump;
+      row_sums[column + 1] = row_sums[column + 1] + part.rest * jump;
       row_marks[column >> 6] |= std::uint64_t{1} << (column & 63);
       row_hints[column] = std::uint16_t(right_look);
+    };
+    if (!kVaried && s.told && std::abs(s.last - s.column) <= 1) {
+      add_cell(s.column, s.first);
+      if (s.last != s.column) add_cell(s.last, s.second);
+      return;
+    }
+    cells_of_row(piece, s, width_, [&](const CellStretch& c) {
+      const float dy = float(c.yq - c.yp), area = float(c.area);
+      add_cell(c.column, {area, dy - area});
       if constexpr (kVaried) share(row, c, left_varied, right_varied);
     });
   });

@@ -15,55 +15,45 @@ class Pair {
  public:
   Pair(const SweepPiece& left, const SweepPiece& right) : l_(left), r_(right) {}
 
-  double gap(double y) const { return x_at(r_, y) - x_at(l_, y); }
+  PairLevel at(double y) const { return pair_at(l_, r_, y); }
+  double gap(double y) const { return at(y).gap(); }
   double widening(double y) const { return parting(r_, l_, y); }
 
-  /// The gap where the first of both ends, in the sweep's order.
-  double last_gap() const {
-    const bool left_first = before(l_.x1, l_.y1, r_.x1, r_.y1);
-    const double y = left_first ? l_.y1 : r_.y1, x = left_first ? l_.x1 : r_.x1;
-    return x_there(r_, y, x) - x_there(l_, y, x);
-  }
-
-  /// No direction of one is a direction of the other: the gap grows all along, or falls.
-  bool one_way() const {
-    const double lx = l_.ax + l_.bx, ly = l_.ay + l_.by, rx = r_.ax + r_.bx, ry = r_.ay + r_.by;
-    const double a = l_.ax * r_.ay - r_.ax * l_.ay, b = l_.ax * ry - rx * l_.ay,
-                 c = lx * r_.ay - r_.ax * ly, d = lx * ry - rx * ly;
-    return (a > 0 && b > 0 && c > 0 && d > 0) || (a < 0 && b < 0 && c < 0 && d < 0);
-  }
-
-  /// Whether sign · gap is proven to be > −kDeep between two heights, at little cost.
-  bool in_order(double a, double b, double sign) const {
+  /// Whether sign · gap is proven to be > −kDeep between two levels, at little cost.
+  bool in_order(const PairLevel& a, const PairLevel& b, double sign) const {
     constexpr int kHalvings = 1;
-    return sign > 0.0 ? stays_in_order(l_, r_, a, b, kDeep, kHalvings)
-                      : stays_in_order(r_, l_, a, b, kDeep, kHalvings);
+    if (sign > 0.0) return stays_in_order(l_, r_, a, b, kDeep, kHalvings);
+    const auto other = [](const PairLevel& p) {
+      return PairLevel{p.y, p.r, p.l, p.right_x, p.left_x};
+    };
+    return stays_in_order(r_, l_, other(a), other(b), kDeep, kHalvings);
   }
-  double meeting(double a, double b, double sign) const;
+  double meeting(PairLevel a, PairLevel b, double sign) const;
   double dip(double a, double b, double sign, int depth) const;
 
  private:
-  double newton(double y, double a, double b) const;
+  double newton(const PairLevel& a, const PairLevel& b, double share) const;
 
   const SweepPiece &l_, &r_;
 };
 
-/// Newton's steps in both parameters; none where they lead astray.
-double Pair::newton(double y, double a, double b) const {
+/// Newton's steps in both parameters, from a share of the way from a to b; none where they lead astray.
+double Pair::newton(const PairLevel& a, const PairLevel& b, double share) const {
   constexpr double kClose = 1e-9;  // [px]
-  double t = parameter_at(l_, y), u = parameter_at(r_, y);
+  double t = a.l + share * (b.l - a.l), u = a.r + share * (b.r - a.r);
   for (int i = 0; i < 6; ++i) {
     const double lx = x_of(l_, t), ly = l_.y0 + t * (2.0 * l_.ay + t * l_.by);
     const double rx = x_of(r_, u), ry = r_.y0 + u * (2.0 * r_.ay + u * r_.by);
     const double dx = rx - lx, dy = ry - ly;
     if (std::abs(dx) + std::abs(dy) < kClose)
-      return ly >= a && ly <= b && t >= 0.0 && t <= 1.0 && u >= 0.0 && u <= 1.0 ? ly : kNever;
+      return ly >= a.y && ly <= b.y && t >= 0.0 && t <= 1.0 && u >= 0.0 && u <= 1.0 ? ly : kNever;
     const double vx = 2.0 * (l_.ax + t * l_.bx), vy = 2.0 * (l_.ay + t * l_.by);
     const double wx = 2.0 * (r_.ax + u * r_.bx), wy = 2.0 * (r_.ay + u * r_.by);
     const double det = vx * wy - vy * wx;
     if (det == 0.0) return kNever;
-    t += (dx * wy - dy * wx) / det;
-    u += (dx * vy - dy * vx) / det;
+    const double by = 1.0 / det;
+    t += (dx * wy - dy * wx) * by;
+    u += (dx * vy - dy * vx) * by;
     if (!(t > -0.2 && t < 1.2 && u > -0.2 && u < 1.2)) return kNever;
   }
   return kNever;
@@ -71,48 +61,47 @@ double Pair::newton(double y, double a, double b) const {
 
 /// The height between a and b at which sign · gap falls from > 0 to < 0. Pieces that touch at an end
 /// are followed until they are apart.
-double Pair::meeting(double a, double b, double sign) const {
-  double at_a = sign * gap(a), at_b = sign * gap(b);
+double Pair::meeting(PairLevel a, PairLevel b, double sign) const {
   constexpr double kFirstStep = 0x1p-20;
-  if (!(at_a > kTouch)) {  // they begin together: apart at first?
-    if (!(sign * widening(a) >= 0.0)) return a;
-    double step = (b - a) * kFirstStep;
-    for (; step < b - a; step *= 4.0) {
-      at_a = sign * gap(a + step);
-      if (at_a > kTouch) break;
-      if (at_a < -kTouch) return a;
+  const double height = b.y - a.y, from = a.y, to = b.y;
+  if (!(sign * a.gap() > kTouch)) {  // they begin together: apart at first?
+    if (!(sign * widening(from) >= 0.0)) return from;
+    double step = height * kFirstStep;
+    for (; step < height; step *= 4.0) {
+      a = at(from + step);
+      if (sign * a.gap() > kTouch) break;
+      if (sign * a.gap() < -kTouch) return from;
     }
-    if (!(step < b - a)) return a;
-    a += step;
+    if (!(step < height)) return from;
   }
-  if (!(at_b < 0.0)) {  // they end together: apart before?
-    double step = (b - a) * kFirstStep;
-    for (; step < b - a; step *= 4.0) {
-      at_b = sign * gap(b - step);
-      if (at_b < -kTouch) break;
-      if (at_b > kTouch) return b;
+  if (!(sign * b.gap() < 0.0)) {  // they end together: apart before?
+    double step = (to - a.y) * kFirstStep;
+    for (; step < to - a.y; step *= 4.0) {
+      b = at(to - step);
+      if (sign * b.gap() < -kTouch) break;
+      if (sign * b.gap() > kTouch) return to;
     }
-    if (!(step < b - a)) return b;
-    b -= step;
+    if (!(step < to - a.y)) return to;
   }
-  const double near = newton(a + (b - a) * (at_a / (at_a - at_b)), a, b);
+  const double near = newton(a, b, a.gap() / (a.gap() - b.gap()));
   if (near == near) return near;
   // Newton went astray: a bracket, by secants whose end that stays counts half.
-  for (int i = 0, side = 0; i < 60 && b - a > 1e-9; ++i) {
-    const double y = i % 4 == 3 ? 0.5 * (a + b) : a + (b - a) * (at_a / (at_a - at_b));
+  double p = a.y, q = b.y, at_p = sign * a.gap(), at_q = sign * b.gap();
+  for (int i = 0, side = 0; i < 60 && q - p > 1e-9; ++i) {
+    const double y = i % 4 == 3 ? 0.5 * (p + q) : p + (q - p) * (at_p / (at_p - at_q));
     const double d = sign * gap(y);
     if (std::abs(d) < 1e-9) return y;
     if (d > 0.0) {
-      a = y, at_a = d;
-      if (side == 1) at_b *= 0.5;
+      p = y, at_p = d;
+      if (side == 1) at_q *= 0.5;
       side = 1;
     } else {
-      b = y, at_b = d;
-      if (side == -1) at_a *= 0.5;
+      q = y, at_q = d;
+      if (side == -1) at_p *= 0.5;
       side = -1;
     }
   }
-  return 0.5 * (a + b);
+  return 0.5 * (p + q);
 }
 
 /// A height between a and b, at whose ends sign · gap >= 0, where it is less than nothing. Where the
@@ -141,12 +130,21 @@ double Pair::dip(double a, double b, double sign, int depth) const {
   return first == first ? first : dip(m, b, sign, depth - 1);
 }
 
-void there_and_back(const Pair& pair, double a, double b, double sign, Crossings& out) {
-  if (!(b - a > 1e-9) || pair.in_order(a, b, sign)) return;
-  const double m = pair.dip(a, b, sign, 2);
+void there_and_back(const Pair& pair, const PairLevel& a, const PairLevel& b, double sign,
+                    Crossings& out) {
+  if (!(b.y - a.y > 1e-9) || pair.in_order(a, b, sign)) return;
+  const double m = pair.dip(a.y, b.y, sign, 2);
   if (!(m == m)) return;
-  out.add(pair.meeting(a, m, sign));
-  out.add(pair.meeting(m, b, -sign));
+  const PairLevel middle = pair.at(m);
+  out.add(pair.meeting(a, middle, sign));
+  out.add(pair.meeting(middle, b, -sign));
+}
+
+/// The gap where the first of both ends and the sweep does not go on: level pieces are met where it is.
+double gap_at_end(const SweepPiece& left, const SweepPiece& right) {
+  const bool left_first = before(left.x1, left.y1, right.x1, right.y1);
+  const double y = left_first ? left.y1 : right.y1, x = left_first ? left.x1 : right.x1;
+  return x_there(right, y, x) - x_there(left, y, x);
 }
 
 }  // namespace
@@ -154,50 +152,55 @@ void there_and_back(const Pair& pair, double a, double b, double sign, Crossings
 SweepPiece sweep_piece(const OutlinePiece& piece) {
   SweepPiece made{piece};
   const double wide = piece.x1 - piece.x0, high = piece.y1 - piece.y0;
-  made.lowest_x = std::nextafter(float(std::min(piece.x0, piece.x1)), -HUGE_VALF);
-  made.highest_x = std::nextafter(float(std::max(piece.x0, piece.x1)), HUGE_VALF);
+  constexpr double kFloat = 0x1p-23;  // more than a rounding, relative to what is rounded
+  const double lowest = std::min(piece.x0, piece.x1), highest = std::max(piece.x0, piece.x1);
+  made.lowest_x = float(lowest - kFloat * std::abs(lowest));
+  made.highest_x = float(highest + kFloat * std::abs(highest));
   // Half the control point's distance from the chord, along x. A piece as good as level has no lean to
-  // speak of: all its width.
-  constexpr double kLevel = 1e-4;
+  // speak of: all its width, and no tangents.
+  constexpr double kLevel = 1e-4, kSteepest = 1e9, kLeast = 1e-9;
   const double off = wide * piece.ay - high * piece.ax, most = std::abs(wide);
-  made.lean = 0.0, made.left_bulge = made.right_bulge = most;
-  if (high > kLevel * most) {
-    made.lean = wide / high;
-    const double bulge = std::min(0.5 * std::abs(off) / high, most) * (1.0 + 1e-6) + 1e-9;
-    made.left_bulge = off > 0.0 ? bulge : 1e-9, made.right_bulge = off > 0.0 ? 1e-9 : bulge;
-  }
+  const bool level = !(high > kLevel * most), convex = off > 0.0;
+  const double up = 1.0 / (level ? 1.0 : high), lean = level ? kNever : wide * up,
+               bulge = std::min(0.5 * std::abs(off) * up, most) * (1.0 + 1e-6) + kLeast;
+  made.lean = level ? 0.0 : lean;
+  made.left_bulge = level ? most : convex ? bulge : kLeast;
+  made.right_bulge = level ? most : convex ? kLeast : bulge;
+  const auto tangent = [&](double x, double y) {
+    return !level && std::abs(x) <= kSteepest * y ? x / y : kNever;
+  };
+  const double top = tangent(piece.ax, piece.ay),
+               bottom = tangent(piece.ax + piece.bx, piece.ay + piece.by);
+  made.low_top = convex ? top : lean, made.low_bottom = convex ? bottom : lean;
+  made.high_top = convex ? lean : top, made.high_bottom = convex ? lean : bottom;
   return made;
 }
 
 Crossings crossings(const SweepPiece& left, const SweepPiece& right, double y) {
   Crossings found;
-  if (coincide(left, right)) return found;
   const double end = std::min(left.y1, right.y1);
-  if (least_gap(left, right, y, end) > 0.0) return found;
-  if (least_gap(right, left, y, end) > 0.0) {
-    found.add(y);
+  if (tangent_gap(left, right, y, end) > -kDeep || coincide(left, right)) return found;
+  if (!(end > y)) {
+    if (gap_at_end(left, right) < -kTouch) found.add(y);
     return found;
   }
   const Pair pair(left, right);
-  const double last = pair.last_gap();
-  const bool once = last < -kTouch;
-  if (!(end > y)) {
-    if (once) found.add(y);
+  const PairLevel a = pair.at(y), b = pair.at(end);
+  const bool once = b.gap() < -kTouch, one_way = trend(left, right, a, b) != 0;
+  if (!once) {
+    if (!one_way) there_and_back(pair, a, b, 1.0, found);
     return found;
   }
-  if (once) {
-    const double at = pair.meeting(y, end, 1.0);
-    if (pair.one_way()) {
-      found.add(at);
-      return found;
-    }
-    there_and_back(pair, y, at, 1.0, found);
+  const double at = pair.meeting(a, b, 1.0);
+  found.one_way = one_way;
+  if (one_way) {
     found.add(at);
-    if (found.count < 3) there_and_back(pair, at, end, -1.0, found);
     return found;
   }
-  if (pair.one_way()) return found;
-  there_and_back(pair, y, end, 1.0, found);
+  const PairLevel middle = pair.at(at);
+  there_and_back(pair, a, middle, 1.0, found);
+  found.add(at);
+  if (found.count < 3) there_and_back(pair, middle, b, -1.0, found);
   return found;
 }
 

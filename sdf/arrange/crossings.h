@@ -11,6 +11,7 @@ namespace mien {
 struct Crossings {
   std::array<double, 4> at;
   int count = 0;
+  bool one_way = false;  ///< there is one, and the gap falls all the way there and beyond
   void add(double y) { at[std::size_t(count++)] = y; }
 };
 

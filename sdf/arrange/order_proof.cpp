@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 namespace mien {
 namespace {
@@ -13,22 +14,9 @@ class OrderProof {
   OrderProof(const SweepPiece& left, const SweepPiece& right, double tolerance)
       : l_(left), r_(right), tolerance_(tolerance) {}
 
-  bool holds(double from, double to, int halvings) const {
-    return holds(at(from), at(to), halvings);
-  }
+  bool holds(const PairLevel& a, const PairLevel& b, int halvings) const;
 
  private:
-  /// Both pieces at a height: their parameters and places.
-  struct Level {
-    double y, l, r, left_x, right_x;
-    double gap() const { return right_x - left_x; }
-  };
-
-  Level at(double y) const {
-    const double l = parameter_at(l_, y), r = parameter_at(r_, y);
-    return {y, l, r, x_of(l_, l), x_of(r_, r)};
-  }
-
   /// x'' at a parameter.
   static double bend(const SweepPiece& p, double t) {
     const double bends = turning(p), v = std::max(0.0, p.ay + t * p.by);
@@ -42,38 +30,51 @@ class OrderProof {
     return 0.5 * (a + b) - dip - rise * rise / (16.0 * dip);
   }
 
-  bool holds(const Level& a, const Level& b, int halvings) const {
-    const double slack = std::min(a.gap(), b.gap()) + tolerance_, height = b.y - a.y;
-    if (!(slack >= 0.0)) return false;
-    if (std::max(a.left_x, b.left_x) <= std::min(a.right_x, b.right_x) + tolerance_) return true;
-    const auto sag = [&](const SweepPiece& p, double bulge, double h) {
-      return std::min(bulge, 0.5 * std::abs(turning(p)) * h * h * h / height);
-    };
-    const double sags = sag(r_, r_.left_bulge, b.r - a.r) + sag(l_, l_.right_bulge, b.l - a.l);
-    if (sags <= slack || sags * height <= 0.25 * tolerance_) return true;
-    const double bends = std::max(bend(r_, a.r), bend(r_, b.r)) -
-                         std::min(bend(l_, a.l), bend(l_, b.l)),
-                 dip = 0.125 * height * height * bends;
-    if (lowest(a.gap(), b.gap(), dip) >= -tolerance_ || dip * height <= 0.25 * tolerance_)
-      return true;
-    if (halvings == 0) return false;
-    const Level middle = at(0.5 * (a.y + b.y));
-    return holds(a, middle, halvings - 1) && holds(middle, b, halvings - 1);
-  }
-
   const SweepPiece &l_, &r_;
   double tolerance_;
 };
 
-}  // namespace
-
-bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to) {
-  if (least_gap(left, right, from, to) >= -kOrder || coincide(left, right)) return true;
-  return stays_in_order(left, right, from, to, kOrder, kHalvings);
+bool OrderProof::holds(const PairLevel& a, const PairLevel& b, int halvings) const {
+  const double slack = std::min(a.gap(), b.gap()) + tolerance_, height = b.y - a.y;
+  if (!(slack >= 0.0)) return false;
+  if (std::max(a.left_x, b.left_x) <= std::min(a.right_x, b.right_x) + tolerance_) return true;
+  if (trend(l_, r_, a, b) != 0) return true;
+  const auto sag = [&](const SweepPiece& p, double bulge, double h) {
+    return std::min(bulge, 0.5 * std::abs(turning(p)) * h * h * h / height);
+  };
+  const double sags = sag(r_, r_.left_bulge, b.r - a.r) + sag(l_, l_.right_bulge, b.l - a.l);
+  if (sags <= slack || sags * height <= 0.25 * tolerance_) return true;
+  const double bends =
+                   std::max(bend(r_, a.r), bend(r_, b.r)) - std::min(bend(l_, a.l), bend(l_, b.l)),
+               dip = 0.125 * height * height * bends;
+  if (lowest(a.gap(), b.gap(), dip) >= -tolerance_ || dip * height <= 0.25 * tolerance_)
+    return true;
+  if (halvings == 0) return false;
+  const PairLevel middle = pair_at(l_, r_, 0.5 * (a.y + b.y));
+  return holds(a, middle, halvings - 1) && holds(middle, b, halvings - 1);
 }
 
-bool stays_in_order(const SweepPiece& left, const SweepPiece& right, double from, double to,
-                    double tolerance, int halvings) {
+}  // namespace
+
+int trend(const SweepPiece& left, const SweepPiece& right, const PairLevel& a, const PairLevel& b) {
+  const auto way = [](const SweepPiece& p, double t) {
+    return glm::dvec2(p.ax + t * p.bx, p.ay + t * p.by);
+  };
+  const glm::dvec2 l0 = way(left, a.l), l1 = way(left, b.l), r0 = way(right, a.r),
+                   r1 = way(right, b.r);
+  const auto parts = [](glm::dvec2 l, glm::dvec2 r) { return r.x * l.y - l.x * r.y; };
+  const double c00 = parts(l0, r0), c01 = parts(l0, r1), c10 = parts(l1, r0), c11 = parts(l1, r1);
+  return int(std::min({c00, c01, c10, c11}) > 0.0) - int(std::max({c00, c01, c10, c11}) < 0.0);
+}
+
+bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to) {
+  if (chord_gap(left, right, from, to) >= -kOrder || coincide(left, right)) return true;
+  return stays_in_order(left, right, pair_at(left, right, from), pair_at(left, right, to), kOrder,
+                        kHalvings);
+}
+
+bool stays_in_order(const SweepPiece& left, const SweepPiece& right, const PairLevel& from,
+                    const PairLevel& to, double tolerance, int halvings) {
   return OrderProof(left, right, tolerance).holds(from, to, halvings);
 }
 

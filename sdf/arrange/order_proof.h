@@ -10,6 +10,21 @@ namespace mien {
 /// whole height of a pixel.
 inline constexpr double kOrder = 1.0 / 2560;
 
+/// A pair of pieces at a height: parameters and places.
+struct PairLevel {
+  double y, l, r, left_x, right_x;
+  double gap() const { return right_x - left_x; }
+};
+
+inline PairLevel pair_at(const SweepPiece& left, const SweepPiece& right, double y) {
+  const double l = parameter_at(left, y), r = parameter_at(right, y);
+  return {y, l, r, x_of(left, l), x_of(right, r)};
+}
+
+/// > 0 where the gap from `left` to `right` grows all the way from a to b, < 0 where it falls, 0 where that is
+/// not known. A piece's directions lie between those at its ends, and a cross product is linear in both.
+int trend(const SweepPiece& left, const SweepPiece& right, const PairLevel& a, const PairLevel& b);
+
 /// Whether `left` is left of `right` between two heights: nowhere farther right than kOrder, but for
 /// stretches whose area shows nowhere (a quarter of kOrder). False where it is not known.
 ///
@@ -24,11 +39,13 @@ inline constexpr double kOrder = 1.0 / 2560;
 ///
 /// The first is good for long stretches and where v is 0, the second for pieces alike, at whose ends
 /// both bend alike. Where neither is enough the height is halved.
-/// Before all that, chords and how far pieces leave them may do; and pieces are monotone: their ends may.
+/// Before all that, chords and how far pieces leave them may do; and pieces are monotone: their ends may. So may
+/// those of the gap, where it only grows or only falls.
 bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to);
 
-/// The same to another tolerance [px], with so many halvings at most and without the chords.
-bool stays_in_order(const SweepPiece& left, const SweepPiece& right, double from, double to,
-                    double tolerance, int halvings);
+/// The same between two levels to another tolerance [px], with so many halvings at most and without the
+/// chords.
+bool stays_in_order(const SweepPiece& left, const SweepPiece& right, const PairLevel& from,
+                    const PairLevel& to, double tolerance, int halvings);
 
 }  // namespace mien

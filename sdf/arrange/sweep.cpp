@@ -11,6 +11,8 @@ namespace {
 constexpr long kAgainFirst =
     10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
 
+constexpr double kProven = HUGE_VAL;  // neighbours since ever: their order needs no proof any more
+
 }  // namespace
 
 bool Sweep::later(const Event& a, const Event& b) {
@@ -48,17 +50,17 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
 /// Those between top and bottom, by height and then from the left: a bucket per height, each in order.
 void Sweep::sort_vertices() {
   const auto& all = outlines_->vertices;
-  constexpr int kBuckets = 1024;
+  const std::size_t buckets = std::clamp<std::size_t>(all.size(), 1, 1024);
   double lo = HUGE_VAL, hi = -HUGE_VAL;
   const auto counts = [&](const OutlineVertex& v) { return v.y > top_ && v.y < bottom_; };
   for (const OutlineVertex& v : all)
     if (counts(v)) lo = std::min(lo, v.y), hi = std::max(hi, v.y);
-  const double scale = hi > lo ? (kBuckets - 1) / (hi - lo) : 0.0;
-  buckets_.assign(kBuckets + 1, 0);
+  const double scale = hi > lo ? double(buckets - 1) / (hi - lo) : 0.0;
+  buckets_.assign(buckets + 1, 0);
   const auto bucket = [&](const OutlineVertex& v) { return std::size_t((v.y - lo) * scale); };
   for (const OutlineVertex& v : all)
     if (counts(v)) ++buckets_[bucket(v) + 1];
-  for (std::size_t i = 0; i < kBuckets; ++i) buckets_[i + 1] += buckets_[i];
+  for (std::size_t i = 0; i < buckets; ++i) buckets_[i + 1] += buckets_[i];
   order_.resize(std::size_t(buckets_.back()));
   for (std::size_t i = 0; i < all.size(); ++i)
     if (counts(all[i])) order_[std::size_t(buckets_[bucket(all[i])]++)] = int(i);
@@ -66,7 +68,7 @@ void Sweep::sort_vertices() {
     const OutlineVertex &a = all[std::size_t(i)], &b = all[std::size_t(j)];
     return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : i < j;
   };
-  for (std::size_t i = 0, from = 0; i < kBuckets; from = std::size_t(buckets_[i++]))
+  for (std::size_t i = 0, from = 0; i < buckets; from = std::size_t(buckets_[i++]))
     if (buckets_[i] - int(from) > 1)
       std::sort(order_.begin() + std::ptrdiff_t(from), order_.begin() + buckets_[i], first);
 }
@@ -108,7 +110,7 @@ void Sweep::begin_at_top() {
     region_[std::size_t(slot)] = p.flips ? regions_->across(left, p.outline) : left;
     enter(slot, top_);
   }
-  for (int slot = 0; slot < count_; ++slot) meet_others(active_[std::size_t(slot)], top_, slot + 1);
+  for (int slot = 0; slot < count_; ++slot) meet_others(slot, top_, slot + 1);
 }
 
 /// Looks of a piece that the sweep meets here.
@@ -160,7 +162,7 @@ void Sweep::go_on(int old, int now, double y) {
   n.winding = o.winding, n.flips = o.flips;
   o.slot = -1;
   put(slot, now);
-  meet_others(now, y, 0);
+  meet_others(slot, y, 0);
 }
 
 void Sweep::start(int a, int b, const OutlineVertex& v) {
@@ -207,8 +209,8 @@ void Sweep::start(int a, int b, const OutlineVertex& v) {
   enter(slot, v.y);
   enter(slot + 1, v.y);
   if (slot > 0) together_[std::size_t(slot) - 1] = v.y;
-  meet_others(left, v.y, 0);
-  meet_others(right, v.y, 0);
+  meet_others(slot, v.y, 0);
+  meet_others(slot + 1, v.y, 0, slot);
 }
 
 void Sweep::end(int a, int b, const OutlineVertex& v) {
@@ -230,9 +232,10 @@ void Sweep::end(int a, int b, const OutlineVertex& v) {
   if (slot > 0 && slot < count_) together_[std::size_t(slot) - 1] = v.y;
 }
 
-void Sweep::swap(int slot, double y) {
+void Sweep::swap(int slot, double y, bool one_way) {
   const auto s = std::size_t(slot);
   const int a = active_[s], b = active_[s + 1];
+  if (one_way) together_[s] = kProven;
   for (int i = std::max(slot - 1, 0); i <= slot + 1 && i + 1 < count_; ++i) parted(i, y);
   SweepPiece &p = piece(a), &q = piece(b);
   if (p.outline == q.outline) {
@@ -243,6 +246,7 @@ void Sweep::swap(int slot, double y) {
   }
   const int left = region_left_of(slot);
   region_[s] = q.flips ? regions_->across(left, q.outline) : left;
+  if (one_way) together_[s] = kProven;
   put(slot, b);
   put(slot + 1, a);
   show(slot, y);
@@ -261,8 +265,8 @@ void Sweep::events_until(double y, double x) {
 
 /// Swaps with all that lies between, too: its own events come at this height, or were missed.
 void Sweep::swap_past(const Event& event, int from, int to) {
+  if (to == from + 1) return swap(from, event.y, event.one_way);
   for (int slot = from; slot < to; ++slot) swap(slot, event.y);
-  if (to == from + 1) return;
   stats_.forced += to - from - 1;
   for (int slot = from; slot < to - 1; ++slot)
     again_.emplace_back(event.left, active_[std::size_t(slot)]);
@@ -272,40 +276,57 @@ void Sweep::swap_past(const Event& event, int from, int to) {
   }
 }
 
-void Sweep::schedule(double y, int left, int right) {
+void Sweep::schedule(double y, int left, int right, bool one_way) {
   const SweepPiece &a = piece(left), &b = piece(right);
-  double x = x_at(a.y1 - a.y0 > b.y1 - b.y0 ? a : b, y);  // the steeper one knows it better
-  if (y >= a.y1) x = std::min(x, a.x1);                   // before either ends
+  const double there = x_at(a, y), here = x_at(b, y);
+  double x = a.y1 - a.y0 > b.y1 - b.y0 ? there : here;  // the steeper one knows it better
+  if (y >= a.y1) x = std::min(x, a.x1);                 // before either ends
   if (y >= b.y1) x = std::min(x, b.x1);
-  events_.push_back({y, x, left, right, found_++});
+  one_way = one_way && std::abs(there - here) <= kOrder;
+  events_.push_back({y, x, left, right, found_++, one_way});
   std::push_heap(events_.begin(), events_.end(), later);
   ++stats_.crossings;
 }
 
 void Sweep::compare(int a, int b, double y) {
-  ++stats_.pairs;
-  const bool in_order = piece(a).slot < piece(b).slot;
-  int left = in_order ? a : b, right = in_order ? b : a;
-  const Crossings found = crossings(piece(left), piece(right), y);
-  for (int i = 0; i < found.count; ++i, std::swap(left, right))
-    schedule(found.at[std::size_t(i)], left, right);
+  if (piece(a).slot < piece(b).slot)
+    meet(a, b, y);
+  else
+    meet(b, a, y);
 }
 
-/// Compares a piece with all active ones from a slot on whose reach along x meets its own.
-void Sweep::meet_others(int i, double y, int first_slot) {
-  const SweepPiece& p = piece(i);
+void Sweep::meet(int left, int right, double y) {
+  ++stats_.pairs;
+  const SweepPiece &a = piece(left), &b = piece(right);
+  if (chord_gap(a, b, y, std::min(a.y1, b.y1)) > 0.0) return;
+  const Crossings found = crossings(a, b, y);
+  for (int i = 0; i < found.count; ++i, std::swap(left, right))
+    schedule(found.at[std::size_t(i)], left, right, found.one_way);
+}
+
+/// Compares the piece at a slot with all others from one on whose reach along x meets its own, but with the one
+/// at `met`.
+void Sweep::meet_others(int slot, double y, int first_slot, int met) {
+  const int own = active_[std::size_t(slot)];
   const std::size_t first = std::size_t(first_slot), count = std::size_t(count_) - first;
   const std::size_t words = (count + 63) / 64;
   met_.resize(words);
   if (words == 0) return;
   met_.back() = 0;
+  const SweepPiece& p = piece(own);
   meeting({lowest_.data() + first, highest_.data() + first, count}, p.lowest_x, p.highest_x,
           reinterpret_cast<std::uint8_t*>(met_.data()));
   if (count % 64) met_.back() &= (std::uint64_t{1} << count % 64) - 1;
+  for (const int not_this : {slot - first_slot, met - first_slot})
+    if (not_this >= 0) met_[std::size_t(not_this) / 64] &= ~(std::uint64_t{1} << not_this % 64);
   for (std::size_t w = 0; w < words; ++w)
     for (std::uint64_t bits = met_[w]; bits; bits &= bits - 1) {
-      const int other = active_[first + 64 * w + std::size_t(std::countr_zero(bits))];
-      if (other != i) compare(i, other, y);
+      const std::size_t at = first + 64 * w + std::size_t(std::countr_zero(bits));
+      const int other = active_[at];
+      if (int(at) < slot)
+        meet(other, own, y);
+      else
+        meet(own, other, y);
     }
 }
 
@@ -315,8 +336,8 @@ void Sweep::parted(int slot, double y) {
   together_[std::size_t(slot)] = y;
   if (!(y > from)) return;
   // Those that show nothing, too: what shows may be hidden behind a wrong order of theirs.
+  if (highest_[std::size_t(slot)] <= lowest_[std::size_t(slot) + 1]) return;
   const SweepPiece &left = at(slot), &right = at(slot + 1);
-  if (left.highest_x <= right.lowest_x) return;
   ++stats_.proofs;
   if (in_order(left, right, from, y)) return;
   const double xs[] = {x_at(left, from), x_at(left, y), x_at(right, from), x_at(right, y)};

@@ -53,7 +53,8 @@ class Sweep {
   struct Event {  ///< `left` swaps with `right`
     double y, x;
     int left, right;
-    int order;  ///< in which events were found
+    int order;     ///< in which events were found
+    bool one_way;  ///< they are in order before, and the other way round beyond: proven
   };
   static bool later(const Event& a, const Event& b);
 
@@ -64,11 +65,12 @@ class Sweep {
   void start(int a, int b, const OutlineVertex& v);
   void end(int a, int b, const OutlineVertex& v);
   void events_until(double y, double x);
-  void swap(int slot, double y);
+  void swap(int slot, double y, bool one_way = false);
   void swap_past(const Event& event, int from, int to);
-  void meet_others(int piece, double y, int first_slot);
+  void meet_others(int slot, double y, int first_slot, int met = -1);
+  void meet(int left, int right, double y);
   void compare(int a, int b, double y);
-  void schedule(double y, int left, int right);
+  void schedule(double y, int left, int right, bool one_way);
   void put(int slot, int piece);
   void enter(int slot, double y);
   void show(int slot, double y);

@@ -11,6 +11,7 @@
 #include <mien/sdf/outline/outlines.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mien {
@@ -19,6 +20,9 @@ struct SweepPiece : OutlinePiece {
   float lowest_x, highest_x;       ///< rounded outwards
   double lean;                     ///< of its chord, dx / dy
   double left_bulge, right_bulge;  ///< how far it leaves its chord along x [px], upper bounds
+  /// Lines through its ends that it has nothing left of, and nothing right of: its tangents where it bends that
+  /// way, else its chord. NaN: there is none.
+  double low_top, low_bottom, high_top, high_bottom;
   int slot = -1;  ///< its place in the order from left to right; −1: not met or passed
   int left_look = 0, right_look = 0;
   int winding = 0;        ///< of its outline, to the left
@@ -28,7 +32,8 @@ struct SweepPiece : OutlinePiece {
 
 inline double parameter_at(const OutlinePiece& p, double y) {
   const double d = y - p.y0, divisor = p.ay + std::sqrt(std::max(0.0, p.ay * p.ay + p.by * d));
-  return divisor > 0.0 ? std::clamp(d / divisor, 0.0, 1.0) : 0.0;
+  return std::min(std::max(0.0, d / divisor),
+                  1.0);  // 0 / 0, of a level start, is the first of both
 }
 
 inline double x_of(const OutlinePiece& p, double t) {
@@ -69,11 +74,30 @@ inline double chord_at(const SweepPiece& p, double y) {
   return p.x0 + (y - p.y0) * p.lean;
 }
 
-/// The gap from `left` to `right` between two heights, at least; level pieces have a poor one.
-inline double least_gap(const SweepPiece& left, const SweepPiece& right, double from, double to) {
+/// The gap from `left` to `right` between two heights, at least, by their chords; level pieces have a poor one.
+inline double chord_gap(const SweepPiece& left, const SweepPiece& right, double from, double to) {
   const double a = chord_at(right, from) - chord_at(left, from),
                b = chord_at(right, to) - chord_at(left, to);
   return std::min(a, b) - left.right_bulge - right.left_bulge;
+}
+
+/// The same by the lines through their ends: the gap of two lines is least at an end. −∞ where there are none.
+inline double tangent_gap(const SweepPiece& left, const SweepPiece& right, double from, double to) {
+  using Places = std::array<double, 2>;
+  const auto low = [&](double y) {
+    return Places{right.x0 + (y - right.y0) * right.low_top,
+                  right.x1 + (y - right.y1) * right.low_bottom};
+  };
+  const auto high = [&](double y) {
+    return Places{left.x0 + (y - left.y0) * left.high_top,
+                  left.x1 + (y - left.y1) * left.high_bottom};
+  };
+  const Places r0 = low(from), r1 = low(to), l0 = high(from), l1 = high(to);
+  double most = -HUGE_VAL;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j)  // a NaN is never more
+      most = std::max(most, std::min(r0[i] - l0[j], r1[i] - l1[j]));
+  return most;
 }
 
 /// The same way from end to end: as of abutting shapes, or of copies of one, of which there may be thousands.

@@ -113,7 +113,7 @@ class RimWriter {
     const glm::dvec2 d = begin.point - q.p, da = (control - begin.point) - q.a;
     const glm::dvec2 db = ((end.point - control) - (control - begin.point)) - q.b;
     const double c = glm::dot(db, db) - q.wb * q.wb;
-    // Half the derivative: s (1 − s) (h1 − s h3).
+    // A quarter of the derivative: s (1 − s) (h1 − s h3).
     const double h1 = glm::dot(d, q.b) + 2.0 * glm::dot(da, q.a) + q.w * q.wb + 2.0 * q.wa * q.wa;
     const double h3 = glm::dot(db, q.b) + q.wb * q.wb;
     const double h = std::max(std::abs(h1), std::abs(h1 - h3));
@@ -130,12 +130,17 @@ class RimWriter {
     const auto third = [&](double s) {
       return 3.0 * std::abs(glm::dot(q.velocity(s), 2.0 * q.b) - q.rate(s) * 2.0 * q.wb);
     };
-    // On the way to the foot the second derivative keeps half its size.
-    if (!(h * std::max(third(0.0), third(1.0)) <= 0.5 * least * least))
-      return std::numeric_limits<double>::infinity();
-    const double most = std::abs(c) + 8.0 * h * h / least;
-    const double by_width = most * most_over(q.w, q.w + q.wa, q.w + 2.0 * q.wa + q.wb);
-    return std::min(by_width, 0.25 * std::sqrt(most));
+    // On the way to the foot the second derivative keeps half its size, and more where that lies on the piece.
+    double kept = 1.0 - h * std::max(third(0.0), third(1.0)) / (least * least);
+    if (!(kept >= 0.5)) return std::numeric_limits<double>::infinity();
+    if (h > 0.25 * least) kept = 0.5;
+    const double foot = std::copysign(4.0 * h * h / (least * kept), k0),
+                 most = std::max(std::abs(c), std::abs(c - foot));
+    // w − sqrt(w² − x w) = x / (1 + sqrt(1 − x/w)): of x, the most, about half where w is larger.
+    const double w0 = q.w, w1 = q.w + q.wa, w2 = q.w + 2.0 * q.wa + q.wb;
+    const double by_width = most * most_over(w0, w1, w2), narrowest = std::min({w0, w1, w2});
+    const double left = by_width < narrowest ? std::sqrt(1.0 - by_width / narrowest) : 0.0;
+    return std::min(by_width / (1.0 + left), 0.25 * std::sqrt(most));
   }
 
   /// Where to halve: in the middle of a large turn, at a cusp, or of t.

@@ -1,3 +1,4 @@
+#include <mien/render/cover/cells.h>
 #include <mien/render/cover/row_roots.h>
 #include <mien/sdf/arrange/sweep_piece.h>
 
@@ -31,6 +32,55 @@ TEST(RowRoots, AreWhereThePieceMeetsItsEndsAndTheBordersBetweenOnEverySet) {
         const double x = at.x[std::size_t(k)];
         ASSERT_EQ(at.column[std::size_t(k)], x < 0 ? -1 : x >= 9 ? 9 : int(x)) << x;
       }
+    }
+  });
+}
+
+TEST(RowRoots, TellTheCellsOfRowsThatMeetOneBorderAsTheyAreTold) {
+  on_every_set([] {
+    Random r(5);
+    int alone = 0, two = 0;
+    for (int i = 0; i < 2000; ++i) {
+      OutlinePiece p = random_piece(r, 12);
+      p.x0 -= 2, p.x1 -= 2, p.y0 += 20, p.y1 += 20;
+      if (!(p.y1 > p.y0)) continue;
+      rows_of(p, p.y0, p.y1, 9, [&](const RowStretch& s) {
+        if (!s.told || std::abs(s.last - s.column) > 1) return;
+        ++(s.last == s.column ? alone : two);
+        bool second = false;
+        cells_of_row(p, s, 9, [&](const CellStretch& c) {
+          const CellPart& part = c.column == s.column ? s.first : s.second;
+          const float area = float(c.area);
+          ASSERT_EQ(part.area, area) << i;
+          ASSERT_EQ(part.rest, float(c.yq - c.yp) - area) << i;
+          second = true;
+        });
+        ASSERT_TRUE(second || s.column == 9) << i;
+      });
+    }
+    EXPECT_GT(alone, 1000);
+    EXPECT_GT(two, 500);
+  });
+}
+
+TEST(RowRoots, OneRowAloneIsAsInLanes) {
+  on_every_set([] {
+    Random r(6);
+    for (int i = 0; i < 2000; ++i) {
+      OutlinePiece p = random_piece(r, 3);
+      p.x0 -= 2, p.x1 -= 2;
+      const double top = std::max(p.y0, 0.0), bottom = std::min(p.y1, 1.0);
+      if (!(bottom > top)) continue;
+      const RowRange range{top, bottom, 0, 1, 2};
+      const RowStretch alone = row_stretch(p, range);
+      RowRoots at;
+      row_roots(p, range, at);
+      ASSERT_EQ(alone.t, at.t[0]) << i;
+      ASSERT_EQ(alone.next_t, at.t[1]) << i;
+      ASSERT_EQ(alone.x, at.x[0]) << i;
+      ASSERT_EQ(alone.next_x, at.x[1]) << i;
+      ASSERT_EQ(alone.column, at.column[0]) << i;
+      ASSERT_EQ(alone.last, at.column[1]) << i;
     }
   });
 }

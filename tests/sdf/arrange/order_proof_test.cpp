@@ -86,6 +86,26 @@ TEST(OrderProof, CoincidentPiecesAreInEitherOrder) {
   }
 }
 
+TEST(OrderProof, WhereTheTrendIsKnownTheGapOnlyGrowsOrFalls) {
+  Random r(4);
+  int grows = 0, falls = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const SweepPiece a = sweep_piece(random_piece(r, 100)), b = sweep_piece(random_piece(r, 100));
+    const Between y = heights_of(a, b);
+    if (!(y.to > y.from)) continue;
+    const int sense = trend(a, b, pair_at(a, b, y.from), pair_at(a, b, y.to));
+    ++(sense > 0 ? grows : falls);
+    double before = pair_at(a, b, y.from).gap();
+    for (int k = 1; k <= 50 && sense != 0; ++k) {
+      const double gap = pair_at(a, b, y.from + (y.to - y.from) * k / 50).gap();
+      ASSERT_GE(sense * (gap - before), -1e-9) << i;
+      before = gap;
+    }
+  }
+  EXPECT_GT(grows, 200);
+  EXPECT_GT(falls, 200);
+}
+
 TEST(OrderProof, PiecesThatStartLevelAreProven) {
   // Both leave one vertex level, one bends down later.
   const SweepPiece left = sweep_piece(piece_between({10, 0}, {20, 10}, 0.5, 0.0));

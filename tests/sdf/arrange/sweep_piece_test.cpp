@@ -107,21 +107,24 @@ TEST(SweepPiece, TheBulgeIsNoLargerThanItMustBe) {
   }
 }
 
-TEST(SweepPiece, TheLeastGapIsNoMoreThanAnyGap) {
+TEST(SweepPiece, NoGapIsLessThanByChordsOrTangents) {
   Random r(8);
-  int apart = 0;
+  int apart = 0, apart_by_tangents = 0;
   for (int i = 0; i < 3000; ++i) {
     const SweepPiece a = sweep_piece(random_piece(r, 100)), b = sweep_piece(random_piece(r, 100));
     const double from = std::max(a.y0, b.y0), to = std::min(a.y1, b.y1);
     if (!(to > from)) continue;
-    const double least = least_gap(a, b, from, to);
-    apart += least > 0.0;
+    const double chords = chord_gap(a, b, from, to), tangents = tangent_gap(a, b, from, to),
+                 least = std::max(chords, tangents);
+    apart += chords > 0.0;
+    apart_by_tangents += tangents > chords && tangents > 0.0;
     for (int k = 0; k <= 50; ++k) {
       const double y = from + (to - from) * k / 50;
       ASSERT_GE(mien::x_at(b, y) - mien::x_at(a, y), least - 1e-9) << i;
     }
   }
   EXPECT_GT(apart, 300);
+  EXPECT_GT(apart_by_tangents, 100);
 }
 
 }  // namespace
