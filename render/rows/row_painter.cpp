@@ -79,7 +79,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
   shares_ = &sums.shares(row);
-  refused_.clear();
+  refused_.clear(), searched_ = false;
   room_for(std::size_t(x1 - x0));
   if (dither_ && palette_->any_varies) set_thresholds();
   std::sort(shares_->begin(), shares_->end(),
@@ -189,9 +189,10 @@ bool RowPainter::looks_like(int look) const {
 }
 
 /// The look of the run that begins at a column; −1 if none of those it may be agrees.
-int RowPainter::look_of_run(int column) const {
+int RowPainter::look_of_run(int column) {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
+  searched_ = true;
   constexpr int kFew = 64;  // more are not looked through for every run
   for (int i = 0; i < std::min(kFew, int(palette_->entries.size())); ++i)
     if (looks_like(i)) return i;

@@ -46,6 +46,9 @@ class RowPainter {
   /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
   std::span<const int> refused() const { return refused_; }
 
+  /// Whether a run of that row had to be looked for among all looks: then their order counted.
+  bool searched() const { return searched_; }
+
  private:
   static constexpr int kBlock = LookShader::kBlock;
   /// What a varied look takes of the pixels from here on, and of the pixel at hand.
@@ -67,7 +70,7 @@ class RowPainter {
   void take_shares(int column);
   Rgba parts(int column, int side);
   glm::vec4 part(const Open& open, int column, int side);
-  int look_of_run(int column) const;
+  int look_of_run(int column);
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
   void mend_run(int look, int from, int count, const ColorRow& colors);
@@ -106,6 +109,7 @@ class RowPainter {
   std::vector<PartStretch> stretches_;      ///< those of one look
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
   std::vector<int> refused_;
+  bool searched_ = false;
   ColorRow cells_;  ///< mixed, to be put together, after the runs
   std::vector<int> columns_;
   int kept_ = 0;

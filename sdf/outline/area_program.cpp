@@ -1,8 +1,7 @@
 #include <mien/sdf/outline/area_program.h>
 #include <mien/sdf/outline/outline_maker.h>
 #include <mien/sdf/shape/band.h>
-
-#include "same_shape_private.h"
+#include <mien/sdf/shape/same_shape.h>
 
 #include <algorithm>
 #include <cmath>
