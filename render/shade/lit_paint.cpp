@@ -112,7 +112,7 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
   t.full = t.smooth = false;
   constexpr double kSame = 0.02;  // per level of tolerance: a slope of that jump is worth as much
-  t.same = float(std::clamp(kSame * tolerance_, 0.002, 0.02));
+  t.same = float(std::clamp(kSame * tolerance_, 0.002, double(LitTile::kSame)));
   t.rises = !surface_.flat(t.zone);
   const bool varies = t.rises || !t.lamp.domes.empty() || t.lamp.ramp.kind != LampRamp::Kind::none;
   t.kind = varies ? LitTile::Kind::means : LitTile::Kind::base;
@@ -146,7 +146,7 @@ void LitPaint::make_full(LitTile& t) const {
 
 void LitPaint::make_distances(LitTile& t) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
-  t.rises = true, t.kind = LitTile::Kind::distances;
+  t.rises = true, t.kind = LitTile::Kind::distances, t.same = LitTile::kSame;
   t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f;
   t.shallow = -1e9f, t.deep = 1e9f;
   t.feet.narrow(gradient_area_, middle, kRadius);
