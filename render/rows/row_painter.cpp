@@ -192,6 +192,7 @@ bool RowPainter::looks_like(int look) const {
 int RowPainter::look_of_run(int column) {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
+  if (!open_.empty()) return looks_like(open_[0].look) ? open_[0].look : -1;  // no other agrees
   searched_ = true;
   constexpr int kFew = 64;  // more are not looked through for every run
   for (int i = 0; i < std::min(kFew, int(palette_->entries.size())); ++i)

@@ -76,14 +76,13 @@ LitPaint::Scratch::~Scratch() = default;
 LitPaint::Scratch::Scratch(Scratch&&) noexcept = default;
 LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 
-LitPaint::LitPaint(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
-                   glm::dvec2 center, double tolerance)
-    : surface_(paint, distances, blend, center),
-      tolerance_(tolerance),
-      in_lanes_(lanes_know(paint)),
-      id_(next_id()) {
-  if (surface_.area()) area_ = FeetArea(*surface_.area(), center);
-  if (surface_.gradient_area()) gradient_area_ = FeetArea(*surface_.gradient_area(), center);
+void LitPaint::make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+                    glm::dvec2 center, double tolerance, int index) {
+  surface_.make(paint, distances, blend, center);
+  tolerance_ = tolerance, in_lanes_ = lanes_know(paint);
+  index_ = index, id_ = next_id();
+  if (surface_.area()) area_.make(*surface_.area(), center);
+  if (surface_.gradient_area()) gradient_area_.make(*surface_.gradient_area(), center);
 }
 
 bool LitPaint::level(int zone) const {
@@ -94,7 +93,8 @@ bool LitPaint::level(int zone) const {
 LitTile& LitPaint::tile(int zone, int x, int y, Scratch& scratch) const {
   const int left = floor_to_tile(x), top = floor_to_tile(y);
   const std::uint64_t column = std::uint64_t(left / LitTile::kSide);
-  const std::uint64_t hash = (id_ * 8 + std::uint64_t(zone + 1)) * 0x9E3779B97F4A7C15u;
+  const std::uint64_t hash =
+      (std::uint64_t(index_) * 8 + std::uint64_t(zone + 1)) * 0x9E3779B97F4A7C15u;
   auto& slot = scratch.kept_->tiles[std::size_t((column + (hash >> 40)) % Scratch::Kept::kTiles)];
   if (!slot) slot = std::make_unique<LitTile>();
   LitTile& t = *slot;

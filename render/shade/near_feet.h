@@ -63,7 +63,10 @@ class FeetArea {
  public:
   FeetArea() = default;
   /// `center`: where the area's origin lies in the picture.
-  FeetArea(const AreaDistance& area, glm::dvec2 center);
+  FeetArea(const AreaDistance& area, glm::dvec2 center) { make(area, center); }
+
+  /// Made anew; memory is kept.
+  void make(const AreaDistance& area, glm::dvec2 center);
 
   const AreaDistance* area() const { return area_; }
   glm::dvec2 center() const { return center_; }
@@ -73,6 +76,7 @@ class FeetArea {
   const AreaDistance* area_ = nullptr;
   glm::dvec2 center_{0.0};
   std::vector<SpineShape> shapes_;
+  Path pieces_;  ///< scratch
 };
 
 /// Keeps its scratch; one per thread.
