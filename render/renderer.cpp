@@ -76,8 +76,8 @@ struct Renderer::Scratch {
   void make(const Scene& scene, const View& view, Depth depth) {
     const int in_common = shapes_in_common(scene, drawing.scene());
     drawing.make(scene, view, depth);
-    const bool keeps = memory.begin(
-        {view.height, drawn_rect(view), depth, int(scene.shapes().size()), in_common});
+    const bool keeps =
+        memory.begin({view.height, drawn_rect(view), depth, int(scene.shapes().size()), in_common});
     fingerprints = keeps ? drawing.fingerprints() : nullptr;
   }
 

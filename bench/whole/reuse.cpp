@@ -24,7 +24,7 @@ class Mover {
   bool moves() const { return !settings_.empty(); }
   Pose at(int step) const {
     Pose pose;
-    double turn = 0.7 * step;
+    double turn = 0.1 * step;  // at 60 frames a second about once around
     for (Setting setting : settings_) {
       setting.values[0] = middle_ + reach_ * std::sin(turn);
       pose.settings.push_back(setting);
@@ -72,8 +72,9 @@ void reuse(const Options& options, const FrameCase& c) {
         "{{\"scene\": \"{}\", \"width\": {}, \"height\": {}, \"threads\": {}, \"cold_ms\": {:.5f}, "
         "\"same_ms\": {:.5f}, \"eyes_ms\": {}, \"cold_lids_ms\": {}, \"lids_ms\": {}, \"face\": "
         "\"{}\", \"rounds\": {}}}\n",
-        c.scene, c.width, c.height, options.threads, full, median(sames), json_number(median(moved)),
-        json_number(full_shut), json_number(median(shut)), c.face, colds.size());
+        c.scene, c.width, c.height, options.threads, full, median(sames),
+        json_number(median(moved)), json_number(full_shut), json_number(median(shut)), c.face,
+        colds.size());
   } else {
     fmt::print("{} {:>6} x {:<6}{:10.4f}{:>14}{:>14}{:>14}\n", c.scene, c.width, c.height, full,
                ratio_text(median(sames), full), ratio_text(median(moved), full),

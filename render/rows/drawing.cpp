@@ -120,7 +120,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
   if (first >= end) return;
   if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
-  scratch.sums.begin(kRows, width_);
+  scratch.sums.begin(kRows, width_, looks_.count());
   const long long cells_before = scratch.sums.cells();
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
@@ -146,7 +146,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
                           target.data + target.stride * std::size_t(y - rect.y), stats);
     for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
-    if (scratch.painter.searched() || !scratch.painter.refused().empty())
+    if (scratch.painter.lost() || !scratch.painter.refused().empty())
       scratch.odd_rows |= std::uint32_t{1} << (y - top);
   }
   resolve_doubts(first, end, target, scratch, stats);
@@ -221,8 +221,8 @@ const RowFingerprints* Drawing::fingerprints() {
     all.add(v);
   const Box2& box = scene_.canvas().box;
   const glm::dvec3 lamp = view_.light.value_or(scene_.light().direction);
-  for (const double v : {box.lo.x, box.lo.y, box.hi.x, box.hi.y, lamp.x, lamp.y, lamp.z,
-                         scene_.light().ambient})
+  for (const double v :
+       {box.lo.x, box.lo.y, box.hi.x, box.hi.y, lamp.x, lamp.y, lamp.z, scene_.light().ambient})
     all.add(v);
   fingerprints_.make(all.value(), scene_, looks_, palette_.first, sweep_, height_);
   fingerprinted_ = true;

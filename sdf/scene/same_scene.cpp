@@ -157,7 +157,7 @@ void PaintFingerprints::make(const Scene& scene, std::uint64_t seed) {
   }
   for (const Layer& layer : scene.layers()) {
     Fingerprint paint(seed);
-    if (layer.paint.gradient || layer.paint.relief) Reader (paint, areas_)(layer.paint);
+    if (layer.paint.gradient || layer.paint.relief) Reader(paint, areas_)(layer.paint);
     paints_.push_back(paint.value());
   }
   // Two layers of one paint are told apart by how many have had it before.

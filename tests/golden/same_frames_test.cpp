@@ -105,8 +105,7 @@ class Posing {
     if (!settings_.empty() && random_.chance(0.8)) {
       const int which = random_.chance(0.7) ? 0 : random_.below(int(settings_.size()));
       constexpr double kReach[] = {0.05, 0.03, 0.8, 10, 1};
-      settings_[std::size_t(which)].values[0] =
-          kReach[std::min(which, 4)] * random_.between(0, 1);
+      settings_[std::size_t(which)].values[0] = kReach[std::min(which, 4)] * random_.between(0, 1);
     }
     Face face = face_;
     if (random_.chance(0.1))  // anything of it, a little
@@ -147,7 +146,7 @@ TEST(SameFrames, OfScenesInWhichOneThingChanges) {
   for (int seed = 1; seed <= test::times(150); ++seed) {
     test::Random random{std::uint64_t(seed)};
     Scene scene = seed % 10 ? test::random_painted_scene(std::uint64_t(seed))
-                           : test::random_lit_scene(std::uint64_t(seed));
+                            : test::random_lit_scene(std::uint64_t(seed));
     Wishes wishes(random);
     Judge judge;
     for (int i = 0; i < 8; ++i, wishes.move_on()) {

@@ -90,8 +90,8 @@ TEST(Renderer, CopiesRowsThatAreAsTheyWere) {
   std::vector<std::uint32_t> pixels(90 * 60);
   const auto recalled = [&](const char* gaze, Depth depth = Depth::u8) {
     RenderStats stats;
-    renderer.render_into({pixels.data(), 90 * 4, depth},
-                         scene_from_face(test::posed(face, {gaze})), view, {}, &stats);
+    renderer.render_into({pixels.data(), 90 * 4, depth}, scene_from_face(test::posed(face, {gaze})),
+                         view, {}, &stats);
     EXPECT_EQ(stats.pixels, 90 * 60);
     EXPECT_EQ(stats.recalled_pixels + stats.fill_pixels + stats.edge_pixels + stats.varied_pixels,
               stats.pixels);

@@ -28,7 +28,8 @@ TEST(Fingerprint, DiffersWhereAnyBitDoes) {
   for (int bit = 0; bit < 64; ++bit)
     for (int place = 0; place < 3; ++place) {
       Fingerprint print;
-      for (int i = 0; i < 3; ++i) print.add(i == place ? std::uint64_t{1} << bit : std::uint64_t{0});
+      for (int i = 0; i < 3; ++i)
+        print.add(i == place ? std::uint64_t{1} << bit : std::uint64_t{0});
       seen.insert(print.value());
     }
   EXPECT_EQ(seen.size(), 3u * 64u);

@@ -32,8 +32,8 @@ struct Numbers {
   }
 };
 
-std::vector<std::uint64_t> rows_of(const Scene& scene, const View& view = {.width = kSide,
-                                                                          .height = kSide}) {
+std::vector<std::uint64_t> rows_of(const Scene& scene,
+                                   const View& view = {.width = kSide, .height = kSide}) {
   Drawing drawing;
   drawing.make(scene, view, Depth::u8);
   const RowFingerprints& prints = *drawing.fingerprints();
@@ -68,8 +68,13 @@ TEST(RowFingerprints, AreThoseOfAView) {
   std::set<std::uint64_t> all;
   for (const auto& change : std::initializer_list<std::function<void(View&)>>{
            [](View&) {}, [](View& v) { v.width = 41; }, [](View& v) { v.blend = Blend::srgb; },
-           [](View& v) { v.background = Color{0, 0, 0, 1}; }, [](View& v) { v.dither = false; },
-           [](View& v) { v.light = glm::dvec3{0, 0, 1}; }}) {
+           [](View& v) {
+             v.background = Color{0, 0, 0, 1};
+           },
+           [](View& v) { v.dither = false; },
+           [](View& v) {
+             v.light = glm::dvec3{0, 0, 1};
+           }}) {
     View view = plain;
     change(view);
     all.insert(rows_of(scene, view)[30]);

@@ -46,10 +46,14 @@ const std::vector<std::function<void(Numbers&)>> kChanges{
     [](Numbers& n) { n.opacity = 0.75; },
     [](Numbers& n) { n.gradient.stops[1].color.g = 1; },
     [](Numbers& n) { n.gradient.extend = Extend::repeat; },
-    [](Numbers& n) { n.gradient.along = LinearGradient{{5, 5}, {2, 2}}; },
+    [](Numbers& n) {
+      n.gradient.along = LinearGradient{{5, 5}, {2, 2}};
+    },
     [](Numbers& n) { n.from = -2; },
     [](Numbers& n) { n.relief.height = 0.25; },
-    [](Numbers& n) { n.relief.domes.push_back({{5, 5}, {1, 1}, {1, 0}, 1}); },
+    [](Numbers& n) {
+      n.relief.domes.push_back({{5, 5}, {1, 1}, {1, 0}, 1});
+    },
     [](Numbers& n) { n.light.ambient = 0.5; },
 };
 
@@ -97,7 +101,8 @@ TEST(PaintFingerprints, AreOfOneLayerEach) {
   SceneBuilder build({{{0, 0}, {10, 10}}, false}, {});
   const auto gradient =
       shared(Gradient{LinearGradient{{0, 0}, {1, 0}}, {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 1}}}});
-  for (int i = 0; i < 5; ++i) build.layer("", build.shape(Disc{{5, 5}, 3}), {{1, 1, 1, 1}, gradient});
+  for (int i = 0; i < 5; ++i)
+    build.layer("", build.shape(Disc{{5, 5}, 3}), {{1, 1, 1, 1}, gradient});
   PaintFingerprints made;
   made.make(std::move(build).finish(), 0);
   std::set<std::uint64_t> all;
