@@ -82,13 +82,5 @@ TEST(RowFingerprints, AreThoseOfAView) {
   EXPECT_EQ(all.size(), 6u);
 }
 
-TEST(RowFingerprints, RowsOfDoubtHaveNone) {
-  const Scene scene = Numbers().scene();
-  Drawing drawing;
-  drawing.make(scene, {.width = kSide, .height = kSide}, Depth::u8);
-  ASSERT_TRUE(drawing.sweep().doubts().empty());
-  for (int y = 0; y < kSide; ++y) EXPECT_NE((*drawing.fingerprints())[y], RowFingerprints::kNone);
-}
-
 }  // namespace
 }  // namespace mien
