@@ -12,6 +12,7 @@ struct RenderStats {
   long long varied_pixels = 0;    ///< in runs of a colour that varies
   long long edge_pixels = 0;      ///< that visible outlines cross
   long long resolved_pixels = 0;  ///< of all those: by distances, where nothing else was proven
+  long long recalled_pixels = 0;  ///< copied from the frame before (Renderer)
   long long pieces = 0;           ///< of outlines
   long long crossings = 0;        ///< of pieces
   long long regions = 0;          ///< sets of outlines that were met
@@ -23,6 +24,7 @@ struct RenderStats {
   void add(const RenderStats& part) {
     pixels += part.pixels, fill_pixels += part.fill_pixels, varied_pixels += part.varied_pixels;
     edge_pixels += part.edge_pixels, resolved_pixels += part.resolved_pixels, roots += part.roots;
+    recalled_pixels += part.recalled_pixels;
     pieces = std::max(pieces, part.pieces), crossings = std::max(crossings, part.crossings);
     regions = std::max(regions, part.regions), doubts = std::max(doubts, part.doubts);
   }

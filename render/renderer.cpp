@@ -1,6 +1,8 @@
 #include <mien/render/renderer.h>
 #include <mien/render/rows/drawing.h>
+#include <mien/render/rows/frame_memory.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -67,7 +69,41 @@ bool drawable(const View& view) {
 
 struct Renderer::Scratch {
   Drawing drawing;
+  FrameMemory memory;
+  const RowFingerprints* fingerprints = nullptr;  ///< none: nothing is kept
   Scratches scratches;
+
+  void make(const Scene& scene, const View& view, Depth depth) {
+    const int in_common = shapes_in_common(scene, drawing.scene());
+    drawing.make(scene, view, depth);
+    const bool keeps =
+        memory.begin({view.height, drawn_rect(view), depth, int(scene.shapes().size()), in_common});
+    fingerprints = keeps ? drawing.fingerprints() : nullptr;
+  }
+
+  /// Rows of the frame before where they are the same, the others drawn.
+  void draw_strip(int strip, const RowTarget& target, StripScratch& scratch, RenderStats& stats) {
+    if (!fingerprints) return drawing.draw_strip(strip, target, scratch, stats);
+    const PixelRect& r = target.rect;
+    const int top = strip * Drawing::kRows, first = std::max(top, r.y),
+              end = std::min(top + Drawing::kRows, r.y + r.height);
+    if (first >= end) return;
+    const auto row = [&](int y) { return target.data + target.stride * std::size_t(y - r.y); };
+    int from = end, until = first;  // rows to be drawn lie between these
+    for (int y = first; y < end; ++y) {
+      if (memory.recall(y, (*fingerprints)[y], row(y))) continue;
+      from = std::min(from, y), until = y + 1;
+    }
+    const int drawn = std::max(until - from, 0);
+    stats.recalled_pixels += (long long)r.width * (end - first - drawn);
+    if (drawn == 0) return;
+    drawing.draw_strip(strip, {row(from), target.stride, {r.x, from, r.width, drawn}}, scratch,
+                       stats);
+    for (int y = from; y < until; ++y) {
+      const bool odd = scratch.odd_rows >> (y - top) & 1;
+      memory.keep(y, odd ? RowFingerprints::kNone : (*fingerprints)[y], row(y));
+    }
+  }
 
   /// Strip by strip, several to a job.
   RenderStats draw(const RowTarget& target, const RenderOptions& how) {
@@ -82,13 +118,15 @@ struct Renderer::Scratch {
       RenderStats part;
       auto scratch = scratches.take();
       for (int k = 0; k < kAtOnce; ++k)
-        drawing.draw_strip((first + i) * kAtOnce + k, target, *scratch, part);
+        draw_strip((first + i) * kAtOnce + k, target, *scratch, part);
       scratches.give_back(std::move(scratch));
       watch.job_done(part);
     };
     parallel_for(jobs, how.threads, std::ref(job));  // by reference: a copy would be allocated
     RenderStats stats = watch.stats();
     stats.pixels = (long long)r.width * r.height;
+    if (fingerprints && !stats.cancelled)
+      memory.end(r.height, int(stats.recalled_pixels / r.width));
     drawing.tell(stats);
     return stats;
   }
@@ -104,7 +142,7 @@ bool Renderer::render_into(const PixelBuffer& out, const Scene& scene, const Vie
   if (!drawable(view)) return false;
   try {
     if (!scratch_) scratch_ = std::make_unique<Scratch>();
-    scratch_->drawing.make(scene, view, out.depth);
+    scratch_->make(scene, view, out.depth);
     const RenderStats took =
         scratch_->draw({static_cast<std::byte*>(out.data), out.stride, drawn_rect(view)}, how);
     if (stats) *stats = took;

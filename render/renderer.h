@@ -4,9 +4,12 @@
 //   mien::Renderer renderer;                                      // once
 //   renderer.render_into(buffer, scene, view, {.threads = {1}});  // every frame
 //
-// The same pixels as render_into, and the same promises; only the scratch is kept. On one thread a
-// frame allocates nothing after the first one of its kind, paths, strokes of varying width and paints
-// that vary aside, which are made ready anew.
+// The same pixels as render_into, and the same promises: whatever was drawn before. It keeps its
+// scratch: on one thread a frame allocates nothing after the first ones of its kind. And it keeps
+// finished rows, once two frames in a row have something in common: rows made from the same as in the
+// frame before are copied, the others drawn. Pictures beyond FrameMemory::kMost (16 MiB), and those
+// of thousands of layers, are always drawn whole. Every row is written in every call: what the buffer
+// held does not matter.
 
 #include <mien/render/render.h>
 

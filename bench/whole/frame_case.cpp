@@ -48,6 +48,16 @@ std::vector<FrameCase> frame_cases() {
   return cases;
 }
 
+std::vector<FrameCase> reuse_cases() {
+  std::vector<FrameCase> cases;
+  for (const FrameCase& c : frame_cases())
+    if (c.reliefs && (cases.empty() || cases.back().scene != c.scene)) {
+      cases.push_back(c);
+      cases.back().width = 640, cases.back().height = 360;
+    }
+  return cases;
+}
+
 std::string face_path(const FrameCase& c) {
   return std::string(MIEN_SOURCE_DIR) + "/faces/" + c.face + ".face.json";
 }

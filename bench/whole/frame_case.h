@@ -23,6 +23,9 @@ struct FrameCase {
 /// All of them, scene by scene, small pictures first.
 std::vector<FrameCase> frame_cases();
 
+/// The five faces at 640 x 360.
+std::vector<FrameCase> reuse_cases();
+
 std::string face_path(const FrameCase& c);
 
 /// The face of a case, and faces that differ from it in every length.

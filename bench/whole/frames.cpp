@@ -23,7 +23,7 @@ namespace {
 
 std::vector<FrameCase> wanted_cases(const Options& options) {
   std::vector<FrameCase> wanted;
-  for (const FrameCase& c : frame_cases()) {
+  for (const FrameCase& c : options.table == Table::reuse ? reuse_cases() : frame_cases()) {
     if ((long long)c.width * c.height <= options.most &&
         options.scenes.find(c.scene) != std::string::npos)
       wanted.push_back(c);

@@ -17,7 +17,8 @@ Whole frames beside Cairo and beside the floor, in turns in one process: medians
 Scenes: A seed0, B male, C toon, D bruno, E clay, F bruno without reliefs.
 
 Frames are cold: each is of a face whose points and lengths are all a hundred-thousandth smaller
-than in the frame before, so nothing made for one is of use for the next. `mien bench` does so, too.
+than in the frame before, so nothing made for one is of use for the next, and the renderer keeps no
+rows. `mien bench` does so, too. --reuse alone looks at what a renderer keeps.
 
   --scenes LETTERS     these scenes only
   --most PIXELS        no picture larger than that
@@ -28,8 +29,9 @@ than in the frame before, so nothing made for one is of use for the next. `mien 
   --json               a line of JSON for each case
 
 Instead of the table beside Cairo:
-  --reuse              a frame like the one before, and one in which the eyes alone have moved,
-                       beside a cold one
+  --reuse              what a renderer gains from the frame before, all five faces at 640 x 360: a
+                       frame like the one before, one in which the eyes alone have moved, and one in
+                       which the lids have, beside cold ones of the same poses
   --old PROGRAM        another build's `mien` command, run by its own `mien bench` in turns with
                        this build's frames, out of the same face files; --rounds: frames of a
                        run. It chooses its own instructions: --instructions does not go with it

@@ -5,8 +5,8 @@
 
 namespace mien::bench {
 
-/// What a renderer gains from the frame before: one line of a case. Of each round the first frame
-/// is cold, the second is the same again, in the third the eyes alone have moved.
+/// What a renderer gains from the frame before: one line of a case. Cold frames, the same frame again,
+/// frames in which the eyes alone have moved, and frames in which the lids have.
 void reuse(const Options& options, const FrameCase& c);
 
 std::string reuse_head();

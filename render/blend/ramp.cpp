@@ -5,7 +5,11 @@
 #include <limits>
 
 namespace mien {
-Ramp::Ramp(const Gradient& gradient, double opacity, Blend blend) : extend_(gradient.extend) {
+
+void Ramp::make(const Gradient& gradient, double opacity, Blend blend) {
+  at_.clear(), mix_.clear();
+  extend_ = gradient.extend, jumps_ = false;
+  least_opacity_ = 1, most_opacity_ = 0;
   double place = -std::numeric_limits<double>::infinity();
   for (const Stop& stop : gradient.stops) {
     place = std::max(place, stop.at);  // places do not fall

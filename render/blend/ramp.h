@@ -13,7 +13,10 @@ namespace mien {
 class Ramp {
  public:
   /// `opacity` multiplies that of every stop. No stops: transparent.
-  Ramp(const Gradient& gradient, double opacity, Blend blend);
+  Ramp(const Gradient& gradient, double opacity, Blend blend) { make(gradient, opacity, blend); }
+
+  /// Made anew; memory is kept.
+  void make(const Gradient& gradient, double opacity, Blend blend);
 
   Mix color(double t) const;
 
@@ -43,7 +46,7 @@ class Ramp {
 
   std::vector<double> at_;
   std::vector<Mix> mix_;
-  Extend extend_;
+  Extend extend_ = Extend::pad;
   double least_opacity_ = 1, most_opacity_ = 0;
   bool jumps_ = false;
 };

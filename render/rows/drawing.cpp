@@ -1,4 +1,6 @@
+#include <mien/lib/base/fingerprint.h>
 #include <mien/render/rows/drawing.h>
+#include <mien/sdf/scene/same_scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,16 +29,15 @@ StripScratch::StripScratch() = default;
 StripScratch::~StripScratch() = default;
 StripScratch::StripScratch(StripScratch&&) noexcept = default;
 
-/// Scenes never change, and the one drawn is held: the same place in memory is the same scene.
 bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
   const auto same_color = [](const std::optional<Color>& a, const std::optional<Color>& b) {
     return a.has_value() == b.has_value() &&
            (!a || (a->r == b->r && a->g == b->g && a->b == b->b && a->a == b->a));
   };
-  return made_ && &scene.background() == &scene_.background() && format_.depth() == depth &&
-         view.width == view_.width && view.height == view_.height && view.fit == view_.fit &&
-         view.blend == view_.blend && view.dither == view_.dither && view.light == view_.light &&
-         same_color(view.background, view_.background);
+  return made_ && format_.depth() == depth && view.width == view_.width &&
+         view.height == view_.height && view.fit == view_.fit && view.blend == view_.blend &&
+         view.dither == view_.dither && view.light == view_.light &&
+         same_color(view.background, view_.background) && same_scene(scene, scene_);
 }
 
 void Drawing::make(const Scene& scene, const View& view, Depth depth) {
@@ -63,6 +64,7 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
 }
 
 void Drawing::arrange() {
+  fingerprinted_ = false;
   looks_.begin(paints_);
   regions_.begin(int(paints_.programs.outlines().size()), looks_);
   sweep_.run(outlines_, 0.0, height_, regions_);
@@ -118,7 +120,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
   if (first >= end) return;
   if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
-  scratch.sums.begin(kRows, width_);
+  scratch.sums.begin(kRows, width_, looks_.count());
   const long long cells_before = scratch.sums.cells();
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
@@ -139,10 +141,13 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   scratch.painter.begin(palette_, looks_, format_, dither_,
                         large ? Stores::streamed : Stores::ordinary);
   scratch.resolver.reset();
+  scratch.odd_rows = 0;
   for (int y = first; y < end; ++y) {
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
                           target.data + target.stride * std::size_t(y - rect.y), stats);
     for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
+    if (scratch.painter.lost() || !scratch.painter.refused().empty())
+      scratch.odd_rows |= std::uint32_t{1} << (y - top);
   }
   resolve_doubts(first, end, target, scratch, stats);
   if (large) finish_streams();
@@ -205,6 +210,23 @@ void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripS
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x) resolve(x, y, target, scratch, stats);
   }
+}
+
+const RowFingerprints* Drawing::fingerprints() {
+  if (crowded_) return nullptr;
+  if (fingerprinted_) return &fingerprints_;
+  Fingerprint all;
+  for (const int v : {width_, height_, int(view_.fit), int(view_.blend), int(dither_),
+                      int(format_.depth()), int(scene_.canvas().y_up)})
+    all.add(v);
+  const Box2& box = scene_.canvas().box;
+  const glm::dvec3 lamp = view_.light.value_or(scene_.light().direction);
+  for (const double v :
+       {box.lo.x, box.lo.y, box.hi.x, box.hi.y, lamp.x, lamp.y, lamp.z, scene_.light().ambient})
+    all.add(v);
+  fingerprints_.make(all.value(), scene_, looks_, palette_.first, sweep_, height_);
+  fingerprinted_ = true;
+  return &fingerprints_;
 }
 
 void Drawing::tell(RenderStats& stats) const {

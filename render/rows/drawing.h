@@ -5,6 +5,7 @@
 #include <mien/render/reference/square_resolver.h>
 #include <mien/render/render_stats.h>
 #include <mien/render/rows/crowd.h>
+#include <mien/render/rows/row_fingerprints.h>
 #include <mien/render/rows/row_painter.h>
 #include <mien/sdf/arrange/sweep.h>
 #include <mien/sdf/outline/outline_maker.h>
@@ -31,13 +32,16 @@ struct StripScratch {
   RowSums sums;
   RowPainter painter;
   std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
+  std::uint32_t odd_rows = 0;  ///< a bit for each of the strip drawn last that its fingerprint does
+                               ///< not tell all of
   struct Window;
   std::unique_ptr<Window> window;  ///< of a crowd
 };
 
 class Drawing {
  public:
-  /// Nothing is done where all but the view's region is as it was: pieces of one picture share it.
+  /// Nothing is done where all but the view's region is as it was, number for number: pieces of one
+  /// picture share it.
   /// A crowd's outlines are left to its windows.
   void make(const Scene& scene, const View& view, Depth depth);
   /// The same of all outlines at once, a crowd's too.
@@ -53,9 +57,14 @@ class Drawing {
   void draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
                               float* map) const;
 
+  /// Of the picture's rows; none of a crowd's.
+  const RowFingerprints* fingerprints();
+
   /// What all strips have in common.
   void tell(RenderStats& stats) const;
 
+  /// The scene made last.
+  const Scene& scene() const { return scene_; }
   const Outlines& outlines() const { return outlines_; }
   const PaintTable& paints() const { return paints_; }
   const Sweep& sweep() const { return sweep_; }
@@ -78,7 +87,7 @@ class Drawing {
   int width_ = 0, height_ = 0;
   bool dither_ = true;
   double tolerance_ = 0;  ///< of outlines [px]
-  bool made_ = false, crowded_ = false;
+  bool made_ = false, crowded_ = false, fingerprinted_ = false;
   Crowd crowd_;
   Scene scene_;
   View view_;
@@ -92,6 +101,7 @@ class Drawing {
   Palette palette_;
   std::vector<Rgba> jumps_;  ///< by fragment
   std::vector<int> first_of_strip_, in_strip_;
+  RowFingerprints fingerprints_;
 };
 
 }  // namespace mien

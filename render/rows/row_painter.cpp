@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 namespace mien {
 namespace {
@@ -79,7 +80,8 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
   shares_ = &sums.shares(row);
-  refused_.clear();
+  row_looks_ = {sums.looks(row), std::size_t(sums.look_words())};
+  refused_.clear(), lost_ = false;
   room_for(std::size_t(x1 - x0));
   std::sort(shares_->begin(), shares_->end(),
             [](const LookShare& a, const LookShare& b) { return a.column < b.column; });
@@ -94,6 +96,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
     paint_varied(sums, row);
   put_cells();
   shares_->clear();
+  std::fill_n(sums.looks(row), sums.look_words(), 0);
 }
 
 void RowPainter::paint_varied(RowSums& sums, int row) {
@@ -194,13 +197,31 @@ bool RowPainter::looks_like(int look) const {
 }
 
 /// The look of the run that begins at a column; −1 if none of those it may be agrees.
-int RowPainter::look_of_run(int column) const {
+int RowPainter::look_of_run(int column) {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
-  constexpr int kFew = 64;  // more are not looked through for every run
-  for (int i = 0; i < std::min(kFew, int(palette_->entries.size())); ++i)
-    if (looks_like(i)) return i;
-  return -1;
+  if (!open_.empty()) return looks_like(open_[0].look) ? open_[0].look : -1;  // no other agrees
+  return nearest_look();
+}
+
+/// Of the looks right of one of the row's fragments that agree, the one whose colour is nearest; of two as near the
+/// darker one: their numbers do not count, so a row is the same whatever else is in the picture.
+int RowPainter::nearest_look() {
+  const auto off = [&](const Rgba& c) {
+    return std::abs(c.r - sum_.r) + std::abs(c.g - sum_.g) + std::abs(c.b - sum_.b) +
+           std::abs(c.a - sum_.a);
+  };
+  const auto rank = [&](const Rgba& c) { return std::tuple{off(c), c.r, c.g, c.b, c.a}; };
+  int best = -1;
+  for (std::size_t w = 0; w < row_looks_.size(); ++w)
+    for (std::uint64_t bits = row_looks_[w]; bits; bits &= bits - 1) {
+      const int i = int(64 * w) + std::countr_zero(bits);
+      if (!looks_like(i)) continue;
+      const auto color = [&](int look) { return palette_->entries[std::size_t(look)].color; };
+      if (best < 0 || rank(color(i)) < rank(color(best))) best = i;
+    }
+  lost_ = lost_ || palette_->entries.size() > std::size_t(RowSums::kMostLooks);
+  return best;
 }
 
 /// A look that fills the row from the left.

@@ -46,6 +46,9 @@ class RowPainter {
   /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
   std::span<const int> refused() const { return refused_; }
 
+  /// Whether a run of that row had to be looked for, and there are too many looks for that.
+  bool lost() const { return lost_; }
+
  private:
   static constexpr int kBlock = LookShader::kBlock;
   /// What a varied look takes of the pixels from here on, and of the pixel at hand.
@@ -68,7 +71,8 @@ class RowPainter {
   void take_shares(int column);
   Rgba parts(int column, int side);
   glm::vec4 part(const Open& open, int column, int side);
-  int look_of_run(int column) const;
+  int look_of_run(int column);
+  int nearest_look();
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
   void mend_run(int look, int from, int count, const ColorRow& colors);
@@ -93,6 +97,7 @@ class RowPainter {
   int y_ = 0, x0_ = 0, x1_ = 0;
   std::byte* to_ = nullptr;
   const std::uint16_t* hints_ = nullptr;
+  std::span<const std::uint64_t> row_looks_;  ///< a bit for each that may be a run's
   RenderStats* stats_ = nullptr;
   Rgba sum_;
   int look_ = 0;  ///< of the run before
@@ -107,6 +112,7 @@ class RowPainter {
   std::vector<PartStretch> stretches_;      ///< those of one look
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
   std::vector<int> refused_;
+  bool lost_ = false;
   ColorRow cells_;  ///< mixed, to be put together, after the runs
   std::vector<int> columns_;
   int kept_ = 0;

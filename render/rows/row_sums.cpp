@@ -40,7 +40,12 @@ Moments moments_of(const CellStretch& c) {
 
 }  // namespace
 
-void RowSums::begin(int rows, int width) {
+void RowSums::begin(int rows, int width, int looks) {
+  const std::size_t look_words = std::size_t(std::min(looks, kMostLooks) + 63) / 64;
+  if (look_words != look_words_ || looks_.size() < look_words * std::size_t(rows)) {
+    look_words_ = look_words;
+    looks_.assign(look_words * std::size_t(rows), 0);
+  }
   const std::size_t stride = std::size_t(width) + 2, words = (std::size_t(width) + 65) / 64;
   if (stride != stride_ || sums_.size() < stride * std::size_t(rows)) {
     width_ = width, stride_ = stride, mark_words_ = words;
@@ -76,6 +81,8 @@ void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, in
     const int row = s.row - first;
     Rgba* const row_sums = sums(row);
     std::uint64_t* const row_marks = marks(row);
+    if (right_look < int(64 * look_words_))
+      looks(row)[right_look >> 6] |= std::uint64_t{1} << (right_look & 63);
     std::uint16_t* const row_hints = hints_.data() + std::size_t(row) * stride_;
     const auto add_cell = [&](int at, const CellPart& part) {
       if (at >= width_) return;

@@ -24,8 +24,8 @@ struct LookShare {
 
 class RowSums {
  public:
-  /// Empty rows of so many pixels.
-  void begin(int rows, int width);
+  /// Empty rows of so many pixels, in a picture of so many looks.
+  void begin(int rows, int width, int looks);
 
   /// A fragment's cells; `first` is the row of the picture that is row 0 here, heights lie within the
   /// rows. `jump`: right colour minus left; looks that vary are −1 or an index.
@@ -37,6 +37,11 @@ class RowSums {
   Rgba* sums(int row) { return sums_.data() + std::size_t(row) * stride_; }
   std::uint64_t* marks(int row) { return marks_.data() + std::size_t(row) * mark_words_; }
   const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
+  /// A bit for each look right of one of the row's fragments; none of looks beyond kMostLooks. The
+  /// reader sets them back, too.
+  std::uint64_t* looks(int row) { return looks_.data() + std::size_t(row) * look_words_; }
+  int look_words() const { return int(look_words_); }
+  static constexpr int kMostLooks = 1024;
   std::vector<LookShare>& shares(int row) { return shares_[std::size_t(row)]; }
   int mark_words() const { return int(mark_words_); }
   long long cells() const { return cells_; }  ///< since it was made
@@ -49,9 +54,9 @@ class RowSums {
 
   long long cells_ = 0;
   int width_ = 0;
-  std::size_t stride_ = 0, mark_words_ = 0;
+  std::size_t stride_ = 0, mark_words_ = 0, look_words_ = 0;
   std::vector<Rgba> sums_;
-  std::vector<std::uint64_t> marks_;
+  std::vector<std::uint64_t> marks_, looks_;
   std::vector<std::uint16_t> hints_;  ///< the look that may follow a cell
   std::vector<std::vector<LookShare>> shares_;
 };

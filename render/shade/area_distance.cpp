@@ -7,21 +7,30 @@
 namespace mien {
 
 AreaDistance::AreaDistance(const Scene& scene, Area area, const Map<PixelSpace, FaceSpace>& map) {
-  std::vector<int> place(std::size_t(area.node) + 1, -1);
-  std::vector<char> needed(std::size_t(area.node) + 1, 0);
-  needed[std::size_t(area.node)] = 1;
+  std::vector<int> place;
+  make(scene, area, map, place);
+}
+
+void AreaDistance::make(const Scene& scene, Area area, const Map<PixelSpace, FaceSpace>& map,
+                        std::vector<int>& place) {
+  constexpr int kUnused = -2, kNeeded = -1;
+  nodes_.clear();
+  place.assign(std::size_t(area.node) + 1, kUnused);
+  place[std::size_t(area.node)] = kNeeded;
   for (int i = area.node; i >= 0; --i) {
     const Node& n = scene.nodes()[std::size_t(i)];
-    if (!needed[std::size_t(i)] || n.op == Op::shape) continue;
-    needed[std::size_t(n.a)] = 1;
-    if (n.b >= 0) needed[std::size_t(n.b)] = 1;
+    if (place[std::size_t(i)] == kUnused || n.op == Op::shape) continue;
+    place[std::size_t(n.a)] = kNeeded;
+    if (n.b >= 0) place[std::size_t(n.b)] = kNeeded;
   }
+  std::size_t shapes = 0;
   for (int i = 0; i <= area.node; ++i) {
-    if (!needed[std::size_t(i)]) continue;
+    if (place[std::size_t(i)] == kUnused) continue;
     Node n = scene.nodes()[std::size_t(i)];
     if (n.op == Op::shape) {
-      shapes_.push_back(transformed(map, scene.shapes()[std::size_t(n.a)]));
-      n.a = int(shapes_.size()) - 1;
+      if (shapes == shapes_.size()) shapes_.emplace_back();
+      transform(map.linear, map.shift, scene.shapes()[std::size_t(n.a)], shapes_[shapes]);
+      n.a = int(shapes++);
     } else {
       n.a = place[std::size_t(n.a)];
       n.b = n.b < 0 ? n.a : place[std::size_t(n.b)];
@@ -30,6 +39,7 @@ AreaDistance::AreaDistance(const Scene& scene, Area area, const Map<PixelSpace, 
     place[std::size_t(i)] = int(nodes_.size());
     nodes_.push_back(n);
   }
+  shapes_.resize(shapes);
 }
 
 double AreaDistance::tree_at(glm::dvec2 p, double* values) const {

@@ -8,10 +8,15 @@
 
 namespace mien {
 
-/// An area's CSG tree with its shapes in pixels. Immutable; 1-Lipschitz.
+/// An area's CSG tree with its shapes in pixels. 1-Lipschitz.
 class AreaDistance {
  public:
   AreaDistance(const Scene& scene, Area area, const Map<PixelSpace, FaceSpace>& map);
+  AreaDistance() = default;
+
+  /// Made anew; memory is kept. `place` is scratch.
+  void make(const Scene& scene, Area area, const Map<PixelSpace, FaceSpace>& map,
+            std::vector<int>& place);
 
   /// Negative inside; p in pixels, origin at the picture's centre.
   double at(glm::dvec2 p) const;

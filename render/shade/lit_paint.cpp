@@ -76,20 +76,18 @@ LitPaint::Scratch::~Scratch() = default;
 LitPaint::Scratch::Scratch(Scratch&&) noexcept = default;
 LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 
-LitPaint::LitPaint(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
-                   glm::dvec2 center, double tolerance)
-    : surface_(paint, distances, blend, center),
-      tolerance_(tolerance),
-      in_lanes_(lanes_know(paint)),
-      id_(next_id()) {
-  if (surface_.area()) area_ = FeetArea(*surface_.area(), center);
-  if (surface_.gradient_area()) {
-    gradient_area_ = FeetArea(*surface_.gradient_area(), center);
-    // Dark colours in linear light are encoded up to 12.92 times as steep.
-    const double steep = blend == Blend::linear ? 6.0 : 1.0;
-    const double slope = steep * paint.ramp->steepest() * paint.field.per_pixel;
-    distance_tolerance_ = tolerance / 255.0 / std::max(slope, 1e-3);
-  }
+void LitPaint::make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+                    glm::dvec2 center, double tolerance, int index) {
+  surface_.make(paint, distances, blend, center);
+  tolerance_ = tolerance, in_lanes_ = lanes_know(paint);
+  index_ = index, id_ = next_id();
+  if (surface_.area()) area_.make(*surface_.area(), center);
+  if (!surface_.gradient_area()) return;
+  gradient_area_.make(*surface_.gradient_area(), center);
+  // Dark colours in linear light are encoded up to 12.92 times as steep.
+  const double steep = blend == Blend::linear ? 6.0 : 1.0;
+  const double slope = steep * paint.ramp->steepest() * paint.field.per_pixel;
+  distance_tolerance_ = tolerance / 255.0 / std::max(slope, 1e-3);
 }
 
 bool LitPaint::level(int zone) const {
@@ -100,7 +98,8 @@ bool LitPaint::level(int zone) const {
 LitTile& LitPaint::tile(int zone, int x, int y, Scratch& scratch) const {
   const int left = floor_to_tile(x), top = floor_to_tile(y);
   const std::uint64_t column = std::uint64_t(left / LitTile::kSide);
-  const std::uint64_t hash = (id_ * 8 + std::uint64_t(zone + 1)) * 0x9E3779B97F4A7C15u;
+  const std::uint64_t hash =
+      (std::uint64_t(index_) * 8 + std::uint64_t(zone + 1)) * 0x9E3779B97F4A7C15u;
   auto& slot = scratch.kept_->tiles[std::size_t((column + (hash >> 40)) % Scratch::Kept::kTiles)];
   if (!slot) slot = std::make_unique<LitTile>();
   LitTile& t = *slot;
@@ -118,7 +117,7 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
   t.full = t.smooth = false;
   constexpr double kSame = 0.02;  // per level of tolerance: a slope of that jump is worth as much
-  t.same = float(std::clamp(kSame * tolerance_, 0.002, 0.02));
+  t.same = float(std::clamp(kSame * tolerance_, 0.002, double(LitTile::kSame)));
   t.rises = !surface_.flat(t.zone);
   const bool varies = t.rises || !t.lamp.domes.empty() || t.lamp.ramp.kind != LampRamp::Kind::none;
   t.kind = varies ? LitTile::Kind::means : LitTile::Kind::base;
@@ -154,8 +153,8 @@ void LitPaint::make_full(LitTile& t) const {
 
 void LitPaint::make_distances(LitTile& t) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
-  t.rises = true, t.kind = LitTile::Kind::distances;
-  t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f;
+  t.rises = true, t.kind = LitTile::Kind::distances, t.same = LitTile::kSame;
+  t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f, t.lamp.finest = 1e9f;
   t.shallow = -1e9f, t.deep = 1e9f;
   t.feet.narrow(gradient_area_, middle, kRadius);
   t.tangled = t.feet.tangled() || gradient_area_.is_fine();

@@ -41,7 +41,15 @@ class LitPaint {
   /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose
   /// own is its top left corner, y down. `tolerance`: what a mean may be off, in levels of 255.
   LitPaint(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
-           glm::dvec2 center, double tolerance = 0.3);
+           glm::dvec2 center, double tolerance = 0.3) {
+    make(paint, distances, blend, center, tolerance, 0);
+  }
+  LitPaint() = default;
+
+  /// Made anew; memory is kept. `index`: among the picture's lit paints; scratch keeps what is of one
+  /// index in the same places from frame to frame.
+  void make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+            glm::dvec2 center, double tolerance, int index);
 
   /// The depths (signed distances, falling, in px) at which the profile has a kink. Zone k lies
   /// between level k − 1 and level k: zone 0 is outside, the last one the plateau. No levels: one
@@ -88,9 +96,10 @@ class LitPaint {
 
   LitSurface surface_;
   FeetArea area_, gradient_area_;
-  double tolerance_, distance_tolerance_ = 0;  ///< the latter in px
-  bool in_lanes_;
-  std::uint64_t id_;  ///< of this paint and no other, ever
+  double tolerance_ = 0.3, distance_tolerance_ = 0;  ///< the latter in px
+  bool in_lanes_ = false;
+  int index_ = 0;
+  std::uint64_t id_ = 0;  ///< of this paint and no other, ever
 };
 
 }  // namespace mien

@@ -6,9 +6,11 @@
 
 namespace mien {
 
-LitSurface::LitSurface(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
-                       glm::dvec2 center)
-    : paint_(&paint), blend_(blend), center_(center) {
+void LitSurface::make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+                      glm::dvec2 center) {
+  paint_ = &paint, blend_ = blend, center_ = center;
+  area_ = gradient_area_ = nullptr;
+  levels_.clear(), rises_.clear();
   if (paint.ramp && paint.field.kind == PaintField::Kind::distance)
     gradient_area_ = &distances[std::size_t(paint.field.distance)];
   const TapeRelief& r = relief();

@@ -33,7 +33,14 @@ class LitSurface {
  public:
   /// `center`: where the paint's own origin lies.
   LitSurface(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
-             glm::dvec2 center);
+             glm::dvec2 center) {
+    make(paint, distances, blend, center);
+  }
+  LitSurface() = default;
+
+  /// Made anew; memory is kept.
+  void make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+            glm::dvec2 center);
 
   /// Depths (signed distances, falling from 0) where the profile has a kink; none: one zone.
   std::span<const double> levels() const { return levels_; }
@@ -60,10 +67,10 @@ class LitSurface {
  private:
   Mix base(const LitPiece& piece, glm::dvec2 p, double d) const;
 
-  const TapePaint* paint_;
+  const TapePaint* paint_ = nullptr;
   const AreaDistance *area_ = nullptr, *gradient_area_ = nullptr;
-  Blend blend_;
-  glm::dvec2 center_;
+  Blend blend_ = Blend::linear;
+  glm::dvec2 center_{0.0};
   std::vector<double> levels_;
   std::vector<double> rises_;  ///< of a table, by step
 };

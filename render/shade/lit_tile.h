@@ -29,8 +29,9 @@ struct LitTile {
   bool smooth = false;
   std::array<float, kPixels> smooth_r, smooth_g, smooth_b;  ///< means, where the tile is smooth
   float shallow, deep;
+  static constexpr float kSame = 0.02f;
   float same =
-      0.02f;  ///< gradients that agree so well seen from one block and from the next are of one branch
+      kSame;  ///< gradients that agree so well seen from one block and from the next are of one branch
   bool tangled = false;  ///< feet in the blocks' middles do not tell of what lies between
   LampLanes lamp;
   NearFeet feet;

@@ -158,11 +158,11 @@ int Looks::segment_of(int varied, const std::uint64_t* inside) {
 }
 
 int Looks::first_look(std::uint64_t* state) {
-  const std::vector<std::uint64_t> nothing(paints_->programs.outlines().size() / 64 + 1, 0);
+  nothing_.assign(paints_->programs.outlines().size() / 64 + 1, 0);
   std::fill(state, state + words_, 0);
   for (std::size_t i = 0; i < paints_->layers.size(); ++i)
-    if (covers(int(i), nothing.data())) state[i / 64] |= std::uint64_t{1} << (i % 64);
-  return compose(nothing.data(), state);
+    if (covers(int(i), nothing_.data())) state[i / 64] |= std::uint64_t{1} << (i % 64);
+  return compose(nothing_.data(), state);
 }
 
 int Looks::look(const std::uint64_t* inside, int outline, const std::uint64_t* before,

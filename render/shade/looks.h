@@ -126,6 +126,7 @@ class Looks final : public LookRule {
   std::vector<Conjunction> conjunctions_;  ///< by layer
   std::vector<int> literals_;              ///< outline, or ~outline
 
+  std::vector<std::uint64_t> nothing_;  ///< inside of no outline
   std::vector<char> stack_;
   std::vector<Level> levels_;
   std::vector<int> open_;  ///< groups

@@ -54,14 +54,15 @@ glm::dvec2 outward(const Spine<double>& s, double t) {
 
 /// Whether no side touches another but at joints. A side's control triangle may reach far from the
 /// side: what fails whole is asked for in eighths.
-bool is_simple_in_pieces(const Path& path) {
+bool is_simple_in_pieces(const Path& path, Path& fine) {
   if (is_simple(path)) return true;
   constexpr int kPieces = 8;
-  Path fine;
   fine.rule = path.rule;
-  for (const Path::Loop& loop : path.loops) {
-    fine.loops.emplace_back();
-    for (const QuadBezier& side : loop.sides) {
+  fine.loops.resize(path.loops.size());
+  for (std::size_t k = 0; k < path.loops.size(); ++k) {
+    std::vector<QuadBezier>& to = fine.loops[k].sides;
+    to.clear();
+    for (const QuadBezier& side : path.loops[k].sides) {
       glm::dvec2 begin = side.p0;
       for (int i = 1; i <= kPieces; ++i) {
         const double s = double(i - 1) / kPieces, t = double(i) / kPieces;
@@ -70,7 +71,7 @@ bool is_simple_in_pieces(const Path& path) {
           return (1.0 - u) * (1.0 - v) * side.p0 + one * side.p1 + both * side.p2;
         };
         const glm::dvec2 end = i == kPieces ? side.p2 : blossom(t, t);
-        fine.loops.back().sides.push_back({begin, blossom(s, t), end});
+        to.push_back({begin, blossom(s, t), end});
         begin = end;
       }
     }
@@ -79,9 +80,9 @@ bool is_simple_in_pieces(const Path& path) {
 }
 
 /// The sides of a path with the hand on which its outside lies; none if a side has the same on both.
-bool add_path(const Path& path, SpineShape& made) {
+bool add_path(const Path& path, SpineShape& made, Path& pieces) {
   std::vector<Spine<double>>& to = made.spines;
-  if (!is_simple_in_pieces(path)) return false;
+  if (!is_simple_in_pieces(path, pieces)) return false;
   for (const Path::Loop& loop : path.loops) {
     const std::size_t first = to.size();
     for (const QuadBezier& side : loop.sides) {
@@ -110,9 +111,10 @@ bool add_path(const Path& path, SpineShape& made) {
   return !to.empty();
 }
 
-SpineShape spines_of(const Shape& shape, glm::dvec2 center) {
-  SpineShape made;
-  made.stroke = true;
+void make_spines(const Shape& shape, glm::dvec2 center, SpineShape& made, Path& pieces) {
+  made.stroke = true, made.slow = false;
+  made.ellipse.reset();
+  made.spines.clear(), made.reach.clear(), made.next.clear();
   const auto add = [&](const QuadBezier& spine, double a, double b, double c) {
     made.spines.push_back(spine_of(spine, {a, b, c}));
   };
@@ -135,12 +137,12 @@ SpineShape spines_of(const Shape& shape, glm::dvec2 center) {
           add(straight(s.center, s.center), s.radius, s.radius, s.radius);
         } else if constexpr (std::is_same_v<S, Path>) {
           made.stroke = false;
-          made.slow = !add_path(s, made);
+          made.slow = !add_path(s, made, pieces);
         } else if constexpr (std::is_same_v<S, Triangle>) {
           made.stroke = false;
           Path path;
           path.loops.push_back({{straight(s.a, s.b), straight(s.b, s.c), straight(s.c, s.a)}});
-          made.slow = !add_path(path, made);
+          made.slow = !add_path(path, made, pieces);
         } else if constexpr (std::is_same_v<S, Ellipse>) {
           made.ellipse = s;
           made.ellipse->center += center;
@@ -161,7 +163,6 @@ SpineShape spines_of(const Shape& shape, glm::dvec2 center) {
                                 std::abs(s.w1 + 2.0 * t * s.w2));
     made.reach.push_back(most);
   }
-  return made;
 }
 
 double key(const Spine<double>& s, double t, glm::dvec2 p) {
@@ -191,12 +192,15 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
 
 }  // namespace
 
-FeetArea::FeetArea(const AreaDistance& area, glm::dvec2 center) : area_(&area), center_(center) {
+void FeetArea::make(const AreaDistance& area, glm::dvec2 center) {
   constexpr double kSmall = 32.0;  // [px]
-  for (const Shape& shape : area.shapes()) {
-    shapes_.push_back(spines_of(shape, center));
+  area_ = &area, center_ = center, fine_ = false;
+  shapes_.resize(area.shapes().size());
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const Shape& shape = area.shapes()[i];
+    make_spines(shape, center, shapes_[i], pieces_);
     const glm::dvec2 size = bounds(shape).size();
-    fine_ = fine_ || (area.shapes().size() > 1 && std::min(size.x, size.y) < kSmall);
+    fine_ = fine_ || (shapes_.size() > 1 && std::min(size.x, size.y) < kSmall);
   }
 }
 

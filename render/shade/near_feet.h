@@ -64,7 +64,10 @@ class FeetArea {
  public:
   FeetArea() = default;
   /// `center`: where the area's origin lies in the picture.
-  FeetArea(const AreaDistance& area, glm::dvec2 center);
+  FeetArea(const AreaDistance& area, glm::dvec2 center) { make(area, center); }
+
+  /// Made anew; memory is kept.
+  void make(const AreaDistance& area, glm::dvec2 center);
 
   const AreaDistance* area() const { return area_; }
   glm::dvec2 center() const { return center_; }
@@ -77,6 +80,7 @@ class FeetArea {
   glm::dvec2 center_{0.0};
   std::vector<SpineShape> shapes_;
   bool fine_ = false;
+  Path pieces_;  ///< scratch
 };
 
 /// Keeps its scratch; one per thread.

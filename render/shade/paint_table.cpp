@@ -11,9 +11,12 @@ constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden 
 constexpr int kMostKinks =
     96;  ///< of one paint in a picture: more make outlines dearer than samples
 
-class Maker {
+}  // namespace
+
+/// Makes paints, each in the place of one of the picture before: its memory is kept.
+class PaintMaker {
  public:
-  Maker(const Scene& scene, const View& view, PaintTable& to)
+  PaintMaker(const Scene& scene, const View& view, PaintTable& to)
       : scene_(scene), view_(view), map_(grid_from_face(scene.canvas(), view)), to_(to) {}
 
   PaintedLayer layer(const Layer& layer) {
@@ -21,31 +24,50 @@ class Maker {
     const Paint& paint = layer.paint;
     made.mix = mix_from_color(paint.color, view_.blend);
     if (!paint.gradient && !paint.relief) return made;
-    VariedPaint varied;
+    VariedPaint& varied = next();
     varied.paint.color = made.mix;
     if (paint.gradient) {
-      varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
+      if (varied.paint.ramp)
+        varied.paint.ramp->make(*paint.gradient, paint.color.a, view_.blend);
+      else
+        varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
       std::visit([&](const auto& along) { field(along, varied); }, paint.gradient->along);
     }
+    if (!paint.gradient) varied.paint.ramp.reset();
     const bool by_distance =
         paint.gradient && varied.paint.field.kind == PaintField::Kind::distance;
     if (paint.relief)
-      varied.paint.relief = relief(*paint.relief, varied);
+      relief(*paint.relief, varied);
     else if (by_distance || varied.dense)
       varied.paint.relief.emplace(TapeRelief{.lamp = Lamp(light(), 0.0, 1.0)});  // a level one
+    else
+      varied.paint.relief.reset();
     if (varied.paint.relief) varied.lit = 0;
-    made.varied = int(to_.varied.size());
-    to_.varied.push_back(std::move(varied));
+    made.varied = int(varied_) - 1;
     return made;
   }
 
+  /// What is left of the picture before.
+  void finish() {
+    to_.varied.resize(varied_);
+    to_.distances.resize(distances_);
+  }
+
  private:
+  VariedPaint& next() {
+    if (varied_ == to_.varied.size()) to_.varied.emplace_back();
+    VariedPaint& varied = to_.varied[varied_++];
+    varied.paint.field = {};
+    varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
+    varied.dense = false, varied.lowest = varied.highest = 0, varied.lit = -1;
+    return varied;
+  }
+
   /// The places t between lo and hi where the ramp has a kink; a whole picture's.
-  std::vector<double> places(VariedPaint& varied, double lo, double hi) {
-    std::vector<double> kinks;
+  const std::vector<double>& places(VariedPaint& varied, double lo, double hi) {
     varied.lowest = lo, varied.highest = hi;
-    varied.dense = !varied.paint.ramp->kinks(lo, hi, kMostKinks, kinks);
-    return kinks;
+    varied.dense = !varied.paint.ramp->kinks(lo, hi, kMostKinks, to_.kinks_);
+    return to_.kinks_;
   }
 
   void field(const LinearGradient& g, VariedPaint& varied) {
@@ -108,13 +130,17 @@ class Maker {
     return glm::dmat2{u.x / a, v.x / b, u.y / a, v.y / b};  // columns
   }
 
-  TapeRelief relief(const Relief& r, VariedPaint& varied) {
-    TapeRelief made{.profile = r.profile, .lamp = Lamp(light(), r.specular, r.shininess)};
+  void relief(const Relief& r, VariedPaint& varied) {
+    const Lamp lamp(light(), r.specular, r.shininess);
+    if (!varied.paint.relief) varied.paint.relief.emplace(TapeRelief{.lamp = lamp});
+    TapeRelief& made = *varied.paint.relief;
+    made.lamp = lamp, made.profile = r.profile, made.distance = -1;
     if (r.area.node >= 0 && r.profile != Profile::flat) made.distance = distance(r.area);
     if (r.profile == Profile::custom && r.table.size() < 2) made.profile = Profile::flat;
     made.width = std::max(r.width * map_.scale(), kLeast);
     made.height = r.height * map_.scale();
     made.table = r.table;
+    made.domes.clear();
     for (const Dome& dome : r.domes) {
       if (dome.height == 0.0) continue;
       made.domes.push_back({map_(dome.center), unit(dome.radii, dome.axis),
@@ -123,7 +149,6 @@ class Maker {
       varied.domes.push_back(
           to_.programs.add(Ellipse{dome.center, dome.radii, glm::normalize(dome.axis)}));
     }
-    return made;
   }
 
   Light light() const {
@@ -133,35 +158,35 @@ class Maker {
   }
 
   int distance(Area area) {
-    const auto [found, is_new] = distances_.try_emplace(area.node, int(to_.distances.size()));
-    if (is_new)
-      to_.distances.emplace_back(scene_, area, Map<PixelSpace, FaceSpace>{map_.linear, map_.shift});
-    return found->second;
+    int& known = to_.distance_[std::size_t(area.node)];
+    if (known >= 0) return known;
+    known = int(distances_++);
+    if (to_.distances.size() < distances_) to_.distances.emplace_back();
+    to_.distances[std::size_t(known)].make(
+        scene_, area, Map<PixelSpace, FaceSpace>{map_.linear, map_.shift}, to_.place_);
+    return known;
   }
 
   const Scene& scene_;
   const View& view_;
   const Map<GridSpace, FaceSpace> map_;
   PaintTable& to_;
-  std::map<int, int> distances_;
+  std::size_t varied_ = 0, distances_ = 0;  ///< made so far
 };
 
 /// The translucent groups, and for every group of the scene the nearest of those it is in.
-std::vector<int> translucent_groups(const Scene& scene, std::vector<PaintedGroup>& to) {
-  std::vector<int> nearest;
+void PaintTable::make_groups(const Scene& scene) {
+  groups.clear(), nearest_.clear();
   for (const Group& group : scene.groups()) {
-    const int parent = group.parent < 0 ? -1 : nearest[std::size_t(group.parent)];
+    const int parent = group.parent < 0 ? -1 : nearest_[std::size_t(group.parent)];
     if (group.opacity >= 1.0) {
-      nearest.push_back(parent);  // its layers are as good as on their own
+      nearest_.push_back(parent);  // its layers are as good as on their own
       continue;
     }
-    nearest.push_back(int(to.size()));
-    to.push_back({parent, group.opacity > 0.0 ? group.opacity : 0.0});
+    nearest_.push_back(int(groups.size()));
+    groups.push_back({parent, group.opacity > 0.0 ? group.opacity : 0.0});
   }
-  return nearest;
 }
-
-}  // namespace
 
 Map<GridSpace, FaceSpace> grid_from_face(const Canvas& canvas, const View& view) {
   const Map<PixelSpace, FaceSpace> map = pixel_from_face(canvas, view);
@@ -170,15 +195,17 @@ Map<GridSpace, FaceSpace> grid_from_face(const Canvas& canvas, const View& view)
 
 void PaintTable::make(const Scene& scene, const View& view, Depth depth) {
   programs.begin(scene);
-  layers.clear(), varied.clear(), groups.clear(), lit.clear(), distances.clear();
+  layers.clear();
+  distance_.assign(scene.nodes().size(), -1);
   blend = view.blend;
   background = mix_from_color(view.background.value_or(scene.background()), view.blend);
-  Maker maker(scene, view, *this);
-  const std::vector<int> nearest = translucent_groups(scene, groups);
+  make_groups(scene);
+  PaintMaker maker(scene, view, *this);
   for (const Layer& layer : scene.layers()) {
     layers.push_back(maker.layer(layer));
-    if (layer.group >= 0) layers.back().group = nearest[std::size_t(layer.group)];
+    if (layer.group >= 0) layers.back().group = nearest_[std::size_t(layer.group)];
   }
+  maker.finish();
   make_lit(scene, view, depth);
 }
 
@@ -187,15 +214,19 @@ void PaintTable::make_lit(const Scene& scene, const View& view, Depth depth) {
   // [levels of 255] A mean may be off by so much: half of what a level's rounding leaves.
   const double tolerance = depth == Depth::u8 ? 0.3 : 0.03;
   const double scale = grid_from_face(scene.canvas(), view).scale();
+  std::size_t made = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     if (layers[i].varied < 0) continue;
     VariedPaint& paint = varied[std::size_t(layers[i].varied)];
     if (paint.lit < 0) continue;
-    paint.lit = int(lit.size());
-    lit.emplace_back(paint.paint, distances, blend, glm::dvec2{0.0}, tolerance);
-    for (const double level : lit.back().levels())
+    paint.lit = int(made++);
+    if (lit.size() < made) lit.emplace_back();
+    LitPaint& now = lit[made - 1];
+    now.make(paint.paint, distances, blend, glm::dvec2{0.0}, tolerance, paint.lit);
+    for (const double level : now.levels())
       paint.levels.push_back(programs.add(scene.layers()[i].paint.relief->area, level / scale));
   }
+  lit.resize(made);
 }
 
 }  // namespace mien

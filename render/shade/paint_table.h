@@ -12,7 +12,6 @@
 #include <mien/sdf/outline/area_program.h>
 #include <mien/sdf/scene/scene.h>
 
-#include <map>
 #include <vector>
 
 namespace mien {
@@ -68,7 +67,14 @@ struct PaintTable {
   void make(const Scene& scene, const View& view, Depth depth);
 
  private:
+  friend class PaintMaker;
   void make_lit(const Scene& scene, const View& view, Depth depth);
+  void make_groups(const Scene& scene);
+
+  std::vector<int> nearest_;   ///< by group of the scene: the translucent one it is in
+  std::vector<int> distance_;  ///< by node of the scene: its distance's index; −1: none yet
+  std::vector<int> place_;
+  std::vector<double> kinks_;
 };
 
 /// Takes face units to the grid of the picture.

@@ -1,19 +1,34 @@
 #include <mien/sdf/outline/area_program.h>
 #include <mien/sdf/outline/outline_maker.h>
 #include <mien/sdf/shape/band.h>
-
-#include "same_shape_private.h"
+#include <mien/sdf/shape/same_shape.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace mien {
 
 using Kind = AreaStep::Kind;
 
+namespace {
+
+constexpr std::size_t kFirstTable = 256;
+
+std::uint64_t hash_of(const OutlineSource& source) {
+  std::uint64_t h = std::bit_cast<std::uint64_t>(source.amount) + std::uint64_t(source.rim);
+  h = (h ^ (std::uint64_t(source.shape) << 32)) * 0x9e3779b97f4a7c15ull;
+  return h ^ (h >> 29);
+}
+
+}  // namespace
+
 void AreaPrograms::begin(const Scene& scene) {
   scene_ = &scene;
-  steps_.clear(), outlines_.clear(), added_.clear(), at_levels_.clear();
+  steps_.clear(), outlines_.clear(), added_.clear();
+  if (at_levels_.size() > kFirstTable) at_levels_.resize(std::max(4 * leveled_, kFirstTable));
+  at_levels_.assign(std::bit_ceil(std::max(at_levels_.size(), kFirstTable)), -1);
+  leveled_ = 0;
   filled_.assign(scene.shapes().size(), -1);
   find_alike();
 }
@@ -103,13 +118,31 @@ void AreaPrograms::expand(const Node& n, double level) {
 }
 
 void AreaPrograms::outline(int shape, double amount, bool rim) {
-  int& known = amount == 0.0 ? filled_[std::size_t(shape)]
-                             : at_levels_.try_emplace({shape, amount, rim}, -1).first->second;
+  int& known = amount == 0.0 ? filled_[std::size_t(shape)] : at_level({shape, amount, rim});
   if (known < 0) {
     known = int(outlines_.size());
     outlines_.push_back({shape, amount, rim});
   }
   steps_.push_back({Kind::outline, known});
+}
+
+/// Where the outline's index is, or goes.
+int& AreaPrograms::at_level(const OutlineSource& source) {
+  if (2 * ++leveled_ > at_levels_.size()) {
+    at_levels_.assign(2 * at_levels_.size(), -1);
+    leveled_ = 1;
+    for (std::size_t i = 0; i < outlines_.size(); ++i)
+      if (outlines_[i].amount != 0.0) at_level(outlines_[i]) = int(i);
+  }
+  std::size_t i = hash_of(source) & (at_levels_.size() - 1);
+  for (; at_levels_[i] >= 0; i = (i + 1) & (at_levels_.size() - 1)) {
+    const OutlineSource& other = outlines_[std::size_t(at_levels_[i])];
+    if (other.shape == source.shape && other.amount == source.amount && other.rim == source.rim) {
+      --leveled_;
+      break;
+    }
+  }
+  return at_levels_[i];
 }
 
 void AreaPrograms::leaf(int index, double level) {

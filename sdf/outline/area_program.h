@@ -11,9 +11,7 @@
 #include <mien/sdf/scene/scene.h>
 
 #include <cstdint>
-#include <map>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,6 +67,7 @@ class AreaPrograms {
   void expand(const Node& node, double level);
   void leaf(int index, double level);
   void outline(int shape, double amount, bool rim);
+  int& at_level(const OutlineSource& source);
   int added(Shape shape);
   void step(AreaStep::Kind kind) { steps_.push_back({kind}); }
 
@@ -80,7 +79,8 @@ class AreaPrograms {
   std::vector<int> alike_;                             ///< by shape: the first that is the same
   std::vector<std::pair<std::uint64_t, int>> hashes_;  ///< of shapes
   std::vector<int> filled_;                            ///< by shape: its outline at level 0
-  std::map<std::tuple<int, double, bool>, int> at_levels_;  ///< the others
+  std::vector<int> at_levels_;  ///< the other outlines, by hash, open addressing; −1: free
+  std::size_t leveled_ = 0;     ///< how many
 };
 
 /// Whether the program's area holds a point, by the bits of its outlines; `stack` is scratch.

@@ -76,10 +76,15 @@ double at_least(const QuadBezier& side, glm::dvec2 p) {
 
 }  // namespace
 
+int winding(const Path::Loop& loop, glm::dvec2 p) {
+  int count = 0;
+  for_each_side(loop, [&](const QuadBezier& side) { count += passes(side, p); });
+  return count;
+}
+
 int winding(const Path& path, glm::dvec2 p) {
   int count = 0;
-  for (const Path::Loop& loop : path.loops)
-    for_each_side(loop, [&](const QuadBezier& side) { count += passes(side, p); });
+  for (const Path::Loop& loop : path.loops) count += winding(loop, p);
   return count;
 }
 

@@ -8,6 +8,7 @@ namespace mien {
 /// How often the loops wind around p, positive where they turn from +x towards +y. p on a side
 /// counts to either of its two sides.
 MIEN_API int winding(const Path& path, glm::dvec2 p);
+int winding(const Path::Loop& loop, glm::dvec2 p);
 
 /// Whether a winding number is inside.
 inline bool is_inside(FillRule rule, int winding_number) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <span>
 #include <vector>
 
 namespace mien {
@@ -11,6 +12,7 @@ namespace {
 
 /// Pairs of sides are compared one by one; a path of more sides than this is taken as overlapping.
 constexpr std::size_t kMostSides = 2000;
+constexpr std::size_t kFewSides = 256;
 
 using Hull = std::array<glm::dvec2, 3>;  // of a side: its control points
 
@@ -49,20 +51,26 @@ double twice_area(const Path::Loop& loop) {
 }  // namespace
 
 bool is_simple(const Path& path) {
-  std::vector<Hull> hulls;
+  std::size_t count = 0;
   for (const Path::Loop& loop : path.loops)
-    for_each_side(loop, [&](const QuadBezier& c) { hulls.push_back({c.p0, c.p1, c.p2}); });
-  if (hulls.size() > kMostSides) return false;
+    for_each_side(loop, [&](const QuadBezier&) { ++count; });
+  if (count > kMostSides) return false;
+  std::array<Hull, kFewSides> few;  // most paths have no more, and then nothing is allocated
+  std::vector<Hull> many(count > kFewSides ? count : 0);
+  const std::span<Hull> hulls(count > kFewSides ? many.data() : few.data(), count);
+  std::size_t next = 0;
+  for (const Path::Loop& loop : path.loops)
+    for_each_side(loop, [&](const QuadBezier& c) { hulls[next++] = {c.p0, c.p1, c.p2}; });
   for (std::size_t i = 0; i < hulls.size(); ++i) {
     if (hulls[i][0] == hulls[i][2]) return false;  // there and back
     for (std::size_t k = 0; k < i; ++k)
       if (!apart(hulls[i], hulls[k])) return false;
   }
   for (std::size_t i = 0; i < path.loops.size(); ++i) {
-    Path others = path;
-    others.loops.erase(others.loops.begin() + static_cast<std::ptrdiff_t>(i));
     if (path.loops[i].sides.empty()) continue;
-    const int outside = winding(others, path.loops[i].sides[0].p0);
+    int outside = 0;
+    for (std::size_t k = 0; k < path.loops.size(); ++k)
+      if (k != i) outside += winding(path.loops[k], path.loops[i].sides[0].p0);
     const int inside = outside + (twice_area(path.loops[i]) > 0.0 ? 1 : -1);
     if (is_inside(path.rule, outside) == is_inside(path.rule, inside)) return false;
   }

@@ -104,9 +104,13 @@ struct Carrier {
     return {(*this)(s.a), (*this)(s.b), scale * s.half_width};
   }
   Polyline operator()(const Polyline& s) const {
-    Polyline out{s.points, scale * s.half_width};
-    for (glm::dvec2& p : out.points) p = (*this)(p);
+    Polyline out = s;
+    move(out);
     return out;
+  }
+  void move(Polyline& s) const {
+    s.half_width *= scale;
+    for (glm::dvec2& p : s.points) p = (*this)(p);
   }
   QuadStroke operator()(const QuadStroke& s) const {
     return {(*this)(s.spine), scale * s.half_width};
@@ -117,13 +121,16 @@ struct Carrier {
   }
   Path operator()(const Path& s) const {
     Path out = s;
-    for (Path::Loop& loop : out.loops)
+    move(out);
+    return out;
+  }
+  void move(Path& s) const {
+    for (Path::Loop& loop : s.loops)
       for (QuadBezier& side : loop.sides) {
         const bool straight = side.p1 == 0.5 * (side.p0 + side.p2);
         side = (*this)(side);
         if (straight) side.p1 = 0.5 * (side.p0 + side.p2);  // straight sides stay so, to the bit
       }
-    return out;
   }
 };
 
@@ -140,6 +147,20 @@ Exactness exactness(const Shape& shape) {
 Shape transformed(const glm::dmat2& linear, glm::dvec2 shift, const Shape& shape) {
   return std::visit([carry = Carrier{linear, shift}](const auto& s) { return Shape(carry(s)); },
                     shape);
+}
+
+void transform(const glm::dmat2& linear, glm::dvec2 shift, const Shape& shape, Shape& to) {
+  const Carrier carry{linear, shift};
+  const auto in_place = [&]<class Figure>(const Figure& s) {
+    if (Figure* known = std::get_if<Figure>(&to))
+      *known = s;
+    else
+      to = s;
+    carry.move(std::get<Figure>(to));
+  };
+  if (const auto* path = std::get_if<Path>(&shape)) return in_place(*path);
+  if (const auto* line = std::get_if<Polyline>(&shape)) return in_place(*line);
+  to = transformed(linear, shift, shape);
 }
 
 std::string_view shape_name(const Shape& shape) {

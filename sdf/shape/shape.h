@@ -130,6 +130,8 @@ MIEN_API Box2 bounds(const Shape&);
 /// The same shape seen through a similarity: distances grow by `linear`'s scale, nothing else
 /// changes.
 MIEN_API Shape transformed(const glm::dmat2& linear, glm::dvec2 shift, const Shape&);
+/// The same, written to `to`, whose memory is kept where it is of the same kind.
+void transform(const glm::dmat2& linear, glm::dvec2 shift, const Shape&, Shape& to);
 template <class To, class From>
 Shape transformed(const Map<To, From>& map, const Shape& shape) {
   return transformed(map.linear, map.shift, shape);

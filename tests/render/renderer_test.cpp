@@ -60,21 +60,49 @@ TEST(Renderer, CanBeMovedAndRefusesWhatIsNoPicture) {
   EXPECT_FALSE(second.render_into({&pixel, 4, Depth::u8}, scene, {.width = 0, .height = 1}));
 }
 
-TEST(Renderer, AllocatesNothingAfterTheFirstFrame) {
-  for (const char* face : {"seed0", "male"}) {
-    const Scene scene = scene_of(face, face == std::string("seed0") ? 0.3 : -1);
-    Renderer renderer;
-    const View view{.width = 320, .height = 240, .blend = Blend::srgb};
-    std::vector<std::uint32_t> pixels(320 * 240);
-    const RenderOptions how{.threads = {.count = 1}};
-    const auto draw = [&] {
-      return renderer.render_into({pixels.data(), 320 * 4, Depth::u8}, scene, view, how);
-    };
-    EXPECT_TRUE(draw());
-    const long before = test::allocations();
-    EXPECT_TRUE(draw());
-    EXPECT_EQ(test::allocations() - before, 0) << face;
-  }
+/// Two poses in turn: after the first frames of each, until rows are kept, too.
+TEST(Renderer, AllocatesNothingAfterTheFirstFramesOfAKind) {
+  for (const char* face : {"seed0", "male", "toon", "bruno", "clay"})
+    for (const Depth depth : {Depth::u8, Depth::u16}) {
+      const Face read = test::face_named(face);
+      const bool looks = face != std::string("male");
+      const Scene scenes[] = {
+          scene_from_face(looks ? test::posed(read, {"gaze.x=0.01"}) : pose_face(read, {})),
+          scene_from_face(looks ? test::posed(read, {"gaze.x=0.02"}) : pose_face(read, {}))};
+      Renderer renderer;
+      const View view{.width = 160, .height = 120, .blend = Blend::srgb};
+      std::vector<std::uint64_t> pixels(160 * 120);
+      const RenderOptions how{.threads = {.count = 1}};
+      const auto draw = [&](int i) {
+        return renderer.render_into({pixels.data(), 160 * 8, depth}, scenes[i % 2], view, how);
+      };
+      for (int i = 0; i < 4; ++i) EXPECT_TRUE(draw(i));
+      const long before = test::allocations();
+      for (int i = 0; i < 4; ++i) EXPECT_TRUE(draw(i));
+      EXPECT_EQ(test::allocations() - before, 0) << face;
+    }
+}
+
+TEST(Renderer, CopiesRowsThatAreAsTheyWere) {
+  const Face face = test::face_named("clay");
+  Renderer renderer;
+  const View view{.width = 90, .height = 60};
+  std::vector<std::uint32_t> pixels(90 * 60);
+  const auto recalled = [&](const char* gaze, Depth depth = Depth::u8) {
+    RenderStats stats;
+    renderer.render_into({pixels.data(), 90 * 4, depth}, scene_from_face(test::posed(face, {gaze})),
+                         view, {}, &stats);
+    EXPECT_EQ(stats.pixels, 90 * 60);
+    EXPECT_EQ(stats.recalled_pixels + stats.fill_pixels + stats.edge_pixels + stats.varied_pixels,
+              stats.pixels);
+    return stats.recalled_pixels;
+  };
+  EXPECT_EQ(recalled("gaze.x=0"), 0);
+  EXPECT_EQ(recalled("gaze.x=0.01"), 0) << "now it is worth keeping";
+  const long long eyes = recalled("gaze.x=0.02");
+  EXPECT_GT(eyes, 90 * 60 / 2);
+  EXPECT_LT(eyes, 90 * 60);
+  EXPECT_EQ(recalled("gaze.x=0.02"), 90 * 60) << "nothing changed";
 }
 
 }  // namespace

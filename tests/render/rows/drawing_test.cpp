@@ -29,6 +29,9 @@ class DrawingProbe {
     for (Rgba& jump : drawing_.jumps_) jump = Rgba{} - jump;
   }
 
+  const RowFingerprints& fingerprints() { return *drawing_.fingerprints(); }
+  std::span<const Doubt> doubts() const { return drawing_.sweep().doubts(); }
+
   /// The most that a channel of a pixel is off by beside the reference, of 1.
   double off(RenderStats& stats) {
     std::vector<std::uint16_t> pixels(std::size_t(4 * view_.width * view_.height));
@@ -95,6 +98,15 @@ TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
   EXPECT_LT(probe.off(stats), kAllowed);
   EXPECT_GT(stats.doubts, 0);
   EXPECT_GT(stats.resolved_pixels, 50);
+  int doubted = 0;
+  for (int y = 0; y < kView.height; ++y) {
+    const bool doubt = std::ranges::any_of(
+        probe.doubts(), [&](const Doubt& d) { return d.top < y + 1 && d.bottom > y; });
+    EXPECT_EQ(probe.fingerprints()[y] == RowFingerprints::kNone, doubt) << y;
+    doubted += doubt;
+  }
+  EXPECT_GT(doubted, 5);
+  EXPECT_LT(doubted, kView.height);
 }
 
 TEST(Drawing, FaultsInWindingsAndJumpsAreSeen) {

@@ -1,0 +1,51 @@
+#pragma once
+// Finished rows of the frame before, for a frame that changes little: a row made from the same
+// (row_fingerprints.h) is copied instead of drawn.
+//
+// Keeping costs a copy of every row that is drawn and its fingerprint. So nothing is kept until two
+// frames in a row have some of their shapes in common, and it rests where it was of no use.
+
+#include <mien/render/image.h>
+#include <mien/render/view/view.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mien {
+
+class FrameMemory {
+ public:
+  /// [bytes] Larger pictures are not kept.
+  static constexpr std::size_t kMost = std::size_t{16} << 20;
+
+  /// What decides whether the rows of a frame are worth keeping.
+  struct Frame {
+    int rows;        ///< of the whole picture
+    PixelRect rect;  ///< what is drawn of it
+    Depth depth;
+    int shapes, in_common;  ///< with the frame before
+  };
+  /// To be called for every frame; whether it is to be kept, and rows of the one before may be there.
+  bool begin(const Frame& frame);
+
+  /// Copies the row of columns, if one made from the same is there. Rows at the same time, if they
+  /// are not the same ones.
+  bool recall(int y, std::uint64_t fingerprint, std::byte* to);
+  void keep(int y, std::uint64_t fingerprint, const std::byte* from);
+
+  /// How many of a frame's rows were recalled: what is of no use rests for a while.
+  void end(int rows, int recalled);
+
+ private:
+  bool is_like_before(const Frame& frame) const;
+
+  Frame before_{};
+  int in_vain_ = 0, rest_ = 0;  ///< [frames]
+  bool filled_ = false;         ///< the frame before was kept
+  std::size_t row_bytes_ = 0;
+  std::vector<std::uint64_t> fingerprints_;
+  std::vector<std::byte> rows_;
+};
+
+}  // namespace mien

@@ -1,0 +1,40 @@
+#pragma once
+// What every row of a picture is made from, as a number: rows of two frames whose numbers are the
+// same are the same to the byte.
+//
+// A row is made from the stretches of visible outline that cross it, in their order, and from what is
+// seen on both sides of each. Nothing else of a scene counts: not what is hidden, nor names, nor how
+// the sweep came to it.
+
+#include <mien/render/shade/looks.h>
+#include <mien/sdf/arrange/sweep.h>
+#include <mien/sdf/scene/same_scene.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace mien {
+
+class RowFingerprints {
+ public:
+  /// No row has it: it stands for a row that may be made from more than its outlines.
+  static constexpr std::uint64_t kNone = 0;
+
+  /// `seed` stands for the view, and for all else that a whole picture has in common.
+  void make(std::uint64_t seed, const Scene& scene, const Looks& looks, int first_look,
+            const Sweep& sweep, int rows);
+
+  std::uint64_t operator[](int row) const { return rows_[std::size_t(row)]; }
+
+ private:
+  void look_at_looks(std::uint64_t seed, const Scene& scene, const Looks& looks);
+  void add(const Fragment& fragment, const OutlinePiece& piece);
+  void doubt(const Doubt& doubt);
+
+  PaintFingerprints layers_;
+  std::vector<std::uint64_t> paints_;  ///< by varied paint
+  std::vector<std::uint64_t> looks_;
+  std::vector<std::uint64_t> rows_;
+};
+
+}  // namespace mien

@@ -1,0 +1,85 @@
+#include <mien/render/rows/frame_memory.h>
+
+#include <gtest/gtest.h>
+
+namespace mien {
+namespace {
+
+constexpr int kRows = 4, kWidth = 3;
+constexpr std::size_t kRowBytes = 4 * kWidth;
+constexpr FrameMemory::Frame kFrame{kRows, {0, 0, kWidth, kRows}, Depth::u8, 8, 6};
+
+FrameMemory::Frame with(auto change) {
+  FrameMemory::Frame frame = kFrame;
+  change(frame);
+  return frame;
+}
+
+TEST(FrameMemory, KeepsNothingUntilTwoFramesAreAlike) {
+  FrameMemory memory;
+  EXPECT_FALSE(memory.begin(kFrame)) << "the first";
+  EXPECT_FALSE(memory.begin(with([](auto& f) { f.in_common = 1; })));
+  EXPECT_TRUE(memory.begin(kFrame));
+  EXPECT_FALSE(memory.begin(with([](auto& f) { f.rows = 5; })));
+  EXPECT_FALSE(memory.begin(kFrame));
+  EXPECT_FALSE(memory.begin(with([](auto& f) { f.depth = Depth::u16; })));
+  EXPECT_FALSE(memory.begin(kFrame));
+  EXPECT_FALSE(memory.begin(with([](auto& f) { f.rect.x = 1; })));
+}
+
+TEST(FrameMemory, RegionsThatMeetAreAlikePiecesOfOnePictureAreNot) {
+  FrameMemory memory;
+  const auto rows = [](int y, int height) {
+    return with([&](auto& f) { f.rect.y = y, f.rect.height = height; });
+  };
+  memory.begin(rows(0, 2));
+  EXPECT_FALSE(memory.begin(rows(2, 2)));
+  EXPECT_TRUE(memory.begin(rows(1, 2)));
+}
+
+TEST(FrameMemory, IsNotForPicturesLargerThanItSays) {
+  const auto wide = [](int more) {
+    return with([&](auto& f) {
+      f.rows = 1, f.rect = {0, 0, int(FrameMemory::kMost / 4) + more, 1};
+    });
+  };
+  FrameMemory memory;
+  memory.begin(wide(0));
+  EXPECT_TRUE(memory.begin(wide(0)));
+  memory.begin(wide(1));
+  EXPECT_FALSE(memory.begin(wide(1)));
+}
+
+TEST(FrameMemory, RecallsWhatIsMadeFromTheSame) {
+  FrameMemory memory;
+  memory.begin(kFrame);
+  memory.begin(kFrame);
+  std::vector<std::byte> row(kRowBytes, std::byte{7}), to(kRowBytes);
+  EXPECT_FALSE(memory.recall(2, 5, to.data()));
+  memory.keep(2, 5, row.data());
+  EXPECT_FALSE(memory.recall(2, 6, to.data()));
+  EXPECT_FALSE(memory.recall(1, 5, to.data()));
+  ASSERT_TRUE(memory.recall(2, 5, to.data()));
+  EXPECT_EQ(to, row);
+  memory.keep(2, 0, row.data());
+  EXPECT_FALSE(memory.recall(2, 0, to.data())) << "made from more than its fingerprint says";
+  memory.keep(3, 9, row.data());
+  memory.begin(with([](auto& f) { f.rect.x = 1; }));
+  memory.begin(with([](auto& f) { f.rect.x = 1; }));
+  EXPECT_FALSE(memory.recall(3, 9, to.data())) << "of other columns";
+}
+
+TEST(FrameMemory, RestsWhereItIsOfNoUse) {
+  FrameMemory memory;
+  memory.begin(kFrame);
+  int kept = 0;
+  for (int i = 0; i < 20; ++i)
+    if (memory.begin(kFrame)) ++kept, memory.end(kRows, 0);
+  EXPECT_GT(kept, 1);
+  EXPECT_LT(kept, 6);
+  for (int i = 0; i < 20; ++i) kept += memory.begin(kFrame);
+  EXPECT_GT(kept, 6) << "it tries again";
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,114 @@
+#include <mien/sdf/scene/same_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+namespace mien {
+namespace {
+
+/// Everything that a scene is made of, to be changed one by one.
+struct Numbers {
+  Canvas canvas{{{0, 0}, {10, 10}}, false};
+  Color ground{1, 1, 1, 1};
+  Disc disc{{5, 5}, 3};
+  Line line{{1, 1}, {9, 9}, 0.5};
+  double grown = 0.25, opacity = 0.5;
+  Gradient gradient{RadialGradient{{5, 5}, {2, 2}}, {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 1}}}};
+  double from = -1;
+  Relief relief{.profile = Profile::round, .width = 1, .height = 0.5};
+  Light light;
+
+  Scene scene(const char* name = "a layer") const {
+    SceneBuilder build(canvas, ground);
+    build.light(light);
+    const Area round = build.shape(disc), across = build.shape(line);
+    build.open_group(name, opacity);
+    build.layer(name, build.offset(round, grown), {{1, 0, 0, 1}, shared(Gradient(gradient))});
+    build.close_group();
+    Relief lit = relief;
+    lit.area = across;
+    build.layer(name, build.both(across, round), {{0, 1, 0, 1}, {}, shared(std::move(lit))});
+    const Gradient along{DistanceGradient{round, from, 0}, gradient.stops};
+    build.layer(name, across, {{0, 0, 1, 0.5}, shared(Gradient(along))});
+    return std::move(build).finish();
+  }
+};
+
+const std::vector<std::function<void(Numbers&)>> kChanges{
+    [](Numbers& n) { n.canvas.box.hi.x = 11; },
+    [](Numbers& n) { n.canvas.y_up = true; },
+    [](Numbers& n) { n.ground.b = 0.5; },
+    [](Numbers& n) { n.disc.radius = 3.5; },
+    [](Numbers& n) { n.line.b.y = 8; },
+    [](Numbers& n) { n.grown = 0.5; },
+    [](Numbers& n) { n.opacity = 0.75; },
+    [](Numbers& n) { n.gradient.stops[1].color.g = 1; },
+    [](Numbers& n) { n.gradient.extend = Extend::repeat; },
+    [](Numbers& n) {
+      n.gradient.along = LinearGradient{{5, 5}, {2, 2}};
+    },
+    [](Numbers& n) { n.from = -2; },
+    [](Numbers& n) { n.relief.height = 0.25; },
+    [](Numbers& n) {
+      n.relief.domes.push_back({{5, 5}, {1, 1}, {1, 0}, 1});
+    },
+    [](Numbers& n) { n.light.ambient = 0.5; },
+};
+
+TEST(SameScene, IsNumberForNumberAndNamesDoNotCount) {
+  EXPECT_TRUE(same_scene(Numbers().scene(), Numbers().scene("another name")));
+  for (std::size_t i = 0; i < kChanges.size(); ++i) {
+    Numbers changed;
+    kChanges[i](changed);
+    EXPECT_FALSE(same_scene(Numbers().scene(), changed.scene())) << i;
+  }
+}
+
+TEST(SameScene, CountsShapesInCommon) {
+  Numbers changed;
+  changed.disc.radius = 1;
+  EXPECT_EQ(shapes_in_common(Numbers().scene(), Numbers().scene()), 2);
+  EXPECT_EQ(shapes_in_common(Numbers().scene(), changed.scene()), 1);
+  EXPECT_EQ(shapes_in_common(Numbers().scene(), Scene()), 0);
+}
+
+TEST(PaintFingerprints, ChangeWithThePaintAndItsAreas) {
+  const auto prints = [](const Numbers& n, std::uint64_t seed) {
+    PaintFingerprints made;
+    made.make(n.scene(), seed);
+    return std::vector{made.of_layer(0), made.of_layer(1), made.of_layer(2)};
+  };
+  const auto before = prints({}, 1);
+  EXPECT_EQ(before, prints({}, 1));
+  const auto others = prints({}, 2);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(before[i], others[i]);
+  // Which layers' paints change: those that read the number.
+  const std::pair<std::size_t, std::vector<std::size_t>> cases[] = {
+      {3, {2}}, {4, {1}}, {5, {}}, {6, {}}, {7, {0, 2}}, {8, {0}}, {9, {0}}, {10, {2}}, {11, {1}}};
+  for (const auto& [change, layers] : cases) {
+    Numbers changed;
+    kChanges[change](changed);
+    const auto after = prints(changed, 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(before[i] != after[i], std::count(layers.begin(), layers.end(), i) > 0)
+          << change << ' ' << i;
+  }
+}
+
+TEST(PaintFingerprints, AreOfOneLayerEach) {
+  SceneBuilder build({{{0, 0}, {10, 10}}, false}, {});
+  const auto gradient =
+      shared(Gradient{LinearGradient{{0, 0}, {1, 0}}, {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 1}}}});
+  for (int i = 0; i < 5; ++i)
+    build.layer("", build.shape(Disc{{5, 5}, 3}), {{1, 1, 1, 1}, gradient});
+  PaintFingerprints made;
+  made.make(std::move(build).finish(), 0);
+  std::set<std::uint64_t> all;
+  for (std::size_t i = 0; i < 5; ++i) all.insert(made.of_layer(i));
+  EXPECT_EQ(all.size(), 5u);
+}
+
+}  // namespace
+}  // namespace mien
