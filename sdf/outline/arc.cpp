@@ -10,7 +10,7 @@
 namespace mien {
 namespace {
 
-constexpr double kCircle = 6.283185307179586, kQuarter = kCircle / 4.0;
+constexpr double kCircle = 6.283185307179586;
 /// [rad] The most a piece turns, however coarse the tolerance.
 constexpr double kMostTurn = 1.3;
 /// Beyond this number of pieces an arc's numbers have no pixels left: what is 10¹³ px large.
@@ -21,38 +21,48 @@ constexpr double kEighth = kCircle / 8.0;
 /// A bow flatter than this share of the tolerance is drawn straight.
 constexpr double kFlat = 0.25;
 
-/// (c + 1/c)/2 − 1, c the cosine of half a piece's angle.
-double excess(double c) {
+/// (c + 1/c)/2 − 1, c = cos x.
+double excess(double x) {
+  const double c = std::cos(x);
   return 0.5 * (1.0 - c) * (1.0 - c) / c;
 }
 
-/// By which share of the excess a balanced piece is off, kMostTurn included: found by looking along it.
-constexpr double kShare = 0.202;
+/// Balanced pieces: at their ends. Beside a given end a little more, found by looking along it.
+constexpr double kShare = 8.0 / 15.0, kShareByEnds = 0.56;
 
-int pieces_for(double radius, double turn, double tolerance) {
-  const double most = tolerance / (kShare * radius);
+/// `share`: of the excess, by which pieces are off at most.
+int pieces_for(double radius, double turn, double tolerance, double share) {
+  const double most = tolerance / (share * radius);
   const double h = std::min(std::sqrt(std::sqrt(128.0 * most)), kMostTurn);
   double n = std::ceil(std::abs(turn) / h);
-  if (h > 0.5 && excess(std::cos(0.5 * turn / n)) > most) n += 1.0;  // beyond the leading term
+  if (h > 0.5 && excess(0.5 * turn / n) > most) n += 1.0;  // beyond the leading term
   return n > 1.0 ? static_cast<int>(std::min(n, double(kMostPieces))) : 1;
 }
 
-/// An arc in n pieces of the angle h each, beginning at center + u.
+/// An arc in n pieces of the angle h each, beginning at center + u. Where the ends are given, and so
+/// are not drawn in, the control points beside them make up for it.
 struct Turning {
   glm::dvec2 center, u, v;
   int n;
   double h, ch, sh;  ///< cosine and sine of h/2
-  double out;        ///< how far out control points lie
+  double pull;       ///< by which share ends are drawn in
+  int fixed;         ///< given ends: 0 or 2
 
-  Turning(glm::dvec2 c, glm::dvec2 u_, glm::dvec2 v_, int n_, double turn)
-      : center(c), u(u_), v(v_), n(n_), h(turn / n_) {
+  Turning(glm::dvec2 c, glm::dvec2 u_, glm::dvec2 v_, int n_, double turn, int fixed_)
+      : center(c), u(u_), v(v_), n(n_), h(turn / n_), fixed(fixed_) {
     ch = std::cos(0.5 * h), sh = std::sin(0.5 * h);
-    out = (1.0 - 1.6 * excess(ch)) / ch;
+    pull = kShare * excess(0.5 * h);
   }
   glm::dvec2 at(double radius, double c, double s) const {
     return center + (radius * c) * u + (radius * s) * v;
   }
-  glm::dvec2 end(double c, double s) const { return at(1.0, c, s); }
+  glm::dvec2 end(double c, double s) const { return at(1.0 - pull, c, s); }
+  /// How far out the i-th control point lies. The mean of a piece's excess less p at its ends and q
+  /// at its control point is 0 where (p0 + p1 + q)/3 is 8/15 of the excess.
+  double out(int i) const {
+    const int given = fixed == 0 ? 0 : (i == 0) + (i == n - 1);
+    return (1.0 - (1 + given) * pull) / ch;
+  }
 
   /// Pieces i to j; the arc's last one ends at `to`.
   void write(CurvePen& pen, int i, int j, glm::dvec2 to) const {
@@ -61,7 +71,7 @@ struct Turning {
     for (; i < j; ++i) {
       const double mc = c * ch - s * sh, ms = c * sh + s * ch;
       c = mc * ch - ms * sh, s = mc * sh + ms * ch;
-      pen.quad(at(out, mc, ms), i + 1 < n ? end(c, s) : to);
+      pen.quad(at(out(i), mc, ms), i + 1 < n ? end(c, s) : to);
     }
   }
 
@@ -102,35 +112,20 @@ void write_ellipse(CurvePen& pen, glm::dvec2 center, glm::dvec2 u, glm::dvec2 v)
   glm::dvec2 right = c * u + s * v, across = c * v - s * u;
   across.x = 0.0;
   if (across.y < 0.0) across.y = -across.y;
-  const int n = 4 * pieces_for(std::max(norm(u), norm(v)), kQuarter, pen.tolerance());
-  const Turning arc(center, right, across, n, kCircle);
+  const int n = 4 * pieces_for(std::max(norm(u), norm(v)), 0.25 * kCircle, pen.tolerance(), kShare);
+  const Turning arc(center, right, across, n, kCircle, 0);
   const glm::dvec2 start = arc.end(1.0, 0.0);
   pen.begin(start);
   write_turning(pen, arc, start);
   pen.close();
 }
 
-/// Cut where x or y turns, as it would be anyway: pieces of one size for each part are fewer.
 void write_arc(CurvePen& pen, glm::dvec2 center, double radius, glm::dvec2 from, double turn,
                glm::dvec2 to) {
   if (pen.beyond({center - radius, center + radius})) return pen.beyond_to(to);
   if (std::abs(radius * turn * turn) <= 8.0 * kFlat * pen.tolerance()) return pen.line(to);
-  const auto part = [&](double angle, glm::dvec2 end) {
-    const int n = pieces_for(radius, angle, pen.tolerance());
-    write_turning(pen, Turning(center, radius * from, radius * turned(from), n, angle), end);
-  };
-  constexpr double kNear = 1e-6;  // [rad] no cut so close to an end
-  const double way = turn < 0.0 ? -1.0 : 1.0, begun = way * std::atan2(from.y, from.x),
-               end = begun + std::abs(turn);
-  double at = begun;
-  for (double axis = std::ceil((begun + kNear) / kQuarter); axis * kQuarter < end - kNear; ++axis) {
-    const int quarter = static_cast<int>(axis) & 3;  // of a turn, the way it goes
-    const glm::dvec2 next{quarter % 2 ? 0.0 : 1.0 - quarter,
-                          quarter % 2 ? way * (2.0 - quarter) : 0.0};
-    part(way * (axis * kQuarter - at), center + radius * next);
-    at = axis * kQuarter, from = next;
-  }
-  part(way * (end - at), to);
+  const int n = pieces_for(radius, turn, pen.tolerance(), kShareByEnds);
+  write_turning(pen, Turning(center, radius * from, radius * turned(from), n, turn, 2), to);
 }
 
 }  // namespace mien

@@ -9,8 +9,8 @@ namespace mien {
 ///
 /// Derivation.  Such a curve over the angle h, with the arc's tangents at its ends, leaves the unit
 ///   circle outwards by e(h)·16 s²(1 − s)², e(h) = (c + 1/c)/2 − 1, c = cos(h/2), about h⁴/128: its
-///   mean is 8/15 e. With its control point drawn in by 8/5 e it encloses the arc's own area, and is never
-///   farther than e/5 from it. docs/derivations/outlines.md
+///   mean is 8/15 e. Drawn by 1 − 8/15 e smaller, it encloses the arc's own area, and is never
+///   farther than 8/15 e from it. So it is beside ends that are given, by its control point alone. docs/derivations/outlines.md
 /// Error.  At most the pen's tolerance.
 
 /// The whole ellipse, from +x towards +y whichever way u and v turn. Nothing where it has no area.

@@ -151,7 +151,7 @@ Scene any_scene(int seed) {
 
 TEST(SameFrames, OfScenesInWhichOneThingChanges) {
   long long recalled = 0, pixels = 0;
-  for (int seed = 1; seed <= test::times(100); ++seed) {
+  for (int seed = 1; seed <= test::times(30); ++seed) {
     test::Random random{std::uint64_t(seed)};
     Scene scene = any_scene(seed);
     Wishes wishes(random);

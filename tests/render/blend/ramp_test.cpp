@@ -43,6 +43,13 @@ TEST(Ramp, JumpsWhereTwoStopsMeet) {
   EXPECT_EQ(kinks, std::vector<double>{0.5});
 }
 
+TEST(Ramp, KnowsHowSteepItIsBetweenStops) {
+  const Gradient gradient{
+      .stops = {
+          {0.0, {0, 0, 0, 1}}, {0.5, {0.2, 0, 0, 1}}, {0.5, {1, 1, 1, 1}}, {1.0, {1, 0, 1, 1}}}};
+  EXPECT_DOUBLE_EQ(Ramp(gradient, 1.0, Blend::srgb).steepest(), 2.0);
+}
+
 TEST(Ramp, NamesEveryKinkBetweenTwoPlaces) {
   std::vector<double> kinks;
   EXPECT_TRUE(black_to_white(Extend::reflect).kinks(-1.5, 2.5, 9, kinks));

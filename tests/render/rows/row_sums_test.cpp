@@ -49,5 +49,18 @@ TEST(RowSums, GiveVariedLooksTheirAreaAndCentroid) {
   EXPECT_FLOAT_EQ(right.height_y, -0.125f);
 }
 
+TEST(RowSums, GiveTheMomentsOfTheArcNotOfItsChord) {
+  RowSums sums;
+  sums.begin(16, 10, 64);
+  // x = 4.75 − t (1 − t), y = 3 + t.
+  const OutlinePiece arc{4.75, 3, -0.5, 0.5, 1, 0, 4.75, 4, 0, 0, 0, 1};
+  sums.add(arc, 3, 4, 0, {}, -1, 5, 5);
+  ASSERT_EQ(sums.shares(3).size(), 1u);
+  const LookShare& right = sums.shares(3)[0];
+  EXPECT_FLOAT_EQ(right.area, 0.25f + 1.0f / 6);
+  EXPECT_FLOAT_EQ(right.mx, 0.11875f);  // of the chord 0.09375
+  EXPECT_NEAR(right.my, 0.0, 1e-7);
+}
+
 }  // namespace
 }  // namespace mien
