@@ -33,10 +33,15 @@ struct LitCells {
   alignas(64) std::array<float, kMost> area, at_x, at_y;  ///< as in PartCells
   alignas(64) std::array<float, kMost> mid_x, mid_y;      ///< middles, from the tile's
   alignas(64) std::array<float, kMost> d, nx, ny, bend;   ///< there
+  alignas(64) std::array<float, kMost> r, g, b;  ///< what mean_of_cells saw, where there is area
 
   /// All cells with the foot at the pixel's middle; or with a margin, whose feet are then to be found.
   void take(const PartCells& cells, bool ring);
   int places() const { return row * row; }
+  /// Where the k-th cell stands.
+  std::size_t at(int k) const {
+    return std::size_t(ringed ? (k / side + 1) * row + k % side + 1 : k);
+  }
 };
 
 struct LitMean {

@@ -153,7 +153,6 @@ LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
   const VF zero = hn::Zero(f);
   const float cell = 1.0f / float(cells.side);
   const Zone zone{lamp, Const(cells.shallow), Const(cells.deep), Const(cell * cell / 12)};
-  HWY_ALIGN float r[LitCells::kMost], g[LitCells::kMost], b[LitCells::kMost];
   Sums s{zero, zero, zero, zero, zero, zero, zero, zero, zero,
          zero, zero, zero, zero, zero, zero, zero, zero, zero};
   const size_t begin = cells.ringed ? size_t(cells.row + 1) : 0;
@@ -163,7 +162,8 @@ LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
     const VF area = hn::LoadU(f, &cells.area[k]);
     if (hn::AllTrue(f, hn::Eq(area, zero))) continue;
     const LitColor c = ColorAt(zone, cells, k, area, s);
-    hn::StoreU(c.r, f, r + k), hn::StoreU(c.g, f, g + k), hn::StoreU(c.b, f, b + k);
+    hn::StoreU(c.r, f, &cells.r[k]), hn::StoreU(c.g, f, &cells.g[k]);
+    hn::StoreU(c.b, f, &cells.b[k]);
     const VF ax = hn::Mul(area, hn::LoadU(f, &cells.at_x[k]));
     const VF ay = hn::Mul(area, hn::LoadU(f, &cells.at_y[k]));
     s.area = hn::Add(s.area, area), s.x = hn::Add(s.x, ax), s.y = hn::Add(s.y, ay);
@@ -195,8 +195,9 @@ LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
       const VF by = hn::Sub(hn::LoadU(f, c + k), plane);
       return hn::Mul(area, hn::Mul(by, by));
     };
-    off_r = hn::Add(off_r, off(r, pr)), off_g = hn::Add(off_g, off(g, pg));
-    off_b = hn::Add(off_b, off(b, pb));
+    off_r = hn::Add(off_r, off(cells.r.data(), pr));
+    off_g = hn::Add(off_g, off(cells.g.data(), pg));
+    off_b = hn::Add(off_b, off(cells.b.data(), pb));
   }
   const auto explained = [&](const Plane& p) {
     return p.x * p.x * m.xx + 2 * p.x * p.y * m.xy + p.y * p.y * m.yy;

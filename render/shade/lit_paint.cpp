@@ -220,6 +220,12 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
   }
 }
 
+float LitPaint::opacity_at(const LitPiece& piece, double t) const {
+  const RampSegment* s = piece.segment;
+  return float(s ? s->at.a + std::clamp(t, s->from, s->to) * s->slope.a
+                 : surface_.paint().ramp->color(t).a);
+}
+
 /// A ramp's kinks are outlines: over a part of a pixel its opacity is that of the mean t. Along a line that is t at the
 /// centroid, which is all that is asked for; from a centre it bends, and cells tell.
 float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* form) const {
@@ -227,17 +233,13 @@ float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* for
   if (!paint.ramp) return float(paint.color.a);
   const Ramp& ramp = *paint.ramp;
   if (ramp.least_opacity() == ramp.most_opacity()) return float(ramp.least_opacity());
-  const auto at = [&](double t) {
-    const RampSegment* s = piece.segment;
-    return float(s ? s->at.a + std::clamp(t, s->from, s->to) * s->slope.a : ramp.color(t).a);
-  };
   const glm::dvec2 middle = glm::dvec2{x, y} + 0.5 - surface_.center();
   constexpr double kFar =
       6.0;  // [px] a radial gradient's centre: a pixel's mean is right to second order
   const PaintField& field = paint.field;
   const bool straight = field.kind == PaintField::Kind::linear;
   if (!form && (straight || field.at(middle, 0.0) > kFar * field.per_pixel))
-    return at(field.mean(middle, 1.0 / 12));
+    return opacity_at(piece, field.mean(middle, 1.0 / 12));
   PartCells cells;
   if (form)
     cells_of_form(*form, 4, cells);
@@ -251,7 +253,7 @@ float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* for
     const glm::dvec2 p = middle + glm::dvec2{cells.x[k], cells.y[k]};
     sum += a * field.mean(p, a * double(cells.count()) * variance), area += a;
   }
-  return at(area > 0.0 ? sum / area : field.mean(middle, 0.0));
+  return opacity_at(piece, area > 0.0 ? sum / area : field.mean(middle, 0.0));
 }
 
 glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const PartForm& form,
@@ -284,18 +286,29 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
     mean = part(piece, x, y, *form, scratch);
   else
     pixels(piece, x, y, 1, &mean.r, &mean.g, &mean.b, &mean.a, scratch);
+  const auto fill = [&](std::span<float> to, float v) { std::fill_n(to.begin(), count, v); };
+  fill(r, mean.r), fill(g, mean.g), fill(b, mean.b), fill(a, mean.a);
+  if (!each) return;
+  const bool varies = surface_.paint().ramp.has_value();
+  if (in_lanes_) {
+    LitTile& t = tile(piece.zone, x, y, scratch);
+    if (t.kind == LitTile::Kind::base) return;
+    make_full(t);
+    scratch.kept_->pixel.colors(place(t, x, y), form, cells.side, mean, r, g, b);
+  }
   glm::vec4 sum{0.0f};
   float area = 0.0f;
   for (std::size_t k = 0; k < count; ++k) {
-    glm::vec4 c = mean;
-    if (each) {
-      const glm::dvec2 p = middle + glm::dvec2{cells.x[k], cells.y[k]};
-      c = glm::vec4(surface_.color(piece, p, surface_.outward(p)));
+    const glm::dvec2 p = middle + glm::dvec2{cells.x[k], cells.y[k]};
+    if (!in_lanes_) {
+      const Mix c = surface_.color(piece, p, surface_.outward(p));
+      r[k] = float(c.r), g[k] = float(c.g), b[k] = float(c.b), a[k] = float(c.a);
+    } else if (varies) {
+      a[k] = opacity_at(piece, surface_.paint().field.at(p - surface_.center(), 0.0));
     }
-    r[k] = c.r, g[k] = c.g, b[k] = c.b, a[k] = c.a;
-    sum += cells.area[k] * c, area += cells.area[k];
+    sum += cells.area[k] * glm::vec4{r[k], g[k], b[k], a[k]}, area += cells.area[k];
   }
-  if (!each || !(area > 0.0f)) return;
+  if (!(area > 0.0f)) return;
   // Places tell how it varies, the form what its mean is.
   const glm::vec4 by = mean - sum / area;
   for (std::size_t k = 0; k < count; ++k) r[k] += by.r, g[k] += by.g, b[k] += by.b, a[k] += by.a;

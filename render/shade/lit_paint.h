@@ -92,6 +92,7 @@ class LitPaint {
   void make_distances(LitTile& tile) const;
   LitPixel::Place place(LitTile& tile, int x, int y) const;
   bool sure_way() const { return !in_lanes_; }
+  float opacity_at(const LitPiece& piece, double t) const;
   float opacity(const LitPiece& piece, int x, int y, const PartForm* form) const;
 
   LitSurface surface_;

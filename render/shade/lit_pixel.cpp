@@ -90,6 +90,17 @@ glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
   return {mean.r, mean.g, mean.b};
 }
 
+void LitPixel::colors(const Place& place, const PartForm* form, int side, glm::vec3 otherwise,
+                      std::span<float> r, std::span<float> g, std::span<float> b) {
+  seen(place, form, side);
+  for (int k = 0; k < parts_.count(); ++k) {
+    const auto own = std::size_t(k), at = cells_.at(k);
+    const bool is_there = parts_.area[own] != 0.0f;
+    r[own] = is_there ? cells_.r[at] : otherwise.r, g[own] = is_there ? cells_.g[at] : otherwise.g;
+    b[own] = is_there ? cells_.b[at] : otherwise.b;
+  }
+}
+
 float LitPixel::distance_by(const Place& place, const PartForm* form, int side) {
   see(place, form, side);
   float sum = 0.0f, area = 0.0f;
@@ -101,7 +112,7 @@ float LitPixel::distance_by(const Place& place, const PartForm* form, int side) 
     FootAt f = place.foot;
     float x = parts_.x[own], y = parts_.y[own];
     if (!place.calm) {
-      const auto at = std::size_t((k / side + 1) * cells_.row + k % side + 1);
+      const std::size_t at = cells_.at(k);
       f = {cells_.d[at], cells_.nx[at], cells_.ny[at], cells_.bend[at]};
       x += place.at.x - cells_.mid_x[at], y += place.at.y - cells_.mid_y[at];
     }

@@ -26,6 +26,10 @@ class LitPixel {
   /// The mean of the form; of the whole pixel without one.
   glm::vec3 mean(const Place& place, const PartForm* form);
 
+  /// The colours of the form's side × side cells; of cells without area those of `otherwise`.
+  void colors(const Place& place, const PartForm* form, int side, glm::vec3 otherwise,
+              std::span<float> r, std::span<float> g, std::span<float> b);
+
   /// The signed distance's mean; of it the place's tolerance is [px].
   float distance(const Place& place, const PartForm* form);
 
