@@ -65,7 +65,7 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
 }
 
 /// Each --picture.
-CellsOrCode picture_cells(const SheetArguments& arguments, Size size) {
+CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
   Cells cells;
   for (const std::string& text : arguments.pictures) {
     auto picture = read_sheet_picture(text);
@@ -75,7 +75,7 @@ CellsOrCode picture_cells(const SheetArguments& arguments, Size size) {
     how.size = fmt::format("{}x{}", size.width, size.height);
     auto plan = plan_frame(how);
     if (!plan) return {{}, complain(plan.error(), kUsedWrongly)};
-    const PosedOrCode posed = read_posed_face(how.posed);
+    const PosedOrCode posed = read_posed_face(how.posed, &face);
     if (!posed.face) return {{}, posed.code};
     const Scene scene = scene_from_face(*posed.face);
     if (auto done = plan_view(*plan, how, scene.canvas()); !done)
@@ -153,7 +153,7 @@ int sheet_command(const SheetArguments& arguments) {
   const auto size = read_cell(arguments, *face);
   if (!size) return complain(size.error(), kUsedWrongly);
   const CellsOrCode made = arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
-                                                      : picture_cells(arguments, *size);
+                                                      : picture_cells(arguments, *face, *size);
   if (made.code != kDone) return made.code;
   const auto sheet = sheet_of(made.cells, int(*columns), int(*gap));
   if (!sheet) return complain(sheet.error(), kFailed);

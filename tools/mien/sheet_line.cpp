@@ -5,6 +5,8 @@
 #include "command_app_private.h"
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace mien::command {
 namespace {
@@ -18,6 +20,28 @@ std::string_view trimmed(std::string_view text) {
 
 Error refuse(const std::string& text, std::string what) {
   return {"--picture " + one_line(text, 60), std::move(what)};
+}
+
+/// The words of a text, parted by blanks; within '…' or "…" blanks are kept.
+Expected<std::vector<std::string>> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  while (!(text = trimmed(text)).empty()) {
+    std::string word;
+    while (!text.empty() && kBlanks.find(text[0]) == std::string_view::npos) {
+      const char first = text[0];
+      text.remove_prefix(1);
+      if (first != '\'' && first != '"') {
+        word += first;
+        continue;
+      }
+      const std::size_t end = text.find(first);
+      if (end == std::string_view::npos) return Error{{}, "a quote is never closed"};
+      word += text.substr(0, end);
+      text.remove_prefix(end + 1);
+    }
+    words.push_back(std::move(word));
+  }
+  return words;
 }
 
 }  // namespace
@@ -43,27 +67,6 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
       ->add_option("--cell", to.cell,
                    "Pixels of a picture before --region, or of its longer side; default 320")
       ->type_name("WxH");
-}
-
-Expected<std::vector<std::string>> words_of(std::string_view text) {
-  std::vector<std::string> words;
-  while (!(text = trimmed(text)).empty()) {
-    std::string word;
-    while (!text.empty() && kBlanks.find(text[0]) == std::string_view::npos) {
-      const char first = text[0];
-      text.remove_prefix(1);
-      if (first != '\'' && first != '"') {
-        word += first;
-        continue;
-      }
-      const std::size_t end = text.find(first);
-      if (end == std::string_view::npos) return Error{{}, "a quote is never closed"};
-      word += text.substr(0, end);
-      text.remove_prefix(end + 1);
-    }
-    words.push_back(std::move(word));
-  }
-  return words;
 }
 
 Expected<SheetPicture> read_sheet_picture(const std::string& text) {

@@ -5,7 +5,6 @@
 #include <mien/tools/mien/arguments.h>
 
 #include <string>
-#include <string_view>
 
 namespace mien::command {
 
@@ -15,8 +14,5 @@ struct SheetPicture {
   RenderArguments render;
 };
 Expected<SheetPicture> read_sheet_picture(const std::string& text);
-
-/// The words of a text: parted by blanks, of which those within '…' or "…" are kept.
-Expected<std::vector<std::string>> words_of(std::string_view text);
 
 }  // namespace mien::command
