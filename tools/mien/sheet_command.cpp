@@ -130,8 +130,7 @@ Expected<Image> sheet_of(const Cells& cells, int columns, int gap) {
 /// --cell.
 Expected<Size> read_cell(const SheetArguments& arguments, const Face& face) {
   const glm::dvec2 extent = face.model->canvas.box.size();
-  const auto size =
-      read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
+  auto size = read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
   if (!size) return Error{"--cell " + *arguments.cell, size.error().what};
   if (size->width > kMostCell || size->height > kMostCell)
     return Error{"--cell", fmt::format("a cell has {} pixels a side at most", kMostCell)};
