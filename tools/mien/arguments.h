@@ -58,7 +58,8 @@ struct FitArguments {
 
 struct SheetArguments {
   std::string face, output;
-  std::optional<std::string> cell;
+  std::optional<std::string> cell, columns, gap;
+  std::vector<std::string> pictures;
   bool emotions = false, half = false;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The definition itself. CLI11 compiles slowly: this header is for the two files that need it.
+// The definition itself. CLI11 compiles slowly: this header is for the files that need it.
 
 #include <mien/tools/mien/animate_arguments.h>
 #include <mien/tools/mien/arguments.h>
@@ -30,6 +30,9 @@ struct CommandApp {
 };
 
 std::unique_ptr<CommandApp> command_app();
+
+/// What was wrong with words that `app` could not read, in one sentence.
+std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong);
 
 /// Out of the definition: a man page (groff), and completion for bash, zsh or fish.
 std::string manual(const CLI::App& app);

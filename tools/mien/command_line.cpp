@@ -109,19 +109,6 @@ void add_muscle_commands(CLI::App& app, CommandApp& command) {
                   "JSON: points by name, or a frame of ARKit's blend shapes")
       ->required()
       ->type_name("");
-
-  CLI::App* sheet =
-      app.add_subcommand("sheet", "Draw a grid of one face at many poses, with names");
-  sheet->add_option("FACE", command.sheet.face, "Face file")->required()->type_name("");
-  sheet->add_option("-o,--output", command.sheet.output, "Picture to write")
-      ->required()
-      ->type_name("FILE");
-  sheet->add_flag("--emotions", command.sheet.emotions, "Every emotion at full strength (default)");
-  sheet->add_flag("--half", command.sheet.half, "And every emotion at half strength");
-  sheet
-      ->add_option("--cell", command.sheet.cell,
-                   "Pixels of a cell, or of its longer side; default 320")
-      ->type_name("WxH");
 }
 
 void add_output(CLI::App* to, RenderArguments& render) {
@@ -235,7 +222,7 @@ std::string stray(const CLI::App& app) {
   if (left.empty()) return "arguments that mean nothing";
   const std::string& word = left.front();
   if (word.size() > 1 && word[0] == '-') {
-    std::vector<std::string> known{"--help"};
+    std::vector<std::string> known;
     for (const CLI::Option* option : visible_options(*at)) {
       for (const std::string& name : option_words(*option)) known.push_back(name);
     }
@@ -319,6 +306,11 @@ std::vector<std::string> option_words(const CLI::Option& option) {
   return words;
 }
 
+std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
+  // A mistyped option is the better news than what is missing because of it.
+  return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
+}
+
 std::unique_ptr<CommandApp> command_app() {
   auto made = std::make_unique<CommandApp>();
   CLI::App& app = made->app;
@@ -365,6 +357,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_mesh(app, made->mesh);
   add_pca(app, made->pca);
   add_muscle_commands(app, *made);
+  add_sheet(app, made->sheet);
 
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");
@@ -382,11 +375,8 @@ CommandLine read_command_line(int count, const char* const* words) {
     return Help{used.empty() ? app.help() : innermost(app).help(prefix_of(innermost(app)))};
   } catch (const CLI::CallForVersion&) {
     return Help{"mien " MIEN_VERSION_STRING "\n"};
-  } catch (const CLI::ExtrasError&) {
-    return WrongUse{stray(app)};
   } catch (const CLI::ParseError& wrong) {
-    // A mistyped option is the better news than what is missing because of it.
-    return WrongUse{app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong)};
+    return WrongUse{wrong_use(app, wrong)};
   }
   return chosen(*command);
 }

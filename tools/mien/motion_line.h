@@ -10,6 +10,8 @@ namespace mien::command {
 void add_animate(CLI::App& app, AnimateArguments& to);
 void add_morph(CLI::App& app, MorphArguments& to);
 void add_mesh(CLI::App& app, MeshArguments& to);
+/// `mien sheet …` (sheet_line.cpp).
+void add_sheet(CLI::App& app, SheetArguments& to);
 
 /// Options that others have too (command_line.cpp).
 void add_pose(CLI::App* to, PosedFace& posed);

@@ -156,7 +156,7 @@ int take_basis(const PosedFace& arguments, const Face& face, Pose& pose) {
 
 }  // namespace
 
-FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* known) {
   std::optional<double> at;
   if (arguments.time) {
     const auto time = read_time(*arguments.time);
@@ -166,7 +166,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments) {
     const std::string where = "--clip " + one_line(arguments.clips[0], 60);
     return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
   }
-  auto face = read_face_aloud(arguments.face);
+  auto face = known ? *known : read_face_aloud(arguments.face);
   if (!face) return {{}, {}, kFailed};
   for (const std::string& file : arguments.morphs) {
     auto more = read_morphs(*face, file);
@@ -205,8 +205,8 @@ SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::stri
   return made;
 }
 
-PosedOrCode read_posed_face(const PosedFace& arguments) {
-  const FaceAndPoseOrCode read = read_face_and_pose(arguments);
+PosedOrCode read_posed_face(const PosedFace& arguments, const Face* known) {
+  const FaceAndPoseOrCode read = read_face_and_pose(arguments, known);
   if (!read.face) return {{}, read.code};
   return {pose_face(*read.face, read.pose), kDone};
 }

@@ -14,20 +14,21 @@ namespace mien::command {
 /// The face, or nothing; warnings and the error have been said.
 std::optional<Face> read_face_aloud(const std::string& path);
 
-/// A face and the pose asked for, or the exit code after what was wrong has been said.
+/// A face and the pose asked for, or the exit code after what was wrong has been said. `known`: the
+/// face, where it has been read already.
 struct FaceAndPoseOrCode {
   std::optional<Face> face;
   Pose pose;
   int code = kDone;
 };
-FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments);
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* known = nullptr);
 
 /// A face at the pose asked for, or the exit code after what was wrong has been said.
 struct PosedOrCode {
   std::optional<Face> face;
   int code = kDone;
 };
-PosedOrCode read_posed_face(const PosedFace& arguments);
+PosedOrCode read_posed_face(const PosedFace& arguments, const Face* known = nullptr);
 
 /// Its scene; with `debug`, one of kFaceDebugs, what moves it is drawn over it.
 struct SceneOrCode {

@@ -7,98 +7,156 @@
 #include <mien/sdf/from_face/caption.h>
 #include <mien/sdf/from_face/scene_from_face.h>
 #include <mien/tools/mien/commands.h>
+#include <mien/tools/mien/drawn_picture.h>
 #include <mien/tools/mien/image_loader.h>
+#include <mien/tools/mien/motion_values.h>
 #include <mien/tools/mien/posed_face.h>
+#include <mien/tools/mien/render_plan.h>
+#include <mien/tools/mien/sheet_line.h>
 #include <mien/tools/mien/values.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace mien::command {
 namespace {
 
+/// A picture of the sheet and what is written below it.
 struct Cell {
   std::string caption;
-  Pose pose;
+  Image image;
+};
+using Cells = std::vector<Cell>;
+
+struct CellsOrCode {
+  Cells cells;
+  int code = kDone;
 };
 
 constexpr int kDefaultCell = 320;  ///< [px] a cell's longer side
 constexpr int kMostCell = 4096;
+constexpr int kDefaultColumns = 3, kMostColumns = 1000;
+constexpr int kMostGap = 1000;                            // [px]
+constexpr std::size_t kMostBytes = std::size_t(1) << 30;  // of the whole sheet
 
-/// The face at rest, then each emotion; then, with `half`, each at half strength.
-std::vector<Cell> emotion_cells(const FaceModel& model, bool half) {
-  std::vector<Cell> cells;
+/// Each emotion; then, with --half, each at half strength.
+CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Size size) {
+  const FaceModel& model = *face.model;
+  Poser poser(face);
+  Cells cells;
   for (const double strength : {1.0, 0.5}) {
-    if (strength != 1 && !half) break;
+    if (strength != 1 && !arguments.half) break;
     for (const Expression& expression : model.expressions) {
       if (!expression.name.starts_with("emotion.")) continue;
       const auto control =
           std::find_if(model.controls.begin(), model.controls.end(),
                        [&](const Control& c) { return c.name == expression.name; });
-      Cell cell{expression.name.substr(8), {}};
-      if (strength != 1) cell.caption += " 50%";
-      cell.pose.settings.push_back({true, int(control - model.controls.begin()), {strength}});
-      cells.push_back(std::move(cell));
+      Pose pose;
+      pose.settings.push_back({true, int(control - model.controls.begin()), {strength}});
+      cells.push_back({expression.name.substr(8) + (strength != 1 ? " 50%" : ""),
+                       render(scene_from_face(poser.pose(pose)),
+                              {.width = size.width, .height = size.height})});
     }
   }
-  return cells;
+  if (cells.empty()) return {{}, complain({arguments.face, "this face has no emotions"}, kFailed)};
+  return {std::move(cells)};
 }
 
-/// A sheet of pixels that cells are drawn into.
-class Sheet {
- public:
-  Sheet(int count, int columns, int width, int height)
-      : columns_(columns), width_(width), height_(height), strip_(std::max(12, height / 9)) {
-    image_.width = columns * width;
-    image_.height = (count + columns - 1) / columns * (height + strip_);
-    image_.bytes.assign(image_.stride() * std::size_t(image_.height), std::byte{255});
+/// Each --picture.
+CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
+  Cells cells;
+  for (const std::string& text : arguments.pictures) {
+    auto picture = read_sheet_picture(text);
+    if (!picture) return {{}, complain(picture.error(), kUsedWrongly)};
+    RenderArguments& how = picture->render;
+    how.posed.face = arguments.face;
+    how.size = fmt::format("{}x{}", size.width, size.height);
+    auto plan = plan_frame(how);
+    if (!plan) return {{}, complain(plan.error(), kUsedWrongly)};
+    const PosedOrCode posed = read_posed_face(how.posed, &face);
+    if (!posed.face) return {{}, posed.code};
+    const Scene scene = scene_from_face(*posed.face);
+    if (auto done = plan_view(*plan, how, scene.canvas()); !done)
+      return {{}, complain(done.error(), kUsedWrongly)};
+    const auto effects = read_effects(how, *posed.face, plan->view.width);
+    if (!effects) return {{}, complain(effects.error(), kUsedWrongly)};
+    cells.push_back({picture->name, drawn_picture(scene, plan->view, {}, *effects)});
+    const Image &first = cells[0].image, &last = cells.back().image;
+    if (last.width != first.width || last.height != first.height)
+      return {{},
+              complain({"--picture " + text,
+                        fmt::format("has {} x {} pixels, the first one {} x {}", last.width,
+                                    last.height, first.width, first.height)},
+                       kUsedWrongly)};
   }
+  return {std::move(cells)};
+}
 
-  void draw(int index, const Scene& face, const std::string& caption) {
-    const int x = index % columns_ * width_, y = index / columns_ * (height_ + strip_);
-    draw_at(face, x, y, height_);
-    draw_at(caption_scene(caption, double(width_) / strip_), x, y + height_, strip_);
+/// Copies a picture to a place of the sheet.
+void lay(Image& sheet, const Image& picture, int x, int y) {
+  for (int r = 0; r < picture.height; ++r)
+    std::memcpy(sheet.bytes.data() + sheet.stride() * std::size_t(y + r) + std::size_t(x) * 4,
+                picture.bytes.data() + picture.stride() * std::size_t(r), picture.stride());
+}
+
+/// Rows of `columns` pictures on white, `gap` apart, above their captions if there are any.
+Expected<Image> sheet_of(const Cells& cells, int columns, int gap) {
+  const int width = cells[0].image.width, height = cells[0].image.height;
+  const bool named =
+      std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return !c.caption.empty(); });
+  const int strip = named ? std::max(12, height / 9) : 0, count = int(cells.size());
+  columns = std::min(columns, count);
+  const std::size_t rows = std::size_t((count + columns - 1) / columns);
+  const std::size_t wide = std::size_t(columns) * std::size_t(width + gap) - std::size_t(gap),
+                    high = rows * std::size_t(height + strip + gap) - std::size_t(gap);
+  if (wide * high > kMostBytes / 4) return Error{"sheet", "larger than a GiB"};
+  Image sheet{.width = int(wide), .height = int(high)};
+  sheet.bytes.assign(sheet.stride() * high, std::byte{255});
+  for (int i = 0; i < count; ++i) {
+    const Cell& cell = cells[std::size_t(i)];
+    const int x = i % columns * (width + gap), y = i / columns * (height + strip + gap);
+    lay(sheet, cell.image, x, y);
+    if (!cell.caption.empty())
+      lay(sheet,
+          render(caption_scene(cell.caption, double(width) / strip),
+                 {.width = width, .height = strip}),
+          x, y + height);
   }
+  return sheet;
+}
 
-  const Image& image() const { return image_; }
-
- private:
-  void draw_at(const Scene& scene, int x, int y, int height) {
-    std::byte* const first =
-        image_.bytes.data() + image_.stride() * std::size_t(y) + std::size_t(x) * 4;
-    render_into({first, image_.stride(), Depth::u8}, scene, {.width = width_, .height = height});
-  }
-
-  int columns_, width_, height_, strip_;
-  Image image_;
-};
+/// --cell.
+Expected<Size> read_cell(const SheetArguments& arguments, const Face& face) {
+  const glm::dvec2 extent = face.model->canvas.box.size();
+  auto size = read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
+  if (!size) return Error{"--cell " + *arguments.cell, size.error().what};
+  if (size->width > kMostCell || size->height > kMostCell)
+    return Error{"--cell", fmt::format("a cell has {} pixels a side at most", kMostCell)};
+  return size;
+}
 
 }  // namespace
 
 int sheet_command(const SheetArguments& arguments) {
+  if (!arguments.pictures.empty() && (arguments.emotions || arguments.half))
+    return complain("--picture: a sheet has pictures or emotions, not both", kUsedWrongly);
+  const auto columns = read_whole(
+      "--columns", arguments.columns.value_or(std::to_string(kDefaultColumns)), 1, kMostColumns);
+  if (!columns) return complain(columns.error(), kUsedWrongly);
+  const auto gap = read_whole("--gap", arguments.gap.value_or("0"), 0, kMostGap);
+  if (!gap) return complain(gap.error(), kUsedWrongly);
   const auto face = read_face_aloud(arguments.face);
   if (!face) return kFailed;
-  const FaceModel& model = *face->model;
-  const std::vector<Cell> cells = emotion_cells(model, arguments.half);
-  if (cells.empty()) return complain({arguments.face, "this face has no emotions"}, kFailed);
-  const glm::dvec2 extent = model.canvas.box.size();
-  Size size{kDefaultCell, 0};
-  const auto read =
-      read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
-  if (!read) return complain({"--cell " + *arguments.cell, read.error().what}, kUsedWrongly);
-  size = *read;
-  if (size.width > kMostCell || size.height > kMostCell)
-    return complain({"--cell", fmt::format("a cell has {} pixels a side at most", kMostCell)},
-                    kUsedWrongly);
-  Sheet sheet(int(cells.size()), cells.size() < 3 ? int(cells.size()) : 3, size.width, size.height);
-  Poser poser(*face);
-  for (int i = 0; i < int(cells.size()); ++i)
-    sheet.draw(i, scene_from_face(poser.pose(cells[std::size_t(i)].pose)),
-               cells[std::size_t(i)].caption);
-  const auto done = write_image_by(load_encoder, sheet.image(), arguments.output, {});
+  const auto size = read_cell(arguments, *face);
+  if (!size) return complain(size.error(), kUsedWrongly);
+  const CellsOrCode made = arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
+                                                      : picture_cells(arguments, *face, *size);
+  if (made.code != kDone) return made.code;
+  const auto sheet = sheet_of(made.cells, int(*columns), int(*gap));
+  if (!sheet) return complain(sheet.error(), kFailed);
+  const auto done = write_image_by(load_encoder, *sheet, arguments.output, {});
   return done ? int(kDone) : complain(done.error(), kFailed);
 }
 
