@@ -137,7 +137,7 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
   for (const LiveLayer& live : logic_.live(scope)) {
     const int index = paints_.layers[std::size_t(live.layer)].varied;
     if (index < 0) continue;
-    const TapePaint& paint = paints_.varied[std::size_t(index)].paint;
+    const GridPaint& paint = paints_.varied[std::size_t(index)].paint;
     if (!paint.ramp) continue;
     const PaintField& f = paint.field;
     const double d = f.kind == PaintField::Kind::distance
@@ -194,7 +194,7 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
 Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   if (layer.varied < 0) return layer.mix;
   varies_ = true;
-  const TapePaint& paint = paints_.varied[std::size_t(layer.varied)].paint;
+  const GridPaint& paint = paints_.varied[std::size_t(layer.varied)].paint;
   Mix mix = paint.color;
   if (paint.ramp) {
     const PaintField& f = paint.field;
@@ -204,7 +204,7 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
     mix = paint.ramp->color(f.at(p, d));
   }
   if (!paint.relief) return mix;
-  const TapeRelief& relief = *paint.relief;
+  const GridRelief& relief = *paint.relief;
   double d = 0.0;
   glm::dvec2 gradient{0.0};
   if (relief.distance >= 0) {

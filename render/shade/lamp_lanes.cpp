@@ -13,7 +13,7 @@ std::array<float, 3> flipped(const glm::dvec3& v) {
   return {float(v.x), float(-v.y), float(v.z)};
 }
 
-void set_ramp(const TapePaint& paint, glm::dvec2 middle, LampRamp& to) {
+void set_ramp(const GridPaint& paint, glm::dvec2 middle, LampRamp& to) {
   to.kind = LampRamp::Kind::none;
   if (!paint.ramp) return;
   const PaintField& f = paint.field;
@@ -39,7 +39,7 @@ void set_ramp(const TapePaint& paint, glm::dvec2 middle, LampRamp& to) {
 
 }  // namespace
 
-bool lanes_know(const TapePaint& paint) {
+bool lanes_know(const GridPaint& paint) {
   if (!paint.ramp) return true;
   constexpr std::size_t kFew = 12;
   constexpr double kLeast = 1e-4;  // of a stretch: floats know no shorter one
@@ -53,7 +53,7 @@ bool lanes_know(const TapePaint& paint) {
 
 void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius,
               LampLanes& to) {
-  const TapeRelief& r = surface.relief();
+  const GridRelief& r = surface.relief();
   const bool flat = surface.flat(zone), round = r.profile == Profile::round;
   to.rise_kind = flat    ? LampLanes::Rise::none
                  : round ? LampLanes::Rise::round
@@ -75,7 +75,7 @@ void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double rad
   to.shine = float(r.lamp.specular() / (1.0 - r.lamp.level_shine()));
   if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
   to.domes.clear(), to.finest = 1e9f;
-  for (const TapeRelief::TapeDome& dome : r.domes) {
+  for (const GridRelief::GridDome& dome : r.domes) {
     const glm::dvec2 at = surface.center() + dome.center - middle;
     if (glm::length(at) > dome.max_radius + radius) continue;
     const glm::dmat2& u = dome.unit;

@@ -48,7 +48,7 @@ struct LampLanes {
 
 /// Whether a paint has a base that lanes know: one colour, or a ramp of few stops that ends in plain colours, along a line
 /// or from a centre.
-bool lanes_know(const TapePaint& paint);
+bool lanes_know(const GridPaint& paint);
 
 /// The zone's light around `middle`, within `radius`; uses what `to` has allocated.
 void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius, LampLanes& to);

@@ -76,7 +76,7 @@ LitPaint::Scratch::~Scratch() = default;
 LitPaint::Scratch::Scratch(Scratch&&) noexcept = default;
 LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 
-void LitPaint::make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+void LitPaint::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
                     glm::dvec2 center, double tolerance, int index) {
   surface_.make(paint, distances, blend, center);
   tolerance_ = tolerance, in_lanes_ = lanes_know(paint);
@@ -229,7 +229,7 @@ float LitPaint::opacity_at(const LitPiece& piece, double t) const {
 /// A ramp's kinks are outlines: over a part of a pixel its opacity is that of the mean t. Along a line that is t at the
 /// centroid, which is all that is asked for; from a centre it bends, and cells tell.
 float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* form) const {
-  const TapePaint& paint = surface_.paint();
+  const GridPaint& paint = surface_.paint();
   if (!paint.ramp) return float(paint.color.a);
   const Ramp& ramp = *paint.ramp;
   if (ramp.least_opacity() == ramp.most_opacity()) return float(ramp.least_opacity());

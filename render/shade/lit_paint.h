@@ -40,7 +40,7 @@ class LitPaint {
 
   /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose
   /// own is its top left corner, y down. `tolerance`: what a mean may be off, in levels of 255.
-  LitPaint(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+  LitPaint(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
            glm::dvec2 center, double tolerance = 0.3) {
     make(paint, distances, blend, center, tolerance, 0);
   }
@@ -48,7 +48,7 @@ class LitPaint {
 
   /// Made anew; memory is kept. `index`: among the picture's lit paints; scratch keeps what is of one
   /// index in the same places from frame to frame.
-  void make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+  void make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
             glm::dvec2 center, double tolerance, int index);
 
   /// The depths (signed distances, falling, in px) at which the profile has a kink. Zone k lies

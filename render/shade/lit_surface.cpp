@@ -6,14 +6,14 @@
 
 namespace mien {
 
-void LitSurface::make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+void LitSurface::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
                       glm::dvec2 center) {
   paint_ = &paint, blend_ = blend, center_ = center;
   area_ = gradient_area_ = nullptr;
   levels_.clear(), rises_.clear();
   if (paint.ramp && paint.field.kind == PaintField::Kind::distance)
     gradient_area_ = &distances[std::size_t(paint.field.distance)];
-  const TapeRelief& r = relief();
+  const GridRelief& r = relief();
   if (r.distance < 0 || r.profile == Profile::flat || r.height == 0.0) return;
   area_ = &distances[std::size_t(r.distance)];
   levels_.push_back(0.0);
@@ -38,7 +38,7 @@ bool LitSurface::flat(int zone) const {
 
 double LitSurface::rise(int zone, double depth) const {
   if (flat(zone)) return 0.0;
-  const TapeRelief& r = relief();
+  const GridRelief& r = relief();
   if (r.profile == Profile::bevel) return r.height / r.width;
   if (r.profile == Profile::custom) return rises_[std::size_t(zone) - 1];
   constexpr double kSteepest = 1e-9;  // of the width: upright at the outline itself, but finite
@@ -66,9 +66,9 @@ Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
 }
 
 Mix LitSurface::color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const {
-  const TapeRelief& r = relief();
+  const GridRelief& r = relief();
   glm::dvec2 rises = -rise(piece.zone, -outward.d) * outward.normal;
-  for (const TapeRelief::TapeDome& dome : r.domes) {
+  for (const GridRelief::GridDome& dome : r.domes) {
     const glm::dvec2 q = dome.unit * (p - center_ - dome.center);
     const double in = 1.0 - glm::dot(q, q);
     if (in > 0.0) rises += -4.0 * dome.height * in * (glm::transpose(dome.unit) * q);

@@ -32,14 +32,14 @@ struct LitPiece {
 class LitSurface {
  public:
   /// `center`: where the paint's own origin lies.
-  LitSurface(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+  LitSurface(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
              glm::dvec2 center) {
     make(paint, distances, blend, center);
   }
   LitSurface() = default;
 
   /// Made anew; memory is kept.
-  void make(const TapePaint& paint, std::span<const AreaDistance> distances, Blend blend,
+  void make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
             glm::dvec2 center);
 
   /// Depths (signed distances, falling from 0) where the profile has a kink; none: one zone.
@@ -56,8 +56,8 @@ class LitSurface {
   /// Premultiplied, in the blending space.
   Mix color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const;
 
-  const TapePaint& paint() const { return *paint_; }
-  const TapeRelief& relief() const { return *paint_->relief; }
+  const GridPaint& paint() const { return *paint_; }
+  const GridRelief& relief() const { return *paint_->relief; }
   const AreaDistance* area() const { return area_; }
   /// That its gradient goes by; none if it does not go by a distance.
   const AreaDistance* gradient_area() const { return gradient_area_; }
@@ -67,7 +67,7 @@ class LitSurface {
  private:
   Mix base(const LitPiece& piece, glm::dvec2 p, double d) const;
 
-  const TapePaint* paint_ = nullptr;
+  const GridPaint* paint_ = nullptr;
   const AreaDistance *area_ = nullptr, *gradient_area_ = nullptr;
   Blend blend_ = Blend::linear;
   glm::dvec2 center_{0.0};

@@ -338,7 +338,7 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
   for (const LookStep& step : steps) {
     if (step.kind != Kind::paint) continue;
     const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
-    const TapePaint& paint = varied.paint;
+    const GridPaint& paint = varied.paint;
     const bool lit = step.zone >= 0;
     if (varied.dense) sum += 0.01;  // integrated, but for more stops than can be told apart
     if (paint.ramp && !varied.dense) {

@@ -26,7 +26,7 @@ double PaintField::mean(glm::dvec2 p, double variance) const {
   return std::sqrt(std::max(tt + variance * bends, 0.0));
 }
 
-double TapeRelief::rise(double inside) const {
+double GridRelief::rise(double inside) const {
   // A hundredth of a pixel beyond the outline still counts as the outline: what is painted there is
   // inside, and only the local form of its distance says otherwise.
   constexpr double kOutline = 0.01;
@@ -51,10 +51,10 @@ double TapeRelief::rise(double inside) const {
   return 0.0;
 }
 
-glm::dvec2 TapeRelief::slope(glm::dvec2 p, double d, glm::dvec2 gradient) const {
+glm::dvec2 GridRelief::slope(glm::dvec2 p, double d, glm::dvec2 gradient) const {
   glm::dvec2 rises{0.0};
   if (distance >= 0) rises = -rise(-d) * gradient;
-  for (const TapeDome& dome : domes) {
+  for (const GridDome& dome : domes) {
     const glm::dvec2 q = dome.unit * (p - dome.center);
     const double in = 1.0 - glm::dot(q, q);
     if (in > 0.0) rises += -4.0 * dome.height * in * (glm::transpose(dome.unit) * q);

@@ -39,8 +39,8 @@ struct RampSegment {
 };
 
 /// A surface over a layer, in pixels.
-struct TapeRelief {
-  struct TapeDome {
+struct GridRelief {
+  struct GridDome {
     glm::dvec2 center;
     glm::dmat2 unit;    ///< takes the ellipse to the unit circle
     double height;      ///< [px]
@@ -50,7 +50,7 @@ struct TapeRelief {
   Profile profile = Profile::flat;
   double width = 1, height = 0;  ///< [px]
   std::vector<double> table;
-  std::vector<TapeDome> domes;
+  std::vector<GridDome> domes;
   Lamp lamp;
 
   /// The profile's rise per pixel of distance inside.
@@ -60,11 +60,11 @@ struct TapeRelief {
 };
 
 /// A gradient, a relief, or both.
-struct TapePaint {
+struct GridPaint {
   Mix color{0.0};            ///< without a gradient
   std::optional<Ramp> ramp;  ///< with one
   PaintField field;
-  std::optional<TapeRelief> relief;
+  std::optional<GridRelief> relief;
 
   double least_opacity() const { return ramp ? ramp->least_opacity() : color.a; }
 };

@@ -39,7 +39,7 @@ class PaintMaker {
     if (paint.relief)
       relief(*paint.relief, varied);
     else if (by_distance || varied.dense)
-      varied.paint.relief.emplace(TapeRelief{.lamp = Lamp(light(), 0.0, 1.0)});  // a level one
+      varied.paint.relief.emplace(GridRelief{.lamp = Lamp(light(), 0.0, 1.0)});  // a level one
     else
       varied.paint.relief.reset();
     if (varied.paint.relief) varied.lit = 0;
@@ -132,8 +132,8 @@ class PaintMaker {
 
   void relief(const Relief& r, VariedPaint& varied) {
     const Lamp lamp(light(), r.specular, r.shininess);
-    if (!varied.paint.relief) varied.paint.relief.emplace(TapeRelief{.lamp = lamp});
-    TapeRelief& made = *varied.paint.relief;
+    if (!varied.paint.relief) varied.paint.relief.emplace(GridRelief{.lamp = lamp});
+    GridRelief& made = *varied.paint.relief;
     made.lamp = lamp, made.profile = r.profile, made.distance = -1;
     if (r.area.node >= 0 && r.profile != Profile::flat) made.distance = distance(r.area);
     if (r.profile == Profile::custom && r.table.size() < 2) made.profile = Profile::flat;

@@ -25,7 +25,7 @@ struct PaintKink {
 
 /// A colour that varies from place to place.
 struct VariedPaint {
-  TapePaint paint;
+  GridPaint paint;
   std::vector<PaintKink> kinks;    ///< of the ramp, rising; none where they are too many
   bool dense = false;              ///< they are
   double lowest = 0, highest = 0;  ///< t in the picture

@@ -73,7 +73,7 @@ LitScene random_lit(Random& random, int kind, double size, Profile profile, Blen
   const Light light{.direction = {random.between(-0.7, 0.7), random.between(-0.7, 0.7), 0.8},
                     .ambient = random.between(0.1, 0.5)};
   const double width = size * random.between(0.04, 0.3);
-  made.paint.relief = TapeRelief{.distance = 0,
+  made.paint.relief = GridRelief{.distance = 0,
                                  .profile = profile,
                                  .width = width,
                                  .height = width * random.between(0.3, 1.2) * random.sign(),

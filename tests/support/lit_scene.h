@@ -10,7 +10,7 @@ namespace mien::test {
 /// A paint and the distance it refers to; its origin is the picture's top left corner.
 struct LitScene {
   std::vector<AreaDistance> distances;
-  TapePaint paint;
+  GridPaint paint;
 };
 
 /// `size`: of the shape [px]. Kinds 0 … 7: stroke, path with corners, ellipse, disc, line, triangle,

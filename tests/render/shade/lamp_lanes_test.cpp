@@ -29,7 +29,7 @@ Mix light_at(const LampLanes& lamp, int zone, const LitSurface& surface, glm::dv
 }
 
 /// Gives a paint a ramp of three stops, from a centre or along a line.
-void under_ramp(TapePaint& paint, bool radial, Blend blend) {
+void under_ramp(GridPaint& paint, bool radial, Blend blend) {
   const std::vector<Stop> stops{
       {0.1, {0.9, 0.2, 0.3, 1}}, {0.5, {0.1, 0.4, 0.02, 1}}, {0.9, {1, 1, 1, 0.3}}};
   paint.ramp.emplace(Gradient{.along = LinearGradient{}, .stops = stops}, 0.75, blend);

@@ -13,7 +13,7 @@ namespace {
 TEST(LitSurface, HasAZoneBetweenTwoKinksOfItsProfile) {
   test::Random random(3);
   auto scene = test::random_lit(random, 3, 60, Profile::custom, Blend::srgb);
-  TapeRelief& relief = *scene.paint.relief;
+  GridRelief& relief = *scene.paint.relief;
   relief.width = 6, relief.height = 3, relief.table = {0, 1, 1, 0};
   const LitSurface surface(scene.paint, scene.distances, Blend::srgb, {0, 0});
   ASSERT_EQ(surface.zones(), 5);
@@ -48,7 +48,7 @@ TEST(LitSurface, IsLitAsTheReliefIs) {
     const glm::dvec2 p = random.point(20, 44);
     const Outward at = surface.outward(p);
     if (std::abs(at.d) < 0.02) continue;  // where the relief's law allows for outlines' errors
-    const TapeRelief& relief = *scene.paint.relief;
+    const GridRelief& relief = *scene.paint.relief;
     const Mix want = relief.lamp.lit(scene.paint.color, relief.slope(p, at.d, at.normal), blend);
     const Mix got = surface.color(surface.zone_of(at.d), p, at);
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(got[i], want[i], 1e-9) << k;

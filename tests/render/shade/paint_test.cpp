@@ -40,7 +40,7 @@ TEST(PaintField, IsTheGradientsPlaceInPixels) {  // y is down in pixels
   EXPECT_NEAR(place({DistanceGradient{Area{0}, -0.1, 0.3}, stops}, {60, 0}), 0.5, 1e-14);
 }
 
-TapeRelief relief_of(const Relief& relief) {
+GridRelief relief_of(const Relief& relief) {
   return *table_of({.color = {1, 1, 1, 1}, .relief = shared(relief)})->varied.at(0).paint.relief;
 }
 
@@ -60,13 +60,13 @@ TEST(PaintField, ItsMeanIsThatOfManyPlaces) {
   EXPECT_EQ(field.mean({2, 4}, 1.0 / 12), 3.0);
 }
 
-TEST(TapeRelief, RisesAsItsProfileSays) {
-  const TapeRelief bevel =
+TEST(GridRelief, RisesAsItsProfileSays) {
+  const GridRelief bevel =
       relief_of({.area = {0}, .profile = Profile::bevel, .width = 0.1, .height = 0.05});
   EXPECT_NEAR(bevel.rise(5), 0.5, 1e-15);
   EXPECT_EQ(bevel.rise(10.01), 0);
   EXPECT_EQ(bevel.rise(-1), 0);
-  const TapeRelief round =
+  const GridRelief round =
       relief_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
   for (const double x : {0.5, 2.0, 9.0}) {  // the slope of its own height
     const auto height = [](double inside) {
@@ -74,14 +74,14 @@ TEST(TapeRelief, RisesAsItsProfileSays) {
     };
     EXPECT_NEAR(round.rise(x), (height(x + 1e-6) - height(x - 1e-6)) / 2e-6, 1e-6);
   }
-  const TapeRelief table = relief_of(
+  const GridRelief table = relief_of(
       {.area = {0}, .profile = Profile::custom, .width = 0.1, .height = 0.1, .table = {0, 1, 0.5}});
   EXPECT_NEAR(table.rise(2), 2, 1e-14);
   EXPECT_NEAR(table.rise(7), -1, 1e-14);
 }
 
-TEST(TapeRelief, AddsDomes) {  // C: the hook of the cornea's bulge
-  const TapeRelief relief =
+TEST(GridRelief, AddsDomes) {  // C: the hook of the cornea's bulge
+  const GridRelief relief =
       relief_of({.domes = {{.center = {0.1, 0.05}, .radii = {0.2, 0.1}, .height = 0.03}}});
   const auto height = [](glm::dvec2 p) {  // in pixels, y down
     const glm::dvec2 q = (p - glm::dvec2{110, 95}) / glm::dvec2{20, 10};
