@@ -1,7 +1,7 @@
 #pragma once
 // A layer's lit paint, ready to be asked for means over pixels and parts of pixels.
 //
-//   LitPaint head(paint, tape.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
+//   LitPaint head(paint, table.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
 //   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
 //   glm::vec4 edge = head.part(1, x, y, form, scratch);
 //
