@@ -7,6 +7,7 @@
 #include <mien/render/shade/ridge-inl.h>
 
 #include <algorithm>
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -289,8 +290,22 @@ void MeansWithin(LitTile& tile, int row, float levels) {
   }
 }
 
+/// How steeply the darkest channel of a tile in linear light is encoded.
+float Steepest(const LitTile& tile) {
+  const F f;
+  VF dark = Const(1.0f);
+  for (size_t k = 0; k < size_t(LitTile::kPlaces); k += hn::Lanes(f))
+    dark = hn::Min(dark, hn::Min(hn::LoadU(f, &tile.r[k]),
+                                 hn::Min(hn::LoadU(f, &tile.g[k]), hn::LoadU(f, &tile.b[k]))));
+  const float least = HWY_MAX(hn::GetLane(hn::MinOfLanes(f, dark)), 0.0031308f);
+  return HWY_MAX(0.44f * std::pow(least, -0.5833f), 1.0f);
+}
+
 void ShadeTile(LitTile& tile, float levels) {
+  constexpr float kFine =
+      0.1f;  // 16 bits; at 8 bits what is neglected is far less than what is allowed
   ShadePlaces(tile);
+  if (tile.lamp.linear && levels < kFine) levels /= Steepest(tile);
   HWY_ALIGN float rough[LitTile::kPixels] = {};
   MeansOf(tile.r.data(), levels, tile.mean_r.data(), rough);
   MeansOf(tile.g.data(), levels, tile.mean_g.data(), rough);
