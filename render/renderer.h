@@ -7,7 +7,7 @@
 // The same pixels as render_into, and the same promises: whatever was drawn before. It keeps its
 // scratch: on one thread a frame allocates nothing after the first ones of its kind. And it keeps
 // finished rows, once two frames in a row have something in common: rows made from the same as in the
-// frame before are copied, the others drawn. Pictures beyond FrameMemory::kMost (16 MiB), and those
+// frame before are copied, the others drawn. Pictures of more than 16 MiB, and those
 // of thousands of layers, are always drawn whole. Every row is written in every call: what the buffer
 // held does not matter.
 

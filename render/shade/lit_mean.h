@@ -8,7 +8,7 @@ namespace mien {
 
 /// The mean over the square with that corner and side, all of it taken for that piece. Divided until
 /// Gauss's four places and those of the four quarters agree within `tolerance` (of 1, in the
-/// blending space), seven times at most.
+/// blending space), six times at most.
 Mix square_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corner, double side,
                 double tolerance);
 

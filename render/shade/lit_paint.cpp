@@ -234,8 +234,8 @@ float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* for
   const Ramp& ramp = *paint.ramp;
   if (ramp.least_opacity() == ramp.most_opacity()) return float(ramp.least_opacity());
   const glm::dvec2 middle = glm::dvec2{x, y} + 0.5 - surface_.center();
-  constexpr double kFar =
-      6.0;  // [px] a radial gradient's centre: a pixel's mean is right to second order
+  // [px] So far from a radial gradient's centre a pixel's mean is right to second order.
+  constexpr double kFar = 6.0;
   const PaintField& field = paint.field;
   const bool straight = field.kind == PaintField::Kind::linear;
   if (!form && (straight || field.at(middle, 0.0) > kFar * field.per_pixel))

@@ -125,8 +125,7 @@ float LitPixel::distance_by(const Place& place, const PartForm* form, int side) 
 float LitPixel::distance(const Place& place, const PartForm* form) {
   float mean = distance_by(place, form, 4);
   if (place.calm) return mean;
-  // A ridge through cells leaves a sixteenth of what it leaves of cells four times as wide.
-  // Two means may agree by chance; three are asked to.
+  // Two means may agree by chance where a ridge runs through cells: three are asked to.
   int agree = 0;
   for (int side = 8; side <= PartCells::kMostSide && agree < 2; side *= 2) {
     const float coarse = std::exchange(mean, distance_by(place, form, side));

@@ -1,5 +1,5 @@
 #pragma once
-// A pixel, or a part of one in its real form, seen as 4 × 4 cells; as 8 × 8 or 16 × 16 where these say
+// A pixel, or a part of one in its real form, seen as 4 × 4 cells; as 8 × 8 to 32 × 32 where these say
 // that they are not enough.
 
 #include <mien/render/shade/lit_cells.h>
