@@ -31,8 +31,6 @@ struct RowStretch {
   int row;
   double x, y, t, next_x, next_y, next_t;
   int column, last;  ///< of both
-  bool told;         ///< whether its cells are, where columns are the same, or neighbours:
-  CellPart first, second;
 };
 
 /// The cells of a row that a stretch crosses.
@@ -61,16 +59,13 @@ void cells_of_row(const OutlinePiece& p, const RowStretch& s, int width, Sink&& 
   }
 }
 
-/// Calls sink(RowStretch) for the rows of a range whose roots are known.
-template <class Sink>
-void rows_between(const RowRange& range, const RowRoots& at, Sink&& sink) {
-  for (int k = 0; k < range.rows; ++k) {
-    const auto i = std::size_t(k);
-    const int row = range.first_row + k;
-    sink(RowStretch{row, at.x[i], k > 0 ? row : range.top, at.t[i], at.x[i + 1],
-                    k + 1 < range.rows ? row + 1 : range.bottom, at.t[i + 1], at.column[i],
-                    at.column[i + 1], at.first(i), at.second(i)});
-  }
+/// What lanes found of the k-th row of a range.
+inline RowStretch row_stretch(const RowRange& range, const RowRoots& at, int k) {
+  const auto i = std::size_t(k);
+  const int row = range.first_row + k;
+  const double top = k > 0 ? row : range.top, bottom = k + 1 < range.rows ? row + 1 : range.bottom;
+  return {row,    at.x[i],     top,          at.t[i],         at.x[i + 1],
+          bottom, at.t[i + 1], at.column[i], at.column[i + 1]};
 }
 
 /// Calls sink(RowRange) for the rows between two heights, as many at once as roots are found.
@@ -96,31 +91,18 @@ inline RowStretch row_stretch(const OutlinePiece& p, const RowRange& range) {
     const double held = std::min(std::max(at, -1.0), double(range.width));
     return int(held) - int(held < int(held));
   };
-  return {range.first_row, x,         range.top, t,  v, range.bottom, u,
-          column(x),       column(v), false,     {}, {}};
+  return {range.first_row, x, range.top, t, v, range.bottom, u, column(x), column(v)};
 }
 
 /// Calls sink(RowStretch) for the rows that the piece crosses between two heights, from the top down.
 template <class Sink>
 void rows_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
-  const int last_row = std::max(int(std::ceil(bottom)) - 1, int(top));
-  for (int first = int(top); first <= last_row; first += RowRoots::kRows) {
-    const int rows = std::min(RowRoots::kRows, last_row + 1 - first);
-    const RowRange range{std::max(top, double(first)), std::min(bottom, double(first + rows)),
-                         first, rows, width};
-    if (rows == 1) {
-      sink(row_stretch(p, range));
-      continue;
-    }
+  ranges_of(top, bottom, width, [&](const RowRange& range) {
+    if (range.rows == 1) return sink(row_stretch(p, range));
     RowRoots at;
     row_roots(p, range, at);
-    for (int k = 0; k < rows; ++k) {
-      const auto i = std::size_t(k);
-      sink(RowStretch{first + k, at.x[i], k > 0 ? first + k : range.top, at.t[i], at.x[i + 1],
-                      k + 1 < rows ? first + k + 1 : range.bottom, at.t[i + 1], at.column[i],
-                      at.column[i + 1], true, at.first(i), at.second(i)});
-    }
-  }
+    for (int k = 0; k < range.rows; ++k) sink(row_stretch(range, at, k));
+  });
 }
 
 /// Calls sink(CellStretch) for the cells that the piece crosses between two heights, from the top

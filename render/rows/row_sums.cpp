@@ -74,44 +74,45 @@ void RowSums::share(int row, const CellStretch& c, int left_varied, int right_va
   }
 }
 
-template <bool kVaried>
-void RowSums::add_cells(const OutlinePiece& piece, double top, double bottom, int first,
-                        const Rgba& jump, int left_varied, int right_varied, int right_look) {
-  rows_of(piece, top, bottom, width_, [&](const RowStretch& s) {
-    const int row = s.row - first;
-    Rgba* const row_sums = sums(row);
-    std::uint64_t* const row_marks = marks(row);
-    if (right_look < int(64 * look_words_))
-      looks(row)[right_look >> 6] |= std::uint64_t{1} << (right_look & 63);
-    std::uint16_t* const row_hints = hints_.data() + std::size_t(row) * stride_;
-    const auto add_cell = [&](int at, const CellPart& part) {
-      if (at >= width_) return;
-      ++cells_;
-      const std::size_t column = std::size_t(std::max(at, 0));
-      row_sums[column] = row_sums[column] + part.area * jump;
-      row_sums[column + 1] = row_sums[column + 1] + part.rest * jump;
-      row_marks[column >> 6] |= std::uint64_t{1} << (column & 63);
-      row_hints[column] = std::uint16_t(right_look);
-    };
-    if (!kVaried && s.told && std::abs(s.last - s.column) <= 1) {
-      add_cell(s.column, s.first);
-      if (s.last != s.column) add_cell(s.last, s.second);
-      return;
-    }
-    cells_of_row(piece, s, width_, [&](const CellStretch& c) {
-      const float dy = float(c.yq - c.yp), area = float(c.area);
-      add_cell(c.column, {area, dy - area});
-      if constexpr (kVaried) share(row, c, left_varied, right_varied);
-    });
-  });
-}
-
 void RowSums::add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
                   int left_varied, int right_varied, int right_look) {
-  if (left_varied < 0 && right_varied < 0)
-    add_cells<false>(piece, top, bottom, first, jump, left_varied, right_varied, right_look);
-  else
-    add_cells<true>(piece, top, bottom, first, jump, left_varied, right_varied, right_look);
+  const bool varied = left_varied >= 0 || right_varied >= 0;
+  const std::size_t word = std::size_t(right_look) >> 6;
+  const std::uint64_t look_bit = std::uint64_t{1} << (right_look & 63);
+  const bool look_fits = word < look_words_;
+  const auto add_cell = [&, jump](int row, int at, float area, float rest) {
+    const std::size_t column = std::size_t(std::max(at, 0));
+    Rgba* const to = sums(row) + column;
+    to[0] = to[0] + area * jump;
+    to[1] = to[1] + rest * jump;
+    marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
+    hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
+    if (look_fits) looks(row)[word] |= look_bit;
+    ++cells_;
+  };
+  const auto add_row = [&](const RowStretch& s) {
+    cells_of_row(piece, s, width_, [&](const CellStretch& c) {
+      const float dy = float(c.yq - c.yp), area = float(c.area);
+      add_cell(c.row - first, c.column, area, dy - area);
+      if (varied) share(c.row - first, c, left_varied, right_varied);
+    });
+  };
+  if (varied) return rows_of(piece, top, bottom, width_, add_row);
+  ranges_of(top, bottom, width_, [&](const RowRange& range) {
+    if (range.rows == 1) return add_row(row_stretch(piece, range));
+    RowRoots at;
+    row_roots(piece, range, at);
+    for (int k = 0; k < range.rows; ++k) {
+      const auto i = std::size_t(k);
+      const int row = range.first_row + k - first, column = at.column[i], last = at.column[i + 1];
+      if (std::abs(last - column) > 1) {
+        add_row(row_stretch(range, at, k));
+        continue;
+      }
+      add_cell(row, column, at.area[i], at.rest[i]);
+      if (last != column) add_cell(row, last, at.next_area[i], at.next_rest[i]);
+    }
+  });
 }
 
 }  // namespace mien

@@ -47,9 +47,6 @@ class RowSums {
   long long cells() const { return cells_; }  ///< since it was made
 
  private:
-  template <bool kVaried>
-  void add_cells(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
-                 int left_varied, int right_varied, int right_look);
   void share(int row, const CellStretch& cell, int left_varied, int right_varied);
 
   long long cells_ = 0;

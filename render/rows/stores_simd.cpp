@@ -31,6 +31,8 @@ void FillRun(std::uint8_t* to, size_t size, const std::uint8_t* pattern, size_t 
       hn::Stream(v, d, to + i);
   }
   for (; wide && i + lanes <= size; i += lanes) hn::StoreU(v, d, to + i);
+  if (wide && size >= lanes)
+    return hn::StoreU(v, d, to + size - lanes);  // the rest, with some again
   for (; i + 16 <= size; i += 16) std::memcpy(to + i, pattern, 16);
   if (i + 8 <= size) std::memcpy(to + i, pattern, 8), i += 8;
   if (i + 4 <= size) std::memcpy(to + i, pattern, 4);
