@@ -18,13 +18,16 @@ struct RenderStats {
   long long regions = 0;          ///< sets of outlines that were met
   long long doubts = 0;           ///< orders that could not be proven
   long long roots = 0;            ///< solved: where visible pieces meet rows and columns of pixels
+  long long distances = 0;        ///< solved for light and for gradients along a distance
+  double root_seconds = 0, distance_seconds = 0;  ///< what these took, sums and all; of all threads
   bool cancelled = false;
 
   /// Of another part of the same picture: outlines and regions are those of all of it.
   void add(const RenderStats& part) {
     pixels += part.pixels, fill_pixels += part.fill_pixels, varied_pixels += part.varied_pixels;
     edge_pixels += part.edge_pixels, resolved_pixels += part.resolved_pixels, roots += part.roots;
-    recalled_pixels += part.recalled_pixels;
+    recalled_pixels += part.recalled_pixels, distances += part.distances;
+    root_seconds += part.root_seconds, distance_seconds += part.distance_seconds;
     pieces = std::max(pieces, part.pieces), crossings = std::max(crossings, part.crossings);
     regions = std::max(regions, part.regions), doubts = std::max(doubts, part.doubts);
   }

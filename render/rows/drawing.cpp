@@ -1,4 +1,5 @@
 #include <mien/lib/base/fingerprint.h>
+#include <mien/lib/base/monotonic_seconds.h>
 #include <mien/render/rows/drawing.h>
 #include <mien/sdf/scene/same_scene.h>
 
@@ -122,6 +123,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
   scratch.sums.begin(kRows, width_, looks_.count());
   const long long cells_before = scratch.sums.cells();
+  const double begin = monotonic_seconds();
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
   };
@@ -135,6 +137,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
                        varied(f.left), varied(f.right), f.right);
   }
   stats.roots += scratch.sums.cells() - cells_before;
+  stats.root_seconds += monotonic_seconds() - begin;
   // What caches hold is worth keeping there.
   constexpr std::size_t kCaches = std::size_t{8} << 20;
   const bool large = target.stride * std::size_t(rect.height) > kCaches;
@@ -149,6 +152,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     if (scratch.painter.lost() || !scratch.painter.refused().empty())
       scratch.odd_rows |= std::uint32_t{1} << (y - top);
   }
+  scratch.painter.tell(stats);
   resolve_doubts(first, end, target, scratch, stats);
   if (large) finish_streams();
 }

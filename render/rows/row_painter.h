@@ -43,6 +43,12 @@ class RowPainter {
     note_ = std::move(note);
   }
 
+  /// Adds the work of rows since it was last told.
+  void tell(RenderStats& stats) {
+    const NearFeet::Work work = shader_.take_work();
+    stats.distances += work.distances, stats.distance_seconds += work.seconds;
+  }
+
   /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
   std::span<const int> refused() const { return refused_; }
 

@@ -69,12 +69,17 @@ struct LitPaint::Scratch::Kept {
   std::vector<std::unique_ptr<LitTile>> tiles{kTiles};
   LitPixel pixel;
   SmoothPlaces smooth;
+  NearFeet::Work work;
 };
 
 LitPaint::Scratch::Scratch() : kept_(std::make_unique<Kept>()) {}
 LitPaint::Scratch::~Scratch() = default;
 LitPaint::Scratch::Scratch(Scratch&&) noexcept = default;
 LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
+
+NearFeet::Work LitPaint::Scratch::take_work() {
+  return std::exchange(kept_->work, {});
+}
 
 void LitPaint::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
                     glm::dvec2 center, double tolerance, int index) {
@@ -105,6 +110,7 @@ LitTile& LitPaint::tile(int zone, int x, int y, Scratch& scratch) const {
   LitTile& t = *slot;
   if (t.paint == id_ && t.zone == zone && t.x == left && t.y == top) return t;
   t.paint = id_, t.zone = zone, t.x = left, t.y = top;
+  t.feet.tell(scratch.kept_->work);
   if (zone < 0)
     make_distances(t);
   else

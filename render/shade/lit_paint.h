@@ -31,6 +31,9 @@ class LitPaint {
     Scratch(Scratch&&) noexcept;
     Scratch& operator=(Scratch&&) noexcept;
 
+    /// The distances asked for since it was last taken.
+    NearFeet::Work take_work();
+
    private:
     friend class LitPaint;
     struct Kept;

@@ -39,6 +39,9 @@ class LookShader {
   /// The mean over a pixel or a part of one by side × side cells: what centroids neglect falls by as much.
   glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side);
 
+  /// The distances asked for since it was last taken.
+  NearFeet::Work take_work() { return lit_scratch_.take_work(); }
+
  private:
   /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.
   struct Places {

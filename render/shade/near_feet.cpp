@@ -1,3 +1,4 @@
+#include <mien/lib/base/monotonic_seconds.h>
 #include <mien/render/shade/near_feet.h>
 #include <mien/sdf/csg/combine.h>
 #include <mien/sdf/shape/path.h>
@@ -315,6 +316,14 @@ void NearFeet::shape_at(const Leaf& leaf, std::span<const float> x, std::span<co
 }
 
 void NearFeet::at(std::span<const float> x, std::span<const float> y, const Feet& out) {
+  const double begin = monotonic_seconds();
+  combine_at(x, y, out);
+  if (!work_) return;
+  work_->distances += (long long)(x.size() * leaves_.size());
+  work_->seconds += monotonic_seconds() - begin;
+}
+
+void NearFeet::combine_at(std::span<const float> x, std::span<const float> y, const Feet& out) {
   const auto& nodes = area_->area()->nodes();
   if (nodes.size() == 1) return shape_at(leaves_[0], x, y, out);
   const std::size_t n = x.size();

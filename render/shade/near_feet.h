@@ -95,7 +95,16 @@ class NearFeet {
   /// Of places relative to the middle, a multiple of 16 of them.
   void at(std::span<const float> x, std::span<const float> y, const Feet& out);
 
+  /// Distances of single shapes, and the time that finding them took.
+  struct Work {
+    long long distances = 0;
+    double seconds = 0;
+  };
+  /// Where work is added up from now on.
+  void tell(Work& work) { work_ = &work; }
+
  private:
+  void combine_at(std::span<const float> x, std::span<const float> y, const Feet& out);
   struct Leaf {
     const Shape* shape;
     const SpineShape* spines;
@@ -109,6 +118,7 @@ class NearFeet {
                const Feet& out) const;
 
   const FeetArea* area_ = nullptr;
+  Work* work_ = nullptr;
   glm::dvec2 middle_{0.0};
   double radius_ = 0;
   bool tangled_ = false;

@@ -173,11 +173,29 @@ TEST(Render, StatsAreJson) {
   EXPECT_EQ(stats["height"], 45);
   EXPECT_EQ(stats["pixels"], 80 * 45);
   for (const char* name : {"fill_pixels", "varied_pixels", "edge_pixels", "resolved_pixels",
-                           "pieces", "crossings", "regions", "doubts", "roots"}) {
+                           "pieces", "crossings", "regions", "doubts", "roots", "distances"}) {
     EXPECT_TRUE(stats[name].is_number_integer()) << name;
   }
-  for (const char* name : {"read", "scene", "picture", "draw", "encode", "write"}) {
+  for (const char* name :
+       {"read", "scene", "picture", "draw", "encode", "roots", "distances", "write"}) {
     EXPECT_GE(stats["seconds"][name].get<double>(), 0) << name;
+  }
+}
+
+TEST(Render, StatsTellTheShareOfRootsAndDistances) {
+  const ScratchFolder folder;
+  const auto stats_of = [&](const char* face) {
+    const Ran ran = run_mien({"render", face_path(face), "-o", (folder / "a.png").string(),
+                              "--size", "96", "--threads", "1", "--stats=json"});
+    return nlohmann::json::parse(ran.out);
+  };
+  const auto flat = stats_of("male"), lit = stats_of("clay");
+  EXPECT_EQ(flat["distances"], 0);
+  EXPECT_EQ(flat["seconds"]["distances"], 0);
+  EXPECT_GT(lit["distances"].get<long long>(), 96 * 96 / 4) << "of 2 by 2 pixels at least";
+  for (const auto& stats : {flat, lit}) {
+    EXPECT_GT(stats["solving_share"].get<double>(), 0);
+    EXPECT_LT(stats["solving_share"].get<double>(), 1);
   }
 }
 

@@ -1,5 +1,6 @@
 // mien render: read, pose, draw, write; and stop in between when asked to.
 
+#include <mien/lib/base/monotonic_seconds.h>
 #include <mien/lib/face/face_model.h>
 #include <mien/lib/file/face_file.h>
 #include <mien/render/error_map.h>
@@ -19,15 +20,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstdio>
 
 namespace mien::command {
 namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// [s] that each part took; of drawing and writing, which go hand in hand, `picture` is the time
 /// together, the others are those of all threads.
@@ -39,14 +36,16 @@ std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const 
   return fmt::format(
       "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, "
       "\"varied_pixels\": {}, \"edge_pixels\": {}, \"resolved_pixels\": {}, \"pieces\": {}, "
-      "\"crossings\": {}, \"regions\": {}, \"doubts\": {}, \"roots\": {}, "
+      "\"crossings\": {}, \"regions\": {}, \"doubts\": {}, \"roots\": {}, \"distances\": {}, "
       "\"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
-      "\"picture\": {:.6f}, \"draw\": {:.6f}, \"encode\": {:.6f}, \"write\": {:.6f}}}}}\n",
+      "\"picture\": {:.6f}, \"draw\": {:.6f}, \"encode\": {:.6f}, \"roots\": {:.6f}, "
+      "\"distances\": {:.6f}, \"write\": {:.6f}}}, \"solving_share\": {:.3f}}}\n",
       drawn.width, drawn.height, stats.render.pixels, stats.render.fill_pixels,
       stats.render.varied_pixels, stats.render.edge_pixels, stats.render.resolved_pixels,
       stats.render.pieces, stats.render.crossings, stats.render.regions, stats.render.doubts,
-      stats.render.roots, times.read, times.scene, times.picture, stats.draw, stats.encode,
-      stats.put);
+      stats.render.roots, stats.render.distances, times.read, times.scene, times.picture,
+      stats.draw, stats.encode, stats.render.root_seconds, stats.render.distance_seconds, stats.put,
+      (stats.render.root_seconds + stats.render.distance_seconds) / std::max(stats.draw, 1e-9));
 }
 
 /// On standard output, unless a picture is there.
@@ -84,11 +83,11 @@ int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Sce
     ProgressDisplay display(plan.progress);
     plan.picture.write.recipe = recipe(arguments, plan.view);
     plan.picture.write.progress = display.watch("render");
-    const double began = now();
+    const double began = monotonic_seconds();
     done = effects.empty()
                ? write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture)
                : write_with_effects(arguments.output, plan, scene, effects);
-    times.picture = now() - began;
+    times.picture = monotonic_seconds() - began;
   }
   if (interrupted() && !done) return complain("interrupted", kFailed);
   if (!done) return complain(done.error(), kFailed);
@@ -149,19 +148,19 @@ int render_command(const RenderArguments& arguments) {
       return complain(writable.error(), kFailed);
   }
   Times times;
-  double began = now();
+  double began = monotonic_seconds();
   const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);
   const auto posed = read_posed_face(arguments.posed);
   if (!posed.face) return posed.code;
-  times.read = now() - began;
+  times.read = monotonic_seconds() - began;
 
-  began = now();
+  began = monotonic_seconds();
   const auto over = face_debug ? read_scene(arguments.posed, arguments.debug) : SceneOrCode{};
   const auto drawn =
       over.scene ? Expected<Scene>(*over.scene) : scene_to_draw(arguments, *posed.face);
   if (!drawn) return complain(drawn.error(), kUsedWrongly);
   const Scene& scene = *drawn;
-  times.scene = now() - began;
+  times.scene = monotonic_seconds() - began;
   if (auto planned = plan_view(*plan, arguments, scene.canvas()); !planned) {
     return complain(planned.error(), kUsedWrongly);
   }
