@@ -22,7 +22,7 @@ template <class Channel>
 void store_levels(const Mix& mix, Blend blend, double carry, void* pixel) {
   constexpr int kTop = Channel(-1);
   const auto level = [&](double v, int top) {
-    return v > 0.0 ? int(std::fmin(v, 1.0) * top + carry) : 0;
+    return v > 0.0 ? int(std::min(v, 1.0) * top + carry) : 0;
   };
   Channel out[4];
   for (int i = 0; i < 3; ++i) {

@@ -8,33 +8,38 @@
 namespace mien {
 namespace {
 
-constexpr int kNarrowest = 16;    // [px] of a window: a multiple of a dither's period
+constexpr int kNarrowest = 8;     // [px] of a window: a dither's period
 constexpr std::size_t kFew = 24;  // layers: fewer are not worth another window
-constexpr double kBeyond = 2.0;   // [px] around a window that its outlines may see
+/// [px] Outlines are off by less, so what lies so far outside a window is not seen in it, and what
+/// reaches so far around it covers it.
+constexpr double kBeyond = 0.125;
 
 bool meet(const Box2& box, const PixelRect& r) {
   return box.lo.x < r.x + r.width + kBeyond && box.hi.x > r.x - kBeyond &&
          box.lo.y < r.y + r.height + kBeyond && box.hi.y > r.y - kBeyond;
 }
 
-bool is_opaque(const Layer& layer) {
-  const Paint& p = layer.paint;
-  const auto all = [](const std::vector<Stop>& stops) {
-    return std::all_of(stops.begin(), stops.end(), [](const Stop& s) { return s.color.a >= 1.0; });
-  };
-  return layer.group < 0 && p.color.a >= 1.0 && (!p.gradient || all(p.gradient->stops));
+/// What shows through a layer wherever it is, at most; of one in a group that is not asked.
+double through(const Layer& layer) {
+  if (layer.group >= 0) return 1.0;
+  double least = 1.0;
+  if (layer.paint.gradient)
+    for (const Stop& s : layer.paint.gradient->stops) least = std::min(least, s.color.a);
+  return 1.0 - std::clamp(least * layer.paint.color.a, 0.0, 1.0);
 }
 
 }  // namespace
 
-void Crowd::make(const Scene& scene, const View& view) {
+void Crowd::make(const Scene& scene, const View& view, Depth depth) {
   scene_ = scene, view_ = view;
+  const double tolerance = depth == Depth::u8 ? 1.0 / 255 : 32.0 / 65535;
+  unseen_ = kUnseen * tolerance / (view.blend == Blend::linear ? 12.92 : 1.0);
   const auto map = grid_from_face(scene.canvas(), view);
   face_from_grid_ = inverse(map);
   layers_.clear();
   for (const Layer& layer : scene.layers()) {
     const Box2 box = scene.bounds(layer.area);
-    Seen seen{.box = {}, .opaque = is_opaque(layer)};
+    Seen seen{.box = {}, .through = through(layer)};
     if (!box.empty()) seen.box = around(Box2{map(box.lo), map(box.lo)}, map(box.hi));
     if (!box.empty() && !(glm::length(seen.box.size()) < HUGE_VAL))  // 0 · ∞ among it
       seen.box = {glm::dvec2{-HUGE_VAL}, glm::dvec2{HUGE_VAL}};
@@ -48,7 +53,7 @@ void Crowd::each_window(int top, int bottom, const PixelRect& wanted, CrowdScrat
   if (scratch.lists.empty()) scratch.lists.resize(1);
   scratch.lists[0].clear();
   for (std::size_t i = 0; i < layers_.size(); ++i)
-    if (meet(layers_[i].box, strip)) scratch.lists[0].push_back(int(i));
+    if (meet(layers_[i].box, strip)) scratch.lists[0].push_back({int(i)});
   halve(strip, wanted, 0, scratch, draw);
 }
 
@@ -56,35 +61,50 @@ void Crowd::each_window(int top, int bottom, const PixelRect& wanted, CrowdScrat
 void Crowd::halve(const PixelRect& rect, const PixelRect& wanted, std::size_t depth,
                   CrowdScratch& scratch,
                   const std::function<void(const CrowdWindow&)>& draw) const {
-  if (rect.x >= wanted.x + wanted.width || rect.x + rect.width <= wanted.x) return;
+  if (rect.x >= wanted.x + wanted.width || rect.x + rect.width <= wanted.x ||
+      rect.y >= wanted.y + wanted.height || rect.y + rect.height <= wanted.y)
+    return;
   if (scratch.lists.size() < depth + 2) scratch.lists.resize(depth + 2);
   look(rect, scratch.lists[depth], scratch.lists[depth + 1]);
-  if (scratch.lists[depth + 1].size() <= kFew || rect.width <= kNarrowest)
+  const bool wide = rect.width >= rect.height;
+  const int side = wide ? rect.width : rect.height;
+  if (scratch.lists[depth + 1].size() <= kFew || side <= kNarrowest)
     return draw(window(rect, scratch.lists[depth + 1], scratch));
   int half = kNarrowest;
-  while (2 * half < rect.width) half *= 2;
-  halve({rect.x, rect.y, half, rect.height}, wanted, depth + 1, scratch, draw);
-  halve({rect.x + half, rect.y, rect.width - half, rect.height}, wanted, depth + 1, scratch, draw);
+  while (2 * half < side) half *= 2;
+  PixelRect first = rect, second = rect;
+  (wide ? first.width : first.height) = half;
+  (wide ? second.x : second.y) += half;
+  (wide ? second.width : second.height) -= half;
+  halve(first, wanted, depth + 1, scratch, draw);
+  halve(second, wanted, depth + 1, scratch, draw);
 }
 
-/// From the top down, until one covers all.
-void Crowd::look(const PixelRect& rect, std::span<const int> among, std::vector<int>& seen) const {
+/// From the top down, until so much covers it that what is below does not show.
+void Crowd::look(const PixelRect& rect, std::span<const PartLayer> among,
+                 std::vector<PartLayer>& seen) const {
   const glm::dvec2 half{0.5 * rect.width, 0.5 * rect.height};
   const glm::dvec2 middle = face_from_grid_(glm::dvec2{rect.x, rect.y} + half);
   const double reach = (glm::length(half) + kBeyond) * face_from_grid_.scale();
+  double shows = 1.0;
   seen.clear();
-  for (std::size_t k = among.size(); k-- > 0;) {
-    const auto i = std::size_t(among[k]);
-    if (!meet(layers_[i].box, rect)) continue;
-    const double d = scene_.distance(scene_.layers()[i].area, middle);
-    if (d > reach) continue;
-    seen.push_back(among[k]);
-    if (d < -reach && layers_[i].opaque) break;
+  for (std::size_t k = among.size(); k-- > 0 && shows > unseen_;) {
+    PartLayer one = among[k];
+    const Seen& layer = layers_[std::size_t(one.layer)];
+    if (!one.covers && !meet(layer.box, rect)) continue;
+    const glm::dvec2 size = layer.box.size();
+    if (!one.covers && size.x >= rect.width && size.y >= rect.height) {  // it might cover all
+      const double d = scene_.distance(scene_.layers()[std::size_t(one.layer)].area, middle);
+      if (d > reach) continue;
+      one.covers = d < -reach;
+    }
+    seen.push_back(one);
+    if (one.covers) shows *= layer.through;
   }
   std::reverse(seen.begin(), seen.end());
 }
 
-CrowdWindow Crowd::window(const PixelRect& rect, std::span<const int> layers,
+CrowdWindow Crowd::window(const PixelRect& rect, std::span<const PartLayer> layers,
                           CrowdScratch& scratch) const {
   const glm::dvec2 a = face_from_grid_(glm::dvec2{rect.x, rect.y}),
                    b = face_from_grid_(glm::dvec2{rect.x + rect.width, rect.y + rect.height});

@@ -3,10 +3,15 @@
 //
 // A sweep costs what its outlines cross, hidden or not; of ten thousand discs next to nothing is
 // seen. So a strip of rows is halved until few layers are left in a window: one that a distance puts
-// outside it is left out, and all that lies below one that covers it. What is left is a scene of its
+// outside it is left out, and all that lies below what covers it. What is left is a scene of its
 // own, drawn like any other. Windows lie at absolute places: pixels do not depend on what is asked
 // for.
+//
+// Layers of opacities a, b … that each cover a window let (1 − a)(1 − b) … through. What is below them changes no
+// channel by more than that, as premultiplied colours lie in [0, 1]; where it is less than kUnseen of
+// what a pixel may be off by, encoded at its steepest, the background stands for it.
 
+#include <mien/render/image.h>
 #include <mien/render/view/view.h>
 #include <mien/sdf/scene/part.h>
 
@@ -26,7 +31,7 @@ struct CrowdWindow {
 /// Scratch of one thread.
 struct CrowdScratch {
   ScenePart part;
-  std::vector<std::vector<int>> lists;  ///< of layers, by how often a strip is halved
+  std::vector<std::vector<PartLayer>> lists;  ///< of layers, by how often a strip is halved
 };
 
 class Crowd {
@@ -34,9 +39,12 @@ class Crowd {
   /// Layers from which on a scene is one: more than any face has.
   static constexpr std::size_t kMany = 2000;
 
+  /// Of what a pixel may be off by, a level of 255 or 32 of 65535: what is left out may change it by so much.
+  static constexpr double kUnseen = 0.125;
+
   static bool is_one(const Scene& scene) { return scene.layers().size() >= kMany; }
 
-  void make(const Scene& scene, const View& view);
+  void make(const Scene& scene, const View& view, Depth depth);
 
   /// The windows of the rows from `top` to `bottom` that show some of `wanted`.
   void each_window(int top, int bottom, const PixelRect& wanted, CrowdScratch& scratch,
@@ -44,19 +52,21 @@ class Crowd {
 
  private:
   struct Seen {
-    Box2 box;  ///< [px]
-    bool opaque;
+    Box2 box;        ///< [px]
+    double through;  ///< what of the layers below shows through it, at most
   };
   void halve(const PixelRect& rect, const PixelRect& wanted, std::size_t depth,
              CrowdScratch& scratch, const std::function<void(const CrowdWindow&)>& draw) const;
-  void look(const PixelRect& rect, std::span<const int> among, std::vector<int>& seen) const;
-  CrowdWindow window(const PixelRect& rect, std::span<const int> layers,
+  void look(const PixelRect& rect, std::span<const PartLayer> among,
+            std::vector<PartLayer>& seen) const;
+  CrowdWindow window(const PixelRect& rect, std::span<const PartLayer> layers,
                      CrowdScratch& scratch) const;
 
   Scene scene_;
   View view_;
   Map<FaceSpace, GridSpace> face_from_grid_;
   std::vector<Seen> layers_;
+  double unseen_ = 0;  ///< so little light shows through what covers a window
 };
 
 }  // namespace mien

@@ -48,7 +48,7 @@ void Drawing::make(const Scene& scene, const View& view, Depth depth) {
   width_ = view.width, height_ = view.height;
   scene_ = scene, view_ = view;
   format_ = PixelFormat(depth, view.blend);
-  crowd_.make(scene, view);
+  crowd_.make(scene, view, depth);
   made_ = true;
 }
 
@@ -74,7 +74,7 @@ void Drawing::arrange() {
 }
 
 void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {
-  constexpr double kMargin = 1.0;  // [px] pieces end where no pixel sees it
+  constexpr double kMargin = 0.0;  // [px] pieces end where no pixel sees it
   const Box2 window{{-kMargin, -kMargin}, {view.width + kMargin, view.height + kMargin}};
   tolerance_ = tolerance_of(depth, view.blend);
   maker_.begin({grid_from_face(scene.canvas(), view), window, tolerance_}, outlines_);

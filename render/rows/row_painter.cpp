@@ -31,8 +31,8 @@ void Palette::make(const Looks& looks, const PixelFormat& format, int first_look
     e.color = rgba_from_mix(looks.mix(i));
     if (e.varies) continue;
     store(looks.mix(i), format.blend(), format.depth(), e.pixels.data());
-    for (std::size_t k = format.bytes(); k < e.pixels.size(); ++k)
-      e.pixels[k] = e.pixels[k - format.bytes()];
+    for (std::size_t k = format.bytes(); k < e.pixels.size(); k *= 2)
+      std::memcpy(&e.pixels[k], e.pixels.data(), k);
   }
 }
 

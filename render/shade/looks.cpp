@@ -196,7 +196,7 @@ int Looks::compose(const std::uint64_t* inside, const std::uint64_t* covered) {
     for (; bits; bits &= bits - 1) {
       const int i = 64 * w + std::countr_zero(bits);
       const PaintedLayer& layer = paints_->layers[std::size_t(i)];
-      enter_group(layer.group);
+      if (layer.group != (open_.empty() ? -1 : open_.back())) enter_group(layer.group);
       if (i == bottom) levels_[0].mix = Mix{0.0};
       if (layer.varied < 0)
         lay_over(layer.mix);

@@ -27,7 +27,7 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   outlines_ = &outlines, regions_ = &regions, top_ = top, bottom_ = bottom;
   fragments_.clear(), doubts_.clear(), events_.clear(), again_.clear(), pieces_.clear();
   stats_ = {}, count_ = 0, found_ = 0;
-  pieces_.reserve(outlines.pieces.size());
+  pieces_.reserve(outlines.pieces.size() + 1);
   for (const OutlinePiece& p : outlines.pieces) pieces_.push_back(sweep_piece(p));
   again_left_ = kAgainFirst + 4 * long(pieces_.size());
   room_for(0);
@@ -43,7 +43,12 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
     if (slot + 1 < count_) parted(slot, bottom_);
     finish(slot, bottom_);
   }
+  show_left(bottom_);
   stats_.pieces = long(pieces_.size());
+  const double x =
+      outlines.left;  // the side itself, which what is shown left of the picture ends at
+  pieces_.push_back(
+      sweep_piece({x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom, -1, -1, -1, 1}));
   stats_.regions = regions.count();
 }
 
@@ -89,22 +94,31 @@ void Sweep::put(int slot, int i) {
 /// The order at the top, from nothing: what crosses it, from left to right.
 void Sweep::begin_at_top() {
   std::vector<int>& first = active_;  // sorted in its place
+  windings_.assign(outlines_->rules.size(), 0);
+  left_ = 0, left_from_ = top_;
   int n = 0;
   for (const SweepPiece& p : pieces_) n += p.y0 <= top_ && p.y1 > top_;
   room_for(n);
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-    if (pieces_[i].y0 <= top_ && pieces_[i].y1 > top_) first[std::size_t(count_++)] = int(i);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const SweepPiece& p = pieces_[i];
+    if (p.y0 > top_ || p.y1 <= top_) continue;
+    if (!beside(int(i)))
+      first[std::size_t(count_++)] = int(i);
+    else if (p.x0 == outlines_->left)
+      windings_[std::size_t(p.outline)] += p.turn;
+  }
+  for (std::size_t i = 0; i < windings_.size(); ++i)
+    if (inside(int(i), windings_[i])) left_ = regions_->across(left_, int(i));
+  left_look_ = regions_->look(left_);
   std::sort(first.begin(), first.begin() + count_, [&](int i, int j) {
     const SweepPiece &a = piece(i), &b = piece(j);
     const double x = x_at(a, top_), u = x_at(b, top_);
     return x != u ? x < u : i < j;
   });
-  windings_.assign(outlines_->rules.size(), 0);
   for (int slot = 0; slot < count_; ++slot) {
     put(slot, first[std::size_t(slot)]);
     SweepPiece& p = at(slot);
-    p.winding = windings_[std::size_t(p.outline)];
-    windings_[std::size_t(p.outline)] += p.turn;
+    p.winding = winding_left_of(slot, p.outline);
     p.flips = inside(p.outline, p.winding) != inside(p.outline, p.winding + p.turn);
     const int left = region_left_of(slot);
     region_[std::size_t(slot)] = p.flips ? regions_->across(left, p.outline) : left;
@@ -141,6 +155,7 @@ void Sweep::finish(int slot, double y) {
 
 void Sweep::vertex(int index) {
   const OutlineVertex& v = outlines_->vertices[std::size_t(index)];
+  if (beside(v.in) || beside(v.out)) return at_side(index);
   const bool in_ends = piece(v.in).bottom == index, out_ends = piece(v.out).bottom == index;
   if (in_ends && out_ends)
     end(v.in, v.out, v);
@@ -150,6 +165,31 @@ void Sweep::vertex(int index) {
     go_on(v.out, v.in, v.y);
   else
     start(v.in, v.out, v);
+}
+
+int Sweep::winding_left_of(int slot, int outline) {
+  while (slot-- > 0)
+    if (const SweepPiece& f = at(slot); f.outline == outline) return f.winding + f.turn;
+  return windings_[std::size_t(outline)];
+}
+
+void Sweep::open_slots(int slot, int more) {
+  room_for(more);
+  for (int i = count_ - 1; i >= slot; --i) {
+    put(i + more, active_[std::size_t(i)]);
+    region_[std::size_t(i + more)] = region_[std::size_t(i)];
+    together_[std::size_t(i + more)] = together_[std::size_t(i)];
+  }
+  count_ += more;
+}
+
+void Sweep::close_slots(int slot, int fewer) {
+  for (int i = slot + fewer; i < count_; ++i) {
+    put(i - fewer, active_[std::size_t(i)]);
+    region_[std::size_t(i - fewer)] = region_[std::size_t(i)];
+    together_[std::size_t(i - fewer)] = together_[std::size_t(i)];
+  }
+  count_ -= fewer;
 }
 
 void Sweep::go_on(int old, int now, double y) {
@@ -184,22 +224,11 @@ void Sweep::start(int a, int b, const OutlineVertex& v) {
   }
   const int left = side < 0.0 ? a : b, right = side < 0.0 ? b : a;
   if (slot > 0 && slot < count_) parted(slot - 1, v.y);
-  room_for(2);
-  for (int i = count_ - 1; i >= slot; --i) {
-    put(i + 2, active_[std::size_t(i)]);
-    region_[std::size_t(i) + 2] = region_[std::size_t(i)];
-    together_[std::size_t(i) + 2] = together_[std::size_t(i)];
-  }
-  count_ += 2;
+  open_slots(slot, 2);
   put(slot, left);
   put(slot + 1, right);
   SweepPiece &l = piece(left), &r = piece(right);
-  int winding = 0;
-  for (int i = slot - 1; i >= 0; --i)
-    if (const SweepPiece& f = at(i); f.outline == l.outline) {
-      winding = f.winding + f.turn;
-      break;
-    }
+  const int winding = winding_left_of(slot, l.outline);
   l.winding = winding;
   r.winding = winding + l.turn;
   l.flips = r.flips = inside(l.outline, winding) != inside(l.outline, winding + l.turn);
@@ -223,12 +252,7 @@ void Sweep::end(int a, int b, const OutlineVertex& v) {
   finish(slot, v.y);
   finish(slot + 1, v.y);
   piece(a).slot = piece(b).slot = -1;
-  for (int i = slot + 2; i < count_; ++i) {
-    put(i - 2, active_[std::size_t(i)]);
-    region_[std::size_t(i) - 2] = region_[std::size_t(i)];
-    together_[std::size_t(i) - 2] = together_[std::size_t(i)];
-  }
-  count_ -= 2;
+  close_slots(slot, 2);
   if (slot > 0 && slot < count_) together_[std::size_t(slot) - 1] = v.y;
 }
 

@@ -10,6 +10,8 @@
 // Neighbours are proven to be in order over the whole height they are neighbours, to kOrder. Where
 // that fails the place is told as a doubt, and whoever draws resolves its pixels otherwise.
 //
+// What is cut off at the picture's sides has no order: left of it there is one set, right of it nothing.
+//
 // No colours here: of two regions only whether they look alike is asked (regions.h).
 
 #include <mien/sdf/arrange/crossings.h>
@@ -61,6 +63,11 @@ class Sweep {
   void sort_vertices();
   void begin_at_top();
   void vertex(int index);
+  bool beside(int i) const;
+  void at_side(int index);
+  void leave(int i, bool left, double y);
+  void come(int i, bool left, double y);
+  void show_left(double y);
   void go_on(int old, int now, double y);
   void start(int a, int b, const OutlineVertex& v);
   void end(int a, int b, const OutlineVertex& v);
@@ -76,7 +83,10 @@ class Sweep {
   void show(int slot, double y);
   void finish(int slot, double y);
   bool inside(int outline, int winding) const;
-  int region_left_of(int slot) const { return slot ? region_[std::size_t(slot) - 1] : 0; }
+  int region_left_of(int slot) const { return slot ? region_[std::size_t(slot) - 1] : left_; }
+  int winding_left_of(int slot, int outline);
+  void open_slots(int slot, int more);
+  void close_slots(int slot, int fewer);
   SweepPiece& piece(int i) { return pieces_[std::size_t(i)]; }
   SweepPiece& at(int slot) { return pieces_[std::size_t(active_[std::size_t(slot)])]; }
   void room_for(int slots);
@@ -103,7 +113,10 @@ class Sweep {
   std::vector<std::pair<int, int>> again_;  ///< to be compared again
   long again_left_ = 0;
   std::vector<int> order_, buckets_;  ///< vertices from the top down
-  std::vector<int> windings_;         ///< by outline, at the top
+  std::vector<int> windings_;         ///< by outline, left of the picture
+  int left_ = 0;                      ///< the region there
+  int left_look_ = 0;
+  double left_from_ = 0;  ///< from what height it looks so
 };
 
 }  // namespace mien

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -93,6 +94,23 @@ struct Turning {
   }
 };
 
+/// A whole turn by quarters: those that lie beyond a side of the window are passed by.
+void write_quarters(CurvePen& pen, const Turning& arc) {
+  constexpr double kAround = 1.01;  // of an ellipse, to hold its pieces
+  const int quarter = arc.n / 4;
+  glm::dvec2 u = arc.u, v = arc.v;
+  for (int i = 0; i < arc.n; i += quarter, u = std::exchange(v, -u)) {
+    const glm::dvec2 a = kAround * u, b = kAround * v, corner = a + b;
+    const Box2 box{arc.center + glm::min(glm::min(a, b), corner),
+                   arc.center + glm::max(glm::max(a, b), corner)};
+    const glm::dvec2 stop = arc.center + (1.0 - arc.pull) * v;
+    if (pen.beyond(box))
+      pen.beyond_to(stop);
+    else
+      arc.write(pen, i, i + quarter, stop);
+  }
+}
+
 void write_turning(CurvePen& pen, const Turning& arc, glm::dvec2 to) {
   if (arc.n <= kLong) {
     arc.write(pen, 0, arc.n, to);
@@ -116,7 +134,10 @@ void write_ellipse(CurvePen& pen, glm::dvec2 center, glm::dvec2 u, glm::dvec2 v)
   const Turning arc(center, right, across, n, kCircle, 0);
   const glm::dvec2 start = arc.end(1.0, 0.0);
   pen.begin(start);
-  write_turning(pen, arc, start);
+  if (n <= kLong)
+    write_quarters(pen, arc);
+  else
+    arc.write_seen(pen, start);
   pen.close();
 }
 

@@ -62,6 +62,7 @@ void OutlineLoop::frame(const Box2& window, double tolerance, Outlines& to) {
     window_.lo[i] = std::floor(std::clamp(window_.lo[i], -kFarthest, kFarthest));
     window_.hi[i] = std::ceil(std::clamp(window_.hi[i], -kFarthest, kFarthest));
   }
+  to.left = window_.lo.x, to.right = window_.hi.x;
 }
 
 int OutlineLoop::outline(FillRule rule) {

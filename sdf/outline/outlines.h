@@ -8,6 +8,7 @@
 
 #include <mien/sdf/shape/shape.h>
 
+#include <cmath>
 #include <vector>
 
 namespace mien {
@@ -34,6 +35,8 @@ struct Outlines {
   std::vector<OutlineVertex> vertices;
   std::vector<OutlinePiece> pieces;
   std::vector<FillRule> rules;  ///< by outline
+  /// [px] Where outlines are cut: level pieces apart, what runs along these stands for what is beyond.
+  double left = -HUGE_VAL, right = HUGE_VAL;
 
   void clear() { vertices.clear(), pieces.clear(), rules.clear(); }
 };

@@ -4,15 +4,17 @@
 
 namespace mien {
 
-Scene ScenePart::make(const Scene& whole, std::span<const int> layers, const Canvas& canvas) {
+Scene ScenePart::make(const Scene& whole, std::span<const PartLayer> layers, const Canvas& canvas) {
   SceneBuilder build(canvas, whole.background());
   whole_ = &whole, build_ = &build;
   known_.clear(), open_.clear();
   build.light(whole.light());
-  for (const int i : layers) {
+  Area everywhere;
+  for (const auto& [i, covers] : layers) {
     const Layer& layer = whole.layers()[std::size_t(i)];
     open_groups_of(layer.group);
-    build.layer(layer.name, copy(layer.area), copy(layer.paint));
+    if (covers && everywhere.node < 0) everywhere = build.everywhere();
+    build.layer(layer.name, covers ? everywhere : copy(layer.area), copy(layer.paint));
   }
   open_groups_of(-1);
   return std::move(build).finish();

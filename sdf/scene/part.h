@@ -8,12 +8,18 @@
 
 namespace mien {
 
+/// A layer of the whole scene.
+struct PartLayer {
+  int layer;
+  bool covers = false;  ///< all that is seen of the part: it needs no outline there
+};
+
 /// Makes such scenes; keeps its scratch.
 class ScenePart {
  public:
-  /// `layers`: indices into the scene's, rising. Groups stay as they are; areas that were shared are
+  /// `layers`: rising. Groups stay as they are; areas that were shared are
   /// shared.
-  Scene make(const Scene& whole, std::span<const int> layers, const Canvas& canvas);
+  Scene make(const Scene& whole, std::span<const PartLayer> layers, const Canvas& canvas);
 
  private:
   Area copy(Area area);

@@ -3,22 +3,24 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
+#include "tests/support/exact_truth.h"
 #include "tests/support/random.h"
 
 namespace mien::test {
 namespace {
 
-/// Discs over each other, opaque or not, some in groups, some lit, some with a hole.
-Scene crowd(std::uint64_t seed, std::size_t layers) {
+/// Discs over each other, some of them opaque, some in groups, some lit, some with a hole.
+Scene crowd(std::uint64_t seed, std::size_t layers, double opaque = 0.8) {
   SceneBuilder build({.box = {{0, 0}, {100, 60}}}, {0.2, 0.3, 0.4, 1});
   Random r(seed);
   for (std::size_t i = 0; i < layers; ++i) {
     const Disc disc{{r.between(-5, 105), r.between(-5, 65)}, r.between(0.3, 9)};
     const Area whole = build.shape(disc);
     const Area hole = build.shape(Disc{disc.center, 0.4 * disc.radius});
-    Paint paint{.color = {r.unit(), r.unit(), r.unit(), r.chance(0.8) ? 1.0 : r.unit()}};
+    Paint paint{.color = {r.unit(), r.unit(), r.unit(), r.chance(opaque) ? 1.0 : r.unit()}};
     if (r.chance(0.02))
       paint.relief = shared({.area = whole, .profile = Profile::bevel, .width = 2, .height = 1});
     const bool grouped = r.chance(0.05);
@@ -57,16 +59,63 @@ TEST(Crowd, DrawnInWindowsIsThePictureOfOneSweep) {
 }
 
 TEST(Crowd, OfAPartIsThatPartOfTheWhole) {
-  const Scene scene = crowd(2, Crowd::kMany);
-  View view{.width = 203, .height = 122};
-  const Image whole = render(scene, view);
-  for (const PixelRect part : {PixelRect{0, 0, 1, 1}, {17, 15, 60, 40}, {190, 100, 13, 22}}) {
-    view.region = part;
-    const Image piece = render(scene, view);
-    for (int y = 0; y < part.height; ++y)
-      ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + 4 * part.x,
-                            4 * std::size_t(part.width)),
-                0);
+  for (const double opaque : {0.8, 0.0}) {
+    const Scene scene = crowd(2, Crowd::kMany, opaque);
+    const View view{.width = 203, .height = 122};
+    const Image whole = render(scene, view);
+    int threads = 1;
+    for (const PixelRect part :
+         {PixelRect{0, 0, 203, 122}, {0, 0, 1, 1}, {17, 15, 60, 40}, {190, 100, 13, 22}}) {
+      View some = view;
+      some.region = part;
+      const Image piece = render(scene, some, {.threads = {.count = threads = threads % 7 + 2}});
+      for (int y = 0; y < part.height; ++y)
+        ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + 4 * part.x,
+                              4 * std::size_t(part.width)),
+                  0);
+    }
+  }
+}
+
+TEST(Crowd, OfTranslucentLayersIsTheExactPicture) {
+  SceneBuilder build({.box = {{0, 0}, {40, 30}}}, {0.2, 0.3, 0.4, 1});
+  Random r(3);
+  for (std::size_t i = 0; i < Crowd::kMany; ++i)
+    build.layer("disc",
+                build.shape(Disc{{r.between(-5, 45), r.between(-5, 35)}, r.between(0.5, 4)}),
+                {{r.unit(), r.unit(), r.unit(), 0.5}});
+  const Scene scene = std::move(build).finish();
+  for (const Depth depth : {Depth::u8, Depth::u16}) {
+    for (const Blend blend : {Blend::srgb, Blend::linear}) {
+      const View view{.width = 80, .height = 60, .blend = blend};
+      const ExactTruth truth(scene, view);
+      const Image image = render(scene, view, {.depth = depth});
+      const int top = depth == Depth::u8 ? 255 : 65535;
+      for (int k = 0; k < 4; ++k) {
+        const int x = int(80 * r.unit()), y = int(60 * r.unit());
+        const glm::dvec4 exact = truth.levels(x, y, top);
+        for (int c = 0; c < 4; ++c) {
+          const int drawn = depth == Depth::u8
+                                ? int(image.row(y)[4 * x + c])
+                                : reinterpret_cast<const std::uint16_t*>(image.row(y))[4 * x + c];
+          ASSERT_NEAR(drawn, exact[c], depth == Depth::u8 ? 1.0 : 32.0) << x << ' ' << y;
+        }
+      }
+    }
+  }
+}
+
+TEST(Crowd, WhatIsLeftOutShowsLessThanItMay) {
+  for (int above = 6; above < 24; ++above) {
+    SceneBuilder build({.box = {{0, 0}, {16, 16}}}, {0, 0, 0, 1});
+    const Area all = build.shape(Disc{{8, 8}, 100});
+    for (std::size_t i = 0; i < Crowd::kMany; ++i) build.layer("white", all, {{1, 1, 1, 1}});
+    for (int i = 0; i < above; ++i) build.layer("black", all, {{0, 0, 0, 0.5}});
+    const Scene scene = std::move(build).finish();
+    const Image image =
+        render(scene, {.width = 16, .height = 16, .blend = Blend::srgb}, {.depth = Depth::u16});
+    const double level = reinterpret_cast<const std::uint16_t*>(image.row(8))[0];
+    EXPECT_NEAR(level, std::ldexp(65535.0, -above), 32 * Crowd::kUnseen + 0.5) << above;
   }
 }
 

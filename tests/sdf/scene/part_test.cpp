@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/random.h"
 
 namespace mien::test {
@@ -26,7 +28,7 @@ Scene whole() {
 TEST(ScenePart, AllLayersAreTheSameScene) {
   const Scene scene = whole();
   ScenePart part;
-  const int all[] = {0, 1, 2, 3};
+  const PartLayer all[] = {{0}, {1}, {2}, {3}};
   const Scene copy = part.make(scene, all, scene.canvas());
   ASSERT_EQ(copy.layers().size(), 4u);
   ASSERT_EQ(copy.groups().size(), 2u);
@@ -49,12 +51,24 @@ TEST(ScenePart, AllLayersAreTheSameScene) {
 TEST(ScenePart, SomeLayersHaveOnlyWhatTheyNeed) {
   const Scene scene = whole();
   ScenePart part;
-  const int some[] = {0, 3};
+  const PartLayer some[] = {{0}, {3}};
   const Scene made = part.make(scene, some, {{{2, 2}, {4, 4}}, false});
   EXPECT_EQ(made.layers().size(), 2u);
   EXPECT_TRUE(made.groups().empty());
   EXPECT_EQ(made.shapes().size(), 2u);  // the shared one once
   EXPECT_FALSE(made.canvas().y_up);
+}
+
+TEST(ScenePart, WhatCoversItHasNoOutline) {
+  const Scene scene = whole();
+  ScenePart part;
+  const PartLayer some[] = {{0, true}, {2, true}};
+  const Scene made = part.make(scene, some, scene.canvas());
+  for (const Layer& layer : made.layers())
+    EXPECT_EQ(made.distance(layer.area, {1e9, 0}), -HUGE_VAL);
+  const glm::dvec2 p{1, 7};  // the relief goes by its own area
+  EXPECT_EQ(made.distance(made.layers()[1].paint.relief->area, p),
+            scene.distance(scene.layers()[2].paint.relief->area, p));
 }
 
 }  // namespace

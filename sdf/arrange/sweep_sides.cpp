@@ -1,0 +1,69 @@
+// What the sweep does at the picture's sides, where outlines are cut: a loop that goes there leaves the
+// order, one that comes from there enters it. Beyond the left side outlines have winding numbers and one
+// region together; what the right side cuts off is of no use to anyone.
+
+#include <mien/sdf/arrange/sweep.h>
+
+namespace mien {
+
+bool Sweep::beside(int i) const {
+  const SweepPiece& p = pieces_[std::size_t(i)];
+  return p.x0 == p.x1 && (p.x0 == outlines_->left || p.x0 == outlines_->right);
+}
+
+/// A loop comes from a side, or goes there.
+void Sweep::at_side(int index) {
+  const OutlineVertex& v = outlines_->vertices[std::size_t(index)];
+  const bool left = v.x == outlines_->left;
+  for (const int i : {v.in, v.out})
+    if (left && beside(i))
+      windings_[std::size_t(piece(i).outline)] +=
+          piece(i).top == index ? piece(i).turn : -piece(i).turn;
+  for (const int i : {v.in, v.out}) {
+    if (beside(i)) continue;
+    if (piece(i).bottom == index)
+      leave(i, left, v.y);
+    else
+      come(i, left, v.y);
+  }
+  show_left(v.y);
+}
+
+void Sweep::leave(int i, bool left, double y) {
+  int slot = piece(i).slot;
+  for (; left && slot > 0; --slot) ++stats_.forced, swap(slot - 1, y);
+  for (; !left && slot + 1 < count_; ++slot) ++stats_.forced, swap(slot, y);
+  if (slot > 0) parted(slot - 1, y);
+  if (slot + 1 < count_) parted(slot, y);
+  finish(slot, y);
+  if (left) left_ = region_[0];
+  piece(i).slot = -1;
+  close_slots(slot, 1);
+}
+
+void Sweep::come(int i, bool left, double y) {
+  const int slot = left ? 0 : count_;
+  open_slots(slot, 1);
+  put(slot, i);
+  SweepPiece& p = piece(i);
+  p.winding = winding_left_of(slot, p.outline);
+  p.flips = inside(p.outline, p.winding) != inside(p.outline, p.winding + p.turn);
+  const int before = region_left_of(slot),
+            across = p.flips ? regions_->across(before, p.outline) : before;
+  region_[std::size_t(slot)] = left ? before : across;
+  if (left) left_ = across;
+  enter(slot, y);
+  if (slot > 0) together_[std::size_t(slot) - 1] = y;
+  meet_others(slot, y, 0);
+}
+
+/// What lies left of the picture may look otherwise: what was shown so far is a fragment of its side.
+void Sweep::show_left(double y) {
+  const int look = regions_->look(left_), none = regions_->look(0);
+  if (look == left_look_ && y < bottom_) return;
+  if (left_look_ != none && y > left_from_)
+    fragments_.push_back({int(outlines_->pieces.size()), none, left_look_, left_from_, y});
+  left_look_ = look, left_from_ = y;
+}
+
+}  // namespace mien
