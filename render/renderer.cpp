@@ -40,26 +40,6 @@ class Watch {
   std::atomic<bool> cancelled_ = false;
 };
 
-/// Scratch of threads, handed to whichever has strips to draw.
-class Scratches {
- public:
-  std::unique_ptr<StripScratch> take() {
-    const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return std::make_unique<StripScratch>();
-    auto scratch = std::move(idle_.back());
-    idle_.pop_back();
-    return scratch;
-  }
-  void give_back(std::unique_ptr<StripScratch> scratch) {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(scratch));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<StripScratch>> idle_;
-};
-
 bool drawable(const View& view) {
   const auto valid = [](int side) { return side >= 1 && side <= View::kMaxSide; };
   return valid(view.width) && valid(view.height);
@@ -71,7 +51,7 @@ struct Renderer::Scratch {
   Drawing drawing;
   FrameMemory memory;
   const RowFingerprints* fingerprints = nullptr;  ///< none: nothing is kept
-  Scratches scratches;
+  StripScratches scratches;
 
   void make(const Scene& scene, const View& view, Depth depth) {
     const int in_common = shapes_in_common(scene, drawing.scene());

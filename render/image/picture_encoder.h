@@ -17,8 +17,9 @@ namespace mien {
 /// A piece made ready: bytes as the encoder likes them, kept for the next piece to use again.
 struct PreparedPiece {
   std::vector<std::byte> bytes;
-  std::vector<std::size_t> ends;  ///< of parts in it, where it has any
-  std::uint64_t note[2] = {};     ///< what else there is to say
+  std::vector<std::size_t> ends;      ///< of parts in it, where it has any
+  std::vector<std::uint32_t> tokens;  ///< in their stead, of bytes that are packed in order
+  std::uint64_t note[2] = {};         ///< what else there is to say
 };
 
 /// Whether to stop; asked every few milliseconds of work.

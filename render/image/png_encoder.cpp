@@ -19,6 +19,7 @@ constexpr std::size_t kStripBytes = std::size_t(1)
                                     << 20;  // before compression: long enough that the
                                             // cuts cost nothing, short enough to stop soon
 constexpr int kMostStripRows = 256;
+constexpr std::size_t kChunkBytes = std::size_t(1) << 16;  // all but the last
 constexpr std::uint64_t kPieceBytes = std::uint64_t(4)
                                       << 20;  // of pixels: about what a core's cache holds
 
@@ -90,15 +91,12 @@ class PngEncoder final : public PictureEncoder {
                const AskStop& stop) override {
     Slot& own = strips_[std::size_t(slot)];
     if (!own.strip) own.strip = std::make_unique<PngStrip>(pixels_);
-    to.bytes.clear();
+    to.tokens.clear();
     Adler sum;
     const int height = piece(i).height;
     for (int y = 0; y < height && !stop(); y += strip_rows_) {
       const int count = std::min(strip_rows_, height - y);
-      const std::size_t chunk = begin_chunk(to.bytes, "IDAT");
-      if (i == 0 && y == 0) to.bytes.insert(to.bytes.end(), {std::byte(0x78), std::byte(0x9c)});
-      sum = followed(sum, add_strip(own, pixels, y, count, to.bytes));
-      end_chunk(to.bytes, chunk);
+      sum = followed(sum, add_strip(own, pixels, y, count, to.tokens));
     }
     to.note[0] = sum.sum;
     to.note[1] = sum.length;
@@ -106,15 +104,18 @@ class PngEncoder final : public PictureEncoder {
 
   Expected<Done> put(int, const PreparedPiece& piece) override {
     sum_ = followed(sum_, {std::uint32_t(piece.note[0]), piece.note[1]});
-    return write(piece.bytes);
+    stream_.add(piece.tokens);
+    // Of one size, however pieces come.
+    while (stream_.bytes().size() >= kChunkBytes)
+      if (auto done = write_chunk(kChunkBytes); !done) return done;
+    return Done{};
   }
 
   Expected<Done> finish() override {
+    stream_.finish();
+    add_number(stream_.bytes(), sum_.sum);
+    if (auto done = write_chunk(stream_.bytes().size()); !done) return done;
     Bytes bytes;
-    const std::size_t chunk = begin_chunk(bytes, "IDAT");
-    bytes.insert(bytes.end(), {std::byte(0x03), std::byte(0x00)});  // an empty block, the last
-    add_number(bytes, sum_.sum);
-    end_chunk(bytes, chunk);
     add_chunk(bytes, "IEND", {});
     return write(bytes);
   }
@@ -125,7 +126,8 @@ class PngEncoder final : public PictureEncoder {
     Bytes rows;  // in the file's depth, where that is another
   };
 
-  Adler add_strip(Slot& own, const PixelBuffer& pixels, int y, int count, Bytes& to) {
+  Adler add_strip(Slot& own, const PixelBuffer& pixels, int y, int count,
+                  std::vector<DeflateToken>& to) {
     const auto* from = static_cast<const std::byte*>(pixels.data) + pixels.stride * std::size_t(y);
     if (pixels_.depth == frame_.depth) return own.strip->add(from, pixels.stride, count, to);
     const std::size_t row = std::size_t(frame_.width) * 4 * bytes_per_channel(pixels_.depth);
@@ -154,6 +156,18 @@ class PngEncoder final : public PictureEncoder {
     end_chunk(head_, srgb);
     add_text(head_, "Software", "mien " MIEN_VERSION_STRING);
     if (!recipe.empty()) add_text(head_, "Description", recipe);
+    stream_.bytes() = {std::byte(0x78), std::byte(0x9c)};  // zlib's own
+  }
+
+  Expected<Done> write_chunk(std::size_t size) {
+    Bytes bytes;
+    Bytes& made = stream_.bytes();
+    const std::size_t chunk = begin_chunk(bytes, "IDAT");
+    const auto end = made.begin() + std::ptrdiff_t(size);
+    bytes.insert(bytes.end(), made.begin(), end);
+    made.erase(made.begin(), end);
+    end_chunk(bytes, chunk);
+    return write(bytes);
   }
 
   Expected<Done> write(const Bytes& bytes) {
@@ -170,6 +184,7 @@ class PngEncoder final : public PictureEncoder {
   const int strip_rows_, piece_rows_;
   std::vector<Slot> strips_;
   Bytes head_;
+  DeflateWriter stream_;
   Adler sum_;
 };
 
@@ -184,8 +199,8 @@ MadeEncoder png_encoder(const EncoderRequest& request) {
   const std::uint64_t row = std::uint64_t(frame.width) * 4 * bytes_per_channel(frame.depth);
   const std::uint64_t converted = frame.depth == Depth::f32 ? row / 2 * std::uint64_t(strip) : 0;
   const auto each = [&](int rows) {
-    return (row + pixels.row_bytes()) * std::uint64_t(rows) + converted +
-           PngStrip::memory(pixels, strip);
+    return row * std::uint64_t(rows) + converted + PngStrip::memory(pixels, strip) +
+           sizeof(DeflateToken) * pixels.row_bytes() * std::uint64_t(rows);
   };
   const int slots = slots_within(request.budget, 0, each(strip));
   if (slots == 0) return too_little_memory(each(strip), request.budget.bytes);

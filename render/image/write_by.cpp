@@ -3,15 +3,18 @@
 #include <mien/render/image/file_type.h>
 #include <mien/render/image/in_order.h>
 #include <mien/render/image/write_pieces.h>
-#include <mien/render/renderer.h>
+#include <mien/render/piece_drawer.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <exception>
 #include <limits>
+#include <mutex>
 #include <new>
+#include <optional>
 #include <vector>
 
 namespace mien {
@@ -38,56 +41,41 @@ class DrawnPieces {
       : scene_(scene), view_(view), rect_(drawn_rect(view)), depth_(depth) {}
 
   PixelBuffer draw(const PixelRect& piece, int slot, StopWatch& watch) {
-    Slot& own = slot_of(slot);
+    std::vector<std::byte>& pixels = pixels_of(slot);
     PixelBuffer buffer{nullptr, std::size_t(piece.width) * 4 * bytes_per_channel(depth_), depth_};
-    own.pixels.resize(buffer.stride * std::size_t(piece.height));
-    buffer.data = own.pixels.data();
-    View view = view_;
-    view.region = PixelRect{rect_.x + piece.x, rect_.y + piece.y, piece.width, piece.height};
-    RenderOptions how;
-    how.threads.count = 1;
-    how.progress = [&](double) { return !watch.ask(); };
+    pixels.resize(buffer.stride * std::size_t(piece.height));
+    buffer.data = pixels.data();
     RenderStats stats;
     const auto began = std::chrono::steady_clock::now();
-    if (!own.renderer.render_into(buffer, scene_, view, how, &stats)) {
-      if (!watch.stopped()) throw std::bad_alloc();  // the only other reason
-      return {};
-    }
+    std::call_once(made_, [&] { drawer_.emplace(scene_, view_, depth_); });
+    const bool whole = drawer_->draw(
+        buffer, {rect_.x + piece.x, rect_.y + piece.y, piece.width, piece.height},
+        [&] { return watch.ask(); }, stats);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    own.stats.add(stats);
-    own.seconds += took.count();
-    return buffer;
+    const std::lock_guard lock(mutex_);
+    stats_.render.add(stats);
+    stats_.draw += took.count();
+    return whole ? buffer : PixelBuffer{};
   }
 
-  PictureStats stats() const {
-    PictureStats sum;
-    for (const auto& slot : slots_) {
-      sum.render.add(slot->stats);
-      sum.draw += slot->seconds;
-    }
-    return sum;
-  }
+  const PictureStats& stats() const { return stats_; }
 
  private:
-  struct Slot {
-    Renderer renderer;  ///< what pieces of one picture share is made once
-    std::vector<std::byte> pixels;
-    RenderStats stats;
-    double seconds = 0;
-  };
-
-  Slot& slot_of(int slot) {
+  std::vector<std::byte>& pixels_of(int slot) {
     const std::lock_guard lock(mutex_);
-    while (int(slots_.size()) <= slot) slots_.push_back(std::make_unique<Slot>());
-    return *slots_[std::size_t(slot)];
+    while (int(pixels_.size()) <= slot) pixels_.emplace_back();
+    return pixels_[std::size_t(slot)];
   }
 
   const Scene& scene_;
   const View& view_;
   const PixelRect rect_;
   const Depth depth_;
+  std::once_flag made_;
+  std::optional<PieceDrawer> drawer_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Slot>> slots_;
+  std::deque<std::vector<std::byte>> pixels_;  ///< by slot
+  PictureStats stats_;
 };
 
 Depth drawn_depth(const PictureOptions& how, FileType type) {

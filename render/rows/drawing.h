@@ -11,6 +11,7 @@
 #include <mien/sdf/outline/outline_maker.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,26 @@ struct StripScratch {
                                ///< not tell all of
   struct Window;
   std::unique_ptr<Window> window;  ///< of a crowd
+};
+
+/// Scratch of threads, handed to whichever has strips to draw.
+class StripScratches {
+ public:
+  std::unique_ptr<StripScratch> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<StripScratch>();
+    auto scratch = std::move(idle_.back());
+    idle_.pop_back();
+    return scratch;
+  }
+  void give_back(std::unique_ptr<StripScratch> scratch) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(scratch));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<StripScratch>> idle_;
 };
 
 class Drawing {

@@ -73,7 +73,7 @@ TEST(Progress, ATerminalSeesABarWithTheTimeLeft) {
   if (!terminals_can_be_made()) GTEST_SKIP() << "no terminals can be made here";
   const ScratchFolder folder;
   const std::string said =
-      on_a_terminal({MIEN_COMMAND, "render", face_path("toon"), "-o", (folder / "a.png").string(),
+      on_a_terminal({MIEN_COMMAND, "render", face_path("clay"), "-o", (folder / "a.png").string(),
                      "--size", "30000", "--threads", "1"},
                     " left");
   EXPECT_NE(said.find(" left"), std::string::npos) << said;

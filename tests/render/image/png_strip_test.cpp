@@ -6,26 +6,17 @@
 #include <random>
 
 #include "tests/support/sample_image.h"
+#include "tests/support/unpacked.h"
 
 namespace mien {
 namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// What a joined stream unpacks to; an empty last block is added.
-Bytes unpacked(Bytes stream, std::size_t size) {
-  stream.insert(stream.end(), {std::byte(3), std::byte(0)});
-  Bytes to(size);
-  z_stream z{};
-  ::inflateInit2(&z, -15);
-  z.next_in = reinterpret_cast<Bytef*>(stream.data());
-  z.avail_in = uInt(stream.size());
-  z.next_out = reinterpret_cast<Bytef*>(to.data());
-  z.avail_out = uInt(to.size());
-  EXPECT_EQ(::inflate(&z, Z_FINISH), Z_STREAM_END);
-  EXPECT_EQ(z.total_out, size);
-  ::inflateEnd(&z);
-  return to;
+Bytes expanded(const std::vector<DeflateToken>& tokens) {
+  const std::string bytes = test::expanded(tokens);
+  const auto* const begin = reinterpret_cast<const std::byte*>(bytes.data());
+  return {begin, begin + bytes.size()};
 }
 
 /// Rows as they were before their filters: None, Sub and Up of the standard.
@@ -57,21 +48,30 @@ Bytes channels(const Image& image, bool opaque) {
   return out;
 }
 
+/// Noise in its upper part, below stripes of a few colours.
+Image half_flat(int width, int height, Depth depth, bool opaque) {
+  Image image = test::sample_image(width, height, depth, opaque);
+  const std::size_t pixel = 4 * bytes_per_channel(depth);
+  for (std::size_t at = image.stride() * std::size_t(height / 2); at < image.bytes.size(); ++at)
+    if (at / pixel % 40 != 0) image.bytes[at] = image.bytes[at - pixel];
+  return image;
+}
+
 TEST(PngStrip, StripsJoinedAreTheRows) {
   for (const Depth depth : {Depth::u8, Depth::u16}) {
     for (const bool opaque : {true, false}) {
-      const Image image = test::sample_image(61, 50, depth, opaque);
+      const Image image = half_flat(161, 50, depth, opaque);
       const PngPixels pixels{image.width, depth, opaque};
-      Bytes stream;
+      std::vector<DeflateToken> tokens;
       Adler sum;
       PngStrip strip(pixels);
       const auto* rows = image.bytes.data();
       for (int y = 0; y < image.height; y += 7) {
         const int count = std::min(7, image.height - y);
         sum = followed(
-            sum, strip.add(rows + image.stride() * std::size_t(y), image.stride(), count, stream));
+            sum, strip.add(rows + image.stride() * std::size_t(y), image.stride(), count, tokens));
       }
-      const Bytes filtered = unpacked(stream, pixels.row_bytes() * std::size_t(image.height));
+      const Bytes filtered = expanded(tokens);
       EXPECT_EQ(unfiltered(filtered, pixels), channels(image, opaque));
       EXPECT_EQ(sum.sum, ::adler32(1, reinterpret_cast<const Bytef*>(filtered.data()),
                                    uInt(filtered.size())));
@@ -83,9 +83,9 @@ TEST(PngStrip, StripsJoinedAreTheRows) {
 /// The filters of the rows of one strip.
 std::vector<int> filters(const Image& image) {
   const PngPixels pixels{image.width, image.depth, true};
-  Bytes stream;
-  PngStrip(pixels).add(image.bytes.data(), image.stride(), image.height, stream);
-  const Bytes rows = unpacked(stream, pixels.row_bytes() * std::size_t(image.height));
+  std::vector<DeflateToken> tokens;
+  PngStrip(pixels).add(image.bytes.data(), image.stride(), image.height, tokens);
+  const Bytes rows = expanded(tokens);
   std::vector<int> found;
   for (std::size_t at = 0; at < rows.size(); at += pixels.row_bytes())
     found.push_back(int(rows[at]));
@@ -116,7 +116,7 @@ TEST(PngStrip, ChoosesFiltersByWhatRowsAreLike) {
 TEST(PngStrip, TheSameRowsAreTheSameBytes) {
   const Image image = test::sample_image(200, 40, Depth::u8, true);
   PngStrip used({200, Depth::u8, true}), fresh({200, Depth::u8, true});
-  Bytes first, again, other;
+  std::vector<DeflateToken> first, again, other;
   used.add(image.bytes.data(), image.stride(), 40, first);
   used.add(image.bytes.data() + image.stride(), image.stride(), 20, other);
   used.add(image.bytes.data(), image.stride(), 40, again);
@@ -139,6 +139,15 @@ TEST(Adler, FollowedIsTheSumOfBoth) {
     };
     EXPECT_EQ(followed(of(a), of(b)).sum, of(a + b).sum);
   }
+  for (int round = 0; round < 200; ++round) {
+    const std::uint64_t pixel = std::uint64_t(dice()) << 32 | dice();
+    const std::size_t size = 1 + dice() % 8, count = 1 + dice() % (round % 50 ? 300 : 1 << 20);
+    std::string run;
+    for (std::size_t i = 0; i < size * count; ++i) run += char(pixel >> 8 * (i % size) & 255);
+    EXPECT_EQ(adler_of(pixel, size, count).sum,
+              ::adler32(1, reinterpret_cast<const Bytef*>(run.data()), uInt(run.size())));
+  }
+  EXPECT_EQ(adler_of(~std::uint64_t(0), 8, 1 << 20).length, 8u << 20);
   // Lengths beyond 32 bits: zeros leave the low half alone and add it to the high one each time.
   EXPECT_EQ(followed({0x00020003, 5}, {1, 65521ull << 20}).sum, 0x00020003u);
 }

@@ -1,18 +1,15 @@
-#include <mien/render/image/deflate_end.h>
+#include <mien/render/image/deflate_reader.h>
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <cstring>
+#include <optional>
 
 namespace mien {
 namespace {
 
 constexpr int kEndOfBlock = 256;
 constexpr int kLengths = 288, kDistances = 32;  // symbols a header can name
-constexpr std::array<int, 29> kLengthExtra{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2,
-                                           2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
-constexpr std::array<int, 30> kDistanceExtra{0, 0, 0, 0, 1, 1, 2, 2,  3,  3,  4,  4,  5,  5,  6,
-                                             6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13};
 constexpr std::array<int, 19> kHeaderOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                            11, 4,  12, 3, 13, 2, 14, 1, 15};
 
@@ -23,9 +20,9 @@ class Bits {
 
   std::uint32_t peek(int count) const {
     std::uint32_t word = 0;
-    for (std::size_t i = 0, byte = at / 8; i < 4 && byte + i < bytes_.size(); ++i) {
-      word |= std::uint32_t(bytes_[byte + i]) << 8 * i;
-    }
+    const std::size_t byte = at / 8;
+    if (byte < bytes_.size())
+      std::memcpy(&word, &bytes_[byte], std::min<std::size_t>(4, bytes_.size() - byte));
     return word >> at % 8 & ((1u << count) - 1);
   }
   std::uint32_t take(int count) {
@@ -117,38 +114,54 @@ std::optional<Codes> own_codes(Bits& bits) {
   return Codes{Code(given.first(lengths)), Code(given.subspan(lengths, distances))};
 }
 
-bool skip_codes(Bits& bits, const Codes& codes) {
+/// What the symbols of a kind stand for, from the other way round.
+template <std::size_t kSize>
+std::array<DeflateSymbol, kSize> symbols(DeflateSymbol (*of)(std::size_t), std::size_t least,
+                                         std::size_t most) {
+  std::array<DeflateSymbol, kSize> table{};
+  const std::size_t first = of(least).symbol;
+  for (std::size_t n = least; n <= most; ++n) table[of(n).symbol - first] = of(n);
+  return table;
+}
+
+bool read_codes(Bits& bits, const Codes& codes, std::vector<DeflateToken>& to) {
+  static const auto lengths = symbols<29>(length_symbol, 3, kDeflateLongest);
+  static const auto distances = symbols<30>(distance_symbol, 1, kDeflateWindow);
   while (!bits.over()) {
     const int symbol = codes.lengths.symbol(bits);
     if (symbol < 0) return false;
-    if (symbol < kEndOfBlock) continue;
     if (symbol == kEndOfBlock) return true;
-    const std::size_t length = std::size_t(symbol - kEndOfBlock - 1);
-    if (length >= kLengthExtra.size()) return false;
-    bits.at += std::size_t(kLengthExtra[length]);
-    const int distance = codes.distances.symbol(bits);
-    if (distance < 0 || std::size_t(distance) >= kDistanceExtra.size()) return false;
-    bits.at += std::size_t(kDistanceExtra[std::size_t(distance)]);
+    if (symbol < kEndOfBlock) {
+      to.push_back(DeflateToken(symbol));
+      continue;
+    }
+    const std::size_t kind = std::size_t(symbol - kEndOfBlock - 1);
+    if (kind >= lengths.size()) return false;
+    const std::size_t length = lengths[kind].base + bits.take(lengths[kind].extra);
+    const int far = codes.distances.symbol(bits);
+    if (far < 0 || std::size_t(far) >= distances.size()) return false;
+    const DeflateSymbol& d = distances[std::size_t(far)];
+    to.push_back(deflate_match(length, d.base + bits.take(d.extra)));
   }
   return false;
 }
 
-bool skip_block(Bits& bits) {
+bool read_block(Bits& bits, std::vector<DeflateToken>& to) {
   switch (bits.take(2)) {
     case 0: {
       bits.at = (bits.at + 7) / 8 * 8;
       const std::uint32_t length = bits.take(16);
       if ((bits.take(16) ^ length) != 0xffff) return false;
-      bits.at += std::size_t(length) * 8;
+      for (std::uint32_t i = 0; i < length && !bits.over(); ++i) to.push_back(bits.take(8));
       return true;
     }
     case 1: {
       static const Codes fixed = fixed_codes();
-      return skip_codes(bits, fixed);
+      return read_codes(bits, fixed, to);
     }
     case 2: {
       const auto codes = own_codes(bits);
-      return codes && skip_codes(bits, *codes);
+      return codes && read_codes(bits, *codes, to);
     }
     default:
       return false;
@@ -157,13 +170,12 @@ bool skip_block(Bits& bits) {
 
 }  // namespace
 
-std::optional<DeflateEnd> deflate_end(std::span<const std::byte> stream) {
+bool read_deflate(std::span<const std::byte> stream, std::vector<DeflateToken>& to) {
   Bits bits(stream);
   for (;;) {
-    const std::size_t begin = bits.at;
     const bool last = bits.take(1) == 1;
-    if (!skip_block(bits) || bits.over()) return {};
-    if (last) return DeflateEnd{begin, bits.at};
+    if (!read_block(bits, to) || bits.over()) return false;
+    if (last) return true;
   }
 }
 

@@ -1,4 +1,4 @@
-#include <mien/render/image/deflate_end.h>
+#include <mien/render/image/deflate_reader.h>
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "tests/support/unpacked.h"
 
 namespace mien {
 namespace {
@@ -36,42 +38,6 @@ Bytes packed_by_zlib(const std::string& data, int level, int strategy) {
   return to;
 }
 
-std::string unpacked(const Bytes& stream, std::size_t most) {
-  z_stream z{};
-  ::inflateInit2(&z, -15);
-  std::string to(most + 1, '\0');
-  z.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(stream.data()));
-  z.avail_in = uInt(stream.size());
-  z.next_out = reinterpret_cast<Bytef*>(to.data());
-  z.avail_out = uInt(to.size());
-  EXPECT_EQ(::inflate(&z, Z_FINISH), Z_STREAM_END);
-  EXPECT_EQ(z.avail_in, 0u);
-  to.resize(z.total_out);
-  ::inflateEnd(&z);
-  return to;
-}
-
-/// Appends a literal of the fixed code right behind the end, bit by bit: that works only if the end
-/// is right and the flag is the last block's.
-Bytes with_one_more(Bytes stream, const DeflateEnd& end) {
-  const auto flip = [&](std::size_t bit) {
-    if (stream.size() <= bit / 8) stream.resize(bit / 8 + 1, std::byte(0));
-    stream[bit / 8] ^= std::byte(1) << bit % 8;
-  };
-  flip(end.last_block);
-  // Last block 1, fixed code 01 (lowest bit first), 'A' = 0x30 + 65 = 01110001, end 0000000.
-  const std::string bits =
-      "1"
-      "10"
-      "01110001"
-      "0000000";
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    if (bits[i] == '1') flip(end.end + i);
-  }
-  stream.resize((end.end + bits.size() + 7) / 8, std::byte(0));
-  return stream;
-}
-
 std::vector<std::string> samples() {
   std::mt19937 dice(7);
   std::vector<std::string> samples{"", "a", std::string(100'000, '\0')};
@@ -86,7 +52,7 @@ std::vector<std::string> samples() {
   return samples;
 }
 
-TEST(DeflateEnd, IsWhereMoreCanBeAppended) {
+TEST(ReadDeflate, TokensAreWhatTheStreamUnpacksTo) {
   for (const std::string& data : samples()) {
     std::vector<Bytes> streams;
     for (int level : {0, 1, 2, 6, 9, 12}) streams.push_back(packed_by_libdeflate(data, level));
@@ -94,31 +60,31 @@ TEST(DeflateEnd, IsWhereMoreCanBeAppended) {
       streams.push_back(packed_by_zlib(data, 6, strategy));
     streams.push_back(packed_by_zlib(data, 0, Z_DEFAULT_STRATEGY));
     for (const Bytes& stream : streams) {
-      const auto end = deflate_end(stream);
-      ASSERT_TRUE(end) << data.size() << " in " << stream.size();
-      EXPECT_LE(end->end, 8 * stream.size());
-      EXPECT_GT(end->end + 8, 8 * stream.size());
-      EXPECT_TRUE(unpacked(with_one_more(stream, *end), data.size() + 1) == data + "A");
+      std::vector<DeflateToken> tokens;
+      ASSERT_TRUE(read_deflate(stream, tokens)) << data.size() << " in " << stream.size();
+      EXPECT_TRUE(test::expanded(tokens) == data);
     }
   }
 }
 
-TEST(DeflateEnd, OfNoStreamIsNothing) {
-  EXPECT_FALSE(deflate_end({}));
-  EXPECT_FALSE(deflate_end(Bytes{std::byte(7)})) << "the block type that does not exist";
+TEST(ReadDeflate, OfNoStreamIsFalse) {
+  std::vector<DeflateToken> tokens;
+  EXPECT_FALSE(read_deflate({}, tokens));
+  EXPECT_FALSE(read_deflate(Bytes{std::byte(7)}, tokens)) << "the block type that does not exist";
   const Bytes whole = packed_by_libdeflate(samples()[4], 6);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 300) {
-    EXPECT_FALSE(deflate_end(std::span(whole).first(size))) << size;
+    EXPECT_FALSE(read_deflate(std::span(whole).first(size), tokens)) << size;
   }
 }
 
-TEST(DeflateEnd, OfAnyBytesComesBack) {
+TEST(ReadDeflate, OfAnyBytesComesBack) {
   std::mt19937 dice(11);
   for (int i = 0; i < 3000; ++i) {
     Bytes bytes(dice() % 200);
     for (std::byte& b : bytes) b = std::byte(dice() & 255);
-    const auto end = deflate_end(bytes);
-    EXPECT_LE(end ? end->end : 0, 8 * bytes.size());
+    std::vector<DeflateToken> tokens;
+    read_deflate(bytes, tokens);
+    EXPECT_LE(tokens.size(), 8 * bytes.size());
   }
 }
 

@@ -1,0 +1,53 @@
+#include <mien/lib/base/parallel.h>
+#include <mien/render/piece_drawer.h>
+#include <mien/render/render.h>
+
+#include <gtest/gtest.h>
+
+#include <mutex>
+
+namespace mien {
+namespace {
+
+Scene discs() {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  build.layer("one", build.shape(Disc{{-0.2, 0.1}, 0.5}), {{0.1, 0.2, 0.7, 0.6}});
+  build.layer("two", build.shape(Disc{{0.3, -0.1}, 0.4}), {{0.8, 0.2, 0.1, 0.6}});
+  return std::move(build).finish();
+}
+
+TEST(PieceDrawer, PiecesOnThreadsAreThePicture) {
+  const View view{.width = 300, .height = 230};
+  const Image whole = render(discs(), view);
+  Image image = whole;
+  std::fill(image.bytes.begin(), image.bytes.end(), std::byte(0));
+  PieceDrawer drawer(discs(), view, Depth::u8);
+  RenderStats sum;
+  std::mutex mutex;
+  parallel_for(2 * 23, {.count = 4}, [&](int i) {
+    const PixelRect piece{i % 2 * 130, i / 2 * 10, i % 2 ? 170 : 130, 10};
+    RenderStats stats;
+    EXPECT_TRUE(drawer.draw(
+        {image.bytes.data() + image.stride() * std::size_t(piece.y) + 4 * std::size_t(piece.x),
+         image.stride(), Depth::u8},
+        piece, [] { return false; }, stats));
+    const std::lock_guard lock(mutex);
+    sum.add(stats);
+  });
+  EXPECT_TRUE(image.bytes == whole.bytes);
+  EXPECT_EQ(sum.pixels, 300 * 230);
+  EXPECT_GT(sum.pieces, 0);
+}
+
+TEST(PieceDrawer, StopsWhenAsked) {
+  std::vector<std::byte> pixels(4 * 64 * 4000);
+  PieceDrawer drawer(discs(), {.width = 64, .height = 4000}, Depth::u8);
+  RenderStats stats;
+  int asked = 0;
+  EXPECT_FALSE(drawer.draw(
+      {pixels.data(), 256, Depth::u8}, {0, 0, 64, 4000}, [&] { return ++asked == 3; }, stats));
+  EXPECT_EQ(asked, 3);
+}
+
+}  // namespace
+}  // namespace mien
