@@ -52,7 +52,7 @@ struct Animation {
     at.time = time_of(frame);
     return scene_from_face(pose_face(face, at));
   }
-  Image picture_of(const Scene& scene) const {
+  Expected<Image> picture_of(const Scene& scene) const {
     const RenderOptions how{.depth = plan.picture.depth.value_or(Depth::u8), .threads = {1, {}}};
     return drawn_picture(scene, plan.view, how, effects);
   }
@@ -93,7 +93,11 @@ int as_pictures(const Animation& animation, const FrameNames& names, bool again,
     write.recipe = frame_recipe(animation, frame, scene);
     const bool finished = !again && is_finished_frame(path, write.recipe);
     Expected<Done> written = Done{};
-    if (!finished) written = write_image_by(load_encoder, animation.picture_of(scene), path, write);
+    if (!finished) {
+      const auto picture = animation.picture_of(scene);
+      written = picture ? write_image_by(load_encoder, *picture, path, write)
+                        : Error{path, picture.error().what};
+    }
     const std::lock_guard lock(mutex);
     if (!written && !wrong) wrong = written.error();
     if (!written) stop = true;
@@ -123,16 +127,18 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
   const std::uint64_t bytes = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4;
   const long together = std::clamp<long>(long(kMostWaiting / bytes), 1, 2L * animation.threads);
   double drawing = 0;
-  std::vector<Image> pictures;
+  std::vector<Expected<Image>> pictures;
   for (long first = animation.range.first; first <= animation.range.last; first += together) {
-    pictures.resize(std::size_t(std::min(together, animation.range.last - first + 1)));
+    pictures.assign(std::size_t(std::min(together, animation.range.last - first + 1)), Image{});
     const double start = now();
     parallel_for(int(pictures.size()), {.count = animation.threads}, [&](int i) {
       pictures[std::size_t(i)] = animation.picture_of(animation.scene_of(first + i));
     });
     drawing += now() - start;
-    for (const Image& picture : pictures)
-      if (const auto added = film->add(picture); !added) return complain(added.error(), kFailed);
+    for (const auto& picture : pictures) {
+      if (!picture) return complain({output, picture.error().what}, kFailed);
+      if (const auto added = film->add(*picture); !added) return complain(added.error(), kFailed);
+    }
     const long done = first + long(pictures.size()) - animation.range.first;
     if (!progress(double(done) / double(animation.range.count())))
       return complain("interrupted", kFailed);
