@@ -3,7 +3,7 @@ option(MIEN_BUILD_IMAGE "Build mien::image (needs OpenImageIO)" ${PROJECT_IS_TOP
 option(MIEN_BUILD_TEXT "Build mien::text (needs FreeType)" ${PROJECT_IS_TOP_LEVEL})
 option(MIEN_BUILD_COMMAND "Build the mien command" ${PROJECT_IS_TOP_LEVEL})
 option(MIEN_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
-option(MIEN_LONG_TESTS "Tests that take an hour, too: ctest -L long" OFF)
+option(MIEN_LONG_TESTS "Tests that take hours, too: ctest -L long" OFF)
 option(MIEN_BUILD_BENCH "Build the benches (needs Google Benchmark)" OFF)
 option(MIEN_BUILD_ACCURACY "Build mien-accuracy, the laboratory of the distance kernels" OFF)
 option(MIEN_SAME_BITS_WITHOUT_FMA "Float batches give the same bits on processors without fused multiply-add too, slowly" OFF)

@@ -75,7 +75,8 @@ void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image
     for (int x = 0; x < rect.width; ++x) {
       for (; next < changes.size() && changes[next].x < rect.x + x + 0.5; ++next)
         look = changes[next].right;
-      const bool dot = dots && !looks->constant(look) && x % 4 == 0 && y % 4 == 0;
+      const bool dot =
+          dots && !looks->constant(look) && (rect.x + x) % 4 == 0 && (rect.y + y) % 4 == 0;
       put(image, x, y, dot ? Rgb{255, 255, 255} : color_of(look));
     }
   }

@@ -33,7 +33,7 @@ double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g) {
 }
 
 glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p) {
-  const glm::dvec2 aside = (p - eye.center) / eye.radius;
+  const glm::dvec2 aside = (p - eye.center) / lid_radius(eye);
   const double far = glm::dot(aside, aside);
   if (far < 1) return {aside, std::sqrt(1 - far)};
   return {aside / std::sqrt(far), 0};
@@ -71,38 +71,17 @@ double most_bulge(double radius, double cornea) {
   return cornea * radius / (radius - cornea);
 }
 
-glm::dvec3 lifted_lid_point(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
-  const glm::dvec2 aside = p - eye.center;
-  const double far = glm::length(aside);
-  const glm::dvec2 way = far > 0 ? aside / far : glm::dvec2(0);
-  const auto direction = [&](double s) {
-    return glm::dvec3(s * way, std::sqrt(std::max(0.0, 1 - s * s)));
-  };
-  double lo = 0, hi = 1;  // of the part of the direction that is aside: by halves
-  if (lid_distance(eye, direction(1), g) <= far) return {aside, 0};
-  for (int i = 0; i < 60; ++i) {
-    const double s = 0.5 * (lo + hi);
-    (s * lid_distance(eye, direction(s), g) < far ? lo : hi) = s;
+glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
+  if (!has_cornea(eye)) return p;
+  if (eye.law == BulgeLaw::compat) return p - edge_push(eye, p, g);
+  const double far = glm::length(p - eye.center);
+  const auto at = [&](double reach) { return eye.center + reach / far * (p - eye.center); };
+  double lo = 0, hi = far;  // pushed outwards from the centre, so it stands nearer to it
+  for (int i = 0; i < 60 && far > 0; ++i) {
+    const double reach = 0.5 * (lo + hi);
+    (reach + glm::length(edge_push(eye, at(reach), g)) < far ? lo : hi) = reach;
   }
-  const glm::dvec3 d = direction(0.5 * (lo + hi));
-  return lid_distance(eye, d, g) * d;
-}
-
-double lid_clearance(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
-  const glm::dvec3 at = lifted_lid_point(eye, p, g);
-  const double far = glm::length(at);
-  return far - eye_surface(eye, at / far, g);
-}
-
-double eye_surface(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g) {
-  const double R = eye.radius, c = glm::dot(d, g);
-  if (!has_cornea(eye) || eye.bulge < 0) return R;
-  const double rim = 1 - cap(eye) / R;  // cos α
-  if (c <= rim) return R;
-  // The sphere through the rim and the apex: centre k along the axis, radius r.
-  const double apex = R + std::min(eye.bulge, most_bulge(R, cap(eye)));
-  const double k = (apex * apex - R * R) / (2 * (apex - R * rim)), r = apex - k;
-  return k * c + std::sqrt(std::max(0.0, r * r - k * k * (1 - c * c)));
+  return far > 0 ? at(0.5 * (lo + hi)) : p;
 }
 
 }  // namespace mien

@@ -23,7 +23,7 @@
 // cornea stays under the cone that touches the ball along the rim) S is convex in c, so
 // S − R <= e v with v = 1 − u². A lid pushed by e v² on a skin of thickness t clears it if
 // t + e v² >= e v, that is if t >= e/4: then the clearance is at least e (v − ½)² >= 0, everywhere,
-// for every gaze.
+// for every gaze. So an unpushed lid is drawn on the ball of radius R + bulge/4, and pushed from there.
 //
 // Source. The compat law is J. Dunlop's, "Eyelid C++ node"; native law and bound are derived here.
 
@@ -32,6 +32,8 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <algorithm>
 
 namespace mien {
 
@@ -48,12 +50,26 @@ struct EyeBody {
 /// 0 outside the cornea, and if the body is none (R or h not positive).
 MIEN_API double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);
 
-/// The direction in which a ball's lid stands at a point of the picture: on the ball's front, or in
-/// the picture's plane beside it.
+/// The least thickness of a lid that never cuts into the eye: a quarter of the bulge.
+inline double least_lid_thickness(const EyeBody& eye) {
+  return std::max(0.0, eye.bulge) / 4;
+}
+
+/// The ball that an unpushed lid is drawn on: the eye's and the lid's least thickness (native).
+inline double lid_radius(const EyeBody& eye) {
+  return eye.law == BulgeLaw::compat ? eye.radius : eye.radius + least_lid_thickness(eye);
+}
+
+/// The direction in which a lid stands at a point of the picture when nothing pushes it: on the front
+/// of its ball, or in the picture's plane beside it.
 MIEN_API glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p);
 
-/// How the push moves a point of a lid's edge in the picture.
+/// How the push moves, in the picture, a point of a lid's edge that stands at `p`.
 MIEN_API glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+
+/// Where a point of a lid's edge stands that the push moves to `p`: to 2⁻⁶⁰ (native); for the compat
+/// law as if it stood at `p`.
+MIEN_API glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 /// How the push raises the lid at a point of the picture, towards the viewer: the height function
 /// that relief light shades a closed lid by. 0 outside the cornea.
@@ -73,26 +89,5 @@ struct CorneaDome {
   double tilt;  ///< [degrees] of radii.x, along the gaze or across; from +x towards +y, −45 … 45
 };
 MIEN_API CorneaDome cornea_dome(const EyeBody& eye, glm::dvec3 g);
-
-/// Distance from the centre of the surface under the lid, ball and cornea, in direction `d`, for a
-/// cornea that stands `eye.bulge` above the ball, or as much as it can.
-MIEN_API double eye_surface(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);
-
-/// The least thickness of a lid that never cuts into the eye: a quarter of the bulge.
-inline double least_lid_thickness(const EyeBody& eye) {
-  return eye.bulge / 4;
-}
-
-/// Distance of the lid's sheet from the centre, in direction `d` (native law).
-inline double lid_distance(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g) {
-  return eye.radius + least_lid_thickness(eye) + lid_push(eye, d, g);
-}
-
-/// The point of the lid's sheet, relative to the eye's centre, that is drawn at `p` (native law);
-/// beside the ball it is in the picture's plane.
-MIEN_API glm::dvec3 lifted_lid_point(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
-
-/// How far that point is above the surface under it: never negative.
-MIEN_API double lid_clearance(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 }  // namespace mien

@@ -14,6 +14,7 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kBends = OpeningFigure::kLidBends;
+constexpr glm::dvec3 kAhead{0, 0, 1};
 
 /// One eye of one face, being posed.
 class EyeAtWork {
@@ -80,11 +81,11 @@ class EyeAtWork {
       add(eye_.crease, (glm::dot(way, up) > 0 ? eye_.crease_rise : eye_.crease_fall) * way);
   }
 
-  /// The push at each bend of an edge.
-  LidBends pushes(const EyeBody& body, glm::dvec2 inner, glm::dvec2 bend, glm::dvec2 outer,
-                  glm::dvec3 axis) const {
-    LidBends all = lid_bends({inner, bend, outer});
-    for (glm::dvec2& b : all) b = edge_push(body, b, axis);
+  /// What the rest's bends are pushed by as they are drawn, bulge and all.
+  LidBends pushes_at_rest(const EyeBody& body, const LidBends& drawn) const {
+    LidBends all;
+    for (std::size_t i = 0; i < kBends; ++i)
+      all[i] = drawn[i] - standing_place(body, drawn[i], kAhead);
     return all;
   }
 
@@ -95,19 +96,29 @@ class EyeAtWork {
     // The face is drawn with the bulge it has now: what is held or moved there moves no lid by itself.
     EyeBody rest_body = eye_body(model_, eye_, rest_);
     rest_body.bulge = body.bulge;
-    const glm::dvec2 inner = get(now_, eye_.inner), outer = get(now_, eye_.outer);
-    const glm::dvec2 inner0 = get(rest_, eye_.inner), outer0 = get(rest_, eye_.outer);
-    const glm::dvec3 axis = gaze_axis(gaze_, body.radius), ahead{0, 0, 1};
-    const LidBends upper = pushes(body, inner, lids.upper, outer, axis);
-    const LidBends lower = pushes(body, inner, lids.lower, outer, axis);
-    const LidBends upper0 = pushes(rest_body, inner0, at_rest.upper, outer0, ahead);
-    const LidBends lower0 = pushes(rest_body, inner0, at_rest.lower, outer0, ahead);
+    const auto bends = [&](const FaceVector& v, glm::dvec2 bend) {
+      return lid_bends({get(v, eye_.inner), bend, get(v, eye_.outer)});
+    };
+    const LidBends rest[2] = {bends(rest_, at_rest.upper), bends(rest_, at_rest.lower)};
+    const LidBends now[2] = {bends(now_, lids.upper), bends(now_, lids.lower)};
+    const LidBends pushed[2] = {pushes_at_rest(rest_body, rest[0]),
+                                pushes_at_rest(rest_body, rest[1])};
+    const glm::dvec3 axis = gaze_axis(gaze_, body.radius);
     for (std::size_t i = 0; i < kBends; ++i) {
-      const LidPair drawn = blinked({upper0[i], lower0[i]}, value(eye_.blink), share_);
-      shifts_[0][i] = upper[i] - drawn.upper;
-      shifts_[1][i] = lower[i] - drawn.lower;
-      add(eye_.shifts + int(i), shifts_[0][i]);
-      add(eye_.shifts + int(kBends + i), shifts_[1][i]);
+      const auto closed = [&](glm::dvec2 upper, glm::dvec2 lower) {
+        const LidPair both = blinked({upper, lower}, value(eye_.blink), share_);
+        return std::array{both.upper, both.lower};
+      };
+      // A lid stands where it is less the push it was drawn with. That push is asked for again, for
+      // the resting face to keep every bit.
+      const auto again = [&](int lid) {
+        return edge_push(rest_body, rest[lid][i] - pushed[lid][i], kAhead);
+      };
+      const auto drawn = closed(pushed[0][i], pushed[1][i]), less = closed(again(0), again(1));
+      for (std::size_t lid = 0; lid < 2; ++lid) {
+        shifts_[lid][i] = edge_push(body, now[lid][i] - drawn[lid], axis) - less[lid];
+        add(eye_.shifts + int(lid * kBends + i), shifts_[lid][i]);
+      }
     }
   }
 

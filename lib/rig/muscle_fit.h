@@ -4,7 +4,8 @@
 // The pulls in [0, 1] that make Σ |p(pulls) − wanted|² least, p being the equilibrium: by Gauss and
 // Newton's method, each step a linear least squares problem within the bounds
 // (lib/math/bounded_least_squares.h), damped as Levenberg and Marquardt do, from two starts (at rest,
-// and half pulled), the better of which counts. A local minimum: the residual says how good it is. Where
+// and half pulled), the better of which counts. A local minimum, or what 60 steps came to: the residual
+// says how good it is. Where
 // several muscles could do the same, those that need not pull do not.
 
 #include <mien/lib/base/api.h>

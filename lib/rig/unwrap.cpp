@@ -77,6 +77,59 @@ double depth_of(const FaceModel& model, int slice, glm::dvec2 p) {
   return 0;
 }
 
+/// Pieces that travel, in drawing order, and how large they are.
+struct Boxes {
+  std::vector<std::size_t> order;
+  std::unordered_map<std::size_t, Piece> of;
+};
+
+glm::dvec2 point_at(const Face& face, int slice) {
+  const double* at = &face.vector[std::size_t(face.model->layout[slice].begin)];
+  return {at[0], at[1]};
+}
+
+Boxes boxes_of(const Face& rest, const Pieces& pieces) {
+  const FaceModel& model = *rest.model;
+  std::unordered_set<std::size_t> fixed;  // a band has no points to travel with: its piece stays
+  for (std::size_t i = 0; i < model.features.size(); ++i)
+    if (std::holds_alternative<BandFigure>(model.features[i].figure)) fixed.insert(pieces.of(i));
+  Boxes boxes;
+  for (std::size_t i = 0; i < model.features.size(); ++i) {
+    const glm::dvec2 around = radii_of(model.features[i].figure, rest);
+    for_each_slice(model.features[i].figure, [&](std::string_view, int slice) {
+      if (model.layout[slice].kind != SliceKind::point || fixed.contains(pieces.of(i))) return;
+      const auto [at, added] = boxes.of.emplace(pieces.of(i), Piece{});
+      if (added) boxes.order.push_back(pieces.of(i));
+      at->second.lo = glm::min(at->second.lo, point_at(rest, slice) - around);
+      at->second.hi = glm::max(at->second.hi, point_at(rest, slice) + around);
+    });
+  }
+  return boxes;
+}
+
+/// The slices of a feature's gradient and relief: visit(slice, whether it is how high a surface rises).
+template <class Visit>
+void for_each_paint_slice(const FaceModel& model, const Feature& feature, Visit&& visit) {
+  const auto travel = [&](int slice) {
+    if (slice >= 0) visit(slice, false);
+  };
+  if (feature.gradient >= 0) {
+    const auto& along = model.gradients[std::size_t(feature.gradient)].along;
+    if (const auto* linear = std::get_if<LinearPaint>(&along))
+      travel(linear->from), travel(linear->to);
+    else if (const auto* radial = std::get_if<RadialPaint>(&along))
+      travel(radial->center), travel(radial->radii);
+    else if (const auto* distance = std::get_if<DistancePaint>(&along))
+      travel(distance->inside), travel(distance->outside);
+  }
+  if (feature.relief < 0) return;
+  const FaceRelief& relief = model.reliefs[std::size_t(feature.relief)];
+  travel(relief.width);
+  if (relief.height >= 0) visit(relief.height, true);
+  for (const FaceDome& dome : relief.domes)
+    travel(dome.center), travel(dome.radii), visit(dome.height, true);
+}
+
 }  // namespace
 
 double unwrap_progress(UnwrapMode mode, double w, double r) {
@@ -87,59 +140,51 @@ double unwrap_progress(UnwrapMode mode, double w, double r) {
 
 UnwrapChart::UnwrapChart(const Face& rest) {
   const FaceModel& model = *rest.model;
-  const Layout& layout = model.layout;
-  const auto point = [&](int slice) {
-    const double* at = &rest.vector[std::size_t(layout[slice].begin)];
-    return glm::dvec2{at[0], at[1]};
-  };
   const Pieces pieces(model);
-  std::unordered_set<std::size_t> fixed;  // a band has no points to travel with: its piece stays
-  for (std::size_t i = 0; i < model.features.size(); ++i)
-    if (std::holds_alternative<BandFigure>(model.features[i].figure)) fixed.insert(pieces.of(i));
-  std::vector<std::size_t> order;  // of the pieces that have points
-  std::unordered_map<std::size_t, Piece> boxes;
-  for (std::size_t i = 0; i < model.features.size(); ++i) {
-    const glm::dvec2 around = radii_of(model.features[i].figure, rest);
-    for_each_slice(model.features[i].figure, [&](std::string_view, int slice) {
-      if (layout[slice].kind != SliceKind::point || fixed.contains(pieces.of(i))) return;
-      const auto [at, added] = boxes.emplace(pieces.of(i), Piece{});
-      if (added) order.push_back(pieces.of(i));
-      at->second.lo = glm::min(at->second.lo, point(slice) - around);
-      at->second.hi = glm::max(at->second.hi, point(slice) + around);
-    });
-  }
-
+  const Boxes boxes = boxes_of(rest, pieces);
   const Box2& canvas = model.canvas.box;
   const glm::dvec2 size = canvas.hi - canvas.lo;
-  const double count = double(std::max<std::size_t>(order.size(), 1));
+  const double count = double(std::max<std::size_t>(boxes.order.size(), 1));
   const double columns = std::ceil(std::sqrt(count * size.x / size.y));
   const double rows = std::ceil(count / columns);
   const glm::dvec2 cell{size.x / columns, size.y / rows};
 
-  double deepest = kEndless, nearest = -kEndless;
-  std::vector<char> seen(layout.slices().size());
+  std::vector<char> seen(model.layout.slices().size());
   for (std::size_t i = 0; i < model.features.size(); ++i) {
-    const auto found = boxes.find(pieces.of(i));
-    if (found == boxes.end()) continue;
-    const auto place = double(std::find(order.begin(), order.end(), found->first) - order.begin());
+    const auto found = boxes.of.find(pieces.of(i));
+    if (found == boxes.of.end()) continue;
+    const auto place = double(std::find(boxes.order.begin(), boxes.order.end(), found->first) -
+                              boxes.order.begin());
     const Piece& box = found->second;
     const glm::dvec2 wide = glm::max(box.hi - box.lo, glm::dvec2(1e-9));
     const double scale = std::min({1.0, kFilled * cell.x / wide.x, kFilled * cell.y / wide.y});
     const double row = std::floor(place / columns), column = place - row * columns;
     const double down = model.canvas.y_up ? rows - 0.5 - row : row + 0.5;
-    const glm::dvec2 to = canvas.lo + glm::dvec2{(column + 0.5) * cell.x, down * cell.y};
-    const glm::dvec2 middle = 0.5 * (box.lo + box.hi);
-    double piece_depth = 0;
-    for_each_slice(model.features[i].figure, [&](std::string_view, int slice) {
-      const Slice& s = layout[slice];
-      const bool is_point = s.kind == SliceKind::point;
-      if (!is_point && s.kind != SliceKind::length && s.kind != SliceKind::shift) return;
-      if (is_point) piece_depth = depth_of(model, slice, point(slice));
+    Traveller next{.from = 0.5 * (box.lo + box.hi),
+                   .to = canvas.lo + glm::dvec2{(column + 0.5) * cell.x, down * cell.y},
+                   .scale = scale};
+    const auto travel = [&](int slice, bool rise) {
+      const Slice& s = model.layout[slice];
+      next.point = s.kind == SliceKind::point;
+      if (!next.point && s.kind != SliceKind::length && s.kind != SliceKind::shift) return;
       if (seen[std::size_t(slice)]++) return;
-      deepest = std::min(deepest, piece_depth), nearest = std::max(nearest, piece_depth);
-      travellers_.push_back({s.begin, s.size, is_point, middle, to, scale, piece_depth});
+      next.begin = s.begin, next.size = s.size, next.scale = rise ? 0 : scale;
+      travellers_.push_back(next);
+    };
+    for_each_slice(model.features[i].figure, [&](std::string_view, int slice) {
+      if (model.layout[slice].kind == SliceKind::point)
+        next.share = depth_of(model, slice, point_at(rest, slice));
+      travel(slice, false);
     });
+    for_each_paint_slice(model, model.features[i], travel);
   }
+  share_depths();
+}
+
+void UnwrapChart::share_depths() {
+  double deepest = kEndless, nearest = -kEndless;
+  for (const Traveller& t : travellers_)
+    deepest = std::min(deepest, t.share), nearest = std::max(nearest, t.share);
   for (Traveller& t : travellers_)
     t.share = nearest > deepest ? (t.share - deepest) / (nearest - deepest) : 0;
 }

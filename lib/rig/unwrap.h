@@ -12,6 +12,10 @@
 //             face's depth, from the deepest d0 to the nearest d1: the deep features leave first
 //   sine      the sine of 90° times that: they brake
 //
+// What a feature is painted by travels with it: the points and sizes of its gradient and relief. The
+// surface itself flattens, heights going to (1 − v) times theirs: normals, (−slope, 1) made unit, turn
+// to face the viewer, and a chart is lit as a sheet of paper is.
+//
 // For r → 1 the delayed progress is 0 until w = 1, and then 1: the last point arrives too.
 //
 // Source. S. Lee, "Face Rendering in GLSL", where the deepest point never moves; the chart by pieces
@@ -42,12 +46,14 @@ class MIEN_API UnwrapChart {
   void act(UnwrapMode mode, double w, FaceVector& vector) const;
 
  private:
+  void share_depths();
+
   struct Traveller {
-    int begin, size;      ///< numbers in the vector
-    bool point;           ///< else sizes
-    glm::dvec2 from, to;  ///< middles of the piece and of its cell
-    double scale;
-    double share;  ///< of the depth, 0 … 1
+    int begin = 0, size = 0;  ///< numbers in the vector
+    bool point = false;       ///< else sizes
+    glm::dvec2 from{}, to{};  ///< middles of the piece and of its cell
+    double scale = 1;         ///< 0: flattened
+    double share = 0;         ///< of the depth, 0 … 1; while the chart is made, the depth itself
   };
   std::vector<Traveller> travellers_;
 };

@@ -23,8 +23,8 @@ Expected<Done> check_effect(const Effect& effect, int width) {
   return Done{};
 }
 
-EffectChain::EffectChain(const std::vector<Effect>& effects, int width, int height, TakeRows out)
-    : width_(width), out_(std::move(out)) {
+EffectChain::EffectChain(const std::vector<Effect>& effects, int width, int height, NextRow in)
+    : in_(std::move(in)) {
   for (const Effect& effect : effects)
     effects_.push_back(
         std::visit([&](const auto& e) { return row_effect(e, width, height); }, effect));
@@ -32,26 +32,26 @@ EffectChain::EffectChain(const std::vector<Effect>& effects, int width, int heig
 EffectChain::EffectChain(EffectChain&&) noexcept = default;
 EffectChain::~EffectChain() = default;
 
-void EffectChain::push(const float* rows, int count) {
-  const std::function<void(std::size_t, const float*, int)> pass = [&](std::size_t i,
-                                                                       const float* at, int n) {
-    if (i == effects_.size()) return out_(at, n);
-    for (int r = 0; r < n; ++r)
-      effects_[i]->push(at + 4 * std::size_t(width_) * std::size_t(r),
-                        [&](const float* done, int m) { pass(i + 1, done, m); });
-  };
-  pass(0, rows, count);
+bool EffectChain::next(float* row) {
+  return next_of(effects_.size(), row);
+}
+
+bool EffectChain::next_of(std::size_t effects, float* row) {
+  if (effects == 0) return in_(row);
+  return effects_[effects - 1]->next([&](float* below) { return next_of(effects - 1, below); },
+                                     row);
 }
 
 Image with_effects(const Image& image, const std::vector<Effect>& effects) {
   Image out = image;
-  std::byte* to = out.bytes.data();
-  const std::size_t stride = image.stride();
-  EffectChain chain(effects, image.width, image.height, [&](const float* rows, int count) {
-    std::memcpy(to, rows, stride * std::size_t(count));
-    to += stride * std::size_t(count);
+  int read = 0;
+  EffectChain chain(effects, image.width, image.height, [&](float* row) {
+    if (read == image.height) return false;
+    std::memcpy(row, image.row(read++), image.stride());
+    return true;
   });
-  chain.push(reinterpret_cast<const float*>(image.bytes.data()), image.height);
+  for (int y = 0; y < out.height; ++y)
+    chain.next(reinterpret_cast<float*>(out.bytes.data() + out.stride() * std::size_t(y)));
   return out;
 }
 

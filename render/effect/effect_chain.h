@@ -1,11 +1,11 @@
 #pragma once
 // Image to image: mosaic and grid, row by row, so that a picture may be larger than the memory.
 //
-//   EffectChain chain(effects, width, height, [&](const float* rows, int count) { … });
-//   chain.push(rows, count);      // from the top; finished rows come out as soon as they are known
+//   EffectChain chain(effects, width, height, [&](float* row) { … });
+//   while (chain.next(row)) …     // from the top; each asks for as much of the picture as it needs
 //
-// Pixels are RGBA floats, linear light, premultiplied. What comes out depends on the picture alone,
-// never on how it was cut into pieces.
+// Pixels are RGBA floats, linear light, premultiplied. A chain holds a row of tiles or two as sums,
+// never the picture.
 
 #include <mien/lib/base/api.h>
 #include <mien/lib/base/expected.h>
@@ -22,25 +22,26 @@ namespace mien {
 /// wider than cells.
 MIEN_API Expected<Done> check_effect(const Effect& effect, int width);
 
-/// Takes finished rows, in order from the top.
-using TakeRows = std::function<void(const float* rows, int count)>;
+/// Gives the next row, in order from the top; false: there is none, or it could not be made.
+using NextRow = std::function<bool(float* row)>;
 
 class RowEffect;  // effect_chain.cpp
 
 class MIEN_API EffectChain {
  public:
-  /// Effects act in order; each must have passed check_effect.
-  EffectChain(const std::vector<Effect>& effects, int width, int height, TakeRows out);
+  /// Effects act in order on the picture that `in` gives; each must have passed check_effect.
+  EffectChain(const std::vector<Effect>& effects, int width, int height, NextRow in);
   EffectChain(EffectChain&&) noexcept;
   ~EffectChain();
 
-  /// The next `count` rows. After the picture's last row all has come out.
-  void push(const float* rows, int count);
+  /// The next row with all effects; false where the picture ended before it was known.
+  bool next(float* row);
 
  private:
+  bool next_of(std::size_t effects, float* row);
+
   std::vector<std::unique_ptr<RowEffect>> effects_;
-  int width_;
-  TakeRows out_;
+  NextRow in_;
 };
 
 /// A whole picture of linear floats (Depth::f32) with effects.

@@ -11,21 +11,20 @@ class Grid final : public RowEffect {
  public:
   Grid(const GridEffect& effect, int width) : effect_(effect), cell_(double(width) / effect.cells) {
     for (int x = 0; x < width; ++x) across_.push_back(covered(x));
-    row_.resize(4 * std::size_t(width));
   }
 
-  void push(const float* row, const TakeRows& out) override {
+  bool next(const NextRow& in, float* row) override {
+    if (!in(row)) return false;
     const double down = covered(y_++);
     const Color& c = effect_.color;
     const double line[4] = {c.r * c.a, c.g * c.a, c.b * c.a, c.a};
     for (std::size_t x = 0; x < across_.size(); ++x) {
       const double share = across_[x] + down - across_[x] * down;
       for (std::size_t i = 0; i < 4; ++i)
-        row_[4 * x + i] = share == 0
-                              ? row[4 * x + i]
-                              : float(share * line[i] + (1 - share * c.a) * double(row[4 * x + i]));
+        if (share != 0)
+          row[4 * x + i] = float(share * line[i] + (1 - share * c.a) * double(row[4 * x + i]));
     }
-    out(row_.data(), 1);
+    return true;
   }
 
  private:
@@ -44,7 +43,6 @@ class Grid final : public RowEffect {
   const double cell_;  // [px]
   int y_ = 0;
   std::vector<double> across_;
-  std::vector<float> row_;
 };
 
 }  // namespace

@@ -26,9 +26,20 @@ class Mosaic final : public RowEffect {
         width_(width),
         height_(height),
         side_(double(width) / effect.tiles),
-        out_(4 * std::size_t(width)) {}
+        row_(4 * std::size_t(width)),
+        mixed_(4 * std::size_t(width)) {}
 
-  void push(const float* row, const TakeRows& out) override {
+  bool next(const NextRow& in, float* row) override {
+    while (!ready(written_)) {
+      if (!in(row_.data())) return false;
+      read(row_.data());
+    }
+    write(row);
+    return true;
+  }
+
+ private:
+  void read(const float* row) {
     const double top = read_, bottom = ++read_;
     const int last = tile_at(bottom, true);
     while (first_ + int(sums_.size()) <= last)
@@ -37,10 +48,8 @@ class Mosaic final : public RowEffect {
       const double share = std::min(bottom, end_of(j)) - std::max(top, j * side_);
       if (share > 0) add(row, j, share);
     }
-    while (written_ < height_ && ready(written_)) write(out);
   }
 
- private:
   /// The tile that a place is in; `end`: that a stretch ending there is in.
   int tile_at(double place, bool end) const {
     int tile = int(place / side_);
@@ -77,10 +86,10 @@ class Mosaic final : public RowEffect {
   /// Whether all tiles under a row of pixels are known.
   bool ready(int y) const { return end_of(tile_at(y + 1.0, true)) <= read_; }
 
-  void write(const TakeRows& out) {
+  void write(float* row) {
     const double top = written_, bottom = ++written_;
     const int first = tile_at(top, false), last = tile_at(bottom, true);
-    std::vector<double> sums(4 * std::size_t(width_), 0.0);
+    std::fill(mixed_.begin(), mixed_.end(), 0.0);
     for (int j = first; j <= last; ++j) {
       const double v0 = std::max(top - j * side_, 0.0), v1 = std::min(bottom - j * side_, side_);
       if (v1 <= v0) continue;
@@ -89,12 +98,11 @@ class Mosaic final : public RowEffect {
       for (int x = 0; x < width_; ++x)
         for (;; ++i) {
           const double u0 = std::max(x - i * side_, 0.0), u1 = std::min(x + 1 - i * side_, side_);
-          if (u1 > u0) put(&sums[4 * std::size_t(x)], colors[std::size_t(i)], u0, u1, v0, v1);
+          if (u1 > u0) put(&mixed_[4 * std::size_t(x)], colors[std::size_t(i)], u0, u1, v0, v1);
           if (i + 1 == effect_.tiles || (i + 1) * side_ >= x + 1) break;
         }
     }
-    std::copy(sums.begin(), sums.end(), out_.begin());
-    out(out_.data(), 1);
+    std::copy(mixed_.begin(), mixed_.end(), row);
     while (first_ < tile_at(written_, false) && !sums_.empty()) sums_.pop_front(), ++first_;
   }
 
@@ -112,7 +120,8 @@ class Mosaic final : public RowEffect {
   int read_ = 0, written_ = 0;         // rows
   int first_ = 0;                      // the tile row that sums_ begins with
   std::deque<std::vector<Sum>> sums_;  // tile rows not yet written out
-  std::vector<float> out_;
+  std::vector<float> row_;             // read last
+  std::vector<double> mixed_;          // the row being written
 };
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace mien {
 class RowEffect {
  public:
   virtual ~RowEffect() = default;
-  virtual void push(const float* row, const TakeRows& out) = 0;
+  /// The next row of what `in` gives, with the effect.
+  virtual bool next(const NextRow& in, float* row) = 0;
 };
 
 std::unique_ptr<RowEffect> row_effect(const MosaicEffect& mosaic, int width, int height);

@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 namespace {
 
 Error unexpected(const fs::path& path, const std::exception& failure) {
+  const bool memory = dynamic_cast<const std::bad_alloc*>(&failure);
   return {path == "-" ? "standard output" : path.string(),
-          std::string("cannot be written: ") + failure.what()};
+          memory ? "memory ran out" : std::string("cannot be written: ") + failure.what()};
 }
 
 PixelBuffer cut(const Image& image, const PixelRect& piece) {

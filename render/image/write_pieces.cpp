@@ -1,3 +1,4 @@
+#include <mien/lib/base/monotonic_seconds.h>
 #include <mien/render/image/file_type.h>
 #include <mien/render/image/in_order.h>
 #include <mien/render/image/system_error.h>
@@ -9,7 +10,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <vector>
 
 namespace mien {
@@ -19,10 +19,6 @@ namespace {
 
 /// Pieces beside those being made: one waits to be put, one is being put.
 constexpr int kSpareSlots = 2;
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 class Writing {
  public:
@@ -51,16 +47,16 @@ class Writing {
   bool make(int i, int slot) {
     const PixelBuffer pixels = what_.pixels(encoder_.piece(i), slot, watch_);
     if (!pixels.data || watch_.stopped()) return false;
-    const double began = now();
+    const double began = monotonic_seconds();
     encoder_.prepare(i, slot, pixels, prepared_[std::size_t(slot)], [&] { return watch_.ask(); });
-    took_[std::size_t(slot)] = now() - began;
+    took_[std::size_t(slot)] = monotonic_seconds() - began;
     return !watch_.ask();
   }
 
   bool put(int i, int slot, int pieces) {
-    const double began = now();
+    const double began = monotonic_seconds();
     put_ = encoder_.put(i, prepared_[std::size_t(slot)]);
-    times_.put += now() - began;
+    times_.put += monotonic_seconds() - began;
     times_.encode += took_[std::size_t(slot)];
     // The last step is the file's, when all is on the disk.
     if (!put_ || watch_.done(double(i + 1) / (pieces + 1))) watch_.stop();

@@ -45,7 +45,7 @@ struct TruthError {
 /// many (all rows).
 TruthError compare_with_truth(const Image& image, const TruthScene& scene, int grid, int every = 1);
 
-/// The published eyes at a pose: the truth for faces/seed0 (seeds: E1 – E7, E10).
+/// The published eyes at a pose: the truth for faces/seed0 (items E1 – E7, E10 of docs/sources.md).
 TruthScene eyes_truth(int width, int height, glm::dvec2 gaze, double dilation, double blink);
 
 /// The muscle face at rest: the truth for faces/male (M1 – M3).

@@ -15,7 +15,8 @@ except ImportError:
     sys.exit(77)
 
 MIEN = sys.argv[1]
-FOLDER = pathlib.Path(tempfile.mkdtemp(prefix="mien-test-"))
+OWN = tempfile.TemporaryDirectory(prefix="mien-test-")  # gone with the test
+FOLDER = pathlib.Path(OWN.name)
 
 
 def mien(*words, fails=False):

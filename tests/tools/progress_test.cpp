@@ -17,23 +17,37 @@ namespace {
 using test::face_path;
 using test::ScratchFolder;
 
-TEST(Progress, JsonIsALineEach) {
+/// Phases in the order in which they ended, each of which rose from nothing to one.
+std::vector<std::string> phases_of(const std::vector<std::string>& more) {
   const ScratchFolder folder;
-  const test::Ran ran =
-      test::run_mien({"render", face_path("toon"), "-o", (folder / "a.png").string(), "--size",
-                      "300", "--progress=json"});
+  std::vector<std::string> words{
+      "render", face_path("toon"), "-o", (folder / "a.png").string(), "--size",
+      "300",    "--progress=json"};
+  words.insert(words.end(), more.begin(), more.end());
+  if (more == std::vector<std::string>{"--error-map"}) words.push_back((folder / "e.png").string());
+  const test::Ran ran = test::run_mien(words);
   EXPECT_EQ(ran.code, 0);
   std::istringstream lines(ran.err);
+  std::vector<std::string> phases;
   double done = -1;
   for (std::string line; std::getline(lines, line);) {
     const auto json = nlohmann::json::parse(line);
-    EXPECT_EQ(json["phase"], "render");
     EXPECT_GE(json["done"].get<double>(), done) << "progress never falls";
     done = json["done"];
     EXPECT_GE(json["elapsed"].get<double>(), 0);
     EXPECT_TRUE(json["left"].is_number() || json["left"].is_null());
+    if (done == 1) phases.push_back(json["phase"]), done = -1;
   }
-  EXPECT_EQ(done, 1);
+  EXPECT_EQ(done, -1) << "a phase did not end";
+  return phases;
+}
+
+TEST(Progress, JsonIsALineEach) {
+  const std::vector<std::string> render{"render"};
+  EXPECT_EQ(phases_of({}), render);
+  EXPECT_EQ(phases_of({"--effect", "mosaic:1"}), render);
+  EXPECT_EQ(phases_of({"--debug", "distance"}), render);
+  EXPECT_EQ(phases_of({"--error-map"}), (std::vector<std::string>{"render", "error map"}));
 }
 
 /// A bare root has no /dev/pts to make terminals in.

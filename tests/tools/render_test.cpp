@@ -2,6 +2,8 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <mien/lib/face/face_model.h>
+#include <mien/lib/file/face_file.h>
 
 #include <nlohmann/json.hpp>
 
@@ -59,7 +61,11 @@ TEST(Render, EverySampleFaceInItsOwnAspect) {
     if (!name.ends_with(".face.json")) continue;
     const Picture picture =
         render(folder, name + ".png", name.substr(0, name.find('.')), {"--size", "120"});
+    const auto face = read_face(entry.path());
+    ASSERT_TRUE(face) << name;
+    const glm::dvec2 box = face->model->canvas.box.size(), sides{picture.width, picture.height};
     EXPECT_EQ(std::max(picture.width, picture.height), 120) << name;
+    EXPECT_NEAR(sides.x / sides.y, box.x / box.y, 1.0 / 60) << name;
     EXPECT_NE(std::count(picture.levels.begin(), picture.levels.end(), picture.levels[0]),
               long(picture.levels.size()))
         << name << " is one colour";

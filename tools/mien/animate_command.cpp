@@ -3,6 +3,7 @@
 // Frames are drawn side by side, one thread each, and depend on their own moment alone: any number
 // of threads gives the same. Numbered pictures that an earlier run finished are kept.
 
+#include <mien/lib/base/monotonic_seconds.h>
 #include <mien/lib/base/parallel.h>
 #include <mien/render/image/file_type.h>
 #include <mien/render/image/write_pieces.h>
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <thread>
 
@@ -30,10 +30,6 @@ namespace mien::command {
 namespace {
 
 constexpr std::uint64_t kMostWaiting = std::uint64_t(512) << 20;  // bytes of frames at once
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// All that a frame needs, shared by all.
 struct Animation {
@@ -52,7 +48,7 @@ struct Animation {
     at.time = time_of(frame);
     return scene_from_face(pose_face(face, at));
   }
-  Image picture_of(const Scene& scene) const {
+  Expected<Image> picture_of(const Scene& scene) const {
     const RenderOptions how{.depth = plan.picture.depth.value_or(Depth::u8), .threads = {1, {}}};
     return drawn_picture(scene, plan.view, how, effects);
   }
@@ -93,7 +89,11 @@ int as_pictures(const Animation& animation, const FrameNames& names, bool again,
     write.recipe = frame_recipe(animation, frame, scene);
     const bool finished = !again && is_finished_frame(path, write.recipe);
     Expected<Done> written = Done{};
-    if (!finished) written = write_image_by(load_encoder, animation.picture_of(scene), path, write);
+    if (!finished) {
+      const auto picture = animation.picture_of(scene);
+      written = picture ? write_image_by(load_encoder, *picture, path, write)
+                        : Error{path, picture.error().what};
+    }
     const std::lock_guard lock(mutex);
     if (!written && !wrong) wrong = written.error();
     if (!written) stop = true;
@@ -107,7 +107,7 @@ int as_pictures(const Animation& animation, const FrameNames& names, bool again,
 
 int as_film(const Animation& animation, FilmType type, ProgressDisplay& display) {
   const auto& output = animation.arguments.output;
-  const double began = now();
+  const double began = monotonic_seconds();
   const PixelRect drawn = drawn_rect(animation.plan.view);
   const bool transparent = animation.plan.view.background
                                ? animation.plan.view.background->a < 1
@@ -123,22 +123,24 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
   const std::uint64_t bytes = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4;
   const long together = std::clamp<long>(long(kMostWaiting / bytes), 1, 2L * animation.threads);
   double drawing = 0;
-  std::vector<Image> pictures;
+  std::vector<Expected<Image>> pictures;
   for (long first = animation.range.first; first <= animation.range.last; first += together) {
-    pictures.resize(std::size_t(std::min(together, animation.range.last - first + 1)));
-    const double start = now();
+    pictures.assign(std::size_t(std::min(together, animation.range.last - first + 1)), Image{});
+    const double start = monotonic_seconds();
     parallel_for(int(pictures.size()), {.count = animation.threads}, [&](int i) {
       pictures[std::size_t(i)] = animation.picture_of(animation.scene_of(first + i));
     });
-    drawing += now() - start;
-    for (const Image& picture : pictures)
-      if (const auto added = film->add(picture); !added) return complain(added.error(), kFailed);
+    drawing += monotonic_seconds() - start;
+    for (const auto& picture : pictures) {
+      if (!picture) return complain({output, picture.error().what}, kFailed);
+      if (const auto added = film->add(*picture); !added) return complain(added.error(), kFailed);
+    }
     const long done = first + long(pictures.size()) - animation.range.first;
     if (!progress(double(done) / double(animation.range.count())))
       return complain("interrupted", kFailed);
   }
   if (const auto finished = film->finish(); !finished) return complain(finished.error(), kFailed);
-  const double whole = now() - began;
+  const double whole = monotonic_seconds() - began;
   return print(fmt::format("{} frames in {:.1f} s, {:.0f} % of it drawing\n",
                            animation.range.count(), whole, 100 * drawing / whole));
 }

@@ -10,6 +10,7 @@ inline constexpr std::string_view kBlends = "linear|srgb";
 inline constexpr std::string_view kDebugs =
     "outlines|regions|fragments|looks|distance|normals|morph|muscles|points";
 inline constexpr std::string_view kFaceDebugs = "muscles|points";  ///< those that are scenes
+inline constexpr std::string_view kMorphDebug = "morph";           ///< so is this, of two faces
 inline bool is_face_debug(std::string_view word) {
   return word == "muscles" || word == "points";
 }

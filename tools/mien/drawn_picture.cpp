@@ -1,24 +1,13 @@
 #include <mien/lib/face/face_model.h>
 #include <mien/render/effect/effect_chain.h>
 #include <mien/tools/mien/drawn_picture.h>
+#include <mien/tools/mien/effected_rows.h>
 
-#include <cstring>
+#include <fmt/format.h>
+
+#include <new>
 
 namespace mien::command {
-namespace {
-
-Image cut_out(const Image& image, const PixelRect& part) {
-  Image out{
-      .width = part.width, .height = part.height, .depth = image.depth, .opaque = image.opaque};
-  out.bytes.resize(out.stride() * std::size_t(out.height));
-  const std::size_t skip = 4 * bytes_per_channel(image.depth) * std::size_t(part.x);
-  for (int y = 0; y < part.height; ++y)
-    std::memcpy(out.bytes.data() + out.stride() * std::size_t(y), image.row(part.y + y) + skip,
-                out.stride());
-  return out;
-}
-
-}  // namespace
 
 Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, const Face& face,
                                            int width) {
@@ -39,15 +28,19 @@ Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, con
   return effects;
 }
 
-Image drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
-                    const std::vector<Effect>& effects, RenderStats* stats) {
-  if (effects.empty()) return render(scene, view, how, stats);
-  View whole = view;
-  whole.region.reset();
-  RenderOptions light = how;
-  light.depth = Depth::f32;
-  const Image image = with_effects(render(scene, whole, light, stats), effects);
-  return at_depth(view.region ? cut_out(image, drawn_rect(view)) : image, how.depth);
+Expected<Image> drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
+                              const std::vector<Effect>& effects) {
+  const PixelRect rect = drawn_rect(view);
+  try {
+    constexpr int kStrip = 16;  // rows
+    Image image = effects.empty()
+                      ? render(scene, view, how)
+                      : EffectedRows(scene, view, how, effects, kStrip).next(rect.height, {});
+    if (image.height > 0) return image;
+  } catch (const std::bad_alloc&) {
+  }
+  return Error{
+      "", fmt::format("memory ran out: the picture has {} x {} pixels", rect.width, rect.height)};
 }
 
 }  // namespace mien::command

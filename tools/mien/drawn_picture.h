@@ -16,8 +16,9 @@ namespace mien::command {
 Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, const Face& face,
                                            int width);
 
-/// Draws; effects see the whole picture even where only a region of it is kept.
-Image drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
-                    const std::vector<Effect>& effects, RenderStats* stats = nullptr);
+/// Draws; effects see the whole picture even where only a region of it is kept. An error's `where`
+/// is left empty.
+Expected<Image> drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
+                              const std::vector<Effect>& effects);
 
 }  // namespace mien::command

@@ -10,18 +10,21 @@
 #include <mien/tools/mien/choices.h>
 #include <mien/tools/mien/commands.h>
 #include <mien/tools/mien/drawn_picture.h>
+#include <mien/tools/mien/effected_rows.h>
 #include <mien/tools/mien/image_loader.h>
 #include <mien/tools/mien/interrupt.h>
 #include <mien/tools/mien/posed_face.h>
 #include <mien/tools/mien/recipe.h>
 #include <mien/tools/mien/render_plan.h>
 #include <mien/tools/mien/values.h>
+#include <mien/tools/mien/write_strips.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace mien::command {
 namespace {
@@ -62,18 +65,62 @@ Expected<Done> check_output(const std::string& output, const WriteOptions& write
   return check_target(output, write);
 }
 
-/// Effects look at the whole picture: it is drawn in memory.
-Expected<PictureStats> write_with_effects(const std::string& output, RenderPlan& plan,
+/// Rows of a strip that is to have so many pixels, and whole strips of the renderer's.
+int rows_of(int pixels, int width) {
+  return std::max(pixels / width / 16, 1) * 16;
+}
+
+PictureFrame frame_of(const RenderPlan& plan, Depth depth, bool opaque) {
+  const PixelRect rect = drawn_rect(plan.view);
+  return {rect.width, rect.height, depth, opaque};
+}
+
+/// The part of the view that is a strip of what it shows.
+View strip_of(const View& view, int y, int rows) {
+  const PixelRect rect = drawn_rect(view);
+  View strip = view;
+  strip.region = PixelRect{rect.x, rect.y + y, rect.width, rows};
+  return strip;
+}
+
+Expected<PictureStats> write_with_effects(const std::string& output, const RenderPlan& plan,
                                           const Scene& scene, const std::vector<Effect>& effects) {
-  PictureStats stats;
+  constexpr int kPixels = 1 << 22;
   const RenderOptions how{.depth = plan.picture.depth.value_or(Depth::u8),
-                          .threads = plan.picture.write.threads,
-                          .progress = plan.picture.write.progress};
-  const Image image = drawn_picture(scene, plan.view, how, effects, &stats.render);
-  if (stats.render.cancelled) return Error{output, "cancelled"};
-  const auto done = write_image_by(load_encoder, image, output, plan.picture.write);
-  if (!done) return done.error();
+                          .threads = plan.picture.write.threads};
+  const bool opaque = plan.view.background.value_or(scene.background()).a >= 1.0;
+  std::optional<EffectedRows> rows;
+  auto stats = write_strips(
+      {frame_of(plan, how.depth, opaque), EffectedRows::row_bytes(plan.view, how.depth),
+       rows_of(kPixels, plan.view.width),
+       [&](int, int count, const Progress& progress) {
+         if (!rows) rows.emplace(scene, plan.view, how, effects, count);
+         return rows->next(count, progress);
+       }},
+      output, plan.picture);
+  if (stats) stats->render = rows->stats();
   return stats;
+}
+
+/// Instead of the face's own picture. A strip cannot be stopped half-way: where each pixel asks for
+/// distances it is a few rows.
+Expected<PictureStats> write_debug(const std::string& output, const RenderPlan& plan,
+                                   const Scene& scene) {
+  const bool slow = *plan.debug == DebugPicture::distance || *plan.debug == DebugPicture::normals;
+  const std::uint64_t pixel = 2 * 4;  // as it is made and as it waits
+  return write_strips(
+      {frame_of(plan, Depth::u8, true), pixel * std::uint64_t(drawn_rect(plan.view).width),
+       slow ? 4 : rows_of(1 << 20, drawn_rect(plan.view).width),
+       [&](int y, int rows, const Progress&) {
+         return debug_picture(scene, strip_of(plan.view, y, rows), *plan.debug,
+                              plan.picture.write.threads);
+       }},
+      output, plan.picture);
+}
+
+/// A cancelled picture's error, or another.
+int complain_of(const Error& error) {
+  return interrupted() ? complain("interrupted", kFailed) : complain(error, kFailed);
 }
 
 int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene,
@@ -84,42 +131,80 @@ int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Sce
     plan.picture.write.recipe = recipe(arguments, plan.view);
     plan.picture.write.progress = display.watch("render");
     const double began = monotonic_seconds();
-    done = effects.empty()
-               ? write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture)
-               : write_with_effects(arguments.output, plan, scene, effects);
+    if (plan.debug)
+      done = write_debug(arguments.output, plan, scene);
+    else if (!effects.empty())
+      done = write_with_effects(arguments.output, plan, scene, effects);
+    else
+      done = write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture);
     times.picture = monotonic_seconds() - began;
   }
-  if (interrupted() && !done) return complain("interrupted", kFailed);
-  if (!done) return complain(done.error(), kFailed);
+  if (!done) return complain_of(done.error());
   return plan.stats ? print_stats(stats_text(*done, drawn_rect(plan.view), times), arguments.output)
                     : kDone;
 }
 
-/// A debug picture, instead of the face's own.
-int write_debug(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene) {
-  WriteOptions write = plan.picture.write;
-  write.recipe = recipe(arguments, plan.view);
-  const Image image = debug_picture(scene, plan.view, *plan.debug, write.threads);
-  const auto done = write_image_by(load_encoder, image, arguments.output, write);
-  return done ? kDone : complain(done.error(), kFailed);
-}
+/// Bounds of the picture's errors as grey, in strips. White is the largest of them: the first strip
+/// waits until all have been looked through, and they are found twice unless there is but one.
+class ErrorStrips {
+ public:
+  ErrorStrips(const RenderPlan& plan, const Scene& scene)
+      : plan_(plan), scene_(scene), height_(drawn_rect(plan.view).height) {}
 
-/// The certified bounds as grey, and the largest of them in words.
-int write_error_map(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene) {
-  const ErrorMap map = error_map(scene, plan.view, plan.picture.depth.value_or(Depth::u8),
-                                 plan.picture.write.threads);
-  plan.error_map_write.recipe = recipe(arguments, plan.view);
-  const auto done =
-      write_image_by(load_encoder, map.image(), *plan.error_map, plan.error_map_write);
-  if (!done) return complain(done.error(), kFailed);
-  return print_stats(
-      fmt::format(
-          "no channel is off by more than {:.3f} of 255, rounding left out{}\n", map.worst,
-          map.unproven ? "; light and gradients along a distance are estimated, not proven" : ""),
-      *plan.error_map == "-" ? *plan.error_map : arguments.output);
-}
+  Image at(int y, int rows, const Progress& progress) {
+    for (int from = 0; y == 0 && from < height_; from += rows) {
+      find(from, std::min(rows, height_ - from));
+      worst_ = std::max(worst_, map_.worst);
+      if (!progress(0)) return {};
+    }
+    find(y, rows);
+    map_.worst = worst_;
+    return map_.image();
+  }
 
-constexpr std::string_view kMorphDebug = "morph";  // of kDebugs: a scene of its own
+  /// When all were looked through.
+  std::string verdict() const {
+    return fmt::format(
+        "no channel is off by more than {:.3f} of 255, rounding left out{}\n", worst_,
+        map_.unproven ? "; light and gradients along a distance are estimated, not proven" : "");
+  }
+
+ private:
+  void find(int y, int rows) {
+    if (y == y_ && rows == map_.height) return;
+    map_ = error_map(scene_, strip_of(plan_.view, y, rows), plan_.picture.depth.value_or(Depth::u8),
+                     plan_.picture.write.threads);
+    y_ = y;
+  }
+
+  const RenderPlan& plan_;
+  const Scene& scene_;
+  const int height_;
+  int y_ = -1;
+  ErrorMap map_;
+  float worst_ = 0;
+};
+
+int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene) {
+  constexpr int kPixels = 1 << 22;
+  const auto width = drawn_rect(plan.view).width;
+  // Pixels on the way, their bounds, and these as grey, twice: made and waiting.
+  const std::size_t pixel = 4 * bytes_per_channel(plan.picture.depth.value_or(Depth::u8)) + 3 * 4;
+  ErrorStrips strips(plan, scene);
+  Expected<PictureStats> done = PictureStats{};
+  {
+    ProgressDisplay display(plan.progress);
+    PictureOptions how{.write = plan.error_map_write, .memory = plan.picture.memory};
+    how.write.recipe = recipe(arguments, plan.view);
+    how.write.progress = display.watch("error map");
+    done = write_strips(
+        {frame_of(plan, Depth::u8, true), pixel * std::uint64_t(width), rows_of(kPixels, width),
+         [&](int y, int rows, const Progress& progress) { return strips.at(y, rows, progress); }},
+        *plan.error_map, how);
+  }
+  if (!done) return complain_of(done.error());
+  return print_stats(strips.verdict(), *plan.error_map == "-" ? *plan.error_map : arguments.output);
+}
 
 /// The face, or how far its points have gone.
 Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
@@ -167,9 +252,7 @@ int render_command(const RenderArguments& arguments) {
   const auto effects = read_effects(arguments, *posed.face, plan->view.width);
   if (!effects) return complain(effects.error(), kUsedWrongly);
   watch_interrupts();
-  int code = plan->debug && arguments.debug != kMorphDebug
-                 ? write_debug(arguments, *plan, scene)
-                 : draw_and_write(arguments, *plan, scene, *effects, times);
+  int code = draw_and_write(arguments, *plan, scene, *effects, times);
   if (code == kDone && plan->error_map) code = write_error_map(arguments, *plan, scene);
   if (code != kDone && interrupted()) die_of_interrupt();
   return code;

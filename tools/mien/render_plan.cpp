@@ -100,10 +100,13 @@ Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
   if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
     return done.error();
   plan.view.dither = !undithered;
-  if (arguments.debug && !is_face_debug(*arguments.debug)) {
+  if (arguments.debug && !is_face_debug(*arguments.debug) && *arguments.debug != kMorphDebug) {
     DebugPicture debug{};
     if (auto done = plan_choice(debug, "--debug", arguments.debug, kDebugs); !done)
       return done.error();
+    if (!arguments.effects.empty() || plan.stats)
+      return Error{arguments.effects.empty() ? "--stats" : "--effect",
+                   "is of the face's own picture, not of --debug " + *arguments.debug};
     plan.debug = debug;
   }
   if (arguments.error_map) {

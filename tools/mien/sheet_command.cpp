@@ -82,7 +82,9 @@ CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Siz
       return {{}, complain(done.error(), kUsedWrongly)};
     const auto effects = read_effects(how, *posed.face, plan->view.width);
     if (!effects) return {{}, complain(effects.error(), kUsedWrongly)};
-    cells.push_back({picture->name, drawn_picture(scene, plan->view, {}, *effects)});
+    auto drawn = drawn_picture(scene, plan->view, {}, *effects);
+    if (!drawn) return {{}, complain({"--picture " + text, drawn.error().what}, kFailed)};
+    cells.push_back({picture->name, *std::move(drawn)});
     const Image &first = cells[0].image, &last = cells.back().image;
     if (last.width != first.width || last.height != first.height)
       return {{},

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -26,13 +25,7 @@ namespace {
 using test::face_with;
 using test::said;
 
-/// Of this process's own time: other work on the machine does not count.
-double seconds_since(std::clock_t start) {
-  return double(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
 TEST(JsonTree, RefusesAMillionPointsAndDeepNestingAtOnce) {
-  const std::clock_t start = std::clock();
   std::string points = "[0, 0]";
   for (int i = 1; i < 1'000'000; ++i) points += ",[0,0]";
   EXPECT_NE(said(face_with(R"({"name": "a", "kind": "polyline", "half_width": 1, "points": [)" +
@@ -44,12 +37,10 @@ TEST(JsonTree, RefusesAMillionPointsAndDeepNestingAtOnce) {
   std::string objects;
   for (int i = 0; i < 10'000; ++i) objects += "{\"a\":";
   EXPECT_NE(said(objects).find("(limit: nesting)"), std::string::npos);
-  EXPECT_LT(seconds_since(start), 60);
 }
 
-/// What grows with the square of the text would show here.
+/// What grows with the square of the text would run into the suite's time limit here.
 TEST(JsonTree, StaysFastOnHostileText) {
-  const std::clock_t start = std::clock();
   std::string keys = "{\"format\": \"mien-face\"";
   for (int i = 0; i < test::times(200'000); ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
   std::vector<Error> warnings;
@@ -73,7 +64,6 @@ TEST(JsonTree, StaysFastOnHostileText) {
   EXPECT_EQ(said(face_with(
                 "", ", \"controls\": [" + controls + "], \"clips\": {\"idle\": {" + tracks + "}}")),
             "a face");
-  EXPECT_LT(seconds_since(start), 60);
 }
 
 /// What every text must give: a face whose numbers can all be posed, or one line about it.
@@ -112,21 +102,17 @@ std::vector<std::string> damaged_faces() {
 class Damage {
  public:
   void read(const std::string& text) {
-    const std::clock_t start = std::clock();
     expect_face_or_sentence(text, faces_);
-    slowest_ = std::max(slowest_, seconds_since(start));
     ++texts_;
   }
   void report(const std::string& name, const char* what) const {
-    EXPECT_LT(slowest_, 10) << name;
     if (std::getenv("MIEN_EVERY_BYTE"))
-      fmt::print("{}: {} {}, {} still faces, the others one line each; slowest {:.3f} s\n", name,
-                 texts_, what, faces_, slowest_);
+      fmt::print("{}: {} {}, {} still faces, the others one line each\n", name, texts_, what,
+                 faces_);
   }
 
  private:
   long texts_ = 0, faces_ = 0;
-  double slowest_ = 0;
 };
 
 TEST(JsonTree, SurvivesEveryTruncation) {

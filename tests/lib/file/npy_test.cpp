@@ -1,4 +1,4 @@
-// Item P1: NumPy's files in and out. Against NumPy itself: npy_numpy_test.py.
+// Item P1: NumPy's files in and out. Against NumPy itself: tests/tools/pca_numpy_test.py.
 
 #include <gtest/gtest.h>
 

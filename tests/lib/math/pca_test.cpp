@@ -1,5 +1,5 @@
 // Items P2 to P4 and P8: bases of any size, of matrices long either way, checked by what they must
-// be; against NumPy in tests/lib/file/npy_numpy_test.py.
+// be; against NumPy in tests/tools/pca_numpy_test.py.
 
 #include <gtest/gtest.h>
 

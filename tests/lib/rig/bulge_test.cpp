@@ -8,8 +8,12 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/eye_surface.h"
+
 namespace mien {
 namespace {
+
+using test::eye_surface;
 
 constexpr EyeBody kEye{.center = {0.2, 0.1}, .radius = 0.2, .cornea = 0.04, .bulge = 0.02};
 constexpr glm::dvec3 kAhead{0, 0, 1};
@@ -155,7 +159,8 @@ TEST(Bulge, TheLidNeverCutsIntoTheEye_C3) {
       double least = 9, thinner = 9;
       for (double theta = 0; theta < 3.14; theta += 0.0005) {
         const glm::dvec3 d = tilted(theta, 1);
-        const double surface = eye_surface(eye, d, kAhead), lid = lid_distance(eye, d, kAhead);
+        const double surface = eye_surface(eye, d, kAhead),
+                     lid = lid_radius(eye) + lid_push(eye, d, kAhead);
         const double v = std::max(0.0, 1 - (1 - std::cos(theta)) * eye.radius / height);
         EXPECT_GE(lid - surface, bulge * (v - 0.5) * (v - 0.5) * (v > 0) - 1e-15) << theta;
         least = std::min(least, lid - surface);
@@ -180,6 +185,22 @@ TEST(Bulge, TheEyesSurfaceIsABallWithACapThatMeetsIt_C3) {
   const double k = (glm::dot(top, top) - glm::dot(side, side)) / (2 * (top.z - side.z));
   for (double theta = 0; theta < alpha; theta += 0.05)
     EXPECT_NEAR(glm::length(at(theta) - glm::dvec3(0, 0, k)), top.z - k, 1e-14);
+}
+
+/// What stands there is pushed to where it was drawn.
+TEST(Bulge, FindsWhereAPushedLidStands_C3) {
+  for (const glm::dvec2 gaze : {glm::dvec2{0, 0}, {0.06, 0}, {-0.08, 0.04}}) {
+    const glm::dvec3 g = gaze_axis(gaze, kEye.radius);
+    int pushed = 0;
+    for (double x = -0.25; x <= 0.25; x += 0.013)
+      for (double y = -0.25; y <= 0.25; y += 0.013) {
+        const glm::dvec2 drawn = kEye.center + glm::dvec2{x, y},
+                         standing = standing_place(kEye, drawn, g);
+        EXPECT_LT(glm::length(standing + edge_push(kEye, standing, g) - drawn), 1e-15);
+        pushed += standing != drawn;
+      }
+    EXPECT_GT(pushed, 50);
+  }
 }
 
 TEST(Bulge, IsTotal) {

@@ -1,3 +1,4 @@
+#include <mien/lib/face/face_model.h>
 #include <mien/lib/rig/unwrap.h>
 
 #include <gtest/gtest.h>
@@ -109,6 +110,64 @@ TEST(Unwrap, WorksWithTheHeadTurnedAndEyesShut_G8) {
   EXPECT_NE(point_of(half, "nose_shade/points/0"),
             point_of(unwrapped(toon, 0.5, UnwrapMode::sine), "nose_shade/points/0"));
   for (const double number : half.vector) EXPECT_TRUE(std::isfinite(number));
+}
+
+/// Normals turn to the viewer as a feature travels, and are there when it is: every height goes to 0,
+/// in step.
+TEST(Unwrap, TurnsNormalsToTheViewer_G8) {
+  const Face clay = sample_face("clay");
+  const FaceModel& model = *clay.model;
+  const auto number = [&](const Face& f, int slice) {
+    return f.vector[std::size_t(model.layout[slice].begin)];
+  };
+  int heights = 0;
+  for (const Feature& feature : model.features) {
+    if (feature.relief < 0) continue;
+    std::vector<int> rises;
+    const FaceRelief& relief = model.reliefs[std::size_t(feature.relief)];
+    if (relief.height >= 0) rises.push_back(relief.height);
+    for (const FaceDome& dome : relief.domes) rises.push_back(dome.height);
+    for (const int rise : rises) {
+      ++heights;
+      for (const double w : {0.25, 0.5, 1.0})
+        EXPECT_NEAR(number(unwrapped(clay, w, UnwrapMode::linear), rise),
+                    (1 - w) * number(clay, rise), 1e-15)
+            << feature.name;
+    }
+  }
+  EXPECT_GT(heights, 8);
+}
+
+/// A gradient stays where it is on its feature.
+TEST(Unwrap, TakesGradientsAlong_G8) {
+  const Face bruno = sample_face("bruno");
+  const FaceModel& model = *bruno.model;
+  const Face half = unwrapped(bruno, 0.5, UnwrapMode::linear);
+  int gradients = 0;
+  for (const Feature& feature : model.features) {
+    const auto* radial =
+        feature.gradient < 0
+            ? nullptr
+            : std::get_if<RadialPaint>(&model.gradients[std::size_t(feature.gradient)].along);
+    if (!radial) continue;
+    ++gradients;
+    // Of any two points, and of every size, the same share is left.
+    const auto size = [&](const Face& f) {
+      return f.vector[std::size_t(model.layout[radial->radii].begin)];
+    };
+    const auto center = [&](const Face& f) {
+      return point_of(f, model.layout[radial->center].name);
+    };
+    for_each_slice(feature.figure, [&](std::string_view, int slice) {
+      if (model.layout[slice].kind != SliceKind::point) return;
+      const auto way = [&](const Face& f) {
+        return point_of(f, model.layout[slice].name) - center(f);
+      };
+      EXPECT_LT(glm::length(way(half) - size(half) / size(bruno) * way(bruno)), 1e-12)
+          << model.layout[slice].name;
+    });
+  }
+  EXPECT_EQ(gradients, 7);
 }
 
 }  // namespace

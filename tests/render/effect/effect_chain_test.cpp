@@ -5,8 +5,10 @@
 
 #include <mien/render/effect/effect_chain.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 #include <vector>
 
@@ -148,20 +150,34 @@ TEST(EffectChain, GridCrossingsCountOnce) {
                 1e-6);
 }
 
-// Streaming-safe: the same bytes for any cutting, and in a chain.
-TEST(EffectChain, PiecesDoNotShow) {
+// A chain reads no farther than the tiles under the row that it gives: that bounds what it holds.
+TEST(EffectChain, ReadsNoFartherThanARowOfTiles) {
   const Image image = noise(53, 47, 6);
   const std::vector<Effect> effects{MosaicEffect{9, 0.3}, GridEffect{6, 1.5, {0, 0, 0, 1}}};
   const Image whole = with_effects(image, effects);
-  for (const int piece : {1, 2, 7, 46}) {
-    std::vector<std::byte> bytes;
-    EffectChain chain(effects, 53, 47, [&](const float* rows, int count) {
-      const auto* from = reinterpret_cast<const std::byte*>(rows);
-      bytes.insert(bytes.end(), from, from + image.stride() * std::size_t(count));
-    });
-    for (int y = 0; y < 47; y += piece) chain.push(pixel(image, 0, y), std::min(piece, 47 - y));
-    EXPECT_EQ(bytes, whole.bytes) << piece;
+  int read = 0;
+  EffectChain chain(effects, 53, 47, [&](float* row) {
+    if (read == 47) return false;
+    std::memcpy(row, image.row(read++), image.stride());
+    return true;
+  });
+  std::vector<float> row(4 * 53);
+  for (int y = 0; y < 47; ++y) {
+    ASSERT_TRUE(chain.next(row.data()));
+    EXPECT_EQ(std::memcmp(row.data(), whole.row(y), whole.stride()), 0) << y;
+    EXPECT_LE(read, y + 1 + 53 / 9 + 1) << y;
   }
+}
+
+TEST(EffectChain, EndsWithItsPicture) {
+  int rows = 0;
+  EffectChain chain({MosaicEffect{1, 0}}, 4, 8, [&](float* row) {
+    std::fill_n(row, 16, 0.5F);
+    return ++rows < 3;
+  });
+  std::vector<float> row(16);
+  EXPECT_FALSE(chain.next(row.data()));
+  EXPECT_EQ(rows, 3);
 }
 
 /// How much of [at, at + 1] lies under lines, sampled: straight from the grid's definition.

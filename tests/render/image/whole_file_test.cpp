@@ -138,6 +138,14 @@ TEST(WholeFile, KilledAtAnyMomentLeavesTheOldOrTheNew) {
   for (int run = 0; run < 40; ++run) {
     const pid_t child = start([&] { keep_writing(folder / "a.txt"); });
     std::this_thread::sleep_for(std::chrono::microseconds(dice() % 15'000));
+    // One is caught for certain while it writes.
+    while (run == 0 && folder.names().size() < 2) {
+      test::end_process(child, SIGCONT);
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      test::end_process(child, SIGSTOP);
+      int stopped = 0;
+      ::waitpid(child, &stopped, WUNTRACED);
+    }
     test::end_process(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
