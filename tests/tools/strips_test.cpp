@@ -60,7 +60,7 @@ TEST(Strips, OfAnErrorMapHaveOneScale) {
   const auto map = (folder / "e.png").string();
   for (int i = 0; i < 2; ++i) {
     const Ran ran = render(folder / "a.png", {"--error-map", map},
-                           {"--size", "600", "--memory", i ? "5M" : "1G"});
+                           {"--size", "600", "--memory", i ? "7M" : "1G"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     maps[i] = test::read(map).channels;
     said[i] = ran.out;

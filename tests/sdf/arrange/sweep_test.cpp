@@ -113,7 +113,7 @@ TEST_P(EverySweep, EveryPlaceHasTheLookOfItsOutlines) {
 /// Green: the sum of the fragments' own areas to the right, per look, is the look's area.
 TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
   over_random_arrangements(60, [](Arranged& a, Random&) {
-    constexpr int kRows = 1600;
+    constexpr int kRows = 6400;
     std::map<int, double> green, rows;
     for (const Fragment& f : a.sweep.fragments()) {
       const OutlinePiece& p = a.sweep.pieces()[std::size_t(f.piece)];
