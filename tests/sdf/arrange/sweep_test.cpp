@@ -140,6 +140,23 @@ TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
   });
 }
 
+TEST(Sweep, OrdersNothingAlongTheSides) {
+  std::vector<Shape> shapes;
+  for (const double middle : {0.0, 2 * kSide})  // cut at the left side, and at the right one
+    for (int i = 0; i < 12; ++i) {
+      const double l = middle - 4 - i, r = middle + 4 + i;
+      const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+      Path box;
+      box.loops.push_back({{side({l, -9}, {r, -9}), side({r, -9}, {r, 99}), side({r, 99}, {l, 99}),
+                            side({l, 99}, {l, -9})}});
+      shapes.push_back(box);
+    }
+  Arranged a = arranged(shapes);
+  EXPECT_EQ(a.sweep.stats().pairs, 0);
+  for (const double x : {0.5, 4.5, 9.5, 15.5, 20.5})
+    EXPECT_EQ(a.shown({x, 12.0}), a.look_at({x, 12.0})) << x;
+}
+
 TEST_P(EverySweep, NothingIsLeftInDoubt) {
   long doubts = 0, forced = 0, pieces = 0;
   over_random_arrangements(400, [&](Arranged& a, Random&) {
