@@ -79,13 +79,15 @@ class RimChain {
       return loop_.begin(to);
     }
     const double sine = cross(ahead_, ahead), cosine = glm::dot(ahead_, ahead);
+    // 1 + cosine, which cancels where the chain all but turns back.
+    const double cosine_and_one = cosine < 0.0 ? sine * sine / (1.0 - cosine) : 1.0 + cosine;
     if (sine >= 0.0) {
       end_straight();
       write_arc(loop_, at, width_, out_, std::atan2(std::abs(sine), cosine), to);
-    } else if (-sine * width_ <= 0.5 * std::min(length, length_) * (1.0 + cosine)) {
+    } else if (-sine * width_ <= 0.5 * std::min(length, length_) * cosine_and_one) {
       // Both sides are long enough for their rims to meet: the short cut takes the kite between
       // them, which both strips hold, once less.
-      loop_.line(at + width_ / (1.0 + cosine) * (out_ + out));
+      loop_.line(at + width_ / cosine_and_one * (out_ + out));
     } else {
       end_straight();
       // Hardly a corner: straight on.

@@ -49,6 +49,7 @@ TEST(FuzzedPictures, ThatWereWrongOnceAreRight) {
                          {"jittered", 278, 24},
                          {"jittered", 295, 24},
                          {"jittered", 397, 32},
+                         {"jittered", 20847, 32},
                          {"generic", 809, 24},
                          {"painted", 2, 24},
                          {"painted", 3, 24},
