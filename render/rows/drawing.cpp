@@ -74,8 +74,7 @@ void Drawing::arrange() {
 }
 
 void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {
-  constexpr double kMargin = 0.0;  // [px] pieces end where no pixel sees it
-  const Box2 window{{-kMargin, -kMargin}, {view.width + kMargin, view.height + kMargin}};
+  const Box2 window{{0.0, 0.0}, {view.width, view.height}};
   tolerance_ = tolerance_of(depth, view.blend);
   maker_.begin({grid_from_face(scene.canvas(), view), window, tolerance_}, outlines_);
   for (const OutlineSource& source : paints_.programs.outlines()) {

@@ -80,11 +80,11 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
   const std::size_t word = std::size_t(right_look) >> 6;
   const std::uint64_t look_bit = std::uint64_t{1} << (right_look & 63);
   const bool look_fits = word < look_words_;
-  const auto add_cell = [&, jump](int row, int at, float area, float rest) {
+  const auto add_cell = [&, jump](int row, int at, const CellPart& part) {
     const std::size_t column = std::size_t(std::max(at, 0));
     Rgba* const to = sums(row) + column;
-    to[0] = to[0] + area * jump;
-    to[1] = to[1] + rest * jump;
+    to[0] = to[0] + part.area * jump;
+    to[1] = to[1] + part.rest * jump;
     marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
     hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
     if (look_fits) looks(row)[word] |= look_bit;
@@ -93,7 +93,7 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
   const auto add_row = [&](const RowStretch& s) {
     cells_of_row(piece, s, width_, [&](const CellStretch& c) {
       const float dy = float(c.yq - c.yp), area = float(c.area);
-      add_cell(c.row - first, c.column, area, dy - area);
+      add_cell(c.row - first, c.column, {area, dy - area});
       if (varied) share(c.row - first, c, left_varied, right_varied);
     });
   };
@@ -109,8 +109,8 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
         add_row(row_stretch(range, at, k));
         continue;
       }
-      add_cell(row, column, at.area[i], at.rest[i]);
-      if (last != column) add_cell(row, last, at.next_area[i], at.next_rest[i]);
+      add_cell(row, column, at.first(i));
+      if (last != column) add_cell(row, last, at.second(i));
     }
   });
 }

@@ -316,9 +316,9 @@ void NearFeet::shape_at(const Leaf& leaf, std::span<const float> x, std::span<co
 }
 
 void NearFeet::at(std::span<const float> x, std::span<const float> y, const Feet& out) {
+  if (!work_) return combine_at(x, y, out);
   const double begin = monotonic_seconds();
   combine_at(x, y, out);
-  if (!work_) return;
   work_->distances += (long long)(x.size() * leaves_.size());
   work_->seconds += monotonic_seconds() - begin;
 }
