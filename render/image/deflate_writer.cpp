@@ -71,7 +71,9 @@ struct Code {
     for (int length = 1; length <= most; ++length, word <<= 1) {
       for (std::size_t i = 0; i < kSize; ++i) {
         if (lengths[i] != length) continue;
-        for (int k = 0; k < length; ++k) words[i] |= (word >> k & 1) << (length - 1 - k);
+        for (int k = 0; k < length; ++k) {
+          words[i] = std::uint16_t(words[i] | (word >> k & 1) << (length - 1 - k));
+        }
         ++word;
       }
     }
