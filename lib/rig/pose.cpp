@@ -5,11 +5,15 @@
 #include <mien/lib/rig/drive.h>
 #include <mien/lib/rig/eye.h>
 #include <mien/lib/rig/head_turn.h>
+#include <mien/lib/rig/muscle_pose.h>
 #include <mien/lib/rig/muscle_pulls.h>
 #include <mien/lib/rig/poser.h>
+#include <mien/lib/rig/unwrap.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -126,42 +130,59 @@ void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector)
 
 }  // namespace
 
-Poser::Poser(Face face) : rest_(std::move(face)), posed_(rest_) {
-  values_.reserve(rest_.model->channels.size());
-}
+struct Poser::Scratch {
+  Face rest, posed;
+  std::vector<double> values, drive;
+  MusclePoser muscles;
+  std::optional<UnwrapChart> chart;  ///< made when first needed
 
-void Poser::drive_channels(bool poses) {
-  const FaceModel& model = *rest_.model;
-  for (std::size_t c = 0; c < values_.size(); ++c)
-    if (const Channel& channel = model.channels[c];
-        channel.pose == poses && values_[c] != channel.rest)
-      drive(channel, values_[c], model.layout, posed_.vector, scratch_);
+  explicit Scratch(Face face) : rest(std::move(face)), posed(rest) {
+    values.reserve(rest.model->channels.size());
+  }
+
+  void drive_channels(bool poses) {
+    const FaceModel& model = *rest.model;
+    for (std::size_t c = 0; c < values.size(); ++c)
+      if (const Channel& channel = model.channels[c];
+          channel.pose == poses && values[c] != channel.rest)
+        mien::drive(channel, values[c], model.layout, posed.vector, drive);
+  }
+};
+
+Poser::Poser(Face face) : scratch_(std::make_unique<Scratch>(std::move(face))) {}
+Poser::Poser(Poser&&) noexcept = default;
+Poser& Poser::operator=(Poser&&) noexcept = default;
+Poser::~Poser() = default;
+
+std::span<const double> Poser::pulls() const {
+  return scratch_->muscles.pulls();
 }
 
 const Face& Poser::pose(const Pose& pose) {
-  const FaceModel& model = *rest_.model;
-  posed_.vector = rest_.vector;
-  const bool by_basis = pose.basis && pose.basis->basis.columns == rest_.vector.size();
-  if (by_basis) take_basis(*pose.basis, pose, posed_.vector);
-  const FaceVector begin = by_basis ? posed_.vector : FaceVector{};
-  set_channels(rest_, pose, values_);
-  drive_channels(true);
-  muscles_.act(rest_, pose, values_, set_channels, posed_.vector);
-  drive_channels(false);
-  hold_eyeballs(model, pose, posed_.vector);
+  auto& [rest, posed, values, drive, muscles, chart] = *scratch_;
+  const FaceModel& model = *rest.model;
+  posed.vector = rest.vector;
+  const bool by_basis = pose.basis && pose.basis->basis.columns == rest.vector.size();
+  if (by_basis) take_basis(*pose.basis, pose, posed.vector);
+  const FaceVector begin = by_basis ? posed.vector : FaceVector{};
+  set_channels(rest, pose, values);
+  scratch_->drive_channels(true);
+  muscles.act(rest, pose, values, set_channels, posed.vector);
+  scratch_->drive_channels(false);
+  hold_eyeballs(model, pose, posed.vector);
   // What a basis gives has been through the eyes' laws: they act on what is moved on top of it only.
   if (!by_basis)
-    pose_eyes(model, rest_.vector, values_, posed_.vector);
-  else if (!at_rest(model, values_))
-    pose_eyes(model, begin, values_, posed_.vector);
-  turn_head(model, values_, posed_.vector);
+    pose_eyes(model, rest.vector, values, posed.vector);
+  else if (!at_rest(model, values))
+    pose_eyes(model, begin, values, posed.vector);
+  turn_head(model, values, posed.vector);
   if (pose.unwrap > 0) {
-    if (!chart_) chart_.emplace(rest_);
-    chart_->act(pose.unwrap_mode, pose.unwrap, posed_.vector);
+    if (!chart) chart.emplace(rest);
+    chart->act(pose.unwrap_mode, pose.unwrap, posed.vector);
   }
-  for (const Setting& setting : pose.settings) put_numbers(setting, posed_.vector);
-  apply_rules(model.layout, rest_.vector, posed_.vector);
-  return posed_;
+  for (const Setting& setting : pose.settings) put_numbers(setting, posed.vector);
+  apply_rules(model.layout, rest.vector, posed.vector);
+  return posed;
 }
 
 Face pose_face(const Face& face, const Pose& pose) {

@@ -5,7 +5,7 @@
 #include <mien/lib/base/expected.h>
 #include <mien/lib/face/face.h>
 #include <mien/lib/rig/basis.h>
-#include <mien/lib/rig/unwrap.h>
+#include <mien/lib/rig/unwrap_mode.h>
 
 #include <glm/vec3.hpp>
 

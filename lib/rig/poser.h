@@ -5,12 +5,10 @@
 //   for (…) draw(scene_from_face(poser.pose({.time = t})));
 
 #include <mien/lib/base/api.h>
-#include <mien/lib/rig/muscle_pose.h>
 #include <mien/lib/rig/pose.h>
 
-#include <optional>
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace mien {
 
@@ -19,20 +17,19 @@ namespace mien {
 class MIEN_API Poser {
  public:
   explicit Poser(Face face);
+  Poser(Poser&&) noexcept;
+  Poser& operator=(Poser&&) noexcept;
+  ~Poser();
 
   /// Valid until the next pose, or copied.
   const Face& pose(const Pose& pose);
 
   /// The pulls of the model's muscles at the last pose.
-  std::span<const double> pulls() const { return muscles_.pulls(); }
+  std::span<const double> pulls() const;
 
  private:
-  void drive_channels(bool poses);
-
-  Face rest_, posed_;
-  std::vector<double> values_, scratch_;
-  MusclePoser muscles_;
-  std::optional<UnwrapChart> chart_;  ///< made when first needed
+  struct Scratch;
+  std::unique_ptr<Scratch> scratch_;
 };
 
 }  // namespace mien

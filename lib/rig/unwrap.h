@@ -23,16 +23,13 @@
 
 #include <mien/lib/base/api.h>
 #include <mien/lib/face/face.h>
+#include <mien/lib/rig/unwrap_mode.h>
 
 #include <glm/vec2.hpp>
 
-#include <string_view>
 #include <vector>
 
 namespace mien {
-
-enum class UnwrapMode : unsigned char { linear, delayed, sine };
-inline constexpr std::string_view kUnwrapModes = "linear|delayed|sine";  ///< as enum UnwrapMode
 
 /// How far a point at the share r of the depth has travelled at w; both 0 … 1. Rises with w.
 MIEN_API double unwrap_progress(UnwrapMode mode, double w, double r);

@@ -1,6 +1,6 @@
 #include <mien/lib/base/nearest_name.h>
 #include <mien/lib/base/one_line.h>
-#include <mien/lib/rig/unwrap.h>
+#include <mien/lib/rig/unwrap_mode.h>
 #include <mien/tools/mien/choices.h>
 #include <mien/tools/mien/command_line.h>
 #include <mien/tools/mien/motion_line.h>

@@ -1,0 +1,11 @@
+#pragma once
+// How far along its way a feature is while a face unwraps; docs/rig.md has the formulas.
+
+#include <string_view>
+
+namespace mien {
+
+enum class UnwrapMode : unsigned char { linear, delayed, sine };
+inline constexpr std::string_view kUnwrapModes = "linear|delayed|sine";  ///< as enum UnwrapMode
+
+}  // namespace mien
