@@ -10,9 +10,9 @@
 // Only the first and the last verb can fail, and say so in a sentence. No global state, nothing
 // printed, no exception crosses the API, every verb re-entrant.
 
-#include <mien/lib/file/face_file.h>
-#include <mien/lib/rig/pose.h>
-#include <mien/render/render.h>
-#include <mien/render/renderer.h>
-#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/face_file.h>
+#include <mien/pose.h>
+#include <mien/render.h>
+#include <mien/renderer.h>
+#include <mien/scene_from_face.h>
 #include <mien/version.h>

@@ -2,34 +2,17 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# mien_public_headers(OUT HEADER…): these headers and every own header they pull in, so that the installed set
-# is what a user's compiler needs, and no list has to be kept.
-function(mien_public_headers out)
-  set(found "")
-  set(todo ${ARGN})
-  while(todo)
-    list(POP_FRONT todo header)
-    if(header IN_LIST found)
-      continue()
-    endif()
-    list(APPEND found ${header})
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${header}")
-    file(STRINGS "${PROJECT_SOURCE_DIR}/${header}" lines REGEX "^#include <mien/")
-    foreach(line IN LISTS lines)
-      string(REGEX REPLACE "^#include <mien/([^>]+)>.*" "\\1" included "${line}")
-      list(APPEND todo "${included}")
-    endforeach()
-  endwhile()
-  set(${out} ${found} PARENT_SCOPE)
-endfunction()
-
-# mien_install_headers(COMPONENT HEADER…): into include/mien/, in the tree's own layout.
+# mien_install_headers(COMPONENT LIBRARY…): the libraries' lines of cmake/public_headers.txt, into include/mien/.
 function(mien_install_headers component)
-  mien_public_headers(headers ${ARGN})
-  foreach(header IN LISTS headers)
-    get_filename_component(folder ${header} DIRECTORY)
-    install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mien/${folder}
-            COMPONENT ${component})
+  foreach(line IN LISTS MIEN_PUBLIC_HEADERS)
+    string(REGEX REPLACE " +" ";" line "${line}")
+    list(GET line 0 whose)
+    list(GET line 1 name)
+    list(GET line 2 path)
+    if(whose IN_LIST ARGN)
+      install(FILES ${PROJECT_SOURCE_DIR}/${path} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mien RENAME ${name}
+              COMPONENT ${component})
+    endif()
   endforeach()
 endfunction()
 
@@ -61,39 +44,21 @@ function(mien_install_pc name component)
           COMPONENT ${component})
 endfunction()
 
-# Public headers that mien.h does not pull in, one per line.
-set(MIEN_MORE_PUBLIC_HEADERS
-  lib/file/facemotion.h
-  lib/file/morph_file.h
-  lib/file/npy.h
-  lib/file/npy_basis.h
-  lib/file/obj.h
-  lib/file/obj_map.h
-  lib/math/pca.h
-  lib/rig/mesh_morph.h
-  lib/rig/morph.h
-  lib/rig/poser.h
-  render/debug_picture.h
-  render/effect/effect_chain.h
-  render/error_map.h
-  sdf/distance.h
-  sdf/from_face/morph_heat.h
-  sdf/from_mesh/scene_from_mesh.h
-  sdf/scene/effects.h
-)
-
+mien_install_library(mien_distance distance)
+mien_install_headers(distance distance)
+mien_install_pc(mien-distance distance)
 mien_install_library(mien mien)
-mien_install_headers(mien mien.h ${MIEN_MORE_PUBLIC_HEADERS})
+mien_install_headers(mien distance mien)
 mien_install_pc(mien mien)
 if(MIEN_BUILD_TEXT)
   mien_install_library(mien_text text)
-  mien_install_headers(text sdf/from_text/text_path.h)
+  mien_install_headers(text text)
   mien_install_pc(mien-text text)
   install(FILES sdf/from_text/font/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.DejaVuSans COMPONENT text)
 endif()
 if(MIEN_BUILD_IMAGE)
   mien_install_library(mien_image image)
-  mien_install_headers(image image.h)
+  mien_install_headers(image image)
   mien_install_pc(mien-image image)
 endif()
 if(MIEN_BUILD_COMMAND)
@@ -108,6 +73,8 @@ configure_package_config_file(cmake/mien-config.cmake.in ${PROJECT_BINARY_DIR}/p
                               INSTALL_DESTINATION ${MIEN_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/mien-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/package/mien-config.cmake ${PROJECT_BINARY_DIR}/package/mien-config-version.cmake
-        DESTINATION ${MIEN_PACKAGE_DIR} COMPONENT mien)
-install(FILES LICENSE THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT mien)
+foreach(component distance mien)
+  install(FILES ${PROJECT_BINARY_DIR}/package/mien-config.cmake ${PROJECT_BINARY_DIR}/package/mien-config-version.cmake
+          DESTINATION ${MIEN_PACKAGE_DIR} COMPONENT ${component})
+  install(FILES LICENSE THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT ${component})
+endforeach()

@@ -1,14 +1,32 @@
 # A room is a folder of the house, compiled once into an object library; libraries, tests, benches and fuzzers
 # are composed from rooms.
 
-# Public headers include each other as <mien/…>; the build tree provides that prefix by a link.
-set(MIEN_INCLUDE_DIR "${PROJECT_BINARY_DIR}/include")
-file(MAKE_DIRECTORY "${MIEN_INCLUDE_DIR}")
-file(CREATE_LINK "${PROJECT_SOURCE_DIR}" "${MIEN_INCLUDE_DIR}/mien" SYMBOLIC)
+# Users write <mien/face.h>; cmake/public_headers.txt says where it lives. The build folder gets headers of those
+# names, each of which includes the real one; an installed mien has the real ones.
+set(MIEN_INCLUDE_DIR "${PROJECT_BINARY_DIR}/public_headers")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/public_headers.txt")
+file(STRINGS "${PROJECT_SOURCE_DIR}/cmake/public_headers.txt" MIEN_PUBLIC_HEADERS REGEX "^[a-z]")
+set(names "")
+foreach(line IN LISTS MIEN_PUBLIC_HEADERS)
+  string(REGEX REPLACE " +" ";" line "${line}")
+  list(GET line 1 name)
+  list(GET line 2 path)
+  file(RELATIVE_PATH real "${MIEN_INCLUDE_DIR}/mien" "${PROJECT_SOURCE_DIR}/${path}")
+  file(CONFIGURE OUTPUT "${MIEN_INCLUDE_DIR}/mien/${name}" CONTENT "#include \"${real}\"\n" @ONLY)
+  list(APPEND names ${name})
+endforeach()
+file(GLOB there RELATIVE "${MIEN_INCLUDE_DIR}/mien" "${MIEN_INCLUDE_DIR}/mien/*")
+foreach(name IN LISTS there)
+  if(NOT name IN_LIST names)
+    file(REMOVE "${MIEN_INCLUDE_DIR}/mien/${name}")  # it is public no more
+  endif()
+endforeach()
 
 # What every target of mien's own is compiled with.
 function(mien_house_rules target)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  # Public headers are <mien/face.h>; the house's own are "lib/rig/eye/lid.h".
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${MIEN_INCLUDE_DIR})
   # One rule for fused multiply-add: only where the source says fma. Else bits differ between compilers.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
@@ -29,7 +47,6 @@ function(mien_room name)
   mien_house_rules(mien_${name})
   # No value depends on these: square roots without a way to errno, and choices without branches.
   target_compile_options(mien_${name} PRIVATE -fno-math-errno -fno-trapping-math)
-  target_include_directories(mien_${name} PUBLIC $<BUILD_INTERFACE:${MIEN_INCLUDE_DIR}>)
   target_link_libraries(mien_${name} PUBLIC glm::glm PRIVATE ${ARG_LIBRARIES})
 endfunction()
 

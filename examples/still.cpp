@@ -1,6 +1,6 @@
 // A face file in, a still out:   example_still faces/toon.face.json toon.png
-#include <mien/image.h>
 #include <mien/mien.h>
+#include <mien/write.h>
 
 #include <cstdio>
 

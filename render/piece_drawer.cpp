@@ -1,5 +1,5 @@
-#include <mien/render/piece_drawer.h>
-#include <mien/render/rows/drawing.h>
+#include "render/piece_drawer.h"
+#include "render/rows/drawing.h"
 
 namespace mien {
 

@@ -1,11 +1,11 @@
 #pragma once
 // One picture, drawn piece by piece: its outlines and their order are made once for all of them.
 
-#include <mien/lib/base/api.h>
-#include <mien/render/image.h>
-#include <mien/render/render_stats.h>
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/image.h>
+#include <mien/render_stats.h>
+#include <mien/scene.h>
+#include <mien/view.h>
 
 #include <functional>
 #include <memory>

@@ -1,5 +1,5 @@
-#include <mien/render/render.h>
-#include <mien/render/renderer.h>
+#include <mien/render.h>
+#include <mien/renderer.h>
 
 #include <new>
 

@@ -6,13 +6,13 @@
 // A scene is never modified; calls may run in parallel. The pixels depend on scene and view alone: never
 // on threads, region or anything drawn before.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/base/parallel.h>
-#include <mien/lib/base/progress.h>
-#include <mien/render/image.h>
-#include <mien/render/render_stats.h>
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/image.h>
+#include <mien/parallel.h>
+#include <mien/progress.h>
+#include <mien/render_stats.h>
+#include <mien/scene.h>
+#include <mien/view.h>
 
 namespace mien {
 

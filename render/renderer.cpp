@@ -1,6 +1,6 @@
-#include <mien/render/renderer.h>
-#include <mien/render/rows/drawing.h>
-#include <mien/render/rows/frame_memory.h>
+#include <mien/renderer.h>
+#include "render/rows/drawing.h"
+#include "render/rows/frame_memory.h"
 
 #include <algorithm>
 #include <atomic>

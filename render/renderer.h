@@ -11,7 +11,7 @@
 // of thousands of layers, are always drawn whole. Every row is written in every call: what the buffer
 // held does not matter.
 
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <memory>
 

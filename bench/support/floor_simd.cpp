@@ -49,7 +49,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <benchmark/benchmark.h>
-#include <mien/sdf/batch/instruction_sets.h>
+#include "sdf/distance/instruction_sets.h"
 
 #include "bench/support/floor.h"
 

@@ -1,6 +1,6 @@
 #include "bench/whole/command_words.h"
 
-#include <mien/sdf/batch/instruction_sets.h>
+#include "sdf/distance/instruction_sets.h"
 
 namespace mien::bench {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #ifdef MIEN_HAVE_TEXT
-#include <mien/sdf/from_text/text_path.h>
+#include <mien/text_path.h>
 #endif
 
 namespace mien::bench {

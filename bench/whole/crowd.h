@@ -1,7 +1,7 @@
 #pragma once
 // Scenes of many shapes: what a picture costs as they grow in number.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <optional>
 #include <span>

@@ -1,6 +1,6 @@
 // Pictures of 10 to 100 000 shapes beside Cairo, in turns in one process: see `discs --help`.
 
-#include <mien/render/renderer.h>
+#include <mien/renderer.h>
 
 #include <fmt/format.h>
 

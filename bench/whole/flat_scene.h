@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 namespace mien::bench {
 

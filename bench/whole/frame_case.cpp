@@ -1,6 +1,6 @@
 #include "bench/whole/frame_case.h"
 
-#include <mien/lib/face/face_model.h>
+#include <mien/face_model.h>
 
 #include <array>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 // The command line of bench/whole/frames.
 
-#include <mien/render/image.h>
-#include <mien/render/view/view.h>
+#include <mien/image.h>
+#include <mien/view.h>
 
 #include <optional>
 #include <string>

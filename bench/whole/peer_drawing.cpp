@@ -1,7 +1,7 @@
 #include "bench/whole/peer_drawing.h"
 
-#include <mien/lib/geom/srgb.h>
-#include <mien/sdf/outline/outline_maker.h>
+#include "lib/picture/srgb.h"
+#include "sdf/outline/outline_maker.h"
 
 #include <algorithm>
 #include <cmath>

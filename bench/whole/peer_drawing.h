@@ -2,8 +2,8 @@
 // A scene as a rasteriser of paths wants it: a list of fills and strokes in pixels, made once, so
 // that a peer is timed on drawing alone.
 
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
+#include <mien/view.h>
 
 #include <cstdint>
 #include <optional>

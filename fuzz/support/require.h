@@ -1,7 +1,7 @@
 #pragma once
 // What a fuzzer demands of every input.
 
-#include <mien/lib/base/expected.h>
+#include <mien/expected.h>
 
 #include <cstdlib>
 #include <string>

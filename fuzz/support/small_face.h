@@ -1,7 +1,7 @@
 #pragma once
 // A face with a stroke of three points, a pose and a muscle: what other files are read for.
 
-#include <mien/lib/file/face_file.h>
+#include <mien/face_file.h>
 
 namespace mien::fuzz {
 

@@ -1,6 +1,6 @@
-#include <mien/lib/base/nearest_name.h>
+#include "lib/base/nearest_name.h"
 
-#include <mien/lib/base/one_line.h>
+#include "lib/base/one_line.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Which known name was probably meant.
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 // Strangers' text inside a message: always one line, always short, always printable UTF-8.
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <cstddef>
 #include <string>

@@ -1,4 +1,4 @@
-#include <mien/lib/base/parallel.h>
+#include <mien/parallel.h>
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>

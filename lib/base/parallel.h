@@ -1,7 +1,7 @@
 #pragma once
 // The one door to threads. Results never depend on how many there are.
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <functional>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <mien/lib/geom/box2.h>
+#include <mien/box2.h>
 
 #include <string>
 

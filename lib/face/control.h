@@ -1,7 +1,7 @@
 #pragma once
 // Controls: the numbers that pose a face without being part of it (gaze, dilation, blink).
 
-#include <mien/lib/face/key_shapes.h>
+#include <mien/key_shapes.h>
 
 #include <string>
 #include <variant>

@@ -5,14 +5,14 @@
 // at the distance r of its centre in the picture is √(R² − r²) in front of it. Its numbers are
 // slices, named after the eye ("eyeball.left/radius"), so whatever moves the vector moves the ball.
 
-#include <mien/lib/face/side.h>
+#include <mien/side.h>
 
 #include <string>
 #include <vector>
 
 namespace mien {
 
-/// How a lid gives way to the cornea under it; lib/rig/bulge.h has both laws.
+/// How a lid gives way to the cornea under it; lib/rig/eye/bulge.h has both laws.
 enum class BulgeLaw : unsigned char { native, compat };
 
 /// A point of the face that stays where it is on the edge of a lid. The edge is a quadratic Bézier;

@@ -2,16 +2,16 @@
 // Everything about a face that does not move: what its numbers are, what is drawn from them, what
 // poses them.
 
-#include <mien/lib/face/canvas.h>
-#include <mien/lib/face/clip.h>
-#include <mien/lib/face/control.h>
-#include <mien/lib/face/eye.h>
-#include <mien/lib/face/face_paint.h>
-#include <mien/lib/face/feature.h>
-#include <mien/lib/face/head_turn.h>
-#include <mien/lib/face/layout.h>
-#include <mien/lib/face/muscle.h>
-#include <mien/lib/geom/effect.h>
+#include <mien/canvas.h>
+#include <mien/clip.h>
+#include <mien/control.h>
+#include <mien/effect.h>
+#include <mien/eye.h>
+#include <mien/face_paint.h>
+#include <mien/feature.h>
+#include <mien/head_turn.h>
+#include <mien/layout.h>
+#include <mien/muscle.h>
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 // index in the layout; so whatever moves the vector moves the feature, and two features may share a
 // point.
 
-#include <mien/lib/face/side.h>
+#include <mien/side.h>
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 // What a head is as a body: how deep each feature lies, and which channels turn it. Plain data;
-// lib/rig/head_turn.h turns it.
+// lib/rig/pose/head_turn.h turns it.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

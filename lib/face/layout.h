@@ -4,9 +4,9 @@
 //   const int spine = layout.add("brow.left/spine/0", SliceKind::point, 2);
 //   vector[layout[spine].begin]      // its x
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/face/face.h>
-#include <mien/lib/face/slice.h>
+#include <mien/api.h>
+#include <mien/face.h>
+#include <mien/slice.h>
 
 #include <cmath>
 #include <cstddef>

@@ -3,10 +3,10 @@
 //
 // A muscle is a spring between its origin, which never moves, and points of the face; pulling shortens
 // it by its stroke. Every point that muscles hold hangs on a spring of its own to where it rests
-// (lib/rig/muscle_law.h has the law). Numbers that are no points (a radius, a width) are held the same
+// (lib/rig/muscle/law.h has the law). Numbers that are no points (a radius, a width) are held the same
 // way, each along its own line.
 
-#include <mien/lib/face/side.h>
+#include <mien/side.h>
 
 #include <glm/vec2.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include <mien/lib/face/slice.h>
+#include <mien/slice.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A named run of numbers in the face vector, and what kind of numbers they are.
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <span>
 #include <string>

@@ -7,7 +7,7 @@
 //   vrm      the expression presets of VRM 1.0
 //   viseme   the 15 mouth shapes that lip-sync programs use (Oculus, Ready Player Me)
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <span>
 #include <string_view>

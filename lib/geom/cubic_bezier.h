@@ -1,7 +1,7 @@
 #pragma once
 // The cubic Bézier curve, as other programs draw.
 
-#include <mien/lib/geom/quad_bezier.h>
+#include <mien/quad_bezier.h>
 
 #include <glm/vec2.hpp>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/math/bounded_least_squares.h>
+#include "lib/math/bounded_least_squares.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 // Linear least squares within bounds.
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <cstddef>
 #include <vector>

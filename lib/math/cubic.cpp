@@ -1,5 +1,5 @@
-#include <mien/lib/math/bracketed_root.h>
-#include <mien/lib/math/cubic.h>
+#include <mien/cubic_roots.h>
+#include "lib/math/bracketed_root.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Real roots of a cubic, as good as its coefficients deserve.
 
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A matrix that is read in blocks, so that it may be larger than the memory.
 
-#include <mien/lib/base/expected.h>
+#include <mien/expected.h>
 
 #include <cstddef>
 #include <functional>

@@ -9,10 +9,10 @@
 // with its largest number positive, so that the same data always gives the same basis. Source:
 // items P3, P4, P7, P8.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/base/expected.h>
-#include <mien/lib/base/progress.h>
-#include <mien/lib/math/matrix_source.h>
+#include <mien/api.h>
+#include <mien/expected.h>
+#include <mien/matrix_source.h>
+#include <mien/progress.h>
 
 #include <cstddef>
 #include <optional>

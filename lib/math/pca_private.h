@@ -1,7 +1,7 @@
 #pragma once
 // The parts of lib/math/pca: passes over the data, and the two ways to components.
 
-#include <mien/lib/math/pca.h>
+#include <mien/pca.h>
 
 #include <algorithm>
 #include <functional>

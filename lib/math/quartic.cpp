@@ -1,6 +1,6 @@
-#include <mien/lib/math/bracketed_root.h>
-#include <mien/lib/math/cubic.h>
-#include <mien/lib/math/quartic.h>
+#include "lib/math/quartic.h"
+#include <mien/cubic_roots.h>
+#include "lib/math/bracketed_root.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include <mien/lib/base/api.h>
+#include <mien/api.h>
 
 #include <array>
 

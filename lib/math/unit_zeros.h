@@ -1,7 +1,7 @@
 #pragma once
 // The zeros in [0, 1] of a cubic that is too delicate for its own coefficients.
 
-#include <mien/lib/math/bracketed_root.h>
+#include "lib/math/bracketed_root.h"
 
 #include <algorithm>
 #include <array>

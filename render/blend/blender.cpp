@@ -1,5 +1,5 @@
-#include <mien/render/blend/blender.h>
-#include <mien/render/blend/transfer.h>
+#include "render/blend/blender.h"
+#include "render/blend/transfer.h"
 
 #include <algorithm>
 #include <cstring>

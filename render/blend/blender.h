@@ -2,9 +2,9 @@
 // Colours laid over each other, and mixed by area: in linear light or in encoded values, as the
 // view says.
 
-#include <mien/lib/geom/color.h>
-#include <mien/render/image.h>
-#include <mien/render/view/view.h>
+#include <mien/color.h>
+#include <mien/image.h>
+#include <mien/view.h>
 
 #include <glm/vec4.hpp>
 

@@ -1,5 +1,5 @@
-#include <mien/render/blend/lit.h>
-#include <mien/render/blend/transfer.h>
+#include "render/blend/lit.h"
+#include "render/blend/transfer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Light on a relief: what a sloping surface makes of a colour. The law is Light's, in
 // sdf/scene/paint.h.
 
-#include <mien/render/blend/blender.h>
-#include <mien/sdf/scene/paint.h>
+#include <mien/paint.h>
+#include "render/blend/blender.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 // The colours of a gradient along its place t, in the space the picture is blended in.
 
-#include <mien/render/blend/blender.h>
-#include <mien/sdf/scene/paint.h>
+#include <mien/paint.h>
+#include "render/blend/blender.h"
 
 #include <vector>
 

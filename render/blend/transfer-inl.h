@@ -7,7 +7,7 @@
 #define MIEN_RENDER_BLEND_TRANSFER_INL_H_
 #endif
 
-#include <mien/sdf/batch/fma-inl.h>
+#include "sdf/distance/lanes/fma-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {

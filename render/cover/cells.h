@@ -10,8 +10,8 @@
 // parameter length h and its chord is a constant of the curve times h³ (Archimedes). So it is exact.
 // All cells farther right lie to its right with dy.
 
-#include <mien/render/cover/row_roots.h>
-#include <mien/sdf/outline/outlines.h>
+#include "render/cover/row_roots.h"
+#include "sdf/outline/outlines.h"
 
 #include <algorithm>
 #include <cmath>

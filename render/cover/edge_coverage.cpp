@@ -1,4 +1,4 @@
-#include <mien/render/cover/edge_coverage.h>
+#include "render/cover/edge_coverage.h"
 
 #include <array>
 #include <glm/geometric.hpp>

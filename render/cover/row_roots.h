@@ -2,7 +2,7 @@
 // Where a piece of outline meets the borders of rows of pixels: the roots that drawing is made of,
 // several at a time.
 
-#include <mien/sdf/outline/outlines.h>
+#include "sdf/outline/outlines.h"
 
 #include <array>
 

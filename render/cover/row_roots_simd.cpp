@@ -1,10 +1,10 @@
 // Compiled once per instruction set.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "mien/render/cover/row_roots_simd.cpp"
+#define HWY_TARGET_INCLUDE "render/cover/row_roots_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include <mien/render/cover/row_roots.h>
+#include "render/cover/row_roots.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {

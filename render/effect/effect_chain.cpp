@@ -1,6 +1,6 @@
 #include "row_effect_private.h"
 
-#include <mien/render/blend/blender.h>
+#include "render/blend/blender.h"
 
 #include <fmt/format.h>
 

@@ -7,10 +7,10 @@
 // Pixels are RGBA floats, linear light, premultiplied. A chain holds a row of tiles or two as sums,
 // never the picture.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/base/expected.h>
-#include <mien/lib/geom/effect.h>
-#include <mien/render/image.h>
+#include <mien/api.h>
+#include <mien/effect.h>
+#include <mien/expected.h>
+#include <mien/image.h>
 
 #include <functional>
 #include <memory>

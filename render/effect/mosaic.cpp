@@ -1,4 +1,4 @@
-#include <mien/render/effect/bevel.h>
+#include "render/effect/bevel.h"
 #include "row_effect_private.h"
 
 #include <algorithm>

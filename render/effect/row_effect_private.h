@@ -1,7 +1,7 @@
 #pragma once
 // One effect of a chain.
 
-#include <mien/render/effect/effect_chain.h>
+#include <mien/effect_chain.h>
 
 #include <array>
 #include <deque>

@@ -1,7 +1,7 @@
 #pragma once
 // Which kind of file a path asks for.
 
-#include <mien/image.h>
+#include <mien/write.h>
 
 #include <filesystem>
 

@@ -6,8 +6,8 @@
 //   auto verbs = reinterpret_cast<mien::ImageModuleEntry>(dlsym(module,
 //   mien::kImageModuleEntry))();
 
-#include <mien/render/image/picture_encoder.h>
 #include <mien/version.h>
+#include "render/image/picture_encoder.h"
 
 namespace mien {
 

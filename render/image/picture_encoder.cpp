@@ -1,4 +1,4 @@
-#include <mien/render/image/picture_encoder.h>
+#include "render/image/picture_encoder.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 // What a file format's writer is: it says how it wants the picture cut, prepares pieces on any
 // thread, and puts them into the file in order.
 
-#include <mien/image.h>
-#include <mien/render/image/file_output.h>
-#include <mien/render/image/file_type.h>
-#include <mien/render/view/view.h>
+#include <mien/view.h>
+#include <mien/write.h>
+#include "render/image/file/file_output.h"
+#include "render/image/file_type.h"
 
 #include <cstdint>
 #include <functional>

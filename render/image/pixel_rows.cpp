@@ -1,5 +1,5 @@
-#include <mien/render/blend/transfer.h>
-#include <mien/render/image/pixel_rows.h>
+#include "render/image/pixel_rows.h"
+#include "render/blend/transfer.h"
 
 #include <algorithm>
 #include <cstdint>

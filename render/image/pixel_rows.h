@@ -1,7 +1,7 @@
 #pragma once
 // Pixels in the depth a file wants.
 
-#include <mien/render/image.h>
+#include <mien/image.h>
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
-#include <mien/image.h>
-#include <mien/render/image/oiio_encoder.h>
-#include <mien/render/image/png_encoder.h>
-#include <mien/render/image/tiff_encoder.h>
-#include <mien/render/image/write_pieces.h>
+#include <mien/write.h>
+#include "render/image/oiio/oiio_encoder.h"
+#include "render/image/png/png_encoder.h"
+#include "render/image/tiff/tiff_encoder.h"
+#include "render/image/write_pieces.h"
 
 namespace mien {
 namespace {

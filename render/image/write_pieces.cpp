@@ -1,10 +1,10 @@
-#include <mien/lib/base/monotonic_seconds.h>
-#include <mien/render/image/file_type.h>
-#include <mien/render/image/in_order.h>
-#include <mien/render/image/system_error.h>
-#include <mien/render/image/target.h>
-#include <mien/render/image/whole_file.h>
-#include <mien/render/image/write_pieces.h>
+#include "render/image/write_pieces.h"
+#include "lib/base/monotonic_seconds.h"
+#include "render/image/file/atomic_file.h"
+#include "render/image/file/output_path.h"
+#include "render/image/file/system_error.h"
+#include "render/image/file_type.h"
+#include "render/image/ordered_pipeline.h"
 
 #include <fcntl.h>
 #include <unistd.h>

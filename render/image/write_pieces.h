@@ -2,8 +2,8 @@
 // The road every picture takes to its file: pieces made on many threads, put in order, the file
 // whole or not at all.
 
-#include <mien/image.h>
-#include <mien/render/image/picture_encoder.h>
+#include <mien/write.h>
+#include "render/image/picture_encoder.h"
 
 #include <atomic>
 #include <filesystem>

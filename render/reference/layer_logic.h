@@ -9,7 +9,7 @@
 //
 // Not the programs that pictures are drawn by (sdf/outline/area_program.h), which this judges.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <map>
 #include <span>

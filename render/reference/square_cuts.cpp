@@ -1,6 +1,6 @@
 // What outlines part a square into: lines, and polygons between them.
 
-#include <mien/render/reference/square_resolver.h>
+#include "render/reference/square_resolver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Distances that are not smooth in a square: with a fold, or to two outlines of one set.
 
-#include <mien/render/reference/square_resolver.h>
+#include "render/reference/square_resolver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 // that part the square in the same areas, and these cut it into polygons of one colour each. It draws
 // what the arrangement's certificate refuses, and judges flat pictures in tests.
 
-#include <mien/render/reference/layer_logic.h>
-#include <mien/render/shade/paint_table.h>
+#include "render/reference/layer_logic.h"
+#include "render/shade/paint_table.h"
 
 #include <array>
 #include <span>

@@ -1,5 +1,5 @@
-#include <mien/render/rows/crowd.h>
-#include <mien/render/shade/paint_table.h>
+#include "render/rows/crowd.h"
+#include "render/shade/paint_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,9 +11,9 @@
 // channel by more than that, as premultiplied colours lie in [0, 1]; where it is less than kUnseen of
 // what a pixel may be off by, encoded at its steepest, the background stands for it.
 
-#include <mien/render/image.h>
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/part.h>
+#include <mien/image.h>
+#include <mien/view.h>
+#include "sdf/scene/part.h"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
-#include <mien/lib/base/fingerprint.h>
-#include <mien/lib/base/monotonic_seconds.h>
-#include <mien/render/rows/drawing.h>
-#include <mien/sdf/scene/same_scene.h>
+#include "render/rows/drawing.h"
+#include "lib/base/fingerprint.h"
+#include "lib/base/monotonic_seconds.h"
+#include "sdf/scene/same_scene.h"
 
 #include <algorithm>
 #include <cmath>

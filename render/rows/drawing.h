@@ -2,13 +2,13 @@
 // A scene on its way to pixels: outlines, arrangement and looks of a whole picture, made once; then
 // rows, in strips at absolute places.
 
-#include <mien/render/reference/square_resolver.h>
-#include <mien/render/render_stats.h>
-#include <mien/render/rows/crowd.h>
-#include <mien/render/rows/row_fingerprints.h>
-#include <mien/render/rows/row_painter.h>
-#include <mien/sdf/arrange/sweep.h>
-#include <mien/sdf/outline/outline_maker.h>
+#include <mien/render_stats.h>
+#include "render/reference/square_resolver.h"
+#include "render/rows/crowd.h"
+#include "render/rows/row_fingerprints.h"
+#include "render/rows/row_painter.h"
+#include "sdf/arrange/sweep.h"
+#include "sdf/outline/outline_maker.h"
 
 #include <memory>
 #include <mutex>

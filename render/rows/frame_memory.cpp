@@ -1,5 +1,5 @@
-#include <mien/render/rows/frame_memory.h>
-#include <mien/render/rows/row_fingerprints.h>
+#include "render/rows/frame_memory.h"
+#include "render/rows/row_fingerprints.h"
 
 #include <algorithm>
 #include <cstring>

@@ -5,8 +5,8 @@
 // Keeping costs a copy of every row that is drawn and its fingerprint. So nothing is kept until two
 // frames in a row have some of their shapes in common, and it rests where it was of no use.
 
-#include <mien/render/image.h>
-#include <mien/render/view/view.h>
+#include <mien/image.h>
+#include <mien/view.h>
 
 #include <cstddef>
 #include <cstdint>

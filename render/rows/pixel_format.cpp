@@ -1,4 +1,4 @@
-#include <mien/render/rows/pixel_format.h>
+#include "render/rows/pixel_format.h"
 
 #include <cstring>
 

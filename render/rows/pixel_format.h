@@ -2,8 +2,8 @@
 // From mixed colours to the bytes of pixels: twins in lanes of store() and store_dithered()
 // (render/blend/blender.h), off by less than a hundredth of a level of 255 and half a level of 65535.
 
-#include <mien/render/blend/blender.h>
-#include <mien/render/shade/color_row.h>
+#include "render/blend/blender.h"
+#include "render/shade/color_row.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // From mixed colours to the bytes of pixels. Compiled once per instruction set.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "mien/render/rows/pixel_format_simd.cpp"
+#define HWY_TARGET_INCLUDE "render/rows/pixel_format_simd.cpp"
 #include <hwy/foreach_target.h>
-#include <mien/render/blend/transfer-inl.h>
-#include <mien/render/rows/pixel_format.h>
+#include "render/blend/transfer-inl.h"
+#include "render/rows/pixel_format.h"
 
 #include <cstring>
 

@@ -1,5 +1,5 @@
-#include <mien/lib/base/fingerprint.h>
-#include <mien/render/rows/row_fingerprints.h>
+#include "render/rows/row_fingerprints.h"
+#include "lib/base/fingerprint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 // seen on both sides of each. Nothing else of a scene counts: not what is hidden, nor names, nor how
 // the sweep came to it.
 
-#include <mien/render/shade/looks.h>
-#include <mien/sdf/arrange/sweep.h>
-#include <mien/sdf/scene/same_scene.h>
+#include "render/shade/looks.h"
+#include "sdf/arrange/sweep.h"
+#include "sdf/scene/same_scene.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <mien/render/rows/row_painter.h>
+#include "render/rows/row_painter.h"
 
 #include <algorithm>
 #include <bit>

@@ -4,10 +4,10 @@
 // What a run looks like is known from the look that its left neighbour noted; it counts only where the
 // sum agrees, and then the look's own colour goes on in place of the sum: roundings end there.
 
-#include <mien/render/render_stats.h>
-#include <mien/render/rows/row_sums.h>
-#include <mien/render/rows/stores.h>
-#include <mien/render/shade/look_shader.h>
+#include <mien/render_stats.h>
+#include "render/rows/row_sums.h"
+#include "render/rows/stores.h"
+#include "render/shade/look_shader.h"
 
 #include <array>
 #include <functional>

@@ -4,9 +4,9 @@
 // A fragment that leaves area a of a pixel, and dy of all those after it, to its right adds
 // jump · a to the pixel and jump · (dy − a) to the next: a running sum along the row is the picture.
 
-#include <mien/render/cover/cells.h>
-#include <mien/render/cover/part_form.h>
-#include <mien/render/rows/pixel_format.h>
+#include "render/cover/cells.h"
+#include "render/cover/part_form.h"
+#include "render/rows/pixel_format.h"
 
 #include <cstdint>
 #include <vector>

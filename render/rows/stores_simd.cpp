@@ -1,10 +1,10 @@
 // Stores of pixels, compiled once per instruction set.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "mien/render/rows/stores_simd.cpp"
+#define HWY_TARGET_INCLUDE "render/rows/stores_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include <mien/render/rows/stores.h>
+#include "render/rows/stores.h"
 
 #include <cstdint>
 #include <cstring>

@@ -1,5 +1,5 @@
-#include <mien/render/shade/look_shader.h>
-#include <mien/render/shade/ramp_lanes.h>
+#include "render/shade/look_shader.h"
+#include "render/shade/ramp_lanes.h"
 
 #include <algorithm>
 #include <cmath>

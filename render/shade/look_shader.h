@@ -11,8 +11,8 @@
 // how t's own spread meets a translucent layer below that varies, too: a twelfth of the product of both
 // slopes per pixel.
 
-#include <mien/render/shade/color_row.h>
-#include <mien/render/shade/looks.h>
+#include "render/shade/color_row.h"
+#include "render/shade/looks.h"
 
 #include <vector>
 

@@ -5,8 +5,8 @@
 // the topmost opaque one up; what is constant is laid together at once. Looks that are made alike are
 // one look: no outline is seen between them.
 
-#include <mien/render/shade/paint_table.h>
-#include <mien/sdf/arrange/regions.h>
+#include "render/shade/paint_table.h"
+#include "sdf/arrange/regions.h"
 
 #include <array>
 #include <cstdint>

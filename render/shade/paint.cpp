@@ -1,4 +1,4 @@
-#include <mien/render/shade/paint.h>
+#include "render/shade/paint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 // Paints that vary from place to place, made ready to draw: on the grid of the picture's pixels.
 
-#include <mien/render/blend/lit.h>
-#include <mien/render/blend/ramp.h>
-#include <mien/render/shade/area_distance.h>
+#include "render/blend/lit.h"
+#include "render/blend/ramp.h"
+#include "render/shade/nearest/area_distance.h"
 
 #include <optional>
 #include <vector>

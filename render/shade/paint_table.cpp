@@ -1,4 +1,4 @@
-#include <mien/render/shade/paint_table.h>
+#include "render/shade/paint_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 // profile. Each of these kinks is a line, and the line is an outline like any other: so no region has
 // a kink inside it.
 
-#include <mien/render/shade/lit_paint.h>
-#include <mien/render/shade/paint.h>
-#include <mien/render/view/view.h>
-#include <mien/sdf/outline/area_program.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
+#include <mien/view.h>
+#include "render/shade/light/lit_paint.h"
+#include "render/shade/paint.h"
+#include "sdf/outline/area_program.h"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // Compiled once per instruction set.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "mien/render/shade/ramp_lanes_simd.cpp"
+#define HWY_TARGET_INCLUDE "render/shade/ramp_lanes_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include <mien/render/shade/ramp_lanes.h>
-#include <mien/sdf/batch/fma-inl.h>
+#include "render/shade/ramp_lanes.h"
+#include "sdf/distance/lanes/fma-inl.h"
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-#include <mien/render/view/view.h>
+#include <mien/view.h>
 
 #include <algorithm>
 

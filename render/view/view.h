@@ -1,9 +1,9 @@
 #pragma once
 // Where face units land in pixels. Changing anything here changes the picture.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/geom/map.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/map.h>
+#include <mien/scene.h>
 
 #include <glm/vec3.hpp>
 #include <optional>

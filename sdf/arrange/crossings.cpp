@@ -1,5 +1,5 @@
-#include <mien/sdf/arrange/crossings.h>
-#include <mien/sdf/arrange/order_proof.h>
+#include "sdf/arrange/crossings.h"
+#include "sdf/arrange/order_proof.h"
 
 #include <cmath>
 #include <limits>

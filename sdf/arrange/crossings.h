@@ -1,7 +1,7 @@
 #pragma once
 // Where two monotone pieces change their order from left to right: nowhere, once or twice.
 
-#include <mien/sdf/arrange/sweep_piece.h>
+#include "sdf/arrange/sweep_piece.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/arrange/order_proof.h>
+#include "sdf/arrange/order_proof.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Is one piece left of another over a whole stretch of height? A bound says so, not a look here and
 // there.
 
-#include <mien/sdf/arrange/sweep_piece.h>
+#include "sdf/arrange/sweep_piece.h"
 
 namespace mien {
 

@@ -1,10 +1,10 @@
 // Compiled once per instruction set.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "mien/sdf/arrange/reach_simd.cpp"
+#define HWY_TARGET_INCLUDE "sdf/arrange/reach_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include <mien/sdf/arrange/reach.h>
+#include "sdf/arrange/reach.h"
 
 #include <array>
 

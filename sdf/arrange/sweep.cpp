@@ -1,5 +1,5 @@
-#include <mien/sdf/arrange/reach.h>
-#include <mien/sdf/arrange/sweep.h>
+#include "sdf/arrange/sweep.h"
+#include "sdf/arrange/reach.h"
 
 #include <algorithm>
 #include <bit>

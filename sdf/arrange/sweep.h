@@ -14,9 +14,9 @@
 //
 // No colours here: of two regions only whether they look alike is asked (regions.h).
 
-#include <mien/sdf/arrange/crossings.h>
-#include <mien/sdf/arrange/order_proof.h>
-#include <mien/sdf/arrange/regions.h>
+#include "sdf/arrange/crossings.h"
+#include "sdf/arrange/order_proof.h"
+#include "sdf/arrange/regions.h"
 
 #include <span>
 #include <vector>

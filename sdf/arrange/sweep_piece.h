@@ -8,7 +8,7 @@
 // the root of b.y t² + 2 a.y t − d = 0 without cancellation: both terms of the divisor are >= 0.
 // Its error in t is some roundings relative to t, so x is right to about 1e-15 of the piece's size.
 
-#include <mien/sdf/outline/outlines.h>
+#include "sdf/outline/outlines.h"
 
 #include <algorithm>
 #include <array>

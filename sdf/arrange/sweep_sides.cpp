@@ -2,7 +2,7 @@
 // order, one that comes from there enters it. Beyond the left side outlines have winding numbers and one
 // region together; what the right side cuts off is of no use to anyone.
 
-#include <mien/sdf/arrange/sweep.h>
+#include "sdf/arrange/sweep.h"
 
 namespace mien {
 

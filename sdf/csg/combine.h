@@ -10,8 +10,8 @@
 //
 // All keep the sign, the outline and the Lipschitz bound 1 of what they are given.
 
-#include <mien/sdf/csg/op.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/op.h>
+#include <mien/shape.h>
 
 #include <algorithm>
 #include <cmath>

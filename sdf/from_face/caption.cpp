@@ -1,4 +1,4 @@
-#include <mien/sdf/from_face/caption.h>
+#include "sdf/from_face/caption.h"
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,8 @@
 // Small words for sheets and debug pictures, in pen lines. Lower case, digits and . - _ / % only; other
 // characters are left blank.
 
-#include <mien/lib/base/api.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/scene.h>
 
 #include <string_view>
 

@@ -1,9 +1,9 @@
-#include <mien/sdf/from_face/debug_view.h>
+#include "sdf/from_face/debug_view.h"
 
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/geom/srgb.h>
-#include <mien/sdf/from_face/caption.h>
+#include <mien/face_model.h>
 #include "draw_face_private.h"
+#include "lib/picture/srgb.h"
+#include "sdf/from_face/caption.h"
 
 #include <fmt/format.h>
 

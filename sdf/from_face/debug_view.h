@@ -1,9 +1,9 @@
 #pragma once
 // Faces with what moves them drawn over them.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/face/face.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/face.h>
+#include <mien/scene.h>
 
 #include <span>
 

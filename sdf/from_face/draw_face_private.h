@@ -1,8 +1,8 @@
 #pragma once
 // A face as the begin of a scene that goes on.
 
-#include <mien/lib/face/face.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/face.h>
+#include <mien/scene.h>
 
 namespace mien {
 

@@ -1,4 +1,4 @@
-#include <mien/lib/face/face_model.h>
+#include <mien/face_model.h>
 #include "feature_paint_private.h"
 
 #include <algorithm>

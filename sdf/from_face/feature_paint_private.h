@@ -1,10 +1,10 @@
 #pragma once
 // A feature's paint, with the numbers it has in a face, as a scene's.
 
-#include <mien/lib/face/face.h>
-#include <mien/lib/face/feature.h>
-#include <mien/sdf/scene/effects.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/face.h>
+#include <mien/feature.h>
+#include <mien/scene.h>
+#include <mien/scene_effects.h>
 
 #include <optional>
 

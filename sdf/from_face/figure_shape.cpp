@@ -1,6 +1,6 @@
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/rig/lid.h>
+#include <mien/face_model.h>
 #include "figure_shape_private.h"
+#include "lib/rig/eye/lid.h"
 
 #include <algorithm>
 #include <cmath>

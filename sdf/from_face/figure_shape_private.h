@@ -1,9 +1,9 @@
 #pragma once
 // A feature's figure, with the numbers it has in a face, as a shape.
 
-#include <mien/lib/face/face.h>
-#include <mien/lib/face/feature.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/face.h>
+#include <mien/feature.h>
+#include <mien/shape.h>
 
 #include <vector>
 

@@ -1,10 +1,10 @@
-#include <mien/sdf/from_face/morph_heat.h>
+#include <mien/morph_heat.h>
 
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/geom/heat.h>
-#include <mien/lib/rig/morph.h>
-#include <mien/sdf/from_face/caption.h>
+#include <mien/face_model.h>
+#include <mien/morph.h>
 #include "figure_shape_private.h"
+#include "sdf/from_face/caption.h"
+#include "sdf/from_face/heat.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 // How far each point of a face has gone, as a picture (item G6).
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/face/face.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/face.h>
+#include <mien/scene.h>
 
 namespace mien {
 

@@ -1,6 +1,6 @@
-#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/scene_from_face.h>
 
-#include <mien/lib/face/face_model.h>
+#include <mien/face_model.h>
 #include "draw_face_private.h"
 #include "feature_paint_private.h"
 #include "figure_shape_private.h"

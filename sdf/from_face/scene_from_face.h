@@ -1,9 +1,9 @@
 #pragma once
 // Face in, scene out: each feature becomes a layer, in drawing order.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/face/face.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/face.h>
+#include <mien/scene.h>
 
 namespace mien {
 

@@ -1,6 +1,6 @@
-#include <mien/sdf/from_mesh/scene_from_mesh.h>
+#include <mien/scene_from_mesh.h>
 
-#include <mien/lib/geom/heat.h>
+#include "sdf/from_face/heat.h"
 
 #include <glm/geometric.hpp>
 

@@ -3,10 +3,10 @@
 //
 // Triangles that share an edge share it exactly, so that no seam shows the background between them.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/geom/box2.h>
-#include <mien/lib/geom/mesh.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/box2.h>
+#include <mien/mesh.h>
+#include <mien/scene.h>
 
 #include <span>
 

@@ -1,6 +1,6 @@
-#include <mien/lib/base/one_line.h>
-#include <mien/lib/file/read_bytes.h>
-#include <mien/sdf/from_text/font.h>
+#include <mien/font.h>
+#include "lib/base/one_line.h"
+#include "lib/file/json/read_bytes.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

@@ -1,9 +1,9 @@
 #pragma once
 // Outline fonts.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/base/expected.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/api.h>
+#include <mien/expected.h>
+#include <mien/shape.h>
 
 #include <filesystem>
 #include <memory>

@@ -1,4 +1,4 @@
-#include <mien/sdf/from_text/text_path.h>
+#include <mien/text_path.h>
 
 #include <string>
 #include <utility>

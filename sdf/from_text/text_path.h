@@ -4,8 +4,8 @@
 //   build.layer("label", text_area(build, "0.5 × brow", 12, {0, -4}, {.anchor = TextAnchor::middle}),
 //               {ink});
 
-#include <mien/sdf/from_text/font.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/font.h>
+#include <mien/scene.h>
 
 #include <string_view>
 

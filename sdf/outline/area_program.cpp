@@ -1,7 +1,7 @@
-#include <mien/sdf/outline/area_program.h>
-#include <mien/sdf/outline/outline_maker.h>
-#include <mien/sdf/shape/band.h>
-#include <mien/sdf/shape/same_shape.h>
+#include "sdf/outline/area_program.h"
+#include "sdf/outline/outline_maker.h"
+#include "sdf/shape/curve/band.h"
+#include "sdf/shape/same_shape.h"
 
 #include <algorithm>
 #include <bit>

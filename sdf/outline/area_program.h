@@ -8,7 +8,7 @@
 //   either, both: to both operands          complement: −a <= v  is  not (a <= −v)
 //   offset m:     a <= v + m                shell m:    |a| <= v + m =: k  is  a <= k and not (a <= −k)
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#include <mien/sdf/outline/outline_maker.h>
+#include "sdf/outline/outline_maker.h"
 
 #include <algorithm>
 

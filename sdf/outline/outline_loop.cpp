@@ -1,6 +1,6 @@
-#include <mien/sdf/outline/outline_loop.h>
+#include "sdf/outline/outline_loop.h"
 
-#include "cross_private.h"
+#include "sdf/outline/curve/cross_private.h"
 
 #include <algorithm>
 #include <array>

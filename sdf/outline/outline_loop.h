@@ -11,8 +11,8 @@
 // outside of it: no way between two points of one outer half-plane passes the window, so no winding
 // number inside changes (docs/derivations/outlines.md).
 
-#include <mien/sdf/outline/curve_pen.h>
-#include <mien/sdf/outline/outlines.h>
+#include "sdf/outline/curve/curve_pen.h"
+#include "sdf/outline/outlines.h"
 
 namespace mien {
 

@@ -1,8 +1,8 @@
-#include <mien/sdf/outline/outline_maker.h>
+#include "sdf/outline/outline_maker.h"
 
-#include "boundary_private.h"
-#include "ribbon_private.h"
-#include "stroke_private.h"
+#include "sdf/outline/curve/boundary_private.h"
+#include "sdf/outline/stroke/ribbon_private.h"
+#include "sdf/outline/stroke/stroke_private.h"
 
 #include <algorithm>
 

@@ -9,11 +9,11 @@
 // Only single shapes are asked for: offsets of combinations are pushed down to shapes by
 // AreaProgram (area_program.h), which asks for fills, rims and their combinations.
 
-#include <mien/lib/geom/box2.h>
-#include <mien/lib/geom/map.h>
-#include <mien/sdf/outline/outline_loop.h>
-#include <mien/sdf/outline/outlines.h>
-#include <mien/sdf/outline/side_list.h>
+#include <mien/box2.h>
+#include <mien/map.h>
+#include "sdf/outline/curve/side_list.h"
+#include "sdf/outline/outline_loop.h"
+#include "sdf/outline/outlines.h"
 
 #include <optional>
 

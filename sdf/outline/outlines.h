@@ -6,7 +6,7 @@
 // or odd (see FillRule). Neighbouring pieces share their vertex bit for bit, so loops are closed
 // exactly and no rounding can open them.
 
-#include <mien/sdf/shape/shape.h>
+#include <mien/shape.h>
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <mien/sdf/scene/effects.h>
+#include <mien/scene_effects.h>
 
 #include <algorithm>
 #include <utility>

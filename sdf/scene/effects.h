@@ -9,8 +9,8 @@
 // Scene::exactness says so, as for every shape alone; of combined areas it is a bound, so that a contour
 // has mitred instead of round corners there and a glow follows the corners' mitres.
 
-#include <mien/lib/base/api.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/api.h>
+#include <mien/scene.h>
 
 #include <string>
 

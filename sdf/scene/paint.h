@@ -8,7 +8,7 @@
 //
 // All lengths and places are in face units.
 
-#include <mien/lib/geom/color.h>
+#include <mien/color.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

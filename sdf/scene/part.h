@@ -1,7 +1,7 @@
 #pragma once
 // A scene of some layers of another one: what a window of a crowded picture needs.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <span>
 #include <unordered_map>

@@ -1,6 +1,6 @@
-#include <mien/lib/base/fingerprint.h>
-#include <mien/sdf/scene/same_scene.h>
-#include <mien/sdf/shape/same_shape.h>
+#include "sdf/scene/same_scene.h"
+#include "lib/base/fingerprint.h"
+#include "sdf/shape/same_shape.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,7 +2,7 @@
 // Scenes that are the same, number for number, and what two of them have in common: most of a face
 // stands still from frame to frame. Names do not count.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
-#include <mien/sdf/csg/combine.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
+#include "sdf/csg/combine.h"
 
 #include <algorithm>
 #include <cmath>

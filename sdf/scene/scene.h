@@ -9,12 +9,12 @@
 //
 // Areas are shared: the outline of `opening` is ONE outline in both layers, so they leave no seam.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/geom/box2.h>
-#include <mien/lib/geom/color.h>
-#include <mien/sdf/csg/op.h>
-#include <mien/sdf/scene/paint.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/api.h>
+#include <mien/box2.h>
+#include <mien/color.h>
+#include <mien/op.h>
+#include <mien/paint.h>
+#include <mien/shape.h>
 
 #include <memory>
 #include <span>

@@ -1,6 +1,6 @@
 // Scene::text: the picture's data in lines that a person reads and a diff compares.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <fmt/format.h>
 

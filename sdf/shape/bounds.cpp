@@ -1,9 +1,9 @@
 // bounds() of every shape. Boxes are as tight as the closed form allows and never smaller than the
 // inside: where rounding could matter a slack of a few units in the last place is added.
 
-#include <mien/sdf/shape/band.h>
-#include <mien/sdf/shape/parabola_side.h>
-#include <mien/sdf/shape/quad_bezier.h>
+#include <mien/parabola_side.h>
+#include <mien/quad_bezier_distance.h>
+#include "sdf/shape/curve/band.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Shapes that are the same, number for number: their outlines are drawn and crossed once.
 
-#include <mien/sdf/shape/shape.h>
+#include <mien/shape.h>
 
 #include <cstdint>
 #include <cstring>

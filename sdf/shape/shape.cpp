@@ -1,7 +1,7 @@
-#include <mien/sdf/shape/band.h>
-#include <mien/sdf/shape/path.h>
-#include <mien/sdf/shape/quad_bezier.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/quad_bezier_distance.h>
+#include <mien/shape.h>
+#include "sdf/shape/curve/band.h"
+#include "sdf/shape/curve/path.h"
 
 #include <cmath>
 #include <string_view>

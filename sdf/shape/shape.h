@@ -11,11 +11,11 @@
 // gives distance +infinity (outside).  Every distance is 1-Lipschitz and zero exactly on the
 // outline.
 
-#include <mien/lib/base/api.h>
-#include <mien/lib/geom/box2.h>
-#include <mien/lib/geom/ellipse.h>
-#include <mien/lib/geom/map.h>
-#include <mien/lib/geom/quad_bezier.h>
+#include <mien/api.h>
+#include <mien/box2.h>
+#include <mien/ellipse.h>
+#include <mien/map.h>
+#include <mien/quad_bezier.h>
 
 #include <glm/vec2.hpp>
 #include <string_view>

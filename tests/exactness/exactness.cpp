@@ -1,5 +1,5 @@
 // mien_exactness: how exact the pictures of the sample faces are, pixel by pixel.
-#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/scene_from_face.h>
 
 #include <fmt/format.h>
 

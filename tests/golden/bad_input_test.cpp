@@ -1,7 +1,7 @@
 // What no one should draw: numbers that are none, that are huge, or the same a thousand times. Pictures are right
 // and work is bounded by pieces and crossings, as RenderStats tells.
 
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <gtest/gtest.h>
 

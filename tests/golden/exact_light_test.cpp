@@ -1,7 +1,7 @@
 // The exact truth of lit surfaces, proven by closed forms of its own: what it then says of faces and
 // random scenes is believed.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <gtest/gtest.h>
 

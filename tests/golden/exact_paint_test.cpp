@@ -5,7 +5,7 @@
 // --gtest_filter=ExactPaint.* (hours on one core; ExactPaint.WhereScenesChangeMost alone ten minutes),
 // or ctest -L long. MIEN_FIRST_SCENE=501 begins later: so several processes share the thousand.
 
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Eyes as people see them: pictures of gazes, blinks and bulges.
 
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/geom/srgb.h>
+#include <mien/face_model.h>
 #include <mien/mien.h>
+#include "lib/picture/srgb.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

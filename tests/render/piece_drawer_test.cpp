@@ -1,6 +1,6 @@
-#include <mien/lib/base/parallel.h>
-#include <mien/render/piece_drawer.h>
-#include <mien/render/render.h>
+#include "render/piece_drawer.h"
+#include <mien/parallel.h>
+#include <mien/render.h>
 
 #include <gtest/gtest.h>
 

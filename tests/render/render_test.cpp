@@ -1,4 +1,4 @@
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

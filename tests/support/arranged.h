@@ -2,8 +2,8 @@
 // Outlines arranged with a look for every set of them: two regions look alike only if they are inside
 // of the same outlines, so that no fault of an arrangement can hide behind a colour.
 
-#include <mien/sdf/arrange/sweep.h>
-#include <mien/sdf/outline/outline_maker.h>
+#include "sdf/arrange/sweep.h"
+#include "sdf/outline/outline_maker.h"
 
 #include <algorithm>
 #include <bit>

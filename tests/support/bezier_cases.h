@@ -1,8 +1,8 @@
 #pragma once
 // Families of points and quadratic Bézier curves, most of them nasty.
 
-#include <mien/lib/geom/quad_bezier.h>
-#include <mien/lib/math/norm.h>
+#include <mien/quad_bezier.h>
+#include "lib/math/norm.h"
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "tests/support/brute_light.h"
 
-#include <mien/render/blend/transfer.h>
+#include "render/blend/transfer.h"
 
 #include <algorithm>
 #include <cmath>

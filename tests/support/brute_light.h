@@ -1,8 +1,8 @@
 #pragma once
 // Means of a lit surface over parts of pixels by very many places: the judge of render/shade.
 
-#include <mien/render/cover/part_form.h>
-#include <mien/render/shade/lit_surface.h>
+#include "render/cover/part_form.h"
+#include "render/shade/light/lit_surface.h"
 
 #include <array>
 #include <functional>

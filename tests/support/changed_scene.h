@@ -1,5 +1,5 @@
 #pragma once
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include "tests/support/random.h"
 

@@ -3,7 +3,7 @@
 // leaves out. Vertices shared by many shapes, fans, coincident, reversed and collinear edges, tangent
 // circles, paths over themselves, strokes with cusps, widths and radii of zero.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A test's body on every instruction set of this machine.
 
-#include <mien/sdf/batch/instruction_sets.h>
+#include "sdf/distance/instruction_sets.h"
 
 #include <gtest/gtest.h>
 

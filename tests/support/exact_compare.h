@@ -1,7 +1,7 @@
 #pragma once
 // Pictures against the exact one.
 
-#include <mien/render/image.h>
+#include <mien/image.h>
 
 #include <glm/vec4.hpp>
 #include <span>

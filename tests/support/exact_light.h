@@ -1,7 +1,7 @@
 #pragma once
 // Light on a relief, word for word as sdf/scene/paint.h defines it, at one place.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // A colour mixed in both blending spaces at once: their areas are the same, only colours differ.
 
-#include <mien/render/view/view.h>
+#include <mien/view.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // What a scene's layers are painted with at one place, in both blending spaces, and where along a
 // line paints have kinks or jumps. By the definitions of sdf/scene/paint.h.
 
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
+#include <mien/view.h>
 
 #include <functional>
 #include <glm/vec2.hpp>

@@ -13,8 +13,8 @@
 // It shares no code with the renderer but the scene's own distances, which have truths of their own
 // in tests/sdf.
 
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
+#include <mien/view.h>
 
 #include <glm/vec4.hpp>
 #include <map>

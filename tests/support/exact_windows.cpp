@@ -1,6 +1,6 @@
 #include "tests/support/exact_windows.h"
 
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 // Windows of pictures, drawn by region in both blends at 8 and 16 bits, judged by one exact truth.
 
-#include <mien/render/image.h>
-#include <mien/render/view/view.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/image.h>
+#include <mien/scene.h>
+#include <mien/view.h>
 
 #include <array>
 #include <cstdint>

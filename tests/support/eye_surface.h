@@ -1,7 +1,7 @@
 #pragma once
 // The eye under its lids: a ball and the cornea, part of a sphere through the cornea's rim.
 
-#include <mien/lib/rig/bulge.h>
+#include "lib/rig/eye/bulge.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Face files as text, made by tests, and what reading them says.
 
-#include <mien/lib/file/face_file.h>
+#include <mien/face_file.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "tests/support/fuzzed_picture.h"
 
-#include <mien/render/reference/square_resolver.h>
-#include <mien/render/render.h>
+#include <mien/render.h>
+#include "render/reference/square_resolver.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Random scenes as pictures, every pixel judged: by the reference first, which is fast, and where that
 // is in doubt by the exact truth, which decides.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // A head of triangles for tests: brow, nose, eye sockets, lips and chin on an egg, in a few shapes.
 
-#include <mien/lib/geom/mesh.h>
+#include <mien/mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes in which a third of all coordinates are far outside the picture, by a seed.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Random reliefs over one shape or a combination, in pixels, for the tests of render/shade.
 
-#include <mien/render/shade/paint.h>
+#include "render/shade/paint.h"
 
 #include "tests/support/random.h"
 

@@ -2,8 +2,8 @@
 // Outlines looked at from a point: how often they wind around it, and what lies at a place of a
 // piece. Slow and plain; shares nothing with what sweeps them.
 
-#include <mien/sdf/outline/outlines.h>
-#include <mien/sdf/shape/path.h>
+#include "sdf/outline/outlines.h"
+#include "sdf/shape/curve/path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 // Sample faces, their numbers and poses, for tests of lib alone. Throws what a test then shows.
 
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/file/face_file.h>
-#include <mien/lib/rig/pose.h>
+#include <mien/face_file.h>
+#include <mien/face_model.h>
+#include <mien/pose.h>
 
 #include <glm/vec2.hpp>
 

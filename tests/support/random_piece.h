@@ -1,7 +1,7 @@
 #pragma once
 // Monotone pieces of outline, by dice.
 
-#include <mien/sdf/arrange/sweep_piece.h>
+#include "sdf/arrange/sweep_piece.h"
 
 #include <glm/vec2.hpp>
 

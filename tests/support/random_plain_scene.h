@@ -1,7 +1,7 @@
 #pragma once
 // Scenes of every shape and operator in plain colours, some of them translucent, by a seed.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 

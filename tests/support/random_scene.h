@@ -1,7 +1,7 @@
 #pragma once
 // Scenes of every shape, operator, paint and transparency, by a seed.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cstdint>
 

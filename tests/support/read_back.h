@@ -1,7 +1,7 @@
 #pragma once
 // Files as another program reads them.
 
-#include <mien/image.h>
+#include <mien/write.h>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

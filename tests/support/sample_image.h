@@ -1,5 +1,5 @@
 #pragma once
-#include <mien/render/image.h>
+#include <mien/image.h>
 
 #include <cstdint>
 #include <cstring>

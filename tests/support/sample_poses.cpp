@@ -1,6 +1,6 @@
 #include "tests/support/sample_poses.h"
 
-#include <mien/lib/rig/expression_setting.h>
+#include "lib/rig/pose/expression_setting.h"
 
 #include <utility>
 

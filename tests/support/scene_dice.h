@@ -1,7 +1,7 @@
 #pragma once
 // What random scenes are thrown with: numbers, shapes, gradients, areas; the same on every machine.
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <cmath>
 #include <cstdint>

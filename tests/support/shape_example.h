@@ -2,7 +2,7 @@
 // Examples of shapes, the same for all laws: those of distances (shape_laws.h) and of outlines
 // (outline_laws.h). Each kind has its own in tests/support/shape_examples.
 
-#include <mien/sdf/shape/shape.h>
+#include <mien/shape.h>
 
 #include <functional>
 #include <vector>

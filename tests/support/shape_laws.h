@@ -5,8 +5,8 @@
 //
 // and its examples are in tests/support/shape_examples.
 
-#include <mien/lib/math/norm.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/shape.h>
+#include "lib/math/norm.h"
 
 #include <gtest/gtest.h>
 

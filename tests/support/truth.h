@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <mien/render/image.h>
-#include <mien/sdf/scene/scene.h>
+#include <mien/image.h>
+#include <mien/scene.h>
 
 namespace mien::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 // What DEFLATE's streams and tokens unpack to, by zlib and by their meaning.
 
-#include <mien/render/image/deflate_writer.h>
+#include "render/image/png/deflate_writer.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

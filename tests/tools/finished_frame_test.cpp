@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <mien/tools/mien/finished_frame.h>
+#include "tools/mien/film/finished_frame.h"
 
 #include "tests/support/scratch_folder.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <mien/tools/mien/frame_names.h>
+#include "tools/mien/film/frame_names.h"
 
 namespace mien::command {
 namespace {

@@ -1,4 +1,4 @@
-#include <mien/tools/mien/json_text.h>
+#include "tools/mien/output/json_text.h"
 
 #include <gtest/gtest.h>
 

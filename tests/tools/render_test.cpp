@@ -2,8 +2,8 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/file/face_file.h>
+#include <mien/face_file.h>
+#include <mien/face_model.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include <mien/tools/accuracy/families.h>
+#include "tools/accuracy/families.h"
 
 #include <algorithm>
 #include <array>

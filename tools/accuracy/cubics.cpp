@@ -1,6 +1,6 @@
-#include <mien/sdf/batch/instruction_sets.h>
-#include <mien/sdf/distance.h>
-#include <mien/tools/accuracy/cubics.h>
+#include "tools/accuracy/cubics.h"
+#include <mien/distance.h>
+#include "sdf/distance/instruction_sets.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include <mien/tools/accuracy/quad.h>
+#include "tools/accuracy/quad.h"
 
 namespace mien::accuracy {
 namespace {

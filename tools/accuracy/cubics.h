@@ -2,8 +2,8 @@
 // solve_cubic on its own families of nasty cases, judged in 113 bits: no root missed, none invented,
 // every one as exact as its coefficients deserve.
 
-#include <mien/lib/math/cubic.h>
-#include <mien/tools/accuracy/families.h>
+#include <mien/cubic_roots.h>
+#include "tools/accuracy/families.h"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
-#include <mien/tools/accuracy/export.h>
+#include "tools/accuracy/export.h"
 
 #include <fmt/format.h>
 
-#include <mien/tools/accuracy/reference.h>
+#include "tools/accuracy/reference.h"
 
 namespace mien::accuracy {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <ostream>
 
-#include <mien/tools/accuracy/families.h>
+#include "tools/accuracy/families.h"
 
 namespace mien::accuracy {
 

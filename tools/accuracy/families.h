@@ -1,10 +1,10 @@
 #pragma once
 // Families of nasty cases: a figure and a point, drawn from a seed.
 
-#include <mien/lib/geom/cubic_bezier.h>
-#include <mien/lib/geom/ellipse.h>
-#include <mien/lib/geom/quad_bezier.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/cubic_bezier.h>
+#include <mien/ellipse.h>
+#include <mien/quad_bezier.h>
+#include <mien/shape.h>
 
 #include <cstdint>
 #include <random>

@@ -1,6 +1,6 @@
 // Families of the other figures: ellipses, parabola sides, tapered strokes, cubic Bézier curves.
 
-#include <mien/tools/accuracy/families.h>
+#include "tools/accuracy/families.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

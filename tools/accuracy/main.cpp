@@ -10,9 +10,9 @@
 #include <iostream>
 #include <stdexcept>
 
-#include <mien/tools/accuracy/cubics.h>
-#include <mien/tools/accuracy/export.h>
-#include <mien/tools/accuracy/tally.h>
+#include "tools/accuracy/cubics.h"
+#include "tools/accuracy/export.h"
+#include "tools/accuracy/tally.h"
 
 namespace {
 

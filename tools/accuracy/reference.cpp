@@ -1,5 +1,5 @@
-#include <mien/tools/accuracy/reference.h>
-#include <mien/tools/accuracy/roots.h>
+#include "tools/accuracy/reference.h"
+#include "tools/accuracy/roots.h"
 
 #include <algorithm>
 #include <utility>

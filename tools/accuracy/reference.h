@@ -9,8 +9,8 @@
 //   such quartics.
 // Error. Below 2⁻¹⁰⁰ of the largest coordinate.
 
-#include <mien/tools/accuracy/families.h>
-#include <mien/tools/accuracy/quad.h>
+#include "tools/accuracy/families.h"
+#include "tools/accuracy/quad.h"
 
 namespace mien::accuracy {
 

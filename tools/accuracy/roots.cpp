@@ -1,4 +1,4 @@
-#include <mien/tools/accuracy/roots.h>
+#include "tools/accuracy/roots.h"
 
 namespace mien::accuracy {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Real roots of polynomials in binary128, each inside a certified bracket.
 
-#include <mien/tools/accuracy/quad.h>
+#include "tools/accuracy/quad.h"
 
 #include <vector>
 

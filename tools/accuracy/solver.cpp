@@ -1,8 +1,8 @@
-#include <mien/tools/accuracy/solver.h>
+#include "tools/accuracy/solver.h"
 
 #include <dlfcn.h>
-#include <mien/sdf/batch/instruction_sets.h>
-#include <mien/sdf/distance.h>
+#include <mien/distance.h>
+#include "sdf/distance/instruction_sets.h"
 
 #include <algorithm>
 #include <cmath>

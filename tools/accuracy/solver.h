@@ -9,14 +9,14 @@
 //
 // mien-accuracy --solver ./libmine.so
 
-#include <mien/lib/geom/quad_bezier.h>
+#include <mien/quad_bezier.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include <mien/tools/accuracy/families.h>
-#include <mien/tools/accuracy/quad.h>
+#include "tools/accuracy/families.h"
+#include "tools/accuracy/quad.h"
 
 namespace mien::accuracy {
 

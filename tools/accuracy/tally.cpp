@@ -1,4 +1,4 @@
-#include <mien/tools/accuracy/tally.h>
+#include "tools/accuracy/tally.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include <mien/tools/accuracy/reference.h>
+#include "tools/accuracy/reference.h"
 
 namespace mien::accuracy {
 namespace {

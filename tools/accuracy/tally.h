@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <mien/tools/accuracy/families.h>
-#include <mien/tools/accuracy/solver.h>
+#include "tools/accuracy/families.h"
+#include "tools/accuracy/solver.h"
 
 namespace mien::accuracy {
 

@@ -1,6 +1,6 @@
-#include <mien/tools/mien/command_line.h>
-#include <mien/tools/mien/commands.h>
-#include <mien/tools/mien/messages.h>
+#include "tools/mien/cli/command_line.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/terminal/messages.h"
 
 #include <csignal>
 #include <exception>

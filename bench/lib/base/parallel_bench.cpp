@@ -2,7 +2,7 @@
 // hundred times this.
 
 #include <benchmark/benchmark.h>
-#include <mien/lib/base/parallel.h>
+#include <mien/parallel.h>
 
 namespace {
 

@@ -2,8 +2,8 @@
 // matrix): ns per cubic, on cubics with three roots in [−1, 1] and with one.
 
 #include <benchmark/benchmark.h>
-#include <mien/sdf/batch/instruction_sets.h>
-#include <mien/sdf/distance.h>
+#include <mien/distance.h>
+#include "sdf/distance/instruction_sets.h"
 
 #include <array>
 #include <random>

@@ -1,6 +1,6 @@
 // A program of somebody else's: a face, drawn into its own buffer, and distances in bulk.
+#include <mien/distance.h>
 #include <mien/mien.h>
-#include <mien/sdf/distance.h>
 
 #include <cstdio>
 #include <vector>

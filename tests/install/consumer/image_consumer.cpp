@@ -1,6 +1,6 @@
 // A program of somebody else's that writes a picture.
-#include <mien/image.h>
 #include <mien/mien.h>
+#include <mien/write.h>
 
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <mien/lib/base/expected.h>
+#include <mien/expected.h>
 
 #include <memory>
 

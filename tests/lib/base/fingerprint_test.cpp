@@ -1,4 +1,4 @@
-#include <mien/lib/base/fingerprint.h>
+#include "lib/base/fingerprint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/base/nearest_name.h>
+#include "lib/base/nearest_name.h"
 
 #include <gtest/gtest.h>
 

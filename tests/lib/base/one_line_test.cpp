@@ -1,4 +1,4 @@
-#include <mien/lib/base/one_line.h>
+#include "lib/base/one_line.h"
 
 #include <gtest/gtest.h>
 

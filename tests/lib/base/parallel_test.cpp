@@ -1,4 +1,4 @@
-#include <mien/lib/base/parallel.h>
+#include <mien/parallel.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/face/face_paint.h>
+#include <mien/face_paint.h>
 
 #include <gtest/gtest.h>
 

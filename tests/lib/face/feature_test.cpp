@@ -1,4 +1,4 @@
-#include <mien/lib/face/feature.h>
+#include <mien/feature.h>
 
 #include <gtest/gtest.h>
 

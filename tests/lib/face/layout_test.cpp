@@ -1,4 +1,4 @@
-#include <mien/lib/face/layout.h>
+#include <mien/layout.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/face/side.h>
+#include <mien/side.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/face/standard_names.h>
+#include "lib/face/standard_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <mien/lib/geom/box2.h>
+#include <mien/box2.h>
 
 namespace mien {
 namespace {

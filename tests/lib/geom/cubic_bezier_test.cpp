@@ -1,4 +1,4 @@
-#include <mien/lib/geom/cubic_bezier.h>
+#include <mien/cubic_bezier.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <mien/lib/geom/map.h>
+#include <mien/map.h>
 
 namespace mien {
 namespace {

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <mien/lib/geom/quad_bezier.h>
+#include <mien/quad_bezier.h>
 
 namespace mien {
 namespace {

@@ -1,4 +1,4 @@
-#include <mien/lib/math/bracketed_root.h>
+#include "lib/math/bracketed_root.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/math/cubic.h>
+#include <mien/cubic_roots.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <mien/lib/math/matrix_source.h>
+#include <mien/matrix_source.h>
 
 #include <vector>
 

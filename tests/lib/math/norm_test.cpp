@@ -1,4 +1,4 @@
-#include <mien/lib/math/norm.h>
+#include "lib/math/norm.h"
 
 #include <gtest/gtest.h>
 

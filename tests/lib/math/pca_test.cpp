@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <mien/lib/math/pca.h>
+#include <mien/pca.h>
 
 #include <cmath>
 #include <random>

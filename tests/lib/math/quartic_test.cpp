@@ -1,4 +1,4 @@
-#include <mien/lib/math/quartic.h>
+#include "lib/math/quartic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/lib/math/unit_zeros.h>
+#include "lib/math/unit_zeros.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/blend/blender.h>
+#include "render/blend/blender.h"
 
 #include <gtest/gtest.h>
 

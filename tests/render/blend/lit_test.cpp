@@ -1,4 +1,4 @@
-#include <mien/render/blend/lit.h>
+#include "render/blend/lit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/blend/ramp.h>
+#include "render/blend/ramp.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/blend/transfer.h>
+#include "render/blend/transfer.h"
 
 #include <gtest/gtest.h>
 

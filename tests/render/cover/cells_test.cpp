@@ -1,5 +1,5 @@
-#include <mien/render/cover/cells.h>
-#include <mien/sdf/arrange/sweep_piece.h>
+#include "render/cover/cells.h"
+#include "sdf/arrange/sweep_piece.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/cover/part_form.h>
+#include "render/cover/part_form.h"
 
 #include <gtest/gtest.h>
 

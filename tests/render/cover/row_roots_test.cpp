@@ -1,6 +1,6 @@
-#include <mien/render/cover/cells.h>
-#include <mien/render/cover/row_roots.h>
-#include <mien/sdf/arrange/sweep_piece.h>
+#include "render/cover/row_roots.h"
+#include "render/cover/cells.h"
+#include "sdf/arrange/sweep_piece.h"
 
 #include <gtest/gtest.h>
 

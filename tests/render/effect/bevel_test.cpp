@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <mien/render/effect/bevel.h>
+#include "render/effect/bevel.h"
 
 #include <random>
 

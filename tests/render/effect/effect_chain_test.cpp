@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <mien/render/effect/effect_chain.h>
+#include <mien/effect_chain.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include <mien/render/blend/transfer.h>
+#include "render/blend/transfer.h"
 
 namespace mien {
 namespace {

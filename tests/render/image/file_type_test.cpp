@@ -1,4 +1,4 @@
-#include <mien/render/image/file_type.h>
+#include "render/image/file_type.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/image/image_module.h>
+#include "render/image/image_module.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-#include <mien/render/blend/transfer.h>
-#include <mien/render/image/picture_encoder.h>
+#include "render/image/picture_encoder.h"
+#include "render/blend/transfer.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

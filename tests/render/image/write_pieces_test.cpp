@@ -1,7 +1,7 @@
 // Pictures drawn on the way to their files: the same bytes as those of whole images.
 
-#include <mien/render/image/write_pieces.h>
-#include <mien/render/render.h>
+#include "render/image/write_pieces.h"
+#include <mien/render.h>
 
 #include <gtest/gtest.h>
 

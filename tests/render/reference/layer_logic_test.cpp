@@ -1,4 +1,4 @@
-#include <mien/render/reference/layer_logic.h>
+#include "render/reference/layer_logic.h"
 
 #include <gtest/gtest.h>
 

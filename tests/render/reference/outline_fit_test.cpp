@@ -1,5 +1,5 @@
-#include <mien/render/reference/outline_fit_private.h>
-#include <mien/sdf/shape/shape.h>
+#include <mien/shape.h>
+#include "render/reference/outline_fit_private.h"
 
 #include <gtest/gtest.h>
 

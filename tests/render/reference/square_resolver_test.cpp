@@ -1,4 +1,4 @@
-#include <mien/render/reference/square_resolver.h>
+#include "render/reference/square_resolver.h"
 
 #include <gtest/gtest.h>
 

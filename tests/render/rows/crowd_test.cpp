@@ -1,5 +1,5 @@
-#include <mien/render/render.h>
-#include <mien/render/rows/drawing.h>
+#include <mien/render.h>
+#include "render/rows/drawing.h"
 
 #include <gtest/gtest.h>
 

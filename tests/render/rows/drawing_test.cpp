@@ -1,8 +1,8 @@
-#include <mien/render/rows/drawing.h>
+#include "render/rows/drawing.h"
 
 #include <gtest/gtest.h>
 
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <mien/render/rows/frame_memory.h>
+#include "render/rows/frame_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include <mien/render/blend/transfer.h>
-#include <mien/render/rows/pixel_format.h>
+#include "render/rows/pixel_format.h"
+#include "render/blend/transfer.h"
 
 #include <gtest/gtest.h>
 

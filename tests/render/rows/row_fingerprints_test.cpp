@@ -1,5 +1,5 @@
-#include <mien/render/rows/drawing.h>
-#include <mien/render/rows/row_fingerprints.h>
+#include "render/rows/row_fingerprints.h"
+#include "render/rows/drawing.h"
 
 #include <gtest/gtest.h>
 

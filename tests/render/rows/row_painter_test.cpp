@@ -1,8 +1,8 @@
-#include <mien/render/rows/row_painter.h>
+#include "render/rows/row_painter.h"
 
 #include <gtest/gtest.h>
 
-#include <mien/render/render.h>
+#include <mien/render.h>
 
 #include <cstring>
 

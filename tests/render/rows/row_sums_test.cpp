@@ -1,4 +1,4 @@
-#include <mien/render/rows/row_sums.h>
+#include "render/rows/row_sums.h"
 
 #include <gtest/gtest.h>
 

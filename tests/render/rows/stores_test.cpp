@@ -1,4 +1,4 @@
-#include <mien/render/rows/stores.h>
+#include "render/rows/stores.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/shade/color_row.h>
+#include "render/shade/color_row.h"
 
 #include <gtest/gtest.h>
 

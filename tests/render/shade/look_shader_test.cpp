@@ -1,4 +1,4 @@
-#include <mien/render/shade/look_shader.h>
+#include "render/shade/look_shader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/render/shade/looks.h>
+#include "render/shade/looks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include <mien/render/shade/paint.h>
+#include "render/shade/paint.h"
 
 #include <gtest/gtest.h>
 
-#include <mien/render/shade/paint_table.h>
+#include "render/shade/paint_table.h"
 
 #include <cmath>
 #include <memory>

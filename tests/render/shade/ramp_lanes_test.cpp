@@ -1,4 +1,4 @@
-#include <mien/render/shade/ramp_lanes.h>
+#include "render/shade/ramp_lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/arrange/crossings.h>
+#include "sdf/arrange/crossings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/arrange/reach.h>
+#include "sdf/arrange/reach.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <mien/sdf/arrange/regions.h>
+#include "sdf/arrange/regions.h"
 
 #include <gtest/gtest.h>
 

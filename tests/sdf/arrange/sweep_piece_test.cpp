@@ -1,4 +1,4 @@
-#include <mien/sdf/arrange/sweep_piece.h>
+#include "sdf/arrange/sweep_piece.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/arrange/sweep.h>
+#include "sdf/arrange/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include <mien/sdf/csg/combine.h>
+#include "sdf/csg/combine.h"
 
 #include <gtest/gtest.h>
 
-#include <mien/lib/math/norm.h>
+#include "lib/math/norm.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
-#include <mien/sdf/from_face/debug_view.h>
+#include "sdf/from_face/debug_view.h"
 
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/geom/srgb.h>
-#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/face_model.h>
+#include <mien/scene_from_face.h>
+#include "lib/picture/srgb.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <mien/lib/geom/heat.h>
-#include <mien/lib/rig/morph.h>
-#include <mien/sdf/from_face/morph_heat.h>
+#include <mien/morph.h>
+#include <mien/morph_heat.h>
+#include "sdf/from_face/heat.h"
 
 #include "tests/support/faces.h"
 

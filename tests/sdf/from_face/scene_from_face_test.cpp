@@ -1,7 +1,7 @@
-#include <mien/lib/face/face_model.h>
-#include <mien/lib/file/face_file.h>
-#include <mien/lib/rig/pose.h>
-#include <mien/sdf/from_face/scene_from_face.h>
+#include <mien/face_file.h>
+#include <mien/face_model.h>
+#include <mien/pose.h>
+#include <mien/scene_from_face.h>
 
 #include <gtest/gtest.h>
 

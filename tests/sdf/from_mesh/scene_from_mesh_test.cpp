@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <mien/render/render.h>
-#include <mien/sdf/from_mesh/scene_from_mesh.h>
+#include <mien/render.h>
+#include <mien/scene_from_mesh.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/from_text/font.h>
+#include <mien/font.h>
 
 #include <gtest/gtest.h>
 

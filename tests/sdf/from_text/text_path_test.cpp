@@ -1,6 +1,6 @@
 // Text as paths; shown as ASCII, so that a reader sees whether it reads.
 
-#include <mien/sdf/from_text/text_path.h>
+#include <mien/text_path.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/outline/area_program.h>
+#include "sdf/outline/area_program.h"
 
 #include <gtest/gtest.h>
 

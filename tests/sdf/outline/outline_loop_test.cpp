@@ -1,4 +1,4 @@
-#include <mien/sdf/outline/outline_loop.h>
+#include "sdf/outline/outline_loop.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Outlines of every shape against its distance. Longer than other files: the scenes that once failed stand beside
 // the laws they broke, and all of them share one way to ask.
 
-#include <mien/sdf/outline/outline_maker.h>
-#include <mien/sdf/shape/band.h>
+#include "sdf/outline/outline_maker.h"
+#include "sdf/shape/curve/band.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include <mien/sdf/scene/paint.h>
+#include <mien/paint.h>
 
 #include <gtest/gtest.h>
 
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 namespace mien {
 namespace {

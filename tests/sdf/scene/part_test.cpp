@@ -1,4 +1,4 @@
-#include <mien/sdf/scene/part.h>
+#include "sdf/scene/part.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/scene/same_scene.h>
+#include "sdf/scene/same_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/scene/scene.h>
+#include <mien/scene.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/shape/same_shape.h>
+#include "sdf/shape/same_shape.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <mien/sdf/shape/shape.h>
+#include <mien/shape.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <mien/sdf/shape/path.h>
+#include "sdf/shape/curve/path.h"
 
 #include <algorithm>
 #include <cmath>

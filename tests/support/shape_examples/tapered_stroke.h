@@ -1,5 +1,5 @@
 #pragma once
-#include <mien/lib/math/norm.h>
+#include "lib/math/norm.h"
 
 #include <algorithm>
 #include <cmath>

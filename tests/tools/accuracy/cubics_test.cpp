@@ -1,7 +1,7 @@
-#include <mien/tools/accuracy/cubics.h>
+#include "tools/accuracy/cubics.h"
 
 #include <gtest/gtest.h>
-#include <mien/sdf/batch/instruction_sets.h>
+#include "sdf/distance/instruction_sets.h"
 
 namespace mien::accuracy {
 namespace {

@@ -1,10 +1,10 @@
 // The published cases, read back as others would read them.
 
-#include <mien/tools/accuracy/export.h>
+#include "tools/accuracy/export.h"
 
 #include <gtest/gtest.h>
 
-#include <mien/tools/accuracy/reference.h>
+#include "tools/accuracy/reference.h"
 
 #include <cstdlib>
 #include <sstream>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <mien/tools/accuracy/reference.h>
+#include "tools/accuracy/reference.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>

@@ -1,10 +1,10 @@
 // Foreign solvers in the table, and the table as text, numbers and picture.
 
-#include <mien/tools/accuracy/solver.h>
+#include "tools/accuracy/solver.h"
 
 #include <gtest/gtest.h>
 
-#include <mien/tools/accuracy/tally.h>
+#include "tools/accuracy/tally.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,0 +1,103 @@
+#pragma once
+// A face while it is being read, and the parts of its file that add to it.
+
+#include <mien/face_model.h>
+#include "lib/file/json/reading.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace mien {
+
+/// A slice that a name in the file means, and whether the numbers beside it were written for its
+/// mirror image.
+struct DriveTarget {
+  int slice;
+  bool mirrored;
+};
+
+struct FaceDraft {
+  FaceModel model;
+  FaceVector vector;
+  std::unordered_map<std::string, int> feature_by_name;
+  std::unordered_map<std::string, int> control_by_name;
+  std::vector<int> clip_depth;  ///< per feature: how many clips it stands in
+  std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
+  std::unordered_set<std::string> mirrored_eyes;
+
+  /// Appends a slice with its values at rest; `node` is where they stand.
+  int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
+                std::span<const double> values);
+
+  /// The slice that an author's name ("opening/upper") means on a side, or else the unsided one;
+  /// −1: none.
+  int find_slice(std::string_view name, Side side) const;
+  /// The feature likewise.
+  int find_feature(std::string_view name, Side side) const;
+
+  /// Reads a slice's name, with the nearest one in the error if it is unknown.
+  int slice_named(const Reading& in, const JsonNode& node, std::string_view name, Side side) const;
+  /// Reads "@NAME": a slice of that kind and size.
+  int reference(const Reading& in, const JsonNode& node, Side side, SliceKind kind, int size) const;
+
+  /// What a name means for something that acts on a side: the side's slice; for something without a
+  /// side the very slice, or both sides'. `mirror`: numbers beside it are mirrored where the feature
+  /// is. Refuses unknown names.
+  std::vector<DriveTarget> targets(const Reading& in, const JsonNode& node, std::string_view name,
+                                   Side side, bool mirror) const;
+
+  /// Appends a control; its name must be new.
+  void add_control(const Reading& in, const JsonNode& name_node, Control control);
+  /// The control of that name; refuses unknown ones.
+  int control_named(const Reading& in, const JsonNode& node, std::string_view name) const;
+
+  /// Whether numbers written for this slice belong to its mirror image.
+  bool is_mirrored(int slice) const;
+};
+
+void read_canvas(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_palette(Reading& in, const JsonNode& node, FaceDraft& face);
+int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face);
+
+/// Whose paint is read: a feature of a side, perhaps from numbers written for the other one.
+struct PaintPlace {
+  std::string feature;  ///< "iris.left"
+  Side side;
+  bool mirrored;
+};
+/// A colour's name or a gradient.
+void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face,
+                        Feature& feature);
+int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft& face);
+int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face);
+/// The keys "shadow", "glow" and "contour" of a feature; each null where it has none.
+struct SurroundingNodes {
+  const JsonNode *shadow, *glow, *contour;
+};
+int read_surroundings(Reading& in, const SurroundingNodes& nodes, const std::string& feature,
+                      Side side, FaceDraft& face);
+void read_groups(Reading& in, const JsonNode& node, FaceDraft& face);  ///< before the features
+int group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
+void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face);  ///< after them
+void read_light(Reading& in, const JsonNode& node, FaceDraft& face);
+
+void read_features(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_controls(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_poses(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_turn(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_eyes(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_muscles(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face);
+
+/// Reads the numbers of one slice, mirrored if asked to.
+std::vector<double> read_slice_values(const Reading& in, const JsonNode& node, SliceKind kind,
+                                      int least, int most, const FaceCanvas& canvas, bool mirrored);
+
+}  // namespace mien

@@ -1,0 +1,117 @@
+#include <mien/face_file.h>
+
+#include "face_draft_private.h"
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/file/json/read_bytes.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <new>
+#include <string>
+
+namespace mien {
+namespace {
+
+constexpr int kNewestVersion = 1;
+
+void check_format(Reading& in, const JsonNode& root) {
+  in.expect_object(
+      root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
+             "background", "palette",      "light",          "groups",  "features", "controls",
+             "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
+             "clips",      "default_clip", "effects"});
+  const JsonNode& format = in.need(root, "format");
+  if (in.string(format) != "mien-face")
+    in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
+  const JsonNode& version = in.need(root, "format_version");
+  const double number = in.number(version);
+  if (number > kNewestVersion && number == double(std::int64_t(number)))
+    in.refuse(version,
+              fmt::format("format version {} is newer than this program, which reads 1", number));
+  if (number != kNewestVersion)
+    in.refuse(version, fmt::format("expected the integer 1, got {}", number));
+}
+
+Face read_root(Reading& in) {
+  const JsonNode& root = in.tree.root();
+  check_format(in, root);
+  FaceDraft draft;
+  FaceModel& model = draft.model;
+  model.layout.largest = in.limits.magnitude;
+  if (const JsonNode* name = in.find(root, "name")) model.name = in.string(*name);
+  if (const JsonNode* credit = in.find(root, "credit")) model.credit = in.string(*credit);
+  read_canvas(in, in.need(root, "canvas"), draft);
+  read_palette(in, in.need(root, "palette"), draft);
+  model.background = read_paint(in, in.need(root, "background"), draft);
+  if (const JsonNode* light = in.find(root, "light")) read_light(in, *light, draft);
+  const JsonNode* groups = in.find(root, "groups");
+  if (groups) read_groups(in, *groups, draft);
+  read_features(in, in.need(root, "features"), draft);
+  if (groups) read_group_clips(in, *groups, draft);
+  if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
+  if (const JsonNode* eyes = in.find(root, "eyes")) read_eyes(in, *eyes, draft);
+  if (const JsonNode* turn = in.find(root, "turn")) read_turn(in, *turn, draft);
+  if (const JsonNode* poses = in.find(root, "poses")) read_poses(in, *poses, draft);
+  if (const JsonNode* muscles = in.find(root, "muscles")) read_muscles(in, *muscles, draft);
+  if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);
+  if (const JsonNode* sets = in.find(root, "expressions")) read_expressions(in, *sets, draft);
+  if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
+  if (const JsonNode* effects = in.find(root, "effects")) {
+    in.expect(*effects, JsonKind::array);
+    in.for_each(*effects, [&](const JsonNode& child, int) {
+      const auto effect = read_effect(in.string(child));
+      if (!effect) in.refuse(child, effect.error().what);
+      model.effects.push_back(*effect);
+    });
+  }
+  if (const JsonNode* wanted = in.find(root, "default_clip")) {
+    std::vector<std::string_view> known;
+    for (const Clip& clip : model.clips) known.push_back(clip.name);
+    model.default_clip = int(in.word(*wanted, "clip", known));
+  }
+  FaceVector rest = draft.vector;
+  apply_rules(model.layout, draft.vector, rest);  // wraps angles
+  return {std::make_shared<const FaceModel>(std::move(model)), std::move(rest)};
+}
+
+Error too_long(std::string_view name, const FaceLimits& limits) {
+  return {one_line(name), fmt::format("longer than {} bytes (limit: bytes)", limits.bytes)};
+}
+
+}  // namespace
+
+Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
+                         std::vector<Error>* warnings) {
+  try {
+    const Expected<std::string> text = read_bytes(path, limits.bytes);
+    if (!text) return text.error();
+    return read_face_text(*text, path.string(), limits, warnings);
+  } catch (const std::exception& e) {
+    return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
+  }
+}
+
+Expected<Face> read_face_text(std::string_view text, std::string_view name,
+                              const FaceLimits& limits, std::vector<Error>* warnings) {
+  if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
+    return too_long(name, limits);
+  try {
+    const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
+    if (!tree) return tree.error();
+    Reading in(*tree, limits, warnings);
+    return read_root(in);
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  } catch (const std::bad_alloc&) {
+    return Error{one_line(name), "not enough memory to read it"};
+  } catch (const std::exception& e) {
+    return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,165 @@
+// The emotions of a face file, and its tables of standard names.
+
+#include "face_draft_private.h"
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/face/standard_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace mien {
+namespace {
+
+constexpr std::string_view kEmotion = "emotion";
+
+class ExpressionReader {
+ public:
+  ExpressionReader(Reading& in, FaceDraft& face) : in_(in), face_(face) {}
+
+  /// {NAME: {MUSCLE, CONTROL or EMOTION: amount, …}, …}
+  void read_set(const JsonNode& node, std::string_view set) {
+    in_.expect(node, JsonKind::object);
+    const auto standard = standard_names(set);
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      const std::string_view key = in_.tree.key(child);
+      if (key == "comment") return;
+      const std::string name = in_.name(child, key);
+      if (!standard.empty() && std::find(standard.begin(), standard.end(), name) == standard.end())
+        in_.refuse(child, unknown_name(fmt::format("{} name", set), name,
+                                       {standard.begin(), standard.end()}));
+      read_expression(child, fmt::format("{}.{}", set, name), names_have_sides(set));
+    });
+  }
+
+ private:
+  void read_expression(const JsonNode& node, const std::string& name, bool one_number) {
+    in_.expect(node, JsonKind::object);
+    Expression expression{.name = name};
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      if (in_.tree.key(child) != "comment") read_part(child, expression);
+    });
+    expression.left = expression.right = add_channel();
+    Control both{name, "strength", {expression.left}};
+    if (!one_number) {
+      expression.right = add_channel();
+      both.channels.push_back(expression.right);
+    }
+    face_.add_control(in_, node, std::move(both));
+    if (!one_number) {
+      face_.add_control(in_, node,
+                        {control_of_side(name, Side::left), "strength", {expression.left}});
+      face_.add_control(in_, node,
+                        {control_of_side(name, Side::right), "strength", {expression.right}});
+    }
+    face_.model.expressions.push_back(std::move(expression));
+  }
+
+  int add_channel() {
+    face_.model.channels.push_back({.rest = 0, .lo = 0, .hi = 1});
+    return int(face_.model.channels.size()) - 1;
+  }
+
+  void read_part(const JsonNode& node, Expression& expression) {
+    const std::string_view name = in_.tree.key(node);
+    const double amount = in_.number(node);
+    Side side = Side::none;
+    std::string_view bare = name;
+    for (const Side s : {Side::left, Side::right})
+      if (name.starts_with(side_name(s)) && name.size() > side_name(s).size() &&
+          name[side_name(s).size()] == '.')
+        side = s, bare = name.substr(side_name(s).size() + 1);
+    if (add_muscles(node, bare, side, amount, expression)) return;
+    if (add_emotion(node, bare, side, amount, expression)) return;
+    if (add_control_move(name, amount, expression)) return;
+    in_.refuse(node, unknown(name));
+  }
+
+  void check_share(const JsonNode& node, double amount) const {
+    if (!(amount >= 0 && amount <= 1))
+      in_.refuse(node, fmt::format("a share goes from 0 to 1, got {}", amount));
+  }
+
+  bool add_muscles(const JsonNode& node, std::string_view name, Side side, double amount,
+                   Expression& expression) const {
+    bool found = false;
+    const std::vector<Muscle>& muscles = face_.model.muscles.muscles;
+    for (std::size_t m = 0; m < muscles.size(); ++m)
+      if (muscles[m].name == name && (side == Side::none || muscles[m].side == side)) {
+        expression.pulls.push_back({int(m), amount, muscles[m].side});
+        found = true;
+      }
+    if (found) check_share(node, amount);
+    return found;
+  }
+
+  /// What an emotion does, by a share of it.
+  bool add_emotion(const JsonNode& node, std::string_view name, Side side, double share,
+                   Expression& expression) const {
+    const std::string wanted = fmt::format("{}.{}", kEmotion, name);
+    for (const Expression& emotion : face_.model.expressions) {
+      if (emotion.name != wanted) continue;
+      check_share(node, share);
+      for (const auto& [from, to] : {std::pair{&emotion.pulls, &expression.pulls},
+                                     std::pair{&emotion.moves, &expression.moves}})
+        for (ExpressionPart part : *from) {
+          if (side != Side::none && part.side != side) continue;
+          part.amount *= share;
+          to->push_back(part);
+        }
+      return true;
+    }
+    return false;
+  }
+
+  bool add_control_move(std::string_view name, double amount, Expression& expression) const {
+    const auto found = face_.control_by_name.find(std::string{name});
+    if (found == face_.control_by_name.end()) return false;
+    const Control& control = face_.model.controls[std::size_t(found->second)];
+    for (const int channel : control.channels)
+      expression.moves.push_back({channel, amount, side_of(channel)});
+    return true;
+  }
+
+  /// The half of a control that a channel is.
+  Side side_of(int channel) const {
+    for (const Control& control : face_.model.controls)
+      if (control.channels.size() == 2)
+        for (const int half : {0, 1})
+          if (control.channels[std::size_t(half)] == channel)
+            return half == 0 ? Side::left : Side::right;
+    return Side::none;
+  }
+
+  std::string unknown(std::string_view name) const {
+    std::vector<std::string> known;
+    for (const Muscle& muscle : face_.model.muscles.muscles) known.push_back(muscle.name);
+    for (const Control& control : face_.model.controls) known.push_back(control.name);
+    return unknown_name("muscle or control", name, {known.begin(), known.end()});
+  }
+
+  Reading& in_;
+  FaceDraft& face_;
+};
+
+}  // namespace
+
+void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face) {
+  ExpressionReader(in, face).read_set(node, kEmotion);
+}
+
+void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face) {
+  in.expect(node, JsonKind::object);
+  in.for_each(node, [&](const JsonNode& set, int) {
+    const std::string_view name = in.tree.key(set);
+    if (name == "comment") return;
+    if (name == kEmotion || name == "muscle" || name.find('.') != std::string_view::npos)
+      in.refuse(set, fmt::format("no set of expressions may be called {}", in_quotes(name)));
+    ExpressionReader(in, face).read_set(set, in.name(set, name));
+  });
+}
+
+}  // namespace mien

@@ -1,0 +1,160 @@
+// The turning head of a face file: how deep each feature lies.
+
+#include "face_draft_private.h"
+#include "lib/base/nearest_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace mien {
+namespace {
+
+class TurnReader {
+ public:
+  TurnReader(Reading& in, const JsonNode& node, FaceDraft& face)
+      : in_(in), node_(node), face_(face), turn_(face.model.turn) {}
+
+  void read() {
+    in_.expect_object(
+        node_, {"yaw", "pitch", "roll", "pivot", "center", "radii", "still", "flat", "raised"},
+        "turn");
+    turn_.yaw = channel("yaw"), turn_.pitch = channel("pitch"), turn_.roll = channel("roll");
+    const std::vector<double> pivot = in_.numbers(in_.need(node_, "pivot"), 3, 3);
+    turn_.pivot = {pivot[0], pivot[1], pivot[2]};
+    const std::vector<double> center = in_.numbers(in_.need(node_, "center"), 2, 2);
+    turn_.center = {center[0], center[1]};
+    const std::vector<double> radii = in_.numbers(in_.need(node_, "radii"), 3, 3);
+    for (const double r : radii)
+      if (!(r > 0))
+        in_.refuse(in_.need(node_, "radii"), fmt::format("a radius must be positive, got {}", r));
+    turn_.radii = {radii[0], radii[1], radii[2]};
+    read_places();
+    for (const Feature& feature : face_.model.features) add_feature(feature);
+    for (const Eye& eye : face_.model.eyes)
+      if (eye.dome >= 0) {
+        add({eye.dome, TurnKind::surface});
+        add({eye.dome + 1, TurnKind::width, 0, eye.dome});
+        add({eye.dome + 3, TurnKind::angle});
+      }
+  }
+
+ private:
+  struct Place {
+    TurnKind kind = TurnKind::surface;
+    double depth = 0;
+  };
+
+  int channel(std::string_view key) const {
+    const JsonNode* node = in_.find(node_, key);
+    if (!node) return -1;
+    const int index = face_.control_named(in_, *node, in_.string(*node));
+    const Control& control = face_.model.controls[std::size_t(index)];
+    const int found = control.channels[0];
+    if (control.channels.size() != 1 || face_.model.channels[std::size_t(found)].rest != 0)
+      in_.refuse(*node, "the control that turns must have no sides and rest at 0");
+    return found;
+  }
+
+  static std::string author_name(const Feature& f) {
+    return f.name.substr(0,
+                         f.name.size() - (f.side == Side::none ? 0 : side_name(f.side).size() + 1));
+  }
+
+  /// Of a feature, or ("hair/points/3") of single points of one.
+  void place(const JsonNode& node, std::string_view name, Place where) {
+    if (name.find('/') != std::string_view::npos) {
+      for (const DriveTarget target : face_.targets(in_, node, name, Side::none, false))
+        slice_places_[target.slice] = where;
+      return;
+    }
+    std::vector<std::string> known;
+    for (const Feature& f : face_.model.features) known.push_back(author_name(f));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      in_.refuse(node, unknown_name("feature", name, {known.begin(), known.end()}));
+    places_[std::string(name)] = where;
+  }
+
+  void read_places() {
+    if (const JsonNode* still = in_.find(node_, "still")) {
+      in_.expect(*still, JsonKind::array);
+      in_.for_each(*still, [&](const JsonNode& child, int) {
+        place(child, in_.string(child), {TurnKind::still});
+      });
+    }
+    for (const auto& [key, kind] :
+         {std::pair{"flat", TurnKind::flat}, {"raised", TurnKind::surface}})
+      if (const JsonNode* depths = in_.find(node_, key)) {
+        in_.expect(*depths, JsonKind::object);
+        in_.for_each(*depths, [&, kind = kind](const JsonNode& child, int) {
+          if (in_.tree.key(child) != "comment")
+            place(child, in_.tree.key(child), {kind, in_.number(child)});
+        });
+      }
+  }
+
+  /// The first feature that a slice stands in says how it goes.
+  void add(TurnedSlice slice) {
+    if (seen_.insert(slice.slice).second && slice.kind != TurnKind::still)
+      turn_.slices.push_back(slice);
+  }
+
+  void add_feature(const Feature& feature) {
+    const auto found = places_.find(author_name(feature));
+    const Place where = found == places_.end() ? Place{} : found->second;
+    for_each_slice(feature.figure, [&](std::string_view, int slice) {
+      if (face_.model.layout[slice].kind != SliceKind::point) return;
+      const auto own = slice_places_.find(slice);
+      const Place here = own == slice_places_.end() ? where : own->second;
+      add({slice, here.kind, here.depth});
+    });
+    if (where.kind == TurnKind::surface) add_sizes(feature.figure);
+    if (feature.gradient >= 0)
+      add_gradient(face_.model.gradients[std::size_t(feature.gradient)], where);
+  }
+
+  void add_sizes(const Figure& figure) {
+    if (const auto* ellipse = std::get_if<EllipseFigure>(&figure)) {
+      add({ellipse->radii, TurnKind::width, 0, ellipse->center});
+      if (ellipse->tilt >= 0) add({ellipse->tilt, TurnKind::angle});
+    } else if (const auto* disc = std::get_if<DiscFigure>(&figure)) {
+      add({disc->radius, TurnKind::size, 0, disc->center});
+    } else if (const auto* cut = std::get_if<CutDiscFigure>(&figure)) {
+      add({cut->radius, TurnKind::size, 0, cut->center});
+    } else if (const auto* opening = std::get_if<OpeningFigure>(&figure);
+               opening && opening->shifts >= 0) {
+      for (int i = 0; i < 2 * OpeningFigure::kLidBends; ++i)
+        add({opening->shifts + i, TurnKind::shift, 0, opening->upper});
+    }
+  }
+
+  void add_gradient(const GradientPaint& gradient, Place where) {
+    if (const auto* linear = std::get_if<LinearPaint>(&gradient.along)) {
+      add({linear->from, where.kind, where.depth});
+      add({linear->to, where.kind, where.depth});
+    } else if (const auto* radial = std::get_if<RadialPaint>(&gradient.along)) {
+      add({radial->center, where.kind, where.depth});
+      if (where.kind != TurnKind::surface) return;
+      add({radial->radii, TurnKind::width, 0, radial->center});
+      if (radial->tilt >= 0) add({radial->tilt, TurnKind::angle});
+    }
+  }
+
+  Reading& in_;
+  const JsonNode& node_;
+  FaceDraft& face_;
+  HeadTurn& turn_;
+  std::unordered_map<std::string, Place> places_;
+  std::unordered_map<int, Place> slice_places_;
+  std::unordered_set<int> seen_;
+};
+
+}  // namespace
+
+void read_turn(Reading& in, const JsonNode& node, FaceDraft& face) {
+  TurnReader(in, node, face).read();
+}
+
+}  // namespace mien

@@ -1,0 +1,68 @@
+#pragma once
+// JSON text as a tree that remembers where everything stands.
+//
+// The grammar is nlohmann-json's; positions are found by walking the text beside its events. The
+// parser and everything here is free of recursion, and each thing that a hostile text could make
+// large has a limit.
+
+#include <mien/expected.h>
+#include <mien/face_file.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+enum class JsonKind : std::uint8_t { null, boolean, number, string, array, object };
+
+/// One value. Children are linked: first, then next, next …; −1 ends.
+struct JsonNode {
+  double number = 0;  ///< of a number
+  std::int32_t parent = -1, first = -1, next = -1;
+  std::int32_t text = -1;  ///< of a string: index in strings
+  std::int32_t key = -1;   ///< of an object's member: index in strings
+  std::uint32_t key_offset = 0;
+  std::uint32_t offset = 0;  ///< of its first byte in the text
+  std::int32_t count = 0;    ///< children
+  JsonKind kind = JsonKind::null;
+};
+
+class JsonTree {
+ public:
+  /// Reads `text`, which must outlive the tree. The error's `where` is "NAME:LINE:COLUMN:
+  /// /pointer".
+  static Expected<JsonTree> read(std::string_view text, std::string_view name,
+                                 const FaceLimits& limits);
+
+  /// A tree without nodes, for other readers of such trees.
+  JsonTree(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+
+  const JsonNode& root() const { return nodes[0]; }
+  const JsonNode* at(std::int32_t index) const {
+    return index < 0 ? nullptr : &nodes[std::size_t(index)];
+  }
+  const JsonNode* first(const JsonNode& node) const { return at(node.first); }
+  const JsonNode* next(const JsonNode& node) const { return at(node.next); }
+  const JsonNode* member(const JsonNode& object, std::string_view key) const;
+  std::string_view key(const JsonNode& node) const { return strings[std::size_t(node.key)]; }
+  std::string_view string(const JsonNode& node) const { return strings[std::size_t(node.text)]; }
+
+  /// "NAME:LINE:COLUMN: /pointer" of a value; `at_key`: of its key.
+  std::string where(const JsonNode& node, bool at_key = false) const;
+  /// "NAME:LINE:COLUMN" of a byte; columns count characters.
+  std::string where(std::size_t offset) const;
+  /// RFC 6901; "" for the root.
+  std::string pointer(const JsonNode& node) const;
+
+  std::vector<JsonNode> nodes;
+  std::vector<std::string> strings;
+
+ private:
+  std::string_view text_;
+  std::string name_;
+};
+
+}  // namespace mien

@@ -1,0 +1,70 @@
+#pragma once
+// Typed access to a JSON tree. Whatever is not as it should be ends the reading with a Refusal,
+// which never leaves lib/file: read_face_text turns it into the Error it holds.
+
+#include "lib/file/json/json_tree.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+/// Thrown inside the reader only.
+struct Refusal {
+  Error error;
+};
+
+class Reading {
+ public:
+  Reading(const JsonTree& json, const FaceLimits& most, std::vector<Error>* warnings)
+      : tree(json), limits(most), warnings_(warnings) {}
+
+  const JsonTree& tree;
+  const FaceLimits& limits;
+
+  [[noreturn]] void refuse(const JsonNode& node, std::string what) const;
+  void warn(const JsonNode& node, std::string what, bool at_key = false);
+
+  /// A member that must be there.
+  const JsonNode& need(const JsonNode& object, std::string_view key) const;
+  const JsonNode* find(const JsonNode& object, std::string_view key) const {
+    return tree.member(object, key);
+  }
+
+  void expect(const JsonNode& node, JsonKind kind) const;
+  /// Checks that it is an object and warns of keys that are not among `known` ("comment" always
+  /// is); `whose` says what kind of object it is.
+  void expect_object(const JsonNode& node, const std::vector<std::string_view>& known,
+                     std::string_view whose = {});
+
+  std::string_view string(const JsonNode& node) const;
+  double number(const JsonNode& node) const;
+  bool boolean(const JsonNode& node) const;
+  /// Two numbers lo < hi.
+  std::pair<double, double> range(const JsonNode& node) const;
+  /// `least` … `most` numbers; if least is 1 a single number may stand without brackets.
+  std::vector<double> numbers(const JsonNode& node, int least, int most) const;
+  /// One of `words`, as its index; `what` says what they are.
+  std::size_t word(const JsonNode& node, std::string_view what,
+                   std::span<const std::string_view> words) const;
+  /// A name that can be part of a slice's or control's name.
+  std::string name(const JsonNode& node) const { return name(node, string(node)); }
+  std::string name(const JsonNode& node, std::string_view text) const;
+
+  /// Calls each(child, index) for the children of an array or object.
+  template <class Each>
+  void for_each(const JsonNode& container, Each&& each) const {
+    int index = 0;
+    for (const JsonNode* child = tree.first(container); child; child = tree.next(*child))
+      each(*child, index++);
+  }
+
+ private:
+  bool may_warn() const;  ///< anybody listens, and has not heard enough
+
+  std::vector<Error>* warnings_;
+};
+
+}  // namespace mien

@@ -1,0 +1,277 @@
+#include <mien/npy.h>
+
+#include "lib/base/one_line.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <system_error>
+
+namespace mien {
+namespace {
+
+constexpr std::size_t kMostSides = 8;
+constexpr std::size_t kLongestHeader = 1 << 16;
+constexpr std::string_view kMagic{"\x93NUMPY", 6};
+
+/// The value after 'KEY': in a Python dictionary as numpy writes it, up to a comma or a bracket's
+/// end.
+std::optional<std::string_view> value_of(std::string_view text, std::string_view key) {
+  for (const char quote : {'\'', '"'}) {
+    const std::string quoted = quote + std::string(key) + quote;
+    const std::size_t at = text.find(quoted);
+    if (at == std::string_view::npos) continue;
+    text.remove_prefix(at + quoted.size());
+    const std::size_t begin = text.find_first_not_of(" :");
+    if (begin == std::string_view::npos) return {};
+    text.remove_prefix(begin);
+    const std::size_t end = text[0] == '(' ? text.find(')') + 1 : text.find_first_of(",}");
+    if (end == 0 || end == std::string_view::npos) return {};
+    return text.substr(0, end);
+  }
+  return {};
+}
+
+std::optional<std::vector<std::size_t>> shape_of(std::string_view text) {
+  std::vector<std::size_t> shape;
+  if (text.size() < 2 || text.front() != '(' || text.back() != ')') return {};
+  text = text.substr(1, text.size() - 2);
+  while (text.find_first_not_of(" ,") != std::string_view::npos) {
+    text.remove_prefix(text.find_first_not_of(" ,"));
+    std::size_t side = 0;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), side);
+    if (failed != std::errc{} || shape.size() == kMostSides) return {};
+    shape.push_back(side);
+    text.remove_prefix(std::size_t(end - text.data()));
+  }
+  return shape;
+}
+
+Expected<Done> read_type(std::string_view text, NpyHeader& header) {
+  if (text.size() >= 2) text = text.substr(1, text.size() - 2);  // the quotes
+  const std::string_view kind = text.empty() ? text : text.substr(1);
+  if (kind == "f4" || kind == "f8" || kind == "u1") {
+    header.type = kind == "f4"   ? NpyType::float32
+                  : kind == "f8" ? NpyType::float64
+                                 : NpyType::uint8;
+    header.big_endian = text[0] == '>';
+    if (text[0] == '<' || text[0] == '>' || text[0] == '|') return Done{};
+    if (text[0] == '=') return Done{};
+  }
+  return Error{"", fmt::format("expected float32 or float64 ('<f4', '<f8'), got the type {}",
+                               in_quotes(text))};
+}
+
+/// Product of the sides and the type's bytes, or nothing if it is beyond any file.
+std::optional<std::size_t> bytes_needed(const NpyHeader& header) {
+  std::size_t bytes = bytes_of(header.type);
+  for (const std::size_t side : header.shape)
+    if (__builtin_mul_overflow(bytes, side, &bytes)) return {};
+  return bytes < std::size_t(1) << 62 ? std::optional{bytes} : std::nullopt;
+}
+
+template <class Bits>
+Bits swapped(Bits bits) {
+  if constexpr (sizeof(Bits) == 4)
+    return __builtin_bswap32(bits);
+  else
+    return __builtin_bswap64(bits);
+}
+
+template <class Real, class Bits>
+void to_doubles(const std::byte* bytes, std::size_t count, bool swap, double* out,
+                std::size_t step) {
+  for (std::size_t i = 0; i < count; ++i, bytes += sizeof(Bits), out += step) {
+    Bits bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    *out = double(std::bit_cast<Real>(swap ? swapped(bits) : bits));
+  }
+}
+
+void convert(const NpyHeader& header, const std::byte* bytes, std::size_t count, double* out,
+             std::size_t step) {
+  const bool swap = header.big_endian != (std::endian::native == std::endian::big);
+  if (header.type == NpyType::float32)
+    to_doubles<float, std::uint32_t>(bytes, count, swap, out, step);
+  else
+    to_doubles<double, std::uint64_t>(bytes, count, swap, out, step);
+}
+
+}  // namespace
+
+std::size_t NpyHeader::numbers() const {
+  std::size_t product = 1;
+  for (const std::size_t side : shape) product *= side;
+  return product;
+}
+
+Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, std::size_t size) {
+  const Error no_file{"", "is not a .npy file"};
+  unsigned char begin[12] = {};
+  if (size < offset + 10 || !read(offset, 10, begin) ||
+      std::string_view(reinterpret_cast<char*>(begin), 6) != kMagic)
+    return no_file;
+  if (begin[6] < 1 || begin[6] > 3)
+    return Error{
+        "", fmt::format("has .npy format version {}.{}; known are 1 to 3", begin[6], begin[7])};
+  const std::size_t prefix = begin[6] == 1 ? 10 : 12;
+  if (prefix == 12 && (size < offset + 12 || !read(offset, 12, begin))) return no_file;
+  const std::size_t length = prefix == 10
+                                 ? std::size_t(begin[8] | begin[9] << 8)
+                                 : begin[8] | std::size_t(begin[9]) << 8 |
+                                       std::size_t(begin[10]) << 16 | std::size_t(begin[11]) << 24;
+  if (length > kLongestHeader || size < offset + prefix + length)
+    return Error{"", "ends inside its header"};
+  std::string text(length, '\0');
+  if (!read(offset + prefix, length, text.data())) return Error{"", "ends inside its header"};
+  const auto type = value_of(text, "descr"), order = value_of(text, "fortran_order"),
+             shape_text = value_of(text, "shape");
+  const auto shape = shape_text ? shape_of(*shape_text) : std::nullopt;
+  if (!type || !order || !shape)
+    return Error{"", fmt::format("has a header that is none: {}", in_quotes(text))};
+  NpyHeader header{
+      .fortran = order->starts_with("True"), .shape = *shape, .data = offset + prefix + length};
+  if (auto known = read_type(*type, header); !known) return known.error();
+  const auto bytes = bytes_needed(header);
+  if (!bytes) return Error{"", fmt::format("has an impossible shape {}", in_quotes(*shape_text))};
+  if (*bytes > size - header.data)
+    return Error{"", fmt::format("is cut off: its shape {} takes {} bytes, and {} are there",
+                                 *shape_text, *bytes, size - header.data)};
+  return header;
+}
+
+struct FrameFile::Descriptor {
+  int number = -1;
+  std::size_t size = 0;
+  explicit Descriptor(int open) : number(open) {}
+  Descriptor(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+  bool read(std::size_t offset, std::size_t bytes, void* to) const {
+    char* at = static_cast<char*>(to);
+    while (bytes > 0) {
+      const ssize_t got = ::pread(number, at, bytes, off_t(offset));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) return false;
+      at += got, offset += std::size_t(got), bytes -= std::size_t(got);
+    }
+    return true;
+  }
+};
+
+Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
+  FrameFile frames;
+  frames.name_ = one_line(path.string());
+  auto file = std::make_shared<Descriptor>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status = {};
+  if (file->number < 0 || ::fstat(file->number, &status) != 0)
+    return Error{frames.name_,
+                 fmt::format("cannot be read: {}", std::generic_category().message(errno))};
+  if (!S_ISREG(status.st_mode)) return Error{frames.name_, "is not a file"};
+  file->size = std::size_t(status.st_size);
+  const auto header = read_npy_header(
+      [&](std::size_t at, std::size_t bytes, void* to) { return file->read(at, bytes, to); }, 0,
+      file->size);
+  if (!header) return Error{frames.name_, header.error().what};
+  frames.header_ = *header;
+  const std::vector<std::size_t>& shape = frames.header_.shape;
+  if (frames.header_.type == NpyType::uint8)
+    return Error{frames.name_, "expected float32 or float64 ('<f4', '<f8'), got the type \"|u1\""};
+  if ((shape.size() != 2 && shape.size() != 3) || frames.header_.numbers() == 0)
+    return Error{frames.name_,
+                 fmt::format("expected the shape [frames, vertices, dimensions] or [frames, "
+                             "numbers] with nothing 0, got [{}]",
+                             fmt::join(shape, ", "))};
+  if (file->size > frames.header_.end())
+    return Error{frames.name_, fmt::format("has {} bytes more than its shape takes",
+                                           file->size - frames.header_.end())};
+  frames.file_ = std::move(file);
+  return frames;
+}
+
+MatrixSource FrameFile::source() const {
+  const std::size_t rows = frames(), columns = vertices() * dimensions();
+  const auto read = [file = file_, name = name_, header = header_, rows, columns, v = vertices(),
+                     d = dimensions()](const MatrixBlock& block, double* out) -> Expected<Done> {
+    const std::size_t size = bytes_of(header.type);
+    std::vector<std::byte> bytes;
+    // A run is what lies together in the file: numbers of a frame, or frames of a number.
+    const auto run = [&](std::size_t first, std::size_t count, double* to, std::size_t step) {
+      bytes.resize(count * size);
+      if (!file->read(header.data + first * size, bytes.size(), bytes.data())) return false;
+      convert(header, bytes.data(), count, to, step);
+      return true;
+    };
+    bool whole = true;
+    if (header.fortran) {
+      for (std::size_t c = 0; c < block.columns && whole; ++c) {
+        const std::size_t column = block.column + c, place = column / d + v * (column % d);
+        whole = run(block.row + rows * place, block.rows, out + c, block.columns);
+      }
+    } else if (block.columns == columns) {
+      whole = run(block.row * columns, block.rows * columns, out, 1);
+    } else {
+      for (std::size_t r = 0; r < block.rows && whole; ++r)
+        whole = run((block.row + r) * columns + block.column, block.columns,
+                    out + r * block.columns, 1);
+    }
+    if (!whole) return Error{name, "cannot be read to its end: it has changed meanwhile"};
+    for (std::size_t i = 0; i < block.rows * block.columns; ++i)
+      if (!std::isfinite(out[i])) {
+        const std::size_t column = block.column + i % block.columns;
+        return Error{name, fmt::format("frame {}, vertex {}: {} is not a finite number",
+                                       block.row + i / block.columns, column / d, out[i])};
+      }
+    return Done{};
+  };
+  return {rows, columns, read};
+}
+
+std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
+  const char* const names[] = {"<f4", "<f8", "|u1"};
+  std::string text =
+      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", names[int(type)],
+                  fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+  while ((text.size() + 11) % 64 != 0) text += ' ';  // numbers begin at a multiple of 64
+  text += '\n';
+  std::string header(kMagic);
+  header += '\1';
+  header += '\0';
+  header += char(text.size() & 0xff);
+  header += char(text.size() >> 8);
+  return header + text;
+}
+
+Expected<Done> write_npy(const ByteSink& sink, NpyType type, std::span<const std::size_t> shape,
+                         const MatrixSource& source) {
+  static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
+  const std::string header = npy_header(type, shape);
+  if (auto done = sink(header.data(), header.size()); !done) return done;
+  const std::size_t step =
+      std::max<std::size_t>((1 << 20) / std::max<std::size_t>(source.columns, 1), 1);
+  std::vector<double> numbers;
+  std::vector<float> rounded;
+  for (std::size_t r = 0; r < source.rows; r += step) {
+    const std::size_t rows = std::min(step, source.rows - r);
+    numbers.resize(rows * source.columns);
+    if (auto done = source.read({r, rows, 0, source.columns}, numbers.data()); !done) return done;
+    if (type == NpyType::float32) rounded.assign(numbers.begin(), numbers.end());
+    const auto done = type == NpyType::float32 ? sink(rounded.data(), rounded.size() * 4)
+                                               : sink(numbers.data(), numbers.size() * 8);
+    if (!done) return done;
+  }
+  return Done{};
+}
+
+}  // namespace mien

@@ -1,0 +1,83 @@
+#pragma once
+// NumPy's .npy files: animations in and out, as [frames, vertices, dimensions] or [frames, numbers].
+//
+//   const auto frames = FrameFile::open("head.npy");
+//   const auto fit = fit_pca(frames->source(), {.count = 7});
+//
+// Read: float32 and float64 of either byte order, C and Fortran order, format versions 1 to 3; in
+// blocks, so that a file may be larger than the memory. Written: as np.save does, C order, little
+// endian. Source: numpy.lib.format, the format's definition.
+
+#include <mien/api.h>
+#include <mien/expected.h>
+#include <mien/matrix_source.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+enum class NpyType { float32, float64, uint8 };
+
+inline std::size_t bytes_of(NpyType type) {
+  return type == NpyType::float64 ? 8 : type == NpyType::float32 ? 4 : 1;
+}
+
+/// What an array is and where it lies.
+struct NpyHeader {
+  NpyType type = NpyType::float64;
+  bool big_endian = false;
+  bool fortran = false;            ///< the first index runs fastest
+  std::vector<std::size_t> shape;  ///< at most 8 sides
+  std::size_t data = 0;            ///< offset of the first number in the file
+  std::size_t numbers() const;     ///< product of the shape
+  std::size_t end() const { return data + numbers() * bytes_of(type); }
+};
+
+/// Reads the header that begins at `offset` of a file of `size` bytes; `read(offset, size, to)`
+/// gives bytes. The error's `where` is empty.
+using ByteSource = std::function<bool(std::size_t offset, std::size_t size, void* to)>;
+MIEN_API Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset,
+                                             std::size_t size);
+
+/// A file of frames, open.
+class MIEN_API FrameFile {
+ public:
+  /// Errors name the file and say what is wrong: no .npy file, another type, another shape, fewer
+  /// bytes than its shape asks for, or more.
+  static Expected<FrameFile> open(const std::filesystem::path& path);
+
+  std::size_t frames() const { return header_.shape[0]; }
+  std::size_t vertices() const { return header_.shape[1]; }
+  std::size_t dimensions() const { return header_.shape.size() == 3 ? header_.shape[2] : 1; }
+  const NpyHeader& header() const { return header_; }
+
+  /// Frames as rows, reading from the file. A number that is not finite is an error that says where
+  /// it stands. Lives on its own.
+  MatrixSource source() const;
+
+ private:
+  struct Descriptor;
+  std::shared_ptr<const Descriptor> file_;
+  std::string name_;
+  NpyHeader header_;
+};
+
+/// Takes bytes, in order.
+using ByteSink = std::function<Expected<Done>(const void* bytes, std::size_t size)>;
+
+/// The header np.save would write.
+MIEN_API std::string npy_header(NpyType type, std::span<const std::size_t> shape);
+
+/// Writes an array of that shape; its numbers come from `source` row by row (rows · columns of them).
+MIEN_API Expected<Done> write_npy(const ByteSink& sink, NpyType type,
+                                  std::span<const std::size_t> shape, const MatrixSource& source);
+
+}  // namespace mien

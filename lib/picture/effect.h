@@ -1,0 +1,39 @@
+#pragma once
+// Effects as data: what may be laid over a finished picture (items G9, G10).
+
+#include <mien/api.h>
+#include <mien/color.h>
+#include <mien/expected.h>
+
+#include <string_view>
+#include <variant>
+
+namespace mien {
+
+/// Square tiles, so many across the picture's width, from its top left corner. Each is the exact
+/// mean of what it covers, in linear light, or the pixel at its centre. The border is bevelled:
+/// light above and on the left, dark below and on the right.
+struct MosaicEffect {
+  int tiles = 24;
+  double border = 0;    ///< width of the bevel, 0 (none) … 1 (pyramids), in half tiles
+  bool center = false;  ///< the centre's colour instead of the mean
+};
+
+/// Lines along the sides of square cells, so many cells across the picture's width, from its top
+/// left corner; the picture's own left, right and upper sides carry the inner half of a line.
+struct GridEffect {
+  int cells = 12;
+  double width = 1;  ///< of a line [px]
+  Color color{1, 1, 1, 0.5};
+};
+
+using Effect = std::variant<MosaicEffect, GridEffect>;
+
+/// So many tiles or cells an effect may have across.
+inline constexpr int kMostTiles = 65536;
+
+/// "mosaic:24", "mosaic:24,0.3", "mosaic:24,0.3,center", "grid:12", "grid:12,2.5",
+/// "grid:12,2.5,#ffffff80". The error's `where` is the text.
+MIEN_API Expected<Effect> read_effect(std::string_view text);
+
+}  // namespace mien

@@ -1,0 +1,93 @@
+#pragma once
+// The cornea under the lid. An eye is a ball of radius R with a second, smaller and more curved cap
+// in front, the cornea, whose rim is the circle that cuts a cap of height h off the ball. A lid
+// lies on the ball and gives way where the cornea passes under it.
+//
+// With the lid point in direction d̂ from the ball's centre and the eye's axis ĝ (both unit),
+//
+//   u² = (1 − d̂·ĝ) / (1 − cos α) = (1 − d̂·ĝ) · R/h        cos α = 1 − h/R
+//
+// is 0 on the axis and 1 on the rim: u = sin(θ/2) / sin(α/2), the chord |d̂ − ĝ| in units of the
+// rim's own chord, without a root or an arc cosine.
+//
+//   native   push = bulge · (1 − u²)²  for u < 1, else exactly 0; outwards, along d̂
+//   compat   push = bulge · max(0, a − min(1, |d̂ − ĝ|)), a = √(h(2R − h)); along the axis ĝ
+//
+// The native push is smooth (its slope vanishes on the axis and at the rim), largest on the axis,
+// and scales: R, h and bulge times s is push times s. The compat one is a cone, compares a length a
+// with a pure number and so is right for R = 1 alone.
+//
+// Clearance. Let the cornea be the part of a sphere that passes through the rim and stands e above
+// the ball on the axis; its distance from the centre is S(c) = k c + √(r² − k² (1 − c²)) with
+// c = d̂·ĝ. As long as the ball's centre is inside that sphere (k <= r, that is e <= hR/(R − h): the
+// cornea stays under the cone that touches the ball along the rim) S is convex in c, so
+// S − R <= e v with v = 1 − u². A lid pushed by e v² on a skin of thickness t clears it if
+// t + e v² >= e v, that is if t >= e/4: then the clearance is at least e (v − ½)² >= 0, everywhere,
+// for every gaze. So an unpushed lid is drawn on the ball of radius R + bulge/4, and pushed from there.
+//
+// Source. The compat law is J. Dunlop's, "Eyelid C++ node"; native law and bound are derived here.
+
+#include <mien/api.h>
+#include <mien/eye.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+
+namespace mien {
+
+/// An eye with a cornea [face units].
+struct EyeBody {
+  glm::dvec2 center;  ///< in the picture
+  double radius;      ///< R > 0
+  double cornea;      ///< h: height of the cap that the cornea's rim cuts off the ball; 0 < h <= R
+  double bulge;       ///< of the lid on the axis (native), or the cone's steepness (compat)
+  BulgeLaw law = BulgeLaw::native;
+};
+
+/// The push on a lid point in direction `d` (unit) of an eye with axis `g` (unit): how far it goes.
+/// 0 outside the cornea, and if the body is none (R or h not positive).
+MIEN_API double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);
+
+/// The least thickness of a lid that never cuts into the eye: a quarter of the bulge.
+inline double least_lid_thickness(const EyeBody& eye) {
+  return std::max(0.0, eye.bulge) / 4;
+}
+
+/// The ball that an unpushed lid is drawn on: the eye's and the lid's least thickness (native).
+inline double lid_radius(const EyeBody& eye) {
+  return eye.law == BulgeLaw::compat ? eye.radius : eye.radius + least_lid_thickness(eye);
+}
+
+/// The direction in which a lid stands at a point of the picture when nothing pushes it: on the front
+/// of its ball, or in the picture's plane beside it.
+MIEN_API glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p);
+
+/// How the push moves, in the picture, a point of a lid's edge that stands at `p`.
+MIEN_API glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+
+/// Where a point of a lid's edge stands that the push moves to `p`: to 2⁻⁶⁰ (native); for the compat
+/// law as if it stood at `p`.
+MIEN_API glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+
+/// How the push raises the lid at a point of the picture, towards the viewer: the height function
+/// that relief light shades a closed lid by. 0 outside the cornea.
+MIEN_API double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+
+/// The most that a cornea can stand above the ball: hR/(R − h). Infinite for h = R.
+MIEN_API double most_bulge(double radius, double cornea);
+
+/// The same as one smooth hill over an ellipse, height · (1 − ρ²)², for relief light to fall on. The
+/// rim, a circle of radius a square to the axis, is seen as an ellipse of half-axes a ĝz along the
+/// gaze and a across it; its centre is put half-way between the rim's own and the apex, where
+/// lid_rise is highest. Off from lid_rise by at most 0.05 of the bulge for an eye that looks ahead,
+/// 0.17 for one that looks 27° aside (R/h = 4).
+struct CorneaDome {
+  glm::dvec2 center, radii;
+  double height;
+  double tilt;  ///< [degrees] of radii.x, along the gaze or across; from +x towards +y, −45 … 45
+};
+MIEN_API CorneaDome cornea_dome(const EyeBody& eye, glm::dvec3 g);
+
+}  // namespace mien

@@ -1,0 +1,61 @@
+#pragma once
+// Muscles at work on a face vector: pulls from the channels, shape from the pulls, and the shape laid
+// onto whatever else poses the face.
+//
+// Without a clip that drives muscles the face is in the equilibrium of its pulls; while one runs, it is
+// in motion (muscle_motion.h) since time 0.
+
+#include <mien/api.h>
+#include <mien/pose.h>
+#include "lib/rig/muscle/motion.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace mien {
+
+/// The values of all channels of a face at a pose.
+using ChannelsAt =
+    std::function<void(const Face& rest, const Pose& pose, std::vector<double>& values)>;
+
+/// For each channel, whether a setting or a running clip says what it is.
+MIEN_API void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held);
+
+/// Whether a clip that runs at this pose drives muscles or expressions.
+MIEN_API bool muscles_in_motion(const FaceModel& model, const Pose& pose);
+
+/// Adds what the muscles of a shape do to a vector: each point moves by as much as it has moved from
+/// rest.
+MIEN_API void lay_on(const FaceModel& model, const FaceVector& rest, const MuscleShape& shape,
+                     FaceVector& vector);
+
+/// Lets the muscles act, again and again. Keeps what it has worked out: what comes of a pose does not
+/// depend on it, only how long it takes.
+class MIEN_API MusclePoser {
+ public:
+  MusclePoser() = default;
+  MusclePoser(const MusclePoser&) {}  // a copy works things out by itself
+  MusclePoser& operator=(const MusclePoser&) { return *this; }
+
+  /// `values` are those that `channels_at` gives for `pose`.
+  void act(const Face& rest, const Pose& pose, std::span<const double> values,
+           const ChannelsAt& channels_at, FaceVector& vector);
+
+  /// The pulls of the last pose: one for each muscle.
+  std::span<const double> pulls() const { return pulls_; }
+
+ private:
+  void begin_motion(const Face& rest, const Pose& pose, const ChannelsAt& channels_at);
+
+  std::vector<char> held_;
+  std::vector<double> pulls_, still_pulls_;  ///< now; those of shape_
+  MuscleShape shape_, moving_;
+  MusclePointLaw scratch_;
+  Face rest_;     ///< of shape_
+  struct Course;  ///< of pulls in time
+  std::shared_ptr<Course> course_;
+};
+
+}  // namespace mien

@@ -1,0 +1,91 @@
+#include "lib/rig/pose/curve.h"
+
+#include "lib/rig/pose/chance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+double eased(Ease ease, double u) {
+  switch (ease) {
+    case Ease::linear:
+      return u;
+    case Ease::step:
+      return 0;
+    case Ease::smooth:
+      return u * u * (3 - 2 * u);
+    case Ease::in:
+      return u * u;
+    case Ease::out:
+      return u * (2 - u);
+    case Ease::overshoot: {
+      const double v = u - 1;
+      return 1 + v * v * (2.70158 * v + 1.70158);
+    }
+  }
+  return u;
+}
+
+/// A moment in a period: which one it is, and how far in, in [0, period).
+struct Moment {
+  double count, time;
+};
+
+/// Works for negative times too. fmod is exact.
+Moment within_period(double time, double period) {
+  double t = std::fmod(time, period);
+  if (t < 0) t += period;
+  if (!(t < period)) t = 0;
+  return {std::round((time - t) / period), t};
+}
+
+// Streams of chance(): what a random number of a seed is for. A wander's own streams come after.
+constexpr std::uint32_t kWhen = 0, kWhetherHome = 1, kFirstOwn = 2;
+
+double value_of(const KeyCurve& curve, double time) {
+  double t = time - curve.offset;
+  if (curve.period > 0) {
+    const Moment moment = within_period(t, curve.period);
+    t = moment.time;
+    if (curve.jitter > 0) t -= curve.jitter * chance(curve.seed, kWhen, moment.count);
+  }
+  const auto next = std::upper_bound(curve.keys.begin(), curve.keys.end(), t,
+                                     [](double a, const CurveKey& key) { return a < key.time; });
+  if (next == curve.keys.begin()) return next->value;
+  const CurveKey& key = *(next - 1);
+  if (next == curve.keys.end()) return key.value;
+  const double u = (t - key.time) / (next->time - key.time);
+  return key.value + eased(key.ease, u) * (next->value - key.value);
+}
+
+double value_of(const SineCurve& curve, double time) {
+  const double wave = std::sin(curve.frequency * time + curve.phase);
+  return curve.offset + curve.amplitude * (curve.absolute ? std::abs(wave) : wave);
+}
+
+/// Where a wander rests after the move of that period.
+double resting_place(const WanderCurve& curve, double count) {
+  if (chance(curve.seed, kWhetherHome, count) < curve.home) return curve.center;
+  return curve.center +
+         curve.amplitude * (2 * chance(curve.seed, kFirstOwn + curve.stream, count) - 1);
+}
+
+double value_of(const WanderCurve& curve, double time) {
+  const Moment moment = within_period(time - curve.offset, curve.period);
+  const double begin = curve.jitter * chance(curve.seed, kWhen, moment.count);
+  const double from = resting_place(curve, moment.count - 1);
+  if (moment.time <= begin) return from;
+  const double to = resting_place(curve, moment.count);
+  if (moment.time >= begin + curve.move) return to;
+  return from + eased(curve.ease, (moment.time - begin) / curve.move) * (to - from);
+}
+
+}  // namespace
+
+double value_at(const Curve& curve, double time) {
+  return std::visit([&](const auto& c) { return value_of(c, time); }, curve);
+}
+
+}  // namespace mien

@@ -1,0 +1,19 @@
+#pragma once
+// What a channel at a value does to the face vector.
+
+#include <mien/api.h>
+#include <mien/control.h>
+#include <mien/face.h>
+#include <mien/layout.h>
+
+namespace mien {
+
+/// Lets all drives of `channel` act on `vector`, in order, at `value`, which is in the channel's
+/// range.
+MIEN_API void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector);
+
+/// The same with the caller's scratch, which is kept: no allocation after the first frames.
+MIEN_API void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector,
+                    std::vector<double>& scratch);
+
+}  // namespace mien

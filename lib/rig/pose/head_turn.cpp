@@ -1,0 +1,137 @@
+#include "lib/rig/pose/head_turn.h"
+
+#include <mien/face_model.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mien {
+namespace {
+
+glm::dvec2 cosine_and_sine(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace
+
+Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up)
+    : head_(head),
+      up_(y_up ? 1 : -1),
+      roll_degrees_(roll),
+      yaw_(cosine_and_sine(yaw)),
+      pitch_(cosine_and_sine(pitch)),
+      roll_(cosine_and_sine(roll)) {}
+
+/// How far before the ellipsoid's middle its front is at a point.
+double Turn::height(glm::dvec2 p) const {
+  const double x = (p.x - head_.center.x) / head_.radii.x,
+               y = (p.y - head_.center.y) / head_.radii.y;
+  return head_.radii.z * std::sqrt(std::max(0.0, 1 - x * x - y * y));
+}
+
+/// Both y up.
+glm::dvec2 Turn::rolled_up(glm::dvec2 p) const {
+  return {p.x * roll_.x - p.y * roll_.y, p.x * roll_.y + p.y * roll_.x};
+}
+
+glm::dvec2 Turn::rolled(glm::dvec2 way) const {
+  const glm::dvec2 q = rolled_up({way.x, up_ * way.y});
+  return {q.x, up_ * q.y};
+}
+
+/// From the pivot, y up, to the pivot, y up.
+glm::dvec2 Turn::turned(glm::dvec3 v) const {
+  const double x = v.x * yaw_.x + v.z * yaw_.y, z = v.z * yaw_.x - v.x * yaw_.y;
+  return rolled_up({x, v.y * pitch_.x + z * pitch_.y});
+}
+
+glm::dvec2 Turn::surface(glm::dvec2 p, double depth) const {
+  const glm::dvec2 pivot{head_.pivot.x, head_.pivot.y};
+  const glm::dvec2 q =
+      turned({p.x - pivot.x, up_ * (p.y - pivot.y), height(p) + depth - head_.pivot.z});
+  return {pivot.x + q.x, pivot.y + up_ * q.y};
+}
+
+glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
+  const double z = depth - head_.pivot.z;
+  const glm::dvec2 q = rolled_up(
+      {p.x - head_.pivot.x + z * yaw_.y, up_ * (p.y - head_.pivot.y) + z * yaw_.x * pitch_.y});
+  return {head_.pivot.x + q.x, head_.pivot.y + up_ * q.y};
+}
+
+/// The slopes of the turned surface along x and y, by its normal: the height's own slopes are
+/// −(rz/rx)² x/h and −(rz/ry)² y/h. At the very edge they have no bound; there all is turned away or
+/// seen in full, and the limits keep it finite.
+glm::dvec2 Turn::foreshortening(glm::dvec2 p) const {
+  const glm::dvec3 r = head_.radii;
+  const double h = std::max(height(p), 0.1 * r.z);
+  const double slope_x = -(r.z / r.x) * (r.z / r.x) * (p.x - head_.center.x) / h;
+  const double slope_y = -(r.z / r.y) * (r.z / r.y) * up_ * (p.y - head_.center.y) / h;
+  const double x = yaw_.x + slope_x * yaw_.y, y = pitch_.x + slope_y * yaw_.x * pitch_.y;
+  return {std::clamp(x, 0.0, 1.5), std::clamp(y, 0.0, 1.5)};
+}
+
+namespace {
+
+/// One turn of one face vector.
+class Turning {
+ public:
+  Turning(const FaceModel& model, const Turn& turn, FaceVector& vector)
+      : model_(model), turn_(turn), now_(vector) {}
+
+  /// What is at a point looks at where the point was: so sizes first, then points.
+  void all() {
+    for (const bool points : {false, true})
+      for (const TurnedSlice& slice : model_.turn.slices)
+        if (is_point(slice.kind) == points) act(slice);
+  }
+
+ private:
+  static bool is_point(TurnKind kind) {
+    return kind == TurnKind::surface || kind == TurnKind::flat;
+  }
+  double* at(int slice) { return &now_[std::size_t(model_.layout[slice].begin)]; }
+  glm::dvec2 point(int slice) { return {at(slice)[0], at(slice)[1]}; }
+
+  void act(const TurnedSlice& slice) {
+    double* v = at(slice.slice);
+    if (slice.kind == TurnKind::angle) {
+      v[0] += turn_.tilt();
+      return;
+    }
+    if (is_point(slice.kind)) {
+      const glm::dvec2 p = slice.kind == TurnKind::flat ? turn_.flat({v[0], v[1]}, slice.depth)
+                                                        : turn_.surface({v[0], v[1]}, slice.depth);
+      v[0] = p.x, v[1] = p.y;
+      return;
+    }
+    const glm::dvec2 smaller = turn_.foreshortening(point(slice.at));
+    if (slice.kind == TurnKind::size) {
+      v[0] *= std::sqrt(smaller.x * smaller.y);
+      return;
+    }
+    v[0] *= smaller.x, v[1] *= smaller.y;
+    if (slice.kind == TurnKind::shift) {
+      const glm::dvec2 way = turn_.rolled({v[0], v[1]});
+      v[0] = way.x, v[1] = way.y;
+    }
+  }
+
+  const FaceModel& model_;
+  const Turn& turn_;
+  FaceVector& now_;
+};
+
+}  // namespace
+
+void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector) {
+  const HeadTurn& head = model.turn;
+  const auto angle = [&](int channel) { return channel < 0 ? 0 : values[std::size_t(channel)]; };
+  const double yaw = angle(head.yaw), pitch = angle(head.pitch), roll = angle(head.roll);
+  if (yaw == 0 && pitch == 0 && roll == 0) return;
+  Turning(model, Turn(head, yaw, pitch, roll, model.canvas.y_up), vector).all();
+}
+
+}  // namespace mien

@@ -1,0 +1,59 @@
+#pragma once
+// Small turns of the head: parallax of feature depth, with foreshortening.
+//
+// The front of the head is half an ellipsoid; a point (x, y) of the face lies on it, and is turned
+// with it about a pivot: first by the yaw about the vertical, then by the pitch about the level
+// axis, then by the roll in the picture, and seen straight from the front again. What looks alike
+// from every side (the outline of a head, of hair) is not foreshortened, only shifted by its depth
+// and rolled. Sizes are foreshortened as the surface is where they are. Meant for up to about 30°;
+// beyond, features slide round the edge.
+//
+// Positive yaw turns the face to the picture's right (the subject's left), positive pitch upwards,
+// positive roll tilts it from +x towards up. ±yaw are mirror images, bit for bit, on a canvas
+// symmetric about x = 0.
+//
+// Source. Turning the head with the mouse: S. Lee, "Face Rendering in GLSL"; this form for drawn
+// features is mien's own.
+
+#include <mien/api.h>
+#include <mien/face.h>
+#include <mien/head_turn.h>
+
+#include <glm/vec2.hpp>
+
+#include <span>
+
+namespace mien {
+
+/// A turn, ready to be applied to points.
+class MIEN_API Turn {
+ public:
+  /// Angles in degrees; `y_up`: larger y is higher.
+  Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up);
+
+  /// Where a point of the surface, `depth` above it, comes to lie.
+  glm::dvec2 surface(glm::dvec2 p, double depth) const;
+  /// Where a point of an outline at `depth` from the head's middle comes to lie.
+  glm::dvec2 flat(glm::dvec2 p, double depth) const;
+  /// How much smaller the surface is seen at a point: sideways and upwards, before the roll; 0 where
+  /// it is turned away.
+  glm::dvec2 foreshortening(glm::dvec2 p) const;
+  /// A way in the picture, rolled.
+  glm::dvec2 rolled(glm::dvec2 way) const;
+  /// How far angles turn, from +x towards +y [degrees].
+  double tilt() const { return up_ * roll_degrees_; }
+
+ private:
+  glm::dvec2 turned(glm::dvec3 from_pivot) const;
+  glm::dvec2 rolled_up(glm::dvec2 p) const;
+  double height(glm::dvec2 p) const;
+
+  const HeadTurn& head_;
+  double up_, roll_degrees_;
+  glm::dvec2 yaw_, pitch_, roll_;  ///< cosine and sine
+};
+
+/// Lets the model's head turn act on `vector`. With all angles 0 it changes nothing.
+MIEN_API void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector);
+
+}  // namespace mien

@@ -1,0 +1,192 @@
+#include <mien/pose.h>
+
+#include <mien/face_model.h>
+#include <mien/poser.h>
+#include "lib/rig/eye/eye.h"
+#include "lib/rig/muscle/muscle_poser.h"
+#include "lib/rig/muscle/pulls.h"
+#include "lib/rig/pose/curve.h"
+#include "lib/rig/pose/drive.h"
+#include "lib/rig/pose/head_turn.h"
+#include "lib/rig/pose/unwrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace mien {
+namespace {
+
+using Values = std::vector<double>;
+
+/// Lays one clip over what is below it.
+void play(const FaceModel& model, const Clip& clip, double time, double weight, Values& values) {
+  for (const ClipTrack& track : clip.tracks) {
+    const double value = value_at(track.curve, time);
+    if (!std::isfinite(value)) continue;
+    for (const int c : model.controls[std::size_t(track.control)].channels) {
+      double& now = values[std::size_t(c)];
+      if (clip.additive)
+        now += weight * (value - model.channels[std::size_t(c)].rest);
+      else
+        now = weight == 1 ? value : now + weight * (value - now);
+    }
+  }
+}
+
+void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
+  if (!pose.time || !std::isfinite(*pose.time)) return;
+  if (pose.clips.empty() && model.default_clip >= 0 && !pose.basis)
+    play(model, model.clips[std::size_t(model.default_clip)], *pose.time, 1, values);
+  for (const ClipLayer& layer : pose.clips)
+    if (layer.clip >= 0 && layer.clip < int(model.clips.size()) && std::isfinite(layer.weight) &&
+        std::isfinite(layer.begin))
+      play(model, model.clips[std::size_t(layer.clip)], *pose.time - layer.begin, layer.weight,
+           values);
+}
+
+void look(const Face& rest, glm::dvec3 target, Values& values) {
+  for (const Eye& eye : rest.model->eyes) {
+    const glm::dvec2 gaze = look_at(*rest.model, eye, rest.vector, target);
+    if (eye.gaze_x >= 0) values[std::size_t(eye.gaze_x)] = gaze.x;
+    if (eye.gaze_y >= 0) values[std::size_t(eye.gaze_y)] = gaze.y;
+  }
+}
+
+/// Settings of controls; `poses`: of the weights of poses too.
+void hold(const FaceModel& model, const Pose& pose, bool poses, Values& values) {
+  for (const Setting& setting : pose.settings) {
+    if (!setting.control || setting.index < 0 || setting.index >= int(model.controls.size()) ||
+        setting.values.empty() || std::isnan(setting.values[0]))
+      continue;
+    for (const int c : model.controls[std::size_t(setting.index)].channels)
+      if (poses || !model.channels[std::size_t(c)].pose) values[std::size_t(c)] = setting.values[0];
+  }
+}
+
+void clamp(const FaceModel& model, bool poses, Values& values) {
+  for (std::size_t c = 0; c < values.size(); ++c)
+    if (const Channel& channel = model.channels[c]; channel.pose == poses)
+      values[c] = std::clamp(values[c], channel.lo, channel.hi);
+}
+
+/// Poses that move controls too.
+void nudge(const FaceModel& model, Values& values) {
+  for (std::size_t c = 0; c < values.size(); ++c)
+    for (const Nudge& n : model.channels[c].nudges)
+      values[std::size_t(n.channel)] += (values[c] - model.channels[c].rest) * n.by;
+}
+
+/// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
+/// nudges; settings of controls beat what expressions and poses do to them.
+void set_channels(const Face& rest, const Pose& pose, Values& values) {
+  const FaceModel& model = *rest.model;
+  values.clear();
+  for (const Channel& channel : model.channels) values.push_back(channel.rest);
+  play_clips(model, pose, values);
+  if (pose.look_at) look(rest, *pose.look_at, values);
+  hold(model, pose, true, values);
+  move_channels(model, values);
+  clamp(model, true, values);
+  nudge(model, values);
+  hold(model, pose, false, values);
+  clamp(model, false, values);
+}
+
+bool at_rest(const FaceModel& model, const Values& values) {
+  for (std::size_t c = 0; c < values.size(); ++c)
+    if (values[c] != model.channels[c].rest) return false;
+  return true;
+}
+
+void take_basis(const FaceBasis& basis, const Pose& pose, FaceVector& vector) {
+  if (!pose.basis_weights.empty() || !pose.time)
+    decode_pca(basis.basis, pose.basis_weights, vector);
+  else
+    decode_pca(basis.basis, weights_at(basis, *pose.time), vector);
+}
+
+void put_numbers(const Setting& setting, FaceVector& vector) {
+  if (setting.control || setting.index < 0) return;
+  for (std::size_t i = 0; i < setting.values.size(); ++i)
+    if (std::size_t(setting.index) + i < vector.size())
+      vector[std::size_t(setting.index) + i] = setting.values[i];
+}
+
+/// What the eyes' laws read of an eyeball is held before they act, too: a bulge held at 0 is none.
+void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector) {
+  for (const Setting& setting : pose.settings) {
+    if (setting.control) continue;
+    for (const Eye& eye : model.eyes)
+      for (const int slice : {eye.center, eye.radius, eye.cornea, eye.bulge}) {
+        if (slice < 0) continue;
+        const Slice& s = model.layout[slice];
+        if (setting.index >= s.begin && setting.index < s.begin + s.size)
+          put_numbers(setting, vector);
+      }
+  }
+}
+
+}  // namespace
+
+struct Poser::Scratch {
+  Face rest, posed;
+  std::vector<double> values, drive;
+  MusclePoser muscles;
+  std::optional<UnwrapChart> chart;  ///< made when first needed
+
+  explicit Scratch(Face face) : rest(std::move(face)), posed(rest) {
+    values.reserve(rest.model->channels.size());
+  }
+
+  void drive_channels(bool poses) {
+    const FaceModel& model = *rest.model;
+    for (std::size_t c = 0; c < values.size(); ++c)
+      if (const Channel& channel = model.channels[c];
+          channel.pose == poses && values[c] != channel.rest)
+        mien::drive(channel, values[c], model.layout, posed.vector, drive);
+  }
+};
+
+Poser::Poser(Face face) : scratch_(std::make_unique<Scratch>(std::move(face))) {}
+Poser::Poser(Poser&&) noexcept = default;
+Poser& Poser::operator=(Poser&&) noexcept = default;
+Poser::~Poser() = default;
+
+std::span<const double> Poser::pulls() const {
+  return scratch_->muscles.pulls();
+}
+
+const Face& Poser::pose(const Pose& pose) {
+  auto& [rest, posed, values, drive, muscles, chart] = *scratch_;
+  const FaceModel& model = *rest.model;
+  posed.vector = rest.vector;
+  const bool by_basis = pose.basis && pose.basis->basis.columns == rest.vector.size();
+  if (by_basis) take_basis(*pose.basis, pose, posed.vector);
+  const FaceVector begin = by_basis ? posed.vector : FaceVector{};
+  set_channels(rest, pose, values);
+  scratch_->drive_channels(true);
+  muscles.act(rest, pose, values, set_channels, posed.vector);
+  scratch_->drive_channels(false);
+  hold_eyeballs(model, pose, posed.vector);
+  // What a basis gives has been through the eyes' laws: they act on what is moved on top of it only.
+  if (!by_basis)
+    pose_eyes(model, rest.vector, values, posed.vector);
+  else if (!at_rest(model, values))
+    pose_eyes(model, begin, values, posed.vector);
+  turn_head(model, values, posed.vector);
+  if (pose.unwrap > 0) {
+    if (!chart) chart.emplace(rest);
+    chart->act(pose.unwrap_mode, pose.unwrap, posed.vector);
+  }
+  for (const Setting& setting : pose.settings) put_numbers(setting, posed.vector);
+  apply_rules(model.layout, rest.vector, posed.vector);
+  return posed;
+}
+
+Face pose_face(const Face& face, const Pose& pose) {
+  return Poser(face).pose(pose);
+}
+
+}  // namespace mien

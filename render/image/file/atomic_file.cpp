@@ -1,0 +1,141 @@
+#include "render/image/file/atomic_file.h"
+#include "render/image/file/system_error.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <random>
+#include <string_view>
+#include <utility>
+
+namespace mien {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostTries =
+    100;  // names taken, or swept away before they were locked: neither happens twice in life
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+std::string new_temporary_name() {
+  std::random_device dice;
+  const std::uint64_t number = std::uint64_t(dice()) << 32 | dice();
+  return fmt::format("{}{:0{}x}{}", TemporaryName::kPrefix, number, TemporaryName::kDigits,
+                     TemporaryName::kSuffix);
+}
+
+bool is_temporary_name(std::string_view name) {
+  constexpr std::string_view prefix = TemporaryName::kPrefix, suffix = TemporaryName::kSuffix;
+  if (name.size() != prefix.size() + TemporaryName::kDigits + suffix.size()) return false;
+  const std::string_view digits = name.substr(prefix.size(), TemporaryName::kDigits);
+  return name.starts_with(prefix) && name.ends_with(suffix) &&
+         digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+/// Whether the file open as `descriptor` still goes by that name.
+bool still_named(int descriptor, const fs::path& path) {
+  struct stat open_file, named;
+  return ::fstat(descriptor, &open_file) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+         open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
+}
+
+/// Removes one temporary unless somebody holds it. Holding its lock ourselves while we do keeps
+/// away a run that has just created it and not locked it yet: that run sees its file gone and takes
+/// another name.
+void remove_leftover(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return;
+  struct stat info;
+  const bool ours = ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode);
+  if (ours && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && still_named(descriptor, path))
+    ::unlink(path.c_str());
+  ::close(descriptor);
+}
+
+/// 0, or errno's value. File systems that cannot flush say EINVAL, which is no failure of the file.
+int flush(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+int flush_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0)
+    return 0;  // a folder one may write in but not read: its entry reaches the disk in time
+  const int failed = flush(descriptor);
+  ::close(descriptor);
+  return failed;
+}
+
+}  // namespace
+
+void remove_leftovers(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+    if (is_temporary_name(at->path().filename().native())) remove_leftover(at->path());
+  }
+}
+
+Expected<WholeFile> WholeFile::begin(const fs::path& path) {
+  const fs::path folder = folder_of(path);
+  remove_leftovers(folder);
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    const fs::path temporary = folder / new_temporary_name();
+    const int descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) {
+      return Error{path.string(),
+                   "cannot write in " + folder.string() + ": " + system_error(errno)};
+    }
+    // A file system without locks has no sweepers either: they need the lock as well.
+    while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    if (still_named(descriptor, temporary)) return WholeFile(path, temporary, descriptor);
+    ::close(descriptor);
+  }
+  return Error{path.string(),
+               "cannot write in " + folder.string() + ": its temporary files vanish"};
+}
+
+WholeFile::WholeFile(fs::path path, fs::path temporary, int descriptor)
+    : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+WholeFile::WholeFile(WholeFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::move(other.temporary_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+WholeFile::~WholeFile() {
+  abandon();
+}
+
+void WholeFile::abandon() {
+  if (descriptor_ < 0) return;
+  ::unlink(temporary_.c_str());
+  ::close(std::exchange(descriptor_, -1));
+}
+
+Expected<Done> WholeFile::commit() {
+  const auto refuse = [&](int code) {
+    abandon();
+    return Error{path_.string(), "cannot be written: " + system_error(code)};
+  };
+  if (const int failed = flush(descriptor_)) return refuse(failed);
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return refuse(errno);
+  const int failed = flush_folder(folder_of(path_));
+  ::close(std::exchange(descriptor_, -1));
+  if (failed)
+    return Error{path_.string(), "is written, but may not be on the disk: " + system_error(failed)};
+  return Done{};
+}
+
+}  // namespace mien

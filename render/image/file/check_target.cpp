@@ -1,0 +1,22 @@
+#include <mien/write.h>
+#include "render/image/file/output_path.h"
+#include "render/image/file_type.h"
+
+#include <exception>
+
+namespace mien {
+
+Expected<Done> check_target(const std::filesystem::path& path, const WriteOptions& how) {
+  try {
+    const auto type = chosen_type(path, how);
+    if (!type) return type.error();
+    if (path == "-") return Done{};
+    const auto target = find_target(path);
+    if (!target) return target.error();
+    return Done{};
+  } catch (const std::exception& failure) {
+    return Error{path.string(), std::string("cannot be written: ") + failure.what()};
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,7 @@
+#include "render/image/image_module.h"
+#include "render/image/oiio/oiio_encoder.h"
+
+extern "C" __attribute__((visibility("default"))) const mien::ImageModule* mien_image_module() {
+  static constexpr mien::ImageModule verbs{&mien::oiio_encoder};
+  return &verbs;
+}

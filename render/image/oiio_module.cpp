@@ -1,7 +1,0 @@
-#include <mien/render/image/image_module.h>
-#include <mien/render/image/oiio_encoder.h>
-
-extern "C" __attribute__((visibility("default"))) const mien::ImageModule* mien_image_module() {
-  static constexpr mien::ImageModule verbs{&mien::oiio_encoder};
-  return &verbs;
-}

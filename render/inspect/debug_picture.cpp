@@ -1,0 +1,217 @@
+#include <mien/debug_picture.h>
+#include "render/blend/transfer.h"
+#include "render/rows/drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace mien {
+namespace {
+
+using Rgb = std::array<int, 3>;
+
+void put(Image& image, int x, int y, const Rgb& rgb) {
+  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
+  std::byte* pixel = image.bytes.data() + image.stride() * std::size_t(y) + 4 * std::size_t(x);
+  for (int i = 0; i < 3; ++i) pixel[i] = std::byte(std::clamp(rgb[std::size_t(i)], 0, 255));
+  pixel[3] = std::byte{255};
+}
+
+/// Colours that tell neighbours apart: hues a golden turn from each other.
+Rgb color_of(int index) {
+  constexpr double kGolden = 0.61803398874989485;
+  const double hue = 6.0 * std::fmod(kGolden * (index + 1), 1.0);
+  const auto channel = [&](double at) {
+    const double away = std::abs(std::remainder(hue - at, 6.0));
+    return 70 + int(150.0 * std::clamp(2.0 - away, 0.0, 1.0));
+  };
+  return {channel(0.0), channel(2.0), channel(4.0)};
+}
+
+/// Every region has a look of its own.
+class EachItsOwn final : public LookRule {
+ public:
+  int state_words() const override { return 0; }
+  int first_look(std::uint64_t*) override { return 0; }
+  int look(const std::uint64_t*, int, const std::uint64_t*, int, std::uint64_t*) override {
+    return ++last_;
+  }
+
+ private:
+  int last_ = 0;
+};
+
+/// Which look each row's middle has at the middles of pixels: a fragment changes it from its column
+/// on. Columns are those of the image.
+void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image, bool dots,
+                const Looks* looks) {
+  struct Change {
+    double x;
+    int left, right;
+  };
+  std::vector<Change> changes;
+  for (int y = 0; y < rect.height; ++y) {
+    const double middle = rect.y + y + 0.5;
+    changes.clear();
+    for (const Fragment& f : sweep.fragments())
+      if (f.top <= middle && middle < f.bottom)
+        changes.push_back({x_at(sweep.pieces()[std::size_t(f.piece)], middle), f.left, f.right});
+    std::sort(changes.begin(), changes.end(),
+              [](const Change& a, const Change& b) { return a.x < b.x; });
+    // Those at one place follow each other as their looks do.
+    constexpr double kOnePlace = 1e-3;  // [px]
+    int now = first_look;
+    for (std::size_t i = 0; i < changes.size(); now = changes[i++].right)
+      for (std::size_t k = i; k < changes.size() && changes[k].x < changes[i].x + kOnePlace; ++k)
+        if (changes[k].left == now) {
+          std::swap(changes[i], changes[k]);
+          break;
+        }
+    std::size_t next = 0;
+    int look = first_look;
+    for (int x = 0; x < rect.width; ++x) {
+      for (; next < changes.size() && changes[next].x < rect.x + x + 0.5; ++next)
+        look = changes[next].right;
+      const bool dot =
+          dots && !looks->constant(look) && (rect.x + x) % 4 == 0 && (rect.y + y) % 4 == 0;
+      put(image, x, y, dot ? Rgb{255, 255, 255} : color_of(look));
+    }
+  }
+}
+
+void draw_piece(const OutlinePiece& piece, double top, double bottom, int width,
+                const PixelRect& rect, const Rgb& rgb, Image& image) {
+  const double from = std::max(top, double(rect.y)),
+               to = std::min(bottom, double(rect.y + rect.height));
+  if (!(from < to)) return;
+  cells_of(piece, from, to, width, [&](const CellStretch& c) {
+    if (c.column >= 0) put(image, c.column - rect.x, c.row - rect.y, rgb);
+  });
+}
+
+void draw_outlines(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
+  for (const OutlinePiece& p : drawing.outlines().pieces)
+    draw_piece(p, p.y0, p.y1, width, rect, color_of(p.outline), image);
+  for (const OutlineVertex& v : drawing.outlines().vertices)
+    put(image, int(std::floor(v.x)) - rect.x, int(std::floor(v.y)) - rect.y, {255, 255, 255});
+}
+
+void draw_fragments(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
+  for (const OutlinePiece& p : drawing.outlines().pieces)
+    draw_piece(p, p.y0, p.y1, width, rect, {35, 45, 70}, image);
+  const Looks& looks = drawing.looks();
+  for (const Fragment& f : drawing.sweep().fragments()) {
+    const Mix jump = looks.mix(f.right) - looks.mix(f.left);
+    const bool varies = !looks.constant(f.left) || !looks.constant(f.right);
+    const double size = std::max({std::abs(jump.r), std::abs(jump.g), std::abs(jump.b)});
+    const int light = 90 + int(165.0 * std::clamp(size, 0.0, 1.0));
+    draw_piece(drawing.sweep().pieces()[std::size_t(f.piece)], f.top, f.bottom, width, rect,
+               varies ? Rgb{190, 120, 240} : Rgb{light, light, light / 2}, image);
+  }
+}
+
+Rgb isoline_color(double d) {
+  if (std::abs(d) < 0.75) return {255, 255, 255};
+  const double fade = std::exp(-std::abs(d) / 120.0);
+  const double step = std::abs(std::remainder(d, 10.0));
+  const double line = step < 0.6 ? 0.55 : 1.0;
+  const Rgb base = d < 0.0 ? Rgb{60, 120, 210} : Rgb{235, 150, 60};
+  Rgb out;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = int(line * (base[i] * (0.35 + 0.65 * fade) + 30.0 * (1.0 - fade)));
+  return out;
+}
+
+double nearest_distance(const std::vector<AreaDistance>& layers, glm::dvec2 p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const AreaDistance& layer : layers) {
+    const double d = layer.at(p);
+    if (std::abs(d) < std::abs(best)) best = d;
+  }
+  return best;
+}
+
+/// Of the topmost layer there.
+Rgb normal_at(const PaintTable& paints, const std::vector<AreaDistance>& layers, glm::dvec2 p) {
+  glm::dvec2 slope{0.0};
+  for (std::size_t i = layers.size(); i-- > 0;) {
+    if (!(layers[i].at(p) <= 0.0)) continue;
+    const int varied = paints.layers[i].varied;
+    if (varied < 0 || paints.varied[std::size_t(varied)].lit < 0) break;
+    const auto& relief = *paints.varied[std::size_t(varied)].paint.relief;
+    double d = 0.0;
+    glm::dvec2 gradient{0.0};
+    if (relief.distance >= 0) {
+      const AreaDistance& area = paints.distances[std::size_t(relief.distance)];
+      constexpr double kStep = 1e-5;  // [px]
+      d = area.at(p);
+      gradient =
+          glm::dvec2{area.at({p.x + kStep, p.y}) - d, area.at({p.x, p.y + kStep}) - d} / kStep;
+    }
+    slope = relief.slope(p, d, gradient);
+    break;
+  }
+  const double length = std::sqrt(1.0 + slope.x * slope.x + slope.y * slope.y);
+  const auto channel = [&](double v) { return level(0.5 + 0.5 * v / length, 255); };
+  return {channel(-slope.x), channel(-slope.y), channel(1.0)};
+}
+
+void draw_places(const Scene& scene, const View& view, const Drawing& drawing, DebugPicture which,
+                 const Threads& threads, Image& image) {
+  const PixelRect rect = drawn_rect(view);
+  const auto map = grid_from_face(scene.canvas(), view);
+  std::vector<AreaDistance> layers;
+  for (const Layer& layer : scene.layers())
+    layers.emplace_back(scene, layer.area, Map<PixelSpace, FaceSpace>{map.linear, map.shift});
+  parallel_for(rect.height, threads, [&](int y) {
+    for (int x = 0; x < rect.width; ++x) {
+      const glm::dvec2 p{rect.x + x + 0.5, rect.y + y + 0.5};
+      put(image, x, y,
+          which == DebugPicture::distance ? isoline_color(nearest_distance(layers, p))
+                                          : normal_at(drawing.paints(), layers, p));
+    }
+  });
+}
+
+}  // namespace
+
+Image debug_picture(const Scene& scene, const View& view, DebugPicture which,
+                    const Threads& threads) {
+  const PixelRect rect = drawn_rect(view);
+  Image image{.width = rect.width, .height = rect.height};
+  image.bytes.resize(image.stride() * std::size_t(rect.height));
+  for (int y = 0; y < rect.height; ++y)
+    for (int x = 0; x < rect.width; ++x) put(image, x, y, {12, 16, 28});
+  Drawing drawing;
+  drawing.make_whole(scene, view, Depth::u8);
+  switch (which) {
+    case DebugPicture::outlines:
+      draw_outlines(drawing, view.width, rect, image);
+      break;
+    case DebugPicture::fragments:
+      draw_fragments(drawing, view.width, rect, image);
+      break;
+    case DebugPicture::looks:
+      draw_looks(drawing.sweep(), drawing.first_look(), rect, image, true, &drawing.looks());
+      break;
+    case DebugPicture::regions: {
+      EachItsOwn rule;
+      Regions regions;
+      regions.begin(int(drawing.outlines().rules.size()), rule);
+      Sweep sweep;
+      sweep.run(drawing.outlines(), 0.0, view.height, regions);
+      draw_looks(sweep, 0, rect, image, false, nullptr);
+      break;
+    }
+    case DebugPicture::distance:
+    case DebugPicture::normals:
+      draw_places(scene, view, drawing, which, threads, image);
+      break;
+  }
+  return image;
+}
+
+}  // namespace mien

@@ -1,0 +1,40 @@
+#include <mien/error_map.h>
+#include "render/blend/transfer.h"
+#include "render/rows/drawing.h"
+
+#include <algorithm>
+
+namespace mien {
+
+ErrorMap error_map(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
+  const PixelRect rect = drawn_rect(view);
+  ErrorMap map{.width = rect.width, .height = rect.height, .levels = {}};
+  map.levels.resize(std::size_t(rect.width) * std::size_t(rect.height));
+  Drawing drawing;
+  drawing.make(scene, view, depth);
+  const std::size_t stride = std::size_t(rect.width) * 4 * bytes_per_channel(depth);
+  std::vector<std::byte> pixels(stride * std::size_t(rect.height));
+  const RowTarget target{pixels.data(), stride, rect};
+  const int first = rect.y / Drawing::kRows,
+            strips = (rect.y + rect.height + Drawing::kRows - 1) / Drawing::kRows - first;
+  parallel_for(strips, threads, [&](int i) {
+    StripScratch scratch;
+    drawing.draw_strip_with_errors(first + i, target, scratch, map.levels.data());
+  });
+  map.unproven = !drawing.paints().lit.empty();
+  for (const float level : map.levels) map.worst = std::max(map.worst, level);
+  return map;
+}
+
+Image ErrorMap::image() const {
+  Image image{.width = width, .height = height};
+  image.bytes.resize(image.stride() * std::size_t(height));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const auto grey = std::byte(worst > 0 ? level(double(levels[i] / worst), 255) : 0);
+    std::fill_n(image.bytes.begin() + std::ptrdiff_t(4 * i), 3, grey);
+    image.bytes[4 * i + 3] = std::byte{255};
+  }
+  return image;
+}
+
+}  // namespace mien

@@ -1,0 +1,108 @@
+// Light on a relief, many places at a time: the SIMD twin of LitSurface::color for one base colour.
+// Included once per instruction set. Error: 2e-5 of full white (tests/render/shade/light/lamp_lanes_test.cpp).
+#if defined(MIEN_RENDER_SHADE_LAMP_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIEN_RENDER_SHADE_LAMP_LANES_INL_H_
+#undef MIEN_RENDER_SHADE_LAMP_LANES_INL_H_
+#else
+#define MIEN_RENDER_SHADE_LAMP_LANES_INL_H_
+#endif
+
+#include "render/blend/transfer-inl.h"
+#include "render/shade/light/lamp_lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Three channels, premultiplied, in the blending space.
+struct LitColor {
+  VF r, g, b;
+};
+
+/// A base colour, straight, in linear light, and its opacity.
+struct LitBase {
+  VF r, g, b, a;
+};
+
+HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y) {
+  const LampRamp& ramp = lamp.ramp;
+  if (ramp.kind == LampRamp::Kind::none)
+    return {Const(lamp.light[0]), Const(lamp.light[1]), Const(lamp.light[2]), Const(lamp.alpha)};
+  VF t = Fused(x, Const(ramp.xx), Fused(y, Const(ramp.xy), Const(ramp.x)));
+  if (ramp.kind == LampRamp::Kind::radial) {
+    const VF px = hn::Sub(x, Const(ramp.x)), py = hn::Sub(y, Const(ramp.y));
+    const VF u = Fused(px, Const(ramp.xx), hn::Mul(py, Const(ramp.xy)));
+    const VF v = Fused(px, Const(ramp.yx), hn::Mul(py, Const(ramp.yy)));
+    t = hn::Sqrt(Fused(u, u, hn::Mul(v, v)));
+  }
+  LitBase c{Const(ramp.first[0]), Const(ramp.first[1]), Const(ramp.first[2]), Const(ramp.first[3])};
+  for (const LampRamp::Stretch& s : ramp.stretches) {
+    const VF way = hn::Mul(hn::Sub(t, Const(s.at)), Const(s.over));
+    const VF in = hn::Min(hn::Max(way, hn::Zero(F())), Const(1.0f));
+    c.r = Fused(in, Const(s.change[0]), c.r), c.g = Fused(in, Const(s.change[1]), c.g);
+    c.b = Fused(in, Const(s.change[2]), c.b), c.a = Fused(in, Const(s.change[3]), c.a);
+  }
+  const VF up = hn::Div(Const(1.0f), hn::Max(c.a, Const(1e-5f)));  // less shows nowhere
+  const auto light = [&](VF v) HWY_ATTR {
+    const VF straight = hn::Min(hn::Mul(up, v), Const(1.0f));
+    return lamp.linear ? straight : LightOf(straight);
+  };
+  return {light(c.r), light(c.g), light(c.b), hn::Max(c.a, hn::Zero(F()))};
+}
+
+/// The profile's rise per pixel at a depth inside its zone, or not far beyond.
+HWY_INLINE VF RiseAt(const LampLanes& lamp, VF depth) {
+  if (lamp.rise_kind != LampLanes::Rise::round) return Const(lamp.rise);
+  const VF x = hn::Mul(depth, Const(lamp.one_over_width));
+  const VF in = hn::Min(hn::Max(x, Const(1e-9f)), Const(1.5f));
+  const VF square = hn::Mul(in, hn::Sub(Const(2.0f), in));  // 1 − (1 − x)²
+  return hn::Div(hn::Mul(Const(lamp.rise), hn::Sub(Const(1.0f), in)), hn::Sqrt(square));
+}
+
+/// n · way for the surface's normal n = (−slope, 1) · inverse.
+HWY_INLINE VF Towards(const std::array<float, 3>& way, VF sx, VF sy, VF inverse) {
+  const VF along = Fused(sx, Const(way[0]), hn::Mul(sy, Const(way[1])));
+  return hn::Mul(hn::Sub(Const(way[2]), along), inverse);
+}
+
+/// (nx, ny) the outward normal, (x, y) from the tile's middle.
+HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, VF y) {
+  const F f;
+  VF sx = hn::Zero(f), sy = hn::Zero(f);
+  if (lamp.rise_kind != LampLanes::Rise::none) {
+    const VF falls = hn::Neg(RiseAt(lamp, depth));
+    sx = hn::Mul(falls, nx), sy = hn::Mul(falls, ny);
+  }
+  for (const LampDome& dome : lamp.domes) {
+    const VF px = hn::Sub(x, Const(dome.x)), py = hn::Sub(y, Const(dome.y));
+    const VF u = Fused(px, Const(dome.xx), hn::Mul(py, Const(dome.xy)));
+    const VF v = Fused(px, Const(dome.yx), hn::Mul(py, Const(dome.yy)));
+    const VF in = hn::Max(FusedFrom(u, u, FusedFrom(v, v, Const(1.0f))), hn::Zero(f));
+    const VF by = hn::Mul(in, Const(dome.height));
+    sx = Fused(by, Fused(u, Const(dome.xx), hn::Mul(v, Const(dome.yx))), sx);
+    sy = Fused(by, Fused(u, Const(dome.xy), hn::Mul(v, Const(dome.yy))), sy);
+  }
+  const VF inverse = hn::Div(Const(1.0f), hn::Sqrt(Fused(sx, sx, Fused(sy, sy, Const(1.0f)))));
+  const VF facing = hn::Max(Towards(lamp.to_lamp, sx, sy, inverse), hn::Zero(f));
+  const VF diffuse = Fused(facing, Const(lamp.diffuse), Const(lamp.ambient));
+  VF shine = hn::Zero(f);
+  if (lamp.shine > 0.0f) {
+    const VF half = hn::Max(Towards(lamp.halfway, sx, sy, inverse), Const(1e-12f));
+    const VF power = hn::Max(hn::Mul(Const(lamp.shininess), Log2(half)), Const(-126.0f));
+    const VF over = hn::Sub(Exp2(power), Const(lamp.level_shine));
+    shine = hn::Mul(hn::Max(over, hn::Zero(f)), Const(lamp.shine));
+  }
+  const LitBase base = BaseAt(lamp, x, y);
+  const auto channel = [&](VF light) HWY_ATTR {
+    const VF bright = Fused(light, diffuse, shine);
+    const VF held = hn::Min(hn::Max(bright, hn::Zero(f)), Const(1.0f));
+    return hn::Mul(base.a, lamp.linear ? held : EncodedLight(held));
+  };
+  return {channel(base.r), channel(base.g), channel(base.b)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,92 @@
+#include "render/shade/light/lamp_lanes.h"
+#include "render/blend/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace mien {
+namespace {
+
+/// y is up where the lamp stands, down in the picture.
+std::array<float, 3> flipped(const glm::dvec3& v) {
+  return {float(v.x), float(-v.y), float(v.z)};
+}
+
+void set_ramp(const GridPaint& paint, glm::dvec2 middle, LampRamp& to) {
+  to.kind = LampRamp::Kind::none;
+  if (!paint.ramp) return;
+  const PaintField& f = paint.field;
+  const bool linear = f.kind == PaintField::Kind::linear;
+  to.kind = linear ? LampRamp::Kind::linear : LampRamp::Kind::radial;
+  if (linear) {
+    to.x = float(f.at(middle, 0.0)), to.xx = float(f.across.x), to.xy = float(f.across.y);
+  } else {
+    to.x = float(f.center.x - middle.x), to.y = float(f.center.y - middle.y);
+    to.xx = float(f.unit[0][0]), to.xy = float(f.unit[1][0]);
+    to.yx = float(f.unit[0][1]), to.yy = float(f.unit[1][1]);
+  }
+  const auto& at = paint.ramp->at();
+  const auto& mixes = paint.ramp->mixes();
+  to.stretches.clear();
+  for (int c = 0; c < 4; ++c) to.first[std::size_t(c)] = float(mixes[0][c]);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    LampRamp::Stretch s{float(at[i]), float(1.0 / (at[i + 1] - at[i])), {}};
+    for (int c = 0; c < 4; ++c) s.change[std::size_t(c)] = float(mixes[i + 1][c] - mixes[i][c]);
+    to.stretches.push_back(s);
+  }
+}
+
+}  // namespace
+
+bool lanes_know(const GridPaint& paint) {
+  if (!paint.ramp) return true;
+  constexpr std::size_t kFew = 12;
+  constexpr double kLeast = 1e-4;  // of a stretch: floats know no shorter one
+  const Ramp& ramp = *paint.ramp;
+  if (paint.field.kind == PaintField::Kind::distance || ramp.extend() != Extend::pad) return false;
+  if (ramp.jumps() || ramp.at().empty() || ramp.at().size() > kFew) return false;
+  for (std::size_t i = 0; i + 1 < ramp.at().size(); ++i)
+    if (!(ramp.at()[i + 1] - ramp.at()[i] > kLeast)) return false;
+  return true;
+}
+
+void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius,
+              LampLanes& to) {
+  const GridRelief& r = surface.relief();
+  const bool flat = surface.flat(zone), round = r.profile == Profile::round;
+  to.rise_kind = flat    ? LampLanes::Rise::none
+                 : round ? LampLanes::Rise::round
+                         : LampLanes::Rise::constant;
+  to.rise = float(flat ? 0.0 : round ? r.height / r.width : surface.rise(zone, 0.0));
+  to.width = float(r.width), to.one_over_width = float(1.0 / r.width);
+  to.linear = surface.blend() == Blend::linear;
+  const Mix& c = surface.paint().color;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double v = c.a > 0.0 ? c[int(i)] / c.a : 0.0;
+    to.light[i] = float(to.linear ? v : linear_from_srgb(v));
+  }
+  to.alpha = float(c.a);
+  set_ramp(surface.paint(), middle - surface.center(), to.ramp);
+  to.to_lamp = flipped(r.lamp.to_lamp()), to.halfway = flipped(r.lamp.halfway());
+  to.ambient = float(r.lamp.ambient());
+  to.diffuse = float((1.0 - r.lamp.ambient()) / r.lamp.to_lamp().z);
+  to.level_shine = float(r.lamp.level_shine()), to.shininess = float(r.lamp.shininess());
+  to.shine = float(r.lamp.specular() / (1.0 - r.lamp.level_shine()));
+  if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
+  to.domes.clear(), to.finest = 1e9f;
+  for (const GridRelief::GridDome& dome : r.domes) {
+    const glm::dvec2 at = surface.center() + dome.center - middle;
+    if (glm::length(at) > dome.max_radius + radius) continue;
+    const glm::dmat2& u = dome.unit;
+    to.domes.push_back({float(at.x), float(at.y), float(u[0][0]), float(u[1][0]), float(u[0][1]),
+                        float(u[1][1]), float(-4.0 * dome.height)});
+    // The slope changes by 4 height / radius² per pixel at the top; a highlight is a bell of 1 / √shininess in slope.
+    const double r2 = 1.0 / std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0],
+                                     u[0][1] * u[0][1] + u[1][1] * u[1][1]);
+    const double bell = r2 / (4.0 * std::abs(dome.height) * std::sqrt(r.lamp.shininess()));
+    to.finest = float(std::min({double(to.finest), std::sqrt(r2), to.shine > 0.0f ? bell : 1e9}));
+  }
+}
+
+}  // namespace mien

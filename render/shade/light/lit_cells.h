@@ -1,0 +1,60 @@
+#pragma once
+// The mean light over cells of a pixel, each seen at its centroid.
+//
+// A ridge, where two feet are as near and the gradient jumps, cuts cells in closed form. It is found by
+// its far side: each of a cell's eight neighbours tells, by its distance, gradient and bend, what its
+// foot's distance would be here. Where its gradient is another one, the ridge lies where the two
+// distances agree. So nothing need be known of the shape.
+
+#include "render/cover/part_form.h"
+#include "render/shade/light/lamp_lanes.h"
+
+#include <array>
+#include <span>
+
+namespace mien {
+
+/// The signed distance at a place, its gradient, and how fast that turns along the level line [1/px].
+struct FootAt {
+  float d, nx, ny, bend;
+};
+
+/// Cells in rows with a margin all around, as ridges ask for.
+struct LitCells {
+  static constexpr int kMostRow = PartCells::kMostSide + 2;
+  static constexpr int kMost = (kMostRow * kMostRow + 15) / 16 * 16 + 32;
+
+  float x, y;           ///< the pixel's middle, from the tile's
+  float shallow, deep;  ///< the zone's depths
+  int side = 4, row = 4;
+  bool ringed =
+      false;    ///< one cell more all around, and a foot for each; else `foot` tells them all
+  FootAt foot;  ///< at the pixel's middle
+  alignas(64) std::array<float, kMost> area, at_x, at_y;  ///< as in PartCells
+  alignas(64) std::array<float, kMost> mid_x, mid_y;      ///< middles, from the tile's
+  alignas(64) std::array<float, kMost> d, nx, ny, bend;   ///< there
+  alignas(64) std::array<float, kMost> r, g, b;  ///< what mean_of_cells saw, where there is area
+
+  /// All cells with the foot at the pixel's middle; or with a margin, whose feet are then to be found.
+  void take(const PartCells& cells, bool ring);
+  int places() const { return row * row; }
+  /// Where the k-th cell stands.
+  std::size_t at(int k) const {
+    return std::size_t(ringed ? (k / side + 1) * row + k % side + 1 : k);
+  }
+};
+
+struct LitMean {
+  float r, g, b;
+  float area;   ///< of the cells, at least a tenth
+  float lean;   ///< how far that plane's colours are from the mean
+  float rough;  ///< how far colours are from a plane over the pixel, root of the mean square
+  float jump;   ///< the most that a ridge changes colours by
+  float
+      unsure;  ///< share of cells that two ridges cut, or a ridge and an outline, times what it changes
+  float turn;  ///< the most that a gradient turns within a cell
+};
+
+LitMean mean_of_cells(const LampLanes& lamp, LitCells& cells);
+
+}  // namespace mien

@@ -1,0 +1,253 @@
+// Cells of a pixel in lanes. Compiled once per instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shade/light/lit_cells_simd.cpp"
+#include <hwy/foreach_target.h>
+#include "render/shade/light/cell_cut-inl.h"
+#include "render/shade/light/lamp_lanes-inl.h"
+#include "render/shade/light/lit_cells.h"
+#include "render/shade/light/ridge-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Of what is left of two gradients so near to each other a slope of 1 makes a level.
+constexpr float kSameBranch = 0.02f;
+
+/// Depths in a zone, and what cells are like there.
+struct Zone {
+  const LampLanes& lamp;
+  VF shallow, deep, spread;  ///< spread: variance of the depth within a whole cell
+};
+
+/// The light over what is left of a cell, by one place. Where the profile is round, light goes like √depth: for depths
+/// of mean m and variance q m² the mean of √ is that at m (1 − q/4 (1 + q)), an outline's strips (q = 1/3) and corners
+/// (q = 1/2) within 2 %.
+HWY_INLINE LitColor ColorOf(const Zone& zone, VF share, const Spot& at, VF x, VF y) {
+  VF depth = hn::Min(hn::Max(hn::Neg(at.d), zone.shallow), zone.deep);
+  if (zone.lamp.rise_kind == LampLanes::Rise::round) {
+    const VF m2 = hn::Max(hn::Mul(depth, depth), Const(1e-12f));
+    const VF q = hn::Min(hn::Div(hn::Mul(zone.spread, share), m2), Const(0.42f));
+    const VF quarter = hn::Mul(q, Const(0.25f));
+    depth = FusedFrom(hn::Mul(depth, quarter), hn::Add(q, Const(1.0f)), depth);
+  }
+  return LitAt(zone.lamp, depth, at.nx, at.ny, x, y);
+}
+
+HWY_INLINE VF Mixed(VF share, VF a, VF b) {
+  return Fused(share, hn::Sub(b, a), a);
+}
+
+HWY_INLINE Spot MovedBy(const Spot& at, VF ex, VF ey, VF way) {
+  return {Fused(Fused(at.nx, ex, hn::Mul(at.ny, ey)), way, at.d), at.nx, at.ny};
+}
+
+/// A cell that a ridge cuts: two branches, each at the middle of its part. What is left of a cell is taken for a
+/// square of that area around its centroid. `jump`: by how much the branches' colours differ there, else 0.
+HWY_INLINE void MixRidge(const Zone& zone, VF side, VF left, const Spot& here, const Ridge& ridge,
+                         VF x, VF y, LitColor& color, VF& jump) {
+  const F f;
+  const VF zero = hn::Zero(f), one = Const(1.0f);
+  const auto cut = CutCell(f, hn::Neg(ridge.offset), ridge.ex, ridge.ey, side);
+  const auto touched = hn::And(hn::Lt(ridge.offset, side), hn::Gt(cut.area, zero));
+  if (hn::AllFalse(f, touched)) return;
+  const VF share = hn::IfThenElseZero(touched, cut.area), way = hn::Add(ridge.offset, cut.t);
+  const VF back = hn::Neg(hn::Div(hn::Mul(share, way), hn::Max(hn::Sub(one, share), Const(0.1f))));
+  const auto color_at = [&](const Spot& at, VF along, VF part) HWY_ATTR {
+    return ColorOf(zone, hn::Mul(left, part), MovedBy(at, ridge.ex, ridge.ey, along),
+                   Fused(ridge.ex, along, x), Fused(ridge.ey, along, y));
+  };
+  const LitColor near = color_at(here, back, hn::Sub(one, share)),
+                 far = color_at(ridge.beyond, way, share);
+  const auto mix = [&](VF& c, VF a, VF b) HWY_ATTR {
+    c = hn::IfThenElse(touched, Mixed(share, a, b), c);
+    jump = hn::Max(jump, hn::IfThenElseZero(touched, hn::Abs(hn::Sub(b, a))));
+  };
+  mix(color.r, near.r, far.r), mix(color.g, near.g, far.g), mix(color.b, near.b, far.b);
+}
+
+Ridge NearestRidge(const LitCells& cells, size_t k, const Spot& here, VF ox, VF oy) {
+  const F f;
+  const float cell = 1.0f / float(cells.side);
+  Ridge ridge = NoRidge();
+  for (int j = -1; j <= 1; ++j)
+    for (int i = -1; i <= 1; ++i) {
+      if (i == 0 && j == 0) continue;
+      const size_t at = size_t(std::ptrdiff_t(k) + j * cells.row + i);
+      const VF x = hn::Sub(ox, Const(float(i) * cell)), y = hn::Sub(oy, Const(float(j) * cell));
+      Consider(here,
+               SeenFrom(hn::LoadU(f, &cells.d[at]), hn::LoadU(f, &cells.nx[at]),
+                        hn::LoadU(f, &cells.ny[at]), hn::LoadU(f, &cells.bend[at]), x, y),
+               kSameBranch, ridge);
+    }
+  return ridge;
+}
+
+/// Sums over cells, and their colours by place.
+struct Sums {
+  VF area, x, y, xx, xy, yy, r, g, b;
+  VF rx, ry, gx, gy, bx, by;
+  VF jump, unsure, turn;
+};
+
+/// Colours of a vector of cells, with what ridges do.
+HWY_INLINE LitColor ColorAt(const Zone& zone, const LitCells& cells, size_t k, VF area,
+                            Sums& sums) {
+  const F f;
+  const float cell = 1.0f / float(cells.side);
+  const VF x = hn::LoadU(f, &cells.at_x[k]), y = hn::LoadU(f, &cells.at_y[k]);
+  const VF px = hn::Add(x, Const(cells.x)), py = hn::Add(y, Const(cells.y));
+  const VF share = hn::Mul(area, Const(float(cells.side * cells.side)));
+  if (!cells.ringed) {
+    const FootAt& foot = cells.foot;
+    const Spot here =
+        SeenFrom(Const(foot.d), Const(foot.nx), Const(foot.ny), Const(foot.bend), x, y);
+    return ColorOf(zone, share, here, px, py);
+  }
+  const VF bend = hn::LoadU(f, &cells.bend[k]);
+  const VF ox = hn::Sub(px, hn::LoadU(f, &cells.mid_x[k]));
+  const VF oy = hn::Sub(py, hn::LoadU(f, &cells.mid_y[k]));
+  const Spot here = SeenFrom(hn::LoadU(f, &cells.d[k]), hn::LoadU(f, &cells.nx[k]),
+                             hn::LoadU(f, &cells.ny[k]), bend, ox, oy);
+  LitColor color = ColorOf(zone, share, here, px, py);
+  const auto there = hn::Gt(area, hn::Zero(f));
+  sums.turn = hn::Max(sums.turn, hn::IfThenElseZero(there, hn::Mul(hn::Abs(bend), Const(cell))));
+  const Ridge ridge = NearestRidge(cells, k, here, ox, oy);
+  if (hn::AllFalse(f, hn::And(there, hn::Lt(ridge.offset, Const(0.75f * cell))))) return color;
+  const VF side = hn::Mul(hn::Sqrt(share), Const(cell));
+  VF jump = hn::Zero(f);
+  MixRidge(zone, side, share, here, ridge, px, py, color, jump);
+  jump = hn::IfThenElseZero(there, jump);
+  sums.jump = hn::Max(sums.jump, jump);
+  const auto twice = hn::Or(hn::Lt(ridge.next, Const(0.75f * cell)), hn::Lt(share, Const(0.999f)));
+  sums.unsure = hn::Add(sums.unsure, hn::IfThenElseZero(twice, hn::Mul(jump, area)));
+  return color;
+}
+
+/// How far colours are from the plane nearest to them: by the sums, minus what a plane explains.
+struct Plane {
+  float mean, x, y;
+};
+
+HWY_INLINE float Sum(VF v) {
+  return hn::GetLane(hn::SumOfLanes(F(), v));
+}
+HWY_INLINE float Most(VF v) {
+  return hn::GetLane(hn::MaxOfLanes(F(), v));
+}
+
+struct Moments {
+  float area, x, y, xx, xy, yy;
+};
+
+Plane PlaneOf(const Moments& m, float c, float cx, float cy) {
+  const float mean = c / m.area, ux = cx / m.area - mean * m.x, uy = cy / m.area - mean * m.y;
+  const float whole = m.xx * m.yy - m.xy * m.xy;
+  return {mean, (m.yy * ux - m.xy * uy) / whole, (m.xx * uy - m.xy * ux) / whole};
+}
+
+LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
+  const F f;
+  const VF zero = hn::Zero(f);
+  const float cell = 1.0f / float(cells.side);
+  const Zone zone{lamp, Const(cells.shallow), Const(cells.deep), Const(cell * cell / 12)};
+  Sums s{zero, zero, zero, zero, zero, zero, zero, zero, zero,
+         zero, zero, zero, zero, zero, zero, zero, zero, zero};
+  const size_t begin = cells.ringed ? size_t(cells.row + 1) : 0;
+  const size_t end =
+      cells.ringed ? size_t(cells.row * (cells.row - 1) - 1) : size_t(cells.row * cells.row);
+  for (size_t k = begin; k < end; k += hn::Lanes(f)) {
+    const VF area = hn::LoadU(f, &cells.area[k]);
+    if (hn::AllTrue(f, hn::Eq(area, zero))) continue;
+    const LitColor c = ColorAt(zone, cells, k, area, s);
+    hn::StoreU(c.r, f, &cells.r[k]), hn::StoreU(c.g, f, &cells.g[k]);
+    hn::StoreU(c.b, f, &cells.b[k]);
+    const VF ax = hn::Mul(area, hn::LoadU(f, &cells.at_x[k]));
+    const VF ay = hn::Mul(area, hn::LoadU(f, &cells.at_y[k]));
+    s.area = hn::Add(s.area, area), s.x = hn::Add(s.x, ax), s.y = hn::Add(s.y, ay);
+    const VF x = hn::LoadU(f, &cells.at_x[k]), y = hn::LoadU(f, &cells.at_y[k]);
+    s.xx = Fused(ax, x, s.xx), s.xy = Fused(ax, y, s.xy), s.yy = Fused(ay, y, s.yy);
+    s.r = Fused(area, c.r, s.r), s.g = Fused(area, c.g, s.g), s.b = Fused(area, c.b, s.b);
+    s.rx = Fused(ax, c.r, s.rx), s.gx = Fused(ax, c.g, s.gx), s.bx = Fused(ax, c.b, s.bx);
+    s.ry = Fused(ay, c.r, s.ry), s.gy = Fused(ay, c.g, s.gy), s.by = Fused(ay, c.b, s.by);
+  }
+  const float all = Sum(s.area), over = all > 0.0f ? 1.0f / all : 0.0f;
+  LitMean mean{Sum(s.r) * over, Sum(s.g) * over, Sum(s.b) * over, HWY_MAX(all, 0.1f), 0.0f, 0.0f,
+               Most(s.jump),    Sum(s.unsure),   Most(s.turn)};
+  if (cells.side == PartCells::kMostSide || !(all > 0.0f)) return mean;
+  Moments m{all, Sum(s.x) * over, Sum(s.y) * over, 0, 0, 0};
+  constexpr float kWide = 1e-5f;  // [px²] keeps what has no width solvable
+  m.xx = Sum(s.xx) * over - m.x * m.x + kWide, m.yy = Sum(s.yy) * over - m.y * m.y + kWide;
+  m.xy = Sum(s.xy) * over - m.x * m.y;
+  const Plane pr = PlaneOf(m, Sum(s.r), Sum(s.rx), Sum(s.ry)),
+              pg = PlaneOf(m, Sum(s.g), Sum(s.gx), Sum(s.gy)),
+              pb = PlaneOf(m, Sum(s.b), Sum(s.bx), Sum(s.by));
+  VF off_r = zero, off_g = zero, off_b = zero;
+  for (size_t k = begin; k < end; k += hn::Lanes(f)) {
+    const VF area = hn::LoadU(f, &cells.area[k]);
+    if (hn::AllTrue(f, hn::Eq(area, zero))) continue;
+    const VF x = hn::Sub(hn::LoadU(f, &cells.at_x[k]), Const(m.x));
+    const VF y = hn::Sub(hn::LoadU(f, &cells.at_y[k]), Const(m.y));
+    const auto off = [&](const float* c, const Plane& p) HWY_ATTR {
+      const VF plane = Fused(x, Const(p.x), Fused(y, Const(p.y), Const(p.mean)));
+      const VF by = hn::Sub(hn::LoadU(f, c + k), plane);
+      return hn::Mul(area, hn::Mul(by, by));
+    };
+    off_r = hn::Add(off_r, off(cells.r.data(), pr));
+    off_g = hn::Add(off_g, off(cells.g.data(), pg));
+    off_b = hn::Add(off_b, off(cells.b.data(), pb));
+  }
+  const auto explained = [&](const Plane& p) {
+    return p.x * p.x * m.xx + 2 * p.x * p.y * m.xy + p.y * p.y * m.yy;
+  };
+  mean.lean =
+      std::sqrt(HWY_MAX(HWY_MAX(explained(pr), 0.0f), HWY_MAX(explained(pg), explained(pb))));
+  const float worst = HWY_MAX(Sum(off_r), HWY_MAX(Sum(off_g), Sum(off_b)));
+  mean.rough = std::sqrt(HWY_MAX(worst * over, 0.0f));
+  return mean;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <algorithm>
+
+namespace mien {
+namespace batch {
+HWY_EXPORT(MeanOfCells);
+}  // namespace batch
+
+void LitCells::take(const PartCells& cells, bool ring) {
+  side = cells.side, ringed = ring;
+  row = ring ? side + 2 : side;
+  if (!ring) {
+    std::copy_n(cells.area.data(), cells.count(), area.data());
+    std::copy_n(cells.x.data(), cells.count(), at_x.data());
+    std::copy_n(cells.y.data(), cells.count(), at_y.data());
+    return;
+  }
+  const std::size_t padded = std::size_t(places()) + 32;
+  std::fill_n(area.data(), padded, 0.0f);
+  std::fill_n(at_x.data(), padded, 0.0f), std::fill_n(at_y.data(), padded, 0.0f);
+  for (int j = 0; j < side; ++j) {
+    const std::size_t from = std::size_t(j * side), to = std::size_t((j + 1) * row + 1);
+    std::copy_n(&cells.area[from], side, &area[to]);
+    std::copy_n(&cells.x[from], side, &at_x[to]), std::copy_n(&cells.y[from], side, &at_y[to]);
+  }
+  const float cell = cells.cell(), first = 0.5f * cell - 0.5f - cell;
+  for (std::size_t k = 0; k < padded; ++k) {
+    mid_x[k] = x + first + cell * float(int(k) % row);
+    mid_y[k] = y + first + cell * float(std::min(int(k) / row, row - 1));
+  }
+}
+
+LitMean mean_of_cells(const LampLanes& lamp, LitCells& cells) {
+  return HWY_DYNAMIC_DISPATCH(batch::MeanOfCells)(lamp, cells);
+}
+
+}  // namespace mien
+#endif

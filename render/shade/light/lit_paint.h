@@ -1,0 +1,109 @@
+#pragma once
+// A layer's lit paint, ready to be asked for means over pixels and parts of pixels.
+//
+//   LitPaint head(paint, table.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
+//   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
+//   glm::vec4 edge = head.part(1, x, y, form, scratch);
+//
+// Every answer depends on the paint and the pixel alone: not on what was asked before, nor on
+// scratch, region or thread.
+
+#include "render/shade/light/lit_pixel.h"
+#include "render/shade/light/lit_surface.h"
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+
+namespace mien {
+
+struct LitTile;
+
+class LitPaint {
+ public:
+  /// What is kept between questions, of all paints. One per thread.
+  class Scratch {
+   public:
+    Scratch();
+    ~Scratch();
+    Scratch(Scratch&&) noexcept;
+    Scratch& operator=(Scratch&&) noexcept;
+
+    /// The distances asked for since it was last taken.
+    NearFeet::Work take_work();
+
+   private:
+    friend class LitPaint;
+    struct Kept;
+    std::unique_ptr<Kept> kept_;
+    double error_ = 0;
+  };
+
+  /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose
+  /// own is its top left corner, y down. `tolerance`: what a mean may be off, in levels of 255.
+  LitPaint(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
+           glm::dvec2 center, double tolerance = 0.3) {
+    make(paint, distances, blend, center, tolerance, 0);
+  }
+  LitPaint() = default;
+
+  /// Made anew; memory is kept. `index`: among the picture's lit paints; scratch keeps what is of one
+  /// index in the same places from frame to frame.
+  void make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
+            glm::dvec2 center, double tolerance, int index);
+
+  /// The depths (signed distances, falling, in px) at which the profile has a kink. Zone k lies
+  /// between level k − 1 and level k: zone 0 is outside, the last one the plateau. No levels: one
+  /// zone.
+  std::span<const double> levels() const { return surface_.levels(); }
+
+  /// Whether the surface is level in all of a zone: then it has its base colour there.
+  bool level(int zone) const;
+  /// The same but for its domes.
+  bool flat(int zone) const { return surface_.flat(zone); }
+
+  /// Means of `count` whole pixels of row y from x on, all of that piece: premultiplied, in the
+  /// blending space, to four planes.
+  void pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,
+              float* a, Scratch& scratch) const;
+
+  /// The mean over a part of pixel (x, y) that lies in that piece.
+  glm::vec4 part(const LitPiece& piece, int x, int y, const PartForm& form, Scratch& scratch) const;
+
+  /// Colours at the centroids of a pixel's cells, each looked at by itself; else the mean over the form, or the whole
+  /// pixel without one, for all of them.
+  void colors_of_cells(const LitPiece& piece, int x, int y, const PartCells& cells,
+                       const PartForm* form, bool each, std::span<float> r, std::span<float> g,
+                       std::span<float> b, std::span<float> a, Scratch& scratch) const;
+
+  /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
+  void distances(int x, int y, int count, float* d, Scratch& scratch) const;
+  float distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const;
+  /// The distance at the centroids of a pixel's cells.
+  void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
+
+  /// What the last answer may be off by, in levels of 255.
+  double error(const Scratch& scratch) const { return scratch.error_; }
+
+ private:
+  LitTile& tile(int zone, int x, int y, Scratch& scratch) const;
+  void make_tile(LitTile& tile, Scratch& scratch) const;
+  void make_full(LitTile& tile) const;
+  void make_smooth(LitTile& tile, Scratch& scratch) const;
+  void make_distances(LitTile& tile) const;
+  LitPixel::Place place(LitTile& tile, int x, int y) const;
+  bool sure_way() const { return !in_lanes_; }
+  float opacity_at(const LitPiece& piece, double t) const;
+  float opacity(const LitPiece& piece, int x, int y, const PartForm* form) const;
+
+  LitSurface surface_;
+  FeetArea area_, gradient_area_;
+  double tolerance_ = 0.3, distance_tolerance_ = 0;  ///< the latter in px
+  bool in_lanes_ = false;
+  int index_ = 0;
+  std::uint64_t id_ = 0;  ///< of this paint and no other, ever
+};
+
+}  // namespace mien

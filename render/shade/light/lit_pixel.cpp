@@ -1,0 +1,137 @@
+#include "render/shade/light/lit_pixel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mien {
+namespace {
+
+/// [px] Within so much of its own outline, a round profile of less than so much width is steep.
+constexpr float kEdge = 0.75f, kSteepWidth = 12.0f;
+constexpr float kMostTurn = 0.25f;  // of the gradient within a cell
+
+bool is_steep(const LitPixel::Place& place) {
+  return place.lamp->rise_kind == LampLanes::Rise::round && place.foot.d > -kEdge &&
+         place.lamp->width < kSteepWidth;
+}
+
+float apart(const LitMean& a, const LitMean& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// 16 × 16 cells are enough for three tenths of a level, seen of the worst ridges and tips.
+constexpr float kFine = 0.1f / 255;
+
+/// What a mean may be off in the blending space: dark colours in linear light are encoded steeply.
+float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
+  if (!place.lamp->linear) return place.tolerance;
+  // The rest of the pixel may be as dark as it likes.
+  const float dark = std::max(mean.area * std::min({mean.r, mean.g, mean.b}), 0.0031308f);
+  const float steep = 0.44f * std::pow(dark, -0.5833f);
+  return place.tolerance / std::max(place.tolerance < kFine ? steep : 0.5f * steep, 1.0f);
+}
+
+/// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
+/// seen to be within one; what is narrow has no plane, so there the colours themselves count. A ridge is cut in closed
+/// form, which leaves a twentieth of its jump.
+bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
+  const float allowed = allowed_of(place, mean) / mean.area;
+  return mean.rough > 3.3f * allowed || mean.jump > 6.0f * allowed || mean.turn > kMostTurn ||
+         (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place));
+}
+
+/// Whether cells half as wide as those of `coarse` may be: they are nearer to the truth than those are to them. Two
+/// ridges in a cell are told by one of them.
+bool asks_for_finer(const LitPixel::Place& place, const LitMean& mean, const LitMean& coarse) {
+  const float allowed = allowed_of(place, mean) / mean.area;
+  return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn ||
+         0.15f * mean.unsure > place.tolerance;
+}
+
+}  // namespace
+
+void LitPixel::find_feet(NearFeet& feet) {
+  const std::size_t count = std::size_t((cells_.places() + 15) / 16 * 16);
+  feet.at(std::span(cells_.mid_x).first(count), std::span(cells_.mid_y).first(count),
+          {cells_.d.data(), cells_.nx.data(), cells_.ny.data(), cells_.bend.data()});
+}
+
+void LitPixel::see(const Place& place, const PartForm* form, int side) {
+  if (form)
+    cells_of_form(*form, side, parts_);
+  else
+    whole_cells(side, parts_);
+  cells_.x = place.at.x, cells_.y = place.at.y;
+  cells_.shallow = place.shallow, cells_.deep = place.deep;
+  cells_.foot = place.foot;
+  cells_.take(parts_, !place.calm);
+  if (!place.calm) find_feet(*place.feet);
+}
+
+LitMean LitPixel::seen(const Place& place, const PartForm* form, int side) {
+  see(place, form, side);
+  return mean_of_cells(*place.lamp, cells_);
+}
+
+glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
+  LitMean mean = seen(place, form, 4);
+  constexpr float kSmall = 3.0f;  // [px] less may lie between the middles of cells
+  const bool small = place.lamp->finest < kSmall;
+  if (!small && !asks_for_more(place, mean, form)) return {mean.r, mean.g, mean.b};
+  const bool fine = place.tolerance < kFine || small;
+  const int most = fine ? PartCells::kMostSide : 16;
+  for (int side = 8; side <= most; side *= 2) {
+    const LitMean coarse = mean;
+    mean = seen(place, form, side);
+    const bool by_chance = fine && side == 8;  // two coarse means may agree
+    if (!by_chance && !asks_for_finer(place, mean, coarse)) break;
+  }
+  return {mean.r, mean.g, mean.b};
+}
+
+void LitPixel::colors(const Place& place, const PartForm* form, int side, glm::vec3 otherwise,
+                      std::span<float> r, std::span<float> g, std::span<float> b) {
+  seen(place, form, side);
+  for (int k = 0; k < parts_.count(); ++k) {
+    const auto own = std::size_t(k), at = cells_.at(k);
+    const bool is_there = parts_.area[own] != 0.0f;
+    r[own] = is_there ? cells_.r[at] : otherwise.r, g[own] = is_there ? cells_.g[at] : otherwise.g;
+    b[own] = is_there ? cells_.b[at] : otherwise.b;
+  }
+}
+
+float LitPixel::distance_by(const Place& place, const PartForm* form, int side) {
+  see(place, form, side);
+  float sum = 0.0f, area = 0.0f;
+  const float cell = parts_.cell(), spread = cell * cell / 24;
+  for (int k = 0; k < parts_.count(); ++k) {
+    const auto own = std::size_t(k);
+    const float a = parts_.area[own];
+    if (a == 0.0f) continue;
+    FootAt f = place.foot;
+    float x = parts_.x[own], y = parts_.y[own];
+    if (!place.calm) {
+      const std::size_t at = cells_.at(k);
+      f = {cells_.d[at], cells_.nx[at], cells_.ny[at], cells_.bend[at]};
+      x += place.at.x - cells_.mid_x[at], y += place.at.y - cells_.mid_y[at];
+    }
+    const float aside = f.nx * y - f.ny * x;
+    sum += a * (f.d + f.nx * x + f.ny * y + f.bend * (0.5f * aside * aside + spread)), area += a;
+  }
+  return area > 0.0f ? sum / area : place.foot.d;
+}
+
+float LitPixel::distance(const Place& place, const PartForm* form) {
+  float mean = distance_by(place, form, 4);
+  if (place.calm) return mean;
+  // Two means may agree by chance where a ridge runs through cells: three are asked to.
+  int agree = 0;
+  for (int side = 8; side <= PartCells::kMostSide && agree < 2; side *= 2) {
+    const float coarse = std::exchange(mean, distance_by(place, form, side));
+    agree = std::abs(mean - coarse) <= place.tolerance ? agree + 1 : 0;
+  }
+  return mean;
+}
+
+}  // namespace mien

@@ -1,0 +1,79 @@
+#include "render/shade/light/lit_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace mien {
+
+void LitSurface::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
+                      glm::dvec2 center) {
+  paint_ = &paint, blend_ = blend, center_ = center;
+  area_ = gradient_area_ = nullptr;
+  levels_.clear(), rises_.clear();
+  if (paint.ramp && paint.field.kind == PaintField::Kind::distance)
+    gradient_area_ = &distances[std::size_t(paint.field.distance)];
+  const GridRelief& r = relief();
+  if (r.distance < 0 || r.profile == Profile::flat || r.height == 0.0) return;
+  area_ = &distances[std::size_t(r.distance)];
+  levels_.push_back(0.0);
+  if (r.profile == Profile::custom) {
+    const std::size_t steps = r.table.size() - 1;
+    for (std::size_t i = 0; i < steps; ++i) {
+      if (i > 0) levels_.push_back(-r.width * double(i) / double(steps));
+      rises_.push_back(r.height / r.width * double(steps) * (r.table[i + 1] - r.table[i]));
+    }
+  }
+  levels_.push_back(-r.width);
+}
+
+int LitSurface::zone_of(double d) const {
+  return int(std::ranges::count_if(levels_, [&](double level) { return d <= level; }));
+}
+
+bool LitSurface::flat(int zone) const {
+  if (zone <= 0 || zone >= zones() - 1) return true;
+  return !rises_.empty() && rises_[std::size_t(zone) - 1] == 0.0;
+}
+
+double LitSurface::rise(int zone, double depth) const {
+  if (flat(zone)) return 0.0;
+  const GridRelief& r = relief();
+  if (r.profile == Profile::bevel) return r.height / r.width;
+  if (r.profile == Profile::custom) return rises_[std::size_t(zone) - 1];
+  constexpr double kSteepest = 1e-9;  // of the width: upright at the outline itself, but finite
+  const double out = 1.0 - std::clamp(depth / r.width, kSteepest, 1.5);
+  return r.height / r.width * out / std::sqrt(1.0 - out * out);
+}
+
+Outward LitSurface::outward(glm::dvec2 p) const {
+  if (!area_) return {};
+  constexpr double kStep = 1e-5;  // [px]: distances are good to 1e-12, and bend by less than 1 / px
+  const glm::dvec2 q = p - center_;
+  const double d = area_->at(q);
+  const glm::dvec2 grows{area_->at({q.x + kStep, q.y}) - d, area_->at({q.x, q.y + kStep}) - d};
+  const double length = glm::length(grows);
+  return {d, length > 0.0 ? grows / length : glm::dvec2{0.0}};
+}
+
+Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
+  if (!paint_->ramp) return paint_->color;
+  if (gradient_area_) d = gradient_area_->at(p - center_);
+  const double t = paint_->field.at(p - center_, d);
+  if (!piece.segment) return paint_->ramp->color(t);
+  const RampSegment& s = *piece.segment;
+  return s.at + std::clamp(t, s.from, s.to) * s.slope;
+}
+
+Mix LitSurface::color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const {
+  const GridRelief& r = relief();
+  glm::dvec2 rises = -rise(piece.zone, -outward.d) * outward.normal;
+  for (const GridRelief::GridDome& dome : r.domes) {
+    const glm::dvec2 q = dome.unit * (p - center_ - dome.center);
+    const double in = 1.0 - glm::dot(q, q);
+    if (in > 0.0) rises += -4.0 * dome.height * in * (glm::transpose(dome.unit) * q);
+  }
+  return r.lamp.lit(base(piece, p, outward.d), {rises.x, -rises.y}, blend_);
+}
+
+}  // namespace mien

@@ -1,0 +1,78 @@
+#pragma once
+// A layer's lit paint point by point, in double precision and by definition: what the means of
+// LitPaint are means of.
+//
+// The relief's profile has kinks at a few depths. Between two of them, in a *zone*, it is smooth;
+// asked for beyond its zone, a zone's profile goes on as it was.
+
+#include "render/shade/paint.h"
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+namespace mien {
+
+/// Signed distance to the relief's area, and the unit vector in which it grows.
+struct Outward {
+  double d = 0;
+  glm::dvec2 normal{0.0};
+};
+
+/// Where a lit paint is smooth: in a zone of its profile and between two kinks of its ramp, if it has one. Asked for
+/// beyond it goes on as it was, and so no square around a cell sees what lies beyond a jump.
+struct LitPiece {
+  int zone;
+  const RampSegment* segment;  ///< none: the whole ramp
+  LitPiece(int of_zone, const RampSegment* between = nullptr) : zone(of_zone), segment(between) {}
+};
+
+/// Refers to the paint and the distances it is made of. Coordinates: the whole picture's pixels,
+/// origin top left, y down.
+class LitSurface {
+ public:
+  /// `center`: where the paint's own origin lies.
+  LitSurface(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
+             glm::dvec2 center) {
+    make(paint, distances, blend, center);
+  }
+  LitSurface() = default;
+
+  /// Made anew; memory is kept.
+  void make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
+            glm::dvec2 center);
+
+  /// Depths (signed distances, falling from 0) where the profile has a kink; none: one zone.
+  std::span<const double> levels() const { return levels_; }
+  int zones() const { return int(levels_.size()) + 1; }
+  /// Zone 0 is outside, zone k between levels k − 1 and k, the last one beyond the last level.
+  int zone_of(double d) const;
+  /// Whether the profile does not rise there.
+  bool flat(int zone) const;
+
+  Outward outward(glm::dvec2 p) const;
+  /// The profile's rise per pixel.
+  double rise(int zone, double depth) const;
+  /// Premultiplied, in the blending space.
+  Mix color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const;
+
+  const GridPaint& paint() const { return *paint_; }
+  const GridRelief& relief() const { return *paint_->relief; }
+  const AreaDistance* area() const { return area_; }
+  /// That its gradient goes by; none if it does not go by a distance.
+  const AreaDistance* gradient_area() const { return gradient_area_; }
+  Blend blend() const { return blend_; }
+  glm::dvec2 center() const { return center_; }
+
+ private:
+  Mix base(const LitPiece& piece, glm::dvec2 p, double d) const;
+
+  const GridPaint* paint_ = nullptr;
+  const AreaDistance *area_ = nullptr, *gradient_area_ = nullptr;
+  Blend blend_ = Blend::linear;
+  glm::dvec2 center_{0.0};
+  std::vector<double> levels_;
+  std::vector<double> rises_;  ///< of a table, by step
+};
+
+}  // namespace mien

@@ -1,0 +1,371 @@
+// Feet on spines at many places at once. Compiled once per instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shade/nearest/near_feet_simd.cpp"
+#include <hwy/foreach_target.h>
+#include "render/shade/nearest/near_feet.h"
+#include "sdf/distance/lanes/fma-inl.h"
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using VF = hn::Vec<F>;
+
+HWY_INLINE VF Const(float x) {
+  return hn::Set(F(), x);
+}
+
+HWY_INLINE VF Curve(VF t, float c0, float c1, float c2) {
+  return Fused(t, Fused(t, Const(c2), Const(c1)), Const(c0));
+}
+
+/// |B(t) − p| − w(t).
+template <bool kStroke>
+HWY_INLINE VF KeyAt(const Spine<float>& s, VF x, VF y, VF t) {
+  const VF ex = hn::Sub(Curve(t, s.x0, s.x1, s.x2), x), ey = hn::Sub(Curve(t, s.y0, s.y1, s.y2), y);
+  const VF r = hn::Sqrt(Fused(ex, ex, hn::Mul(ey, ey)));
+  return kStroke ? hn::Sub(r, Curve(t, s.w0, s.w1, s.w2)) : r;
+}
+
+/// Newton's method for the zero of ½ (|B − p|²)' − w' |B − p|, kept within `reach` of where it began. Four steps:
+/// looks are a third of the tile's radius apart, so the first guess is within a sixth, and errors fall as their square.
+template <bool kStroke>
+HWY_INLINE VF Descended(const Spine<float>& s, VF x, VF y, VF t, float reach) {
+  const VF zero = hn::Zero(F()), one = Const(1.0f);
+  const VF least = hn::Max(hn::Sub(t, Const(reach)), zero);
+  const VF most = hn::Min(hn::Add(t, Const(reach)), one);
+  for (int i = 0; i < 4; ++i) {
+    const VF ex = hn::Sub(Curve(t, s.x0, s.x1, s.x2), x);
+    const VF ey = hn::Sub(Curve(t, s.y0, s.y1, s.y2), y);
+    const VF gx = Fused(t, Const(2.0f * s.x2), Const(s.x1));
+    const VF gy = Fused(t, Const(2.0f * s.y2), Const(s.y1));
+    const VF speed2 = Fused(gx, gx, hn::Mul(gy, gy)), along = Fused(ex, gx, hn::Mul(ey, gy));
+    VF slope = along;
+    VF rise = Fused(ex, Const(2.0f * s.x2), Fused(ey, Const(2.0f * s.y2), speed2));
+    if (kStroke) {
+      const VF r = hn::Sqrt(Fused(ex, ex, Fused(ey, ey, Const(1e-12f))));
+      const VF rate = Fused(t, Const(2.0f * s.w2), Const(s.w1));
+      slope = FusedFrom(rate, r, slope);
+      rise = FusedFrom(Const(2.0f * s.w2), r, rise);
+      rise = hn::Sub(rise, hn::Div(hn::Mul(rate, along), r));
+    }
+    rise = hn::Max(rise, Fused(speed2, Const(0.05f), Const(1e-20f)));
+    t = hn::Min(hn::Max(hn::Sub(t, hn::Div(slope, rise)), least), most);
+  }
+  return t;
+}
+
+struct Foot {
+  VF key, t;
+};
+
+/// A disc that holds the places of a vector.
+struct Around {
+  VF x, y, away;
+};
+
+HWY_INLINE Around AroundOf(VF x, VF y) {
+  const F f;
+  const VF half = Const(0.5f);
+  const VF mx = hn::Mul(half, hn::Add(hn::MinOfLanes(f, x), hn::MaxOfLanes(f, x)));
+  const VF my = hn::Mul(half, hn::Add(hn::MinOfLanes(f, y), hn::MaxOfLanes(f, y)));
+  const VF dx = hn::Sub(x, mx), dy = hn::Sub(y, my);
+  return {mx, my, hn::Sqrt(hn::MaxOfLanes(f, Fused(dx, dx, hn::Mul(dy, dy))))};
+}
+
+struct Looks {
+  int first, last;
+  float least;  ///< how near the spine may come to the disc's middle
+};
+
+/// Which looks can be near a place of the disc: those no farther from its middle than the nearest by more than the disc
+/// is wide, and their neighbours.
+template <bool kStroke>
+HWY_INLINE Looks LooksAround(const NearSpine& near, const Around& around) {
+  const F f;
+  HWY_ALIGN float key[NearSpine::kMostLooks + hn::MaxLanes(F())] = {};
+  const VF iota = hn::Iota(f, 0.0f);
+  for (int i = 0; i < near.looks; i += int(hn::Lanes(f))) {
+    const VF t = Fused(hn::Add(iota, Const(float(i))), Const(near.step), Const(near.first));
+    hn::StoreU(KeyAt<kStroke>(near.spine, around.x, around.y, t), f, key + i);
+  }
+  float least = key[0];
+  for (int i = 1; i < near.looks; ++i) least = HWY_MIN(least, key[i]);
+  const float most = least + 2.0f * hn::GetLane(around.away) + near.apart;
+  int first = 0, last = near.looks - 1;
+  while (key[first] > most) ++first;
+  while (key[last] > most) --last;
+  return {HWY_MAX(first - 1, 0), HWY_MIN(last + 1, near.looks - 1), least - near.apart};
+}
+
+/// The nearest place of one spine.
+template <bool kStroke>
+HWY_INLINE Foot FootOn(const NearSpine& near, const Looks& looks, VF x, VF y) {
+  const Spine<float>& s = near.spine;
+  const VF far = Const(1e30f);
+  VF best = far, at = Const(near.first);
+  // The second: a look no farther than both its neighbours, not beside the best.
+  VF second = far, second_at = at, before = far, here = far;
+  for (int i = looks.first; i <= looks.last + 1; ++i) {
+    const VF next =
+        i <= looks.last ? KeyAt<kStroke>(s, x, y, Const(near.first + float(i) * near.step)) : far;
+    const VF mid = Const(near.first + float(i - 1) * near.step);  // where `here` is
+    const auto valley = hn::And(hn::Le(here, before), hn::Lt(here, next));
+    const auto better = hn::And(valley, hn::Lt(here, best));
+    const auto other = hn::And(valley, hn::And(hn::Ge(here, best), hn::Lt(here, second)));
+    second = hn::IfThenElse(better, best, hn::IfThenElse(other, here, second));
+    second_at = hn::IfThenElse(better, at, hn::IfThenElse(other, mid, second_at));
+    best = hn::IfThenElse(better, here, best), at = hn::IfThenElse(better, mid, at);
+    before = here, here = next;
+  }
+  const float reach = near.looks > 1 ? 1.01f * near.step : 1.0f;
+  at = Descended<kStroke>(s, x, y, at, reach);
+  best = KeyAt<kStroke>(s, x, y, at);
+  if (near.single || hn::AllTrue(F(), hn::Ge(second, far))) return {best, at};
+  second_at = Descended<kStroke>(s, x, y, second_at, reach);
+  second = KeyAt<kStroke>(s, x, y, second_at);
+  const auto nearer = hn::Lt(second, best);
+  return {hn::IfThenElse(nearer, second, best), hn::IfThenElse(nearer, second_at, at)};
+}
+
+struct FootForm {
+  VF d, nx, ny, bend;
+};
+
+/// With q = p − B = r n, s = |B'|-part across n and h = n · B'' + w'': the foot moves so that the gradient turns by
+/// −h / (s² − r h) per length of level line; 1 / r where the foot is an end. At a path's side n may be the outline's
+/// own normal, which holds at r = 0 too.
+template <bool kStroke>
+HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
+  const F f;
+  const VF zero = hn::Zero(f), one = Const(1.0f);
+  const VF qx = hn::Sub(x, Curve(t, s.x0, s.x1, s.x2)), qy = hn::Sub(y, Curve(t, s.y0, s.y1, s.y2));
+  const VF gx = Fused(t, Const(2.0f * s.x2), Const(s.x1));
+  const VF gy = Fused(t, Const(2.0f * s.y2), Const(s.y1));
+  const auto inner = hn::And(hn::Gt(t, zero), hn::Lt(t, one));
+  const VF r2 = Fused(qx, qx, hn::Mul(qy, qy)), r = hn::Sqrt(hn::Max(r2, Const(1e-16f)));
+  const VF over_r = hn::Div(one, r);
+  VF nx = hn::Mul(qx, over_r), ny = hn::Mul(qy, over_r), d = key, sign = one;
+  if (!kStroke) {
+    const VF speed2 = Fused(gx, gx, hn::Mul(gy, gy));
+    const VF by = hn::Div(Const(s.side), hn::Sqrt(hn::Max(speed2, Const(1e-20f))));
+    const auto end = hn::Ge(t, one);
+    const VF ox = hn::IfThenElse(inner, hn::Mul(by, gy),
+                                 hn::IfThenElse(end, Const(s.end_x), Const(s.begin_x)));
+    const VF oy = hn::IfThenElse(inner, hn::Neg(hn::Mul(by, gx)),
+                                 hn::IfThenElse(end, Const(s.end_y), Const(s.begin_y)));
+    const VF across = Fused(qx, ox, hn::Mul(qy, oy));
+    sign = hn::IfThenElse(hn::Lt(across, zero), Const(-1.0f), one);
+    // At an end itself there is nothing else to tell the way; elsewhere the foot's own line is exact.
+    const auto own = hn::Or(inner, hn::Lt(r, Const(1e-3f)));
+    nx = hn::IfThenElse(own, hn::Mul(ox, sign), nx),
+    ny = hn::IfThenElse(own, hn::Mul(oy, sign), ny);
+    d = hn::Mul(sign, key);
+  }
+  const VF cross = hn::Sub(hn::Mul(nx, gy), hn::Mul(ny, gx)), s2 = hn::Mul(cross, cross);
+  VF h = hn::Mul(Const(2.0f), Fused(nx, Const(s.x2), hn::Mul(ny, Const(s.y2))));
+  if (kStroke) h = hn::Add(h, Const(2.0f * s.w2));
+  const VF turn = hn::Max(FusedFrom(r, h, s2), Fused(s2, Const(0.01f), Const(1e-20f)));
+  const VF bend = hn::IfThenElse(inner, hn::Neg(hn::Div(h, turn)), over_r);
+  const VF held = hn::Min(hn::Max(bend, Const(-4.0f)), Const(4.0f));
+  return {d, hn::Mul(sign, nx), hn::Mul(sign, ny), hn::Mul(sign, held)};
+}
+
+/// A spine that can be nearest somewhere in a disc, with the looks that tell where.
+struct Chosen {
+  const NearSpine* near;
+  Looks looks;
+};
+constexpr int kMostChosen = 24;
+
+/// Those of a disc: none farther than the nearest by more than the disc is wide. Their number, −1: too many.
+template <bool kStroke>
+HWY_INLINE int Choose(std::span<const NearSpine> spines, const Around& around, Chosen* chosen) {
+  const float away = hn::GetLane(around.away);
+  const float x = hn::GetLane(around.x), y = hn::GetLane(around.y);
+  const float from_middle = std::sqrt(x * x + y * y);
+  float best = 1e30f;
+  int seen = 0, count = 0;
+  for (const NearSpine& near : spines) {
+    if (near.least - from_middle > best + 2.0f * away) break;
+    if (seen == kMostChosen) return -1;
+    const Looks looks = LooksAround<kStroke>(near, around);
+    best = HWY_MIN(best, looks.least + near.apart);
+    chosen[seen++] = {&near, looks};
+  }
+  for (int i = 0; i < seen; ++i)
+    if (chosen[i].looks.least <= best + 2.0f * away) chosen[count++] = chosen[i];
+  return count;
+}
+
+/// Takes the foot on one more spine where it is nearer.
+template <bool kStroke>
+HWY_INLINE void Take(const NearSpine& near, const Looks& looks, VF x, VF y, VF& best,
+                     FootForm& form) {
+  const Foot foot = FootOn<kStroke>(near, looks, x, y);
+  const auto nearer = hn::Lt(foot.key, best);
+  if (hn::AllFalse(F(), nearer)) return;
+  const FootForm other = FormOf<kStroke>(near.spine, x, y, foot.t, foot.key);
+  best = hn::IfThenElse(nearer, foot.key, best);
+  form.d = hn::IfThenElse(nearer, other.d, form.d);
+  form.nx = hn::IfThenElse(nearer, other.nx, form.nx);
+  form.ny = hn::IfThenElse(nearer, other.ny, form.ny);
+  form.bend = hn::IfThenElse(nearer, other.bend, form.bend);
+}
+
+template <bool kStroke>
+HWY_INLINE FootForm Nearest(std::span<const NearSpine> spines, VF x, VF y) {
+  VF best = Const(1e30f);
+  FootForm form{best, Const(1.0f), hn::Zero(F()), hn::Zero(F())};
+  const Around around = AroundOf(x, y);
+  const float away = hn::GetLane(around.away);
+  const VF from_middle =
+      hn::Add(hn::Sqrt(Fused(around.x, around.x, hn::Mul(around.y, around.y))), around.away);
+  for (const NearSpine& near : spines) {
+    if (hn::AllTrue(F(), hn::Lt(best, hn::Sub(Const(near.least), from_middle)))) break;
+    const Looks looks = LooksAround<kStroke>(near, around);
+    if (hn::AllTrue(F(), hn::Lt(best, Const(looks.least - away)))) continue;
+    Take<kStroke>(near, looks, x, y, best, form);
+  }
+  return form;
+}
+
+/// Feet on an ellipse, of places folded into one quadrant of its frame, where the foot is, too. The centre of
+/// curvature at the last guess is taken for the circle's that touches there (three times, from the diagonal), then
+/// Newton's method on the angle (twice).
+HWY_INLINE FootForm EllipseForm(const NearEllipse& e, VF x, VF y) {
+  const F f;
+  const VF zero = hn::Zero(f), one = Const(1.0f), tiny = Const(1e-12f);
+  const VF ox = hn::Sub(x, Const(e.x)), oy = hn::Sub(y, Const(e.y));
+  const VF u = Fused(ox, Const(e.ux), hn::Mul(oy, Const(e.uy)));
+  const VF v = Fused(oy, Const(e.ux), hn::Neg(hn::Mul(ox, Const(e.uy))));
+  const VF px = hn::Abs(u), py = hn::Abs(v);
+  const float a = e.a, b = e.b, ea = (a * a - b * b) / a, eb = (b * b - a * a) / b;
+  VF c = Const(0.70710678f), s = c;
+  const auto unit = [&](VF& p, VF& q) HWY_ATTR {
+    const VF over = hn::Div(one, hn::Sqrt(Fused(p, p, Fused(q, q, tiny))));
+    p = hn::Mul(p, over), q = hn::Mul(q, over);
+  };
+  for (int i = 0; i < 3; ++i) {
+    const VF ex = hn::Mul(Const(ea), hn::Mul(c, hn::Mul(c, c)));
+    const VF ey = hn::Mul(Const(eb), hn::Mul(s, hn::Mul(s, s)));
+    const VF rx = hn::Sub(hn::Mul(Const(a), c), ex), ry = hn::Sub(hn::Mul(Const(b), s), ey);
+    VF qx = hn::Sub(px, ex), qy = hn::Sub(py, ey);
+    unit(qx, qy);
+    const VF r = hn::Sqrt(Fused(rx, rx, hn::Mul(ry, ry)));
+    c = hn::Min(hn::Max(hn::Mul(Fused(qx, r, ex), Const(1.0f / a)), zero), one);
+    s = hn::Min(hn::Max(hn::Mul(Fused(qy, r, ey), Const(1.0f / b)), zero), one);
+    unit(c, s);
+  }
+  for (int i = 0; i < 2; ++i) {
+    const VF fx = hn::Sub(hn::Mul(Const(a), c), px), fy = hn::Sub(hn::Mul(Const(b), s), py);
+    const VF tx = hn::Neg(hn::Mul(Const(a), s)), ty = hn::Mul(Const(b), c);
+    const VF speed2 = Fused(tx, tx, hn::Mul(ty, ty));
+    const VF lean = Fused(fx, hn::Mul(Const(a), c), hn::Mul(fy, hn::Mul(Const(b), s)));
+    const VF rise = hn::Max(hn::Sub(speed2, lean), hn::Mul(speed2, Const(0.05f)));
+    const VF turn = hn::Neg(hn::Div(Fused(fx, tx, hn::Mul(fy, ty)), hn::Max(rise, tiny)));
+    const VF held = hn::Min(hn::Max(turn, Const(-0.3f)), Const(0.3f)), was = c;
+    c = hn::Max(FusedFrom(s, held, c), zero), s = hn::Max(Fused(was, held, s), zero);
+    unit(c, s);
+  }
+  VF nx = hn::Mul(Const(b), c), ny = hn::Mul(Const(a), s);
+  const VF speed2 = Fused(nx, nx, hn::Mul(ny, ny));
+  unit(nx, ny);
+  const VF fx = hn::Mul(Const(a), c), fy = hn::Mul(Const(b), s);
+  const VF d = Fused(hn::Sub(px, fx), nx, hn::Mul(hn::Sub(py, fy), ny));
+  const VF in = Fused(nx, fx, hn::Mul(ny, fy));
+  const VF turn = hn::Max(Fused(d, in, speed2), hn::Mul(speed2, Const(0.01f)));
+  const VF bend = hn::Min(hn::Div(in, turn), Const(4.0f));
+  nx = hn::CopySign(nx, u), ny = hn::CopySign(ny, v);
+  return {d, FusedFrom(ny, Const(e.uy), hn::Mul(nx, Const(e.ux))),
+          Fused(ny, Const(e.ux), hn::Mul(nx, Const(e.uy))), bend};
+}
+
+HWY_INLINE void StoreForm(const FootForm& form, const Feet& out, size_t k) {
+  const F f;
+  hn::StoreU(form.d, f, out.d + k), hn::StoreU(form.nx, f, out.nx + k);
+  hn::StoreU(form.ny, f, out.ny + k), hn::StoreU(form.bend, f, out.bend + k);
+}
+
+void EllipseFeet(const NearEllipse& ellipse, std::span<const float> x, std::span<const float> y,
+                 const Feet& out) {
+  const F f;
+  for (size_t k = 0; k < x.size(); k += hn::Lanes(f))
+    StoreForm(EllipseForm(ellipse, hn::LoadU(f, x.data() + k), hn::LoadU(f, y.data() + k)), out, k);
+}
+
+/// A disc that holds all places.
+Around AroundAll(std::span<const float> x, std::span<const float> y) {
+  const F f;
+  VF low_x = Const(x[0]), high_x = low_x, low_y = Const(y[0]), high_y = low_y;
+  for (size_t k = 0; k < x.size(); k += hn::Lanes(f)) {
+    const VF px = hn::LoadU(f, x.data() + k), py = hn::LoadU(f, y.data() + k);
+    low_x = hn::Min(low_x, px), high_x = hn::Max(high_x, px);
+    low_y = hn::Min(low_y, py), high_y = hn::Max(high_y, py);
+  }
+  const VF half = Const(0.5f);
+  const VF x0 = hn::MinOfLanes(f, low_x), x1 = hn::MaxOfLanes(f, high_x);
+  const VF y0 = hn::MinOfLanes(f, low_y), y1 = hn::MaxOfLanes(f, high_y);
+  const VF wide = hn::Mul(half, hn::Sub(x1, x0)), high = hn::Mul(half, hn::Sub(y1, y0));
+  return {hn::Mul(half, hn::Add(x0, x1)), hn::Mul(half, hn::Add(y0, y1)),
+          hn::Sqrt(Fused(wide, wide, hn::Mul(high, high)))};
+}
+
+template <bool kStroke>
+void FeetOn(std::span<const NearSpine> spines, std::span<const float> x, std::span<const float> y,
+            const Feet& out) {
+  const F f;
+  constexpr float kSmall = 1.5f;  // [px]: so wide a disc is looked around once for all its places
+  const Around around = AroundAll(x, y);
+  Chosen chosen[kMostChosen];
+  const int count =
+      hn::GetLane(around.away) < kSmall ? Choose<kStroke>(spines, around, chosen) : -1;
+  for (size_t k = 0; k < x.size(); k += hn::Lanes(f)) {
+    const VF px = hn::LoadU(f, x.data() + k), py = hn::LoadU(f, y.data() + k);
+    VF best = Const(1e30f);
+    FootForm form{best, Const(1.0f), hn::Zero(f), hn::Zero(f)};
+    if (count < 0)
+      form = Nearest<kStroke>(spines, px, py);
+    else
+      for (int i = 0; i < count; ++i)
+        Take<kStroke>(*chosen[i].near, chosen[i].looks, px, py, best, form);
+    StoreForm(form, out, k);
+  }
+}
+
+void SpineFeet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
+               std::span<const float> y, const Feet& out) {
+  if (stroke)
+    FeetOn<true>(spines, x, y, out);
+  else
+    FeetOn<false>(spines, x, y, out);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mien {
+namespace batch {
+HWY_EXPORT(SpineFeet);
+HWY_EXPORT(EllipseFeet);
+}  // namespace batch
+
+void spine_feet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
+                std::span<const float> y, const Feet& out) {
+  HWY_DYNAMIC_DISPATCH(batch::SpineFeet)(spines, stroke, x, y, out);
+}
+
+void ellipse_feet(const NearEllipse& ellipse, std::span<const float> x, std::span<const float> y,
+                  const Feet& out) {
+  HWY_DYNAMIC_DISPATCH(batch::EllipseFeet)(ellipse, x, y, out);
+}
+
+}  // namespace mien
+#endif

@@ -1,0 +1,154 @@
+// Certificates for several tiles at once, in double lanes: the SIMD twin of grid_tile.h. Included once
+// per instruction set. Derivation: docs/derivations/grid_tiles.md.
+#if defined(MIEN_SDF_BATCH_GRID_CERTIFICATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIEN_SDF_BATCH_GRID_CERTIFICATE_INL_H_
+#undef MIEN_SDF_BATCH_GRID_CERTIFICATE_INL_H_
+#else
+#define MIEN_SDF_BATCH_GRID_CERTIFICATE_INL_H_
+#endif
+
+#include "sdf/distance/grid/grid_tile.h"
+#include "sdf/distance/lanes/fma-inl.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The curve relative to a tile's middle at t, as TileCertifier::At.
+template <class V>
+struct CurveAt {
+  V qx, qy, ux, uy, f, f1;
+};
+
+template <class V>
+HWY_INLINE V DotOf(V ax, V ay, V bx, V by) {
+  return Fused(ax, bx, hn::Mul(ay, by));
+}
+
+template <class D, class V>
+HWY_INLINE CurveAt<V> CurveFrom(D d, const TileFacts& c, V dx, V dy, V t) {
+  const V ax = hn::Set(d, c.a.x), ay = hn::Set(d, c.a.y), bx = hn::Set(d, c.b.x),
+          by = hn::Set(d, c.b.y);
+  CurveAt<V> at;
+  at.ux = Fused(t, bx, ax), at.uy = Fused(t, by, ay);
+  at.qx = Fused(t, hn::Add(ax, at.ux), dx), at.qy = Fused(t, hn::Add(ay, at.uy), dy);
+  at.f = DotOf(at.qx, at.qy, at.ux, at.uy);
+  at.f1 = Fused(hn::Set(d, 2), DotOf(at.ux, at.uy, at.ux, at.uy), DotOf(at.qx, at.qy, bx, by));
+  return at;
+}
+
+/// Middles relative to p0 and reaches of several tiles, a guess at their feet, and what was proven:
+/// GridTile's numbers, `how` as a number. `uncertain`: ask TileCertifier, which knows more ways.
+template <size_t kTiles>
+struct TileLanes {
+  HWY_ALIGN double dx[kTiles], dy[kTiles], reach[kTiles], t[kTiles];
+  HWY_ALIGN double how[kTiles], wx[kTiles], wy[kTiles], zx[kTiles], zy[kTiles], inverse[kTiles];
+
+  GridTile Tile(size_t k) const {
+    return {GridTile::How(int(how[k])), t[k], wx[k], wy[k], zx[k], zy[k], inverse[k]};
+  }
+};
+
+/// The same bounds in the same order as TileCertifier: convex, one side, branch, followed.
+template <class D, size_t kTiles>
+HWY_INLINE void CertifyLanes(D d, const QuadBezierFrame<double>& f, const TileFacts& c,
+                             TileLanes<kTiles>& tiles) {
+  using V = hn::Vec<D>;
+  using How = GridTile::How;
+  const auto number = [&](double v) MIEN_LANES { return hn::Set(d, v); };
+  const auto code = [&](How how) MIEN_LANES { return hn::Set(d, double(int(how))); };
+  const V dx = hn::Load(d, tiles.dx), dy = hn::Load(d, tiles.dy), reach = hn::Load(d, tiles.reach);
+  const V zero = hn::Zero(d), one = number(1), two = number(2), b_length = number(c.b_length);
+  const V bx = number(c.b.x), by = number(c.b.y), six_bb = number(6 * c.bb);
+
+  const auto is_convex =
+      hn::Gt(CurveFrom(d, c, dx, dy, number(c.turn)).f1, hn::Mul(reach, b_length));
+  const auto first = CurveFrom(d, c, dx, dy, zero), last = CurveFrom(d, c, dx, dy, one);
+  const V at_first = number(glm::length(c.a)), at_last = number(glm::length(c.a + c.b));
+  const auto to_first = hn::And(is_convex, hn::Gt(first.f, hn::Mul(reach, at_first)));
+  const auto to_last = hn::And(is_convex, hn::Lt(last.f, hn::Neg(hn::Mul(reach, at_last))));
+
+  const V sx = hn::Mul(dx, number(f.sx)), sy = hn::Mul(dy, number(f.sy)), s1 = number(f.s1);
+  const V s = hn::Add(hn::Add(sx, sy), s1);
+  const V terms = hn::Add(hn::Add(hn::Abs(sx), hn::Abs(sy)), hn::Abs(s1));
+  const V least_s = Fused(terms, number(0x1p-40), hn::Mul(reach, number(c.s_change)));
+  const auto is_sided = hn::Gt(hn::Abs(s), f.straight ? number(HUGE_VAL) : least_s);
+
+  // Two steps from the guess; the second must be short already.
+  V t = hn::Load(d, tiles.t);
+  const auto before = CurveFrom(d, c, dx, dy, t);
+  t = hn::Sub(t, hn::Div(before.f, before.f1));
+  const auto nearly = CurveFrom(d, c, dx, dy, t);
+  const V step = hn::Div(nearly.f, nearly.f1);
+  t = hn::Sub(t, step);
+  const auto at = CurveFrom(d, c, dx, dy, t);
+  const auto rising =
+      hn::And(hn::Gt(before.f1, zero), hn::And(hn::Gt(nearly.f1, zero), hn::Gt(at.f1, zero)));
+  const auto settled = hn::And(rising, hn::Lt(hn::Abs(step), number(0x1p-14)));
+  const auto right = hn::Gt(hn::Mul(hn::Add(t, number(f.vertex)), s), zero);
+
+  // TileCertifier::branch
+  const V u_length = hn::Sqrt(DotOf(at.ux, at.uy, at.ux, at.uy)), middle = hn::Div(one, at.f1);
+  const V span = Fused(hn::Mul(number(1.5), reach), hn::Mul(u_length, middle), number(0x1p-18));
+  const V f2 = hn::Mul(number(6), DotOf(at.ux, at.uy, bx, by));
+  const V most_u = Fused(span, b_length, u_length), most_f2 = Fused(span, six_bb, hn::Abs(f2));
+  const V least_f1 = hn::Sub(at.f1, Fused(span, most_f2, hn::Mul(reach, b_length)));
+  const V inverse = hn::Div(one, least_f1), t1 = hn::Mul(most_u, inverse);
+  const auto bounded = hn::And(hn::Gt(least_f1, zero), hn::Le(hn::Mul(reach, t1), span));
+  const V low = hn::Sub(t, span), high = hn::Add(t, span);
+  const auto inside = hn::And(bounded, hn::And(hn::Ge(low, zero), hn::Le(high, one)));
+  const auto touches = hn::And(bounded, hn::And(hn::Ge(high, zero), hn::Le(low, one)));
+  const auto by_side = hn::And(hn::And(is_sided, right), inside);
+  const auto one_branch = hn::And(settled, hn::Or(by_side, hn::And(is_convex, touches)));
+
+  // TileCertifier::followed
+  const V bend = Fused(most_f2, t1, b_length);
+  const V t2 = hn::Mul(hn::Mul(hn::Add(b_length, bend), t1), inverse);
+  const V t1_cubed = hn::Mul(hn::Mul(t1, t1), t1);
+  const V t3 = hn::Mul(Fused(hn::Mul(number(3), bend), t2, hn::Mul(six_bb, t1_cubed)), inverse);
+  const V own = Fused(hn::Abs(at.f), inverse, number(0x1p-22));
+  const V reach3 = hn::Mul(hn::Mul(reach, reach), hn::Mul(reach, number(1.0 / 6)));
+  const V start = Fused(t3, reach3, own), bent = hn::Mul(number(0.5), hn::Mul(most_f2, inverse));
+  const V after_one = hn::Mul(bent, hn::Mul(start, start));
+  const V after_two = hn::Mul(bent, hn::Mul(after_one, after_one));
+  const V uneven = hn::Mul(hn::Sub(at.f1, least_f1), middle);
+  const V uneven3 = hn::Mul(hn::Mul(uneven, uneven), uneven);
+  const V by_series = Fused(hn::Mul(two, uneven3), start, after_one);
+  const auto is_enough = [&](V left) MIEN_LANES {
+    return hn::Le(hn::Mul(hn::Mul(two, most_u), left), number(TileCertifier::kTolerance));
+  };
+  const auto stays = hn::Le(Fused(t1, reach, start), span);
+  const auto multiplied =
+      hn::And(hn::And(hn::Lt(uneven, number(0.25)), is_enough(by_series)), inside);
+  V how = hn::IfThenElse(is_enough(after_two), code(How::two_steps), code(How::uncertain));
+  how = hn::IfThenElse(is_enough(after_one), code(How::one_step), how);
+  how = hn::IfThenElse(multiplied, code(How::multiplied), how);
+  how = hn::IfThenElse(hn::And(one_branch, stays), how, code(How::uncertain));
+
+  const auto to_an_end = hn::Or(to_first, to_last);
+  const V qx = hn::IfThenElse(to_first, first.qx, hn::IfThenElse(to_last, last.qx, at.qx));
+  const V qy = hn::IfThenElse(to_first, first.qy, hn::IfThenElse(to_last, last.qy, at.qy));
+  const V left = hn::Sub(number(TileCertifier::kClose), reach);
+  const auto is_close =
+      hn::And(hn::Gt(left, zero), hn::Lt(DotOf(qx, qy, qx, qy), hn::Mul(left, left)));
+  how = hn::IfThenElse(to_an_end, code(How::end), how);
+  how = hn::IfThenElse(is_close, how, code(How::uncertain));
+  t = hn::IfThenElse(to_first, zero, hn::IfThenElse(to_last, one, t));
+
+  const V wx = hn::Mul(at.ux, middle), wy = hn::Mul(at.uy, middle);
+  const V k = hn::Mul(number(0.5), hn::Mul(f2, middle));
+  hn::Store(how, d, tiles.how), hn::Store(t, d, tiles.t);
+  hn::Store(wx, d, tiles.wx), hn::Store(wy, d, tiles.wy);
+  hn::Store(FusedFrom(k, wx, hn::Mul(bx, middle)), d, tiles.zx);
+  hn::Store(FusedFrom(k, wy, hn::Mul(by, middle)), d, tiles.zy);
+  hn::Store(hn::Mul(number(0.5), middle), d, tiles.inverse);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+#endif

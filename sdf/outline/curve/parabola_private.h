@@ -1,0 +1,18 @@
+#pragma once
+#include <mien/shape.h>
+#include "sdf/outline/curve/curve_pen.h"
+
+#include <vector>
+
+namespace mien {
+
+/// Sides without end are closed far enough around the pen's window; their numbers are in pixels.
+
+void write_half_plane(CurvePen& pen, const HalfPlane& side);
+void write_parabola_side(CurvePen& pen, const ParabolaSide& side);
+
+/// The first side's closed outline, cut to the second: where it leaves the second side, that one's
+/// own outline leads on to where it next comes in. Each loop is a part of what both have in common.
+void write_band(CurvePen& pen, const Band& band);
+
+}  // namespace mien

@@ -1,0 +1,132 @@
+#include "lib/rig/pose/head_turn.h"
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+#include "tests/support/posing.h"
+
+namespace mien {
+namespace {
+
+using test::face_at;
+using test::point_of;
+using test::sample_face;
+using test::slice_of;
+
+const HeadTurn kHead{.pivot = {0, -0.3, 0.05}, .center = {0, 0}, .radii = {0.5, 0.65, 0.4}};
+
+TEST(Turn, OfNothingIsNothing_G4) {
+  const Face toon = sample_face("toon");
+  EXPECT_EQ(face_at(toon, {"yaw=0", "pitch=0", "roll=0"}).vector, toon.vector);
+  const Turn none(kHead, 0, 0, 0, true);
+  for (const glm::dvec2 p : {glm::dvec2{0.1, 0.2}, {-0.4, 0.1}, {0.9, 0.9}}) {
+    EXPECT_LT(glm::length(none.surface(p, 0.03) - p), 1e-15);
+    EXPECT_LT(glm::length(none.flat(p, -0.2) - p), 1e-15);
+    EXPECT_EQ(none.foreshortening(p), glm::dvec2(1));
+  }
+}
+
+/// Turned left is the mirror image of turned right, bit for bit; roll mirrors too.
+TEST(Turn, LeftAndRightAreMirrorImages_G4) {
+  const Face toon = sample_face("toon");
+  for (const char* other : {"pitch=0", "pitch=12", "blink=0.4"}) {
+    const Face one = face_at(toon, {"yaw=22", "roll=-7", other}),
+               two = face_at(toon, {"yaw=-22", "roll=7", other});
+    int compared = 0;
+    for (const Slice& slice : toon.model->layout.slices()) {
+      const std::size_t at = slice.name.find(".left/");
+      if (at == std::string::npos || slice.name.find("/dome/") != std::string::npos) continue;
+      std::vector<double> left = slice_of(one, slice.name);
+      mirror_values(slice.kind, left, toon.model->canvas.twice_axis());
+      EXPECT_EQ(left,
+                slice_of(two, slice.name.substr(0, at) + ".right/" + slice.name.substr(at + 6)))
+          << slice.name;
+      ++compared;
+    }
+    EXPECT_GT(compared, 50);
+  }
+}
+
+/// Near things move more than far ones, to the side the face turns to; the outline stays.
+TEST(Turn, MovesByParallax_G4) {
+  const Face toon = sample_face("toon");
+  const Face turned = face_at(toon, {"yaw=25"});
+  const auto moved = [&](const char* name) {
+    return point_of(turned, name).x - point_of(toon, name).x;
+  };
+  EXPECT_GT(moved("nose_shade/points/0"), moved("opening.right/inner"));
+  EXPECT_GT(moved("opening.right/inner"), 0.08);
+  EXPECT_EQ(moved("head/points/0"), 0);
+  EXPECT_LT(moved("hair_back/points/0"), -0.02);
+  EXPECT_EQ(moved("sweater/points/0"), 0);
+  EXPECT_GT(point_of(face_at(toon, {"pitch=15"}), "nose_shade/points/0").y,
+            point_of(toon, "nose_shade/points/0").y + 0.03);
+}
+
+/// The eye on the side it turns to is seen more narrowly.
+TEST(Turn, ForeshortensTheFarSide_G4) {
+  const Face toon = sample_face("toon");
+  const Face turned = face_at(toon, {"yaw=25"});
+  const auto width = [&](const Face& f, const std::string& side) {
+    return std::abs(point_of(f, "opening." + side + "/outer").x -
+                    point_of(f, "opening." + side + "/inner").x);
+  };
+  EXPECT_LT(width(turned, "left"), 0.85 * width(toon, "left"));
+  EXPECT_GT(width(turned, "right"), width(turned, "left"));
+  EXPECT_LT(slice_of(turned, "limbus.left/radii")[0], 0.9 * slice_of(toon, "limbus.left/radii")[0]);
+  EXPECT_EQ(slice_of(turned, "limbus.left/radii")[1], slice_of(toon, "limbus.left/radii")[1]);
+}
+
+/// Sizes shrink as distances between near points do.
+TEST(Turn, ForeshortensSizesAsItDoesWays_G4) {
+  for (const bool y_up : {true, false})
+    for (const double yaw : {-28.0, 0.0, 15.0})
+      for (const double pitch : {-20.0, 0.0, 10.0}) {
+        const Turn turn(kHead, yaw, pitch, 0, y_up);
+        for (const glm::dvec2 p : {glm::dvec2{0.1, 0.2}, {-0.3, 0.1}, {0.25, -0.3}}) {
+          constexpr double e = 1e-6;
+          const double x =
+              (turn.surface(p + glm::dvec2{e, 0}, 0).x - turn.surface(p - glm::dvec2{e, 0}, 0).x) /
+              (2 * e);
+          const double y =
+              (turn.surface(p + glm::dvec2{0, e}, 0).y - turn.surface(p - glm::dvec2{0, e}, 0).y) /
+              (2 * e);
+          EXPECT_NEAR(turn.foreshortening(p).x, x, 1e-7) << yaw << " " << pitch;
+          EXPECT_NEAR(turn.foreshortening(p).y, y, 0.12) << yaw << " " << pitch;  // after the yaw
+          if (yaw == 0) {
+            EXPECT_NEAR(turn.foreshortening(p).y, y, 1e-7) << pitch;
+          }
+        }
+      }
+}
+
+TEST(Turn, RollsRigidly_G4) {
+  const Turn roll(kHead, 0, 0, 30, true), down(kHead, 0, 0, 30, false);
+  const glm::dvec2 pivot{0, -0.3}, p{0.2, 0.1};
+  const glm::dvec2 q = roll.surface(p, 0) - pivot, r = p - pivot;
+  EXPECT_NEAR(glm::length(q), glm::length(r), 1e-15);
+  EXPECT_NEAR(std::atan2(q.y, q.x) - std::atan2(r.y, r.x), 3.14159265358979 / 6, 1e-12);
+  EXPECT_EQ(roll.tilt(), 30);
+  EXPECT_EQ(down.tilt(), -30);
+  EXPECT_LT(glm::length(roll.flat(p, 0.05) - roll.surface(p, 0)), 1e-12);
+}
+
+TEST(Turn, KeepsShutEyesShutAndIsTotal_G4) {
+  const Face toon = sample_face("toon");
+  for (const char* yaw : {"yaw=-30", "yaw=17"}) {
+    const Face shut = face_at(toon, {yaw, "pitch=25", "roll=-30", "blink=1", "gaze.x=0.06"});
+    for (const char* side : {"left", "right"}) {
+      const std::string eye = std::string("opening.") + side;
+      EXPECT_EQ(point_of(shut, eye + "/upper"), point_of(shut, eye + "/lower"));
+      for (int i = 0; i < OpeningFigure::kLidBends; ++i)
+        EXPECT_EQ(point_of(shut, eye + "/upper_shift/" + std::to_string(i)),
+                  point_of(shut, eye + "/lower_shift/" + std::to_string(i)));
+    }
+    for (const double number : shut.vector) EXPECT_TRUE(std::isfinite(number));
+  }
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,67 @@
+#include "render/shade/nearest/near_feet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/support/every_instruction_set.h"
+#include "tests/support/lit_scene.h"
+
+namespace mien {
+namespace {
+
+constexpr double kStep = 1e-5;
+
+glm::dvec2 gradient(const AreaDistance& area, glm::dvec2 p) {
+  const double d = area.at(p);
+  return glm::dvec2{area.at({p.x + kStep, p.y}) - d, area.at({p.x, p.y + kStep}) - d} / kStep;
+}
+
+/// Distances, gradients and bends at 16 places of a disc of radius 13, against the area's own.
+void check(const AreaDistance& area, glm::dvec2 middle, test::Random& random, long& far_off) {
+  const FeetArea feet_area(area, {0, 0});
+  NearFeet feet;
+  feet.narrow(feet_area, middle, 13.0);
+  float x[16], y[16], d[16], nx[16], ny[16], bend[16];
+  for (int i = 0; i < 16; ++i)
+    x[i] = float(random.between(-9, 9)), y[i] = float(random.between(-9, 9));
+  feet.at(x, y, {d, nx, ny, bend});
+  for (int i = 0; i < 16; ++i) {
+    const glm::dvec2 p = middle + glm::dvec2{x[i], y[i]};
+    EXPECT_NEAR(d[i], area.at(p), 1e-3);
+    // At ridges and close to the evolute the gradient may be either's, or late.
+    const glm::dvec2 g = gradient(area, p);
+    far_off += !(std::hypot(g.x - double(nx[i]), g.y - double(ny[i])) < 0.02);
+  }
+}
+
+TEST(NearFeet, AreTheAreasOwnDistancesAndGradients) {
+  test::on_every_set([] {
+    test::Random random(5);
+    long far_off = 0, all = 0;
+    for (int k = 0; k < 800; ++k, all += 16) {
+      const AreaDistance area =
+          test::random_area(random, k % test::kLitShapes, random.between(6, 60));
+      check(area, random.point(16, 48), random, far_off);
+    }
+    EXPECT_LT(double(far_off), 2e-3 * double(all));
+  });
+}
+
+TEST(NearFeet, TellHowTheGradientTurns) {
+  test::Random random(6);
+  const AreaDistance area = test::random_area(random, 3, 50);  // a disc of radius 20
+  const auto& disc = std::get<Disc>(area.shapes()[0]);
+  const FeetArea feet_area(area, {0, 0});
+  NearFeet feet;
+  feet.narrow(feet_area, disc.center + glm::dvec2{12, 0}, 13.0);
+  float x[16] = {}, y[16] = {}, d[16], nx[16], ny[16], bend[16];
+  feet.at(x, y, {d, nx, ny, bend});
+  EXPECT_NEAR(bend[0], 1.0 / 12.0, 1e-5);
+  EXPECT_NEAR(nx[0], 1.0, 1e-6);
+  EXPECT_NEAR(d[0], 12.0 - disc.radius, 1e-5);
+}
+
+}  // namespace
+}  // namespace mien

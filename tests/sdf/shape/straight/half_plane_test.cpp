@@ -1,0 +1,10 @@
+#include <mien/shape.h>
+
+#include "tests/support/shape_examples/half_plane.h"
+#include "tests/support/shape_laws.h"
+
+namespace mien::test {
+
+INSTANTIATE_TYPED_TEST_SUITE_P(HalfPlane, ShapeLaws, HalfPlane);
+
+}  // namespace mien::test

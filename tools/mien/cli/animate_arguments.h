@@ -1,0 +1,31 @@
+#pragma once
+// What people typed after `mien animate`, `mien morph` and `mien mesh`.
+
+#include "tools/mien/cli/arguments.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mien::command {
+
+struct AnimateArguments {
+  RenderArguments render;  ///< `output`: a pattern of names, or a film
+  std::optional<std::string> frames, fps;
+  bool again = false;
+};
+
+struct MorphArguments {
+  bool from_obj = false;  ///< `mien morph from-obj`, not `make`
+  std::string rest, map, neutral, output;
+  std::vector<std::string> targets;  ///< FILE or NAME=FILE
+};
+
+struct MeshArguments {
+  std::string neutral, output;
+  std::vector<std::string> targets;  ///< FILE or NAME=FILE
+  std::vector<std::string> weights;  ///< NAME=WEIGHT
+  std::optional<std::string> size, yaw, pitch;
+};
+
+}  // namespace mien::command

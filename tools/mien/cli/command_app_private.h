@@ -1,0 +1,49 @@
+#pragma once
+// The definition itself. CLI11 compiles slowly: this header is for the files that need it.
+
+#include "tools/mien/cli/animate_arguments.h"
+#include "tools/mien/cli/arguments.h"
+#include "tools/mien/cli/pca_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace mien::command {
+
+/// The application and what it fills.
+struct CommandApp {
+  CLI::App app{"mien draws vector faces exactly.", "mien"};
+  RenderArguments render;
+  BenchArguments bench;
+  CheckArguments check;
+  SceneArguments scene;
+  ListArguments list;
+  PcaArguments pca;
+  MorphArguments morph;
+  MeshArguments mesh;
+  AnimateArguments animate;
+  ImportArguments import;
+  FitArguments fit;
+  SheetArguments sheet;
+  std::string shell;  ///< of `mien completion`
+};
+
+std::unique_ptr<CommandApp> command_app();
+
+/// What was wrong with words that `app` could not read, in one sentence.
+std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong);
+
+/// Out of the definition: a man page (groff), and completion for bash, zsh or fish.
+std::string manual(const CLI::App& app);
+std::string completion(const CLI::App& app, const std::string& shell);
+
+/// Commands that people see, and an option's visible names.
+std::vector<const CLI::App*> visible_commands(const CLI::App& app);
+/// Those that run: `fit` of `pca` instead of `pca`; and how people say them, "pca fit".
+std::vector<const CLI::App*> leaf_commands(const CLI::App& app);
+std::string spoken_name(const CLI::App& command);
+std::vector<const CLI::Option*> visible_options(const CLI::App& app);
+std::vector<std::string> option_words(const CLI::Option& option);
+
+}  // namespace mien::command

@@ -1,0 +1,384 @@
+#include "tools/mien/cli/command_line.h"
+#include <mien/unwrap_mode.h>
+#include <mien/version.h>
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "tools/mien/cli/motion_options.h"
+#include "tools/mien/cli/option_words.h"
+#include "tools/mien/cli/parse_values.h"
+#include "tools/mien/cli/pca_options.h"
+#include "tools/mien/commands/render_plan.h"
+
+#include "command_app_private.h"
+
+namespace mien::command {
+
+void add_pose(CLI::App* to, PosedFace& posed) {
+  to->add_option("FACE", posed.face, "Face file")->required()->type_name("");
+  to->add_option("--time", posed.time,
+                 "Moment at which the face's clips are drawn; without one no clip runs")
+      ->type_name("SECONDS");
+  to->add_option(
+        "--clip", posed.clips,
+        "Run this clip instead of the face's default one; may be given many times: each is "
+        "laid over those before it, by its weight, its own time beginning at BEGIN")
+      ->type_name("NAME[=WEIGHT[@BEGIN]]")
+      ->allow_extra_args(false);
+  to->add_option(
+        "--pose,--morph", posed.poses,
+        "Give a named pose (a morph target) a weight, 1 if none is said; may be given many "
+        "times")
+      ->type_name("NAME[=WEIGHT]")
+      ->allow_extra_args(false);
+  to->add_option("--morphs", posed.morphs, "More poses, out of a file that `mien morph make` wrote")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  to->add_option("--basis", posed.basis,
+                 "Pose by a basis that `mien pca fit` found for this face, at --time or --weights")
+      ->type_name("FILE");
+  to->add_option("--weights", posed.weights, "Weights of the basis's components")
+      ->type_name("W,W,...");
+  to->add_option("--look-at", posed.look_at,
+                 "The point both eyes look at, in face units, z towards the viewer")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  to->add_option("--blink", posed.blink, "How far both eyes are shut, 0 to 1")->type_name("WEIGHT");
+  to->add_option("--unwrap", posed.unwrap,
+                 "How far the features have travelled from the face to a flat chart, 0 to 1")
+      ->type_name("WEIGHT");
+  to->add_option("--unwrap-mode", posed.unwrap_mode,
+                 "All at once, the deep features first, or that and braking; default linear")
+      ->type_name(std::string(kUnwrapModes));
+  to->add_option("--bias", posed.bias,
+                 "Where the lids meet: from -1, at the lower lid, to 1, at the upper one")
+      ->type_name("BIAS");
+  to->add_option("--emotion", posed.emotions,
+                 "Give an emotion a strength from 0 to 1, 1 if none is said; left.joy is the "
+                 "subject's left half; may be given many times")
+      ->type_name("NAME[=STRENGTH]")
+      ->allow_extra_args(false);
+  to->add_option("--muscle", posed.muscles,
+                 "Pull a muscle by 0 to 1, whatever the emotions say; left.NAME is the subject's "
+                 "left one; may be given many times")
+      ->type_name("NAME[=PULL]")
+      ->allow_extra_args(false);
+  to->add_option("--arkit", posed.arkit,
+                 "A frame of ARKit's blend shapes as JSON: {\"jawOpen\": 0.4, …}")
+      ->type_name("FILE");
+  to->add_flag("--clamp", posed.clamp,
+               "Take strengths and pulls beyond 0 to 1 as the nearer end instead of an error");
+  to->add_option("--set", posed.settings,
+                 "Hold a control or a number of the face at a value; may be given many times; "
+                 "'mien list FACE' names "
+                 "them all")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+namespace {
+void add_debug(CLI::App* to, std::optional<std::string>& debug) {
+  to->add_option("--debug", debug,
+                 "Draw over the face what moves it: its muscles by their pull, or its points and "
+                 "handles by name")
+      ->type_name(std::string(kFaceDebugs));
+}
+
+void add_muscle_commands(CLI::App& app, CommandApp& command) {
+  CLI::App* import = app.add_subcommand(
+      "import",
+      "Take in another program's face: facemotion FILE (a morphology in JavaScript) makes a face "
+      "file; obj-targets FACE MAP NEUTRAL TARGETS... makes morph targets, as morph from-obj does");
+  import->add_option("FORMAT", command.import.format, "facemotion or obj-targets")
+      ->required()
+      ->type_name("");
+  import->add_option("FILES", command.import.files, "Files to read")
+      ->required()
+      ->type_name("")
+      ->expected(1, 1 << 10);
+  import->add_option("-o,--output", command.import.output, "File to write; - is standard output")
+      ->required()
+      ->type_name("FILE");
+  import->add_option("--morphology", command.import.morphology, "Which one, if there are several")
+      ->type_name("NAME");
+  import->add_flag("--smooth", command.import.smooth, "Draw polylines as smooth curves");
+
+  CLI::App* fit = app.add_subcommand(
+      "fit", "Find the muscle pulls that bring a face's points nearest to targets");
+  fit->add_option("FACE", command.fit.face, "Face file")->required()->type_name("");
+  fit->add_option("TARGETS", command.fit.targets,
+                  "JSON: points by name, or a frame of ARKit's blend shapes")
+      ->required()
+      ->type_name("");
+}
+
+void add_output(CLI::App* to, RenderArguments& render) {
+  to->add_option("-o,--output", render.output,
+                 "Picture to write: .png .tif .tiff .exr .jpg .jpeg; - is a PNG on standard output")
+      ->required()
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+void add_picture(CLI::App* to, RenderArguments& render) {
+  to->add_option("--size", render.size,
+                 "Pixels of the whole picture, or of its longer side; default: longer side " +
+                     std::to_string(kDefaultSide))
+      ->type_name("WxH");
+  to->add_option("--fit", render.fit,
+                 "Show the whole canvas, or fill the whole picture; default meet")
+      ->type_name(std::string(kFits));
+  to->add_option("--region", render.region,
+                 "Draw only this part of the picture, with the same pixels")
+      ->type_name("X,Y,W,H");
+  to->add_option("--background", render.background,
+                 "#rrggbb, #rrggbbaa or transparent, instead of the face's own")
+      ->type_name("COLOUR");
+  to->add_option("--blend", render.blend,
+                 "Mix colours in linear light or as encoded; default linear")
+      ->type_name(std::string(kBlends));
+  to->add_option("--light", render.light,
+                 "Where the lamp of reliefs is: x right, y up, z > 0 towards the viewer")
+      ->type_name("X,Y,Z");
+  to->add_option("--dither", render.dither,
+                 "Dither gradients and lit surfaces of 8 and 16 bits; default on")
+      ->type_name(std::string(kDithers));
+  to->add_option("--depth", render.depth,
+                 "Bits of a channel; PNG 8 16, TIFF 8 16 float, EXR half float, JPEG 8")
+      ->type_name(std::string(kDepths));
+  to->add_option("--effect", render.effects,
+                 "Lay an effect over the picture: mosaic:TILES,BORDER,mean|center or "
+                 "grid:CELLS,WIDTH,COLOUR; many act in order; none: not even the face's own")
+      ->type_name("EFFECT")
+      ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App* to, RenderArguments& render) {
+  to->add_option("--threads", render.threads,
+                 "Threads to draw with; 0, the default: as many as there are")
+      ->type_name("N");
+}
+
+namespace {
+
+void add_insight(CLI::App* to, RenderArguments& render) {
+  to->add_option("--debug", render.debug,
+                 "Instead of the face: its outlines, regions, fragments or looks as they were "
+                 "drawn, isolines "
+                 "of distance, normals, or how far a pose moves each point; or over it: its "
+                 "muscles, its points by name")
+      ->type_name(std::string(kDebugs));
+  to->add_option("--error-map", render.error_map,
+                 "Also write the proven error of every pixel, as grey, and print the largest")
+      ->type_name("FILE");
+}
+
+void add_work(CLI::App* to, RenderArguments& render) {
+  to->add_option("--memory", render.memory,
+                 "Most bytes of the picture held at once, K M G T for powers of 1024; default 256M")
+      ->type_name("BYTES");
+  to->add_option("--stats", render.stats,
+                 "Print what drawing took, on standard output (standard error with -o -)")
+      ->type_name(std::string(kStats));
+  to->add_option("--progress", render.progress,
+                 "auto: a bar on a terminal for work of over a second; json: lines for programs")
+      ->type_name(std::string(kProgress));
+}
+
+std::vector<std::string_view> names_of(const std::vector<std::string>& words) {
+  return {words.begin(), words.end()};
+}
+
+std::string command_list(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : visible_commands(app))
+    text += (text.empty() ? "" : ", ") + command->get_name();
+  return text;
+}
+
+/// The command that was typed, "fit" of `mien pca fit`.
+const CLI::App& innermost(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
+  return *at;
+}
+
+/// What stands before a command's own name: "mien pca".
+std::string prefix_of(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent->get_parent() ? "mien " + parent->get_name() : "mien";
+}
+
+/// What `words` could not place, in one sentence: an unknown option or command, or one argument too
+/// many.
+std::string stray(const CLI::App& app) {
+  const CLI::App* at = &app;
+  for (bool deeper = true; deeper;) {
+    deeper = false;
+    for (const CLI::App* command : at->get_subcommands({}))
+      if (command->parsed()) at = command, deeper = true;
+  }
+  const std::vector<std::string> left = app.remaining(true);
+  if (left.empty()) return "arguments that mean nothing";
+  const std::string& word = left.front();
+  if (word.size() > 1 && word[0] == '-') {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : visible_options(*at)) {
+      for (const std::string& name : option_words(*option)) known.push_back(name);
+    }
+    return unknown_name("option", word.substr(0, word.find('=')), names_of(known));
+  }
+  if (!at->get_subcommands({}).empty()) {
+    std::vector<std::string> known;
+    for (const CLI::App* command : visible_commands(*at)) known.push_back(command->get_name());
+    return unknown_name("command", word, names_of(known));
+  }
+  return spoken_name(*at) + ": one argument too many: " + in_quotes(word);
+}
+
+CommandLine chosen(CommandApp& command) {
+  const CLI::App& app = command.app;
+  if (app.got_subcommand("render")) return std::move(command.render);
+  if (app.got_subcommand("bench")) return std::move(command.bench);
+  if (app.got_subcommand("check")) return std::move(command.check);
+  if (app.got_subcommand("pca")) return std::move(command.pca);
+  if (app.got_subcommand("morph")) return std::move(command.morph);
+  if (app.got_subcommand("mesh")) return std::move(command.mesh);
+  if (app.got_subcommand("animate")) return std::move(command.animate);
+  if (app.got_subcommand("scene")) return std::move(command.scene);
+  if (app.got_subcommand("list")) return std::move(command.list);
+  if (app.got_subcommand("import")) return std::move(command.import);
+  if (app.got_subcommand("fit")) return std::move(command.fit);
+  if (app.got_subcommand("sheet")) return std::move(command.sheet);
+  if (app.got_subcommand("manual")) return Help{manual(app)};
+  if (app.got_subcommand("completion")) {
+    const auto shell = read_choice("completion", command.shell, kShells);
+    if (!shell) return WrongUse{sentence(shell.error())};
+    return Help{completion(app, command.shell)};
+  }
+  return WrongUse{"a command is needed: " + command_list(app) + "; mien -h helps"};
+}
+
+/// CLI11's own sentences, in this command's manner: after the command they are about, in lower
+/// case.
+std::string retold(const CLI::App& app, const CLI::ParseError& wrong) {
+  std::string text = wrong.what();
+  const std::string option = text.substr(0, text.find(':'));
+  if (text.find("subcommand is required") != std::string::npos)
+    text = "one of its commands is needed: " + command_list(innermost(app));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong)) {
+    text = option + (text.find("At Most") == std::string::npos ? " needs a value"
+                                                               : " may be given only once");
+  }
+  return app.get_subcommands().empty() ? text : spoken_name(innermost(app)) + ": " + text;
+}
+
+}  // namespace
+
+std::string spoken_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent && parent->get_parent() ? parent->get_name() + " " + command.get_name()
+                                        : command.get_name();
+}
+
+std::vector<const CLI::App*> leaf_commands(const CLI::App& app) {
+  std::vector<const CLI::App*> leaves;
+  for (const CLI::App* command : visible_commands(app)) {
+    const auto inner = visible_commands(*command);
+    if (inner.empty()) leaves.push_back(command);
+    leaves.insert(leaves.end(), inner.begin(), inner.end());
+  }
+  return leaves;
+}
+
+std::vector<const CLI::App*> visible_commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+std::vector<const CLI::Option*> visible_options(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+}
+
+std::vector<std::string> option_words(const CLI::Option& option) {
+  std::vector<std::string> words;
+  for (const std::string& name : option.get_snames()) words.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) words.push_back("--" + name);
+  return words;
+}
+
+std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
+  // A mistyped option is the better news than what is missing because of it.
+  return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
+}
+
+std::unique_ptr<CommandApp> command_app() {
+  auto made = std::make_unique<CommandApp>();
+  CLI::App& app = made->app;
+  app.set_help_flag("-h,--help", "Say this and stop");
+  app.set_version_flag("--version", "mien " MIEN_VERSION_STRING, "Say which mien this is and stop");
+  app.get_formatter()->column_width(34);
+
+  CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
+  add_pose(render, made->render.posed);
+  add_output(render, made->render);
+  add_picture(render, made->render);
+  add_threads(render, made->render);
+  add_insight(render, made->render);
+  add_work(render, made->render);
+
+  CLI::App* check = app.add_subcommand("check", "Say whether face files are in order");
+  check->add_option("FACE", made->check.faces, "Face files")
+      ->required()
+      ->type_name("")
+      ->expected(1, 1 << 20);
+
+  CLI::App* scene = app.add_subcommand("scene", "Print the shapes and layers a face is drawn with");
+  add_pose(scene, made->scene.posed);
+  add_debug(scene, made->scene.debug);
+
+  CLI::App* list = app.add_subcommand(
+      "list",
+      "Print every name that --set takes, with unit, range and value; and the poses and clips");
+  list->add_option("FACE", made->list.face, "Face file")->required()->type_name("");
+
+  CLI::App* bench =
+      app.add_subcommand("bench", "Measure how long a frame takes, from pose to pixels");
+  add_pose(bench, made->bench.render.posed);
+  add_picture(bench, made->bench.render);
+  add_threads(bench, made->bench.render);
+  bench
+      ->add_option("--repeat", made->bench.repeat,
+                   "Frames to measure; default " + std::to_string(kDefaultRepeat))
+      ->type_name("N");
+  bench->add_flag("--json", made->bench.json, "Print JSON instead of a table");
+
+  add_animate(app, made->animate);
+  add_morph(app, made->morph);
+  add_mesh(app, made->mesh);
+  add_pca(app, made->pca);
+  add_muscle_commands(app, *made);
+  add_sheet(app, made->sheet);
+
+  app.add_subcommand("manual", "Print the man page")->group("");
+  CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");
+  shells->add_option("SHELL", made->shell, std::string(kShells))->required()->type_name("");
+  return made;
+}
+
+CommandLine read_command_line(int count, const char* const* words) {
+  const auto command = command_app();
+  CLI::App& app = command->app;
+  try {
+    app.parse(count, words);
+  } catch (const CLI::CallForHelp&) {
+    const auto used = app.get_subcommands();
+    return Help{used.empty() ? app.help() : innermost(app).help(prefix_of(innermost(app)))};
+  } catch (const CLI::CallForVersion&) {
+    return Help{"mien " MIEN_VERSION_STRING "\n"};
+  } catch (const CLI::ParseError& wrong) {
+    return WrongUse{wrong_use(app, wrong)};
+  }
+  return chosen(*command);
+}
+
+}  // namespace mien::command

@@ -1,0 +1,28 @@
+#pragma once
+// The command line: its one definition, out of which come reading, help, man page and completion.
+
+#include "tools/mien/cli/animate_arguments.h"
+#include "tools/mien/cli/arguments.h"
+#include "tools/mien/cli/pca_arguments.h"
+
+#include <string>
+#include <variant>
+
+namespace mien::command {
+
+/// Nothing to run: text for standard output ("--help"), or what was wrong with the line.
+struct Help {
+  std::string text;
+};
+struct WrongUse {
+  std::string sentence;
+};
+
+using CommandLine =
+    std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
+                 ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
+                 ImportArguments, FitArguments, SheetArguments>;
+
+CommandLine read_command_line(int count, const char* const* words);
+
+}  // namespace mien::command

@@ -1,0 +1,21 @@
+#pragma once
+// `mien animate …`, `mien morph …` and `mien mesh …` on the command line.
+
+#include "tools/mien/cli/animate_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+namespace mien::command {
+
+void add_animate(CLI::App& app, AnimateArguments& to);
+void add_morph(CLI::App& app, MorphArguments& to);
+void add_mesh(CLI::App& app, MeshArguments& to);
+/// `mien sheet …` (sheet_line.cpp).
+void add_sheet(CLI::App& app, SheetArguments& to);
+
+/// Options that others have too (command_line.cpp).
+void add_pose(CLI::App* to, PosedFace& posed);
+void add_picture(CLI::App* to, RenderArguments& render);
+void add_threads(CLI::App* to, RenderArguments& render);
+
+}  // namespace mien::command

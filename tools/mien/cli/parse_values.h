@@ -1,0 +1,49 @@
+#pragma once
+// Option values: from text to numbers and back to a sentence where they make no sense. The error's
+// `where` is the option with its value: "--size 0x5".
+
+#include <mien/color.h>
+#include <mien/expected.h>
+#include <mien/view.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace mien::command {
+
+/// "1920x1080"; or "1920": the longer side, the other as `aspect` (width over height) says.
+struct Size {
+  int width, height;
+};
+Expected<Size> read_size(std::string_view text, double aspect);
+
+/// "X,Y,W,H" in whole pixels, inside a picture of that size.
+Expected<PixelRect> read_region(std::string_view text, Size picture);
+
+/// "#rrggbb", "#rrggbbaa", the same without "#", or "transparent".
+Expected<Color> read_background(std::string_view text);
+
+/// "X,Y,Z": finite, Z > 0.
+Expected<glm::dvec3> read_light(std::string_view text);
+
+/// A number from 0 to 1, for an option of that name.
+Expected<double> read_share(std::string_view option, std::string_view text);
+
+/// Seconds: any finite number.
+Expected<double> read_time(std::string_view text);
+
+/// 0 (as many as there are) … kMostThreads.
+inline constexpr int kMostThreads = 1024;
+Expected<int> read_threads(std::string_view text);
+
+/// 1 … kMostRepeats frames.
+inline constexpr int kMostRepeats = 1'000'000;
+Expected<int> read_repeat(std::string_view text);
+
+/// A number of bytes, perhaps with K, M, G or T (powers of 1024).
+Expected<std::uint64_t> read_memory(std::string_view text);
+
+/// The index of `text` among choices like "meet|slice".
+Expected<int> read_choice(std::string_view option, std::string_view text, std::string_view choices);
+
+}  // namespace mien::command

@@ -1,0 +1,18 @@
+#pragma once
+// `mien sheet …` on the command line, and the options of one picture of it.
+
+#include <mien/expected.h>
+#include "tools/mien/cli/arguments.h"
+
+#include <string>
+
+namespace mien::command {
+
+/// "near: --look-at 0,0,0.6": a name, empty where none is said, and what `mien render` would be told.
+struct SheetPicture {
+  std::string name;
+  RenderArguments render;
+};
+Expected<SheetPicture> read_sheet_picture(const std::string& text);
+
+}  // namespace mien::command

@@ -1,0 +1,23 @@
+#pragma once
+// The commands, a file each. Each gives the exit code.
+
+#include "tools/mien/cli/animate_arguments.h"
+#include "tools/mien/cli/arguments.h"
+#include "tools/mien/cli/pca_arguments.h"
+
+namespace mien::command {
+
+int render_command(const RenderArguments& arguments);
+int bench_command(const BenchArguments& arguments);
+int check_command(const CheckArguments& arguments);
+int scene_command(const SceneArguments& arguments);
+int list_command(const ListArguments& arguments);
+int pca_command(const PcaArguments& arguments);
+int morph_command(const MorphArguments& arguments);
+int mesh_command(const MeshArguments& arguments);
+int animate_command(const AnimateArguments& arguments);
+int import_command(const ImportArguments& arguments);
+int fit_command(const FitArguments& arguments);
+int sheet_command(const SheetArguments& arguments);
+
+}  // namespace mien::command

@@ -1,0 +1,214 @@
+#include "tools/mien/commands/posed_face.h"
+#include <mien/face_file.h>
+#include <mien/face_model.h>
+#include <mien/morph_file.h>
+#include <mien/npy_basis.h>
+#include <mien/poser.h>
+#include <mien/scene_from_face.h>
+#include "lib/base/one_line.h"
+#include "lib/file/json/frame_file.h"
+#include "lib/rig/pose/expression_setting.h"
+#include "sdf/from_face/debug_view.h"
+#include "tools/mien/cli/option_words.h"
+#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/parse_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace mien::command {
+
+std::optional<Face> read_face_aloud(const std::string& path) {
+  if (path.empty()) {
+    complain(Error{"face file", "its name is empty"}, kFailed);
+    return {};
+  }
+  std::vector<Error> warnings;
+  auto face = read_face(path, {}, &warnings);
+  warn(warnings);
+  if (face) return *std::move(face);
+  complain(face.error(), kFailed);
+  return {};
+}
+
+namespace {
+
+/// "blink" and "0.5" as the setting they are, the error's address being the option.
+Expected<Setting> read_control(const Face& face, const std::string& name,
+                               const std::string& value) {
+  const std::string where = "--" + name + " " + one_line(value, 60);
+  const auto& controls = face.model->controls;
+  if (std::none_of(controls.begin(), controls.end(),
+                   [&](const Control& control) { return control.name == name; }))
+    return Error{where, fmt::format("this face has no control \"{}\"", name)};
+  auto setting = read_setting(face, name + "=" + value);
+  if (setting) return setting;
+  return Error{where, setting.error().what};
+}
+
+/// --arkit: what is wrong with it is the file's fault.
+Expected<Pose> read_arkit(const Face& face, const PosedFace& arguments) {
+  const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
+  Pose pose;
+  if (!arguments.arkit) return pose;
+  const auto frame = read_frame(*arguments.arkit);
+  if (!frame) return frame.error();
+  for (const FrameNumber& number : *frame) {
+    if (number.values.size() != 1)
+      return Error{number.where, fmt::format("expected 1 number, got {}", number.values.size())};
+    auto setting =
+        read_expression(face, "arkit", fmt::format("{}={}", number.name, number.values[0]), out);
+    if (!setting) return Error{number.where, setting.error().what};
+    pose.settings.push_back(*std::move(setting));
+  }
+  return pose;
+}
+
+/// --emotion, --muscle.
+Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Pose& pose) {
+  const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
+  for (const auto& [set, texts] :
+       {std::pair{"emotion", &arguments.emotions}, {"muscle", &arguments.muscles}})
+    for (const std::string& text : *texts) {
+      auto setting = read_expression(face, set, text, out);
+      if (!setting)
+        return Error{fmt::format("--{} {}", set, setting.error().where), setting.error().what};
+      pose.settings.push_back(*std::move(setting));
+    }
+  return Done{};
+}
+
+/// What was typed, in the order in which it counts.
+Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
+                         const std::vector<Setting>& arkit) {
+  Pose pose;
+  for (const std::string& text : arguments.clips) {
+    const auto layer = read_clip_layer(face, text);
+    if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};
+    pose.clips.push_back(*layer);
+  }
+  for (const std::string& text : arguments.poses) {
+    auto weight = mien::read_pose(face, text);
+    if (!weight) return Error{"--pose " + weight.error().where, weight.error().what};
+    pose.settings.push_back(*std::move(weight));
+  }
+  if (arguments.look_at) {
+    const auto target = read_look_at(face, *arguments.look_at);
+    if (!target) return Error{"--look-at " + target.error().where, target.error().what};
+    pose.look_at = *target;
+  }
+  if (arguments.unwrap) {
+    const auto share = read_share("unwrap", *arguments.unwrap);
+    if (!share) return share.error();
+    pose.unwrap = *share;
+  }
+  if (arguments.unwrap_mode) {
+    const auto mode = read_choice("--unwrap-mode", *arguments.unwrap_mode, kUnwrapModes);
+    if (!mode) return mode.error();
+    pose.unwrap_mode = UnwrapMode(*mode);
+  }
+  for (const auto& [name, value] :
+       {std::pair{"blink", &arguments.blink}, {"bias", &arguments.bias}})
+    if (*value) {
+      auto setting = read_control(face, name, **value);
+      if (!setting) return setting.error();
+      pose.settings.push_back(*std::move(setting));
+    }
+  pose.settings.insert(pose.settings.end(), arkit.begin(), arkit.end());
+  if (auto pulled = read_expressions(face, arguments, pose); !pulled) return pulled.error();
+  for (const std::string& text : arguments.settings) {
+    auto setting = read_setting(face, text);
+    if (!setting) return setting.error();
+    pose.settings.push_back(*std::move(setting));
+  }
+  return pose;
+}
+
+/// --basis and --weights.
+int take_basis(const PosedFace& arguments, const Face& face, Pose& pose) {
+  if (arguments.weights && !arguments.basis)
+    return complain("--weights are those of a --basis", kUsedWrongly);
+  if (!arguments.basis) return kDone;
+  const auto file = read_basis(*arguments.basis);
+  if (!file) return complain(file.error(), kFailed);
+  const auto basis = face_basis(*file, face);
+  if (!basis) return complain(Error{*arguments.basis, basis.error().what}, kFailed);
+  pose.basis = std::make_shared<const FaceBasis>(*basis);
+  std::string_view text = arguments.weights ? *arguments.weights : std::string_view{};
+  while (!text.empty()) {
+    const std::size_t comma = text.find(',');
+    const auto weight = read_real("--weights", text.substr(0, comma), -1e9, 1e9);
+    if (!weight) return complain(weight.error(), kUsedWrongly);
+    pose.basis_weights.push_back(*weight);
+    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+  }
+  if (pose.basis_weights.size() > pose.basis->basis.count)
+    return complain(fmt::format("--weights: the basis has {} components, not {}",
+                                pose.basis->basis.count, pose.basis_weights.size()),
+                    kUsedWrongly);
+  return kDone;
+}
+
+}  // namespace
+
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* known) {
+  std::optional<double> at;
+  if (arguments.time) {
+    const auto time = read_time(*arguments.time);
+    if (!time) return {{}, {}, complain(time.error(), kUsedWrongly)};
+    at = *time;
+  } else if (!arguments.clips.empty()) {
+    const std::string where = "--clip " + one_line(arguments.clips[0], 60);
+    return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
+  }
+  auto face = known ? *known : read_face_aloud(arguments.face);
+  if (!face) return {{}, {}, kFailed};
+  for (const std::string& file : arguments.morphs) {
+    auto more = read_morphs(*face, file);
+    if (!more) return {{}, {}, complain(more.error(), kFailed)};
+    face = *std::move(more);
+  }
+  const auto arkit = read_arkit(*face, arguments);
+  if (!arkit) return {{}, {}, complain(arkit.error(), kFailed)};
+  auto pose = read_pose(*face, arguments, arkit->settings);
+  if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
+  pose->time = at;
+  if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
+  return {std::move(face), *std::move(pose), kDone};
+}
+
+SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::string>& debug) {
+  int view = -1;
+  if (debug) {
+    const auto chosen = read_choice("--debug", *debug, kFaceDebugs);
+    if (!chosen) return {{}, complain(chosen.error(), kUsedWrongly)};
+    view = *chosen;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  FaceAndPoseOrCode read = read_face_and_pose(arguments);
+  if (!read.face) return {{}, read.code};
+  if (view == 0 && read.face->model->muscles.muscles.empty())
+    return {{}, complain(Error{"--debug muscles", "this face has no muscles"}, kUsedWrongly)};
+  Poser poser(*std::move(read.face));
+  const Face& posed = poser.pose(read.pose);
+  const auto between = std::chrono::steady_clock::now();
+  SceneOrCode made{view == 0   ? debug_muscles(posed, poser.pulls())
+                   : view == 1 ? debug_points(posed)
+                               : scene_from_face(posed)};
+  made.read = std::chrono::duration<double>(between - began).count();
+  made.made = std::chrono::duration<double>(std::chrono::steady_clock::now() - between).count();
+  return made;
+}
+
+PosedOrCode read_posed_face(const PosedFace& arguments, const Face* known) {
+  const FaceAndPoseOrCode read = read_face_and_pose(arguments, known);
+  if (!read.face) return {{}, read.code};
+  return {pose_face(*read.face, read.pose), kDone};
+}
+
+}  // namespace mien::command

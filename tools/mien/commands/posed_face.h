@@ -1,0 +1,41 @@
+#pragma once
+// FACE, and how it is posed: what render and scene have in common.
+
+#include <mien/face.h>
+#include <mien/pose.h>
+#include <mien/scene.h>
+#include "tools/mien/cli/arguments.h"
+#include "tools/mien/terminal/messages.h"
+
+#include <optional>
+
+namespace mien::command {
+
+/// The face, or nothing; warnings and the error have been said.
+std::optional<Face> read_face_aloud(const std::string& path);
+
+/// A face and the pose asked for, or the exit code after what was wrong has been said. `known`: the
+/// face, where it has been read already.
+struct FaceAndPoseOrCode {
+  std::optional<Face> face;
+  Pose pose;
+  int code = kDone;
+};
+FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* known = nullptr);
+
+/// A face at the pose asked for, or the exit code after what was wrong has been said.
+struct PosedOrCode {
+  std::optional<Face> face;
+  int code = kDone;
+};
+PosedOrCode read_posed_face(const PosedFace& arguments, const Face* known = nullptr);
+
+/// Its scene; with `debug`, one of kFaceDebugs, what moves it is drawn over it.
+struct SceneOrCode {
+  std::optional<Scene> scene;
+  int code = kDone;
+  double read = 0, made = 0;  ///< [s] reading and posing; making the scene
+};
+SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::string>& debug);
+
+}  // namespace mien::command

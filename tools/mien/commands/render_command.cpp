@@ -1,0 +1,261 @@
+// mien render: read, pose, draw, write; and stop in between when asked to.
+
+#include <mien/error_map.h>
+#include <mien/face_file.h>
+#include <mien/face_model.h>
+#include <mien/morph_heat.h>
+#include <mien/scene_from_face.h>
+#include "lib/base/monotonic_seconds.h"
+#include "render/image/write_pieces.h"
+#include "tools/mien/cli/option_words.h"
+#include "tools/mien/cli/parse_values.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/posed_face.h"
+#include "tools/mien/commands/render_plan.h"
+#include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/effected_rows.h"
+#include "tools/mien/output/image_loader.h"
+#include "tools/mien/output/recipe.h"
+#include "tools/mien/output/write_strips.h"
+#include "tools/mien/terminal/interrupt.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+namespace mien::command {
+namespace {
+
+/// [s] that each part took; of drawing and writing, which go hand in hand, `picture` is the time
+/// together, the others are those of all threads.
+struct Times {
+  double read = 0, scene = 0, picture = 0;
+};
+
+std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const Times& times) {
+  return fmt::format(
+      "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, "
+      "\"varied_pixels\": {}, \"edge_pixels\": {}, \"resolved_pixels\": {}, \"pieces\": {}, "
+      "\"crossings\": {}, \"regions\": {}, \"doubts\": {}, \"roots\": {}, \"distances\": {}, "
+      "\"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
+      "\"picture\": {:.6f}, \"draw\": {:.6f}, \"encode\": {:.6f}, \"roots\": {:.6f}, "
+      "\"distances\": {:.6f}, \"write\": {:.6f}}}, \"solving_share\": {:.3f}}}\n",
+      drawn.width, drawn.height, stats.render.pixels, stats.render.fill_pixels,
+      stats.render.varied_pixels, stats.render.edge_pixels, stats.render.resolved_pixels,
+      stats.render.pieces, stats.render.crossings, stats.render.regions, stats.render.doubts,
+      stats.render.roots, stats.render.distances, times.read, times.scene, times.picture,
+      stats.draw, stats.encode, stats.render.root_seconds, stats.render.distance_seconds, stats.put,
+      (stats.render.root_seconds + stats.render.distance_seconds) / std::max(stats.draw, 1e-9));
+}
+
+/// On standard output, unless a picture is there.
+int print_stats(const std::string& text, const std::string& output) {
+  if (output != "-") return print(text);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  return kDone;
+}
+
+Expected<Done> check_output(const std::string& output, const WriteOptions& write) {
+  if (output == "-" && ::isatty(STDOUT_FILENO)) {
+    return Error{"-o -", "will not write a picture to a terminal; redirect it or name a file"};
+  }
+  return check_target(output, write);
+}
+
+/// Rows of a strip that is to have so many pixels, and whole strips of the renderer's.
+int rows_of(int pixels, int width) {
+  return std::max(pixels / width / 16, 1) * 16;
+}
+
+PictureFrame frame_of(const RenderPlan& plan, Depth depth, bool opaque) {
+  const PixelRect rect = drawn_rect(plan.view);
+  return {rect.width, rect.height, depth, opaque};
+}
+
+/// The part of the view that is a strip of what it shows.
+View strip_of(const View& view, int y, int rows) {
+  const PixelRect rect = drawn_rect(view);
+  View strip = view;
+  strip.region = PixelRect{rect.x, rect.y + y, rect.width, rows};
+  return strip;
+}
+
+Expected<PictureStats> write_with_effects(const std::string& output, const RenderPlan& plan,
+                                          const Scene& scene, const std::vector<Effect>& effects) {
+  constexpr int kPixels = 1 << 22;
+  const RenderOptions how{.depth = plan.picture.depth.value_or(Depth::u8),
+                          .threads = plan.picture.write.threads};
+  const bool opaque = plan.view.background.value_or(scene.background()).a >= 1.0;
+  std::optional<EffectedRows> rows;
+  auto stats = write_strips(
+      {frame_of(plan, how.depth, opaque), EffectedRows::row_bytes(plan.view, how.depth),
+       rows_of(kPixels, plan.view.width),
+       [&](int, int count, const Progress& progress) {
+         if (!rows) rows.emplace(scene, plan.view, how, effects, count);
+         return rows->next(count, progress);
+       }},
+      output, plan.picture);
+  if (stats) stats->render = rows->stats();
+  return stats;
+}
+
+/// Instead of the face's own picture. A strip cannot be stopped half-way: where each pixel asks for
+/// distances it is a few rows.
+Expected<PictureStats> write_debug(const std::string& output, const RenderPlan& plan,
+                                   const Scene& scene) {
+  const bool slow = *plan.debug == DebugPicture::distance || *plan.debug == DebugPicture::normals;
+  const std::uint64_t pixel = 2 * 4;  // as it is made and as it waits
+  return write_strips(
+      {frame_of(plan, Depth::u8, true), pixel * std::uint64_t(drawn_rect(plan.view).width),
+       slow ? 4 : rows_of(1 << 20, drawn_rect(plan.view).width),
+       [&](int y, int rows, const Progress&) {
+         return debug_picture(scene, strip_of(plan.view, y, rows), *plan.debug,
+                              plan.picture.write.threads);
+       }},
+      output, plan.picture);
+}
+
+/// A cancelled picture's error, or another.
+int complain_of(const Error& error) {
+  return interrupted() ? complain("interrupted", kFailed) : complain(error, kFailed);
+}
+
+int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Scene& scene,
+                   const std::vector<Effect>& effects, Times times) {
+  Expected<PictureStats> done = PictureStats{};
+  {
+    ProgressDisplay display(plan.progress);
+    plan.picture.write.recipe = recipe(arguments, plan.view);
+    plan.picture.write.progress = display.watch("render");
+    const double began = monotonic_seconds();
+    if (plan.debug)
+      done = write_debug(arguments.output, plan, scene);
+    else if (!effects.empty())
+      done = write_with_effects(arguments.output, plan, scene, effects);
+    else
+      done = write_picture_by(load_encoder, scene, plan.view, arguments.output, plan.picture);
+    times.picture = monotonic_seconds() - began;
+  }
+  if (!done) return complain_of(done.error());
+  return plan.stats ? print_stats(stats_text(*done, drawn_rect(plan.view), times), arguments.output)
+                    : kDone;
+}
+
+/// Bounds of the picture's errors as grey, in strips. White is the largest of them: the first strip
+/// waits until all have been looked through, and they are found twice unless there is but one.
+class ErrorStrips {
+ public:
+  ErrorStrips(const RenderPlan& plan, const Scene& scene)
+      : plan_(plan), scene_(scene), height_(drawn_rect(plan.view).height) {}
+
+  Image at(int y, int rows, const Progress& progress) {
+    for (int from = 0; y == 0 && from < height_; from += rows) {
+      find(from, std::min(rows, height_ - from));
+      worst_ = std::max(worst_, map_.worst);
+      if (!progress(0)) return {};
+    }
+    find(y, rows);
+    map_.worst = worst_;
+    return map_.image();
+  }
+
+  /// When all were looked through.
+  std::string verdict() const {
+    return fmt::format(
+        "no channel is off by more than {:.3f} of 255, rounding left out{}\n", worst_,
+        map_.unproven ? "; light and gradients along a distance are estimated, not proven" : "");
+  }
+
+ private:
+  void find(int y, int rows) {
+    if (y == y_ && rows == map_.height) return;
+    map_ = error_map(scene_, strip_of(plan_.view, y, rows), plan_.picture.depth.value_or(Depth::u8),
+                     plan_.picture.write.threads);
+    y_ = y;
+  }
+
+  const RenderPlan& plan_;
+  const Scene& scene_;
+  const int height_;
+  int y_ = -1;
+  ErrorMap map_;
+  float worst_ = 0;
+};
+
+int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene) {
+  constexpr int kPixels = 1 << 22;
+  const auto width = drawn_rect(plan.view).width;
+  // Pixels on the way, their bounds, and these as grey, twice: made and waiting.
+  const std::size_t pixel = 4 * bytes_per_channel(plan.picture.depth.value_or(Depth::u8)) + 3 * 4;
+  ErrorStrips strips(plan, scene);
+  Expected<PictureStats> done = PictureStats{};
+  {
+    ProgressDisplay display(plan.progress);
+    PictureOptions how{.write = plan.error_map_write, .memory = plan.picture.memory};
+    how.write.recipe = recipe(arguments, plan.view);
+    how.write.progress = display.watch("error map");
+    done = write_strips(
+        {frame_of(plan, Depth::u8, true), pixel * std::uint64_t(width), rows_of(kPixels, width),
+         [&](int y, int rows, const Progress& progress) { return strips.at(y, rows, progress); }},
+        *plan.error_map, how);
+  }
+  if (!done) return complain_of(done.error());
+  return print_stats(strips.verdict(), *plan.error_map == "-" ? *plan.error_map : arguments.output);
+}
+
+/// The face, or how far its points have gone.
+Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
+  if (arguments.debug != kMorphDebug) return scene_from_face(posed);
+  const auto rest = read_face(arguments.posed.face);
+  if (!rest) return rest.error();
+  const MorphHeat heat = morph_heat(*rest, posed);
+  if (arguments.output != "-")
+    print(fmt::format("largest displacement {:.6g} {}\n", heat.largest, posed.model->canvas.unit));
+  return heat.scene;
+}
+
+}  // namespace
+
+int render_command(const RenderArguments& arguments) {
+  auto plan = plan_render(arguments);
+  if (!plan) return complain(plan.error(), kUsedWrongly);
+  if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {
+    return complain(writable.error(), kFailed);
+  }
+  if (plan->error_map) {
+    if (*plan->error_map == arguments.output)
+      return complain({"--error-map " + *plan->error_map, "is the picture's own name"},
+                      kUsedWrongly);
+    if (auto writable = check_target(*plan->error_map, plan->error_map_write); !writable)
+      return complain(writable.error(), kFailed);
+  }
+  Times times;
+  double began = monotonic_seconds();
+  const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);
+  const auto posed = read_posed_face(arguments.posed);
+  if (!posed.face) return posed.code;
+  times.read = monotonic_seconds() - began;
+
+  began = monotonic_seconds();
+  const auto over = face_debug ? read_scene(arguments.posed, arguments.debug) : SceneOrCode{};
+  const auto drawn =
+      over.scene ? Expected<Scene>(*over.scene) : scene_to_draw(arguments, *posed.face);
+  if (!drawn) return complain(drawn.error(), kUsedWrongly);
+  const Scene& scene = *drawn;
+  times.scene = monotonic_seconds() - began;
+  if (auto planned = plan_view(*plan, arguments, scene.canvas()); !planned) {
+    return complain(planned.error(), kUsedWrongly);
+  }
+  const auto effects = read_effects(arguments, *posed.face, plan->view.width);
+  if (!effects) return complain(effects.error(), kUsedWrongly);
+  watch_interrupts();
+  int code = draw_and_write(arguments, *plan, scene, *effects, times);
+  if (code == kDone && plan->error_map) code = write_error_map(arguments, *plan, scene);
+  if (code != kDone && interrupted()) die_of_interrupt();
+  return code;
+}
+
+}  // namespace mien::command

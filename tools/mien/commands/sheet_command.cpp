@@ -1,0 +1,165 @@
+// mien sheet: a grid of one face at many poses, each with its name.
+
+#include <mien/face_model.h>
+#include <mien/poser.h>
+#include <mien/render.h>
+#include <mien/scene_from_face.h>
+#include "render/image/write_pieces.h"
+#include "sdf/from_face/caption.h"
+#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/parse_values.h"
+#include "tools/mien/cli/sheet_options.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/posed_face.h"
+#include "tools/mien/commands/render_plan.h"
+#include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/image_loader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace mien::command {
+namespace {
+
+/// A picture of the sheet and what is written below it.
+struct Cell {
+  std::string caption;
+  Image image;
+};
+using Cells = std::vector<Cell>;
+
+struct CellsOrCode {
+  Cells cells;
+  int code = kDone;
+};
+
+constexpr int kDefaultCell = 320;  ///< [px] a cell's longer side
+constexpr int kMostCell = 4096;
+constexpr int kDefaultColumns = 3, kMostColumns = 1000;
+constexpr int kMostGap = 1000;                            // [px]
+constexpr std::size_t kMostBytes = std::size_t(1) << 30;  // of the whole sheet
+
+/// Each emotion; then, with --half, each at half strength.
+CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Size size) {
+  const FaceModel& model = *face.model;
+  Poser poser(face);
+  Cells cells;
+  for (const double strength : {1.0, 0.5}) {
+    if (strength != 1 && !arguments.half) break;
+    for (const Expression& expression : model.expressions) {
+      if (!expression.name.starts_with("emotion.")) continue;
+      const auto control =
+          std::find_if(model.controls.begin(), model.controls.end(),
+                       [&](const Control& c) { return c.name == expression.name; });
+      Pose pose;
+      pose.settings.push_back({true, int(control - model.controls.begin()), {strength}});
+      cells.push_back({expression.name.substr(8) + (strength != 1 ? " 50%" : ""),
+                       render(scene_from_face(poser.pose(pose)),
+                              {.width = size.width, .height = size.height})});
+    }
+  }
+  if (cells.empty()) return {{}, complain({arguments.face, "this face has no emotions"}, kFailed)};
+  return {std::move(cells)};
+}
+
+/// Each --picture.
+CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
+  Cells cells;
+  for (const std::string& text : arguments.pictures) {
+    auto picture = read_sheet_picture(text);
+    if (!picture) return {{}, complain(picture.error(), kUsedWrongly)};
+    RenderArguments& how = picture->render;
+    how.posed.face = arguments.face;
+    how.size = fmt::format("{}x{}", size.width, size.height);
+    auto plan = plan_frame(how);
+    if (!plan) return {{}, complain(plan.error(), kUsedWrongly)};
+    const PosedOrCode posed = read_posed_face(how.posed, &face);
+    if (!posed.face) return {{}, posed.code};
+    const Scene scene = scene_from_face(*posed.face);
+    if (auto done = plan_view(*plan, how, scene.canvas()); !done)
+      return {{}, complain(done.error(), kUsedWrongly)};
+    const auto effects = read_effects(how, *posed.face, plan->view.width);
+    if (!effects) return {{}, complain(effects.error(), kUsedWrongly)};
+    auto drawn = drawn_picture(scene, plan->view, {}, *effects);
+    if (!drawn) return {{}, complain({"--picture " + text, drawn.error().what}, kFailed)};
+    cells.push_back({picture->name, *std::move(drawn)});
+    const Image &first = cells[0].image, &last = cells.back().image;
+    if (last.width != first.width || last.height != first.height)
+      return {{},
+              complain({"--picture " + text,
+                        fmt::format("has {} x {} pixels, the first one {} x {}", last.width,
+                                    last.height, first.width, first.height)},
+                       kUsedWrongly)};
+  }
+  return {std::move(cells)};
+}
+
+/// Copies a picture to a place of the sheet.
+void lay(Image& sheet, const Image& picture, int x, int y) {
+  for (int r = 0; r < picture.height; ++r)
+    std::memcpy(sheet.bytes.data() + sheet.stride() * std::size_t(y + r) + std::size_t(x) * 4,
+                picture.bytes.data() + picture.stride() * std::size_t(r), picture.stride());
+}
+
+/// Rows of `columns` pictures on white, `gap` apart, above their captions if there are any.
+Expected<Image> sheet_of(const Cells& cells, int columns, int gap) {
+  const int width = cells[0].image.width, height = cells[0].image.height;
+  const bool named =
+      std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return !c.caption.empty(); });
+  const int strip = named ? std::max(12, height / 9) : 0, count = int(cells.size());
+  columns = std::min(columns, count);
+  const std::size_t rows = std::size_t((count + columns - 1) / columns);
+  const std::size_t wide = std::size_t(columns) * std::size_t(width + gap) - std::size_t(gap),
+                    high = rows * std::size_t(height + strip + gap) - std::size_t(gap);
+  if (wide * high > kMostBytes / 4) return Error{"sheet", "larger than a GiB"};
+  Image sheet{.width = int(wide), .height = int(high)};
+  sheet.bytes.assign(sheet.stride() * high, std::byte{255});
+  for (int i = 0; i < count; ++i) {
+    const Cell& cell = cells[std::size_t(i)];
+    const int x = i % columns * (width + gap), y = i / columns * (height + strip + gap);
+    lay(sheet, cell.image, x, y);
+    if (!cell.caption.empty())
+      lay(sheet,
+          render(caption_scene(cell.caption, double(width) / strip),
+                 {.width = width, .height = strip}),
+          x, y + height);
+  }
+  return sheet;
+}
+
+/// --cell.
+Expected<Size> read_cell(const SheetArguments& arguments, const Face& face) {
+  const glm::dvec2 extent = face.model->canvas.box.size();
+  auto size = read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
+  if (!size) return Error{"--cell " + *arguments.cell, size.error().what};
+  if (size->width > kMostCell || size->height > kMostCell)
+    return Error{"--cell", fmt::format("a cell has {} pixels a side at most", kMostCell)};
+  return size;
+}
+
+}  // namespace
+
+int sheet_command(const SheetArguments& arguments) {
+  if (!arguments.pictures.empty() && (arguments.emotions || arguments.half))
+    return complain("--picture: a sheet has pictures or emotions, not both", kUsedWrongly);
+  const auto columns = read_whole(
+      "--columns", arguments.columns.value_or(std::to_string(kDefaultColumns)), 1, kMostColumns);
+  if (!columns) return complain(columns.error(), kUsedWrongly);
+  const auto gap = read_whole("--gap", arguments.gap.value_or("0"), 0, kMostGap);
+  if (!gap) return complain(gap.error(), kUsedWrongly);
+  const auto face = read_face_aloud(arguments.face);
+  if (!face) return kFailed;
+  const auto size = read_cell(arguments, *face);
+  if (!size) return complain(size.error(), kUsedWrongly);
+  const CellsOrCode made = arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
+                                                      : picture_cells(arguments, *face, *size);
+  if (made.code != kDone) return made.code;
+  const auto sheet = sheet_of(made.cells, int(*columns), int(*gap));
+  if (!sheet) return complain(sheet.error(), kFailed);
+  const auto done = write_image_by(load_encoder, *sheet, arguments.output, {});
+  return done ? int(kDone) : complain(done.error(), kFailed);
+}
+
+}  // namespace mien::command

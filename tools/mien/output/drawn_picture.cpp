@@ -1,0 +1,46 @@
+#include "tools/mien/output/drawn_picture.h"
+#include <mien/effect_chain.h>
+#include <mien/face_model.h>
+#include "tools/mien/output/effected_rows.h"
+
+#include <fmt/format.h>
+
+#include <new>
+
+namespace mien::command {
+
+Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, const Face& face,
+                                           int width) {
+  std::vector<Effect> effects;
+  if (arguments.effects.empty()) {
+    effects = face.model->effects;
+  } else if (arguments.effects != std::vector<std::string>{"none"}) {
+    for (const std::string& text : arguments.effects) {
+      const auto effect = read_effect(text);
+      if (!effect) return Error{"--effect " + effect.error().where, effect.error().what};
+      effects.push_back(*effect);
+    }
+  }
+  for (const Effect& effect : effects)
+    if (const auto fits = check_effect(effect, width); !fits)
+      return Error{arguments.effects.empty() ? arguments.posed.face : "--effect",
+                   fits.error().what};
+  return effects;
+}
+
+Expected<Image> drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
+                              const std::vector<Effect>& effects) {
+  const PixelRect rect = drawn_rect(view);
+  try {
+    constexpr int kStrip = 16;  // rows
+    Image image = effects.empty()
+                      ? render(scene, view, how)
+                      : EffectedRows(scene, view, how, effects, kStrip).next(rect.height, {});
+    if (image.height > 0) return image;
+  } catch (const std::bad_alloc&) {
+  }
+  return Error{
+      "", fmt::format("memory ran out: the picture has {} x {} pixels", rect.width, rect.height)};
+}
+
+}  // namespace mien::command

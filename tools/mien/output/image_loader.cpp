@@ -1,0 +1,32 @@
+#include "tools/mien/output/image_loader.h"
+#include "render/image/png/png_encoder.h"
+
+#include <dlfcn.h>
+
+namespace mien::command {
+namespace {
+
+/// By its bare name: the dynamic linker looks along the command's own RUNPATH, which the build sets
+/// relative to it.
+Expected<const ImageModule*> load(const char* file) {
+  const auto refuse = [&] {
+    const char* said = ::dlerror();
+    return Error{"", std::string("cannot load what writes pictures: ") + (said ? said : file)};
+  };
+  void* const module = ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
+  if (!module) return refuse();
+  const auto entry = reinterpret_cast<ImageModuleEntry>(::dlsym(module, kImageModuleEntry));
+  if (!entry) return refuse();
+  return entry();
+}
+
+}  // namespace
+
+MadeEncoder load_encoder(const EncoderRequest& request) {
+  if (request.type == FileType::png) return png_encoder(request);
+  const auto module = load(request.type == FileType::tiff ? kTiffModuleFile : kOiioModuleFile);
+  if (!module) return module.error();
+  return (*module)->make(request);
+}
+
+}  // namespace mien::command

@@ -1,0 +1,35 @@
+#pragma once
+// The frames that `mien pca` works on: of a file of NumPy's, or of a face.
+
+#include <mien/face.h>
+#include <mien/npy.h>
+#include <mien/pca.h>
+#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/pca_arguments.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace mien::command {
+
+struct PcaFrames {
+  std::size_t vertices = 0, dimensions = 1;
+  bool single = false;
+  VertexGroups groups;
+  std::optional<Face> face;  ///< of which they are
+  FrameRange range;
+  double fps = 30;
+  MatrixSource source;
+
+  std::shared_ptr<std::vector<double>> rows;  ///< of a face: what `source` reads
+};
+
+/// Reads what --frames, --fps, --set and --size say as well. Errors are told and give an exit code.
+struct PcaFramesOrCode {
+  std::optional<PcaFrames> frames;
+  int code;
+};
+PcaFramesOrCode read_pca_frames(const PcaArguments& arguments);
+
+}  // namespace mien::command

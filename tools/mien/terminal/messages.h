@@ -1,0 +1,22 @@
+#pragma once
+// What the command says: on standard error one line each, on standard output its result.
+
+#include <mien/expected.h>
+#include "tools/mien/terminal/exit_code.h"
+
+#include <string_view>
+#include <vector>
+
+namespace mien::command {
+
+/// "mien: SENTENCE" on standard error, always one line; gives `code` back.
+int complain(std::string_view sentence, ExitCode code);
+int complain(const Error& error, ExitCode code);
+
+/// "mien: warning: …", a line each.
+void warn(const std::vector<Error>& warnings);
+
+/// The whole text to standard output, flushed; complains and gives kFailed if that fails.
+int print(std::string_view text);
+
+}  // namespace mien::command
