@@ -5,9 +5,10 @@
 //   const auto posed = mien::pose_face(*face, {.time = 1.25});                // Face  -> Face
 //   const auto scene = mien::scene_from_face(posed);                          // Face  -> Scene
 //   const auto image = mien::render(scene, {.width = 7680, .height = 4320});  // Scene -> Image
-//   mien::write_image(image, "toon.png");  // <mien/image.h>                     Image -> file
+//   mien::write_image(*image, "toon.png");  // <mien/write.h>                    Image -> file
 //
-// Only the first and the last verb can fail, and say so in a sentence. No global state, nothing
+// A verb that fails says so in a sentence: the first and the last by their files, render where memory
+// does not hold the pixels. No global state, nothing
 // printed, no exception crosses the API, every verb re-entrant.
 
 #include <mien/face_file.h>

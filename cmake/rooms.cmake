@@ -29,6 +29,11 @@ function(mien_house_rules target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${MIEN_INCLUDE_DIR})
   # One rule for fused multiply-add: only where the source says fma. Else bits differ between compilers.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
+  # Where files are compiled together (CMAKE_UNITY_BUILD), those of the SIMD kernels stand alone: each is compiled
+  # once for every instruction set.
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "_simd\\.cpp$|shipped_font\\.cpp$")
+  set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(BUILD_SHARED_LIBS)
@@ -36,7 +41,8 @@ function(mien_house_rules target)
   endif()
   if(MIEN_WARNINGS)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                           -Wno-missing-field-initializers -Werror)
+                           -Wno-missing-field-initializers -Werror
+                           $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 

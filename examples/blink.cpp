@@ -15,8 +15,10 @@ int main(int argc, char** argv) {
   constexpr int kWidth = 320, kHeight = 180;
   std::vector<unsigned char> open(kWidth * kHeight * 4), frame(open.size());
   const auto draw = [&](std::vector<unsigned char>& into, const mien::Face& posed) {
-    mien::render_into({.data = into.data(), .stride = kWidth * 4}, mien::scene_from_face(posed),
-                      {.width = kWidth, .height = kHeight});
+    const auto done =
+        mien::render_into({.data = into.data(), .stride = kWidth * 4}, mien::scene_from_face(posed),
+                          {.width = kWidth, .height = kHeight});
+    if (!done) std::puts(sentence(done.error()).c_str());
   };
 
   draw(open, *face);

@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
   const auto scene = mien::scene_from_face(posed);
   const auto image = mien::render(scene, {.width = 1920, .height = 1080});
 
-  const auto written = mien::write_image(image, argv[2]);
+  if (!image) return std::puts(sentence(image.error()).c_str()), 1;
+
+  const auto written = mien::write_image(*image, argv[2]);
   if (!written) return std::puts(sentence(written.error()).c_str()), 1;
 }

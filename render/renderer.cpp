@@ -1,6 +1,7 @@
 #include <mien/renderer.h>
 #include "render/rows/drawing.h"
 #include "render/rows/frame_memory.h"
+#include "render_error_private.h"
 
 #include <algorithm>
 #include <atomic>
@@ -39,11 +40,6 @@ class Watch {
   std::mutex mutex_;
   std::atomic<bool> cancelled_ = false;
 };
-
-bool drawable(const View& view) {
-  const auto valid = [](int side) { return side >= 1 && side <= View::kMaxSide; };
-  return valid(view.width) && valid(view.height);
-}
 
 }  // namespace
 
@@ -117,19 +113,21 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-bool Renderer::render_into(const PixelBuffer& out, const Scene& scene, const View& view,
-                           const RenderOptions& how, RenderStats* stats) {
-  if (!drawable(view)) return false;
+Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene, const View& view,
+                                     const RenderOptions& how, RenderStats* stats) {
+  if (!drawable(view)) return invalid_size(view);
+  const PixelRect rect = drawn_rect(view);
   try {
     if (!scratch_) scratch_ = std::make_unique<Scratch>();
     scratch_->make(scene, view, out.depth);
     const RenderStats took =
-        scratch_->draw({static_cast<std::byte*>(out.data), out.stride, drawn_rect(view)}, how);
+        scratch_->draw({static_cast<std::byte*>(out.data), out.stride, rect}, how);
     if (stats) *stats = took;
-    return !took.cancelled;
+    if (took.cancelled) return drawing_cancelled();
+    return Done{};
   } catch (const std::bad_alloc&) {
     scratch_.reset();
-    return false;
+    return out_of_memory(rect);
   }
 }
 

@@ -26,8 +26,8 @@ class MIEN_API Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   /// See render_into (render.h).
-  bool render_into(const PixelBuffer& out, const Scene& scene, const View& view,
-                   const RenderOptions& how = {}, RenderStats* stats = nullptr);
+  Expected<Done> render_into(const PixelBuffer& out, const Scene& scene, const View& view,
+                             const RenderOptions& how = {}, RenderStats* stats = nullptr);
 
  private:
   struct Scratch;

@@ -33,7 +33,7 @@ using test::write_text;
 // OpenImageIO is to start none.
 const bool single_threaded = OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);
 
-constexpr const char* kNames[] = {"a.png", "a.tif", "a.exr", "a.jpg"};
+constexpr const char* kFileNames[] = {"a.png", "a.tif", "a.exr", "a.jpg"};
 
 /// Runs `work` in a process of its own and gives what it returns.
 int in_child(const std::function<int()>& work) {
@@ -46,7 +46,7 @@ int in_child(const std::function<int()>& work) {
 
 TEST(WriteImage, WritesEveryKindAndNothingElse) {
   const ScratchFolder folder;
-  for (const char* name : kNames) {
+  for (const char* name : kFileNames) {
     const auto done = write_image(sample_image(33, 22, Depth::u8, true), folder / name);
     ASSERT_TRUE(done) << sentence(done.error());
     EXPECT_TRUE(OIIO::ImageInput::open((folder / name).string())) << name;
@@ -90,7 +90,7 @@ TEST(WriteImage, ErrorsAreSentencesAndKeepTheOldFile) {
 
 TEST(WriteImage, ACancelledOneKeepsTheOldFile) {
   const ScratchFolder folder;
-  for (const char* name : kNames) {
+  for (const char* name : kFileNames) {
     write_text(folder / name, "old");
     const WriteOptions how{.progress = [](double done) { return done < 0.4; }};
     EXPECT_EQ(
@@ -98,14 +98,14 @@ TEST(WriteImage, ACancelledOneKeepsTheOldFile) {
         (folder / name).string() + ": cancelled");
     EXPECT_TRUE(read_text(folder / name) == "old");
   }
-  EXPECT_EQ(folder.names().size(), std::size(kNames));
+  EXPECT_EQ(folder.names().size(), std::size(kFileNames));
 }
 
 /// A limit on a file's size fails like a full disk, wherever it strikes; so every length is tried
 /// up to the whole.
 TEST(WriteImage, AFileCutAnywhereIsAnErrorAndKeepsTheOldFile) {
   const Image image = sample_image(70, 50, Depth::u8, true);
-  for (const char* name : kNames) {
+  for (const char* name : kFileNames) {
     const ScratchFolder folder;
     ASSERT_TRUE(write_image(image, folder / name));
     const auto size = fs::file_size(folder / name);
@@ -135,7 +135,7 @@ TEST(WriteImage, AFullDiskIsAnErrorAndKeepsTheOldFile) {
   Image noise = sample_image(300, 200, Depth::u16, true);  // not to be made smaller
   std::mt19937 dice(1);
   for (auto& byte : noise.bytes) byte = std::byte(dice());
-  for (const char* name : kNames) {
+  for (const char* name : kFileNames) {
     write_text(folder / name, "old");
     const auto done = write_image(noise, folder / name);
     EXPECT_FALSE(done);
@@ -145,7 +145,7 @@ TEST(WriteImage, AFullDiskIsAnErrorAndKeepsTheOldFile) {
     }
     EXPECT_TRUE(read_text(folder / name) == "old");
   }
-  EXPECT_EQ(folder.names().size(), std::size(kNames));
+  EXPECT_EQ(folder.names().size(), std::size(kFileNames));
   EXPECT_EQ(::umount(folder.path().c_str()), 0);
 }
 
@@ -185,10 +185,10 @@ TEST(WriteImage, PipesAndDevicesAreWrittenStraightInto) {
 
 TEST(CheckTarget, SaysBeforehandWhatWouldFail) {
   const ScratchFolder folder;
-  EXPECT_TRUE(check_target(folder / "a.png"));
-  EXPECT_TRUE(check_target("-"));
+  EXPECT_TRUE(check_output(folder / "a.png"));
+  EXPECT_TRUE(check_output("-"));
   EXPECT_EQ(
-      sentence(check_target(folder / "none/a.png").error()),
+      sentence(check_output(folder / "none/a.png").error()),
       sentence(write_image(sample_image(3, 2, Depth::u8, true), folder / "none/a.png").error()));
   EXPECT_TRUE(folder.names().empty());
 }

@@ -97,14 +97,14 @@ Ran run(const Options& o, Crowd crowd, int count) {
   Peer peer(still, view);
   const double end = now_ms() + 1000 * o.seconds;
   // The first of each warms up, and is compared.
-  const double first = ms_of([&] { renderer.render_into(buffer, still, view, how); });
+  const double first = ms_of([&] { renderer.render_into(buffer, still, view, how).value(); });
   peer.draw();
   const double off = peer.draws() ? peer.difference(pixels.data()) : 0;
   std::vector<double> draws, cairos;
   for (int i = 0; i < (o.rounds ? o.rounds : kMostRounds); ++i) {
     if (i > 0 && !o.rounds && now_ms() > end) break;
     const Scene scene = crowd_scene(crowd, count, o.seed, i + 1);
-    draws.push_back(ms_of([&] { renderer.render_into(buffer, scene, view, how); }));
+    draws.push_back(ms_of([&] { renderer.render_into(buffer, scene, view, how).value(); }));
     cairos.push_back(peer.draw());
   }
   tell(o, crowd, count, median(draws), median(cairos), draws.size(), off);

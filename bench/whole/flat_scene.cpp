@@ -10,12 +10,12 @@ Area copied(SceneBuilder& to, const Scene& from, const Node& node, const std::ve
   if (node.op == Op::shape) return to.shape(from.shapes()[std::size_t(node.a)]);
   const Area a = made[std::size_t(node.a)], b = node.b < 0 ? a : made[std::size_t(node.b)];
   switch (node.op) {
-    case Op::either:
-      return to.either(a, b);
-    case Op::both:
-      return to.both(a, b);
-    case Op::without:
-      return to.without(a, b);
+    case Op::unite:
+      return to.unite(a, b);
+    case Op::intersect:
+      return to.intersect(a, b);
+    case Op::subtract:
+      return to.subtract(a, b);
     case Op::complement:
       return to.complement(a);
     case Op::offset:

@@ -21,7 +21,7 @@ double FrameDrawer::frame(const Face& face, const Pose& pose) {
 }
 
 double FrameDrawer::draw(const Scene& scene) {
-  return ms_of([&] { renderer_.render_into(buffer_, scene, view_, how_); });
+  return ms_of([&] { renderer_.render_into(buffer_, scene, view_, how_).value(); });
 }
 
 }  // namespace mien::bench

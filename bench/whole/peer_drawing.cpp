@@ -241,7 +241,7 @@ class Maker {
     if (node.op == Op::shape) {
       return std::visit(FigureOf{}, transformed(pixels_, scene_.shapes()[std::size_t(node.a)]));
     }
-    if (node.op != Op::both) throw Refusal{"an area that is no intersection"};
+    if (node.op != Op::intersect) throw Refusal{"an area that is no intersection"};
     PeerFigure inner = figure({node.a});
     PeerFigure outer = figure({node.b});
     if (outer.kind == PeerFigure::Kind::ellipse) outer.path = ellipse_path(outer.ellipse);

@@ -1,8 +1,6 @@
 #pragma once
 // Which known name was probably meant.
 
-#include <mien/api.h>
-
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,15 +9,14 @@ namespace mien {
 
 /// The least number of letters inserted, deleted, replaced or swapped with their neighbour that
 /// turns a into b (optimal string alignment); anything above `most` is reported as most + 1.
-MIEN_API int edit_distance(std::string_view a, std::string_view b, int most);
+int edit_distance(std::string_view a, std::string_view b, int most);
 
 /// The name nearest to `wanted`, the first of equals; empty if none is within half its length (at
 /// most 8 edits).
-MIEN_API std::string_view nearest_name(std::string_view wanted,
-                                       const std::vector<std::string_view>& names);
+std::string_view nearest_name(std::string_view wanted, const std::vector<std::string_view>& names);
 
 /// `no WHAT named "wanted"; did you mean "nearest"?`, or without the question if nothing is near.
-MIEN_API std::string unknown_name(std::string_view what, std::string_view wanted,
-                                  const std::vector<std::string_view>& names);
+std::string unknown_name(std::string_view what, std::string_view wanted,
+                         const std::vector<std::string_view>& names);
 
 }  // namespace mien

@@ -1,8 +1,6 @@
 #pragma once
 // Strangers' text inside a message: always one line, always short, always printable UTF-8.
 
-#include <mien/api.h>
-
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,13 +9,13 @@ namespace mien {
 
 /// The text with control characters and broken UTF-8 written as \xNN, cut after `longest` bytes
 /// ("…").
-MIEN_API std::string one_line(std::string_view text, std::size_t longest = 200);
+std::string one_line(std::string_view text, std::size_t longest = 200);
 
 /// one_line in double quotes, cut after 60 bytes.
-MIEN_API std::string in_quotes(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// How many bytes the UTF-8 character at the front of `text` has; 0 if it is broken or text is
 /// empty.
-MIEN_API int utf8_length(std::string_view text);
+int utf8_length(std::string_view text);
 
 }  // namespace mien

@@ -30,8 +30,8 @@ struct Toward {
 /// What a channel does to the face vector. Each leaves the vector as it is when the channel rests.
 using Drive = std::variant<Offset, Scale, KeyShapes, Toward>;
 
-/// Another channel's value += (value − rest) · by. What it nudges nudges nothing itself.
-struct Nudge {
+/// Another channel's value += (value − rest) · by. A channel coupled to another couples none itself.
+struct Coupling {
   int channel;
   double by;
 };
@@ -39,10 +39,10 @@ struct Nudge {
 /// One number that drives slices: a control, or a control's left or right half.
 struct Channel {
   double rest = 0;
-  double lo = 0, hi = 1;      ///< finite; values beyond act like the nearer end
-  std::vector<Drive> drives;  ///< act in this order
-  bool pose = false;          ///< the weight of a pose: acts before all that are not
-  std::vector<Nudge> nudges;  ///< of a pose
+  double lo = 0, hi = 1;            ///< finite; values beyond act like the nearer end
+  std::vector<Drive> drives;        ///< act in this order
+  bool pose = false;                ///< the weight of a pose: acts before all that are not
+  std::vector<Coupling> couplings;  ///< of a pose
 };
 
 /// A name for one channel ("gaze.left.x") or for a left and a right one at once ("gaze.x").

@@ -7,18 +7,16 @@
 //   vrm      the expression presets of VRM 1.0
 //   viseme   the 15 mouth shapes that lip-sync programs use (Oculus, Ready Player Me)
 
-#include <mien/api.h>
-
 #include <span>
 #include <string_view>
 
 namespace mien {
 
 /// The names of a set; empty: no set of the four.
-MIEN_API std::span<const std::string_view> standard_names(std::string_view set);
+std::span<const std::string_view> standard_names(std::string_view set);
 
 /// Whether the names of a set say themselves which side they mean, so that each is one number. Those
 /// of other sets have a left and a right half.
-MIEN_API bool names_have_sides(std::string_view set);
+bool names_have_sides(std::string_view set);
 
 }  // namespace mien

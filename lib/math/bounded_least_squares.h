@@ -1,8 +1,6 @@
 #pragma once
 // Linear least squares within bounds.
 
-#include <mien/api.h>
-
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +20,6 @@ struct BoundedLeastSquares {
 /// first that would leave its bounds stops there; then the one at a bound that wants to move most is
 /// set free. Ends at the optimum, after some tens of solves, but after 20 for each variable at the
 /// latest; never outside the bounds.
-MIEN_API std::vector<double> solve(const BoundedLeastSquares& problem);
+std::vector<double> solve(const BoundedLeastSquares& problem);
 
 }  // namespace mien

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
 
@@ -10,6 +11,11 @@ inline double norm(glm::dvec2 v) {
   const double squared = v.x * v.x + v.y * v.y;
   if (squared > 1e-280 && squared < 1e300) return std::sqrt(squared);
   return std::hypot(v.x, v.y);
+}
+
+/// The larger of |x| and |y|.
+inline double larger_side(glm::dvec2 v) {
+  return std::max(std::abs(v.x), std::abs(v.y));
 }
 
 }  // namespace mien

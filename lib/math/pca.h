@@ -6,8 +6,8 @@
 //   decode_pca(fit->basis, weights_of_frame, frame);     // mean + Σ wᵢ · componentᵢ
 //
 // The mean is taken off first. Components are orthonormal, the one of largest variance first, each
-// with its largest number positive, so that the same data always gives the same basis. Source:
-// items P3, P4, P7, P8.
+// with its largest number positive, so that the same data always gives the same basis. Sources:
+// docs/sources.md, principal components.
 
 #include <mien/api.h>
 #include <mien/expected.h>

@@ -8,8 +8,8 @@
 namespace mien {
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kNoise = 0x1p-51;  // of the terms' absolute sum; see cubic.cpp
+constexpr double kLargestQuartic = std::numeric_limits<double>::max();
+constexpr double kQuarticNoise = 0x1p-51;  // of the terms' absolute sum; see cubic.cpp
 
 struct Quartic {
   double a, b, c, d, e;
@@ -19,7 +19,7 @@ struct Quartic {
     const double size =
         (((std::abs(a) * y + std::abs(b)) * y + std::abs(c)) * y + std::abs(d)) * y + std::abs(e);
     return {(((a * x + b) * x + c) * x + d) * x + e,
-            ((4.0 * a * x + 3.0 * b) * x + 2.0 * c) * x + d, kNoise * size};
+            ((4.0 * a * x + 3.0 * b) * x + 2.0 * c) * x + d, kQuarticNoise * size};
   }
 };
 
@@ -51,19 +51,19 @@ QuarticRoots solve_quartic(double a, double b, double c, double d, double e) {
     return v;
   };
   const Roots turns = solve_cubic(4.0 * f.a, 3.0 * f.b, 2.0 * f.c, f.d);
-  double lo = -kLargest, sign_lo = f.a;
+  double lo = -kLargestQuartic, sign_lo = f.a;
   for (int i = 0; i <= turns.count; ++i) {
     const bool last = i == turns.count;
-    const double hi = last ? kLargest : turns.x[i];
+    const double hi = last ? kLargestQuartic : turns.x[i];
     const ValueSlope at = last ? ValueSlope{f.a, 0.0} : f.at(hi);
     const bool flat = !last && std::abs(at.value) <= at.noise;
     if (flat) {
       add(hi);
     } else if (sign_lo != 0.0 && (sign_lo < 0.0) != (at.value < 0.0)) {
       // From an end at infinity, start beside the other end.
-      const double beside = lo == -kLargest ? hi - std::max(1.0, std::abs(hi))
-                            : last          ? lo + std::max(1.0, std::abs(lo))
-                                            : 0.5 * lo + 0.5 * hi;
+      const double beside = lo == -kLargestQuartic ? hi - std::max(1.0, std::abs(hi))
+                            : last                 ? lo + std::max(1.0, std::abs(lo))
+                                                   : 0.5 * lo + 0.5 * hi;
       add(bracketed_root(value, lo, hi, sign_lo, beside, CubicContract::kMaxEvaluations));
     }
     lo = hi;

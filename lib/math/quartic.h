@@ -1,5 +1,4 @@
 #pragma once
-#include <mien/api.h>
 
 #include <array>
 
@@ -17,6 +16,6 @@ struct QuarticRoots {
 /// Method and error as solve_cubic's: monotone pieces between the derivative's roots, bracketed
 /// Newton, roots within rounding of a critical point are taken as double; |f(x)| <= 4·2⁻⁵²·(sum of
 /// |terms|).
-MIEN_API QuarticRoots solve_quartic(double a, double b, double c, double d, double e);
+QuarticRoots solve_quartic(double a, double b, double c, double d, double e);
 
 }  // namespace mien

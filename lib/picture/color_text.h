@@ -1,7 +1,6 @@
 #pragma once
 // Colours as people write them.
 
-#include <mien/api.h>
 #include <mien/color.h>
 
 #include <optional>
@@ -10,6 +9,6 @@
 namespace mien {
 
 /// "#rrggbb" or "#rrggbbaa", sRGB-encoded, upper or lower case; nothing else.
-MIEN_API std::optional<Color> color_from_text(std::string_view text);
+std::optional<Color> color_from_text(std::string_view text);
 
 }  // namespace mien

@@ -1,5 +1,5 @@
 #pragma once
-// Effects as data: what may be laid over a finished picture (items G9, G10).
+// Effects as data: what may be laid over a finished picture.
 
 #include <mien/api.h>
 #include <mien/color.h>

@@ -6,6 +6,8 @@
 #include <mien/image.h>
 #include <mien/view.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/vec4.hpp>
 
 namespace mien {
@@ -18,6 +20,11 @@ using Mix = glm::dvec4;
 Mix mix_from_color(const Color& color, Blend blend);
 
 /// `top` over `below`.
+/// The largest channel, taken positive.
+inline double largest(const Mix& m) {
+  return std::max({std::abs(m.r), std::abs(m.g), std::abs(m.b), std::abs(m.a)});
+}
+
 inline Mix over(const Mix& top, const Mix& below) {
   return top + (1.0 - top.a) * below;
 }

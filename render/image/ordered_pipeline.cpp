@@ -10,11 +10,11 @@
 namespace mien {
 namespace {
 
-class Line {
+class Pipeline {
  public:
   using Work = std::function<bool(int, int)>;
 
-  Line(int count, int slots, const Work& make, const Work& take)
+  Pipeline(int count, int slots, const Work& make, const Work& take)
       : count_(count), slots_(slots), make_(make), take_(take), ready_(std::size_t(slots)) {}
 
   void work() {
@@ -90,13 +90,13 @@ int thread_count(const Threads& threads) {
   return threads.executor || threads.count <= 0 ? all : std::min(threads.count, all);
 }
 
-bool in_order(int count, int slots, const Threads& threads,
-              const std::function<bool(int, int)>& make,
-              const std::function<bool(int, int)>& take) {
-  Line line(count, slots, make, take);
+bool ordered_pipeline(int count, int slots, const Threads& threads,
+                      const std::function<bool(int, int)>& make,
+                      const std::function<bool(int, int)>& take) {
+  Pipeline pipeline(count, slots, make, take);
   parallel_for(std::min(thread_count(threads), std::max(count, 1)), threads,
-               [&](int) { line.work(); });
-  return line.done();
+               [&](int) { pipeline.work(); });
+  return pipeline.done();
 }
 
 }  // namespace mien

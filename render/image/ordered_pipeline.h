@@ -14,9 +14,9 @@ namespace mien {
 ///
 /// Takes run on whichever thread has the next one ready, while others make. With the caller's own
 /// executor it is right in any order, even one after the other.
-bool in_order(int count, int slots, const Threads& threads,
-              const std::function<bool(int i, int slot)>& make,
-              const std::function<bool(int i, int slot)>& take);
+bool ordered_pipeline(int count, int slots, const Threads& threads,
+                      const std::function<bool(int i, int slot)>& make,
+                      const std::function<bool(int i, int slot)>& take);
 
 /// How many threads those are.
 int thread_count(const Threads& threads);

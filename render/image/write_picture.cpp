@@ -1,9 +1,9 @@
 // Images that are there, and pictures that are drawn on the way.
 
+#include <mien/piece_drawer.h>
 #include "render/image/file_type.h"
 #include "render/image/ordered_pipeline.h"
 #include "render/image/write_pieces.h"
-#include "render/piece_drawer.h"
 
 #include <fmt/format.h>
 
@@ -48,10 +48,15 @@ class DrawnPieces {
     buffer.data = pixels.data();
     RenderStats stats;
     const auto began = std::chrono::steady_clock::now();
-    std::call_once(made_, [&] { drawer_.emplace(scene_, view_, depth_); });
-    const bool whole = drawer_->draw(
+    std::call_once(made_, [&] {
+      auto drawer = PieceDrawer::of(scene_, view_, depth_);
+      if (!drawer) throw std::bad_alloc();  // the view was looked at before
+      drawer_.emplace(*std::move(drawer));
+    });
+    const bool whole = bool(drawer_->draw(
         buffer, {rect_.x + piece.x, rect_.y + piece.y, piece.width, piece.height},
-        [&] { return watch.ask(); }, stats);
+        [&] { return watch.ask(); }, &stats));
+    if (!whole && !stats.cancelled) throw std::bad_alloc();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     const std::lock_guard lock(mutex_);
     stats_.render.add(stats);

@@ -33,7 +33,7 @@ class Writing {
   Expected<PieceTimes> run() {
     const int pieces = encoder_.pieces();
     if (watch_.done(0)) return Error{"", "cancelled"};
-    const bool all = in_order(
+    const bool all = ordered_pipeline(
         pieces, encoder_.slots(), how_.threads, [&](int i, int slot) { return make(i, slot); },
         [&](int i, int slot) { return put(i, slot, pieces); });
     if (!put_) return put_.error();
@@ -93,7 +93,7 @@ Expected<PieceTimes> write_device(const PiecesToWrite& what, FileType type, cons
 
 Expected<PieceTimes> write_whole(const PiecesToWrite& what, FileType type, const WriteOptions& how,
                                  const MakeEncoder& make, const fs::path& path) {
-  auto file = WholeFile::begin(path);
+  auto file = AtomicFile::begin(path);
   if (!file) return Error{"", file.error().what};
   FileOutput out(file->descriptor(), false);
   auto took = write_into(what, type, how, make, out);
@@ -112,7 +112,7 @@ Expected<PieceTimes> write_to(const PiecesToWrite& what, const fs::path& path,
     FileOutput out(STDOUT_FILENO, true);
     return write_into(what, *type, how, make, out);
   }
-  const auto target = find_target(path);
+  const auto target = find_output_path(path);
   if (!target) return target.error();
   return target->stream ? write_device(what, *type, how, make, target->path)
                         : write_whole(what, *type, how, make, target->path);

@@ -6,7 +6,7 @@
 namespace mien {
 namespace {
 
-using Kind = LogicStep::Kind;
+using LogicKind = LogicStep::Kind;
 
 /// Whether a set has no area: its distance is nowhere below its level.
 struct HasNoArea {
@@ -57,26 +57,26 @@ void LayerLogic::write_program(Area area) {
 /// {f <= level}. The stack runs backwards: what is pushed last is written first.
 void LayerLogic::expand(const Node& n, double level) {
   const auto next = [&](int node, double v) { todo_.push_back({.node = node, .level = v}); };
-  const auto then = [&](Kind kind) { todo_.push_back({.kind = kind}); };
+  const auto then = [&](LogicKind kind) { todo_.push_back({.kind = kind}); };
   switch (n.op) {
     case Op::shape:
       return leaf(n.a, level);
-    case Op::either:  // min(a, b) <= v
-    case Op::both:    // max(a, b) <= v
-      then(n.op == Op::either ? Kind::or_ : Kind::and_);
+    case Op::unite:      // min(a, b) <= v
+    case Op::intersect:  // max(a, b) <= v
+      then(n.op == Op::unite ? LogicKind::or_ : LogicKind::and_);
       next(n.a, level);
       return next(n.b, level);
-    case Op::without:  // max(a, −b) <= v: not b < −v
-      then(Kind::and_), then(Kind::not_);
+    case Op::subtract:  // max(a, −b) <= v: not b < −v
+      then(LogicKind::and_), then(LogicKind::not_);
       next(n.b, -level);
       return next(n.a, level);
     case Op::complement:
-      then(Kind::not_);
+      then(LogicKind::not_);
       return next(n.a, -level);
     case Op::offset:
       return next(n.a, level + n.amount);
     case Op::shell:  // −k <= a <= k
-      then(Kind::and_), then(Kind::not_);
+      then(LogicKind::and_), then(LogicKind::not_);
       next(n.a, -(level + n.amount));
       return next(n.a, level + n.amount);
   }
@@ -88,7 +88,7 @@ void LayerLogic::leaf(int shape, double level) {
   const double known = none ? -HUGE_VAL : level;
   const auto [at, is_new] = known_.try_emplace({shape, known}, int(sets_.size()));
   if (is_new) sets_.push_back({shape, known});
-  steps_.push_back({Kind::set, at->second});
+  steps_.push_back({LogicKind::set, at->second});
 }
 
 void LayerLogic::begin_scope(Scope& scope, const Scope& outer) {
@@ -104,7 +104,7 @@ void LayerLogic::end_scope(Scope& scope) {
   std::reverse(live_.begin() + scope.first_layer, live_.end());
   ++scopes_;
   for (std::size_t i = std::size_t(scope.first_step); i < steps_.size(); ++i)
-    if (steps_[i].kind == Kind::set && seen_[std::size_t(steps_[i].set)] != scopes_) {
+    if (steps_[i].kind == LogicKind::set && seen_[std::size_t(steps_[i].set)] != scopes_) {
       seen_[std::size_t(steps_[i].set)] = scopes_;
       open_.push_back(steps_[i].set);
     }
@@ -118,16 +118,16 @@ void LayerLogic::leave(const Scope& scope) {
 }
 
 /// What is left of an operand stands at the end of the steps; of one that is decided, nothing.
-void LayerLogic::combine(Kind kind) {
-  if (kind == Kind::not_) {
+void LayerLogic::combine(LogicKind kind) {
+  if (kind == LogicKind::not_) {
     Reach& r = parts_.back().reach;
     if (r == Reach::part)
-      steps_.push_back({Kind::not_});
+      steps_.push_back({LogicKind::not_});
     else
       r = r == Reach::whole ? Reach::none : Reach::whole;
     return;
   }
-  const Reach ends = kind == Kind::and_ ? Reach::none : Reach::whole;
+  const Reach ends = kind == LogicKind::and_ ? Reach::none : Reach::whole;
   const Part b = parts_.back();
   parts_.pop_back();
   Part& a = parts_.back();
@@ -145,14 +145,14 @@ bool LayerLogic::holds(const LiveLayer& layer, const std::vector<char>& inside) 
   bits_.clear();
   for (int i = layer.first; i < layer.first + layer.count; ++i) {
     const LogicStep step = steps_[std::size_t(i)];
-    if (step.kind == Kind::set) {
+    if (step.kind == LogicKind::set) {
       bits_.push_back(inside[std::size_t(step.set)]);
-    } else if (step.kind == Kind::not_) {
+    } else if (step.kind == LogicKind::not_) {
       bits_.back() = !bits_.back();
     } else {
       const char b = bits_.back();
       bits_.pop_back();
-      bits_.back() = step.kind == Kind::and_ ? bits_.back() & b : bits_.back() | b;
+      bits_.back() = step.kind == LogicKind::and_ ? bits_.back() & b : bits_.back() | b;
     }
   }
   return bits_.empty() || bits_.back();

@@ -30,10 +30,6 @@ Moments moments(std::span<const glm::dvec2> corners) {
   return m;
 }
 
-double largest(const Mix& d) {
-  return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b), std::abs(d.a)});
-}
-
 }  // namespace
 
 /// All outlines across the square are known, and what they part it into has one colour each.

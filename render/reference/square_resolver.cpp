@@ -11,10 +11,6 @@ constexpr double kSqrt2 = 1.4142135623730952;  // rounded up
 constexpr double kRounding = 1e-9;             // [px] of a distance, and more
 constexpr int kMostDepth = 10;                 // halvings of a pixel
 
-double largest(const Mix& d) {
-  return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b), std::abs(d.a)});
-}
-
 /// Which layers nothing is seen through.
 std::vector<char> opaque(const PaintTable& paints) {
   std::vector<char> covers;

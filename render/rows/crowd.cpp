@@ -8,8 +8,8 @@
 namespace mien {
 namespace {
 
-constexpr int kNarrowest = 8;     // [px] of a window: a dither's period
-constexpr std::size_t kFew = 24;  // layers: fewer are not worth another window
+constexpr int kNarrowest = 8;           // [px] of a window: a dither's period
+constexpr std::size_t kFewLayers = 24;  // layers: fewer are not worth another window
 /// [px] Outlines are off by less, so what lies so far outside a window is not seen in it, and what
 /// reaches so far around it covers it.
 constexpr double kBeyond = 0.125;
@@ -68,7 +68,7 @@ void Crowd::halve(const PixelRect& rect, const PixelRect& wanted, std::size_t de
   look(rect, scratch.lists[depth], scratch.lists[depth + 1]);
   const bool wide = rect.width >= rect.height;
   const int side = wide ? rect.width : rect.height;
-  if (scratch.lists[depth + 1].size() <= kFew || side <= kNarrowest)
+  if (scratch.lists[depth + 1].size() <= kFewLayers || side <= kNarrowest)
     return draw(window(rect, scratch.lists[depth + 1], scratch));
   int half = kNarrowest;
   while (2 * half < side) half *= 2;

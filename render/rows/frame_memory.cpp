@@ -7,7 +7,7 @@
 namespace mien {
 namespace {
 
-constexpr int kFew = 4;                   // one shape in so many is enough in common
+constexpr int kInCommon = 4;              // one shape in so many is enough in common
 constexpr int kUseful = 8;                // one row in so many is worth it
 constexpr int kPatience = 3, kRest = 30;  // [frames]
 
@@ -27,7 +27,7 @@ bool FrameMemory::begin(const Frame& frame) {
   if (rest_ > 0) --rest_;
   const std::size_t row_bytes = std::size_t(frame.rect.width) * 4 * bytes_per_channel(frame.depth);
   const std::size_t bytes = row_bytes * std::size_t(frame.rows);
-  if (!like_before || rest_ > 0 || kFew * frame.in_common < frame.shapes || bytes > kMost) {
+  if (!like_before || rest_ > 0 || kInCommon * frame.in_common < frame.shapes || bytes > kMost) {
     filled_ = false;
     std::fill(fingerprints_.begin(), fingerprints_.end(), RowFingerprints::kNone);
     return false;

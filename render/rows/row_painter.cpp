@@ -9,9 +9,9 @@
 namespace mien {
 namespace {
 
-constexpr float kSame = 1e-5f;    // sums of thousands of cells agree with their look to less
-constexpr float kNoArea = 1e-6f;  // a share of less shows nowhere
-constexpr float kClosed = 1e-5f;  // a look that goes on by less has ended
+constexpr float kSame = 1e-5f;        // sums of thousands of cells agree with their look to less
+constexpr float kUnseenArea = 1e-6f;  // a share of less shows nowhere
+constexpr float kClosed = 1e-5f;      // a look that goes on by less has ended
 
 bool close(const Rgba& x, const Rgba& y) {
   return std::max(std::max(std::abs(x.r - y.r), std::abs(x.g - y.g)),
@@ -327,7 +327,7 @@ glm::vec4 RowPainter::part(const Open& o, int column, int side) {
 Rgba RowPainter::parts(int column, int side) {
   Rgba mix = sum_;
   for (const Open& o : open_) {
-    if (std::abs(o.area) < kNoArea) continue;
+    if (std::abs(o.area) < kUnseenArea) continue;
     const glm::vec4 c = part(o, column, side);
     mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
   }
@@ -342,7 +342,7 @@ void RowPainter::cell(int column) {
   double neglected = 0.0;
   bool varies = false, dense = false;
   for (const Open& o : open_) {
-    if (std::abs(o.area) < kNoArea) continue;
+    if (std::abs(o.area) < kUnseenArea) continue;
     neglected += double(std::abs(o.area)) *
                  (looks_->neglected(o.look) +
                   looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true, least_));

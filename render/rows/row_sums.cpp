@@ -16,11 +16,11 @@ PartStretch stretch_of(const CellStretch& c) {
 
 /// ∫ (1/2 − x)(1/2 + x)/2 dy and ∫ y (1/2 − x) dy down a stretch, seen from its cell's middle. Both are of the fifth
 /// degree in a parabola's parameter, so Gauss's three places are exact.
-struct Moments {
+struct StretchMoments {
   double x = 0.0, y = 0.0;
 };
 
-Moments moments_of(const CellStretch& c) {
+StretchMoments moments_of(const CellStretch& c) {
   constexpr double kPlaces[] = {0.1127016653792583, 0.5, 0.8872983346207417},
                    kWeights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
   const double x = c.column + 0.5, y = c.row + 0.5;
@@ -29,7 +29,7 @@ Moments moments_of(const CellStretch& c) {
   const auto bend = [](double p, double m, double q) { return 2.0 * (p + q) - 4.0 * m; };
   const double x1 = slope(c.xp, c.xm, c.xq), x2 = bend(c.xp, c.xm, c.xq);
   const double y1 = slope(c.yp, c.ym, c.yq), y2 = bend(c.yp, c.ym, c.yq);
-  Moments sum;
+  StretchMoments sum;
   for (std::size_t i = 0; i < std::size(kPlaces); ++i) {
     const double u = kPlaces[i], dy = kWeights[i] * (y1 + 2.0 * u * y2);
     const double px = c.xp - x + u * (x1 + u * x2), py = c.yp - y + u * (y1 + u * y2);
@@ -61,7 +61,7 @@ void RowSums::share(int row, const CellStretch& c, int left_varied, int right_va
   LookShare s{std::max(c.column, 0), 0,        float(c.area),     0.0f,
               float(h * middle),     float(h), float(h * middle), stretch_of(c)};
   if (c.column >= 0) {
-    const Moments m = moments_of(c);
+    const StretchMoments m = moments_of(c);
     s.mx = float(m.x), s.my = float(m.y);
   }
   std::vector<LookShare>& to = shares_[std::size_t(row)];

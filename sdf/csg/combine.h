@@ -1,9 +1,9 @@
 #pragma once
 // What becomes of distances when areas combine.
 //
-//   either      min(a, b)     exact outside if both are; inside a bound
-//   both        max(a, b)     exact inside if both are; outside a bound
-//   without     max(a, −b)    as both, with b's inside and outside swapped
+//   unite       min(a, b)     exact outside if both are; inside a bound
+//   intersect   max(a, b)     exact inside if both are; outside a bound
+//   subtract    max(a, −b)    as intersect, with b's inside and outside swapped
 //   complement  −a            inside and outside swapped
 //   offset      a − amount    outside as a outside; inside exact only if a is exact there and amount >= 0 …
 //   shell       |a| − amount  … see combine_exactness
@@ -23,11 +23,11 @@ inline double combine(Op op, double a, double b, double amount) {
   switch (op) {
     case Op::shape:
       return a;
-    case Op::either:
+    case Op::unite:
       return std::min(a, b);
-    case Op::both:
+    case Op::intersect:
       return std::max(a, b);
-    case Op::without:
+    case Op::subtract:
       return std::max(a, -b);
     case Op::complement:
       return -a;
@@ -48,11 +48,11 @@ inline Exactness combine_exactness(Op op, Exactness a, Exactness b, double amoun
   switch (op) {
     case Op::shape:
       return a;
-    case Op::either:
+    case Op::unite:
       return {a.outside && b.outside, false};
-    case Op::both:
+    case Op::intersect:
       return {false, a.inside && b.inside};
-    case Op::without:
+    case Op::subtract:
       return {false, a.inside && b.outside};
     case Op::complement:
       return {a.inside, a.outside};

@@ -5,9 +5,9 @@ namespace mien {
 
 enum class Op : unsigned char {
   shape,       ///< leaf: one of the scene's shapes
-  either,      ///< union: min(a, b)
-  both,        ///< intersection: max(a, b)
-  without,     ///< difference: max(a, −b)
+  unite,       ///< union: min(a, b)
+  intersect,   ///< intersection: max(a, b)
+  subtract,    ///< difference: max(a, −b)
   complement,  ///< −a
   offset,      ///< a − amount: grown by amount, shrunk if negative
   shell        ///< |a| − amount: the ribbon of half-width amount along the outline

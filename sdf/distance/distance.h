@@ -7,8 +7,9 @@
 //
 // Rules for every batch function
 //   Spans.      x, y and d have the same length, any length, any alignment. d may be the very span x or y
-//               (the distances replace the coordinates); any other overlap, or unequal lengths, ends the
-//               program with a sentence on stderr.
+//               (the distances replace the coordinates). Any other overlap, and unequal lengths, are mistakes
+//               that assertions catch; without them the shortest length counts, and distances into an
+//               overlap are unspecified.
 //   Units.      Distances come out in the units of the coordinates. No scale is special: everything is
 //               scaled by a power of two first.
 //   Totality.   Coincident and collinear control points are right. A point or curve with a NaN or infinite
@@ -53,9 +54,10 @@ MIEN_API void distances(std::span<const QuadBezier> curves, std::span<const floa
                         std::span<const float> y, std::span<float> d);
 
 /// d[j · columns + i] = the distance from (float(origin.x + i·step), float(origin.y + j·step)) to the
-/// curve; d has columns · rows numbers. For grids that are fine beside the curve: a tile of 16 × 16
-/// points is proven as a whole to have its feet on one piece of curve, and goes there by Newton's method
-/// from the middle's foot, at a third of the price; tiles without proof are batches like any other. The
+/// curve; d has columns · rows numbers. For grids that are fine beside the curve: where
+/// the nearest points of a whole tile of 16 × 16 points are proven to lie on one piece of curve, each is
+/// found by Newton's method from that of the tile's middle, at a third of the price; tiles without proof
+/// are batches like any other. The
 /// error is that of Precision::fast; the last digit may depend on where the tile begins.
 MIEN_API void distances_on_grid(const QuadBezier& curve, glm::dvec2 origin, double step,
                                 std::size_t columns, std::size_t rows, std::span<float> d);

@@ -27,6 +27,7 @@ glm::dvec2 point_at(const Face& face, int slice) {
 /// Sizes and places on a face's canvas, from its top left corner down.
 struct Page {
   const FaceCanvas& canvas;
+  const Lettering& letters;
   double size = std::min(canvas.box.size().x, canvas.box.size().y);
 
   glm::dvec2 at(double right, double down) const {
@@ -48,7 +49,7 @@ void draw_muscle(const Face& face, SceneBuilder& build, int muscle, double pull,
       if (hold.muscle != muscle) continue;
       const Area line = build.shape(
           Line{m.origin, point_at(face, point.slice), width * (0.4 + 0.6 * hold.weight)});
-      all = all.node < 0 ? line : build.either(all, line);
+      all = all.node < 0 ? line : build.unite(all, line);
     }
   if (all.node < 0) return;
   Color color = pull_color(pull);
@@ -67,7 +68,8 @@ void draw_scale(SceneBuilder& build, const Page& page) {
         {.color = pull_color(u)});
   }
   for (const auto& [text, right] : {std::pair{"0", 0.022}, {"pull", 0.125}, {"1", 0.272}})
-    draw_caption(build, text, page.at(right, 0.078), 0.024 * page.size, page.canvas.y_up, kInk);
+    draw_caption(build, page.letters, text, page.at(right, 0.078), 0.024 * page.size,
+                 page.canvas.y_up, kInk);
 }
 
 constexpr double kValueSize = 0.018, kValueStep = 0.026, kFirstValue = 0.131, kValueLeft = 0.05;
@@ -101,8 +103,8 @@ void draw_plate(SceneBuilder& build, const Page& page, double right, double down
   const glm::dvec2 corner = page.at(right, down);
   const double out = page.canvas.y_up ? -1.0 : 1.0;
   build.layer("plate",
-              build.both(build.shape(HalfPlane{{1, 0}, corner.x}),
-                         build.shape(HalfPlane{{0, out}, out * corner.y})),
+              build.intersect(build.shape(HalfPlane{{1, 0}, corner.x}),
+                              build.shape(HalfPlane{{0, out}, out * corner.y})),
               {.color = kPlate});
 }
 
@@ -111,16 +113,16 @@ void draw_legend(const FaceModel& model, std::span<const double> pulls, SceneBui
   const std::vector<MuscleValue> values = muscle_values(model, pulls);
   double widest = 0.27;
   for (const MuscleValue& value : values)
-    widest = std::max(widest, kValueLeft + kValueSize * caption_width(value.text));
+    widest = std::max(widest, kValueLeft + kValueSize * caption_width(page.letters, value.text));
   draw_plate(build, page, widest + 0.02, kFirstValue + kValueStep * double(values.size()));
   draw_scale(build, page);
-  draw_caption(build, "left right", page.at(kValueLeft, kFirstValue - kValueStep),
+  draw_caption(build, page.letters, "left right", page.at(kValueLeft, kFirstValue - kValueStep),
                kValueSize * page.size, page.canvas.y_up, kInk);
   double down = kFirstValue;
   for (const MuscleValue& value : values) {
     build.layer("value", build.shape(Disc{page.at(0.034, down - 0.008), 0.006 * page.size}),
                 {.color = pull_color(value.most)});
-    draw_caption(build, value.text, page.at(kValueLeft, down), kValueSize * page.size,
+    draw_caption(build, page.letters, value.text, page.at(kValueLeft, down), kValueSize * page.size,
                  page.canvas.y_up, kInk);
     down += kValueStep;
   }
@@ -174,30 +176,30 @@ Color pull_color(double pull) {
   return {channel(0), channel(2), channel(4), 1};
 }
 
-Scene debug_muscles(const Face& posed, std::span<const double> pulls) {
+Scene debug_muscles(const Face& posed, std::span<const double> pulls, const Lettering& letters) {
   SceneBuilder build = begin_face(posed);
   draw_face(posed, build);
   veil(build);
-  const Page page{posed.model->canvas};
+  const Page page{posed.model->canvas, letters};
   for (std::size_t m = 0; m < posed.model->muscles.muscles.size(); ++m)
     draw_muscle(posed, build, int(m), pulls[m], 0.003 * page.size);
   draw_legend(*posed.model, pulls, build, page);
   return std::move(build).finish();
 }
 
-Scene debug_points(const Face& posed) {
+Scene debug_points(const Face& posed, const Lettering& letters) {
   SceneBuilder build = begin_face(posed);
   draw_face(posed, build);
   veil(build);
-  const Page page{posed.model->canvas};
+  const Page page{posed.model->canvas, letters};
   const std::set<int> handles = draw_handles(posed, build, page);
   const Layout& layout = posed.model->layout;
   for (int s = 0; s < int(layout.slices().size()); ++s) {
     if (layout[s].kind != SliceKind::point) continue;
     const glm::dvec2 p = point_at(posed, s);
     draw_point(build, page, p, handles.contains(s));
-    draw_caption(build, layout[s].name, p + glm::dvec2{0.009 * page.size, 0}, 0.011 * page.size,
-                 page.canvas.y_up, kInk);
+    draw_caption(build, page.letters, layout[s].name, p + glm::dvec2{0.009 * page.size, 0},
+                 0.011 * page.size, page.canvas.y_up, kInk);
   }
   return std::move(build).finish();
 }

@@ -15,7 +15,7 @@ class Numbers {
   double operator()(int slice, int i = 0) const {
     return face_.vector[std::size_t(face_.model->layout[slice].begin + i)];
   }
-  double either(int slice, double without) const { return slice < 0 ? without : (*this)(slice); }
+  double value_or(int slice, double other) const { return slice < 0 ? other : (*this)(slice); }
   glm::dvec2 point(int slice) const { return {(*this)(slice, 0), (*this)(slice, 1)}; }
   /// The direction at an angle in degrees; +x without one.
   glm::dvec2 way(int slice) const {
@@ -63,12 +63,12 @@ Relief relief_of(const FaceRelief& given, const Face& face, Area own) {
   const double sign = given.sunk ? -1 : 1;
   Relief relief{.area = own,
                 .profile = Profile(int(given.profile)),
-                .width = std::max(n.either(given.width, 1), kLeast),
-                .height = sign * n.either(given.height, 0),
+                .width = std::max(n.value_or(given.width, 1), kLeast),
+                .height = sign * n.value_or(given.height, 0),
                 .table = {},
                 .domes = {},
-                .specular = std::min(n.either(given.specular, without.specular), 1.0),
-                .shininess = std::max(n.either(given.shininess, without.shininess), kLeast)};
+                .specular = std::min(n.value_or(given.specular, without.specular), 1.0),
+                .shininess = std::max(n.value_or(given.shininess, without.shininess), kLeast)};
   for (int i = 0; given.table >= 0 && i < n.size(given.table); ++i)
     relief.table.push_back(n(given.table, i));
   for (const FaceDome& dome : given.domes)
@@ -88,7 +88,7 @@ Color color_of(const Face& face, int slice) {
 }
 
 double opacity_of(const Face& face, int slice) {
-  return std::min(Numbers(face).either(slice, 1), 1.0);
+  return std::min(Numbers(face).value_or(slice, 1), 1.0);
 }
 
 Paint paint_of(const Feature& feature, const Face& face, Area own) {

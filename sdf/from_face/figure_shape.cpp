@@ -12,9 +12,9 @@ namespace mien {
 namespace {
 
 /// The numbers of a face by slice.
-class Numbers {
+class FigureNumbers {
  public:
-  explicit Numbers(const Face& face) : face_(face) {}
+  explicit FigureNumbers(const Face& face) : face_(face) {}
 
   double operator()(int slice, int i = 0) const {
     return face_.vector[std::size_t(face_.model->layout[slice].begin + i)];
@@ -36,13 +36,13 @@ ParabolaSide parabola_side(double k, double k0, double a, double b, double side)
   return {{vertex, b}, {0, side}, side * a * k * k};
 }
 
-Shape shape(const BandFigure& f, const Numbers& n) {
+Shape shape(const BandFigure& f, const FigureNumbers& n) {
   const double k = n(f.frame, 0), k0 = n(f.frame, 1);
   return Band{parabola_side(k, k0, n(f.lower, 0), n(f.lower, 1), 1),
               parabola_side(k, k0, n(f.upper, 0), n(f.upper, 1), -1)};
 }
 
-Shape shape(const EllipseFigure& f, const Numbers& n) {
+Shape shape(const EllipseFigure& f, const FigureNumbers& n) {
   Ellipse ellipse{.center = n.point(f.center), .radii = n.point(f.radii)};
   if (f.tilt >= 0 && n(f.tilt) != 0) {
     const double angle = n(f.tilt) * std::numbers::pi / 180;
@@ -51,11 +51,11 @@ Shape shape(const EllipseFigure& f, const Numbers& n) {
   return ellipse;
 }
 
-Shape shape(const DiscFigure& f, const Numbers& n) {
+Shape shape(const DiscFigure& f, const FigureNumbers& n) {
   return Disc{n.point(f.center), n(f.radius)};
 }
 
-Shape shape(const CutDiscFigure& f, const Numbers& n) {
+Shape shape(const CutDiscFigure& f, const FigureNumbers& n) {
   return CutDisc{.center = n.point(f.center),
                  .radius = n(f.radius),
                  .upper = n(f.chords, 0),
@@ -63,14 +63,14 @@ Shape shape(const CutDiscFigure& f, const Numbers& n) {
                  .up = {0, n.sign_of_up()}};
 }
 
-Shape shape(const StrokeFigure& f, const Numbers& n) {
+Shape shape(const StrokeFigure& f, const FigureNumbers& n) {
   const QuadBezier spine{n.point(f.spine[0]), n.point(f.spine[1]), n.point(f.spine[2])};
   const int w = f.half_width;
   if (n.size(w) == 1) return QuadStroke{spine, n(w)};
   return TaperedStroke{spine, {n(w, 0), n(w, 1), n(w, 2)}};
 }
 
-Shape shape(const PolylineFigure& f, const Numbers& n) {
+Shape shape(const PolylineFigure& f, const FigureNumbers& n) {
   Polyline line{.points = {}, .half_width = n(f.half_width)};
   for (const int point : f.points) line.points.push_back(n.point(point));
   return line;
@@ -79,7 +79,7 @@ Shape shape(const PolylineFigure& f, const Numbers& n) {
 /// Between two outline points stands a straight side; a bend is the control point of a curve that
 /// begins and ends at its neighbours if they are outline points, or half-way to them if they are
 /// bends too.
-Path::Loop loop_of(const PathFigure::Loop& loop, const Numbers& n) {
+Path::Loop loop_of(const PathFigure::Loop& loop, const FigureNumbers& n) {
   const std::size_t count = loop.nodes.size();
   const auto node = [&](std::size_t i) { return loop.nodes[i % count]; };
   const auto at = [&](std::size_t i) { return n.point(node(i).point); };
@@ -98,14 +98,14 @@ Path::Loop loop_of(const PathFigure::Loop& loop, const Numbers& n) {
   return sides;
 }
 
-Shape shape(const PathFigure& f, const Numbers& n) {
+Shape shape(const PathFigure& f, const FigureNumbers& n) {
   Path path{.loops = {}, .rule = f.even_odd ? FillRule::even_odd : FillRule::nonzero};
   for (const PathFigure::Loop& loop : f.loops) path.loops.push_back(loop_of(loop, n));
   return path;
 }
 
 /// Whether the bends of the lid edges that begin at slice `first` are shifted.
-bool is_shifted(int first, int count, const Numbers& n) {
+bool is_shifted(int first, int count, const FigureNumbers& n) {
   if (first < 0) return false;
   for (int i = 0; i < count; ++i)
     if (n.point(first + i) != glm::dvec2(0)) return true;
@@ -113,14 +113,14 @@ bool is_shifted(int first, int count, const Numbers& n) {
 }
 
 /// The edge of a lid as smooth quadratic pieces between its shifted bends.
-LidPieces lid_pieces(const QuadBezier& edge, int first, const Numbers& n) {
+LidPieces lid_pieces(const QuadBezier& edge, int first, const FigureNumbers& n) {
   LidBends bends = lid_bends(edge);
   for (int i = 0; i < int(bends.size()); ++i) bends[std::size_t(i)] += n.point(first + i);
   return pieces_between(edge.p0, bends, edge.p2);
 }
 
 /// A shut eye, whose lid edges are one curve, has no area and no outline.
-Shape shape(const OpeningFigure& f, const Numbers& n) {
+Shape shape(const OpeningFigure& f, const FigureNumbers& n) {
   constexpr int kBends = OpeningFigure::kLidBends;
   const glm::dvec2 inner = n.point(f.inner), upper = n.point(f.upper), outer = n.point(f.outer),
                    lower = n.point(f.lower);
@@ -150,7 +150,7 @@ bool same_structure(const PathFigure& a, const PathFigure& b) {
          std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(), b.loops.end(), same_loop);
 }
 
-std::vector<double> numbers_of(const Figure& figure, const Numbers& n) {
+std::vector<double> numbers_of(const Figure& figure, const FigureNumbers& n) {
   std::vector<double> all;
   for_each_slice(figure, [&](std::string_view, int slice) {
     all.push_back(n.size(slice));
@@ -162,7 +162,8 @@ std::vector<double> numbers_of(const Figure& figure, const Numbers& n) {
 /// The centripetal Catmull-Rom curve through the points (C. Yuksel, S. Schaefer, J. Keyser, 2011: no
 /// cusps, no loops within a segment), each segment as two quadratic pieces with its tangents at both
 /// ends. A point on the axis goes on to its own mirror image, so that both halves meet smoothly.
-std::vector<Shape> smooth_pieces(const PolylineFigure& f, const Numbers& n, double twice_axis) {
+std::vector<Shape> smooth_pieces(const PolylineFigure& f, const FigureNumbers& n,
+                                 double twice_axis) {
   std::vector<glm::dvec2> points;
   for (const int point : f.points)
     if (const glm::dvec2 p = n.point(point); points.empty() || p != points.back())
@@ -203,7 +204,7 @@ std::vector<Shape> smooth_pieces(const PolylineFigure& f, const Numbers& n, doub
 
 /// The widths are a quadratic in the parameter, so each piece's are one too, by the polar form.
 std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
-  const Numbers n(face);
+  const FigureNumbers n(face);
   if (const auto* line = std::get_if<PolylineFigure>(&figure))
     return line->smooth && line->points.size() > 1
                ? smooth_pieces(*line, n, face.model->canvas.twice_axis())
@@ -231,7 +232,7 @@ std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
 }
 
 Shape shape_of(const Figure& figure, const Face& face) {
-  return std::visit([n = Numbers(face)](const auto& f) { return shape(f, n); }, figure);
+  return std::visit([n = FigureNumbers(face)](const auto& f) { return shape(f, n); }, figure);
 }
 
 bool same_figure(const Figure& a, const Figure& b, const Face& face) {
@@ -242,7 +243,7 @@ bool same_figure(const Figure& a, const Figure& b, const Face& face) {
   if (const auto* line = std::get_if<PolylineFigure>(&a);
       line && line->smooth != std::get_if<PolylineFigure>(&b)->smooth)
     return false;
-  return numbers_of(a, Numbers(face)) == numbers_of(b, Numbers(face));
+  return numbers_of(a, FigureNumbers(face)) == numbers_of(b, FigureNumbers(face));
 }
 
 }  // namespace mien

@@ -15,7 +15,7 @@ namespace mien {
 namespace {
 
 // Sizes, as shares of the canvas's shorter side.
-constexpr double kPoint = 0.008, kLine = 0.0025;
+constexpr double kDisc = 0.008, kLine = 0.0025;
 constexpr double kBarWidth = 0.03, kBarHeight = 0.7, kBarMargin = 0.03;
 constexpr double kLabel = 0.035;
 constexpr int kBarSteps = 64;
@@ -50,12 +50,14 @@ void add_bar(SceneBuilder& build, const FaceCanvas& canvas, double unit) {
 }
 
 /// What the bar's ends stand for.
-void add_labels(SceneBuilder& build, const FaceCanvas& canvas, double unit, double largest) {
+void add_labels(SceneBuilder& build, const Lettering& letters, const FaceCanvas& canvas,
+                double unit, double largest) {
+  if (!letters.path) return;
   const double right = canvas.box.hi.x - kBarMargin * unit, middle = canvas.box.center().y;
   const double half = 0.5 * kBarHeight * canvas.box.size().y, high = kLabel * unit;
   const Color ink{0.75, 0.75, 0.72, 1}, shade{0.01, 0.01, 0.012, 0.75};
   const auto label = [&](const std::string& text, double up) {
-    const double width = high * caption_width(text), up_sign = canvas.y_up ? 1 : -1;
+    const double width = high * caption_width(letters, text), up_sign = canvas.y_up ? 1 : -1;
     const glm::dvec2 at{right - width, middle + up_sign * up};
     const glm::dvec2 far{right, at.y + up_sign * high};
     const double margin = 0.35 * high;
@@ -63,7 +65,7 @@ void add_labels(SceneBuilder& build, const FaceCanvas& canvas, double unit, doub
                 build.shape(rectangle({at.x - margin, std::min(at.y, far.y) - 0.4 * margin},
                                       {far.x + margin, std::max(at.y, far.y) + 0.4 * margin})),
                 {.color = shade});
-    draw_caption(build, text, at, high, canvas.y_up, ink);
+    draw_caption(build, letters, text, at, high, canvas.y_up, ink);
   };
   label(fmt::format("{:.3g} {}", largest, canvas.unit), half + 0.4 * high);
   label("0", -half - 1.4 * high);
@@ -71,13 +73,13 @@ void add_labels(SceneBuilder& build, const FaceCanvas& canvas, double unit, doub
 
 }  // namespace
 
-MorphHeat morph_heat(const Face& rest, const Face& posed) {
+MorphHeat morph_heat(const Face& rest, const Face& posed, const Lettering& letters) {
   const FaceModel& model = *posed.model;
   SceneBuilder build({model.canvas.box, model.canvas.y_up}, grey_of(posed, model.background));
   std::vector<Area> areas;
   for (const Feature& feature : model.features) {
     Area area = build.shape(shape_of(feature.figure, posed));
-    if (feature.clip >= 0) area = build.both(area, areas[std::size_t(feature.clip)]);
+    if (feature.clip >= 0) area = build.intersect(area, areas[std::size_t(feature.clip)]);
     areas.push_back(area);
     if (feature.paint >= 0)
       build.layer(feature.name, area, {.color = grey_of(posed, feature.paint)});
@@ -92,10 +94,10 @@ MorphHeat morph_heat(const Face& rest, const Face& posed) {
     const std::string& name = model.layout[shift.slice].name;
     if (shift.amount > 0)
       build.layer(name, build.shape(Line{shift.from, shift.to, kLine * unit}), {.color = color});
-    build.layer(name, build.shape(Disc{shift.to, kPoint * unit}), {.color = color});
+    build.layer(name, build.shape(Disc{shift.to, kDisc * unit}), {.color = color});
   }
   add_bar(build, model.canvas, unit);
-  add_labels(build, model.canvas, unit, largest);
+  add_labels(build, letters, model.canvas, unit, largest);
   return {std::move(build).finish(), largest};
 }
 

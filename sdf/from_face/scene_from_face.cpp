@@ -37,7 +37,7 @@ class Areas {
       return;
     }
     area = figure = own(f);
-    if (f.clip >= 0) area = build_.both(figure, of(f.clip));
+    if (f.clip >= 0) area = build_.intersect(figure, of(f.clip));
   }
 
  private:
@@ -46,7 +46,7 @@ class Areas {
     if (pieces.empty()) return build_.shape(shape_of(f.figure, face_));
     Area all = build_.shape(std::move(pieces[0]));
     for (std::size_t i = 1; i < pieces.size(); ++i)
-      all = build_.either(all, build_.shape(std::move(pieces[i])));
+      all = build_.unite(all, build_.shape(std::move(pieces[i])));
     return all;
   }
 

@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 constexpr double kAmbient = 0.25;
-constexpr double kPoint = 0.004;  // radius of a lone point, of the picture's longer side
+constexpr double kMarker = 0.004;  // radius of a lone point, of the picture's longer side
 
 glm::dvec2 flat(const glm::dvec3& p) {
   return {p.x, p.y};
@@ -99,7 +99,7 @@ Scene scene_from_mesh(const Mesh& mesh, std::span<const double> amounts, const M
   for (const int i : far_to_near(mesh)) painter.triangle(i);
   if (mesh.triangles.empty())
     for (int i = 0; i < int(mesh.points.size()); ++i)
-      painter.lone_point(i, kPoint * std::max(box.size().x, box.size().y));
+      painter.lone_point(i, kMarker * std::max(box.size().x, box.size().y));
   return std::move(build).finish();
 }
 

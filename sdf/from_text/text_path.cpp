@@ -79,4 +79,15 @@ Area text_area(SceneBuilder& build, std::string_view text, double size, glm::dve
   return build.shape(text_path(text, size, origin, style));
 }
 
+Lettering shipped_lettering() {
+  const Font font = Font::shipped();
+  return {.path =
+              [font](std::string_view text, double size, glm::dvec2 origin, bool y_up) {
+                return text_path(text, size, origin, {.y_up = y_up, .font = font});
+              },
+          .length = [font](std::string_view text) { return text_length(text, {.font = font}); },
+          .ascent = font.ascent(),
+          .descent = font.descent()};
+}
+
 }  // namespace mien

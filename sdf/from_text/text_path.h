@@ -5,6 +5,7 @@
 //               {ink});
 
 #include <mien/font.h>
+#include <mien/lettering.h>
 #include <mien/scene.h>
 
 #include <string_view>
@@ -33,5 +34,8 @@ MIEN_API Path text_path(std::string_view text, double size, glm::dvec2 origin,
 /// The same as an area of a scene under construction.
 MIEN_API Area text_area(SceneBuilder& build, std::string_view text, double size, glm::dvec2 origin,
                         const TextStyle& style = {});
+
+/// The shipped font, for makers of scenes that write.
+MIEN_API Lettering shipped_lettering();
 
 }  // namespace mien

@@ -13,7 +13,7 @@ using Kind = AreaStep::Kind;
 
 namespace {
 
-constexpr std::size_t kFirstTable = 256;
+constexpr std::size_t kFirstOutlines = 256;
 
 std::uint64_t hash_of(const OutlineSource& source) {
   std::uint64_t h = std::bit_cast<std::uint64_t>(source.amount) + std::uint64_t(source.rim);
@@ -26,8 +26,8 @@ std::uint64_t hash_of(const OutlineSource& source) {
 void AreaPrograms::begin(const Scene& scene) {
   scene_ = &scene;
   steps_.clear(), outlines_.clear(), added_.clear();
-  if (at_levels_.size() > kFirstTable) at_levels_.resize(std::max(4 * leveled_, kFirstTable));
-  at_levels_.assign(std::bit_ceil(std::max(at_levels_.size(), kFirstTable)), -1);
+  if (at_levels_.size() > kFirstOutlines) at_levels_.resize(std::max(4 * leveled_, kFirstOutlines));
+  at_levels_.assign(std::bit_ceil(std::max(at_levels_.size(), kFirstOutlines)), -1);
   leveled_ = 0;
   filled_.assign(scene.shapes().size(), -1);
   find_alike();
@@ -91,12 +91,12 @@ void AreaPrograms::expand(const Node& n, double level) {
   switch (n.op) {
     case Op::shape:
       return leaf(n.a, level);
-    case Op::either:
-    case Op::both:
-      write_after(n.op == Op::either ? Kind::or_ : Kind::and_);
+    case Op::unite:
+    case Op::intersect:
+      write_after(n.op == Op::unite ? Kind::or_ : Kind::and_);
       visit_next(n.b, level);
       return visit_next(n.a, level);
-    case Op::without:
+    case Op::subtract:
       write_after(Kind::and_);
       write_after(Kind::not_);
       visit_next(n.b, -level);

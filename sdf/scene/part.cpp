@@ -57,9 +57,9 @@ Area ScenePart::copy(Area area) {
       const bool waits_a = waits_for(n.a), waits_b = waits_for(n.b);
       if (waits_a || waits_b) continue;
       const Area a = known_[n.a], b = n.b >= 0 ? known_[n.b] : Area{};
-      known_[at] = n.op == Op::either       ? build_->either(a, b)
-                   : n.op == Op::both       ? build_->both(a, b)
-                   : n.op == Op::without    ? build_->without(a, b)
+      known_[at] = n.op == Op::unite        ? build_->unite(a, b)
+                   : n.op == Op::intersect  ? build_->intersect(a, b)
+                   : n.op == Op::subtract   ? build_->subtract(a, b)
                    : n.op == Op::complement ? build_->complement(a)
                    : n.op == Op::offset     ? build_->offset(a, n.amount)
                                             : build_->shell(a, n.amount);

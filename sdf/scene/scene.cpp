@@ -84,14 +84,14 @@ Area SceneBuilder::shape(Shape shape) {
   return add({.op = Op::shape, .a = int(data_.shapes.size()) - 1});
 }
 
-Area SceneBuilder::either(Area a, Area b) {
-  return add({.op = Op::either, .a = a.node, .b = b.node});
+Area SceneBuilder::unite(Area a, Area b) {
+  return add({.op = Op::unite, .a = a.node, .b = b.node});
 }
-Area SceneBuilder::both(Area a, Area b) {
-  return add({.op = Op::both, .a = a.node, .b = b.node});
+Area SceneBuilder::intersect(Area a, Area b) {
+  return add({.op = Op::intersect, .a = a.node, .b = b.node});
 }
-Area SceneBuilder::without(Area a, Area b) {
-  return add({.op = Op::without, .a = a.node, .b = b.node});
+Area SceneBuilder::subtract(Area a, Area b) {
+  return add({.op = Op::subtract, .a = a.node, .b = b.node});
 }
 Area SceneBuilder::complement(Area a) {
   return add({.op = Op::complement, .a = a.node});
@@ -127,7 +127,7 @@ Area SceneBuilder::moved(Area a, glm::dvec2 by) {
 
 void SceneBuilder::layer(std::string name, Area area, Paint paint) {
   const int group = open_.empty() ? -1 : open_.back().group;
-  if (!open_.empty() && open_.back().clip.node >= 0) area = both(area, open_.back().clip);
+  if (!open_.empty() && open_.back().clip.node >= 0) area = intersect(area, open_.back().clip);
   data_.layers.push_back({std::move(name), area, std::move(paint), group});
 }
 
@@ -136,7 +136,7 @@ void SceneBuilder::open_group(std::string name, double opacity, Area clip) {
   if (clip.node < 0)
     clip = outer.clip;
   else if (outer.clip.node >= 0)
-    clip = both(clip, outer.clip);
+    clip = intersect(clip, outer.clip);
   data_.groups.push_back({std::move(name), outer.group, opacity});
   open_.push_back({int(data_.groups.size()) - 1, clip});
 }
@@ -172,9 +172,9 @@ Box2 Scene::bounds(Area area) const {
       nodes(), area, [&](int i) { return mien::bounds(data_->shapes[std::size_t(i)]); },
       [&](const Node& n, const Box2& a, const Box2& b) -> Box2 {
         switch (n.op) {
-          case Op::either:
+          case Op::unite:
             return around(a, b);
-          case Op::both:
+          case Op::intersect:
             return common(a, b);
           case Op::complement:
             return everywhere;
@@ -183,7 +183,7 @@ Box2 Scene::bounds(Area area) const {
           case Op::shell:
             return a.empty() ? everywhere : grown(a, std::max(n.amount, 0.0));
           case Op::shape:
-          case Op::without:
+          case Op::subtract:
             return a;
         }
         return everywhere;

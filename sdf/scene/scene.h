@@ -4,7 +4,7 @@
 //   SceneBuilder build({.canvas = …, .background = …});
 //   const Area opening = build.shape(Band{…});
 //   build.layer("sclera", opening, {.color = white});
-//   build.layer("iris", build.both(build.shape(iris), opening), {.color = brown});
+//   build.layer("iris", build.intersect(build.shape(iris), opening), {.color = brown});
 //   const Scene scene = std::move(build).finish();
 //
 // Areas are shared: the outline of `opening` is ONE outline in both layers, so they leave no seam.
@@ -89,9 +89,9 @@ class MIEN_API SceneBuilder {
 
   /// Nothing, if a point or a width of it is no finite number.
   Area shape(Shape shape);
-  Area either(Area a, Area b);
-  Area both(Area a, Area b);
-  Area without(Area a, Area b);
+  Area unite(Area a, Area b);
+  Area intersect(Area a, Area b);
+  Area subtract(Area a, Area b);
   Area complement(Area a);
   Area offset(Area a, double amount);
   Area shell(Area a, double amount);

@@ -78,14 +78,14 @@ void print_node(Out out, std::span<const Shape> shapes, const Node& n) {
       fmt::format_to(out, "{} ", shape_name(shapes[std::size_t(n.a)]));
       std::visit(PrintShape{out}, shapes[std::size_t(n.a)]);
       break;
-    case Op::either:
-      fmt::format_to(out, "either a{} a{}", n.a, n.b);
+    case Op::unite:
+      fmt::format_to(out, "unite a{} a{}", n.a, n.b);
       break;
-    case Op::both:
-      fmt::format_to(out, "both a{} a{}", n.a, n.b);
+    case Op::intersect:
+      fmt::format_to(out, "intersect a{} a{}", n.a, n.b);
       break;
-    case Op::without:
-      fmt::format_to(out, "without a{} a{}", n.a, n.b);
+    case Op::subtract:
+      fmt::format_to(out, "subtract a{} a{}", n.a, n.b);
       break;
     case Op::complement:
       fmt::format_to(out, "complement a{}", n.a);

@@ -24,9 +24,9 @@ inline bool same_numbers(const Path& a, const Path& b) {
   return true;
 }
 
-template <class Figure>
-bool same_numbers(const Figure& a, const Figure& b) {
-  static_assert(std::is_trivially_copyable_v<Figure> && sizeof(Figure) % sizeof(double) == 0);
+template <class Held>
+bool same_numbers(const Held& a, const Held& b) {
+  static_assert(std::is_trivially_copyable_v<Held> && sizeof(Held) % sizeof(double) == 0);
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
@@ -51,12 +51,12 @@ inline std::uint64_t hash_of(const Shape& shape) {
   };
   return std::visit(
       [&](const auto& s) {
-        using Figure = std::decay_t<decltype(s)>;
+        using Held = std::decay_t<decltype(s)>;
         const std::uint64_t h = shape.index() + 1;
-        if constexpr (std::is_same_v<Figure, Polyline>)
+        if constexpr (std::is_same_v<Held, Polyline>)
           return s.points.empty() ? h
                                   : mixed(some_of(h, &s.points[0].x, 2), double(s.points.size()));
-        else if constexpr (std::is_same_v<Figure, Path>)
+        else if constexpr (std::is_same_v<Held, Path>)
           return s.loops.empty() || s.loops[0].sides.empty()
                      ? h
                      : some_of(h, &s.loops[0].sides[0].p0.x, sizeof(QuadBezier) / sizeof(double));

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/rendered.h"
+
 namespace mien {
 namespace {
 
@@ -27,8 +29,8 @@ Face toon() {
 }
 
 Image picture(const Face& face, double time, int width, const RenderOptions& how = {}) {
-  return render(scene_from_face(pose_face(face, {.time = time})),
-                {.width = width, .height = width * 9 / 16}, how);
+  return test::rendered(scene_from_face(pose_face(face, {.time = time})),
+                        {.width = width, .height = width * 9 / 16}, how);
 }
 
 TEST(Embed, EightThreadsAtOnceDrawWhatOneDraws) {
@@ -83,7 +85,7 @@ TEST(Embed, ACallersBufferKeepsWhatLiesBetweenItsRows) {
   const Scene scene = scene_from_face(toon());
   for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
     const View view{.width = 160, .height = 90, .region = PixelRect{20, 10, 100, 70}};
-    const Image whole = render(scene, view, {.depth = depth});
+    const Image whole = test::rendered(scene, view, {.depth = depth});
     ASSERT_EQ(whole.width, 100);
     ASSERT_EQ(whole.height, 70);
     const std::size_t row = whole.stride(), stride = row + 48;

@@ -15,6 +15,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/fuzzed_picture.h"
 #include "tests/support/random.h"
+#include "tests/support/rendered.h"
 
 namespace mien::test {
 namespace {
@@ -60,12 +61,12 @@ std::vector<Shape> with_number(double v) {
 }
 
 TEST(BadInput, ShapesWithNumbersThatAreNoneAreNotThere) {
-  const Image empty = render(canvas(24).finish(), {.width = 24, .height = 24});
+  const Image empty = test::rendered(canvas(24).finish(), {.width = 24, .height = 24});
   for (const double v : {kNone, kInfinite, -kInfinite})
     for (const Shape& shape : with_number(v)) {
       SCOPED_TRACE(fmt::format("{} with {}", shape_name(shape), v));
       const Scene scene = only(shape);
-      EXPECT_EQ(render(scene, {.width = 24, .height = 24}).bytes, empty.bytes);
+      EXPECT_EQ(test::rendered(scene, {.width = 24, .height = 24}).bytes, empty.bytes);
       EXPECT_EQ(scene.distance(scene.layers()[0].area, {12, 12}), kInfinite);
     }
 }
@@ -75,7 +76,7 @@ TEST(BadInput, NumbersBeyondAllPicturesEnd) {
   for (const double v : {1e15, -1e30, 1e150, 1e300, -1e308})
     for (const Shape& shape : with_number(v)) {
       RenderStats stats;
-      render(only(shape), {.width = 24, .height = 24}, {}, &stats);
+      test::rendered(only(shape), {.width = 24, .height = 24}, {}, &stats);
       EXPECT_LT(stats.pieces, 100'000) << shape_name(shape) << ' ' << v;
     }
 }
@@ -89,7 +90,7 @@ TEST(BadInput, HugeNumbersGiveWhatTheDistanceSays) {
 }
 
 TEST(BadInput, WhatHasNoWidthIsNotSeen) {
-  const Image empty = render(canvas(24).finish(), {.width = 24, .height = 24});
+  const Image empty = test::rendered(canvas(24).finish(), {.width = 24, .height = 24});
   for (const double none : {0.0, -0.0}) {
     SceneBuilder build = canvas(24);
     for (const Shape& shape : std::vector<Shape>{
@@ -99,7 +100,8 @@ TEST(BadInput, WhatHasNoWidthIsNotSeen) {
              TaperedStroke{{{2, 2}, {20, 9}, {3, 20}}, {none, none, none}},
              CutDisc{{12, 12}, none, 0.5, 0.5, {0, 1}}})
       build.layer("none", build.shape(shape), {kWhite});
-    EXPECT_EQ(render(std::move(build).finish(), {.width = 24, .height = 24}).bytes, empty.bytes);
+    EXPECT_EQ(test::rendered(std::move(build).finish(), {.width = 24, .height = 24}).bytes,
+              empty.bytes);
   }
 }
 
@@ -107,12 +109,12 @@ TEST(BadInput, AMillionPointsAtOnePlaceAreOne) {
   Polyline line{.points = std::vector<glm::dvec2>(1'000'000, {12, 12}), .half_width = 5};
   RenderStats stats;
   const View view{.width = 24, .height = 24};
-  const Image image = render(only(line), view, {}, &stats);
-  EXPECT_EQ(image.bytes, render(only(Disc{{12, 12}, 5}), view).bytes);
+  const Image image = test::rendered(only(line), view, {}, &stats);
+  EXPECT_EQ(image.bytes, test::rendered(only(Disc{{12, 12}, 5}), view).bytes);
   EXPECT_LT(stats.pieces, 100);
   Path path;
   path.loops.push_back({std::vector<QuadBezier>(1'000'000, side({12, 12}, {12, 12}))});
-  render(only(path), view, {}, &stats);
+  test::rendered(only(path), view, {}, &stats);
   EXPECT_EQ(stats.pieces, 0);
 }
 
@@ -124,8 +126,8 @@ TEST(BadInput, AThousandCopiesOfAShapeAreDrawnOnce) {
     SceneBuilder build = canvas(24);
     for (int i = 0; i < 1000; ++i) build.layer("copy", build.shape(shape), {kWhite});
     RenderStats once, many;
-    const Image one = render(only(shape), view, {}, &once);
-    EXPECT_EQ(render(std::move(build).finish(), view, {}, &many).bytes, one.bytes);
+    const Image one = test::rendered(only(shape), view, {}, &once);
+    EXPECT_EQ(test::rendered(std::move(build).finish(), view, {}, &many).bytes, one.bytes);
     EXPECT_EQ(many.pieces, once.pieces);
     EXPECT_EQ(many.crossings, once.crossings);
   }
@@ -148,11 +150,11 @@ Path rounds(int count, double radius, double grow) {
 TEST(BadInput, PathsRoundAndRoundWorkByTheirPiecesAndCrossings) {
   const View view{.width = 24, .height = 24};
   RenderStats stats;
-  render(only(rounds(times(100'000), 3, 8.0 / times(100'000))), view, {}, &stats);
+  test::rendered(only(rounds(times(100'000), 3, 8.0 / times(100'000))), view, {}, &stats);
   EXPECT_LE(stats.pieces, 110'000);
   EXPECT_LE(stats.crossings, 4 * stats.pieces);
-  const Image once = render(only(rounds(50, 9, 0)), view);
-  EXPECT_EQ(render(only(rounds(10'000, 9, 0)), view, {}, &stats).bytes, once.bytes);
+  const Image once = test::rendered(only(rounds(50, 9, 0)), view);
+  EXPECT_EQ(test::rendered(only(rounds(10'000, 9, 0)), view, {}, &stats).bytes, once.bytes);
   EXPECT_EQ(stats.doubts, 0);
 }
 

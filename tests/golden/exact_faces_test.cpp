@@ -19,6 +19,7 @@
 #include "tests/support/exact_windows.h"
 #include "tests/support/faces.h"
 #include "tests/support/random_lit_scene.h"
+#include "tests/support/rendered.h"
 #include "tests/support/sample_poses.h"
 
 namespace mien {
@@ -119,7 +120,7 @@ TEST_P(ExactFaces, HaveNoDoubtsAtAnySize) {
           View view = view_of(scene, width);
           view.blend = blend, view.region = PixelRect{0, 0, 1, 1};
           RenderStats stats;
-          render(scene, view, {.depth = depth}, &stats);
+          test::rendered(scene, view, {.depth = depth}, &stats);
           EXPECT_EQ(stats.doubts, 0) << pose.name << ' ' << width;
         }
 }

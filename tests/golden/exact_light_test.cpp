@@ -79,10 +79,11 @@ TEST(ExactLight, ARoundProfileAlongAStraightOutlineIntegrates) {
     SceneBuilder build({.box = {{-2, -2}, {2, 2}}}, {0, 0, 0, 1});
     build.light(kLight);
     const Area half = build.shape(HalfPlane{way, 0});
-    const Area strip = build.both(build.both(half, build.shape(HalfPlane{-way, 0.9})),
-                                  build.shape(Disc{{0, 0}, 1.5}));
-    const Area square = build.both(strip, build.both(build.shape(HalfPlane{{way.y, -way.x}, 0.5}),
-                                                     build.shape(HalfPlane{{-way.y, way.x}, 0.5})));
+    const Area strip = build.intersect(build.intersect(half, build.shape(HalfPlane{-way, 0.9})),
+                                       build.shape(Disc{{0, 0}, 1.5}));
+    const Area square =
+        build.intersect(strip, build.intersect(build.shape(HalfPlane{{way.y, -way.x}, 0.5}),
+                                               build.shape(HalfPlane{{-way.y, way.x}, 0.5})));
     build.layer(
         "round", square,
         {{0.4, 0.4, 0.4, 1},
@@ -160,7 +161,7 @@ TEST(ExactLight, ABevelledStrokeHasARidgeBetweenItsSides) {
 TEST(ExactLight, ReliefsOfCombinationsHaveTheirRidgeWhereTwoOutlinesAreEquallyFar) {
   SceneBuilder build = one_pixel();
   const Area corner =
-      build.both(build.shape(HalfPlane{{1, 0}, 1}), build.shape(HalfPlane{{0, 1}, 1}));
+      build.intersect(build.shape(HalfPlane{{1, 0}, 1}), build.shape(HalfPlane{{0, 1}, 1}));
   build.layer("left", build.shape(HalfPlane{{1, 0}, 0.4}),
               {{0.5, 0.5, 0.5, 1}, {}, shared(bevel(corner, 2, 1))});
   const double right = 0.08, above = 0.4 - right;  // under the diagonal, and over it

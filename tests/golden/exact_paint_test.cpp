@@ -26,6 +26,7 @@
 #include "tests/support/exact_compare.h"
 #include "tests/support/exact_truth.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
@@ -93,8 +94,8 @@ TEST(ExactTruth, KnowsTheMeanOfARadialGradientWithAJump) {
 void expect_exact(const Scene& scene, int side, Blend blend, int every) {
   SCOPED_TRACE(fmt::format("{} px, {}", side, blend == Blend::linear ? "linear" : "srgb"));
   const View view{.width = side, .height = side, .blend = blend, .dither = false};
-  const Image images[] = {render(scene, view, {.depth = Depth::u8}),
-                          render(scene, view, {.depth = Depth::u16})};
+  const Image images[] = {test::rendered(scene, view, {.depth = Depth::u8}),
+                          test::rendered(scene, view, {.depth = Depth::u16})};
   const double allowed[] = {1, 32};
   const test::ExactError error =
       test::compare_exactly(images, ExactTruth(scene, view), allowed, every);
@@ -122,7 +123,7 @@ TEST(ExactPaint, SliversBesideATangent) {
       const Scene scene = std::move(build).finish();
       for (const Blend blend : {Blend::srgb, Blend::linear}) {
         const View view{.width = 96, .height = 96, .blend = blend, .dither = false};
-        const Image image = render(scene, view);
+        const Image image = test::rendered(scene, view);
         const ExactTruth truth(scene, view);
         for (int y = 39; y < 42; ++y)
           for (int x = 45; x < 53; ++x)
@@ -165,9 +166,9 @@ int most_apart(const Image& a, const Image& b, bool mirrored) {
 TEST(Relief, MirroredLightOnAMirroredFaceIsTheMirroredPicture) {  // G3
   const View left{.width = 90, .height = 70, .light = glm::dvec3{-0.6, 0.4, 0.7}, .dither = false},
       right{.width = 90, .height = 70, .light = glm::dvec3{0.6, 0.4, 0.7}, .dither = false};
-  const Image here = render(relief_scene(kRound, false), left);
-  EXPECT_LE(most_apart(here, render(relief_scene(kRound, true), right), true), 1);
-  EXPECT_GT(most_apart(here, render(relief_scene(kRound, true), left), true), 20);
+  const Image here = test::rendered(relief_scene(kRound, false), left);
+  EXPECT_LE(most_apart(here, test::rendered(relief_scene(kRound, true), right), true), 1);
+  EXPECT_GT(most_apart(here, test::rendered(relief_scene(kRound, true), left), true), 20);
 }
 
 TEST(Relief, ThatIsFlatIsTheSamePictureToTheByte) {  // G3, C1
@@ -176,17 +177,19 @@ TEST(Relief, ThatIsFlatIsTheSamePictureToTheByte) {  // G3, C1
   build.layer("nose",
               build.shape(TaperedStroke{{{0.1, 0.7}, {0.3, 0.1}, {-0.2, -0.5}}, {0.1, 0.2, 0.35}}),
               {{0.8, 0.5, 0.3, 1}});
-  const Image unlit = render(std::move(build).finish(), view);
-  EXPECT_EQ(render(relief_scene({}, false), view).bytes, unlit.bytes);
-  EXPECT_EQ(render(relief_scene({.profile = Profile::round, .width = 0.2}, false), view).bytes,
-            unlit.bytes);
-  EXPECT_NE(render(relief_scene(kRound, false), view).bytes, unlit.bytes);
+  const Image unlit = test::rendered(std::move(build).finish(), view);
+  EXPECT_EQ(test::rendered(relief_scene({}, false), view).bytes, unlit.bytes);
+  EXPECT_EQ(
+      test::rendered(relief_scene({.profile = Profile::round, .width = 0.2}, false), view).bytes,
+      unlit.bytes);
+  EXPECT_NE(test::rendered(relief_scene(kRound, false), view).bytes, unlit.bytes);
 }
 
 TEST(Relief, LeavesCoverageExact) {  // G3: opacity is what no light changes
   Scene scene = relief_scene(kRound, false);
   const View clear{.width = 60, .height = 60, .background = Color{0, 0, 0, 0}, .dither = false};
-  const Image lit = render(scene, clear), plain = render(relief_scene({}, false), clear);
+  const Image lit = test::rendered(scene, clear),
+              plain = test::rendered(relief_scene({}, false), clear);
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 60; ++x)
       ASSERT_LE(std::abs(int(lit.row(y)[4 * x + 3]) - int(plain.row(y)[4 * x + 3])), 1);
@@ -195,11 +198,11 @@ TEST(Relief, LeavesCoverageExact) {  // G3: opacity is what no light changes
 TEST(Paints, AreTheSameInRegionsAndOnThreads) {
   const Scene scene = test::random_painted_scene(3);
   const View whole{.width = 173, .height = 131};
-  const Image one = render(scene, whole, {.threads = {.count = 1}});
-  EXPECT_EQ(render(scene, whole, {.threads = {.count = 7}}).bytes, one.bytes);
+  const Image one = test::rendered(scene, whole, {.threads = {.count = 1}});
+  EXPECT_EQ(test::rendered(scene, whole, {.threads = {.count = 7}}).bytes, one.bytes);
   View part = whole;
   part.region = PixelRect{37, 21, 70, 60};
-  const Image piece = render(scene, part);
+  const Image piece = test::rendered(scene, part);
   for (int y = 0; y < 60; ++y)
     for (int i = 0; i < 4 * 70; ++i)
       ASSERT_EQ(piece.row(y)[i], one.row(y + 21)[4 * 37 + i]) << i / 4 << ' ' << y;
@@ -242,7 +245,7 @@ TEST(ExactPaint, WhereScenesChangeMost) {
                     .height = side,
                     .blend = seed % 2 ? Blend::linear : Blend::srgb,
                     .dither = false};
-    const Image image = render(scene, view);
+    const Image image = test::rendered(scene, view);
     const ExactTruth truth(scene, view);
     for (const glm::ivec2 p : busy_pixels(image, side)) {
       const glm::dvec4 want = truth.levels(p.x, p.y, 255);

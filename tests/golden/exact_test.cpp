@@ -11,6 +11,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/faces.h"
 #include "tests/support/random_plain_scene.h"
+#include "tests/support/rendered.h"
 #include "tests/support/truth.h"
 
 namespace mien {
@@ -19,8 +20,8 @@ namespace {
 using test::face_named;
 
 Image drawn(const Face& face, const std::vector<std::string>& settings, int width, int height) {
-  return render(scene_from_face(test::posed(face, settings)),
-                {.width = width, .height = height, .blend = Blend::srgb});
+  return test::rendered(scene_from_face(test::posed(face, settings)),
+                        {.width = width, .height = height, .blend = Blend::srgb});
 }
 
 std::vector<std::string> eyes(glm::dvec2 gaze, double dilation, double blink) {
@@ -73,7 +74,7 @@ TEST(Exact, TheNativeFace) {
     const Scene scene = scene_from_face(test::posed(  // flat: this truth knows no light
         face_named("toon"),
         {"blink=0.3", "gaze.x=0.01", "eyeball.left/dome/height=0", "eyeball.right/dome/height=0"}));
-    expect_exact(render(scene, {.width = width, .height = height, .blend = Blend::srgb}),
+    expect_exact(test::rendered(scene, {.width = width, .height = height, .blend = Blend::srgb}),
                  test::scene_truth(scene, width, height), 128);
   }
 }
@@ -83,7 +84,8 @@ TEST(Exact, RandomScenesOfEveryShapeAndOperator) {
     const int side = seed % 3 == 0 ? 11 : seed % 3 == 1 ? 24 : 40;
     const Scene scene = test::random_plain_scene(seed);
     SCOPED_TRACE(fmt::format("seed {} at {} px:\n{}", seed, side, scene.text()));
-    const Image image = render(scene, {.width = side, .height = side, .blend = Blend::srgb});
+    const Image image =
+        test::rendered(scene, {.width = side, .height = side, .blend = Blend::srgb});
     const test::TruthError error =
         test::compare_with_truth(image, test::scene_truth(scene, side, side), 256, test::kThinning);
     EXPECT_EQ(error.over_one, 0) << error.where;

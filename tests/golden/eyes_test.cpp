@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/support/faces.h"
+#include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
@@ -23,7 +24,7 @@ using test::face_named;
 using test::posed;
 
 Image eyes_picture(const Face& face, const std::vector<std::string>& settings) {
-  return render(scene_from_face(posed(face, settings)), {.width = 160, .height = 90});
+  return test::rendered(scene_from_face(posed(face, settings)), {.width = 160, .height = 90});
 }
 
 /// A shut eye is drawn the same whatever colours its inside has: no pixel holds any of it.
@@ -151,8 +152,8 @@ TEST(Eyes, AreWhiteWhereTheSourceSays_E1) {
     for (const char* side : {"left", "right"})
       for (int i = 0; i < 3; ++i) bare.push_back(fmt::format("{}.{}/spine/{}=5,5", line, side, i));
   const int width = 1920, height = 1080;
-  const Image image = render(scene_from_face(posed(seed, bare)),
-                             {.width = width, .height = height, .blend = Blend::srgb});
+  const Image image = test::rendered(scene_from_face(posed(seed, bare)),
+                                     {.width = width, .height = height, .blend = Blend::srgb});
   int judged = 0, wrong = 0;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
@@ -216,7 +217,7 @@ TEST(Eyes, HavePupilsWhoseDrawnAreaIsTheDilationSquared_E3) {
         for (int i = 0; i < 3; ++i)
           settings.push_back(fmt::format("{}.{}/spine/{}=5,5", line, side, i));
     const Image image =
-        render(scene_from_face(posed(seed, settings)), {.width = 640, .height = 360});
+        test::rendered(scene_from_face(posed(seed, settings)), {.width = 640, .height = 360});
     double sum = 0;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column)
@@ -241,7 +242,7 @@ TEST(Eyes, AreCutDiscsOfTheRightArea_M3) {
   for (const Slice& slice : male.model->layout.slices())
     if (slice.name.ends_with("/half_width")) settings.push_back(slice.name + "=0");
   const Image image =
-      render(scene_from_face(posed(male, settings)), {.width = 1000, .height = 1000});
+      test::rendered(scene_from_face(posed(male, settings)), {.width = 1000, .height = 1000});
   const double unit = 1000 / male.model->canvas.box.size().x;  // [pixels]
   double sum = 0;
   for (int row = 0; row < image.height; ++row)

@@ -75,8 +75,8 @@ class Judge {
     const PixelBuffer fresh = fresh_.of(rect, wish.depth, 16 * (frames_ % 3));
     const RenderOptions how{.threads = {.count = threads}};
     RenderStats stats;
-    renderer_.render_into(out, scene, wish.view, how, &stats);
-    Renderer().render_into(fresh, scene, wish.view, {.threads = {.count = 1}});
+    EXPECT_TRUE(renderer_.render_into(out, scene, wish.view, how, &stats));
+    EXPECT_TRUE(Renderer().render_into(fresh, scene, wish.view, {.threads = {.count = 1}}));
     recalled_ += stats.recalled_pixels, pixels_ += stats.pixels;
     const Buffer& drawn = buffers_[frames_ % 2];
     for (int y = 0; y < rect.height; ++y)

@@ -12,6 +12,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/faces.h"
 #include "tests/support/random_plain_scene.h"
+#include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
@@ -27,9 +28,10 @@ TEST(SamePicture, ForAnyNumberOfThreads) {
   for (const char* name : kFaces) {
     const Scene scene = posed_scene(name);
     const View view{.width = 611 / kSmaller, .height = 347 / kSmaller};
-    const Image one = render(scene, view, {.threads = {.count = 1}});
+    const Image one = test::rendered(scene, view, {.threads = {.count = 1}});
     for (const int threads : {2, 7})
-      EXPECT_EQ(render(scene, view, {.threads = {.count = threads}}).bytes, one.bytes) << name;
+      EXPECT_EQ(test::rendered(scene, view, {.threads = {.count = threads}}).bytes, one.bytes)
+          << name;
   }
 }
 
@@ -40,7 +42,8 @@ TEST(SamePicture, StitchedFromRegions) {
   for (const char* name : kFaces)
     for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
       const Scene scene = posed_scene(name);
-      const Image whole = render(scene, {.width = width, .height = height}, {.depth = depth});
+      const Image whole =
+          test::rendered(scene, {.width = width, .height = height}, {.depth = depth});
       std::vector<std::byte> stitched(whole.bytes.size());
       const std::size_t pixel = 4 * bytes_per_channel(depth);
       for (int y = 0; y < height; y += high)
@@ -60,12 +63,12 @@ TEST(SamePicture, OfRandomScenesInAnyRegion) {
   constexpr int kWidth = 310, kHeight = 150;
   for (int seed = 1; seed <= test::times(60); ++seed) {
     const Scene scene = test::random_plain_scene(std::uint64_t(seed));
-    const Image whole = render(scene, {.width = kWidth, .height = kHeight});
+    const Image whole = test::rendered(scene, {.width = kWidth, .height = kHeight});
     for (const PixelRect part : {PixelRect{0, 0, 70, 150}, PixelRect{71, 3, 130, 61},
                                  PixelRect{130, 66, 180, 84}, PixelRect{255, 0, 1, 150}}) {
       View view{.width = kWidth, .height = kHeight};
       view.region = part;
-      const Image piece = render(scene, view);
+      const Image piece = test::rendered(scene, view);
       for (int y = 0; y < part.height; ++y)
         ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + 4 * part.x,
                               4 * std::size_t(part.width)),
@@ -83,9 +86,9 @@ TEST(Seams, NoneBetweenAbuttingLayersOfOneColour) {
                bowl = build.shape(ParabolaSide{{0, -0.4}, {0, 1}, 1.3});
     for (const Area a : {side, build.complement(side)})
       for (const Area b : {bowl, build.complement(bowl)})
-        build.layer("piece", build.both(a, b), {{0.2, 0.1, 0.4, 1}});
+        build.layer("piece", build.intersect(a, b), {{0.2, 0.1, 0.4, 1}});
     const Image image =
-        render(std::move(build).finish(), {.width = 157, .height = 101, .blend = blend});
+        test::rendered(std::move(build).finish(), {.width = 157, .height = 101, .blend = blend});
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x)
         ASSERT_EQ(std::memcmp(image.row(y) + 4 * x, image.row(0), 4), 0) << x << ' ' << y;
@@ -99,9 +102,9 @@ TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
   for (const int width : {320, 640, 992}) {
     const int height = width * 9 / 16;
     std::vector<std::uint16_t> pixels(std::size_t(4 * width * height));
-    Renderer().render_into(
+    EXPECT_TRUE(Renderer().render_into(
         {reinterpret_cast<std::byte*>(pixels.data()), std::size_t(8 * width), Depth::u16},
-        posed_scene("toon"), {.width = width, .height = height, .light = kAbove, .dither = false});
+        posed_scene("toon"), {.width = width, .height = height, .light = kAbove, .dither = false}));
     const auto channel = [&](int x, int y, int c) {
       return int(pixels[std::size_t(4 * (y * width + x) + c)]);
     };
@@ -111,8 +114,8 @@ TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
           ASSERT_LE(std::abs(channel(x, y, c) - channel(width - 1 - x, y, c)), 2)
               << width << ": " << x << ' ' << y;
   }
-  const Image odd = render(posed_scene("toon", {"blink=0.4"}),
-                           {.width = 333, .height = 200, .light = kAbove, .dither = false});
+  const Image odd = test::rendered(posed_scene("toon", {"blink=0.4"}),
+                                   {.width = 333, .height = 200, .light = kAbove, .dither = false});
   for (int y = 0; y < odd.height; ++y)
     for (int x = 0; x < 333 * 4; ++x) {
       const int mirrored = (332 - x / 4) * 4 + x % 4;
@@ -124,8 +127,9 @@ TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
 TEST(Mirror, TurnedHeadsMirrorEachOther_G4) {
   constexpr glm::dvec3 kAbove{0, 0.65, 0.85};
   const View view{.width = 320, .height = 180, .light = kAbove, .dither = false};
-  const Image left = render(posed_scene("toon", {"yaw=20", "roll=5", "blink=0.3"}), view);
-  const Image right = render(posed_scene("toon", {"yaw=-20", "roll=-5", "blink=0.3"}), view);
+  const Image left = test::rendered(posed_scene("toon", {"yaw=20", "roll=5", "blink=0.3"}), view);
+  const Image right =
+      test::rendered(posed_scene("toon", {"yaw=-20", "roll=-5", "blink=0.3"}), view);
   for (int y = 0; y < left.height; ++y)
     for (int x = 0; x < left.width; ++x)
       for (int c = 0; c < 4; ++c)

@@ -3,7 +3,11 @@
 # TBB, Eigen, Highway, fmt or OpenImageIO in what a user's compiler sees, and nothing private.
 set -euo pipefail
 cd "$1/include/mien"
-test -f mien.h && test -f version.h && test -f lib/base/api.h
+test -f mien.h && test -f version.h && test -f api.h
+if find . -mindepth 1 -type d | grep .; then
+  echo "users' include paths show the house"
+  exit 1
+fi
 if find . -name '*_private.h' -o -name '*-inl.h' | grep .; then
   echo "private headers are installed"
   exit 1

@@ -1,10 +1,12 @@
-#include "render/piece_drawer.h"
 #include <mien/parallel.h>
+#include <mien/piece_drawer.h>
 #include <mien/render.h>
 
 #include <gtest/gtest.h>
 
 #include <mutex>
+
+#include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
@@ -18,19 +20,20 @@ Scene discs() {
 
 TEST(PieceDrawer, PiecesOnThreadsAreThePicture) {
   const View view{.width = 300, .height = 230};
-  const Image whole = render(discs(), view);
+  const Image whole = test::rendered(discs(), view);
   Image image = whole;
   std::fill(image.bytes.begin(), image.bytes.end(), std::byte(0));
-  PieceDrawer drawer(discs(), view, Depth::u8);
+  auto drawer = PieceDrawer::of(discs(), view);
+  ASSERT_TRUE(drawer);
   RenderStats sum;
   std::mutex mutex;
   parallel_for(2 * 23, {.count = 4}, [&](int i) {
     const PixelRect piece{i % 2 * 130, i / 2 * 10, i % 2 ? 170 : 130, 10};
     RenderStats stats;
-    EXPECT_TRUE(drawer.draw(
+    EXPECT_TRUE(drawer->draw(
         {image.bytes.data() + image.stride() * std::size_t(piece.y) + 4 * std::size_t(piece.x),
          image.stride(), Depth::u8},
-        piece, [] { return false; }, stats));
+        piece, [] { return false; }, &stats));
     const std::lock_guard lock(mutex);
     sum.add(stats);
   });
@@ -41,12 +44,26 @@ TEST(PieceDrawer, PiecesOnThreadsAreThePicture) {
 
 TEST(PieceDrawer, StopsWhenAsked) {
   std::vector<std::byte> pixels(4 * 64 * 4000);
-  PieceDrawer drawer(discs(), {.width = 64, .height = 4000}, Depth::u8);
+  auto drawer = PieceDrawer::of(discs(), {.width = 64, .height = 4000});
+  ASSERT_TRUE(drawer);
   RenderStats stats;
   int asked = 0;
-  EXPECT_FALSE(drawer.draw(
-      {pixels.data(), 256, Depth::u8}, {0, 0, 64, 4000}, [&] { return ++asked == 3; }, stats));
+  EXPECT_FALSE(drawer->draw(
+      {pixels.data(), 256, Depth::u8}, {0, 0, 64, 4000}, [&] { return ++asked == 3; }, &stats));
   EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(stats.cancelled);
+}
+
+TEST(PieceDrawer, RefusesWhatIsNotInThePicture) {
+  EXPECT_FALSE(PieceDrawer::of(discs(), {.width = 0, .height = 9}));
+  auto drawer = PieceDrawer::of(discs(), {.width = 64, .height = 40});
+  ASSERT_TRUE(drawer);
+  std::vector<std::byte> pixels(4 * 64 * 40);
+  for (const PixelRect& piece : {PixelRect{-1, 0, 9, 9}, PixelRect{60, 0, 5, 1},
+                                 PixelRect{0, 39, 1, 2}, PixelRect{0, 0, 0, 1}})
+    EXPECT_FALSE(drawer->draw({pixels.data(), 256}, piece));
+  EXPECT_EQ(drawer->draw({pixels.data(), 256}, {60, 0, 5, 1}).error().what,
+            "the piece 60,0,5,1 is not in a picture of 64 x 40 pixels");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/effort.h"
+#include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
@@ -25,20 +26,21 @@ Scene beads() {
 
 TEST(Render, GivesAnImageOfTheSizeAndDepthAskedFor) {
   for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
-    const Image image = render(beads(), {.width = 33, .height = 17}, {.depth = depth});
+    const Image image = test::rendered(beads(), {.width = 33, .height = 17}, {.depth = depth});
     EXPECT_EQ(image.width, 33);
     EXPECT_EQ(image.height, 17);
     EXPECT_EQ(image.bytes.size(), 33u * 17 * 4 * bytes_per_channel(depth));
     EXPECT_TRUE(image.opaque);
   }
-  EXPECT_FALSE(render(beads(), {.width = 8, .height = 8, .background = Color{0, 0, 0, 0}}).opaque);
+  EXPECT_FALSE(
+      test::rendered(beads(), {.width = 8, .height = 8, .background = Color{0, 0, 0, 0}}).opaque);
 }
 
 TEST(Render, OfOnePixelIsTheMeanOfTheWholePicture) {
   SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0, 0, 0, 1});
   build.layer("quarter", build.shape(Triangle{{-1, -1}, {1, -1}, {0, 0}}), {{1, 1, 1, 1}});
   const Image image =
-      render(std::move(build).finish(), {.width = 1, .height = 1}, {.depth = Depth::f32});
+      test::rendered(std::move(build).finish(), {.width = 1, .height = 1}, {.depth = Depth::f32});
   float red;
   std::memcpy(&red, image.bytes.data(), 4);
   EXPECT_NEAR(red, 0.25, 1e-4);
@@ -46,7 +48,7 @@ TEST(Render, OfOnePixelIsTheMeanOfTheWholePicture) {
 
 TEST(Render, CountsWhatItDid) {
   RenderStats stats;
-  render(beads(), {.width = 200, .height = 200}, {}, &stats);
+  test::rendered(beads(), {.width = 200, .height = 200}, {}, &stats);
   EXPECT_EQ(stats.pixels, 40000);
   EXPECT_EQ(stats.fill_pixels + stats.edge_pixels, 40000);
   EXPECT_GT(stats.fill_pixels, 20000);
@@ -56,43 +58,46 @@ TEST(Render, CountsWhatItDid) {
 TEST(Render, TellsItsProgressAndStopsWhenAsked) {
   double last = 0;
   int calls = 0;
-  render(beads(), {.width = 700, .height = 700},
-         {.threads = {.count = 2}, .progress = [&](double done) {
-            EXPECT_GE(done, last);
-            last = done;
-            ++calls;
-            return true;
-          }});
+  test::rendered(beads(), {.width = 700, .height = 700},
+                 {.threads = {.count = 2}, .progress = [&](double done) {
+                    EXPECT_GE(done, last);
+                    last = done;
+                    ++calls;
+                    return true;
+                  }});
   EXPECT_EQ(last, 1);
   EXPECT_GT(calls, 4);
   RenderStats stats;
-  render(beads(), {.width = 700, .height = 700}, {.progress = [](double) { return false; }},
-         &stats);
+  const auto cancelled = render(beads(), {.width = 700, .height = 700},
+                                {.progress = [](double) { return false; }}, &stats);
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(cancelled.error().what, "cancelled");
   EXPECT_TRUE(stats.cancelled);
 }
 
-TEST(Render, OfAPictureThatCannotBeIsTheEmptyImage) {
-  const auto expect_empty = [](const View& view, const RenderOptions& how) {
-    const Image image = render(beads(), view, how);
-    EXPECT_EQ(image.width, 0);
-    EXPECT_EQ(image.height, 0);
-    EXPECT_TRUE(image.bytes.empty());
-  };
+TEST(Render, OfAPictureThatCannotBeSaysWhy) {
   constexpr int kSide = View::kMaxSide, kMost = std::numeric_limits<int>::max();
   for (const View& view :
        {View{.width = 0, .height = 9}, View{.width = 9, .height = -1},
         View{.width = kSide + 1, .height = 1}, View{.width = kMost, .height = kMost},
         View{.width = -5, .height = -5, .region = PixelRect{0, 0, 3, 3}}}) {
-    expect_empty(view, {.depth = Depth::f32});
+    const auto image = render(beads(), view, {.depth = Depth::f32});
+    ASSERT_FALSE(image);
+    EXPECT_TRUE(image.error().what.ends_with("sides are 1 ... 1048576")) << image.error().what;
     std::byte pixel[16];
-    EXPECT_FALSE(render_into({pixel, 16, Depth::f32}, beads(), view));
+    const auto done = render_into({pixel, 16, Depth::f32}, beads(), view);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().what, image.error().what);
   }
   if constexpr (!test::kSanitized) {  // whose own allocators end the program instead
     rlimit before{};
     ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
     const rlimit scarce{rlim_t{1} << 36, before.rlim_max};  // else some systems promise anything
     ASSERT_EQ(::setrlimit(RLIMIT_AS, &scarce), 0);
-    expect_empty({.width = kSide, .height = kSide}, {.depth = Depth::f32});  // 16 TiB
+    const auto image =
+        render(beads(), {.width = kSide, .height = kSide}, {.depth = Depth::f32});  // 16 TiB
+    ASSERT_FALSE(image);
+    EXPECT_EQ(image.error().what, "memory ran out: the picture has 1048576 x 1048576 pixels");
     ASSERT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
   }
 }
@@ -102,7 +107,7 @@ TEST(RenderInto, TouchesOnlyThePixelsOfItsRows) {
   const std::size_t stride = 20 * 4 + 12;
   std::vector<std::byte> mine(stride * 10 + 64, std::byte{0xA5});
   EXPECT_TRUE(render_into({mine.data(), stride, Depth::u8}, beads(), view));
-  const Image whole = render(beads(), {.width = 40, .height = 30});
+  const Image whole = test::rendered(beads(), {.width = 40, .height = 30});
   for (std::size_t y = 0; y < 10; ++y) {
     EXPECT_EQ(std::memcmp(mine.data() + stride * y, whole.row(int(y) + 6) + 4 * 5, 80), 0);
     for (std::size_t i = 80; i < stride; ++i) ASSERT_EQ(mine[stride * y + i], std::byte{0xA5});

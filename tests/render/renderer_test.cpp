@@ -74,7 +74,8 @@ TEST(Renderer, AllocatesNothingAfterTheFirstFramesOfAKind) {
       std::vector<std::uint64_t> pixels(160 * 120);
       const RenderOptions how{.threads = {.count = 1}};
       const auto draw = [&](int i) {
-        return renderer.render_into({pixels.data(), 160 * 8, depth}, scenes[i % 2], view, how);
+        return bool(
+            renderer.render_into({pixels.data(), 160 * 8, depth}, scenes[i % 2], view, how));
       };
       for (int i = 0; i < 4; ++i) EXPECT_TRUE(draw(i));
       const long before = test::allocations();
@@ -90,8 +91,8 @@ TEST(Renderer, CopiesRowsThatAreAsTheyWere) {
   std::vector<std::uint32_t> pixels(90 * 60);
   const auto recalled = [&](const char* gaze, Depth depth = Depth::u8) {
     RenderStats stats;
-    renderer.render_into({pixels.data(), 90 * 4, depth}, scene_from_face(test::posed(face, {gaze})),
-                         view, {}, &stats);
+    EXPECT_TRUE(renderer.render_into({pixels.data(), 90 * 4, depth},
+                                     scene_from_face(test::posed(face, {gaze})), view, {}, &stats));
     EXPECT_EQ(stats.pixels, 90 * 60);
     EXPECT_EQ(stats.recalled_pixels + stats.fill_pixels + stats.edge_pixels + stats.varied_pixels,
               stats.pixels);

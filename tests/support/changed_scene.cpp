@@ -48,14 +48,14 @@ struct Parts {
         case Op::shape:
           build.shape(shapes[std::size_t(n.a)]);
           break;
-        case Op::either:
-          build.either(a, b);
+        case Op::unite:
+          build.unite(a, b);
           break;
-        case Op::both:
-          build.both(a, b);
+        case Op::intersect:
+          build.intersect(a, b);
           break;
-        case Op::without:
-          build.without(a, b);
+        case Op::subtract:
+          build.subtract(a, b);
           break;
         case Op::complement:
           build.complement(a);

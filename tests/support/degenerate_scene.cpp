@@ -111,9 +111,9 @@ class Maker {
     const int how = r_.below(6);
     if (how > 2) return;
     const Area a = any(), b = any();
-    areas_.push_back(how == 0   ? build_.either(a, b)
-                     : how == 1 ? build_.both(a, b)
-                                : build_.without(a, b));
+    areas_.push_back(how == 0   ? build_.unite(a, b)
+                     : how == 1 ? build_.intersect(a, b)
+                                : build_.subtract(a, b));
   }
 
   Random r_;

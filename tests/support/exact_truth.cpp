@@ -9,8 +9,8 @@
 namespace mien::test {
 namespace {
 
-constexpr double kGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
-constexpr double kGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+constexpr double kLineGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
+constexpr double kLineGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 double unit_of(const Scene& scene, const View& view) {
   const glm::dvec2 size = scene.canvas().box.size();
@@ -119,9 +119,9 @@ double ExactTruth::off(const Square& square, const Mixes& difference) const {
 ExactTruth::Rows ExactTruth::rows(const Square& square, double top, double bottom) const {
   Rows rows;
   for (int k = 0; k < 3; ++k) {
-    const FaceLine line = line_at(square, top + kGaussPlace[k] * (bottom - top));
+    const FaceLine line = line_at(square, top + kLineGaussPlace[k] * (bottom - top));
     const Spans found = spans(square, line);
-    rows.sum = rows.sum + kGaussWeight[k] * (bottom - top) * along(square, line, found);
+    rows.sum = rows.sum + kLineGaussWeight[k] * (bottom - top) * along(square, line, found);
     rows.alike &= k == 0 || found.order == rows.order;
     rows.order = found.order;
   }

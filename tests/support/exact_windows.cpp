@@ -26,7 +26,7 @@ class Window {
     view.region = rect;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       view.blend = kStorages[i].blend;
-      if (wanted[i]) images_[i] = render(scene, view, {.depth = kStorages[i].depth});
+      if (wanted[i]) images_[i] = render(scene, view, {.depth = kStorages[i].depth}).value();
     }
   }
 

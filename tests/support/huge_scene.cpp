@@ -8,9 +8,9 @@
 namespace mien::test {
 namespace {
 
-class Maker {
+class HugeMaker {
  public:
-  explicit Maker(std::uint64_t seed) : r_(seed * 6151 + 3) {}
+  explicit HugeMaker(std::uint64_t seed) : r_(seed * 6151 + 3) {}
 
   Scene made() {
     SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, color());
@@ -87,7 +87,7 @@ class Maker {
 }  // namespace
 
 Scene huge_scene(std::uint64_t seed) {
-  return Maker(seed).made();
+  return HugeMaker(seed).made();
 }
 
 }  // namespace mien::test

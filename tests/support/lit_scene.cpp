@@ -59,7 +59,7 @@ AreaDistance random_area(Random& random, int kind, double size) {
       area = scene.shape(QuadStroke{{a, m, b}, half()});
       break;
     default:
-      area = scene.either(scene.shape(Disc{a, 0.3 * size}), scene.shape(Disc{b, 0.25 * size}));
+      area = scene.unite(scene.shape(Disc{a, 0.3 * size}), scene.shape(Disc{b, 0.25 * size}));
   }
   return {std::move(scene).finish(), area, kSame};
 }

@@ -59,13 +59,13 @@ Scene random_plain_scene(std::uint64_t seed) {
   for (int i = 0; i < 5; ++i) {
     switch (int(7 * unit(random))) {
       case 0:
-        areas.push_back(build.either(any(), any()));
+        areas.push_back(build.unite(any(), any()));
         break;
       case 1:
-        areas.push_back(build.both(any(), any()));
+        areas.push_back(build.intersect(any(), any()));
         break;
       case 2:
-        areas.push_back(build.without(any(), any()));
+        areas.push_back(build.subtract(any(), any()));
         break;
       case 3:
         areas.push_back(build.complement(any()));

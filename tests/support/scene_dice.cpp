@@ -66,13 +66,13 @@ void combine_randomly(Dice& dice, SceneBuilder& build, std::vector<Area>& areas)
   const Area a = any_of(dice, areas), b = any_of(dice, areas);
   switch (dice.below(7)) {
     case 0:
-      areas.push_back(build.either(a, b));
+      areas.push_back(build.unite(a, b));
       break;
     case 1:
-      areas.push_back(build.both(a, b));
+      areas.push_back(build.intersect(a, b));
       break;
     case 2:
-      areas.push_back(build.without(a, b));
+      areas.push_back(build.subtract(a, b));
       break;
     case 3:
       areas.push_back(build.complement(a));

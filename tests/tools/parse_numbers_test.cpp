@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/parse_values.h"
 
 namespace mien::command {
 namespace {

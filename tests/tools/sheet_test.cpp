@@ -13,7 +13,6 @@ namespace {
 
 using test::face_path;
 using test::Ran;
-using test::read;
 using test::run_mien;
 using test::ScratchFolder;
 
@@ -26,7 +25,7 @@ class SheetTest : public testing::Test {
     more.insert(more.begin(), {command, face_path("toon"), "-o", out});
     const Ran ran = run_mien(more);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return read(out);
+    return test::read(out);
   }
   ScratchFolder folder_;
 };

@@ -55,7 +55,7 @@ Cubic small_ends(Random& r) {  // each coefficient of its own size, some nothing
   for (double& v : f) v = r.chance(0.1) ? 0 : r.magnitude(-16, 0) * r.sign();
   return f;
 }
-Cubic any_scale(Random& r) {
+Cubic any_cubic_scale(Random& r) {
   Cubic f{};
   for (double& v : f) v = r.magnitude(-20, 20) * r.sign();
   return f;
@@ -173,7 +173,7 @@ const std::vector<CubicFamily>& cubic_families() {
                                             {"exactly double or triple", exactly_double},
                                             {"leading 1e-16 to 0.1", small_lead},
                                             {"coefficients 0 or small", small_ends},
-                                            {"coefficients 1e-20 to 1e20", any_scale},
+                                            {"coefficients 1e-20 to 1e20", any_cubic_scale},
                                             {"roots 1e-20 to 1e20", scaled_roots}};
   return all;
 }

@@ -3,7 +3,7 @@
 namespace mien::accuracy {
 namespace {
 
-Polynomial derivative(const Polynomial& p) {
+Polynomial derived(const Polynomial& p) {
   Polynomial d;
   for (size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * Quad(double(i)));
   return d;
@@ -39,7 +39,7 @@ Quad value(const Polynomial& p, Quad x) {
 
 std::vector<Quad> sign_changes(const Polynomial& p, Quad lo, Quad hi) {
   if (p.size() < 2) return {};
-  const Polynomial slope = derivative(p);
+  const Polynomial slope = derived(p);
   std::vector<Quad> borders = sign_changes(slope, lo, hi), found;
   borders.insert(borders.begin(), lo);
   borders.push_back(hi);

@@ -4,6 +4,7 @@
 #include <mien/face_model.h>
 #include "lib/file/json/reading.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace mien {
+
+inline constexpr std::array<std::string_view, 2> kSides{"left", "right"};  ///< as files say
 
 /// A slice that a name in the file means, and whether the numbers beside it were written for its
 /// mirror image.

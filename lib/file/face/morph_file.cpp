@@ -3,10 +3,10 @@
 #include <mien/face_model.h>
 #include "face_draft_private.h"
 #include "lib/base/one_line.h"
+#include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 
@@ -14,10 +14,6 @@ namespace mien {
 namespace {
 
 constexpr double kMostWeight = 100;  // of a target made from files, either way
-
-std::string json_text_of(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
 
 std::string numbers_text(const FaceVector& vector, const Slice& slice) {
   std::string text;
@@ -53,11 +49,11 @@ std::string target_text(const Face& rest, const MorphTarget& target) {
     if (std::equal(rest.vector.begin() + long(begin), rest.vector.begin() + long(end),
                    target.face.vector.begin() + long(begin)))
       continue;
-    text += fmt::format("{}\n        {}: [{}]", text.empty() ? "" : ",", json_text_of(slice.name),
+    text += fmt::format("{}\n        {}: [{}]", text.empty() ? "" : ",", json_string(slice.name),
                         numbers_text(target.face.vector, slice));
   }
   return fmt::format("    {}: {{\n      \"range\": [-{}, {}],\n      \"slices\": {{{}{}}}\n    }}",
-                     json_text_of(target.name), kMostWeight, kMostWeight, text,
+                     json_string(target.name), kMostWeight, kMostWeight, text,
                      text.empty() ? "" : "\n      ");
 }
 
@@ -107,7 +103,7 @@ Expected<std::string> morph_text(const Face& rest, const std::vector<MorphTarget
   std::string text = fmt::format(
       "{{\n  \"format\": \"mien-morphs\",\n  \"format_version\": 1,\n  \"face\": {},\n"
       "  \"poses\": {{{}\n  }}\n}}\n",
-      json_text_of(rest.model->name), poses);
+      json_string(rest.model->name), poses);
   // What is written must read back: the same rules for names, in one place.
   if (const auto again = read_morphs_text(rest, text); !again) return Error{"", again.error().what};
   return text;

@@ -6,7 +6,7 @@
 //
 // "poses" is what a face file has under the same key. Only slices that differ are kept, as the
 // target's own numbers in the shortest form that reads back the same: at weight 1 the face IS the
-// target, bit for bit (items G1, G2).
+// target, bit for bit.
 
 #include <mien/api.h>
 #include <mien/expected.h>

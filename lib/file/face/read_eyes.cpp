@@ -14,7 +14,6 @@
 namespace mien {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSides{"left", "right"};
 constexpr std::array<std::string_view, 2> kLaws{"native", "compat"};  // as enum BulgeLaw
 constexpr int kBends = OpeningFigure::kLidBends;
 

@@ -12,8 +12,6 @@
 namespace mien {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSides{"left", "right"};
-
 /// Reads one side of one feature: adds its slices to the face.
 class FigureReader {
  public:

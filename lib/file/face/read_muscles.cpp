@@ -15,7 +15,6 @@
 namespace mien {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSides{"left", "right"};
 constexpr std::string_view kScale = "/scale";
 
 /// A number between two bounds.

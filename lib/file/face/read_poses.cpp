@@ -50,7 +50,7 @@ class PoseReader {
     if (const JsonNode* slices = in_.find(node_, "slices")) add_shapes(*slices, side, channel);
     if (const JsonNode* by = in_.find(node_, "by")) add_offsets(*by, side, channel);
     if (const JsonNode* controls = in_.find(node_, "controls"))
-      add_nudges(*controls, side, channel);
+      add_couplings(*controls, side, channel);
     face_.model.channels.push_back(std::move(channel));
     return int(face_.model.channels.size()) - 1;
   }
@@ -86,7 +86,7 @@ class PoseReader {
     });
   }
 
-  void add_nudges(const JsonNode& node, Side side, Channel& channel) const {
+  void add_couplings(const JsonNode& node, Side side, Channel& channel) const {
     in_.expect(node, JsonKind::object);
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view name = in_.tree.key(child);
@@ -99,7 +99,7 @@ class PoseReader {
       const Control& control = face_.model.controls[std::size_t(index)];
       if (control.pose) in_.refuse(child, "a pose moves slices and controls, not other poses");
       for (const int c : control.channels)
-        channel.nudges.push_back({c, value - face_.model.channels[std::size_t(c)].rest});
+        channel.couplings.push_back({c, value - face_.model.channels[std::size_t(c)].rest});
     });
   }
 

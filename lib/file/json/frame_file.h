@@ -2,7 +2,6 @@
 // Frames of numbers by name, as JSON: {"jawOpen": 0.4, …}, {"mouth.left/points/2": [70, 150], …}. Such
 // a frame may also stand inside an object, as its member "blendShapes" or "points".
 
-#include <mien/api.h>
 #include <mien/expected.h>
 #include <mien/face_file.h>
 
@@ -19,10 +18,10 @@ struct FrameNumber {
   std::string where;           ///< "FILE:LINE:COLUMN: /pointer"
 };
 
-MIEN_API Expected<std::vector<FrameNumber>> read_frame(const std::filesystem::path& path,
-                                                       const FaceLimits& limits = {});
-MIEN_API Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text,
-                                                            std::string_view name = "frame",
-                                                            const FaceLimits& limits = {});
+Expected<std::vector<FrameNumber>> read_frame(const std::filesystem::path& path,
+                                              const FaceLimits& limits = {});
+Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text,
+                                                   std::string_view name = "frame",
+                                                   const FaceLimits& limits = {});
 
 }  // namespace mien

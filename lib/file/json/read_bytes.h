@@ -1,7 +1,6 @@
 #pragma once
 // Files into memory, whole.
 
-#include <mien/api.h>
 #include <mien/expected.h>
 
 #include <cstddef>
@@ -12,6 +11,6 @@ namespace mien {
 
 /// All bytes of a file, or of a pipe up to its end. The error's `where` is the name: a directory, a
 /// file that cannot be read (and why), more than `most` bytes, which are then not read.
-MIEN_API Expected<std::string> read_bytes(const std::filesystem::path& path, std::size_t most);
+Expected<std::string> read_bytes(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace mien

@@ -2,47 +2,43 @@
 
 #include <mien/face_model.h>
 #include "lib/base/one_line.h"
+#include "lib/file/json/json_text.h"
+#include "lib/file/json/reading.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <system_error>
 
 namespace mien {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr char kFormat[] = "mien-basis";
 
 std::string info_text(const BasisFile& file) {
-  Json curve = Json::array();
+  std::string curve, slices;
   for (const PcaError& e : file.fit.curve)
-    curve.push_back({{"count", e.count},
-                     {"variance", e.variance},
-                     {"rms", e.rms},
-                     {"max", e.max},
-                     {"frame", e.frame},
-                     {"vertex", e.vertex}});
-  Json info{{"format", kFormat},
-            {"format_version", 1},
-            {"frames", file.frames},
-            {"vertices", file.vertices},
-            {"dimensions", file.dimensions},
-            {"total_variance", file.fit.basis.total_variance},
-            {"curve", std::move(curve)}};
-  if (!file.slices.empty()) {
-    info["face"] = file.face;
-    info["slices"] = file.slices;
-    info["fps"] = file.fps;
-    info["begin"] = file.begin;
-  }
-  return info.dump(-1, ' ', true, Json::error_handler_t::replace);
+    curve += fmt::format(
+        R"({}{{"count": {}, "variance": {}, "rms": {}, "max": {}, "frame": {}, "vertex": {}}})",
+        curve.empty() ? "" : ", ", e.count, json_number(e.variance), json_number(e.rms),
+        json_number(e.max), e.frame, e.vertex);
+  for (const auto& [name, size] : file.slices)
+    slices += fmt::format("{}[{}, {}]", slices.empty() ? "" : ", ", json_string(name), size);
+  std::string info = fmt::format(
+      R"({{"format": "{}", "format_version": 1, "frames": {}, "vertices": {}, "dimensions": {}, )"
+      R"("total_variance": {}, "curve": [{}])",
+      kFormat, file.frames, file.vertices, file.dimensions,
+      json_number(file.fit.basis.total_variance), curve);
+  if (!file.slices.empty())
+    info +=
+        fmt::format(R"(, "face": {}, "slices": [{}], "fps": {}, "begin": {})",
+                    json_string(file.face), slices, json_number(file.fps), json_number(file.begin));
+  return info + "}";
 }
 
 Expected<Done> put(const ByteSink& sink, NpyType type, std::vector<std::size_t> shape,
@@ -102,21 +98,46 @@ class Arrays {
   std::size_t size_, at_ = 0;
 };
 
-void read_info(const Json& info, BasisFile& file) {
-  file.frames = info.at("frames").get<std::size_t>();
-  file.vertices = info.at("vertices").get<std::size_t>();
-  file.dimensions = info.at("dimensions").get<std::size_t>();
-  file.fit.basis.total_variance = info.at("total_variance").get<double>();
-  for (const Json& e : info.at("curve"))
-    file.fit.curve.push_back({e.at("count").get<std::size_t>(), e.at("variance").get<double>(),
-                              e.at("rms").get<double>(), e.at("max").get<double>(),
-                              e.at("frame").get<std::size_t>(), e.at("vertex").get<std::size_t>()});
-  if (!info.contains("slices")) return;
-  file.face = info.at("face").get<std::string>();
-  file.slices = info.at("slices").get<std::vector<std::pair<std::string, int>>>();
-  file.fps = info.at("fps").get<double>();
-  file.begin = info.at("begin").get<double>();
-  if (!(file.fps > 0)) throw std::runtime_error("fps is not positive");
+std::size_t count_of(const Reading& in, const JsonNode& node) {
+  const double number = in.number(node);
+  if (!(number >= 0 && number <= 0x1p53 && number == std::floor(number)))
+    in.refuse(node, "expected a count");
+  return std::size_t(number);
+}
+
+/// Refuses by a Refusal what is not as info_text writes it.
+void read_info(const Reading& in, const JsonNode& info, BasisFile& file) {
+  const auto count = [&](const JsonNode& of, const char* key) {
+    return count_of(in, in.need(of, key));
+  };
+  const auto number = [&](const JsonNode& of, const char* key) {
+    return in.number(in.need(of, key));
+  };
+  file.frames = count(info, "frames");
+  file.vertices = count(info, "vertices");
+  file.dimensions = count(info, "dimensions");
+  file.fit.basis.total_variance = number(info, "total_variance");
+  const JsonNode& curve = in.need(info, "curve");
+  in.expect(curve, JsonKind::array);
+  in.for_each(curve, [&](const JsonNode& e, int) {
+    file.fit.curve.push_back({count(e, "count"), number(e, "variance"), number(e, "rms"),
+                              number(e, "max"), count(e, "frame"), count(e, "vertex")});
+  });
+  const JsonNode* slices = in.find(info, "slices");
+  if (!slices) return;
+  in.expect(*slices, JsonKind::array);
+  file.face = in.string(in.need(info, "face"));
+  in.for_each(*slices, [&](const JsonNode& slice, int) {
+    in.expect(slice, JsonKind::array);
+    const JsonNode* name = in.tree.first(slice);
+    const JsonNode* size = name ? in.tree.next(*name) : nullptr;
+    if (!size) in.refuse(slice, "expected a name and a size");
+    file.slices.emplace_back(in.string(*name),
+                             int(std::min<std::size_t>(count_of(in, *size), 1u << 30)));
+  });
+  file.fps = number(info, "fps");
+  file.begin = number(info, "begin");
+  if (!(file.fps > 0)) in.refuse(in.need(info, "fps"), "is not positive");
 }
 
 bool all_finite(const std::vector<double>& numbers) {
@@ -176,19 +197,27 @@ Expected<BasisFile> read_basis(const std::filesystem::path& path) {
     if (!in) return Error{name, fmt::format("cannot be read: {}", std::strerror(errno))};
     Arrays arrays(in, std::size_t(size));
     const auto header = arrays.next();
-    const Json info = header && header->type == NpyType::uint8
-                          ? Json::parse(arrays.text(*header), nullptr, false)
-                          : Json();
-    if (!info.is_object() || info.value("format", "") != kFormat)
+    const std::string text =
+        header && header->type == NpyType::uint8 ? arrays.text(*header) : std::string();
+    FaceLimits limits;
+    limits.magnitude = std::numeric_limits<double>::max();
+    const auto tree = JsonTree::read(text, "info", limits);
+    if (!tree || tree->root().kind != JsonKind::object)
       return Error{name, "is not a basis: `mien pca fit` makes one"};
-    if (info.value("format_version", 0) != 1)
+    const Reading info(*tree, limits, nullptr);
+    const JsonNode* format = info.find(tree->root(), "format");
+    if (!format || info.string(*format) != kFormat)
+      return Error{name, "is not a basis: `mien pca fit` makes one"};
+    if (info.number(info.need(tree->root(), "format_version")) != 1)
       return Error{name, "has a format version that this program does not know; it reads 1"};
     BasisFile file;
-    read_info(info, file);
+    read_info(info, tree->root(), file);
     read_arrays(arrays, file);
     return file;
   } catch (const std::bad_alloc&) {
     return Error{name, "not enough memory to read it"};
+  } catch (const Refusal& refusal) {
+    return Error{name, fmt::format("is a damaged basis: {}", sentence(refusal.error))};
   } catch (const std::exception& e) {
     return Error{name, fmt::format("is a damaged basis: {}", one_line(e.what()))};
   }

@@ -10,8 +10,6 @@
 // The bias moves the meeting: s = 1, at the lower lid, for −1; the eye's own for 0; 0, at the upper
 // lid, for +1; straight lines between.
 
-#include <mien/api.h>
-
 #include <glm/vec2.hpp>
 
 namespace mien {
@@ -43,7 +41,7 @@ constexpr LidPair blinked(const LidPair& lids, double blink, double share) {
 /// come together do so along their whole length (the way between the bends across `up` is at most
 /// kMostSlant gaps, so no sliver stays open at a canthus when the gap is 0). Apart lids keep every
 /// bit.
-MIEN_API LidPair uncrossed(const LidPair& lids, glm::dvec2 up, double share);
+LidPair uncrossed(const LidPair& lids, glm::dvec2 up, double share);
 
 inline constexpr double kMostSlant = 4;
 

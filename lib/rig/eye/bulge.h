@@ -27,7 +27,6 @@
 //
 // Source. The compat law is J. Dunlop's, "Eyelid C++ node"; native law and bound are derived here.
 
-#include <mien/api.h>
 #include <mien/eye.h>
 
 #include <glm/vec2.hpp>
@@ -48,7 +47,7 @@ struct EyeBody {
 
 /// The push on a lid point in direction `d` (unit) of an eye with axis `g` (unit): how far it goes.
 /// 0 outside the cornea, and if the body is none (R or h not positive).
-MIEN_API double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);
+double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);
 
 /// The least thickness of a lid that never cuts into the eye: a quarter of the bulge.
 inline double least_lid_thickness(const EyeBody& eye) {
@@ -62,21 +61,21 @@ inline double lid_radius(const EyeBody& eye) {
 
 /// The direction in which a lid stands at a point of the picture when nothing pushes it: on the front
 /// of its ball, or in the picture's plane beside it.
-MIEN_API glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p);
+glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p);
 
 /// How the push moves, in the picture, a point of a lid's edge that stands at `p`.
-MIEN_API glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 /// Where a point of a lid's edge stands that the push moves to `p`: to 2⁻⁶⁰ (native); for the compat
 /// law as if it stood at `p`.
-MIEN_API glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 /// How the push raises the lid at a point of the picture, towards the viewer: the height function
 /// that relief light shades a closed lid by. 0 outside the cornea.
-MIEN_API double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
+double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 /// The most that a cornea can stand above the ball: hR/(R − h). Infinite for h = R.
-MIEN_API double most_bulge(double radius, double cornea);
+double most_bulge(double radius, double cornea);
 
 /// The same as one smooth hill over an ellipse, height · (1 − ρ²)², for relief light to fall on. The
 /// rim, a circle of radius a square to the axis, is seen as an ellipse of half-axes a ĝz along the
@@ -88,6 +87,6 @@ struct CorneaDome {
   double height;
   double tilt;  ///< [degrees] of radii.x, along the gaze or across; from +x towards +y, −45 … 45
 };
-MIEN_API CorneaDome cornea_dome(const EyeBody& eye, glm::dvec3 g);
+CorneaDome cornea_dome(const EyeBody& eye, glm::dvec3 g);
 
 }  // namespace mien

@@ -13,7 +13,7 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kBends = OpeningFigure::kLidBends;
+constexpr std::size_t kLidBendCount = OpeningFigure::kLidBends;
 constexpr glm::dvec3 kAhead{0, 0, 1};
 
 /// One eye of one face, being posed.
@@ -84,7 +84,7 @@ class EyeAtWork {
   /// What the rest's bends are pushed by as they are drawn, bulge and all.
   LidBends pushes_at_rest(const EyeBody& body, const LidBends& drawn) const {
     LidBends all;
-    for (std::size_t i = 0; i < kBends; ++i)
+    for (std::size_t i = 0; i < kLidBendCount; ++i)
       all[i] = drawn[i] - standing_place(body, drawn[i], kAhead);
     return all;
   }
@@ -104,7 +104,7 @@ class EyeAtWork {
     const LidBends pushed[2] = {pushes_at_rest(rest_body, rest[0]),
                                 pushes_at_rest(rest_body, rest[1])};
     const glm::dvec3 axis = gaze_axis(gaze_, body.radius);
-    for (std::size_t i = 0; i < kBends; ++i) {
+    for (std::size_t i = 0; i < kLidBendCount; ++i) {
       const auto closed = [&](glm::dvec2 upper, glm::dvec2 lower) {
         const LidPair both = blinked({upper, lower}, value(eye_.blink), share_);
         return std::array{both.upper, both.lower};
@@ -117,7 +117,7 @@ class EyeAtWork {
       const auto drawn = closed(pushed[0][i], pushed[1][i]), less = closed(again(0), again(1));
       for (std::size_t lid = 0; lid < 2; ++lid) {
         shifts_[lid][i] = edge_push(body, now[lid][i] - drawn[lid], axis) - less[lid];
-        add(eye_.shifts + int(lid * kBends + i), shifts_[lid][i]);
+        add(eye_.shifts + int(lid * kLidBendCount + i), shifts_[lid][i]);
       }
     }
   }

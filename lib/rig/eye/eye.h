@@ -1,7 +1,6 @@
 #pragma once
 // Eyes at work: lids follow the gaze, blink, carry what rides on them, and give way to the cornea.
 
-#include <mien/api.h>
 #include <mien/face.h>
 #include "lib/rig/eye/bulge.h"
 
@@ -22,20 +21,20 @@ namespace mien {
 /// the lids; the cornea pushes the edges. A bulge is drawn at rest already, so an edge is shifted
 /// by the push now less the push at rest, which closes with the lids: at rest every shift is 0, and
 /// shut lids are one curve.
-MIEN_API void pose_eyes(const FaceModel& model, const FaceVector& rest,
-                        std::span<const double> values, FaceVector& vector);
+void pose_eyes(const FaceModel& model, const FaceVector& rest, std::span<const double> values,
+               FaceVector& vector);
 
 /// The slices of an eye's dome, written for a gaze.
-MIEN_API void put_dome(const FaceModel& model, const Eye& eye, glm::dvec2 gaze, FaceVector& vector);
+void put_dome(const FaceModel& model, const Eye& eye, glm::dvec2 gaze, FaceVector& vector);
 
 /// The body of an eye as a vector has it.
-MIEN_API EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vector);
+EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vector);
 
 /// Where an eye's iris is beside its rest, by the channels' values.
-MIEN_API glm::dvec2 gaze_of(const Eye& eye, std::span<const double> values);
+glm::dvec2 gaze_of(const Eye& eye, std::span<const double> values);
 
 /// What an eye's gaze channels are to be for it to look at `target`; see gaze_shift.
-MIEN_API glm::dvec2 look_at(const FaceModel& model, const Eye& eye, const FaceVector& vector,
-                            glm::dvec3 target);
+glm::dvec2 look_at(const FaceModel& model, const Eye& eye, const FaceVector& vector,
+                   glm::dvec3 target);
 
 }  // namespace mien

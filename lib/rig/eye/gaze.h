@@ -6,8 +6,6 @@
 // ĝ = (P − C)/|P − C|, and the iris, on the ball's surface, appears moved by R (ĝx, ĝy). Two eyes
 // that look at one near point so converge by themselves; at a far point their axes are parallel.
 
-#include <mien/api.h>
-
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -20,13 +18,12 @@ namespace mien {
 ///   ->               shift [face units]
 /// A target behind the eye is looked at as far aside as the reach goes; one at the centre, or that
 /// is not a number, not at all.
-MIEN_API glm::dvec2 gaze_shift(glm::dvec3 center, double radius, glm::dvec2 reach,
-                               glm::dvec3 target);
+glm::dvec2 gaze_shift(glm::dvec3 center, double radius, glm::dvec2 reach, glm::dvec3 target);
 
 /// A shift brought into an ellipse about 0, towards 0. Inside it keeps every bit.
-MIEN_API glm::dvec2 within_reach(glm::dvec2 shift, glm::dvec2 reach);
+glm::dvec2 within_reach(glm::dvec2 shift, glm::dvec2 reach);
 
 /// The axis of an eye whose iris is moved by `shift`: unit, z >= 0.
-MIEN_API glm::dvec3 gaze_axis(glm::dvec2 shift, double radius);
+glm::dvec3 gaze_axis(glm::dvec2 shift, double radius);
 
 }  // namespace mien

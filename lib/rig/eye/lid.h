@@ -10,7 +10,6 @@
 // (f(t, t) is the curve). Between two bends the curve passes half-way, and stays smooth wherever the
 // bends are moved: a bulge can travel along a lid without a kink.
 
-#include <mien/api.h>
 #include <mien/feature.h>
 #include <mien/quad_bezier.h>
 
@@ -34,18 +33,18 @@ constexpr double bend_share(double a, double b) {
 using LidBends = std::array<glm::dvec2, OpeningFigure::kLidBends>;
 
 /// The bends of an edge.
-MIEN_API LidBends lid_bends(const QuadBezier& edge);
+LidBends lid_bends(const QuadBezier& edge);
 
 /// The smooth row of quadratic pieces with these bends between two canthi.
 using LidPieces = std::array<QuadBezier, OpeningFigure::kLidBends>;
-MIEN_API LidPieces pieces_between(glm::dvec2 inner, const LidBends& bends, glm::dvec2 outer);
+LidPieces pieces_between(glm::dvec2 inner, const LidBends& bends, glm::dvec2 outer);
 
 /// What shifts of the bends do to the point f(a, b) of the edge: the shift of the smooth row at
 /// (a + b)/2, between 0 at the canthi.
-MIEN_API glm::dvec2 shift_along(std::span<const glm::dvec2, OpeningFigure::kLidBends> shifts,
-                                double a, double b);
+glm::dvec2 shift_along(std::span<const glm::dvec2, OpeningFigure::kLidBends> shifts, double a,
+                       double b);
 
 /// The parameter, 0 … 1, of the point of an edge that is nearest to `p`, to 1e-9.
-MIEN_API double nearest_parameter(const QuadBezier& edge, glm::dvec2 p);
+double nearest_parameter(const QuadBezier& edge, glm::dvec2 p);
 
 }  // namespace mien

@@ -1,6 +1,6 @@
 #pragma once
 // A face animated through a basis: its vector is mean + Σ weight · component, decoded when it is
-// posed (item P7). Everything else poses it on from there: morphs, controls, rules.
+// posed. Everything else poses it on from there: morphs, controls, rules.
 
 #include <mien/api.h>
 #include <mien/face.h>

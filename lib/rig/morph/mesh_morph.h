@@ -1,6 +1,5 @@
 #pragma once
-// Heads of triangles in other shapes: the sums that morph targets are made of, before any face
-// (items G1, G6).
+// Heads of triangles in other shapes: the sums that morph targets are made of, before any face.
 
 #include <mien/api.h>
 #include <mien/mesh.h>

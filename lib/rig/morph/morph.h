@@ -1,5 +1,5 @@
 #pragma once
-// How far a posed face is from its rest shape, point by point: what heat maps show (item G6).
+// How far a posed face is from its rest shape, point by point: what heat maps show.
 
 #include <mien/api.h>
 #include <mien/face.h>

@@ -12,7 +12,6 @@
 // Error: 1e-12 of the canvas's longer side, or 1e-13 of the coordinates; measured against long
 // simulations in tests/lib/rig/muscle/equilibrium_test.cpp.
 
-#include <mien/api.h>
 #include "lib/rig/muscle/law.h"
 
 namespace mien {
@@ -22,7 +21,7 @@ struct MuscleEquilibrium {
   bool proven;  ///< at rest: without following the motion
 };
 
-MIEN_API MuscleEquilibrium muscle_equilibrium(const MusclePointLaw& law);
+MuscleEquilibrium muscle_equilibrium(const MusclePointLaw& law);
 
 /// Of a number: how far from rest.
 inline double muscle_equilibrium(const MuscleNumberLaw& law) {

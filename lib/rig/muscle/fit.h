@@ -8,7 +8,6 @@
 // says how good it is. Where
 // several muscles could do the same, those that need not pull do not.
 
-#include <mien/api.h>
 #include <mien/face_model.h>
 
 #include <glm/vec2.hpp>
@@ -31,6 +30,6 @@ struct MuscleFit {
 };
 
 /// Targets that no muscle holds add to the residual and change nothing else.
-MIEN_API MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets);
+MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets);
 
 }  // namespace mien

@@ -1,5 +1,5 @@
 #pragma once
-// The law of a point that muscles hold (M8), for a unit mass:
+// The law of a point that muscles hold, for a unit mass:
 //
 //   p'' = k (p0 − p) − d p' + Σ c unit(o − p) (|p − o| − L),   c = weight · strength · e,   L = |p0 − o| − stroke · e
 //
@@ -18,7 +18,6 @@
 // if the other forces together are no larger than c |L| (the point sticks there), else what they
 // exceed it by. Elsewhere the law is P. Mandel's, facemotion.js, word for word.
 
-#include <mien/api.h>
 #include <mien/face_model.h>
 
 #include <glm/vec2.hpp>
@@ -51,21 +50,21 @@ struct MuscleNumberLaw {
 
 /// The law of `point` of a face at rest, where `pulls` has a number for each muscle. `law` is filled
 /// anew.
-MIEN_API void muscle_law(const FaceModel& model, const FaceVector& rest, const MusclePoint& point,
-                         std::span<const double> pulls, MusclePointLaw& law);
-MIEN_API MuscleNumberLaw muscle_law(const FaceModel& model, const MuscleNumber& number,
-                                    std::span<const double> pulls);
+void muscle_law(const FaceModel& model, const FaceVector& rest, const MusclePoint& point,
+                std::span<const double> pulls, MusclePointLaw& law);
+MuscleNumberLaw muscle_law(const FaceModel& model, const MuscleNumber& number,
+                           std::span<const double> pulls);
 
 /// The energy of a point there, and the force on it, without damping. Mirrored laws have mirrored
 /// forces, to the bit: forces are added up side by side, and left to right last.
-MIEN_API double muscle_energy(const MusclePointLaw& law, glm::dvec2 p);
-MIEN_API glm::dvec2 muscle_force(const MusclePointLaw& law, glm::dvec2 p);
+double muscle_energy(const MusclePointLaw& law, glm::dvec2 p);
+glm::dvec2 muscle_force(const MusclePointLaw& law, glm::dvec2 p);
 
 /// The second derivatives of the energy: −∂force. At a tip: without the tip's own spring's sideways
 /// part, which is infinite.
 struct MuscleStiffness {
   double xx, xy, yy;
 };
-MIEN_API MuscleStiffness muscle_stiffness(const MusclePointLaw& law, glm::dvec2 p);
+MuscleStiffness muscle_stiffness(const MusclePointLaw& law, glm::dvec2 p);
 
 }  // namespace mien

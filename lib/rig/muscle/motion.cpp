@@ -17,14 +17,14 @@ constexpr double kForgotten = 23;               ///< e^-23 = 1e-10
 constexpr double kShortest = 1, kLongest = 64;  ///< [s] epochs
 constexpr double kLatest = 1e9;                 ///< [s] later than this a face is still
 constexpr std::size_t kRemembered = 16;
-constexpr double kRounding = 1e-13;  ///< of the coordinates: no step need be better
+constexpr double kStepRounding = 1e-13;  ///< of the coordinates: no step need be better
 
 /// What is neglected of a point in one step.
 double tolerance_of(const MusclePointLaw& law, double size) {
   double far = std::max(std::abs(law.rest.x), std::abs(law.rest.y));
   for (const MuscleSpring& spring : law.springs)
     far = std::max({far, std::abs(spring.origin.x), std::abs(spring.origin.y)});
-  return kTolerance * size + kRounding * far;
+  return kTolerance * size + kStepRounding * far;
 }
 
 double tolerance_of(const MuscleNumber& number) {

@@ -16,7 +16,6 @@
 // jump between epochs, by what is left. Any time step between frames is fine: nothing is integrated
 // over it.
 
-#include <mien/api.h>
 #include "lib/rig/muscle/law.h"
 
 #include <functional>
@@ -36,16 +35,15 @@ struct MuscleShape {
 };
 
 /// The equilibrium of these pulls; `scratch` is kept by who wants no allocations.
-MIEN_API void muscle_still(const FaceModel& model, const FaceVector& rest,
-                           std::span<const double> pulls, MuscleShape& shape,
-                           MusclePointLaw& scratch);
+void muscle_still(const FaceModel& model, const FaceVector& rest, std::span<const double> pulls,
+                  MuscleShape& shape, MusclePointLaw& scratch);
 
 /// How long an epoch is [s].
-MIEN_API double muscle_epoch(const MuscleSystem& system);
+double muscle_epoch(const MuscleSystem& system);
 
 /// The motion of one face under one course of pulls. Remembers the cells it has been through, which
 /// changes the time that answers take and not a bit of them; so for one thread at a time.
-class MIEN_API MuscleMotion {
+class MuscleMotion {
  public:
   /// `model` and `rest` must outlive it.
   MuscleMotion(const FaceModel& model, const FaceVector& rest, PullsAt pulls);

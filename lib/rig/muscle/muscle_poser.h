@@ -5,7 +5,6 @@
 // Without a clip that drives muscles the face is in the equilibrium of its pulls; while one runs, it is
 // in motion (muscle_motion.h) since time 0.
 
-#include <mien/api.h>
 #include <mien/pose.h>
 #include "lib/rig/muscle/motion.h"
 
@@ -21,19 +20,19 @@ using ChannelsAt =
     std::function<void(const Face& rest, const Pose& pose, std::vector<double>& values)>;
 
 /// For each channel, whether a setting or a running clip says what it is.
-MIEN_API void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held);
+void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held);
 
 /// Whether a clip that runs at this pose drives muscles or expressions.
-MIEN_API bool muscles_in_motion(const FaceModel& model, const Pose& pose);
+bool muscles_in_motion(const FaceModel& model, const Pose& pose);
 
 /// Adds what the muscles of a shape do to a vector: each point moves by as much as it has moved from
 /// rest.
-MIEN_API void lay_on(const FaceModel& model, const FaceVector& rest, const MuscleShape& shape,
-                     FaceVector& vector);
+void lay_on(const FaceModel& model, const FaceVector& rest, const MuscleShape& shape,
+            FaceVector& vector);
 
 /// Lets the muscles act, again and again. Keeps what it has worked out: what comes of a pose does not
 /// depend on it, only how long it takes.
-class MIEN_API MusclePoser {
+class MusclePoser {
  public:
   MusclePoser() = default;
   MusclePoser(const MusclePoser&) {}  // a copy works things out by itself

@@ -1,7 +1,6 @@
 #pragma once
-// From feelings to muscles (M6): pull(m) = 1 − Π over expressions (1 − amount(expression, m) · strength).
+// From feelings to muscles: pull(m) = 1 − Π over expressions (1 − amount(expression, m) · strength).
 
-#include <mien/api.h>
 #include <mien/face_model.h>
 
 #include <span>
@@ -13,13 +12,13 @@ namespace mien {
 ///   values   of the model's channels
 ///   held     for each channel, whether a setting or a running clip says what it is
 ///
-/// A muscle whose own channel is held has that value (M7), whatever the expressions say; the others
+/// A muscle whose own channel is held has that value, whatever the expressions say; the others
 /// are mixed by the law, in the model's order, so that the order in which they were asked for does not
 /// show, to the bit. An expression has a left and a right half; muscles without a side get their mean.
-MIEN_API void muscle_pulls(const FaceModel& model, std::span<const double> values,
-                           std::span<const char> held, std::vector<double>& pulls);
+void muscle_pulls(const FaceModel& model, std::span<const double> values,
+                  std::span<const char> held, std::vector<double>& pulls);
 
 /// Adds what expressions do to other channels: value += amount · strength.
-MIEN_API void move_channels(const FaceModel& model, std::span<double> values);
+void move_channels(const FaceModel& model, std::span<double> values);
 
 }  // namespace mien

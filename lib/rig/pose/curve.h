@@ -1,12 +1,11 @@
 #pragma once
 // What a curve in time is worth at a moment.
 
-#include <mien/api.h>
 #include <mien/clip.h>
 
 namespace mien {
 
 /// The curve's value at `time` [s], finite. At a key it is the key's value exactly.
-MIEN_API double value_at(const Curve& curve, double time);
+double value_at(const Curve& curve, double time);
 
 }  // namespace mien

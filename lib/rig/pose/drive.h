@@ -1,7 +1,6 @@
 #pragma once
 // What a channel at a value does to the face vector.
 
-#include <mien/api.h>
 #include <mien/control.h>
 #include <mien/face.h>
 #include <mien/layout.h>
@@ -10,10 +9,10 @@ namespace mien {
 
 /// Lets all drives of `channel` act on `vector`, in order, at `value`, which is in the channel's
 /// range.
-MIEN_API void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector);
+void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector);
 
 /// The same with the caller's scratch, which is kept: no allocation after the first frames.
-MIEN_API void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector,
-                    std::vector<double>& scratch);
+void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector,
+           std::vector<double>& scratch);
 
 }  // namespace mien

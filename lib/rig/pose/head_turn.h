@@ -15,7 +15,6 @@
 // Source. Turning the head with the mouse: S. Lee, "Face Rendering in GLSL"; this form for drawn
 // features is mien's own.
 
-#include <mien/api.h>
 #include <mien/face.h>
 #include <mien/head_turn.h>
 
@@ -26,7 +25,7 @@
 namespace mien {
 
 /// A turn, ready to be applied to points.
-class MIEN_API Turn {
+class Turn {
  public:
   /// Angles in degrees; `y_up`: larger y is higher.
   Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up);
@@ -54,6 +53,6 @@ class MIEN_API Turn {
 };
 
 /// Lets the model's head turn act on `vector`. With all angles 0 it changes nothing.
-MIEN_API void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector);
+void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector);
 
 }  // namespace mien

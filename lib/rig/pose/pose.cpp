@@ -55,7 +55,7 @@ void look(const Face& rest, glm::dvec3 target, Values& values) {
 }
 
 /// Settings of controls; `poses`: of the weights of poses too.
-void hold(const FaceModel& model, const Pose& pose, bool poses, Values& values) {
+void override_channels(const FaceModel& model, const Pose& pose, bool poses, Values& values) {
   for (const Setting& setting : pose.settings) {
     if (!setting.control || setting.index < 0 || setting.index >= int(model.controls.size()) ||
         setting.values.empty() || std::isnan(setting.values[0]))
@@ -72,25 +72,25 @@ void clamp(const FaceModel& model, bool poses, Values& values) {
 }
 
 /// Poses that move controls too.
-void nudge(const FaceModel& model, Values& values) {
+void couple_channels(const FaceModel& model, Values& values) {
   for (std::size_t c = 0; c < values.size(); ++c)
-    for (const Nudge& n : model.channels[c].nudges)
+    for (const Coupling& n : model.channels[c].couplings)
       values[std::size_t(n.channel)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
 /// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
-/// nudges; settings of controls beat what expressions and poses do to them.
+/// couplings; settings of controls beat what expressions and poses do to them.
 void set_channels(const Face& rest, const Pose& pose, Values& values) {
   const FaceModel& model = *rest.model;
   values.clear();
   for (const Channel& channel : model.channels) values.push_back(channel.rest);
   play_clips(model, pose, values);
   if (pose.look_at) look(rest, *pose.look_at, values);
-  hold(model, pose, true, values);
+  override_channels(model, pose, true, values);
   move_channels(model, values);
   clamp(model, true, values);
-  nudge(model, values);
-  hold(model, pose, false, values);
+  couple_channels(model, values);
+  override_channels(model, pose, false, values);
   clamp(model, false, values);
 }
 

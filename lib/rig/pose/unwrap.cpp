@@ -15,7 +15,7 @@
 namespace mien {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kNoDepth = std::numeric_limits<double>::infinity();
 constexpr double kFilled = 0.8;  ///< share of a cell that a piece may take
 
 /// Which features hang together, numbered in drawing order.
@@ -48,7 +48,7 @@ class Pieces {
 };
 
 struct Piece {
-  glm::dvec2 lo{kEndless}, hi{-kEndless};
+  glm::dvec2 lo{kNoDepth}, hi{-kNoDepth};
 };
 
 /// How far a figure of one point reaches around it; 0 for those of many.
@@ -182,7 +182,7 @@ UnwrapChart::UnwrapChart(const Face& rest) {
 }
 
 void UnwrapChart::share_depths() {
-  double deepest = kEndless, nearest = -kEndless;
+  double deepest = kNoDepth, nearest = -kNoDepth;
   for (const Traveller& t : travellers_)
     deepest = std::min(deepest, t.share), nearest = std::max(nearest, t.share);
   for (Traveller& t : travellers_)

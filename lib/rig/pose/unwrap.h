@@ -21,7 +21,6 @@
 // Source. S. Lee, "Face Rendering in GLSL", where the deepest point never moves; the chart by pieces
 // is mien's own.
 
-#include <mien/api.h>
 #include <mien/face.h>
 #include <mien/unwrap_mode.h>
 
@@ -32,10 +31,10 @@
 namespace mien {
 
 /// How far a point at the share r of the depth has travelled at w; both 0 … 1. Rises with w.
-MIEN_API double unwrap_progress(UnwrapMode mode, double w, double r);
+double unwrap_progress(UnwrapMode mode, double w, double r);
 
 /// Where everything of one face goes. Made from its rest, once.
-class MIEN_API UnwrapChart {
+class UnwrapChart {
  public:
   explicit UnwrapChart(const Face& rest);
 

@@ -1,4 +1,5 @@
 #include "render/image/file/atomic_file.h"
+#include "render/image/file/output_path.h"
 #include "render/image/file/system_error.h"
 
 #include <fcntl.h>
@@ -22,10 +23,6 @@ namespace {
 
 constexpr int kMostTries =
     100;  // names taken, or swept away before they were locked: neither happens twice in life
-
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
 
 std::string new_temporary_name() {
   std::random_device dice;
@@ -85,7 +82,7 @@ void remove_leftovers(const fs::path& folder) {
   }
 }
 
-Expected<WholeFile> WholeFile::begin(const fs::path& path) {
+Expected<AtomicFile> AtomicFile::begin(const fs::path& path) {
   const fs::path folder = folder_of(path);
   remove_leftovers(folder);
   for (int tries = 0; tries < kMostTries; ++tries) {
@@ -99,32 +96,32 @@ Expected<WholeFile> WholeFile::begin(const fs::path& path) {
     // A file system without locks has no sweepers either: they need the lock as well.
     while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
     }
-    if (still_named(descriptor, temporary)) return WholeFile(path, temporary, descriptor);
+    if (still_named(descriptor, temporary)) return AtomicFile(path, temporary, descriptor);
     ::close(descriptor);
   }
   return Error{path.string(),
                "cannot write in " + folder.string() + ": its temporary files vanish"};
 }
 
-WholeFile::WholeFile(fs::path path, fs::path temporary, int descriptor)
+AtomicFile::AtomicFile(fs::path path, fs::path temporary, int descriptor)
     : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
 
-WholeFile::WholeFile(WholeFile&& other) noexcept
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::move(other.temporary_)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
-WholeFile::~WholeFile() {
+AtomicFile::~AtomicFile() {
   abandon();
 }
 
-void WholeFile::abandon() {
+void AtomicFile::abandon() {
   if (descriptor_ < 0) return;
   ::unlink(temporary_.c_str());
   ::close(std::exchange(descriptor_, -1));
 }
 
-Expected<Done> WholeFile::commit() {
+Expected<Done> AtomicFile::commit() {
   const auto refuse = [&](int code) {
     abandon();
     return Error{path_.string(), "cannot be written: " + system_error(code)};

@@ -1,7 +1,7 @@
 #pragma once
 // A file that appears whole or not at all.
 //
-//   auto file = WholeFile::begin("out/a.png");      // opens out/.mien-0f3c….part, locked
+//   auto file = AtomicFile::begin("out/a.png");      // opens out/.mien-0f3c….part, locked
 //   … write to file->descriptor() …
 //   auto done = file->commit();                     // to the disk, then out/a.png in one step
 //
@@ -21,14 +21,14 @@ struct TemporaryName {
   static constexpr int kDigits = 16;
 };
 
-class WholeFile {
+class AtomicFile {
  public:
   /// `path` must not be a symbolic link (see target.h). First clears the folder of leftovers.
-  static Expected<WholeFile> begin(const std::filesystem::path& path);
+  static Expected<AtomicFile> begin(const std::filesystem::path& path);
 
-  WholeFile(WholeFile&& other) noexcept;
-  WholeFile& operator=(WholeFile&&) = delete;
-  ~WholeFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  ~AtomicFile();
 
   /// Open for reading and writing, empty.
   int descriptor() const { return descriptor_; }
@@ -39,7 +39,7 @@ class WholeFile {
   Expected<Done> commit();
 
  private:
-  WholeFile(std::filesystem::path path, std::filesystem::path temporary, int descriptor);
+  AtomicFile(std::filesystem::path path, std::filesystem::path temporary, int descriptor);
   void abandon();
 
   std::filesystem::path path_, temporary_;

@@ -10,14 +10,13 @@
 namespace mien {
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr int kMostLinks = 40;  // as many as Linux itself follows
-
-/// The folder a file is in, as a path that can be opened.
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
+
+namespace {
+
+constexpr int kMostLinks = 40;  // as many as Linux itself follows
 
 /// The path at the end of a chain of links, which need not exist; errno's value when the chain has
 /// no end.
@@ -33,7 +32,7 @@ int follow(fs::path& path) {
 
 }  // namespace
 
-Expected<Target> find_target(const fs::path& given) {
+Expected<OutputPath> find_output_path(const fs::path& given) {
   const auto refuse = [&](const std::string& what) { return Error{given.string(), what}; };
   if (given.empty()) return Error{"", "the output's name is empty"};
 
@@ -45,7 +44,7 @@ Expected<Target> find_target(const fs::path& given) {
   if (exists && ::faccessat(AT_FDCWD, given.c_str(), W_OK, AT_EACCESS) != 0) {
     return refuse("is write-protected: " + system_error(errno));
   }
-  if (exists && !S_ISREG(info.st_mode)) return Target{given, true};
+  if (exists && !S_ISREG(info.st_mode)) return OutputPath{given, true};
 
   fs::path end = given;
   if (const int failed = follow(end)) return refuse("cannot be written: " + system_error(failed));
@@ -56,7 +55,7 @@ Expected<Target> find_target(const fs::path& given) {
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
     return refuse("its folder " + folder.string() + " cannot be written: " + system_error(errno));
   }
-  return Target{end, false};
+  return OutputPath{end, false};
 }
 
 }  // namespace mien

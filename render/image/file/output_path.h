@@ -8,7 +8,7 @@
 namespace mien {
 
 /// A place that can be written.
-struct Target {
+struct OutputPath {
   std::filesystem::path path;  ///< no symbolic link: links are followed, so that they stay links
   bool stream = false;  ///< a device or a pipe: written straight into, as it cannot be replaced
 };
@@ -16,6 +16,9 @@ struct Target {
 /// Follows links (also to files that do not exist yet) and says beforehand what would fail: a
 /// directory, a missing or unwritable folder, a write-protected file. Changes nothing. `where` of
 /// the error is `path` as given.
-Expected<Target> find_target(const std::filesystem::path& path);
+Expected<OutputPath> find_output_path(const std::filesystem::path& path);
+
+/// The folder a file is in, as a path that can be opened.
+std::filesystem::path folder_of(const std::filesystem::path& path);
 
 }  // namespace mien

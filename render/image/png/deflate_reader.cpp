@@ -8,10 +8,7 @@
 namespace mien {
 namespace {
 
-constexpr int kEndOfBlock = 256;
 constexpr int kLengths = 288, kDistances = 32;  // symbols a header can name
-constexpr std::array<int, 19> kHeaderOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
-                                           11, 4,  12, 3, 13, 2, 14, 1, 15};
 
 /// Bits from the lowest of each byte up; zeros behind the end.
 class Bits {
@@ -93,7 +90,7 @@ std::optional<Codes> own_codes(Bits& bits) {
   const std::size_t headers = bits.take(4) + 4;
   std::array<std::uint8_t, 19> header{};
   for (std::size_t i = 0; i < headers; ++i)
-    header[std::size_t(kHeaderOrder[i])] = std::uint8_t(bits.take(3));
+    header[std::size_t(kDeflateHeaderOrder[i])] = std::uint8_t(bits.take(3));
   const Code code(header);
   std::array<std::uint8_t, kLengths + kDistances> all{};
   for (std::size_t i = 0; i < lengths + distances;) {
@@ -130,12 +127,12 @@ bool read_codes(Bits& bits, const Codes& codes, std::vector<DeflateToken>& to) {
   while (!bits.over()) {
     const int symbol = codes.lengths.symbol(bits);
     if (symbol < 0) return false;
-    if (symbol == kEndOfBlock) return true;
-    if (symbol < kEndOfBlock) {
+    if (symbol == kDeflateEnd) return true;
+    if (symbol < kDeflateEnd) {
       to.push_back(DeflateToken(symbol));
       continue;
     }
-    const std::size_t kind = std::size_t(symbol - kEndOfBlock - 1);
+    const std::size_t kind = std::size_t(symbol - kDeflateEnd - 1);
     if (kind >= lengths.size()) return false;
     const std::size_t length = lengths[kind].base + bits.take(lengths[kind].extra);
     const int far = codes.distances.symbol(bits);

@@ -10,9 +10,6 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t(1)
                                << 14;  // tokens: codes are 90 bytes, so few want more
-constexpr std::size_t kEndOfBlock = 256;
-constexpr std::array<std::uint8_t, 19> kHeaderOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
-                                                    11, 4,  12, 3, 13, 2, 14, 1, 15};
 
 /// Lengths of a prefix code's words, none longer than `most`; 0: does not occur. By package-merge
 /// (Larmore and Hirschberg 1990), which is optimal: of the n symbols' 2n − 2 cheapest packages each
@@ -61,11 +58,11 @@ void code_lengths(std::span<const std::uint32_t> counts, int most,
 
 /// Canonical words, their highest bit first as they are written.
 template <std::size_t kSize>
-struct Code {
+struct CodeWords {
   std::array<std::uint8_t, kSize> lengths{};
   std::array<std::uint16_t, kSize> words{};
 
-  Code(std::span<const std::uint32_t> counts, int most) {
+  CodeWords(std::span<const std::uint32_t> counts, int most) {
     code_lengths(counts, most, lengths);
     std::uint32_t word = 0;
     for (int length = 1; length <= most; ++length, word <<= 1) {
@@ -168,20 +165,20 @@ void DeflateWriter::finish() {
 
 void DeflateWriter::write_block() {
   DeflateCounts counts;
-  counts.lengths[kEndOfBlock] = 1;
+  counts.lengths[kDeflateEnd] = 1;
   for (const DeflateToken token : tokens_) counts.add(token);
-  const Code<DeflateCounts::kLengths> lengths(counts.lengths, 15);
-  const Code<DeflateCounts::kDistances> distances(counts.distances, 15);
+  const CodeWords<DeflateCounts::kLengths> lengths(counts.lengths, 15);
+  const CodeWords<DeflateCounts::kDistances> distances(counts.distances, 15);
   std::vector<std::uint8_t> all(lengths.lengths.begin(), lengths.lengths.end());
   all.insert(all.end(), distances.lengths.begin(), distances.lengths.end());
   const std::vector<HeaderWord> words = header_words(all);
   std::array<std::uint32_t, 19> header_counts{};
   for (const HeaderWord& w : words) ++header_counts[w.symbol];
-  const Code<19> header(header_counts, 7);
+  const CodeWords<19> header(header_counts, 7);
 
   put(4, 3);  // not the last, with codes of its own
   put(DeflateCounts::kLengths - 257, 5), put(DeflateCounts::kDistances - 1, 5), put(19 - 4, 4);
-  for (const std::uint8_t symbol : kHeaderOrder) put(header.lengths[symbol], 3);
+  for (const std::uint8_t symbol : kDeflateHeaderOrder) put(header.lengths[symbol], 3);
   for (const HeaderWord& w : words) {
     put(header.words[w.symbol], header.lengths[w.symbol]);
     put(w.value, w.extra);
@@ -199,7 +196,7 @@ void DeflateWriter::write_block() {
     put_word(lengths, length_symbol(length), length);
     put_word(distances, distance_symbol(distance), distance);
   }
-  put(lengths.words[kEndOfBlock], lengths.lengths[kEndOfBlock]);
+  put(lengths.words[kDeflateEnd], lengths.lengths[kDeflateEnd]);
   tokens_.clear();
 }
 

@@ -3,10 +3,10 @@
 
 #include <libdeflate.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <span>
+#include <stdexcept>
 
 namespace mien {
 namespace {
@@ -135,7 +135,7 @@ void PngStrip::compress(std::vector<DeflateToken>& to) {
   const std::size_t packed = libdeflate_deflate_compress(compressor_->handle, bytes_.data(),
                                                          filled_, packed_.data(), packed_.size());
   if (!read_deflate(std::span(packed_).first(packed), to))
-    std::abort();  // a compressor that does not keep to RFC 1951
+    throw std::runtime_error("the compressor does not keep to RFC 1951");
   sum_ = {libdeflate_adler32(1, bytes_.data(), filled_), filled_};
 }
 

@@ -16,10 +16,6 @@ Mix gauss_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 midd
   return sum;
 }
 
-double largest(const Mix& m) {
-  return std::max({std::abs(m.r), std::abs(m.g), std::abs(m.b), std::abs(m.a)});
-}
-
 Mix divided(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle, double side,
             const Mix& coarse, double tolerance, int depth) {
   const double q = 0.25 * side;

@@ -343,12 +343,12 @@ void NearFeet::combine_at(std::span<const float> x, std::span<const float> y, co
     const Feet a = of(std::size_t(node.a)), b = of(std::size_t(node.b));
     for (std::size_t i = 0; i < n; ++i) {
       const double d = combine(node.op, double(a.d[i]), double(b.d[i]), node.amount);
-      const bool uses_b = (node.op == Op::either && b.d[i] < a.d[i]) ||
-                          (node.op == Op::both && b.d[i] > a.d[i]) ||
-                          (node.op == Op::without && -b.d[i] > a.d[i]);
+      const bool uses_b = (node.op == Op::unite && b.d[i] < a.d[i]) ||
+                          (node.op == Op::intersect && b.d[i] > a.d[i]) ||
+                          (node.op == Op::subtract && -b.d[i] > a.d[i]);
       const Feet& from = uses_b ? b : a;
       const bool turned = node.op == Op::complement || (node.op == Op::shell && a.d[i] < 0.0f) ||
-                          (uses_b && node.op == Op::without);
+                          (uses_b && node.op == Op::subtract);
       const float sign = turned ? -1.0f : 1.0f;
       to.d[i] = float(d), to.nx[i] = sign * from.nx[i], to.ny[i] = sign * from.ny[i];
       to.bend[i] = sign * from.bend[i];

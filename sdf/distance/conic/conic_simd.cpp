@@ -91,7 +91,7 @@ HWY_EXPORT(DistancesParabolaDouble);
 
 void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::ellipse_frame<float>(ellipse);
   if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesEllipse)
@@ -100,7 +100,7 @@ void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const
 
 void distances(const ParabolaSide& side, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::parabola_frame<float>(side);
   if (!frame) return batch::distances_one_by_one(side, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesParabola)
@@ -109,7 +109,7 @@ void distances(const ParabolaSide& side, std::span<const float> x, std::span<con
 
 void distances(const Ellipse& ellipse, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::ellipse_frame<double>(ellipse);
   if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesEllipseDouble)
@@ -118,7 +118,7 @@ void distances(const Ellipse& ellipse, std::span<const double> x, std::span<cons
 
 void distances(const ParabolaSide& side, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::parabola_frame<double>(side);
   if (!frame) return batch::distances_one_by_one(side, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesParabolaDouble)

@@ -1,4 +1,5 @@
 #include "sdf/distance/cubic_bezier/cubic_bezier_frame.h"
+#include "lib/math/norm.h"
 #include "sdf/distance/quad_bezier/quad_bezier_frame.h"
 
 #include <algorithm>
@@ -11,14 +12,11 @@ namespace {
 /// The constants are rounded to the lanes' type, and so is what is compared with them.
 constexpr double kMore = 1 + 0x1p-16, kSlack = 0x1p-18;
 
-double larger(glm::dvec2 v) {
-  return std::max(std::abs(v.x), std::abs(v.y));
-}
-
 /// The exponent that brings the largest leg's larger coordinate to [1/2, 1).
 std::optional<int> exponent_of(const CubicBezier& c) {
   const auto first = scale_exponent({c.p0, c.p1, c.p2}), last = scale_exponent({c.p1, c.p2, c.p3});
-  const double leg = std::max({larger(c.p1 - c.p0), larger(c.p2 - c.p1), larger(c.p3 - c.p2)});
+  const double leg =
+      std::max({larger_side(c.p1 - c.p0), larger_side(c.p2 - c.p1), larger_side(c.p3 - c.p2)});
   const glm::dvec2 sum = c.p0 + c.p1 + c.p2 + c.p3;
   if (!std::isfinite(sum.x + sum.y) || !(leg > 0x1p-124 && leg < 0x1p124)) return std::nullopt;
   // The larger leg's is the least exponent; a half whose legs are all 0 has none.

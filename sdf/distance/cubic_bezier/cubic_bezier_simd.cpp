@@ -48,7 +48,7 @@ HWY_EXPORT(DistancesCubicDouble);
 
 void distances(const CubicBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::cubic_frame<float>(curve);
   if (!frame) return batch::distances_one_by_one(curve, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesCubicFloat)
@@ -57,7 +57,7 @@ void distances(const CubicBezier& curve, std::span<const float> x, std::span<con
 
 void distances(const CubicBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::cubic_frame<double>(curve);
   if (!frame) return batch::distances_one_by_one(curve, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesCubicDouble)

@@ -80,9 +80,8 @@ HWY_EXPORT(SolveCubics);
 
 void solve_cubics(std::span<const double> a, std::span<const double> b, std::span<const double> c,
                   std::span<const double> d, std::span<Roots> out) {
-  const batch::Span span = {out.data(), out.size(), sizeof(Roots)};
-  batch::require_spans("solve_cubics", batch::span_of(a), batch::span_of(b), span);
-  batch::require_spans("solve_cubics", batch::span_of(c), batch::span_of(d), span);
+  batch::fit_spans(a, b, out);
+  batch::fit_spans(c, d, out);
   HWY_DYNAMIC_DISPATCH(batch::SolveCubics)
   (a.data(), b.data(), c.data(), d.data(), out.size(), out.data());
 }

@@ -2,17 +2,10 @@
 // Batches that are scalar distances one after the other: where no kernel is worth it, or none
 // applies.
 
-#include "sdf/distance/spans.h"
-
 #include <glm/vec2.hpp>
 #include <span>
 
 namespace mien::batch {
-
-template <class T>
-Span span_of(std::span<T> s) {
-  return {s.data(), s.size(), sizeof(T)};
-}
 
 /// d[i] = distance(figure, (x[i], y[i])), computed in double precision.
 template <class Figure, class T>

@@ -1,5 +1,6 @@
 #include "sdf/distance/quad_bezier/quad_bezier_frame.h"
 #include <mien/quad_bezier_distance.h>
+#include "lib/math/norm.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,10 +12,6 @@
 namespace mien::batch {
 namespace {
 
-double larger(glm::dvec2 v) {
-  return std::max(std::abs(v.x), std::abs(v.y));
-}
-
 double power_of_two(int exponent) {
   return std::bit_cast<double>(uint64_t(1023 + exponent) << 52);
 }
@@ -22,7 +19,7 @@ double power_of_two(int exponent) {
 }  // namespace
 
 std::optional<int> scale_exponent(const QuadBezier& c) {
-  const double leg = std::max(larger(c.p1 - c.p0), larger(c.p2 - c.p1));
+  const double leg = std::max(larger_side(c.p1 - c.p0), larger_side(c.p2 - c.p1));
   // A NaN hides from max, not from sums.
   const bool finite = std::isfinite(c.p0.x + c.p0.y + c.p1.x + c.p1.y + c.p2.x + c.p2.y);
   if (!(finite && leg > 0x1p-140 && leg < 0x1p124)) return std::nullopt;

@@ -141,7 +141,7 @@ HWY_EXPORT(DistancesToNearest);
 
 void distances(const QuadBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d, Precision precision) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto exponent = batch::scale_exponent(curve);
   if (!exponent) return batch::distances_one_by_one(curve, x, y, d);
   if (precision == Precision::accurate) {
@@ -155,7 +155,7 @@ void distances(const QuadBezier& curve, std::span<const float> x, std::span<cons
 
 void distances(const QuadBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto exponent = batch::scale_exponent(curve);
   if (!exponent) return batch::distances_one_by_one(curve, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesDouble)
@@ -164,7 +164,7 @@ void distances(const QuadBezier& curve, std::span<const double> x, std::span<con
 
 void distances(std::span<const QuadBezier> curves, std::span<const float> x,
                std::span<const float> y, std::span<float> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   // One scale for all, that of the largest curve, so that squares can be compared.
   int least = std::numeric_limits<int>::max();
   bool all_framed = !curves.empty();

@@ -111,7 +111,7 @@ HWY_EXPORT(DistancesTaperedDouble);
 
 void distances(const TaperedStroke& stroke, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::tapered_frame<float>(stroke);
   if (!frame) return batch::distances_one_by_one(stroke, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesTapered)
@@ -120,7 +120,7 @@ void distances(const TaperedStroke& stroke, std::span<const float> x, std::span<
 
 void distances(const TaperedStroke& stroke, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::require_spans("distances", batch::span_of(x), batch::span_of(y), batch::span_of(d));
+  batch::fit_spans(x, y, d);
   const auto frame = batch::tapered_frame<double>(stroke);
   if (!frame) return batch::distances_one_by_one(stroke, x, y, d);
   HWY_DYNAMIC_DISPATCH(batch::DistancesTaperedDouble)

@@ -28,14 +28,14 @@ glm::dvec2 control(const ParabolaSide& side, double u, double w) {
   return side.vertex + 0.5 * (u + w) * turned(side.axis) + (side.bend * u * w) * side.axis;
 }
 
-struct Side {
+struct ClosedSide {
   glm::dvec2 control, to;
 };
 
 /// The inside of a parabola, cut off beyond a box around the window: from `begin` along its sides.
 struct Closed {
   glm::dvec2 begin;
-  std::array<Side, 6> sides;
+  std::array<ClosedSide, 6> sides;
 };
 
 Closed closed(const ParabolaSide& side, const Box2& window) {
@@ -175,7 +175,7 @@ void write_half_plane(CurvePen& pen, const HalfPlane& side) {
 void write_parabola_side(CurvePen& pen, const ParabolaSide& side) {
   const Closed c = closed(tamed(side), pen.window());
   pen.begin(c.begin);
-  for (const Side& s : c.sides) pen.quad(s.control, s.to);
+  for (const ClosedSide& s : c.sides) pen.quad(s.control, s.to);
   pen.close();
 }
 
@@ -184,7 +184,7 @@ void write_band(CurvePen& pen, const Band& band) {
   const Closed c = closed(tamed(band.lower), pen.window());
   CutWriter cut(pen, upper);
   glm::dvec2 p = c.begin;
-  for (const Side& s : c.sides) {
+  for (const ClosedSide& s : c.sides) {
     cut.quad(p, s.control, s.to);
     p = s.to;
   }

@@ -13,11 +13,11 @@ namespace {
 
 /// Halvings: a rim as wide as 10⁹ px reaches its tolerance with ten; cusps and round tips take two
 /// for each factor of four.
-constexpr int kHalvings = 64;
+constexpr int kRimHalvings = 64;
 /// Pieces of one rim. What needs more is drawn as well as they can.
-constexpr int kMostPieces = 2048;
+constexpr int kMostRimPieces = 2048;
 /// The sine of the most that a piece turns.
-constexpr double kMostTurn = 0.9;
+constexpr double kMostRimTurn = 0.9;
 /// Tangents meet not nearer to an end than this share of the chord, or the bend changes.
 constexpr double kLeastLeg = 0.15;
 
@@ -44,7 +44,7 @@ class RimWriter {
       error = deviation(part, a, b, control);
       if (error <= loop_.tolerance()) return emit(control, b.point);
     }
-    if (halvings == 0 || pieces_ > kMostPieces || !std::isfinite(b.speed))
+    if (halvings == 0 || pieces_ > kMostRimPieces || !std::isfinite(b.speed))
       return emit(0.5 * (a.point + b.point), b.point);
     if (std::isfinite(error)) return write_parts(a, b, t0, t1, error, halvings - 1);
     const double squared = (t1 - t0) * (t1 - t0);
@@ -88,7 +88,7 @@ class RimWriter {
     if (std::abs(turn) < kParallel && std::abs(trail) <= kParallel * length) return true;
     const double ahead = lead / turn, back = trail / turn;
     control = a.point + ahead * a.way;
-    return std::abs(turn) < kMostTurn && glm::dot(a.way, b.way) > 0.0 && ahead * back > 0.0 &&
+    return std::abs(turn) < kMostRimTurn && glm::dot(a.way, b.way) > 0.0 && ahead * back > 0.0 &&
            std::min(std::abs(ahead), std::abs(back)) > kLeastLeg * length;
   }
 
@@ -220,7 +220,7 @@ Rim rim_at(const Pen& pen, double toward, double t) {
 
 void write_rim(OutlineLoop& loop, const Pen& pen, double toward, double t0, double t1) {
   RimWriter(loop, pen, toward)
-      .write(rim_at(pen, toward, t0), rim_at(pen, toward, t1), t0, t1, kHalvings);
+      .write(rim_at(pen, toward, t0), rim_at(pen, toward, t1), t0, t1, kRimHalvings);
 }
 
 }  // namespace mien

@@ -16,20 +16,20 @@ namespace mien {
 namespace {
 
 /// [px] Thinner than this there is no stroke.
-constexpr double kThin = 1e-9;
+constexpr double kThinStroke = 1e-9;
 /// [px] A bend this flat is none, and a width that changes as little towards a turn rests: the lattice that
 /// vertices lie on, three times, below which rims come apart. A seventh of the finest tolerance.
-constexpr double kFlat = 3e-6;
+constexpr double kFlatStroke = 3e-6;
 /// Parameters this close are one.
-constexpr double kSame = 1e-12;
+constexpr double kSamePoint = 1e-12;
 
 /// 0, where it is to be cut, 1: ascending.
-struct Cuts {
+struct StrokeCuts {
   int count = 1;
   std::array<double, 8> t{0.0};
 
   void add(double value) {
-    if (value > kSame && value < 1.0 - kSame) t[count++] = value;
+    if (value > kSamePoint && value < 1.0 - kSamePoint) t[count++] = value;
   }
   void add_roots(double a, double b, double c) {
     const Roots roots = solve_quadratic(a, b, c);
@@ -77,11 +77,12 @@ void write_open(OutlineLoop& loop, const Pen& pen, double t0, double t1) {
   const Rim left0 = rim_at(pen, 1.0, t0), left1 = rim_at(pen, 1.0, t1);
   loop.begin(right0.point);
   write_rim(loop, pen, -1.0, t0, t1);
-  if (t1 == 1.0 && pen.width(1.0) > kThin) write_cap(loop, pen, 1.0, right1.normal, left1.point);
+  if (t1 == 1.0 && pen.width(1.0) > kThinStroke)
+    write_cap(loop, pen, 1.0, right1.normal, left1.point);
   if (t1 < 1.0) write_tip(loop, pen, t1, 1.0, right1.normal, left1.point);
   loop.line(left1.point);
   write_rim(loop, pen, 1.0, t1, t0);
-  if (t0 == 0.0 && pen.w > kThin) write_cap(loop, pen, 0.0, left0.normal, right0.point);
+  if (t0 == 0.0 && pen.w > kThinStroke) write_cap(loop, pen, 0.0, left0.normal, right0.point);
   if (t0 > 0.0) write_tip(loop, pen, t0, -1.0, left0.normal, right0.point);
   loop.close();
 }
@@ -91,9 +92,9 @@ void write_part(OutlineLoop& loop, const Pen& pen) {
   const double w1 = pen.width(1.0);
   const bool open0 = openness(pen, 0.0) > 0.0, open1 = openness(pen, 1.0) > 0.0;
   // A disc at an end that holds its neighbours.
-  if (!open0 && pen.w > kThin && pen.rate(0.0) < 0.0) write_disc(loop, pen.p, pen.w);
-  if (!open1 && w1 > kThin && pen.rate(1.0) > 0.0) write_disc(loop, pen.center(1.0), w1);
-  Cuts cuts;
+  if (!open0 && pen.w > kThinStroke && pen.rate(0.0) < 0.0) write_disc(loop, pen.p, pen.w);
+  if (!open1 && w1 > kThinStroke && pen.rate(1.0) > 0.0) write_disc(loop, pen.center(1.0), w1);
+  StrokeCuts cuts;
   cuts.add_roots(glm::dot(pen.b, pen.b) - pen.wb * pen.wb,
                  2.0 * (glm::dot(pen.a, pen.b) - pen.wa * pen.wb),
                  glm::dot(pen.a, pen.a) - pen.wa * pen.wa);
@@ -108,7 +109,7 @@ void write_part(OutlineLoop& loop, const Pen& pen) {
 void write_capsule(OutlineLoop& loop, glm::dvec2 c0, double r0, glm::dvec2 c1, double r1) {
   const glm::dvec2 d = c1 - c0;
   const double length = norm(d);
-  if (length <= std::abs(r1 - r0) + kThin)
+  if (length <= std::abs(r1 - r0) + kThinStroke)
     return r0 > r1 ? write_disc(loop, c0, r0) : write_disc(loop, c1, r1);
   write_open(loop, Pen({c0, 0.5 * (c0 + c1), c1}, r0, 0.5 * (r0 + r1), r1), 0.0, 1.0);
 }
@@ -126,13 +127,13 @@ Pen straightened(Pen pen) {
 
 void write_stroke(OutlineLoop& loop, const Pen& drawn) {
   Pen pen = drawn;
-  if (!(pen.widest() > kThin) || loop.beyond(pen.box())) return;
-  Cuts cuts;
+  if (!(pen.widest() > kThinStroke) || loop.beyond(pen.box())) return;
+  StrokeCuts cuts;
   if (std::min({pen.w, pen.w + pen.wa, pen.w + 2.0 * pen.wa + pen.wb}) < 0.0)
     cuts.add_roots(pen.wb, 2.0 * pen.wa, pen.w);
   const double size = std::max(norm(pen.a), norm(pen.b));
-  if (size <= kThin) return write_disc(loop, pen.p, widest_on(pen));
-  const bool straight = std::abs(cross(pen.a, pen.b)) <= kFlat * size;
+  if (size <= kThinStroke) return write_disc(loop, pen.p, widest_on(pen));
+  const bool straight = std::abs(cross(pen.a, pen.b)) <= kFlatStroke * size;
   if (straight) pen = straightened(pen);
   double turn = straight ? -glm::dot(pen.a, pen.b) / glm::dot(pen.b, pen.b) : -1.0;
   constexpr double kNear = 1e-6;  // a spine that all but turns at its end does
@@ -144,9 +145,9 @@ void write_stroke(OutlineLoop& loop, const Pen& drawn) {
     const double t0 = cuts.t[i - 1], t1 = cuts.t[i];
     if (!(pen.width(0.5 * (t0 + t1)) > 0.0)) continue;
     const Pen part = pen.part(t0, t1);
-    const bool rests = turns && std::min(std::abs(t0 - turn), std::abs(t1 - turn)) <= kSame;
+    const bool rests = turns && std::min(std::abs(t0 - turn), std::abs(t1 - turn)) <= kSamePoint;
     // Towards a turn where the width rests too, spine and width are one function of t: a cone.
-    if (rests && std::abs(pen.rate(turn)) <= kFlat) {
+    if (rests && std::abs(pen.rate(turn)) <= kFlatStroke) {
       write_capsule(loop, part.p, part.w, part.center(1.0), part.width(1.0));
     } else {
       write_part(loop, part);

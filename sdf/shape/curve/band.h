@@ -14,10 +14,10 @@ struct BandCorners {
   std::array<glm::dvec2, 4> point{};
 };
 
-MIEN_API BandCorners corners(const Band& band);
+BandCorners corners(const Band& band);
 
 /// Whether no point is inside both parabolas. A band that only touches itself in a point is not
 /// empty.
-MIEN_API bool is_empty(const Band& band);
+bool is_empty(const Band& band);
 
 }  // namespace mien

@@ -10,14 +10,14 @@
 namespace mien {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFarthest = std::numeric_limits<double>::infinity();
 
 /// The curve seen from a point.
-struct Seen {
+struct SeenCurve {
   glm::dvec2 q0, q1, q2;  ///< control points minus p
   glm::dvec2 a, b;        ///< B(t) − p = q0 + t (2a + t b)
 
-  Seen(const QuadBezier& c, glm::dvec2 p)
+  SeenCurve(const QuadBezier& c, glm::dvec2 p)
       : q0(c.p0 - p), q1(c.p1 - p), q2(c.p2 - p), a(c.p1 - c.p0), b((c.p2 - c.p1) - a) {}
 
   /// Between 1 and 6 times the largest coordinate; NaN if any is.
@@ -47,7 +47,7 @@ struct Seen {
 };
 
 /// Squares and fourth powers of such sizes neither overflow nor vanish.
-bool safe(double size) {
+bool squares_fit(double size) {
   return size > 0x1p-200 && size < 0x1p200;
 }
 
@@ -66,7 +66,7 @@ struct Best {
   double squared, t;
 };
 
-Best best_of(const Seen& seen) {
+Best best_of(const SeenCurve& seen) {
   Best best{glm::dot(seen.q0, seen.q0), 0.0};
   const auto consider = [&](double squared, double t) {
     if (squared < best.squared) best = {squared, t};
@@ -86,7 +86,7 @@ double power_of_two_near(double size) {
 
 /// For sizes whose powers leave the range of doubles: the curve seen from p, divided by `scale`.
 struct Rescued {
-  Seen seen;
+  SeenCurve seen;
   double scale;
 
   Rescued(const QuadBezier& c, glm::dvec2 p) : seen(c, p), scale(1.0) {
@@ -95,16 +95,16 @@ struct Rescued {
         std::max({std::abs(c.p0.x), std::abs(c.p0.y), std::abs(c.p1.x), std::abs(c.p1.y),
                   std::abs(c.p2.x), std::abs(c.p2.y), std::abs(p.x), std::abs(p.y)});
     scale = power_of_two_near(largest);
-    seen = Seen(scaled(c, 1.0 / scale), p / scale);
-    if (safe(seen.size())) return;
+    seen = SeenCurve(scaled(c, 1.0 / scale), p / scale);
+    if (squares_fit(seen.size())) return;
     const glm::dvec2 q0 = c.p0 - p, q1 = c.p1 - p, q2 = c.p2 - p;  // all control points nearly at p
-    scale = power_of_two_near(Seen(c, p).size());
-    seen = Seen({q0 / scale, q1 / scale, q2 / scale}, {0.0, 0.0});
+    scale = power_of_two_near(SeenCurve(c, p).size());
+    seen = SeenCurve({q0 / scale, q1 / scale, q2 / scale}, {0.0, 0.0});
   }
 };
 
 NearestPoint rescued_nearest(const QuadBezier& c, glm::dvec2 p) {
-  if (!finite(c) || !finite(p)) return {kInfinity, 0.0, c.p0};
+  if (!finite(c) || !finite(p)) return {kFarthest, 0.0, c.p0};
   const Rescued rescued(c, p);
   const Best best = best_of(rescued.seen);
   return {rescued.scale * std::sqrt(best.squared), best.t,
@@ -114,15 +114,15 @@ NearestPoint rescued_nearest(const QuadBezier& c, glm::dvec2 p) {
 }  // namespace
 
 double distance(const QuadBezier& curve, glm::dvec2 p) {
-  const Seen seen(curve, p);
-  if (safe(seen.size())) [[likely]]
+  const SeenCurve seen(curve, p);
+  if (squares_fit(seen.size())) [[likely]]
     return std::sqrt(best_of(seen).squared);
   return rescued_nearest(curve, p).distance;
 }
 
 NearestPoint nearest(const QuadBezier& curve, glm::dvec2 p) {
-  const Seen seen(curve, p);
-  if (!safe(seen.size())) return rescued_nearest(curve, p);
+  const SeenCurve seen(curve, p);
+  if (!squares_fit(seen.size())) return rescued_nearest(curve, p);
   const Best best = best_of(seen);
   const double t = best.t, s = 1.0 - t;
   const glm::dvec2 on = s * (s * curve.p0 + t * curve.p1) + t * (s * curve.p1 + t * curve.p2);
@@ -130,8 +130,8 @@ NearestPoint nearest(const QuadBezier& curve, glm::dvec2 p) {
 }
 
 CriticalPoints critical_points(const QuadBezier& curve, glm::dvec2 p) {
-  Seen seen(curve, p);
-  if (!safe(seen.size())) {
+  SeenCurve seen(curve, p);
+  if (!squares_fit(seen.size())) {
     if (!finite(curve) || !finite(p) || seen.size() == 0.0) return {};
     seen = Rescued(curve, p).seen;
   }
@@ -157,10 +157,10 @@ Box2 bounds(const QuadBezier& c) {
 double smallest_curvature_radius(const QuadBezier& c) {
   const glm::dvec2 a = c.p1 - c.p0, b = (c.p2 - c.p1) - a;
   const double bb = glm::dot(b, b), cross = std::abs(a.x * b.y - a.y * b.x);
-  if (bb == 0.0) return kInfinity;
+  if (bb == 0.0) return kFarthest;
   const double t = std::clamp(-glm::dot(a, b) / bb, 0.0, 1.0);
   const double speed = norm(a + t * b);  // smallest |B'/2|; radius = 2 speed³ / |a × b|
-  if (cross == 0.0) return speed > 0.0 ? kInfinity : 0.0;
+  if (cross == 0.0) return speed > 0.0 ? kFarthest : 0.0;
   return 2.0 * speed * speed * speed / cross;
 }
 

@@ -14,11 +14,11 @@ namespace {
 
 /// Spine and half-width seen from a point, as one curve (B − p, w + L) in a space where the last
 /// coordinate counts negatively: P = |q|² − w² is its squared length.
-struct Seen {
+struct SeenStroke {
   glm::dvec2 q0, q1, q2, a, b;  ///< B(t) − p = q0 + t (2a + t b)
   double w0, w1, w2, wa, wb;    ///< w(t) = w0 + t (2wa + t wb)
 
-  Seen(const TaperedStroke& s, glm::dvec2 p, double k)
+  SeenStroke(const TaperedStroke& s, glm::dvec2 p, double k)
       : q0(k * s.spine.p0 - k * p),
         q1(k * s.spine.p1 - k * p),
         q2(k * s.spine.p2 - k * p),
@@ -56,7 +56,7 @@ struct Seen {
   }
 };
 
-NearestDisc search(const Seen& seen) {
+NearestDisc search(const SeenStroke& seen) {
   NearestDisc best{seen.depth(0.0), 0.0};
   const auto consider = [&](double t) {
     const double d = seen.depth(t);
@@ -79,7 +79,7 @@ NearestDisc search(const Seen& seen) {
 }  // namespace
 
 NearestDisc nearest(const TaperedStroke& stroke, glm::dvec2 p) {
-  const Seen seen(stroke, p, 1.0);
+  const SeenStroke seen(stroke, p, 1.0);
   const double size = seen.size();
   if (size > 0x1p-200 && size < 0x1p200) [[likely]]
     return search(seen);
@@ -93,7 +93,7 @@ NearestDisc nearest(const TaperedStroke& stroke, glm::dvec2 p) {
   if (size == 0.0) return {0.0, 0.0};
   // Powers of such sizes leave the range of doubles: ask at a safe size.
   const double k = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
-  const NearestDisc n = search(Seen(stroke, p, k));
+  const NearestDisc n = search(SeenStroke(stroke, p, k));
   return {n.distance / k, n.t};
 }
 

@@ -29,13 +29,13 @@ Threads many_threads() {
   return threads;
 }
 
-TEST(InOrder, TakesAllInOrderAndHoldsNoMoreThanTheSlots) {
+TEST(OrderedPipeline, TakesAllInOrderAndHoldsNoMoreThanTheSlots) {
   for (const Threads& threads : {of(1), of(2), of(7), many_threads()}) {
     for (int slots : {1, 2, 5}) {
       std::vector<int> taken;
       std::vector<std::atomic<int>> held(std::size_t(slots) + 0);
       std::atomic<bool> shared = false;
-      const bool all = in_order(
+      const bool all = ordered_pipeline(
           100, slots, threads,
           [&](int i, int slot) {
             if (held[std::size_t(slot)].exchange(i + 1) != 0) shared = true;
@@ -56,42 +56,42 @@ TEST(InOrder, TakesAllInOrderAndHoldsNoMoreThanTheSlots) {
   }
 }
 
-TEST(InOrder, IsRightOneAfterTheOther) {
+TEST(OrderedPipeline, IsRightOneAfterTheOther) {
   Threads threads;
   threads.executor = [](int count, const std::function<void(int)>& job) {
     for (int i = count - 1; i >= 0; --i) job(i);
   };
   int taken = 0;
-  EXPECT_TRUE(in_order(
+  EXPECT_TRUE(ordered_pipeline(
       9, 2, threads, [](int, int) { return true; }, [&](int i, int) { return i == taken++; }));
   EXPECT_EQ(taken, 9);
 }
 
-TEST(InOrder, StopsWhereEitherSaysSo) {
+TEST(OrderedPipeline, StopsWhereEitherSaysSo) {
   for (const Threads& threads : {of(1), many_threads()}) {
     int taken = 0;
-    EXPECT_FALSE(in_order(
+    EXPECT_FALSE(ordered_pipeline(
         1000, 3, threads, [](int i, int) { return i < 10; },
         [&](int, int) { return ++taken > 0; }));
     EXPECT_LE(taken, 10);
     std::atomic<int> made = 0;
-    EXPECT_FALSE(in_order(
+    EXPECT_FALSE(ordered_pipeline(
         1000, 3, threads, [&](int, int) { return ++made > 0; }, [](int i, int) { return i < 5; }));
     EXPECT_LE(made, 5 + 3 + 1);
   }
 }
 
-TEST(InOrder, AnExceptionEndsItAndComesOut) {
+TEST(OrderedPipeline, AnExceptionEndsItAndComesOut) {
   EXPECT_THROW(
-      in_order(
+      ordered_pipeline(
           100, 2, many_threads(),
           [](int i, int) -> bool { return i == 20 ? throw std::runtime_error("x") : true; },
           [](int, int) { return true; }),
       std::runtime_error);
 }
 
-TEST(InOrder, NothingIsDone) {
-  EXPECT_TRUE(in_order(
+TEST(OrderedPipeline, NothingIsDone) {
+  EXPECT_TRUE(ordered_pipeline(
       0, 1, of(0), [](int, int) { return false; }, [](int, int) { return false; }));
 }
 

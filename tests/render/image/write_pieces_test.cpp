@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/rendered.h"
 #include "tests/support/scratch_folder.h"
 
 namespace mien {
@@ -30,7 +31,8 @@ Depth depth_of(const char* name) {
 
 std::string whole(const View& view, const char* name, Depth depth) {
   const ScratchFolder folder;
-  const auto done = write_image(render(sample_scene(), view, {.depth = depth}), folder / name);
+  const auto done =
+      write_image(test::rendered(sample_scene(), view, {.depth = depth}), folder / name);
   EXPECT_TRUE(done) << sentence(done.error());
   return read_text(folder / name);
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Rgb = std::array<int, 3>;
 
-Rgb pixel(const Image& image, int x, int y) {
+Rgb pixel_of(const Image& image, int x, int y) {
   const std::uint8_t* p = image.row(y) + 4 * x;
   return {p[0], p[1], p[2]};
 }
@@ -28,27 +28,27 @@ constexpr View kView{.width = 100, .height = 100};
 
 TEST(DebugPicture, ShowsEveryOutlineAndBrighterWhatIsSeenOfIt) {
   const Image outlines = debug_picture(half_and_dome(), kView, DebugPicture::outlines);
-  EXPECT_NE(pixel(outlines, 50, 80), pixel(outlines, 20, 80));  // the half plane's
-  EXPECT_NE(pixel(outlines, 84, 25), pixel(outlines, 20, 80));  // the disc's
+  EXPECT_NE(pixel_of(outlines, 50, 80), pixel_of(outlines, 20, 80));  // the half plane's
+  EXPECT_NE(pixel_of(outlines, 84, 25), pixel_of(outlines, 20, 80));  // the disc's
   const Image fragments = debug_picture(half_and_dome(), kView, DebugPicture::fragments);
-  EXPECT_GT(pixel(fragments, 50, 80)[0], 200);  // black on white
-  EXPECT_EQ(pixel(fragments, 20, 80), pixel(outlines, 20, 80));
+  EXPECT_GT(pixel_of(fragments, 50, 80)[0], 200);  // black on white
+  EXPECT_EQ(pixel_of(fragments, 20, 80), pixel_of(outlines, 20, 80));
 }
 
 TEST(DebugPicture, ShowsRegionsAndWhatLooksAlike) {
   const Image regions = debug_picture(half_and_dome(), kView, DebugPicture::regions);
   const Image looks = debug_picture(half_and_dome(), kView, DebugPicture::looks);
-  EXPECT_NE(pixel(regions, 20, 80), pixel(regions, 80, 80));
-  EXPECT_NE(pixel(regions, 80, 80), pixel(regions, 75, 25));
-  EXPECT_NE(pixel(looks, 21, 81), pixel(looks, 81, 81));
-  EXPECT_EQ(pixel(looks, 76, 24), (Rgb{255, 255, 255}));  // lit: it varies
+  EXPECT_NE(pixel_of(regions, 20, 80), pixel_of(regions, 80, 80));
+  EXPECT_NE(pixel_of(regions, 80, 80), pixel_of(regions, 75, 25));
+  EXPECT_NE(pixel_of(looks, 21, 81), pixel_of(looks, 81, 81));
+  EXPECT_EQ(pixel_of(looks, 76, 24), (Rgb{255, 255, 255}));  // lit: it varies
 }
 
 TEST(DebugPicture, DrawsIsolinesOfTheNearestOutline) {
   const Image distance = debug_picture(half_and_dome(), kView, DebugPicture::distance);
-  EXPECT_EQ(pixel(distance, 50, 90), (Rgb{255, 255, 255}));
-  const Rgb inside = pixel(distance, 45, 90), outside = pixel(distance, 55, 90),
-            line = pixel(distance, 60, 90);
+  EXPECT_EQ(pixel_of(distance, 50, 90), (Rgb{255, 255, 255}));
+  const Rgb inside = pixel_of(distance, 45, 90), outside = pixel_of(distance, 55, 90),
+            line = pixel_of(distance, 60, 90);
   EXPECT_GT(inside[2], inside[0]);
   EXPECT_GT(outside[0], outside[2]);
   EXPECT_LT(line[0], outside[0]);
@@ -56,10 +56,10 @@ TEST(DebugPicture, DrawsIsolinesOfTheNearestOutline) {
 
 TEST(DebugPicture, ShowsNormalsOfReliefs) {
   const Image normals = debug_picture(half_and_dome(), kView, DebugPicture::normals);
-  EXPECT_EQ(pixel(normals, 10, 90), (Rgb{128, 128, 255}));
-  EXPECT_GT(pixel(normals, 79, 25)[0], 150);  // right of the dome's top
-  EXPECT_LT(pixel(normals, 70, 25)[0], 106);
-  EXPECT_GT(pixel(normals, 75, 20)[1], 150);  // above it
+  EXPECT_EQ(pixel_of(normals, 10, 90), (Rgb{128, 128, 255}));
+  EXPECT_GT(pixel_of(normals, 79, 25)[0], 150);  // right of the dome's top
+  EXPECT_LT(pixel_of(normals, 70, 25)[0], 106);
+  EXPECT_GT(pixel_of(normals, 75, 20)[1], 150);  // above it
 }
 
 }  // namespace

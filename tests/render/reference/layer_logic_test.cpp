@@ -79,7 +79,7 @@ TEST(LayerLogic, WhatLiesUnderAnOpaqueLayerIsDropped) {
 TEST(LayerLogic, OperandsOfWhatIsDecidedAreNotAskedAbout) {
   SceneBuilder build({.box = {{0, 0}, {1, 1}}}, {0, 0, 0, 1});
   const Area a = build.shape(Disc{{0, 0}, 1}), b = build.shape(Disc{{0, 0}, 2});
-  build.layer("both", build.both(a, b), {{1, 1, 1, 1}});
+  build.layer("both", build.intersect(a, b), {{1, 1, 1, 1}});
   const Scene scene = std::move(build).finish();
   LayerLogic logic(scene, {0});
   ASSERT_EQ(logic.sets().size(), 2u);
@@ -98,7 +98,7 @@ TEST(LayerLogic, OperandsOfWhatIsDecidedAreNotAskedAbout) {
 TEST(LayerLogic, SeamsBetweenAreasThatAbutAreNoOutlines) {  // there a min of distances is 0
   SceneBuilder build({.box = {{0, 0}, {1, 1}}}, {0, 0, 0, 1});
   const Area left = build.shape(HalfPlane{{1, 0}, 0.5});
-  build.layer("all", build.either(left, build.complement(left)), {{1, 1, 1, 1}});
+  build.layer("all", build.unite(left, build.complement(left)), {{1, 1, 1, 1}});
   const Scene scene = std::move(build).finish();
   LayerLogic logic(scene, {1});
   std::vector<char> inside(logic.sets().size());

@@ -16,7 +16,7 @@
 namespace mien {
 namespace {
 
-constexpr Color kBlack{0, 0, 0, 1}, kWhite{1, 1, 1, 1};
+constexpr Color kInk{0, 0, 0, 1}, kPaper{1, 1, 1, 1};
 
 /// The red of every pixel of a picture with one pixel per face unit.
 double sum_of_red(const Scene& scene, int side, double& bound) {
@@ -35,28 +35,28 @@ double sum_of_red(const Scene& scene, int side, double& bound) {
 }
 
 TEST(SquareResolver, KnowsTheAreaOfADisc) {
-  SceneBuilder build({.box = {{0, 0}, {12, 12}}}, kBlack);
-  build.layer("disc", build.shape(Disc{{6.1, 5.7}, 3.3}), {kWhite});
+  SceneBuilder build({.box = {{0, 0}, {12, 12}}}, kInk);
+  build.layer("disc", build.shape(Disc{{6.1, 5.7}, 3.3}), {kPaper});
   double bound = 0;
   EXPECT_NEAR(sum_of_red(std::move(build).finish(), 12, bound), std::numbers::pi * 3.3 * 3.3, 1e-3);
   EXPECT_LT(bound, 0.2);
 }
 
 TEST(SquareResolver, LetsNothingShineThroughBetweenLayersThatAbut) {
-  SceneBuilder build({.box = {{0, 0}, {4, 4}}}, kBlack);
+  SceneBuilder build({.box = {{0, 0}, {4, 4}}}, kInk);
   const Area left = build.shape(HalfPlane{{0.6, 0.8}, 2.9});
-  build.layer("left", left, {kWhite});
-  build.layer("right", build.complement(left), {kWhite});
+  build.layer("left", left, {kPaper});
+  build.layer("right", build.complement(left), {kPaper});
   double bound = 0;
   EXPECT_NEAR(sum_of_red(std::move(build).finish(), 4, bound), 16, 1e-3);
 }
 
 TEST(SquareResolver, TakesTheMeanOfARadialGradientWithAJump) {
-  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, kBlack);
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, kInk);
   build.layer("all", build.everywhere(),
-              {.color = kBlack,
+              {.color = kInk,
                .gradient = shared(Gradient{RadialGradient{{0.1, 0}, {0.5, 0.25}},
-                                           {{0, kBlack}, {1, kWhite}, {1, kBlack}}})});
+                                           {{0, kInk}, {1, kPaper}, {1, kInk}}})});
   double bound = 0;  // a cone within the ellipse: 2/3 of its area
   EXPECT_NEAR(4 * sum_of_red(std::move(build).finish(), 1, bound),
               2.0 / 3 * std::numbers::pi * 0.5 * 0.25, 4e-3);
@@ -140,8 +140,8 @@ Scene grown(const Scene& scene, double by) {
 }
 
 TEST(SquareResolver, ThatATruthIsAnotherIsSeen) {  // a hundredth of a pixel
-  SceneBuilder build({.box = {{0, 0}, {12, 12}}}, kBlack);
-  build.layer("disc", build.shape(Disc{{6.1, 5.7}, 3.3}), {kWhite});
+  SceneBuilder build({.box = {{0, 0}, {12, 12}}}, kInk);
+  build.layer("disc", build.shape(Disc{{6.1, 5.7}, 3.3}), {kPaper});
   const Scene scene = std::move(build).finish();
   Word same, other;
   keep_to(scene, scene, 12, 1, same);
@@ -162,14 +162,14 @@ TEST(SquareResolver, AsksFewDistances) {
 }
 
 TEST(SquareResolver, KnowsPathsOverThemselvesAndThinStrokes) {
-  SceneBuilder build({.box = {{0, 0}, {8, 8}}}, kBlack);
+  SceneBuilder build({.box = {{0, 0}, {8, 8}}}, kInk);
   const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
   Path path;  // two squares, one over the other: 4 × 4 and 3 × 3, in common 2 × 2
   for (const auto& [lo, hi] : {std::pair{1.3, 5.3}, {3.3, 6.3}})
     path.loops.push_back({{side({lo, lo}, {hi, lo}), side({hi, lo}, {hi, hi}),
                            side({hi, hi}, {lo, hi}), side({lo, hi}, {lo, lo})}});
-  build.layer("path", build.shape(path), {kWhite});
-  build.layer("line", build.shape(Line{{0.1, 7.3}, {7.9, 7.1}, 0.003}), {kWhite});
+  build.layer("path", build.shape(path), {kPaper});
+  build.layer("line", build.shape(Line{{0.1, 7.3}, {7.9, 7.1}, 0.003}), {kPaper});
   double bound = 0;
   const double line = 0.006 * std::hypot(7.8, 0.2) + std::numbers::pi * 0.003 * 0.003;
   EXPECT_NEAR(sum_of_red(std::move(build).finish(), 8, bound), 16 + 9 - 4 + line, 1e-4);

@@ -8,6 +8,7 @@
 
 #include "tests/support/exact_truth.h"
 #include "tests/support/random.h"
+#include "tests/support/rendered.h"
 
 namespace mien::test {
 namespace {
@@ -25,7 +26,7 @@ Scene crowd(std::uint64_t seed, std::size_t layers, double opaque = 0.8) {
       paint.relief = shared({.area = whole, .profile = Profile::bevel, .width = 2, .height = 1});
     const bool grouped = r.chance(0.05);
     if (grouped) build.open_group("group", 0.5);
-    build.layer("disc", r.chance(0.2) ? build.without(whole, hole) : whole, paint);
+    build.layer("disc", r.chance(0.2) ? build.subtract(whole, hole) : whole, paint);
     if (grouped) build.close_group();
   }
   return std::move(build).finish();
@@ -62,13 +63,14 @@ TEST(Crowd, OfAPartIsThatPartOfTheWhole) {
   for (const double opaque : {0.8, 0.0}) {
     const Scene scene = crowd(2, Crowd::kMany, opaque);
     const View view{.width = 203, .height = 122};
-    const Image whole = render(scene, view);
+    const Image whole = test::rendered(scene, view);
     int threads = 1;
     for (const PixelRect part :
          {PixelRect{0, 0, 203, 122}, {0, 0, 1, 1}, {17, 15, 60, 40}, {190, 100, 13, 22}}) {
       View some = view;
       some.region = part;
-      const Image piece = render(scene, some, {.threads = {.count = threads = threads % 7 + 2}});
+      const Image piece =
+          test::rendered(scene, some, {.threads = {.count = threads = threads % 7 + 2}});
       for (int y = 0; y < part.height; ++y)
         ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + 4 * part.x,
                               4 * std::size_t(part.width)),
@@ -89,7 +91,7 @@ TEST(Crowd, OfTranslucentLayersIsTheExactPicture) {
     for (const Blend blend : {Blend::srgb, Blend::linear}) {
       const View view{.width = 80, .height = 60, .blend = blend};
       const ExactTruth truth(scene, view);
-      const Image image = render(scene, view, {.depth = depth});
+      const Image image = test::rendered(scene, view, {.depth = depth});
       const int top = depth == Depth::u8 ? 255 : 65535;
       for (int k = 0; k < 4; ++k) {
         const int x = int(80 * r.unit()), y = int(60 * r.unit());
@@ -112,8 +114,8 @@ TEST(Crowd, WhatIsLeftOutShowsLessThanItMay) {
     for (std::size_t i = 0; i < Crowd::kMany; ++i) build.layer("white", all, {{1, 1, 1, 1}});
     for (int i = 0; i < above; ++i) build.layer("black", all, {{0, 0, 0, 0.5}});
     const Scene scene = std::move(build).finish();
-    const Image image =
-        render(scene, {.width = 16, .height = 16, .blend = Blend::srgb}, {.depth = Depth::u16});
+    const Image image = test::rendered(scene, {.width = 16, .height = 16, .blend = Blend::srgb},
+                                       {.depth = Depth::u16});
     const double level = reinterpret_cast<const std::uint16_t*>(image.row(8))[0];
     EXPECT_NEAR(level, std::ldexp(65535.0, -above), 32 * Crowd::kUnseen + 0.5) << above;
   }
@@ -125,7 +127,8 @@ TEST(Crowd, OnlyWhatIsSeenIsDrawn) {
     build.layer("hidden", build.shape(Disc{{32.0, 32.0}, 1.0 + 0.001 * i}), {{1, 0, 0, 1}});
   build.layer("cover", build.shape(Disc{{32, 32}, 100}), {{0, 1, 0, 1}});
   RenderStats stats;
-  const Image image = render(std::move(build).finish(), {.width = 64, .height = 64}, {}, &stats);
+  const Image image =
+      test::rendered(std::move(build).finish(), {.width = 64, .height = 64}, {}, &stats);
   EXPECT_EQ(image.row(32)[4 * 32], 0);
   EXPECT_EQ(image.row(32)[4 * 32 + 1], 255);
   EXPECT_EQ(stats.fill_pixels + stats.edge_pixels, 64 * 64);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/random_scene.h"
+#include "tests/support/rendered.h"
 
 namespace mien {
 
@@ -79,18 +80,18 @@ Scene two_squares() {
   return std::move(build).finish();
 }
 
-const View kView{.width = 32, .height = 32, .blend = Blend::srgb, .dither = false};
+const View kDrawnView{.width = 32, .height = 32, .blend = Blend::srgb, .dither = false};
 
 TEST(Drawing, IsWhatTheReferenceSays) {
   RenderStats stats;
-  EXPECT_LT(DrawingProbe(two_squares(), kView).off(stats), kAllowed);
+  EXPECT_LT(DrawingProbe(two_squares(), kDrawnView).off(stats), kAllowed);
   EXPECT_EQ(stats.doubts, 0);
   EXPECT_EQ(stats.resolved_pixels, 0);
 }
 
 /// A side that jumps over another one, unknown to the vertices: so the order is wrong for most of its way.
 TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
-  DrawingProbe probe(two_squares(), kView);
+  DrawingProbe probe(two_squares(), kDrawnView);
   for (OutlinePiece& p : probe.outlines().pieces)
     if (p.outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
   probe.arrange();
@@ -99,19 +100,19 @@ TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
   EXPECT_GT(stats.doubts, 0);
   EXPECT_GT(stats.resolved_pixels, 50);
   int doubted = 0;
-  for (int y = 0; y < kView.height; ++y) {
+  for (int y = 0; y < kDrawnView.height; ++y) {
     const bool doubt = std::ranges::any_of(
         probe.doubts(), [&](const Doubt& d) { return d.top < y + 1 && d.bottom > y; });
     EXPECT_EQ(probe.fingerprints()[y] == RowFingerprints::kNone, doubt) << y;
     doubted += doubt;
   }
   EXPECT_GT(doubted, 5);
-  EXPECT_LT(doubted, kView.height);
+  EXPECT_LT(doubted, kDrawnView.height);
 }
 
 TEST(Drawing, FaultsInWindingsAndJumpsAreSeen) {
   const auto off_with = [](auto fault) {
-    DrawingProbe probe(two_squares(), kView);
+    DrawingProbe probe(two_squares(), kDrawnView);
     for (OutlinePiece& p : probe.outlines().pieces)
       if (p.outline == 0 && p.x0 == 10) fault(p);
     probe.arrange();
@@ -125,12 +126,12 @@ TEST(Drawing, FaultsInWindingsAndJumpsAreSeen) {
   const QuadBezier round[] = {{{4, 4}, {28, 4}, {28, 28}}, {{28, 28}, {4, 28}, {4, 4}}};
   build.layer("twice", build.shape(Path{{{{round[0], round[1], round[0], round[1]}}}}),
               {{1, 1, 1, 1}});
-  DrawingProbe wound(std::move(build).finish(), kView);
+  DrawingProbe wound(std::move(build).finish(), kDrawnView);
   wound.outlines().rules[0] = FillRule::even_odd;
   wound.arrange();
   RenderStats of_wound;
   EXPECT_GT(wound.off(of_wound), 0.1);
-  DrawingProbe turned(two_squares(), kView);
+  DrawingProbe turned(two_squares(), kDrawnView);
   turned.turn_jumps();
   RenderStats stats;
   EXPECT_GT(turned.off(stats), 0.1);
@@ -141,12 +142,12 @@ TEST(Drawing, OfAPartIsThatPartOfTheWhole) {
     const Scene scene = test::random_painted_scene(std::uint64_t(seed));
     for (const Depth depth : {Depth::u8, Depth::u16, Depth::f32}) {
       View view{.width = 71, .height = 53};
-      const Image whole = render(scene, view, {.depth = depth});
+      const Image whole = test::rendered(scene, view, {.depth = depth});
       const std::size_t pixel = 4 * bytes_per_channel(depth);
       for (const PixelRect part :
            {PixelRect{0, 0, 1, 1}, {70, 52, 1, 1}, {13, 15, 40, 3}, {64, 0, 7, 53}}) {
         view.region = part;
-        const Image piece = render(scene, view, {.depth = depth});
+        const Image piece = test::rendered(scene, view, {.depth = depth});
         for (int y = 0; y < part.height; ++y)
           ASSERT_EQ(std::memcmp(piece.row(y), whole.row(y + part.y) + pixel * std::size_t(part.x),
                                 pixel * std::size_t(part.width)),
@@ -162,7 +163,7 @@ TEST(Drawing, OfAnySizeIsFilledToItsBorders) {
   const Scene scene = std::move(build).finish();
   for (const int width : {1, 63, 64, 65})
     for (int height = 1; height <= 17; ++height) {
-      const Image image = render(scene, {.width = width, .height = height});
+      const Image image = test::rendered(scene, {.width = width, .height = height});
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) ASSERT_EQ(image.row(y)[4 * x], 255);
     }
@@ -172,7 +173,7 @@ TEST(Drawing, CountsWhatItDid) {
   SceneBuilder build({.box = {{0, 0}, {100, 100}}}, {0, 0, 0, 1});
   build.layer("disc", build.shape(Disc{{50, 50}, 30}), {{1, 1, 1, 1}});
   RenderStats stats;
-  render(std::move(build).finish(), {.width = 100, .height = 100}, {}, &stats);
+  test::rendered(std::move(build).finish(), {.width = 100, .height = 100}, {}, &stats);
   EXPECT_EQ(stats.fill_pixels + stats.edge_pixels, 10'000);
   EXPECT_EQ(stats.regions, 2);
   EXPECT_EQ(stats.doubts, 0);

@@ -9,7 +9,7 @@
 namespace mien {
 namespace {
 
-constexpr int kSide = 40;
+constexpr int kPictureSide = 40;
 
 /// A pixel to a unit: a translucent pair of discs over a gradient, high up and low down.
 struct Numbers {
@@ -17,7 +17,7 @@ struct Numbers {
   glm::dvec2 hidden{20, 30};
 
   Scene scene() const {
-    SceneBuilder build({{{0, 0}, {kSide, kSide}}, false}, {1, 1, 1, 1});
+    SceneBuilder build({{{0, 0}, {kPictureSide, kPictureSide}}, false}, {1, 1, 1, 1});
     const auto fade = [&](double middle) {
       return shared(Gradient{LinearGradient{{0, middle - 3}, {0, middle + 3}},
                              {{0, {stop, 0, 0, 1}}, {1, {0, 0, 1, 1}}}});
@@ -33,7 +33,8 @@ struct Numbers {
 };
 
 std::vector<std::uint64_t> rows_of(const Scene& scene,
-                                   const View& view = {.width = kSide, .height = kSide}) {
+                                   const View& view = {.width = kPictureSide,
+                                                       .height = kPictureSide}) {
   Drawing drawing;
   drawing.make(scene, view, Depth::u8);
   const RowFingerprints& prints = *drawing.fingerprints();
@@ -47,24 +48,25 @@ std::pair<int, int> differing(const std::function<void(Numbers&)>& change) {
   Numbers changed;
   change(changed);
   const auto before = rows_of(Numbers().scene()), after = rows_of(changed.scene());
-  int first = kSide, last = -1;
-  for (int y = 0; y < kSide; ++y)
+  int first = kPictureSide, last = -1;
+  for (int y = 0; y < kPictureSide; ++y)
     if (before[std::size_t(y)] != after[std::size_t(y)]) first = std::min(first, y), last = y;
   return {first, last};
 }
 
 TEST(RowFingerprints, ChangeWhereTheRowDoes) {
   using Rows = std::pair<int, int>;
-  EXPECT_EQ(differing([](Numbers&) {}), (Rows{kSide, -1}));
+  EXPECT_EQ(differing([](Numbers&) {}), (Rows{kPictureSide, -1}));
   EXPECT_EQ(differing([](Numbers& n) { n.radius = 3.5; }), (Rows{4, 11}));
   EXPECT_EQ(differing([](Numbers& n) { n.opacity = 0.6; }), (Rows{5, 10})) << "a group's";
   EXPECT_EQ(differing([](Numbers& n) { n.stop = 0.9; }), (Rows{25, 32})) << "a gradient's";
-  EXPECT_EQ(differing([](Numbers& n) { n.hidden.x = 21; }), (Rows{kSide, -1})) << "what is hidden";
+  EXPECT_EQ(differing([](Numbers& n) { n.hidden.x = 21; }), (Rows{kPictureSide, -1}))
+      << "what is hidden";
 }
 
 TEST(RowFingerprints, AreThoseOfAView) {
   const Scene scene = Numbers().scene();
-  const View plain{.width = kSide, .height = kSide};
+  const View plain{.width = kPictureSide, .height = kPictureSide};
   std::set<std::uint64_t> all;
   for (const auto& change : std::initializer_list<std::function<void(View&)>>{
            [](View&) {}, [](View& v) { v.width = 41; }, [](View& v) { v.blend = Blend::srgb; },

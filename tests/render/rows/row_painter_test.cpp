@@ -6,6 +6,8 @@
 
 #include <cstring>
 
+#include "tests/support/rendered.h"
+
 namespace mien {
 namespace {
 
@@ -17,7 +19,7 @@ TEST(RowPainter, WritesRunsInExactlyTheLooksColour) {  // however many sums lie 
   const Scene scene = std::move(build).finish();
   for (const Depth depth : {Depth::u8, Depth::u16}) {
     const View view{.width = 600, .height = 4};
-    const Image image = render(scene, view, {.depth = depth});
+    const Image image = test::rendered(scene, view, {.depth = depth});
     std::byte want[8];
     store(mix_from_color({0.2, 0.4, 0.6, 1}, Blend::linear), Blend::linear, depth, want);
     for (int i = 0; i < 149; ++i)  // 3.5 is well between two bars
@@ -38,9 +40,9 @@ TEST(RowPainter, DithersWhatVariesAndNothingElse) {
                                    {{0, {0.2, 0.2, 0.2, 1}}, {1, {0.21, 0.21, 0.21, 1}}}})});
   const Scene scene = std::move(build).finish();
   View view{.width = 64, .height = 16};
-  const Image dithered = render(scene, view);
+  const Image dithered = test::rendered(scene, view);
   view.dither = false;
-  const Image plain = render(scene, view);
+  const Image plain = test::rendered(scene, view);
   long differ = 0;
   for (int y = 0; y < 16; ++y) {
     EXPECT_EQ(std::memcmp(dithered.row(y) + 4 * 33, plain.row(y) + 4 * 33, 4 * 31), 0);

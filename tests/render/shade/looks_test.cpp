@@ -5,7 +5,7 @@
 namespace mien {
 namespace {
 
-constexpr View kView{.width = 100, .height = 100, .blend = Blend::srgb};
+constexpr View kLooksView{.width = 100, .height = 100, .blend = Blend::srgb};
 
 struct Table {
   PaintTable paints;
@@ -13,7 +13,7 @@ struct Table {
   Regions regions;
 
   explicit Table(SceneBuilder&& build) {
-    paints.make(std::move(build).finish(), kView, Depth::u8);
+    paints.make(std::move(build).finish(), kLooksView, Depth::u8);
     looks.begin(paints);
     regions.begin(int(paints.programs.outlines().size()), looks);
   }

@@ -5,18 +5,18 @@
 namespace mien {
 namespace {
 
-constexpr View kView{.width = 200, .height = 100};
+constexpr View kTableView{.width = 200, .height = 100};
 
 const VariedPaint& varied_of(PaintTable& table, const Paint& paint) {
   SceneBuilder build({.box = {{0, 0}, {2, 1}}}, {1, 1, 1, 1});
   build.shape(Disc{{1, 0.5}, 0.3});  // area 0
   build.layer("layer", build.everywhere(), paint);
-  table.make(std::move(build).finish(), kView, Depth::u8);
+  table.make(std::move(build).finish(), kTableView, Depth::u8);
   return table.varied.at(0);
 }
 
 TEST(PaintTable, CountsFromThePicturesCorner) {
-  const auto map = grid_from_face({.box = {{0, 0}, {2, 1}}, .y_up = true}, kView);
+  const auto map = grid_from_face({.box = {{0, 0}, {2, 1}}, .y_up = true}, kTableView);
   EXPECT_EQ(map(glm::dvec2(0, 1)), glm::dvec2(0, 0));
   EXPECT_EQ(map(glm::dvec2(2, 0)), glm::dvec2(200, 100));
 }

@@ -10,14 +10,14 @@
 namespace mien {
 namespace {
 
-constexpr View kView{.width = 200, .height = 200};  // 100 px a unit
+constexpr View kPaintView{.width = 200, .height = 200};  // 100 px a unit
 
 std::unique_ptr<PaintTable> table_of(const Paint& paint) {
   SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
   build.shape(Disc{{0, 0}, 0.5});  // area 0
   build.layer("layer", build.everywhere(), paint);
   auto table = std::make_unique<PaintTable>();
-  table->make(std::move(build).finish(), kView, Depth::u8);
+  table->make(std::move(build).finish(), kPaintView, Depth::u8);
   return table;
 }
 

@@ -17,7 +17,7 @@ struct Case {
   Op op;
   double amount;
   bool in(bool a, bool b) const {
-    return op == Op::either ? a || b : op == Op::both ? a && b : a && !b;
+    return op == Op::unite ? a || b : op == Op::intersect ? a && b : a && !b;
   }
 };
 
@@ -31,7 +31,7 @@ Exactness promise(const Case& c) {
   return combine_exactness(c.op, exactness(Shape(kA)), exactness(Shape(kB)), c.amount);
 }
 
-const std::vector<Case> kCases = {{Op::either, 0},     {Op::both, 0},      {Op::without, 0},
+const std::vector<Case> kCases = {{Op::unite, 0},      {Op::intersect, 0}, {Op::subtract, 0},
                                   {Op::complement, 0}, {Op::offset, 0.25}, {Op::offset, -0.25},
                                   {Op::shell, 0.2},    {Op::shape, 0}};
 
@@ -69,8 +69,8 @@ TEST(Combine, KeepsItsPromises) {
     }
     // Where only a bound is promised for two discs, it is not exact: the promise is not idle
     // modesty.
-    EXPECT_TRUE(short_inside || c.op != Op::either);
-    EXPECT_TRUE(short_outside || (c.op != Op::both && c.op != Op::without));
+    EXPECT_TRUE(short_inside || c.op != Op::unite);
+    EXPECT_TRUE(short_outside || (c.op != Op::intersect && c.op != Op::subtract));
   }
 }
 
@@ -98,7 +98,8 @@ TEST(Combine, NeverChangesFasterThanYouWalk) {
 
 TEST(Combine, ABoundStaysABound) {
   const Exactness exact{true, true}, none{false, false};
-  for (const Op op : {Op::either, Op::both, Op::without, Op::complement, Op::offset, Op::shell})
+  for (const Op op :
+       {Op::unite, Op::intersect, Op::subtract, Op::complement, Op::offset, Op::shell})
     EXPECT_EQ(combine_exactness(op, none, exact, 0.1).outside &&
                   combine_exactness(op, none, exact, 0.1).inside,
               false);

@@ -2,6 +2,7 @@
 
 #include <mien/face_model.h>
 #include <mien/scene_from_face.h>
+#include <mien/text_path.h>
 #include "lib/picture/srgb.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST(DebugView, DrawsEveryMuscleAndItsValue) {  // M11
   const Face face = test::face_named("male");
   std::vector<double> pulls(face.model->muscles.muscles.size());
   pulls[0] = 1;
-  const Scene scene = debug_muscles(face, pulls);
+  const Scene scene = debug_muscles(face, pulls, shipped_lettering());
   for (const Muscle& muscle : face.model->muscles.muscles)
     EXPECT_EQ(count(scene, control_of_side("muscle." + muscle.name, muscle.side)), 1);
   EXPECT_EQ(count(scene, "value"), 13);
@@ -51,7 +52,7 @@ TEST(DebugView, DrawsEveryMuscleAndItsValue) {  // M11
 
 TEST(DebugView, NamesEveryPoint) {
   const Face face = test::face_named("bruno");
-  const Scene scene = debug_points(face);
+  const Scene scene = debug_points(face, shipped_lettering());
   int points = 0;
   for (const Slice& slice : face.model->layout.slices()) {
     if (slice.kind != SliceKind::point) continue;

@@ -4,6 +4,7 @@
 
 #include <mien/morph.h>
 #include <mien/morph_heat.h>
+#include <mien/text_path.h>
 #include "sdf/from_face/heat.h"
 
 #include "tests/support/faces.h"
@@ -13,7 +14,7 @@ namespace {
 
 TEST(MorphHeat, TheLargestIsThatOfThePoints) {
   const Face rest = test::face_named("toon"), posed = test::posed(rest, {"ah=0.8"});
-  const MorphHeat heat = morph_heat(rest, posed);
+  const MorphHeat heat = morph_heat(rest, posed, shipped_lettering());
   EXPECT_EQ(heat.largest, largest_shift(point_shifts(rest, posed)));
   EXPECT_GT(heat.largest, 0.1);
   bool seen = false;

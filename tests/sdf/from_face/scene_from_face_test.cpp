@@ -128,7 +128,7 @@ TEST(SceneFromFace, SharesTheClipsVeryArea) {
   const Scene scene = scene_from_face(sample("toon"));
   const auto clip_of = [&](std::string_view name) {
     const Node& node = scene.nodes()[std::size_t(layer(scene, name).area.node)];
-    EXPECT_EQ(node.op, Op::both) << name;
+    EXPECT_EQ(node.op, Op::intersect) << name;
     return node.b;
   };
   const int opening = layer(scene, "opening.left").area.node;
@@ -145,7 +145,7 @@ TEST(SceneFromFace, KnowsAFeatureThatIsItsOwnClip) {
     return scene.nodes()[std::size_t(layer(scene, "sclera.left").area.node)].op;
   };
   EXPECT_EQ(op(scene_from_face(seed)), Op::shape);
-  EXPECT_EQ(op(scene_of(seed, {"blink=0.1"})), Op::both);
+  EXPECT_EQ(op(scene_of(seed, {"blink=0.1"})), Op::intersect);
 }
 
 TEST(SceneFromFace, DrawsPolylinesAndCutDiscs_M2_M3) {
@@ -254,7 +254,7 @@ std::vector<QuadBezier> spines_of(const Scene& scene, int index) {
   const Node& node = scene.nodes()[std::size_t(index)];
   if (node.op == Op::shape)
     return {std::get<TaperedStroke>(scene.shapes()[std::size_t(node.a)]).spine};
-  EXPECT_EQ(node.op, Op::either);
+  EXPECT_EQ(node.op, Op::unite);
   std::vector<QuadBezier> all = spines_of(scene, node.a), more = spines_of(scene, node.b);
   all.insert(all.end(), more.begin(), more.end());
   return all;
@@ -388,7 +388,7 @@ TEST(SceneFromFace, PutsFeaturesIntoTheirGroups) {
   EXPECT_EQ(scene.groups()[1].parent, -1);
   const int expected[] = {-1, 0, 1, -1};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(scene.layers()[i].group, expected[i]);
-  EXPECT_EQ(scene.nodes()[std::size_t(scene.layers()[1].area.node)].op, Op::both);
+  EXPECT_EQ(scene.nodes()[std::size_t(scene.layers()[1].area.node)].op, Op::intersect);
 }
 
 }  // namespace

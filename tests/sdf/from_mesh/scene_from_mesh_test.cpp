@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "tests/support/rendered.h"
+
 namespace mien {
 namespace {
 
@@ -31,7 +33,7 @@ Mesh sheet(int n) {
 
 TEST(SceneFromMesh, NeighboursLeaveNoSeam) {
   const Scene scene = scene_from_mesh(sheet(6), {}, {.box = {{0, 0}, {1, 1}}});
-  const Image image = render(scene, {.width = 97, .height = 97});
+  const Image image = test::rendered(scene, {.width = 97, .height = 97});
   const std::uint8_t* first = image.row(0);
   for (int y = 0; y < 97; ++y)
     for (int x = 0; x < 97; ++x)
@@ -44,9 +46,9 @@ TEST(SceneFromMesh, TheNearestIsOnTopWhateverTheOrder) {
             {{0, 1, 2}, {3, 4, 5}}};
   const std::vector<double> amounts{0, 0, 0, 1, 1, 1};
   const MeshLook look{.box = {{0, 0}, {1, 1}}};
-  const Image a = render(scene_from_mesh(mesh, amounts, look), {.width = 32, .height = 32});
+  const Image a = test::rendered(scene_from_mesh(mesh, amounts, look), {.width = 32, .height = 32});
   std::reverse(mesh.triangles.begin(), mesh.triangles.end());
-  const Image b = render(scene_from_mesh(mesh, amounts, look), {.width = 32, .height = 32});
+  const Image b = test::rendered(scene_from_mesh(mesh, amounts, look), {.width = 32, .height = 32});
   EXPECT_EQ(a.bytes, b.bytes);
   EXPECT_GT(a.row(28)[4 * 3], a.row(28)[4 * 3 + 2]);  // red, the near one's amount, over blue
 }

@@ -71,7 +71,7 @@ TEST(AreaProgram, AShapeMetAgainAtTheSameLevelIsTheSameOutline) {
   SceneBuilder build(kCanvas, {});
   const Area path = build.shape(Path{{{{{{0, 0}, {1, 0}, {1, 1}}, {{1, 1}, {0, 1}, {0, 0}}}}}});
   const Area grown = build.offset(path, 0.25), ring = build.shell(path, 0.25);
-  build.layer("path", build.either(grown, ring), {});
+  build.layer("path", build.unite(grown, ring), {});
   const Scene scene = std::move(build).finish();
   AreaPrograms programs;
   programs.begin(scene);
@@ -99,10 +99,10 @@ TEST(AreaProgram, ShellsOfShellsAndOffsetsOfOffsetsAreOfSingleShapes) {
           area = build.complement(area);
           break;
         case 3:
-          area = build.without(other, area);
+          area = build.subtract(other, area);
           break;
         default:
-          area = build.either(area, other);
+          area = build.unite(area, other);
       }
     }
     build.layer("layer", area, {});

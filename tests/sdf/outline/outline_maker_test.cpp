@@ -22,7 +22,7 @@ namespace {
 constexpr double kTolerance = 1.0 / 800;
 /// Rounding of vertices, and of the distance.
 constexpr double kSnap = 4e-6;
-const Box2 kWindow{{0, 0}, {64, 64}};
+const Box2 kMadeWindow{{0, 0}, {64, 64}};
 
 /// (−size, size)² on the window, y up.
 Map<GridSpace, FaceSpace> upright(double size) {
@@ -38,7 +38,7 @@ struct Drawn {
   explicit Drawn(const Map<GridSpace, FaceSpace>& m) : map(m), back(inverse(m)) {}
 
   static Drawn fill(const Shape& shape, const Map<GridSpace, FaceSpace>& map,
-                    const Box2& window = kWindow) {
+                    const Box2& window = kMadeWindow) {
     Drawn d(map);
     OutlineMaker maker;
     maker.begin({map, window, kTolerance}, d.outlines);
@@ -49,7 +49,7 @@ struct Drawn {
   static Drawn rim(const Shape& shape, double width, const Map<GridSpace, FaceSpace>& map) {
     Drawn d(map);
     OutlineMaker maker;
-    maker.begin({map, kWindow, kTolerance}, d.outlines);
+    maker.begin({map, kMadeWindow, kTolerance}, d.outlines);
     EXPECT_EQ(maker.rim(shape, width), 0);
     maker.finish();
     return d;
@@ -62,7 +62,7 @@ struct Drawn {
   }
 
   /// A point of the window; every second one near a piece.
-  glm::dvec2 place(Random& r, const Box2& window = kWindow) const {
+  glm::dvec2 place(Random& r, const Box2& window = kMadeWindow) const {
     if (!outlines.pieces.empty() && r.chance(0.5)) {
       const OutlinePiece& piece = outlines.pieces[r.below(int(outlines.pieces.size()))];
       const glm::dvec2 p = point(piece, r.unit()) + r.size(-2.6, 1) * r.direction();
@@ -167,7 +167,7 @@ TYPED_TEST(OutlineLaws, LieOnTheOutlineToTheTolerance) {
     for (const OutlinePiece& piece : d.outlines.pieces)
       for (int i = 1; i < 16; ++i) {
         const glm::dvec2 p = point(piece, i / 16.0);
-        if (!kWindow.contains(p)) continue;
+        if (!kMadeWindow.contains(p)) continue;
         const double far = d.distance(e.shape, p);
         ++seen;
         if (std::abs(far) <= kTolerance + kSnap) continue;

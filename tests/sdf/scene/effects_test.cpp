@@ -46,7 +46,7 @@ TEST(Effects, AGlowEndsAtItsReach) {
 TEST(Effects, AShadowLiesWhereItIsShiftedTo) {
   SceneBuilder build({}, {1, 1, 1, 1});
   const Area disc = build.shape(Disc{{0, 0}, 0.2}), hole = build.shape(Disc{{0, 0}, 0.05});
-  soft_shadow(build, "shadow", build.without(disc, hole),
+  soft_shadow(build, "shadow", build.subtract(disc, hole),
               {.color = {0, 0, 0, 0.5}, .blur = 0.02, .shift = {0.3, -0.1}});
   const Scene scene = std::move(build).finish();
   EXPECT_NEAR(opacity(scene, {0.5, -0.1}), 0.25, 1e-12);  // on its outline: half

@@ -37,7 +37,7 @@ TEST(Paint, IsPrintedWithItsSceneWholly) {
             "a0 = disc center 0,0 radius 0.3\n"
             "a1 = path nonzero\n"
             "a2 = complement a1\n"
-            "a3 = both a2 a0\n"
+            "a3 = intersect a2 a0\n"
             "light 1,2,3 ambient 0.25\n"
             "group g0 glasses opacity 0.5\n"
             "layer lens area a3 distance a0 -0.1 to 0 reflect (0: 1 0 0 1) (1: 0 0 1 0.5) opacity "

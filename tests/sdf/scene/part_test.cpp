@@ -14,13 +14,13 @@ Scene whole() {
   const Area a = build.shape(Disc{{3, 3}, 2}), b = build.shape(Disc{{5, 3}, 2});
   build.layer("a", a, {{1, 0, 0, 1}});
   build.open_group("outer", 0.5);
-  build.layer("both", build.both(a, b), {{0, 1, 0, 1}});
+  build.layer("both", build.intersect(a, b), {{0, 1, 0, 1}});
   build.open_group("inner", 0.25, b);
-  build.layer("rest", build.offset(build.shell(build.without(build.complement(a), b), 0.5), 0.1),
+  build.layer("rest", build.offset(build.shell(build.subtract(build.complement(a), b), 0.5), 0.1),
               {.relief = shared({.area = a, .profile = Profile::bevel})});
   build.close_group();
   build.close_group();
-  build.layer("along", build.either(a, b),
+  build.layer("along", build.unite(a, b),
               {.gradient = shared({.along = DistanceGradient{b, 0, 1}, .stops = {{0, {}}}})});
   return std::move(build).finish();
 }

@@ -29,7 +29,7 @@ struct Numbers {
     build.close_group();
     Relief lit = relief;
     lit.area = across;
-    build.layer(name, build.both(across, round), {{0, 1, 0, 1}, {}, shared(std::move(lit))});
+    build.layer(name, build.intersect(across, round), {{0, 1, 0, 1}, {}, shared(std::move(lit))});
     const Gradient along{DistanceGradient{round, from, 0}, gradient.stops};
     build.layer(name, across, {{0, 0, 1, 0.5}, shared(Gradient(along))});
     return std::move(build).finish();

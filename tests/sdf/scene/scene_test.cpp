@@ -15,7 +15,7 @@ struct Lens {
 Lens lens() {
   SceneBuilder build({.box = {{-2, -1}, {2, 1}}}, {1, 1, 1, 1});
   const Area left = build.shape(Disc{{-0.5, 0}, 1}), right = build.shape(Disc{{0.5, 0}, 1});
-  const Area both = build.both(left, right), minus = build.without(left, right);
+  const Area both = build.intersect(left, right), minus = build.subtract(left, right);
   const Area ring = build.shell(build.offset(both, 0.25), 0.125);
   build.layer("lens", both, {{0.5, 0.25, 0, 1}});
   build.layer("ring", ring, {{0, 0, 0, 0.5}});
@@ -51,8 +51,8 @@ TEST(Scene, PrintsAsText) {
 background 1 1 1 1
 a0 = disc center -0.5,0 radius 1
 a1 = disc center 0.5,0 radius 1
-a2 = both a0 a1
-a3 = without a0 a1
+a2 = intersect a0 a1
+a3 = subtract a0 a1
 a4 = offset a2 0.25
 a5 = shell a4 0.125
 layer lens area a2 color 0.5 0.25 0 1 (bound outside, exact inside)
@@ -63,7 +63,7 @@ layer ring area a5 color 0 0 0 0.5 (bound outside, bound inside)
 TEST(Scene, AChainOfAHundredThousandIsNoDeepRecursion) {
   SceneBuilder build({}, {});
   Area all = build.shape(Disc{{0, 0}, 0.1});
-  for (int i = 1; i < 100'000; ++i) all = build.either(build.shape(Disc{{double(i), 0}, 0.1}), all);
+  for (int i = 1; i < 100'000; ++i) all = build.unite(build.shape(Disc{{double(i), 0}, 0.1}), all);
   build.layer("beads", all, {});
   const Scene scene = std::move(build).finish();
   EXPECT_NEAR(scene.distance(all, {70000.5, 0}), 0.4, 1e-12);

@@ -8,7 +8,7 @@
 #include "lib/base/monotonic_seconds.h"
 #include "render/image/file_type.h"
 #include "render/image/write_pieces.h"
-#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/film/film.h"

@@ -5,11 +5,11 @@
 #include <mien/face_model.h>
 #include <mien/renderer.h>
 #include <mien/scene_from_face.h>
+#include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/commands/render_plan.h"
-#include "tools/mien/output/json_text.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +84,7 @@ class Frames {
     at[1] = now_ms();
     const Scene scene = scene_from_face(posed);
     at[2] = now_ms();
-    renderer_.render_into(buffer_, scene, plan_.view, how_);
+    renderer_.render_into(buffer_, scene, plan_.view, how_).value();  // it was drawn before
     at[3] = now_ms();
     to.whole.push_back(at.back() - at[0]);
     for (std::size_t i = 0; i < kParts.size(); ++i) to.parts[i].push_back(at[i + 1] - at[i]);

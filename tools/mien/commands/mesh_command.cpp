@@ -7,9 +7,10 @@
 #include "lib/base/nearest_name.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/named_file.h"
-#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/contact_sheet.h"
+#include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/image_loader.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -22,8 +23,8 @@
 namespace mien::command {
 namespace {
 
-constexpr int kDefaultPicture = 320, kMostPicture = 4096;
-constexpr int kMostColumns = 5;
+constexpr int kDefaultHead = 320, kMostHead = 4096;
+constexpr int kHeadColumns = 5;
 constexpr int kGap = 8;
 constexpr double kWire = 0.0012;  // half-width of a wire, of the picture's longer side
 
@@ -96,8 +97,8 @@ class HeadPainter {
       return std::max(1, int(std::lround(side_ * length / std::max(size.x, size.y))));
     };
     const View view{.width = pixels(size.x), .height = pixels(size.y)};
-    return captioned(render(scene_from_mesh(turned(mesh, yaw_, pitch_), amounts, look), view),
-                     caption);
+    return captioned(
+        sheet_picture(scene_from_mesh(turned(mesh, yaw_, pitch_), amounts, look), view), caption);
   }
 
   /// The spectrum of how far each point is from the neutral; the caption says what its end is.
@@ -142,8 +143,8 @@ std::vector<Image> sheet_of(const Heads& heads, const HeadPainter& painter, int 
 }  // namespace
 
 int mesh_command(const MeshArguments& arguments) {
-  const auto side = read_whole("--size", arguments.size.value_or(std::to_string(kDefaultPicture)),
-                               16, kMostPicture);
+  const auto side =
+      read_whole("--size", arguments.size.value_or(std::to_string(kDefaultHead)), 16, kMostHead);
   if (!side) return complain(side.error(), kUsedWrongly);
   const auto yaw = read_real("--yaw", arguments.yaw.value_or("0"), -180, 180);
   if (!yaw) return complain(yaw.error(), kUsedWrongly);
@@ -157,7 +158,7 @@ int mesh_command(const MeshArguments& arguments) {
   HeadPainter painter(int(*side), *yaw, *pitch);
   painter.include(heads->neutral);
   std::vector<Image> pictures;
-  int columns = std::min(kMostColumns, int(heads->targets.size()) + 1);
+  int columns = std::min(kHeadColumns, int(heads->targets.size()) + 1);
   if (arguments.weights.empty()) {
     for (const Mesh& target : heads->targets) painter.include(target);
     pictures = sheet_of(*heads, painter, columns);

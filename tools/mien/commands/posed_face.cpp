@@ -10,8 +10,8 @@
 #include "lib/rig/pose/expression_setting.h"
 #include "sdf/from_face/debug_view.h"
 #include "tools/mien/cli/option_words.h"
-#include "tools/mien/cli/parse_numbers.h"
 #include "tools/mien/cli/parse_values.h"
+#include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
 
@@ -197,8 +197,8 @@ SceneOrCode read_scene(const PosedFace& arguments, const std::optional<std::stri
   Poser poser(*std::move(read.face));
   const Face& posed = poser.pose(read.pose);
   const auto between = std::chrono::steady_clock::now();
-  SceneOrCode made{view == 0   ? debug_muscles(posed, poser.pulls())
-                   : view == 1 ? debug_points(posed)
+  SceneOrCode made{view == 0   ? debug_muscles(posed, poser.pulls(), letters())
+                   : view == 1 ? debug_points(posed, letters())
                                : scene_from_face(posed)};
   made.read = std::chrono::duration<double>(between - began).count();
   made.made = std::chrono::duration<double>(std::chrono::steady_clock::now() - between).count();

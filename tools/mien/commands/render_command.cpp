@@ -15,6 +15,7 @@
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/effected_rows.h"
 #include "tools/mien/output/image_loader.h"
+#include "tools/mien/output/letters.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/output/write_strips.h"
 #include "tools/mien/terminal/interrupt.h"
@@ -62,7 +63,7 @@ Expected<Done> check_output(const std::string& output, const WriteOptions& write
   if (output == "-" && ::isatty(STDOUT_FILENO)) {
     return Error{"-o -", "will not write a picture to a terminal; redirect it or name a file"};
   }
-  return check_target(output, write);
+  return check_output(output, write);
 }
 
 /// Rows of a strip that is to have so many pixels, and whole strips of the renderer's.
@@ -211,7 +212,7 @@ Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& pose
   if (arguments.debug != kMorphDebug) return scene_from_face(posed);
   const auto rest = read_face(arguments.posed.face);
   if (!rest) return rest.error();
-  const MorphHeat heat = morph_heat(*rest, posed);
+  const MorphHeat heat = morph_heat(*rest, posed, letters());
   if (arguments.output != "-")
     print(fmt::format("largest displacement {:.6g} {}\n", heat.largest, posed.model->canvas.unit));
   return heat.scene;
@@ -229,7 +230,7 @@ int render_command(const RenderArguments& arguments) {
     if (*plan->error_map == arguments.output)
       return complain({"--error-map " + *plan->error_map, "is the picture's own name"},
                       kUsedWrongly);
-    if (auto writable = check_target(*plan->error_map, plan->error_map_write); !writable)
+    if (auto writable = check_output(*plan->error_map, plan->error_map_write); !writable)
       return complain(writable.error(), kFailed);
   }
   Times times;

@@ -6,7 +6,6 @@
 #include <mien/scene_from_face.h>
 #include "render/image/write_pieces.h"
 #include "sdf/from_face/caption.h"
-#include "tools/mien/cli/parse_numbers.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/sheet_options.h"
 #include "tools/mien/commands/commands.h"
@@ -14,6 +13,7 @@
 #include "tools/mien/commands/render_plan.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/image_loader.h"
+#include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
 
@@ -56,8 +56,8 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
       Pose pose;
       pose.settings.push_back({true, int(control - model.controls.begin()), {strength}});
       cells.push_back({expression.name.substr(8) + (strength != 1 ? " 50%" : ""),
-                       render(scene_from_face(poser.pose(pose)),
-                              {.width = size.width, .height = size.height})});
+                       sheet_picture(scene_from_face(poser.pose(pose)),
+                                     {.width = size.width, .height = size.height})});
     }
   }
   if (cells.empty()) return {{}, complain({arguments.face, "this face has no emotions"}, kFailed)};
@@ -122,8 +122,8 @@ Expected<Image> sheet_of(const Cells& cells, int columns, int gap) {
     lay(sheet, cell.image, x, y);
     if (!cell.caption.empty())
       lay(sheet,
-          render(caption_scene(cell.caption, double(width) / strip),
-                 {.width = width, .height = strip}),
+          sheet_picture(caption_scene(letters(), cell.caption, double(width) / strip),
+                        {.width = width, .height = strip}),
           x, y + height);
   }
   return sheet;

@@ -114,13 +114,13 @@ bool holds_transparency(FilmType type) {
 }
 
 struct Film::Process {
-  WholeFile file;
+  AtomicFile file;
   std::string name;
   pid_t id = -1;
   int pipe = -1;
   std::FILE* said = nullptr;  // what ffmpeg complained of
 
-  explicit Process(WholeFile to) : file(std::move(to)) {}
+  explicit Process(AtomicFile to) : file(std::move(to)) {}
   ~Process() {
     if (pipe >= 0) ::close(pipe);
     if (id > 0) {  // its input has ended: so does it
@@ -149,10 +149,10 @@ Expected<Film> Film::begin(const std::string& path, FilmType type, int width, in
                            double fps, bool transparent) {
   if (type == FilmType::mp4 && (width % 2 || height % 2))
     return Error{path, fmt::format("an mp4 has even sides, not {} x {}", width, height)};
-  const auto target = find_target(path);
+  const auto target = find_output_path(path);
   if (!target) return target.error();
   if (target->stream) return Error{path, "a film needs a file that can be replaced"};
-  auto file = WholeFile::begin(target->path);
+  auto file = AtomicFile::begin(target->path);
   if (!file) return file.error();
   auto process = std::make_unique<Process>(*std::move(file));
   process->name = path;

@@ -22,7 +22,7 @@
 namespace mien {
 namespace {
 
-constexpr double kStrokeWidth = 5;  ///< of weight 1 (M2)
+constexpr double kStrokeWidth = 5;  ///< of weight 1
 
 struct Polyline {
   std::vector<std::array<double, 2>> points;
@@ -171,7 +171,7 @@ class Importer {
   "format_version": 1,
   "name": {0},
   "credit": "The \"{1}\" morphology of facemotion.js, Copyright (c) 2014 Paul Mandel, MIT License",
-  "comment": "Items M1 to M11; written by mien import facemotion. Strokes are 5 times their weight wide, the eyeball is filled.",
+  "comment": "Written by mien import facemotion. Strokes are 5 times their weight wide, the eyeball is filled.",
 
   "canvas": {{"x": [{2}, {3}], "y": [{4}, {5}], "y_axis": "down", "unit": "units"}},
   "background": "paper",

@@ -2,6 +2,8 @@
 #include <mien/render.h>
 #include "sdf/from_face/caption.h"
 #include "sdf/from_face/heat.h"
+#include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/letters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,10 +51,12 @@ Image captioned(const Image& picture, const std::string& word) {
   const int strip = std::max(12, picture.height / 14);
   const double aspect = double(picture.width) / strip;
   SceneBuilder build({{{0, 0}, {aspect, 1}}, true}, color_from_srgb255(24, 26, 32));
-  const double high = std::min(0.62, 0.92 * aspect / std::max(caption_width(word), 1.0));
-  draw_caption(build, word, {0.5 * (aspect - high * caption_width(word)), 0.5 - 0.55 * high}, high,
+  const double high = std::min(0.62, 0.92 * aspect / std::max(caption_width(letters(), word), 1.0));
+  draw_caption(build, letters(), word,
+               {0.5 * (aspect - high * caption_width(letters(), word)), 0.5 - 0.55 * high}, high,
                true, color_from_srgb255(226, 226, 220));
-  const Image below = render(std::move(build).finish(), {.width = picture.width, .height = strip});
+  const Image below =
+      sheet_picture(std::move(build).finish(), {.width = picture.width, .height = strip});
   Image out{.width = picture.width, .height = picture.height + strip};
   out.bytes = picture.bytes;
   out.bytes.insert(out.bytes.end(), below.bytes.begin(), below.bytes.end());

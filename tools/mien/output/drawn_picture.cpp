@@ -28,14 +28,19 @@ Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, con
   return effects;
 }
 
+Image sheet_picture(const Scene& scene, const View& view) {
+  auto image = render(scene, view);
+  if (!image) throw std::bad_alloc();
+  return *std::move(image);
+}
+
 Expected<Image> drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,
                               const std::vector<Effect>& effects) {
+  if (effects.empty()) return render(scene, view, how);
   const PixelRect rect = drawn_rect(view);
   try {
     constexpr int kStrip = 16;  // rows
-    Image image = effects.empty()
-                      ? render(scene, view, how)
-                      : EffectedRows(scene, view, how, effects, kStrip).next(rect.height, {});
+    Image image = EffectedRows(scene, view, how, effects, kStrip).next(rect.height, {});
     if (image.height > 0) return image;
   } catch (const std::bad_alloc&) {
   }

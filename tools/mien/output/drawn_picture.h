@@ -16,6 +16,10 @@ namespace mien::command {
 Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, const Face& face,
                                            int width);
 
+/// A picture for a sheet. Its size is checked before, so all that can be wanting is memory: that is
+/// thrown, as by whoever asks for memory.
+Image sheet_picture(const Scene& scene, const View& view);
+
 /// Draws; effects see the whole picture even where only a region of it is kept. An error's `where`
 /// is left empty.
 Expected<Image> drawn_picture(const Scene& scene, const View& view, const RenderOptions& how,

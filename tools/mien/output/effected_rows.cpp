@@ -54,8 +54,9 @@ bool EffectedRows::draw_strip() {
   View part = view_;
   part.region = PixelRect{0, drawn_, view_.width, rows};
   RenderStats took;
-  if (!renderer_.render_into({drawn_rows_.data(), stride * sizeof(float), Depth::f32}, scene_, part,
-                             how_, &took)) {
+  if (const auto done = renderer_.render_into(
+          {drawn_rows_.data(), stride * sizeof(float), Depth::f32}, scene_, part, how_, &took);
+      !done) {
     if (!took.cancelled) throw std::bad_alloc();  // the only other reason
     return false;
   }

@@ -1,6 +1,6 @@
 #include "tools/mien/output/recipe.h"
 #include <mien/version.h>
-#include "tools/mien/output/json_text.h"
+#include "lib/file/json/json_text.h"
 
 #include <fmt/format.h>
 

@@ -28,7 +28,7 @@ ByteSink sink_to(int descriptor) {
 Expected<Done> write_to(const std::string& path,
                         const std::function<Expected<Done>(const ByteSink&)>& write) {
   if (path == "-") return write(sink_to(STDOUT_FILENO));
-  const auto target = find_target(path);
+  const auto target = find_output_path(path);
   if (!target) return target.error();
   if (target->stream) {
     const int descriptor = ::open(target->path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -37,7 +37,7 @@ Expected<Done> write_to(const std::string& path,
     ::close(descriptor);
     return done;
   }
-  auto file = WholeFile::begin(target->path);
+  auto file = AtomicFile::begin(target->path);
   if (!file) return file.error();
   if (auto done = write(sink_to(file->descriptor())); !done) return done;
   return file->commit();

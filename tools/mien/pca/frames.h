@@ -4,7 +4,7 @@
 #include <mien/face.h>
 #include <mien/npy.h>
 #include <mien/pca.h>
-#include "tools/mien/cli/parse_numbers.h"
+#include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/pca_arguments.h"
 
 #include <memory>

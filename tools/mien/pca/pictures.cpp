@@ -6,6 +6,8 @@
 #include <mien/scene_from_mesh.h>
 #include "sdf/from_face/caption.h"
 #include "tools/mien/commands/posed_face.h"
+#include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
 
@@ -43,8 +45,7 @@ Image opaque_picture(const Scene& scene, int side) {
   Color background = scene.background();
   background.a = 1;
   view.background = background;
-  Image image = render(scene, view);
-  return image;
+  return sheet_picture(scene, view);
 }
 
 }  // namespace
@@ -132,8 +133,8 @@ Image curve_picture(const std::vector<PcaError>& curve, int width, int height) {
   low = std::clamp(std::floor(std::log10(low)), high - 14, high - 1);
   SceneBuilder build({{{-0.13, -0.08}, {1.16 * aspect - 0.13, 1.08}}, true}, kPaper);
   const auto word = [&](const std::string& text, glm::dvec2 at, double anchor, const Color& ink) {
-    at.x -= anchor * kWord * caption_width(text);
-    draw_caption(build, text, {at.x, at.y - 0.6 * kWord}, kWord, true, ink);
+    at.x -= anchor * kWord * caption_width(letters(), text);
+    draw_caption(build, letters(), text, {at.x, at.y - 0.6 * kWord}, kWord, true, ink);
   };
   for (double decade = low; decade <= high; ++decade) {
     const double y = (decade - low) / (high - low);
@@ -154,7 +155,7 @@ Image curve_picture(const std::vector<PcaError>& curve, int width, int height) {
   };
   line(&PcaError::rms, "rms", kRms);
   line(&PcaError::max, "max", kMost);
-  return render(std::move(build).finish(), {.width = width, .height = height});
+  return sheet_picture(std::move(build).finish(), {.width = width, .height = height});
 }
 
 }  // namespace mien::command

@@ -1,5 +1,5 @@
 #include "tools/mien/terminal/progress_display.h"
-#include "tools/mien/output/json_text.h"
+#include "lib/file/json/json_text.h"
 #include "tools/mien/terminal/interrupt.h"
 
 #include <fmt/format.h>

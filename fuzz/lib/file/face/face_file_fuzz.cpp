@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const mien::Scene scene = mien::scene_from_face(posed);
   std::vector<std::uint8_t> pixels(16 * 9 * 4);
-  require(mien::render_into({.data = pixels.data(), .stride = 16 * 4}, scene,
-                            {.width = 16, .height = 9}, {.threads = {.count = 1}}));
+  require(bool(mien::render_into({.data = pixels.data(), .stride = 16 * 4}, scene,
+                                 {.width = 16, .height = 9}, {.threads = {.count = 1}})));
   return 0;
 }

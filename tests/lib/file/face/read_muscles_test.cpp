@@ -15,7 +15,7 @@ namespace mien {
 namespace {
 
 /// A face with an iris, a brow that has sides, a mouth that has none, and what is given behind them.
-std::string face_with(const std::string& rest) {
+std::string muscle_face(const std::string& rest) {
   return R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
 "palette": {"skin": "#f7db9c"}, "background": "skin",
 "features": [
@@ -27,12 +27,12 @@ std::string face_with(const std::string& rest) {
 }
 
 std::string muscles(const std::string& attach, const std::string& more = "") {
-  return face_with(R"("muscles": {"stiffness": 20, "damping": 8, "groups": [
+  return muscle_face(R"("muscles": {"stiffness": 20, "damping": 8, "groups": [
 {"name": "lift", "side": "left", "strength": 10, "stroke": 0.1, "origin": [0.3, 1], "attach": {)" +
-                   attach + "}}]}" + more);
+                     attach + "}}]}" + more);
 }
 
-std::string said(const std::string& text) {
+std::string muscles_said(const std::string& text) {
   const Expected<Face> face = read_face_text(text, "f");
   if (face) return "a face";
   const std::string all = sentence(face.error());
@@ -56,36 +56,38 @@ TEST(ReadMuscles, ReadsBothSidesAndWeldsTheAxis) {  // M1, M4, M5
 }
 
 TEST(ReadMuscles, NamesTheNearestOfWhatItDoesNotKnow) {  // M4
-  EXPECT_EQ(said(muscles(R"("brow/points/2": 1)")),
+  EXPECT_EQ(muscles_said(muscles(R"("brow/points/2": 1)")),
             "/muscles/groups/0/attach/brow~1points~12: no point or number named \"brow/points/2\"; "
             "did you mean \"brow/points/0\"?");
-  EXPECT_NE(said(muscles(R"("iris/scal": 1)")).find("did you mean \"iris/scale\"?"),
+  EXPECT_NE(muscles_said(muscles(R"("iris/scal": 1)")).find("did you mean \"iris/scale\"?"),
             std::string::npos);
-  EXPECT_NE(said(muscles(R"("mouth/scale": 1)")).find("only discs and ellipses have a scale"),
+  EXPECT_NE(
+      muscles_said(muscles(R"("mouth/scale": 1)")).find("only discs and ellipses have a scale"),
+      std::string::npos);
+  EXPECT_NE(muscles_said(muscles(R"("iris/radius": 1)")).find("a number needs a stroke"),
             std::string::npos);
-  EXPECT_NE(said(muscles(R"("iris/radius": 1)")).find("a number needs a stroke"),
-            std::string::npos);
-  EXPECT_NE(said(muscles(R"("brow/points/0/x": 1)"))
+  EXPECT_NE(muscles_said(muscles(R"("brow/points/0/x": 1)"))
                 .find("muscles hold points as a whole: \"brow/points/0\""),
             std::string::npos);
-  EXPECT_NE(said(muscles("", R"(, "emotions": {"joy": {"lifd": 1}})"))
+  EXPECT_NE(muscles_said(muscles("", R"(, "emotions": {"joy": {"lifd": 1}})"))
                 .find("no muscle or control named \"lifd\"; did you mean \"lift\"?"),
             std::string::npos);
-  EXPECT_NE(said(muscles("", R"(, "expressions": {"arkit": {"jawOpenn": {"lift": 1}}})"))
+  EXPECT_NE(muscles_said(muscles("", R"(, "expressions": {"arkit": {"jawOpenn": {"lift": 1}}})"))
                 .find("no arkit name named \"jawOpenn\"; did you mean \"jawOpen\"?"),
             std::string::npos);
 }
 
 TEST(ReadMuscles, KeepsNumbersInBounds) {
-  EXPECT_NE(said(muscles(R"("brow/points/0": 1.5)")).find("a weight goes from 0 to 1, got 1.5"),
-            std::string::npos);
-  EXPECT_NE(said(muscles("", R"(, "emotions": {"joy": {"lift": -1}})"))
+  EXPECT_NE(
+      muscles_said(muscles(R"("brow/points/0": 1.5)")).find("a weight goes from 0 to 1, got 1.5"),
+      std::string::npos);
+  EXPECT_NE(muscles_said(muscles("", R"(, "emotions": {"joy": {"lift": -1}})"))
                 .find("a share goes from 0 to 1, got -1"),
             std::string::npos);
-  EXPECT_NE(said(face_with(R"("muscles": {"stiffness": 0, "damping": 8, "groups": []})"))
+  EXPECT_NE(muscles_said(muscle_face(R"("muscles": {"stiffness": 0, "damping": 8, "groups": []})"))
                 .find("stiffness goes from 0.001 to 1000000, got 0"),
             std::string::npos);
-  EXPECT_NE(said(face_with(R"("muscles": {"stiffness": 1, "damping": 0, "groups": []})"))
+  EXPECT_NE(muscles_said(muscle_face(R"("muscles": {"stiffness": 1, "damping": 0, "groups": []})"))
                 .find("damping goes from 0.01 to 10000, got 0"),
             std::string::npos);
 }

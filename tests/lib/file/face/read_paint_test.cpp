@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-std::string face_with(const std::string& features, const std::string& rest = "") {
+std::string painted_face(const std::string& features, const std::string& rest = "") {
   return R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
 "palette": {"skin": "#f7db9c", "black": [0, 0, 0]}, "background": "skin",
 )" + rest +
@@ -20,7 +20,7 @@ std::string disc_with(const std::string& more) {
          more + "}";
 }
 
-std::string said(const std::string& text) {
+std::string paint_said(const std::string& text) {
   const Expected<Face> face = read_face_text(text, "f");
   return face ? "a face" : sentence(face.error());
 }
@@ -40,7 +40,7 @@ double number(const Face& face, const std::string& slice, int i) {
 }
 
 TEST(ReadPaint, ReadsGradientsOfEverySide) {  // E13
-  const Face face = read(face_with(disc_with(
+  const Face face = read(painted_face(disc_with(
       R"("paint": {"gradient": "radial", "center": "@iris/center", "radii": [0.1, 0.2], "tilt": 30,
                    "stops": [[0, "skin"], [0.5, "black"], [1, "skin"]], "extend": "reflect"})")));
   ASSERT_EQ(face.model->gradients.size(), 2u);
@@ -58,7 +58,7 @@ TEST(ReadPaint, ReadsGradientsOfEverySide) {  // E13
 }
 
 TEST(ReadPaint, MirrorsAGradientsPointsAndTakesOverrides) {
-  const Face face = read(face_with(disc_with(
+  const Face face = read(painted_face(disc_with(
       R"("paint": {"gradient": "linear", "from": [0.1, 0], "to": [0.3, 0], "stops": [[0, "skin"], [1, "black"]]},
          "opacity": 0.5, "right": {"opacity": 0.25})")));
   EXPECT_EQ(number(face, "iris.right/paint/from", 0), -0.1);
@@ -67,7 +67,7 @@ TEST(ReadPaint, MirrorsAGradientsPointsAndTakesOverrides) {
 }
 
 TEST(ReadPaint, ReadsReliefsAndTheLight) {  // G3, C
-  const Face face = read(face_with(
+  const Face face = read(painted_face(
       disc_with(R"("paint": "black", "relief": {"profile": "custom", "width": 0.05, "height": 0.02,
                    "table": [0, 0.8, 1], "specular": 0.4, "shininess": 12, "sunk": true,
                    "domes": [{"center": "@iris/center", "radii": [0.04, 0.04], "height": 0.01}]})"),
@@ -84,7 +84,7 @@ TEST(ReadPaint, ReadsReliefsAndTheLight) {  // G3, C
 }
 
 TEST(ReadPaint, ReadsWhatFollowsAnOutline) {
-  const Face face = read(face_with(disc_with(
+  const Face face = read(painted_face(disc_with(
       R"("paint": "black", "shadow": {"color": "black", "blur": 0.1, "shift": [0.02, -0.03]},
                    "glow": {"color": "skin", "reach": 0.2}, "right": {"glow": {"color": "skin", "reach": 0.3}})")));
   ASSERT_EQ(face.model->surroundings.size(), 2u);
@@ -93,11 +93,12 @@ TEST(ReadPaint, ReadsWhatFollowsAnOutline) {
   EXPECT_EQ(number(face, "iris.left/glow/reach", 0), 0.2);
   EXPECT_EQ(number(face, "iris.right/glow/reach", 0), 0.3);
   EXPECT_FALSE(face.model->surroundings[0].contour);
-  EXPECT_EQ(said(face_with(disc_with(R"("glow": {"color": "skin", "reach": 0})"))),
+  EXPECT_EQ(paint_said(painted_face(disc_with(R"("glow": {"color": "skin", "reach": 0})"))),
             "f:3:135: /features/0/glow/reach: expected more than 0");
-  EXPECT_EQ(said(face_with(disc_with(R"("contour": {"color": "skn", "half_width": 0.1})"))),
-            "f:3:121: /features/0/contour/color: no palette colour named \"skn\"; did you mean "
-            "\"skin\"?");
+  EXPECT_EQ(
+      paint_said(painted_face(disc_with(R"("contour": {"color": "skn", "half_width": 0.1})"))),
+      "f:3:121: /features/0/contour/color: no palette colour named \"skn\"; did you mean "
+      "\"skin\"?");
 }
 
 const std::string kHead =
@@ -106,8 +107,8 @@ const std::string kLens =
     R"({"name": "lens", "kind": "disc", "paint": "black", "group": "glasses", "center": [0, 0], "radius": 0.2})";
 
 TEST(ReadPaint, ReadsGroups) {
-  const Face face = read(face_with(kHead + "," + kLens,
-                                   R"("groups": {"glasses": {"opacity": 0.5, "clip": "head"}}, )"));
+  const Face face = read(painted_face(
+      kHead + "," + kLens, R"("groups": {"glasses": {"opacity": 0.5, "clip": "head"}}, )"));
   ASSERT_EQ(face.model->groups.size(), 1u);
   EXPECT_EQ(face.model->groups[0].clip, 0);
   EXPECT_EQ(number(face, "groups/glasses/opacity", 0), 0.5);
@@ -116,7 +117,7 @@ TEST(ReadPaint, ReadsGroups) {
 
 TEST(ReadPaint, SaysWhatIsWrongAndWhere) {
   const auto paint = [](const std::string& what) {
-    return said(face_with(disc_with("\"paint\": " + what)));
+    return paint_said(painted_face(disc_with("\"paint\": " + what)));
   };
   EXPECT_EQ(paint(R"({"gradient": "radail"})"),
             "f:3:122: /features/0/paint/gradient: no gradient named \"radail\"; did you mean "
@@ -134,25 +135,26 @@ TEST(ReadPaint, SaysWhatIsWrongAndWhere) {
       "f:3:189: /features/0/paint/stops/1/1: no palette colour named \"blck\"; did you mean "
       "\"black\"?");
   const auto relief = [](const std::string& what) {
-    return said(face_with(disc_with("\"relief\": " + what)));
+    return paint_said(painted_face(disc_with("\"relief\": " + what)));
   };
   EXPECT_EQ(relief(R"({"profile": "round", "width": 0, "height": 1})"),
             "f:3:140: /features/0/relief/width: expected more than 0");
   EXPECT_EQ(relief(R"({"profile": "custom", "width": 1, "height": 1, "table": [1]})"),
             "f:3:166: /features/0/relief/table: expected 2 to 1000 numbers, got 1");
-  EXPECT_EQ(said(face_with(disc_with(R"("opacity": 1.5)"))),
+  EXPECT_EQ(paint_said(painted_face(disc_with(R"("opacity": 1.5)"))),
             "f:3:111: /features/0/opacity: an opacity goes from 0 to 1, got 1.5");
-  EXPECT_EQ(said(face_with(kHead, R"("light": {"direction": [0, 0, -1]}, )")),
+  EXPECT_EQ(paint_said(painted_face(kHead, R"("light": {"direction": [0, 0, -1]}, )")),
             "f:3:24: /light/direction: a lamp shines from the front: the third number must be more "
             "than 0");
   const std::string groups = R"("groups": {"glasses": {"clip": "head"}}, )";
-  EXPECT_EQ(said(face_with(kLens + "," + kHead, groups)),
+  EXPECT_EQ(paint_said(painted_face(kLens + "," + kHead, groups)),
             "f:3:32: /groups/glasses/clip: the feature \"head\" must come before the group that it "
             "clips");
   std::string second = kLens;
   second.replace(second.find("lens"), 4, "glow");
   EXPECT_EQ(
-      said(face_with(kLens + "," + kHead + "," + second, R"("groups": {"glasses": {}}, )")),
+      paint_said(
+          painted_face(kLens + "," + kHead + "," + second, R"("groups": {"glasses": {}}, )")),
       "f:3:288: /features/2/group: the features of the group \"glasses\" must stand together");
 }
 

@@ -79,7 +79,7 @@ TEST(Npy, EveryTypeOrderAndVersion) {
         }
 }
 
-struct Bad {
+struct BadHeader {
   std::string bytes, what;
 };
 
@@ -87,7 +87,7 @@ TEST(Npy, BadFilesAreOneSentence) {
   const ScratchFolder folder;
   const std::string ones(4 * 6, '\0');
   const std::string nan = bytes_of_numbers(std::vector<float>{1, 2, NAN, 4, 5, 6});
-  const Bad bads[] = {
+  const BadHeader bads[] = {
       {"", "is not a .npy file"},
       {"\x93NUM", "is not a .npy file"},
       {"hello, hello, hello", "is not a .npy file"},
@@ -115,7 +115,7 @@ TEST(Npy, BadFilesAreOneSentence) {
        "has a header that is none: \"{'descr': '<f4'}\\x0A\""},
       {header_of(dictionary("<f4", "False", "(2, 3")) + ones, "has a header that is none"},
   };
-  for (const Bad& bad : bads) {
+  for (const BadHeader& bad : bads) {
     test::write_text(folder / "a.npy", bad.bytes);
     const auto file = FrameFile::open(folder / "a.npy");
     ASSERT_FALSE(file) << bad.what;

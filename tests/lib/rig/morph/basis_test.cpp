@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-FaceBasis sample() {
+FaceBasis sample_basis() {
   FaceBasis basis;
   basis.basis.columns = 3;
   basis.basis.count = 2;
@@ -21,7 +21,7 @@ FaceBasis sample() {
 }
 
 TEST(Basis, WeightsAreThoseOfFramesAndMixedBetween) {
-  const FaceBasis basis = sample();
+  const FaceBasis basis = sample_basis();
   EXPECT_EQ(weights_at(basis, 1), (std::vector<double>{0, 0}));
   EXPECT_EQ(weights_at(basis, 1 + 1.0 / 3), (std::vector<double>{1, 10}));
   EXPECT_EQ(weights_at(basis, 1 + 2.0 / 3), (std::vector<double>{3, 30}));
@@ -32,8 +32,8 @@ TEST(Basis, WeightsAreThoseOfFramesAndMixedBetween) {
 
 TEST(Basis, TheVectorIsMeanPlusWeightedComponents) {
   const double weights[] = {2, -1};
-  EXPECT_EQ(vector_from_basis(sample(), weights), (FaceVector{3, 1, 3}));
-  EXPECT_EQ(vector_from_basis(sample(), {}), (FaceVector{1, 2, 3}));
+  EXPECT_EQ(vector_from_basis(sample_basis(), weights), (FaceVector{3, 1, 3}));
+  EXPECT_EQ(vector_from_basis(sample_basis(), {}), (FaceVector{1, 2, 3}));
 }
 
 TEST(Basis, AnErrorIsInPixelsLevelsOrAsItIs) {

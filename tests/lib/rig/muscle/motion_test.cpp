@@ -16,11 +16,11 @@
 namespace mien {
 namespace {
 
-const std::string kMale = MIEN_SOURCE_DIR "/faces/male.face.json";
+const std::string kMaleInMotion = MIEN_SOURCE_DIR "/faces/male.face.json";
 
 /// The male face with a clip.
 Face male_with(const std::string& clip) {
-  std::ifstream file(kMale);
+  std::ifstream file(kMaleInMotion);
   std::stringstream text;
   text << file.rdbuf();
   std::string all = text.str();
@@ -43,7 +43,7 @@ FaceVector at(const Face& face, double time) {
 
 TEST(MuscleMotion, FollowsTheLaw) {  // M8, M9
   const Face face = male_with(R"({"emotion.fear": {"keys": [[0, 0], [0.25, 1], [0.5, 0.6]]}})");
-  const test::MuscleReference reference(kMale);
+  const test::MuscleReference reference(kMaleInMotion);
   const auto pulls = [&](double t) {
     const double e = t < 0.25 ? 4 * t : t < 0.5 ? 1 - 1.6 * (t - 0.25) : 0.6;
     return reference.mix({{"fear", e}});

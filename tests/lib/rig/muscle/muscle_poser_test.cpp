@@ -9,7 +9,7 @@
 namespace mien {
 namespace {
 
-double number(const Face& face, const std::string& slice, int component = 0) {
+double number_of(const Face& face, const std::string& slice, int component = 0) {
   const int found = face.model->layout.find(slice);
   if (found < 0) throw std::runtime_error("no " + slice);
   return face.vector[std::size_t(face.model->layout[found].begin + component)];
@@ -39,22 +39,23 @@ TEST(MusclePose, TheEyesRingMuscleShrinksTheEyeball) {  // M4
   const Face posed = test::posed(face, {"muscle.orbicularis-oculi=1"});
   // k (R − R0) = −c (stroke + R − R0) with c = 0.5 · 20, as for a point of its rim pulled to its middle
   const double change = -10. * 10 / (20 + 10);
-  EXPECT_NEAR(number(posed, "eyeball.left/radius"), 13 + change, 1e-12);
-  EXPECT_NEAR(number(posed, "eyeball.right/radius"), 13 + change, 1e-12);
-  EXPECT_EQ(number(posed, "eyeball.left/center", 0), 82);
+  EXPECT_NEAR(number_of(posed, "eyeball.left/radius"), 13 + change, 1e-12);
+  EXPECT_NEAR(number_of(posed, "eyeball.right/radius"), 13 + change, 1e-12);
+  EXPECT_EQ(number_of(posed, "eyeball.left/center", 0), 82);
 }
 
 TEST(MusclePose, OneSideMovesAlone) {  // M10
   const Face face = test::face_named("male");
   const Face posed = test::posed(face, {"emotion.left.joy=0.4"});
-  EXPECT_LT(number(posed, "mouth.left/points/2", 1), 169);
-  EXPECT_EQ(number(posed, "mouth.right/points/2", 1), 170);
+  EXPECT_LT(number_of(posed, "mouth.left/points/2", 1), 169);
+  EXPECT_EQ(number_of(posed, "mouth.right/points/2", 1), 170);
   // The middle of the mouth is one point, on the axis.
-  EXPECT_EQ(number(posed, "mouth.left/points/0", 0), 0);
-  EXPECT_EQ(number(posed, "mouth.left/points/0", 1), number(posed, "mouth.right/points/0", 1));
-  EXPECT_LT(number(posed, "mouth.left/points/0", 1), 170);
+  EXPECT_EQ(number_of(posed, "mouth.left/points/0", 0), 0);
+  EXPECT_EQ(number_of(posed, "mouth.left/points/0", 1),
+            number_of(posed, "mouth.right/points/0", 1));
+  EXPECT_LT(number_of(posed, "mouth.left/points/0", 1), 170);
   const Face both = test::posed(face, {"emotion.joy=0.4"});
-  EXPECT_EQ(number(both, "mouth.left/points/2", 1), number(posed, "mouth.left/points/2", 1));
+  EXPECT_EQ(number_of(both, "mouth.left/points/2", 1), number_of(posed, "mouth.left/points/2", 1));
 }
 
 TEST(MusclePose, MirroredPullsGiveTheMirroredFaceToTheBit) {  // M5
@@ -66,8 +67,10 @@ TEST(MusclePose, MirroredPullsGiveTheMirroredFaceToTheBit) {  // M5
   for (const char* point : {"eyebrow", "mouth", "eye", "nose", "chin"})
     for (int i = 0; i < 2; ++i) {
       const std::string part = "/points/" + std::to_string(i);
-      EXPECT_EQ(number(a, point + (".left" + part), 0), -number(b, point + (".right" + part), 0));
-      EXPECT_EQ(number(a, point + (".left" + part), 1), number(b, point + (".right" + part), 1));
+      EXPECT_EQ(number_of(a, point + (".left" + part), 0),
+                -number_of(b, point + (".right" + part), 0));
+      EXPECT_EQ(number_of(a, point + (".left" + part), 1),
+                number_of(b, point + (".right" + part), 1));
     }
 }
 
@@ -80,19 +83,19 @@ TEST(MusclePose, HoldsAnyPointOrNumber) {  // M4
      "attach": {"mouth/spine/2": 1, "mouth/spine/1": 0.5}, "right": {"attach": {"mouth/spine/0": 1, "mouth/spine/1": 0.5}}},
     {"name": "jaw", "strength": 20, "stroke": 0.1, "origin": [0, -2], "attach": {"mouth/spine/1": 1}})");
   const Face lifted = test::posed(face, {"muscle.lift=1"});
-  EXPECT_NEAR(number(lifted, "brow.left/spine/1", 1), 0.45, 1e-12);
-  EXPECT_NEAR(number(lifted, "brow.left/half_width", 1), 0.02 + 0.03 * 10 / 30, 1e-12);
-  EXPECT_NEAR(number(lifted, "iris.left/tilt"), 20, 1e-12);
-  EXPECT_NEAR(number(lifted, "iris.right/tilt"), -20, 1e-12);
-  EXPECT_NEAR(number(lifted, "iris.left/radii", 0) / 0.1,
-              number(lifted, "iris.left/radii", 1) / 0.2, 1e-12);
-  EXPECT_LT(number(lifted, "iris.left/radii", 0), 0.1);
+  EXPECT_NEAR(number_of(lifted, "brow.left/spine/1", 1), 0.45, 1e-12);
+  EXPECT_NEAR(number_of(lifted, "brow.left/half_width", 1), 0.02 + 0.03 * 10 / 30, 1e-12);
+  EXPECT_NEAR(number_of(lifted, "iris.left/tilt"), 20, 1e-12);
+  EXPECT_NEAR(number_of(lifted, "iris.right/tilt"), -20, 1e-12);
+  EXPECT_NEAR(number_of(lifted, "iris.left/radii", 0) / 0.1,
+              number_of(lifted, "iris.left/radii", 1) / 0.2, 1e-12);
+  EXPECT_LT(number_of(lifted, "iris.left/radii", 0), 0.1);
   const Face half = test::posed(face, {"muscle.left.pull=1"});
-  EXPECT_GT(number(half, "mouth/spine/2", 0), 0.2);
-  EXPECT_EQ(number(half, "mouth/spine/0", 0), -0.2);
-  EXPECT_GT(number(half, "mouth/spine/1", 0), 0) << "the middle of an unsided feature is free";
-  EXPECT_EQ(number(test::posed(face, {"muscle.pull=1"}), "mouth/spine/1", 0), 0);
-  EXPECT_LT(number(test::posed(face, {"muscle.jaw=1"}), "mouth/spine/1", 1), -0.4);
+  EXPECT_GT(number_of(half, "mouth/spine/2", 0), 0.2);
+  EXPECT_EQ(number_of(half, "mouth/spine/0", 0), -0.2);
+  EXPECT_GT(number_of(half, "mouth/spine/1", 0), 0) << "the middle of an unsided feature is free";
+  EXPECT_EQ(number_of(test::posed(face, {"muscle.pull=1"}), "mouth/spine/1", 0), 0);
+  EXPECT_LT(number_of(test::posed(face, {"muscle.jaw=1"}), "mouth/spine/1", 1), -0.4);
 }
 
 TEST(MusclePose, AddsToWhatElsePosesAPoint) {

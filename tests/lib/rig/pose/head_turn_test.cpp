@@ -15,12 +15,12 @@ using test::point_of;
 using test::sample_face;
 using test::slice_of;
 
-const HeadTurn kHead{.pivot = {0, -0.3, 0.05}, .center = {0, 0}, .radii = {0.5, 0.65, 0.4}};
+const HeadTurn kTurnedHead{.pivot = {0, -0.3, 0.05}, .center = {0, 0}, .radii = {0.5, 0.65, 0.4}};
 
 TEST(Turn, OfNothingIsNothing_G4) {
   const Face toon = sample_face("toon");
   EXPECT_EQ(face_at(toon, {"yaw=0", "pitch=0", "roll=0"}).vector, toon.vector);
-  const Turn none(kHead, 0, 0, 0, true);
+  const Turn none(kTurnedHead, 0, 0, 0, true);
   for (const glm::dvec2 p : {glm::dvec2{0.1, 0.2}, {-0.4, 0.1}, {0.9, 0.9}}) {
     EXPECT_LT(glm::length(none.surface(p, 0.03) - p), 1e-15);
     EXPECT_LT(glm::length(none.flat(p, -0.2) - p), 1e-15);
@@ -84,7 +84,7 @@ TEST(Turn, ForeshortensSizesAsItDoesWays_G4) {
   for (const bool y_up : {true, false})
     for (const double yaw : {-28.0, 0.0, 15.0})
       for (const double pitch : {-20.0, 0.0, 10.0}) {
-        const Turn turn(kHead, yaw, pitch, 0, y_up);
+        const Turn turn(kTurnedHead, yaw, pitch, 0, y_up);
         for (const glm::dvec2 p : {glm::dvec2{0.1, 0.2}, {-0.3, 0.1}, {0.25, -0.3}}) {
           constexpr double e = 1e-6;
           const double x =
@@ -103,7 +103,7 @@ TEST(Turn, ForeshortensSizesAsItDoesWays_G4) {
 }
 
 TEST(Turn, RollsRigidly_G4) {
-  const Turn roll(kHead, 0, 0, 30, true), down(kHead, 0, 0, 30, false);
+  const Turn roll(kTurnedHead, 0, 0, 30, true), down(kTurnedHead, 0, 0, 30, false);
   const glm::dvec2 pivot{0, -0.3}, p{0.2, 0.1};
   const glm::dvec2 q = roll.surface(p, 0) - pivot, r = p - pivot;
   EXPECT_NEAR(glm::length(q), glm::length(r), 1e-15);

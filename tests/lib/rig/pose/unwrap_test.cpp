@@ -11,7 +11,6 @@
 namespace mien {
 namespace {
 
-using test::point_of;
 using test::sample_face;
 
 constexpr UnwrapMode kModes[] = {UnwrapMode::linear, UnwrapMode::delayed, UnwrapMode::sine};
@@ -68,10 +67,11 @@ TEST(Unwrap, TravelsStraightAndByDepth_G8) {
     const Face chart = unwrapped(toon, 1, mode);
     for (const char* name : {"hair_back/points/0", "nose_shade/points/0", "opening.left/upper",
                              "brow.right/spine/1"}) {
-      const glm::dvec2 from = point_of(toon, name), to = point_of(chart, name);
+      const glm::dvec2 from = test::point_of(toon, name), to = test::point_of(chart, name);
       double before = 0;
       for (double w = 0.05; w < 1; w += 0.05) {
-        const glm::dvec2 way = point_of(unwrapped(toon, w, mode), name) - from, whole = to - from;
+        const glm::dvec2 way = test::point_of(unwrapped(toon, w, mode), name) - from,
+                         whole = to - from;
         const double along = glm::dot(way, whole) / glm::dot(whole, whole);
         EXPECT_LT(std::abs(way.x * whole.y - way.y * whole.x), 1e-12) << name;
         EXPECT_GE(along, before) << name;
@@ -80,8 +80,10 @@ TEST(Unwrap, TravelsStraightAndByDepth_G8) {
     }
   }
   const Face early = unwrapped(toon, 0.4, UnwrapMode::delayed);
-  EXPECT_NE(point_of(early, "hair_back/points/0"), point_of(toon, "hair_back/points/0"));
-  EXPECT_EQ(point_of(early, "nose_shade/points/0"), point_of(toon, "nose_shade/points/0"));
+  EXPECT_NE(test::point_of(early, "hair_back/points/0"),
+            test::point_of(toon, "hair_back/points/0"));
+  EXPECT_EQ(test::point_of(early, "nose_shade/points/0"),
+            test::point_of(toon, "nose_shade/points/0"));
 }
 
 /// In the chart every piece lies in the canvas, and no two on top of each other.
@@ -89,7 +91,7 @@ TEST(Unwrap, LaysThePiecesSideBySide_G8) {
   const Face toon = sample_face("toon");
   const Face chart = unwrapped(toon, 1, UnwrapMode::linear);
   const auto middle = [&](const std::string& name) {
-    return 0.5 * (point_of(chart, name + "/0") + point_of(chart, name + "/2"));
+    return 0.5 * (test::point_of(chart, name + "/0") + test::point_of(chart, name + "/2"));
   };
   const char* names[] = {"brow.left/spine", "brow.right/spine",  "nose_shade/points",
                          "mouth/spine",     "crease.left/spine", "head/points"};
@@ -106,9 +108,9 @@ TEST(Unwrap, LaysThePiecesSideBySide_G8) {
 TEST(Unwrap, WorksWithTheHeadTurnedAndEyesShut_G8) {
   const Face toon = sample_face("toon");
   const Face half = unwrapped(toon, 0.5, UnwrapMode::sine, {"yaw=20", "blink=1"});
-  EXPECT_EQ(point_of(half, "opening.left/upper"), point_of(half, "opening.left/lower"));
-  EXPECT_NE(point_of(half, "nose_shade/points/0"),
-            point_of(unwrapped(toon, 0.5, UnwrapMode::sine), "nose_shade/points/0"));
+  EXPECT_EQ(test::point_of(half, "opening.left/upper"), test::point_of(half, "opening.left/lower"));
+  EXPECT_NE(test::point_of(half, "nose_shade/points/0"),
+            test::point_of(unwrapped(toon, 0.5, UnwrapMode::sine), "nose_shade/points/0"));
   for (const double number : half.vector) EXPECT_TRUE(std::isfinite(number));
 }
 
@@ -156,12 +158,12 @@ TEST(Unwrap, TakesGradientsAlong_G8) {
       return f.vector[std::size_t(model.layout[radial->radii].begin)];
     };
     const auto center = [&](const Face& f) {
-      return point_of(f, model.layout[radial->center].name);
+      return test::point_of(f, model.layout[radial->center].name);
     };
     for_each_slice(feature.figure, [&](std::string_view, int slice) {
       if (model.layout[slice].kind != SliceKind::point) return;
       const auto way = [&](const Face& f) {
-        return point_of(f, model.layout[slice].name) - center(f);
+        return test::point_of(f, model.layout[slice].name) - center(f);
       };
       EXPECT_LT(glm::length(way(half) - size(half) / size(bruno) * way(bruno)), 1e-12)
           << model.layout[slice].name;

@@ -23,14 +23,14 @@ using test::read_text;
 using test::ScratchFolder;
 using test::write_text;
 
-void put(const WholeFile& file, const std::string& text) {
+void put(const AtomicFile& file, const std::string& text) {
   ASSERT_EQ(::write(file.descriptor(), text.data(), text.size()), ssize_t(text.size()));
 }
 
-TEST(WholeFile, AppearsWhenCommitted) {
+TEST(AtomicFile, AppearsWhenCommitted) {
   const ScratchFolder folder;
   write_text(folder / "a.txt", "old");
-  auto file = WholeFile::begin(folder / "a.txt");
+  auto file = AtomicFile::begin(folder / "a.txt");
   ASSERT_TRUE(file) << sentence(file.error());
   put(*file, "new");
   EXPECT_EQ(file->temporary().parent_path(), folder.path());
@@ -40,11 +40,11 @@ TEST(WholeFile, AppearsWhenCommitted) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
 }
 
-TEST(WholeFile, GoesWhenNotCommitted) {
+TEST(AtomicFile, GoesWhenNotCommitted) {
   const ScratchFolder folder;
   write_text(folder / "a.txt", "old");
   {
-    auto file = WholeFile::begin(folder / "a.txt");
+    auto file = AtomicFile::begin(folder / "a.txt");
     put(*file, "half");
     EXPECT_EQ(folder.names().size(), 2u);
   }
@@ -52,25 +52,25 @@ TEST(WholeFile, GoesWhenNotCommitted) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
 }
 
-TEST(WholeFile, PermissionsAreAsTheUmaskSays) {
+TEST(AtomicFile, PermissionsAreAsTheUmaskSays) {
   const ScratchFolder folder;
   const mode_t before = ::umask(027);
-  EXPECT_TRUE(WholeFile::begin(folder / "a.txt")->commit());
+  EXPECT_TRUE(AtomicFile::begin(folder / "a.txt")->commit());
   ::umask(before);
   struct stat info;
   ASSERT_EQ(::stat((folder / "a.txt").c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777, 0640u);
 }
 
-TEST(WholeFile, RefusesAFolderThatIsNot) {
-  const auto file = WholeFile::begin("/nowhere/at/all.txt");
+TEST(AtomicFile, RefusesAFolderThatIsNot) {
+  const auto file = AtomicFile::begin("/nowhere/at/all.txt");
   EXPECT_EQ(sentence(file.error()),
             "/nowhere/at/all.txt: cannot write in /nowhere/at: No such file or directory");
 }
 
-TEST(WholeFile, AFailedRenameLeavesNothing) {
+TEST(AtomicFile, AFailedRenameLeavesNothing) {
   const ScratchFolder folder;
-  auto file = WholeFile::begin(folder / "a.txt");
+  auto file = AtomicFile::begin(folder / "a.txt");
   std::filesystem::create_directory(folder / "a.txt");
   write_text(folder / "a.txt/inside", "");
   EXPECT_EQ(file->commit().error().what, "cannot be written: Is a directory");
@@ -89,7 +89,7 @@ TEST(Leftovers, GoUnlessSomebodyHoldsThem) {
   const int holder = ::open((folder / held).c_str(), O_RDWR);
   ASSERT_EQ(::flock(holder, LOCK_EX), 0);
 
-  EXPECT_TRUE(WholeFile::begin(folder / "a.txt")->commit());
+  EXPECT_TRUE(AtomicFile::begin(folder / "a.txt")->commit());
   EXPECT_FALSE(std::filesystem::exists(folder / dead));
   EXPECT_TRUE(std::filesystem::exists(folder / held));
   for (const auto& name : strangers) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
@@ -120,7 +120,7 @@ pid_t start(Work&& work) {
 /// Writes one file after another, all "a" or all "b", a megabyte each, for ever.
 [[noreturn]] void keep_writing(const std::filesystem::path& path) {
   for (char letter = 'a';; letter = letter == 'a' ? 'b' : 'a') {
-    auto file = WholeFile::begin(path);
+    auto file = AtomicFile::begin(path);
     if (!file) ::_exit(1);
     const std::string piece(1 << 16, letter);
     for (int i = 0; i < 16; ++i) {
@@ -130,7 +130,7 @@ pid_t start(Work&& work) {
   }
 }
 
-TEST(WholeFile, KilledAtAnyMomentLeavesTheOldOrTheNew) {
+TEST(AtomicFile, KilledAtAnyMomentLeavesTheOldOrTheNew) {
   const ScratchFolder folder;
   write_text(folder / "a.txt", std::string(1 << 20, 'a'));
   std::mt19937 dice(7);
@@ -156,17 +156,17 @@ TEST(WholeFile, KilledAtAnyMomentLeavesTheOldOrTheNew) {
     leftovers += folder.names().size() > 1;
   }
   EXPECT_GT(leftovers, 0) << "no kill came while writing: the test tests nothing";
-  EXPECT_TRUE(WholeFile::begin(folder / "a.txt")->commit());
+  EXPECT_TRUE(AtomicFile::begin(folder / "a.txt")->commit());
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a.txt"});
 }
 
-TEST(WholeFile, WritersOfOneFileDoNotMeet) {
+TEST(AtomicFile, WritersOfOneFileDoNotMeet) {
   const ScratchFolder folder;
   std::vector<pid_t> children;
   for (int i = 0; i < 4; ++i) {
     children.push_back(start([&] {
       for (int run = 0; run < 25; ++run) {
-        auto file = WholeFile::begin(folder / "a.txt");
+        auto file = AtomicFile::begin(folder / "a.txt");
         if (!file || ::write(file->descriptor(), "0123456789", 10) != 10 || !file->commit())
           ::_exit(1);
       }

@@ -16,7 +16,7 @@ TEST(FindTarget, NewAndOldFilesAreThemselves) {
   const test::ScratchFolder folder;
   test::write_text(folder / "old.png", "old");
   for (const char* name : {"new.png", "old.png"}) {
-    const auto target = find_target(folder / name);
+    const auto target = find_output_path(folder / name);
     ASSERT_TRUE(target) << sentence(target.error());
     EXPECT_EQ(target->path, folder / name);
     EXPECT_FALSE(target->stream);
@@ -32,32 +32,33 @@ TEST(FindTarget, FollowsLinksToTheirEnd) {
   fs::create_symlink(folder / "one", folder / "two");
   fs::create_symlink("deep/future.png", folder / "dangling");
   fs::create_symlink("circle", folder / "circle");
-  EXPECT_EQ(find_target(folder / "two")->path, folder / "deep/real.png");
-  EXPECT_EQ(find_target(folder / "dangling")->path, folder / "deep/future.png");
-  EXPECT_EQ(find_target(folder / "circle").error().what,
+  EXPECT_EQ(find_output_path(folder / "two")->path, folder / "deep/real.png");
+  EXPECT_EQ(find_output_path(folder / "dangling")->path, folder / "deep/future.png");
+  EXPECT_EQ(find_output_path(folder / "circle").error().what,
             "cannot be written: Too many levels of symbolic links");
 }
 
 TEST(FindTarget, DevicesAndPipesAreStreams) {
   const test::ScratchFolder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
-  EXPECT_TRUE(find_target(folder / "pipe.png")->stream);
-  EXPECT_TRUE(find_target("/dev/null")->stream);
+  EXPECT_TRUE(find_output_path(folder / "pipe.png")->stream);
+  EXPECT_TRUE(find_output_path("/dev/null")->stream);
 }
 
 TEST(FindTarget, SaysWhatIsInTheWay) {
   const test::ScratchFolder folder;
   test::write_text(folder / "file", "");
   const std::string here = folder.path().string();
-  EXPECT_EQ(sentence(find_target("").error()), "the output's name is empty");
-  EXPECT_EQ(sentence(find_target(folder.path()).error()), here + ": is a directory, not a file");
-  EXPECT_EQ(sentence(find_target(folder / "none/a.png").error()),
+  EXPECT_EQ(sentence(find_output_path("").error()), "the output's name is empty");
+  EXPECT_EQ(sentence(find_output_path(folder.path()).error()),
+            here + ": is a directory, not a file");
+  EXPECT_EQ(sentence(find_output_path(folder / "none/a.png").error()),
             here + "/none/a.png: its folder " + here + "/none: No such file or directory");
-  EXPECT_EQ(sentence(find_target(folder / "file/a.png").error()),
+  EXPECT_EQ(sentence(find_output_path(folder / "file/a.png").error()),
             here + "/file/a.png: cannot be written: Not a directory");
-  EXPECT_EQ(sentence(find_target(folder / (std::string(300, 'x') + ".png")).error()),
+  EXPECT_EQ(sentence(find_output_path(folder / (std::string(300, 'x') + ".png")).error()),
             here + "/" + std::string(300, 'x') + ".png: cannot be written: File name too long");
-  EXPECT_EQ(sentence(find_target(folder / "none/").error()),
+  EXPECT_EQ(sentence(find_output_path(folder / "none/").error()),
             here + "/none/: names a directory, not a file");
 }
 
@@ -74,8 +75,8 @@ TEST(FindTarget, KnowsWhatMayNotBeWritten) {
     fs::permissions(folder / "protected.png", fs::perms(0444));
     ASSERT_EQ(::seteuid(65534), 0);
   }
-  const auto closed = find_target(folder / "closed/a.png"),
-             kept = find_target(folder / "protected.png");
+  const auto closed = find_output_path(folder / "closed/a.png"),
+             kept = find_output_path(folder / "protected.png");
   EXPECT_EQ(::seteuid(::getuid()), 0);
   EXPECT_EQ(closed.error().what,
             "its folder " + (folder / "closed").string() + " cannot be written: Permission denied");

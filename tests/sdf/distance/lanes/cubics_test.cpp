@@ -15,11 +15,11 @@
 namespace mien {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 template <class Body>
-void on_every_instruction_set(Body body) {
+void on_each_instruction_set(Body body) {
   for (const auto& set : batch::instruction_sets()) {
     SCOPED_TRACE(set.name);
     batch::use_instruction_set(set.id);
@@ -44,13 +44,13 @@ const struct {
     {1, 0, 0, 0, 1, 0},
     {0, 0, 0, 0, -1, 0},
     {0, 0, 0, 1, 0, 0},
-    {kNan, 1, 1, 1, 0, 0},
-    {1, kInf, 1, 1, 0, 0},
-    {1, 1, 1, -kInf, 0, 0},
+    {kNoNumber, 1, 1, 1, 0, 0},
+    {1, kInfinite, 1, 1, 0, 0},
+    {1, 1, 1, -kInfinite, 0, 0},
 };
 
 TEST(SolveCubics, FixturesInAnyPlaceOfAnySpan) {
-  on_every_instruction_set([&](const auto&) {
+  on_each_instruction_set([&](const auto&) {
     for (const size_t size : {1, 2, 31, 32, 33, 70}) {
       std::vector<double> a, b, c, d;
       std::vector<Roots> out(size + 1, Roots{-7, {}});
@@ -82,7 +82,7 @@ TEST(SolveCubics, CountTheSameRootsAsTheScalarForm) {
       const auto cubic = family.draw(random);
       for (size_t n = 0; n < 4; ++n) k[n].push_back(cubic[n]);
     }
-    on_every_instruction_set([&](const auto&) {
+    on_each_instruction_set([&](const auto&) {
       std::vector<Roots> out(k[0].size());
       solve_cubics(k[0], k[1], k[2], k[3], out);
       for (size_t i = 0; i < out.size(); ++i) {

@@ -136,7 +136,7 @@ Real exact_distance(const CubicBezier& c, glm::dvec2 p) {
   return sqrt(best);
 }
 
-double reach(const CubicBezier& c, glm::dvec2 p) {
+double cubic_reach(const CubicBezier& c, glm::dvec2 p) {
   return std::max({norm(c.p0 - p), norm(c.p1 - p), norm(c.p2 - p), norm(c.p3 - p)});
 }
 
@@ -150,9 +150,9 @@ TEST_P(CubicBezierFamily, DistanceIsExact) {
     const NearestPoint n = nearest(c.curve, c.p);
     EXPECT_EQ(distance(c.curve, c.p), n.distance);
     EXPECT_NEAR(norm(point(c.curve, n.t) - c.p), n.distance,
-                8 * 0x1p-52 * (reach(c.curve, c.p) + norm(c.p)));
+                8 * 0x1p-52 * (cubic_reach(c.curve, c.p) + norm(c.p)));
     worst.note(c.p, n.distance, double(exact_distance(c.curve, c.p) - Real(n.distance)),
-               reach(c.curve, c.p));
+               cubic_reach(c.curve, c.p));
   }
   EXPECT_LE(worst.units, CubicBezierContract::kError / 0x1p-52) << worst;
   RecordProperty("worst", std::to_string(worst.units));

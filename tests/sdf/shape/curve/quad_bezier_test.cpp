@@ -17,13 +17,13 @@ TEST_P(QuadBezierFamily, DistanceIsExact) {  // E7: collinear and coincident poi
   for (int i = 0; i < times(20'000); ++i) {
     const BezierCase c = bezier_case(BezierFamily(GetParam()), r);
     const double d = distance(c.curve, c.p);
-    worst.note(c.p, d, double(exact_distance(c.curve, c.p) - Real(d)), reach(c.curve, c.p));
+    worst.note(c.p, d, double(exact_distance(c.curve, c.p) - Real(d)), test::reach(c.curve, c.p));
     const NearestPoint n = nearest(c.curve, c.p);
     EXPECT_EQ(n.distance, d);
     EXPECT_TRUE(n.t >= 0 && n.t <= 1);
-    EXPECT_NEAR(norm(n.point - c.p), d, 8 * 0x1p-52 * (reach(c.curve, c.p) + norm(c.p)));
+    EXPECT_NEAR(norm(n.point - c.p), d, 8 * 0x1p-52 * (test::reach(c.curve, c.p) + norm(c.p)));
     EXPECT_NEAR(norm(n.point - on(c.curve, n.t)), 0,
-                8 * 0x1p-52 * (norm(c.p) + reach(c.curve, c.p)));
+                8 * 0x1p-52 * (norm(c.p) + test::reach(c.curve, c.p)));
   }
   EXPECT_LE(worst.units, QuadBezierContract::kError / 0x1p-52) << worst;
   RecordProperty("worst", std::to_string(worst.units));
@@ -36,7 +36,7 @@ TEST(QuadBezier, FixturesThatOtherSolversMissed) {
     const double d = distance(f.at.curve, f.at.p);
     EXPECT_NEAR(d, f.distance, 5e-4 * f.distance);
     EXPECT_NEAR(double(Real(d) - exact_distance(f.at.curve, f.at.p)), 0,
-                4 * 0x1p-52 * reach(f.at.curve, f.at.p));
+                4 * 0x1p-52 * test::reach(f.at.curve, f.at.p));
   }
 }
 
@@ -93,7 +93,7 @@ TEST(QuadBezier, MirroredAndReversed) {
     EXPECT_EQ(distance(QuadBezier{mirror(c.curve.p0), mirror(c.curve.p1), mirror(c.curve.p2)},
                        mirror(c.p)),
               d);
-    EXPECT_NEAR(distance(reversed(c.curve), c.p), d, 8 * 0x1p-52 * reach(c.curve, c.p));
+    EXPECT_NEAR(distance(reversed(c.curve), c.p), d, 8 * 0x1p-52 * test::reach(c.curve, c.p));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "tools/mien/output/json_text.h"
+#include "lib/file/json/json_text.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mien::command {
+namespace mien {
 namespace {
 
 TEST(JsonString, ReadsBackAndIsAscii) {
@@ -34,4 +34,4 @@ TEST(JsonNumber, ReadsBack) {
 }
 
 }  // namespace
-}  // namespace mien::command
+}  // namespace mien

@@ -1,10 +1,10 @@
 #pragma once
-// The little JSON the command writes. Pure ASCII: it is also stored where only Latin-1 is allowed.
+// The little JSON that mien writes. Pure ASCII: it is also stored where only Latin-1 is allowed.
 
 #include <string>
 #include <string_view>
 
-namespace mien::command {
+namespace mien {
 
 /// In quotes, with everything but printable ASCII escaped. Broken UTF-8 becomes U+FFFD.
 std::string json_string(std::string_view text);
@@ -12,4 +12,4 @@ std::string json_string(std::string_view text);
 /// The shortest text that reads back as the same number; null if it is not finite.
 std::string json_number(double value);
 
-}  // namespace mien::command
+}  // namespace mien

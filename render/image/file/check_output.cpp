@@ -6,12 +6,12 @@
 
 namespace mien {
 
-Expected<Done> check_target(const std::filesystem::path& path, const WriteOptions& how) {
+Expected<Done> check_output(const std::filesystem::path& path, const WriteOptions& how) {
   try {
     const auto type = chosen_type(path, how);
     if (!type) return type.error();
     if (path == "-") return Done{};
-    const auto target = find_target(path);
+    const auto target = find_output_path(path);
     if (!target) return target.error();
     return Done{};
   } catch (const std::exception& failure) {

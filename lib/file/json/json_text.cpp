@@ -1,11 +1,11 @@
-#include "tools/mien/output/json_text.h"
+#include "lib/file/json/json_text.h"
 #include "lib/base/one_line.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace mien::command {
+namespace mien {
 namespace {
 
 /// The code point of the well-formed character that `text` is.
@@ -41,4 +41,4 @@ std::string json_number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
 
-}  // namespace mien::command
+}  // namespace mien

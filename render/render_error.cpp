@@ -1,0 +1,26 @@
+#include "render_error_private.h"
+
+#include <fmt/format.h>
+
+namespace mien {
+
+bool drawable(const View& view) {
+  const auto valid = [](int side) { return side >= 1 && side <= View::kMaxSide; };
+  return valid(view.width) && valid(view.height);
+}
+
+Error invalid_size(const View& view) {
+  return {"", fmt::format("a picture of {} x {} pixels: sides are 1 ... {}", view.width,
+                          view.height, View::kMaxSide)};
+}
+
+Error out_of_memory(const PixelRect& rect) {
+  return {"",
+          fmt::format("memory ran out: the picture has {} x {} pixels", rect.width, rect.height)};
+}
+
+Error drawing_cancelled() {
+  return {"", "cancelled"};
+}
+
+}  // namespace mien
