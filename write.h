@@ -78,7 +78,7 @@ MIEN_API Expected<PictureStats> write_picture(const Scene& scene, const View& vi
 
 /// Whether write_image could begin there: the format is known, the folder exists and may be
 /// written. For asking before a long render; changes nothing.
-MIEN_API Expected<Done> check_output(const std::filesystem::path& path,
-                                     const WriteOptions& how = {});
+MIEN_API Expected<Done> check_output_path(const std::filesystem::path& path,
+                                          const WriteOptions& how = {});
 
 }  // namespace mien

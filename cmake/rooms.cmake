@@ -30,9 +30,9 @@ function(mien_house_rules target)
   # One rule for fused multiply-add: only where the source says fma. Else bits differ between compilers.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   # Where files are compiled together (CMAKE_UNITY_BUILD), those of the SIMD kernels stand alone: each is compiled
-  # once for every instruction set.
+  # once for every instruction set; and what replaces operator new.
   get_target_property(sources ${target} SOURCES)
-  list(FILTER sources INCLUDE REGEX "_simd\\.cpp$|shipped_font\\.cpp$")
+  list(FILTER sources INCLUDE REGEX "(_simd|shipped_font|allocations)\\.cpp$")
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)

@@ -185,10 +185,10 @@ TEST(WriteImage, PipesAndDevicesAreWrittenStraightInto) {
 
 TEST(CheckTarget, SaysBeforehandWhatWouldFail) {
   const ScratchFolder folder;
-  EXPECT_TRUE(check_output(folder / "a.png"));
-  EXPECT_TRUE(check_output("-"));
+  EXPECT_TRUE(check_output_path(folder / "a.png"));
+  EXPECT_TRUE(check_output_path("-"));
   EXPECT_EQ(
-      sentence(check_output(folder / "none/a.png").error()),
+      sentence(check_output_path(folder / "none/a.png").error()),
       sentence(write_image(sample_image(3, 2, Depth::u8, true), folder / "none/a.png").error()));
   EXPECT_TRUE(folder.names().empty());
 }

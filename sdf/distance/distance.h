@@ -54,7 +54,7 @@ MIEN_API void distances(std::span<const QuadBezier> curves, std::span<const floa
                         std::span<const float> y, std::span<float> d);
 
 /// d[j · columns + i] = the distance from (float(origin.x + i·step), float(origin.y + j·step)) to the
-/// curve; d has columns · rows numbers. For grids that are fine beside the curve: where
+/// curve; d has columns · rows numbers, or it is left alone. For grids that are fine beside the curve: where
 /// the nearest points of a whole tile of 16 × 16 points are proven to lie on one piece of curve, each is
 /// found by Newton's method from that of the tile's middle, at a third of the price; tiles without proof
 /// are batches like any other. The

@@ -7,6 +7,7 @@
 
 #include <cstring>
 
+#include "tests/support/asked.h"
 #include "tests/support/changed_scene.h"
 #include "tests/support/degenerate_scene.h"
 #include "tests/support/effort.h"
@@ -122,13 +123,14 @@ class Posing {
   std::vector<Setting> settings_;
 };
 
-TEST(SameFrames, OfAThousandSequencesOfPoses) {
+/// 250 of them, or as many as MIEN_SEQUENCES says: the long form draws a thousand.
+TEST(SameFrames, OfManySequencesOfPoses) {
   constexpr const char* kFaces[] = {"seed0", "toon", "male", "bruno", "toon",
                                     "seed0", "toon", "male", "bruno", "clay"};
   std::vector<Face> faces;
   for (const char* name : kFaces) faces.push_back(test::face_named(name));
   long long recalled = 0, pixels = 0;
-  for (int seed = 1; seed <= test::times(1000); ++seed) {
+  for (int seed = 1; seed <= test::times(test::asked_of("MIEN_SEQUENCES", 250)); ++seed) {
     test::Random random{std::uint64_t(seed)};
     const std::size_t which = std::size_t(seed) % std::size(kFaces);
     Posing posing(faces[which], random);
@@ -151,7 +153,7 @@ Scene any_scene(int seed) {
 
 TEST(SameFrames, OfScenesInWhichOneThingChanges) {
   long long recalled = 0, pixels = 0;
-  for (int seed = 1; seed <= test::times(30); ++seed) {
+  for (int seed = 1; seed <= test::times(test::asked_of("MIEN_SEQUENCES", 250) / 25); ++seed) {
     test::Random random{std::uint64_t(seed)};
     Scene scene = any_scene(seed);
     Wishes wishes(random);

@@ -7,3 +7,9 @@ if grep -iE 'openimageio|libmien_image|libpng|libtiff|openexr' <<<"$libraries"; 
   exit 1
 fi
 grep -q libtbb <<<"$libraries"  # or this test looks at the wrong thing
+
+distance=$(dirname "$1")/distance_consumer
+if ldd "$distance" | grep -iE 'libtbb|libfmt|libmien\.so'; then
+  echo "distances alone link more than they need"
+  exit 1
+fi

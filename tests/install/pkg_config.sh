@@ -11,6 +11,9 @@ read -ra flags <<<"$(pkg-config --cflags --libs mien)"
 
 read -r version _ <<<"$(pkg-config --modversion mien)"
 "$program" "$face" | grep -F "mien $version:"
+read -ra flags <<<"$(pkg-config --cflags --libs mien-distance)"
+"$compiler" -std=c++20 "$consumer/distance_consumer.cpp" "${flags[@]}" -o "$program-distance"
+"$program-distance"
 if [ -f "$libdir/mien-image.pc" ]; then
   read -ra flags <<<"$(pkg-config --cflags --libs mien-image)"
   "$compiler" -std=c++20 "$consumer/image_consumer.cpp" "${flags[@]}" -o "$program-image"

@@ -183,14 +183,6 @@ TEST(Distances, MayReplaceTheCoordinates) {
   EXPECT_EQ(y, apart);
 }
 
-TEST(DistancesDeathTest, PartialOverlapIsRefusedAloud) {
-  std::vector<float> x(20), y(20);
-  EXPECT_DEATH(distances(kCurve, std::span(x).first(10), std::span(y).first(10),
-                         std::span(x).subspan(1, 10)),
-               "mien::distances: the output overlaps");
-  EXPECT_DEATH(distances(kCurve, x, std::span(y).first(19), y), "equal length");
-}
-
 // --- meaning -------------------------------------------------------------------------------------
 
 /// What rounding to float leaves of doubles: the two together are all their bits.
@@ -318,11 +310,14 @@ void expect_any_spans(const Figure& figure) {
   distances(figure, In(x), In(over_y), Out(over_y));
   EXPECT_EQ(over_x, alone);
   EXPECT_EQ(over_y, alone);
-  EXPECT_DEATH(distances(figure, In(x).first(9), In(y).first(9), Out(x).subspan(1, 9)),
-               "mien::distances: the output overlaps");
+#ifdef NDEBUG  // else an assertion ends the program: spans_test.cpp
+  std::fill(d.begin(), d.end(), T(-7));
+  distances(figure, In(x).first(9), In(y).first(7), Out(d).first(8));
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(d[i], i < 7 ? alone[i] : T(-7)) << i;
+#endif
 }
 
-TEST(DistancesDeathTest, EveryOverloadTakesAnySpans) {
+TEST(Distances, EveryOverloadTakesAnySpans) {
   const QuadBezier two[] = {kCurve, {{0, 0}, {0.5, 0}, {1, 0}}};
   on_every_instruction_set([&](const auto&) {
     expect_any_spans<float>(kCurve);

@@ -63,7 +63,7 @@ Expected<Done> check_output(const std::string& output, const WriteOptions& write
   if (output == "-" && ::isatty(STDOUT_FILENO)) {
     return Error{"-o -", "will not write a picture to a terminal; redirect it or name a file"};
   }
-  return check_output(output, write);
+  return check_output_path(output, write);
 }
 
 /// Rows of a strip that is to have so many pixels, and whole strips of the renderer's.

@@ -14,7 +14,7 @@ except ImportError:
     print("python3-jsonschema is not installed")
     sys.exit(77)
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(__file__).resolve().parents[4]
 SCHEMA = json.loads((ROOT / "docs/face.schema.json").read_text())
 SAMPLES = sorted((ROOT / "faces").glob("*.face.json"))
 

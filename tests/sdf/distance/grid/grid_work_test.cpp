@@ -105,10 +105,13 @@ TEST(GridWork, DegenerateCurvesAndNonsense) {
   mien::distances_on_grid(line, {0, 0}, 1, 0, 20, std::span<float>(d).first(0));
 }
 
-TEST(GridWorkDeathTest, AWrongSizeIsRefusedAloud) {
-  std::vector<float> d(399);
-  EXPECT_DEATH(mien::distances_on_grid({}, {0, 0}, 1, 20, 20, d), "equal length");
+#ifdef NDEBUG  // else an assertion ends the program
+TEST(GridWork, ASpanOfAnotherSizeIsLeftAlone) {
+  std::vector<float> d(399, -7);
+  mien::distances_on_grid({}, {0, 0}, 1, 20, 20, d);
+  EXPECT_EQ(d, std::vector<float>(399, -7));
 }
+#endif
 
 }  // namespace
 }  // namespace mien::batch

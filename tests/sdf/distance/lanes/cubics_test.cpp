@@ -93,13 +93,16 @@ TEST(SolveCubics, CountTheSameRootsAsTheScalarForm) {
   }
 }
 
-TEST(SolveCubicsDeathTest, RootsOverCoefficientsAreRefused) {
-  std::vector<Roots> room(40);
-  auto* numbers = &room[0].x[0];
-  const std::span<const double> k(numbers, 10);
-  EXPECT_DEATH(solve_cubics(k, k, k, k, std::span(room).first(10)), "overlaps an input");
-  EXPECT_DEATH(solve_cubics(k, k, k, k, std::span(room).first(9)), "equal length");
+#ifdef NDEBUG  // else an assertion ends the program
+TEST(SolveCubics, TheShortestSpanCounts) {
+  const std::vector<double> k(10, 1.0);
+  std::vector<Roots> room(10);
+  room[8].count = -7;
+  solve_cubics(k, k, std::span(k).first(8), k, std::span(room).first(9));
+  EXPECT_EQ(room[7].count, 1);
+  EXPECT_EQ(room[8].count, -7);
 }
+#endif
 
 }  // namespace
 }  // namespace mien

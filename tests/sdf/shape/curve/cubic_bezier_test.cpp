@@ -117,7 +117,7 @@ CubicCase cubic_case(Family family, Random& r) {
   return {c, p};
 }
 
-Real exact_distance(const CubicBezier& c, glm::dvec2 p) {
+Real exact_cubic_distance(const CubicBezier& c, glm::dvec2 p) {
   const auto monomial = [](Real a, Real b, Real d, Real e) {
     return Polynomial{a, 3 * (b - a), 3 * (d - 2 * b + a), e - 3 * d + 3 * b - a};
   };
@@ -151,7 +151,7 @@ TEST_P(CubicBezierFamily, DistanceIsExact) {
     EXPECT_EQ(distance(c.curve, c.p), n.distance);
     EXPECT_NEAR(norm(point(c.curve, n.t) - c.p), n.distance,
                 8 * 0x1p-52 * (cubic_reach(c.curve, c.p) + norm(c.p)));
-    worst.note(c.p, n.distance, double(exact_distance(c.curve, c.p) - Real(n.distance)),
+    worst.note(c.p, n.distance, double(exact_cubic_distance(c.curve, c.p) - Real(n.distance)),
                cubic_reach(c.curve, c.p));
   }
   EXPECT_LE(worst.units, CubicBezierContract::kError / 0x1p-52) << worst;

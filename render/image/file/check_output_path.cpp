@@ -6,7 +6,7 @@
 
 namespace mien {
 
-Expected<Done> check_output(const std::filesystem::path& path, const WriteOptions& how) {
+Expected<Done> check_output_path(const std::filesystem::path& path, const WriteOptions& how) {
   try {
     const auto type = chosen_type(path, how);
     if (!type) return type.error();
