@@ -7,7 +7,7 @@ option(MIEN_LONG_TESTS "Tests that take hours, too: ctest -L long" OFF)
 option(MIEN_BUILD_BENCH "Build the benches (needs Google Benchmark)" OFF)
 option(MIEN_BUILD_ACCURACY "Build mien-accuracy, the laboratory of the distance kernels" OFF)
 option(MIEN_SAME_BITS_WITHOUT_FMA "Float batches give the same bits on processors without fused multiply-add too, slowly" OFF)
-set(MIEN_INSTRUCTION_SETS all CACHE STRING "all: kernels for every instruction set; few: for the compiler's own and AVX2; one: for the compiler's own")
+set(MIEN_INSTRUCTION_SETS all CACHE STRING "all: kernels for every instruction set; few: for the compiler's own and AVX2")
 option(MIEN_BUILD_FUZZ "Build the fuzzers (needs clang)" OFF)
 option(MIEN_WARNINGS "Warn, and treat warnings as errors, in mien's own files" ${PROJECT_IS_TOP_LEVEL})
 option(MIEN_INSTALL "Install headers, libraries and package files" ${PROJECT_IS_TOP_LEVEL})
@@ -25,8 +25,6 @@ endif()
 # Each instruction set compiles every kernel once more. Rules of the folder, too: Highway has to see one value.
 if(MIEN_INSTRUCTION_SETS STREQUAL few)
   add_compile_definitions(HWY_DISABLED_TARGETS=6640)  # SSSE3, SSE4, AVX3 and its kinds
-elseif(MIEN_INSTRUCTION_SETS STREQUAL one)
-  add_compile_definitions(HWY_DISABLED_TARGETS=7152)  # those and AVX2
 endif()
 
 # A sanitizer or a line counter has to see every file, so these are rules of the folder, not of a target.
