@@ -24,6 +24,7 @@ struct RenderStats {
 
   /// Of another part of the same picture: outlines and regions are those of all of it.
   void add(const RenderStats& part) {
+    cancelled = cancelled || part.cancelled;
     pixels += part.pixels, fill_pixels += part.fill_pixels, varied_pixels += part.varied_pixels;
     edge_pixels += part.edge_pixels, resolved_pixels += part.resolved_pixels, roots += part.roots;
     recalled_pixels += part.recalled_pixels, distances += part.distances;
