@@ -72,11 +72,13 @@ void draw_scale(SceneBuilder& build, const Page& page) {
                  page.canvas.y_up, kInk);
 }
 
-constexpr double kValueSize = 0.018, kValueStep = 0.026, kFirstValue = 0.131, kValueLeft = 0.05;
+constexpr double kValueSize = 0.018, kValueStep = 0.026, kFirstValue = 0.131, kValueLeft = 0.05,
+                 kPullWidth = 0.05;
 
 /// One line of the legend: a group of muscles, with the pulls of its sides.
 struct MuscleValue {
-  std::string text;
+  std::string name;
+  std::vector<std::string> pulls;
   double most = 0;
 };
 
@@ -87,11 +89,11 @@ std::vector<MuscleValue> muscle_values(const FaceModel& model, std::span<const d
   const auto& muscles = model.muscles.muscles;
   for (const Muscle& muscle : muscles) {
     if (!done.insert(muscle.name).second) continue;
-    MuscleValue& value = values.emplace_back(MuscleValue{muscle.name});
+    MuscleValue& value = values.emplace_back(MuscleValue{muscle.name, {}});
     for (const Side side : {Side::left, Side::right, Side::none})
       for (std::size_t m = 0; m < muscles.size(); ++m)
         if (muscles[m].name == muscle.name && muscles[m].side == side) {
-          value.text += fmt::format(" {:.2f}", pulls[m]);
+          value.pulls.push_back(fmt::format("{:.2f}", pulls[m]));
           value.most = std::max(value.most, pulls[m]);
         }
   }
@@ -111,19 +113,29 @@ void draw_plate(SceneBuilder& build, const Page& page, double right, double down
 void draw_legend(const FaceModel& model, std::span<const double> pulls, SceneBuilder& build,
                  const Page& page) {
   const std::vector<MuscleValue> values = muscle_values(model, pulls);
-  double widest = 0.27;
+  double column = 0.18;  // where the first pulls stand
   for (const MuscleValue& value : values)
-    widest = std::max(widest, kValueLeft + kValueSize * caption_width(page.letters, value.text));
-  draw_plate(build, page, widest + 0.02, kFirstValue + kValueStep * double(values.size()));
+    column = std::max(column, kValueSize * caption_width(page.letters, value.name));
+  column += kValueLeft + 0.02;
+  const auto write = [&](std::string_view text, double right, double down) {
+    draw_caption(build, page.letters, text, page.at(right, down), kValueSize * page.size,
+                 page.canvas.y_up, kInk);
+  };
+  const auto columns = std::max_element(values.begin(), values.end(), [](auto& a, auto& b) {
+    return a.pulls.size() < b.pulls.size();
+  });
+  const double end = column + kPullWidth * (values.empty() ? 2.0 : double(columns->pulls.size()));
+  draw_plate(build, page, end + 0.01, kFirstValue + kValueStep * double(values.size()));
   draw_scale(build, page);
-  draw_caption(build, page.letters, "left right", page.at(kValueLeft, kFirstValue - kValueStep),
-               kValueSize * page.size, page.canvas.y_up, kInk);
+  write("left", column, kFirstValue - kValueStep);
+  write("right", column + kPullWidth, kFirstValue - kValueStep);
   double down = kFirstValue;
   for (const MuscleValue& value : values) {
     build.layer("value", build.shape(Disc{page.at(0.034, down - 0.008), 0.006 * page.size}),
                 {.color = pull_color(value.most)});
-    draw_caption(build, page.letters, value.text, page.at(kValueLeft, down), kValueSize * page.size,
-                 page.canvas.y_up, kInk);
+    write(value.name, kValueLeft, down);
+    for (std::size_t i = 0; i < value.pulls.size(); ++i)
+      write(value.pulls[i], column + kPullWidth * double(i), down);
     down += kValueStep;
   }
 }
