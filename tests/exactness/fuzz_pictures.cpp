@@ -14,14 +14,16 @@ namespace {
 
 constexpr const char* kUse =
     "mien_fuzz_pictures [--kind lattice|jittered|generic|huge|painted] [--first N] [--count N]\n"
-    "                   [--seconds N]\n"
-    "Draws scenes by their seeds at 24 and 32 px, 8 and 16 bits, in both blends: no pixel may be\n"
-    "off by more than 1 of 255 or 32 of 65535. Names each scene in which one is; a run goes on\n"
+    "                   [--seconds N] [--each all|one]\n"
+    "Draws scenes by their seeds at 24 and 32 px, 8 and 16 bits, in both blends (--each one:\n"
+    "in a size and a blend that follow from the seed): no pixel may be off by more than 1 of 255\n"
+    "or 32 of 65535. Names each scene in which one is; a run goes on\n"
     "where another ended with --first. Ends with 1 if a pixel is off, with 2 if not understood.\n";
 
 struct Asked {
   std::string kind = "lattice";
   long first = 1, count = 100, seconds = 1'000'000;
+  bool one = false;  ///< picture of each scene, not four
 };
 
 bool read(int count, char** words, Asked& asked) {
@@ -35,6 +37,8 @@ bool read(int count, char** words, Asked& asked) {
                                            : nullptr;
     if (name == "--kind")
       asked.kind = value;
+    else if (name == "--each" && (value == "one" || value == "all"))
+      asked.one = value == "one";
     else if (to && end && !*end && number >= 1)
       *to = number;
     else
@@ -54,8 +58,10 @@ int run(const Asked& asked) {
     Scene scene;
     fuzzed_scene(asked.kind, std::uint64_t(seed), scene);
     for (const int side : {24, 32}) {
+      if (asked.one && (seed / 2 % 2 == 0) != (side == 24)) continue;
       const long over = all.over;
-      judge_fuzzed(scene, side, all);
+      const Blend blend = seed % 2 ? Blend::linear : Blend::srgb;
+      judge_fuzzed(scene, side, all, asked.one ? std::optional(blend) : std::nullopt);
       if (all.over == over) continue;
       fmt::print("{} {}: {} pixels over; {}\n", asked.kind, seed, all.over - over, all.where);
       std::fflush(stdout);

@@ -82,10 +82,11 @@ bool fuzzed_scene(std::string_view kind, std::uint64_t seed, Scene& scene) {
   return true;
 }
 
-void judge_fuzzed(const Scene& scene, int side, FuzzTally& tally) {
+void judge_fuzzed(const Scene& scene, int side, FuzzTally& tally, std::optional<Blend> only) {
   View view{.width = side, .height = side, .dither = false};
   ++tally.scenes;
   for (const Blend blend : {Blend::srgb, Blend::linear}) {
+    if (only.value_or(blend) != blend) continue;
     view.blend = blend;
     judge_blend(scene, view, ExactTruth(scene, view), tally);
   }

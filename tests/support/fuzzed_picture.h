@@ -3,8 +3,10 @@
 // is in doubt by the exact truth, which decides.
 
 #include <mien/scene.h>
+#include <mien/view.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,7 +27,7 @@ struct FuzzTally {
   std::string where;  ///< the last that is over
 };
 
-/// Draws a scene `side` pixels wide and high, at 8 and 16 bits in both blends.
-void judge_fuzzed(const Scene& scene, int side, FuzzTally& tally);
+/// Draws a scene `side` pixels wide and high, at 8 and 16 bits in one blend, or in both.
+void judge_fuzzed(const Scene& scene, int side, FuzzTally& tally, std::optional<Blend> only = {});
 
 }  // namespace mien::test
