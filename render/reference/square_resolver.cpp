@@ -205,11 +205,11 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   glm::dvec2 gradient{0.0};
   if (relief.distance >= 0) {
     const AreaDistance& area = paints_.distances[std::size_t(relief.distance)];
-    constexpr double kStep = 1e-5;  // [px]
+    constexpr double kSlopeStep = 1e-5;  // [px]
     d = area.at(p);
-    gradient = {area.at({p.x + kStep, p.y}) - area.at({p.x - kStep, p.y}),
-                area.at({p.x, p.y + kStep}) - area.at({p.x, p.y - kStep})};
-    gradient /= 2.0 * kStep;
+    gradient = {area.at({p.x + kSlopeStep, p.y}) - area.at({p.x - kSlopeStep, p.y}),
+                area.at({p.x, p.y + kSlopeStep}) - area.at({p.x, p.y - kSlopeStep})};
+    gradient /= 2.0 * kSlopeStep;
   }
   return relief.lamp.lit(mix, relief.slope(p, d, gradient), paints_.blend);
 }

@@ -72,9 +72,12 @@ TEST(Feelings, AreImportedFittedAndShown) {  // M1, M8, M11
   ran = run_mien({"sheet", face, "--emotions", "--cell", "64", "-o", sheet});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_GT(std::filesystem::file_size(sheet), 200u);
-  EXPECT_NE(run_mien({"scene", face, "--debug", "muscles", "--emotion", "surprise=0.5"})
-                .out.find("jaw 0.50 0.50"),
-            std::string::npos);
+  const std::string legend =
+      run_mien({"scene", face, "--debug", "muscles", "--emotion", "surprise=0.5"}).out;
+  const std::size_t jaw = legend.find("layer jaw "), pull = legend.find("layer 0.50 ", jaw);
+  ASSERT_NE(jaw, std::string::npos);
+  ASSERT_NE(pull, std::string::npos);
+  EXPECT_EQ(legend.find("layer value ", jaw), legend.find("layer value ", pull)) << "on its line";
   EXPECT_EQ(run_mien({"import", "facemotion", targets + "x", "-o", face}).code, 1);
 }
 

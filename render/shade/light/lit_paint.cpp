@@ -122,8 +122,9 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
   set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
   t.full = t.smooth = false;
-  constexpr double kSame = 0.02;  // per level of tolerance: a slope of that jump is worth as much
-  t.same = float(std::clamp(kSame * tolerance_, 0.002, double(LitTile::kSame)));
+  constexpr double kAlikeSlopes =
+      0.02;  // per level of tolerance: a slope of that jump is worth as much
+  t.same = float(std::clamp(kAlikeSlopes * tolerance_, 0.002, double(LitTile::kSame)));
   t.rises = !surface_.flat(t.zone);
   const bool varies = t.rises || !t.lamp.domes.empty() || t.lamp.ramp.kind != LampRamp::Kind::none;
   t.kind = varies ? LitTile::Kind::means : LitTile::Kind::base;
