@@ -55,6 +55,9 @@ TEST(FuzzedPictures, ThatWereWrongOnceAreRight) {
                          {"painted", 3, 24},
                          {"painted", 120, 24},
                          {"painted", 138, 24},
+                         {"painted", 44, 24},      // a hairpin between two looks along a spine
+                         {"painted", 20002, 24},   // a ridge half a pixel beside a block's foot
+                         {"painted", 300012, 32},  // a thin shell: three ridges in two pixels
                          {"painted", 178, 24},
                          {"painted", 286, 24},
                          {"painted", 419, 24}})

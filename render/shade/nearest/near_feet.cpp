@@ -191,11 +191,25 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
   return slowest - taken - w * std::sqrt(fastest) > 0.3 * slowest;
 }
 
+/// How far looks may lie apart [px]: a third of the tile's radius; where the spine turns more tightly than that, so
+/// far that both sides of the bend are seen, but not less than a tenth.
+double looks_apart(const Spine<double>& s, double from, double to, double radius) {
+  const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
+  const double slowest = bend2 > 0.0 ? std::clamp(-0.5 * dot / bend2, from, to) : from;
+  const double speed = std::hypot(s.x1 + 2.0 * slowest * s.x2, s.y1 + 2.0 * slowest * s.y2);
+  const double turn = 2.0 * std::abs(s.x1 * s.y2 - s.y1 * s.x2);  // |B' x B''|, the same for all t
+  const double tightest = speed > 0.0 ? speed * speed * speed / turn : 0.0;
+  return turn == 0.0 && speed > 0.0 ? 0.3 * radius
+                                    : std::clamp(tightest, 0.1 * radius, 0.3 * radius);
+}
+
 }  // namespace
 
 void FeetArea::make(const AreaDistance& area, glm::dvec2 center) {
   constexpr double kSmall = 32.0;  // [px]
-  area_ = &area, center_ = center, fine_ = false;
+  area_ = &area, center_ = center;
+  // A shell folds the distance at the outline, so a thin one has three ridges beside each other.
+  fine_ = std::ranges::any_of(area.nodes(), [](const Node& n) { return n.op == Op::shell; });
   shapes_.resize(area.shapes().size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = area.shapes()[i];
@@ -270,8 +284,8 @@ void NearFeet::narrow_shape(const SpineShape& shape) {
       near.single = has_one_foot(s, from, to, farthest);
       if (!shape.next.empty() && has_one_foot(s, 0.0, 1.0, farthest) && ends_beside(shape, k))
         continue;
-      constexpr double kApart = 0.3;  // radii between looks
-      const double looks = std::ceil((to - from) * shape.reach[k] / (kApart * radius_)) + 1.0;
+      const double apart_by = looks_apart(s, from, to, radius_);
+      const double looks = std::ceil((to - from) * shape.reach[k] / apart_by) + 1.0;
       near.looks = int(std::clamp(looks, 2.0, near.single ? 4.0 : double(NearSpine::kMostLooks)));
       if (shape.reach[k] == 0.0) near.looks = 1;
       near.first = float(from), near.step = float((to - from) / std::max(1, near.looks - 1));

@@ -28,7 +28,7 @@ struct Spine {
 /// A stretch of a spine around a tile's middle.
 struct NearSpine {
   Spine<float> spine;
-  static constexpr int kMostLooks = 20;
+  static constexpr int kMostLooks = 64;
   int looks;          ///< places along it that are looked at
   float first, step;  ///< their parameters
   bool single;        ///< nowhere in the disc does it have two feet
@@ -72,7 +72,7 @@ class FeetArea {
   const AreaDistance* area() const { return area_; }
   glm::dvec2 center() const { return center_; }
   const std::vector<SpineShape>& shapes() const { return shapes_; }
-  /// Whether it is a combination of small shapes: where several meet, ridges lie a pixel apart.
+  /// Whether ridges may lie a pixel apart: of small shapes where several meet, and of shells.
   bool is_fine() const { return fine_; }
 
  private:
@@ -91,6 +91,9 @@ class NearFeet {
 
   /// Whether spines in the disc may cross: then feet a pixel apart do not tell of what lies between.
   bool tangled() const { return tangled_; }
+
+  /// Whether there is one spine near, of one foot seen from anywhere in the disc: no ridges.
+  bool is_single() const { return leaves_.size() == 1 && spines_.size() == 1 && spines_[0].single; }
 
   /// Of places relative to the middle, a multiple of 16 of them.
   void at(std::span<const float> x, std::span<const float> y, const Feet& out);
