@@ -10,6 +10,7 @@ namespace mien::command {
 /// FACE and how it is posed.
 struct PosedFace {
   std::string face;
+  std::optional<std::string> style;  ///< of a face by code
   std::optional<std::string> time;
   std::vector<std::string> clips, poses;
   std::optional<std::string> look_at, blink, bias, unwrap, unwrap_mode;
@@ -57,10 +58,24 @@ struct FitArguments {
 };
 
 struct SheetArguments {
-  std::string face, output;
+  std::optional<std::string> face;
+  std::string output;
+  std::optional<std::string> people, seed, style;
   std::optional<std::string> cell, columns, gap;
   std::vector<std::string> pictures;
   bool emotions = false, half = false;
+};
+
+/// mien new.
+struct NewArguments {
+  std::optional<std::string> output, seed, code, style;
+  std::vector<std::string> held;
+  bool clamp = false;
+};
+
+/// mien parts.
+struct PartsArguments {
+  std::optional<std::string> family;
 };
 
 struct ListArguments {

@@ -26,6 +26,8 @@ struct CommandApp {
   ImportArguments import;
   FitArguments fit;
   SheetArguments sheet;
+  NewArguments make;
+  PartsArguments parts;
   std::string shell;  ///< of `mien completion`
 };
 

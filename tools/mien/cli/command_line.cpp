@@ -6,6 +6,7 @@
 #include "tools/mien/cli/motion_options.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/cli/parse_values.h"
+#include "tools/mien/cli/parts_options.h"
 #include "tools/mien/cli/pca_options.h"
 #include "tools/mien/commands/render_plan.h"
 
@@ -14,7 +15,12 @@
 namespace mien::command {
 
 void add_pose(CLI::App* to, PosedFace& posed) {
-  to->add_option("FACE", posed.face, "Face file")->required()->type_name("");
+  to->add_option("FACE", posed.face, "Face file, or a code that `mien new` printed")
+      ->required()
+      ->type_name("");
+  to->add_option("--style", posed.style,
+                 "How a face by code is painted: flat, soft, clay, ink or pictogram; default soft")
+      ->type_name("STYLE");
   to->add_option("--time", posed.time,
                  "Moment at which the face's clips are drawn; without one no clip runs")
       ->type_name("SECONDS");
@@ -250,6 +256,8 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("import")) return std::move(command.import);
   if (app.got_subcommand("fit")) return std::move(command.fit);
   if (app.got_subcommand("sheet")) return std::move(command.sheet);
+  if (app.got_subcommand("new")) return std::move(command.make);
+  if (app.got_subcommand("parts")) return std::move(command.parts);
   if (app.got_subcommand("manual")) return Help{manual(app)};
   if (app.got_subcommand("completion")) {
     const auto shell = read_choice("completion", command.shell, kShells);
@@ -358,6 +366,8 @@ std::unique_ptr<CommandApp> command_app() {
   add_pca(app, made->pca);
   add_muscle_commands(app, *made);
   add_sheet(app, made->sheet);
+  add_new(app, made->make);
+  add_parts(app, made->parts);
 
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");

@@ -21,7 +21,7 @@ struct WrongUse {
 using CommandLine =
     std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
                  ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
-                 ImportArguments, FitArguments, SheetArguments>;
+                 ImportArguments, FitArguments, SheetArguments, NewArguments, PartsArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

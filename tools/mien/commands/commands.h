@@ -19,5 +19,7 @@ int animate_command(const AnimateArguments& arguments);
 int import_command(const ImportArguments& arguments);
 int fit_command(const FitArguments& arguments);
 int sheet_command(const SheetArguments& arguments);
+int new_command(const NewArguments& arguments);
+int parts_command(const PartsArguments& arguments);
 
 }  // namespace mien::command

@@ -20,7 +20,7 @@ Expected<std::string> from_faces(const MorphArguments& arguments, const Face& re
   std::vector<MorphTarget> targets;
   for (const std::string& text : arguments.targets) {
     const auto [name, file] = name_and_file(text);
-    auto face = read_face(file);
+    auto face = read_face_or_code(file);
     if (!face) return face.error();
     targets.push_back({name, *std::move(face)});
   }

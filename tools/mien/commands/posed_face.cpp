@@ -4,6 +4,7 @@
 #include <mien/morph_file.h>
 #include <mien/npy_basis.h>
 #include <mien/poser.h>
+#include <mien/recipe.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/frame_file.h"
@@ -17,19 +18,35 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace mien::command {
 
-std::optional<Face> read_face_aloud(const std::string& path) {
+Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
+                                 std::vector<Error>* warnings) {
+  if (!looks_like_face_code(text) || std::filesystem::exists(text)) {
+    if (style) return Error{"--style " + *style, "a face file has its own paints: styles are for codes"};
+    return read_face(text, {}, warnings);
+  }
+  const auto code = read_face_code(text);
+  if (!code) return code.error();
+  auto recipe = recipe_from_code(*code);
+  if (!recipe) return recipe.error();
+  if (style) recipe->style = *style;
+  return face_from_recipe(*recipe);
+}
+
+std::optional<Face> read_face_aloud(const std::string& path,
+                                    const std::optional<std::string>& style) {
   if (path.empty()) {
     complain(Error{"face file", "its name is empty"}, kFailed);
     return {};
   }
   std::vector<Error> warnings;
-  auto face = read_face(path, {}, &warnings);
+  auto face = read_face_or_code(path, style, &warnings);
   warn(warnings);
   if (face) return *std::move(face);
   complain(face.error(), kFailed);
@@ -166,7 +183,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
     const std::string where = "--clip " + one_line(arguments.clips[0], 60);
     return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
   }
-  auto face = known ? *known : read_face_aloud(arguments.face);
+  auto face = known ? *known : read_face_aloud(arguments.face, arguments.style);
   if (!face) return {{}, {}, kFailed};
   for (const std::string& file : arguments.morphs) {
     auto more = read_morphs(*face, file);

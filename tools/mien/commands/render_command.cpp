@@ -210,7 +210,7 @@ int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, co
 /// The face, or how far its points have gone.
 Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
   if (arguments.debug != kMorphDebug) return scene_from_face(posed);
-  const auto rest = read_face(arguments.posed.face);
+  const auto rest = read_face_or_code(arguments.posed.face, arguments.posed.style);
   if (!rest) return rest.error();
   const MorphHeat heat = morph_heat(*rest, posed, letters());
   if (arguments.output != "-")

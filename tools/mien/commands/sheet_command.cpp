@@ -2,8 +2,10 @@
 
 #include <mien/face_model.h>
 #include <mien/poser.h>
+#include <mien/recipe.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
+#include "lib/rig/pose/expression_setting.h"
 #include "render/image/write_pieces.h"
 #include "sdf/from_face/caption.h"
 #include "tools/mien/cli/parse_values.h"
@@ -60,7 +62,31 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
                                      {.width = size.width, .height = size.height})});
     }
   }
-  if (cells.empty()) return {{}, complain({arguments.face, "this face has no emotions"}, kFailed)};
+  if (cells.empty()) return {{}, complain({*arguments.face, "this face has no emotions"}, kFailed)};
+  return {std::move(cells)};
+}
+
+/// --people: each with its code; with --emotions each with a feeling.
+CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
+  constexpr int kMostPeople = 10000;
+  const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
+  if (!count) return {{}, complain(count.error(), kUsedWrongly)};
+  Cells cells;
+  for (int i = 0; i < *count; ++i) {
+    Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("{}/{}", arguments.seed.value_or("1"), i)));
+    if (arguments.style) recipe.style = *arguments.style;
+    auto face = face_from_recipe(recipe);
+    if (!face) return {{}, complain(face.error(), kFailed)};
+    Poser poser(*face);
+    Pose pose;
+    if (arguments.emotions) {
+      constexpr std::array<std::string_view, 6> kFeelings{"joy", "sadness", "anger", "fear", "disgust", "surprise"};
+      auto setting = read_expression(*face, "emotion", std::string(kFeelings[std::size_t(i) % kFeelings.size()]),
+                                     OutOfRange::refuse);
+      if (setting) pose.settings.push_back(*std::move(setting));
+    }
+    cells.push_back({"", sheet_picture(scene_from_face(poser.pose(pose)), {.width = size.width, .height = size.height})});
+  }
   return {std::move(cells)};
 }
 
@@ -71,7 +97,7 @@ CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Siz
     auto picture = read_sheet_picture(text);
     if (!picture) return {{}, complain(picture.error(), kUsedWrongly)};
     RenderArguments& how = picture->render;
-    how.posed.face = arguments.face;
+    how.posed.face = *arguments.face;
     how.size = fmt::format("{}x{}", size.width, size.height);
     auto plan = plan_frame(how);
     if (!plan) return {{}, complain(plan.error(), kUsedWrongly)};
@@ -130,8 +156,7 @@ Expected<Image> sheet_of(const Cells& cells, int columns, int gap) {
 }
 
 /// --cell.
-Expected<Size> read_cell(const SheetArguments& arguments, const Face& face) {
-  const glm::dvec2 extent = face.model->canvas.box.size();
+Expected<Size> read_cell(const SheetArguments& arguments, glm::dvec2 extent) {
   auto size = read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
   if (!size) return Error{"--cell " + *arguments.cell, size.error().what};
   if (size->width > kMostCell || size->height > kMostCell)
@@ -149,12 +174,23 @@ int sheet_command(const SheetArguments& arguments) {
   if (!columns) return complain(columns.error(), kUsedWrongly);
   const auto gap = read_whole("--gap", arguments.gap.value_or("0"), 0, kMostGap);
   if (!gap) return complain(gap.error(), kUsedWrongly);
-  const auto face = read_face_aloud(arguments.face);
-  if (!face) return kFailed;
-  const auto size = read_cell(arguments, *face);
+  if (arguments.people.has_value() == arguments.face.has_value())
+    return complain("a sheet needs a FACE or --people, one of them", kUsedWrongly);
+  if (arguments.people && !arguments.pictures.empty())
+    return complain("--picture: a sheet has pictures or --people, not both", kUsedWrongly);
+  std::optional<Face> face;
+  if (arguments.face) face = read_face_aloud(*arguments.face, arguments.style);
+  if (arguments.face && !face) return kFailed;
+  if (arguments.people) {
+    auto first = face_from_recipe(recipe_from_seed(0));  // all have one canvas
+    if (!first) return complain(first.error(), kFailed);
+    face = *std::move(first);
+  }
+  const auto size = read_cell(arguments, face->model->canvas.box.size());
   if (!size) return complain(size.error(), kUsedWrongly);
-  const CellsOrCode made = arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
-                                                      : picture_cells(arguments, *face, *size);
+  const CellsOrCode made = arguments.people             ? people_cells(arguments, *size)
+                           : arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
+                                                        : picture_cells(arguments, *face, *size);
   if (made.code != kDone) return made.code;
   const auto sheet = sheet_of(made.cells, int(*columns), int(*gap));
   if (!sheet) return complain(sheet.error(), kFailed);

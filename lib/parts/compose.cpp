@@ -1,0 +1,178 @@
+// A recipe becomes the text of a face file: parts are put on the topology, then nothing of them is left.
+
+#include <mien/face_file.h>
+#include <mien/recipe.h>
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/file/json/json_text.h"
+#include "lib/parts/flat_feature.h"
+#include "lib/parts/flat_rig.h"
+#include "lib/parts/part_library.h"
+#include "lib/parts/part_palette.h"
+#include "lib/parts/part_style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mien {
+namespace {
+
+template <class Things>
+std::string unknown(std::string_view what, std::string_view wanted, const Things& things) {
+  std::vector<std::string_view> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  return unknown_name(what, wanted, names);
+}
+
+/// What the recipe asks for that this edition does not have; nothing if it has all.
+std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {
+  const std::string where = "recipe";
+  for (const auto& [family_name, part] : recipe.parts) {
+    const Family* family = library.find_family(family_name);
+    if (!family)
+      return Error{where,
+                   unknown("family of parts", one_line(family_name, 60), library.families())};
+    if (!family->find(part))
+      return Error{where, unknown(family_name, one_line(part, 60), family->parts)};
+  }
+  for (const auto& [name, value] : recipe.numbers) {
+    const LibraryNumber* number = library.find_number(name);
+    if (!number) return Error{where, unknown("number", one_line(name, 60), library.numbers())};
+    if (!(value >= number->lo && value <= number->hi))
+      return Error{
+          where, fmt::format("{} goes from {} to {}, got {}", name, number->lo, number->hi, value)};
+  }
+  const std::vector<std::string>& styles = library.styles();
+  if (std::ranges::find(styles, recipe.style) == styles.end())
+    return Error{where,
+                 unknown_name("style", one_line(recipe.style, 60), {styles.begin(), styles.end()})};
+  return {};
+}
+
+/// Families without a part in the recipe, and that need one, take their first.
+Recipe completed(const PartLibrary& library, Recipe recipe) {
+  for (const Family& family : library.families())
+    if (!family.optional && !recipe.parts.contains(family.name) && !family.parts.empty())
+      recipe.parts[family.name] = family.parts[0].name;
+  return recipe;
+}
+
+class Composition {
+ public:
+  Composition(const PartLibrary& library, const Recipe& recipe)
+      : library_(library),
+        recipe_(recipe),
+        geometry_(library, recipe_),
+        style_(library, recipe_.style) {}
+
+  std::string text() {
+    for (const Family& family : library_.families())
+      if (const Part* part = chosen_part(library_, recipe_, family.name)) tell(*part, family.name);
+    const LibraryNode& topology = library_.topology();
+    const Reading& in = topology.in();
+    draw(topology, "");
+    for (const Family& family : library_.families()) {
+      const Part* part = chosen_part(library_, recipe_, family.name);
+      if (part && !covered_.contains(family.name)) draw(part->at, family.name);
+    }
+    std::stable_sort(features_.features.begin(), features_.features.end(),
+                     [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    std::string all = "{\"format\": \"mien-face\", \"format_version\": 1";
+    all += fmt::format(",\n\"name\": {}, \"credit\": {}", json_string(recipe_.name),
+                       json_string(credit()));
+    for (const char* key : {"canvas", "background"})
+      add(all, key, rig_text(in, need(key), geometry_));
+    const JsonNode* light = style_.light();
+    add(all, "light",
+        light ? rig_text(style_.in(), *light, geometry_) : rig_text(in, need("light"), geometry_));
+    add(all, "palette", palette_text(library_, recipe_, geometry_, style_));
+    std::string drawn;
+    for (const FlatFeatures::One& one : features_.features)
+      drawn += (drawn.empty() ? "[\n  " : ",\n  ") + one.text;
+    add(all, "features", drawn + "]");
+    for (const char* key : {"controls", "eyes"}) add(all, key, rig_text(in, need(key), geometry_));
+    add(all, "turn", turn_text(in, need("turn"), geometry_, features_));
+    add(all, "muscles", muscles_text(in, need("muscles"), geometry_, features_));
+    for (const char* key : {"emotions", "expressions", "clips", "default_clip"})
+      add(all, key, rig_text(in, need(key), geometry_));
+    return all + "}\n";
+  }
+
+ private:
+  const JsonNode& need(std::string_view key) const {
+    return library_.topology().in().need(*library_.topology().node, key);
+  }
+
+  static void add(std::string& all, std::string_view key, const std::string& value) {
+    all += fmt::format(",\n{}: {}", json_string(key), value);
+  }
+
+  std::string credit() const {
+    return recipe_.code.empty() ? "Composed of mien's parts"
+                                : "Composed of mien's parts, code " + recipe_.code;
+  }
+
+  /// The points and values that a part tells others, and what it covers.
+  void tell(const Part& part, const std::string& family) {
+    const Reading& in = part.at.in();
+    PartFrame frame;
+    if (const JsonNode* own = in.find(*part.at.node, "in")) frame = geometry_.frame(in, *own);
+    if (const JsonNode* points = in.find(*part.at.node, "points"))
+      in.for_each(*points, [&](const JsonNode& node, int) {
+        const FoundPoint found = geometry_.point(in, node, frame, family);
+        geometry_.add_point(std::string(in.tree.key(node)), {found.at, found.depth, {}});
+      });
+    if (const JsonNode* values = in.find(*part.at.node, "values"))
+      in.for_each(*values, [&](const JsonNode& node, int) {
+        geometry_.add_value(std::string(in.tree.key(node)), geometry_.scalar(in, node, family));
+      });
+    if (const JsonNode* covers = in.find(*part.at.node, "covers"))
+      in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
+  }
+
+  void draw(const LibraryNode& from, std::string_view family) {
+    const Reading& in = from.in();
+    if (const JsonNode* features = in.find(*from.node, "features"))
+      in.for_each(*features, [&](const JsonNode& node, int) {
+        flatten_feature(in, node, family, library_, style_, geometry_, features_);
+      });
+  }
+
+  const PartLibrary& library_;
+  Recipe recipe_;
+  PartGeometry geometry_;
+  PartStyle style_;
+  FlatFeatures features_;
+  std::set<std::string, std::less<>> covered_;
+};
+
+}  // namespace
+
+Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
+  const PartLibrary& library = PartLibrary::shipped();
+  if (auto wrong = wrong_in(library, recipe)) return *std::move(wrong);
+  try {
+    const Recipe whole = completed(library, recipe);
+    return Composition(library, whole).text();
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  }
+}
+
+Expected<Face> face_from_recipe(const Recipe& recipe) {
+  const auto text = face_text_from_recipe(recipe);
+  if (!text) return text.error();
+  return read_face_text(*text, recipe.name.empty() ? "composed face" : recipe.name);
+}
+
+Expected<Face> face_from_code(std::string_view code) {
+  const auto read = read_face_code(code);
+  if (!read) return read.error();
+  const auto recipe = recipe_from_code(*read);
+  if (!recipe) return recipe.error();
+  return face_from_recipe(*recipe);
+}
+
+}  // namespace mien

@@ -1,0 +1,40 @@
+#pragma once
+// Features of parts as features of a face file: points in the face's own coordinates, paints by role, and what the rig
+// has to know of them.
+
+#include "lib/parts/part_geometry.h"
+#include "lib/parts/part_style.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// A slice that moves with another one.
+struct Ride {
+  std::string slice;
+  double weight;
+  int side;  ///< 1 left, −1 right: the muscle of that side only; 0: as it is
+};
+
+/// What parts drew, bottom to top after sorting, and what moves with what.
+struct FlatFeatures {
+  struct One {
+    std::size_t slot;
+    std::string text;
+  };
+  std::vector<One> features;
+  std::set<std::string, std::less<>> names;
+  std::map<std::string, double> flat, raised;  ///< depths for the head's turn
+  std::vector<std::string> still;
+  std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
+};
+
+/// Adds a feature of a part to `to`. Its points become known to `geometry`.
+void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,
+                     const PartLibrary& library, const PartStyle& style, PartGeometry& geometry,
+                     FlatFeatures& to);
+
+}  // namespace mien

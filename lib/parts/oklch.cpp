@@ -1,0 +1,64 @@
+#include "lib/parts/oklch.h"
+#include "lib/picture/srgb.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace mien {
+namespace {
+
+glm::dvec3 linear_of(const glm::dvec3& lab) {
+  const auto cube = [](double v) { return v * v * v; };
+  const double l = cube(lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z);
+  const double m = cube(lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z);
+  const double s = cube(lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z);
+  return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+          -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+          -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+}
+
+bool is_shown(const glm::dvec3& linear) {
+  constexpr double kSlack = 1e-4;
+  return std::min({linear.x, linear.y, linear.z}) >= -kSlack &&
+         std::max({linear.x, linear.y, linear.z}) <= 1 + kSlack;
+}
+
+}  // namespace
+
+glm::dvec3 Oklch::lab() const {
+  const double angle = hue * std::numbers::pi / 180;
+  return {lightness, chroma * std::cos(angle), chroma * std::sin(angle)};
+}
+
+Oklch Oklch::from_lab(glm::dvec3 lab) {
+  return {lab.x, std::hypot(lab.y, lab.z), std::atan2(lab.z, lab.y) * 180 / std::numbers::pi};
+}
+
+double apart(const Oklch& a, const Oklch& b) {
+  return glm::distance(a.lab(), b.lab());
+}
+
+std::string hex_of(const Oklch& color, double alpha) {
+  const glm::dvec3 lab =
+      Oklch{std::clamp(color.lightness, 0.0, 1.0), color.chroma, color.hue}.lab();
+  glm::dvec3 linear = linear_of(lab);
+  double lo = 0.0, hi = 1.0;  // shares of the chroma: shown, not shown
+  for (int i = 0; i < 20 && (i > 0 || !is_shown(linear)); ++i) {
+    const double share = 0.5 * (lo + hi);
+    (is_shown(linear_of({lab.x, share * lab.y, share * lab.z})) ? lo : hi) = share;
+    linear = linear_of({lab.x, lo * lab.y, lo * lab.z});
+  }
+  std::string text = "#";
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format("{:02x}",
+                        int(std::lround(255 * srgb_from_linear(std::clamp(linear[i], 0.0, 1.0)))));
+  if (alpha < 1) text += fmt::format("{:02x}", int(std::lround(255 * std::clamp(alpha, 0.0, 1.0))));
+  return text;
+}
+
+}  // namespace mien

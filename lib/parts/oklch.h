@@ -1,0 +1,26 @@
+#pragma once
+// Colours by lightness, chroma and hue, as they are seen.
+//
+// Source. Björn Ottosson, "A perceptual color space for image processing" (2020): OKLab and its polar form.
+
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace mien {
+
+/// Lightness 0 … 1, chroma 0 … 0.37 or so, hue in degrees.
+struct Oklch {
+  double lightness = 0, chroma = 0, hue = 0;
+
+  /// L, a, b.
+  glm::dvec3 lab() const;
+  static Oklch from_lab(glm::dvec3 lab);
+};
+
+/// How far two colours are apart, as seen: 0.02 is just noticed.
+double apart(const Oklch& a, const Oklch& b);
+
+/// "#rrggbbaa", or without the alpha where it is 1. Chroma is lowered until the colour can be shown.
+std::string hex_of(const Oklch& color, double alpha = 1);
+
+}  // namespace mien

@@ -1,0 +1,190 @@
+#include "lib/parts/part_geometry.h"
+#include "lib/base/nearest_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mien {
+
+glm::dvec2 PartFrame::vector(glm::dvec2 v) const {
+  v *= scale;
+  return {v.x * cosine - v.y * sine, v.x * sine + v.y * cosine};
+}
+
+glm::dvec2 PartFrame::place(glm::dvec2 p) const {
+  if (from.x != 0.0 && p.x <= 0.0) {  // a frame of the left side: what lies right is its image
+    const glm::dvec2 image = p.x < 0.0 ? place({-p.x, p.y}) : to + vector(p - from);
+    return {-image.x * (p.x < 0.0 ? 1.0 : 0.0), image.y};
+  }
+  const double share = std::clamp((p.y - lift_from) / (lift_to - lift_from), 0.0, 1.0);
+  return to + vector(p - from) + glm::dvec2{0.0, lift * share};
+}
+
+PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe)
+    : library_(library), recipe_(recipe) {
+  const Reading& in = library.topology().in();
+  const JsonNode& root = *library.topology().node;
+  in.for_each(in.need(root, "anchors"), [&](const JsonNode& node, int) {
+    anchors_.emplace(in.tree.key(node), in.string(node));
+  });
+  in.for_each(in.need(root, "frames"), [&](const JsonNode& node, int) {
+    PartFrame made;
+    made.from = pair(in, in.need(node, "from"), "");
+    made.to = pair(in, in.need(node, "to"), "");
+    if (const JsonNode* scale = in.find(node, "scale")) made.scale = pair(in, *scale, "");
+    if (const JsonNode* tilt = in.find(node, "tilt")) {
+      const double angle = scalar(in, *tilt, "") * std::numbers::pi / 180;
+      made.cosine = std::cos(angle), made.sine = std::sin(angle);
+    }
+    if (const JsonNode* lift = in.find(node, "lift")) {
+      made.lift = scalar(in, in.need(*lift, "by"), "");
+      std::tie(made.lift_from, made.lift_to) = in.range(in.need(*lift, "between"));
+    }
+    frames_.emplace(in.tree.key(node), made);
+  });
+}
+
+double PartGeometry::value(std::string_view number) const {
+  const auto given = recipe_.numbers.find(std::string(number));
+  return given != recipe_.numbers.end() ? given->second : library_.find_number(number)->rest;
+}
+
+double PartGeometry::offset(const Reading& in, const JsonNode& node,
+                            std::string_view family) const {
+  const std::string_view name = in.tree.key(node);
+  const std::string own = fmt::format("{}.{}", family, name);
+  const LibraryNumber* number = library_.find_number(own);
+  if (!number) number = library_.find_number(name);
+  if (!number) {
+    std::vector<std::string_view> names;
+    for (const LibraryNumber& one : library_.numbers()) names.push_back(one.name);
+    in.refuse(node, unknown_name("number", name, names));
+  }
+  return value(number->name) - number->rest;
+}
+
+template <class Each>
+void PartGeometry::each_add(const Reading& in, const JsonNode& node, std::string_view family,
+                            Each&& each) const {
+  if (const JsonNode* adds = in.find(node, "adds"))
+    in.for_each(*adds, [&](const JsonNode& add, int) { each(offset(in, add, family), add); });
+}
+
+/// A value that a part tells.
+double PartGeometry::told(const Reading& in, const JsonNode& name) const {
+  const auto found = values_.find(in.string(name));
+  if (found != values_.end()) return found->second;
+  std::vector<std::string_view> names;
+  for (const auto& [known, value] : values_) names.push_back(known);
+  in.refuse(name, unknown_name("value that a part tells", in.string(name), names));
+}
+
+double PartGeometry::scalar(const Reading& in, const JsonNode& node,
+                            std::string_view family) const {
+  if (node.kind != JsonKind::object) return in.number(node);
+  double sum = 0.0;
+  if (const JsonNode* of = in.find(node, "of")) {
+    sum = told(in, *of);
+  } else {
+    sum = in.number(in.need(node, "is"));
+  }
+  each_add(in, node, family, [&](double by, const JsonNode& add) { sum += by * in.number(add); });
+  if (const JsonNode* times = in.find(node, "times"))
+    sum *= value(library_.find_number(in.string(*times))
+                     ? in.string(*times)
+                     : fmt::format("{}.{}", family, in.string(*times)));
+  if (const JsonNode* least = in.find(node, "least")) sum = std::max(sum, in.number(*least));
+  if (const JsonNode* most = in.find(node, "most")) sum = std::min(sum, in.number(*most));
+  return sum;
+}
+
+glm::dvec2 PartGeometry::pair(const Reading& in, const JsonNode& node,
+                              std::string_view family) const {
+  if (const JsonNode* radius = node.kind == JsonKind::object ? in.find(node, "radius") : nullptr) {
+    const std::vector<double> times = in.numbers(in.need(node, "times"), 2, 2);
+    return told(in, *radius) * glm::dvec2{times[0], times[1]};
+  }
+  const bool plain = node.kind == JsonKind::array;
+  const std::vector<double> two = in.numbers(plain ? node : in.need(node, "xy"), 2, 2);
+  glm::dvec2 sum{two[0], two[1]};
+  if (plain) return sum;
+  each_add(in, node, family, [&](double by, const JsonNode& add) {
+    const std::vector<double> way = in.numbers(add, 2, 2);
+    sum += by * glm::dvec2{way[0], way[1]};
+  });
+  return sum;
+}
+
+const PartPoint* PartGeometry::find_point(std::string_view name) const {
+  if (const auto other = anchors_.find(name); other != anchors_.end()) name = other->second;
+  const auto found = points_.find(name);
+  return found == points_.end() ? nullptr : &found->second;
+}
+
+FoundPoint PartGeometry::beside(const Reading& in, const JsonNode& at,
+                                std::optional<double> share) const {
+  const std::string_view name = share ? in.tree.key(at) : in.string(at);
+  const PartPoint* point = find_point(name);
+  if (!point) {
+    std::vector<std::string_view> names;
+    for (const auto& [known, slice] : anchors_) names.push_back(known);
+    for (const auto& [known, place] : points_) names.push_back(known);
+    in.refuse(at, unknown_name("point", name, names));
+  }
+  FoundPoint found{point->at, point->depth, {}};
+  if (!point->slice.empty()) found.rides.emplace_back(point->slice, share.value_or(1.0));
+  return found;
+}
+
+FoundPoint PartGeometry::point(const Reading& in, const JsonNode& node, const PartFrame& frame,
+                               std::string_view family) const {
+  FoundPoint found;
+  const JsonNode* at = node.kind == JsonKind::object ? in.find(node, "at") : nullptr;
+  if (!at) {
+    found.at = frame.place(pair(in, node, family));
+  } else {
+    if (at->kind == JsonKind::object) {
+      in.for_each(*at, [&](const JsonNode& one, int) {
+        const double share = in.number(one);
+        const FoundPoint other = beside(in, one, share);
+        found.at += share * other.at;
+        if (other.depth) found.depth = found.depth.value_or(0.0) + share * *other.depth;
+        found.rides.insert(found.rides.end(), other.rides.begin(), other.rides.end());
+      });
+    } else {
+      found = beside(in, *at, {});
+    }
+    // Of the other side; what is added is not: a glint is on the lamp's side in both eyes.
+    if (const JsonNode* other = in.find(node, "mirrored"); other && in.boolean(*other))
+      found.at.x = -found.at.x;
+    if (const JsonNode* plus = in.find(node, "plus"))
+      found.at += frame.vector(pair(in, *plus, family));
+    each_add(in, node, family, [&](double by, const JsonNode& add) {
+      const std::vector<double> way = in.numbers(add, 2, 2);
+      found.at += by * frame.vector({way[0], way[1]});
+    });
+  }
+  if (node.kind != JsonKind::object) return found;
+  if (const JsonNode* depth = in.find(node, "turn")) found.depth = in.number(*depth);
+  if (const JsonNode* rides = in.find(node, "rides")) {
+    found.rides.clear();
+    in.for_each(*rides, [&](const JsonNode& one, int) {
+      const FoundPoint other = beside(in, one, in.number(one));
+      found.rides.insert(found.rides.end(), other.rides.begin(), other.rides.end());
+    });
+  }
+  return found;
+}
+
+const PartFrame& PartGeometry::frame(const Reading& in, const JsonNode& node) const {
+  const auto found = frames_.find(in.string(node));
+  if (found != frames_.end()) return found->second;
+  std::vector<std::string_view> names;
+  for (const auto& [name, frame] : frames_) names.push_back(name);
+  in.refuse(node, unknown_name("frame", in.string(node), names));
+}
+
+}  // namespace mien

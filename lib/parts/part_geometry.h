@@ -1,0 +1,90 @@
+#pragma once
+// Where things are on one face: numbers, frames and points as the library's files write them.
+//
+//   number   0.056   or   {"is": 0.056, "adds": {"brow.thickness": 0.056}}
+//            {"of": "lid.inner"}                                              a value that a part tells
+//   radii    {"radius": "iris.radius", "times": [0.87, 1]}
+//   point    [x, y]  or   {"xy": [x, y], "adds": {"jaw": [1, 0]}}             in the frame
+//            {"at": "mouth.corner", "plus": [0.03, 0.06]}                     beside a point of the face
+//            {"at": {"mouth.corner": 0.8, "head.jaw": 0.2}, "plus": [x, y]}   a weighted sum of such
+//
+// "adds" counts by how far a number is from its rest, so that every file shows the face at rest.
+
+#include "lib/parts/part_library.h"
+#include "lib/parts/recipe.h"
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+/// Canonical coordinates to the face's: about `from`, scaled, turned, moved to `to`.
+struct PartFrame {
+  glm::dvec2 from{0.0}, to{0.0}, scale{1.0};
+  double cosine = 1, sine = 0;
+  double lift = 0, lift_from = 0, lift_to = 1;  ///< what is above rises, all of it from lift_to on
+
+  glm::dvec2 vector(glm::dvec2 v) const;
+  glm::dvec2 place(glm::dvec2 p) const;
+  double length(double l) const { return l * 0.5 * (scale.x + scale.y); }
+};
+
+/// A point that others can be beside: how deep it lies for the head's turn, and what it is called in
+/// the face, if anything moves it there.
+struct PartPoint {
+  glm::dvec2 at{0.0};
+  std::optional<double> depth;
+  std::string slice;  ///< "upper_edge/spine/2"; empty: of no feature
+};
+
+/// A point of a file, found.
+struct FoundPoint {
+  glm::dvec2 at{0.0};
+  std::optional<double> depth;
+  std::vector<std::pair<std::string, double>> rides;  ///< slices it moves with, and how much
+};
+
+class PartGeometry {
+ public:
+  PartGeometry(const PartLibrary& library, const Recipe& recipe);
+
+  /// The number's value in this recipe.
+  double value(std::string_view number) const;
+
+  /// `family`: whose own numbers may be called without its name.
+  double scalar(const Reading& in, const JsonNode& node, std::string_view family) const;
+  glm::dvec2 pair(const Reading& in, const JsonNode& node, std::string_view family) const;
+  FoundPoint point(const Reading& in, const JsonNode& node, const PartFrame& frame,
+                   std::string_view family) const;
+
+  const PartFrame& frame(const Reading& in, const JsonNode& node) const;
+
+  void add_point(std::string name, PartPoint point) {
+    points_.insert_or_assign(std::move(name), std::move(point));
+  }
+  void add_value(std::string name, double value) {
+    values_.insert_or_assign(std::move(name), value);
+  }
+  const PartPoint* find_point(std::string_view name) const;
+
+ private:
+  double told(const Reading& in, const JsonNode& name) const;
+  double offset(const Reading& in, const JsonNode& node, std::string_view family) const;
+  template <class Each>
+  void each_add(const Reading& in, const JsonNode& node, std::string_view family,
+                Each&& each) const;
+  FoundPoint beside(const Reading& in, const JsonNode& at, std::optional<double> share) const;
+
+  const PartLibrary& library_;
+  const Recipe& recipe_;
+  std::map<std::string, PartFrame, std::less<>> frames_;
+  std::map<std::string, PartPoint, std::less<>> points_;
+  std::map<std::string, double, std::less<>> values_;
+  std::map<std::string, std::string, std::less<>> anchors_;  ///< other names of points
+};
+
+}  // namespace mien

@@ -1,0 +1,147 @@
+#include "lib/parts/part_library.h"
+#include "lib/base/nearest_name.h"
+#include "lib/parts/shipped_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mien {
+namespace {
+
+constexpr int kMostField = 1023;  // what two signs of a code hold
+
+int permanent_number(const Reading& in, const JsonNode& of) {
+  const JsonNode& node = in.need(of, "number");
+  const double number = in.number(node);
+  if (!(number >= 0 && number <= kMostField && number == double(int(number))))
+    in.refuse(node, fmt::format("a permanent number is an integer from 0 to {}", kMostField));
+  return int(number);
+}
+
+template <class T>
+const T* named(const std::vector<T>& all, std::string_view name) {
+  const auto found = std::ranges::find_if(all, [&](const T& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Part* Family::find(std::string_view part) const {
+  return named(parts, part);
+}
+
+const Family* PartLibrary::find_family(std::string_view name) const {
+  return named(families_, name);
+}
+
+const LibraryNumber* PartLibrary::find_number(std::string_view name) const {
+  return named(numbers_, name);
+}
+
+void PartLibrary::read_numbers(const LibraryNode& from, std::string_view family) {
+  const Reading& in = from.in();
+  const JsonNode* all = in.find(*from.node, "numbers");
+  if (!all) return;
+  in.expect(*all, JsonKind::object);
+  in.for_each(*all, [&](const JsonNode& node, int) {
+    LibraryNumber made{.name = std::string(in.tree.key(node)),
+                       .number = permanent_number(in, node)};
+    if (!family.empty()) made.name = fmt::format("{}.{}", family, made.name);
+    std::tie(made.lo, made.hi) = in.range(in.need(node, "range"));
+    const JsonNode& rest = in.need(node, "rest");
+    made.rest = in.number(rest);
+    if (const JsonNode* law = in.find(node, "sampled")) made.law = {from.file, law};
+    if (!(made.rest >= made.lo && made.rest <= made.hi))
+      in.refuse(rest, "a number rests within its range");
+    if (const LibraryNumber* known = find_number(made.name)) {  // parts of a family may share one
+      if (known->number != made.number || known->lo != made.lo || known->hi != made.hi ||
+          known->rest != made.rest)
+        in.refuse(node, fmt::format("\"{}\" is another number in another part", made.name));
+      return;
+    }
+    for (const LibraryNumber& other : numbers_)
+      if (other.number == made.number)
+        in.refuse(node, fmt::format("\"{}\" has the same permanent number", other.name));
+    numbers_.push_back(std::move(made));
+  });
+}
+
+void PartLibrary::read_topology(const LibraryNode& root) {
+  const Reading& in = root.in();
+  topology_ = root;
+  const JsonNode& families = in.need(*root.node, "families");
+  in.expect(families, JsonKind::array);
+  in.for_each(families, [&](const JsonNode& node, int) {
+    const JsonNode* optional = in.find(node, "optional");
+    families_.push_back({.name = in.name(in.need(node, "name")),
+                         .number = permanent_number(in, node),
+                         .optional = optional && in.boolean(*optional),
+                         .at = {root.file, &node},
+                         .parts = {}});
+  });
+  read_numbers(root, "");
+  const JsonNode& styles = in.need(*root.node, "styles");
+  in.expect(styles, JsonKind::object);
+  in.for_each(styles,
+              [&](const JsonNode& style, int) { styles_.emplace_back(in.tree.key(style)); });
+}
+
+void PartLibrary::read_part(const LibraryNode& part) {
+  const Reading& in = part.in();
+  const JsonNode& family_node = in.need(*part.node, "family");
+  const std::string_view family_name = in.string(family_node);
+  const auto family =
+      std::ranges::find_if(families_, [&](const Family& f) { return f.name == family_name; });
+  if (family == families_.end()) {
+    std::vector<std::string_view> names;
+    for (const Family& f : families_) names.push_back(f.name);
+    in.refuse(family_node, unknown_name("family", family_name, names));
+  }
+  Part made{in.name(in.need(*part.node, "name")), permanent_number(in, *part.node), part};
+  for (const Part& other : family->parts)
+    if (other.name == made.name || other.number == made.number)
+      in.refuse(*part.node,
+                fmt::format("\"{}\" has the same name or permanent number", other.name));
+  family->parts.push_back(std::move(made));
+  read_numbers(part, family_name);
+}
+
+Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>& texts) {
+  auto library = std::make_unique<PartLibrary>();
+  try {
+    for (const Text& text : texts) {
+      auto tree = JsonTree::read(text.bytes, text.name, {});
+      if (!tree) return tree.error();
+      library->files_.emplace_back(std::string(text.name), text.bytes, *std::move(tree));
+    }
+    const auto format_of = [](const LibraryFile& file) {
+      return file.reading.string(file.reading.need(file.tree.root(), "format"));
+    };
+    for (const LibraryFile& file : library->files_)
+      if (format_of(file) == "mien-topology") library->read_topology({&file, &file.tree.root()});
+    if (!library->topology_.node) return Error{"parts", "there is no topology among them"};
+    for (const LibraryFile& file : library->files_) {
+      const Reading& in = file.reading;
+      if (format_of(file) == "mien-part") library->read_part({&file, &file.tree.root()});
+      if (format_of(file) != "mien-parts") continue;
+      in.for_each(in.need(file.tree.root(), "parts"), [&](const JsonNode& node, int) {
+        library->read_part({&file, &node});
+      });
+    }
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  }
+  return library;
+}
+
+const PartLibrary& PartLibrary::shipped() {
+  static const std::unique_ptr<PartLibrary> library = [] {
+    std::vector<Text> texts;
+    for (const ShippedPart& part : shipped_parts()) texts.push_back({part.name, part.text});
+    return std::move(PartLibrary::read(texts)).value();  // a test reads it
+  }();
+  return *library;
+}
+
+}  // namespace mien

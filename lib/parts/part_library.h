@@ -1,0 +1,94 @@
+#pragma once
+// An edition: its topology, families of parts, numbers and styles, as JSON that was read once.
+
+#include <mien/expected.h>
+#include "lib/file/json/reading.h"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+/// A file of the library, and the tree its parts refer to.
+struct LibraryFile {
+  LibraryFile(std::string file_name, std::string_view bytes, JsonTree json)
+      : name(std::move(file_name)),
+        text(bytes),
+        tree(std::move(json)),
+        reading(tree, limits, nullptr) {}
+  LibraryFile(const LibraryFile&) = delete;
+
+  std::string name;
+  std::string_view text;
+  JsonTree tree;
+  FaceLimits limits;
+  mutable Reading reading;
+};
+
+/// An object in one of the files.
+struct LibraryNode {
+  const LibraryFile* file = nullptr;
+  const JsonNode* node = nullptr;
+
+  const Reading& in() const { return file->reading; }
+};
+
+struct Part {
+  std::string name;
+  int number = 0;  ///< permanent, in its family
+  LibraryNode at;
+};
+
+struct Family {
+  std::string name;
+  int number = 0;  ///< permanent; as a field of codes
+  bool optional = false;
+  LibraryNode at;
+  std::vector<Part> parts;
+
+  const Part* find(std::string_view part) const;
+};
+
+struct LibraryNumber {
+  std::string name;
+  int number = 0;  ///< permanent; as a field of codes
+  double lo = 0, hi = 0, rest = 0;
+  LibraryNode law;  ///< how it is sampled; none: at rest
+};
+
+class PartLibrary {
+ public:
+  /// The newest edition, compiled in.
+  static const PartLibrary& shipped();
+
+  struct Text {
+    std::string_view name, bytes;  ///< "hair/bob.part.json"; both outlive the library
+  };
+  /// Reads an edition: one topology, and files of parts.
+  static Expected<std::unique_ptr<PartLibrary>> read(const std::vector<Text>& texts);
+
+  const LibraryNode& topology() const { return topology_; }
+  const std::vector<Family>& families() const { return families_; }
+  const std::vector<LibraryNumber>& numbers() const { return numbers_; }
+  const std::vector<std::string>& styles() const { return styles_; }
+
+  const Family* find_family(std::string_view name) const;
+  const LibraryNumber* find_number(std::string_view name) const;
+
+ private:
+  void read_topology(const LibraryNode& root);
+  void read_part(const LibraryNode& part);
+  void read_numbers(const LibraryNode& from, std::string_view family);
+
+  std::deque<LibraryFile> files_;
+  LibraryNode topology_;
+  std::vector<Family> families_;
+  std::vector<LibraryNumber> numbers_;
+  std::vector<std::string> styles_;
+};
+
+}  // namespace mien

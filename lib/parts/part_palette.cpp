@@ -1,0 +1,151 @@
+#include "lib/parts/part_palette.h"
+#include "lib/base/nearest_name.h"
+#include "lib/file/json/json_text.h"
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace mien {
+namespace {
+
+Oklch read_oklch(const Reading& in, const JsonNode& node) {
+  const std::vector<double> three = in.numbers(node, 3, 3);
+  return {three[0], three[1], three[2]};
+}
+
+struct Toned {
+  Oklch color;
+  double alpha = 1;
+  std::string text;  ///< of a colour that the file spells itself
+};
+
+class PaletteRules {
+ public:
+  PaletteRules(const PartLibrary& library, const Recipe& recipe, const PartGeometry& geometry)
+      : library_(library), recipe_(recipe), geometry_(geometry) {
+    skin_ = skin_color(library, geometry.value("skin.tone"), geometry.value("skin.undertone"));
+    constexpr double kLightest = 0.93, kSpan = 0.6;
+    darkness_ = (kLightest - skin_.lightness) / kSpan;
+  }
+
+  void read(const Reading& in, const JsonNode& rules) {
+    in.for_each(rules, [&](const JsonNode& rule, int) {
+      colors_.insert_or_assign(std::string(in.tree.key(rule)), made(in, rule));
+    });
+  }
+
+  std::string text() const {
+    std::string all;
+    for (const auto& [name, toned] : colors_)
+      all += fmt::format(
+          "{}{}: {}", all.empty() ? "{" : ", ", json_string(name),
+          json_string(toned.text.empty() ? hex_of(toned.color, toned.alpha) : toned.text));
+    return all + "}";
+  }
+
+ private:
+  const Toned& known(const Reading& in, const JsonNode& node) const {
+    const auto found = colors_.find(in.string(node));
+    if (found != colors_.end()) return found->second;
+    std::vector<std::string_view> names;
+    for (const auto& [name, toned] : colors_) names.push_back(name);
+    in.refuse(node, unknown_name("colour", in.string(node), names));
+  }
+
+  /// a, or a + b · darkness of the skin.
+  double by_darkness(const Reading& in, const JsonNode& rule, std::string_view key,
+                     double otherwise) const {
+    const JsonNode* node = in.find(rule, key);
+    if (!node) return otherwise;
+    if (node->kind == JsonKind::number) return in.number(*node);
+    const std::vector<double> two = in.numbers(*node, 2, 2);
+    return two[0] + two[1] * darkness_;
+  }
+
+  Toned made(const Reading& in, const JsonNode& rule) const {
+    if (rule.kind == JsonKind::string) {
+      const std::string_view text = in.string(rule);
+      if (!text.empty() && text[0] == '#') return {{}, 1, std::string(text)};
+      return known(in, rule);
+    }
+    Toned toned = base(in, rule);
+    Oklch& c = toned.color;
+    if (const JsonNode* of = in.find(rule, "L_of")) c.lightness = known(in, *of).color.lightness;
+    c.lightness = c.lightness * by_darkness(in, rule, "L_times", 1) + by_darkness(in, rule, "L", 0);
+    c.chroma = c.chroma * by_darkness(in, rule, "C_times", 1) + by_darkness(in, rule, "C", 0);
+    c.hue += by_darkness(in, rule, "h", 0);
+    if (const JsonNode* adds = in.find(rule, "adds"))
+      in.for_each(*adds, [&](const JsonNode& add, int) {
+        const double by = geometry_.value(in.tree.key(add));
+        const Oklch more = read_oklch(in, add);
+        c = {c.lightness + by * more.lightness, c.chroma + by * more.chroma, c.hue + by * more.hue};
+      });
+    c.lightness = std::clamp(c.lightness, by_darkness(in, rule, "least", 0),
+                             by_darkness(in, rule, "most", 1));
+    c.chroma = std::max(c.chroma, 0.0);
+    toned.alpha = by_darkness(in, rule, "alpha", 1);
+    return toned;
+  }
+
+  Toned base(const Reading& in, const JsonNode& rule) const {
+    if (in.find(rule, "skin")) return {skin_, 1, {}};
+    if (const JsonNode* is = in.find(rule, "is")) return {read_oklch(in, *is), 1, {}};
+    if (const JsonNode* from = in.find(rule, "from")) return {known(in, *from).color, 1, {}};
+    if (const JsonNode* family = in.find(rule, "part")) {
+      const Part* part = chosen_part(library_, recipe_, in.string(*family));
+      if (part) return {color_of(*part), 1, {}};
+      return {known(in, in.need(rule, "else")).color, 1, {}};
+    }
+    const JsonNode& both = in.need(rule, "mix");
+    const JsonNode& first = *in.tree.first(both);
+    // In OKLab a mixture never has a hue that neither has.
+    const glm::dvec3 a = known(in, first).color.lab(),
+                     b = known(in, *in.tree.next(first)).color.lab();
+    return {Oklch::from_lab(glm::mix(a, b, in.number(in.need(rule, "share")))), 1, {}};
+  }
+
+  const PartLibrary& library_;
+  const Recipe& recipe_;
+  const PartGeometry& geometry_;
+  Oklch skin_;
+  double darkness_ = 0;
+  std::map<std::string, Toned, std::less<>> colors_;
+};
+
+}  // namespace
+
+const Part* chosen_part(const PartLibrary& library, const Recipe& recipe, std::string_view family) {
+  const auto chosen = recipe.parts.find(std::string(family));
+  return chosen == recipe.parts.end() ? nullptr : library.find_family(family)->find(chosen->second);
+}
+
+Oklch color_of(const Part& part) {
+  return read_oklch(part.at.in(), part.at.in().need(*part.at.node, "color"));
+}
+
+Oklch skin_color(const PartLibrary& library, double tone, double undertone) {
+  constexpr double kTurn = 8;  // [degrees] of hue that an undertone of 1 makes
+  const Reading& in = library.topology().in();
+  std::vector<Oklch> tones;
+  in.for_each(in.need(*library.topology().node, "skin_tones"),
+              [&](const JsonNode& node, int) { tones.push_back(read_oklch(in, node)); });
+  const double at = std::clamp(tone - 1, 0.0, double(tones.size()) - 1.001);
+  const Oklch &a = tones[std::size_t(at)], &b = tones[std::size_t(at) + 1];
+  const double share = at - double(std::size_t(at));
+  return {std::lerp(a.lightness, b.lightness, share), std::lerp(a.chroma, b.chroma, share),
+          std::lerp(a.hue, b.hue, share) + kTurn * undertone};
+}
+
+std::string palette_text(const PartLibrary& library, const Recipe& recipe,
+                         const PartGeometry& geometry, const PartStyle& style) {
+  PaletteRules rules(library, recipe, geometry);
+  const LibraryNode& topology = library.topology();
+  rules.read(topology.in(), topology.in().need(*topology.node, "palette"));
+  if (const JsonNode* own = style.palette()) rules.read(style.in(), *own);
+  return rules.text();
+}
+
+}  // namespace mien

@@ -1,0 +1,27 @@
+#pragma once
+// All colours of a face, from the few that its recipe chooses.
+
+#include "lib/parts/oklch.h"
+#include "lib/parts/part_geometry.h"
+#include "lib/parts/part_style.h"
+
+#include <string>
+
+namespace mien {
+
+/// The part that a recipe takes of a family; null: none.
+const Part* chosen_part(const PartLibrary& library, const Recipe& recipe, std::string_view family);
+
+/// The colour that a part is: {"color": [L, C, h]}.
+Oklch color_of(const Part& part);
+
+/// The skin's, of a tone from 1 to 10 as the Monk scale counts.
+Oklch skin_color(const PartLibrary& library, double tone, double undertone);
+
+/// The palette of a face file, as text. A rule is {"is": [L, C, h]}, {"part": FAMILY}, {"skin": true},
+/// {"from": COLOUR, "L": a or [a, by darkness], "C": …, "h": …} or {"mix": [COLOUR, COLOUR], "share": s}, each
+/// with "alpha"; or "#rrggbb", or another colour's name.
+std::string palette_text(const PartLibrary& library, const Recipe& recipe,
+                         const PartGeometry& geometry, const PartStyle& style);
+
+}  // namespace mien

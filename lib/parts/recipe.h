@@ -1,0 +1,61 @@
+#pragma once
+// What a face is made of: a part of each family, numbers, a style. Small enough to read.
+
+#include <mien/api.h>
+#include <mien/expected.h>
+#include <mien/face.h>
+#include <mien/face_code.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+struct Recipe {
+  std::string name;                          ///< of the face
+  std::string code;                          ///< that it was made from; empty: of none
+  std::map<std::string, std::string> parts;  ///< by family; families that are not there have none
+  std::map<std::string, double> numbers;     ///< by name; others are at rest
+  std::string style = "soft";
+};
+
+/// The recipe of a seed in the newest edition.
+MIEN_API Recipe recipe_from_seed(std::uint64_t seed);
+
+/// The recipe of a code. The error says which edition or held value is not known.
+MIEN_API Expected<Recipe> recipe_from_code(const FaceCode& code);
+
+/// The face: parts are put together, then all is as if it had been read from a file. The error names
+/// what is unknown or out of range, with the nearest known name.
+MIEN_API Expected<Face> face_from_recipe(const Recipe& recipe);
+
+/// The same as the text of a face file, format version 1.
+MIEN_API Expected<std::string> face_text_from_recipe(const Recipe& recipe);
+
+/// The face of a code, as text: "ZA7Q2-MKX4T-B1".
+MIEN_API Expected<Face> face_from_code(std::string_view code);
+
+/// A family of parts, as `mien parts` lists it.
+struct PartFamily {
+  std::string name;
+  std::vector<std::string> parts;
+  bool optional;  ///< a face may have none
+};
+MIEN_API std::vector<PartFamily> part_families();
+
+/// A number that a recipe may hold.
+struct PartNumber {
+  std::string name;
+  double lo, hi, rest;
+};
+MIEN_API std::vector<PartNumber> part_numbers();
+
+MIEN_API std::vector<std::string> part_styles();
+
+/// What a code can hold: the field's permanent number and the value's, from "hair=bob" or
+/// "eye.size=1.05". `clamp`: values out of range are taken as the nearer end.
+MIEN_API Expected<HeldValue> read_held_value(std::string_view text, bool clamp = false);
+
+}  // namespace mien

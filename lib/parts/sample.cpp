@@ -1,0 +1,303 @@
+// A seed becomes a recipe. Every choice is keyed by the permanent number of what is chosen, so a part or a number more
+// changes only the faces that get it.
+
+#include <mien/recipe.h>
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/parts/keyed_chance.h"
+#include "lib/parts/part_library.h"
+#include "lib/parts/part_palette.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace mien {
+namespace {
+
+constexpr char kEdition = 'Z';  // the trial edition: its faces may still change
+constexpr int kNone = 1023;     // a held value: no part of the family
+constexpr int kSteps = 1023;    // of a number's range
+
+// Questions that no family and no number asks.
+constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 2003, kHeavy = 2004,
+                        kLong = 2005, kCoily = 2006;
+
+/// What a person is like before any part is chosen, each from 0 to 1 or −1 to 1.
+struct Axes {
+  double age = 30;  ///< [years]
+  double child = 0, elder = 0;
+  double lean = 0;  ///< −1 feminine, 1 masculine; people between them are as likely
+  double heavy = 0, lengthy = 0;
+  double dark = 0;  ///< of the skin
+  double coily = 0;
+
+  double of(const Reading& in, const JsonNode& node) const {
+    const std::array<std::pair<std::string_view, double>, 13> all{
+        {{"any", 1.0},
+         {"lean", lean},
+         {"masculine", std::max(lean, 0.0)},
+         {"feminine", std::max(-lean, 0.0)},
+         {"child", child},
+         {"adult", 1.0 - child},
+         {"elder", elder},
+         {"young", 1.0 - elder},
+         {"heavy", heavy},
+         {"long", lengthy},
+         {"dark", dark},
+         {"light", 1.0 - dark},
+         {"coily", coily}}};
+    const std::string_view key = in.tree.key(node);
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : all) {
+      if (name == key) return value;
+      names.push_back(name);
+    }
+    in.refuse(node, unknown_name("axis", key, names));
+  }
+};
+
+int sampled_age(const KeyedChance& chance) {
+  struct Band {
+    double until;
+    int youngest, oldest;
+  };
+  constexpr std::array<Band, 5> kBands{
+      {{0.46, 20, 44}, {0.65, 45, 64}, {0.78, 65, 88}, {0.87, 13, 19}, {1.0, 5, 12}}};
+  const double which = chance.share(kAgeBand);
+  const Band& band = *std::ranges::find_if(kBands, [&](const Band& b) { return which < b.until; });
+  return band.youngest + int(chance.share(kAge) * (band.oldest - band.youngest + 1));
+}
+
+class Sampler {
+ public:
+  Sampler(const PartLibrary& library, const FaceCode& code)
+      : library_(library), code_(code), chance_(code.seed) {}
+
+  Recipe recipe() {
+    lean_on_axes();
+    recipe_.code = face_code_text(code_);
+    recipe_.name = "face-" + recipe_.code;
+    for (const LibraryNumber& number : library_.numbers()) choose(number);
+    for (const Family& family : library_.families()) choose(family);
+    return std::move(recipe_);
+  }
+
+ private:
+  const int* held(int field) const {
+    for (const HeldValue& one : code_.held)
+      if (one.field == field) return &one.value;
+    return nullptr;
+  }
+
+  void lean_on_axes() {
+    constexpr double kGrown = 16, kChildYears = 11, kOld = 50, kOldYears = 35;
+    const LibraryNumber* tone = library_.find_number("skin.tone");
+    choose(*tone);
+    axes_.dark = (recipe_.numbers[tone->name] - tone->lo) / (tone->hi - tone->lo);
+    const LibraryNumber* age = library_.find_number("age");
+    const int* years = held(age->number);
+    axes_.age = years ? age->lo + *years * (age->hi - age->lo) / kSteps : sampled_age(chance_);
+    recipe_.numbers[age->name] = axes_.age;
+    axes_.child = std::clamp((kGrown - axes_.age) / kChildYears, 0.0, 1.0);
+    axes_.elder = std::clamp((axes_.age - kOld) / kOldYears, 0.0, 1.0);
+    const double side = chance_.share(kLeanSide) < 0.5 ? -1.0 : 1.0;
+    axes_.lean = side * (0.35 + 0.65 * chance_.share(kLean)) * (1.0 - 0.75 * axes_.child);
+    axes_.heavy = 2.0 * chance_.bell(kHeavy), axes_.lengthy = 2.0 * chance_.bell(kLong);
+    axes_.coily =
+        std::clamp((axes_.dark - 0.25) / 0.6, 0.0, 1.0) * (0.6 + 0.4 * chance_.share(kCoily));
+  }
+
+  double sum(const Reading& in, const JsonNode& law) const {
+    double all = 0.0;
+    in.for_each(law, [&](const JsonNode& node, int) {
+      const std::string_view key = in.tree.key(node);
+      if (key != "spread" && key != "even" && key != "chance")
+        all += in.number(node) * axes_.of(in, node);
+    });
+    return all;
+  }
+
+  void choose(const LibraryNumber& number) {
+    if (recipe_.numbers.contains(number.name)) return;
+    const auto question = std::uint64_t(number.number);
+    double value = number.rest;
+    if (number.law.node) {
+      const Reading& in = number.law.in();
+      const JsonNode& law = *number.law.node;
+      const auto find = [&](std::string_view key) {
+        const JsonNode* node = in.find(law, key);
+        return node ? in.number(*node) : 0.0;
+      };
+      const JsonNode* seldom = in.find(law, "chance");
+      if (!seldom || chance_.share(question + 10000) < in.number(*seldom))
+        value += sum(in, law) + 2.0 * find("spread") * chance_.bell(question) +
+                 find("even") * chance_.share(question);
+    }
+    // A code holds 1023 steps: what a seed says it can hold, too.
+    const double range = number.hi - number.lo;
+    double step = std::floor(std::clamp((value - number.lo) / range, 0.0, 1.0) * kSteps + 0.5);
+    if (const int* own = held(number.number)) step = *own;
+    recipe_.numbers[number.name] = number.lo + step * range / kSteps;
+  }
+
+  int tickets(const Reading& in, const JsonNode* law) const {
+    constexpr int kMost = 64;
+    return law ? std::clamp(int(std::floor(sum(in, *law) + 0.5)), 0, kMost) : 8;
+  }
+
+  struct Drawn {
+    std::uint64_t best;
+    const Part* part;  ///< none: no part of the family
+  };
+
+  std::uint64_t best_of(const Family& family, int part, int tickets) const {
+    std::uint64_t best = 0;
+    for (int i = 0; i < tickets; ++i)
+      best = std::max(best, chance_.bits(std::uint64_t(family.number),
+                                         std::uint64_t(part) * 64 + std::uint64_t(i)));
+    return best;
+  }
+
+  void choose(const Family& family) {
+    std::vector<Drawn> drawn;
+    for (const Part& part : family.parts) {
+      const Reading& in = part.at.in();
+      const std::uint64_t best =
+          best_of(family, part.number, tickets(in, in.find(*part.at.node, "tickets")));
+      if (best > 0) drawn.push_back({best, &part});
+    }
+    const Reading& in = family.at.in();
+    if (family.optional)
+      drawn.push_back(
+          {best_of(family, kNone, tickets(in, in.find(*family.at.node, "none"))), nullptr});
+    std::ranges::sort(drawn, [](const Drawn& a, const Drawn& b) { return a.best > b.best; });
+    const Part* part = drawn.empty() ? nullptr : drawn[0].part;
+    if (const JsonNode* far = in.find(*family.at.node, "apart"))
+      for (const Drawn& one : drawn)
+        if (one.part && is_apart(in, *far, *one.part)) {
+          part = one.part;
+          break;
+        }
+    if (const int* own = held(family.number)) {
+      part = nullptr;
+      for (const Part& one : family.parts)
+        if (one.number == *own) part = &one;
+    }
+    if (part) recipe_.parts[family.name] = part->name;
+  }
+
+  /// Whether a colour is far enough from those it is seen beside: {"skin": 0.16, "hair_color": 0.2}.
+  bool is_apart(const Reading& in, const JsonNode& far, const Part& part) const {
+    bool is = true;
+    in.for_each(far, [&](const JsonNode& node, int) {
+      const std::string_view other = in.tree.key(node);
+      Oklch beside;
+      if (other == "skin") {
+        beside = skin_color(library_, recipe_.numbers.at("skin.tone"),
+                            recipe_.numbers.at("skin.undertone"));
+      } else if (const Part* chosen = chosen_part(library_, recipe_, other)) {
+        beside = color_of(*chosen);
+      } else {
+        return;
+      }
+      is = is && apart(color_of(part), beside) >= in.number(node);
+    });
+    return is;
+  }
+
+  const PartLibrary& library_;
+  const FaceCode& code_;
+  KeyedChance chance_;
+  Axes axes_;
+  Recipe recipe_;
+};
+
+}  // namespace
+
+Recipe recipe_from_seed(std::uint64_t seed) {
+  const FaceCode code{.edition = kEdition,
+                      .seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1),
+                      .held = {}};
+  return Sampler(PartLibrary::shipped(), code).recipe();
+}
+
+Expected<Recipe> recipe_from_code(const FaceCode& code) {
+  const std::string where = "code " + face_code_text(code);
+  const PartLibrary& library = PartLibrary::shipped();
+  if (code.edition != kEdition)
+    return Error{where, fmt::format("edition {} is not known to this version, which has {}",
+                                    code.edition, kEdition)};
+  for (const HeldValue& held : code.held) {
+    const auto is_field = [&](const auto& one) { return one.number == held.field; };
+    const auto family = std::ranges::find_if(library.families(), is_field);
+    if (family == library.families().end()) {
+      if (std::ranges::none_of(library.numbers(), is_field))
+        return Error{where, fmt::format("edition {} has no field {}", kEdition, held.field)};
+      continue;
+    }
+    const auto is_part = [&](const Part& part) { return part.number == held.value; };
+    if (!(family->optional && held.value == kNone) && std::ranges::none_of(family->parts, is_part))
+      return Error{where, fmt::format("{} has no part {}", family->name, held.value)};
+  }
+  return Sampler(library, code).recipe();
+}
+
+std::vector<PartFamily> part_families() {
+  std::vector<PartFamily> all;
+  for (const Family& family : PartLibrary::shipped().families()) {
+    all.push_back({family.name, {}, family.optional});
+    for (const Part& part : family.parts) all.back().parts.push_back(part.name);
+  }
+  return all;
+}
+
+std::vector<PartNumber> part_numbers() {
+  std::vector<PartNumber> all;
+  for (const LibraryNumber& number : PartLibrary::shipped().numbers())
+    all.push_back({number.name, number.lo, number.hi, number.rest});
+  return all;
+}
+
+std::vector<std::string> part_styles() {
+  return PartLibrary::shipped().styles();
+}
+
+Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
+  const PartLibrary& library = PartLibrary::shipped();
+  const std::string where = one_line(text, 60);
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) return Error{where, "expected NAME=VALUE"};
+  const std::string_view name = text.substr(0, equals), value = text.substr(equals + 1);
+  if (const Family* family = library.find_family(name)) {
+    if (value == "none" && family->optional) return HeldValue{family->number, kNone};
+    if (const Part* part = family->find(value)) return HeldValue{family->number, part->number};
+    std::vector<std::string_view> names;
+    for (const Part& part : family->parts) names.push_back(part.name);
+    if (family->optional) names.push_back("none");
+    return Error{where, unknown_name(family->name, value, names)};
+  }
+  const LibraryNumber* number = library.find_number(name);
+  if (!number) {
+    std::vector<std::string_view> names;
+    for (const Family& family : library.families()) names.push_back(family.name);
+    for (const LibraryNumber& one : library.numbers()) names.push_back(one.name);
+    return Error{where, unknown_name("family or number", name, names)};
+  }
+  double given = 0;
+  const auto [end, failed] = std::from_chars(value.data(), value.data() + value.size(), given);
+  if (failed != std::errc{} || end != value.data() + value.size() || !std::isfinite(given))
+    return Error{where, fmt::format("expected a number from {} to {}", number->lo, number->hi)};
+  if (clamp) given = std::clamp(given, number->lo, number->hi);
+  if (!(given >= number->lo && given <= number->hi))
+    return Error{where, fmt::format("{} goes from {} to {}", number->name, number->lo, number->hi)};
+  return HeldValue{
+      number->number,
+      int(std::floor((given - number->lo) / (number->hi - number->lo) * kSteps + 0.5))};
+}
+
+}  // namespace mien

@@ -1,0 +1,14 @@
+#pragma once
+// The files of the newest edition, compiled in: no file is read at run time.
+
+#include <span>
+#include <string_view>
+
+namespace mien {
+
+struct ShippedPart {
+  std::string_view name, text;
+};
+std::span<const ShippedPart> shipped_parts();
+
+}  // namespace mien

@@ -1,0 +1,87 @@
+// mien new: a face out of parts, by a seed, a code and what is held; its code is printed. mien parts: what there is.
+
+#include <mien/recipe.h>
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/output/written_file.h"
+#include "tools/mien/terminal/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace mien::command {
+namespace {
+
+/// A seed that nobody had a moment ago.
+std::uint64_t new_seed() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return seed_from_word(std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
+}
+
+Expected<FaceCode> read_code(const NewArguments& arguments) {
+  FaceCode code{.seed = arguments.seed ? seed_from_word(*arguments.seed) : new_seed()};
+  if (arguments.code) {
+    auto given = read_face_code(*arguments.code);
+    if (!given) return Error{"--" + given.error().where, given.error().what};
+    code = *std::move(given);
+  }
+  for (const std::string& text : arguments.held) {
+    const auto held = read_held_value(text, arguments.clamp);
+    if (!held) return Error{"--hold " + held.error().where, held.error().what};
+    std::erase_if(code.held, [&](const HeldValue& one) { return one.field == held->field; });
+    code.held.push_back(*held);
+  }
+  return code;
+}
+
+}  // namespace
+
+int new_command(const NewArguments& arguments) {
+  if (arguments.code && arguments.seed) return complain("--seed: the --code has a seed of its own", kUsedWrongly);
+  const auto code = read_code(arguments);
+  if (!code) return complain(code.error(), kUsedWrongly);
+  auto recipe = recipe_from_code(*code);
+  if (!recipe) return complain(recipe.error(), kUsedWrongly);
+  if (arguments.style) recipe->style = *arguments.style;
+  const auto text = face_text_from_recipe(*recipe);
+  if (!text) return complain(text.error(), kUsedWrongly);
+  if (!arguments.output) return print(face_code_text(*code) + "\n");
+  const auto done = write_file(*arguments.output, [&](const ByteSink& sink) -> Expected<Done> {
+    return sink(text->data(), text->size());
+  });
+  if (!done) return complain(done.error(), kFailed);
+  return *arguments.output == "-" ? int(kDone) : print(face_code_text(*code) + "\n");
+}
+
+int parts_command(const PartsArguments& arguments) {
+  std::string text;
+  const std::vector<PartFamily> families = part_families();
+  if (arguments.family) {
+    std::vector<std::string_view> names;
+    for (const PartFamily& family : families) {
+      names.push_back(family.name);
+      if (family.name != *arguments.family) continue;
+      for (const std::string& part : family.parts) text += family.name + "=" + part + "\n";
+      return print(text + (family.optional ? family.name + "=none\n" : ""));
+    }
+    return complain(unknown_name("family", one_line(*arguments.family, 60), names), kUsedWrongly);
+  }
+  for (const PartFamily& family : families) {
+    std::string line = fmt::format("{:14}{:3}  ", family.name, family.parts.size());
+    for (const std::string& part : family.parts) line += part + " ";
+    if (family.optional) line += "none ";
+    line.pop_back();
+    text += line + "\n";
+  }
+  text += "\n";
+  for (const PartNumber& number : part_numbers())
+    text += fmt::format("{:18}{:.6g} … {:.6g}, at rest {:.6g}\n", number.name, number.lo, number.hi, number.rest);
+  text += "\nstyles:";
+  for (const std::string& style : part_styles()) text += " " + style;
+  return print(text + "\n");
+}
+
+}  // namespace mien::command
