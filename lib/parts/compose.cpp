@@ -72,11 +72,9 @@ class Composition {
       if (const Part* part = chosen_part(library_, recipe_, family.name)) tell(*part, family.name);
     const LibraryNode& topology = library_.topology();
     const Reading& in = topology.in();
+    draw_families(true);
     draw(topology, "");
-    for (const Family& family : library_.families()) {
-      const Part* part = chosen_part(library_, recipe_, family.name);
-      if (part && !covered_.contains(family.name)) draw(part->at, family.name);
-    }
+    draw_families(false);
     std::stable_sort(features_.features.begin(), features_.features.end(),
                      [](const auto& a, const auto& b) { return a.slot < b.slot; });
     std::string all = "{\"format\": \"mien-face\", \"format_version\": 1";
@@ -130,6 +128,14 @@ class Composition {
       });
     if (const JsonNode* covers = in.find(*part.at.node, "covers"))
       in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
+  }
+
+  /// What the topology's own features are beside comes first.
+  void draw_families(bool first) {
+    for (const Family& family : library_.families()) {
+      const Part* part = chosen_part(library_, recipe_, family.name);
+      if (part && family.first == first && !covered_.contains(family.name)) draw(part->at, family.name);
+    }
   }
 
   void draw(const LibraryNode& from, std::string_view family) {

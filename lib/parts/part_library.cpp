@@ -73,10 +73,14 @@ void PartLibrary::read_topology(const LibraryNode& root) {
   const JsonNode& families = in.need(*root.node, "families");
   in.expect(families, JsonKind::array);
   in.for_each(families, [&](const JsonNode& node, int) {
-    const JsonNode* optional = in.find(node, "optional");
+    const auto is = [&](std::string_view key) {
+      const JsonNode* said = in.find(node, key);
+      return said && in.boolean(*said);
+    };
     families_.push_back({.name = in.name(in.need(node, "name")),
                          .number = permanent_number(in, node),
-                         .optional = optional && in.boolean(*optional),
+                         .optional = is("optional"),
+                         .first = is("first"),
                          .at = {root.file, &node},
                          .parts = {}});
   });

@@ -47,6 +47,7 @@ struct Family {
   std::string name;
   int number = 0;  ///< permanent; as a field of codes
   bool optional = false;
+  bool first = false;  ///< drawn before the topology's own features, which may be beside its points
   LibraryNode at;
   std::vector<Part> parts;
 
