@@ -19,7 +19,7 @@ import sys
 # The rooms in the order a face goes through them. A file standing alone is a room of its own.
 ORDER = """
     version.h
-    lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file  lib/parts
+    lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file
     sdf/shape  sdf/distance  sdf/csg  sdf/scene  sdf/outline  sdf/arrange  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
     render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render  render/inspect
     mien.h  write.h  render/image  tools

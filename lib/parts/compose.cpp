@@ -1,6 +1,5 @@
 // A recipe becomes the text of a face file: parts are put on the topology, then nothing of them is left.
 
-#include <mien/face_file.h>
 #include <mien/recipe.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
@@ -134,7 +133,8 @@ class Composition {
   void draw_families(bool first) {
     for (const Family& family : library_.families()) {
       const Part* part = chosen_part(library_, recipe_, family.name);
-      if (part && family.first == first && !covered_.contains(family.name)) draw(part->at, family.name);
+      if (part && family.first == first && !covered_.contains(family.name))
+        draw(part->at, family.name);
     }
   }
 
@@ -165,20 +165,6 @@ Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
   } catch (const Refusal& refusal) {
     return refusal.error;
   }
-}
-
-Expected<Face> face_from_recipe(const Recipe& recipe) {
-  const auto text = face_text_from_recipe(recipe);
-  if (!text) return text.error();
-  return read_face_text(*text, recipe.name.empty() ? "composed face" : recipe.name);
-}
-
-Expected<Face> face_from_code(std::string_view code) {
-  const auto read = read_face_code(code);
-  if (!read) return read.error();
-  const auto recipe = recipe_from_code(*read);
-  if (!recipe) return recipe.error();
-  return face_from_recipe(*recipe);
 }
 
 }  // namespace mien

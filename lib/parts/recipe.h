@@ -3,7 +3,6 @@
 
 #include <mien/api.h>
 #include <mien/expected.h>
-#include <mien/face.h>
 #include <mien/face_code.h>
 
 #include <map>
@@ -27,15 +26,12 @@ MIEN_API Recipe recipe_from_seed(std::uint64_t seed);
 /// The recipe of a code. The error says which edition or held value is not known.
 MIEN_API Expected<Recipe> recipe_from_code(const FaceCode& code);
 
-/// The face: parts are put together, then all is as if it had been read from a file. The error names
-/// what is unknown or out of range, with the nearest known name.
-MIEN_API Expected<Face> face_from_recipe(const Recipe& recipe);
-
-/// The same as the text of a face file, format version 1.
+/// The text of a face file, format version 1: parts are put together, and nothing of them is left. The
+/// error names what is unknown or out of range, with the nearest known name.
 MIEN_API Expected<std::string> face_text_from_recipe(const Recipe& recipe);
 
-/// The face of a code, as text: "ZA7Q2-MKX4T-B1".
-MIEN_API Expected<Face> face_from_code(std::string_view code);
+/// The recipe as a face file, format version 2: a few lines, for people to read and change.
+MIEN_API std::string recipe_text(const Recipe& recipe);
 
 /// A family of parts, as `mien parts` lists it.
 struct PartFamily {

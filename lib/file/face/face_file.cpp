@@ -4,6 +4,7 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
+#include "lib/parts/recipe_file.h"
 
 #include <fmt/format.h>
 
@@ -17,29 +18,45 @@
 namespace mien {
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestVersion = 2;  // 1: a face in full; 2: a recipe
 
-void check_format(Reading& in, const JsonNode& root) {
-  in.expect_object(
-      root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
-             "background", "palette",      "light",          "groups",  "features", "controls",
-             "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
-             "clips",      "default_clip", "effects"});
+/// Gives the version.
+int check_format(Reading& in, const JsonNode& root) {
+  in.expect(root, JsonKind::object);
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
   const JsonNode& version = in.need(root, "format_version");
   const double number = in.number(version);
   if (number > kNewestVersion && number == double(std::int64_t(number)))
-    in.refuse(version,
-              fmt::format("format version {} is newer than this program, which reads 1", number));
-  if (number != kNewestVersion)
-    in.refuse(version, fmt::format("expected the integer 1, got {}", number));
+    in.refuse(
+        version,
+        fmt::format("format version {} is newer than this program, which reads 1 and 2", number));
+  if (number != 1 && number != kNewestVersion)
+    in.refuse(version, fmt::format("expected the integer 1 or 2, got {}", number));
+  return int(number);
+}
+
+Face read_root(Reading& in);
+
+/// A recipe, put together and read.
+Face read_composed(Reading& in, const JsonNode& root) {
+  auto text = face_text_from_recipe(read_recipe(in, root));
+  if (!text) throw Refusal{text.error()};
+  const auto tree = JsonTree::read(*text, "composed face", in.limits);
+  if (!tree) throw Refusal{tree.error()};
+  Reading composed(*tree, in.limits, nullptr);
+  return read_root(composed);
 }
 
 Face read_root(Reading& in) {
   const JsonNode& root = in.tree.root();
-  check_format(in, root);
+  if (check_format(in, root) == 2) return read_composed(in, root);
+  in.expect_object(
+      root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
+             "background", "palette",      "light",          "groups",  "features", "controls",
+             "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
+             "clips",      "default_clip", "effects"});
   FaceDraft draft;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;

@@ -4,23 +4,13 @@
 #include <mien/api.h>
 #include <mien/expected.h>
 #include <mien/face.h>
+#include <mien/face_limits.h>
 
-#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 namespace mien {
-
-/// How much a face file may ask for. Exceeding one is an error that names it.
-struct FaceLimits {
-  std::size_t bytes = 64u << 20;    ///< of text
-  int nesting = 64;                 ///< of arrays and objects; of clips in each other
-  std::size_t values = 2'000'000;   ///< JSON values of any kind in the text
-  std::size_t numbers = 1'000'000;  ///< in the face vector
-  std::size_t features = 100'000;   ///< drawn or not, left and right counted
-  double magnitude = 1e9;           ///< of any number
-};
 
 /// Reads a face. The error's `where` is "FILE:LINE:COLUMN: /json/pointer". What is strange but
 /// harmless (unknown keys) is added to `warnings`, if given.

@@ -3,7 +3,7 @@
 // a frame may also stand inside an object, as its member "blendShapes" or "points".
 
 #include <mien/expected.h>
-#include <mien/face_file.h>
+#include <mien/face_limits.h>
 
 #include <filesystem>
 #include <string>

@@ -6,7 +6,7 @@
 // large has a limit.
 
 #include <mien/expected.h>
-#include <mien/face_file.h>
+#include <mien/face_limits.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -70,7 +70,7 @@ struct SheetArguments {
 struct NewArguments {
   std::optional<std::string> output, seed, code, style;
   std::vector<std::string> held;
-  bool clamp = false;
+  bool clamp = false, flat = false;
 };
 
 /// mien parts.

@@ -18,7 +18,8 @@ namespace {
 /// A seed that nobody had a moment ago.
 std::uint64_t new_seed() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return seed_from_word(std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
+  return seed_from_word(
+      std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
 }
 
 Expected<FaceCode> read_code(const NewArguments& arguments) {
@@ -40,14 +41,16 @@ Expected<FaceCode> read_code(const NewArguments& arguments) {
 }  // namespace
 
 int new_command(const NewArguments& arguments) {
-  if (arguments.code && arguments.seed) return complain("--seed: the --code has a seed of its own", kUsedWrongly);
+  if (arguments.code && arguments.seed)
+    return complain("--seed: the --code has a seed of its own", kUsedWrongly);
   const auto code = read_code(arguments);
   if (!code) return complain(code.error(), kUsedWrongly);
   auto recipe = recipe_from_code(*code);
   if (!recipe) return complain(recipe.error(), kUsedWrongly);
   if (arguments.style) recipe->style = *arguments.style;
-  const auto text = face_text_from_recipe(*recipe);
+  auto text = face_text_from_recipe(*recipe);
   if (!text) return complain(text.error(), kUsedWrongly);
+  if (!arguments.flat) text = recipe_text(*recipe);
   if (!arguments.output) return print(face_code_text(*code) + "\n");
   const auto done = write_file(*arguments.output, [&](const ByteSink& sink) -> Expected<Done> {
     return sink(text->data(), text->size());
@@ -78,7 +81,8 @@ int parts_command(const PartsArguments& arguments) {
   }
   text += "\n";
   for (const PartNumber& number : part_numbers())
-    text += fmt::format("{:18}{:.6g} … {:.6g}, at rest {:.6g}\n", number.name, number.lo, number.hi, number.rest);
+    text += fmt::format("{:18}{:.6g} … {:.6g}, at rest {:.6g}\n", number.name, number.lo, number.hi,
+                        number.rest);
   text += "\nstyles:";
   for (const std::string& style : part_styles()) text += " " + style;
   return print(text + "\n");

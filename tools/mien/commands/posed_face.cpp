@@ -1,10 +1,10 @@
 #include "tools/mien/commands/posed_face.h"
+#include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 #include <mien/morph_file.h>
 #include <mien/npy_basis.h>
 #include <mien/poser.h>
-#include <mien/recipe.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/frame_file.h"
@@ -28,7 +28,8 @@ namespace mien::command {
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings) {
   if (!looks_like_face_code(text) || std::filesystem::exists(text)) {
-    if (style) return Error{"--style " + *style, "a face file has its own paints: styles are for codes"};
+    if (style)
+      return Error{"--style " + *style, "a face file has its own paints: styles are for codes"};
     return read_face(text, {}, warnings);
   }
   const auto code = read_face_code(text);

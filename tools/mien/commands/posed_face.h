@@ -16,7 +16,8 @@ std::optional<Face> read_face_aloud(const std::string& path,
                                     const std::optional<std::string>& style = {});
 
 /// A face file, or the face of a code; `style` paints the latter. A file of that name comes first.
-Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style = {},
+Expected<Face> read_face_or_code(const std::string& text,
+                                 const std::optional<std::string>& style = {},
                                  std::vector<Error>* warnings = nullptr);
 
 /// A face and the pose asked for, or the exit code after what was wrong has been said. `known`: the

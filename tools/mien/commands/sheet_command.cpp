@@ -1,8 +1,8 @@
 // mien sheet: a grid of one face at many poses, each with its name.
 
+#include <mien/composed_face.h>
 #include <mien/face_model.h>
 #include <mien/poser.h>
-#include <mien/recipe.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
 #include "lib/rig/pose/expression_setting.h"
@@ -73,19 +73,23 @@ CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
   if (!count) return {{}, complain(count.error(), kUsedWrongly)};
   Cells cells;
   for (int i = 0; i < *count; ++i) {
-    Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("{}/{}", arguments.seed.value_or("1"), i)));
+    Recipe recipe =
+        recipe_from_seed(seed_from_word(fmt::format("{}/{}", arguments.seed.value_or("1"), i)));
     if (arguments.style) recipe.style = *arguments.style;
     auto face = face_from_recipe(recipe);
     if (!face) return {{}, complain(face.error(), kFailed)};
     Poser poser(*face);
     Pose pose;
     if (arguments.emotions) {
-      constexpr std::array<std::string_view, 6> kFeelings{"joy", "sadness", "anger", "fear", "disgust", "surprise"};
-      auto setting = read_expression(*face, "emotion", std::string(kFeelings[std::size_t(i) % kFeelings.size()]),
+      constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
+                                                          "fear", "disgust", "surprise"};
+      auto setting = read_expression(*face, "emotion",
+                                     std::string(kFeelings[std::size_t(i) % kFeelings.size()]),
                                      OutOfRange::refuse);
       if (setting) pose.settings.push_back(*std::move(setting));
     }
-    cells.push_back({"", sheet_picture(scene_from_face(poser.pose(pose)), {.width = size.width, .height = size.height})});
+    cells.push_back({"", sheet_picture(scene_from_face(poser.pose(pose)),
+                                       {.width = size.width, .height = size.height})});
   }
   return {std::move(cells)};
 }

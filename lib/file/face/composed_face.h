@@ -1,0 +1,20 @@
+#pragma once
+// Faces out of parts: by a recipe, by a code.
+
+#include <mien/api.h>
+#include <mien/expected.h>
+#include <mien/face.h>
+#include <mien/recipe.h>
+
+#include <string_view>
+
+namespace mien {
+
+/// The face of a recipe, as if it had been read from a file. The error names what is unknown or out of
+/// range, with the nearest known name. No file is read: parts are compiled in.
+MIEN_API Expected<Face> face_from_recipe(const Recipe& recipe);
+
+/// The face of a code, "ZA7Q2-MKX4T-B1".
+MIEN_API Expected<Face> face_from_code(std::string_view code);
+
+}  // namespace mien

@@ -1,0 +1,130 @@
+#include "lib/parts/recipe_file.h"
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/file/json/json_text.h"
+#include "lib/parts/part_library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mien {
+namespace {
+
+class RecipeReader {
+ public:
+  explicit RecipeReader(Reading& in) : in_(in), library_(PartLibrary::shipped()) {}
+
+  Recipe read(const JsonNode& root) {
+    in_.expect_object(root,
+                      {"$schema", "format", "format_version", "name", "edition", "code", "parts",
+                       "numbers", "style"},
+                      "recipe");
+    if (const JsonNode* edition = in_.find(root, "edition"); edition && in_.string(*edition) != "Z")
+      in_.refuse(*edition, fmt::format("edition {} is not known to this version, which has Z",
+                                       in_quotes(in_.string(*edition))));
+    if (const JsonNode* code = in_.find(root, "code")) recipe_ = of_code(*code);
+    if (const JsonNode* name = in_.find(root, "name")) recipe_.name = in_.string(*name);
+    if (const JsonNode* parts = in_.find(root, "parts")) {
+      in_.expect(*parts, JsonKind::object);
+      in_.for_each(*parts, [&](const JsonNode& node, int) { read_part(node); });
+    }
+    if (const JsonNode* numbers = in_.find(root, "numbers")) {
+      in_.expect(*numbers, JsonKind::object);
+      in_.for_each(*numbers, [&](const JsonNode& node, int) {
+        read_number(node, std::string(in_.tree.key(node)));
+      });
+    }
+    if (const JsonNode* style = in_.find(root, "style")) {
+      const std::vector<std::string>& styles = library_.styles();
+      const std::vector<std::string_view> names(styles.begin(), styles.end());
+      recipe_.style = styles[in_.word(*style, "style", names)];
+    }
+    return std::move(recipe_);
+  }
+
+ private:
+  Recipe of_code(const JsonNode& node) const {
+    const auto code = read_face_code(in_.string(node));
+    if (!code) in_.refuse(node, code.error().what);
+    auto recipe = recipe_from_code(*code);
+    if (!recipe) in_.refuse(node, recipe.error().what);
+    return *std::move(recipe);
+  }
+
+  template <class Things>
+  [[noreturn]] void refuse_unknown(const JsonNode& node, std::string_view what,
+                                   std::string_view wanted, const Things& things) const {
+    std::vector<std::string_view> names;
+    for (const auto& thing : things) names.push_back(thing.name);
+    in_.refuse(node, unknown_name(what, one_line(wanted, 60), names));
+  }
+
+  /// "hair": "bob", or {"part": "bob", "length": 0.2} with the part's own numbers, or null: none.
+  void read_part(const JsonNode& node) {
+    const std::string_view name = in_.tree.key(node);
+    const Family* family = library_.find_family(name);
+    if (!family) refuse_unknown(node, "family of parts", name, library_.families());
+    if (node.kind == JsonKind::null) {
+      if (!family->optional)
+        in_.refuse(node, fmt::format("a face has one of \"{}\" always", family->name));
+      recipe_.parts.erase(family->name);
+      return;
+    }
+    const JsonNode& part = node.kind == JsonKind::object ? in_.need(node, "part") : node;
+    if (!family->find(in_.string(part)))
+      refuse_unknown(part, family->name, in_.string(part), family->parts);
+    recipe_.parts[family->name] = in_.string(part);
+    if (node.kind != JsonKind::object) return;
+    in_.for_each(node, [&](const JsonNode& own, int) {
+      const std::string_view key = in_.tree.key(own);
+      if (key != "part" && key != "comment")
+        read_number(own, fmt::format("{}.{}", family->name, key));
+    });
+  }
+
+  void read_number(const JsonNode& node, const std::string& name) {
+    const LibraryNumber* number = library_.find_number(name);
+    if (!number) refuse_unknown(node, "number", name, library_.numbers());
+    const double value = in_.number(node);
+    if (!(value >= number->lo && value <= number->hi))
+      in_.refuse(node,
+                 fmt::format("{} goes from {} to {}, got {}", name, number->lo, number->hi, value));
+    recipe_.numbers[name] = value;
+  }
+
+  Reading& in_;
+  const PartLibrary& library_;
+  Recipe recipe_;
+};
+
+}  // namespace
+
+Recipe read_recipe(Reading& in, const JsonNode& root) {
+  return RecipeReader(in).read(root);
+}
+
+std::string recipe_text(const Recipe& recipe) {
+  std::string text = "{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"Z\",\n";
+  if (!recipe.name.empty()) text += fmt::format(" \"name\": {},\n", json_string(recipe.name));
+  if (!recipe.code.empty()) text += fmt::format(" \"code\": {},\n", json_string(recipe.code));
+  text += " \"parts\": {";
+  const char* before = "\n  ";
+  // Families without a part are said to have none: the code may say otherwise.
+  for (const Family& family : PartLibrary::shipped().families()) {
+    const auto part = recipe.parts.find(family.name);
+    if (part == recipe.parts.end() && !family.optional) continue;
+    text += fmt::format("{}{}: {}", before, json_string(family.name),
+                        part == recipe.parts.end() ? "null" : json_string(part->second));
+    before = ",\n  ";
+  }
+  text += "},\n \"numbers\": {";
+  before = "\n  ";
+  for (const auto& [name, value] : recipe.numbers) {
+    text += fmt::format("{}{}: {}", before, json_string(name), json_number(value));
+    before = ",\n  ";
+  }
+  return text + fmt::format("}},\n \"style\": {}}}\n", json_string(recipe.style));
+}
+
+}  // namespace mien
