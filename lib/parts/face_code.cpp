@@ -1,6 +1,6 @@
 #include <mien/face_code.h>
+#include "lib/base/mixed_bits.h"
 #include "lib/base/one_line.h"
-#include "lib/parts/keyed_chance.h"
 
 #include <fmt/format.h>
 

@@ -2,18 +2,11 @@
 // Chance without an order: every answer is a function of a seed and of the question's permanent number. A question more
 // or less changes no other answer.
 
+#include "lib/base/mixed_bits.h"
+
 #include <cstdint>
 
 namespace mien {
-
-/// Source. The finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
-/// generators", 2014).
-constexpr std::uint64_t mixed_bits(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
 
 /// Answers for one seed.
 class KeyedChance {

@@ -10,8 +10,8 @@
 //
 // "adds" counts by how far a number is from its rest, so that every file shows the face at rest.
 
+#include <mien/recipe.h>
 #include "lib/parts/part_library.h"
-#include "lib/parts/recipe.h"
 
 #include <glm/vec2.hpp>
 #include <map>

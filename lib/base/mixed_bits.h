@@ -1,0 +1,19 @@
+#pragma once
+// Bits that look random, out of any bits.
+
+#include <cstdint>
+
+namespace mien {
+
+/// Different for different arguments; a change of one bit changes half of all.
+///
+/// Source. The finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
+/// generators", 2014).
+constexpr std::uint64_t mixed_bits(std::uint64_t z) {
+  z += 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+}  // namespace mien

@@ -1,0 +1,119 @@
+#include "lib/parts/flat_feature.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/small_library.h"
+
+namespace mien {
+namespace {
+
+using test::SmallLibrary;
+
+/// What features of a nose become.
+class FlatFeatureTest : public testing::Test {
+ protected:
+  FlatFeatures flatten(const std::string& features, const std::string& style = "soft",
+                       std::map<std::string, double> numbers = {}) {
+    SmallLibrary small;
+    small.topology =
+        test::with(small.topology, "\"features\": []", "\"features\": [" + features + "]");
+    library_ = small.read().value();
+    const Recipe recipe{.name = {}, .code = {}, .parts = {}, .numbers = std::move(numbers)};
+    PartGeometry geometry(*library_, recipe);
+    const PartStyle paints(*library_, style);
+    FlatFeatures made;
+    const LibraryNode& topology = library_->topology();
+    const Reading& in = topology.in();
+    in.for_each(in.need(*topology.node, "features"), [&](const JsonNode& node, int) {
+      flatten_feature(in, node, "nose", *library_, paints, geometry, made);
+    });
+    return made;
+  }
+
+  std::unique_ptr<PartLibrary> library_;
+};
+
+TEST_F(FlatFeatureTest, PointsAreTheFacesAndHalvesAreWhole) {
+  const FlatFeatures made = flatten(
+      R"({"name": "a", "slot": "front", "role": "hair.line", "in": "eye", "kind": "path", "half": true,
+          "points": [[0, 5], [1.5, 3, "bend"], [1, 2]]})",
+      "soft", {{"size", 2}});
+  ASSERT_EQ(made.features.size(), 1u);
+  EXPECT_EQ(made.features[0].slot, 1u);
+  EXPECT_EQ(
+      made.features[0].text,
+      R"({"name": "a", "kind": "path", "points": [[0, 6.5], [2, 3.5, "bend"], [1, 2], [-1, 2], [-2, 3.5, "bend"]], )"
+      R"("paint": "hair_line"})");
+}
+
+TEST_F(FlatFeatureTest, WidthsAndRadiiAreScaled) {
+  const FlatFeatures made = flatten(
+      R"({"name": "a", "slot": "front", "role": "hair", "in": "eye", "kind": "stroke", "spine": [[1, 2], [1, 3], [1, 4]],
+          "half_width": [0, {"is": 0.1, "adds": {"apart": 1}}, 0.2]},
+         {"name": "b", "slot": "back", "role": "hair", "in": "eye", "kind": "ellipse", "center": [1, 2], "radii": [0.1, 0.2]})",
+      "soft", {{"size", 2}});
+  EXPECT_NE(made.features[0].text.find(R"("half_width": [0, 0.175, 0.35])"), std::string::npos)
+      << made.features[0].text;
+  EXPECT_NE(made.features[1].text.find(R"("radii": [0.2, 0.3])"), std::string::npos)
+      << made.features[1].text;
+}
+
+TEST_F(FlatFeatureTest, DepthsAndRidesAreKept) {
+  const FlatFeatures made = flatten(
+      R"({"name": "head", "slot": "back", "role": "skin", "in": "face", "kind": "path", "turn": 0,
+          "points": [{"xy": [0.5, -1], "turn": 0.2}, [0, 1], [-0.5, -1]]},
+         {"name": "beard", "slot": "front", "role": "hair", "in": "face", "kind": "path", "half": true, "turn": {"raised": 0.1},
+          "points": [[0, 0], {"at": "chin", "plus": [0.1, 0]}, {"at": "chin", "plus": [0, -0.1]}]},
+         {"name": "neck", "slot": "back", "role": "skin", "kind": "path", "turn": "still", "points": [[0, 0], [1, 0], [0, 1]]})");
+  EXPECT_EQ(made.flat.at("head"), 0);
+  EXPECT_EQ(made.flat.at("head/points/0"), 0.2);
+  EXPECT_EQ(made.flat.at("beard/points/1"), 0.2);  // as deep as what it is beside
+  EXPECT_EQ(made.raised.at("beard"), 0.1);
+  EXPECT_EQ(made.still, std::vector<std::string>{"neck"});
+  const std::vector<Ride>& rides = made.rides.at("head/points/0");
+  ASSERT_EQ(rides.size(), 4u);
+  EXPECT_EQ(rides[0].slice, "beard/points/1");
+  EXPECT_EQ(rides[0].side, 1);
+  EXPECT_EQ(rides[3].side, -1);
+}
+
+TEST_F(FlatFeatureTest, PatternsHaveBounds) {
+  const auto pattern = [](const std::string& count) {
+    return R"({"name": "a", "slot": "front", "role": "hair", "in": "face", "kind": "path",
+      "points": [{"scallop": {"center": [0, 0], "radii": [1, 1], "from": 0, "to": 90, "bump": 0.1, "count": )" +
+           count + "}}]}";
+  };
+  EXPECT_NE(flatten(pattern("3")).features[0].text.find("\"bend\""), std::string::npos);
+  EXPECT_THROW(flatten(pattern("1e9")), Refusal);
+  EXPECT_THROW(flatten(pattern("0")), Refusal);
+  EXPECT_THROW(flatten(pattern("-1e300")), Refusal);
+}
+
+TEST_F(FlatFeatureTest, SaysWhatIsWrong) {
+  const char* feature =
+      R"({"name": "a", "slot": "frnt", "role": "hair", "kind": "disc", "center": [0, 0], "radius": 1})";
+  try {
+    flatten(feature);
+    FAIL();
+  } catch (const Refusal& refusal) {
+    EXPECT_NE(refusal.error.what.find("did you mean \"front\""), std::string::npos)
+        << refusal.error.what;
+  }
+  const std::string good = test::with(feature, "frnt", "front");
+  EXPECT_THROW(flatten(good + "," + good), Refusal);  // two of one name
+}
+
+TEST_F(FlatFeatureTest, StylesReplaceAndHide) {
+  const char* features =
+      R"({"name": "a", "slot": "front", "role": "hair", "kind": "disc", "center": [0, 0], "radius": 1, "paint": "dark"},
+         {"name": "b", "slot": "front", "role": "shine", "kind": "disc", "center": [0, 0], "radius": 1, "opacity": 0.5})";
+  const FlatFeatures soft = flatten(features), ink = flatten(features, "ink");
+  EXPECT_NE(soft.features[0].text.find(R"("paint": "dark")"), std::string::npos);
+  EXPECT_NE(ink.features[0].text.find(R"("paint": "skin")"), std::string::npos);
+  EXPECT_EQ(ink.features[0].text.find("dark"), std::string::npos);
+  EXPECT_NE(ink.features[1].text.find(R"("opacity": 0)"), std::string::npos);
+  EXPECT_EQ(ink.features[1].text.find("0.5"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien

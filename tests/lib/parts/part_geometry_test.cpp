@@ -1,0 +1,78 @@
+#include "lib/parts/part_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/small_library.h"
+
+namespace mien {
+namespace {
+
+class PartGeometryTest : public testing::Test {
+ protected:
+  /// The point that a text says, in the frame "eye" of a face with these numbers.
+  FoundPoint point(const std::string& text, std::map<std::string, double> numbers = {}) {
+    const Recipe recipe{.name = {}, .code = {}, .parts = {}, .numbers = std::move(numbers)};
+    PartGeometry geometry(*library_, recipe);
+    geometry.add_point("head/points/0", {{0.5, -1}, 0.2, "head/points/0"});
+    geometry.add_value("width", 0.25);
+    text_ = R"({"frame": "eye", "point": )" + text + "}";
+    const auto tree = JsonTree::read(text_, "test", limits_);
+    const Reading in(*tree, limits_, nullptr);
+    const PartFrame frame = geometry.frame(in, in.need(tree->root(), "frame"));
+    return geometry.point(in, in.need(tree->root(), "point"), frame, "nose");
+  }
+
+  const std::unique_ptr<PartLibrary> library_ = test::SmallLibrary{}.read().value();
+  FaceLimits limits_;
+  std::string text_;
+};
+
+TEST_F(PartGeometryTest, PointsAreInTheirFrame) {
+  EXPECT_EQ(point("[1.5, 3]").at, glm::dvec2(1.5, 3));
+  EXPECT_EQ(point("[1.5, 3]", {{"size", 2}}).at, glm::dvec2(2, 3.5));
+  EXPECT_EQ(point("[1.5, 3]", {{"apart", 0.25}}).at, glm::dvec2(1.75, 3));
+}
+
+TEST_F(PartGeometryTest, TheRightSideIsTheLeftOnesImage) {
+  EXPECT_EQ(point("[-1.5, 3]", {{"size", 2}}).at, glm::dvec2(-2, 3.5));
+  EXPECT_EQ(point("[0, 3]", {{"size", 2}}).at, glm::dvec2(0, 3.5));
+}
+
+TEST_F(PartGeometryTest, NumbersCountFromTheirRest) {
+  const char* text = R"({"xy": [1, 2], "adds": {"length": [1, 10]}})";
+  EXPECT_EQ(point(text).at, glm::dvec2(1, 2));
+  EXPECT_EQ(point(text, {{"nose.length", 0.75}}).at, glm::dvec2(1.25, 4.5));
+}
+
+TEST_F(PartGeometryTest, BesidePointsOfTheFaceAndWithThem) {
+  const FoundPoint found = point(R"({"at": "chin", "plus": [0.1, 0]})", {{"size", 2}});
+  EXPECT_NEAR(found.at.x, 0.7, 1e-15);
+  EXPECT_EQ(found.at.y, -1);
+  EXPECT_EQ(found.depth, 0.2);
+  ASSERT_EQ(found.rides.size(), 1u);
+  EXPECT_EQ(found.rides[0].first, "head/points/0");
+  const FoundPoint half =
+      point(R"({"at": {"chin": 0.5}, "plus": [0, 1], "rides": {"chin": 0.9}, "turn": 0.7})");
+  EXPECT_EQ(half.at, glm::dvec2(0.25, 0.5));
+  EXPECT_EQ(half.depth, 0.7);
+  EXPECT_EQ(half.rides[0].second, 0.9);
+}
+
+TEST_F(PartGeometryTest, UnknownNamesHaveANearestOne) {
+  const auto what = [&](const std::string& text) -> std::string {
+    try {
+      point(text);
+    } catch (const Refusal& refusal) {
+      return refusal.error.where + ": " + refusal.error.what;
+    }
+    return "read";
+  };
+  EXPECT_NE(what(R"({"at": "chn"})").find("did you mean \"chin\""), std::string::npos);
+  EXPECT_NE(what(R"({"xy": [0, 0], "adds": {"sise": [1, 0]}})").find("did you mean \"size\""),
+            std::string::npos);
+  EXPECT_NE(what(R"({"radius": "widht", "times": [1, 1]})").find("did you mean \"width\""),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,60 @@
+#include "lib/parts/part_library.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/small_library.h"
+
+namespace mien {
+namespace {
+
+using test::SmallLibrary;
+using test::with;
+
+TEST(PartLibrary, ReadsFamiliesPartsAndNumbers) {
+  const auto library = SmallLibrary{}.read();
+  ASSERT_TRUE(library) << library.error().where << library.error().what;
+  const Family* nose = (*library)->find_family("nose");
+  ASSERT_TRUE(nose);
+  EXPECT_TRUE(nose->optional);
+  ASSERT_EQ(nose->parts.size(), 2u);
+  EXPECT_EQ(nose->find("long")->number, 2);
+  EXPECT_FALSE(nose->find("hook"));
+  const LibraryNumber* length = (*library)->find_number("nose.length");
+  ASSERT_TRUE(length);
+  EXPECT_EQ(length->rest, 0.5);
+  EXPECT_EQ((*library)->styles(), (std::vector<std::string>{"soft", "ink"}));
+}
+
+std::string refusal(const SmallLibrary& library) {
+  const auto read = library.read();
+  return read ? "read" : read.error().where + ": " + read.error().what;
+}
+
+TEST(PartLibrary, SaysWhatIsWrongAndWhere) {
+  const SmallLibrary good;
+  SmallLibrary bad = good;
+  bad.noses = with(good.noses, "\"family\": \"nose\"", "\"family\": \"nsoe\"");
+  EXPECT_NE(refusal(bad).find("did you mean \"nose\""), std::string::npos) << refusal(bad);
+  EXPECT_NE(refusal(bad).find("noses.json:2:16: /parts/0/family"), std::string::npos)
+      << refusal(bad);
+  bad = good, bad.noses = with(good.noses, "\"number\": 2", "\"number\": 1");
+  EXPECT_NE(refusal(bad).find("permanent number"), std::string::npos) << refusal(bad);
+  bad = good, bad.noses = with(good.noses, "\"number\": 20", "\"number\": 10");
+  EXPECT_NE(refusal(bad).find("permanent number"), std::string::npos) << refusal(bad);
+  bad = good, bad.noses = with(good.noses, "\"number\": 2,", "\"number\": 1024,");
+  EXPECT_NE(refusal(bad).find("0 to 1023"), std::string::npos) << refusal(bad);
+  bad = good, bad.topology = with(good.topology, "\"rest\": 1,", "\"rest\": 3,");
+  EXPECT_NE(refusal(bad).find("within its range"), std::string::npos) << refusal(bad);
+  bad = good, bad.topology = with(good.topology, "mien-topology", "mien-part");
+  EXPECT_NE(refusal(bad), "read");
+}
+
+TEST(PartLibrary, TheShippedOneIsWhole) {
+  const PartLibrary& library = PartLibrary::shipped();
+  EXPECT_GE(library.families().size(), 20u);
+  for (const Family& family : library.families())
+    EXPECT_TRUE(family.optional || !family.parts.empty()) << family.name;
+}
+
+}  // namespace
+}  // namespace mien
