@@ -13,7 +13,7 @@ namespace {
 // Crockford's base 32 (crockford.com/base32.html): no I, L, O and U.
 constexpr std::string_view kSigns = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
 constexpr int kSeedSigns = FaceCode::kSeedBits / 5, kBodySigns = 1 + kSeedSigns;
-constexpr std::size_t kMostHeld = 64;
+constexpr std::size_t kMostHeld = 256;
 
 /// −1: no sign.
 int value_of(char sign) {

@@ -33,7 +33,7 @@ TEST(RecipeFile, TenLinesAreAFace) {
 
 TEST(RecipeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal(R"("parts": {"hair": "bbo"})"),
-            "f:1:61: /parts/hair: no hair named \"bbo\"; did you mean \"bob\"?");
+            "f:1:64: /parts/hair: no hair named \"bbo\"; did you mean \"bob\"?");
   EXPECT_NE(refusal(R"("parts": {"hiar": "bob"})").find("did you mean \"hair\""),
             std::string::npos);
   EXPECT_NE(refusal(R"("parts": {"head": null})").find("always"), std::string::npos);
@@ -41,7 +41,7 @@ TEST(RecipeFile, SaysWhatIsWrongAndWhere) {
             std::string::npos);
   EXPECT_NE(refusal(R"("numbers": {"chni": 0})").find("did you mean \"chin\""), std::string::npos);
   EXPECT_NE(refusal(R"("style": "inc")").find("/style"), std::string::npos);
-  EXPECT_NE(refusal(R"("code": "Z0000-00000-1")").find("/code: a sign is wrong"),
+  EXPECT_NE(refusal(R"("code": "Z0000-00000-01")").find("/code: a sign is wrong"),
             std::string::npos);
   EXPECT_NE(refusal(R"("edition": "Q")").find("/edition"), std::string::npos);
   EXPECT_NE(refusal(R"("parts": [])").find("/parts"), std::string::npos);

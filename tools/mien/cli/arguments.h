@@ -69,6 +69,8 @@ struct SheetArguments {
 /// mien new.
 struct NewArguments {
   std::optional<std::string> output, seed, code, style;
+  std::optional<std::string> near, by, at;
+  std::vector<std::string> between, child_of;  ///< two codes, or none
   std::vector<std::string> held;
   bool clamp = false, flat = false;
 };

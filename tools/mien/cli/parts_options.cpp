@@ -12,6 +12,17 @@ void add_new(CLI::App& app, NewArguments& to) {
                    "The same word, the same face; default: another one each time")
       ->type_name("WORD");
   made->add_option("--code", to.code, "The face of this code")->type_name("CODE");
+  made->add_option("--near", to.near, "Somebody like the person of this code")->type_name("CODE");
+  made->add_option("--by", to.by, "With --near: how far from them, 0 to 1; default 0.3")
+      ->type_name("SHARE");
+  made->add_option("--between", to.between, "Somebody between two people")
+      ->type_name("CODE CODE")
+      ->expected(2);
+  made->add_option("--at", to.at, "With --between: how far towards the second, 0 to 1; default 0.5")
+      ->type_name("SHARE");
+  made->add_option("--child-of", to.child_of, "A child of two people")
+      ->type_name("CODE CODE")
+      ->expected(2);
   made->add_option("--hold", to.held,
                    "Hold a part or a number, whatever the seed says; may be given many times; "
                    "'mien parts' names them all")

@@ -1,8 +1,10 @@
 // mien new: a face out of parts, by a seed, a code and what is held; its code is printed. mien parts: what there is.
 
 #include <mien/recipe.h>
+#include <mien/relatives.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
@@ -22,12 +24,35 @@ std::uint64_t new_seed() {
       std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
 }
 
+Expected<FaceCode> read_relative(const NewArguments& arguments, std::uint64_t seed) {
+  if (arguments.near) {
+    const auto code = read_face_code(*arguments.near);
+    if (!code) return code.error();
+    const auto by = read_share("by", arguments.by.value_or("0.3"));
+    if (!by) return by.error();
+    return code_near(*code, *by, seed);
+  }
+  const std::vector<std::string>& two =
+      arguments.between.empty() ? arguments.child_of : arguments.between;
+  const auto one = read_face_code(two[0]), other = read_face_code(two[1]);
+  if (!one) return one.error();
+  if (!other) return other.error();
+  if (arguments.between.empty()) return code_of_child(*one, *other, seed);
+  const auto at = read_share("at", arguments.at.value_or("0.5"));
+  if (!at) return at.error();
+  return code_between(*one, *other, *at);
+}
+
 Expected<FaceCode> read_code(const NewArguments& arguments) {
   FaceCode code{.seed = arguments.seed ? seed_from_word(*arguments.seed) : new_seed()};
   if (arguments.code) {
     auto given = read_face_code(*arguments.code);
     if (!given) return Error{"--" + given.error().where, given.error().what};
     code = *std::move(given);
+  } else if (arguments.near || !arguments.between.empty() || !arguments.child_of.empty()) {
+    auto relative = read_relative(arguments, code.seed);
+    if (!relative) return relative.error();
+    code = *std::move(relative);
   }
   for (const std::string& text : arguments.held) {
     const auto held = read_held_value(text, arguments.clamp);
@@ -41,8 +66,14 @@ Expected<FaceCode> read_code(const NewArguments& arguments) {
 }  // namespace
 
 int new_command(const NewArguments& arguments) {
+  const int ways = int(arguments.code.has_value()) + int(arguments.near.has_value()) +
+                   int(!arguments.between.empty()) + int(!arguments.child_of.empty());
+  if (ways > 1) return complain("--code, --near, --between and --child-of: one of them", kUsedWrongly);
   if (arguments.code && arguments.seed)
     return complain("--seed: the --code has a seed of its own", kUsedWrongly);
+  if (arguments.by && !arguments.near) return complain("--by is how far from --near", kUsedWrongly);
+  if (arguments.at && arguments.between.empty())
+    return complain("--at is where --between", kUsedWrongly);
   const auto code = read_code(arguments);
   if (!code) return complain(code.error(), kUsedWrongly);
   auto recipe = recipe_from_code(*code);

@@ -3,6 +3,7 @@
 #include <mien/composed_face.h>
 #include <mien/face_model.h>
 #include <mien/poser.h>
+#include <mien/relatives.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
 #include "lib/rig/pose/expression_setting.h"
@@ -66,15 +67,36 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
   return {std::move(cells)};
 }
 
+/// People no two of whom are alike: for each place the one of eight who differs most from those before.
+std::vector<FaceCode> people(const std::string& seed, int count) {
+  constexpr int kTried = 8, kLooked = 200;  // who stands farther away is not compared
+  constexpr double kDifferent = 3.5;
+  std::vector<FaceCode> all;
+  for (int i = 0; i < count; ++i) {
+    FaceCode best;
+    double most = -1.0;
+    for (int k = 0; k < kTried && most < kDifferent; ++k) {
+      const FaceCode tried{.seed = seed_from_word(fmt::format("{}/{}/{}", seed, i, k))};
+      double least = kDifferent;
+      for (std::size_t j = all.size() - std::min<std::size_t>(all.size(), kLooked);
+           j < all.size() && least > most; ++j)
+        least = std::min(least, difference(all[j], tried).value());
+      if (least > most) best = tried, most = least;
+    }
+    all.push_back(best);
+  }
+  return all;
+}
+
 /// --people: each with its code; with --emotions each with a feeling.
 CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
   constexpr int kMostPeople = 10000;
   const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
   if (!count) return {{}, complain(count.error(), kUsedWrongly)};
   Cells cells;
-  for (int i = 0; i < *count; ++i) {
-    Recipe recipe =
-        recipe_from_seed(seed_from_word(fmt::format("{}/{}", arguments.seed.value_or("1"), i)));
+  for (const FaceCode& code : people(arguments.seed.value_or("1"), int(*count))) {
+    const std::size_t i = cells.size();
+    Recipe recipe = recipe_from_code(code).value();
     if (arguments.style) recipe.style = *arguments.style;
     auto face = face_from_recipe(recipe);
     if (!face) return {{}, complain(face.error(), kFailed)};
@@ -83,8 +105,7 @@ CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
     if (arguments.emotions) {
       constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
                                                           "fear", "disgust", "surprise"};
-      auto setting = read_expression(*face, "emotion",
-                                     std::string(kFeelings[std::size_t(i) % kFeelings.size()]),
+      auto setting = read_expression(*face, "emotion", std::string(kFeelings[i % kFeelings.size()]),
                                      OutOfRange::refuse);
       if (setting) pose.settings.push_back(*std::move(setting));
     }

@@ -1,0 +1,158 @@
+#include <mien/recipe.h>
+#include <mien/relatives.h>
+#include "lib/parts/keyed_chance.h"
+#include "lib/parts/part_library.h"
+#include "lib/parts/part_palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace mien {
+namespace {
+
+constexpr int kNoPart = 1023, kMostStep = 1023;
+
+/// What a code says of every field, held or not.
+using Fields = std::map<int, int>;
+
+Fields fields_of(const Recipe& recipe) {
+  const PartLibrary& library = PartLibrary::shipped();
+  Fields fields;
+  for (const Family& family : library.families()) {
+    const Part* part = chosen_part(library, recipe, family.name);
+    fields[family.number] = part ? part->number : kNoPart;
+  }
+  for (const LibraryNumber& number : library.numbers()) {
+    const double share = (recipe.numbers.at(number.name) - number.lo) / (number.hi - number.lo);
+    fields[number.number] = int(std::floor(share * kMostStep + 0.5));
+  }
+  return fields;
+}
+
+Expected<Fields> fields_of(const FaceCode& code) {
+  const auto recipe = recipe_from_code(code);
+  if (!recipe) return recipe.error();
+  return fields_of(*recipe);
+}
+
+/// The shortest code of these fields with that seed.
+FaceCode code_of(const Fields& fields, std::uint64_t seed) {
+  FaceCode code{.seed = seed};
+  for (const auto& [field, value] : fields_of(recipe_from_seed(seed)))
+    if (fields.at(field) != value) code.held.push_back({field, fields.at(field)});
+  // What is held changes what depends on it: an age, numbers; a skin, hair.
+  const Fields then = fields_of(recipe_from_code(code).value());
+  for (const auto& [field, value] : then)
+    if (fields.at(field) != value) code.held.push_back({field, fields.at(field)});
+  return code;
+}
+
+bool is_number(int field) {
+  return std::ranges::any_of(PartLibrary::shipped().numbers(),
+                             [&](const LibraryNumber& number) { return number.number == field; });
+}
+
+int stepped(double step) {
+  return int(std::floor(std::clamp(step, 0.0, double(kMostStep)) + 0.5));
+}
+
+}  // namespace
+
+Expected<FaceCode> code_near(const FaceCode& code, double by, std::uint64_t seed) {
+  const auto own = fields_of(code);
+  if (!own) return own.error();
+  const KeyedChance chance(seed);
+  const Fields other = fields_of(recipe_from_seed(seed));
+  Fields made = *own;
+  for (auto& [field, value] : made) {
+    const auto question = std::uint64_t(field);
+    if (is_number(field))
+      value = stepped(value + by * chance.bell(question) * kMostStep);
+    else if (chance.share(question) < 0.5 * by)
+      value = other.at(field);
+  }
+  return code_of(made, code.seed);
+}
+
+Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& to, double at) {
+  const auto a = fields_of(from), b = fields_of(to);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  const KeyedChance chance(from.seed ^ to.seed);
+  Fields made = *a;
+  for (auto& [field, value] : made) {
+    if (is_number(field))
+      value = stepped(value + at * (b->at(field) - value));
+    else if (at > 0.0 && chance.share(std::uint64_t(field)) <= at)
+      value = b->at(field);
+  }
+  return code_of(made, at < 1.0 ? from.seed : to.seed);
+}
+
+Expected<FaceCode> code_of_child(const FaceCode& one, const FaceCode& other, std::uint64_t seed) {
+  constexpr double kBeside = 0.05;  // of a number's range
+  const auto a = fields_of(one), b = fields_of(other);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  const KeyedChance chance(seed);
+  const PartLibrary& library = PartLibrary::shipped();
+  const LibraryNumber& age = *library.find_number("age");
+  FaceCode child{.seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1)};
+  child.held.push_back(
+      {age.number, stepped((5 + 10 * chance.share(1) - age.lo) / (age.hi - age.lo) * kMostStep)});
+  // Shapes and colours are inherited; hair, clothes and what one puts on are the child's own.
+  for (const char* name :
+       {"head", "ears", "eyes", "nose", "mouth", "brows", "hair_color", "iris"}) {
+    const int field = library.find_family(name)->number;
+    child.held.push_back({field, (chance.share(std::uint64_t(field)) < 0.5 ? *a : *b).at(field)});
+  }
+  for (const char* name : {"skin.tone", "skin.undertone", "temple", "cheek", "eye.x", "eye.tilt",
+                           "nose.width", "lips", "lips.upper", "brow.arch"}) {
+    const int field = library.find_number(name)->number;
+    const double share = chance.share(std::uint64_t(field));
+    const double mean = a->at(field) + share * (b->at(field) - a->at(field));
+    child.held.push_back(
+        {field, stepped(mean + kBeside * kMostStep * chance.bell(std::uint64_t(field)))});
+  }
+  return child;
+}
+
+Expected<double> difference(const FaceCode& one, const FaceCode& other) {
+  const auto a = recipe_from_code(one), b = recipe_from_code(other);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  const PartLibrary& library = PartLibrary::shipped();
+  double sum = 0.0;
+  const auto part = [&](const Recipe& recipe, const char* family) {
+    return chosen_part(library, recipe, family);
+  };
+  constexpr std::array<std::pair<const char*, double>, 6> kParts{{{"hair", 1.0},
+                                                                  {"beard", 0.6},
+                                                                  {"glasses", 0.5},
+                                                                  {"headwear", 1.0},
+                                                                  {"eyes", 0.5},
+                                                                  {"nose", 0.4}}};
+  for (const auto& [family, weight] : kParts)
+    sum += part(*a, family) != part(*b, family) ? weight : 0.0;
+  const auto number = [](const Recipe& recipe, const char* name) {
+    return recipe.numbers.at(name);
+  };
+  const auto skin = [&](const Recipe& r) {
+    return skin_color(library, number(r, "skin.tone"), number(r, "skin.undertone"));
+  };
+  sum += apart(skin(*a), skin(*b)) / 0.12;
+  constexpr std::array<std::pair<const char*, double>, 3> kColors{
+      {{"hair_color", 0.15}, {"cloth_color", 0.3}, {"backdrop", 0.3}}};
+  for (const auto& [family, unit] : kColors)
+    sum += apart(color_of(*part(*a, family)), color_of(*part(*b, family))) / unit;
+  sum += std::abs(number(*a, "age") - number(*b, "age")) / 30;
+  constexpr std::array<std::pair<const char*, double>, 5> kNumbers{
+      {{"jaw", 0.03}, {"eye.size", 0.05}, {"chin", 0.02}, {"lips", 0.2}, {"brow.thickness", 0.15}}};
+  for (const auto& [name, sigma] : kNumbers)
+    sum += 0.2 * std::abs(number(*a, name) - number(*b, name)) / sigma;
+  return sum;
+}
+
+}  // namespace mien
