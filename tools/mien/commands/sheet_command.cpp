@@ -6,7 +6,6 @@
 #include <mien/relatives.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
-#include "lib/rig/pose/expression_setting.h"
 #include "render/image/write_pieces.h"
 #include "sdf/from_face/caption.h"
 #include "tools/mien/cli/parse_values.h"
@@ -21,7 +20,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <iterator>
 
 namespace mien::command {
 namespace {
@@ -88,33 +89,6 @@ std::vector<FaceCode> people(const std::string& seed, int count) {
   return all;
 }
 
-/// --people: each with its code; with --emotions each with a feeling.
-CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
-  constexpr int kMostPeople = 10000;
-  const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
-  if (!count) return {{}, complain(count.error(), kUsedWrongly)};
-  Cells cells;
-  for (const FaceCode& code : people(arguments.seed.value_or("1"), int(*count))) {
-    const std::size_t i = cells.size();
-    Recipe recipe = recipe_from_code(code).value();
-    if (arguments.style) recipe.style = *arguments.style;
-    auto face = face_from_recipe(recipe);
-    if (!face) return {{}, complain(face.error(), kFailed)};
-    Poser poser(*face);
-    Pose pose;
-    if (arguments.emotions) {
-      constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
-                                                          "fear", "disgust", "surprise"};
-      auto setting = read_expression(*face, "emotion", std::string(kFeelings[i % kFeelings.size()]),
-                                     OutOfRange::refuse);
-      if (setting) pose.settings.push_back(*std::move(setting));
-    }
-    cells.push_back({"", sheet_picture(scene_from_face(poser.pose(pose)),
-                                       {.width = size.width, .height = size.height})});
-  }
-  return {std::move(cells)};
-}
-
 /// Each --picture.
 CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
   Cells cells;
@@ -143,6 +117,30 @@ CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Siz
                         fmt::format("has {} x {} pixels, the first one {} x {}", last.width,
                                     last.height, first.width, first.height)},
                        kUsedWrongly)};
+  }
+  return {std::move(cells)};
+}
+
+/// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
+CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
+  constexpr int kMostPeople = 10000;
+  constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
+                                                      "fear", "disgust", "surprise"};
+  const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
+  if (!count) return {{}, complain(count.error(), kUsedWrongly)};
+  Cells cells;
+  std::size_t person = 0;
+  for (const FaceCode& code : people(arguments.seed.value_or("1"), int(*count))) {
+    SheetArguments one = arguments;
+    one.face = face_code_text(code);
+    const std::string_view feeling = kFeelings[person++ % kFeelings.size()];
+    if (one.pictures.empty())
+      one.pictures.push_back(arguments.emotions ? fmt::format("--emotion {}", feeling) : "");
+    const auto face = read_face_aloud(*one.face, arguments.style);
+    if (!face) return {{}, kFailed};
+    CellsOrCode made = picture_cells(one, *face, size);
+    if (made.code != kDone) return made;
+    std::ranges::move(made.cells, std::back_inserter(cells));
   }
   return {std::move(cells)};
 }
@@ -201,8 +199,6 @@ int sheet_command(const SheetArguments& arguments) {
   if (!gap) return complain(gap.error(), kUsedWrongly);
   if (arguments.people.has_value() == arguments.face.has_value())
     return complain("a sheet needs a FACE or --people, one of them", kUsedWrongly);
-  if (arguments.people && !arguments.pictures.empty())
-    return complain("--picture: a sheet has pictures or --people, not both", kUsedWrongly);
   std::optional<Face> face;
   if (arguments.face) face = read_face_aloud(*arguments.face, arguments.style);
   if (arguments.face && !face) return kFailed;
