@@ -1,0 +1,118 @@
+// mien new, mien parts and codes in place of faces.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/read_back.h"
+#include "tests/support/run_command.h"
+
+namespace mien {
+namespace {
+
+using test::Ran;
+using test::run_mien;
+using test::ScratchFolder;
+
+class NewTest : public testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  /// What the command prints, without its line's end.
+  static std::string printed(const std::vector<std::string>& words) {
+    const Ran ran = run_mien(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.out.substr(0, ran.out.find('\n'));
+  }
+  auto picture(std::vector<std::string> words) const {
+    words.insert(words.end(), {"--size", "64", "-o", file("out.png")});
+    const Ran ran = run_mien(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return test::read(file("out.png")).channels;
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(NewTest, TheReadmesThirdCommand) {
+  const std::string code = printed({"new", "--seed", "hello", "-o", file("mine.face.json")});
+  EXPECT_EQ(code, "Z66CB-AA5S0-1B");
+  EXPECT_EQ(run_mien({"check", file("mine.face.json")}).out, file("mine.face.json") + ": ok\n");
+  EXPECT_FALSE(picture({"render", file("mine.face.json"), "--emotion", "joy"}).empty());
+}
+
+TEST_F(NewTest, RecipeFlatFaceAndCodeAreOnePicture) {
+  const std::string code = printed({"new", "--seed", "a b", "-o", file("r.face.json")});
+  printed({"new", "--code", code, "--flat", "-o", file("f.face.json")});
+  const auto by_code = picture({"render", code});
+  EXPECT_EQ(picture({"render", file("r.face.json")}), by_code);
+  EXPECT_EQ(picture({"render", file("f.face.json")}), by_code);
+  EXPECT_NE(picture({"render", code, "--style", "ink"}), by_code);
+}
+
+TEST_F(NewTest, AFileOfThatNameComesFirst) {
+  const std::string code = printed({"new", "--seed", "x"});
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(folder_ / "");
+  std::ofstream(code) << "{}";
+  const Ran ran = run_mien({"check", code});
+  std::filesystem::current_path(here);
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("\"format\" is missing"), std::string::npos) << ran.err;
+}
+
+TEST_F(NewTest, RelativesHaveCodes) {
+  const std::string a = printed({"new", "--seed", "a"}), b = printed({"new", "--seed", "b"});
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"new", "--near", a, "--by", "0.5", "--seed", "1"},
+        {"new", "--between", a, b, "--at", "0.25"},
+        {"new", "--child-of", a, b, "--seed", "1"}}) {
+    const std::string code = printed(words);
+    EXPECT_EQ(code, printed(words)) << words[1];
+    EXPECT_NE(code, a);
+    EXPECT_EQ(run_mien({"check", code}).code, 0);
+  }
+}
+
+TEST_F(NewTest, PartsAreListed) {
+  const Ran all = run_mien({"parts"});
+  EXPECT_NE(all.out.find("hair "), std::string::npos);
+  EXPECT_NE(all.out.find("eye.size"), std::string::npos);
+  EXPECT_NE(all.out.find("styles: soft"), std::string::npos);
+  EXPECT_NE(run_mien({"parts", "glasses"}).out.find("glasses=none\n"), std::string::npos);
+}
+
+TEST_F(NewTest, PeopleOfASheet) {
+  const Ran ran = run_mien({"sheet", "--people", "6", "--columns", "3", "--cell", "32", "--picture",
+                            "--blink 1", "-o", file("s.png")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const auto sheet = test::read(file("s.png"));
+  EXPECT_EQ(sheet.spec.width, 96);
+  EXPECT_EQ(sheet.spec.height, 64);
+}
+
+TEST_F(NewTest, BadUseIsASentence) {
+  const auto refused = [](const std::vector<std::string>& words, int code,
+                          const std::string& what) {
+    const Ran ran = run_mien(words);
+    EXPECT_EQ(ran.code, code) << ran.err;
+    EXPECT_NE(ran.err.find(what), std::string::npos) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  };
+  refused({"new", "--code", "Z66CB-AA5S0-1C"}, 2, "a sign is wrong");
+  refused({"new", "--seed", "x", "--hold", "hair=bobb"}, 2, "did you mean \"bob\"");
+  refused({"new", "--seed", "x", "--hold", "eye.size=7"}, 2, "eye.size goes from 0.8 to 1.2");
+  refused({"new", "--seed", "x", "--style", "inkk"}, 2, "did you mean \"ink\"");
+  refused({"new", "--seed", "x", "--code", "Z66CB-AA5S0-1B"}, 2, "a seed of its own");
+  refused({"new", "--by", "0.5"}, 2, "--near");
+  refused({"new", "--near", "Z66CB-AA5S0-1B", "--by", "2"}, 2, "--by");
+  refused({"new", "--near", "Z66CB-AA5S0-1B", "--between", "a", "b"}, 2, "one of them");
+  refused({"parts", "hiar"}, 2, "did you mean \"hair\"");
+  refused({"sheet", "-o", "x.png"}, 2, "--people");
+  refused({"sheet", "--people", "1000000000", "-o", "x.png"}, 2, "--people");
+  refused({"render", "Z66CB-AA5S0-1C", "-o", "x.png"}, 1, "a sign is wrong");
+  refused({"render", test::face_path("toon"), "--style", "ink", "-o", "x.png"}, 1,
+          "styles are for codes");
+  EXPECT_EQ(printed({"new", "--seed", "x", "--hold", "eye.size=7", "--clamp"}).substr(14, 1), "~");
+}
+
+}  // namespace
+}  // namespace mien
