@@ -74,6 +74,13 @@ def main():
         break_it(broken)
         if validator.is_valid(broken):
             failures.append(f"the schema takes {what}")
+    recipe = Draft202012Validator(json.loads((ROOT / "docs/recipe.schema.json").read_text()))
+    page = (ROOT / "docs/parts.md").read_text()
+    otto = json.loads(page.split("```json\n")[1].split("```")[0])
+    failures += [f"docs/parts.md: {error.message}" for error in recipe.iter_errors(otto)]
+    for what, change in {"an unknown key": {"prats": {}}, "a number that is none": {"numbers": {"age": "old"}}, "a face in full": {"features": []}}.items():
+        if recipe.is_valid(otto | change):
+            failures.append(f"the recipe's schema takes {what}")
     print("\n".join(failures) or f"{len(SAMPLES)} samples valid, {len(BREAKS)} broken ones refused")
     return bool(failures)
 
