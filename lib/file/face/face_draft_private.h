@@ -91,15 +91,16 @@ struct PaintPlace {
 void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face,
                         Feature& feature);
 int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft& face);
-int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face);
+Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlace& place,
+                              FaceDraft& face);
 /// The keys "shadow", "glow" and "contour" of a feature; each null where it has none.
 struct SurroundingNodes {
   const JsonNode *shadow, *glow, *contour;
 };
-int read_surroundings(Reading& in, const SurroundingNodes& nodes, const std::string& feature,
-                      Side side, FaceDraft& face);
+Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& nodes,
+                                          const std::string& feature, Side side, FaceDraft& face);
 void read_groups(Reading& in, const JsonNode& node, FaceDraft& face);  ///< before the features
-int group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
+Index<FaceGroup> group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
 void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face);  ///< after them
 void read_light(Reading& in, const JsonNode& node, FaceDraft& face);
 
