@@ -7,9 +7,9 @@
 //   const auto image = mien::render(scene, {.width = 7680, .height = 4320});  // Scene -> Image
 //   mien::write_image(*image, "toon.png");  // <mien/write.h>                    Image -> file
 //
-// A verb that fails says so in a sentence: the first and the last by their files, render where memory
-// does not hold the pixels. No global state, nothing
-// printed, no exception crosses the API, every verb re-entrant.
+// Three verbs can fail, and each returns the reason in a sentence: reading and writing for their files, and
+// render when memory does not hold the pixels. The API keeps no global state, prints nothing and lets no
+// exception out. Every verb is re-entrant.
 
 #include <mien/face_file.h>
 #include <mien/pose.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Which mien this is, and the only place that says so: the build reads these three numbers.
+// The version of mien. This is its only definition: the build reads these three numbers.
 
 #define MIEN_VERSION_MAJOR 0
 #define MIEN_VERSION_MINOR 1

@@ -40,44 +40,44 @@ struct WriteOptions {
 ///         Float is linear and premultiplied
 ///   EXR   half or 32-bit float (u8 and u16 become linear), premultiplied, zip; tiled where it is
 ///         wider than 8192 pixels
-///   JPEG  8 bits, sRGB, no subsampling. A picture that is not opaque is an error
+///   JPEG  8 bits, sRGB, no chroma subsampling. A picture that is not opaque is an error
 ///
-/// Opaque pictures are stored as RGB, others as RGBA; the colour space is tagged (in TIFF by an ICC
-/// profile); the recipe is the file's ImageDescription (in PNG the text "Description"; a JPEG
-/// leaves out a recipe beyond 60 000 bytes).
+/// Opaque pictures are stored as RGB, others as RGBA. The colour space is tagged (in TIFF by an ICC
+/// profile). The recipe becomes the file's ImageDescription, or in PNG the text "Description"; JPEG
+/// drops a recipe longer than 60 000 bytes.
 ///
 /// The file is written beside its target under a name like ".mien-0123456789abcdef.part", flushed
-/// to the disk and renamed: an error leaves the old file as it was and nothing else behind. A
-/// temporary left by a killed run goes with the next write into that folder, unless a running
-/// process holds its lock. Links are followed and stay links; permissions are as the umask says;
-/// devices and pipes are written straight into.
+/// to disk and renamed. An error therefore leaves the old file untouched and nothing else behind. The
+/// next write into the folder removes temporaries that killed runs left, unless a running process
+/// holds their lock. Links are followed and stay links. Permissions follow the umask. Devices and
+/// pipes are written to directly.
 MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::path& path,
                                     const WriteOptions& how = {});
 
 struct PictureOptions {
-  WriteOptions write;          ///< its threads draw, its progress is that of the whole
-  std::optional<Depth> depth;  ///< what is drawn: u8, for EXR f32, unless said
-  std::uint64_t memory = std::uint64_t(256) << 20;  ///< [bytes] most that is held at once
+  WriteOptions write;          ///< its threads draw too; its progress covers drawing and writing
+  std::optional<Depth> depth;  ///< drawn at; default u8, for EXR f32
+  std::uint64_t memory = std::uint64_t(256) << 20;  ///< [bytes] limit of what is held at once
 };
 
-/// What a written picture took.
+/// The time that writing a picture took.
 struct PictureStats {
   RenderStats render;
   double draw = 0, encode = 0, put = 0;  ///< [s] of all threads together: drawing, compressing,
                                          ///< handing to the file
 };
 
-/// write_image(render(scene, view), path) without ever holding the picture: threads draw and
-/// compress pieces of it, and the file takes them in order. The bytes of the file are the same,
-/// whatever the memory and the threads. Pictures of up to View::kMaxSide a side; PNG readers that
-/// keep libpng's own limit refuse sides beyond 1 000 000. Errors, further to write_image's: `memory`
-/// does not hold even the smallest piece.
+/// Does what write_image(render(scene, view), path) does without ever holding the whole picture:
+/// threads draw and compress pieces, which are written in order. Memory and threads do not change a
+/// byte of the file. Sides may be up to View::kMaxSide; PNG readers with libpng's default limit refuse
+/// sides beyond 1 000 000. One error is added to those of write_image: `memory` does not hold even the
+/// smallest piece.
 MIEN_API Expected<PictureStats> write_picture(const Scene& scene, const View& view,
                                               const std::filesystem::path& path,
                                               const PictureOptions& how = {});
 
-/// Whether write_image could begin there: the format is known, the folder exists and may be
-/// written. For asking before a long render; changes nothing.
+/// Checks before a long render that write_image could begin: the format is known, and the folder
+/// exists and is writable. Changes nothing.
 MIEN_API Expected<Done> check_output_path(const std::filesystem::path& path,
                                           const WriteOptions& how = {});
 

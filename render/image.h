@@ -7,7 +7,7 @@
 
 namespace mien {
 
-/// What one channel of one pixel is.
+/// The type and encoding of one channel of one pixel.
 enum class Depth {
   u8,   ///< 0 … 255, sRGB-encoded
   u16,  ///< 0 … 65535, sRGB-encoded
@@ -18,11 +18,11 @@ inline std::size_t bytes_per_channel(Depth depth) {
   return depth == Depth::u8 ? 1 : depth == Depth::u16 ? 2 : 4;
 }
 
-/// RGBA, rows from the top, no padding. u8 and u16: straight (not premultiplied) alpha.
+/// RGBA, rows from the top, no padding. u8 and u16 have straight (not premultiplied) alpha.
 struct Image {
   int width = 0, height = 0;
   Depth depth = Depth::u8;
-  bool opaque = true;  ///< every alpha is full: may be stored as RGB
+  bool opaque = true;  ///< every alpha is full, so it may be stored as RGB
   std::vector<std::byte> bytes;
 
   std::size_t stride() const { return std::size_t(width) * 4 * bytes_per_channel(depth); }
@@ -31,7 +31,7 @@ struct Image {
   }
 };
 
-/// Pixels somebody else owns: RGBA as in Image, rows `stride` bytes apart.
+/// Pixels that the caller owns: RGBA as in Image, with rows `stride` bytes apart.
 struct PixelBuffer {
   void* data = nullptr;
   std::size_t stride = 0;  ///< [bytes]

@@ -1,6 +1,6 @@
 #include <mien/piece_drawer.h>
+#include "render/render_error.h"
 #include "render/rows/drawing.h"
-#include "render_error_private.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include <mien/render.h>
 #include <mien/renderer.h>
-#include "render_error_private.h"
+#include "render/render_error.h"
 
 #include <new>
 

@@ -1,10 +1,10 @@
 #pragma once
-// Scene in, pixels out: the exact box-filtered picture, to within one level of 255.
+// Renders a scene: the exact box-filtered picture, to within one level of 255.
 //
 //   const Expected<Image> picture = render(scene, {.width = 1920, .height = 1080});
 //
-// A scene is never modified; calls may run in parallel. The pixels depend on scene and view alone: never
-// on threads, region or anything drawn before.
+// A scene is never modified, and calls may run in parallel. Pixels depend on scene and view alone, never on
+// threads, the region or anything drawn before.
 
 #include <mien/api.h>
 #include <mien/expected.h>
@@ -17,22 +17,22 @@
 
 namespace mien {
 
-/// How to draw it: may change the time, never one bit of the picture.
+/// How to draw: may change the time, never a bit of the picture.
 struct RenderOptions {
   Depth depth = Depth::u8;
   Threads threads;
   Progress progress;  ///< may cancel
 };
 
-/// Draws the scene through the view into an image: any Scene and any View. Errors, one sentence each:
-/// a side outside 1 … View::kMaxSide; more pixels than there is memory for; cancelled. `stats` is left
-/// alone where nothing was begun.
+/// Draws any scene through any view into an image. Errors, one sentence each: a side outside
+/// 1 … View::kMaxSide; more pixels than memory holds; cancelled. `stats` is left alone if drawing did not
+/// begin.
 MIEN_API Expected<Image> render(const Scene& scene, const View& view, const RenderOptions& how = {},
                                 RenderStats* stats = nullptr);
 
 /// The same into the caller's buffer, which holds drawn_rect(view).height rows of
-/// drawn_rect(view).width pixels. `how.depth` is ignored in favour of the buffer's. Errors as
-/// render's; the pixels are then unspecified.
+/// drawn_rect(view).width pixels. The buffer's depth counts, not `how.depth`. Errors as for render; the
+/// pixels are unspecified then.
 MIEN_API Expected<Done> render_into(const PixelBuffer& out, const Scene& scene, const View& view,
                                     const RenderOptions& how = {}, RenderStats* stats = nullptr);
 

@@ -1,4 +1,4 @@
-#include "render_error_private.h"
+#include "render/render_error.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@ Error invalid_size(const View& view) {
 }
 
 Error out_of_memory(const PixelRect& rect) {
-  return {"",
-          fmt::format("memory ran out: the picture has {} x {} pixels", rect.width, rect.height)};
+  return {"", fmt::format("{}: the picture has {} x {} pixels", kMemoryRanOut, rect.width,
+                          rect.height)};
 }
 
 Error drawing_cancelled() {

@@ -1,28 +1,29 @@
 #pragma once
-// Where the work of drawing went. Counted always: it costs nothing beside the drawing.
+// Where the work of drawing went. It is always counted; the cost is negligible.
 
 #include <algorithm>
 
 namespace mien {
 
-/// What drawing a picture took.
+/// The work that drawing a picture took.
 struct RenderStats {
-  long long pixels = 0;           ///< drawn
-  long long fill_pixels = 0;      ///< in runs of one colour
-  long long varied_pixels = 0;    ///< in runs of a colour that varies
-  long long edge_pixels = 0;      ///< that visible outlines cross
-  long long resolved_pixels = 0;  ///< of all those: by distances, where nothing else was proven
+  long long pixels = 0;         ///< drawn
+  long long fill_pixels = 0;    ///< in runs of one colour
+  long long varied_pixels = 0;  ///< in runs of a colour that varies
+  long long edge_pixels = 0;    ///< crossed by visible outlines
+  long long resolved_pixels =
+      0;  ///< those of them resolved by distances, because nothing else was proven
   long long recalled_pixels = 0;  ///< copied from the frame before (Renderer)
-  long long pieces = 0;           ///< of outlines
-  long long crossings = 0;        ///< of pieces
-  long long regions = 0;          ///< sets of outlines that were met
-  long long doubts = 0;           ///< orders that could not be proven
-  long long roots = 0;            ///< solved: where visible pieces meet rows and columns of pixels
+  long long pieces = 0;           ///< pieces of outline
+  long long crossings = 0;        ///< of those pieces with each other
+  long long regions = 0;          ///< different sets of outlines that places are inside of
+  long long doubts = 0;           ///< places where the order of outlines could not be proven
+  long long roots = 0;            ///< solved, where visible pieces meet rows and columns of pixels
   long long distances = 0;        ///< solved for light and for gradients along a distance
-  double root_seconds = 0, distance_seconds = 0;  ///< what these took, sums and all; of all threads
+  double root_seconds = 0, distance_seconds = 0;  ///< time of these, with summing, over all threads
   bool cancelled = false;
 
-  /// Of another part of the same picture: outlines and regions are those of all of it.
+  /// Adds the work of another part of the same picture. Outlines and regions are counted for the whole.
   void add(const RenderStats& part) {
     cancelled = cancelled || part.cancelled;
     pixels += part.pixels, fill_pixels += part.fill_pixels, varied_pixels += part.varied_pixels;

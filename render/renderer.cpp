@@ -1,7 +1,7 @@
 #include <mien/renderer.h>
+#include "render/render_error.h"
 #include "render/rows/drawing.h"
 #include "render/rows/frame_memory.h"
-#include "render_error_private.h"
 
 #include <algorithm>
 #include <atomic>

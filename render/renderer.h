@@ -1,15 +1,15 @@
 #pragma once
-// A renderer that remembers: for programs that draw frame after frame.
+// A renderer for programs that draw frame after frame: it keeps memory and finished rows.
 //
 //   mien::Renderer renderer;                                      // once
 //   renderer.render_into(buffer, scene, view, {.threads = {1}});  // every frame
 //
-// The same pixels as render_into, and the same promises: whatever was drawn before. It keeps its
-// scratch: on one thread a frame allocates nothing after the first ones of its kind. And it keeps
-// finished rows, once two frames in a row have something in common: rows made from the same as in the
-// frame before are copied, the others drawn. Pictures of more than 16 MiB, and those
-// of thousands of layers, are always drawn whole. Every row is written in every call: what the buffer
-// held does not matter.
+// It gives the same pixels and keeps the same promises as render_into, whatever was drawn before. Scratch
+// memory is kept: on one thread, after the first frames of a kind, a frame allocates nothing. Finished rows
+// are kept too, once two consecutive frames have something in common. A row whose inputs are those of the
+// frame before is copied; all others are drawn. Pictures of more than 16 MiB and pictures of thousands of
+// layers are always drawn whole. Every call writes every row, so the buffer's previous contents do not
+// matter.
 
 #include <mien/render.h>
 
@@ -17,7 +17,7 @@
 
 namespace mien {
 
-/// Draws one picture at a time; threads that draw at the same time need one each.
+/// Draws one picture at a time. Threads that draw at the same time need a renderer each.
 class MIEN_API Renderer {
  public:
   Renderer();

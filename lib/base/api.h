@@ -1,12 +1,12 @@
 #pragma once
-// What the libraries let out. Everything is hidden except what carries MIEN_API: every public
-// function that is not inline, and every public class with members defined in a .cpp.
+// What the libraries export. Symbols are hidden unless they carry MIEN_API: every public function that
+// is not inline, and every public class with members defined in a .cpp.
 //
 //   MIEN_API Image render(const Scene& scene, const View& view);
 //   class MIEN_API Scene { … };
 
-#if defined(MIEN_SHARED)  // the build of a shared library sets it; users need not
+#if defined(MIEN_SHARED)  // set by the build of a shared library; users need not set it
 #define MIEN_API __attribute__((visibility("default")))
 #else
-#define MIEN_API  // a static library lets a program's own shared library hand nothing of mien's on
+#define MIEN_API  // empty in static builds: a shared library linking mien statically does not re-export it
 #endif

@@ -1,5 +1,5 @@
 #pragma once
-// A value, or the sentence that says why there is none. Used at the borders only: files and names.
+// A value, or a sentence that says why there is none. Used where mien meets the outside: files and names.
 
 #include <cassert>
 #include <cstddef>
@@ -11,21 +11,22 @@
 
 namespace mien {
 
-/// Why something could not be read or written.
+/// Why something failed.
 struct Error {
-  std::string where;  ///< address: "faces/a.json:12:7: /features/2/points", "out/a.png", "--set";
-                      ///< may be empty
-  std::string what;   ///< one sentence, no full stop: "expected 2 numbers, got 3"
+  std::string
+      where;  ///< its address: "faces/a.json:12:7: /features/2/points", "out/a.png", "--set";
+              ///< may be empty
+  std::string what;  ///< one sentence, no full stop: "expected 2 numbers, got 3"
 };
 
-/// "where: what" on one line, as it is shown to people.
+/// "where: what" on one line, for people to read.
 inline std::string sentence(const Error& error) {
   return error.where.empty() ? error.what : error.where + ": " + error.what;
 }
 
-/// A T, or the Error that explains its absence: std::expected<T, Error> with its names, for C++20.
-/// An Error converts to it as it is. Nothing here throws: to ask for what is not held is a mistake of
-/// the program's, which an assertion catches.
+/// A T, or the Error that explains its absence: std::expected<T, Error> for C++20, with the same names.
+/// An Error converts to it implicitly. Nothing here throws. Asking for the value or the error that is not
+/// there is a bug in the program, which an assertion catches.
 template <class T>
 class [[nodiscard]] Expected {
  public:
@@ -58,7 +59,7 @@ class [[nodiscard]] Expected {
     return has_value() ? *std::move(*this) : static_cast<T>(std::forward<U>(other));
   }
 
-  /// next(value), which gives another Expected; or the error.
+  /// next(value), which returns another Expected; or the error.
   template <class Next>
   auto and_then(Next&& next) const& -> std::invoke_result_t<Next, const T&> {
     if (has_value()) return std::invoke(std::forward<Next>(next), **this);
@@ -82,7 +83,7 @@ class [[nodiscard]] Expected {
     return std::move(*this).error();
   }
 
-  /// The value; or what else(error) gives, another Expected<T>.
+  /// The value; or else(error), which returns another Expected<T>.
   template <class Else>
   Expected or_else(Else&& otherwise) const& {
     if (has_value()) return *this;

@@ -1,5 +1,5 @@
 #pragma once
-// The one door to threads. Results never depend on how many there are.
+// The only way to threads in mien. Results never depend on how many there are.
 
 #include <mien/api.h>
 
@@ -7,14 +7,14 @@
 
 namespace mien {
 
-/// The caller's own threads: must run job(0) … job(count − 1), each once, in any order and on any
-/// threads, and return when all are done.
+/// Runs jobs on the caller's own threads. It must run each of job(0) … job(count − 1) once, in any order and
+/// on any threads, and return when all are done.
 using Executor = std::function<void(int count, const std::function<void(int)>& job)>;
 
-/// Which threads work is spread over.
+/// The threads that work is spread over.
 struct Threads {
-  int count = 0;      ///< 0, or more than the machine has: as many as it has; 1: the caller's alone
-  Executor executor;  ///< if set, used instead of mien's own pool, and `count` is ignored
+  int count = 0;      ///< 1: the caller's alone; 0, or more than the machine has: all of them
+  Executor executor;  ///< if set, replaces mien's own pool; `count` is ignored then
 };
 
 /// Runs job(0) … job(count − 1), in any order, and returns when all are done.

@@ -1,12 +1,12 @@
 #pragma once
-// How long work is watched and stopped.
+// How callers watch and cancel long work.
 
 #include <functional>
 
 namespace mien {
 
-/// Called now and then, never at the same time from two threads, with the share done in [0, 1]
-/// (never falling). Returning false asks the work to stop; it stops within about 50 ms.
+/// Called now and then with the share done, in [0, 1] and never decreasing; never from two threads at
+/// once. Returning false asks the work to stop, which it does within about 50 ms.
 using Progress = std::function<bool(double done)>;
 
 }  // namespace mien

@@ -15,7 +15,7 @@ enum class Ease : unsigned char {
   smooth,    ///< starts and stops softly: 3u² − 2u³
   in,        ///< starts softly: u²
   out,       ///< stops softly: 1 − (1−u)²
-  overshoot  ///< a tenth too far, and back: 1 + 2.70158 (u−1)³ + 1.70158 (u−1)²
+  overshoot  ///< goes a tenth too far, and back: 1 + 2.70158 (u−1)³ + 1.70158 (u−1)²
 };
 
 struct CurveKey {
@@ -24,7 +24,7 @@ struct CurveKey {
   Ease ease = Ease::linear;  ///< towards the next key
 };
 
-/// Through keys; held before the first and after the last.
+/// A curve through keys, held before the first and after the last.
 struct KeyCurve {
   std::vector<CurveKey> keys;  ///< times rising; at least 1
   double period = 0;           ///< [s] time is taken modulo this; 0: once only
@@ -42,8 +42,8 @@ struct SineCurve {
   bool absolute = false;
 };
 
-/// Rests at random values, one each period, and goes quickly from one to the next: saccades. Curves
-/// of one seed move at the same moments and are home together; `stream` tells their values apart.
+/// Saccades: rests at a random value for each period and moves quickly to the next. Curves of one seed move
+/// at the same times and are home together; `stream` gives them different values.
 struct WanderCurve {
   double center = 0;
   double amplitude = 1;  ///< values lie within center ± amplitude
@@ -66,7 +66,7 @@ struct ClipTrack {
 struct Clip {
   std::string name;
   std::vector<ClipTrack> tracks;  ///< later ones beat earlier ones
-  bool additive = false;  ///< adds what it differs from rest by, instead of taking the place
+  bool additive = false;          ///< adds its difference from rest instead of replacing values
 };
 
 }  // namespace mien

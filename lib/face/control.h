@@ -20,17 +20,17 @@ struct Scale {
   int slice;
 };
 
-/// slice += (value − rest) · (to − from): a share of the way to another shape. At a share of 1 a
-/// slice that was `from` is `to`, bit for bit.
+/// slice += (value − rest) · (to − from), a share of the way to another shape. At a share of 1 a slice that
+/// was `from` becomes `to`, bit for bit.
 struct Toward {
   int slice;
   std::vector<double> from, to;
 };
 
-/// What a channel does to the face vector. Each leaves the vector as it is when the channel rests.
+/// What a channel does to the face vector. When the channel rests, the vector stays as it is.
 using Drive = std::variant<Offset, Scale, KeyShapes, Toward>;
 
-/// Another channel's value += (value − rest) · by. A channel coupled to another couples none itself.
+/// Another channel's value += (value − rest) · by. The other channel has no couplings of its own.
 struct Coupling {
   int channel;
   double by;
@@ -39,13 +39,13 @@ struct Coupling {
 /// One number that drives slices: a control, or a control's left or right half.
 struct Channel {
   double rest = 0;
-  double lo = 0, hi = 1;            ///< finite; values beyond act like the nearer end
+  double lo = 0, hi = 1;            ///< finite; values outside act like the nearer end
   std::vector<Drive> drives;        ///< act in this order
-  bool pose = false;                ///< the weight of a pose: acts before all that are not
+  bool pose = false;                ///< whether it is the weight of a pose; those act first
   std::vector<Coupling> couplings;  ///< of a pose
 };
 
-/// A name for one channel ("gaze.left.x") or for a left and a right one at once ("gaze.x").
+/// A name for one channel ("gaze.left.x"), or for a left and a right one together ("gaze.x").
 struct Control {
   std::string name;
   std::string unit;

@@ -1,9 +1,9 @@
 #pragma once
-// An eye as a body: what gaze, blink and lids mean for it. Plain data; lib/rig moves it.
+// An eye as a body: its ball, gaze, blink and lids. Plain data; lib/rig moves it.
 //
-// Behind the drawn eye stands a ball of a centre and a radius, seen straight from the front: a point
-// at the distance r of its centre in the picture is √(R² − r²) in front of it. Its numbers are
-// slices, named after the eye ("eyeball.left/radius"), so whatever moves the vector moves the ball.
+// Behind the drawn eye is a ball of radius R, seen from the front. A point of the picture at the distance r
+// from its centre is √(R² − r²) in front of the centre. The ball's numbers are slices, named after the eye
+// ("eyeball.left/radius"), so whatever moves the vector moves the ball.
 
 #include <mien/side.h>
 
@@ -12,11 +12,11 @@
 
 namespace mien {
 
-/// How a lid gives way to the cornea under it; lib/rig/eye/bulge.h has both laws.
+/// How a lid yields to the cornea under it; lib/rig/eye/bulge.h has both laws.
 enum class BulgeLaw : unsigned char { native, compat };
 
-/// A point of the face that stays where it is on the edge of a lid. The edge is a quadratic Bézier;
-/// (a, b) are the arguments of its polar form at which the point stands: a = b on the curve, a < b
+/// A point of the face that keeps its place on the edge of a lid. The edge is a quadratic Bézier, and the
+/// point is the value of its polar form (blossom) at (a, b): a point of the curve for a = b, and for a < b
 /// the control point of the part from a to b.
 struct LidRider {
   int slice;
@@ -29,11 +29,11 @@ struct Eye {
   Side side = Side::none;
 
   int center, radius;           ///< slices of the ball: a point, and a length > 0 at rest
-  double depth = 0;             ///< of its centre: towards the viewer is positive [face units]
-  int cornea = -1, bulge = -1;  ///< slices: height of the cap, height of the push; −1: none
+  double depth = 0;             ///< of its centre, positive towards the viewer [face units]
+  int cornea = -1, bulge = -1;  ///< slices: the heights of the cap and of the push; −1: none
   BulgeLaw law = BulgeLaw::native;
 
-  int gaze_x = -1, gaze_y = -1;  ///< channels: where the iris is beside its rest [face units]
+  int gaze_x = -1, gaze_y = -1;  ///< channels: offset of the iris from rest [face units]
   double reach_x, reach_y;       ///< half-axes of the ellipse the gaze stays in [face units]
 
   int upper = -1, lower = -1;  ///< slices of the lids: bends of an opening, or parabolas; −1: none
@@ -44,7 +44,7 @@ struct Eye {
   int blink = -1, bias = -1;  ///< channels
   double meet = 1;            ///< where lids meet at bias 0: 0 at the upper, 1 at the lower
 
-  /// First of four slices in a row, the dome that the cornea raises on what lies over it: centre,
+  /// The first of four consecutive slices of the dome that the cornea raises on what covers it: centre,
   /// radii, height, tilt; −1: none.
   int dome = -1;
 

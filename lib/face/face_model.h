@@ -1,6 +1,6 @@
 #pragma once
-// Everything about a face that does not move: what its numbers are, what is drawn from them, what
-// poses them.
+// The parts of a face that do not move: the meaning of its numbers, what is drawn from them, and what poses
+// them.
 
 #include <mien/canvas.h>
 #include <mien/clip.h>
@@ -10,6 +10,7 @@
 #include <mien/face_paint.h>
 #include <mien/feature.h>
 #include <mien/head_turn.h>
+#include <mien/index.h>
 #include <mien/layout.h>
 #include <mien/muscle.h>
 
@@ -18,8 +19,8 @@
 
 namespace mien {
 
-/// Invariant: every index points at what it says, every slice has its kind's size
-/// (docs/face-format.md), every number of a table or curve is finite.
+/// Invariants: every index is valid, every slice has the size of its kind (docs/face-format.md), and every
+/// number of a table or curve is finite.
 struct FaceModel {
   std::string name;
   std::string credit;
@@ -32,15 +33,15 @@ struct FaceModel {
   std::vector<FaceSurroundings> surroundings;
   std::vector<FaceGroup> groups;
   FaceLight light;
-  std::vector<Channel> channels;  ///< act in this order
+  std::vector<Channel> channels;  ///< in the order in which they act
   std::vector<Control> controls;
   MuscleSystem muscles;
   std::vector<Expression> expressions;  ///< emotions first
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
   HeadTurn turn;
-  std::vector<Effect> effects;  ///< laid over the finished picture, in this order
-  int default_clip = -1;        ///< the clip that runs when a time is given; −1: none
+  std::vector<Effect> effects;  ///< applied to the finished picture, in this order
+  Index<Clip> default_clip;     ///< the clip that runs when a time is given
 };
 
 }  // namespace mien

@@ -1,6 +1,8 @@
 #pragma once
-// How features are painted when one colour isn't enough: gradients, reliefs, groups, effects. As
-// everywhere in a face, numbers that can move are slices of the face vector, named by their index.
+// Paints of features beyond a single colour: gradients, reliefs, groups, effects. As everywhere in a face,
+// numbers that can move are slices of the face vector, referred to by their index.
+
+#include <mien/index.h>
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -9,6 +11,8 @@
 #include <vector>
 
 namespace mien {
+
+struct Feature;
 
 /// Place 0 at the point `from`, 1 at `to`.
 struct LinearPaint {
@@ -21,7 +25,7 @@ struct RadialPaint {
   int tilt = -1;  ///< −1: none
 };
 
-/// Place 0 so deep inside the outline of a figure, 1 so far outside of it.
+/// Place 0 at the depth `inside` within a figure's outline, 1 at the distance `outside` from it.
 struct DistancePaint {
   int inside, outside;  ///< lengths, one of them more than 0
 };
@@ -33,24 +37,24 @@ struct GradientPaint {
   enum class Extend : unsigned char { pad, repeat, reflect } extend = Extend::pad;
 };
 
-/// A hill on a surface: see Dome in sdf/scene/paint.h.
+/// A hill on a surface; see Dome in sdf/scene/paint.h.
 struct FaceDome {
   int center, radii, height;
   int tilt = -1;  ///< −1: none
 };
 
-/// The surface over a feature, from the outline of its own figure (not of what it is clipped to):
-/// see Relief in sdf/scene/paint.h.
+/// The surface over a feature; see Relief in sdf/scene/paint.h. It starts at the outline of the feature's
+/// own figure, not of what the feature is clipped to.
 struct FaceRelief {
   enum class Profile : unsigned char { flat, bevel, round, custom } profile = Profile::flat;
   int width = -1, height = -1;        ///< −1: flat
   int table = -1;                     ///< custom: heights in units of `height`
   bool sunk = false;                  ///< a dent: heights count downwards
-  int specular = -1, shininess = -1;  ///< −1: as Relief has them
+  int specular = -1, shininess = -1;  ///< −1: the default of Relief
   std::vector<FaceDome> domes;
 };
 
-/// What follows a feature's outline at a distance: see sdf/scene/effects.h. Colours are slices.
+/// Effects that follow a feature's outline at a distance; see sdf/scene/effects.h. Colours are slices.
 struct FaceContour {
   int color, half_width;
 };
@@ -67,14 +71,14 @@ struct FaceSurroundings {
   std::optional<FaceContour> contour;  ///< over the feature
 };
 
-/// Features that are mixed first and then laid over what is below as one. They stand together.
+/// Consecutive features that are composited first; the result is then laid over what is below.
 struct FaceGroup {
   std::string name;
-  int opacity = -1;  ///< −1: 1
-  int clip = -1;     ///< a feature before the group's first; −1: none
+  int opacity = -1;     ///< −1: 1
+  Index<Feature> clip;  ///< a feature before the group's first
 };
 
-/// The lamp: see Light in sdf/scene/paint.h.
+/// The lamp; see Light in sdf/scene/paint.h.
 struct FaceLight {
   glm::dvec3 direction{-0.45, 0.65, 0.85};
   double ambient = 0.35;

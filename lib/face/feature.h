@@ -1,8 +1,8 @@
 #pragma once
-// What a face draws, as plain data. Every number is a slice of the face vector, named here by its
-// index in the layout; so whatever moves the vector moves the feature, and two features may share a
-// point.
+// What a face draws, as plain data. Every number is a slice of the face vector, given here by its index in
+// the layout. So whatever moves the vector moves the feature, and two features may share a point.
 
+#include <mien/index.h>
 #include <mien/side.h>
 
 #include <string>
@@ -31,9 +31,8 @@ struct CutDiscFigure {
   int center, radius, chords;
 };
 
-/// A pen line along a quadratic Bézier; half_width holds one number, or three (Bernstein
-/// coefficients).
-/// Along the edge of a lid it is bent as the edge is: `shifts` is the first of that edge's slices
+/// A pen line along a quadratic Bézier; half_width holds one number, or three (Bernstein coefficients).
+/// A line along the edge of a lid bends with the edge: `shifts` is the first of that edge's slices
 /// (OpeningFigure), −1: none.
 struct StrokeFigure {
   int spine[3];
@@ -65,34 +64,39 @@ struct PathFigure {
 /// The opening of an eye: the area between the lid edges inner → upper → outer and outer → lower →
 /// inner, two quadratic Béziers that share the canthi (the eye's corners) exactly.
 ///
-/// A lid that the eye's cornea pushes has more bends than one: each edge is cut into kLidBends equal
-/// parts in its parameter, which is a smooth row of bends (the outline passes half-way between
-/// two), and each bend has a shift. `shifts` is the first of 2 · kLidBends slices in a row: the
-/// upper edge's from inner to outer, then the lower edge's from inner to outer; −1: none. While all
-/// are 0 the edges are the two plain curves.
+/// A lid that the cornea pushes needs more than one bend. Each edge is then divided into kLidBends parts of
+/// equal parameter length, a smooth chain of bends whose outline passes halfway between two, and each bend
+/// has a shift. `shifts` is the first of 2 · kLidBends consecutive slices: those of the upper edge from
+/// inner to outer, then those of the lower edge from inner to outer; −1: none. While all are 0 the edges are
+/// the two plain curves.
 struct OpeningFigure {
   static constexpr int kLidBends = 8;
   int inner, upper, outer, lower;
   int shifts = -1;
 };
 
+struct FaceGroup;
+struct FaceRelief;
+struct FaceSurroundings;
+struct GradientPaint;
+
 using Figure = std::variant<BandFigure, EllipseFigure, DiscFigure, CutDiscFigure, StrokeFigure,
                             PolylineFigure, PathFigure, OpeningFigure>;
 
-/// One thing to draw, or (without paint) an area that others are clipped to.
+/// Something to draw or, without paint, an area that other features are clipped to.
 struct Feature {
   std::string name;  ///< "iris.left"
   Side side = Side::none;
   Figure figure;
-  int paint = -1;     ///< slice of its colour; −1: not drawn
-  int clip = -1;      ///< an EARLIER feature: drawn inside that one's area only; −1: everywhere
-  int gradient = -1;  ///< in FaceModel::gradients; −1: none. With one, `paint` is −1
-  int relief = -1;    ///< in FaceModel::reliefs; −1: not lit
-  int surroundings = -1;  ///< in FaceModel::surroundings; −1: none
-  int opacity = -1;       ///< slice of what multiplies the paint's own opacity; −1: 1
-  int group = -1;         ///< in FaceModel::groups; −1: none
+  int paint = -1;                        ///< slice of its colour; −1: not drawn
+  Index<Feature> clip;                   ///< an EARLIER feature: drawn inside its area only
+  Index<GradientPaint> gradient;         ///< with one, `paint` is −1
+  Index<FaceRelief> relief;              ///< none: not lit
+  Index<FaceSurroundings> surroundings;  ///< what is drawn around it
+  int opacity = -1;                      ///< slice of what multiplies the paint's opacity; −1: 1
+  Index<FaceGroup> group;                ///< drawn with its group
 
-  bool painted() const { return paint >= 0 || gradient >= 0; }
+  bool painted() const { return paint >= 0 || gradient; }
 };
 
 /// Visits every slice of a figure as (part, index in the layout), in the order of the file format.

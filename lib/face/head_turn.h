@@ -1,5 +1,5 @@
 #pragma once
-// What a head is as a body: how deep each feature lies, and which channels turn it. Plain data;
+// A head as a body: the depth of each feature, and the channels that turn it. Plain data;
 // lib/rig/pose/head_turn.h turns it.
 
 #include <glm/vec2.hpp>
@@ -9,26 +9,26 @@
 
 namespace mien {
 
-/// How a slice goes with a turning head.
+/// How a slice follows a turning head.
 enum class TurnKind : unsigned char {
   still,    ///< not at all
   surface,  ///< a point of the head's front, `depth` above it: turned, and foreshortened
-  flat,     ///< a point of something that looks alike from every side (an outline), at `depth` from
-            ///< the head's middle: shifted by parallax, not foreshortened
-  width,    ///< the first number of radii at a point: foreshortened sideways, the second upwards
-  size,     ///< a radius at a point: foreshortened on the whole
-  shift,    ///< x, y of a way on the surface: foreshortened and rolled
-  angle     ///< of something on the head: rolled
+  flat,     ///< a point of something that looks the same from every side (an outline), at `depth`
+            ///< from the head's middle: shifted by parallax, not foreshortened
+  width,    ///< radii at a point: the first is foreshortened sideways, the second upwards
+  size,     ///< a radius at a point: foreshortened by the geometric mean of both
+  shift,    ///< x, y of an offset on the surface: foreshortened and rolled
+  angle     ///< an angle of something on the head: rolled
 };
 
 struct TurnedSlice {
   int slice;
   TurnKind kind;
   double depth = 0;  ///< [face units] towards the viewer
-  int at = -1;       ///< of a width, size or shift: the slice of the point where it is
+  int at = -1;       ///< for width, size and shift: the slice of the point where it is
 };
 
-/// The front of the head is half an ellipsoid. Without slices no head turns.
+/// The front of the head is half an ellipsoid. A head without slices does not turn.
 struct HeadTurn {
   glm::dvec3 pivot{0};                  ///< what it turns about; z 0 is the ellipsoid's middle
   glm::dvec2 center{0};                 ///< of the ellipsoid, in the picture

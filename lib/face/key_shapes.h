@@ -1,12 +1,12 @@
 #pragma once
-// Key shapes: a table of slice values at certain values of a control, with straight lines between.
+// Key shapes: a table of slice values at given values of a control, interpolated linearly.
 
 #include <vector>
 
 namespace mien {
 
-/// What a slice is at one key: numbers, or wherever a slice of the same size is before the table
-/// acts (its own index: it stays as it is).
+/// The value of a slice at one key: numbers, or the value that a slice of the same size has before the table
+/// acts. Its own index means that it stays as it is.
 struct KeyValue {
   int from = -1;  ///< a slice; −1: `numbers`
   std::vector<double> numbers;
@@ -17,8 +17,8 @@ struct KeyTrack {
   std::vector<KeyValue> values;  ///< one per key
 };
 
-/// Sets its slices to a mix of two neighbouring keys; at a key, to that key's values exactly;
-/// beyond the first or last key, to its values.
+/// Sets its slices to a mix of the two neighbouring keys. At a key they have exactly that key's values;
+/// before the first and after the last key, the values of that key.
 struct KeyShapes {
   std::vector<double> at;  ///< control values of the keys, rising; at least 1
   std::vector<KeyTrack> tracks;

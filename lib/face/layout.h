@@ -1,5 +1,5 @@
 #pragma once
-// What each number of the face vector is: its slices, in order, found by name.
+// The layout of the face vector: its slices, in order and by name.
 //
 //   const int spine = layout.add("brow.left/spine/0", SliceKind::point, 2);
 //   vector[layout[spine].begin]      // its x
@@ -20,17 +20,17 @@ namespace mien {
 
 class MIEN_API Layout {
  public:
-  /// Appends a slice with its kind's own range and rule; gives its index. The name must be new.
+  /// Appends a slice with the range and rule of its kind, and returns its index. The name must be new.
   int add(std::string name, SliceKind kind, int size);
 
-  /// Index of the slice of that name, or −1.
+  /// The index of the slice of that name, or −1.
   int find(std::string_view name) const;
 
   const std::vector<Slice>& slices() const { return slices_; }
   const Slice& operator[](int slice) const { return slices_[std::size_t(slice)]; }
   std::size_t size() const { return size_; }  ///< numbers in the face vector
 
-  /// Numbers larger than this are no part of any face, whatever their rule.
+  /// No number of a face may be larger than this, whatever its rule.
   double largest = 1e9;
 
  private:
@@ -42,8 +42,8 @@ class MIEN_API Layout {
   std::size_t size_ = 0;
 };
 
-/// Brings every number of `vector` into its slice's range by the slice's rule; what is not a number
-/// returns to its value in `rest`. Numbers in range keep every bit.
+/// Brings every number of `vector` into its slice's range by the slice's rule. NaN is replaced by the value
+/// in `rest`. Numbers in range keep every bit.
 MIEN_API void apply_rules(const Layout& layout, const FaceVector& rest, FaceVector& vector);
 
 }  // namespace mien

@@ -1,10 +1,9 @@
 #pragma once
-// Muscles as data: what they hold on to, how hard they pull, and the expressions that make them pull.
+// Muscles as data: what they are attached to, how hard they pull, and the expressions that pull them.
 //
-// A muscle is a spring between its origin, which never moves, and points of the face; pulling shortens
-// it by its stroke. Every point that muscles hold hangs on a spring of its own to where it rests
-// (lib/rig/muscle/law.h has the law). Numbers that are no points (a radius, a width) are held the same
-// way, each along its own line.
+// A muscle is a spring between its fixed origin and points of the face; a pull shortens it by its stroke.
+// Another spring ties each of these points to its place at rest (lib/rig/muscle/law.h has the law). Numbers
+// other than points (a radius, a width) are held in the same way, each along its own line.
 
 #include <mien/side.h>
 
@@ -16,15 +15,15 @@ namespace mien {
 
 /// One side of a group, or a muscle that has no side.
 struct Muscle {
-  std::string name;  ///< of its group: "zygomaticus"
+  std::string name;  ///< its group's name: "zygomaticus"
   Side side = Side::none;
   glm::dvec2 origin;    ///< on the muscle's own side
   double strength = 0;  ///< [1/s²] stiffness of the spring at full pull, >= 0
-  double stroke = 0;    ///< [the canvas's] how much a full pull shortens it, >= 0
-  int channel = -1;     ///< that sets its pull directly, 0 … 1
+  double stroke = 0;    ///< [face units] how much a full pull shortens it, >= 0
+  int channel = -1;     ///< the channel that sets its pull directly, 0 … 1
 };
 
-/// A muscle's hold on a point or number.
+/// The attachment of a muscle to a point or number.
 struct MuscleHold {
   int muscle;
   double weight;  ///< of the muscle's strength, 0 … 1
@@ -35,8 +34,8 @@ struct MuscleHold {
 /// A point that muscles hold.
 struct MusclePoint {
   int slice;
-  /// The same point of the mirrored feature, if both lie on the axis: one point then, held by both
-  /// sides' muscles with half their strength each, which stays on the axis. −1: none.
+  /// The same point of the mirrored feature, if both lie on the axis; −1: none. The two are one point, which
+  /// stays on the axis. The muscles of both sides hold it with half their strength.
   int twin = -1;
   std::vector<MuscleHold> holds;
 };
@@ -56,16 +55,15 @@ struct MuscleSystem {
   std::vector<MuscleNumber> numbers;
 };
 
-/// What an expression at full strength does to one muscle or channel. `side` says which half of the
-/// expression counts: left, right, or (none) the mean of both.
+/// The effect of an expression at full strength on one muscle or channel. `side` is the half of the
+/// expression that counts: left, right, or the mean of both (none).
 struct ExpressionPart {
   int index;  ///< of a muscle, or of a channel
   double amount;
   Side side = Side::none;
 };
 
-/// A feeling, or a name of one of the standard sets: a number from 0 to 1 that pulls muscles and moves
-/// controls.
+/// An emotion, or an expression of a standard set: a number from 0 to 1 that pulls muscles and moves controls.
 struct Expression {
   std::string name;           ///< "emotion.joy", "arkit.jawOpen"
   int left = -1, right = -1;  ///< channels with the strength of each half; the same if it has none

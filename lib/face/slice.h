@@ -1,5 +1,5 @@
 #pragma once
-// A named run of numbers in the face vector, and what kind of numbers they are.
+// Slices: named runs of numbers in the face vector, each of one kind.
 
 #include <mien/api.h>
 
@@ -9,11 +9,11 @@
 
 namespace mien {
 
-/// What a slice's numbers mean; decides their unit, their range, their rule, and what a mirror does
-/// to them.
+/// The meaning of a slice's numbers. It decides their unit, range and rule, and how a mirror changes
+/// them.
 enum class SliceKind : unsigned char {
   point,     ///< x, y
-  shift,     ///< x, y of a way: added to a point
+  shift,     ///< x, y of an offset that is added to a point
   length,    ///< one or more lengths >= 0: radii, half-widths
   ratio,     ///< one or more plain numbers >= 0: chord distances in radii
   angle,     ///< degrees, counted from +x towards +y
@@ -22,29 +22,29 @@ enum class SliceKind : unsigned char {
   color      ///< linear red, green, blue, and opacity
 };
 
-/// What becomes of a number that a pose has pushed out of its range [lo, hi].
+/// What happens to a number that a pose has moved out of its range [lo, hi].
 enum class Rule : unsigned char {
-  free,   ///< it may go anywhere
-  clamp,  ///< the nearer end
-  wrap    ///< counted on from the other end; hi itself becomes lo
+  free,   ///< nothing
+  clamp,  ///< it becomes the nearer end
+  wrap    ///< it continues from the other end; hi itself becomes lo
 };
 
 struct Slice {
   std::string name;  ///< "brow.left/spine/1": feature, part, index
   SliceKind kind = SliceKind::point;
-  int begin = 0;  ///< of its numbers in the face vector
+  int begin = 0;  ///< its first number in the face vector
   int size = 0;
-  double lo = 0, hi = 0;  ///< range of every number; infinite where free
+  double lo = 0, hi = 0;  ///< the range of every number; infinite if free
   Rule rule = Rule::free;
 };
 
-/// Kind in words: "point", "length", …
+/// The name of a kind: "point", "length", …
 MIEN_API std::string_view kind_name(SliceKind kind);
 
-/// Unit of a slice's numbers; `length_unit` is the canvas's.
+/// The unit of a slice's numbers; `length_unit` is the canvas's.
 MIEN_API std::string unit_name(SliceKind kind, std::string_view length_unit);
 
-/// Names of the numbers of a slice: "x" "y", "r" "g" "b" "a", else "0" "1" …
+/// The name of a number in a slice: "x" "y", "r" "g" "b" "a", or "0" "1" …
 MIEN_API std::string component_name(SliceKind kind, int index);
 
 /// Mirrors a slice's numbers about the line x = twice_axis / 2, in place.

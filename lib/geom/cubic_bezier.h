@@ -1,5 +1,5 @@
 #pragma once
-// The cubic Bézier curve, as other programs draw.
+// The cubic Bézier curve, as most drawing programs use it.
 
 #include <mien/quad_bezier.h>
 
@@ -31,7 +31,7 @@ inline CubicBezier reversed(const CubicBezier& c) {
   return {c.p3, c.p2, c.p1, c.p0};
 }
 
-/// The cubic that is the same curve as a quadratic.
+/// The cubic form of a quadratic curve.
 inline CubicBezier elevated(const QuadBezier& c) {
   return {c.p0, c.p0 + (2.0 / 3.0) * (c.p1 - c.p0), c.p2 + (2.0 / 3.0) * (c.p1 - c.p2), c.p2};
 }

@@ -3,7 +3,7 @@
 
 namespace mien {
 
-/// All points within one ellipse's outline. A radius of 0 leaves a segment or a point.
+/// An ellipse with its inside. A radius of 0 leaves a segment or a point.
 struct Ellipse {
   glm::dvec2 center;
   glm::dvec2 radii;           ///< >= 0, along `axis` and across it

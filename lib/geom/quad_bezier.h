@@ -1,5 +1,5 @@
 #pragma once
-// The quadratic Bézier curve, mien's pen line.
+// The quadratic Bézier curve, of which mien's pen lines are made.
 
 #include <glm/vec2.hpp>
 

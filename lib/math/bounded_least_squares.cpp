@@ -32,60 +32,92 @@ VectorXd solved(const MatrixXd& a, const VectorXd& right, const std::vector<int>
   return part.colPivHouseholderQr().solve(rest);
 }
 
+class ActiveSet {
+ public:
+  explicit ActiveSet(const BoundedLeastSquares& problem)
+      : problem_(problem),
+        count_(int(problem.lo.size())),
+        a_(damped(problem)),
+        right_(VectorXd::Zero(a_.rows())),
+        x_(count_),
+        is_free_(std::size_t(count_), 0) {
+    for (std::size_t i = 0; i < problem.right.size(); ++i)
+      right_[Eigen::Index(i)] = problem.right[i];
+    for (int i = 0; i < count_; ++i) x_[i] = bounded(i, 0.0);
+    noise_ = 1e-13 * (1 + right_.norm()) * (1 + a_.norm());
+  }
+
+  std::vector<double> solve() {
+    int kept_at = -1;  // was set free and went straight back
+    for (int turn = 0; turn < 20 * count_ + 20; ++turn) {
+      const int chosen = most_pulled(kept_at);
+      if (chosen < 0) break;
+      const double before = x_[chosen];
+      is_free_[std::size_t(chosen)] = 1;
+      while (!settle()) {
+      }
+      kept_at = x_[chosen] == before && !is_free_[std::size_t(chosen)] ? chosen : -1;
+    }
+    return {x_.data(), x_.data() + count_};
+  }
+
+ private:
+  double bounded(int i, double value) const {
+    return std::clamp(value, problem_.lo[std::size_t(i)], problem_.hi[std::size_t(i)]);
+  }
+
+  /// The variable at a bound that wants most to move off it, but for one; −1: none.
+  int most_pulled(int but) const {
+    const VectorXd pull = a_.transpose() * (right_ - a_ * x_);
+    int chosen = -1;
+    for (int i = 0; i < count_; ++i) {
+      const auto at = std::size_t(i);
+      if (is_free_[at] || i == but) continue;
+      const bool rises = pull[i] > noise_ && x_[i] < problem_.hi[at];
+      const bool falls = pull[i] < -noise_ && x_[i] > problem_.lo[at];
+      if ((rises || falls) && (chosen < 0 || std::abs(pull[i]) > std::abs(pull[chosen])))
+        chosen = i;
+    }
+    return chosen;
+  }
+
+  /// Moves the free variables to where they would be by themselves, or as far that way as the first of
+  /// them comes that meets its bound and is free no longer. Whether none did.
+  bool settle() {
+    std::vector<int> free;
+    for (int i = 0; i < count_; ++i)
+      if (is_free_[std::size_t(i)]) free.push_back(i);
+    if (free.empty()) return true;
+    const VectorXd to = solved(a_, right_, free, x_);
+    double share = 1;
+    int stopped = -1;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const double from = x_[free[i]], wanted = to[Eigen::Index(i)];
+      const double bound = bounded(free[i], wanted);
+      if (bound == wanted) continue;
+      const double part = (bound - from) / (wanted - from);
+      if (stopped < 0 || part < share) share = part, stopped = free[i];
+    }
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      double& x = x_[free[i]];
+      x = bounded(free[i], x + share * (to[Eigen::Index(i)] - x));
+    }
+    if (stopped >= 0) is_free_[std::size_t(stopped)] = 0;
+    return stopped < 0;
+  }
+
+  const BoundedLeastSquares& problem_;
+  int count_;
+  MatrixXd a_;
+  VectorXd right_, x_;
+  std::vector<char> is_free_;
+  double noise_ = 0;
+};
+
 }  // namespace
 
 std::vector<double> solve(const BoundedLeastSquares& problem) {
-  const int count = int(problem.lo.size());
-  const MatrixXd a = damped(problem);
-  VectorXd right = VectorXd::Zero(a.rows());
-  for (std::size_t i = 0; i < problem.right.size(); ++i) right[Eigen::Index(i)] = problem.right[i];
-  VectorXd x(count);
-  for (int i = 0; i < count; ++i)
-    x[i] = std::clamp(0.0, problem.lo[std::size_t(i)], problem.hi[std::size_t(i)]);
-  std::vector<char> is_free(std::size_t(count), 0);
-  const double noise = 1e-13 * (1 + right.norm()) * (1 + a.norm());
-  int kept_at = -1;  // was set free and went straight back
-  for (int turn = 0; turn < 20 * count + 20; ++turn) {
-    const VectorXd pull = a.transpose() * (right - a * x);
-    int chosen = -1;
-    for (int i = 0; i < count; ++i) {
-      const auto at = std::size_t(i);
-      if (is_free[at] || i == kept_at) continue;
-      const bool may_rise = x[i]<problem.hi[at], may_fall = x[i]> problem.lo[at];
-      if (((pull[i] > noise && may_rise) || (pull[i] < -noise && may_fall)) &&
-          (chosen < 0 || std::abs(pull[i]) > std::abs(pull[chosen])))
-        chosen = i;
-    }
-    if (chosen < 0) break;
-    is_free[std::size_t(chosen)] = 1;
-    const double before = x[chosen];
-    for (bool inside = false; !inside;) {
-      std::vector<int> free;
-      for (int i = 0; i < count; ++i)
-        if (is_free[std::size_t(i)]) free.push_back(i);
-      if (free.empty()) break;
-      const VectorXd to = solved(a, right, free, x);
-      double share = 1;
-      int stopped = -1;
-      for (std::size_t i = 0; i < free.size(); ++i) {
-        const auto at = std::size_t(free[i]);
-        const double from = x[free[i]], wanted = to[Eigen::Index(i)];
-        const double bound = std::clamp(wanted, problem.lo[at], problem.hi[at]);
-        if (bound == wanted) continue;
-        const double part = (bound - from) / (wanted - from);
-        if (stopped < 0 || part < share) share = part, stopped = free[i];
-      }
-      for (std::size_t i = 0; i < free.size(); ++i) {
-        const auto at = std::size_t(free[i]);
-        x[free[i]] = std::clamp(x[free[i]] + share * (to[Eigen::Index(i)] - x[free[i]]),
-                                problem.lo[at], problem.hi[at]);
-      }
-      inside = stopped < 0;
-      if (!inside) is_free[std::size_t(stopped)] = 0;
-    }
-    kept_at = x[chosen] == before && !is_free[std::size_t(chosen)] ? chosen : -1;
-  }
-  return {x.data(), x.data() + count};
+  return ActiveSet(problem).solve();
 }
 
 }  // namespace mien

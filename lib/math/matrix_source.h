@@ -1,5 +1,5 @@
 #pragma once
-// A matrix that is read in blocks, so that it may be larger than the memory.
+// A matrix that is read in blocks, so that it may be larger than memory.
 
 #include <mien/expected.h>
 
@@ -9,7 +9,7 @@
 
 namespace mien {
 
-/// Some rows and columns of a matrix.
+/// A block of rows and columns of a matrix.
 struct MatrixBlock {
   std::size_t row, rows, column, columns;
 };

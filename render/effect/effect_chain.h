@@ -1,10 +1,10 @@
 #pragma once
-// Image to image: mosaic and grid, row by row, so that a picture may be larger than the memory.
+// Effects on images: mosaic and grid, row by row, so that a picture may be larger than memory.
 //
 //   EffectChain chain(effects, width, height, [&](float* row) { … });
-//   while (chain.next(row)) …     // from the top; each asks for as much of the picture as it needs
+//   while (chain.next(row)) …     // from the top; reads as much of the picture as it needs
 //
-// Pixels are RGBA floats, linear light, premultiplied. A chain holds a row of tiles or two as sums,
+// Pixels are RGBA floats, linear light, premultiplied. A chain holds the sums of one or two rows of tiles,
 // never the picture.
 
 #include <mien/api.h>
@@ -18,11 +18,11 @@
 
 namespace mien {
 
-/// Whether an effect is possible on such a picture: no more tiles than pixels across, lines no
-/// wider than cells.
+/// Checks that an effect is possible at this width: no more tiles than pixels across, and lines no wider
+/// than cells.
 MIEN_API Expected<Done> check_effect(const Effect& effect, int width);
 
-/// Gives the next row, in order from the top; false: there is none, or it could not be made.
+/// Gives the next row, in order from the top. False if there is none, or it could not be made.
 using NextRow = std::function<bool(float* row)>;
 
 class RowEffect;  // effect_chain.cpp
@@ -34,7 +34,7 @@ class MIEN_API EffectChain {
   EffectChain(EffectChain&&) noexcept;
   ~EffectChain();
 
-  /// The next row with all effects; false where the picture ended before it was known.
+  /// The next row with all effects. False if the picture ended before the row was complete.
   bool next(float* row);
 
  private:

@@ -4,6 +4,7 @@
 #include "render/image/file_type.h"
 #include "render/image/ordered_pipeline.h"
 #include "render/image/write_pieces.h"
+#include "render/render_error.h"
 
 #include <fmt/format.h>
 
@@ -24,8 +25,9 @@ namespace {
 
 Error unexpected(const fs::path& path, const std::exception& failure) {
   const bool memory = dynamic_cast<const std::bad_alloc*>(&failure);
-  return {path == "-" ? "standard output" : path.string(),
-          memory ? "memory ran out" : std::string("cannot be written: ") + failure.what()};
+  return {
+      path == "-" ? "standard output" : path.string(),
+      memory ? std::string(kMemoryRanOut) : std::string("cannot be written: ") + failure.what()};
 }
 
 PixelBuffer cut(const Image& image, const PixelRect& piece) {

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of how a picture comes about, for people who want to see why it costs what it costs.
+// Pictures of how a picture is drawn, for people who want to see what it costs and why.
 
 #include <mien/api.h>
 #include <mien/image.h>
@@ -10,20 +10,20 @@
 namespace mien {
 
 enum class DebugPicture : unsigned char {
-  /// Every piece of outline, each outline in a colour of its own, on black; ends of pieces are white.
+  /// Every piece of outline on black, each outline in its own colour. Ends of pieces are white.
   outlines,
-  /// The regions between them, each in a colour of its own.
+  /// The regions between outlines, each in its own colour.
   regions,
-  /// Stretches of outline that are seen, the brighter the more the colour changes across them; dim
-  /// where nothing is seen of a piece.
+  /// Visible stretches of outline. The more the colour changes across one, the brighter it is; hidden
+  /// pieces are dim.
   fragments,
-  /// Regions by what they look like: alike is one colour; white dots where the colour varies.
+  /// Regions by their looks: those that look alike share a colour. White dots mark varying colours.
   looks,
-  /// The signed distance of the layer whose outline is nearest: blue inside, orange outside, a
-  /// darker line every 10 pixels, the outline itself white.
+  /// The signed distance to the layer with the nearest outline: blue inside, orange outside, a darker line
+  /// every 10 pixels, white on the outline.
   distance,
-  /// The surface's normal where the topmost layer has a relief: (x, y, z) from −1 … 1 to red, green,
-  /// blue 0 … 255, y up; everything else is level, (128, 128, 255).
+  /// The surface's normal where the topmost layer has a relief. x, y and z in −1 … 1 become red, green and
+  /// blue in 0 … 255, y up. Everything else is level: (128, 128, 255).
   normals
 };
 

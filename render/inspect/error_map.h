@@ -1,8 +1,8 @@
 #pragma once
-// How exact a picture is, pixel by pixel, and said with proof: not measured against anything.
+// Error bounds of every pixel of a picture. They are proven, not measured against another picture.
 //
 //   const ErrorMap map = error_map(scene, {.width = 640, .height = 360});
-//   map.worst        // no channel is off by more than so many levels of 255, rounding left out
+//   map.worst        // no channel is off by more than this many levels of 255, before rounding
 
 #include <mien/api.h>
 #include <mien/image.h>
@@ -16,18 +16,19 @@ namespace mien {
 
 struct ErrorMap {
   int width = 0, height = 0;
-  /// Levels of 255, rows from the top: bounds of |pixel − exact mean| before rounding, of the way the
-  /// picture is drawn: outlines' tolerance along their length and what their order may be off by, each
-  /// times the change of colour; what means of gradients neglect.
+  /// Bounds of |pixel − exact mean| before rounding, for the way the picture is drawn; in levels of 255, rows
+  /// from the top. They add the outlines' tolerance along their length and the possible error of their
+  /// order, each times the change of colour, and what the means of gradients neglect.
   std::vector<float> levels;
-  bool unproven = false;  ///< some paints' means are estimates: light, gradients along a distance
+  bool unproven =
+      false;  ///< some means are only estimated: those of light and of gradients along a distance
   float worst = 0;
 
-  /// As grey: black 0, white `worst` (or all black).
+  /// The bounds as grey, from black for 0 to white for `worst`; all black if that is 0.
   Image image() const;
 };
 
-/// The bounds of the picture that render() draws at a depth.
+/// The bounds of the picture that render() draws at this depth.
 MIEN_API ErrorMap error_map(const Scene& scene, const View& view, Depth depth = Depth::u8,
                             const Threads& threads = {});
 

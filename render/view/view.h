@@ -1,5 +1,5 @@
 #pragma once
-// Where face units land in pixels. Changing anything here changes the picture.
+// The view: where face units land in pixels. Changing anything here changes the picture.
 
 #include <mien/api.h>
 #include <mien/map.h>
@@ -11,17 +11,17 @@
 namespace mien {
 
 enum class Fit {
-  meet,  ///< the whole canvas, centred, background beyond it
-  slice  ///< the whole picture covered, the canvas cut off where it is longer
+  meet,  ///< the whole canvas, centred, with background around it
+  slice  ///< the canvas covers the whole picture and is cropped where it is longer
 };
 
-/// Colours are mixed where edges cover part of a pixel, and where paints are translucent.
+/// The space in which colours are mixed: where edges cover part of a pixel, and where paints are translucent.
 enum class Blend {
-  linear,  ///< in linear light: what a lens would do
-  srgb     ///< in encoded values: what most drawing programs do
+  linear,  ///< in linear light, as a lens does
+  srgb     ///< in encoded values, as most drawing programs do
 };
 
-/// A rectangle of whole pixels, x right and y down from the picture's top left corner.
+/// A rectangle of whole pixels; x points right and y down from the picture's top left corner.
 struct PixelRect {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -31,20 +31,20 @@ struct View {
   Fit fit = Fit::meet;
   Blend blend = Blend::linear;
   std::optional<Color>
-      background;  ///< instead of the scene's; alpha 0 leaves the picture transparent
+      background;  ///< replaces the scene's; alpha 0 leaves the picture transparent
   std::optional<PixelRect>
-      region;  ///< draw this part of the picture only; same bytes as in the whole
+      region;  ///< draws only this part of the picture, with the same bytes as in the whole
   std::optional<glm::dvec3>
-      light;  ///< where the lamp is, instead of the scene's: x right, y up, z > 0 to the viewer
-  bool dither = true;  ///< gradients and lit surfaces of 8 and 16 bits only: see store_dithered
+      light;  ///< replaces the scene's direction to the lamp: x right, y up, z > 0 to the viewer
+  bool dither = true;  ///< dithers gradients and lit surfaces at 8 and 16 bits: see store_dithered
 
   static constexpr int kMaxSide = 1 << 20;
 };
 
-/// The similarity that `view` means for a canvas.
+/// The similarity that maps a canvas into the view.
 MIEN_API Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& view);
 
-/// The rectangle that will be drawn: the region as far as it lies in the picture, or everything.
+/// The rectangle that will be drawn: the part of the region inside the picture, or everything.
 MIEN_API PixelRect drawn_rect(const View& view);
 
 }  // namespace mien

@@ -1,5 +1,5 @@
 #pragma once
-// How areas combine. sdf/csg/combine.h says what becomes of their distances.
+// Operators that combine areas. sdf/csg/combine.h defines the distances of the results.
 
 namespace mien {
 

@@ -95,15 +95,15 @@ Paint paint_of(const Feature& feature, const Face& face, Area own) {
   const FaceModel& model = *face.model;
   const double opacity = opacity_of(face, feature.opacity);
   Paint paint;
-  if (feature.gradient >= 0) {
-    paint.gradient = shared(gradient_of(model.gradients[std::size_t(feature.gradient)], face, own));
+  if (feature.gradient) {
+    paint.gradient = shared(gradient_of(feature.gradient.in(model.gradients), face, own));
     paint.color.a = opacity;
   } else {
     paint.color = color_of(face, feature.paint);
     paint.color.a *= opacity;
   }
-  if (feature.relief >= 0) {
-    Relief relief = relief_of(model.reliefs[std::size_t(feature.relief)], face, own);
+  if (feature.relief) {
+    Relief relief = relief_of(feature.relief.in(model.reliefs), face, own);
     const bool rises = relief.profile != Profile::flat && relief.height != 0;
     if (rises || !relief.domes.empty()) paint.relief = shared(std::move(relief));
   }
@@ -112,8 +112,8 @@ Paint paint_of(const Feature& feature, const Face& face, Area own) {
 
 Surroundings surroundings_of(const Feature& feature, const Face& face) {
   Surroundings made;
-  if (feature.surroundings < 0) return made;
-  const FaceSurroundings& given = face.model->surroundings[std::size_t(feature.surroundings)];
+  if (!feature.surroundings) return made;
+  const FaceSurroundings& given = feature.surroundings.in(face.model->surroundings);
   const Numbers n(face);
   if (given.shadow)
     made.shadow = SoftShadow{

@@ -79,7 +79,7 @@ MorphHeat morph_heat(const Face& rest, const Face& posed, const Lettering& lette
   std::vector<Area> areas;
   for (const Feature& feature : model.features) {
     Area area = build.shape(shape_of(feature.figure, posed));
-    if (feature.clip >= 0) area = build.intersect(area, areas[std::size_t(feature.clip)]);
+    if (feature.clip) area = build.intersect(area, areas[std::size_t(feature.clip.at)]);
     areas.push_back(area);
     if (feature.paint >= 0)
       build.layer(feature.name, area, {.color = grey_of(posed, feature.paint)});

@@ -1,5 +1,5 @@
 #pragma once
-// How far each point of a face has gone, as a picture.
+// The displacements of the points of a face, as a picture.
 
 #include <mien/api.h>
 #include <mien/face.h>
@@ -10,13 +10,13 @@ namespace mien {
 
 struct MorphHeat {
   Scene scene;
-  double largest = 0;  ///< [face units] what the top of the colour bar stands for: the largest
-                       ///< displacement of any point
+  double largest = 0;  ///< [face units] the largest displacement of any point, at the top of
+                       ///< the colour bar
 };
 
-/// The posed face in grey; a line from where each point rests to where it is, and a disc there, in the
-/// heat spectrum of its displacement, from 0 to the largest; a bar of that spectrum at the right, both its ends labelled in the canvas's unit if
-/// there are letters. `posed` is `rest`, posed.
+/// Draws the posed face in grey. For each point there is a line from its place at rest to its posed place and a
+/// disc at the end, coloured by its displacement in the heat spectrum, from 0 to the largest. A bar at the right shows
+/// the spectrum, with both ends labelled in the canvas's unit if there are letters. `posed` is `rest`, posed.
 MIEN_API MorphHeat morph_heat(const Face& rest, const Face& posed, const Lettering& letters = {});
 
 }  // namespace mien

@@ -23,21 +23,21 @@ class Areas {
 
   /// Everything of the feature that may be painted: its figure within its clip. Clips are earlier
   /// features, so one pass in order meets them before it needs them.
-  Area of(int feature) { return areas_[std::size_t(feature)]; }
+  Area of(Index<Feature> feature) { return areas_[std::size_t(feature.at)]; }
   /// Its figure alone.
-  Area figure(int feature) { return figures_[std::size_t(feature)]; }
+  Area figure(Index<Feature> feature) { return figures_[std::size_t(feature.at)]; }
 
-  void add(int feature) {
-    const Feature& f = face_.model->features[std::size_t(feature)];
-    Area& area = areas_[std::size_t(feature)];
-    Area& figure = figures_[std::size_t(feature)];
-    if (f.clip >= 0 && covers_its_clip(f)) {
+  void add(Index<Feature> feature) {
+    const Feature& f = feature.in(face_.model->features);
+    Area& area = areas_[std::size_t(feature.at)];
+    Area& figure = figures_[std::size_t(feature.at)];
+    if (f.clip && covers_its_clip(f)) {
       area = of(f.clip);  // the very same outline: no seam, and no second outline to resolve
-      figure = figures_[std::size_t(f.clip)];
+      figure = this->figure(f.clip);
       return;
     }
     area = figure = own(f);
-    if (f.clip >= 0) area = build_.intersect(figure, of(f.clip));
+    if (f.clip) area = build_.intersect(figure, of(f.clip));
   }
 
  private:
@@ -52,7 +52,7 @@ class Areas {
 
   /// Whether the feature has the same outline as the one it is clipped to, number for number.
   bool covers_its_clip(const Feature& f) const {
-    return same_figure(f.figure, face_.model->features[std::size_t(f.clip)].figure, face_);
+    return same_figure(f.figure, f.clip.in(face_.model->features).figure, face_);
   }
 
   const Face& face_;
@@ -75,16 +75,16 @@ void draw_face(const Face& face, SceneBuilder& build) {
   const FaceModel& model = *face.model;
   Areas areas(face, build);
   build.light(light_of(model.light));
-  int group = -1;
-  for (int i = 0; i < int(model.features.size()); ++i) {
-    const Feature& feature = model.features[std::size_t(i)];
+  Index<FaceGroup> group;
+  for (Index<Feature> i{0}; i.at < int(model.features.size()); ++i.at) {
+    const Feature& feature = i.in(model.features);
     if (feature.group != group) {
-      if (group >= 0) build.close_group();
+      if (group) build.close_group();
       group = feature.group;
-      if (group >= 0) {
-        const FaceGroup& opened = model.groups[std::size_t(group)];
+      if (group) {
+        const FaceGroup& opened = group.in(model.groups);
         build.open_group(opened.name, opacity_of(face, opened.opacity),
-                         opened.clip < 0 ? Area{} : areas.of(opened.clip));
+                         opened.clip ? areas.of(opened.clip) : Area{});
       }
     }
     areas.add(i);
@@ -97,7 +97,7 @@ void draw_face(const Face& face, SceneBuilder& build) {
       build.layer(feature.name + "/contour",
                   contour(build, areas.of(i), around.contour->half_width), {around.contour->color});
   }
-  if (group >= 0) build.close_group();
+  if (group) build.close_group();
 }
 
 Scene scene_from_face(const Face& face) {

@@ -1,5 +1,5 @@
 #pragma once
-// Face in, scene out: each feature becomes a layer, in drawing order.
+// Turns a face into a scene: each feature becomes a layer, in drawing order.
 
 #include <mien/api.h>
 #include <mien/face.h>
@@ -7,7 +7,7 @@
 
 namespace mien {
 
-/// Total: every valid face has a scene, in the face's own units.
+/// Total: every valid face gives a scene, in the face's own units.
 MIEN_API Scene scene_from_face(const Face& face);
 
 }  // namespace mien

@@ -11,30 +11,30 @@
 
 namespace mien {
 
-/// One sign of a font: its loops with the pen's place on the line at the origin, in ems, y up.
+/// One glyph: its loops in ems, y up, with the pen position at the origin.
 struct Glyph {
   std::vector<Path::Loop> loops;
-  double advance = 0;  ///< [em] to the next sign
+  double advance = 0;  ///< [em] to the next glyph
 };
 
-/// A TrueType font, whose outlines are quadratic. Immutable, shared by its copies; any thread.
+/// A TrueType font, whose outlines are quadratic. Immutable, shared by its copies, safe on any thread.
 class MIEN_API Font {
  public:
-  /// The one that ships with mien, DejaVu Sans: Latin, Greek, Cyrillic, punctuation, a few signs.
+  /// The font that ships with mien, DejaVu Sans: Latin, Greek, Cyrillic, punctuation, a few symbols.
   static Font shipped();
 
-  /// A file's first face. Errors: it cannot be read, is no font, or has outlines that are not
+  /// The first face of a font file. Errors: it cannot be read, is no font, or its outlines are not
   /// quadratic.
   static Expected<Font> read(const std::filesystem::path& path);
 
-  /// What the font draws for a character; for one that it does not have, its sign for that (a box).
+  /// The glyph of a character; for a character that the font lacks, its replacement glyph (a box).
   Glyph glyph(char32_t character) const;
 
-  /// [em] by which the second of two neighbours moves; 0 mostly.
+  /// [em] The kerning of two neighbours, by which the second one moves; mostly 0.
   double kerning(char32_t first, char32_t second) const;
 
-  double ascent() const;   ///< [em] of the line above its base
-  double descent() const;  ///< [em] below it, positive
+  double ascent() const;   ///< [em] height of the line above the baseline
+  double descent() const;  ///< [em] depth below it, positive
 
   struct Data;
 

@@ -7,7 +7,7 @@
 //   build.layer("iris", build.intersect(build.shape(iris), opening), {.color = brown});
 //   const Scene scene = std::move(build).finish();
 //
-// Areas are shared: the outline of `opening` is ONE outline in both layers, so they leave no seam.
+// Areas are shared: both layers use the one outline of `opening`, so there is no seam between them.
 
 #include <mien/api.h>
 #include <mien/box2.h>
@@ -37,8 +37,8 @@ struct Layer {
   int group = -1;  ///< index into Scene::groups(); −1: none
 };
 
-/// Layers that are mixed with each other first and then laid over what is below as one, with an
-/// opacity. The layers of a group, and of the groups in it, stand together.
+/// Layers that are composited with each other first; the result is then laid over what is below, with an
+/// opacity. The layers of a group and of its subgroups are consecutive.
 struct Group {
   std::string name;
   int parent = -1;     ///< the group it is in; −1: none
@@ -60,13 +60,13 @@ class MIEN_API Scene {
   std::span<const Group> groups() const { return data_->groups; }  ///< parents first
   const Light& light() const { return data_->light; }
 
-  /// Signed distance of an area by its CSG tree, and what that promises.
+  /// The signed distance of an area by its CSG tree, and what that distance promises.
   double distance(Area area, glm::dvec2 p) const;
   Exactness exactness(Area area) const;
   Box2 bounds(Area area) const;
 
-  /// The scene as text: canvas, shapes, areas, layers; one line each, numbers in shortest exact
-  /// form.
+  /// The scene as text: canvas, shapes, areas and layers, one per line, with numbers in the shortest
+  /// exact form.
   std::string text() const;
 
  private:
@@ -87,7 +87,7 @@ class MIEN_API SceneBuilder {
  public:
   SceneBuilder(Canvas canvas, Color background);
 
-  /// Nothing, if a point or a width of it is no finite number.
+  /// An empty area if a number of the shape is not finite.
   Area shape(Shape shape);
   Area unite(Area a, Area b);
   Area intersect(Area a, Area b);
@@ -101,8 +101,8 @@ class MIEN_API SceneBuilder {
 
   void layer(std::string name, Area area, Paint paint);
 
-  /// Layers from here to the matching close_group belong together; with a `clip` they are drawn
-  /// inside that area only.
+  /// Begins a group; the layers up to the matching close_group belong to it. With a `clip` they are drawn
+  /// only inside that area.
   void open_group(std::string name, double opacity, Area clip = {});
   void close_group();
 
@@ -113,7 +113,7 @@ class MIEN_API SceneBuilder {
   Area add(Node node);
   struct OpenGroup {
     int group;
-    Area clip;  ///< all clips so far, together
+    Area clip;  ///< the intersection of all clips so far
   };
   Scene::Data data_;
   std::vector<OpenGroup> open_;

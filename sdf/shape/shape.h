@@ -1,15 +1,14 @@
 #pragma once
-// Every shape mien can draw, as plain data, and the questions a shape answers.
+// Every shape that mien can draw, as plain data, and the functions that query it.
 //
 //   distance(shape, p)        signed distance, negative inside, in the units of the shape's numbers
 //   exactness(shape)          whether that distance is exact or a bound, outside and inside
 //   bounds(shape)             a box that contains the inside (sides may be infinite)
 //   transformed(map, shape)   the same shape in another space
-//   shape_name(shape)         its name, as printed scenes have it
+//   shape_name(shape)         its name in printed scenes
 //
-// All are total: any finite numbers, degenerate ones included, give an answer; a NaN coordinate
-// gives distance +infinity (outside).  Every distance is 1-Lipschitz and zero exactly on the
-// outline.
+// All are total: any finite numbers give a result, degenerate ones included. A NaN coordinate gives
+// distance +infinity (outside). Every distance is 1-Lipschitz and zero exactly on the outline.
 
 #include <mien/api.h>
 #include <mien/box2.h>
@@ -38,8 +37,8 @@ struct ParabolaSide {
   double bend;      ///< 1 / length
 };
 
-/// Between two parabolas: the intersection of both insides. Exact distance, by arcs and corners. If
-/// they have nothing in common the distance is that to the farther side: positive everywhere.
+/// The area between two parabolas: the intersection of both insides. The distance is exact, by arcs and
+/// corners. If the insides have nothing in common, it is that to the farther side: positive everywhere.
 struct Band {
   ParabolaSide lower, upper;
 };
@@ -59,30 +58,30 @@ struct CutDisc {
 };
 
 struct Triangle {
-  glm::dvec2 a, b, c;  ///< either way round
+  glm::dvec2 a, b, c;  ///< in either orientation
 };
 
-/// All points within half_width of the segment a b: a line with round ends.
+/// All points within half_width of the segment ab: a line with round caps.
 struct Line {
   glm::dvec2 a, b;
   double half_width;  ///< >= 0
 };
 
-/// All points within half_width of a polyline: round caps and joins. Inside, where pieces overlap,
-/// the distance is to the nearest piece's own outline: a bound.
+/// All points within half_width of a polyline, with round caps and joins. Where segments overlap, the
+/// distance inside is that to the nearest segment's own outline, which is a bound.
 struct Polyline {
   std::vector<glm::dvec2> points;  ///< at least 1
   double half_width;               ///< >= 0
 };
 
-/// All points within half_width of a quadratic Bézier: round ends.
+/// All points within half_width of a quadratic Bézier, with round caps.
 struct QuadStroke {
   QuadBezier spine;
   double half_width;  ///< >= 0
 };
 
-/// The union of the discs (spine(t), w(t)), t in [0, 1], with w(t) = (1−t)² w.0 + 2t(1−t) w.1 + t²
-/// w.2 >= 0: a pen line of varying width. distance = min over t of |p − spine(t)| − w(t).
+/// A pen line of varying width: the union of the discs (spine(t), w(t)), t in [0, 1], where
+/// w(t) = (1−t)² w.0 + 2t(1−t) w.1 + t² w.2 >= 0. The distance is the minimum over t of |p − spine(t)| − w(t).
 struct TaperedStroke {
   QuadBezier spine;
   double half_width[3];  ///< >= 0 each
@@ -94,7 +93,7 @@ enum class FillRule { nonzero, even_odd };
 struct Path {
   struct Loop {
     std::vector<QuadBezier>
-        sides;  ///< each begins where the one before ends; the last ends at the first's begin
+        sides;  ///< each begins where the previous one ends; the last ends where the first begins
   };
   std::vector<Loop> loops;
   FillRule rule = FillRule::nonzero;
@@ -103,7 +102,7 @@ struct Path {
 using Shape = std::variant<HalfPlane, ParabolaSide, Band, Disc, CutDisc, Ellipse, Triangle, Line,
                            Polyline, QuadStroke, TaperedStroke, Path>;
 
-/// What a distance promises off the outline. On the outline and in its sign every shape is exact.
+/// What a distance promises away from the outline. Its zeros and its sign are exact for every shape.
 struct Exactness {
   bool outside = true;  ///< true: the distance to the outline; false: at most that (a bound)
   bool inside = true;
@@ -127,10 +126,9 @@ MIEN_API double distance(const Shape&, glm::dvec2 p);
 MIEN_API Exactness exactness(const Shape&);
 MIEN_API Box2 bounds(const Shape&);
 
-/// The same shape seen through a similarity: distances grow by `linear`'s scale, nothing else
-/// changes.
+/// The shape under a similarity. Distances are multiplied by the scale of `linear`; nothing else changes.
 MIEN_API Shape transformed(const glm::dmat2& linear, glm::dvec2 shift, const Shape&);
-/// The same, written to `to`, whose memory is kept where it is of the same kind.
+/// The same, written to `to`, which keeps its memory if it holds the same kind of shape.
 void transform(const glm::dmat2& linear, glm::dvec2 shift, const Shape&, Shape& to);
 template <class To, class From>
 Shape transformed(const Map<To, From>& map, const Shape& shape) {

@@ -60,7 +60,8 @@ TEST(Bulge, ShowsUnderAShutLidWhereTheIrisIs_C2) {
         weight += changed, place += changed * (column + 0.5 - 0.5 * round.width) * scale;
       }
     ASSERT_GT(weight, 100);
-    EXPECT_NEAR(place / weight, 0.228 + x, 0.03) << x;
+    // Under a pixel; 0.018 was measured: the light falls from one side.
+    EXPECT_NEAR(place / weight, 0.228 + x, 0.022) << x;
   }
 }
 
@@ -225,9 +226,10 @@ TEST(Eyes, HavePupilsWhoseDrawnAreaIsTheDilationSquared_E3) {
     return sum;
   };
   const double whole = dark(0.7);
-  EXPECT_NEAR(whole, 2 * 3.14159265358979 * 0.09 * 0.105 * 0.49 * 640 * 640, 2e-3 * whole);
-  EXPECT_NEAR(dark(0.35) / whole, 0.25, 2e-3);
-  EXPECT_NEAR(dark(0.9) / whole, 0.81 / 0.49, 5e-3);
+  // Off by 1.4e-6, 2.3e-6 and 2.9e-6 when measured: the rounding of the edge pixels to 8 bits.
+  EXPECT_NEAR(whole, 2 * 3.14159265358979 * 0.09 * 0.105 * 0.49 * 640 * 640, 6e-6 * whole);
+  EXPECT_NEAR(dark(0.35) / whole, 0.25, 1e-5);
+  EXPECT_NEAR(dark(0.9) / whole, 0.81 / 0.49, 1.2e-5);
 }
 
 /// The eyeball of the muscle face: a disc less the two segments that its chords cut off.
@@ -248,7 +250,8 @@ TEST(Eyes, AreCutDiscsOfTheRightArea_M3) {
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column)
       sum += 1 - linear_from_srgb(image.row(row)[4 * column] / 255.0);
-  EXPECT_NEAR(sum / (unit * unit), 2 * area, 2e-3 * area);
+  // Off by 3.4e-5 of one eye when measured: the rounding of the edge pixels to 8 bits.
+  EXPECT_NEAR(sum / (unit * unit), 2 * area, 1.4e-4 * area);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 
 #include "tests/support/head_mesh.h"
 #include "tests/support/run_command.h"
@@ -39,11 +39,18 @@ class MeshTest : public testing::Test {
     words.insert(words.end(), {"--size", "64", "-o", path("out.png")});
     return run_mien(words);
   }
-  /// The picture's hash.
-  std::size_t drawn(const Words& words) const {
+  /// The picture's file.
+  std::string drawn(const Words& words) const {
     const Ran ran = mesh(words);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return std::hash<std::string>{}(read_text(folder_ / "out.png"));
+    return read_text(folder_ / "out.png");
+  }
+  /// Writes a head whose points are `place(i)`.
+  template <class Place>
+  void write_head(const char* name, const Place& place) const {
+    Mesh head = head_mesh(10, HeadShape::neutral);
+    for (std::size_t i = 0; i < head.points.size(); ++i) head.points[i] = place(i);
+    test::write_obj(path(name), head);
   }
   ScratchFolder folder_;
 };
@@ -54,13 +61,31 @@ TEST_F(MeshTest, DrawsNeutralTargetsAndMixes) {
     more.insert(more.begin(), heads.begin(), heads.end());
     return drawn(more);
   };
-  const std::size_t all = with({}), mix = with({"--weight", "smile=0.5"});
-  EXPECT_NE(all, drawn({}));
-  EXPECT_NE(mix, with({"--weight", "smile=0.5", "--weight", "open"}));
-  EXPECT_NE(mix, with({"--weight", "smile=0.5", "--yaw", "30"}));
+  EXPECT_TRUE(with({}) != drawn({}));
+  EXPECT_TRUE(with({"--weight", "smile=0.5"}) !=
+              with({"--weight", "smile=0.5", "--weight", "open"}));
   // A target at 0 and one that is the neutral: nothing moves.
-  EXPECT_EQ(with({"--weight", "smile=0"}),
-            drawn({"smile=" + path("neutral.obj"), "--weight", "smile=0.7"}));
+  EXPECT_TRUE(with({"--weight", "smile=0"}) ==
+              drawn({"smile=" + path("neutral.obj"), "--weight", "smile=0.7"}));
+}
+
+/// Mixed and turned by the command or by this test: the same pictures.
+TEST_F(MeshTest, DrawsTheHeadThatTheWeightsAndTheTurnMean) {
+  const Mesh neutral = head_mesh(10, HeadShape::neutral), smile = head_mesh(10, HeadShape::smile),
+             ah = head_mesh(10, HeadShape::ah);
+  write_head("mixed.obj", [&](std::size_t i) {
+    return 0.25 * neutral.points[i] + 0.5 * smile.points[i] + 0.25 * ah.points[i];
+  });
+  EXPECT_TRUE(
+      drawn({path("mixed.obj"), "--weight", "mixed"}) ==
+      drawn({path("smile.obj"), path("ah.obj"), "--weight", "smile=0.5", "--weight", "ah=0.25"}));
+  const std::string turned = drawn({"--yaw", "30"});
+  write_head("neutral.obj", [&](std::size_t i) {
+    const glm::dvec3 p = neutral.points[i];
+    const double c = std::sqrt(0.75), s = 0.5;
+    return glm::dvec3{c * p.x + s * p.z, p.y, c * p.z - s * p.x};
+  });
+  EXPECT_TRUE(drawn({}) == turned);
 }
 
 TEST_F(MeshTest, WhatIsWrongIsOneLineAndLeavesNothing) {
@@ -133,11 +158,12 @@ TEST_F(MeshTest, AStreamsComponentsAreDrawnAsTheMesh) {
   const auto sheet = [&](Words more) {
     more.insert(more.begin(), {"pca", "sheet", basis, "--size", "64", "-o", path("sheet.png")});
     EXPECT_EQ(run_mien(more).code, 0);
-    return std::hash<std::string>{}(read_text(folder_ / "sheet.png"));
+    return read_text(folder_ / "sheet.png");
   };
-  const std::size_t as_mesh = sheet({"--mesh", path("neutral.obj")});
-  EXPECT_NE(as_mesh, sheet({}));
-  EXPECT_NE(as_mesh, sheet({"--mesh", path("neutral.obj"), "--spread", "0"}));
+  // Which numbers the components have is judged where they are found: here, that the mesh is drawn by them.
+  const std::string as_mesh = sheet({"--mesh", path("neutral.obj")});
+  EXPECT_TRUE(as_mesh != sheet({}));
+  EXPECT_TRUE(as_mesh != sheet({"--mesh", path("neutral.obj"), "--spread", "0"}));
 }
 
 }  // namespace

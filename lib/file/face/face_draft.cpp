@@ -92,10 +92,32 @@ std::vector<DriveTarget> FaceDraft::targets(const Reading& in, const JsonNode& n
   return found;
 }
 
+std::vector<Offset> FaceDraft::offsets(const Reading& in, const JsonNode& node, Side side,
+                                       bool mirror) const {
+  std::vector<Offset> found;
+  for (const DriveTarget target : targets(in, node, in.tree.key(node), side, mirror)) {
+    const Slice& slice = model.layout[target.slice];
+    std::vector<double> by = in.numbers(node, slice.size, slice.size);
+    if (target.mirrored) mirror_differences(slice.kind, by, model.canvas.twice_axis());
+    found.push_back({target.slice, std::move(by)});
+  }
+  return found;
+}
+
 void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control) {
   if (!control_by_name.emplace(control.name, int(model.controls.size())).second)
     in.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
   model.controls.push_back(std::move(control));
+}
+
+void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control,
+                            std::span<const SidedChannel> channels) {
+  for (const SidedChannel& c : channels) control.channels.push_back(c.channel);
+  add_control(in, name_node, control);
+  for (const auto& [side, channel] : channels)
+    if (side != Side::none)
+      add_control(in, name_node,
+                  {control_of_side(control.name, side), control.unit, {channel}, control.pose});
 }
 
 int FaceDraft::control_named(const Reading& in, const JsonNode& node, std::string_view name) const {

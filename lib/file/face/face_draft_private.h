@@ -24,6 +24,12 @@ struct DriveTarget {
   bool mirrored;
 };
 
+/// A channel of a control, and the side it acts on.
+struct SidedChannel {
+  Side side;
+  int channel;
+};
+
 struct FaceDraft {
   FaceModel model;
   FaceVector vector;
@@ -54,8 +60,16 @@ struct FaceDraft {
   std::vector<DriveTarget> targets(const Reading& in, const JsonNode& node, std::string_view name,
                                    Side side, bool mirror) const;
 
+  /// Reads the numbers that are added to every slice that the node's key means for a side.
+  std::vector<Offset> offsets(const Reading& in, const JsonNode& node, Side side,
+                              bool mirror) const;
+
   /// Appends a control; its name must be new.
   void add_control(const Reading& in, const JsonNode& name_node, Control control);
+  /// Appends a control of all these channels and, for each of them that acts on a side, that side's
+  /// own control: "NAME.left".
+  void add_control(const Reading& in, const JsonNode& name_node, Control control,
+                   std::span<const SidedChannel> channels);
   /// The control of that name; refuses unknown ones.
   int control_named(const Reading& in, const JsonNode& node, std::string_view name) const;
 
@@ -77,15 +91,16 @@ struct PaintPlace {
 void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face,
                         Feature& feature);
 int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft& face);
-int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face);
+Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlace& place,
+                              FaceDraft& face);
 /// The keys "shadow", "glow" and "contour" of a feature; each null where it has none.
 struct SurroundingNodes {
   const JsonNode *shadow, *glow, *contour;
 };
-int read_surroundings(Reading& in, const SurroundingNodes& nodes, const std::string& feature,
-                      Side side, FaceDraft& face);
+Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& nodes,
+                                          const std::string& feature, Side side, FaceDraft& face);
 void read_groups(Reading& in, const JsonNode& node, FaceDraft& face);  ///< before the features
-int group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
+Index<FaceGroup> group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
 void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face);  ///< after them
 void read_light(Reading& in, const JsonNode& node, FaceDraft& face);
 

@@ -89,7 +89,7 @@ Face read_root(Reading& in) {
   if (const JsonNode* wanted = in.find(root, "default_clip")) {
     std::vector<std::string_view> known;
     for (const Clip& clip : model.clips) known.push_back(clip.name);
-    model.default_clip = int(in.word(*wanted, "clip", known));
+    model.default_clip = {int(in.word(*wanted, "clip", known))};
   }
   FaceVector rest = draft.vector;
   apply_rules(model.layout, draft.vector, rest);  // wraps angles

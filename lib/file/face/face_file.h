@@ -1,5 +1,5 @@
 #pragma once
-// Faces in: from a file or from memory. docs/face-format.md describes the format.
+// Reads faces from a file or from memory. docs/face-format.md describes the format.
 
 #include <mien/api.h>
 #include <mien/expected.h>
@@ -12,8 +12,8 @@
 
 namespace mien {
 
-/// Reads a face. The error's `where` is "FILE:LINE:COLUMN: /json/pointer". What is strange but
-/// harmless (unknown keys) is added to `warnings`, if given.
+/// Reads a face. The error's `where` is "FILE:LINE:COLUMN: /json/pointer". Anything odd but harmless,
+/// such as an unknown key, is added to `warnings` if given.
 MIEN_API Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits = {},
                                   std::vector<Error>* warnings = nullptr);
 

@@ -26,20 +26,11 @@ class ControlReader {
     const JsonNode* per_side = in_.find(node_, "per_side");
     const std::string unit =
         in_.find(node_, "unit") ? one_line(in_.string(*in_.find(node_, "unit")), 60) : "ratio";
-    Control both{name, unit, {}};
-    if (per_side && in_.boolean(*per_side)) {
-      Control halves[2];
-      for (int half = 0; half < 2; ++half) {
-        const Side side = half == 0 ? Side::left : Side::right;
-        halves[half] = {control_of_side(name, side), unit, {add_channel(side)}};
-        both.channels.push_back(halves[half].channels[0]);
-      }
-      face_.add_control(in_, name_node, std::move(both));
-      for (Control& half : halves) face_.add_control(in_, name_node, std::move(half));
-      return;
-    }
-    both.channels.push_back(add_channel(Side::none));
-    face_.add_control(in_, name_node, std::move(both));
+    std::vector<SidedChannel> channels;
+    const bool sided = per_side && in_.boolean(*per_side);
+    for (const Side side : sided ? std::vector{Side::left, Side::right} : std::vector{Side::none})
+      channels.push_back({side, add_channel(side)});
+    face_.add_control(in_, name_node, {name, unit, {}}, channels);
   }
 
  private:
@@ -66,13 +57,8 @@ class ControlReader {
   void add_offsets(const JsonNode& node, Side side, Channel& channel) const {
     in_.expect(node, JsonKind::object);
     in_.for_each(node, [&](const JsonNode& child, int) {
-      for (const DriveTarget target :
-           face_.targets(in_, child, in_.tree.key(child), side, mirror_)) {
-        const Slice& slice = face_.model.layout[target.slice];
-        std::vector<double> by = in_.numbers(child, slice.size, slice.size);
-        if (target.mirrored) mirror_differences(slice.kind, by, face_.model.canvas.twice_axis());
-        channel.drives.push_back(Offset{target.slice, std::move(by)});
-      }
+      for (Offset& offset : face_.offsets(in_, child, side, mirror_))
+        channel.drives.push_back(std::move(offset));
     });
   }
 

@@ -43,18 +43,12 @@ class ExpressionReader {
       if (in_.tree.key(child) != "comment") read_part(child, expression);
     });
     expression.left = expression.right = add_channel();
-    Control both{name, "strength", {expression.left}};
+    std::vector<SidedChannel> channels{{Side::none, expression.left}};
     if (!one_number) {
       expression.right = add_channel();
-      both.channels.push_back(expression.right);
+      channels = {{Side::left, expression.left}, {Side::right, expression.right}};
     }
-    face_.add_control(in_, node, std::move(both));
-    if (!one_number) {
-      face_.add_control(in_, node,
-                        {control_of_side(name, Side::left), "strength", {expression.left}});
-      face_.add_control(in_, node,
-                        {control_of_side(name, Side::right), "strength", {expression.right}});
-    }
+    face_.add_control(in_, node, {name, "strength", {}}, channels);
     face_.model.expressions.push_back(std::move(expression));
   }
 

@@ -251,12 +251,12 @@ class EyeReader {
     put_dome(face_.model, eye_, {0, 0}, face_.vector);
     in_.for_each(node, [&](const JsonNode& child, int) {
       Feature& feature = feature_named(child);
-      if (feature.relief < 0) {
-        feature.relief = int(face_.model.reliefs.size());
+      if (!feature.relief) {
         face_.model.reliefs.push_back({});
+        feature.relief = last_of(face_.model.reliefs);
       }
-      face_.model.reliefs[std::size_t(feature.relief)].domes.push_back(
-          {eye_.dome, eye_.dome + 1, eye_.dome + 2, eye_.dome + 3});
+      feature.relief.in(face_.model.reliefs)
+          .domes.push_back({eye_.dome, eye_.dome + 1, eye_.dome + 2, eye_.dome + 3});
     });
   }
 

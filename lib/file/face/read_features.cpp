@@ -289,20 +289,20 @@ class FeatureReader {
     if (const JsonNode* group = in_.find(node_, "group"))
       feature.group = group_named(in_, *group, face_);
     if (const JsonNode* clip = in_.find(node_, "clip")) feature.clip = read_clip(*clip, side);
-    face_.clip_depth.push_back(feature.clip < 0 ? 0
-                                                : face_.clip_depth[std::size_t(feature.clip)] + 1);
+    face_.clip_depth.push_back(feature.clip ? face_.clip_depth[std::size_t(feature.clip.at)] + 1
+                                            : 0);
     face_.feature_by_name.emplace(feature.name, int(face_.model.features.size()));
     face_.mirrored.push_back(mirrored);
     face_.model.features.push_back(std::move(feature));
   }
 
-  int read_clip(const JsonNode& clip, Side side) const {
+  Index<Feature> read_clip(const JsonNode& clip, Side side) const {
     const int found = face_.find_feature(in_.string(clip), side);
     if (found < 0) refuse_clip(in_, clip, face_, features_);
     if (face_.clip_depth[std::size_t(found)] >= in_.limits.nesting)
       in_.refuse(clip, fmt::format("features clipped more than {} deep (limit: nesting)",
                                    in_.limits.nesting));
-    return found;
+    return {found};
   }
 
   Reading& in_;

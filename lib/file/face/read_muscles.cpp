@@ -61,26 +61,25 @@ class MuscleReader {
     const std::string name = in_.name(name_node);
     const JsonNode* side_node = in_.find(node, "side");
     const JsonNode* mirror = in_.find(node, "mirror");
-    Control both{"muscle." + name, "pull", {}};
+    std::vector<SidedChannel> channels;
+    const auto add = [&] {
+      face_.add_control(in_, name_node, {"muscle." + name, "pull", {}}, channels);
+    };
     if (!side_node) {
       for (const std::string_view key : {"mirror", "left", "right"})
         if (const JsonNode* found = in_.find(node, key))
           in_.refuse(*found,
                      fmt::format("\"{}\" needs a \"side\": the one that the muscle is on", key));
-      both.channels.push_back(add_muscle(node, name, Side::none, false));
-      return face_.add_control(in_, name_node, std::move(both));
+      channels.push_back({Side::none, add_muscle(node, name, Side::none, false)});
+      return add();
     }
     const Side written = in_.word(*side_node, "side", kSides) == 0 ? Side::left : Side::right;
     const bool mirrored = !mirror || in_.boolean(*mirror);
-    std::vector<Control> halves;
     for (const Side side : {Side::left, Side::right}) {
       if (side != written && !mirrored) continue;
-      const int channel = add_muscle(node, name, side, side != written);
-      both.channels.push_back(channel);
-      halves.push_back({control_of_side("muscle." + name, side), "pull", {channel}});
+      channels.push_back({side, add_muscle(node, name, side, side != written)});
     }
-    face_.add_control(in_, name_node, std::move(both));
-    for (Control& half : halves) face_.add_control(in_, name_node, std::move(half));
+    add();
   }
 
   /// Gives the channel of its pull.

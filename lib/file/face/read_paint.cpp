@@ -74,7 +74,8 @@ void read_stops(Reading& in, FaceDraft& face, const PaintPlace& place, const Jso
       face.add_slice(in, node, place.feature + "/paint/places", SliceKind::ratio, places);
 }
 
-int read_gradient(Reading& in, FaceDraft& face, const PaintPlace& place, const JsonNode& node) {
+Index<GradientPaint> read_gradient(Reading& in, FaceDraft& face, const PaintPlace& place,
+                                   const JsonNode& node) {
   constexpr std::array<std::string_view, 3> kAlong{"linear", "radial", "distance"};
   constexpr std::array<std::string_view, 3> kExtend{"pad", "repeat", "reflect"};
   const std::size_t along = in.word(in.need(node, "gradient"), "gradient", kAlong);
@@ -100,7 +101,7 @@ int read_gradient(Reading& in, FaceDraft& face, const PaintPlace& place, const J
   if (const JsonNode* extend = in.find(node, "extend"))
     gradient.extend = GradientPaint::Extend(in.word(*extend, "extension", kExtend));
   face.model.gradients.push_back(std::move(gradient));
-  return int(face.model.gradients.size()) - 1;
+  return last_of(face.model.gradients);
 }
 
 FaceDome read_dome(Reading& in, FaceDraft& face, const PaintPlace& place, const JsonNode& node,
@@ -132,7 +133,8 @@ int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft
   return face.add_slice(in, node, std::move(slice), SliceKind::ratio, std::array{opacity});
 }
 
-int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face) {
+Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlace& place,
+                              FaceDraft& face) {
   constexpr std::array<std::string_view, 4> kProfiles{"flat", "bevel", "round", "custom"};
   in.expect_object(
       node, {"profile", "width", "height", "table", "sunk", "domes", "specular", "shininess"},
@@ -159,11 +161,11 @@ int read_relief(Reading& in, const JsonNode& node, const PaintPlace& place, Face
     });
   }
   face.model.reliefs.push_back(std::move(relief));
-  return int(face.model.reliefs.size()) - 1;
+  return last_of(face.model.reliefs);
 }
 
-int read_surroundings(Reading& in, const SurroundingNodes& nodes, const std::string& feature,
-                      Side side, FaceDraft& face) {
+Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& nodes,
+                                          const std::string& feature, Side side, FaceDraft& face) {
   const PaintPlace place{feature, side,
                          false};  // lengths have no mirror; one lamp casts all shadows
   FaceSurroundings made;
@@ -187,7 +189,7 @@ int read_surroundings(Reading& in, const SurroundingNodes& nodes, const std::str
     made.contour = FaceContour{color(*contour), numbers.slice("half_width", SliceKind::length, 1)};
   }
   face.model.surroundings.push_back(made);
-  return int(face.model.surroundings.size()) - 1;
+  return last_of(face.model.surroundings);
 }
 
 void read_groups(Reading& in, const JsonNode& node, FaceDraft& face) {
@@ -203,10 +205,10 @@ void read_groups(Reading& in, const JsonNode& node, FaceDraft& face) {
   });
 }
 
-int group_named(Reading& in, const JsonNode& node, const FaceDraft& face) {
+Index<FaceGroup> group_named(Reading& in, const JsonNode& node, const FaceDraft& face) {
   std::vector<std::string_view> known;
   for (const FaceGroup& group : face.model.groups) known.push_back(group.name);
-  const int group = int(in.word(node, "group", known));
+  const Index<FaceGroup> group{int(in.word(node, "group", known))};
   const std::vector<Feature>& features = face.model.features;
   const bool seen = std::any_of(features.begin(), features.end(),
                                 [&](const Feature& f) { return f.group == group; });
@@ -220,7 +222,7 @@ void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face) {
   int index = 0;
   in.for_each(node, [&](const JsonNode& child, int) {
     if (in.tree.key(child) == "comment") return;
-    const int group = index++;
+    const Index<FaceGroup> group{index++};
     const JsonNode* clip = in.find(child, "clip");
     if (!clip) return;
     std::vector<std::string_view> known;
@@ -235,7 +237,7 @@ void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face) {
     if (found >= first)
       in.refuse(*clip, fmt::format("the feature {} must come before the group that it clips",
                                    in_quotes(in.string(*clip))));
-    face.model.groups[std::size_t(group)].clip = found;
+    group.in(face.model.groups).clip = {found};
   });
 }
 

@@ -20,20 +20,11 @@ class PoseReader {
     if (const JsonNode* mirror = in_.find(node_, "mirror")) mirror_ = in_.boolean(*mirror);
     if (const JsonNode* range = in_.find(node_, "range")) read_range(*range);
     const JsonNode* per_side = in_.find(node_, "per_side");
-    Control both{name, "weight", {}, true};
-    if (!per_side || !in_.boolean(*per_side)) {
-      both.channels.push_back(add_channel(Side::none));
-      face_.add_control(in_, node_, std::move(both));
-      return;
-    }
-    Control halves[2];
-    for (const Side side : {Side::left, Side::right}) {
-      Control& half = halves[side == Side::right];
-      half = {control_of_side(name, side), "weight", {add_channel(side)}, true};
-      both.channels.push_back(half.channels[0]);
-    }
-    face_.add_control(in_, node_, std::move(both));
-    for (Control& half : halves) face_.add_control(in_, node_, std::move(half));
+    std::vector<SidedChannel> channels;
+    const bool sided = per_side && in_.boolean(*per_side);
+    for (const Side side : sided ? std::vector{Side::left, Side::right} : std::vector{Side::none})
+      channels.push_back({side, add_channel(side)});
+    face_.add_control(in_, node_, {name, "weight", {}, true}, channels);
   }
 
  private:
@@ -76,13 +67,8 @@ class PoseReader {
     in_.expect(node, JsonKind::object);
     in_.for_each(node, [&](const JsonNode& child, int) {
       if (in_.tree.key(child) == "comment") return;
-      for (const DriveTarget target :
-           face_.targets(in_, child, in_.tree.key(child), side, mirror_)) {
-        const Slice& slice = face_.model.layout[target.slice];
-        std::vector<double> by = in_.numbers(child, slice.size, slice.size);
-        if (target.mirrored) mirror_differences(slice.kind, by, face_.model.canvas.twice_axis());
-        channel.drives.push_back(Offset{target.slice, std::move(by)});
-      }
+      for (Offset& offset : face_.offsets(in_, child, side, mirror_))
+        channel.drives.push_back(std::move(offset));
     });
   }
 

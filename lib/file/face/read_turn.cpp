@@ -111,8 +111,7 @@ class TurnReader {
       add({slice, here.kind, here.depth});
     });
     if (where.kind == TurnKind::surface) add_sizes(feature.figure);
-    if (feature.gradient >= 0)
-      add_gradient(face_.model.gradients[std::size_t(feature.gradient)], where);
+    if (feature.gradient) add_gradient(feature.gradient.in(face_.model.gradients), where);
   }
 
   void add_sizes(const Figure& figure) {

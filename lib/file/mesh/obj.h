@@ -1,5 +1,5 @@
 #pragma once
-// Wavefront OBJ files in: points and faces, which are cut into triangles.
+// Reads points and faces of Wavefront OBJ files; faces are cut into triangles.
 
 #include <mien/api.h>
 #include <mien/expected.h>
@@ -10,9 +10,9 @@
 
 namespace mien {
 
-/// Reads a mesh; points keep the file's order, so that files of one head in several expressions fit
-/// each other. The error's `where` is "FILE:LINE" where a line is to blame: a point without three
-/// finite numbers, a face of points that are not there. Materials are ignored.
+/// Reads a mesh. Points keep the file's order, so that files of one head in several expressions match
+/// point by point. The error's `where` is "FILE:LINE" if one line is to blame: a point without three
+/// finite numbers, or a face that names a missing point. Materials are ignored.
 MIEN_API Expected<Mesh> read_obj(const std::filesystem::path& path);
 MIEN_API Expected<Mesh> read_obj_text(std::string_view text, std::string_view name = "mesh");
 

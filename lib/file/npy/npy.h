@@ -1,12 +1,12 @@
 #pragma once
-// NumPy's .npy files: animations in and out, as [frames, vertices, dimensions] or [frames, numbers].
+// Reads and writes animations as NumPy's .npy files: [frames, vertices, dimensions] or [frames, numbers].
 //
 //   const auto frames = FrameFile::open("head.npy");
 //   const auto fit = fit_pca(frames->source(), {.count = 7});
 //
-// Read: float32 and float64 of either byte order, C and Fortran order, format versions 1 to 3; in
-// blocks, so that a file may be larger than the memory. Written: as np.save does, C order, little
-// endian. Source: numpy.lib.format, the format's definition.
+// Reading accepts float32 and float64 in either byte order, C and Fortran order, and format versions 1
+// to 3. It reads in blocks, so a file may be larger than memory. Writing does what np.save does: C order,
+// little endian. Source: numpy.lib.format, the format's definition.
 
 #include <mien/api.h>
 #include <mien/expected.h>
@@ -30,12 +30,12 @@ inline std::size_t bytes_of(NpyType type) {
   return type == NpyType::float64 ? 8 : type == NpyType::float32 ? 4 : 1;
 }
 
-/// What an array is and where it lies.
+/// An array's type and shape, and where its numbers are in the file.
 struct NpyHeader {
   NpyType type = NpyType::float64;
   bool big_endian = false;
   bool fortran = false;            ///< the first index runs fastest
-  std::vector<std::size_t> shape;  ///< at most 8 sides
+  std::vector<std::size_t> shape;  ///< at most 8 dimensions
   std::size_t data = 0;            ///< offset of the first number in the file
   std::size_t numbers() const;     ///< product of the shape
   std::size_t end() const { return data + numbers() * bytes_of(type); }
@@ -47,11 +47,11 @@ using ByteSource = std::function<bool(std::size_t offset, std::size_t size, void
 MIEN_API Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset,
                                              std::size_t size);
 
-/// A file of frames, open.
+/// An open file of frames.
 class MIEN_API FrameFile {
  public:
-  /// Errors name the file and say what is wrong: no .npy file, another type, another shape, fewer
-  /// bytes than its shape asks for, or more.
+  /// Errors name the file and say what is wrong: it is no .npy file, has an unsupported type or shape, or
+  /// has fewer or more bytes than its shape asks for.
   static Expected<FrameFile> open(const std::filesystem::path& path);
 
   std::size_t frames() const { return header_.shape[0]; }
@@ -59,8 +59,8 @@ class MIEN_API FrameFile {
   std::size_t dimensions() const { return header_.shape.size() == 3 ? header_.shape[2] : 1; }
   const NpyHeader& header() const { return header_; }
 
-  /// Frames as rows, reading from the file. A number that is not finite is an error that says where
-  /// it stands. Lives on its own.
+  /// The frames as rows, read from the file on demand. A number that is not finite is an error that says
+  /// where it stands. The source may outlive this object.
   MatrixSource source() const;
 
  private:
@@ -73,7 +73,7 @@ class MIEN_API FrameFile {
 /// Takes bytes, in order.
 using ByteSink = std::function<Expected<Done>(const void* bytes, std::size_t size)>;
 
-/// The header np.save would write.
+/// The header that np.save would write.
 MIEN_API std::string npy_header(NpyType type, std::span<const std::size_t> shape);
 
 /// Writes an array of that shape; its numbers come from `source` row by row (rows · columns of them).

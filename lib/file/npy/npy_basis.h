@@ -1,5 +1,5 @@
 #pragma once
-// A basis as a file: arrays in NumPy's .npy format, one after the other, so that Python reads it too.
+// Basis files: arrays in NumPy's .npy format, one after the other, so that Python can read them.
 //
 //   with open("head.basis", "rb") as f:
 //       info = json.loads(np.load(f).tobytes()); mean = np.load(f); components = np.load(f)
@@ -32,12 +32,12 @@ struct BasisFile {
   std::size_t frames = 0, vertices = 0, dimensions = 1;
   bool single = false;  ///< numbers are 32-bit floats
 
-  // Of a face; else empty.
+  // Only for a basis of face vectors; otherwise empty.
   std::string face;
   std::vector<std::pair<std::string, int>> slices;  ///< name and size, in the vector's order
   double fps = 0, begin = 0;
 
-  /// Bytes of the frames it was fitted to, and of mean, components and weights.
+  /// Size in bytes of the frames it was fitted to, and of mean, components and weights.
   std::size_t bytes_before() const { return frames * vertices * dimensions * (single ? 4u : 8u); }
   std::size_t bytes_after() const {
     return ((fit.basis.count + 1) * vertices * dimensions + frames * fit.basis.count) *
@@ -48,9 +48,9 @@ struct BasisFile {
 MIEN_API Expected<BasisFile> read_basis(const std::filesystem::path& path);
 MIEN_API Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file);
 
-/// What `face` needs to be posed by it; an error if its vector is made of other slices.
+/// The basis in the form that poses `face`; an error if the face's vector has other slices.
 MIEN_API Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face);
-/// Marks a basis as one of that face's vectors.
+/// Marks a basis as one of this face's vectors.
 MIEN_API void set_face(BasisFile& file, const Face& face);
 
 }  // namespace mien

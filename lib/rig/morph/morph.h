@@ -1,5 +1,5 @@
 #pragma once
-// How far a posed face is from its rest shape, point by point: what heat maps show.
+// Displacements of a posed face from rest, point by point, as heat maps show them.
 
 #include <mien/api.h>
 #include <mien/face.h>
@@ -13,13 +13,13 @@ namespace mien {
 struct PointShift {
   int slice;  ///< of the layout
   glm::dvec2 from, to;
-  double amount;  ///< how far it has gone [face units]
+  double amount;  ///< its displacement [face units]
 };
 
 /// All points of the face vector, in its order. `posed` is the same face, posed.
 MIEN_API std::vector<PointShift> point_shifts(const Face& rest, const Face& posed);
 
-/// The largest amount; 0 if there are none.
+/// The largest amount; 0 if there are no points.
 MIEN_API double largest_shift(const std::vector<PointShift>& shifts);
 
 }  // namespace mien

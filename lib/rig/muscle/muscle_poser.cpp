@@ -18,11 +18,9 @@ bool is_control(const FaceModel& model, const Setting& setting) {
 template <class Each>
 void for_each_clip(const FaceModel& model, const Pose& pose, Each&& each) {
   if (!pose.time || !std::isfinite(*pose.time)) return;
-  if (pose.clips.empty() && model.default_clip >= 0)
-    each(model.clips[std::size_t(model.default_clip)]);
+  if (pose.clips.empty() && model.default_clip) each(model.default_clip.in(model.clips));
   for (const ClipLayer& layer : pose.clips)
-    if (layer.clip >= 0 && layer.clip < int(model.clips.size()))
-      each(model.clips[std::size_t(layer.clip)]);
+    if (layer.clip && layer.clip.at < int(model.clips.size())) each(layer.clip.in(model.clips));
 }
 
 bool same_settings(const std::vector<Setting>& a, const std::vector<Setting>& b) {

@@ -37,13 +37,12 @@ void play(const FaceModel& model, const Clip& clip, double time, double weight, 
 
 void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
   if (!pose.time || !std::isfinite(*pose.time)) return;
-  if (pose.clips.empty() && model.default_clip >= 0 && !pose.basis)
-    play(model, model.clips[std::size_t(model.default_clip)], *pose.time, 1, values);
+  if (pose.clips.empty() && model.default_clip && !pose.basis)
+    play(model, model.default_clip.in(model.clips), *pose.time, 1, values);
   for (const ClipLayer& layer : pose.clips)
-    if (layer.clip >= 0 && layer.clip < int(model.clips.size()) && std::isfinite(layer.weight) &&
+    if (layer.clip && layer.clip.at < int(model.clips.size()) && std::isfinite(layer.weight) &&
         std::isfinite(layer.begin))
-      play(model, model.clips[std::size_t(layer.clip)], *pose.time - layer.begin, layer.weight,
-           values);
+      play(model, layer.clip.in(model.clips), *pose.time - layer.begin, layer.weight, values);
 }
 
 void look(const Face& rest, glm::dvec3 target, Values& values) {

@@ -1,5 +1,5 @@
 #pragma once
-// pose_face with its scratch kept, for animation.
+// pose_face for animation: it keeps its scratch memory.
 //
 //   Poser poser(*face);
 //   for (…) draw(scene_from_face(poser.pose({.time = t})));
@@ -12,8 +12,8 @@
 
 namespace mien {
 
-/// Poses one face again and again. What it gives is what pose_face gives, bit for bit, whatever was
-/// posed before; after the first poses nothing is allocated.
+/// Poses one face repeatedly. The result is that of pose_face, bit for bit, whatever was posed before.
+/// After the first poses nothing is allocated.
 class MIEN_API Poser {
  public:
   explicit Poser(Face face);
@@ -21,7 +21,7 @@ class MIEN_API Poser {
   Poser& operator=(Poser&&) noexcept;
   ~Poser();
 
-  /// Valid until the next pose, or copied.
+  /// The reference is valid until the next pose; copy the face to keep it.
   const Face& pose(const Pose& pose);
 
   /// The pulls of the model's muscles at the last pose.

@@ -150,7 +150,7 @@ Expected<ClipLayer> read_clip_layer(const Face& face, std::string_view text) {
   for (const Clip& clip : clips) known.push_back(clip.name);
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) return Error{where, unknown_name("clip", name, known)};
-  ClipLayer layer{.clip = int(found - known.begin())};
+  ClipLayer layer{.clip = {int(found - known.begin())}};
   if (name == text) return layer;
   const std::string_view numbers = text.substr(name.size() + 1);
   const auto weight = read_number(numbers.substr(0, numbers.find('@')), where);

@@ -26,7 +26,7 @@ class Pieces {
     std::unordered_map<int, std::size_t> owner;
     for (std::size_t i = 0; i < first_.size(); ++i) {
       const Feature& f = model.features[i];
-      if (f.clip >= 0) join(i, std::size_t(f.clip));
+      if (f.clip) join(i, std::size_t(f.clip.at));
       for_each_slice(f.figure, [&](std::string_view, int slice) {
         if (model.layout[slice].kind == SliceKind::point)
           if (const auto [at, added] = owner.emplace(slice, i); !added) join(i, at->second);
@@ -113,8 +113,8 @@ void for_each_paint_slice(const FaceModel& model, const Feature& feature, Visit&
   const auto travel = [&](int slice) {
     if (slice >= 0) visit(slice, false);
   };
-  if (feature.gradient >= 0) {
-    const auto& along = model.gradients[std::size_t(feature.gradient)].along;
+  if (feature.gradient) {
+    const auto& along = feature.gradient.in(model.gradients).along;
     if (const auto* linear = std::get_if<LinearPaint>(&along))
       travel(linear->from), travel(linear->to);
     else if (const auto* radial = std::get_if<RadialPaint>(&along))
@@ -122,8 +122,8 @@ void for_each_paint_slice(const FaceModel& model, const Feature& feature, Visit&
     else if (const auto* distance = std::get_if<DistancePaint>(&along))
       travel(distance->inside), travel(distance->outside);
   }
-  if (feature.relief < 0) return;
-  const FaceRelief& relief = model.reliefs[std::size_t(feature.relief)];
+  if (!feature.relief) return;
+  const FaceRelief& relief = feature.relief.in(model.reliefs);
   travel(relief.width);
   if (relief.height >= 0) visit(relief.height, true);
   for (const FaceDome& dome : relief.domes)

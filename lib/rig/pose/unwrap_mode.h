@@ -1,5 +1,5 @@
 #pragma once
-// How far along its way a feature is while a face unwraps; docs/rig.md has the formulas.
+// How features progress while a face unwraps; docs/rig.md has the formulas.
 
 #include <string_view>
 

@@ -79,7 +79,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "sdf/distance/lanes/one_by_one.h"
-#include "sdf/distance/spans.h"
 
 namespace mien {
 namespace batch {
@@ -91,38 +90,26 @@ HWY_EXPORT(DistancesParabolaDouble);
 
 void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::ellipse_frame<float>(ellipse);
-  if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesEllipse)
-  (ellipse, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesEllipse),
+                      batch::ellipse_frame<float>(ellipse), ellipse, x, y, d);
 }
 
 void distances(const ParabolaSide& side, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::parabola_frame<float>(side);
-  if (!frame) return batch::distances_one_by_one(side, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesParabola)
-  (side, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesParabola),
+                      batch::parabola_frame<float>(side), side, x, y, d);
 }
 
 void distances(const Ellipse& ellipse, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::ellipse_frame<double>(ellipse);
-  if (!frame) return batch::distances_one_by_one(ellipse, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesEllipseDouble)
-  (ellipse, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesEllipseDouble),
+                      batch::ellipse_frame<double>(ellipse), ellipse, x, y, d);
 }
 
 void distances(const ParabolaSide& side, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::parabola_frame<double>(side);
-  if (!frame) return batch::distances_one_by_one(side, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesParabolaDouble)
-  (side, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesParabolaDouble),
+                      batch::parabola_frame<double>(side), side, x, y, d);
 }
 
 }  // namespace mien

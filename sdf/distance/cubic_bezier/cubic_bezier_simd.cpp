@@ -38,7 +38,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "sdf/distance/lanes/one_by_one.h"
-#include "sdf/distance/spans.h"
 
 namespace mien {
 namespace batch {
@@ -48,20 +47,14 @@ HWY_EXPORT(DistancesCubicDouble);
 
 void distances(const CubicBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::cubic_frame<float>(curve);
-  if (!frame) return batch::distances_one_by_one(curve, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesCubicFloat)
-  (curve, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesCubicFloat),
+                      batch::cubic_frame<float>(curve), curve, x, y, d);
 }
 
 void distances(const CubicBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::cubic_frame<double>(curve);
-  if (!frame) return batch::distances_one_by_one(curve, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesCubicDouble)
-  (curve, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesCubicDouble),
+                      batch::cubic_frame<double>(curve), curve, x, y, d);
 }
 
 }  // namespace mien

@@ -1,8 +1,10 @@
 #pragma once
-// Batches that are scalar distances one after the other: where no kernel is worth it, or none
-// applies.
+// Batches by a kernel where it applies, and by scalar distances one after the other where it does not.
+
+#include "sdf/distance/spans.h"
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 
 namespace mien::batch {
@@ -14,6 +16,16 @@ void distances_one_by_one(const Figure& figure, std::span<const T> x, std::span<
   for (size_t i = 0; i < d.size(); ++i) {
     d[i] = T(distance(figure, glm::dvec2{double(x[i]), double(y[i])}));
   }
+}
+
+/// d[i] = the distance from (x[i], y[i]) to the figure, by the kernel. Figures that the kernel does not
+/// promise for have no frame; they are measured one by one.
+template <class Figure, class Frame, class T, class Kernel>
+void distances_by(Kernel* kernel, const std::optional<Frame>& frame, const Figure& figure,
+                  std::span<const T> x, std::span<const T> y, std::span<T> d) {
+  fit_spans(x, y, d);
+  if (!frame) return distances_one_by_one(figure, x, y, d);
+  kernel(figure, *frame, x.data(), y.data(), d.size(), d.data());
 }
 
 }  // namespace mien::batch

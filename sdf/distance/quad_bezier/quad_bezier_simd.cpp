@@ -141,25 +141,16 @@ HWY_EXPORT(DistancesToNearest);
 
 void distances(const QuadBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d, Precision precision) {
-  batch::fit_spans(x, y, d);
-  const auto exponent = batch::scale_exponent(curve);
-  if (!exponent) return batch::distances_one_by_one(curve, x, y, d);
-  if (precision == Precision::accurate) {
-    HWY_DYNAMIC_DISPATCH(batch::DistancesAccurate)
-    (curve, *exponent, x.data(), y.data(), d.size(), d.data());
-  } else {
-    HWY_DYNAMIC_DISPATCH(batch::DistancesFast)
-    (curve, *exponent, x.data(), y.data(), d.size(), d.data());
-  }
+  const auto kernel = precision == Precision::accurate
+                          ? &HWY_DYNAMIC_DISPATCH(batch::DistancesAccurate)
+                          : &HWY_DYNAMIC_DISPATCH(batch::DistancesFast);
+  batch::distances_by(kernel, batch::scale_exponent(curve), curve, x, y, d);
 }
 
 void distances(const QuadBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::fit_spans(x, y, d);
-  const auto exponent = batch::scale_exponent(curve);
-  if (!exponent) return batch::distances_one_by_one(curve, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesDouble)
-  (curve, *exponent, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesDouble), batch::scale_exponent(curve),
+                      curve, x, y, d);
 }
 
 void distances(std::span<const QuadBezier> curves, std::span<const float> x,

@@ -101,7 +101,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "sdf/distance/lanes/one_by_one.h"
-#include "sdf/distance/spans.h"
 
 namespace mien {
 namespace batch {
@@ -111,20 +110,14 @@ HWY_EXPORT(DistancesTaperedDouble);
 
 void distances(const TaperedStroke& stroke, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::tapered_frame<float>(stroke);
-  if (!frame) return batch::distances_one_by_one(stroke, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesTapered)
-  (stroke, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesTapered),
+                      batch::tapered_frame<float>(stroke), stroke, x, y, d);
 }
 
 void distances(const TaperedStroke& stroke, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::fit_spans(x, y, d);
-  const auto frame = batch::tapered_frame<double>(stroke);
-  if (!frame) return batch::distances_one_by_one(stroke, x, y, d);
-  HWY_DYNAMIC_DISPATCH(batch::DistancesTaperedDouble)
-  (stroke, *frame, x.data(), y.data(), d.size(), d.data());
+  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesTaperedDouble),
+                      batch::tapered_frame<double>(stroke), stroke, x, y, d);
 }
 
 }  // namespace mien

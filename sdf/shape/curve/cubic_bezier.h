@@ -1,5 +1,5 @@
 #pragma once
-// How far a point is from a cubic Bézier curve, and where it is nearest.
+// Distance from a point to a cubic Bézier curve, and the nearest point on it.
 
 #include <mien/api.h>
 #include <mien/cubic_bezier.h>
@@ -7,17 +7,15 @@
 
 namespace mien {
 
-/// Method. Half the slope of |B(t) − p|² is a quintic. Its Bernstein coefficients are halved until
-/// a piece has no
-///   sign change (no zero in it) or one (exactly one zero): every minimum is isolated, at most
-///   kMaxDepth halvings deep; a cluster closer than that lies where the distance does not change.
-///   An isolated one is polished by bracketed Newton on (B − p)·B' itself, not on coefficients.
-/// Error. At most 8·2⁻⁵²·S, S = the largest distance from p to a control point. Loops, cusps,
-/// collinear and
-///   coincident control points included. A NaN or infinite coordinate gives +infinity.
-/// Source. Bernstein subdivision (Sederberg and Nishita's root finder in its simplest form); the
-/// rest derived here;
-///   tests/sdf/shape/curve/cubic_bezier_test.cpp compares with binary128.
+/// Method. Half the derivative of |B(t) − p|² is a quintic. Its Bernstein form is bisected until each
+///   interval has no sign change, hence no root, or one, hence exactly one root. This isolates every
+///   minimum in at most kMaxDepth bisections; roots that are closer together lie where the distance does
+///   not change. Each isolated root is refined by bracketed Newton on (B − p)·B' itself, not on
+///   coefficients.
+/// Error. At most 8·2⁻⁵²·S, S = the largest distance from p to a control point. This includes loops,
+///   cusps, and collinear or coincident control points. A NaN or infinite coordinate gives +infinity.
+/// Source. Bernstein subdivision (the simplest form of Sederberg and Nishita's root finder); the rest is
+///   derived here. tests/sdf/shape/curve/cubic_bezier_test.cpp compares with binary128.
 MIEN_API double distance(const CubicBezier& curve, glm::dvec2 p);
 MIEN_API NearestPoint nearest(const CubicBezier& curve, glm::dvec2 p);
 

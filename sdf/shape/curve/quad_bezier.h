@@ -1,12 +1,13 @@
 #pragma once
-// The quadratic Bézier curve itself: how far a point is from it, and where it is nearest.
+// Distance from a point to a quadratic Bézier curve, and the nearest point on it.
 //
 //   distance(curve, p)          unsigned distance to the curve
 //   nearest(curve, p)           the same, with the nearest point and its parameter
 //   critical_points(curve, p)   every parameter where the distance is stationary
 //
-// Total: collinear and coincident control points, zero length, points on the curve or at a centre
-// of curvature are all right. A NaN or infinite coordinate gives distance +infinity.
+// Total: every input has a defined result, including collinear or coincident control points, curves of
+// zero length, and points on the curve or at a centre of curvature. A NaN or infinite coordinate gives
+// distance +infinity.
 
 #include <mien/api.h>
 #include <mien/box2.h>
@@ -23,8 +24,8 @@ struct NearestPoint {
   glm::dvec2 point;  ///< the curve at t
 };
 
-/// Parameters in [0, 1] where p − B(t) is perpendicular to the curve, ascending; ends only if they
-/// are so.
+/// Parameters in [0, 1] where p − B(t) is perpendicular to the curve, ascending. An end is included
+/// only if it is perpendicular too.
 struct CriticalPoints {
   int count = 0;
   std::array<double, 3> t{};
@@ -32,12 +33,11 @@ struct CriticalPoints {
 
 /// The distance from p to the curve.
 ///
-/// Method. Half the slope of |B(t) − p|² is a cubic, f = (B − p)·(B'/2). It is never solved through
-/// its
-///   coefficients: they only give the pieces on which it is monotone; f is evaluated as that dot
-///   product, whose rounding is a few 2⁻⁵³·S·|B'/2|, and a sign change is followed by bracketed
-///   Newton. A root pair lost to rounding lies where the distance hardly changes. The end points
-///   are always candidates.
+/// Method. Half the derivative of |B(t) − p|² is a cubic, f = (B − p)·(B'/2). Its coefficients only
+///   give the intervals on which f is monotone. f itself is evaluated as the dot product, whose
+///   rounding error is a few 2⁻⁵³·S·|B'/2|, and every sign change is refined by bracketed Newton. A
+///   pair of roots lost to rounding lies where the distance hardly changes. The end points are always
+///   candidates.
 /// Error. At most 4·2⁻⁵²·S, S = the largest distance from p to a control point.
 /// Source. Derived here; checked against binary128 in tests/sdf/shape/curve/quad_bezier_test.cpp.
 MIEN_API double distance(const QuadBezier& curve, glm::dvec2 p);
@@ -50,11 +50,11 @@ struct QuadBezierContract {
   static constexpr double kError = 4.0 * 0x1p-52;  ///< times S
 };
 
-/// The smallest box around the curve, to within rounding (and never smaller).
+/// The smallest box around the curve, up to rounding; never smaller than the curve.
 MIEN_API Box2 bounds(const QuadBezier& curve);
 
-/// The smallest radius of curvature on the curve; infinite where it is straight, 0 where it turns
-/// back.
+/// The smallest radius of curvature on the curve: infinite for a straight one, 0 for one that turns
+/// back on itself.
 MIEN_API double smallest_curvature_radius(const QuadBezier& curve);
 
 }  // namespace mien

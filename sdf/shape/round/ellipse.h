@@ -1,5 +1,5 @@
 #pragma once
-// The ellipse's outline: how far p is from it, and where it is nearest.
+// Distance from a point to an ellipse, and the nearest point of its outline.
 
 #include <mien/api.h>
 #include <mien/ellipse.h>
@@ -10,13 +10,13 @@ namespace mien {
 
 struct NearestOnEllipse {
   double distance;   ///< signed, negative inside; +infinity for a NaN or infinite coordinate
-  glm::dvec2 point;  ///< on the outline; of two or more equally near ones, any
+  glm::dvec2 point;  ///< on the outline; any of them where several are equally near
 };
 
-/// Method. By symmetry in the first quadrant, by the robust form of the foot's secular equation
-/// (see
-///   ellipse.cpp), then two Newton steps on the outline itself; the distance is the residual along
-///   the outline's normal there. Exact circles, radius 0 and every ratio of the radii included.
+/// Method. Symmetry reduces the problem to the first quadrant. The foot's secular equation is solved in
+///   its robust form (see ellipse.cpp) and refined by two Newton steps on the outline itself. The
+///   distance is the residual along the outline's normal. Circles, radius 0 and every ratio of the
+///   radii are included.
 /// Error. At most 4·2⁻⁵²·(|p − center| + the larger radius).
 /// Source. Derived here, after Eberly's formulation of the problem; checked against binary128 in
 ///   tests/sdf/shape/round/ellipse_test.cpp.

@@ -60,8 +60,8 @@ double length_of(const Curve& curve) {
   return 2 * M_PI / std::fabs(std::get<SineCurve>(curve).frequency);
 }
 
-std::string clip_line(const FaceModel& model, int index) {
-  const Clip& clip = model.clips[std::size_t(index)];
+std::string clip_line(const FaceModel& model, Index<Clip> index) {
+  const Clip& clip = index.in(model.clips);
   std::string line = "clip " + clip.name;
   if (index == model.default_clip) line += " (runs with --time)";
   if (clip.additive) line += " (additive)";
@@ -82,7 +82,7 @@ int list_command(const ListArguments& arguments) {
   for (const SettableName& name : names) (name.pose ? poses : rows).push_back(row_of(name));
   std::string text = table(rows);
   for (const Row& pose : poses) text += "pose " + pose[0] + "  " + pose[2] + "\n";
-  for (int i = 0; i < int(face->model->clips.size()); ++i) text += clip_line(*face->model, i);
+  for (int i = 0; i < int(face->model->clips.size()); ++i) text += clip_line(*face->model, {i});
   return print(text);
 }
 

@@ -73,67 +73,66 @@ Expected<Done> plan_choice(Enumeration& to, std::string_view option,
   return Done{};
 }
 
-}  // namespace
+/// Reads a value, if there is one.
+template <class Value, class Read>
+Expected<Done> plan_value(Value& to, const std::optional<std::string>& text, const Read& read) {
+  if (!text) return Done{};
+  const auto value = read(*text);
+  if (!value) return value.error();
+  to = *value;
+  return Done{};
+}
 
-namespace {
-
-/// What a picture is and how it is drawn, but for its depth.
-Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
-  RenderPlan plan;
-  if (auto done = plan_choice(plan.view.fit, "--fit", arguments.fit, kFits); !done)
-    return done.error();
+Expected<Done> plan_choices(RenderPlan& plan, const RenderArguments& arguments) {
+  if (auto done = plan_choice(plan.view.fit, "--fit", arguments.fit, kFits); !done) return done;
   if (auto done = plan_choice(plan.view.blend, "--blend", arguments.blend, kBlends); !done)
-    return done.error();
+    return done;
   if (auto done = plan_choice(plan.progress, "--progress", arguments.progress, kProgress); !done)
-    return done.error();
-  if (arguments.stats) {
-    const auto chosen = read_choice("--stats", *arguments.stats, kStats);
-    if (!chosen) return chosen.error();
-    plan.stats = true;
-  }
-  if (arguments.threads) {
-    const auto threads = read_threads(*arguments.threads);
-    if (!threads) return threads.error();
-    plan.picture.write.threads.count = *threads;
-  }
+    return done;
   bool undithered = !plan.view.dither;
   if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
-    return done.error();
+    return done;
   plan.view.dither = !undithered;
+  int stats = 0;  // the only one
+  plan.stats = arguments.stats.has_value();
+  return plan_choice(stats, "--stats", arguments.stats, kStats);
+}
+
+/// What is drawn instead of the picture, or beside it.
+Expected<Done> plan_inspection(RenderPlan& plan, const RenderArguments& arguments) {
   if (arguments.debug && !is_face_debug(*arguments.debug) && *arguments.debug != kMorphDebug) {
     DebugPicture debug{};
-    if (auto done = plan_choice(debug, "--debug", arguments.debug, kDebugs); !done)
-      return done.error();
+    if (auto done = plan_choice(debug, "--debug", arguments.debug, kDebugs); !done) return done;
     if (!arguments.effects.empty() || plan.stats)
       return Error{arguments.effects.empty() ? "--stats" : "--effect",
                    "is of the face's own picture, not of --debug " + *arguments.debug};
     plan.debug = debug;
   }
-  if (arguments.error_map) {
-    const auto type = chosen_type(*arguments.error_map, {});
-    if (!type) return type.error();
-    plan.error_map = arguments.error_map;
-    plan.error_map_write.type = *type;
-  }
-  if (arguments.light) {
-    const auto light = read_light(*arguments.light);
-    if (!light) return light.error();
-    plan.view.light = *light;
-  }
-  if (arguments.background) {
-    const auto color = read_background(*arguments.background);
-    if (!color) return color.error();
-    plan.view.background = *color;
-  }
-  if (arguments.memory) {
-    const auto memory = read_memory(*arguments.memory);
-    if (!memory) return memory.error();
-    plan.picture.memory = *memory;
-  }
+  plan.error_map = arguments.error_map;
+  return plan_value(plan.error_map_write.type, arguments.error_map,
+                    [](const std::string& path) { return chosen_type(path, {}); });
+}
+
+Expected<Done> plan_values(RenderPlan& plan, const RenderArguments& arguments) {
+  if (auto done = plan_value(plan.picture.write.threads.count, arguments.threads, read_threads);
+      !done)
+    return done;
+  if (auto done = plan_value(plan.view.light, arguments.light, read_light); !done) return done;
+  if (auto done = plan_value(plan.view.background, arguments.background, read_background); !done)
+    return done;
+  if (auto done = plan_value(plan.picture.memory, arguments.memory, read_memory); !done)
+    return done;
   // Whether it is a size at all can be said before the face is read.
-  if (arguments.size) {
-    if (const auto size = read_size(*arguments.size, 1.0); !size) return size.error();
-  }
+  if (!arguments.size) return Done{};
+  const auto size = read_size(*arguments.size, 1.0);
+  return size ? Expected<Done>(Done{}) : size.error();
+}
+
+/// What a picture is and how it is drawn, but for its depth.
+Expected<RenderPlan> plan_picture(const RenderArguments& arguments) {
+  RenderPlan plan;
+  for (const auto& part : {plan_choices, plan_inspection, plan_values})
+    if (auto done = part(plan, arguments); !done) return done.error();
   return plan;
 }
 

@@ -1,6 +1,7 @@
 #include "tools/mien/output/drawn_picture.h"
 #include <mien/effect_chain.h>
 #include <mien/face_model.h>
+#include "render/render_error.h"
 #include "tools/mien/output/effected_rows.h"
 
 #include <fmt/format.h>
@@ -44,8 +45,7 @@ Expected<Image> drawn_picture(const Scene& scene, const View& view, const Render
     if (image.height > 0) return image;
   } catch (const std::bad_alloc&) {
   }
-  return Error{
-      "", fmt::format("memory ran out: the picture has {} x {} pixels", rect.width, rect.height)};
+  return out_of_memory(rect);
 }
 
 }  // namespace mien::command

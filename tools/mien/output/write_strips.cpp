@@ -1,5 +1,6 @@
 #include "tools/mien/output/write_strips.h"
 #include "render/image/write_pieces.h"
+#include "render/render_error.h"
 #include "tools/mien/output/image_loader.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ Expected<PictureStats> write_strips(const StripPicture& picture, const std::stri
     return PictureStats{
         .render = {}, .draw = rows.seconds(), .encode = took->encode, .put = took->put};
   } catch (const std::bad_alloc&) {
-    return Error{output, "memory ran out"};
+    return Error{output, std::string(kMemoryRanOut)};
   }
 }
 

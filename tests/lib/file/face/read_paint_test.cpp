@@ -47,7 +47,7 @@ TEST(ReadPaint, ReadsGradientsOfEverySide) {  // E13
   const Feature& right = face.model->features.at(1);
   EXPECT_EQ(right.paint, -1);
   EXPECT_TRUE(right.painted());
-  const GradientPaint& gradient = face.model->gradients.at(std::size_t(right.gradient));
+  const GradientPaint& gradient = face.model->gradients.at(std::size_t(right.gradient.at));
   EXPECT_EQ(gradient.extend, GradientPaint::Extend::reflect);
   EXPECT_EQ(gradient.colors.size(), 3u);
   EXPECT_EQ(std::get<RadialPaint>(gradient.along).center,
@@ -110,9 +110,9 @@ TEST(ReadPaint, ReadsGroups) {
   const Face face = read(painted_face(
       kHead + "," + kLens, R"("groups": {"glasses": {"opacity": 0.5, "clip": "head"}}, )"));
   ASSERT_EQ(face.model->groups.size(), 1u);
-  EXPECT_EQ(face.model->groups[0].clip, 0);
+  EXPECT_EQ(face.model->groups[0].clip.at, 0);
   EXPECT_EQ(number(face, "groups/glasses/opacity", 0), 0.5);
-  EXPECT_EQ(face.model->features.at(1).group, 0);
+  EXPECT_EQ(face.model->features.at(1).group.at, 0);
 }
 
 TEST(ReadPaint, SaysWhatIsWrongAndWhere) {

@@ -144,7 +144,9 @@ TEST(Bulge, IsADomeForTheLight_C2) {
         const double height = v > 0 ? dome.height * v * v : 0;
         worst = std::max(worst, std::abs(height - lid_rise(eye, p, g)));
       }
-    EXPECT_LT(worst, (gaze.x == 0 ? 0.05 : 0.17) * eye.bulge) << gaze.x << " " << worst / eye.bulge;
+    // An ellipse stands for the push: 0.041 of the bulge was measured straight ahead, 0.064 aside.
+    EXPECT_LT(worst, (gaze == glm::dvec2(0) ? 0.05 : 0.08) * eye.bulge)
+        << gaze.x << " " << worst / eye.bulge;
   }
 }
 

@@ -124,9 +124,9 @@ TEST(Unwrap, TurnsNormalsToTheViewer_G8) {
   };
   int heights = 0;
   for (const Feature& feature : model.features) {
-    if (feature.relief < 0) continue;
+    if (!feature.relief) continue;
     std::vector<int> rises;
-    const FaceRelief& relief = model.reliefs[std::size_t(feature.relief)];
+    const FaceRelief& relief = feature.relief.in(model.reliefs);
     if (relief.height >= 0) rises.push_back(relief.height);
     for (const FaceDome& dome : relief.domes) rises.push_back(dome.height);
     for (const int rise : rises) {
@@ -147,10 +147,9 @@ TEST(Unwrap, TakesGradientsAlong_G8) {
   const Face half = unwrapped(bruno, 0.5, UnwrapMode::linear);
   int gradients = 0;
   for (const Feature& feature : model.features) {
-    const auto* radial =
-        feature.gradient < 0
-            ? nullptr
-            : std::get_if<RadialPaint>(&model.gradients[std::size_t(feature.gradient)].along);
+    const auto* radial = feature.gradient
+                             ? std::get_if<RadialPaint>(&feature.gradient.in(model.gradients).along)
+                             : nullptr;
     if (!radial) continue;
     ++gradients;
     // Of any two points, and of every size, the same share is left.

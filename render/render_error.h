@@ -4,7 +4,12 @@
 #include <mien/expected.h>
 #include <mien/view.h>
 
+#include <string_view>
+
 namespace mien {
+
+/// How every message about missing memory begins.
+inline constexpr std::string_view kMemoryRanOut = "memory ran out";
 
 bool drawable(const View& view);  ///< its sides are 1 … View::kMaxSide
 Error invalid_size(const View& view);

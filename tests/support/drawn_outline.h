@@ -1,0 +1,112 @@
+#pragma once
+// An outline drawn alone, to be compared with its shape's distance.
+
+#include "sdf/outline/outline_maker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <utility>
+
+#include "tests/support/outline_sight.h"
+#include "tests/support/random.h"
+
+namespace mien::test {
+
+inline constexpr double kOutlineTolerance = 1.0 / 800;
+/// Rounding of vertices, and of the distance.
+inline constexpr double kOutlineSnap = 4e-6;
+inline const Box2 kOutlineWindow{{0, 0}, {64, 64}};
+
+/// (−size, size)² on the window, y up.
+inline Map<GridSpace, FaceSpace> upright(double size) {
+  const double k = 32 / size;
+  return {{k, 0, 0, -k}, {32, 32}};
+}
+
+/// One outline in its window.
+struct DrawnOutline {
+  Outlines outlines;
+  Map<GridSpace, FaceSpace> map;
+  Map<FaceSpace, GridSpace> back;
+
+  explicit DrawnOutline(const Map<GridSpace, FaceSpace>& m) : map(m), back(inverse(m)) {}
+
+  static DrawnOutline fill(const Shape& shape, const Map<GridSpace, FaceSpace>& map,
+                           const Box2& window = kOutlineWindow) {
+    DrawnOutline d(map);
+    OutlineMaker maker;
+    maker.begin({map, window, kOutlineTolerance}, d.outlines);
+    EXPECT_EQ(maker.fill(shape), 0);
+    maker.finish();
+    return d;
+  }
+  static DrawnOutline rim(const Shape& shape, double width, const Map<GridSpace, FaceSpace>& map) {
+    DrawnOutline d(map);
+    OutlineMaker maker;
+    maker.begin({map, kOutlineWindow, kOutlineTolerance}, d.outlines);
+    EXPECT_EQ(maker.rim(shape, width), 0);
+    maker.finish();
+    return d;
+  }
+
+  bool inside(glm::dvec2 p) const { return is_inside(outlines, 0, p); }
+  /// [px]
+  double distance(const Shape& shape, glm::dvec2 p) const {
+    return map.scale() * mien::distance(shape, back(p));
+  }
+
+  /// A point of the window; every second one near a piece.
+  glm::dvec2 place(Random& r, const Box2& window = kOutlineWindow) const {
+    if (!outlines.pieces.empty() && r.chance(0.5)) {
+      const OutlinePiece& piece = outlines.pieces[r.below(int(outlines.pieces.size()))];
+      const glm::dvec2 p = point(piece, r.unit()) + r.size(-2.6, 1) * r.direction();
+      if (window.contains(p)) return p;
+    }
+    const double x = r.between(window.lo.x, window.hi.x);
+    return {x, r.between(window.lo.y, window.hi.y)};
+  }
+};
+
+/// Whether two pieces of it lie over each other, so that winding numbers exceed 1.
+inline bool overlaps_itself(const DrawnOutline& d, Random& r) {
+  for (int i = 0; i < 400; ++i)
+    if (std::abs(winding(d.outlines, 0, d.place(r))) > 1) return true;
+  return false;
+}
+
+inline void expect_in_order(const Outlines& o) {
+  const auto on_grid = [](double v) { return std::ldexp(v, 20) == std::round(std::ldexp(v, 20)); };
+  for (std::size_t i = 0; i < o.vertices.size(); ++i) {
+    const OutlineVertex& v = o.vertices[i];
+    EXPECT_TRUE(on_grid(v.x) && on_grid(v.y));
+    ASSERT_TRUE(v.in >= 0 && v.out >= 0 && v.in != v.out);
+    const OutlinePiece &in = o.pieces[v.in], &out = o.pieces[v.out];
+    EXPECT_EQ(in.turn > 0 ? in.bottom : in.top, int(i));
+    EXPECT_EQ(out.turn > 0 ? out.top : out.bottom, int(i));
+    EXPECT_EQ(in.outline, out.outline);
+  }
+  ASSERT_EQ(o.vertices.size(), o.pieces.size());
+  for (const OutlinePiece& p : o.pieces) {
+    const OutlineVertex &top = o.vertices[p.top], &bottom = o.vertices[p.bottom];
+    EXPECT_TRUE(p.x0 == top.x && p.y0 == top.y && p.x1 == bottom.x && p.y1 == bottom.y);
+    EXPECT_TRUE(p.y0 < p.y1 || (p.y0 == p.y1 && p.x0 < p.x1));
+    EXPECT_TRUE(p.turn == 1 || p.turn == -1);
+    const double x = p.x0 + p.ax, y = p.y0 + p.ay;
+    EXPECT_TRUE(std::min(p.x0, p.x1) <= x && x <= std::max(p.x0, p.x1) && p.y0 <= y && y <= p.y1);
+    EXPECT_NEAR(point(p, 1).x, p.x1, 1e-9);
+    EXPECT_NEAR(point(p, 1).y, p.y1, 1e-9);
+    const bool straight = p.bx == 0 && p.by == 0;
+    if (straight) {
+      EXPECT_EQ(p.x0 + 2 * p.ax, p.x1);
+    }
+  }
+}
+
+/// Every shape that has an outline.
+using OutlinedShapes = testing::Types<HalfPlane, ParabolaSide, Band, Disc, CutDisc, Ellipse,
+                                      Triangle, Line, Polyline, QuadStroke, TaperedStroke, Path>;
+
+}  // namespace mien::test
