@@ -58,8 +58,10 @@ std::string manual_of_options(const CLI::App& command) {
 std::string positionals(const CLI::App& command) {
   std::string text;
   for (const CLI::Option* option : command.get_options()) {
-    if (!option->nonpositional())
-      text += " " + option->get_name() + (option->get_items_expected_max() > 1 ? " ..." : "");
+    if (option->nonpositional()) continue;
+    const std::string name =
+        option->get_name() + (option->get_items_expected_max() > 1 ? " ..." : "");
+    text += option->get_required() ? " " + name : " [" + name + "]";
   }
   return text;
 }
@@ -179,8 +181,8 @@ std::string manual(const CLI::App& app) {
   std::string text = ".TH MIEN 1 \"\" \"mien " MIEN_VERSION_STRING "\" \"User commands\"\n";
   text += ".SH NAME\nmien \\- draws vector faces exactly\n.SH SYNOPSIS\n";
   for (const CLI::App* command : leaf_commands(app)) {
-    text += fmt::format(".B mien {}\n{} [\\fIoptions\\fR]\n.br\n", spoken_name(*command),
-                        positionals(*command).substr(1));
+    const std::string after = positionals(*command) + " [\\fIoptions\\fR]";
+    text += fmt::format(".B mien {}\n{}\n.br\n", spoken_name(*command), after.substr(1));
   }
   text += ".SH COMMANDS\n";
   for (const CLI::App* command : leaf_commands(app)) {
