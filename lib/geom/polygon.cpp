@@ -34,11 +34,17 @@ double way_to_side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p, double& share) {
 }
 
 double way_to_outline(const Polygon& outline, glm::dvec2 p) {
-  double way = std::numeric_limits<double>::infinity(), share = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    way = std::min(way,
-                   way_to_side(outline[i], outline[i + 1 < outline.size() ? i + 1 : 0], p, share));
-  return way;
+  double square = std::numeric_limits<double>::infinity();
+  glm::dvec2 a = outline.empty() ? glm::dvec2{0} : outline.back();
+  for (const glm::dvec2 b : outline) {  // as way_to_side has it, but for one root in all
+    const glm::dvec2 along = b - a, from = p - a;
+    const double length = glm::dot(along, along), reach = glm::dot(from, along);
+    const double share = reach <= 0 ? 0.0 : reach >= length ? 1.0 : reach / length;
+    const glm::dvec2 way = from - share * along;
+    square = std::min(square, glm::dot(way, way));
+    a = b;
+  }
+  return std::sqrt(square);
 }
 
 double depth_inside(const Polygon& outline, glm::dvec2 p) {

@@ -130,12 +130,14 @@ void NonsenseTest::look(const RestSight& rest, const Face& posed, const Nonsense
   if (pose.blink != 1) {  // lids alone have moved since the same pose with open eyes
     check_mouth(sight);
     check_brows(sight);
-    check_worn(sight);
+    check_glasses(sight);
+    check_beard(sight);
+  }
+  if (pose.blink == 0 && pose.moves_head) {
+    check_hair(sight);
+    check_ears(sight);
     check_drawing(sight);
   }
-  // Hair and head are moved by turns, and by emotions that turn; a jaw moves the chin alone.
-  if (pose.blink == 0 && (pose.turned || !pose.feeling.empty() || pose.name == "rest"))
-    check_hair(sight);
   if (pose.name == "rest") check_colors(sight);
   if (!pose.feeling.empty()) feelings_->check(sight);
 }

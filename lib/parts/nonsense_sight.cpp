@@ -19,6 +19,7 @@ constexpr double kTempleFrom =
     0.645;  // over the brows: what is below may be an ear's or a sideburn's
 constexpr double kCrownFrom = 0.778;  // from here up all hair covers the head
 constexpr double kChinUpTo = 0.03;
+constexpr double kChinHalfWidth = 0.05;  // of the head: the narrowest beards cover as much
 
 /// A colour's name in the palette: what is painted as skin hides no skin.
 bool is_skin(const FaceModel& model, int color) {
@@ -136,14 +137,18 @@ void RestSight::find_beard(AreaCache& areas) {
   const double reach = (sign > 0 ? beard.lo.y : beard.hi.y) - low;
   if (reach * sign > kChinUpTo * box.size().y) return;  // it ends above the chin
   for (std::size_t i = 0; i < head.size(); ++i)
-    if ((head[i].y - low) * sign < kChinUpTo * box.size().y) chin.push_back(i);
+    if ((head[i].y - low) * sign < kChinUpTo * box.size().y &&
+        std::abs(head[i].x - box.center().x) < kChinHalfWidth * box.size().x)
+      chin.push_back(i);
 }
 
 void RestSight::find_frame(AreaCache& areas) {
+  constexpr double kHangs = 0.2;  // over the lower edge: what is so near hangs, and may leave
   const Box2 canvas = face.model->canvas.box;
   for (const int feature : known.framed) {
     const Box2 box = areas.of(feature).box;
-    leaves_below.push_back(up_sign(face) > 0 ? box.lo.y < canvas.lo.y : box.hi.y > canvas.hi.y);
+    const double low = up_sign(face) > 0 ? box.lo.y - canvas.lo.y : canvas.hi.y - box.hi.y;
+    leaves_below.push_back(low < kHangs * unit);
   }
 }
 

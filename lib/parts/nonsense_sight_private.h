@@ -103,7 +103,9 @@ void check_eyes(NonsenseSight& sight);
 void check_mouth(NonsenseSight& sight);
 void check_brows(NonsenseSight& sight);
 void check_hair(NonsenseSight& sight);
-void check_worn(NonsenseSight& sight);     // ears, scarf, glasses, beard
+void check_ears(NonsenseSight& sight);
+void check_glasses(NonsenseSight& sight);
+void check_beard(NonsenseSight& sight);
 void check_drawing(NonsenseSight& sight);  // loops, the picture's edge
 void check_colors(NonsenseSight& sight);
 
