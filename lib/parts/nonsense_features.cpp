@@ -16,7 +16,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// How much of an area lies in another one, by a grid of points on its box.
 double share_inside(const FlatArea& area, const Polygon& in) {
-  constexpr int kGrid = 5;
+  constexpr int kGrid = 7;
   int all = 0, inside = 0;
   for (int i = 0; i < kGrid; ++i)
     for (int j = 0; j < kGrid; ++j) {
@@ -31,7 +31,7 @@ double share_inside(const FlatArea& area, const Polygon& in) {
 
 void check_eye(NonsenseSight& sight, std::size_t side) {
   constexpr double kShutArea = 1e-12;  // [face units squared]
-  constexpr double kNearlyShut = 0.3;  // of the area at rest: a pupil may hide
+  constexpr double kNearlyShut = 0.4;  // of the area at rest: a pupil may hide
   constexpr double kLeastPupil = 0.25, kInHead = 0.02;
   const Polygon* opening = sight.areas.loop_of(sight.known.opening[side]);
   const double area = opening ? signed_area(*opening) : 0.0, rest = sight.rest.opening_area[side];
