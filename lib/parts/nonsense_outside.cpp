@@ -160,9 +160,9 @@ void check_colors(NonsenseSight& sight) {
     std::string_view a, b, what;
     double least;
   };
-  // Of backdrops the library asks for twice as much, and takes the farthest where there is none.
-  constexpr Pair kPairs[] = {{"palette/cloth", "palette/skin", "cloth beside skin", 0.16},
-                             {"palette/cloth", "palette/hair", "cloth beside hair", 0.12},
+  // The library asks for 0.01 more of cloth, which the bytes of a file may take away. Of backdrops it asks for twice as much, and takes the farthest where there is none.
+  constexpr Pair kPairs[] = {{"palette/cloth", "palette/skin", "cloth beside skin", 0.15},
+                             {"palette/cloth", "palette/hair", "cloth beside hair", 0.11},
                              {"palette/backdrop", "palette/skin", "backdrop beside skin", 0.07},
                              {"palette/backdrop", "palette/hair", "backdrop beside hair", 0.1},
                              {"palette/backdrop", "palette/cloth", "backdrop beside cloth", 0.1}};

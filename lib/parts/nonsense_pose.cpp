@@ -90,7 +90,8 @@ class PoseList {
       if (turn.value != 0) words.push_back(turn);
     if (!words.empty()) pose.name.clear();
     for (const PoseWord& word : words) {
-      if (word.control.starts_with("arkit.") || word.control.starts_with("viseme.")) pose.moves_head = false;
+      if (word.control.starts_with("arkit.") || word.control.starts_with("viseme."))
+        pose.moves_head = false;
       const int control = find(word.control);
       if (control < 0) return;
       pose.pose.settings.push_back({true, control, {word.value}});

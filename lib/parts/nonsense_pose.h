@@ -16,7 +16,7 @@ struct NonsensePose {
   std::string feeling;       ///< "emotion.joy", where it is one emotion alone, seen from the front
   double blink = 0;          ///< of both eyes
   bool turned = false;       ///< by yaw or pitch, beside what emotions do
-  bool moves_head = true;   ///< emotions do, ARKit's shapes and visemes do not, however turned
+  bool moves_head = true;    ///< emotions do, ARKit's shapes and visemes do not, however turned
   bool lowers_brow = false;  ///< anger and disgust lay the brows upon the lids
 };
 

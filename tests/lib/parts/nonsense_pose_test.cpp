@@ -28,8 +28,9 @@ TEST(NonsensePose, HasAllThatTheTestAsksFor) {
   std::set<std::string> names;
   for (const NonsensePose& pose : poses) names.insert(pose.name);
   EXPECT_EQ(names.size(), poses.size()) << "none twice";
-  for (const char* name : {"emotion.joy=0.5", "emotion.anger=1 blink=0.5", "emotion.joy=1 emotion.fear=1 blink=1",
-                           "arkit.jawOpen=1", "viseme.aa=1 yaw=-30", "yaw=30 pitch=-25", "blink=1"})
+  for (const char* name :
+       {"emotion.joy=0.5", "emotion.anger=1 blink=0.5", "emotion.joy=1 emotion.fear=1 blink=1",
+        "arkit.jawOpen=1", "viseme.aa=1 yaw=-30", "yaw=30 pitch=-25", "blink=1"})
     EXPECT_TRUE(names.contains(name)) << name;
   const auto with = [&](std::string_view begin) {
     return std::ranges::count_if(names, [&](const std::string& name) {
@@ -45,7 +46,8 @@ TEST(NonsensePose, IsWhatItsNameSaysToTheCommand) {
   const Face face = *face_from_recipe({});
   const std::vector<NonsensePose> poses = nonsense_poses(face);
   for (std::size_t i = 1; i < poses.size(); i += 41)
-    EXPECT_EQ(pose_face(face, poses[i].pose).vector, test::face_at(face, words_of(poses[i].name)).vector)
+    EXPECT_EQ(pose_face(face, poses[i].pose).vector,
+              test::face_at(face, words_of(poses[i].name)).vector)
         << poses[i].name;
 }
 

@@ -8,7 +8,8 @@ void add_new(CLI::App& app, NewArguments& to) {
   CLI::App* made = app.add_subcommand("new", "Make a face of one's own; its code is printed");
   made->add_option("-o,--output", to.output, "Face file to write; - is standard output")
       ->type_name("FILE");
-  made->add_option("--seed", to.seed, "The same word, the same face; default: another one each time")
+  made->add_option("--seed", to.seed,
+                   "The same word, the same face; default: another one each time")
       ->type_name("WORD");
   made->add_option("--code", to.code, "The face of this code")->type_name("CODE");
   made->add_option("--hold", to.held,
@@ -16,27 +17,34 @@ void add_new(CLI::App& app, NewArguments& to) {
                    "'mien parts' names them all")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  made->add_option("--style", to.style, "How it is painted: flat, soft, clay, ink or pictogram; default soft")
+  made->add_option("--style", to.style,
+                   "How it is painted: flat, soft, clay, ink or pictogram; default soft")
       ->type_name("STYLE");
-  made->add_flag("--clamp", to.clamp, "Take numbers out of range as the nearer end instead of an error");
+  made->add_flag("--clamp", to.clamp,
+                 "Take numbers out of range as the nearer end instead of an error");
 }
 
 void add_parts(CLI::App& app, PartsArguments& to) {
-  CLI::App* parts = app.add_subcommand("parts", "List the parts and numbers that faces are made of");
+  CLI::App* parts =
+      app.add_subcommand("parts", "List the parts and numbers that faces are made of");
   parts->add_option("FAMILY", to.family, "Only this family's parts")->type_name("");
 }
 
 void add_check(CLI::App& app, CheckArguments& to) {
-  CLI::App* check = app.add_subcommand(
-      "check", "Say whether face files are in order; with --nonsense, whether faces stay faces in every pose");
+  CLI::App* check = app.add_subcommand("check",
+                                       "Say whether face files are in order; with --nonsense, "
+                                       "whether faces stay faces in every pose");
   check->add_option("FACE", to.faces, "Face files, or codes")->type_name("")->expected(0, 1 << 20);
   check
-      ->add_option("--nonsense", to.people,
-                   "Measure each FACE, or N people instead, in some 500 poses: lids that do not meet, "
-                   "lips on the nose, hair beside the head and the like; print what is wrong how often")
+      ->add_option(
+          "--nonsense", to.people,
+          "Measure each FACE, or N people instead, in some 500 poses: lids that do not meet, "
+          "lips on the nose, hair beside the head and the like; print what is wrong how often")
       ->type_name("N")
-      ->expected(0, 1);
-  check->add_option("--seed", to.seed, "The same word, the same people; default 1")->type_name("WORD");
+      ->expected(0, 1)
+      ->allow_extra_args(false);
+  check->add_option("--seed", to.seed, "The same word, the same people; default 1")
+      ->type_name("WORD");
   check->add_flag("--json", to.json, "Print JSON instead of a table");
   check->final_callback([check, &to] { to.nonsense = check->count("--nonsense") > 0; });
 }

@@ -1,9 +1,9 @@
 // mien check --nonsense: whether faces stay faces in every pose, as a table of what is wrong how often.
 
 #include <mien/nonsense.h>
+#include <mien/parallel.h>
 #include <mien/recipe.h>
 #include "lib/base/one_line.h"
-#include "lib/base/parallel.h"
 #include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
@@ -58,11 +58,11 @@ TriedOrCode faces_to_try(const CheckArguments& arguments) {
   std::erase(names, "");  // --nonsense alone
   if (!names.empty() && looks_like_number(names[0])) {
     if (arguments.faces.empty()) return people_of(names[0], arguments.seed.value_or("1"));
-    return {{}, complain("--nonsense: takes N people or FACEs, not both", kUsedWrongly)};
+    return {{}, complain("--nonsense: takes N people or faces, not both", kUsedWrongly)};
   }
   if (arguments.seed) return {{}, complain("--seed: only with N people", kUsedWrongly)};
   names.insert(names.end(), arguments.faces.begin(), arguments.faces.end());
-  if (names.empty()) return {{}, complain("--nonsense: needs N people or a FACE", kUsedWrongly)};
+  if (names.empty()) return {{}, complain("--nonsense: needs N people, or a face", kUsedWrongly)};
   TriedOrCode tried;
   for (const std::string& name : names) {
     auto face = read_face_aloud(name);
