@@ -39,6 +39,15 @@ Oklch Oklch::from_lab(glm::dvec3 lab) {
   return {lab.x, std::hypot(lab.y, lab.z), std::atan2(lab.z, lab.y) * 180 / std::numbers::pi};
 }
 
+Oklch Oklch::from_linear(glm::dvec3 c) {
+  const double l = std::cbrt(0.4122214708 * c.x + 0.5363325363 * c.y + 0.0514459929 * c.z);
+  const double m = std::cbrt(0.2119034982 * c.x + 0.6806995451 * c.y + 0.1073969566 * c.z);
+  const double s = std::cbrt(0.0883024619 * c.x + 0.2817188376 * c.y + 0.6299787005 * c.z);
+  return from_lab({0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+                   1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+                   0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s});
+}
+
 double apart(const Oklch& a, const Oklch& b) {
   return glm::distance(a.lab(), b.lab());
 }

@@ -15,6 +15,8 @@ struct Oklch {
   /// L, a, b.
   glm::dvec3 lab() const;
   static Oklch from_lab(glm::dvec3 lab);
+  /// Of linear red, green, blue.
+  static Oklch from_linear(glm::dvec3 linear);
 };
 
 /// How far two colours are apart, as seen: 0.02 is just noticed.

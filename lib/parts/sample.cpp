@@ -177,12 +177,7 @@ class Sampler {
           {best_of(family, kNone, tickets(in, in.find(*family.at.node, "none"))), nullptr});
     std::ranges::sort(drawn, [](const Drawn& a, const Drawn& b) { return a.best > b.best; });
     const Part* part = drawn.empty() ? nullptr : drawn[0].part;
-    if (const JsonNode* far = in.find(*family.at.node, "apart"))
-      for (const Drawn& one : drawn)
-        if (one.part && is_apart(in, *far, *one.part)) {
-          part = one.part;
-          break;
-        }
+    if (const JsonNode* far = in.find(*family.at.node, "apart")) part = far_enough(in, *far, drawn);
     if (const int* own = held(family.number)) {
       part = nullptr;
       for (const Part& one : family.parts)
@@ -191,9 +186,24 @@ class Sampler {
     if (part) recipe_.parts[family.name] = part->name;
   }
 
-  /// Whether a colour is far enough from those it is seen beside: {"skin": 0.16, "hair_color": 0.2}.
-  bool is_apart(const Reading& in, const JsonNode& far, const Part& part) const {
-    bool is = true;
+  /// The first that is far enough from what it is seen beside; where none is, the farthest.
+  const Part* far_enough(const Reading& in, const JsonNode& far,
+                         const std::vector<Drawn>& drawn) const {
+    const Part* farthest = nullptr;
+    double most = -1;
+    for (const Drawn& one : drawn) {
+      if (!one.part) continue;
+      const double share = share_apart(in, far, *one.part);
+      if (share >= 1) return one.part;
+      if (share > most) most = share, farthest = one.part;
+    }
+    return farthest;
+  }
+
+  /// How far a colour is from those it is seen beside, in shares of how far it should be: the least
+  /// of {"skin": 0.16, "hair_color": 0.2}.
+  double share_apart(const Reading& in, const JsonNode& far, const Part& part) const {
+    double share = 1;
     in.for_each(far, [&](const JsonNode& node, int) {
       const std::string_view other = in.tree.key(node);
       Oklch beside;
@@ -205,9 +215,9 @@ class Sampler {
       } else {
         return;
       }
-      is = is && apart(color_of(part), beside) >= in.number(node);
+      share = std::min(share, apart(color_of(part), beside) / in.number(node));
     });
-    return is;
+    return share;
   }
 
   const PartLibrary& library_;

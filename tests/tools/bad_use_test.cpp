@@ -29,8 +29,7 @@ const Wrong kWrongs[] = {
     {{},
      2,
      "a command is needed: render, check, scene, list, bench, animate, morph, mesh, pca, import, "
-     "fit, "
-     "sheet; "
+     "fit, sheet, new, parts; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},
@@ -173,6 +172,15 @@ const Wrong kWrongs[] = {
      "DIR/none.json: cannot be read: No such file or directory"},
     {{"check", ""}, 1, "face file: its name is empty"},
     {{"check"}, 2, "check: FACE is required"},
+    {{"check", "--nonsense"}, 2, "--nonsense: needs N people, or a face"},
+    {{"check", "--nonsense", "0"}, 2, "--nonsense 0: expected a whole number from 1 to 100000"},
+    {{"check", "--nonsense", "1e9"}, 2, "--nonsense 1e9: expected a whole number from 1 to 100000"},
+    {{"check", "FACE", "--nonsense", "3"}, 2, "--nonsense: takes N people or faces, not both"},
+    {{"check", "FACE", "--seed", "a"}, 2, "--seed: only with --nonsense"},
+    {{"check", "FACE", "--json"}, 2, "--json: only with --nonsense"},
+    {{"check", "--nonsense", "DIR/none.json"},
+     1,
+     "DIR/none.json: cannot be read: No such file or directory"},
     {{"check", "DIR/none.json"}, 1, "DIR/none.json: cannot be read: No such file or directory"},
     {{"scene", "FACE", "--time", "soon"}, 2, "--time soon: expected a finite number of seconds"},
     {{"list", "FACE", "FACE"}, 2, "list: one argument too many: \"FACE\""},

@@ -39,6 +39,10 @@ struct BenchArguments {
 
 struct CheckArguments {
   std::vector<std::string> faces;
+  bool nonsense = false;
+  std::vector<std::string> people;  ///< after --nonsense: one word at most
+  std::optional<std::string> seed;
+  bool json = false;
 };
 
 struct SceneArguments {

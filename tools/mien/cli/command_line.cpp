@@ -334,11 +334,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_insight(render, made->render);
   add_work(render, made->render);
 
-  CLI::App* check = app.add_subcommand("check", "Say whether face files are in order");
-  check->add_option("FACE", made->check.faces, "Face files")
-      ->required()
-      ->type_name("")
-      ->expected(1, 1 << 20);
+  add_check(app, made->check);
 
   CLI::App* scene = app.add_subcommand("scene", "Print the shapes and layers a face is drawn with");
   add_pose(scene, made->scene.posed);

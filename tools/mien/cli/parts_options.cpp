@@ -43,4 +43,23 @@ void add_parts(CLI::App& app, PartsArguments& to) {
   parts->add_option("FAMILY", to.family, "Only this family's parts")->type_name("");
 }
 
+void add_check(CLI::App& app, CheckArguments& to) {
+  CLI::App* check = app.add_subcommand("check",
+                                       "Say whether face files are in order; with --nonsense, "
+                                       "whether faces stay faces in every pose");
+  check->add_option("FACE", to.faces, "Face files, or codes")->type_name("")->expected(0, 1 << 20);
+  check
+      ->add_option(
+          "--nonsense", to.people,
+          "Measure each FACE, or N people instead, in some 500 poses: lids that do not meet, "
+          "lips on the nose, hair beside the head and the like; print what is wrong how often")
+      ->type_name("N")
+      ->expected(0, 1)
+      ->allow_extra_args(false);
+  check->add_option("--seed", to.seed, "The same word, the same people; default 1")
+      ->type_name("WORD");
+  check->add_flag("--json", to.json, "Print JSON instead of a table");
+  check->final_callback([check, &to] { to.nonsense = check->count("--nonsense") > 0; });
+}
+
 }  // namespace mien::command

@@ -1,5 +1,5 @@
 #pragma once
-// The commands that make faces of parts: new, parts.
+// The commands that make faces of parts, and try them: new, parts, check.
 
 #include "tools/mien/cli/arguments.h"
 
@@ -11,5 +11,6 @@ namespace mien::command {
 
 void add_new(CLI::App& app, NewArguments& to);
 void add_parts(CLI::App& app, PartsArguments& to);
+void add_check(CLI::App& app, CheckArguments& to);
 
 }  // namespace mien::command

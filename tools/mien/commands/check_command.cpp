@@ -5,6 +5,12 @@
 namespace mien::command {
 
 int check_command(const CheckArguments& arguments) {
+  if (arguments.nonsense) return nonsense_command(arguments);
+  if (arguments.seed || arguments.json)
+    return complain(
+        arguments.seed ? "--seed: only with --nonsense" : "--json: only with --nonsense",
+        kUsedWrongly);
+  if (arguments.faces.empty()) return complain("check: FACE is required", kUsedWrongly);
   int code = kDone;
   for (const std::string& path : arguments.faces) {
     if (!read_face_aloud(path))

@@ -10,6 +10,8 @@ namespace mien::command {
 int render_command(const RenderArguments& arguments);
 int bench_command(const BenchArguments& arguments);
 int check_command(const CheckArguments& arguments);
+/// check --nonsense.
+int nonsense_command(const CheckArguments& arguments);
 int scene_command(const SceneArguments& arguments);
 int list_command(const ListArguments& arguments);
 int pca_command(const PcaArguments& arguments);

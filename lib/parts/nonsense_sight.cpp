@@ -1,0 +1,194 @@
+#include <mien/nonsense.h>
+#include <mien/side.h>
+
+#include "nonsense_sight_private.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <variant>
+
+namespace mien {
+namespace {
+
+constexpr double kHeadWidth = 1.05;  // of the faces that thresholds were found on, in their units
+constexpr double kHides = 0.5;       // least opacity of what hides what lies below it
+
+// Heights on a head, 0 at the chin and 1 at the crown.
+constexpr double kTempleFrom =
+    0.645;  // over the brows: what is below may be an ear's or a sideburn's
+constexpr double kCrownFrom = 0.778;  // from here up all hair covers the head
+constexpr double kChinUpTo = 0.03;
+constexpr double kChinHalfWidth = 0.05;  // of the head: the narrowest beards cover as much
+
+/// A colour's name in the palette: what is painted as skin hides no skin.
+bool is_skin(const FaceModel& model, int color) {
+  return model.layout[color].name.starts_with("palette/skin");
+}
+
+bool hides(const Face& face, const Feature& feature) {
+  const FaceModel& model = *face.model;
+  const auto hides_by = [&](int color) {
+    return !is_skin(model, color) &&
+           face.vector[std::size_t(model.layout[color].begin + 3)] >= kHides;
+  };
+  if (feature.paint >= 0) return hides_by(feature.paint);
+  if (feature.gradient < 0) return false;
+  const std::vector<int>& colors = model.gradients[std::size_t(feature.gradient)].colors;
+  return std::ranges::all_of(colors, hides_by);
+}
+
+bool begins_with_any(std::string_view name, std::initializer_list<std::string_view> begins) {
+  return std::ranges::any_of(begins,
+                             [&](std::string_view begin) { return name.starts_with(begin); });
+}
+
+bool is_glasses(std::string_view name) {
+  return begins_with_any(name, {"lens", "rim", "bridge", "arm", "glass"});
+}
+
+std::string_view unsided(std::string_view name) {
+  return name.substr(0, name.find('.'));
+}
+
+KnownFeatures::Sides both(const FaceModel& model, std::string_view name) {
+  KnownFeatures::Sides sides{-1, -1};
+  for (std::size_t i = 0; i < model.features.size(); ++i)
+    for (std::size_t s = 0; s < 2; ++s)
+      if (model.features[i].name == feature_of_side(name, s == 0 ? Side::left : Side::right))
+        sides[s] = int(i);
+  return sides;
+}
+
+double up_sign(const Face& face) {
+  return face.model->canvas.y_up ? 1.0 : -1.0;
+}
+
+}  // namespace
+
+KnownFeatures::KnownFeatures(const Face& face) {
+  const FaceModel& model = *face.model;
+  opening = both(model, "opening"), pupil = both(model, "pupil"), brow = both(model, "brow");
+  upper_lid = both(model, "upper_lid"), lens = both(model, "lens"), rim = both(model, "rim");
+  arm = both(model, "arm"), ear = both(model, "ear");
+  for (int i = 0; i < int(model.features.size()); ++i) {
+    const Feature& feature = model.features[std::size_t(i)];
+    const std::string_view name = unsided(feature.name);
+    for (const auto& [known, at] : {std::pair{"head", &head},
+                                    {"nose", &nose},
+                                    {"mouth", &mouth},
+                                    {"beard", &beard},
+                                    {"hijab", &hijab}})
+      if (name == known && *at < 0) *at = i;
+    if (name == "lip_upper") lip_upper.push_back(i);
+    if (name == "lip_upper" || name == "lip_lower") lips.push_back(i);
+    if (!feature.painted()) continue;
+    const bool hair = hides(face, feature) && !is_glasses(name);
+    if (hair && head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"}))
+      over_head.push_back(i);
+    for (std::size_t s = 0; s < 2; ++s)
+      if (hair && brow[s] >= 0 && i > brow[s] && !name.starts_with("brow"))
+        over_brow[s].push_back(i);
+    if (feature.clip >= 0) continue;
+    if ((head >= 0 && i >= head) || begins_with_any(name, {"ear", "hearing"})) framed.push_back(i);
+    if (std::holds_alternative<PathFigure>(feature.figure) && name != "mouth") looped.push_back(i);
+  }
+}
+
+RestSight::RestSight(const Face& face_at_rest) : face(face_at_rest), known(face_at_rest) {
+  AreaCache areas(face);
+  for (std::size_t s = 0; s < 2; ++s)
+    if (const Polygon* opening = areas.loop_of(known.opening[s]))
+      opening_area[s] = signed_area(*opening);
+  for (const int feature : known.looped)
+    for (const Polygon& loop : areas.of(feature).loops) loop_areas.push_back(signed_area(loop));
+  if (areas.loop_of(known.head)) {
+    unit = areas.of(known.head).box.size().x / kHeadWidth;
+    find_hair(areas);
+    find_beard(areas);
+  }
+  find_frame(areas);
+}
+
+void RestSight::find_hair(AreaCache& areas) {
+  constexpr double kInside = 0.995;  // of the way from the middle to the outline
+  const Polygon& head = *areas.loop_of(known.head);
+  const Box2 box = areas.of(known.head).box;
+  const double low = up_sign(face) > 0 ? box.lo.y : box.hi.y;
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    const double height = (head[i].y - low) * up_sign(face) / box.size().y;
+    if (height > kCrownFrom) {
+      crown.push_back(i);
+      covered +=
+          areas.any_covers(known.over_head, box.center() + kInside * (head[i] - box.center()));
+    } else if (height > kTempleFrom) {
+      temples.push_back(i);
+    }
+  }
+  if (2 * covered <= crown.size()) crown.clear(), temples.clear();  // bald, or nearly
+}
+
+void RestSight::find_beard(AreaCache& areas) {
+  if (known.beard < 0) return;
+  const Polygon& head = *areas.loop_of(known.head);
+  const Box2 box = areas.of(known.head).box, beard = areas.of(known.beard).box;
+  const double sign = up_sign(face), low = sign > 0 ? box.lo.y : box.hi.y;
+  const double reach = (sign > 0 ? beard.lo.y : beard.hi.y) - low;
+  if (reach * sign > kChinUpTo * box.size().y) return;  // it ends above the chin
+  for (std::size_t i = 0; i < head.size(); ++i)
+    if ((head[i].y - low) * sign < kChinUpTo * box.size().y &&
+        std::abs(head[i].x - box.center().x) < kChinHalfWidth * box.size().x)
+      chin.push_back(i);
+}
+
+void RestSight::find_frame(AreaCache& areas) {
+  constexpr double kHangs = 0.2;  // over the lower edge: what is so near hangs, and may leave
+  const Box2 canvas = face.model->canvas.box;
+  for (const int feature : known.framed) {
+    const Box2 box = areas.of(feature).box;
+    const double low = up_sign(face) > 0 ? box.lo.y - canvas.lo.y : canvas.hi.y - box.hi.y;
+    leaves_below.push_back(low < kHangs * unit);
+  }
+}
+
+NonsenseSight::NonsenseSight(const RestSight& at_rest, const Face& posed_face,
+                             const NonsensePose& its_pose, std::vector<NonsenseFault>& list)
+    : rest(at_rest),
+      known(at_rest.known),
+      posed(posed_face),
+      pose(its_pose),
+      areas(posed_face),
+      unit(at_rest.unit),
+      faults_(list) {
+  up = {0, up_sign(posed)};
+  const auto eye = [&](std::size_t s) -> const OpeningFigure* {
+    return known.opening[s] < 0 ? nullptr
+                                : std::get_if<OpeningFigure>(
+                                      &posed.model->features[std::size_t(known.opening[s])].figure);
+  };
+  const OpeningFigure *left = eye(0), *other = eye(1);
+  if (!left || !other) return;
+  const auto at = [&](int slice) {
+    const auto begin = std::size_t(posed.model->layout[slice].begin);
+    return glm::dvec2{posed.vector[begin], posed.vector[begin + 1]};
+  };
+  const glm::dvec2 across = at(left->inner) + at(left->outer) - at(other->inner) - at(other->outer);
+  if (!(glm::length(across) > 0)) return;
+  right = glm::normalize(across);
+  up = up_sign(posed) * glm::dvec2{-right.y, right.x};
+}
+
+void NonsenseSight::at_least(std::string_view check, double measured, double allowed,
+                             std::string_view what) {
+  if (!(measured >= allowed))
+    faults_.push_back({check, pose.name, std::string(what), measured, allowed});
+}
+
+void NonsenseSight::at_most(std::string_view check, double measured, double allowed,
+                            std::string_view what) {
+  if (!(measured <= allowed))
+    faults_.push_back({check, pose.name, std::string(what), measured, allowed});
+}
+
+}  // namespace mien

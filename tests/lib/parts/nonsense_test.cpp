@@ -1,0 +1,188 @@
+// The nonsense test finds what is planted, and nothing where nothing is.
+
+#include <mien/face_code.h>
+#include <mien/face_file.h>
+#include <mien/face_model.h>
+#include <mien/nonsense.h>
+#include <mien/recipe.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+#include "tests/support/posing.h"
+
+namespace mien {
+namespace {
+
+using Move = std::function<glm::dvec2(glm::dvec2)>;
+
+/// Moves every point whose name begins so.
+void move_points(Face& face, std::string_view begin, const Move& move) {
+  int moved = 0;
+  for (const Slice& slice : face.model->layout.slices())
+    if (slice.kind == SliceKind::point && slice.name.starts_with(begin)) {
+      double* at = &face.vector[std::size_t(slice.begin)];
+      const glm::dvec2 to = move({at[0], at[1]});
+      at[0] = to.x, at[1] = to.y, ++moved;
+    }
+  ASSERT_GT(moved, 0) << begin;
+}
+
+Move by(double x, double y) {
+  return [=](glm::dvec2 p) { return p + glm::dvec2{x, y}; };
+}
+
+void copy_slice(Face& face, std::string_view from, std::string_view to) {
+  const Layout& layout = face.model->layout;
+  const Slice &a = layout[layout.find(from)], &b = layout[layout.find(to)];
+  for (int i = 0; i < a.size; ++i)
+    face.vector[std::size_t(b.begin + i)] = face.vector[std::size_t(a.begin + i)];
+}
+
+Recipe bearded() {
+  return {
+      .name = "planted",
+      .code = {},
+      .parts = {{"hair", "side_part"}, {"glasses", "round"}, {"beard", "full"}, {"ears", "round"}},
+      .numbers = {}};
+}
+
+NonsensePose named(const Face& face, const std::string& name) {
+  for (NonsensePose& pose : nonsense_poses(face))
+    if (pose.name == name) return pose;
+  throw std::runtime_error("no pose " + name);
+}
+
+class Nonsense : public testing::Test {
+ protected:
+  std::set<std::string> found(const Face& posed, const NonsensePose& pose = {}) const {
+    std::set<std::string> names;
+    for (const NonsenseFault& fault : test_.faults(face_, posed, pose)) {
+      EXPECT_EQ(fault.pose, pose.name);
+      names.insert(std::string(fault.check));
+    }
+    return names;
+  }
+  std::set<std::string> after(std::string_view begin, const Move& move) const {
+    Face posed = face_;
+    move_points(posed, begin, move);
+    return found(posed);
+  }
+
+  const NonsenseTest test_;
+  const Face face_ = *face_from_recipe(bearded());
+};
+
+TEST_F(Nonsense, IsSilentOnAGoodFace) {
+  EXPECT_EQ(found(face_), std::set<std::string>{});
+  const NonsensePose joy = named(face_, "emotion.joy=1");
+  EXPECT_EQ(found(pose_face(face_, joy.pose), joy), std::set<std::string>{});
+}
+
+TEST_F(Nonsense, FindsLidsThatDoNotMeet) {
+  const NonsensePose shut = named(face_, "blink=1");
+  Face posed = pose_face(face_, shut.pose);
+  EXPECT_EQ(found(posed, shut), std::set<std::string>{});
+  move_points(posed, "opening.left/upper", by(0, 0.02));
+  EXPECT_TRUE(found(posed, shut).contains("lids_meet"));
+}
+
+TEST_F(Nonsense, FindsFeaturesOutOfPlace) {
+  EXPECT_TRUE(after("limbus.left/center", by(0.3, 0)).contains("pupil_in_opening"));
+  EXPECT_TRUE(after("opening.left/outer", by(0.25, 0)).contains("eye_in_head"));
+  EXPECT_TRUE(after("opening.left/inner", by(-0.15, 0)).contains("eyes_apart"));
+  EXPECT_TRUE(after("lip_lower.left/spine/0", by(0, -0.4)).contains("mouth_in_head"));
+  EXPECT_TRUE(after("lip_upper", by(0, 0.2)).contains("lip_below_nose"));
+  EXPECT_TRUE(after("lip_upper", by(0, 0.6)).contains("lip_below_nose")) << "far above it";
+  EXPECT_TRUE(after("brow.right", by(0, -0.15)).contains("brow_above_lid"));
+  EXPECT_TRUE(after("brow.right", by(0, -0.6)).contains("brow_above_lid")) << "far below it";
+  EXPECT_TRUE(after("brow", by(0, 0.25)).contains("brow_seen"));
+}
+
+TEST_F(Nonsense, FindsHairAndWhatIsWornOutOfPlace) {
+  EXPECT_TRUE(after("hair_front", by(0, -0.3)).contains("scalp_covered"));
+  EXPECT_TRUE(after("hair_front", [](glm::dvec2 p) {
+                return glm::dvec2{0.85 * p.x, p.y};
+              }).contains("hairline_overlaps"));
+  EXPECT_TRUE(after("ear.left", by(0.4, 0)).contains("ear_rooted"));
+  EXPECT_TRUE(after("lens.left", by(0.3, 0)).contains("pupil_in_lens"));
+  EXPECT_TRUE(after("arm.left", by(0.1, 0)).contains("arm_joined"));
+  EXPECT_TRUE(after("beard", by(0, 0.2)).contains("beard_on_chin"));
+  EXPECT_TRUE(after("hair_front", by(0, 0.4)).contains("in_canvas"));
+  EXPECT_TRUE(after("ear.left", [](glm::dvec2 p) {
+                return glm::dvec2{1 - p.x, p.y};
+              }).contains("no_loops"));
+}
+
+TEST_F(Nonsense, FindsAnEarOutsideAScarf) {
+  Recipe recipe = bearded();
+  recipe.parts["headwear"] = "beanie";
+  std::string text = *face_text_from_recipe(recipe);
+  const std::string hat = "\"beanie\"";
+  text.replace(text.find(hat), hat.size(), "\"hijab\"");  // a scarf as short as a hat
+  for (std::size_t at; (at = text.find("\"beanie")) != std::string::npos;)
+    text.replace(at, 7, "\"hijab");
+  const Expected<Face> face = read_face_text(text, "short scarf");
+  ASSERT_TRUE(face) << sentence(face.error());
+  std::set<std::string> names;
+  for (const NonsenseFault& fault : test_.faults(*face, *face, {}))
+    names.insert(std::string(fault.check));
+  EXPECT_TRUE(names.contains("ear_hidden"));
+}
+
+TEST_F(Nonsense, FindsColoursThatAreAlike) {
+  Face posed = face_;
+  copy_slice(posed, "palette/skin", "palette/cloth");
+  EXPECT_EQ(found(posed), std::set<std::string>{"colours"});
+  copy_slice(posed = face_, "palette/skin", "palette/line");
+  EXPECT_EQ(found(posed), std::set<std::string>{"colours"});
+}
+
+TEST_F(Nonsense, FindsAFeelingThatReadsAsAnother) {
+  NonsensePose joy = named(face_, "emotion.joy=1");
+  const Face angry = pose_face(face_, named(face_, "emotion.anger=1").pose);
+  joy.lowers_brow = true;
+  EXPECT_TRUE(found(angry, joy).contains("reads"));
+}
+
+/// People in whom a check finds something, by what their parts still do wrong. When a part is mended its
+/// number may fall; no number may grow.
+TEST_F(Nonsense, FindsInPeopleWhatIsKnownAlone) {
+  constexpr int kPeople = 10;
+  const std::map<std::string, int> known{
+      {"lip_below_nose", 1},  // large noses over full lips, face down and turned
+      {"brow_seen", 1},       // bangs over the brows
+      {"scalp_covered", 3},   // notches of curls, a parting, at turns
+      {"arm_joined", 1}};
+  std::map<std::string, int> people;
+  for (int i = 0; i < kPeople; ++i) {
+    const Recipe recipe = recipe_from_seed(seed_from_word("nonsense/" + std::to_string(i)));
+    std::set<std::string> names;
+    for (const NonsenseFault& fault : test_.faults(*face_from_recipe(recipe))) {
+      const std::string name(fault.check);
+      if (!names.insert(name).second) continue;
+      EXPECT_LE(++people[name], known.contains(name) ? known.at(name) : 0)
+          << recipe.code << " " << name << " at " << fault.pose << ", " << fault.what << ": "
+          << fault.measured << ", allowed " << fault.allowed;
+    }
+  }
+}
+
+TEST_F(Nonsense, TakesFacesThatLackFeatures) {
+  for (const char* name : {"seed0", "male"}) test_.faults(test::sample_face(name));
+}
+
+TEST_F(Nonsense, NamesEachCheckOnce) {
+  std::set<std::string_view> names;
+  for (const NonsenseCheck& check : nonsense_checks()) {
+    EXPECT_TRUE(names.insert(check.name).second) << check.name;
+    EXPECT_FALSE(check.says.empty());
+  }
+}
+
+}  // namespace
+}  // namespace mien

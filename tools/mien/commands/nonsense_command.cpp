@@ -1,0 +1,165 @@
+// mien check --nonsense: whether faces stay faces in every pose, as a table of what is wrong how often.
+
+#include <mien/nonsense.h>
+#include <mien/parallel.h>
+#include <mien/recipe.h>
+#include "lib/base/one_line.h"
+#include "lib/file/json/json_text.h"
+#include "tools/mien/cli/parse_values.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/posed_face.h"
+#include "tools/mien/terminal/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mien::command {
+namespace {
+
+constexpr long kMostTried = 100'000;
+
+/// A face under test by what people call it, and what is wrong with it.
+struct TriedFace {
+  std::string name;
+  Recipe recipe;
+  std::optional<Face> face;  ///< none: of the recipe
+  std::vector<NonsenseFault> faults;
+  std::optional<Error> failed;
+};
+
+/// "300", "-3", "1e9": meant as a number, well or badly, rather than as a face.
+bool looks_like_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789+-.,_e") == std::string_view::npos;
+}
+
+struct TriedOrCode {
+  std::vector<TriedFace> faces;
+  int code = kDone;
+};
+
+TriedOrCode people_of(std::string_view count_text, const std::string& seed) {
+  const auto count = read_whole("--nonsense", count_text, 1, kMostTried);
+  if (!count) return {{}, complain(count.error(), kUsedWrongly)};
+  TriedOrCode tried;
+  for (long i = 0; i < *count; ++i) {
+    Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("{}/{}", seed, i)));
+    std::string name = recipe.code;
+    tried.faces.push_back({.name = std::move(name), .recipe = std::move(recipe)});
+  }
+  return tried;
+}
+
+TriedOrCode faces_to_try(const CheckArguments& arguments) {
+  std::vector<std::string> names = arguments.people;
+  std::erase(names, "");  // --nonsense alone
+  if (!names.empty() && looks_like_number(names[0])) {
+    if (arguments.faces.empty()) return people_of(names[0], arguments.seed.value_or("1"));
+    return {{}, complain("--nonsense: takes N people or faces, not both", kUsedWrongly)};
+  }
+  if (arguments.seed) return {{}, complain("--seed: only with N people", kUsedWrongly)};
+  names.insert(names.end(), arguments.faces.begin(), arguments.faces.end());
+  if (names.empty()) return {{}, complain("--nonsense: needs N people, or a face", kUsedWrongly)};
+  TriedOrCode tried;
+  for (const std::string& name : names) {
+    auto face = read_face_aloud(name);
+    if (!face) return {{}, kFailed};
+    tried.faces.push_back({.name = name, .face = std::move(face)});
+  }
+  return tried;
+}
+
+/// Of one check: in how many poses of how many faces something is wrong, and the first of them.
+struct Wrong {
+  int poses = 0, faces = 0;
+  const TriedFace* face = nullptr;
+  const NonsenseFault* first = nullptr;
+};
+
+Wrong wrong_by(std::string_view check, const std::vector<TriedFace>& faces) {
+  Wrong wrong;
+  for (const TriedFace& face : faces) {
+    const std::string* last = nullptr;
+    for (const NonsenseFault& fault : face.faults) {
+      if (fault.check != check || (last && fault.pose == *last)) continue;
+      wrong.faces += last == nullptr, ++wrong.poses;
+      last = &fault.pose;
+      if (!wrong.first) wrong.face = &face, wrong.first = &fault;
+    }
+  }
+  return wrong;
+}
+
+std::string as_json(const std::vector<TriedFace>& faces, std::size_t poses) {
+  std::string text =
+      fmt::format("{{\"faces\": {}, \"poses\": {}, \"checks\": [", faces.size(), poses);
+  for (const NonsenseCheck& check : nonsense_checks()) {
+    const Wrong wrong = wrong_by(check.name, faces);
+    text += fmt::format("{}\n {{\"check\": \"{}\", \"faulty_poses\": {}, \"faulty_faces\": {}",
+                        text.ends_with('[') ? "" : ",", check.name, wrong.poses, wrong.faces);
+    if (wrong.first)
+      text += fmt::format(
+          ", \"first\": {{\"face\": {}, \"pose\": {}, \"what\": {}, \"measured\": {}, \"allowed\": "
+          "{}}}",
+          json_string(wrong.face->name), json_string(wrong.first->pose),
+          json_string(wrong.first->what), json_number(wrong.first->measured),
+          json_number(wrong.first->allowed));
+    text += "}";
+  }
+  return text + "]}\n";
+}
+
+std::string as_table(const std::vector<TriedFace>& faces, std::size_t poses) {
+  std::string text = fmt::format("{} faces, {} poses\n\n{:18}{:>7}{:>7}  first\n", faces.size(),
+                                 poses, "check", "poses", "faces");
+  for (const NonsenseCheck& check : nonsense_checks()) {
+    const Wrong wrong = wrong_by(check.name, faces);
+    text += fmt::format("{:18}{:7}{:7}", check.name, wrong.poses, wrong.faces);
+    if (wrong.first)
+      text += fmt::format("  {}  {}{}{}: {:.4g}, allowed {:.4g}", one_line(wrong.face->name, 60),
+                          wrong.first->pose, wrong.first->what.empty() ? "" : ", ",
+                          wrong.first->what, wrong.first->measured, wrong.first->allowed);
+    text += "\n";
+  }
+  return text;
+}
+
+void try_face(const NonsenseTest& test, TriedFace& tried, std::size_t& poses) {
+  std::optional<Face> face = std::move(tried.face);
+  if (!face) {
+    auto made = face_from_recipe(tried.recipe);
+    if (!made) {
+      tried.failed = made.error();
+      return;
+    }
+    face = *std::move(made);
+  }
+  poses = nonsense_poses(*face).size();
+  tried.faults = test.faults(*face);
+}
+
+}  // namespace
+
+int nonsense_command(const CheckArguments& arguments) {
+  TriedOrCode tried = faces_to_try(arguments);
+  if (tried.code != kDone) return tried.code;
+  const NonsenseTest test;
+  std::vector<std::size_t> poses(tried.faces.size());
+  parallel_for(int(tried.faces.size()), {},
+               [&](int i) { try_face(test, tried.faces[std::size_t(i)], poses[std::size_t(i)]); });
+  std::size_t all = 0;
+  bool wrong = false;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const TriedFace& face = tried.faces[i];
+    if (face.failed) return complain(*face.failed, kFailed);
+    all += poses[i], wrong = wrong || !face.faults.empty();
+  }
+  const int printed =
+      print(arguments.json ? as_json(tried.faces, all) : as_table(tried.faces, all));
+  return printed != kDone ? printed : wrong ? int(kFailed) : int(kDone);
+}
+
+}  // namespace mien::command
