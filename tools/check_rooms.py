@@ -19,12 +19,12 @@ import sys
 # The rooms in the order a face goes through them. A file standing alone is a room of its own.
 ORDER = """
     version.h
-    lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file
+    lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file  lib/nonsense
     sdf/shape  sdf/distance  sdf/csg  sdf/scene  sdf/outline  sdf/arrange  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
     render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render  render/inspect
     mien.h  write.h  render/image  tools
 """.split()
-FACES = ("lib/face", "lib/rig", "lib/file", "lib/parts")
+FACES = ("lib/face", "lib/rig", "lib/file", "lib/parts", "lib/nonsense")
 MAKERS = ("sdf/from_face", "sdf/from_mesh", "sdf/from_text")
 KNOWS_NO = {"sdf": FACES, "render": FACES + MAKERS}  # what a floor does not know, although it stands left of it
 EXCEPT = MAKERS                                      # the rooms of sdf that know what they make scenes from

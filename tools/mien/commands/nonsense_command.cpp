@@ -2,7 +2,7 @@
 
 #include <mien/nonsense.h>
 #include <mien/parallel.h>
-#include <mien/recipe.h>
+#include <mien/composed_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"

@@ -1,6 +1,6 @@
 #include <mien/nonsense.h>
 #include <mien/poser.h>
-#include <mien/recipe.h>
+#include <mien/composed_face.h>
 
 #include "nonsense_sight_private.h"
 

@@ -1,4 +1,4 @@
-#include "lib/parts/flat_area.h"
+#include "lib/nonsense/flat_area.h"
 #include <mien/face_model.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include <mien/face_model.h>
 #include <mien/nonsense.h>
-#include "lib/parts/flat_area.h"
+#include "lib/nonsense/flat_area.h"
 
 #include <array>
 #include <optional>

@@ -33,8 +33,8 @@ bool hides(const Face& face, const Feature& feature) {
            face.vector[std::size_t(model.layout[color].begin + 3)] >= kHides;
   };
   if (feature.paint >= 0) return hides_by(feature.paint);
-  if (feature.gradient < 0) return false;
-  const std::vector<int>& colors = model.gradients[std::size_t(feature.gradient)].colors;
+  if (!feature.gradient) return false;
+  const std::vector<int>& colors = feature.gradient.in(model.gradients).colors;
   return std::ranges::all_of(colors, hides_by);
 }
 
@@ -89,7 +89,7 @@ KnownFeatures::KnownFeatures(const Face& face) {
     for (std::size_t s = 0; s < 2; ++s)
       if (hair && brow[s] >= 0 && i > brow[s] && !name.starts_with("brow"))
         over_brow[s].push_back(i);
-    if (feature.clip >= 0) continue;
+    if (feature.clip) continue;
     if ((head >= 0 && i >= head) || begins_with_any(name, {"ear", "hearing"})) framed.push_back(i);
     if (std::holds_alternative<PathFigure>(feature.figure) && name != "mouth") looped.push_back(i);
   }

@@ -4,7 +4,7 @@
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 #include <mien/nonsense.h>
-#include <mien/recipe.h>
+#include <mien/composed_face.h>
 
 #include <gtest/gtest.h>
 
