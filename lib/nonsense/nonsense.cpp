@@ -1,6 +1,6 @@
+#include <mien/composed_face.h>
 #include <mien/nonsense.h>
 #include <mien/poser.h>
-#include <mien/composed_face.h>
 
 #include "nonsense_sight_private.h"
 

@@ -89,7 +89,8 @@ KnownFeatures::KnownFeatures(const Face& face) {
     for (std::size_t s = 0; s < 2; ++s)
       if (hair && brow[s] >= 0 && i > brow[s] && !name.starts_with("brow"))
         over_brow[s].push_back(i);
-    if (feature.clip) continue;
+    // What is clipped to a feature stays in it; an area without a paint only makes room.
+    if (feature.clip && feature.clip.in(model.features).painted()) continue;
     if ((head >= 0 && i >= head) || begins_with_any(name, {"ear", "hearing"})) framed.push_back(i);
     if (std::holds_alternative<PathFigure>(feature.figure) && name != "mouth") looped.push_back(i);
   }

@@ -208,6 +208,9 @@ class Flattening {
     const glm::dvec2 center = geometry_.pair(in_, in_.need(node, "center"), family_);
     const glm::dvec2 radii = geometry_.pair(in_, in_.need(node, "radii"), family_);
     const double from = number("from"), step = (number("to") - from) / number("count");
+    constexpr double kMostBumps = 499;
+    if (!(number("count") >= 1 && number("count") <= kMostBumps))
+      in_.refuse(node, fmt::format("a scallop has 1 to {} bumps", kMostBumps));
     const int count = int(number("count"));
     const KeyedChance chance(seed_from_word(name_));
     const auto place = [&](double degrees, double reach) {
@@ -216,7 +219,6 @@ class Flattening {
       made.found.at = frame_.place(center + reach * radii * glm::dvec2{std::cos(a), std::sin(a)});
       return made;
     };
-    if (!(count >= 1 && count < 500)) in_.refuse(node, "a scallop has 1 to 499 bumps");
     for (int i = 0; i <= count; ++i) {
       to.push_back(place(from + step * i, 1.0));
       if (i == count) break;

@@ -68,7 +68,8 @@ Expected<FaceCode> read_code(const NewArguments& arguments) {
 int new_command(const NewArguments& arguments) {
   const int ways = int(arguments.code.has_value()) + int(arguments.near.has_value()) +
                    int(!arguments.between.empty()) + int(!arguments.child_of.empty());
-  if (ways > 1) return complain("--code, --near, --between and --child-of: one of them", kUsedWrongly);
+  if (ways > 1)
+    return complain("--code, --near, --between and --child-of: one of them", kUsedWrongly);
   if (arguments.code && arguments.seed)
     return complain("--seed: the --code has a seed of its own", kUsedWrongly);
   if (arguments.by && !arguments.near) return complain("--by is how far from --near", kUsedWrongly);

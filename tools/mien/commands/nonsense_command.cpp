@@ -1,8 +1,8 @@
 // mien check --nonsense: whether faces stay faces in every pose, as a table of what is wrong how often.
 
+#include <mien/composed_face.h>
 #include <mien/nonsense.h>
 #include <mien/parallel.h>
-#include <mien/composed_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"
