@@ -77,9 +77,7 @@ void check_lens(NonsenseSight& sight, std::size_t side) {
   const Polygon* rim = sight.areas.loop_of(sight.known.rim[side]);
   double gap = std::numeric_limits<double>::infinity();
   for (const PenSample& sample : sight.areas.of(arm).pen) {
-    double depth = depth_inside(*lens, sample.at);
-    if (rim) depth = std::max(depth, depth_inside(*rim, sample.at));
-    gap = std::min(gap, -depth - sample.half_width);
+    gap = std::min(gap, -depth_inside(rim ? *rim : *lens, sample.at) - sample.half_width);
   }
   if (!sight.areas.of(arm).pen.empty())
     sight.at_most("arm_joined", std::max(gap, 0.0) / sight.unit, kMostGap, kSideNames[side]);

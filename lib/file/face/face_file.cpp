@@ -22,7 +22,6 @@ constexpr int kNewestVersion = 2;  // 1: a face in full; 2: a recipe
 
 /// Gives the version.
 int check_format(Reading& in, const JsonNode& root) {
-  in.expect(root, JsonKind::object);
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
     in.refuse(format, fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
@@ -51,12 +50,15 @@ Face read_composed(Reading& in, const JsonNode& root) {
 
 Face read_root(Reading& in) {
   const JsonNode& root = in.tree.root();
+  in.expect(root, JsonKind::object);
+  const JsonNode* version = in.find(root, "format_version");
+  if (!version || version->kind != JsonKind::number || version->number != 2)
+    in.expect_object(
+        root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
+               "background", "palette",      "light",          "groups",  "features", "controls",
+               "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
+               "clips",      "default_clip", "effects"});
   if (check_format(in, root) == 2) return read_composed(in, root);
-  in.expect_object(
-      root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
-             "background", "palette",      "light",          "groups",  "features", "controls",
-             "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
-             "clips",      "default_clip", "effects"});
   FaceDraft draft;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
