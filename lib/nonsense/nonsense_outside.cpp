@@ -1,7 +1,7 @@
 // Checks of what is on and around a face: hair, ears, what it wears, how it is drawn, its colours.
 
 #include <mien/color.h>
-#include "lib/parts/oklch.h"
+#include "lib/picture/oklch.h"
 
 #include "nonsense_sight_private.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The least library of parts: a head, two noses, a frame, a few numbers. Tests add to it what they are about.
 
-#include "lib/parts/part_library.h"
+#include "lib/parts/library/part_library.h"
 
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
-#include "lib/parts/recipe_file.h"
+#include "lib/parts/recipe/recipe_file.h"
 
 #include <fmt/format.h>
 

@@ -165,8 +165,7 @@ void LitPaint::make_distances(LitTile& t) const {
   t.shallow = -1e9f, t.deep = 1e9f;
   t.feet.narrow(gradient_area_, middle, kRadius);
   // Feet two pixels apart tell of a ridge between them within half a level, not within an eighth.
-  constexpr double kFine = 0.1;  // [levels]
-  const bool unsure = tolerance_ < kFine && !t.feet.is_single();
+  const bool unsure = tolerance_ < double(LitTile::kFine) && !t.feet.is_single();
   t.tangled = t.feet.tangled() || gradient_area_.is_fine() || unsure;
   find_feet(t);
   judge_distances(t);

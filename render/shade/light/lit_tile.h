@@ -29,6 +29,8 @@ struct LitTile {
   bool smooth = false;
   std::array<float, kPixels> smooth_r, smooth_g, smooth_b;  ///< means, where the tile is smooth
   float shallow, deep;
+  /// [levels] Less may be off where pictures have 16 bits and more.
+  static constexpr float kFine = 0.1f;
   static constexpr float kSame = 0.02f;
   float same =
       kSame;  ///< gradients that agree so well seen from one block and from the next are of one branch

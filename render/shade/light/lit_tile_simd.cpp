@@ -302,10 +302,9 @@ float Steepest(const LitTile& tile) {
 }
 
 void ShadeTile(LitTile& tile, float levels) {
-  constexpr float kFine =
-      0.1f;  // 16 bits; at 8 bits what is neglected is far less than what is allowed
+  // At 8 bits what is neglected is far less than what is allowed.
   ShadePlaces(tile);
-  if (tile.lamp.linear && levels < kFine) levels /= Steepest(tile);
+  if (tile.lamp.linear && levels < LitTile::kFine) levels /= Steepest(tile);
   HWY_ALIGN float rough[LitTile::kPixels] = {};
   MeansOf(tile.r.data(), levels, tile.mean_r.data(), rough);
   MeansOf(tile.g.data(), levels, tile.mean_g.data(), rough);

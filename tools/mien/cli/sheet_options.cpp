@@ -92,7 +92,8 @@ Expected<SheetPicture> read_sheet_picture(const std::string& text) {
   app.set_help_flag();
   add_pose(&app, picture.render.posed);
   add_picture(&app, picture.render);
-  for (const char* option : {"--depth", "--size"}) app.remove_option(app.get_option(option));
+  for (const char* option : {"--depth", "--size", "--style"})
+    app.remove_option(app.get_option(option));
   words->insert(words->begin(), "FACE");  // the sheet's
   std::reverse(words->begin(), words->end());
   try {

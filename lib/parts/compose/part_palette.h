@@ -1,9 +1,9 @@
 #pragma once
 // All colours of a face, from the few that its recipe chooses.
 
-#include "lib/parts/oklch.h"
-#include "lib/parts/part_geometry.h"
-#include "lib/parts/part_style.h"
+#include "lib/parts/compose/part_geometry.h"
+#include "lib/parts/compose/part_style.h"
+#include "lib/picture/oklch.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "lib/parts/part_palette.h"
+#include "lib/parts/compose/part_palette.h"
 #include "lib/base/nearest_name.h"
 #include "lib/file/json/json_text.h"
 

@@ -1,4 +1,4 @@
-#include "lib/parts/part_geometry.h"
+#include "lib/parts/compose/part_geometry.h"
 #include "lib/base/nearest_name.h"
 
 #include <fmt/format.h>

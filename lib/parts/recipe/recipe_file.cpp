@@ -1,8 +1,8 @@
-#include "lib/parts/recipe_file.h"
+#include "lib/parts/recipe/recipe_file.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
-#include "lib/parts/part_library.h"
+#include "lib/parts/library/part_library.h"
 
 #include <fmt/format.h>
 
@@ -20,9 +20,11 @@ class RecipeReader {
                       {"$schema", "format", "format_version", "name", "edition", "code", "parts",
                        "numbers", "style"},
                       "recipe");
-    if (const JsonNode* edition = in_.find(root, "edition"); edition && in_.string(*edition) != "Z")
-      in_.refuse(*edition, fmt::format("edition {} is not known to this version, which has Z",
-                                       in_quotes(in_.string(*edition))));
+    const std::string_view newest(&FaceCode::kNewestEdition, 1);
+    if (const JsonNode* edition = in_.find(root, "edition");
+        edition && in_.string(*edition) != newest)
+      in_.refuse(*edition, fmt::format("edition {} is not known to this version, which has {}",
+                                       in_quotes(in_.string(*edition)), newest));
     if (const JsonNode* code = in_.find(root, "code")) recipe_ = of_code(*code);
     if (const JsonNode* name = in_.find(root, "name")) recipe_.name = in_.string(*name);
     if (const JsonNode* parts = in_.find(root, "parts")) {
@@ -66,6 +68,10 @@ class RecipeReader {
     const Family* family = library_.find_family(name);
     if (!family) refuse_unknown(node, "family of parts", name, library_.families());
     if (node.kind == JsonKind::null) {
+      if (family->find("none")) {
+        recipe_.parts[family->name] = "none";
+        return;
+      }
       if (!family->optional)
         in_.refuse(node, fmt::format("a face has one of \"{}\" always", family->name));
       recipe_.parts.erase(family->name);
@@ -105,7 +111,9 @@ Recipe read_recipe(Reading& in, const JsonNode& root) {
 }
 
 std::string recipe_text(const Recipe& recipe) {
-  std::string text = "{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"Z\",\n";
+  std::string text =
+      fmt::format("{{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"{}\",\n",
+                  FaceCode::kNewestEdition);
   if (!recipe.name.empty()) text += fmt::format(" \"name\": {},\n", json_string(recipe.name));
   if (!recipe.code.empty()) text += fmt::format(" \"code\": {},\n", json_string(recipe.code));
   text += " \"parts\": {";

@@ -22,8 +22,9 @@ struct HeldValue {
 /// What a code says: `edition` names the frozen library of parts, `seed` the face in it.
 struct FaceCode {
   static constexpr int kSeedBits = 50;
+  static constexpr char kNewestEdition = 'Z';  ///< the trial edition: its faces may still change
 
-  char edition = 'Z';
+  char edition = kNewestEdition;
   std::uint64_t seed = 0;  ///< below 2^50
   std::vector<HeldValue> held;
 

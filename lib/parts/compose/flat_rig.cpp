@@ -1,5 +1,7 @@
-#include "lib/parts/flat_rig.h"
+#include "lib/parts/compose/flat_rig.h"
+#include "lib/file/json/json_copy.h"
 #include "lib/file/json/json_text.h"
+#include "lib/parts/compose/short_number.h"
 
 #include <fmt/format.h>
 
@@ -11,14 +13,6 @@ namespace mien {
 namespace {
 
 constexpr double kFarOrigin = 20;  // farther than this a muscle's origin is a direction
-
-std::string number_text(double value) {
-  return json_number(std::round(value * 1e6) / 1e6 + 0.0);
-}
-
-std::string pair_text(glm::dvec2 p) {
-  return fmt::format("[{}, {}]", number_text(p.x), number_text(p.y));
-}
 
 /// "brow" of "brow/spine/0", "upper_edge" of "upper_edge.left/spine/2".
 std::string_view feature_of(std::string_view slice) {
@@ -42,9 +36,10 @@ class Muscles {
     std::string text =
         fmt::format("{{\"name\": {}", json_string(in_.string(in_.need(node, "name"))));
     if (side) text += fmt::format(", \"side\": {}", json_string(in_.string(*side)));
-    text += fmt::format(", \"strength\": {}, \"stroke\": {}, \"origin\": {}, \"attach\": {}",
-                        number_text(in_.number(in_.need(node, "strength"))), number_text(stroke),
-                        pair_text(far ? origin : frame.place(origin)), attachments(node, frame, 0));
+    text +=
+        fmt::format(", \"strength\": {}, \"stroke\": {}, \"origin\": {}, \"attach\": {}",
+                    short_number(in_.number(in_.need(node, "strength"))), short_number(stroke),
+                    short_pair(far ? origin : frame.place(origin)), attachments(node, frame, 0));
     if (side && has_sides(node))
       text += fmt::format(", \"left\": {{\"attach\": {}}}, \"right\": {{\"attach\": {}}}",
                           attachments(node, frame, 1), attachments(node, frame, -1));
@@ -87,11 +82,11 @@ class Muscles {
       const std::string_view key = in_.tree.key(one);
       if (!features_.names.contains(feature_of(key))) return;
       if (one.kind == JsonKind::number)
-        held[std::string(key)] = number_text(in_.number(one));
+        held[std::string(key)] = short_number(in_.number(one));
       else
         held[std::string(key)] = fmt::format(
-            "{{\"weight\": {}, \"stroke\": {}}}", number_text(in_.number(in_.need(one, "weight"))),
-            number_text(frame.length(in_.number(in_.need(one, "stroke")))));
+            "{{\"weight\": {}, \"stroke\": {}}}", short_number(in_.number(in_.need(one, "weight"))),
+            short_number(frame.length(in_.number(in_.need(one, "stroke")))));
     });
     std::map<std::string, double> rides;
     const bool sided = in_.find(node, "side") != nullptr;
@@ -100,7 +95,7 @@ class Muscles {
       rides[ride.slice] += weight * ride.weight;
     });
     for (const auto& [slice, weight] : rides)
-      held[slice] = number_text(std::clamp(weight, 0.0, 1.0));
+      held[slice] = short_number(std::clamp(weight, 0.0, 1.0));
     std::string text;
     for (const auto& [slice, value] : held)
       text += fmt::format("{}{}: {}", text.empty() ? "{" : ", ", json_string(slice), value);
@@ -116,45 +111,34 @@ std::string depths_text(const std::map<std::string, double>& depths) {
   std::string text;
   for (const auto& [name, depth] : depths)
     text +=
-        fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_string(name), number_text(depth));
+        fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_string(name), short_number(depth));
   return "{" + text + "}";
 }
 
 }  // namespace
 
 std::string rig_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry) {
-  if (node.kind == JsonKind::object) {
-    const auto frame = [&] { return geometry.frame(in, in.need(node, "in")); };
-    if (const JsonNode* point = in.find(node, "$point"))
-      return pair_text(geometry.point(in, *point, frame(), "").at);
-    if (const JsonNode* vector = in.find(node, "$vector")) {
-      const glm::dvec2 way = geometry.pair(in, *vector, "");
-      return pair_text(frame().vector(way));
-    }
-    if (const JsonNode* length = in.find(node, "$length"))
-      return number_text(in.number(*length) * frame().scale.x);
-    if (const JsonNode* value = in.find(node, "$value"))
-      return number_text(geometry.scalar(in, *value, ""));
-  }
-  if (node.kind == JsonKind::number) return json_number(node.number);
-  if (node.kind == JsonKind::string) return json_string(in.string(node));
-  if (node.kind == JsonKind::boolean) return in.boolean(node) ? "true" : "false";
-  const bool object = node.kind == JsonKind::object;
-  std::string text = object ? "{" : "[";
-  in.for_each(node, [&](const JsonNode& child, int i) {
-    if (i) text += ", ";
-    if (object) text += json_string(in.tree.key(child)) + ": ";
-    text += rig_text(in, child, geometry);
+  return json_copy(in, node, [&](const JsonNode& at) -> std::optional<std::string> {
+    if (at.kind != JsonKind::object) return {};
+    const auto frame = [&] { return geometry.frame(in, in.need(at, "in")); };
+    if (const JsonNode* point = in.find(at, "$point"))
+      return short_pair(geometry.point(in, *point, frame(), "").at);
+    if (const JsonNode* vector = in.find(at, "$vector"))
+      return short_pair(frame().vector(geometry.pair(in, *vector, "")));
+    if (const JsonNode* length = in.find(at, "$length"))
+      return short_number(in.number(*length) * frame().scale.x);
+    if (const JsonNode* value = in.find(at, "$value"))
+      return short_number(geometry.scalar(in, *value, ""));
+    return {};
   });
-  return text + (object ? "}" : "]");
 }
 
 std::string muscles_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
                          const FlatFeatures& features) {
   const Muscles muscles(in, geometry, features);
   std::string text = fmt::format("{{\"stiffness\": {}, \"damping\": {}, \"groups\": [",
-                                 number_text(in.number(in.need(node, "stiffness"))),
-                                 number_text(in.number(in.need(node, "damping"))));
+                                 short_number(in.number(in.need(node, "stiffness"))),
+                                 short_number(in.number(in.need(node, "damping"))));
   in.for_each(in.need(node, "groups"), [&](const JsonNode& group, int i) {
     text += (i ? ",\n    " : "\n    ") + muscles.group(group);
   });

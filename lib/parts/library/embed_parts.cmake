@@ -7,7 +7,7 @@ foreach(name IN LISTS files)
   # Compilers take raw strings of 64 KiB at least.
   string(APPEND entries "    {\"${name}\", R\"json_(${text})json_\"},\n")
 endforeach()
-file(WRITE ${TO} "#include \"lib/parts/shipped_parts.h\"
+file(WRITE ${TO} "#include \"lib/parts/library/shipped_parts.h\"
 
 namespace mien {
 namespace {

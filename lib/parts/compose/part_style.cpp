@@ -1,6 +1,6 @@
-#include "lib/parts/part_style.h"
+#include "lib/parts/compose/part_style.h"
+#include "lib/file/json/json_copy.h"
 #include "lib/file/json/json_text.h"
-#include "lib/parts/json_copy.h"
 
 #include <fmt/format.h>
 

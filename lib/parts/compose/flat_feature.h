@@ -2,8 +2,8 @@
 // Features of parts as features of a face file: points in the face's own coordinates, paints by role, and what the rig
 // has to know of them.
 
-#include "lib/parts/part_geometry.h"
-#include "lib/parts/part_style.h"
+#include "lib/parts/compose/part_geometry.h"
+#include "lib/parts/compose/part_style.h"
 
 #include <map>
 #include <set>

@@ -1,4 +1,4 @@
-#include "lib/parts/keyed_chance.h"
+#include "lib/parts/code/keyed_chance.h"
 
 #include <gtest/gtest.h>
 

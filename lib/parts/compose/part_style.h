@@ -1,7 +1,7 @@
 #pragma once
 // A style: what features of a role are painted with. It touches no point, so every pose works in every style.
 
-#include "lib/parts/part_library.h"
+#include "lib/parts/library/part_library.h"
 
 #include <string>
 

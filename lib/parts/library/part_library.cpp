@@ -1,6 +1,6 @@
-#include "lib/parts/part_library.h"
+#include "lib/parts/library/part_library.h"
 #include "lib/base/nearest_name.h"
-#include "lib/parts/shipped_parts.h"
+#include "lib/parts/library/shipped_parts.h"
 
 #include <fmt/format.h>
 

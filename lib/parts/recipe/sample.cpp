@@ -4,9 +4,9 @@
 #include <mien/recipe.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
-#include "lib/parts/keyed_chance.h"
-#include "lib/parts/part_library.h"
-#include "lib/parts/part_palette.h"
+#include "lib/parts/code/keyed_chance.h"
+#include "lib/parts/compose/part_palette.h"
+#include "lib/parts/library/part_library.h"
 
 #include <fmt/format.h>
 
@@ -19,9 +19,8 @@
 namespace mien {
 namespace {
 
-constexpr char kEdition = 'Z';  // the trial edition: its faces may still change
-constexpr int kNone = 1023;     // a held value: no part of the family
-constexpr int kSteps = 1023;    // of a number's range
+constexpr int kNone = 1023;   // a held value: no part of the family
+constexpr int kSteps = 1023;  // of a number's range
 
 // Questions that no family and no number asks.
 constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 2003, kHeavy = 2004,
@@ -230,24 +229,23 @@ class Sampler {
 }  // namespace
 
 Recipe recipe_from_seed(std::uint64_t seed) {
-  const FaceCode code{.edition = kEdition,
-                      .seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1),
-                      .held = {}};
+  const FaceCode code{.seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1), .held = {}};
   return Sampler(PartLibrary::shipped(), code).recipe();
 }
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
   const std::string where = "code " + face_code_text(code);
   const PartLibrary& library = PartLibrary::shipped();
-  if (code.edition != kEdition)
+  if (code.edition != FaceCode::kNewestEdition)
     return Error{where, fmt::format("edition {} is not known to this version, which has {}",
-                                    code.edition, kEdition)};
+                                    code.edition, FaceCode::kNewestEdition)};
   for (const HeldValue& held : code.held) {
     const auto is_field = [&](const auto& one) { return one.number == held.field; };
     const auto family = std::ranges::find_if(library.families(), is_field);
     if (family == library.families().end()) {
       if (std::ranges::none_of(library.numbers(), is_field))
-        return Error{where, fmt::format("edition {} has no field {}", kEdition, held.field)};
+        return Error{
+            where, fmt::format("edition {} has no field {}", FaceCode::kNewestEdition, held.field)};
       continue;
     }
     const auto is_part = [&](const Part& part) { return part.number == held.value; };

@@ -4,11 +4,11 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
-#include "lib/parts/flat_feature.h"
-#include "lib/parts/flat_rig.h"
-#include "lib/parts/part_library.h"
-#include "lib/parts/part_palette.h"
-#include "lib/parts/part_style.h"
+#include "lib/parts/compose/flat_feature.h"
+#include "lib/parts/compose/flat_rig.h"
+#include "lib/parts/compose/part_palette.h"
+#include "lib/parts/compose/part_style.h"
+#include "lib/parts/library/part_library.h"
 
 #include <fmt/format.h>
 

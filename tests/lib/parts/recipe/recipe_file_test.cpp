@@ -1,4 +1,4 @@
-#include "lib/parts/recipe_file.h"
+#include "lib/parts/recipe/recipe_file.h"
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
@@ -26,7 +26,7 @@ std::string refusal(const std::string& members) {
 TEST(RecipeFile, TenLinesAreAFace) {
   EXPECT_EQ(
       refusal(
-          R"("name": "otto", "parts": {"hair": "fringe_of_hair", "beard": {"part": "full"}, "glasses": null},
+          R"("name": "otto", "parts": {"hair": "fringe_of_hair", "beard": {"part": "full"}, "glasses": null, "headwear": null},
                        "numbers": {"age": 76, "eye.size": 0.86}, "style": "soft")"),
       "read");
 }

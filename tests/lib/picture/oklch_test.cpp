@@ -1,4 +1,4 @@
-#include "lib/parts/oklch.h"
+#include "lib/picture/oklch.h"
 
 #include <gtest/gtest.h>
 

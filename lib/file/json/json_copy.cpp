@@ -1,9 +1,11 @@
-#include "lib/parts/json_copy.h"
+#include "lib/file/json/json_copy.h"
 #include "lib/file/json/json_text.h"
 
 namespace mien {
 
-std::string json_copy(const Reading& in, const JsonNode& node) {
+std::string json_copy(const Reading& in, const JsonNode& node, const JsonReplacement& replace) {
+  if (replace)
+    if (auto text = replace(node)) return *std::move(text);
   switch (node.kind) {
     case JsonKind::null:
       return "null";
@@ -21,7 +23,7 @@ std::string json_copy(const Reading& in, const JsonNode& node) {
   in.for_each(node, [&](const JsonNode& child, int i) {
     if (i) text += ", ";
     if (object) text += json_string(in.tree.key(child)) + ": ";
-    text += json_copy(in, child);
+    text += json_copy(in, child, replace);
   });
   return text + (object ? "}" : "]");
 }

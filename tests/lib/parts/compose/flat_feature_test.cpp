@@ -1,4 +1,4 @@
-#include "lib/parts/flat_feature.h"
+#include "lib/parts/compose/flat_feature.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 // "adds" counts by how far a number is from its rest, so that every file shows the face at rest.
 
 #include <mien/recipe.h>
-#include "lib/parts/part_library.h"
+#include "lib/parts/library/part_library.h"
 
 #include <glm/vec2.hpp>
 #include <map>

@@ -1,4 +1,4 @@
-#include "lib/parts/part_library.h"
+#include "lib/parts/library/part_library.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lib/parts/oklch.h"
+#include "lib/picture/oklch.h"
 #include "lib/picture/srgb.h"
 
 #include <fmt/format.h>

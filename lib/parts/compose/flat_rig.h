@@ -1,7 +1,7 @@
 #pragma once
 // What moves a face: the topology's controls, muscles, emotions and clips, solved once for all faces, in the frames of one.
 
-#include "lib/parts/flat_feature.h"
+#include "lib/parts/compose/flat_feature.h"
 
 #include <string>
 

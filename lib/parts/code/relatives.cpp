@@ -1,8 +1,8 @@
 #include <mien/recipe.h>
 #include <mien/relatives.h>
-#include "lib/parts/keyed_chance.h"
-#include "lib/parts/part_library.h"
-#include "lib/parts/part_palette.h"
+#include "lib/parts/code/keyed_chance.h"
+#include "lib/parts/compose/part_palette.h"
+#include "lib/parts/library/part_library.h"
 
 #include <algorithm>
 #include <array>

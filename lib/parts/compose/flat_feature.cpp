@@ -1,8 +1,9 @@
-#include "lib/parts/flat_feature.h"
+#include "lib/parts/compose/flat_feature.h"
 #include "lib/base/nearest_name.h"
+#include "lib/file/json/json_copy.h"
 #include "lib/file/json/json_text.h"
-#include "lib/parts/json_copy.h"
-#include "lib/parts/keyed_chance.h"
+#include "lib/parts/code/keyed_chance.h"
+#include "lib/parts/compose/short_number.h"
 
 #include <fmt/format.h>
 
@@ -16,12 +17,6 @@ namespace {
 constexpr double kAxis = 1e-9;             // nearer than this a point lies on the axis
 constexpr std::size_t kMostPoints = 4000;  // of a feature, patterns included
 
-std::string text_of(glm::dvec2 p) {
-  // A millionth of a face is less than any picture shows, and the text stays short.
-  const auto rounded = [](double v) { return std::round(v * 1e6) / 1e6 + 0.0; };
-  return fmt::format("{}, {}", json_number(rounded(p.x)), json_number(rounded(p.y)));
-}
-
 /// A point of a list, or a reference to a slice.
 struct ListPoint {
   FoundPoint found;
@@ -31,7 +26,9 @@ struct ListPoint {
   std::string text() const {
     if (!reference.empty())
       return bend ? fmt::format("[{}, \"bend\"]", json_string(reference)) : json_string(reference);
-    return fmt::format("[{}{}]", text_of(found.at), bend ? ", \"bend\"" : "");
+    std::string text = short_pair(found.at);
+    if (bend) text.pop_back(), text += ", \"bend\"]";
+    return text;
   }
 };
 
@@ -101,7 +98,7 @@ class Flattening {
     if (key == "radii") {
       if (member.kind == JsonKind::string) return json_string(in_.string(member));
       const glm::dvec2 radii = geometry_.pair(in_, member, family_) * frame_.scale;
-      return fmt::format("[{}]", text_of(radii));
+      return short_pair(radii);
     }
     if (key == "radius" || key == "half_width") return width_text(member);
     if (key == "paint") return paint_text(member);
@@ -116,7 +113,7 @@ class Flattening {
   std::string width_text(const JsonNode& member) const {
     const auto one = [&](const JsonNode& node) {
       const double width = std::max(frame_.length(geometry_.scalar(in_, node, family_)), 0.0);
-      return json_number(std::round(width * 1e6) / 1e6);
+      return short_number(width);
     };
     if (member.kind != JsonKind::array) return one(member);
     std::string text;
@@ -133,10 +130,8 @@ class Flattening {
       const std::string_view key = in_.tree.key(node);
       std::string value;
       if ((key == "center" || key == "radii") && node.kind != JsonKind::string)
-        value =
-            key == "radii"
-                ? fmt::format("[{}]", text_of(geometry_.pair(in_, node, family_) * frame_.scale))
-                : fmt::format("[{}]", text_of(geometry_.point(in_, node, frame_, family_).at));
+        value = key == "radii" ? short_pair(geometry_.pair(in_, node, family_) * frame_.scale)
+                               : short_pair(geometry_.point(in_, node, frame_, family_).at);
       else
         value = copied(node);
       text += fmt::format("{}{}: {}", i ? ", " : "{", json_string(key), value);
@@ -150,13 +145,12 @@ class Flattening {
     in_.for_each(member, [&](const JsonNode& node, int i) {
       text += fmt::format("{}{}: ", i ? ", " : "{", json_string(in_.tree.key(node)));
       if (node.kind != JsonKind::array) {
-        text +=
-            fmt::format("[{}]", text_of(mirrored(geometry_.point(in_, node, frame_, family_).at)));
+        text += short_pair(mirrored(geometry_.point(in_, node, frame_, family_).at));
         return;
       }
       in_.for_each(node, [&](const JsonNode& point, int k) {
-        text += fmt::format("{}[{}]", k ? ", " : "[",
-                            text_of(mirrored(geometry_.point(in_, point, frame_, family_).at)));
+        text += k ? ", " : "[";
+        text += short_pair(mirrored(geometry_.point(in_, point, frame_, family_).at));
       });
       text += "]";
     });
@@ -171,7 +165,7 @@ class Flattening {
       return json_string(in_.string(member));
     const FoundPoint found = geometry_.point(in_, member, frame_, family_);
     know(fmt::format("{}/{}", name_, key), found);
-    return fmt::format("[{}]", text_of(found.at));
+    return short_pair(found.at);
   }
 
   ListPoint list_point(const JsonNode& node) {
