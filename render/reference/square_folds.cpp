@@ -50,12 +50,13 @@ bool SquareResolver::folded(int set, const Square& s, const NineDistances& d) {
   for (int i = 0; i < 9; ++i)
     if (here + glm::dot(slope, offset_of(i) - p) < 0.0) u[std::size_t(i)] *= -1.0;
   OutlineFit fit = fit_outline(u, half);
-  if (!(fit.off <= (width > 0.0 ? allowed_off(fit, half, tolerance_) : 4.0 * tolerance_)))
+  if (!(fit.off <= (width > 0.0 ? allowed_off(fit, half, tolerance_) : tolerance_ / 4.0)))
     return false;
   Cut cut{.set = set, .opposite = within};
-  if (!(width > 0.0)) {  // no area
+  // No area: two sides of a path w apart leave distances off by w/2 of one fold, a fit by half of that.
+  if (!(width > 0.0)) {
     cut.opposite = !within;
-    off_ += 2.0 * half * fit.off;
+    off_ += 8.0 * half * fit.off;
     cuts_.push_back(cut);
     return true;
   }

@@ -68,7 +68,7 @@ void Drawing::arrange() {
   fingerprinted_ = false;
   looks_.begin(paints_);
   regions_.begin(int(paints_.programs.outlines().size()), looks_);
-  sweep_.run(outlines_, 0.0, height_, regions_);
+  sweep_.run(outlines_, 0.0, height_, regions_, order());
   palette_.make(looks_, format_, regions_.look(0));
   sort_into_strips();
 }
@@ -208,8 +208,8 @@ void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripS
     const int top = std::max(first, int(std::floor(doubt.top))),
               bottom = std::min(end, int(std::ceil(doubt.bottom)));
     const double least = rect.x, most = rect.x + rect.width;
-    const int left = int(std::clamp(std::floor(doubt.left - kOrder), least, most)),
-              right = int(std::clamp(std::ceil(doubt.right + kOrder), least, most));
+    const int left = int(std::clamp(std::floor(doubt.left - order()), least, most)),
+              right = int(std::clamp(std::ceil(doubt.right + order()), least, most));
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x) resolve(x, y, target, scratch, stats);
   }
@@ -242,8 +242,8 @@ void Drawing::tell(RenderStats& stats) const {
   stats.add(own);
 }
 
-/// A piece may be off by its tolerance along its length, neighbours out of order by kOrder, each times
-/// the jump; means by centroids by what they neglect; what was resolved, by its own bound.
+/// A piece may be off by its tolerance along its length, neighbours out of order by order(), each
+/// times the jump; means by centroids by what they neglect; what was resolved, by its own bound.
 void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
                                      float* map) const {
   const int top = strip * kRows, bottom = std::min(top + kRows, height_);
@@ -277,7 +277,7 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
       if (c.column < rect.x || c.column >= rect.x + rect.width) return;
       const double length = std::hypot(c.xq - c.xp, c.yq - c.yp);
       row_of(c.row)[c.column - rect.x] +=
-          float(255.0 * steep * jump * (tolerance_ * length + kOrder * (c.yq - c.yp)));
+          float(255.0 * steep * jump * (tolerance_ * length + order() * (c.yq - c.yp)));
     });
   }
 }

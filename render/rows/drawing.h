@@ -10,6 +10,7 @@
 #include "sdf/arrange/sweep.h"
 #include "sdf/outline/outline_maker.h"
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -104,6 +105,8 @@ class Drawing {
   void arrange();
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
+  /// What neighbours may be out of order by [px].
+  double order() const { return std::min(kOrder, 0.5 * tolerance_); }
 
   int width_ = 0, height_ = 0;
   bool dither_ = true;

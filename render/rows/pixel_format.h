@@ -3,6 +3,7 @@
 // (render/blend/blender.h), off by less than a hundredth of a level of 255 and half a level of 65535.
 
 #include "render/blend/blender.h"
+#include "render/blend/transfer.h"
 #include "render/shade/color_row.h"
 
 #include <algorithm>
@@ -59,8 +60,7 @@ class PixelFormat {
   double steepness(const Rgba& mix) const {
     if (blend_ != Blend::linear) return 1.0;
     const double up = mix.a > 0.0f ? 1.0 / double(mix.a) : 1.0;
-    const double least = up * double(std::min({mix.r, mix.g, mix.b}));
-    return least <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(least, 1.0 / 2.4 - 1.0);
+    return encoding_slope(up * double(std::min({mix.r, mix.g, mix.b})));
   }
 
  private:

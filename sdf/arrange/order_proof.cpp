@@ -67,9 +67,10 @@ int trend(const SweepPiece& left, const SweepPiece& right, const PairLevel& a, c
   return int(std::min({c00, c01, c10, c11}) > 0.0) - int(std::max({c00, c01, c10, c11}) < 0.0);
 }
 
-bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to) {
-  if (chord_gap(left, right, from, to) >= -kOrder || coincide(left, right)) return true;
-  return stays_in_order(left, right, pair_at(left, right, from), pair_at(left, right, to), kOrder,
+bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to,
+              double order) {
+  if (chord_gap(left, right, from, to) >= -order || coincide(left, right)) return true;
+  return stays_in_order(left, right, pair_at(left, right, from), pair_at(left, right, to), order,
                         kHalvings);
 }
 

@@ -6,8 +6,8 @@
 
 namespace mien {
 
-/// What neighbours may be out of order by [px]: a tenth of a level of 255 at full contrast, over the
-/// whole height of a pixel.
+/// What neighbours may be out of order by [px] at most: a tenth of a level of 255 at full contrast, over the
+/// whole height of a pixel. Finer pictures ask for less.
 inline constexpr double kOrder = 1.0 / 2560;
 
 /// A pair of pieces at a height: parameters and places.
@@ -25,8 +25,8 @@ inline PairLevel pair_at(const SweepPiece& left, const SweepPiece& right, double
 /// not known. A piece's directions lie between those at its ends, and a cross product is linear in both.
 int trend(const SweepPiece& left, const SweepPiece& right, const PairLevel& a, const PairLevel& b);
 
-/// Whether `left` is left of `right` between two heights: nowhere farther right than kOrder, but for
-/// stretches whose area shows nowhere (a quarter of kOrder). False where it is not known.
+/// Whether `left` is left of `right` between two heights: nowhere farther right than `order`, but for
+/// stretches whose area shows nowhere (a quarter of it). False where it is not known.
 ///
 /// Derivation. Let g be the gap, g0 and g1 that at the ends, H the height between. g leaves its chord,
 /// which is at least min(g0, g1), downwards by no more than either of
@@ -41,7 +41,8 @@ int trend(const SweepPiece& left, const SweepPiece& right, const PairLevel& a, c
 /// both bend alike. Where neither is enough the height is halved.
 /// Before all that, chords and how far pieces leave them may do; and pieces are monotone: their ends may. So may
 /// those of the gap, where it only grows or only falls.
-bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to);
+bool in_order(const SweepPiece& left, const SweepPiece& right, double from, double to,
+              double order = kOrder);
 
 /// The same between two levels to another tolerance [px], with so many halvings at most and without the
 /// chords.

@@ -23,8 +23,9 @@ bool Sweep::inside(int outline, int winding) const {
   return outlines_->rules[std::size_t(outline)] == FillRule::even_odd ? winding & 1 : winding != 0;
 }
 
-void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& regions) {
-  outlines_ = &outlines, regions_ = &regions, top_ = top, bottom_ = bottom;
+void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& regions,
+                double order) {
+  outlines_ = &outlines, regions_ = &regions, top_ = top, bottom_ = bottom, may_differ_ = order;
   fragments_.clear(), doubts_.clear(), events_.clear(), again_.clear(), pieces_.clear();
   stats_ = {}, count_ = 0, found_ = 0;
   pieces_.reserve(outlines.pieces.size() + 1);
@@ -306,7 +307,7 @@ void Sweep::schedule(double y, int left, int right, bool one_way) {
   double x = a.y1 - a.y0 > b.y1 - b.y0 ? there : here;  // the steeper one knows it better
   if (y >= a.y1) x = std::min(x, a.x1);                 // before either ends
   if (y >= b.y1) x = std::min(x, b.x1);
-  one_way = one_way && std::abs(there - here) <= kOrder;
+  one_way = one_way && std::abs(there - here) <= may_differ_;
   events_.push_back({y, x, left, right, found_++, one_way});
   std::push_heap(events_.begin(), events_.end(), later);
   ++stats_.crossings;
@@ -363,7 +364,7 @@ void Sweep::parted(int slot, double y) {
   if (highest_[std::size_t(slot)] <= lowest_[std::size_t(slot) + 1]) return;
   const SweepPiece &left = at(slot), &right = at(slot + 1);
   ++stats_.proofs;
-  if (in_order(left, right, from, y)) return;
+  if (in_order(left, right, from, y, may_differ_)) return;
   const double xs[] = {x_at(left, from), x_at(left, y), x_at(right, from), x_at(right, y)};
   const auto [lo, hi] = std::minmax_element(std::begin(xs), std::end(xs));
   doubts_.push_back({*lo, *hi, from, y});

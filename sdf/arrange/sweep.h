@@ -7,7 +7,7 @@
 // come from the order, so along any row their differences telescope by construction and no rounding
 // can travel along a row. A wrong order heals when its pieces are next compared.
 //
-// Neighbours are proven to be in order over the whole height they are neighbours, to kOrder. Where
+// Neighbours are proven to be in order over the whole height they are neighbours, to a tolerance. Where
 // that fails the place is told as a doubt, and whoever draws resolves its pixels otherwise.
 //
 // What is cut off at the picture's sides has no order: left of it there is one set, right of it nothing.
@@ -42,8 +42,10 @@ struct SweepStats {
 /// Sweeps one arrangement after another; keeps its scratch.
 class Sweep {
  public:
-  /// The arrangement between two heights. `regions` has begun with the outlines' number.
-  void run(const Outlines& outlines, double top, double bottom, Regions& regions);
+  /// The arrangement between two heights. `regions` has begun with the outlines' number. `order`: what
+  /// neighbours may be out of order by [px].
+  void run(const Outlines& outlines, double top, double bottom, Regions& regions,
+           double order = kOrder);
 
   /// By the order of their ends.
   std::span<const Fragment> fragments() const { return fragments_; }
@@ -94,7 +96,7 @@ class Sweep {
 
   const Outlines* outlines_ = nullptr;
   Regions* regions_ = nullptr;
-  double top_ = 0, bottom_ = 0;
+  double top_ = 0, bottom_ = 0, may_differ_ = kOrder;
   std::vector<SweepPiece> pieces_;
   std::vector<Fragment> fragments_;
   std::vector<Doubt> doubts_;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/support/asked.h"
 #include "tests/support/effort.h"
@@ -107,6 +108,32 @@ TEST_P(ExactFaces, AreWithinALevelInWindowsOfLargePictures) {
     test::judge_window(scene, view, window, truth, test::kAllStorages, some(truth, Pixels::all, 5),
                        tallies);
   expect_exact(tallies);
+}
+
+/// Edges of highlights and shadows: kinks that lay between the places at which light was looked at.
+TEST(ExactLitFaces, ThatWereWrongOnceAreRight) {
+  struct Place {
+    const char *face, *pose;
+    int width, x, y;
+  };
+  for (const Place& p : {Place{"clay", "rest", 333, 183, 28},
+                         {"clay", "rest", 333, 213, 88},
+                         {"clay", "rest", 640, 169, 187},
+                         {"clay", "unwrap_half", 333, 151, 223},
+                         {"clay", "unwrap_half", 333, 185, 235}}) {
+    const Face face = test::face_named(p.face);
+    const std::vector<test::NamedPose> poses = test::sample_poses(face);
+    const auto pose = std::ranges::find(poses, p.pose, &test::NamedPose::name);
+    ASSERT_NE(pose, poses.end());
+    const Scene scene = scene_from_face(pose_face(face, pose->pose));
+    const View view = view_of(scene, p.width);
+    Tallies tallies;
+    test::judge_window(
+        scene, view, {p.x - 1, p.y - 1, 3, 3}, ExactTruth(scene, view, ExactTruth::kLit),
+        test::kAllStorages, [](int, int) { return true; }, tallies);
+    SCOPED_TRACE(fmt::format("{} {} at {}", p.face, p.pose, p.width));
+    expect_exact(tallies);
+  }
 }
 
 /// Outlines whose order is not proven would be drawn by distances: right, but slow.

@@ -50,6 +50,8 @@ TEST(FuzzedPictures, ThatWereWrongOnceAreRight) {
                          {"jittered", 295, 24},
                          {"jittered", 397, 32},
                          {"jittered", 20847, 32},
+                         {"jittered", 1004321, 24},  // slivers within a path, which the judges
+                         {"jittered", 1013555, 32},  // overlooked
                          {"generic", 809, 24},
                          {"painted", 2, 24},
                          {"painted", 3, 24},

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
 constexpr double kGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-constexpr int kDepth = 16;         // spans are halved so often
-constexpr double kNothing = 1e-7;  // [px] shorter spans are where two ends meet
+constexpr double kShortestFine = 2e-5;  // [px] spans that a fine truth may miss
+constexpr int kDepth = 16;              // spans are halved so often
+constexpr double kNothing = 1e-7;       // [px] shorter spans are where two ends meet
 
 std::size_t followed_by(std::size_t order, std::size_t what) {
   return (order ^ what) * 0x9e3779b97f4a7c15u + (order >> 29);
@@ -25,7 +26,7 @@ std::vector<LineEnd> ExactTruth::outline_ends(const Square& square, const FaceLi
     if (seen.whole) continue;
     const Area area = scene_.layers()[std::size_t(seen.layer)].area;
     find_roots([&](double u) { return scene_.distance(area, line(u)) / unit_; }, 1.0001, 0, 1,
-               ExactPaint::kShortest, roots);
+               tolerance_ > kFine ? ExactPaint::kShortest : kShortestFine, roots);
   }
   std::vector<LineEnd> ends{{0, 0}, {1, 0}};
   for (const double root : roots) ends.push_back({root, 0});

@@ -163,6 +163,14 @@ void ExactPaint::gradient_kinks(const Gradient& g, const FaceLine& line, double 
     }
 }
 
+std::vector<double> edges_of(const Relief& relief) {
+  const std::size_t steps = relief.profile == Profile::custom ? relief.table.size() - 1 : 1;
+  std::vector<double> depths;
+  for (std::size_t k = 0; k <= steps; ++k)
+    depths.push_back(relief.width * double(k) / double(steps));
+  return depths;
+}
+
 /// Where the profile has an edge, and where domes end.
 void ExactPaint::relief_kinks(const Relief& relief, const FaceLine& line, double a, double b,
                               std::size_t what, std::vector<LineEnd>& out) const {
@@ -175,12 +183,10 @@ void ExactPaint::relief_kinks(const Relief& relief, const FaceLine& line, double
     for (const double root : roots) out.push_back({root, number(what, k)});
   };
   if (rises(relief)) {
-    const std::size_t steps = relief.profile == Profile::custom ? relief.table.size() - 1 : 1;
-    for (std::size_t k = 0; k <= steps; ++k) {
-      const double depth = relief.width * double(k) / double(steps);
-      add([&](double u) { return (scene_.distance(relief.area, line(u)) + depth) / unit_; }, 1.0001,
-          k);
-    }
+    const std::vector<double> depths = edges_of(relief);
+    for (std::size_t k = 0; k < depths.size(); ++k)
+      add([&](double u) { return (scene_.distance(relief.area, line(u)) + depths[k]) / unit_; },
+          1.0001, k);
   }
   for (std::size_t k = 0; k < relief.domes.size(); ++k) {
     const Dome& dome = relief.domes[k];

@@ -76,4 +76,7 @@ class ExactPaint {
   std::vector<Mixes> flat_;  ///< the layers' colours without gradient
 };
 
+/// The depths at which the slope of a relief's profile may jump [face units].
+std::vector<double> edges_of(const Relief& relief);
+
 }  // namespace mien::test

@@ -79,21 +79,21 @@ ExactTruth::Square ExactTruth::square(const PixelRect& r) const {
   return square;
 }
 
-/// Whether outlines in the pixel, the nearer ones more, run rather from left to right.
+/// Whether outlines in the pixel and edges of profiles, the nearer ones more, run rather from left to right.
 bool ExactTruth::crosses_upright(const Square& square) const {
   const glm::dvec2 center = face(square.corner.x + 0.5, square.corner.y + 0.5);
   glm::dvec2 sum{0.0};
-  const auto add = [&](Area area) {
-    const double d = scene_.distance(area, center) / unit_;
+  const auto add = [&](Area area, double depth) {
+    const double d = (scene_.distance(area, center) + depth) / unit_;
     if (std::abs(d) > 0.70711) return;
     const glm::dvec2 slope = distance_slope(scene_, area, center, kSlopeStep * unit_);
     sum += (1 - std::abs(d)) * slope * slope;
   };
   for (const Seen& seen : square.seen) {
     const Layer& layer = scene_.layers()[std::size_t(seen.layer)];
-    if (!seen.whole) add(layer.area);
-    if (seen.varies && layer.paint.relief && layer.paint.relief->area.node >= 0)
-      add(layer.paint.relief->area);
+    if (!seen.whole) add(layer.area, 0.0);
+    if (!seen.varies || !layer.paint.relief || layer.paint.relief->area.node < 0) continue;
+    for (const double depth : edges_of(*layer.paint.relief)) add(layer.paint.relief->area, depth);
   }
   return sum.y > sum.x;
 }

@@ -18,6 +18,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Three channels, premultiplied, in the blending space.
 struct LitColor {
   VF r, g, b;
+  VF bounds
+      [3];  ///< what the law clamps, less the bound: colours have a kink where one of these is 0.
+      ///< Facing the lamp, the highlight, the brightest channel; beyond its 0 the others have theirs
 };
 
 /// A base colour, straight, in linear light, and its opacity.
@@ -69,7 +72,8 @@ HWY_INLINE VF Towards(const std::array<float, 3>& way, VF sx, VF sy, VF inverse)
 /// (nx, ny) the outward normal, (x, y) from the tile's middle.
 HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, VF y) {
   const F f;
-  VF sx = hn::Zero(f), sy = hn::Zero(f);
+  const VF zero = hn::Zero(f);
+  VF sx = zero, sy = zero;
   if (lamp.rise_kind != LampLanes::Rise::none) {
     const VF falls = hn::Neg(RiseAt(lamp, depth));
     sx = hn::Mul(falls, nx), sy = hn::Mul(falls, ny);
@@ -78,28 +82,33 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
     const VF px = hn::Sub(x, Const(dome.x)), py = hn::Sub(y, Const(dome.y));
     const VF u = Fused(px, Const(dome.xx), hn::Mul(py, Const(dome.xy)));
     const VF v = Fused(px, Const(dome.yx), hn::Mul(py, Const(dome.yy)));
-    const VF in = hn::Max(FusedFrom(u, u, FusedFrom(v, v, Const(1.0f))), hn::Zero(f));
+    const VF in = hn::Max(FusedFrom(u, u, FusedFrom(v, v, Const(1.0f))), zero);
     const VF by = hn::Mul(in, Const(dome.height));
     sx = Fused(by, Fused(u, Const(dome.xx), hn::Mul(v, Const(dome.yx))), sx);
     sy = Fused(by, Fused(u, Const(dome.xy), hn::Mul(v, Const(dome.yy))), sy);
   }
   const VF inverse = hn::Div(Const(1.0f), hn::Sqrt(Fused(sx, sx, Fused(sy, sy, Const(1.0f)))));
-  const VF facing = hn::Max(Towards(lamp.to_lamp, sx, sy, inverse), hn::Zero(f));
+  const VF lit = Towards(lamp.to_lamp, sx, sy, inverse), facing = hn::Max(lit, zero);
   const VF diffuse = Fused(facing, Const(lamp.diffuse), Const(lamp.ambient));
-  VF shine = hn::Zero(f);
+  VF shine = zero, over = Const(-1.0f);
   if (lamp.shine > 0.0f) {
     const VF half = hn::Max(Towards(lamp.halfway, sx, sy, inverse), Const(1e-12f));
     const VF power = hn::Max(hn::Mul(Const(lamp.shininess), Log2(half)), Const(-126.0f));
-    const VF over = hn::Sub(Exp2(power), Const(lamp.level_shine));
-    shine = hn::Mul(hn::Max(over, hn::Zero(f)), Const(lamp.shine));
+    over = hn::Sub(Exp2(power), Const(lamp.level_shine));
+    shine = hn::Mul(hn::Max(over, zero), Const(lamp.shine));
   }
   const LitBase base = BaseAt(lamp, x, y);
   const auto channel = [&](VF light) HWY_ATTR {
     const VF bright = Fused(light, diffuse, shine);
-    const VF held = hn::Min(hn::Max(bright, hn::Zero(f)), Const(1.0f));
+    const VF held = hn::Min(hn::Max(bright, zero), Const(1.0f));
     return hn::Mul(base.a, lamp.linear ? held : EncodedLight(held));
   };
-  return {channel(base.r), channel(base.g), channel(base.b)};
+  LitColor color;
+  color.bounds[0] = lit, color.bounds[1] = over;
+  const VF brightest = hn::Max(base.r, hn::Max(base.g, base.b));
+  color.bounds[2] = hn::Sub(Fused(brightest, diffuse, shine), Const(1.0f));
+  color.r = channel(base.r), color.g = channel(base.g), color.b = channel(base.b);
+  return color;
 }
 
 }  // namespace HWY_NAMESPACE

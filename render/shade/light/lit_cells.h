@@ -45,14 +45,16 @@ struct LitCells {
 };
 
 struct LitMean {
-  float r, g, b;
-  float area;   ///< of the cells, at least a tenth
-  float lean;   ///< how far that plane's colours are from the mean
-  float rough;  ///< how far colours are from a plane over the pixel, root of the mean square
-  float jump;   ///< the most that a ridge changes colours by
-  float
-      unsure;  ///< share of cells that two ridges cut, or a ridge and an outline, times what it changes
-  float turn;  ///< the most that a gradient turns within a cell
+  float r = 0, g = 0, b = 0;
+  float area = 0;   ///< of the cells, at least a tenth
+  float lean = 0;   ///< how far that plane's colours are from the mean
+  float rough = 0;  ///< how far colours are from a plane over the pixel, root of the mean square
+  float jump = 0;   ///< the most that a ridge changes colours by
+  float unsure =
+      0;  ///< share of cells that two ridges cut, or a ridge and an outline, times what it changes
+  float turn = 0;  ///< the most that a gradient turns within a cell
+  float kink =
+      0;  ///< by how much the law would change there, were it not clamped from somewhere on: 0 where it is not
 };
 
 LitMean mean_of_cells(const LampLanes& lamp, LitCells& cells);

@@ -3,6 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/shade/light/lit_cells_simd.cpp"
 #include <hwy/foreach_target.h>
+#include "render/blend/transfer.h"
 #include "render/shade/light/cell_cut-inl.h"
 #include "render/shade/light/lamp_lanes-inl.h"
 #include "render/shade/light/lit_cells.h"
@@ -90,6 +91,7 @@ struct Sums {
   VF area, x, y, xx, xy, yy, r, g, b;
   VF rx, ry, gx, gy, bx, by;
   VF jump, unsure, turn;
+  VF least[3], most[3];  ///< of LitColor::bounds
 };
 
 /// Colours of a vector of cells, with what ridges do.
@@ -148,64 +150,111 @@ Plane PlaneOf(const Moments& m, float c, float cx, float cy) {
   return {mean, (m.yy * ux - m.xy * uy) / whole, (m.xx * uy - m.xy * ux) / whole};
 }
 
-LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
+/// How much the law would change colours over the cells, were it not clamped, if one of its clamps begins within them or
+/// so near beside their middles that it may; else 0. In the blending space, around `dark`.
+float KinkOf(const LampLanes& lamp, const Sums& s, float dark) {
+  constexpr float kBeyond = 0.35f;  // of the range at the middles
+  const float light = HWY_MAX(lamp.light[0], HWY_MAX(lamp.light[1], lamp.light[2]));
+  const float weight[] = {lamp.diffuse * (lamp.ramp.kind == LampRamp::Kind::none ? light : 1.0f),
+                          lamp.shine, 1.0f};
+  float kink = 0.0f;
+  for (int i = 0; i < 3; ++i) {
+    const float least = hn::GetLane(hn::MinOfLanes(F(), s.least[i])), most = Most(s.most[i]),
+                range = most - least, beyond = kBeyond * range;
+    const bool begins = most + beyond > 0.0f && (i == 2 || least - beyond < 0.0f);
+    if (begins) kink = HWY_MAX(kink, weight[i] * range);
+  }
+  if (lamp.linear || kink == 0.0f) return kink;
+  return kink * float(encoding_slope(linear_from_srgb(double(dark))));
+}
+
+/// Where a ring around the cells is left out.
+struct Span {
+  size_t begin, end;
+};
+
+Span CellsOf(const LitCells& cells) {
+  if (!cells.ringed) return {0, size_t(cells.row * cells.row)};
+  return {size_t(cells.row + 1), size_t(cells.row * (cells.row - 1) - 1)};
+}
+
+/// Keeps the cells' colours.
+Sums SumOver(const LampLanes& lamp, LitCells& cells) {
   const F f;
   const VF zero = hn::Zero(f);
   const float cell = 1.0f / float(cells.side);
   const Zone zone{lamp, Const(cells.shallow), Const(cells.deep), Const(cell * cell / 12)};
-  Sums s{zero, zero, zero, zero, zero, zero, zero, zero, zero,
-         zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  const size_t begin = cells.ringed ? size_t(cells.row + 1) : 0;
-  const size_t end =
-      cells.ringed ? size_t(cells.row * (cells.row - 1) - 1) : size_t(cells.row * cells.row);
-  for (size_t k = begin; k < end; k += hn::Lanes(f)) {
+  Sums s{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+         zero, zero, zero, zero, zero, zero, zero, zero, {},   {}};
+  std::fill_n(s.least, 3, Const(1e9f)), std::fill_n(s.most, 3, Const(-1e9f));
+  const Span span = CellsOf(cells);
+  for (size_t k = span.begin; k < span.end; k += hn::Lanes(f)) {
     const VF area = hn::LoadU(f, &cells.area[k]);
     if (hn::AllTrue(f, hn::Eq(area, zero))) continue;
     const LitColor c = ColorAt(zone, cells, k, area, s);
     hn::StoreU(c.r, f, &cells.r[k]), hn::StoreU(c.g, f, &cells.g[k]);
     hn::StoreU(c.b, f, &cells.b[k]);
-    const VF ax = hn::Mul(area, hn::LoadU(f, &cells.at_x[k]));
-    const VF ay = hn::Mul(area, hn::LoadU(f, &cells.at_y[k]));
-    s.area = hn::Add(s.area, area), s.x = hn::Add(s.x, ax), s.y = hn::Add(s.y, ay);
+    const auto there = hn::Gt(area, zero);
+    for (int i = 0; i < 3; ++i) {
+      s.least[i] = hn::Min(s.least[i], hn::IfThenElse(there, c.bounds[i], Const(1e9f)));
+      s.most[i] = hn::Max(s.most[i], hn::IfThenElse(there, c.bounds[i], Const(-1e9f)));
+    }
     const VF x = hn::LoadU(f, &cells.at_x[k]), y = hn::LoadU(f, &cells.at_y[k]);
+    const VF ax = hn::Mul(area, x), ay = hn::Mul(area, y);
+    s.area = hn::Add(s.area, area), s.x = hn::Add(s.x, ax), s.y = hn::Add(s.y, ay);
     s.xx = Fused(ax, x, s.xx), s.xy = Fused(ax, y, s.xy), s.yy = Fused(ay, y, s.yy);
     s.r = Fused(area, c.r, s.r), s.g = Fused(area, c.g, s.g), s.b = Fused(area, c.b, s.b);
     s.rx = Fused(ax, c.r, s.rx), s.gx = Fused(ax, c.g, s.gx), s.bx = Fused(ax, c.b, s.bx);
     s.ry = Fused(ay, c.r, s.ry), s.gy = Fused(ay, c.g, s.gy), s.by = Fused(ay, c.b, s.by);
   }
-  const float all = Sum(s.area), over = all > 0.0f ? 1.0f / all : 0.0f;
-  LitMean mean{Sum(s.r) * over, Sum(s.g) * over, Sum(s.b) * over, HWY_MAX(all, 0.1f), 0.0f, 0.0f,
-               Most(s.jump),    Sum(s.unsure),   Most(s.turn)};
-  if (cells.side == PartCells::kMostSide || !(all > 0.0f)) return mean;
+  return s;
+}
+
+/// How far from a plane the cells' colours are, and how far that plane's from the mean.
+void JudgePlane(const LitCells& cells, const Sums& s, float all, LitMean& mean) {
+  const F f;
+  const float over = 1.0f / all;
   Moments m{all, Sum(s.x) * over, Sum(s.y) * over, 0, 0, 0};
   constexpr float kWide = 1e-5f;  // [px²] keeps what has no width solvable
   m.xx = Sum(s.xx) * over - m.x * m.x + kWide, m.yy = Sum(s.yy) * over - m.y * m.y + kWide;
   m.xy = Sum(s.xy) * over - m.x * m.y;
-  const Plane pr = PlaneOf(m, Sum(s.r), Sum(s.rx), Sum(s.ry)),
-              pg = PlaneOf(m, Sum(s.g), Sum(s.gx), Sum(s.gy)),
-              pb = PlaneOf(m, Sum(s.b), Sum(s.bx), Sum(s.by));
-  VF off_r = zero, off_g = zero, off_b = zero;
-  for (size_t k = begin; k < end; k += hn::Lanes(f)) {
+  const Plane planes[] = {PlaneOf(m, Sum(s.r), Sum(s.rx), Sum(s.ry)),
+                          PlaneOf(m, Sum(s.g), Sum(s.gx), Sum(s.gy)),
+                          PlaneOf(m, Sum(s.b), Sum(s.bx), Sum(s.by))};
+  const float* const channels[] = {cells.r.data(), cells.g.data(), cells.b.data()};
+  VF off[] = {hn::Zero(f), hn::Zero(f), hn::Zero(f)};
+  const Span span = CellsOf(cells);
+  for (size_t k = span.begin; k < span.end; k += hn::Lanes(f)) {
     const VF area = hn::LoadU(f, &cells.area[k]);
-    if (hn::AllTrue(f, hn::Eq(area, zero))) continue;
+    if (hn::AllTrue(f, hn::Eq(area, hn::Zero(f)))) continue;
     const VF x = hn::Sub(hn::LoadU(f, &cells.at_x[k]), Const(m.x));
     const VF y = hn::Sub(hn::LoadU(f, &cells.at_y[k]), Const(m.y));
-    const auto off = [&](const float* c, const Plane& p) HWY_ATTR {
+    for (int i = 0; i < 3; ++i) {
+      const Plane& p = planes[i];
       const VF plane = Fused(x, Const(p.x), Fused(y, Const(p.y), Const(p.mean)));
-      const VF by = hn::Sub(hn::LoadU(f, c + k), plane);
-      return hn::Mul(area, hn::Mul(by, by));
-    };
-    off_r = hn::Add(off_r, off(cells.r.data(), pr));
-    off_g = hn::Add(off_g, off(cells.g.data(), pg));
-    off_b = hn::Add(off_b, off(cells.b.data(), pb));
+      const VF by = hn::Sub(hn::LoadU(f, channels[i] + k), plane);
+      off[i] = hn::Add(off[i], hn::Mul(area, hn::Mul(by, by)));
+    }
   }
-  const auto explained = [&](const Plane& p) {
-    return p.x * p.x * m.xx + 2 * p.x * p.y * m.xy + p.y * p.y * m.yy;
-  };
-  mean.lean =
-      std::sqrt(HWY_MAX(HWY_MAX(explained(pr), 0.0f), HWY_MAX(explained(pg), explained(pb))));
-  const float worst = HWY_MAX(Sum(off_r), HWY_MAX(Sum(off_g), Sum(off_b)));
-  mean.rough = std::sqrt(HWY_MAX(worst * over, 0.0f));
+  float lean = 0.0f;
+  for (const Plane& p : planes)
+    lean = HWY_MAX(lean, p.x * p.x * m.xx + 2 * p.x * p.y * m.xy + p.y * p.y * m.yy);
+  const float worst = HWY_MAX(Sum(off[0]), HWY_MAX(Sum(off[1]), Sum(off[2])));
+  mean.lean = std::sqrt(lean), mean.rough = std::sqrt(HWY_MAX(worst * over, 0.0f));
+}
+
+LitMean MeanOfCells(const LampLanes& lamp, LitCells& cells) {
+  const Sums s = SumOver(lamp, cells);
+  const float all = Sum(s.area), over = all > 0.0f ? 1.0f / all : 0.0f;
+  LitMean mean{.r = Sum(s.r) * over,
+               .g = Sum(s.g) * over,
+               .b = Sum(s.b) * over,
+               .area = HWY_MAX(all, 0.1f),
+               .jump = Most(s.jump),
+               .unsure = Sum(s.unsure),
+               .turn = Most(s.turn)};
+  mean.kink = KinkOf(lamp, s, HWY_MIN(mean.r, HWY_MIN(mean.g, mean.b)));
+  if (cells.side < PartCells::kMostSide && all > 0.0f) JudgePlane(cells, s, all, mean);
   return mean;
 }
 

@@ -1,4 +1,5 @@
 #include "render/shade/light/lit_pixel.h"
+#include "render/blend/transfer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,17 +28,18 @@ constexpr float kFine = 0.1f / 255;
 float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
   if (!place.lamp->linear) return place.tolerance;
   // The rest of the pixel may be as dark as it likes.
-  const float dark = std::max(mean.area * std::min({mean.r, mean.g, mean.b}), 0.0031308f);
-  const float steep = 0.44f * std::pow(dark, -0.5833f);
+  const auto steep = float(encoding_slope(mean.area * std::min({mean.r, mean.g, mean.b})));
   return place.tolerance / std::max(place.tolerance < kFine ? steep : 0.5f * steep, 1.0f);
 }
 
 /// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
-/// seen to be within one; what is narrow has no plane, so there the colours themselves count. A ridge is cut in closed
+/// seen to be within one, but for kinks; what is narrow has no plane, so there the colours themselves count. A ridge is cut in closed
 /// form, which leaves a twentieth of its jump.
 bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
+  constexpr float kMostKink = 33.0f;
   const float allowed = allowed_of(place, mean) / mean.area;
   return mean.rough > 3.3f * allowed || mean.jump > 6.0f * allowed || mean.turn > kMostTurn ||
+         mean.kink > kMostKink * allowed ||
          (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place));
 }
 

@@ -3,8 +3,11 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/shade/light/lit_smooth_simd.cpp"
 #include <hwy/foreach_target.h>
+#include "render/blend/transfer.h"
 #include "render/shade/light/lamp_lanes-inl.h"
 #include "render/shade/light/lit_tile.h"
+
+#include <algorithm>
 
 #ifndef MIEN_RENDER_SHADE_LIT_SMOOTH_ONCE_
 #define MIEN_RENDER_SHADE_LIT_SMOOTH_ONCE_
@@ -108,6 +111,10 @@ bool SmoothMeans(const SmoothPlaces& at, const LampLanes& lamp, float tolerance,
   }
   const GaussBasis& basis = GaussBasis::get();
   constexpr int kInner = kNodes * kNodes;
+  if (lamp.linear) {
+    const auto dark = [](const float* c) { return *std::min_element(c, c + SmoothPlaces::kCount); };
+    tolerance /= float(std::max(encoding_slope(std::min({dark(cr), dark(cg), dark(cb)})), 1.0));
+  }
   for (const float* c : {cr, cg, cb})
     if (!(MissedAt(basis, c, c + kInner) <= tolerance)) return false;
   MeansOfNodes(basis, cr, r), MeansOfNodes(basis, cg, g), MeansOfNodes(basis, cb, b);

@@ -66,7 +66,7 @@ struct SmoothPlaces {
   SmoothPlaces();
 };
 
-/// The smooth means, where a polynomial through Gauss's 4 × 4 places is within `tolerance` (of 1) of all of the border's
+/// The smooth means, where a polynomial through Gauss's 4 × 4 places is within `tolerance` (of 1, as encoded) of all of the border's
 /// colours. A ridge or a kink crosses the border, or turns the inner places' colours too much for it.
 bool smooth_means(const SmoothPlaces& at, float tolerance, LitTile& tile);
 

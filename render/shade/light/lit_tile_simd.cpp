@@ -3,6 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/shade/light/lit_tile_simd.cpp"
 #include <hwy/foreach_target.h>
+#include "render/blend/transfer.h"
 #include "render/shade/light/lit_tile.h"
 #include "render/shade/light/ridge-inl.h"
 
@@ -249,7 +250,7 @@ void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
 /// Means of a row's calm pixels by Gauss's 2 × 2 places. Those differ from the means by middles around by more than they
 /// do from the truth: of a fourth derivative f the one leaves f/1920 and more, the other f/4320. Where the two are as far
 /// apart as may be seen, cells are asked.
-void MeansWithin(LitTile& tile, int row, float levels) {
+void MeansWithin(LitTile& tile, int row, const float* rough, float levels, float most_fear) {
   const F f;
   constexpr float kGauss = 0.28867513f;
   LitTile::Trust* const trust = &tile.trust[size_t(row * kSide)];
@@ -282,7 +283,8 @@ void MeansWithin(LitTile& tile, int row, float levels) {
               f, apart);
     hn::Store(r, f, mean[0]), hn::Store(g, f, mean[1]), hn::Store(b, f, mean[2]);
     for (size_t k = 0; k < hn::Lanes(f); ++k) {
-      if (!is_calm(trust[i + k]) || !(apart[k] <= levels / 255.0f)) continue;
+      if (!is_calm(trust[i + k]) || !(apart[k] <= levels / 255.0f) || rough[i + k] > most_fear)
+        continue;
       trust[i + k] = LitTile::Trust::within;
       tile.mean_r[to + k] = mean[0][k], tile.mean_g[to + k] = mean[1][k];
       tile.mean_b[to + k] = mean[2][k];
@@ -297,21 +299,24 @@ float Steepest(const LitTile& tile) {
   for (size_t k = 0; k < size_t(LitTile::kPlaces); k += hn::Lanes(f))
     dark = hn::Min(dark, hn::Min(hn::LoadU(f, &tile.r[k]),
                                  hn::Min(hn::LoadU(f, &tile.g[k]), hn::LoadU(f, &tile.b[k]))));
-  const float least = HWY_MAX(hn::GetLane(hn::MinOfLanes(f, dark)), 0.0031308f);
-  return HWY_MAX(0.44f * std::pow(least, -0.5833f), 1.0f);
+  return HWY_MAX(float(encoding_slope(hn::GetLane(hn::MinOfLanes(f, dark)))), 1.0f);
 }
 
 void ShadeTile(LitTile& tile, float levels) {
-  // At 8 bits what is neglected is far less than what is allowed.
+  // Third differences of more than so many levels, as encoded, are a kink's: there two means agree by chance.
+  constexpr float kMostThird = 2.0f;
   ShadePlaces(tile);
-  if (tile.lamp.linear && levels < LitTile::kFine) levels /= Steepest(tile);
+  const float steep = tile.lamp.linear ? Steepest(tile) : 1.0f;
+  // At 8 bits what is neglected is far less than what is allowed.
+  levels /= levels < LitTile::kFine ? steep : HWY_MAX(0.5f * steep, 1.0f);
   HWY_ALIGN float rough[LitTile::kPixels] = {};
   MeansOf(tile.r.data(), levels, tile.mean_r.data(), rough);
   MeansOf(tile.g.data(), levels, tile.mean_g.data(), rough);
   MeansOf(tile.b.data(), levels, tile.mean_b.data(), rough);
   for (int j = 0; j < kSide; ++j) {
     JudgeRow(tile, j, rough + j * kSide, levels, &tile.trust[size_t(j * kSide)]);
-    if (IsWide(tile)) MeansWithin(tile, j, levels);
+    if (IsWide(tile))
+      MeansWithin(tile, j, rough + j * kSide, levels, kMostThird / (steep * levels));
   }
 }
 

@@ -26,5 +26,15 @@ TEST(Level, RoundsHalvesUpAndClamps) {
   EXPECT_EQ(level(std::numeric_limits<double>::quiet_NaN(), 255), 0);
 }
 
+TEST(EncodingSlope, IsTheSlopeOfTheEncoding) {
+  for (const double v : {0.001, 0.003, 0.0032, 0.01, 0.2, 0.99}) {
+    const double h = 1e-6 * v,
+                 slope = (srgb_from_linear(v + h) - srgb_from_linear(v - h)) / (2 * h);
+    EXPECT_NEAR(encoding_slope(v), slope, 1e-6 * slope) << v;
+  }
+  EXPECT_EQ(encoding_slope(0.0), 12.92);
+  EXPECT_EQ(encoding_slope(-1.0), 12.92);
+}
+
 }  // namespace
 }  // namespace mien
