@@ -44,11 +44,19 @@ bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part)
 }
 
 /// Whether cells half as wide as those of `coarse` may be: they are nearer to the truth than those are to them. Two
-/// ridges in a cell are told by one of them.
-bool asks_for_finer(const LitPixel::Place& place, const LitMean& mean, const LitMean& coarse) {
+/// ridges in a cell are told by one of them. A kink leaves up to an eighth of its slope times the square of a cell, which
+/// at 8 bits does not show in 8 × 8 cells; the law may be steeper beside it than its range over the pixel says.
+bool asks_for_finer(const LitPixel::Place& place, int side, const LitMean& mean,
+                    const LitMean& coarse) {
   const float allowed = allowed_of(place, mean) / mean.area;
   return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn ||
-         0.15f * mean.unsure > place.tolerance;
+         0.15f * mean.unsure > place.tolerance ||
+         (place.tolerance < kFine && 0.2f * mean.kink > allowed * float(side * side));
+}
+
+/// Whether 4 × 4 and 8 × 8 cells may agree by chance: where little may be off, or a ridge changes very much.
+bool may_agree_by_chance(const LitPixel::Place& place, const LitMean& mean) {
+  return place.tolerance < kFine || mean.jump > 250.0f * allowed_of(place, mean);
 }
 
 }  // namespace
@@ -86,8 +94,8 @@ glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
   for (int side = 8; side <= most; side *= 2) {
     const LitMean coarse = mean;
     mean = seen(place, form, side);
-    const bool by_chance = fine && side == 8;  // two coarse means may agree
-    if (!by_chance && !asks_for_finer(place, mean, coarse)) break;
+    const bool by_chance = side == 8 && (small || may_agree_by_chance(place, mean));
+    if (!by_chance && !asks_for_finer(place, side, mean, coarse)) break;
   }
   return {mean.r, mean.g, mean.b};
 }
