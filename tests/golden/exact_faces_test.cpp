@@ -120,7 +120,8 @@ TEST(ExactLitFaces, ThatWereWrongOnceAreRight) {
                          {"clay", "rest", 333, 213, 88},
                          {"clay", "rest", 640, 169, 187},
                          {"clay", "unwrap_half", 333, 151, 223},
-                         {"clay", "unwrap_half", 333, 185, 235}}) {
+                         {"clay", "unwrap_half", 333, 185, 235},
+                         {"clay", "unwrap_half", 1920, 1545, 692}}) {
     const Face face = test::face_named(p.face);
     const std::vector<test::NamedPose> poses = test::sample_poses(face);
     const auto pose = std::ranges::find(poses, p.pose, &test::NamedPose::name);

@@ -63,5 +63,30 @@ TEST(NearFeet, TellHowTheGradientTurns) {
   EXPECT_NEAR(d[0], 12.0 - disc.radius, 1e-5);
 }
 
+/// There the way to the foot is no longer than roundings of it.
+TEST(NearFeet, KnowTheGradientOnAStrokesSpine) {
+  test::on_every_set([] {
+    const QuadBezier spine{{-420.8, -282.9}, {-29.8, -373.1}, {4.0, 17.9}};
+    SceneBuilder scene({}, {});
+    const Area stroke = scene.shape(TaperedStroke{spine, {67.7, 112.8, 26.3}});
+    const AreaDistance area(std::move(scene).finish(), stroke, {});
+    const FeetArea feet_area(area, {0, 0});
+    for (const double t : {0.3, 0.6, 0.9, 0.97}) {
+      const glm::dvec2 on =
+          (1 - t) * (1 - t) * spine.p0 + 2 * t * (1 - t) * spine.p1 + t * t * spine.p2;
+      NearFeet feet;
+      feet.narrow(feet_area, on, 13.0);
+      float x[16] = {}, y[16] = {}, d[16], nx[16], ny[16], bend[16];
+      for (int i = 0; i < 16; ++i) x[i] = (i < 8 ? -0.003f : 0.003f) * float(1 + i % 8);
+      feet.at(x, y, {d, nx, ny, bend});
+      for (int i = 0; i < 16; ++i) {
+        const glm::dvec2 g = gradient(area, on + glm::dvec2{x[i], y[i]});
+        EXPECT_NEAR(double(nx[i]), g.x, 5e-4) << t << ", " << i;
+        EXPECT_NEAR(double(ny[i]), g.y, 5e-4) << t << ", " << i;
+      }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace mien
