@@ -20,7 +20,7 @@ struct LitColor {
   VF r, g, b;
   VF bounds
       [3];  ///< what the law clamps, less the bound: colours have a kink where one of these is 0.
-      ///< Facing the lamp, the highlight, the brightest channel; beyond its 0 the others have theirs
+  ///< Facing the lamp, the highlight, the brightest channel; beyond its 0 the others have theirs
 };
 
 /// A base colour, straight, in linear light, and its opacity.
