@@ -139,6 +139,21 @@ struct FootForm {
 
 constexpr float kOnSpine = 1.0f;  // [px] B is right to some 5e-5
 
+struct Way {
+  VF x, y;
+};
+
+/// The unit normal at an inner foot, by B' and w' alone: n · B' = −w', as at every such foot. Close to the spine q is all
+/// rounding; `side`, B' × q, still tells on which hand n lies.
+HWY_INLINE Way WayOnSpine(VF gx, VF gy, VF rate, VF side) {
+  const F f;
+  const VF speed2 = hn::Max(Fused(gx, gx, hn::Mul(gy, gy)), Const(1e-20f));
+  const VF over = hn::Div(Const(1.0f), speed2), along = hn::Neg(hn::Mul(rate, over));
+  const VF left = hn::Max(FusedFrom(rate, rate, speed2), hn::Zero(f));
+  const VF across = hn::CopySign(hn::Mul(hn::Sqrt(left), over), side);
+  return {FusedFrom(across, gy, hn::Mul(along, gx)), Fused(across, gx, hn::Mul(along, gy))};
+}
+
 /// With q = p − B = r n, s = |B'|-part across n and h = n · B'' + w'': the foot moves so that the gradient turns by
 /// −h / (s² − r h) per length of level line; 1 / r where the foot is an end. At a path's side n may be the outline's
 /// own normal, which holds at r = 0 too.
@@ -170,16 +185,10 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
     d = hn::Mul(sign, key);
   }
   if (kStroke) {
-    // Close to the spine q is all rounding. There n · B' = −w', as at every inner foot, and q tells the side.
-    const VF speed2 = hn::Max(Fused(gx, gx, hn::Mul(gy, gy)), Const(1e-20f));
-    const VF over = hn::Div(one, speed2), rate = Fused(t, Const(2.0f * s.w2), Const(s.w1));
-    const VF along = hn::Neg(hn::Mul(rate, over));
-    const VF left = hn::Max(FusedFrom(rate, rate, speed2), zero);
-    const VF side = hn::Sub(hn::Mul(gx, qy), hn::Mul(gy, qx));
-    const VF across = hn::CopySign(hn::Mul(hn::Sqrt(left), over), side);
+    const VF rate = Fused(t, Const(2.0f * s.w2), Const(s.w1));
     const auto near = hn::And(inner, hn::Lt(r, Const(kOnSpine)));
-    nx = hn::IfThenElse(near, FusedFrom(across, gy, hn::Mul(along, gx)), nx);
-    ny = hn::IfThenElse(near, Fused(across, gx, hn::Mul(along, gy)), ny);
+    const Way on = WayOnSpine(gx, gy, rate, hn::Sub(hn::Mul(gx, qy), hn::Mul(gy, qx)));
+    nx = hn::IfThenElse(near, on.x, nx), ny = hn::IfThenElse(near, on.y, ny);
   }
   const VF cross = hn::Sub(hn::Mul(nx, gy), hn::Mul(ny, gx)), s2 = hn::Mul(cross, cross);
   VF h = hn::Mul(Const(2.0f), Fused(nx, Const(s.x2), hn::Mul(ny, Const(s.y2))));
