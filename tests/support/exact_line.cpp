@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
 constexpr double kGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-constexpr double kShortestFine = 1e-4;  // [px] spans that a fine truth may miss
+constexpr double kShortestFine = 3e-5;  // [px] spans that a fine truth may miss
 constexpr int kDepth = 16;              // spans are halved so often
 constexpr double kNothing = 1e-7;       // [px] shorter spans are where two ends meet
 

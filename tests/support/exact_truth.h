@@ -2,7 +2,7 @@
 // The exact picture of any scene: what 8- and 16-bit pictures are judged by, in either blend.
 //
 // Along a line through a pixel every layer is a set of spans. Their ends are where Scene::distance
-// changes sign: found by halving, missing none longer than ExactPaint::kShortest (1e-4 px to a fine
+// changes sign: found by halving, missing none longer than ExactPaint::kShortest (3e-5 px to a fine
 // tolerance), since that
 // distance is 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two
 // ends the visible colour is smooth, but for kinks of gradients and reliefs, which are found in the
