@@ -18,9 +18,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Three channels, premultiplied, in the blending space.
 struct LitColor {
   VF r, g, b;
-  VF bounds
-      [3];  ///< what the law clamps, less the bound: colours have a kink where one of these is 0.
-  ///< Facing the lamp, the highlight, the brightest channel; beyond its 0 the others have theirs
+  /// What the law clamps, less the bound: colours have a kink where one of these is 0. Facing the lamp, the highlight,
+  /// the brightest channel; beyond its 0 the others have theirs.
+  VF bounds[3];
 };
 
 /// A base colour, straight, in linear light, and its opacity.

@@ -50,11 +50,11 @@ struct LitMean {
   float lean = 0;   ///< how far that plane's colours are from the mean
   float rough = 0;  ///< how far colours are from a plane over the pixel, root of the mean square
   float jump = 0;   ///< the most that a ridge changes colours by
-  float unsure =
-      0;  ///< share of cells that two ridges cut, or a ridge and an outline, times what it changes
+  /// Share of cells that two ridges cut, or a ridge and an outline, times what it changes.
+  float unsure = 0;
   float turn = 0;  ///< the most that a gradient turns within a cell
-  float kink =
-      0;  ///< by how much the law would change there, were it not clamped from somewhere on: 0 where it is not
+  /// By how much the law would change there, were it not clamped from somewhere on; 0 where it is not.
+  float kink = 0;
 };
 
 LitMean mean_of_cells(const LampLanes& lamp, LitCells& cells);

@@ -33,8 +33,8 @@ float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
 }
 
 /// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
-/// seen to be within one, but for kinks; what is narrow has no plane, so there the colours themselves count. A ridge is cut in closed
-/// form, which leaves a twentieth of its jump.
+/// seen to be within one, but for kinks; what is narrow has no plane, so there the colours themselves count. A ridge is
+/// cut in closed form, which leaves a twentieth of its jump.
 bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
   constexpr float kMostKink = 33.0f;
   const float allowed = allowed_of(place, mean) / mean.area;

@@ -66,8 +66,8 @@ struct SmoothPlaces {
   SmoothPlaces();
 };
 
-/// The smooth means, where a polynomial through Gauss's 4 × 4 places is within `tolerance` (of 1, as encoded) of all of the border's
-/// colours. A ridge or a kink crosses the border, or turns the inner places' colours too much for it.
+/// The smooth means, where a polynomial through Gauss's 4 × 4 places is within `tolerance` (of 1, as encoded) of all of
+/// the border's colours. A ridge or a kink crosses the border, or turns the inner places' colours too much for it.
 bool smooth_means(const SmoothPlaces& at, float tolerance, LitTile& tile);
 
 /// What the blocks' feet say at all places.
