@@ -1,11 +1,11 @@
 #include <mien/recipe.h>
 #include <mien/relatives.h>
+#include "lib/parts/code/appearance.h"
 #include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/compose/part_palette.h"
 #include "lib/parts/library/part_library.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -123,36 +123,7 @@ Expected<double> difference(const FaceCode& one, const FaceCode& other) {
   const auto a = recipe_from_code(one), b = recipe_from_code(other);
   if (!a) return a.error();
   if (!b) return b.error();
-  const PartLibrary& library = PartLibrary::shipped();
-  double sum = 0.0;
-  const auto part = [&](const Recipe& recipe, const char* family) {
-    return chosen_part(library, recipe, family);
-  };
-  constexpr std::array<std::pair<const char*, double>, 6> kParts{{{"hair", 1.0},
-                                                                  {"beard", 0.6},
-                                                                  {"glasses", 0.5},
-                                                                  {"headwear", 1.0},
-                                                                  {"eyes", 0.5},
-                                                                  {"nose", 0.4}}};
-  for (const auto& [family, weight] : kParts)
-    sum += part(*a, family) != part(*b, family) ? weight : 0.0;
-  const auto number = [](const Recipe& recipe, const char* name) {
-    return recipe.numbers.at(name);
-  };
-  const auto skin = [&](const Recipe& r) {
-    return skin_color(library, number(r, "skin.tone"), number(r, "skin.undertone"));
-  };
-  sum += apart(skin(*a), skin(*b)) / 0.12;
-  constexpr std::array<std::pair<const char*, double>, 3> kColors{
-      {{"hair_color", 0.15}, {"cloth_color", 0.3}, {"backdrop", 0.3}}};
-  for (const auto& [family, unit] : kColors)
-    sum += apart(color_of(*part(*a, family)), color_of(*part(*b, family))) / unit;
-  sum += std::abs(number(*a, "age") - number(*b, "age")) / 30;
-  constexpr std::array<std::pair<const char*, double>, 5> kNumbers{
-      {{"jaw", 0.03}, {"eye.size", 0.05}, {"chin", 0.02}, {"lips", 0.2}, {"brow.thickness", 0.15}}};
-  for (const auto& [name, sigma] : kNumbers)
-    sum += 0.2 * std::abs(number(*a, name) - number(*b, name)) / sigma;
-  return sum;
+  return difference(appearance_of(*a), appearance_of(*b));
 }
 
 }  // namespace mien

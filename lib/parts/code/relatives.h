@@ -18,7 +18,7 @@ MIEN_API Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& t
 MIEN_API Expected<FaceCode> code_of_child(const FaceCode& one, const FaceCode& other,
                                           std::uint64_t seed);
 
-/// How different two people look, about 1 for other hair; those of one sheet differ by 3.5.
+/// How different two people look, about 1 for other hair; people of one crowd differ by 3.5.
 MIEN_API Expected<double> difference(const FaceCode& one, const FaceCode& other);
 
 }  // namespace mien

@@ -1,9 +1,9 @@
 // mien sheet: a grid of one face at many poses, each with its name.
 
 #include <mien/composed_face.h>
+#include <mien/crowd.h>
 #include <mien/face_model.h>
 #include <mien/poser.h>
-#include <mien/relatives.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
 #include "render/image/write_pieces.h"
@@ -68,27 +68,6 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
   return {std::move(cells)};
 }
 
-/// People no two of whom are alike: for each place the one of eight who differs most from those before.
-std::vector<FaceCode> people(const std::string& seed, int count) {
-  constexpr int kTried = 8, kLooked = 200;  // who stands farther away is not compared
-  constexpr double kDifferent = 3.5;
-  std::vector<FaceCode> all;
-  for (int i = 0; i < count; ++i) {
-    FaceCode best;
-    double most = -1.0;
-    for (int k = 0; k < kTried && most < kDifferent; ++k) {
-      const FaceCode tried{.seed = seed_from_word(fmt::format("{}/{}/{}", seed, i, k))};
-      double least = kDifferent;
-      for (std::size_t j = all.size() - std::min<std::size_t>(all.size(), kLooked);
-           j < all.size() && least > most; ++j)
-        least = std::min(least, difference(all[j], tried).value());
-      if (least > most) best = tried, most = least;
-    }
-    all.push_back(best);
-  }
-  return all;
-}
-
 /// Each --picture.
 CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
   Cells cells;
@@ -130,7 +109,7 @@ CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
   if (!count) return {{}, complain(count.error(), kUsedWrongly)};
   Cells cells;
   std::size_t person = 0;
-  for (const FaceCode& code : people(arguments.seed.value_or("1"), int(*count))) {
+  for (const FaceCode& code : crowd(arguments.seed.value_or("1"), int(*count))) {
     SheetArguments one = arguments;
     one.face = face_code_text(code);
     const std::string_view feeling = kFeelings[person++ % kFeelings.size()];
