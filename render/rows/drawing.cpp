@@ -176,6 +176,7 @@ void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripSc
     }
     std::vector<float> levels(std::size_t(seen.width) * std::size_t(seen.height));
     own.drawing.draw_strip_with_errors(0, part, own.strip, levels.data());
+    for (float& level : levels) level += float(255.0 * window.left_out);
     for (std::size_t row = 0; row < std::size_t(seen.height); ++row)
       std::copy_n(&levels[row * std::size_t(seen.width)], seen.width,
                   map + (above + row) * std::size_t(all.width) + before);
