@@ -9,7 +9,7 @@
    house's own are included by their path, "lib/rig/eye/lid.h"; `x_private.h` from its own room only.
 4. Every test, bench and fuzzer mirrors a source file; every header has a test. Those that have none yet are in
    tests/untested.txt, each with its reason; that list may only shrink.
-5. The libraries print nothing and end no program, and no file speaks of the machine it was written on.
+5. The libraries print nothing, end no program and keep nothing for each thread; no file speaks of the machine it was written on.
 6. Links between pages, and pages that code refers to, are there.
 """
 import pathlib
@@ -103,6 +103,8 @@ class House:
                 self.check_include(name, number, found[1][1:-1], quoted=found[1][0] == '"')
             if name.startswith(("lib/", "sdf/", "render/")) and re.search(PRINTS, line.split("//")[0]):
                 self.breach(name, number, "a library prints nothing and ends nothing")
+            if name.startswith(("lib/", "sdf/", "render/")) and re.search(r"\bthread_local\b", line.split("//")[0]):
+                self.breach(name, number, "scratch belongs to an object of the thread's, which ends with the work")
             if re.search(r"\bkill\(", line) and name != "tests/support/end_process.h":
                 self.breach(name, number, "kill(-1) ends every process there is: use tests/support/end_process.h")
 

@@ -110,6 +110,12 @@ CrowdWindow Crowd::window(const PixelRect& rect, std::span<const PartLayer> laye
                    b = face_from_grid_(glm::dvec2{rect.x + rect.width, rect.y + rect.height});
   const Canvas canvas{{glm::min(a, b), glm::max(a, b)}, scene_.canvas().y_up};
   CrowdWindow made{rect, scratch.part.make(scene_, layers, canvas), view_};
+  double shows = 1.0;
+  for (const PartLayer& layer : layers)
+    if (layer.covers) shows *= layers_[std::size_t(layer.layer)].through;
+  // Within a rounding: the other way round it is multiplied where they are left out.
+  if (shows <= unseen_ * (1 + 1e-9))
+    made.left_out = shows * (view_.blend == Blend::linear ? 12.92 : 1.0);
   made.view.width = rect.width, made.view.height = rect.height, made.view.region.reset();
   return made;
 }

@@ -26,6 +26,7 @@ struct CrowdWindow {
   PixelRect rect;
   Scene scene;
   View view;
+  double left_out = 0;  ///< what layers that are left out may change a channel by, encoded, of 1
 };
 
 /// Scratch of one thread.

@@ -176,6 +176,7 @@ void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripSc
     }
     std::vector<float> levels(std::size_t(seen.width) * std::size_t(seen.height));
     own.drawing.draw_strip_with_errors(0, part, own.strip, levels.data());
+    for (float& level : levels) level += float(255.0 * window.left_out);
     for (std::size_t row = 0; row < std::size_t(seen.height); ++row)
       std::copy_n(&levels[row * std::size_t(seen.width)], seen.width,
                   map + (above + row) * std::size_t(all.width) + before);
@@ -196,6 +197,12 @@ Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& s
     store_dithered(found.mix, format_.blend(), format_.depth(), x, y, to);
   else
     store(found.mix, format_.blend(), format_.depth(), to);
+  if (scratch.errors) {
+    // Encoding is steepest at the darkest colour it may be.
+    const double steep = format_.steepness(rgba_from_mix(found.mix - Mix(found.bound)));
+    scratch.errors[std::size_t(y - target.rect.y) * std::size_t(target.rect.width) +
+                   std::size_t(x - target.rect.x)] = float(255.0 * steep * found.bound);
+  }
   ++stats.resolved_pixels;
   return found;
 }
@@ -256,7 +263,9 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
   RenderStats stats;
   if (crowded_) return draw_windows(top, bottom, target, scratch, stats, map);
   scratch.painter.note_errors([&](int x, int y, float e) { row_of(y)[x - rect.x] = e; });
+  scratch.errors = map;
   draw_strip(strip, target, scratch, stats);
+  scratch.errors = nullptr;
   scratch.painter.note_errors({});
   for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
        ++k) {

@@ -36,6 +36,7 @@ struct StripScratch {
   std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
   std::uint32_t odd_rows = 0;  ///< a bit for each of the strip drawn last that its fingerprint does
                                ///< not tell all of
+  float* errors = nullptr;  ///< a map of the target, for the bounds of pixels resolved by distances
   struct Window;
   std::unique_ptr<Window> window;  ///< of a crowd
 };

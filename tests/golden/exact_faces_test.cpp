@@ -99,15 +99,27 @@ TEST_P(ExactFaces, AreWithinTwoLevelsDithered) {
   expect_exact(scene, view, Pixels::all, 19);
 }
 
+struct LargePicture {
+  int width, windows;
+  int unlit, lit;  ///< one pixel in so many is judged
+};
+
 TEST_P(ExactFaces, AreWithinALevelInWindowsOfLargePictures) {
   const Scene scene = scene_from_face(test::face_named(GetParam()));
-  const View view = view_of(scene, 1920);
-  const ExactTruth truth(scene, view, ExactTruth::kLit);
-  Tallies tallies;
-  for (const PixelRect& window : test::windows_of(scene, view, 16, test::times(120), 2, 7))
-    test::judge_window(scene, view, window, truth, test::kAllStorages, some(truth, Pixels::all, 5),
-                       tallies);
-  expect_exact(tallies);
+  for (const LargePicture& of : {LargePicture{1920, 120, 5, 5}, {7680, 240, 3, 61}}) {
+    const View view = view_of(scene, of.width);
+    const ExactTruth truth(scene, view, ExactTruth::kLit);
+    const test::Choice unlit = some(truth, Pixels::unlit, of.unlit),
+                       lit = some(truth, Pixels::lit, of.lit);
+    Tallies tallies;
+    for (const PixelRect& window : test::windows_of(scene, view, 16, test::times(of.windows), 2, 7))
+      test::judge_window(
+          scene, view, window, truth, test::kAllStorages,
+          [&](int x, int y) { return unlit(x, y) || lit(x, y); }, tallies);
+    SCOPED_TRACE(of.width);
+    expect_exact(tallies);
+    EXPECT_GT(tallies[0].judged, 0);
+  }
 }
 
 /// Edges of highlights and shadows: kinks that lay between the places at which light was looked at.

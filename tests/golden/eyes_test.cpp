@@ -109,7 +109,6 @@ TEST(Bulge, Of0IsTheSameBytesAsWithout_C1) {
   EXPECT_EQ(eyes_picture(round, {}).bytes, eyes_picture(none, {}).bytes) << "rest is as drawn";
 }
 
-/// Ball, cornea, bulge and all else times s, seen in a canvas times s: the same picture.
 /// A bulge held at a value is that bulge in the face file.
 TEST(Bulge, HeldAtAValueIsThatBulgeInTheFile_C1) {
   for (const char* value : {"0", "0.012"}) {
@@ -132,6 +131,7 @@ TEST(Bulge, HeldAtAValueIsThatBulgeInTheFile_C1) {
   }
 }
 
+/// Ball, cornea, bulge and all else times s, seen in a canvas times s: the same picture.
 TEST(Bulge, ScalesWithThePicture_C1) {
   const Face one = eye_of_size(1, 0.125);
   for (const double s : {0.25, 8.0})

@@ -50,6 +50,8 @@ PLANTED = [
     ("sdf/shape/a.cpp", "  std::fprintf(stderr, text);\n", "a library prints nothing"),
     ("sdf/shape/a.cpp", "  fputs(text, stderr);\n", "a library prints nothing"),
     ("lib/geom/a.cpp", "  std::snprintf(text, 9, form);\n", None),
+    ("render/a.cpp", "  thread_local std::vector<double> scratch;\n", "scratch belongs to an object of the thread's"),
+    ("render/a.cpp", "int a = 1;  // not thread_local\n", None),
     ("tests/lib/geom/box_test.cpp", "  ::kill(child, SIGTERM);\n", "kill(-1) ends every process"),
     ("lib/attic/a.cpp", "\n", None),
     ("lib/attic/a.cpp", "#include <mien/api.h>\n", "lib/attic is not a room"),

@@ -1,8 +1,20 @@
 #include <mien/error_map.h>
 
+#include <mien/render.h>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/support/effort.h"
+#include "tests/support/exact_mix.h"
+#include "tests/support/exact_truth.h"
+#include "tests/support/random_plain_scene.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
@@ -44,6 +56,57 @@ TEST(ErrorMap, IsTheSameInARegionAndAsGrey) {
   const auto worst =
       std::max_element(whole.levels.begin(), whole.levels.end()) - whole.levels.begin();
   EXPECT_EQ(image.row(0)[4 * worst], 255);
+}
+
+// Its word: no pixel of the picture drawn is farther from the exact one than the map says. In floats, whose
+// rounding hides nothing.
+
+struct MapWord {
+  long pixels = 0, broken = 0;
+  double nearest = 0;  ///< the largest error in shares of its bound
+  std::string where;
+};
+
+void keep_word(const Scene& scene, int side, int every, MapWord& word) {
+  constexpr double kTruth = 3e-4;  // levels of 255
+  const View view{.width = side, .height = side, .dither = false};
+  const ErrorMap map = error_map(scene, view, Depth::f32);
+  if (map.unproven) return;
+  const Image image = test::rendered(scene, view, {.depth = Depth::f32});
+  const test::ExactTruth truth(scene, view);
+  for (int y = 0; y < side; ++y)
+    for (int x = y % every; x < side; x += every) {
+      const glm::dvec4 exact = truth.pixel(x, y);
+      const float* const drawn = reinterpret_cast<const float*>(image.row(y)) + 4 * x;
+      double off = -kTruth;
+      for (int k = 0; k < 3; ++k)
+        off = std::max(off,
+                       255 * std::abs(test::encoded(drawn[k]) - test::encoded(exact[k])) - kTruth);
+      const double bound = map.levels[std::size_t(side * y + x)];
+      ++word.pixels;
+      if (bound > 0) word.nearest = std::max(word.nearest, off / bound);
+      if (off <= bound) continue;
+      ++word.broken;
+      word.where = fmt::format("({}, {}) of {}: off {:.5f}, bound {:.5f}", x, y, side, off, bound);
+    }
+}
+
+/// Along a large disc outlines are off as far as they may be, for pixels on end.
+TEST(ErrorMap, KeepsItsWordOnADiscAndIsNotFarOff) {
+  MapWord word;
+  keep_word(disc(0.7), 300, 7, word);
+  EXPECT_EQ(word.broken, 0) << word.where;
+  EXPECT_GT(word.nearest, 0.5);
+}
+
+TEST(ErrorMap, KeepsItsWordOnRandomScenes) {
+  MapWord word;
+  for (int seed = 1; seed <= test::times(8); ++seed) {
+    keep_word(test::random_plain_scene(std::uint64_t(seed)), 24, 5, word);
+    keep_word(test::random_painted_scene(std::uint64_t(seed)), 8, 5, word);
+  }
+  EXPECT_EQ(word.broken, 0) << word.where;
+  EXPECT_GT(word.pixels, test::times(900));
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
+#include "tests/support/degenerate_scene.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/rendered.h"
 
@@ -32,6 +34,23 @@ class DrawingProbe {
 
   const RowFingerprints& fingerprints() { return *drawing_.fingerprints(); }
   std::span<const Doubt> doubts() const { return drawing_.sweep().doubts(); }
+
+  /// What the pixels may be off by, in levels of 255.
+  std::vector<float> errors() const {
+    std::vector<std::byte> pixels(std::size_t(8 * view_.width * view_.height));
+    std::vector<float> levels(pixels.size() / 8);
+    const RowTarget target{
+        pixels.data(), std::size_t(8 * view_.width), {0, 0, view_.width, view_.height}};
+    StripScratch scratch;
+    for (int strip = 0; strip * Drawing::kRows < view_.height; ++strip)
+      drawing_.draw_strip_with_errors(strip, target, scratch, levels.data());
+    return levels;
+  }
+
+  /// The reference's own bound, of 1.
+  double bound_of_reference(int x, int y) const {
+    return SquareResolver(drawing_.scene_, view_, drawing_.paints(), 0x1p-14).pixel(x, y).bound;
+  }
 
   /// The most that a channel of a pixel is off by beside the reference, of 1.
   double off(RenderStats& stats) {
@@ -108,6 +127,26 @@ TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
   }
   EXPECT_GT(doubted, 5);
   EXPECT_LT(doubted, kDrawnView.height);
+}
+
+/// What distances prove of a pixel may be much less than what its outlines would.
+TEST(Drawing, TheBoundOfAResolvedPixelIsTheReferences) {
+  constexpr double kLeastSteep = 1.055 / 2.4;  // of encoding, in white
+  const View view{.width = 24, .height = 24, .dither = false};
+  double most = 0;
+  for (const auto& [seed, jitter] : {std::pair{285, 1e-3}, {299, 1e-6}}) {
+    const DrawingProbe probe(test::degenerate_scene(std::uint64_t(seed), jitter), view);
+    const std::vector<float> levels = probe.errors();
+    for (const Doubt& d : probe.doubts())
+      for (int y = int(d.top); y < std::min(view.height, int(std::ceil(d.bottom))); ++y)
+        for (int x = std::max(0, int(d.left)); x < std::min(view.width, int(std::ceil(d.right)));
+             ++x) {
+          const double bound = 255 * kLeastSteep * probe.bound_of_reference(x, y);
+          EXPECT_GE(levels[std::size_t(y * view.width + x)], bound) << x << ' ' << y;
+          most = std::max(most, bound);
+        }
+  }
+  EXPECT_GT(most, 0.2);
 }
 
 TEST(Drawing, FaultsInWindingsAndJumpsAreSeen) {
