@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kNewestVersion = 2;  // 1: a face in full; 2: a recipe
 
-/// Gives the version.
+/// Returns the version.
 int check_format(Reading& in, const JsonNode& root) {
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")

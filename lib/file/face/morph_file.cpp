@@ -57,7 +57,7 @@ std::string target_text(const Face& rest, const MorphTarget& target) {
                      text.empty() ? "" : "\n      ");
 }
 
-/// A draft that holds a finished face, so that the reader of poses can go on with it.
+/// A finished face as a draft, so that the reader of poses can add to it.
 FaceDraft draft_of(const Face& face) {
   FaceDraft draft;
   draft.model = *face.model;
@@ -104,7 +104,7 @@ Expected<std::string> morph_text(const Face& rest, const std::vector<MorphTarget
       "{{\n  \"format\": \"mien-morphs\",\n  \"format_version\": 1,\n  \"face\": {},\n"
       "  \"poses\": {{{}\n  }}\n}}\n",
       json_string(rest.model->name), poses);
-  // What is written must read back: the same rules for names, in one place.
+  // What is written must read back. Reading it here keeps the rules for names in one place.
   if (const auto again = read_morphs_text(rest, text); !again) return Error{"", again.error().what};
   return text;
 }

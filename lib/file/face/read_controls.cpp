@@ -137,8 +137,7 @@ class ControlReader {
     return feature < 0 ? Side::none : face_.model.features[std::size_t(feature)].side;
   }
 
-  /// A table that says something else at rest than the features do would jump as soon as it is
-  /// touched.
+  /// If a table differs from the features at rest, the face jumps as soon as the control is moved.
   void warn_of_jump(const JsonNode& node, const KeyShapes& table) {
     const auto key = std::find(table.at.begin(), table.at.end(), rest_);
     if (key == table.at.end()) return;

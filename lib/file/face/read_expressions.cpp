@@ -118,7 +118,7 @@ class ExpressionReader {
     return true;
   }
 
-  /// The half of a control that a channel is.
+  /// The half of a control that a channel stands for.
   Side side_of(int channel) const {
     for (const Control& control : face_.model.controls)
       if (control.channels.size() == 2)

@@ -114,7 +114,7 @@ class EyeReader {
     eye_.gaze_y = channel(*in_.tree.next(x), 0);
   }
 
-  /// The channel that a control's name means for this eye. It must rest where the eye does.
+  /// The channel of a named control for this eye. It must rest at `rest`, where the eye does.
   int channel(const JsonNode& node, double rest) const {
     const std::string_view name = in_.string(node);
     const std::string sided = control_of_side(name, eye_.side);

@@ -26,7 +26,7 @@ double bounded(const Reading& in, const JsonNode& node, double lo, double hi,
   return number;
 }
 
-/// What an attachment's name means on a side.
+/// What an attachment's name refers to on a side.
 struct Held {
   int slice;
   int component;  ///< −1: the feature's size; −2: a point
@@ -82,7 +82,7 @@ class MuscleReader {
     add();
   }
 
-  /// Gives the channel of its pull.
+  /// Returns the channel of its pull.
   int add_muscle(const JsonNode& node, const std::string& name, Side side, bool mirrored) {
     const JsonNode* instead = side == Side::none ? nullptr : in_.find(node, side_name(side));
     const auto field = [&](std::string_view key) -> std::pair<const JsonNode&, bool> {
@@ -139,7 +139,8 @@ class MuscleReader {
     hold_number(held, hold);
   }
 
-  /// The radius that a stroke of the muscle's shortens: the rim is pulled towards the centre.
+  /// The mean radius of a feature whose size a muscle holds. A stroke counts relative to it: the muscle
+  /// pulls the rim towards the centre.
   double size_of(const JsonNode& node, int slice) const {
     const Slice& s = face_.model.layout[slice];
     double sum = 0;
@@ -148,7 +149,7 @@ class MuscleReader {
     return sum / s.size;
   }
 
-  /// Points that lie on the axis and on both sides are one.
+  /// A point and its mirror image that both lie on the axis are one point.
   void hold_point(int slice, MuscleHold hold) {
     const int twin = twin_of(slice);
     const int key = twin < 0 ? slice : std::min(slice, twin);
@@ -181,7 +182,7 @@ class MuscleReader {
     face_.model.muscles.numbers[found->second].holds.push_back(hold);
   }
 
-  /// What a name means: for a muscle of a side, on that side; for one without, everywhere.
+  /// What a name refers to: for a muscle of a side, its own side; for a muscle without one, both sides.
   std::vector<Held> held_by(const JsonNode& node, std::string_view name, Side side) const {
     std::vector<Held> found;
     const auto look = [&](Side s) {
@@ -235,7 +236,7 @@ class MuscleReader {
     return size;
   }
 
-  /// Everything that can be held, by its author's names.
+  /// Everything that can be held, by the names that authors use.
   std::vector<std::string> known_names() const {
     std::vector<std::string> names;
     for (const Slice& slice : face_.model.layout.slices()) {

@@ -63,7 +63,7 @@ class TurnReader {
                          f.name.size() - (f.side == Side::none ? 0 : side_name(f.side).size() + 1));
   }
 
-  /// Of a feature, or ("hair/points/3") of single points of one.
+  /// Places a feature or, by a name like "hair/points/3", a single point of one.
   void place(const JsonNode& node, std::string_view name, Place where) {
     if (name.find('/') != std::string_view::npos) {
       for (const DriveTarget target : face_.targets(in_, node, name, Side::none, false))
@@ -95,7 +95,7 @@ class TurnReader {
       }
   }
 
-  /// The first feature that a slice stands in says how it goes.
+  /// If features share a slice, the first of them decides how it turns.
   void add(TurnedSlice slice) {
     if (seen_.insert(slice.slice).second && slice.kind != TurnKind::still)
       turn_.slices.push_back(slice);

@@ -14,7 +14,7 @@ glm::dvec2 point_at(const FaceVector& vector, const Layout& layout, int slice) {
   return {vector[begin], vector[begin + 1]};
 }
 
-/// Adds up by sides: none + (left + right), the same for mirrored sides to the bit.
+/// Sums by sides, none + (left + right), so that mirrored sides give the same bits.
 template <class Value>
 struct BySide {
   Value none{}, left{}, right{};
@@ -72,7 +72,7 @@ double muscle_energy(const MusclePointLaw& law, glm::dvec2 p) {
 glm::dvec2 muscle_force(const MusclePointLaw& law, glm::dvec2 p) {
   BySide<glm::dvec2> force;
   force.none = law.stiffness * (law.rest - p);
-  double tip = 0;  // size of the force that a tip at p can take up
+  double tip = 0;  // the largest force that a tip at p can hold
   for (const MuscleSpring& spring : law.springs) {
     const glm::dvec2 to_origin = spring.origin - p;
     const double distance = length(to_origin);

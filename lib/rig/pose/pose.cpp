@@ -53,7 +53,7 @@ void look(const Face& rest, glm::dvec3 target, Values& values) {
   }
 }
 
-/// Settings of controls; `poses`: of the weights of poses too.
+/// Applies the settings of controls; with `poses`, of the weights of poses too.
 void override_channels(const FaceModel& model, const Pose& pose, bool poses, Values& values) {
   for (const Setting& setting : pose.settings) {
     if (!setting.control || setting.index < 0 || setting.index >= int(model.controls.size()) ||
@@ -70,7 +70,7 @@ void clamp(const FaceModel& model, bool poses, Values& values) {
       values[c] = std::clamp(values[c], channel.lo, channel.hi);
 }
 
-/// Poses that move controls too.
+/// Lets poses move the controls they are coupled with.
 void couple_channels(const FaceModel& model, Values& values) {
   for (std::size_t c = 0; c < values.size(); ++c)
     for (const Coupling& n : model.channels[c].couplings)
@@ -113,7 +113,7 @@ void put_numbers(const Setting& setting, FaceVector& vector) {
       vector[std::size_t(setting.index) + i] = setting.values[i];
 }
 
-/// What the eyes' laws read of an eyeball is held before they act, too: a bulge held at 0 is none.
+/// Settings of an eyeball apply before the eyes' laws, which read it: a bulge held at 0 must not push.
 void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector) {
   for (const Setting& setting : pose.settings) {
     if (setting.control) continue;
@@ -169,7 +169,7 @@ const Face& Poser::pose(const Pose& pose) {
   muscles.act(rest, pose, values, set_channels, posed.vector);
   scratch_->drive_channels(false);
   hold_eyeballs(model, pose, posed.vector);
-  // What a basis gives has been through the eyes' laws: they act on what is moved on top of it only.
+  // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
   if (!by_basis)
     pose_eyes(model, rest.vector, values, posed.vector);
   else if (!at_rest(model, values))

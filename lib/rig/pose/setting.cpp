@@ -15,7 +15,7 @@
 namespace mien {
 namespace {
 
-/// A place that a setting can go: a control, a slice or one number of a slice.
+/// What a setting can set: a control, a slice or one number of a slice.
 struct Target {
   bool control;
   int index;  ///< Setting::index
@@ -95,7 +95,7 @@ Expected<std::vector<double>> read_values(const Target& target, std::string_view
   return numbers;
 }
 
-/// What the numbers must lie in: a channel's range, or a slice's if its rule is to clamp.
+/// The range of the numbers: a channel's, or a slice's if its rule is to clamp.
 struct Range {
   double lo, hi;
 };

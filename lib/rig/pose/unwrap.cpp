@@ -18,7 +18,7 @@ namespace {
 constexpr double kNoDepth = std::numeric_limits<double>::infinity();
 constexpr double kFilled = 0.8;  ///< share of a cell that a piece may take
 
-/// Which features hang together, numbered in drawing order.
+/// Connected features as pieces, numbered in drawing order.
 class Pieces {
  public:
   explicit Pieces(const FaceModel& model) : first_(model.features.size()) {
@@ -51,7 +51,7 @@ struct Piece {
   glm::dvec2 lo{kNoDepth}, hi{-kNoDepth};
 };
 
-/// How far a figure of one point reaches around it; 0 for those of many.
+/// The extent of a figure about its only point; 0 for figures of several points.
 glm::dvec2 radii_of(const Figure& figure, const Face& face) {
   const auto number = [&](int slice, int i) {
     return face.vector[std::size_t(face.model->layout[slice].begin + i)];
@@ -107,7 +107,7 @@ Boxes boxes_of(const Face& rest, const Pieces& pieces) {
   return boxes;
 }
 
-/// The slices of a feature's gradient and relief: visit(slice, whether it is how high a surface rises).
+/// The slices of a feature's gradient and relief: visit(slice, whether it is a height).
 template <class Visit>
 void for_each_paint_slice(const FaceModel& model, const Feature& feature, Visit&& visit) {
   const auto travel = [&](int slice) {
