@@ -12,7 +12,7 @@ using pca::Components;
 using pca::Passes;
 using pca::Unwind;
 
-/// The number of half passes that a fit is expected to make, for its progress.
+/// The number of passes that a fit is expected to make, for its progress.
 constexpr int kPasses = 8;
 constexpr std::size_t kEveryCount = 16;  // up to here the curve has every count
 constexpr std::size_t kFirstTry = 32;    // components of the first try, if their number is not given

@@ -202,7 +202,7 @@ std::string command_list(const CLI::App& app) {
   return text;
 }
 
-/// The command that was typed, "fit" of `mien pca fit`.
+/// The command that was typed: "fit" of `mien pca fit`.
 const CLI::App& innermost(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
@@ -267,7 +267,7 @@ CommandLine chosen(CommandApp& command) {
   return WrongUse{"a command is needed: " + command_list(app) + "; mien -h helps"};
 }
 
-/// CLI11's own sentences, in this command's manner: after the command they are about, in lower
+/// CLI11's own messages in this command's style: after the name of the command they are about, in lower
 /// case.
 std::string retold(const CLI::App& app, const CLI::ParseError& wrong) {
   std::string text = wrong.what();
@@ -315,7 +315,7 @@ std::vector<std::string> option_words(const CLI::Option& option) {
 }
 
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
-  // A mistyped option is the better news than what is missing because of it.
+  // A mistyped option says more than the argument that is missing because of it.
   return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
 }
 

@@ -10,7 +10,7 @@ namespace mien::command {
 void add_animate(CLI::App& app, AnimateArguments& to);
 void add_morph(CLI::App& app, MorphArguments& to);
 void add_mesh(CLI::App& app, MeshArguments& to);
-/// `mien sheet …` (sheet_line.cpp).
+/// `mien sheet …` (sheet_options.cpp).
 void add_sheet(CLI::App& app, SheetArguments& to);
 
 /// Options that others have too (command_line.cpp).

@@ -52,7 +52,7 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-/// How long a curve takes until it begins anew, or ends.
+/// The time until a curve repeats or ends.
 double length_of(const Curve& curve) {
   if (const auto* keys = std::get_if<KeyCurve>(&curve))
     return keys->period > 0 ? keys->period : keys->keys.back().time;

@@ -68,7 +68,8 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
   return {std::move(cells)};
 }
 
-/// People no two of whom are alike: for each place the one of eight who differs most from those before.
+/// Codes of people who differ: for each place, of eight candidates the one who differs most from those
+/// before.
 std::vector<FaceCode> people(const std::string& seed, int count) {
   constexpr int kTried = 8, kLooked = 200;  // who stands farther away is not compared
   constexpr double kDifferent = 3.5;

@@ -123,7 +123,7 @@ struct Film::Process {
   explicit Process(AtomicFile to) : file(std::move(to)) {}
   ~Process() {
     if (pipe >= 0) ::close(pipe);
-    if (id > 0) {  // its input has ended: so does it
+    if (id > 0) {  // its input has ended, so it ends too
       int status = 0;
       ::waitpid(id, &status, 0);
     }
@@ -174,7 +174,7 @@ Expected<Film> Film::begin(const std::string& path, FilmType type, int width, in
   posix_spawnattr_t attributes;
   ::posix_spawnattr_init(&attributes);
   ::posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP);  // Ctrl-C is this program's to hear
+                             POSIX_SPAWN_SETPGROUP);  // Ctrl-C is for this program only
   const int failed =
       ::posix_spawnp(&process->id, "ffmpeg", &actions, &attributes, argv.data(), environ);
   ::posix_spawnattr_destroy(&attributes);

@@ -1,4 +1,4 @@
-// mien pca: bases of animations, found, told, used and drawn.
+// mien pca: finds, describes, applies and draws bases of animations.
 
 #include <mien/npy_basis.h>
 #include "render/image/write_pieces.h"
@@ -22,7 +22,7 @@
 namespace mien::command {
 namespace {
 
-/// A value, or the exit code after what was wrong has been said.
+/// A value, or the exit code after the error has been printed.
 template <class T>
 std::optional<T> aloud(Expected<T> value, int& code, ExitCode wrong = kFailed) {
   if (value) return *std::move(value);
@@ -184,7 +184,7 @@ int decode(const PcaArguments& arguments) {
   return done ? kDone : complain(done.error(), kFailed);
 }
 
-/// Of every vertex its error in one frame, as a share of the largest.
+/// The error of every vertex in one frame, as a share of the largest.
 std::vector<double> vertex_amounts(const std::vector<double>& a, const std::vector<double>& b,
                                    const VertexGroups& groups, double largest) {
   std::vector<double> amounts(groups.count());
