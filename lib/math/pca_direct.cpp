@@ -56,6 +56,21 @@ std::vector<double> rows_from_frames(Passes& passes, const Matrix& left,
   return rows;
 }
 
+/// Appends the `count` largest of these eigenvectors to `known`, and their singular values to `sigma`.
+void append_components(const Eigen::SelfAdjointEigenSolver<Matrix>& eigen, Eigen::Index count,
+                       Matrix& known, std::vector<double>& sigma) {
+  const Eigen::Index before = known.cols(), last = known.rows() - 1;
+  known.conservativeResize(Eigen::NoChange, before + count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    // Rounding leaves a trace of the large components here, which would outweigh a small one.
+    Eigen::VectorXd next = eigen.eigenvectors().col(last - i);
+    for (int again = 0; again < 2; ++again)
+      next -= known.leftCols(before) * (known.leftCols(before).transpose() * next);
+    known.col(before + i) = next.normalized();
+    sigma.push_back(std::sqrt(eigen.eigenvalues()[last - i]));
+  }
+}
+
 }  // namespace
 
 Components direct_components(Passes& passes, const Enough& enough) {
@@ -74,16 +89,7 @@ Components direct_components(Passes& passes, const Enough& enough) {
            std::sqrt(eigen.eigenvalues()[side - 1 - found]) > least)
       ++found;
     if (found == 0 || largest == 0) break;
-    const Eigen::Index before = known.cols();
-    known.conservativeResize(Eigen::NoChange, before + found);
-    for (Eigen::Index i = 0; i < found; ++i) {
-      // Rounding leaves a trace of the large components here, which would outweigh a small one.
-      Eigen::VectorXd next = eigen.eigenvectors().col(side - 1 - i);
-      for (int again = 0; again < 2; ++again)
-        next -= known.leftCols(before) * (known.leftCols(before).transpose() * next);
-      known.col(before + i) = next.normalized();
-      sigma.push_back(std::sqrt(eigen.eigenvalues()[side - 1 - i]));
-    }
+    append_components(eigen, found, known, sigma);
   }
   // Keeps only as many as are asked for.
   Eigen::Index kept = 0;

@@ -101,10 +101,8 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
   return Done{};
 }
 
-/// The pose of the options. Later settings beat earlier ones, so the order here is their precedence.
-Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
-                         const std::vector<Setting>& arkit) {
-  Pose pose;
+/// Adds --clip and --pose.
+Expected<Done> read_motion(const Face& face, const PosedFace& arguments, Pose& pose) {
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
     if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};
@@ -115,11 +113,11 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
     if (!weight) return Error{"--pose " + weight.error().where, weight.error().what};
     pose.settings.push_back(*std::move(weight));
   }
-  if (arguments.look_at) {
-    const auto target = read_look_at(face, *arguments.look_at);
-    if (!target) return Error{"--look-at " + target.error().where, target.error().what};
-    pose.look_at = *target;
-  }
+  return Done{};
+}
+
+/// Adds --unwrap and --unwrap-mode.
+Expected<Done> read_unwrap(const PosedFace& arguments, Pose& pose) {
   if (arguments.unwrap) {
     const auto share = read_share("unwrap", *arguments.unwrap);
     if (!share) return share.error();
@@ -130,6 +128,20 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
     if (!mode) return mode.error();
     pose.unwrap_mode = UnwrapMode(*mode);
   }
+  return Done{};
+}
+
+/// The pose of the options. Later settings beat earlier ones, so the order here is their precedence.
+Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
+                         const std::vector<Setting>& arkit) {
+  Pose pose;
+  if (auto motion = read_motion(face, arguments, pose); !motion) return motion.error();
+  if (arguments.look_at) {
+    const auto target = read_look_at(face, *arguments.look_at);
+    if (!target) return Error{"--look-at " + target.error().where, target.error().what};
+    pose.look_at = *target;
+  }
+  if (auto chart = read_unwrap(arguments, pose); !chart) return chart.error();
   for (const auto& [name, value] :
        {std::pair{"blink", &arguments.blink}, {"bias", &arguments.bias}})
     if (*value) {
