@@ -15,8 +15,8 @@ using pca::Unwind;
 /// The number of passes that a fit is expected to make, for its progress.
 constexpr int kPasses = 8;
 constexpr std::size_t kEveryCount = 16;  // up to here the curve has every count
-constexpr std::size_t kFirstTry = 32;    // components of the first try, if their number is not given
-constexpr double kCurveStep = 1.25;      // and beyond, each count is so much larger than the one before
+constexpr std::size_t kFirstTry = 32;  // components of the first try, if their number is not given
+constexpr double kCurveStep = 1.25;  // and beyond, each count is so much larger than the one before
 
 std::size_t most_components(const MatrixSource& frames) {
   return std::min(frames.rows, frames.columns);

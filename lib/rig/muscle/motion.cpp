@@ -15,7 +15,7 @@ constexpr double kCell = 1 / kCellsPerSecond;
 constexpr double kTolerance = 1e-11;            ///< of the canvas's longer side, per step
 constexpr double kForgotten = 23;               ///< e^-23 = 1e-10
 constexpr double kShortest = 1, kLongest = 64;  ///< [s] epochs
-constexpr double kLatest = 1e9;                 ///< [s] a face later than this counts as being at rest
+constexpr double kLatest = 1e9;                 ///< [s] later than this a face is at rest
 constexpr std::size_t kRemembered = 16;
 constexpr double kStepRounding = 1e-13;  ///< of the coordinates: no step needs to be more accurate
 
