@@ -27,14 +27,14 @@ struct DriveTarget {
 /// A channel of a control, and the side it acts on.
 struct SidedChannel {
   Side side;
-  int channel;
+  Index<Channel> channel;
 };
 
 struct FaceDraft {
   FaceModel model;
   FaceVector vector;
   std::unordered_map<std::string, int> feature_by_name;
-  std::unordered_map<std::string, int> control_by_name;
+  std::unordered_map<std::string, Index<Control>> control_by_name;
   std::vector<int> clip_depth;  ///< per feature: how many clips it is nested in
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
   std::unordered_set<std::string> mirrored_eyes;
@@ -70,8 +70,11 @@ struct FaceDraft {
   /// own control: "NAME.left".
   void add_control(const Reading& in, const JsonNode& name_node, Control control,
                    std::span<const SidedChannel> channels);
+  /// Appends a channel.
+  Index<Channel> add_channel(Channel channel);
   /// The control of that name; refuses unknown ones.
-  int control_named(const Reading& in, const JsonNode& node, std::string_view name) const;
+  Index<Control> control_named(const Reading& in, const JsonNode& node,
+                               std::string_view name) const;
 
   /// Whether numbers written for this slice belong to its mirror image.
   bool is_mirrored(int slice) const;

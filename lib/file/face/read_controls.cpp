@@ -43,15 +43,14 @@ class ControlReader {
       in_.refuse(rest, fmt::format("must lie between {} and {}, got {}", lo, hi, rest_));
   }
 
-  int add_channel(Side side) {
+  Index<Channel> add_channel(Side side) {
     Channel channel{.rest = rest_, .lo = lo_, .hi = hi_};
     if (const JsonNode* offset = in_.find(node_, "offset")) add_offsets(*offset, side, channel);
     if (const JsonNode* scale = in_.find(node_, "scale")) add_scales(*scale, side, channel);
     if (const JsonNode* table = in_.find(node_, "key_shapes"))
       if (KeyShapes shapes = key_shapes(*table, side); !shapes.tracks.empty())
         channel.drives.push_back(std::move(shapes));
-    face_.model.channels.push_back(std::move(channel));
-    return int(face_.model.channels.size()) - 1;
+    return face_.add_channel(std::move(channel));
   }
 
   void add_offsets(const JsonNode& node, Side side, Channel& channel) const {

@@ -83,7 +83,8 @@ class MuscleReader {
   }
 
   /// Returns the channel of its pull.
-  int add_muscle(const JsonNode& node, const std::string& name, Side side, bool mirrored) {
+  Index<Channel> add_muscle(const JsonNode& node, const std::string& name, Side side,
+                            bool mirrored) {
     const JsonNode* instead = side == Side::none ? nullptr : in_.find(node, side_name(side));
     const auto field = [&](std::string_view key) -> std::pair<const JsonNode&, bool> {
       if (instead)
@@ -97,26 +98,24 @@ class MuscleReader {
     std::vector<double> origin = in_.numbers(origin_node, 2, 2);
     if (origin_mirrored) mirror_values(SliceKind::point, origin, face_.model.canvas.twice_axis());
     muscle.origin = {origin[0], origin[1]};
-    muscle.channel = int(face_.model.channels.size());
-    face_.model.channels.push_back({.rest = 0, .lo = 0, .hi = 1});
+    muscle.channel = face_.add_channel({.rest = 0, .lo = 0, .hi = 1});
     face_.model.muscles.muscles.push_back(muscle);
     const auto [attach, attach_mirrored] = field("attach");
-    read_attachments(attach, int(face_.model.muscles.muscles.size()) - 1, attach_mirrored);
+    read_attachments(attach, last_of(face_.model.muscles.muscles), attach_mirrored);
     return muscle.channel;
   }
 
-  void read_attachments(const JsonNode& node, int muscle, bool mirrored) {
+  void read_attachments(const JsonNode& node, Index<Muscle> muscle, bool mirrored) {
     in_.expect(node, JsonKind::object);
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view name = in_.tree.key(child);
       if (name == "comment") return;
-      for (const Held held :
-           held_by(child, name, face_.model.muscles.muscles[std::size_t(muscle)].side))
+      for (const Held held : held_by(child, name, muscle.in(face_.model.muscles.muscles).side))
         attach(child, muscle, held, mirrored);
     });
   }
 
-  void attach(const JsonNode& node, int muscle, Held held, bool mirrored) {
+  void attach(const JsonNode& node, Index<Muscle> muscle, Held held, bool mirrored) {
     MuscleHold hold{muscle, 0};
     const bool long_form = node.kind == JsonKind::object;
     if (long_form) in_.expect_object(node, {"weight", "stroke"}, "attachment");
@@ -127,7 +126,7 @@ class MuscleReader {
       hold_point(held.slice, hold);
       return;
     }
-    const Muscle& m = face_.model.muscles.muscles[std::size_t(muscle)];
+    const Muscle& m = muscle.in(face_.model.muscles.muscles);
     if (stroke)
       hold.stroke = in_.number(*stroke);
     else if (held.component < 0)

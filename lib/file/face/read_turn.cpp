@@ -47,13 +47,13 @@ class TurnReader {
     double depth = 0;
   };
 
-  int channel(std::string_view key) const {
+  Index<Channel> channel(std::string_view key) const {
     const JsonNode* node = in_.find(node_, key);
-    if (!node) return -1;
-    const int index = face_.control_named(in_, *node, in_.string(*node));
-    const Control& control = face_.model.controls[std::size_t(index)];
-    const int found = control.channels[0];
-    if (control.channels.size() != 1 || face_.model.channels[std::size_t(found)].rest != 0)
+    if (!node) return {};
+    const Control& control =
+        face_.control_named(in_, *node, in_.string(*node)).in(face_.model.controls);
+    const Index<Channel> found = control.channels[0];
+    if (control.channels.size() != 1 || found.in(face_.model.channels).rest != 0)
       in_.refuse(*node, "the control that turns must have no sides and rest at 0");
     return found;
   }

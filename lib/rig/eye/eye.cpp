@@ -52,7 +52,9 @@ class EyeAtWork {
   void add(int slice, glm::dvec2 way) {
     if (way != glm::dvec2(0)) put(slice, get(now_, slice) + way);
   }
-  double value(int channel) const { return channel < 0 ? 0 : values_[std::size_t(channel)]; }
+  double value(Index<Channel> channel) const {
+    return channel ? values_[std::size_t(channel.at)] : 0;
+  }
   bool are_parabolas() const { return eye_.inner < 0; }
 
   /// From the lower to the upper lid: across the line of the canthi (along b, for parabolas).
@@ -173,7 +175,9 @@ EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vecto
 }
 
 glm::dvec2 gaze_of(const Eye& eye, std::span<const double> values) {
-  const auto value = [&](int channel) { return channel < 0 ? 0 : values[std::size_t(channel)]; };
+  const auto value = [&](Index<Channel> channel) {
+    return channel ? values[std::size_t(channel.at)] : 0;
+  };
   return {value(eye.gaze_x), value(eye.gaze_y)};
 }
 

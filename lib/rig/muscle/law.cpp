@@ -35,8 +35,8 @@ void muscle_law(const FaceModel& model, const FaceVector& rest, const MusclePoin
   law.springs.clear();
   const double share = law.on_axis ? 0.5 : 1;
   for (const MuscleHold& hold : point.holds) {
-    const double pull = pulls[std::size_t(hold.muscle)];
-    const Muscle& muscle = system.muscles[std::size_t(hold.muscle)];
+    const double pull = pulls[std::size_t(hold.muscle.at)];
+    const Muscle& muscle = hold.muscle.in(system.muscles);
     const double stiffness = share * hold.weight * muscle.strength * pull;
     if (!(stiffness > 0)) continue;
     law.springs.push_back({muscle.origin, stiffness,
@@ -49,8 +49,8 @@ MuscleNumberLaw muscle_law(const FaceModel& model, const MuscleNumber& number,
   const MuscleSystem& system = model.muscles;
   BySide<double> stiffness, force;
   for (const MuscleHold& hold : number.holds) {
-    const double pull = pulls[std::size_t(hold.muscle)];
-    const Muscle& muscle = system.muscles[std::size_t(hold.muscle)];
+    const double pull = pulls[std::size_t(hold.muscle.at)];
+    const Muscle& muscle = hold.muscle.in(system.muscles);
     const double c = hold.weight * muscle.strength * pull;
     stiffness[muscle.side] += c;
     force[muscle.side] += c * hold.stroke * pull;

@@ -128,7 +128,9 @@ class Turning {
 
 void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector) {
   const HeadTurn& head = model.turn;
-  const auto angle = [&](int channel) { return channel < 0 ? 0 : values[std::size_t(channel)]; };
+  const auto angle = [&](Index<Channel> channel) {
+    return channel ? values[std::size_t(channel.at)] : 0;
+  };
   const double yaw = angle(head.yaw), pitch = angle(head.pitch), roll = angle(head.roll);
   if (yaw == 0 && pitch == 0 && roll == 0) return;
   Turning(model, Turn(head, yaw, pitch, roll, model.canvas.y_up), vector).all();

@@ -66,7 +66,7 @@ std::string clip_line(const FaceModel& model, Index<Clip> index) {
   if (index == model.default_clip) line += " (runs with --time)";
   if (clip.additive) line += " (additive)";
   for (const ClipTrack& track : clip.tracks) {
-    line += fmt::format("  {} every {:.4g} s", model.controls[std::size_t(track.control)].name,
+    line += fmt::format("  {} every {:.4g} s", track.control.in(model.controls).name,
                         length_of(track.curve));
   }
   return line + "\n";
