@@ -1,11 +1,11 @@
 #pragma once
-// Bits that look random, out of any bits.
+// A hash of 64 bits to 64 bits.
 
 #include <cstdint>
 
 namespace mien {
 
-/// Different for different arguments; a change of one bit changes half of all.
+/// Different for different arguments. Changing one bit of the argument changes about half of the result's.
 ///
 /// Source. The finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
 /// generators", 2014).

@@ -10,7 +10,7 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kLongestWanted = 100;  ///< longer texts are no typing slip of a name
+constexpr std::size_t kLongestWanted = 100;  ///< a longer text is no mistyped name
 constexpr int kMostEdits = 8;
 
 }  // namespace

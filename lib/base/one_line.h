@@ -1,5 +1,5 @@
 #pragma once
-// Strangers' text inside a message: always one line, always short, always printable UTF-8.
+// Foreign text inside a message: always one line, always short, always printable UTF-8.
 
 #include <cstddef>
 #include <string>

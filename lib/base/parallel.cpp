@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-// oneTBB is not compiled with the thread sanitizer, which then takes its hand-overs for races; and a
-// rule that hides those hides ours too, since every job runs below oneTBB. So under that sanitizer
-// the jobs run on plain threads, and all of mien's own is judged.
+// oneTBB is not compiled with the thread sanitizer, which therefore reports its hand-overs as races. A rule
+// that suppresses those would suppress mien's own races too, since every job runs below oneTBB. So under
+// that sanitizer the jobs run on plain threads, and all of mien's own code is checked.
 #if defined(__SANITIZE_THREAD__)
 #define MIEN_PLAIN_THREADS 1
 #elif defined(__has_feature)

@@ -1,5 +1,5 @@
 #pragma once
-// The only way to threads in mien. Results never depend on how many there are.
+// The only use of threads in mien. Results never depend on how many there are.
 
 #include <mien/api.h>
 

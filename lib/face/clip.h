@@ -1,6 +1,8 @@
 #pragma once
 // Clips: curves in time that move controls.
 
+#include <mien/index.h>
+
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -58,8 +60,10 @@ struct WanderCurve {
 
 using Curve = std::variant<KeyCurve, SineCurve, WanderCurve>;
 
+struct Control;
+
 struct ClipTrack {
-  int control;  ///< of the model
+  Index<Control> control;
   Curve curve;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // Controls: the numbers that pose a face without being part of it (gaze, dilation, blink).
 
+#include <mien/index.h>
 #include <mien/key_shapes.h>
 
 #include <string>
@@ -30,9 +31,11 @@ struct Toward {
 /// What a channel does to the face vector. When the channel rests, the vector stays as it is.
 using Drive = std::variant<Offset, Scale, KeyShapes, Toward>;
 
+struct Channel;
+
 /// Another channel's value += (value − rest) · by. The other channel has no couplings of its own.
 struct Coupling {
-  int channel;
+  Index<Channel> channel;
   double by;
 };
 
@@ -49,8 +52,8 @@ struct Channel {
 struct Control {
   std::string name;
   std::string unit;
-  std::vector<int> channels;  ///< of the model; 1 or 2
-  bool pose = false;          ///< the weight of a named pose ("brow.sad", "brow.left.sad")
+  std::vector<Index<Channel>> channels;  ///< 1 or 2
+  bool pose = false;  ///< the weight of a named pose ("brow.sad", "brow.left.sad")
 };
 
 }  // namespace mien

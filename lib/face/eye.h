@@ -5,12 +5,15 @@
 // from its centre is √(R² − r²) in front of the centre. The ball's numbers are slices, named after the eye
 // ("eyeball.left/radius"), so whatever moves the vector moves the ball.
 
+#include <mien/index.h>
 #include <mien/side.h>
 
 #include <string>
 #include <vector>
 
 namespace mien {
+
+struct Channel;
 
 /// How a lid yields to the cornea under it; lib/rig/eye/bulge.h has both laws.
 enum class BulgeLaw : unsigned char { native, compat };
@@ -33,16 +36,16 @@ struct Eye {
   int cornea = -1, bulge = -1;  ///< slices: the heights of the cap and of the push; −1: none
   BulgeLaw law = BulgeLaw::native;
 
-  int gaze_x = -1, gaze_y = -1;  ///< channels: offset of the iris from rest [face units]
-  double reach_x, reach_y;       ///< half-axes of the ellipse the gaze stays in [face units]
+  Index<Channel> gaze_x, gaze_y;  ///< offset of the iris from rest [face units]
+  double reach_x, reach_y;        ///< half-axes of the ellipse the gaze stays in [face units]
 
   int upper = -1, lower = -1;  ///< slices of the lids: bends of an opening, or parabolas; −1: none
   int inner = -1, outer = -1;       ///< slices of the canthi; −1: the lids are parabolas
   int shifts = -1;                  ///< as in OpeningFigure
   double follow_upper[2] = {0, 0};  ///< share of the gaze, x and y, that a lid's middle follows
   double follow_lower[2] = {0, 0};
-  int blink = -1, bias = -1;  ///< channels
-  double meet = 1;            ///< where lids meet at bias 0: 0 at the upper, 1 at the lower
+  Index<Channel> blink, bias;
+  double meet = 1;  ///< where lids meet at bias 0: 0 at the upper, 1 at the lower
 
   /// The first of four consecutive slices of the dome that the cornea raises on what covers it: centre,
   /// radii, height, tilt; −1: none.

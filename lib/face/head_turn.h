@@ -2,6 +2,8 @@
 // A head as a body: the depth of each feature, and the channels that turn it. Plain data;
 // lib/rig/pose/head_turn.h turns it.
 
+#include <mien/index.h>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -28,12 +30,14 @@ struct TurnedSlice {
   int at = -1;       ///< for width, size and shift: the slice of the point where it is
 };
 
+struct Channel;
+
 /// The front of the head is half an ellipsoid. A head without slices does not turn.
 struct HeadTurn {
-  glm::dvec3 pivot{0};                  ///< what it turns about; z 0 is the ellipsoid's middle
-  glm::dvec2 center{0};                 ///< of the ellipsoid, in the picture
-  glm::dvec3 radii{1};                  ///< > 0
-  int yaw = -1, pitch = -1, roll = -1;  ///< channels [degrees]
+  glm::dvec3 pivot{0};              ///< what it turns about; z 0 is the ellipsoid's middle
+  glm::dvec2 center{0};             ///< of the ellipsoid, in the picture
+  glm::dvec3 radii{1};              ///< > 0
+  Index<Channel> yaw, pitch, roll;  ///< [degrees]
   std::vector<TurnedSlice> slices;
 };
 

@@ -5,6 +5,7 @@
 // Another spring ties each of these points to its place at rest (lib/rig/muscle/law.h has the law). Numbers
 // other than points (a radius, a width) are held in the same way, each along its own line.
 
+#include <mien/index.h>
 #include <mien/side.h>
 
 #include <glm/vec2.hpp>
@@ -13,19 +14,21 @@
 
 namespace mien {
 
+struct Channel;
+
 /// One side of a group, or a muscle that has no side.
 struct Muscle {
   std::string name;  ///< its group's name: "zygomaticus"
   Side side = Side::none;
-  glm::dvec2 origin;    ///< on the muscle's own side
-  double strength = 0;  ///< [1/s²] stiffness of the spring at full pull, >= 0
-  double stroke = 0;    ///< [face units] how much a full pull shortens it, >= 0
-  int channel = -1;     ///< the channel that sets its pull directly, 0 … 1
+  glm::dvec2 origin;       ///< on the muscle's own side
+  double strength = 0;     ///< [1/s²] stiffness of the spring at full pull, >= 0
+  double stroke = 0;       ///< [face units] how much a full pull shortens it, >= 0
+  Index<Channel> channel;  ///< sets its pull directly, 0 … 1
 };
 
 /// The attachment of a muscle to a point or number.
 struct MuscleHold {
-  int muscle;
+  Index<Muscle> muscle;
   double weight;  ///< of the muscle's strength, 0 … 1
   double stroke =
       0;  ///< of a number: how far a full pull would take it, in its own unit; may be negative
@@ -55,20 +58,21 @@ struct MuscleSystem {
   std::vector<MuscleNumber> numbers;
 };
 
-/// The effect of an expression at full strength on one muscle or channel. `side` is the half of the
+/// The effect of an expression at full strength on one Muscle or Channel. `side` is the half of the
 /// expression that counts: left, right, or the mean of both (none).
+template <class T>
 struct ExpressionPart {
-  int index;  ///< of a muscle, or of a channel
+  Index<T> index;
   double amount;
   Side side = Side::none;
 };
 
 /// An emotion, or an expression of a standard set: a number from 0 to 1 that pulls muscles and moves controls.
 struct Expression {
-  std::string name;           ///< "emotion.joy", "arkit.jawOpen"
-  int left = -1, right = -1;  ///< channels with the strength of each half; the same if it has none
-  std::vector<ExpressionPart> pulls;  ///< muscles, 0 … 1
-  std::vector<ExpressionPart> moves;  ///< channels, in their own units
+  std::string name;            ///< "emotion.joy", "arkit.jawOpen"
+  Index<Channel> left, right;  ///< the strength of each half; the same if it has none
+  std::vector<ExpressionPart<Muscle>> pulls;   ///< 0 … 1
+  std::vector<ExpressionPart<Channel>> moves;  ///< in the channels' own units
 };
 
 }  // namespace mien

@@ -36,7 +36,7 @@ double way_to_side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p, double& share) {
 double way_to_outline(const Polygon& outline, glm::dvec2 p) {
   double square = std::numeric_limits<double>::infinity();
   glm::dvec2 a = outline.empty() ? glm::dvec2{0} : outline.back();
-  for (const glm::dvec2 b : outline) {  // as way_to_side has it, but for one root in all
+  for (const glm::dvec2 b : outline) {  // as way_to_side does, but with a single square root
     const glm::dvec2 along = b - a, from = p - a;
     const double length = glm::dot(along, along), reach = glm::dot(from, along);
     const double share = reach <= 0 ? 0.0 : reach >= length ? 1.0 : reach / length;

@@ -20,7 +20,7 @@ MatrixXd damped(const BoundedLeastSquares& problem) {
   return a;
 }
 
-/// Where the free variables would be by themselves, the others staying.
+/// The free variables' best values without bounds, the others fixed.
 VectorXd solved(const MatrixXd& a, const VectorXd& right, const std::vector<int>& free,
                 const VectorXd& x) {
   VectorXd rest = right - a * x;
@@ -48,7 +48,7 @@ class ActiveSet {
   }
 
   std::vector<double> solve() {
-    int kept_at = -1;  // was set free and went straight back
+    int kept_at = -1;  // the variable that was freed and went straight back to its bound
     for (int turn = 0; turn < 20 * count_ + 20; ++turn) {
       const int chosen = most_pulled(kept_at);
       if (chosen < 0) break;
@@ -66,7 +66,7 @@ class ActiveSet {
     return std::clamp(value, problem_.lo[std::size_t(i)], problem_.hi[std::size_t(i)]);
   }
 
-  /// The variable at a bound that wants most to move off it, but for one; −1: none.
+  /// The variable at a bound whose gradient pulls it off most strongly, except `but`; −1: none.
   int most_pulled(int but) const {
     const VectorXd pull = a_.transpose() * (right_ - a_ * x_);
     int chosen = -1;
@@ -81,8 +81,8 @@ class ActiveSet {
     return chosen;
   }
 
-  /// Moves the free variables to where they would be by themselves, or as far that way as the first of
-  /// them comes that meets its bound and is free no longer. Whether none did.
+  /// Moves the free variables towards their best values without bounds until the first of them meets a
+  /// bound, where it is then fixed. Returns whether none did.
   bool settle() {
     std::vector<int> free;
     for (int i = 0; i < count_; ++i)

@@ -15,11 +15,11 @@ struct BoundedLeastSquares {
   double damping = 0;          ///< >= 0
 };
 
-/// Active sets (Stark and Parker, "Bounded-variable least-squares", Computational Statistics 10, 1995):
-/// variables stand at a bound or are free; free ones are solved for by a QR decomposition (Eigen), the
-/// first that would leave its bounds stops there; then the one at a bound that wants to move most is
-/// set free. Ends at the optimum, after some tens of solves, but after 20 for each variable at the
-/// latest; never outside the bounds.
+/// Active sets (Stark and Parker, "Bounded-variable least-squares", Computational Statistics 10, 1995).
+/// Each variable is either fixed at a bound or free. The free ones are solved for by a QR decomposition
+/// (Eigen); the first that would leave its bounds is fixed there. Then the fixed variable that is pulled
+/// off its bound most strongly is freed. This ends at the optimum, usually after some tens of solves; it
+/// stops after 20 per variable at the latest. Variables never leave their bounds.
 std::vector<double> solve(const BoundedLeastSquares& problem);
 
 }  // namespace mien

@@ -1,6 +1,6 @@
 #pragma once
-// One root between two numbers where a function differs in sign: Newton, and halving where it is
-// slow.
+// One root between two numbers at which a function has opposite signs: Newton's method, with halving where
+// it is slow.
 
 #include <bit>
 #include <cmath>
@@ -26,9 +26,9 @@ inline double middle_by_rank(double lo, double hi) {
   return std::bit_cast<double>(m < 0 ? std::numeric_limits<std::int64_t>::min() - m : m);
 }
 
-/// A root of f in (lo, hi), f's sign at lo being that of `sign_lo` and opposite at hi. `f` maps x
-/// to ValueSlope. Ends at a value within its noise, at a Newton step below one ulp, at neighbours,
-/// or after `max_evaluations` (which 64 halvings, every third step at the latest, make enough).
+/// A root of f in (lo, hi), where f has the sign of `sign_lo` at lo and the opposite one at hi. `f` maps x
+/// to ValueSlope. Ends at a value within its noise, at a Newton step below one ulp, at neighbouring
+/// numbers, or after `max_evaluations` (at least every third step halves, and 64 halvings are enough).
 template <class F>
 double bracketed_root(const F& f, double lo, double hi, double sign_lo, double start,
                       int max_evaluations) {

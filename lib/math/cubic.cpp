@@ -82,7 +82,7 @@ Roots up_down_up(const Cubic& f, double r, double m1, double m2) {
   return roots;
 }
 
-/// a > 0, d != 0, sizes safe.
+/// a > 0, d != 0, and coefficients that cannot overflow.
 Roots solve_true_cubic(const Cubic& f) {
   const double discriminant = difference_of_products(f.b, f.b, 3.0 * f.a, f.c);
   if (!(discriminant > 0.0)) return one_root(f, discriminant);
@@ -98,7 +98,8 @@ Roots solve_linear(double a, double b) {
   return {1, {-b / a + 0.0}};  // + 0.0: no negative zero
 }
 
-/// Powers of two that make the first and last of N coefficients alike and the largest 1: x = 2^k y.
+/// Scales by powers of two so that the first and last of N coefficients are alike and the largest is about
+/// 1: x = 2^k y.
 template <std::size_t N>
 int balance(std::array<double, N>& c) {
   constexpr int kDegree = static_cast<int>(N) - 1;
@@ -116,7 +117,7 @@ Roots scaled(Roots r, int k) {
   return r;
 }
 
-/// The roots and 0.
+/// The given roots and 0.
 Roots with_zero(const Roots& r) {
   Roots all;
   bool pending = true;

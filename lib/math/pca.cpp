@@ -12,11 +12,11 @@ using pca::Components;
 using pca::Passes;
 using pca::Unwind;
 
-/// Halves of what is asked: passes that a fit makes, for its progress.
+/// The number of passes that a fit is expected to make, for its progress.
 constexpr int kPasses = 8;
 constexpr std::size_t kEveryCount = 16;  // up to here the curve has every count
-constexpr std::size_t kFirstTry = 32;    // components, where their number is to be found
-constexpr double kCurveStep = 1.25;      // and then each so much larger than the one before
+constexpr std::size_t kFirstTry = 32;  // components of the first try, if their number is not given
+constexpr double kCurveStep = 1.25;  // and beyond, each count is so much larger than the one before
 
 std::size_t most_components(const MatrixSource& frames) {
   return std::min(frames.rows, frames.columns);
@@ -49,7 +49,7 @@ void round_to_single(std::vector<double>& numbers) {
   for (double& number : numbers) number = double(float(number));
 }
 
-/// The largest number of each component positive.
+/// Makes the largest number of each component positive.
 void set_signs(Components& components, std::size_t columns) {
   for (std::size_t i = 0; i < components.sigma.size(); ++i) {
     double* row = components.rows.data() + i * columns;
@@ -73,7 +73,7 @@ void keep_first(PcaFit& fit, std::size_t count, std::size_t frames) {
   basis.variances.resize(count);
 }
 
-/// Counts at which the curve is told, up to `count`; the one before it always.
+/// The counts of the error curve, up to `count`; count − 1 is always among them.
 std::vector<std::size_t> curve_counts(std::size_t count, bool every) {
   std::vector<std::size_t> counts;
   for (std::size_t k = 0; k < count;
@@ -105,8 +105,8 @@ class Fitter {
   }
 
  private:
-  /// Whether these singular values hold what is wished. A largest error can't be told from them:
-  /// then `tried` are enough for a try.
+  /// Whether these singular values fulfil the wish. They do not tell a largest error: if that is wished
+  /// for, `tried` components are enough for a try.
   bool enough(const std::vector<double>& sigma, std::size_t tried = 0) const {
     if (wish_.count) return sigma.size() >= *wish_.count;
     if (wish_.max_error) return sigma.size() >= tried;
@@ -141,8 +141,8 @@ class Fitter {
     }
   }
 
-  /// The fit with these components, or nothing if they don't keep the largest error that is wished;
-  /// `all`: there are no more, so more than rounding can't be missing.
+  /// The fit with these components, or nothing if they miss the largest error wished for. `all`: there are
+  /// no more components, so nothing but rounding can be missing.
   std::optional<PcaFit> finished(Components found, bool all) {
     const std::size_t wished = wish_.count ? *wish_.count : 1;
     if (found.sigma.size() < wished) pca::complete(found, passes_.columns(), wished);
@@ -164,7 +164,7 @@ class Fitter {
     return with_decoded_error(std::move(fit));
   }
 
-  /// The curve's last point as it will be measured on decoded frames.
+  /// The fit with the curve's last point measured on decoded frames.
   PcaFit with_decoded_error(PcaFit fit) {
     if (!options_.single) return fit;
     const PcaError decoded = decoded_error(fit, fit.basis.count);
@@ -184,8 +184,8 @@ class Fitter {
     return curve;
   }
 
-  /// Whether the curve's point i is within the error, as decoded frames will be: 32-bit ones round
-  /// once more.
+  /// Whether the curve's point i keeps the error in decoded frames too: 32-bit frames are rounded once
+  /// more.
   bool keeps_error(const PcaFit& fit, std::size_t i) {
     if (fit.curve[i].max > *wish_.max_error) return false;
     return !options_.single || decoded_error(fit, fit.curve[i].count).max <= *wish_.max_error;
@@ -223,7 +223,7 @@ class Fitter {
   const std::size_t most_;
   Passes passes_;
   VertexGroups vertices_;
-  double total_ = 0;  // of all squares, less the mean
+  double total_ = 0;  // sum of all squares after the mean is subtracted
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Components from the matrix of products of the shorter side.
+// Components from the Gram matrix of the shorter side.
 
 #include "pca_private.h"
 
@@ -15,12 +15,12 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Beyond this share of the largest singular value of a round, the squares' rounding (1e-16) shows.
+/// Below this share of the largest singular value of a round, the rounding of the squares (1e-16) shows.
 constexpr double kTrusted = 1e-5;
-/// Below this share of the largest of all, a singular value is rounding of the data themselves.
+/// Below this share of the largest of all, a singular value is only the rounding of the data.
 constexpr double kRounding = 1e-13;
 
-/// The products of what is left beside the orthonormal columns of `known`: frames with frames.
+/// The Gram matrix of the frames, with the orthonormal columns of `known` projected out.
 Matrix frame_products(Passes& passes, const Matrix& known) {
   Matrix products = Matrix::Zero(Eigen::Index(passes.rows()), Eigen::Index(passes.rows()));
   passes.by_columns([&](const MatrixBlock& block, double* numbers) {
@@ -31,7 +31,7 @@ Matrix frame_products(Passes& passes, const Matrix& known) {
   return products;
 }
 
-/// And numbers with numbers.
+/// The same of the numbers: one row and column for each number of a frame.
 Matrix number_products(Passes& passes, const Matrix& known) {
   Matrix products = Matrix::Zero(Eigen::Index(passes.columns()), Eigen::Index(passes.columns()));
   passes.by_rows([&](const MatrixBlock& block, double* numbers) {
@@ -42,7 +42,7 @@ Matrix number_products(Passes& passes, const Matrix& known) {
   return products;
 }
 
-/// The frames' side of every component to the numbers' side: rows uᵀX / σ.
+/// The components over numbers, from those over frames: rows uᵀX / σ.
 std::vector<double> rows_from_frames(Passes& passes, const Matrix& left,
                                      const std::vector<double>& sigma) {
   const Eigen::Index count = left.cols(), columns = Eigen::Index(passes.columns());
@@ -54,6 +54,21 @@ std::vector<double> rows_from_frames(Passes& passes, const Matrix& left,
   });
   for (Eigen::Index i = 0; i < count; ++i) out.row(i) /= sigma[std::size_t(i)];
   return rows;
+}
+
+/// Appends the `count` largest of these eigenvectors to `known`, and their singular values to `sigma`.
+void append_components(const Eigen::SelfAdjointEigenSolver<Matrix>& eigen, Eigen::Index count,
+                       Matrix& known, std::vector<double>& sigma) {
+  const Eigen::Index before = known.cols(), last = known.rows() - 1;
+  known.conservativeResize(Eigen::NoChange, before + count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    // Rounding leaves a trace of the large components here, which would outweigh a small one.
+    Eigen::VectorXd next = eigen.eigenvectors().col(last - i);
+    for (int again = 0; again < 2; ++again)
+      next -= known.leftCols(before) * (known.leftCols(before).transpose() * next);
+    known.col(before + i) = next.normalized();
+    sigma.push_back(std::sqrt(eigen.eigenvalues()[last - i]));
+  }
 }
 
 }  // namespace
@@ -74,18 +89,9 @@ Components direct_components(Passes& passes, const Enough& enough) {
            std::sqrt(eigen.eigenvalues()[side - 1 - found]) > least)
       ++found;
     if (found == 0 || largest == 0) break;
-    const Eigen::Index before = known.cols();
-    known.conservativeResize(Eigen::NoChange, before + found);
-    for (Eigen::Index i = 0; i < found; ++i) {
-      // A trace of the large ones, as rounding leaves it, would outweigh a small component.
-      Eigen::VectorXd next = eigen.eigenvectors().col(side - 1 - i);
-      for (int again = 0; again < 2; ++again)
-        next -= known.leftCols(before) * (known.leftCols(before).transpose() * next);
-      known.col(before + i) = next.normalized();
-      sigma.push_back(std::sqrt(eigen.eigenvalues()[side - 1 - i]));
-    }
+    append_components(eigen, found, known, sigma);
   }
-  // Only as many as are asked for.
+  // Keeps only as many as are asked for.
   Eigen::Index kept = 0;
   std::vector<double> first;
   while (kept < known.cols() && !enough(first)) first.push_back(sigma[std::size_t(kept++)]);

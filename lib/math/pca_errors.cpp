@@ -1,4 +1,4 @@
-// What is lost: frames less their mean less one component after the other.
+// The errors of a truncated basis: frames minus their mean, minus one component after the other.
 
 #include "pca_private.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Adds a block of differences to what is known of them.
+/// Adds a block of differences to the errors.
 void add_errors(const MatrixBlock& block, const double* left, const VertexGroups& vertices,
                 std::size_t first_vertex, PcaError& error) {
   for (std::size_t r = 0; r < block.rows; ++r, left += block.columns) {

@@ -10,15 +10,15 @@
 
 namespace mien::pca {
 
-/// Thrown inside these files only; fit_pca and its sisters turn it into the Error it holds.
+/// Thrown inside these files only; the public functions turn it into the Error it holds.
 struct Unwind {
   Error error;
 };
 
-/// Numbers of a block: large enough for whole products, small enough to be nothing (8 MB).
+/// How many numbers a block has: enough for efficient matrix products, and only 8 MB.
 inline constexpr std::size_t kBlock = std::size_t(1) << 20;
 
-/// Goes over a matrix in blocks, less a mean, and tells the progress.
+/// Visits a matrix in blocks, with a mean subtracted, and reports the progress.
 class Passes {
  public:
   Passes(const MatrixSource& source, const Progress& progress, int expected)
@@ -26,7 +26,7 @@ class Passes {
 
   std::size_t rows() const { return source_.rows; }
   std::size_t columns() const { return source_.columns; }
-  std::vector<double> mean;  ///< taken off; empty: nothing is
+  std::vector<double> mean;  ///< subtracted; empty: none
 
   using Visit = std::function<void(const MatrixBlock& block, double* numbers)>;
   /// Blocks of all rows, or of all columns.
@@ -43,31 +43,31 @@ class Passes {
 
   const MatrixSource& source_;
   const Progress& progress_;
-  int expected_;  // passes, for the progress only
+  int expected_;  // number of passes, for the progress only
   double passed_ = 0;
   std::vector<double> buffer_;
 };
 
-/// Rows of an orthonormal set with what each holds.
+/// Orthonormal rows with their singular values.
 struct Components {
   std::vector<double> rows;   ///< count × columns
   std::vector<double> sigma;  ///< singular values, falling
 };
 
-/// When to stop looking for more: given the singular values so far.
+/// Whether the singular values found so far are enough.
 using Enough = std::function<bool(const std::vector<double>& sigma)>;
 
-/// All components down to rounding, or until enough, by the products of the shorter side.
+/// All components down to rounding, or until there are enough, from the Gram matrix of the shorter side.
 Components direct_components(Passes& passes, const Enough& enough);
 /// The first `count`, by a random subspace.
 Components random_components(Passes& passes, std::size_t count);
 
-/// Makes rows orthonormal that nearly are, each changed by those before it only.
+/// Orthonormalizes rows that nearly are. Each is changed by those before it only.
 void make_orthonormal(std::vector<double>& rows, std::size_t columns);
 /// Appends rows until there are `count`, orthonormal to those there and to each other.
 void complete(Components& components, std::size_t columns, std::size_t count);
 
-/// F × n: the frames' differences from the passes' mean along each row.
+/// F × n: the projections of each frame, minus the passes' mean, onto the rows.
 std::vector<double> weights_along(Passes& passes, const std::vector<double>& rows);
 
 /// Errors with the first k components for every k of `counts` (rising), in one pass. `variance` is

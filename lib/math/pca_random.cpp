@@ -18,7 +18,7 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 constexpr std::size_t kMore = 10;    // directions beyond those wanted
 constexpr int kPowerIterations = 2;  // each takes the subspace nearer by (σ_k+1 / σ_n)²
 
-/// Numbers of a bell curve, always the same ones (sum of twelve uniform ones).
+/// Nearly Gaussian random numbers (each the sum of twelve uniform ones), always the same.
 Matrix random_matrix(Eigen::Index rows, Eigen::Index columns) {
   std::uint64_t state = 0x6D69656E;
   Matrix numbers(rows, columns);
@@ -72,7 +72,7 @@ Components random_components(Passes& passes, std::size_t count) {
     orthonormal_columns(numbers);
     frames = times(passes, numbers);
   }
-  // X ≈ frames · numbersᵀ; its singular vectors from the small triangle of numbers = Q R.
+  // X ≈ frames · numbersᵀ. With numbers = Q R, its singular vectors follow from the small triangle R.
   const Eigen::HouseholderQR<Matrix> qr(numbers);
   const Matrix triangle =
       qr.matrixQR().topRows(width).triangularView<Eigen::Upper>().toDenseMatrix();

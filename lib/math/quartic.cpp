@@ -23,24 +23,10 @@ struct Quartic {
   }
 };
 
-}  // namespace
-
-QuarticRoots solve_quartic(double a, double b, double c, double d, double e) {
-  double largest = 0.0;
-  for (const double v : {a, b, c, d, e}) {
-    if (!std::isfinite(v)) return {};
-    largest = std::max(largest, std::abs(v));
-  }
-  if (largest == 0.0) return {-1, {}};
-  const double k = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
-  const Quartic f{k * a, k * b, k * c, k * d, k * e};
+/// The roots of a quartic with f.a != 0 and a largest coefficient of about 1: at most one in each of its
+/// monotone pieces.
+QuarticRoots solve_true_quartic(const Quartic& f) {
   QuarticRoots roots;
-  if (f.a == 0.0) {
-    const Roots lower = solve_cubic(f.b, f.c, f.d, f.e);
-    roots.count = lower.count;
-    std::copy(lower.x.begin(), lower.x.end(), roots.x.begin());
-    return roots;
-  }
   const auto add = [&](double x) {
     if (roots.count < 4 && (roots.count == 0 || roots.x[roots.count - 1] < x))
       roots.x[roots.count++] = x;
@@ -70,6 +56,27 @@ QuarticRoots solve_quartic(double a, double b, double c, double d, double e) {
     sign_lo = flat ? 0.0 : at.value;
   }
   return roots;
+}
+
+}  // namespace
+
+QuarticRoots solve_quartic(double a, double b, double c, double d, double e) {
+  double largest = 0.0;
+  for (const double v : {a, b, c, d, e}) {
+    if (!std::isfinite(v)) return {};
+    largest = std::max(largest, std::abs(v));
+  }
+  if (largest == 0.0) return {-1, {}};
+  const double k = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+  const Quartic f{k * a, k * b, k * c, k * d, k * e};
+  if (f.a == 0.0) {
+    QuarticRoots roots;
+    const Roots lower = solve_cubic(f.b, f.c, f.d, f.e);
+    roots.count = lower.count;
+    std::copy(lower.x.begin(), lower.x.end(), roots.x.begin());
+    return roots;
+  }
+  return solve_true_quartic(f);
 }
 
 }  // namespace mien

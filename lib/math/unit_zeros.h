@@ -1,5 +1,5 @@
 #pragma once
-// The zeros in [0, 1] of a cubic that is too delicate for its own coefficients.
+// The zeros in [0, 1] of a cubic that is too delicate to be evaluated by its coefficients.
 
 #include "lib/math/bracketed_root.h"
 
@@ -40,9 +40,9 @@ double unit_zero_between(const F& f, double lo, double hi, double f_lo, double f
   return t;
 }
 
-/// Zeros in [0, 1] of f, a cubic in t with leading coefficients c3, c2, c1 (of t³, t², t). They
-/// only tell where f turns; the values come from `f` itself (t -> ValueSlope), which the caller
-/// evaluates in whatever way is accurate. A zero at 0 or 1 is found where f is exactly 0 there.
+/// Zeros in [0, 1] of f, a cubic in t with leading coefficients c3, c2, c1 (of t³, t², t). The coefficients
+/// only tell where f turns. The values come from `f` itself (t -> ValueSlope), which the caller evaluates
+/// in whatever way is accurate. A zero at 0 or 1 is found where f is exactly 0 there.
 template <Zeros kWanted, class F>
 UnitZeros unit_zeros(double c3, double c2, double c1, const F& f) {
   double knots[4] = {0.0, 1.0, 1.0, 1.0};

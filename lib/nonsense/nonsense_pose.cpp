@@ -54,7 +54,7 @@ class PoseList {
     return found == model_.controls.end() ? -1 : int(found - model_.controls.begin());
   }
   const Channel& channel_of(int control) const {
-    return model_.channels[std::size_t(model_.controls[std::size_t(control)].channels[0])];
+    return model_.controls[std::size_t(control)].channels[0].in(model_.channels);
   }
 
   static bool wanted(int directions, int yaw, int pitch) {

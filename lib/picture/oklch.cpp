@@ -56,7 +56,7 @@ std::string hex_of(const Oklch& color, double alpha) {
   const glm::dvec3 lab =
       Oklch{std::clamp(color.lightness, 0.0, 1.0), color.chroma, color.hue}.lab();
   glm::dvec3 linear = linear_of(lab);
-  double lo = 0.0, hi = 1.0;  // shares of the chroma: shown, not shown
+  double lo = 0.0, hi = 1.0;  // shares of the chroma: lo can be shown, hi cannot
   for (int i = 0; i < 20 && (i > 0 || !is_shown(linear)); ++i) {
     const double share = 0.5 * (lo + hi);
     (is_shown(linear_of({lab.x, share * lab.y, share * lab.z})) ? lo : hi) = share;

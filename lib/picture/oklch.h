@@ -1,5 +1,5 @@
 #pragma once
-// Colours by lightness, chroma and hue, as they are seen.
+// Colours by perceived lightness, chroma and hue.
 //
 // Source. Björn Ottosson, "A perceptual color space for image processing" (2020): OKLab and its polar form.
 
@@ -19,7 +19,7 @@ struct Oklch {
   static Oklch from_linear(glm::dvec3 linear);
 };
 
-/// How far two colours are apart, as seen: 0.02 is just noticed.
+/// The perceived difference of two colours; 0.02 is just noticeable.
 double apart(const Oklch& a, const Oklch& b);
 
 /// "#rrggbbaa", or without the alpha where it is 1. Chroma is lowered until the colour can be shown.

@@ -12,8 +12,8 @@ inline double linear_from_srgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-/// The encoded channel of linear light; both 0 … 1. 1 is 1 exactly, which the power would miss by a
-/// rounding.
+/// The encoded channel of linear light; both 0 … 1. For 1 it is exactly 1, which the power function would
+/// miss by a rounding error.
 inline double srgb_from_linear(double linear) {
   if (linear >= 1) return 1;
   return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;

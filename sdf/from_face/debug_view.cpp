@@ -46,7 +46,7 @@ void draw_muscle(const Face& face, SceneBuilder& build, int muscle, double pull,
   Area all;
   for (const MusclePoint& point : system.points)
     for (const MuscleHold& hold : point.holds) {
-      if (hold.muscle != muscle) continue;
+      if (hold.muscle != Index<Muscle>{muscle}) continue;
       const Area line = build.shape(
           Line{m.origin, point_at(face, point.slice), width * (0.4 + 0.6 * hold.weight)});
       all = all.node < 0 ? line : build.unite(all, line);

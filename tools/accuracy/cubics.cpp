@@ -79,7 +79,7 @@ struct Exact {
     return Quad(0x1p-52) * (terms(x) / magnitude(slope(x)) + magnitude(x));
   }
 
-  /// Where it turns, ascending.
+  /// The critical points, ascending.
   std::vector<Quad> turns() const {
     if (a == 0) return b == 0 ? std::vector<Quad>{} : std::vector<Quad>{-c / (2 * b)};
     const Quad square = b * b - 3 * a * c;
@@ -102,8 +102,7 @@ struct Exact {
     return 0;
   }
 
-  /// The root in (lo, hi) that Newton's method finds from x: the only one there. Without an end the
-  /// piece goes on for ever.
+  /// The only root in (lo, hi), by Newton's method from x. A missing end stands for infinity.
   std::optional<Quad> root_near(Quad x, std::optional<Quad> lo, std::optional<Quad> hi) const {
     for (int i = 0; i < 100; ++i) {
       const Quad v = (*this)(x), s = slope(x);

@@ -1,6 +1,6 @@
 #pragma once
-// solve_cubic on its own families of nasty cases, judged in 113 bits: no root missed, none invented,
-// every one as exact as its coefficients deserve.
+// solve_cubic on its own families of nasty cases, judged in 113 bits: no root missed, none invented, each
+// as accurate as its condition allows.
 
 #include <mien/cubic_roots.h>
 #include "tools/accuracy/families.h"

@@ -6,7 +6,7 @@
 namespace mien::accuracy {
 namespace {
 
-/// Not inlined: GCC 12 drops the rounding where it makes one vector of two of these (-O2, x86-64).
+/// Not inlined: GCC 12 drops the rounding if it makes one vector of two such calls (-O2, x86-64).
 [[gnu::noinline]] double in_float(double x) {
   return double(float(x));
 }

@@ -23,7 +23,7 @@ class Random {
   double between(double a, double b) { return a + (b - a) * unit(); }
   double sign() { return bits_() & 1 ? 1 : -1; }
   bool chance(double p) { return unit() < p; }
-  /// 10^u, u uniform: every order of magnitude alike.
+  /// 10^u, u uniform: every order of magnitude is equally likely.
   double magnitude(double lo, double hi);
   glm::dvec2 point() {
     const double x = unit();
@@ -35,7 +35,7 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-/// What distances are asked of.
+/// What distances are measured to.
 using Figure = std::variant<QuadBezier, Ellipse, ParabolaSide, TaperedStroke, CubicBezier>;
 
 struct Case {
@@ -62,7 +62,7 @@ Case in_floats(const Case& k);
 /// `count` cases of a family, the same for the same seed everywhere.
 std::vector<Case> cases_of(const Family& family, size_t count, uint64_t seed);
 
-/// Figures, for the families' files.
+/// The families of the other figures, for families() to list.
 std::vector<Family> conic_families();
 std::vector<Family> stroke_families();
 

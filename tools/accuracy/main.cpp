@@ -38,7 +38,7 @@ bool wanted(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A name nobody has would be an empty table that passes.
+/// Refuses unknown names, which would otherwise give an empty table that passes.
 template <class All>
 void require_names(const std::string& what, const std::vector<std::string>& names, const All& all) {
   for (const std::string& name : names) {

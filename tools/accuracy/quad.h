@@ -1,8 +1,8 @@
 #pragma once
 // Numbers of 113 bits: what every distance in the laboratory is measured against.
 //
-// GCC's and Clang's binary128: the compiler's own arithmetic, fast enough to be asked ten million times,
-// and 60 bits beyond a double's, more than any family of cases can cancel.
+// GCC's and Clang's binary128 is the compiler's own arithmetic, fast enough for ten million questions. It
+// has 60 bits more than a double, which is more than any family of cases can cancel.
 // tests/tools/accuracy/reference_test.cpp checks what is built on it against 100 decimal digits.
 
 #include <cmath>
@@ -15,8 +15,7 @@ inline Quad magnitude(Quad x) {
   return x < 0 ? -x : x;
 }
 
-/// The square root of x >= 0, to the last bit or two; x is first brought into long double's
-/// comfort.
+/// The square root of x >= 0, to the last bit or two; x is first scaled into the range of long double.
 inline Quad square_root(Quad x) {
   if (!(x > 0)) return 0;
   Quad scale = 1;

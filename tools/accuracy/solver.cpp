@@ -106,8 +106,9 @@ double batch_many(const Case& k) {  // among three, two of them certainly farthe
   return d;
 }
 
-/// The corner of a tile, where a certified start is farthest off; the tile is as fine as a small
-/// picture's, or much finer; alone or with two more above it, which are certified in lanes.
+/// The distance at the corner of a tile, where a certified start is farthest off. The tile is as fine as in
+/// a small picture, or much finer. It is alone, or one of three above each other, which are certified in
+/// lanes.
 double batch_grid(const Case& k) {
   constexpr size_t kTile = 16;
   const auto& curve = std::get<QuadBezier>(k.figure);

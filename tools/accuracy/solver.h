@@ -1,5 +1,5 @@
 #pragma once
-// What a foreign solver must look like to stand in the table: a shared library with this one function.
+// The interface of a foreign solver that is to stand in the table: a shared library with this one function.
 //
 //   /* Distances from (x[i], y[i]) to the quadratic Bézier curve[] = {x0, y0, x1, y1, x2, y2}. */
 //   extern "C" void mien_accuracy_solve(const double* curve, const double* x, const double* y,
@@ -20,7 +20,7 @@
 
 namespace mien::accuracy {
 
-/// In which unit an error is counted, and what the bar is.
+/// The unit that an error is counted in, and the bar.
 enum class Judge {
   fast,  ///< max(2⁻²³ size, float ulp): "mix". A parabola's size: its foot's and the point's from
          ///< the vertex

@@ -20,9 +20,9 @@ struct Tally {
   bool passes() const { return bar == 0 || (worst <= bar && bad == 0 && nan == 0); }
 };
 
-/// What solvers are measured against: binary128, or, thirty times as fast and for float kernels only,
-/// mien's own scalar forms in double precision. Those are measured against binary128 themselves, and
-/// their error is 2⁻²⁷ of a float kernel's unit.
+/// What solvers are measured against: binary128, or mien's own scalar forms in double precision, which are
+/// thirty times as fast but serve float kernels only. The scalar forms are measured against binary128
+/// themselves, and their error is 2⁻²⁷ of a float kernel's unit.
 enum class Truth { binary128, scalar };
 
 /// Runs the solvers on `count` cases of the family. The reference is computed once.

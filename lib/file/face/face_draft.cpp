@@ -104,8 +104,13 @@ std::vector<Offset> FaceDraft::offsets(const Reading& in, const JsonNode& node, 
   return found;
 }
 
+Index<Channel> FaceDraft::add_channel(Channel channel) {
+  model.channels.push_back(std::move(channel));
+  return last_of(model.channels);
+}
+
 void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control) {
-  if (!control_by_name.emplace(control.name, int(model.controls.size())).second)
+  if (!control_by_name.emplace(control.name, Index<Control>{int(model.controls.size())}).second)
     in.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
   model.controls.push_back(std::move(control));
 }
@@ -120,7 +125,8 @@ void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Contro
                   {control_of_side(control.name, side), control.unit, {channel}, control.pose});
 }
 
-int FaceDraft::control_named(const Reading& in, const JsonNode& node, std::string_view name) const {
+Index<Control> FaceDraft::control_named(const Reading& in, const JsonNode& node,
+                                        std::string_view name) const {
   const auto found = control_by_name.find(std::string{name});
   if (found != control_by_name.end()) return found->second;
   std::vector<std::string_view> known;

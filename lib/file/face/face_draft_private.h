@@ -17,7 +17,7 @@ namespace mien {
 
 inline constexpr std::array<std::string_view, 2> kSides{"left", "right"};  ///< as files say
 
-/// A slice that a name in the file means, and whether the numbers beside it were written for its
+/// A slice that a name in the file refers to, and whether the numbers beside the name were written for its
 /// mirror image.
 struct DriveTarget {
   int slice;
@@ -27,15 +27,15 @@ struct DriveTarget {
 /// A channel of a control, and the side it acts on.
 struct SidedChannel {
   Side side;
-  int channel;
+  Index<Channel> channel;
 };
 
 struct FaceDraft {
   FaceModel model;
   FaceVector vector;
   std::unordered_map<std::string, int> feature_by_name;
-  std::unordered_map<std::string, int> control_by_name;
-  std::vector<int> clip_depth;  ///< per feature: how many clips it stands in
+  std::unordered_map<std::string, Index<Control>> control_by_name;
+  std::vector<int> clip_depth;  ///< per feature: how many clips it is nested in
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
   std::unordered_set<std::string> mirrored_eyes;
 
@@ -43,24 +43,24 @@ struct FaceDraft {
   int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
                 std::span<const double> values);
 
-  /// The slice that an author's name ("opening/upper") means on a side, or else the unsided one;
-  /// −1: none.
+  /// The slice that an author's name ("opening/upper") refers to on a side; if there is none, the slice
+  /// without a side; −1: none.
   int find_slice(std::string_view name, Side side) const;
-  /// The feature likewise.
+  /// The same for a feature.
   int find_feature(std::string_view name, Side side) const;
 
-  /// Reads a slice's name, with the nearest one in the error if it is unknown.
+  /// Resolves a slice's name. The error for an unknown one names the nearest.
   int slice_named(const Reading& in, const JsonNode& node, std::string_view name, Side side) const;
   /// Reads "@NAME": a slice of that kind and size.
   int reference(const Reading& in, const JsonNode& node, Side side, SliceKind kind, int size) const;
 
-  /// What a name means for something that acts on a side: the side's slice; for something without a
-  /// side the very slice, or both sides'. `mirror`: numbers beside it are mirrored where the feature
-  /// is. Refuses unknown names.
+  /// The slices that a name refers to, for something that acts on a side: that side's slice. For something
+  /// without a side: the unsided slice, or those of both sides. `mirror`: the numbers beside the name are
+  /// mirrored where the feature is. Refuses unknown names.
   std::vector<DriveTarget> targets(const Reading& in, const JsonNode& node, std::string_view name,
                                    Side side, bool mirror) const;
 
-  /// Reads the numbers that are added to every slice that the node's key means for a side.
+  /// Reads numbers that are added to every slice that the node's key refers to on a side.
   std::vector<Offset> offsets(const Reading& in, const JsonNode& node, Side side,
                               bool mirror) const;
 
@@ -70,8 +70,11 @@ struct FaceDraft {
   /// own control: "NAME.left".
   void add_control(const Reading& in, const JsonNode& name_node, Control control,
                    std::span<const SidedChannel> channels);
+  /// Appends a channel.
+  Index<Channel> add_channel(Channel channel);
   /// The control of that name; refuses unknown ones.
-  int control_named(const Reading& in, const JsonNode& node, std::string_view name) const;
+  Index<Control> control_named(const Reading& in, const JsonNode& node,
+                               std::string_view name) const;
 
   /// Whether numbers written for this slice belong to its mirror image.
   bool is_mirrored(int slice) const;
@@ -81,7 +84,7 @@ void read_canvas(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_palette(Reading& in, const JsonNode& node, FaceDraft& face);
 int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face);
 
-/// Whose paint is read: a feature of a side, perhaps from numbers written for the other one.
+/// The feature whose paint is read; its numbers may have been written for the other side.
 struct PaintPlace {
   std::string feature;  ///< "iris.left"
   Side side;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kNewestVersion = 2;  // 1: a face in full; 2: a recipe
 
-/// Gives the version.
+/// Returns the version.
 int check_format(Reading& in, const JsonNode& root) {
   const JsonNode& format = in.need(root, "format");
   if (in.string(format) != "mien-face")
@@ -34,6 +34,21 @@ int check_format(Reading& in, const JsonNode& root) {
   if (number != 1 && number != kNewestVersion)
     in.refuse(version, fmt::format("expected the integer 1 or 2, got {}", number));
   return int(number);
+}
+
+void read_effects(Reading& in, const JsonNode& node, FaceModel& model) {
+  in.expect(node, JsonKind::array);
+  in.for_each(node, [&](const JsonNode& child, int) {
+    const auto effect = read_effect(in.string(child));
+    if (!effect) in.refuse(child, effect.error().what);
+    model.effects.push_back(*effect);
+  });
+}
+
+Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel& model) {
+  std::vector<std::string_view> known;
+  for (const Clip& clip : model.clips) known.push_back(clip.name);
+  return {int(in.word(node, "clip", known))};
 }
 
 Face read_root(Reading& in);
@@ -80,19 +95,9 @@ Face read_root(Reading& in) {
   if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);
   if (const JsonNode* sets = in.find(root, "expressions")) read_expressions(in, *sets, draft);
   if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
-  if (const JsonNode* effects = in.find(root, "effects")) {
-    in.expect(*effects, JsonKind::array);
-    in.for_each(*effects, [&](const JsonNode& child, int) {
-      const auto effect = read_effect(in.string(child));
-      if (!effect) in.refuse(child, effect.error().what);
-      model.effects.push_back(*effect);
-    });
-  }
-  if (const JsonNode* wanted = in.find(root, "default_clip")) {
-    std::vector<std::string_view> known;
-    for (const Clip& clip : model.clips) known.push_back(clip.name);
-    model.default_clip = {int(in.word(*wanted, "clip", known))};
-  }
+  if (const JsonNode* effects = in.find(root, "effects")) read_effects(in, *effects, model);
+  if (const JsonNode* wanted = in.find(root, "default_clip"))
+    model.default_clip = clip_named(in, *wanted, model);
   FaceVector rest = draft.vector;
   apply_rules(model.layout, draft.vector, rest);  // wraps angles
   return {std::make_shared<const FaceModel>(std::move(model)), std::move(rest)};

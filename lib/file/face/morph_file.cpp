@@ -57,7 +57,7 @@ std::string target_text(const Face& rest, const MorphTarget& target) {
                      text.empty() ? "" : "\n      ");
 }
 
-/// A draft that holds a finished face, so that the reader of poses can go on with it.
+/// A finished face as a draft, so that the reader of poses can add to it.
 FaceDraft draft_of(const Face& face) {
   FaceDraft draft;
   draft.model = *face.model;
@@ -65,7 +65,7 @@ FaceDraft draft_of(const Face& face) {
   for (std::size_t i = 0; i < draft.model.features.size(); ++i)
     draft.feature_by_name.emplace(draft.model.features[i].name, int(i));
   for (std::size_t i = 0; i < draft.model.controls.size(); ++i)
-    draft.control_by_name.emplace(draft.model.controls[i].name, int(i));
+    draft.control_by_name.emplace(draft.model.controls[i].name, Index<Control>{int(i)});
   // Names in these files are whole, sides and all, so nothing is mirrored.
   draft.mirrored.assign(draft.model.features.size(), 0);
   return draft;
@@ -104,7 +104,7 @@ Expected<std::string> morph_text(const Face& rest, const std::vector<MorphTarget
       "{{\n  \"format\": \"mien-morphs\",\n  \"format_version\": 1,\n  \"face\": {},\n"
       "  \"poses\": {{{}\n  }}\n}}\n",
       json_string(rest.model->name), poses);
-  // What is written must read back: the same rules for names, in one place.
+  // What is written must read back. Reading it here keeps the rules for names in one place.
   if (const auto again = read_morphs_text(rest, text); !again) return Error{"", again.error().what};
   return text;
 }

@@ -43,15 +43,14 @@ class ControlReader {
       in_.refuse(rest, fmt::format("must lie between {} and {}, got {}", lo, hi, rest_));
   }
 
-  int add_channel(Side side) {
+  Index<Channel> add_channel(Side side) {
     Channel channel{.rest = rest_, .lo = lo_, .hi = hi_};
     if (const JsonNode* offset = in_.find(node_, "offset")) add_offsets(*offset, side, channel);
     if (const JsonNode* scale = in_.find(node_, "scale")) add_scales(*scale, side, channel);
     if (const JsonNode* table = in_.find(node_, "key_shapes"))
       if (KeyShapes shapes = key_shapes(*table, side); !shapes.tracks.empty())
         channel.drives.push_back(std::move(shapes));
-    face_.model.channels.push_back(std::move(channel));
-    return int(face_.model.channels.size()) - 1;
+    return face_.add_channel(std::move(channel));
   }
 
   void add_offsets(const JsonNode& node, Side side, Channel& channel) const {
@@ -137,8 +136,7 @@ class ControlReader {
     return feature < 0 ? Side::none : face_.model.features[std::size_t(feature)].side;
   }
 
-  /// A table that says something else at rest than the features do would jump as soon as it is
-  /// touched.
+  /// If a table differs from the features at rest, the face jumps as soon as the control is moved.
   void warn_of_jump(const JsonNode& node, const KeyShapes& table) {
     const auto key = std::find(table.at.begin(), table.at.end(), rest_);
     if (key == table.at.end()) return;

@@ -52,10 +52,7 @@ class ExpressionReader {
     face_.model.expressions.push_back(std::move(expression));
   }
 
-  int add_channel() {
-    face_.model.channels.push_back({.rest = 0, .lo = 0, .hi = 1});
-    return int(face_.model.channels.size()) - 1;
-  }
+  Index<Channel> add_channel() { return face_.add_channel({.rest = 0, .lo = 0, .hi = 1}); }
 
   void read_part(const JsonNode& node, Expression& expression) {
     const std::string_view name = in_.tree.key(node);
@@ -83,7 +80,7 @@ class ExpressionReader {
     const std::vector<Muscle>& muscles = face_.model.muscles.muscles;
     for (std::size_t m = 0; m < muscles.size(); ++m)
       if (muscles[m].name == name && (side == Side::none || muscles[m].side == side)) {
-        expression.pulls.push_back({int(m), amount, muscles[m].side});
+        expression.pulls.push_back({{int(m)}, amount, muscles[m].side});
         found = true;
       }
     if (found) check_share(node, amount);
@@ -97,29 +94,34 @@ class ExpressionReader {
     for (const Expression& emotion : face_.model.expressions) {
       if (emotion.name != wanted) continue;
       check_share(node, share);
-      for (const auto& [from, to] : {std::pair{&emotion.pulls, &expression.pulls},
-                                     std::pair{&emotion.moves, &expression.moves}})
-        for (ExpressionPart part : *from) {
-          if (side != Side::none && part.side != side) continue;
-          part.amount *= share;
-          to->push_back(part);
-        }
+      add_parts(emotion.pulls, side, share, expression.pulls);
+      add_parts(emotion.moves, side, share, expression.moves);
       return true;
     }
     return false;
   }
 
+  template <class T>
+  static void add_parts(const std::vector<ExpressionPart<T>>& from, Side side, double share,
+                        std::vector<ExpressionPart<T>>& to) {
+    for (ExpressionPart<T> part : from) {
+      if (side != Side::none && part.side != side) continue;
+      part.amount *= share;
+      to.push_back(part);
+    }
+  }
+
   bool add_control_move(std::string_view name, double amount, Expression& expression) const {
     const auto found = face_.control_by_name.find(std::string{name});
     if (found == face_.control_by_name.end()) return false;
-    const Control& control = face_.model.controls[std::size_t(found->second)];
-    for (const int channel : control.channels)
+    const Control& control = found->second.in(face_.model.controls);
+    for (const Index<Channel> channel : control.channels)
       expression.moves.push_back({channel, amount, side_of(channel)});
     return true;
   }
 
-  /// The half of a control that a channel is.
-  Side side_of(int channel) const {
+  /// The half of a control that a channel stands for.
+  Side side_of(Index<Channel> channel) const {
     for (const Control& control : face_.model.controls)
       if (control.channels.size() == 2)
         for (const int half : {0, 1})

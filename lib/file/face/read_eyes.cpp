@@ -114,14 +114,15 @@ class EyeReader {
     eye_.gaze_y = channel(*in_.tree.next(x), 0);
   }
 
-  /// The channel that a control's name means for this eye. It must rest where the eye does.
-  int channel(const JsonNode& node, double rest) const {
+  /// The channel of a named control for this eye. It must rest at `rest`, where the eye does.
+  Index<Channel> channel(const JsonNode& node, double rest) const {
     const std::string_view name = in_.string(node);
     const std::string sided = control_of_side(name, eye_.side);
-    const int index = face_.control_by_name.contains(sided) ? face_.control_by_name.at(sided)
-                                                            : face_.control_named(in_, node, name);
-    const int found = face_.model.controls[std::size_t(index)].channels[0];
-    if (face_.model.channels[std::size_t(found)].rest != rest)
+    const Index<Control> index = face_.control_by_name.contains(sided)
+                                     ? face_.control_by_name.at(sided)
+                                     : face_.control_named(in_, node, name);
+    const Index<Channel> found = index.in(face_.model.controls).channels[0];
+    if (found.in(face_.model.channels).rest != rest)
       in_.refuse(node, fmt::format("the control {} must rest at {}", in_quotes(name), rest));
     return found;
   }

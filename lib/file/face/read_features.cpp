@@ -199,7 +199,8 @@ const Kind& read_kind(const Reading& in, const JsonNode& node) {
   return kinds()[in.word(node, "kind of feature", names)];
 }
 
-/// Where a name stands that no feature so far has: later in the list, or nowhere.
+/// Refuses a clip that names no earlier feature. The error says whether the name comes later in the list or
+/// nowhere.
 [[noreturn]] void refuse_clip(const Reading& in, const JsonNode& node, const FaceDraft& face,
                               const JsonNode& features) {
   const std::string_view wanted = in.string(node);

@@ -26,7 +26,7 @@ double bounded(const Reading& in, const JsonNode& node, double lo, double hi,
   return number;
 }
 
-/// What an attachment's name means on a side.
+/// What an attachment's name refers to on a side.
 struct Held {
   int slice;
   int component;  ///< −1: the feature's size; −2: a point
@@ -82,8 +82,9 @@ class MuscleReader {
     add();
   }
 
-  /// Gives the channel of its pull.
-  int add_muscle(const JsonNode& node, const std::string& name, Side side, bool mirrored) {
+  /// Returns the channel of its pull.
+  Index<Channel> add_muscle(const JsonNode& node, const std::string& name, Side side,
+                            bool mirrored) {
     const JsonNode* instead = side == Side::none ? nullptr : in_.find(node, side_name(side));
     const auto field = [&](std::string_view key) -> std::pair<const JsonNode&, bool> {
       if (instead)
@@ -97,26 +98,24 @@ class MuscleReader {
     std::vector<double> origin = in_.numbers(origin_node, 2, 2);
     if (origin_mirrored) mirror_values(SliceKind::point, origin, face_.model.canvas.twice_axis());
     muscle.origin = {origin[0], origin[1]};
-    muscle.channel = int(face_.model.channels.size());
-    face_.model.channels.push_back({.rest = 0, .lo = 0, .hi = 1});
+    muscle.channel = face_.add_channel({.rest = 0, .lo = 0, .hi = 1});
     face_.model.muscles.muscles.push_back(muscle);
     const auto [attach, attach_mirrored] = field("attach");
-    read_attachments(attach, int(face_.model.muscles.muscles.size()) - 1, attach_mirrored);
+    read_attachments(attach, last_of(face_.model.muscles.muscles), attach_mirrored);
     return muscle.channel;
   }
 
-  void read_attachments(const JsonNode& node, int muscle, bool mirrored) {
+  void read_attachments(const JsonNode& node, Index<Muscle> muscle, bool mirrored) {
     in_.expect(node, JsonKind::object);
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view name = in_.tree.key(child);
       if (name == "comment") return;
-      for (const Held held :
-           held_by(child, name, face_.model.muscles.muscles[std::size_t(muscle)].side))
+      for (const Held held : held_by(child, name, muscle.in(face_.model.muscles.muscles).side))
         attach(child, muscle, held, mirrored);
     });
   }
 
-  void attach(const JsonNode& node, int muscle, Held held, bool mirrored) {
+  void attach(const JsonNode& node, Index<Muscle> muscle, Held held, bool mirrored) {
     MuscleHold hold{muscle, 0};
     const bool long_form = node.kind == JsonKind::object;
     if (long_form) in_.expect_object(node, {"weight", "stroke"}, "attachment");
@@ -127,7 +126,7 @@ class MuscleReader {
       hold_point(held.slice, hold);
       return;
     }
-    const Muscle& m = face_.model.muscles.muscles[std::size_t(muscle)];
+    const Muscle& m = muscle.in(face_.model.muscles.muscles);
     if (stroke)
       hold.stroke = in_.number(*stroke);
     else if (held.component < 0)
@@ -139,7 +138,8 @@ class MuscleReader {
     hold_number(held, hold);
   }
 
-  /// The radius that a stroke of the muscle's shortens: the rim is pulled towards the centre.
+  /// The mean radius of a feature whose size a muscle holds. A stroke counts relative to it: the muscle
+  /// pulls the rim towards the centre.
   double size_of(const JsonNode& node, int slice) const {
     const Slice& s = face_.model.layout[slice];
     double sum = 0;
@@ -148,7 +148,7 @@ class MuscleReader {
     return sum / s.size;
   }
 
-  /// Points that lie on the axis and on both sides are one.
+  /// A point and its mirror image that both lie on the axis are one point.
   void hold_point(int slice, MuscleHold hold) {
     const int twin = twin_of(slice);
     const int key = twin < 0 ? slice : std::min(slice, twin);
@@ -181,7 +181,7 @@ class MuscleReader {
     face_.model.muscles.numbers[found->second].holds.push_back(hold);
   }
 
-  /// What a name means: for a muscle of a side, on that side; for one without, everywhere.
+  /// What a name refers to: for a muscle of a side, its own side; for a muscle without one, both sides.
   std::vector<Held> held_by(const JsonNode& node, std::string_view name, Side side) const {
     std::vector<Held> found;
     const auto look = [&](Side s) {
@@ -235,7 +235,7 @@ class MuscleReader {
     return size;
   }
 
-  /// Everything that can be held, by its author's names.
+  /// Everything that can be held, by the names that authors use.
   std::vector<std::string> known_names() const {
     std::vector<std::string> names;
     for (const Slice& slice : face_.model.layout.slices()) {

@@ -1,5 +1,5 @@
 #pragma once
-// The bounds of muscles in a face file, which keep their motion within what can be followed in time.
+// The bounds of muscles in a face file. They keep a motion within what can be integrated in time.
 
 namespace mien {
 

@@ -36,8 +36,8 @@ class PartReader {
     return has(key) ? slice(key, kind, size) : -1;
   }
 
-  /// A length that divides: more than 0 as written. What a pose makes of it later is the scene's to
-  /// bear.
+  /// A length that something is divided by: it must be more than 0 as written. A pose may still make it 0
+  /// later, which the scene must cope with.
   int divisor(std::string_view key, int size) {
     const int made = slice(key, SliceKind::length, size);
     for (int i = 0; i < size; ++i)

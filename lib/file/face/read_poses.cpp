@@ -36,14 +36,13 @@ class PoseReader {
                              lo_, hi_));
   }
 
-  int add_channel(Side side) {
+  Index<Channel> add_channel(Side side) {
     Channel channel{.rest = 0, .lo = lo_, .hi = hi_, .pose = true};
     if (const JsonNode* slices = in_.find(node_, "slices")) add_shapes(*slices, side, channel);
     if (const JsonNode* by = in_.find(node_, "by")) add_offsets(*by, side, channel);
     if (const JsonNode* controls = in_.find(node_, "controls"))
       add_couplings(*controls, side, channel);
-    face_.model.channels.push_back(std::move(channel));
-    return int(face_.model.channels.size()) - 1;
+    return face_.add_channel(std::move(channel));
   }
 
   void add_shapes(const JsonNode& node, Side side, Channel& channel) const {
@@ -79,13 +78,13 @@ class PoseReader {
       if (name == "comment") return;
       const double value = in_.number(child);
       const std::string sided = control_of_side(name, side);
-      const int index = face_.control_by_name.contains(sided)
-                            ? face_.control_by_name.at(sided)
-                            : face_.control_named(in_, child, name);
-      const Control& control = face_.model.controls[std::size_t(index)];
+      const Index<Control> index = face_.control_by_name.contains(sided)
+                                       ? face_.control_by_name.at(sided)
+                                       : face_.control_named(in_, child, name);
+      const Control& control = index.in(face_.model.controls);
       if (control.pose) in_.refuse(child, "a pose moves slices and controls, not other poses");
-      for (const int c : control.channels)
-        channel.couplings.push_back({c, value - face_.model.channels[std::size_t(c)].rest});
+      for (const Index<Channel> c : control.channels)
+        channel.couplings.push_back({c, value - c.in(face_.model.channels).rest});
     });
   }
 

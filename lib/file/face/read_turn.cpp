@@ -47,13 +47,13 @@ class TurnReader {
     double depth = 0;
   };
 
-  int channel(std::string_view key) const {
+  Index<Channel> channel(std::string_view key) const {
     const JsonNode* node = in_.find(node_, key);
-    if (!node) return -1;
-    const int index = face_.control_named(in_, *node, in_.string(*node));
-    const Control& control = face_.model.controls[std::size_t(index)];
-    const int found = control.channels[0];
-    if (control.channels.size() != 1 || face_.model.channels[std::size_t(found)].rest != 0)
+    if (!node) return {};
+    const Control& control =
+        face_.control_named(in_, *node, in_.string(*node)).in(face_.model.controls);
+    const Index<Channel> found = control.channels[0];
+    if (control.channels.size() != 1 || found.in(face_.model.channels).rest != 0)
       in_.refuse(*node, "the control that turns must have no sides and rest at 0");
     return found;
   }
@@ -63,7 +63,7 @@ class TurnReader {
                          f.name.size() - (f.side == Side::none ? 0 : side_name(f.side).size() + 1));
   }
 
-  /// Of a feature, or ("hair/points/3") of single points of one.
+  /// Places a feature or, by a name like "hair/points/3", a single point of one.
   void place(const JsonNode& node, std::string_view name, Place where) {
     if (name.find('/') != std::string_view::npos) {
       for (const DriveTarget target : face_.targets(in_, node, name, Side::none, false))
@@ -95,7 +95,7 @@ class TurnReader {
       }
   }
 
-  /// The first feature that a slice stands in says how it goes.
+  /// If features share a slice, the first of them decides how it turns.
   void add(TurnedSlice slice) {
     if (seen_.insert(slice.slice).second && slice.kind != TurnKind::still)
       turn_.slices.push_back(slice);

@@ -9,10 +9,10 @@
 
 namespace mien {
 
-/// Text that stands for a node instead of its own; nothing: its own.
+/// The text to write for a node instead of its own; none: its own.
 using JsonReplacement = std::function<std::optional<std::string>(const JsonNode&)>;
 
-/// On one line. No deeper than the nesting that its tree allowed.
+/// The node's text on one line. It is nested no deeper than its tree was allowed to be.
 std::string json_copy(const Reading& in, const JsonNode& node, const JsonReplacement& replace = {});
 
 }  // namespace mien

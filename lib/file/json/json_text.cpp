@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-/// The code point of the well-formed character that `text` is.
+/// The code point of `text`, one well-formed character.
 unsigned code_point(std::string_view text) {
   const auto byte = [&](std::size_t i) { return unsigned(static_cast<unsigned char>(text[i])); };
   if (text.size() == 1) return byte(0);

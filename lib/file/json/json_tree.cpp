@@ -13,15 +13,15 @@
 namespace mien {
 namespace {
 
-/// Follows the parser's events through the text. The parser has accepted each token before its
-/// event comes, so finding where tokens begin and end needs no care for malformed ones.
+/// Follows the parser's events through the text. The parser has accepted each token before its event comes,
+/// so this need not guard against malformed ones.
 class Walker {
  public:
   explicit Walker(std::string_view text) : text_(text) {
     if (text.starts_with("\xEF\xBB\xBF")) end_ = 3;  // a byte order mark
   }
 
-  /// Steps over the next token; gives where it begins.
+  /// Steps over the next token and returns where it begins.
   std::size_t step() {
     end_ = std::min(text_.find_first_not_of(" \t\n\r,:", end_), text_.size());
     const std::size_t begin = end_;
@@ -44,7 +44,7 @@ class Walker {
   std::size_t end_ = 0;
 };
 
-/// nlohmann's words about malformed text, without its prefix.
+/// nlohmann's message about malformed text, without its prefix.
 std::string malformed(std::string_view words) {
   const std::size_t column = words.find("column ");
   const std::size_t colon = words.find(": ", column == std::string_view::npos ? 0 : column);
@@ -145,7 +145,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (!node) return false;
     open_.push_back({std::int32_t(node - tree_.nodes.data()), -1});
     if (open_.size() <= std::size_t(std::max(limits_.nesting, 0))) return true;
-    // Not refuse(): the pointer of so deep a value would be all there is to read.
+    // Not refuse(): its message would be little more than the pointer of so deep a value.
     error = Error{tree_.where(std::size_t(node->offset)),
                   fmt::format("arrays and objects nested more than {} deep (limit: nesting)",
                               limits_.nesting)};

@@ -1,9 +1,9 @@
 #pragma once
-// JSON text as a tree that remembers where everything stands.
+// A tree of JSON values that remembers where each one stands in the text.
 //
-// The grammar is nlohmann-json's; positions are found by walking the text beside its events. The
-// parser and everything here is free of recursion, and each thing that a hostile text could make
-// large has a limit.
+// The parser is nlohmann-json's; positions are found by walking through the text along with its events.
+// Neither the parser nor anything here recurses, and everything that a hostile text could make large has a
+// limit.
 
 #include <mien/expected.h>
 #include <mien/face_limits.h>

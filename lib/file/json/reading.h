@@ -1,6 +1,6 @@
 #pragma once
-// Typed access to a JSON tree. Whatever is not as it should be ends the reading with a Refusal,
-// which never leaves lib/file: read_face_text turns it into the Error it holds.
+// Typed access to a JSON tree. Anything wrong ends the reading with a Refusal. It never leaves lib/file:
+// read_face_text turns it into the Error it holds.
 
 #include "lib/file/json/json_tree.h"
 
@@ -62,7 +62,7 @@ class Reading {
   }
 
  private:
-  bool may_warn() const;  ///< anybody listens, and has not heard enough
+  bool may_warn() const;  ///< warnings are wanted, and there are not too many yet
 
   std::vector<Error>* warnings_;
 };

@@ -28,7 +28,7 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-/// The reader takes what is no number for 0: points are looked at here before.
+/// The parser takes anything that is no number for 0, so points are checked here first.
 Expected<Done> check_points(std::string_view text, const std::string& name) {
   long number = 1, points = 0;
   for (std::size_t at = 0; at < text.size(); ++number) {

@@ -68,7 +68,7 @@ glm::dvec2 place(const ObjMap::Binding& binding, const Mesh& mesh, bool y_up) {
   return sum / double(binding.vertices.size());
 }
 
-/// Root of the summed squares about the middle.
+/// The root of the summed squared distances from the mean.
 double spread(const std::vector<glm::dvec2>& points) {
   glm::dvec2 middle{0};
   for (const glm::dvec2 p : points) middle += p / double(points.size());

@@ -72,7 +72,7 @@ Expected<Done> read_type(std::string_view text, NpyHeader& header) {
                                in_quotes(text))};
 }
 
-/// Product of the sides and the type's bytes, or nothing if it is beyond any file.
+/// The size of the array in bytes; nothing if no file can be that large.
 std::optional<std::size_t> bytes_needed(const NpyHeader& header) {
   std::size_t bytes = bytes_of(header.type);
   for (const std::size_t side : header.shape)
@@ -206,7 +206,8 @@ MatrixSource FrameFile::source() const {
                      d = dimensions()](const MatrixBlock& block, double* out) -> Expected<Done> {
     const std::size_t size = bytes_of(header.type);
     std::vector<std::byte> bytes;
-    // A run is what lies together in the file: numbers of a frame, or frames of a number.
+    // A run is contiguous in the file: numbers of one frame or, in Fortran order, one number of many
+    // frames.
     const auto run = [&](std::size_t first, std::size_t count, double* to, std::size_t step) {
       bytes.resize(count * size);
       if (!file->read(header.data + first * size, bytes.size(), bytes.data())) return false;

@@ -105,7 +105,7 @@ std::size_t count_of(const Reading& in, const JsonNode& node) {
   return std::size_t(number);
 }
 
-/// Refuses by a Refusal what is not as info_text writes it.
+/// Reads what info_text writes; throws a Refusal for anything else.
 void read_info(const Reading& in, const JsonNode& info, BasisFile& file) {
   const auto count = [&](const JsonNode& of, const char* key) {
     return count_of(in, in.need(of, key));
@@ -144,7 +144,7 @@ bool all_finite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
 }
 
-/// Reads what info promises; throws a sentence.
+/// Reads the arrays that info announces; throws a std::runtime_error with a sentence.
 void read_arrays(Arrays& arrays, BasisFile& file) {
   const auto next = [&](std::vector<std::size_t> shape, const char* what, bool info = false) {
     const auto header = arrays.next();

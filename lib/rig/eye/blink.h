@@ -1,20 +1,20 @@
 #pragma once
-// Blink: from any pose to one shut curve.
+// Blink: from any pose to one closed curve.
 //
-// Both lid edges hang on the same two canthi, so an edge is known by one point, its bend, and mixing
-// bends mixes edges. Upper u and lower l close by w towards where they meet,
+// Both lid edges end at the same two canthi, so each is given by one point, its bend, and interpolating
+// bends interpolates edges. The upper bend u and the lower bend l close by w towards where they meet,
 //
 //   m = u + s (l − u)        u' = u + w (m − u)        l' = l + w (m − l)
 //
-// and at w = 1 both ARE m: the gap's area is 0, whatever they were before and wherever they meet.
-// The bias moves the meeting: s = 1, at the lower lid, for −1; the eye's own for 0; 0, at the upper
-// lid, for +1; straight lines between.
+// and at w = 1 both are exactly m: the area of the gap is 0, whatever they were before and wherever they
+// meet. The bias moves the meeting point: s is 1, at the lower lid, for a bias of −1; the eye's own for 0;
+// 0, at the upper lid, for +1; and linear in between.
 
 #include <glm/vec2.hpp>
 
 namespace mien {
 
-/// The share s of the way from the upper to the lower lid; `meet` is that at bias 0.
+/// The share s of the way from the upper to the lower lid; `meet` is its value at bias 0.
 constexpr double meeting_share(double bias, double meet) {
   return bias < 0 ? meet - bias * (1 - meet) : meet - bias * meet;
 }
@@ -37,10 +37,9 @@ constexpr LidPair blinked(const LidPair& lids, double blink, double share) {
   return {mixed(lids.upper, meeting, blink), mixed(lids.lower, meeting, blink)};
 }
 
-/// Lids whose poses would cross, kept from crossing: the gap along `up` is at least 0, and lids that
-/// come together do so along their whole length (the way between the bends across `up` is at most
-/// kMostSlant gaps, so no sliver stays open at a canthus when the gap is 0). Apart lids keep every
-/// bit.
+/// Keeps lids from crossing: afterwards the gap along `up` is at least 0, and lids that come together do so
+/// along their whole length (across `up` the bends are at most kMostSlant gaps apart, so no sliver stays
+/// open at a canthus when the gap is 0). Lids that are far enough apart keep every bit.
 LidPair uncrossed(const LidPair& lids, glm::dvec2 up, double share);
 
 inline constexpr double kMostSlant = 4;

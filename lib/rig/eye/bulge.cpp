@@ -76,7 +76,7 @@ glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
   if (eye.law == BulgeLaw::compat) return p - edge_push(eye, p, g);
   const double far = glm::length(p - eye.center);
   const auto at = [&](double reach) { return eye.center + reach / far * (p - eye.center); };
-  double lo = 0, hi = far;  // pushed outwards from the centre, so it stands nearer to it
+  double lo = 0, hi = far;  // the push goes outwards: before it the point is nearer
   for (int i = 0; i < 60 && far > 0; ++i) {
     const double reach = 0.5 * (lo + hi);
     (reach + glm::length(edge_push(eye, at(reach), g)) < far ? lo : hi) = reach;

@@ -13,9 +13,9 @@
 //   native   push = bulge · (1 − u²)²  for u < 1, else exactly 0; outwards, along d̂
 //   compat   push = bulge · max(0, a − min(1, |d̂ − ĝ|)), a = √(h(2R − h)); along the axis ĝ
 //
-// The native push is smooth (its slope vanishes on the axis and at the rim), largest on the axis,
-// and scales: R, h and bulge times s is push times s. The compat one is a cone, compares a length a
-// with a pure number and so is right for R = 1 alone.
+// The native push is smooth (its slope vanishes on the axis and at the rim), is largest on the axis, and
+// scales: R, h and bulge times s give the push times s. The compat push is a cone. It compares the length a
+// with a pure number, so it is right for R = 1 only.
 //
 // Clearance. Let the cornea be the part of a sphere that passes through the rim and stands e above
 // the ball on the axis; its distance from the centre is S(c) = k c + √(r² − k² (1 − c²)) with
@@ -45,8 +45,8 @@ struct EyeBody {
   BulgeLaw law = BulgeLaw::native;
 };
 
-/// The push on a lid point in direction `d` (unit) of an eye with axis `g` (unit): how far it goes.
-/// 0 outside the cornea, and if the body is none (R or h not positive).
+/// How far a lid point in direction `d` (unit) is pushed by an eye with axis `g` (unit). 0 outside the
+/// cornea, and if there is none (R or h not positive).
 double lid_push(const EyeBody& eye, glm::dvec3 d, glm::dvec3 g);
 
 /// The least thickness of a lid that never cuts into the eye: a quarter of the bulge.
@@ -54,34 +54,35 @@ inline double least_lid_thickness(const EyeBody& eye) {
   return std::max(0.0, eye.bulge) / 4;
 }
 
-/// The ball that an unpushed lid is drawn on: the eye's and the lid's least thickness (native).
+/// The radius of the ball that an unpushed lid is drawn on: the eye's plus the lid's least thickness
+/// (native).
 inline double lid_radius(const EyeBody& eye) {
   return eye.law == BulgeLaw::compat ? eye.radius : eye.radius + least_lid_thickness(eye);
 }
 
-/// The direction in which a lid stands at a point of the picture when nothing pushes it: on the front
-/// of its ball, or in the picture's plane beside it.
+/// The direction of an unpushed lid at a point of the picture, from the ball's centre: on the front of its
+/// ball or, beside the ball, in the picture's plane.
 glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p);
 
-/// How the push moves, in the picture, a point of a lid's edge that stands at `p`.
+/// The shift in the picture that the push gives a point of a lid's edge at `p`.
 glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
-/// Where a point of a lid's edge stands that the push moves to `p`: to 2⁻⁶⁰ (native); for the compat
-/// law as if it stood at `p`.
+/// The inverse: where a point of a lid's edge is before the push moves it to `p`. Accurate to 2⁻⁶⁰
+/// (native); the compat law takes the push at `p` instead.
 glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
-/// How the push raises the lid at a point of the picture, towards the viewer: the height function
-/// that relief light shades a closed lid by. 0 outside the cornea.
+/// How far the push raises the lid towards the viewer at a point of the picture. Relief light shades a
+/// closed lid by this height. 0 outside the cornea.
 double lid_rise(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 /// The most that a cornea can stand above the ball: hR/(R − h). Infinite for h = R.
 double most_bulge(double radius, double cornea);
 
-/// The same as one smooth hill over an ellipse, height · (1 − ρ²)², for relief light to fall on. The
-/// rim, a circle of radius a square to the axis, is seen as an ellipse of half-axes a ĝz along the
-/// gaze and a across it; its centre is put half-way between the rim's own and the apex, where
-/// lid_rise is highest. Off from lid_rise by at most 0.05 of the bulge for an eye that looks ahead,
-/// 0.17 for one that looks 27° aside (R/h = 4).
+/// lid_rise approximated by one smooth hill over an ellipse, height · (1 − ρ²)², for relief light to fall
+/// on. The rim is a circle of radius a perpendicular to the axis. It is seen as an ellipse of half-axes a
+/// ĝz along the gaze and a across it. The hill's centre is halfway between the rim's and the apex, where
+/// lid_rise is highest. It differs from lid_rise by at most 0.05 of the bulge for an eye that looks
+/// straight ahead, and 0.17 for one that looks 27° aside (R/h = 4).
 struct CorneaDome {
   glm::dvec2 center, radii;
   double height;

@@ -52,7 +52,9 @@ class EyeAtWork {
   void add(int slice, glm::dvec2 way) {
     if (way != glm::dvec2(0)) put(slice, get(now_, slice) + way);
   }
-  double value(int channel) const { return channel < 0 ? 0 : values_[std::size_t(channel)]; }
+  double value(Index<Channel> channel) const {
+    return channel ? values_[std::size_t(channel.at)] : 0;
+  }
   bool are_parabolas() const { return eye_.inner < 0; }
 
   /// From the lower to the upper lid: across the line of the canthi (along b, for parabolas).
@@ -67,7 +69,7 @@ class EyeAtWork {
     return sign < 0 ? -across : across;
   }
 
-  /// An edge's middle makes half of its bend's way; a parabola moves as a whole.
+  /// The middle of an edge moves half as far as its bend; a parabola moves as a whole.
   LidPair followed(const LidPair& lids) const {
     const auto way = [&](const double(&share)[2]) {
       return are_parabolas() ? glm::dvec2(0, share[1] * gaze_.y)
@@ -81,7 +83,7 @@ class EyeAtWork {
       add(eye_.crease, (glm::dot(way, up) > 0 ? eye_.crease_rise : eye_.crease_fall) * way);
   }
 
-  /// What the rest's bends are pushed by as they are drawn, bulge and all.
+  /// The pushes contained in the bends of the resting face, which is drawn with its bulge.
   LidBends pushes_at_rest(const EyeBody& body, const LidBends& drawn) const {
     LidBends all;
     for (std::size_t i = 0; i < kLidBendCount; ++i)
@@ -93,7 +95,8 @@ class EyeAtWork {
     if (eye_.shifts < 0) return;
     const EyeBody body = eye_body(model_, eye_, now_);
     if (body.bulge == 0) return;
-    // The face is drawn with the bulge it has now: what is held or moved there moves no lid by itself.
+    // The face at rest is taken to be drawn with the present bulge, so that setting the bulge alone moves
+    // no lid.
     EyeBody rest_body = eye_body(model_, eye_, rest_);
     rest_body.bulge = body.bulge;
     const auto bends = [&](const FaceVector& v, glm::dvec2 bend) {
@@ -109,8 +112,8 @@ class EyeAtWork {
         const LidPair both = blinked({upper, lower}, value(eye_.blink), share_);
         return std::array{both.upper, both.lower};
       };
-      // A lid stands where it is less the push it was drawn with. That push is asked for again, for
-      // the resting face to keep every bit.
+      // An unpushed lid is the drawn one less the push it was drawn with. That push is evaluated anew, in
+      // the same way as the present one, so that the resting face keeps every bit.
       const auto again = [&](int lid) {
         return edge_push(rest_body, rest[lid][i] - pushed[lid][i], kAhead);
       };
@@ -172,7 +175,9 @@ EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vecto
 }
 
 glm::dvec2 gaze_of(const Eye& eye, std::span<const double> values) {
-  const auto value = [&](int channel) { return channel < 0 ? 0 : values[std::size_t(channel)]; };
+  const auto value = [&](Index<Channel> channel) {
+    return channel ? values[std::size_t(channel.at)] : 0;
+  };
   return {value(eye.gaze_x), value(eye.gaze_y)};
 }
 

@@ -16,24 +16,24 @@ namespace mien {
 ///   rest     the vector at rest
 ///   values   of the model's channels, in range
 ///
-/// In this order, for each eye: the lids' middles follow the gaze by their shares; lids that poses
-/// have crossed are uncrossed; the blink closes them where the bias says; crease and riders follow
-/// the lids; the cornea pushes the edges. A bulge is drawn at rest already, so an edge is shifted
-/// by the push now less the push at rest, which closes with the lids: at rest every shift is 0, and
-/// shut lids are one curve.
+/// In this order, for each eye: the lids' middles follow the gaze by their shares; lids that poses have
+/// crossed are uncrossed; the blink closes them where the bias says; crease and riders follow the lids; the
+/// cornea pushes the edges. The face at rest is drawn with its bulge. So an edge is shifted by the present
+/// push less the push at rest, and the latter closes with the lids: at rest every shift is 0, and shut lids
+/// are one curve.
 void pose_eyes(const FaceModel& model, const FaceVector& rest, std::span<const double> values,
                FaceVector& vector);
 
-/// The slices of an eye's dome, written for a gaze.
+/// Writes the slices of an eye's dome for a gaze.
 void put_dome(const FaceModel& model, const Eye& eye, glm::dvec2 gaze, FaceVector& vector);
 
-/// The body of an eye as a vector has it.
+/// An eye's body, by the numbers of a vector.
 EyeBody eye_body(const FaceModel& model, const Eye& eye, const FaceVector& vector);
 
-/// Where an eye's iris is beside its rest, by the channels' values.
+/// The shift of an eye's iris from its rest, by the channels' values.
 glm::dvec2 gaze_of(const Eye& eye, std::span<const double> values);
 
-/// What an eye's gaze channels are to be for it to look at `target`; see gaze_shift.
+/// The values of an eye's gaze channels with which it looks at `target`; see gaze_shift.
 glm::dvec2 look_at(const FaceModel& model, const Eye& eye, const FaceVector& vector,
                    glm::dvec3 target);
 

@@ -16,8 +16,8 @@ namespace mien {
 ///   reach            half-axes of the ellipse that the shift is kept in, towards the rest; larger
 ///                    than the radius counts as the radius
 ///   ->               shift [face units]
-/// A target behind the eye is looked at as far aside as the reach goes; one at the centre, or that
-/// is not a number, not at all.
+/// For a target behind the eye, the iris goes as far aside as the reach allows. A target at the centre, or
+/// one that is not a number, gives no shift.
 glm::dvec2 gaze_shift(glm::dvec3 center, double radius, glm::dvec2 reach, glm::dvec3 target);
 
 /// A shift brought into an ellipse about 0, towards 0. Inside it keeps every bit.

@@ -2,13 +2,13 @@
 // The edge of a lid: a quadratic Bézier between the canthi, cut into a smooth row of bends where the
 // cornea pushes it.
 //
-// A quadratic curve with points p0 p1 p2 is, cut at the parameters 0, 1/n … 1, the quadratic
-// B-spline with the bends D_i = f(i/n, (i+1)/n), i = 0 … n−1, f its polar form
+// Cut at the parameters 0, 1/n … 1, a quadratic curve with points p0 p1 p2 is the quadratic B-spline with
+// the bends D_i = f(i/n, (i+1)/n), i = 0 … n−1, where f is its polar form
 //
 //   f(a, b) = (1−a)(1−b) p0 + (a(1−b) + b(1−a)) p1 + a b p2
 //
-// (f(t, t) is the curve). Between two bends the curve passes half-way, and stays smooth wherever the
-// bends are moved: a bulge can travel along a lid without a kink.
+// and f(t, t) is the curve. The curve passes halfway between neighbouring bends and stays smooth however
+// they are moved, so a bulge can travel along a lid without a kink.
 
 #include <mien/feature.h>
 #include <mien/quad_bezier.h>
@@ -25,7 +25,7 @@ inline glm::dvec2 polar_form(const QuadBezier& edge, double a, double b) {
   return (1 - a) * (1 - b) * edge.p0 + (a * (1 - b) + b * (1 - a)) * edge.p1 + a * b * edge.p2;
 }
 
-/// How much of a movement of the bend p1 the point f(a, b) makes.
+/// The share of a movement of the bend p1 that the point f(a, b) makes.
 constexpr double bend_share(double a, double b) {
   return a * (1 - b) + b * (1 - a);
 }
@@ -39,8 +39,8 @@ LidBends lid_bends(const QuadBezier& edge);
 using LidPieces = std::array<QuadBezier, OpeningFigure::kLidBends>;
 LidPieces pieces_between(glm::dvec2 inner, const LidBends& bends, glm::dvec2 outer);
 
-/// What shifts of the bends do to the point f(a, b) of the edge: the shift of the smooth row at
-/// (a + b)/2, between 0 at the canthi.
+/// The shift of the point f(a, b) of the edge when its bends are shifted: that of the smooth row at (a +
+/// b)/2, which is 0 at the canthi.
 glm::dvec2 shift_along(std::span<const glm::dvec2, OpeningFigure::kLidBends> shifts, double a,
                        double b);
 

@@ -13,7 +13,7 @@ std::vector<double> weights_at(const FaceBasis& basis, double time) {
   std::vector<double> weights(n, 0.0);
   if (frames == 0 || !std::isfinite(time)) return weights;
   const double at = std::clamp((time - basis.begin) * basis.fps, 0.0, double(frames - 1));
-  // A frame's own time may be a rounding off: it counts as that frame.
+  // A frame's own time may be off by a rounding error: it counts as that frame.
   const double nearest = std::round(at);
   const double place = std::abs(at - nearest) < 1e-9 * std::max(1.0, at) ? nearest : at;
   const auto low = std::size_t(place);

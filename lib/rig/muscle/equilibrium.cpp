@@ -11,13 +11,14 @@
 namespace mien {
 namespace {
 
-constexpr double kRounding = 1e-12;  ///< of an energy, safely
+constexpr double kRounding = 1e-12;  ///< relative, of an energy; a safe bound
 
 double squared(glm::dvec2 v) {
   return v.x * v.x + v.y * v.y;
 }
 
-/// −H⁻¹ times the gradient, with H made positive definite if it is not; up and down only on the axis.
+/// −H⁻¹ times the gradient, with H made positive definite if it is not; only up or down for a point on the
+/// axis.
 glm::dvec2 newton_step(const MusclePointLaw& law, glm::dvec2 p, glm::dvec2 force) {
   const MuscleStiffness h = muscle_stiffness(law, p);
   const double floor = 0.1 * law.stiffness;
@@ -29,7 +30,7 @@ glm::dvec2 newton_step(const MusclePointLaw& law, glm::dvec2 p, glm::dvec2 force
   return {(yy * force.x - h.xy * force.y) * over, (xx * force.y - h.xy * force.x) * over};
 }
 
-/// A tip of the energy within reach of which the point would stick, if it lies on the way of `step`.
+/// A tip of the energy that `step` passes and near which the point would stick; null: none.
 const MuscleSpring* tip_passed(const MusclePointLaw& law, glm::dvec2 p, glm::dvec2 step) {
   for (const MuscleSpring& spring : law.springs) {
     if (spring.free_length >= 0 || (law.on_axis && spring.origin.x != p.x)) continue;
@@ -39,8 +40,8 @@ const MuscleSpring* tip_passed(const MusclePointLaw& law, glm::dvec2 p, glm::dve
   return nullptr;
 }
 
-/// Away from a tip that does not hold the point, if it is so near that the tip is all that Newton sees:
-/// along what the other forces exceed it by.
+/// Leaves a tip that does not hold the point but is so near that Newton's method sees nothing else: steps
+/// along the excess of the other forces over the tip's. Returns whether it did.
 bool leap_off_tip(const MusclePointLaw& law, double size, glm::dvec2& p, double& energy) {
   constexpr double kNear = 1e-2;
   for (const MuscleSpring& spring : law.springs) {
@@ -61,8 +62,8 @@ bool leap_off_tip(const MusclePointLaw& law, double size, glm::dvec2& p, double&
   return false;
 }
 
-/// A minimum of the energy, found from `p`: steps that bring it down by enough, and full ones once they
-/// are so small that rounding hides what they bring.
+/// A minimum of the energy, searched from `p`: steps that decrease it sufficiently, then full steps once
+/// they are so small that rounding hides their gain.
 glm::dvec2 minimum_from(const MusclePointLaw& law, glm::dvec2 p, double size) {
   double energy = muscle_energy(law, p);
   int last_steps = 0, leaps = 0;
@@ -102,7 +103,7 @@ double least_stiffness(const MusclePointLaw& law, glm::dvec2 q, double radius) {
   return least;
 }
 
-/// Whether E is strongly convex so far about q that a point at p with that much energy in all stays there.
+/// Whether E is strongly convex in a disc about q that a point at p with this total energy cannot leave.
 bool bound_by_disc(const MusclePointLaw& law, glm::dvec2 q, glm::dvec2 p, double energy,
                    double size) {
   const double distance = std::sqrt(squared(p - q));
@@ -142,13 +143,13 @@ struct BluntEnergy {
   }
 };
 
-/// Whether the point would need more energy to come near enough to any origin for E not to be convex:
-/// then E is convex wherever it can come, and q its only minimum there.
+/// Whether the point lacks the energy to come near any origin, where E is not convex. Then E is convex
+/// wherever the point can come, and q is its only minimum there.
 ///
-/// A spring with L > 0 is softer than nothing across itself, by c (1 − L/r), near its origin. Each may
-/// use up an equal part of what the others are sure to have, k and the c of springs with L <= 0; that
-/// leaves a disc about its origin where it would use more. There E is made blunt, which makes it convex
-/// everywhere; and where a convex function lies above a tangent at y, it is at least f(y) + ∇f · (x − y).
+/// Near its origin, a spring with L > 0 has a negative stiffness across itself, c (1 − L/r). Each of them
+/// may use up an equal part of the stiffness that is certain, k and the c of springs with L <= 0. Only
+/// within a disc about its origin it would use more. There E is made blunt, which makes it convex
+/// everywhere; and a convex function with a tangent at y is at least f(y) + ∇f · (x − y).
 bool bound_by_origins(const MusclePointLaw& law, glm::dvec2 p, double energy) {
   constexpr std::size_t kMost = 32;
   if (law.springs.size() > kMost) return false;
@@ -188,7 +189,8 @@ bool bound_by_origins(const MusclePointLaw& law, glm::dvec2 p, double energy) {
   return true;
 }
 
-/// Where the point comes to from rest, followed until it can come to rest in one place only.
+/// The equilibrium that the point reaches from rest: it is followed in time until it can come to rest in
+/// one place only.
 glm::dvec2 followed(const MusclePointLaw& law, double size) {
   double stiffness = law.stiffness;
   for (const MuscleSpring& spring : law.springs) stiffness += spring.stiffness;
@@ -199,7 +201,7 @@ glm::dvec2 followed(const MusclePointLaw& law, double size) {
   const double reach = kSettleReach * size;
   const auto settle = [&](double, MuscleState& s) { settle_on_tip(law, reach, s); };
   constexpr int kMostSteps = 1 << 13;
-  constexpr double kTolerance = 1e-4;  // the way decides, not how exactly it is gone
+  constexpr double kTolerance = 1e-4;  // which minimum it leads to matters, not the exact path
   MuscleState s{law.rest, {0, 0}};
   for (int i = 1, steps = 0; steps < kMostSteps; ++i) {
     steps += muscle_steps(acceleration, settle, 0, cell, kTolerance * size, s);

@@ -12,7 +12,7 @@
 namespace mien {
 namespace {
 
-/// What is left between a face's points and its targets.
+/// The differences between a face's points and their targets.
 class Residual {
  public:
   Residual(const Face& face, std::span<const PointTarget> targets)
@@ -52,8 +52,8 @@ double sum_of_squares(const std::vector<double>& values) {
   return sum;
 }
 
-/// Differences inward through three points, good to the second order: equilibria are good to 1e-12, so the
-/// slopes are to about 1e-8.
+/// Slopes from three points, to the second order, towards the inside of the bounds. Equilibria are exact to
+/// 1e-12, so slopes are to about 1e-8.
 std::vector<double> slopes(Residual& residual, std::vector<double> pulls,
                            const std::vector<double>& here) {
   constexpr double kWide = 1e-5;
@@ -71,7 +71,7 @@ std::vector<double> slopes(Residual& residual, std::vector<double> pulls,
   return columns;
 }
 
-/// Muscles that are `idle` stay as they are.
+/// The fit from these pulls; muscles that are `idle` stay as they are.
 std::vector<double> fitted_from(Residual& residual, std::vector<double> pulls,
                                 const std::vector<char>& idle) {
   std::vector<double> here = residual.at(pulls);
@@ -105,8 +105,8 @@ std::vector<double> fitted_from(Residual& residual, std::vector<double> pulls,
   return pulls;
 }
 
-/// The same fit, but for the last digits, by as few muscles as will do: antagonists may pull against each
-/// other without end, and what need not pull should not.
+/// The same fit, but for the last digits, with as few muscles as possible: antagonists can cancel each
+/// other at any strength, and a muscle that need not pull should not.
 std::vector<double> by_few(Residual& residual, std::vector<double> pulls, double most) {
   std::vector<std::size_t> order(pulls.size());
   std::iota(order.begin(), order.end(), 0);

@@ -1,12 +1,11 @@
 #pragma once
-// Fitting back: which pulls bring the points of a face nearest to where they are wanted.
+// The inverse of posing: the pulls that bring the points of a face nearest to where they are wanted.
 //
-// The pulls in [0, 1] that make Σ |p(pulls) − wanted|² least, p being the equilibrium: by Gauss and
-// Newton's method, each step a linear least squares problem within the bounds
-// (lib/math/bounded_least_squares.h), damped as Levenberg and Marquardt do, from two starts (at rest,
-// and half pulled), the better of which counts. A local minimum, or what 60 steps came to: the residual
-// says how good it is. Where
-// several muscles could do the same, those that need not pull do not.
+// Finds the pulls in [0, 1] that make Σ |p(pulls) − wanted|² least, where p is the equilibrium. It uses the
+// Gauss-Newton method: each step is a linear least squares problem within the bounds
+// (lib/math/bounded_least_squares.h), damped as by Levenberg and Marquardt. It starts twice, at rest and
+// half pulled, and keeps the better result: a local minimum, or what 60 steps came to. The residual says
+// how good it is. Where several muscles could do the same, those that need not pull do not.
 
 #include <mien/face_model.h>
 
@@ -24,9 +23,9 @@ struct PointTarget {
 
 struct MuscleFit {
   std::vector<double> pulls;  ///< of the model's muscles, 0 … 1
-  double rms = 0;             ///< [the canvas's] of the distances left
-  double largest = 0;         ///< [the canvas's] of them
-  int farthest = -1;          ///< the slice that is off by it
+  double rms = 0;             ///< [face units] root mean square of the distances left
+  double largest = 0;         ///< [face units] of them
+  int farthest = -1;          ///< the slice of the point that far away
 };
 
 /// Targets that no muscle holds add to the residual and change nothing else.

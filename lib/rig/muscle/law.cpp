@@ -14,7 +14,7 @@ glm::dvec2 point_at(const FaceVector& vector, const Layout& layout, int slice) {
   return {vector[begin], vector[begin + 1]};
 }
 
-/// Adds up by sides: none + (left + right), the same for mirrored sides to the bit.
+/// Sums by sides, none + (left + right), so that mirrored sides give the same bits.
 template <class Value>
 struct BySide {
   Value none{}, left{}, right{};
@@ -35,8 +35,8 @@ void muscle_law(const FaceModel& model, const FaceVector& rest, const MusclePoin
   law.springs.clear();
   const double share = law.on_axis ? 0.5 : 1;
   for (const MuscleHold& hold : point.holds) {
-    const double pull = pulls[std::size_t(hold.muscle)];
-    const Muscle& muscle = system.muscles[std::size_t(hold.muscle)];
+    const double pull = pulls[std::size_t(hold.muscle.at)];
+    const Muscle& muscle = hold.muscle.in(system.muscles);
     const double stiffness = share * hold.weight * muscle.strength * pull;
     if (!(stiffness > 0)) continue;
     law.springs.push_back({muscle.origin, stiffness,
@@ -49,8 +49,8 @@ MuscleNumberLaw muscle_law(const FaceModel& model, const MuscleNumber& number,
   const MuscleSystem& system = model.muscles;
   BySide<double> stiffness, force;
   for (const MuscleHold& hold : number.holds) {
-    const double pull = pulls[std::size_t(hold.muscle)];
-    const Muscle& muscle = system.muscles[std::size_t(hold.muscle)];
+    const double pull = pulls[std::size_t(hold.muscle.at)];
+    const Muscle& muscle = hold.muscle.in(system.muscles);
     const double c = hold.weight * muscle.strength * pull;
     stiffness[muscle.side] += c;
     force[muscle.side] += c * hold.stroke * pull;
@@ -72,7 +72,7 @@ double muscle_energy(const MusclePointLaw& law, glm::dvec2 p) {
 glm::dvec2 muscle_force(const MusclePointLaw& law, glm::dvec2 p) {
   BySide<glm::dvec2> force;
   force.none = law.stiffness * (law.rest - p);
-  double tip = 0;  // size of the force that a tip at p can take up
+  double tip = 0;  // the largest force that a tip at p can hold
   for (const MuscleSpring& spring : law.springs) {
     const glm::dvec2 to_origin = spring.origin - p;
     const double distance = length(to_origin);

@@ -8,14 +8,15 @@
 //
 //   E(p) = k/2 |p − p0|² + Σ c/2 (|p − o| − L)²
 //
-// so a point left to itself loses E + |p'|²/2 all the time and comes to rest where E is least nearby.
-// A number n that muscles hold has the same law along its own line, where it is linear:
+// so a point left to itself keeps losing E + |p'|²/2 and comes to rest at a local minimum of E. A number n
+// that muscles hold has the same law along its own line, where it is linear:
 //
 //   n'' = k (n0 − n) − d n' + Σ c (stroke · e − (n − n0))
 //
-// Where L < 0 (a stroke longer than the muscle) E has a cone's tip at o: a force of size c |L| towards
-// o on every side of it. At o itself the force is then the least of all that the tip allows: none,
-// if the other forces together are no larger than c |L| (the point sticks there), else what they
+// Where L < 0 (a stroke longer than the muscle), E has the tip of a cone at o: on every side of it a force
+// of size c |L| points towards o. At o itself the force is the smallest that the tip allows: none if the
+// other forces together are no larger than c |L| (the point sticks there), else their excess over it.
+// Elsewhere the law is exactly that of P. Mandel's facemotion.js.
 // exceed it by. Elsewhere the law is P. Mandel's, facemotion.js, word for word.
 
 #include <mien/face_model.h>
@@ -48,20 +49,19 @@ struct MuscleNumberLaw {
   double pull;
 };
 
-/// The law of `point` of a face at rest, where `pulls` has a number for each muscle. `law` is filled
-/// anew.
+/// The law of `point` for a face at rest and a pull of each muscle. `law` is overwritten.
 void muscle_law(const FaceModel& model, const FaceVector& rest, const MusclePoint& point,
                 std::span<const double> pulls, MusclePointLaw& law);
 MuscleNumberLaw muscle_law(const FaceModel& model, const MuscleNumber& number,
                            std::span<const double> pulls);
 
-/// The energy of a point there, and the force on it, without damping. Mirrored laws have mirrored
-/// forces, to the bit: forces are added up side by side, and left to right last.
+/// The energy of a point at `p`, and the force on it, without damping. Mirrored laws have mirrored forces,
+/// to the bit: the forces of each side are added up first, left and right last.
 double muscle_energy(const MusclePointLaw& law, glm::dvec2 p);
 glm::dvec2 muscle_force(const MusclePointLaw& law, glm::dvec2 p);
 
-/// The second derivatives of the energy: −∂force. At a tip: without the tip's own spring's sideways
-/// part, which is infinite.
+/// The second derivatives of the energy, −∂force. At a tip they leave out the part across the tip's own
+/// spring, which is infinite.
 struct MuscleStiffness {
   double xx, xy, yy;
 };

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kCellsPerSecond = 256;
 constexpr double kCell = 1 / kCellsPerSecond;
-constexpr double kTolerance = 1e-11;            ///< of the canvas's longer side, a step
+constexpr double kTolerance = 1e-11;            ///< of the canvas's longer side, per step
 constexpr double kForgotten = 23;               ///< e^-23 = 1e-10
 constexpr double kShortest = 1, kLongest = 64;  ///< [s] epochs
-constexpr double kLatest = 1e9;                 ///< [s] later than this a face is still
+constexpr double kLatest = 1e9;                 ///< [s] later than this a face is at rest
 constexpr std::size_t kRemembered = 16;
-constexpr double kStepRounding = 1e-13;  ///< of the coordinates: no step need be better
+constexpr double kStepRounding = 1e-13;  ///< of the coordinates: no step needs to be more accurate
 
-/// What is neglected of a point in one step.
+/// The error that one step may make at a point.
 double tolerance_of(const MusclePointLaw& law, double size) {
   double far = std::max(std::abs(law.rest.x), std::abs(law.rest.y));
   for (const MuscleSpring& spring : law.springs)
@@ -48,8 +48,8 @@ void muscle_still(const FaceModel& model, const FaceVector& rest, std::span<cons
     shape.numbers[i] = muscle_equilibrium(muscle_law(model, system.numbers[i], pulls));
 }
 
-/// The slowest way a spring of the face's own stiffness comes to rest: e^(−λt), λ the smaller root of
-/// λ² − d λ + k = 0, or d/2 where they are complex.
+/// The slowest decay of a spring of the face's own stiffness is e^(−λt), with λ the smaller root of λ² − d
+/// λ + k = 0, or d/2 where the roots are complex.
 double muscle_epoch(const MuscleSystem& system) {
   const double d = system.damping, root = d * d - 4 * system.stiffness;
   const double slowest = root < 0 ? 0.5 * d : 2 * system.stiffness / (d + std::sqrt(root));
@@ -65,7 +65,7 @@ MuscleMotion::MuscleMotion(const FaceModel& model, const FaceVector& rest, Pulls
   size_ = std::max(extent.x, extent.y);
 }
 
-/// Stages of all points ask for the same few times in a row.
+/// Keeps the last times asked for, because the stages of all points ask for the same few in a row.
 std::span<const double> MuscleMotion::pulls_at(double time) {
   for (const Remembered& r : remembered_)
     if (r.time == time) return r.pulls;
@@ -115,7 +115,7 @@ void MuscleMotion::advance(States& states, double from, double to) {
   }
 }
 
-/// The states at the begin of a cell, from the epoch before its own on.
+/// The states at the begin of a cell, integrated from the begin of the epoch before its own.
 const MuscleMotion::States& MuscleMotion::at_cell(long long cell) {
   const auto epoch_cells = (long long)(epoch_ * kCellsPerSecond);
   const long long first = std::max(0LL, cell / epoch_cells - 1) * epoch_cells;

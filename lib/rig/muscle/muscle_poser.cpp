@@ -46,18 +46,18 @@ bool same_face(const Face& a, const Face& b) {
 
 void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held) {
   held.assign(model.channels.size(), 0);
-  const auto hold = [&](int control) {
-    for (const int c : model.controls[std::size_t(control)].channels) held[std::size_t(c)] = 1;
+  const auto hold = [&](const Control& control) {
+    for (const Index<Channel> c : control.channels) held[std::size_t(c.at)] = 1;
   };
   for_each_clip(model, pose, [&](const Clip& clip) {
-    for (const ClipTrack& track : clip.tracks) hold(track.control);
+    for (const ClipTrack& track : clip.tracks) hold(track.control.in(model.controls));
   });
   for (const Setting& setting : pose.settings)
-    if (is_control(model, setting)) hold(setting.index);
+    if (is_control(model, setting)) hold(model.controls[std::size_t(setting.index)]);
 }
 
 bool muscles_in_motion(const FaceModel& model, const Pose& pose) {
-  const auto feeds_muscles = [&](int channel) {
+  const auto feeds_muscles = [&](Index<Channel> channel) {
     return std::any_of(model.muscles.muscles.begin(), model.muscles.muscles.end(),
                        [&](const Muscle& muscle) { return muscle.channel == channel; }) ||
            std::any_of(model.expressions.begin(), model.expressions.end(),
@@ -69,7 +69,7 @@ bool muscles_in_motion(const FaceModel& model, const Pose& pose) {
   bool found = false;
   for_each_clip(model, pose, [&](const Clip& clip) {
     for (const ClipTrack& track : clip.tracks)
-      for (const int c : model.controls[std::size_t(track.control)].channels)
+      for (const Index<Channel> c : track.control.in(model.controls).channels)
         found = found || feeds_muscles(c);
   });
   return found;

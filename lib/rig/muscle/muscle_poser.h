@@ -1,9 +1,9 @@
 #pragma once
-// Muscles at work on a face vector: pulls from the channels, shape from the pulls, and the shape laid
-// onto whatever else poses the face.
+// Lets muscles act on a face vector: channels give pulls, pulls give a shape, and the shape is added to
+// whatever else poses the face.
 //
-// Without a clip that drives muscles the face is in the equilibrium of its pulls; while one runs, it is
-// in motion (muscle_motion.h) since time 0.
+// Without a clip that drives muscles, the face is in the equilibrium of its pulls. While one runs, it has
+// been in motion (motion.h) since time 0.
 
 #include <mien/pose.h>
 #include "lib/rig/muscle/motion.h"
@@ -30,12 +30,12 @@ bool muscles_in_motion(const FaceModel& model, const Pose& pose);
 void lay_on(const FaceModel& model, const FaceVector& rest, const MuscleShape& shape,
             FaceVector& vector);
 
-/// Lets the muscles act, again and again. Keeps what it has worked out: what comes of a pose does not
-/// depend on it, only how long it takes.
+/// Lets the muscles act, pose after pose. It remembers what it has computed, which changes how long a pose
+/// takes, but not the result.
 class MusclePoser {
  public:
   MusclePoser() = default;
-  MusclePoser(const MusclePoser&) {}  // a copy works things out by itself
+  MusclePoser(const MusclePoser&) {}  // a copy starts without memory
   MusclePoser& operator=(const MusclePoser&) { return *this; }
 
   /// `values` are those that `channels_at` gives for `pose`.

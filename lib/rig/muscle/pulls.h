@@ -1,5 +1,5 @@
 #pragma once
-// From feelings to muscles: pull(m) = 1 − Π over expressions (1 − amount(expression, m) · strength).
+// From expressions to muscles: pull(m) = 1 − Π over expressions (1 − amount(expression, m) · strength).
 
 #include <mien/face_model.h>
 
@@ -12,9 +12,9 @@ namespace mien {
 ///   values   of the model's channels
 ///   held     for each channel, whether a setting or a running clip says what it is
 ///
-/// A muscle whose own channel is held has that value, whatever the expressions say; the others
-/// are mixed by the law, in the model's order, so that the order in which they were asked for does not
-/// show, to the bit. An expression has a left and a right half; muscles without a side get their mean.
+/// A muscle whose own channel is held has that value, whatever the expressions say. The others are mixed by
+/// the law, with the product in the model's order, so that the order in which expressions were set changes
+/// no bit. An expression has a left and a right half; muscles without a side get their mean.
 void muscle_pulls(const FaceModel& model, std::span<const double> values,
                   std::span<const char> held, std::vector<double>& pulls);
 

@@ -1,16 +1,16 @@
 #pragma once
-// Sticking to a tip of the energy. A point caught there rings through the tip ever faster and ever
-// less, without end: once it can no longer come farther from it than `reach`, it is put there.
+// Sticking to a tip of the energy. A caught point oscillates through the tip faster and faster, by less and
+// less, without end. Once it can no longer come farther from the tip than `reach`, it is put there.
 
 #include "lib/rig/muscle/law.h"
 #include "step_private.h"
 
 namespace mien {
 
-/// Of the face's size: how near a tip a caught point is put onto it.
+/// The distance from a tip at which a caught point is put onto it, as a share of the face's size.
 inline constexpr double kSettleReach = 2e-9;
 
-/// How much more the tips at `origin` hold than the other forces there pull; negative: no sticking.
+/// The force that the tips at `origin` can hold, less the other forces there; negative: no sticking.
 double tip_margin(const MusclePointLaw& law, glm::dvec2 origin);
 
 void settle_on_tip(const MusclePointLaw& law, double reach, MuscleState& s);

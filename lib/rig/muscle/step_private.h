@@ -42,16 +42,16 @@ MuscleState muscle_step(Acceleration& acceleration, double t, double h, const Mu
   }
   glm::dvec2 off_p{0}, off_v{0};
   for (int i = 0; i < kStages; ++i) off_p += kOff[i] * dp[i], off_v += kOff[i] * dv[i];
-  // A wrong velocity is worth the way it leads off before damping has taken it back: of order 1 s.
+  // A velocity error counts by the distance that it adds until damping has removed it, within about 1 s.
   error = h * std::max({std::abs(off_p.x), std::abs(off_p.y), 0.25 * std::abs(off_v.x),
                         0.25 * std::abs(off_v.y)});
-  return at;  // the last stage stands at the new state
+  return at;  // the last stage is evaluated at the new state
 }
 
-/// From t0 to t1 in 2^n equal steps at most, each as long as its error allows; gives how many it took.
-/// Where a force jumps, steps shrink to the finest, which takes some dozens. What would take more than
-/// kMostSteps (a point ringing about a tip of its energy faster than anybody could see) goes on without
-/// regard to errors; a state that is then no number any more is the one at t0, at rest.
+/// Integrates from t0 to t1 in steps of a 2^n-th of that time, each as long as its error allows, and
+/// returns their number. Where a force jumps, steps shrink to the finest, which takes some dozens. After
+/// kMostSteps (a point oscillating about a tip of its energy faster than anybody could see) it goes on
+/// without regard to errors. If the state is then no longer a number, it becomes the one at t0, at rest.
 ///   settle   (time, state) after each step; may change the state
 template <class Acceleration, class Settle>
 int muscle_steps(Acceleration&& acceleration, Settle&& settle, double t0, double t1,

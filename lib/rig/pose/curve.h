@@ -1,5 +1,5 @@
 #pragma once
-// What a curve in time is worth at a moment.
+// The value of a curve in time at a moment.
 
 #include <mien/clip.h>
 

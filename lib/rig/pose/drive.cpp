@@ -52,7 +52,8 @@ void act(const KeyShapes& table, double value, const Channel&, const Layout& lay
       vector[std::size_t(layout[track.slice].begin + i)] = *next++;
 }
 
-/// At a share of 1 the sum could miss `to` by a rounding; a shape asked for alone is that shape.
+/// At a share of 1 the sum could miss `to` by a rounding error, but a shape asked for alone is exactly that
+/// shape.
 void act(const Toward& toward, double value, const Channel& channel, const Layout& layout,
          FaceVector& vector, std::vector<double>&) {
   const double share = value - channel.rest;

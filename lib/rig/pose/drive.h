@@ -11,7 +11,7 @@ namespace mien {
 /// range.
 void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector);
 
-/// The same with the caller's scratch, which is kept: no allocation after the first frames.
+/// The same with scratch that the caller keeps, so that nothing is allocated after the first frames.
 void drive(const Channel& channel, double value, const Layout& layout, FaceVector& vector,
            std::vector<double>& scratch);
 

@@ -24,14 +24,14 @@ Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_u
       pitch_(cosine_and_sine(pitch)),
       roll_(cosine_and_sine(roll)) {}
 
-/// How far before the ellipsoid's middle its front is at a point.
+/// The height of the front over the ellipsoid's middle at a point.
 double Turn::height(glm::dvec2 p) const {
   const double x = (p.x - head_.center.x) / head_.radii.x,
                y = (p.y - head_.center.y) / head_.radii.y;
   return head_.radii.z * std::sqrt(std::max(0.0, 1 - x * x - y * y));
 }
 
-/// Both y up.
+/// Argument and result have y up.
 glm::dvec2 Turn::rolled_up(glm::dvec2 p) const {
   return {p.x * roll_.x - p.y * roll_.y, p.x * roll_.y + p.y * roll_.x};
 }
@@ -41,7 +41,7 @@ glm::dvec2 Turn::rolled(glm::dvec2 way) const {
   return {q.x, up_ * q.y};
 }
 
-/// From the pivot, y up, to the pivot, y up.
+/// Argument and result are relative to the pivot, with y up.
 glm::dvec2 Turn::turned(glm::dvec3 v) const {
   const double x = v.x * yaw_.x + v.z * yaw_.y, z = v.z * yaw_.x - v.x * yaw_.y;
   return rolled_up({x, v.y * pitch_.x + z * pitch_.y});
@@ -62,8 +62,8 @@ glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
 }
 
 /// The slopes of the turned surface along x and y, by its normal: the height's own slopes are
-/// −(rz/rx)² x/h and −(rz/ry)² y/h. At the very edge they have no bound; there all is turned away or
-/// seen in full, and the limits keep it finite.
+/// −(rz/rx)² x/h and −(rz/ry)² y/h. They are unbounded at the very edge, where everything is turned away or
+/// seen in full; limits keep them finite there.
 glm::dvec2 Turn::foreshortening(glm::dvec2 p) const {
   const glm::dvec3 r = head_.radii;
   const double h = std::max(height(p), 0.1 * r.z);
@@ -81,7 +81,7 @@ class Turning {
   Turning(const FaceModel& model, const Turn& turn, FaceVector& vector)
       : model_(model), turn_(turn), now_(vector) {}
 
-  /// What is at a point looks at where the point was: so sizes first, then points.
+  /// Sizes depend on where their point was before the turn, so sizes are turned first, then points.
   void all() {
     for (const bool points : {false, true})
       for (const TurnedSlice& slice : model_.turn.slices)
@@ -128,7 +128,9 @@ class Turning {
 
 void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector) {
   const HeadTurn& head = model.turn;
-  const auto angle = [&](int channel) { return channel < 0 ? 0 : values[std::size_t(channel)]; };
+  const auto angle = [&](Index<Channel> channel) {
+    return channel ? values[std::size_t(channel.at)] : 0;
+  };
   const double yaw = angle(head.yaw), pitch = angle(head.pitch), roll = angle(head.roll);
   if (yaw == 0 && pitch == 0 && roll == 0) return;
   Turning(model, Turn(head, yaw, pitch, roll, model.canvas.y_up), vector).all();

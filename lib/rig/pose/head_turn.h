@@ -1,12 +1,12 @@
 #pragma once
 // Small turns of the head: parallax of feature depth, with foreshortening.
 //
-// The front of the head is half an ellipsoid; a point (x, y) of the face lies on it, and is turned
-// with it about a pivot: first by the yaw about the vertical, then by the pitch about the level
-// axis, then by the roll in the picture, and seen straight from the front again. What looks alike
-// from every side (the outline of a head, of hair) is not foreshortened, only shifted by its depth
-// and rolled. Sizes are foreshortened as the surface is where they are. Meant for up to about 30°;
-// beyond, features slide round the edge.
+// The front of the head is half an ellipsoid. A point (x, y) of the face lies on it and is turned with it
+// about a pivot: first by the yaw about the vertical, then by the pitch about the horizontal axis, then by
+// the roll in the picture. It is seen straight from the front again. What looks alike from every side (the
+// outline of a head, of hair) is not foreshortened, only shifted by its depth and rolled. Sizes are
+// foreshortened as the surface at their place is. Meant for up to about 30°; beyond that, features slide
+// round the edge.
 //
 // Positive yaw turns the face to the picture's right (the subject's left), positive pitch upwards,
 // positive roll tilts it from +x towards up. ±yaw are mirror images, bit for bit, on a canvas
@@ -30,14 +30,14 @@ class Turn {
   /// Angles in degrees; `y_up`: larger y is higher.
   Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up);
 
-  /// Where a point of the surface, `depth` above it, comes to lie.
+  /// Where a point `depth` above the surface is seen.
   glm::dvec2 surface(glm::dvec2 p, double depth) const;
-  /// Where a point of an outline at `depth` from the head's middle comes to lie.
+  /// Where a point of an outline, at `depth` from the head's middle, is seen.
   glm::dvec2 flat(glm::dvec2 p, double depth) const;
-  /// How much smaller the surface is seen at a point: sideways and upwards, before the roll; 0 where
-  /// it is turned away.
+  /// The foreshortening of the surface at a point, sideways and upwards, before the roll; 0 where it is
+  /// turned away.
   glm::dvec2 foreshortening(glm::dvec2 p) const;
-  /// A way in the picture, rolled.
+  /// An offset in the picture, rolled.
   glm::dvec2 rolled(glm::dvec2 way) const;
   /// How far angles turn, from +x towards +y [degrees].
   double tilt() const { return up_ * roll_degrees_; }

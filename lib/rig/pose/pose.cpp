@@ -25,10 +25,10 @@ void play(const FaceModel& model, const Clip& clip, double time, double weight, 
   for (const ClipTrack& track : clip.tracks) {
     const double value = value_at(track.curve, time);
     if (!std::isfinite(value)) continue;
-    for (const int c : model.controls[std::size_t(track.control)].channels) {
-      double& now = values[std::size_t(c)];
+    for (const Index<Channel> c : track.control.in(model.controls).channels) {
+      double& now = values[std::size_t(c.at)];
       if (clip.additive)
-        now += weight * (value - model.channels[std::size_t(c)].rest);
+        now += weight * (value - c.in(model.channels).rest);
       else
         now = weight == 1 ? value : now + weight * (value - now);
     }
@@ -48,19 +48,19 @@ void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
 void look(const Face& rest, glm::dvec3 target, Values& values) {
   for (const Eye& eye : rest.model->eyes) {
     const glm::dvec2 gaze = look_at(*rest.model, eye, rest.vector, target);
-    if (eye.gaze_x >= 0) values[std::size_t(eye.gaze_x)] = gaze.x;
-    if (eye.gaze_y >= 0) values[std::size_t(eye.gaze_y)] = gaze.y;
+    if (eye.gaze_x) values[std::size_t(eye.gaze_x.at)] = gaze.x;
+    if (eye.gaze_y) values[std::size_t(eye.gaze_y.at)] = gaze.y;
   }
 }
 
-/// Settings of controls; `poses`: of the weights of poses too.
+/// Applies the settings of controls; with `poses`, of the weights of poses too.
 void override_channels(const FaceModel& model, const Pose& pose, bool poses, Values& values) {
   for (const Setting& setting : pose.settings) {
     if (!setting.control || setting.index < 0 || setting.index >= int(model.controls.size()) ||
         setting.values.empty() || std::isnan(setting.values[0]))
       continue;
-    for (const int c : model.controls[std::size_t(setting.index)].channels)
-      if (poses || !model.channels[std::size_t(c)].pose) values[std::size_t(c)] = setting.values[0];
+    for (const Index<Channel> c : model.controls[std::size_t(setting.index)].channels)
+      if (poses || !c.in(model.channels).pose) values[std::size_t(c.at)] = setting.values[0];
   }
 }
 
@@ -70,11 +70,11 @@ void clamp(const FaceModel& model, bool poses, Values& values) {
       values[c] = std::clamp(values[c], channel.lo, channel.hi);
 }
 
-/// Poses that move controls too.
+/// Lets poses move the controls they are coupled with.
 void couple_channels(const FaceModel& model, Values& values) {
   for (std::size_t c = 0; c < values.size(); ++c)
     for (const Coupling& n : model.channels[c].couplings)
-      values[std::size_t(n.channel)] += (values[c] - model.channels[c].rest) * n.by;
+      values[std::size_t(n.channel.at)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
 /// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
@@ -113,7 +113,7 @@ void put_numbers(const Setting& setting, FaceVector& vector) {
       vector[std::size_t(setting.index) + i] = setting.values[i];
 }
 
-/// What the eyes' laws read of an eyeball is held before they act, too: a bulge held at 0 is none.
+/// Settings of an eyeball apply before the eyes' laws, which read it: a bulge held at 0 must not push.
 void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector) {
   for (const Setting& setting : pose.settings) {
     if (setting.control) continue;
@@ -169,7 +169,7 @@ const Face& Poser::pose(const Pose& pose) {
   muscles.act(rest, pose, values, set_channels, posed.vector);
   scratch_->drive_channels(false);
   hold_eyeballs(model, pose, posed.vector);
-  // What a basis gives has been through the eyes' laws: they act on what is moved on top of it only.
+  // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
   if (!by_basis)
     pose_eyes(model, rest.vector, values, posed.vector);
   else if (!at_rest(model, values))

@@ -15,7 +15,7 @@
 namespace mien {
 namespace {
 
-/// A place that a setting can go: a control, a slice or one number of a slice.
+/// What a setting can set: a control, a slice or one number of a slice.
 struct Target {
   bool control;
   int index;  ///< Setting::index
@@ -95,7 +95,7 @@ Expected<std::vector<double>> read_values(const Target& target, std::string_view
   return numbers;
 }
 
-/// What the numbers must lie in: a channel's range, or a slice's if its rule is to clamp.
+/// The range of the numbers: a channel's, or a slice's if its rule is to clamp.
 struct Range {
   double lo, hi;
 };
@@ -103,7 +103,7 @@ struct Range {
 Range range_of(const FaceModel& model, const Target& target) {
   if (target.control) {
     const Control& control = model.controls[std::size_t(target.index)];
-    const Channel& channel = model.channels[std::size_t(control.channels[0])];
+    const Channel& channel = control.channels[0].in(model.channels);
     return {channel.lo, channel.hi};
   }
   const double largest = model.layout.largest;
@@ -167,7 +167,7 @@ Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text) {
   const std::string where = one_line(text, 80);
   const std::vector<Eye>& eyes = face.model->eyes;
   if (std::none_of(eyes.begin(), eyes.end(),
-                   [](const Eye& eye) { return eye.gaze_x >= 0 || eye.gaze_y >= 0; }))
+                   [](const Eye& eye) { return eye.gaze_x || eye.gaze_y; }))
     return Error{where, "this face has no eyes that look: its file says none under \"eyes\""};
   const auto numbers = read_numbers(text, where);
   if (!numbers) return numbers.error();
@@ -180,7 +180,7 @@ std::vector<SettableName> settable_names(const Face& face) {
   const FaceModel& model = *face.model;
   std::vector<SettableName> names;
   for (const Control& control : model.controls) {
-    const Channel& channel = model.channels[std::size_t(control.channels[0])];
+    const Channel& channel = control.channels[0].in(model.channels);
     names.push_back(
         {control.name, control.unit, channel.lo, channel.hi, {channel.rest}, true, control.pose});
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kNoDepth = std::numeric_limits<double>::infinity();
 constexpr double kFilled = 0.8;  ///< share of a cell that a piece may take
 
-/// Which features hang together, numbered in drawing order.
+/// Connected features as pieces, numbered in drawing order.
 class Pieces {
  public:
   explicit Pieces(const FaceModel& model) : first_(model.features.size()) {
@@ -51,7 +51,7 @@ struct Piece {
   glm::dvec2 lo{kNoDepth}, hi{-kNoDepth};
 };
 
-/// How far a figure of one point reaches around it; 0 for those of many.
+/// The extent of a figure about its only point; 0 for figures of several points.
 glm::dvec2 radii_of(const Figure& figure, const Face& face) {
   const auto number = [&](int slice, int i) {
     return face.vector[std::size_t(face.model->layout[slice].begin + i)];
@@ -107,7 +107,7 @@ Boxes boxes_of(const Face& rest, const Pieces& pieces) {
   return boxes;
 }
 
-/// The slices of a feature's gradient and relief: visit(slice, whether it is how high a surface rises).
+/// The slices of a feature's gradient and relief: visit(slice, whether it is a height).
 template <class Visit>
 void for_each_paint_slice(const FaceModel& model, const Feature& feature, Visit&& visit) {
   const auto travel = [&](int slice) {
@@ -130,6 +130,36 @@ void for_each_paint_slice(const FaceModel& model, const Feature& feature, Visit&
     travel(dome.center), travel(dome.radii), visit(dome.height, true);
 }
 
+/// The chart's cells: as many as there are pieces or a few more, row by row from the top of the canvas.
+class Cells {
+ public:
+  Cells(const FaceCanvas& canvas, std::size_t pieces) : canvas_(canvas) {
+    const glm::dvec2 size = canvas.box.hi - canvas.box.lo;
+    const double count = double(std::max<std::size_t>(pieces, 1));
+    columns_ = std::ceil(std::sqrt(count * size.x / size.y));
+    rows_ = std::ceil(count / columns_);
+    cell_ = {size.x / columns_, size.y / rows_};
+  }
+
+  glm::dvec2 middle(std::size_t place) const {
+    const double row = std::floor(double(place) / columns_),
+                 column = double(place) - row * columns_;
+    const double down = canvas_.y_up ? rows_ - 0.5 - row : row + 0.5;
+    return canvas_.box.lo + glm::dvec2{(column + 0.5) * cell_.x, down * cell_.y};
+  }
+
+  /// How much smaller a piece of this size becomes; at most 1.
+  double scale(glm::dvec2 size) const {
+    const glm::dvec2 wide = glm::max(size, glm::dvec2(1e-9));
+    return std::min({1.0, kFilled * cell_.x / wide.x, kFilled * cell_.y / wide.y});
+  }
+
+ private:
+  const FaceCanvas& canvas_;
+  double columns_, rows_;
+  glm::dvec2 cell_;
+};
+
 }  // namespace
 
 double unwrap_progress(UnwrapMode mode, double w, double r) {
@@ -142,26 +172,16 @@ UnwrapChart::UnwrapChart(const Face& rest) {
   const FaceModel& model = *rest.model;
   const Pieces pieces(model);
   const Boxes boxes = boxes_of(rest, pieces);
-  const Box2& canvas = model.canvas.box;
-  const glm::dvec2 size = canvas.hi - canvas.lo;
-  const double count = double(std::max<std::size_t>(boxes.order.size(), 1));
-  const double columns = std::ceil(std::sqrt(count * size.x / size.y));
-  const double rows = std::ceil(count / columns);
-  const glm::dvec2 cell{size.x / columns, size.y / rows};
-
+  const Cells cells(model.canvas, boxes.order.size());
   std::vector<char> seen(model.layout.slices().size());
   for (std::size_t i = 0; i < model.features.size(); ++i) {
     const auto found = boxes.of.find(pieces.of(i));
     if (found == boxes.of.end()) continue;
-    const auto place = double(std::find(boxes.order.begin(), boxes.order.end(), found->first) -
-                              boxes.order.begin());
+    const auto place = std::find(boxes.order.begin(), boxes.order.end(), found->first);
     const Piece& box = found->second;
-    const glm::dvec2 wide = glm::max(box.hi - box.lo, glm::dvec2(1e-9));
-    const double scale = std::min({1.0, kFilled * cell.x / wide.x, kFilled * cell.y / wide.y});
-    const double row = std::floor(place / columns), column = place - row * columns;
-    const double down = model.canvas.y_up ? rows - 0.5 - row : row + 0.5;
+    const double scale = cells.scale(box.hi - box.lo);
     Traveller next{.from = 0.5 * (box.lo + box.hi),
-                   .to = canvas.lo + glm::dvec2{(column + 0.5) * cell.x, down * cell.y},
+                   .to = cells.middle(std::size_t(place - boxes.order.begin())),
                    .scale = scale};
     const auto travel = [&](int slice, bool rise) {
       const Slice& s = model.layout[slice];

@@ -36,7 +36,7 @@ std::unique_ptr<CommandApp> command_app();
 /// What was wrong with words that `app` could not read, in one sentence.
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong);
 
-/// Out of the definition: a man page (groff), and completion for bash, zsh or fish.
+/// Made from the definition: a man page (groff), and completion for bash, zsh or fish.
 std::string manual(const CLI::App& app);
 std::string completion(const CLI::App& app, const std::string& shell);
 

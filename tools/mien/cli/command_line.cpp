@@ -1,5 +1,4 @@
 #include "tools/mien/cli/command_line.h"
-#include <mien/unwrap_mode.h>
 #include <mien/version.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
@@ -14,74 +13,8 @@
 
 namespace mien::command {
 
-void add_pose(CLI::App* to, PosedFace& posed) {
-  to->add_option("FACE", posed.face, "Face file, or a code that `mien new` printed")
-      ->required()
-      ->type_name("");
-  to->add_option("--style", posed.style,
-                 "How a face by code is painted: flat, soft, clay, ink or pictogram; default soft")
-      ->type_name("STYLE");
-  to->add_option("--time", posed.time,
-                 "Moment at which the face's clips are drawn; without one no clip runs")
-      ->type_name("SECONDS");
-  to->add_option(
-        "--clip", posed.clips,
-        "Run this clip instead of the face's default one; may be given many times: each is "
-        "laid over those before it, by its weight, its own time beginning at BEGIN")
-      ->type_name("NAME[=WEIGHT[@BEGIN]]")
-      ->allow_extra_args(false);
-  to->add_option(
-        "--pose,--morph", posed.poses,
-        "Give a named pose (a morph target) a weight, 1 if none is said; may be given many "
-        "times")
-      ->type_name("NAME[=WEIGHT]")
-      ->allow_extra_args(false);
-  to->add_option("--morphs", posed.morphs, "More poses, out of a file that `mien morph make` wrote")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  to->add_option("--basis", posed.basis,
-                 "Pose by a basis that `mien pca fit` found for this face, at --time or --weights")
-      ->type_name("FILE");
-  to->add_option("--weights", posed.weights, "Weights of the basis's components")
-      ->type_name("W,W,...");
-  to->add_option("--look-at", posed.look_at,
-                 "The point both eyes look at, in face units, z towards the viewer")
-      ->type_name("X,Y,Z")
-      ->allow_extra_args(false);
-  to->add_option("--blink", posed.blink, "How far both eyes are shut, 0 to 1")->type_name("WEIGHT");
-  to->add_option("--unwrap", posed.unwrap,
-                 "How far the features have travelled from the face to a flat chart, 0 to 1")
-      ->type_name("WEIGHT");
-  to->add_option("--unwrap-mode", posed.unwrap_mode,
-                 "All at once, the deep features first, or that and braking; default linear")
-      ->type_name(std::string(kUnwrapModes));
-  to->add_option("--bias", posed.bias,
-                 "Where the lids meet: from -1, at the lower lid, to 1, at the upper one")
-      ->type_name("BIAS");
-  to->add_option("--emotion", posed.emotions,
-                 "Give an emotion a strength from 0 to 1, 1 if none is said; left.joy is the "
-                 "subject's left half; may be given many times")
-      ->type_name("NAME[=STRENGTH]")
-      ->allow_extra_args(false);
-  to->add_option("--muscle", posed.muscles,
-                 "Pull a muscle by 0 to 1, whatever the emotions say; left.NAME is the subject's "
-                 "left one; may be given many times")
-      ->type_name("NAME[=PULL]")
-      ->allow_extra_args(false);
-  to->add_option("--arkit", posed.arkit,
-                 "A frame of ARKit's blend shapes as JSON: {\"jawOpen\": 0.4, …}")
-      ->type_name("FILE");
-  to->add_flag("--clamp", posed.clamp,
-               "Take strengths and pulls beyond 0 to 1 as the nearer end instead of an error");
-  to->add_option("--set", posed.settings,
-                 "Hold a control or a number of the face at a value; may be given many times; "
-                 "'mien list FACE' names "
-                 "them all")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-}
-
 namespace {
+
 void add_debug(CLI::App* to, std::optional<std::string>& debug) {
   to->add_option("--debug", debug,
                  "Draw over the face what moves it: its muscles by their pull, or its points and "
@@ -202,7 +135,43 @@ std::string command_list(const CLI::App& app) {
   return text;
 }
 
-/// The command that was typed, "fit" of `mien pca fit`.
+void add_render(CLI::App& app, RenderArguments& to) {
+  CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
+  add_pose(render, to.posed);
+  add_output(render, to);
+  add_picture(render, to);
+  add_threads(render, to);
+  add_insight(render, to);
+  add_work(render, to);
+}
+
+void add_scene(CLI::App& app, CommandApp& command) {
+  CLI::App* scene = app.add_subcommand("scene", "Print the shapes and layers a face is drawn with");
+  add_pose(scene, command.scene.posed);
+  add_debug(scene, command.scene.debug);
+}
+
+void add_list(CLI::App& app, CommandApp& command) {
+  CLI::App* list = app.add_subcommand(
+      "list",
+      "Print every name that --set takes, with unit, range and value; and the poses and clips");
+  list->add_option("FACE", command.list.face, "Face file")->required()->type_name("");
+}
+
+void add_bench(CLI::App& app, CommandApp& command) {
+  CLI::App* bench =
+      app.add_subcommand("bench", "Measure how long a frame takes, from pose to pixels");
+  add_pose(bench, command.bench.render.posed);
+  add_picture(bench, command.bench.render);
+  add_threads(bench, command.bench.render);
+  bench
+      ->add_option("--repeat", command.bench.repeat,
+                   "Frames to measure; default " + std::to_string(kDefaultRepeat))
+      ->type_name("N");
+  bench->add_flag("--json", command.bench.json, "Print JSON instead of a table");
+}
+
+/// The command that was typed: "fit" of `mien pca fit`.
 const CLI::App& innermost(const CLI::App& app) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
@@ -267,7 +236,7 @@ CommandLine chosen(CommandApp& command) {
   return WrongUse{"a command is needed: " + command_list(app) + "; mien -h helps"};
 }
 
-/// CLI11's own sentences, in this command's manner: after the command they are about, in lower
+/// CLI11's own messages in this command's style: after the name of the command they are about, in lower
 /// case.
 std::string retold(const CLI::App& app, const CLI::ParseError& wrong) {
   std::string text = wrong.what();
@@ -315,7 +284,7 @@ std::vector<std::string> option_words(const CLI::Option& option) {
 }
 
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
-  // A mistyped option is the better news than what is missing because of it.
+  // A mistyped option says more than the argument that is missing because of it.
   return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
 }
 
@@ -325,37 +294,12 @@ std::unique_ptr<CommandApp> command_app() {
   app.set_help_flag("-h,--help", "Say this and stop");
   app.set_version_flag("--version", "mien " MIEN_VERSION_STRING, "Say which mien this is and stop");
   app.get_formatter()->column_width(34);
-
-  CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
-  add_pose(render, made->render.posed);
-  add_output(render, made->render);
-  add_picture(render, made->render);
-  add_threads(render, made->render);
-  add_insight(render, made->render);
-  add_work(render, made->render);
-
+  // In the order in which help and the man page list them.
+  add_render(app, made->render);
   add_check(app, made->check);
-
-  CLI::App* scene = app.add_subcommand("scene", "Print the shapes and layers a face is drawn with");
-  add_pose(scene, made->scene.posed);
-  add_debug(scene, made->scene.debug);
-
-  CLI::App* list = app.add_subcommand(
-      "list",
-      "Print every name that --set takes, with unit, range and value; and the poses and clips");
-  list->add_option("FACE", made->list.face, "Face file")->required()->type_name("");
-
-  CLI::App* bench =
-      app.add_subcommand("bench", "Measure how long a frame takes, from pose to pixels");
-  add_pose(bench, made->bench.render.posed);
-  add_picture(bench, made->bench.render);
-  add_threads(bench, made->bench.render);
-  bench
-      ->add_option("--repeat", made->bench.repeat,
-                   "Frames to measure; default " + std::to_string(kDefaultRepeat))
-      ->type_name("N");
-  bench->add_flag("--json", made->bench.json, "Print JSON instead of a table");
-
+  add_scene(app, *made);
+  add_list(app, *made);
+  add_bench(app, *made);
   add_animate(app, made->animate);
   add_morph(app, made->morph);
   add_mesh(app, made->mesh);

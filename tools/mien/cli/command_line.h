@@ -1,5 +1,5 @@
 #pragma once
-// The command line: its one definition, out of which come reading, help, man page and completion.
+// The command line: one definition, from which reading, help, man page and completion are made.
 
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"

@@ -1,4 +1,4 @@
-// Man page and shell completion, walked out of the definition.
+// Man page and shell completion, made from the definition.
 
 #include <mien/version.h>
 
@@ -112,7 +112,7 @@ std::string bash(const CLI::App& app) {
       commands, after, cases);
 }
 
-/// In zsh's _arguments a colon and brackets mean something.
+/// Escapes the colon and brackets, which mean something in zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (char c : quoted(text))

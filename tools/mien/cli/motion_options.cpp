@@ -1,7 +1,95 @@
 #include "tools/mien/cli/motion_options.h"
+#include <mien/unwrap_mode.h>
 #include "tools/mien/cli/option_words.h"
 
 namespace mien::command {
+namespace {
+
+void add_face(CLI::App* to, PosedFace& posed) {
+  to->add_option("FACE", posed.face, "Face file, or a code that `mien new` printed")
+      ->required()
+      ->type_name("");
+  to->add_option("--style", posed.style,
+                 "How a face by code is painted: flat, soft, clay, ink or pictogram; default soft")
+      ->type_name("STYLE");
+}
+
+/// What moves a face: clips, named poses, a basis.
+void add_motion(CLI::App* to, PosedFace& posed) {
+  to->add_option("--time", posed.time,
+                 "Moment at which the face's clips are drawn; without one no clip runs")
+      ->type_name("SECONDS");
+  to->add_option(
+        "--clip", posed.clips,
+        "Run this clip instead of the face's default one; may be given many times: each is "
+        "laid over those before it, by its weight, its own time beginning at BEGIN")
+      ->type_name("NAME[=WEIGHT[@BEGIN]]")
+      ->allow_extra_args(false);
+  to->add_option(
+        "--pose,--morph", posed.poses,
+        "Give a named pose (a morph target) a weight, 1 if none is said; may be given many "
+        "times")
+      ->type_name("NAME[=WEIGHT]")
+      ->allow_extra_args(false);
+  to->add_option("--morphs", posed.morphs, "More poses, out of a file that `mien morph make` wrote")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  to->add_option("--basis", posed.basis,
+                 "Pose by a basis that `mien pca fit` found for this face, at --time or --weights")
+      ->type_name("FILE");
+  to->add_option("--weights", posed.weights, "Weights of the basis's components")
+      ->type_name("W,W,...");
+}
+
+void add_eyes_and_chart(CLI::App* to, PosedFace& posed) {
+  to->add_option("--look-at", posed.look_at,
+                 "The point both eyes look at, in face units, z towards the viewer")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  to->add_option("--blink", posed.blink, "How far both eyes are shut, 0 to 1")->type_name("WEIGHT");
+  to->add_option("--unwrap", posed.unwrap,
+                 "How far the features have travelled from the face to a flat chart, 0 to 1")
+      ->type_name("WEIGHT");
+  to->add_option("--unwrap-mode", posed.unwrap_mode,
+                 "All at once, the deep features first, or that and braking; default linear")
+      ->type_name(std::string(kUnwrapModes));
+  to->add_option("--bias", posed.bias,
+                 "Where the lids meet: from -1, at the lower lid, to 1, at the upper one")
+      ->type_name("BIAS");
+}
+
+void add_feelings(CLI::App* to, PosedFace& posed) {
+  to->add_option("--emotion", posed.emotions,
+                 "Give an emotion a strength from 0 to 1, 1 if none is said; left.joy is the "
+                 "subject's left half; may be given many times")
+      ->type_name("NAME[=STRENGTH]")
+      ->allow_extra_args(false);
+  to->add_option("--muscle", posed.muscles,
+                 "Pull a muscle by 0 to 1, whatever the emotions say; left.NAME is the subject's "
+                 "left one; may be given many times")
+      ->type_name("NAME[=PULL]")
+      ->allow_extra_args(false);
+  to->add_option("--arkit", posed.arkit,
+                 "A frame of ARKit's blend shapes as JSON: {\"jawOpen\": 0.4, …}")
+      ->type_name("FILE");
+  to->add_flag("--clamp", posed.clamp,
+               "Take strengths and pulls beyond 0 to 1 as the nearer end instead of an error");
+}
+
+}  // namespace
+
+void add_pose(CLI::App* to, PosedFace& posed) {
+  add_face(to, posed);
+  add_motion(to, posed);
+  add_eyes_and_chart(to, posed);
+  add_feelings(to, posed);
+  to->add_option("--set", posed.settings,
+                 "Hold a control or a number of the face at a value; may be given many times; "
+                 "'mien list FACE' names "
+                 "them all")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
 
 void add_animate(CLI::App& app, AnimateArguments& to) {
   CLI::App* animate =

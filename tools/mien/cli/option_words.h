@@ -1,5 +1,5 @@
 #pragma once
-// The words some options take: said once, for help, man page, completion and reading alike.
+// The words that some options take, defined once for help, man page, completion and reading.
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #pragma once
-// Option values: from text to numbers and back to a sentence where they make no sense. The error's
-// `where` is the option with its value: "--size 0x5".
+// Option values: from text to numbers, or to an error where they make no sense. Its `where` is the option
+// with its value: "--size 0x5".
 
 #include <mien/color.h>
 #include <mien/expected.h>
@@ -61,7 +61,7 @@ struct FrameRange {
 inline constexpr long kMostFrames = 10'000'000;
 Expected<FrameRange> read_frames(std::string_view text);
 
-/// Frames a second: a number, or a fraction as television has them, "30000/1001".
+/// Frames per second: a number, or a fraction as in television, "30000/1001".
 Expected<double> read_fps(std::string_view text);
 
 }  // namespace mien::command

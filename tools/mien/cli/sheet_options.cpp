@@ -22,7 +22,7 @@ Error refuse(const std::string& text, std::string what) {
   return {"--picture " + one_line(text, 60), std::move(what)};
 }
 
-/// The words of a text, parted by blanks; within '…' or "…" blanks are kept.
+/// The words of a text, split at blanks, except inside '…' or "…".
 Expected<std::vector<std::string>> words_of(std::string_view text) {
   std::vector<std::string> words;
   while (!(text = trimmed(text)).empty()) {

@@ -8,7 +8,7 @@
 
 namespace mien::command {
 
-/// "near: --look-at 0,0,0.6": a name, empty where none is said, and what `mien render` would be told.
+/// "near: --look-at 0,0,0.6": a name, which may be empty, and the options that `mien render` would get.
 struct SheetPicture {
   std::string name;
   RenderArguments render;

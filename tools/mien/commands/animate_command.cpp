@@ -1,7 +1,7 @@
 // mien animate: many moments of a face, as numbered pictures or as a film.
 //
-// Frames are drawn side by side, one thread each, and depend on their own moment alone: any number
-// of threads gives the same. Numbered pictures that an earlier run finished are kept.
+// Frames are drawn in parallel, one thread each, and each depends on its own moment alone: any number of
+// threads gives the same pictures. Numbered pictures that an earlier run finished are kept.
 
 #include <mien/parallel.h>
 #include <mien/scene_from_face.h>
@@ -145,7 +145,7 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
                            animation.range.count(), whole, 100 * drawing / whole));
 }
 
-/// What can be said before anything is drawn.
+/// Checks everything that can be checked before drawing.
 int plan_animation(const AnimateArguments& arguments, Animation& animation) {
   auto plan = plan_frame(arguments.render);
   if (!plan) return complain(plan.error(), kUsedWrongly);

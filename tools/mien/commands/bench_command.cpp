@@ -1,6 +1,5 @@
-// mien bench: whole frames, pose to pixels, into a buffer that is there already. Frames are cold:
-// each is of a face a little smaller than the one before, so nothing made for one is of use for the
-// next.
+// mien bench: times whole frames, from pose to pixels, into an existing buffer. Frames are cold: each is of
+// a face a little smaller than the one before, so nothing kept from one helps the next.
 
 #include <mien/face_model.h>
 #include <mien/renderer.h>
@@ -28,8 +27,8 @@ constexpr std::array<const char*, 3> kParts{"pose", "scene", "draw"};
 constexpr int kSteps = 100;       // faces that differ from each other
 constexpr double kShrink = 1e-5;  // of every length, per step
 
-/// The face, every point and length `step` times kShrink smaller, to be drawn instead of it: two
-/// steps in a row have none of those numbers in common.
+/// The face to draw in its place, with every point and length smaller by `step` times kShrink. Two steps in
+/// a row have none of those numbers in common.
 Face smaller(Face face, int step) {
   for (const Slice& slice : face.model->layout.slices()) {
     if (slice.kind != SliceKind::point && slice.kind != SliceKind::shift &&

@@ -15,7 +15,7 @@
 namespace mien::command {
 namespace {
 
-/// Whether muscles take part in what a control stands for: a look or a blink is none of theirs.
+/// Whether muscles take part in what a control does; for gaze and blink they do not.
 bool pulls_muscles(const Face& face, const Setting& setting) {
   const std::string& name = face.model->controls[std::size_t(setting.index)].name;
   for (const Expression& expression : face.model->expressions)
@@ -23,7 +23,7 @@ bool pulls_muscles(const Face& face, const Setting& setting) {
   return false;
 }
 
-/// A frame of ARKit's numbers: the points are wanted where its table puts them.
+/// The targets of a frame of ARKit's numbers: the places where its table puts the points.
 Expected<std::vector<PointTarget>> targets_of_arkit(const Face& face,
                                                     const std::vector<FrameNumber>& frame) {
   Pose pose;

@@ -52,7 +52,7 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-/// How long a curve takes until it begins anew, or ends.
+/// The time until a curve repeats or ends.
 double length_of(const Curve& curve) {
   if (const auto* keys = std::get_if<KeyCurve>(&curve))
     return keys->period > 0 ? keys->period : keys->keys.back().time;
@@ -66,7 +66,7 @@ std::string clip_line(const FaceModel& model, Index<Clip> index) {
   if (index == model.default_clip) line += " (runs with --time)";
   if (clip.additive) line += " (additive)";
   for (const ClipTrack& track : clip.tracks) {
-    line += fmt::format("  {} every {:.4g} s", model.controls[std::size_t(track.control)].name,
+    line += fmt::format("  {} every {:.4g} s", track.control.in(model.controls).name,
                         length_of(track.curve));
   }
   return line + "\n";

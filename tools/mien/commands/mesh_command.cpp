@@ -1,4 +1,4 @@
-// mien mesh: heads of triangles as they were read: neutral, its wires, targets, how far each point goes.
+// mien mesh: draws heads of triangles: the neutral, its wires, targets, and how far each point moves.
 
 #include <mien/mesh_morph.h>
 #include <mien/obj.h>
@@ -67,7 +67,7 @@ Expected<std::vector<double>> read_weights(const MeshArguments& arguments, const
   return weights;
 }
 
-/// Seen after turning to its left by yaw, then up by pitch [degrees].
+/// The mesh turned to its left by yaw, then up by pitch [degrees].
 Mesh turned(Mesh mesh, double yaw, double pitch) {
   const double a = glm::radians(yaw), b = glm::radians(pitch);
   for (glm::dvec3& p : mesh.points) {
@@ -101,7 +101,7 @@ class HeadPainter {
         sheet_picture(scene_from_mesh(turned(mesh, yaw_, pitch_), amounts, look), view), caption);
   }
 
-  /// The spectrum of how far each point is from the neutral; the caption says what its end is.
+  /// A heat map of each point's distance from the neutral; the caption says what the end of the scale is.
   Image paint_heat(const Mesh& neutral, const Mesh& mesh) const {
     std::vector<double> amounts = point_distances(neutral, mesh);
     const double largest = amounts.empty() ? 0 : *std::max_element(amounts.begin(), amounts.end());
@@ -116,8 +116,8 @@ class HeadPainter {
   Box2 box_;
 };
 
-/// Bands of two rows: heads above, below each the heat of how far its points go; first the neutral
-/// over its wires.
+/// Bands of two rows: heads above, and below each the heat map of its points' ways. The first is the
+/// neutral over its wires.
 std::vector<Image> sheet_of(const Heads& heads, const HeadPainter& painter, int columns) {
   const std::size_t count = heads.targets.size() + 1;
   std::vector<Image> pictures;

@@ -17,7 +17,7 @@
 namespace mien::command {
 namespace {
 
-/// A seed that nobody had a moment ago.
+/// A new seed at each call, from the time in nanoseconds.
 std::uint64_t new_seed() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return seed_from_word(

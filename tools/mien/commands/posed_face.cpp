@@ -56,7 +56,7 @@ std::optional<Face> read_face_aloud(const std::string& path,
 
 namespace {
 
-/// "blink" and "0.5" as the setting they are, the error's address being the option.
+/// The setting of a control from an option like --blink 0.5; the address of an error is the option.
 Expected<Setting> read_control(const Face& face, const std::string& name,
                                const std::string& value) {
   const std::string where = "--" + name + " " + one_line(value, 60);
@@ -69,7 +69,7 @@ Expected<Setting> read_control(const Face& face, const std::string& name,
   return Error{where, setting.error().what};
 }
 
-/// --arkit: what is wrong with it is the file's fault.
+/// The settings of --arkit. Errors are addressed to the place in the file.
 Expected<Pose> read_arkit(const Face& face, const PosedFace& arguments) {
   const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
   Pose pose;
@@ -87,7 +87,7 @@ Expected<Pose> read_arkit(const Face& face, const PosedFace& arguments) {
   return pose;
 }
 
-/// --emotion, --muscle.
+/// Adds the settings of --emotion and --muscle.
 Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Pose& pose) {
   const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
   for (const auto& [set, texts] :
@@ -101,10 +101,8 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
   return Done{};
 }
 
-/// What was typed, in the order in which it counts.
-Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
-                         const std::vector<Setting>& arkit) {
-  Pose pose;
+/// Adds --clip and --pose.
+Expected<Done> read_motion(const Face& face, const PosedFace& arguments, Pose& pose) {
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
     if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};
@@ -115,11 +113,11 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
     if (!weight) return Error{"--pose " + weight.error().where, weight.error().what};
     pose.settings.push_back(*std::move(weight));
   }
-  if (arguments.look_at) {
-    const auto target = read_look_at(face, *arguments.look_at);
-    if (!target) return Error{"--look-at " + target.error().where, target.error().what};
-    pose.look_at = *target;
-  }
+  return Done{};
+}
+
+/// Adds --unwrap and --unwrap-mode.
+Expected<Done> read_unwrap(const PosedFace& arguments, Pose& pose) {
   if (arguments.unwrap) {
     const auto share = read_share("unwrap", *arguments.unwrap);
     if (!share) return share.error();
@@ -130,6 +128,20 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
     if (!mode) return mode.error();
     pose.unwrap_mode = UnwrapMode(*mode);
   }
+  return Done{};
+}
+
+/// The pose of the options. Later settings beat earlier ones, so the order here is their precedence.
+Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
+                         const std::vector<Setting>& arkit) {
+  Pose pose;
+  if (auto motion = read_motion(face, arguments, pose); !motion) return motion.error();
+  if (arguments.look_at) {
+    const auto target = read_look_at(face, *arguments.look_at);
+    if (!target) return Error{"--look-at " + target.error().where, target.error().what};
+    pose.look_at = *target;
+  }
+  if (auto chart = read_unwrap(arguments, pose); !chart) return chart.error();
   for (const auto& [name, value] :
        {std::pair{"blink", &arguments.blink}, {"bias", &arguments.bias}})
     if (*value) {
@@ -147,7 +159,7 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
   return pose;
 }
 
-/// --basis and --weights.
+/// Adds --basis and --weights.
 int take_basis(const PosedFace& arguments, const Face& face, Pose& pose) {
   if (arguments.weights && !arguments.basis)
     return complain("--weights are those of a --basis", kUsedWrongly);

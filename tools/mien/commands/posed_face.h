@@ -11,7 +11,7 @@
 
 namespace mien::command {
 
-/// The face of a file or code, or nothing; warnings and the error have been said.
+/// The face of a file or code, or nothing; warnings and the error have been printed.
 std::optional<Face> read_face_aloud(const std::string& path,
                                     const std::optional<std::string>& style = {});
 
@@ -20,8 +20,8 @@ Expected<Face> read_face_or_code(const std::string& text,
                                  const std::optional<std::string>& style = {},
                                  std::vector<Error>* warnings = nullptr);
 
-/// A face and the pose asked for, or the exit code after what was wrong has been said. `known`: the
-/// face, where it has been read already.
+/// A face and the pose asked for, or the exit code after the error has been printed. `known`: the face, if
+/// it has been read already.
 struct FaceAndPoseOrCode {
   std::optional<Face> face;
   Pose pose;
@@ -29,7 +29,7 @@ struct FaceAndPoseOrCode {
 };
 FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* known = nullptr);
 
-/// A face at the pose asked for, or the exit code after what was wrong has been said.
+/// A face at the pose asked for, or the exit code after the error has been printed.
 struct PosedOrCode {
   std::optional<Face> face;
   int code = kDone;

@@ -30,8 +30,8 @@
 namespace mien::command {
 namespace {
 
-/// [s] that each part took; of drawing and writing, which go hand in hand, `picture` is the time
-/// together, the others are those of all threads.
+/// [s] that each part took. Drawing and writing overlap: `picture` is the time of both together; their own
+/// times are summed over all threads.
 struct Times {
   double read = 0, scene = 0, picture = 0;
 };
@@ -52,7 +52,7 @@ std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const 
       (stats.render.root_seconds + stats.render.distance_seconds) / std::max(stats.draw, 1e-9));
 }
 
-/// On standard output, unless a picture is there.
+/// Prints to standard output, unless a picture goes there.
 int print_stats(const std::string& text, const std::string& output) {
   if (output != "-") return print(text);
   std::fwrite(text.data(), 1, text.size(), stderr);
@@ -66,7 +66,7 @@ Expected<Done> check_output(const std::string& output, const WriteOptions& write
   return check_output_path(output, write);
 }
 
-/// Rows of a strip that is to have so many pixels, and whole strips of the renderer's.
+/// The rows of a strip of about so many pixels: a multiple of the renderer's own strips.
 int rows_of(int pixels, int width) {
   return std::max(pixels / width / 16, 1) * 16;
 }
@@ -103,8 +103,8 @@ Expected<PictureStats> write_with_effects(const std::string& output, const Rende
   return stats;
 }
 
-/// Instead of the face's own picture. A strip cannot be stopped half-way: where each pixel asks for
-/// distances it is a few rows.
+/// Writes a debug picture instead of the face's own. A strip cannot be stopped half-way, so it has few rows
+/// where each pixel asks for distances.
 Expected<PictureStats> write_debug(const std::string& output, const RenderPlan& plan,
                                    const Scene& scene) {
   const bool slow = *plan.debug == DebugPicture::distance || *plan.debug == DebugPicture::normals;
@@ -145,8 +145,8 @@ int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Sce
                     : kDone;
 }
 
-/// Bounds of the picture's errors as grey, in strips. White is the largest of them: the first strip
-/// waits until all have been looked through, and they are found twice unless there is but one.
+/// The bounds of the picture's errors as grey levels, in strips. White is the largest bound, so all strips
+/// are looked through before the first is given, and computed a second time unless there is only one.
 class ErrorStrips {
  public:
   ErrorStrips(const RenderPlan& plan, const Scene& scene)
@@ -163,7 +163,7 @@ class ErrorStrips {
     return map_.image();
   }
 
-  /// When all were looked through.
+  /// To be asked once all strips have been looked through.
   std::string verdict() const {
     return fmt::format(
         "no channel is off by more than {:.3f} of 255, rounding left out{}\n", worst_,
@@ -189,7 +189,8 @@ class ErrorStrips {
 int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene) {
   constexpr int kPixels = 1 << 22;
   const auto width = drawn_rect(plan.view).width;
-  // Pixels on the way, their bounds, and these as grey, twice: made and waiting.
+  // Per pixel: the picture's, which is passed on, then its bound, and the bound as grey, twice: being made
+  // and waiting.
   const std::size_t pixel = 4 * bytes_per_channel(plan.picture.depth.value_or(Depth::u8)) + 3 * 4;
   ErrorStrips strips(plan, scene);
   Expected<PictureStats> done = PictureStats{};
@@ -207,7 +208,7 @@ int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, co
   return print_stats(strips.verdict(), *plan.error_map == "-" ? *plan.error_map : arguments.output);
 }
 
-/// The face, or how far its points have gone.
+/// The scene of the face, or of how far its points have moved.
 Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
   if (arguments.debug != kMorphDebug) return scene_from_face(posed);
   const auto rest = read_face_or_code(arguments.posed.face, arguments.posed.style);

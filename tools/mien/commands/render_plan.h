@@ -28,7 +28,7 @@ struct RenderPlan {
 /// Frames that `mien bench` measures without --repeat.
 inline constexpr int kDefaultRepeat = 50;
 
-/// All that can be said without the face: files, depths, counts. `plan_view` adds what depends on
+/// Everything that can be planned without the face: files, depths, counts. `plan_view` adds what depends on
 /// its canvas.
 Expected<RenderPlan> plan_render(const RenderArguments& arguments);
 /// The same for a picture that goes nowhere: `output` is not read, any depth will do (u8 unless said).

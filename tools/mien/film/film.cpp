@@ -13,6 +13,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <vector>
 
 namespace mien::command {
@@ -20,75 +22,40 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-void append(Words& to, std::initializer_list<const char*> words) {
-  to.insert(to.end(), words.begin(), words.end());
-}
-
 /// sRGB pixels become BT.709 video, which has the same primaries.
 constexpr char kToVideo[] = "scale=in_range=full:out_range=tv:out_color_matrix=bt709";
 
-void append_codec(Words& to, FilmType type, bool transparent) {
+/// The encoder's options, with a blank between two.
+std::string codec_options(FilmType type, bool transparent) {
   switch (type) {
     case FilmType::mp4:
-      append(to, {"-vf",
-                  kToVideo,
-                  "-c:v",
-                  "libx264",
-                  "-preset",
-                  "medium",
-                  "-crf",
-                  "16",
-                  "-pix_fmt",
-                  "yuv420p",
-                  "-colorspace",
-                  "bt709",
-                  "-color_primaries",
-                  "bt709",
-                  "-color_trc",
-                  "bt709",
-                  "-color_range",
-                  "tv",
-                  "-movflags",
-                  "+faststart",
-                  "-f",
-                  "mp4"});
-      return;
+      return fmt::format(
+          "-vf {} -c:v libx264 -preset medium -crf 16 -pix_fmt yuv420p -colorspace bt709 "
+          "-color_primaries bt709 -color_trc bt709 -color_range tv -movflags +faststart -f mp4",
+          kToVideo);
     case FilmType::webm:
-      append(to, {"-vf",         kToVideo,    "-c:v",
-                  "libvpx-vp9",  "-b:v",      "0",
-                  "-crf",        "20",        "-deadline",
-                  "good",        "-cpu-used", "5",
-                  "-row-mt",     "1",         "-auto-alt-ref",
-                  "0",           "-pix_fmt",  transparent ? "yuva420p" : "yuv420p",
-                  "-colorspace", "bt709",     "-f",
-                  "webm"});
-      return;
+      return fmt::format(
+          "-vf {} -c:v libvpx-vp9 -b:v 0 -crf 20 -deadline good -cpu-used 5 -row-mt 1 "
+          "-auto-alt-ref 0 -pix_fmt {} -colorspace bt709 -f webm",
+          kToVideo, transparent ? "yuva420p" : "yuv420p");
     case FilmType::webp:
-      append(to, {"-c:v", "libwebp_anim", "-lossless", "1", "-compression_level", "3", "-loop", "0",
-                  "-pix_fmt", "bgra", "-f", "webp"});
-      return;
+      return "-c:v libwebp_anim -lossless 1 -compression_level 3 -loop 0 -pix_fmt bgra -f webp";
     case FilmType::apng:
-      append(to, {"-c:v", "apng", "-plays", "0", "-pix_fmt", transparent ? "rgba" : "rgb24", "-f",
-                  "apng"});
-      return;
+      return fmt::format("-c:v apng -plays 0 -pix_fmt {} -f apng", transparent ? "rgba" : "rgb24");
     case FilmType::gif:
-      append(to, {"-filter_complex",
-                  "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a",
-                  "-loop", "0", "-f", "gif"});
-      return;
+      return "-filter_complex split[a][b];[a]palettegen=stats_mode=diff[p];"
+             "[b][p]paletteuse=dither=sierra2_4a -loop 0 -f gif";
   }
+  return {};
 }
 
 Words ffmpeg_words(const std::string& to, FilmType type, int width, int height, double fps,
                    bool transparent) {
-  Words words;
-  append(words, {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo",
-                 "-pix_fmt", "rgba", "-s"});
-  words.push_back(fmt::format("{}x{}", width, height));
-  words.push_back("-r");
-  words.push_back(fmt::format("{}", fps));
-  append(words, {"-i", "pipe:0", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
-  append_codec(words, type, transparent);
+  std::istringstream options(fmt::format(
+      "ffmpeg -hide_banner -loglevel error -nostdin -y -f rawvideo -pix_fmt rgba -s {}x{} -r {} "
+      "-i pipe:0 -fflags +bitexact -flags:v +bitexact {}",
+      width, height, fps, codec_options(type, transparent)));
+  Words words(std::istream_iterator<std::string>{options}, {});
   words.push_back(to);
   return words;
 }
@@ -123,11 +90,31 @@ struct Film::Process {
   explicit Process(AtomicFile to) : file(std::move(to)) {}
   ~Process() {
     if (pipe >= 0) ::close(pipe);
-    if (id > 0) {  // its input has ended: so does it
+    if (id > 0) {  // its input has ended, so it ends too
       int status = 0;
       ::waitpid(id, &status, 0);
     }
     if (said) std::fclose(said);
+  }
+
+  /// Starts the program whose name is the first word, reading from `input`. Returns 0 or an errno.
+  int start(const Words& words, int input) {
+    std::vector<char*> argv;
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, input, 0);
+    ::posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(said), 2);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    // A process group of its own: Ctrl-C is for this program only.
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int failed = ::posix_spawnp(&id, argv[0], &actions, &attributes, argv.data(), environ);
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&actions);
+    return failed;
   }
 
   std::string last_words() const {
@@ -163,22 +150,7 @@ Expected<Film> Film::begin(const std::string& path, FilmType type, int width, in
   process->pipe = ends[1];
   const Words words =
       ffmpeg_words(process->file.temporary().string(), type, width, height, fps, transparent);
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, ends[0], 0);
-  ::posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(process->said), 2);
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP);  // Ctrl-C is this program's to hear
-  const int failed =
-      ::posix_spawnp(&process->id, "ffmpeg", &actions, &attributes, argv.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
+  const int failed = process->start(words, ends[0]);
   ::close(ends[0]);
   if (failed) {
     process->id = -1;

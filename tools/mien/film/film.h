@@ -1,6 +1,6 @@
 #pragma once
-// A film: frames go through a pipe into ffmpeg, a process of its own, and come out as a file, whole or
-// not at all.
+// A film: frames go through a pipe into an ffmpeg process, which writes them to a file. The film appears
+// whole or not at all.
 
 #include <mien/expected.h>
 #include <mien/image.h>
@@ -20,7 +20,7 @@ bool holds_transparency(FilmType type);
 
 class Film {
  public:
-  /// Starts ffmpeg. Errors: it is not installed (names the package), sides the type can't have, no
+  /// Starts ffmpeg. Errors: it is not installed (names the package), sides that the type cannot have, no
   /// place to write.
   static Expected<Film> begin(const std::string& path, FilmType type, int width, int height,
                               double fps, bool transparent);

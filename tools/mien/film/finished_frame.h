@@ -1,5 +1,5 @@
 #pragma once
-// Whether a frame of an earlier run is whole and the one that would be drawn now.
+// Whether a frame of an earlier run is complete, and is the one that would be drawn now.
 
 #include <filesystem>
 #include <string_view>

@@ -144,7 +144,8 @@ class Importer {
     });
   }
 
-  /// A square about the axis with air around the features, three fifths of it above them: a forehead.
+  /// A square about the axis with a margin around the features. Three fifths of the upright margin are
+  /// above them, for a forehead.
   std::array<double, 3> canvas() const {
     double far = 1, low = std::numeric_limits<double>::infinity(), high = -low;
     const auto cover = [&](const std::array<double, 2>& p, double around) {
@@ -332,7 +333,7 @@ Expected<std::string> face_text_from_facemotion(std::string_view text, std::stri
     if (!tree) return tree.error();
     Reading in(*tree, limits, nullptr);
     std::string made = Importer(in, options).text();
-    // What it says must be a face: the importer is no stricter than the reader is, nor laxer.
+    // What is made must read as a face, so the importer is neither stricter than the reader nor laxer.
     if (const Expected<Face> face = read_face_text(made, one_line(name), limits); !face)
       return Error{one_line(name), fmt::format("makes no face: {}", sentence(face.error()))};
     return made;

@@ -1,5 +1,6 @@
-// JavaScript's object literals as a tree, without running anything. The grammar is ECMAScript's for literals (ECMA-262, 12.9 and 13.2.5), less
-// what computes: no functions, operators, templates, spreads.
+// JavaScript's object literals as a tree, without running anything. The grammar is that of ECMAScript's
+// literals (ECMA-262, 12.9 and 13.2.5) without anything that computes: no functions, operators, templates
+// or spreads.
 
 #include "tools/mien/import/javascript_literal.h"
 
@@ -43,7 +44,7 @@ void append_utf8(std::string& to, std::uint32_t code) {
   }
 }
 
-/// Takes the text apart into words, strings, numbers and marks.
+/// Splits the text into words, strings, numbers and marks.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {
@@ -55,7 +56,7 @@ class Scanner {
   char mark() const { return ended() ? '\0' : text_[at_]; }
   void step() { ++at_; }
 
-  /// Over spaces and comments.
+  /// Skips spaces and comments.
   void skip() {
     for (;;) {
       while (!ended() && std::string_view{" \t\r\n\v\f"}.find(text_[at_]) != std::string_view::npos)

@@ -16,8 +16,8 @@ namespace mien::command {
 Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, const Face& face,
                                            int width);
 
-/// A picture for a sheet. Its size is checked before, so all that can be wanting is memory: that is
-/// thrown, as by whoever asks for memory.
+/// A picture for a sheet. Its size has been checked, so only memory can be lacking: then std::bad_alloc is
+/// thrown.
 Image sheet_picture(const Scene& scene, const View& view);
 
 /// Draws; effects see the whole picture even where only a region of it is kept. An error's `where`

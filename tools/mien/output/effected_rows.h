@@ -17,7 +17,7 @@ class EffectedRows {
                const std::vector<Effect>& effects, int strip);
   EffectedRows(const EffectedRows&) = delete;  // its chain asks it for rows
 
-  /// The region's next rows, at how.depth; empty: stopped. Throws std::bad_alloc.
+  /// The region's next rows, at how.depth; empty: cancelled. Throws std::bad_alloc.
   Image next(int rows, const Progress& progress);
 
   const RenderStats& stats() const { return stats_; }

@@ -6,8 +6,8 @@
 namespace mien::command {
 namespace {
 
-/// By its bare name: the dynamic linker looks along the command's own RUNPATH, which the build sets
-/// relative to it.
+/// Loads a module by its bare name: the dynamic linker searches the command's own RUNPATH, which the build
+/// sets relative to it.
 Expected<const ImageModule*> load(const char* file) {
   const auto refuse = [&] {
     const char* said = ::dlerror();

@@ -1,5 +1,5 @@
 #pragma once
-// What the command writes with.
+// The lettering of the command's own captions.
 
 #include <mien/text_path.h>
 

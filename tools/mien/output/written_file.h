@@ -1,5 +1,5 @@
 #pragma once
-// Files that are no pictures: whole or not at all, too.
+// Files other than pictures, also written whole or not at all.
 
 #include <mien/npy.h>
 
@@ -8,8 +8,8 @@
 
 namespace mien::command {
 
-/// Lets `write` fill the file at `path` ("-": standard output); nothing is left of it after an
-/// error, and what was there before stays.
+/// Lets `write` fill the file at `path` ("-": standard output). After an error nothing of it is left, and a
+/// file that was there before stays.
 Expected<Done> write_file(const std::string& path,
                           const std::function<Expected<Done>(const ByteSink&)>& write);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The frames that `mien pca` works on: of a file of NumPy's, or of a face.
+// The frames that `mien pca` works on, from a NumPy file or from a posed face.
 
 #include <mien/face.h>
 #include <mien/npy.h>
@@ -17,15 +17,15 @@ struct PcaFrames {
   std::size_t vertices = 0, dimensions = 1;
   bool single = false;
   VertexGroups groups;
-  std::optional<Face> face;  ///< of which they are
+  std::optional<Face> face;  ///< whose frames they are
   FrameRange range;
   double fps = 30;
   MatrixSource source;
 
-  std::shared_ptr<std::vector<double>> rows;  ///< of a face: what `source` reads
+  std::shared_ptr<std::vector<double>> rows;  ///< of a face's frames: what `source` reads
 };
 
-/// Reads what --frames, --fps, --set and --size say as well. Errors are told and give an exit code.
+/// Reads the frames, and --frames, --fps, --set and --size. Errors are printed and give an exit code.
 struct PcaFramesOrCode {
   std::optional<PcaFrames> frames;
   int code;

@@ -1,4 +1,4 @@
-// mien pca: bases of animations, found, told, used and drawn.
+// mien pca: finds, describes, applies and draws bases of animations.
 
 #include <mien/npy_basis.h>
 #include "render/image/write_pieces.h"
@@ -22,7 +22,7 @@
 namespace mien::command {
 namespace {
 
-/// A value, or the exit code after what was wrong has been said.
+/// A value, or the exit code after the error has been printed.
 template <class T>
 std::optional<T> aloud(Expected<T> value, int& code, ExitCode wrong = kFailed) {
   if (value) return *std::move(value);
@@ -77,22 +77,36 @@ int save_picture(const Image& image, const std::string& path) {
   return done ? kDone : complain(done.error(), kFailed);
 }
 
+Expected<ProgressStyle> read_progress(const PcaArguments& arguments) {
+  if (!arguments.progress) return ProgressStyle::automatic;
+  const auto chosen = read_choice("--progress", *arguments.progress, kProgress);
+  if (!chosen) return chosen.error();
+  return ProgressStyle(*chosen);
+}
+
+/// The basis with where its frames come from.
+BasisFile basis_file(PcaFit fit, const PcaFrames& frames) {
+  BasisFile file{std::move(fit), frames.source.rows, frames.vertices, frames.dimensions,
+                 frames.single};
+  if (frames.face) {
+    set_face(file, *frames.face);
+    file.fps = frames.fps;
+    file.begin = double(frames.range.first) / frames.fps;
+  }
+  return file;
+}
+
 int fit(const PcaArguments& arguments) {
   int code = kDone;
   const auto wish = aloud(read_wish(arguments), code, kUsedWrongly);
   if (!wish) return code;
-  ProgressStyle style = ProgressStyle::automatic;
-  if (arguments.progress) {
-    const auto chosen =
-        aloud(read_choice("--progress", *arguments.progress, kProgress), code, kUsedWrongly);
-    if (!chosen) return code;
-    style = ProgressStyle(*chosen);
-  }
+  const auto style = aloud(read_progress(arguments), code, kUsedWrongly);
+  if (!style) return code;
   auto read = read_pca_frames(arguments);
   if (!read.frames) return read.code;
   PcaFrames& frames = *read.frames;
   watch_interrupts();
-  ProgressDisplay display(style);
+  ProgressDisplay display(*style);
   PcaOptions options{.vertices = std::move(frames.groups),
                      .single = frames.single,
                      .progress = display.watch("fit")};
@@ -105,13 +119,7 @@ int fit(const PcaArguments& arguments) {
     return complain(
         fitted.error().where.empty() ? Error{arguments.input, fitted.error().what} : fitted.error(),
         kFailed);
-  BasisFile file{*std::move(fitted), frames.source.rows, frames.vertices, frames.dimensions,
-                 frames.single};
-  if (frames.face) {
-    set_face(file, *frames.face);
-    file.fps = frames.fps;
-    file.begin = double(frames.range.first) / frames.fps;
-  }
+  const BasisFile file = basis_file(*std::move(fitted), frames);
   const auto done =
       write_file(arguments.output, [&](const ByteSink& sink) { return write_basis(sink, file); });
   if (!done) return complain(done.error(), kFailed);
@@ -184,7 +192,7 @@ int decode(const PcaArguments& arguments) {
   return done ? kDone : complain(done.error(), kFailed);
 }
 
-/// Of every vertex its error in one frame, as a share of the largest.
+/// The error of every vertex in one frame, as a share of the largest.
 std::vector<double> vertex_amounts(const std::vector<double>& a, const std::vector<double>& b,
                                    const VertexGroups& groups, double largest) {
   std::vector<double> amounts(groups.count());

@@ -39,7 +39,7 @@ Mesh mesh_of(std::span<const double> frame, std::size_t vertices, std::size_t di
   return mesh;
 }
 
-/// A picture is shown on something: faces that are transparent get their background black.
+/// A picture of the scene with its background made opaque.
 Image opaque_picture(const Scene& scene, int side) {
   View view = view_of(scene.canvas().box, side);
   Color background = scene.background();

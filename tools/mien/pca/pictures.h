@@ -23,7 +23,7 @@ class FramePainter {
   /// Makes the picture hold all of these frames; before the first is painted.
   void include(std::span<const double> frame);
   Image paint(std::span<const double> frame) const;
-  /// Vertices coloured by an amount each, 0 … 1 of the spectrum; faces: as painted.
+  /// Colours each vertex by an amount, 0 … 1 of the spectrum; faces are drawn as painted.
   Image paint_heat(std::span<const double> frame, std::span<const double> amounts) const;
   bool is_face() const { return face_.has_value(); }
 

@@ -7,10 +7,10 @@ namespace mien::command {
 /// process at once.
 void watch_interrupts();
 
-/// Whether one came.
+/// Whether one of them came.
 bool interrupted();
 
-/// Ends the process as the signal that came would have: shells then stop their loops, too.
+/// Ends the process by the signal that came, so that shells stop their loops, too.
 [[noreturn]] void die_of_interrupt();
 
 }  // namespace mien::command

@@ -9,7 +9,7 @@
 
 namespace mien::command {
 
-/// "mien: SENTENCE" on standard error, always one line; gives `code` back.
+/// "mien: SENTENCE" on standard error, always one line; returns `code`.
 int complain(std::string_view sentence, ExitCode code);
 int complain(const Error& error, ExitCode code);
 

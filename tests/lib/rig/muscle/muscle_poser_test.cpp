@@ -107,8 +107,8 @@ TEST(MusclePose, AddsToWhatElsePosesAPoint) {
   Pose pose;
   for (const char* text : {"emotion.joy=1"}) pose.settings.push_back(*read_setting(face, text));
   std::vector<double> values(face.model->channels.size());
-  for (const int c : face.model->controls[std::size_t(pose.settings[0].index)].channels)
-    values[std::size_t(c)] = 1;
+  for (const Index<Channel> c : face.model->controls[std::size_t(pose.settings[0].index)].channels)
+    values[std::size_t(c.at)] = 1;
   poser.act(face, pose, values, {}, vector);
   const auto corner =
       std::size_t(face.model->layout[face.model->layout.find("mouth.left/points/2")].begin);

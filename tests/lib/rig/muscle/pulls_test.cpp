@@ -17,8 +17,8 @@ struct Pulling {
   void set(const std::string& control, double value, bool hold = true) {
     for (const Control& c : face.model->controls)
       if (c.name == control)
-        for (const int channel : c.channels)
-          values[std::size_t(channel)] = value, held[std::size_t(channel)] = hold;
+        for (const Index<Channel> channel : c.channels)
+          values[std::size_t(channel.at)] = value, held[std::size_t(channel.at)] = hold;
   }
   double pull(const std::string& muscle, Side side) const {
     std::vector<double> pulls;

@@ -14,7 +14,7 @@ std::vector<Pose> some_poses(const Face& face) {
   poses.push_back({});
   poses.push_back({.time = 2.2, .look_at = glm::dvec3{0.3, 0.2, 1}});
   for (const Control& control : face.model->controls) {
-    const Channel& channel = face.model->channels[std::size_t(control.channels[0])];
+    const Channel& channel = control.channels[0].in(face.model->channels);
     const Expected<Setting> setting =
         read_setting(face, control.name + "=" + std::to_string(channel.hi));
     poses.push_back({.time = 0.3, .settings = {*setting}});
