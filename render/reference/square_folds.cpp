@@ -53,20 +53,24 @@ bool SquareResolver::folded(int set, const Square& s, const NineDistances& d) {
   if (!(fit.off <= (width > 0.0 ? allowed_off(fit, half, tolerance_) : tolerance_ / 4.0)))
     return false;
   Cut cut{.set = set, .opposite = within};
+  if (width > 0.0) return cut_by_rims(cut, s, fit, width, sign);
   // No area: two sides of a path w apart leave distances off by w/2 of one fold, a fit by half of that.
-  if (!(width > 0.0)) {
-    cut.opposite = !within;
-    off_ += 8.0 * half * fit.off;
-    cuts_.push_back(cut);
-    return true;
-  }
-  const OutlineFit sides[] = {{fit.at - width, fit.normal, fit.bend, fit.off},
-                              {-fit.at - width, -fit.normal, -fit.bend, fit.off}};
+  cut.opposite = !within;
+  off_ += 8.0 * half * fit.off;
+  cuts_.push_back(cut);
+  return true;
+}
+
+/// The two outlines at `width` on either side of a fold.
+bool SquareResolver::cut_by_rims(Cut cut, const Square& s, const OutlineFit& fold, double width,
+                                 double sign) {
+  const OutlineFit rims[] = {{fold.at - width, fold.normal, fold.bend, fold.off},
+                             {-fold.at - width, -fold.normal, -fold.bend, fold.off}};
   for (int k = 0; k < 2; ++k) {
-    const Side side = side_of(set, s, sides[k], sign, cut.line[k]);
+    const Side side = side_of(cut.set, s, rims[k], sign, cut.line[k]);
     if (side == Side::unknown) return false;
     if (side == Side::outside) {
-      cuts_.push_back({.set = set, .opposite = !within});
+      cuts_.push_back({.set = cut.set, .opposite = !cut.opposite});
       return true;
     }
     if (side == Side::crosses && cut.line[k] < 0) cut.line[k] = ~cut.line[k], cut.inside[k] = false;

@@ -95,6 +95,7 @@ class SquareResolver {
 
   // square_folds.cpp: where distances are not smooth
   bool folded(int set, const Square& s, const NineDistances& d);
+  bool cut_by_rims(Cut cut, const Square& s, const OutlineFit& fold, double width, double sign);
   bool two_lines(int set, const Square& s, const NineDistances& d);
   bool hold_between(int set, const Square& s, std::span<const OutlineFit> lines, bool either);
   bool cut_by_both(int set, std::span<const OutlineFit> lines, bool either, double off,

@@ -112,17 +112,9 @@ void Drawing::sort_into_strips() {
       in_strip_[std::size_t(first_of_strip_[std::size_t(s) + 1]++)] = int(i);
 }
 
-void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
-                         RenderStats& stats) const {
-  if (strip < 0 || strip >= (height_ + kRows - 1) / kRows) return;
-  const int top = strip * kRows, bottom = std::min(top + kRows, height_);
-  const PixelRect& rect = target.rect;
-  const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
-  if (first >= end) return;
-  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
-  scratch.sums.begin(kRows, width_, looks_.count());
-  const long long cells_before = scratch.sums.cells();
-  const double begin = monotonic_seconds();
+/// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
+void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const {
+  sums.begin(kRows, width_, looks_.count());
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
   };
@@ -132,9 +124,22 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     const Fragment& f = sweep_.fragments()[i];
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (from < to)
-      scratch.sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, top, jumps_[i],
-                       varied(f.left), varied(f.right), f.right);
+      sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, strip * kRows, jumps_[i],
+               varied(f.left), varied(f.right), f.right);
   }
+}
+
+void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
+                         RenderStats& stats) const {
+  if (strip < 0 || strip >= (height_ + kRows - 1) / kRows) return;
+  const int top = strip * kRows, bottom = std::min(top + kRows, height_);
+  const PixelRect& rect = target.rect;
+  const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
+  if (first >= end) return;
+  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
+  const long long cells_before = scratch.sums.cells();
+  const double begin = monotonic_seconds();
+  sum_fragments(strip, first, end, scratch.sums);
   stats.roots += scratch.sums.cells() - cells_before;
   stats.root_seconds += monotonic_seconds() - begin;
   // What caches hold is worth keeping there.

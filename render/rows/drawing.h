@@ -94,6 +94,7 @@ class Drawing {
   const Looks& looks() const { return looks_; }
 
  private:
+  void sum_fragments(int strip, int first, int end, RowSums& sums) const;
   void draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
                     RenderStats& stats, float* map) const;
   void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,

@@ -33,6 +33,7 @@ class Pair {
 
  private:
   double newton(const PairLevel& a, const PairLevel& b, double share) const;
+  double bracketed(double p, double q, double at_p, double at_q, double sign) const;
 
   const SweepPiece &l_, &r_;
 };
@@ -57,6 +58,26 @@ double Pair::newton(const PairLevel& a, const PairLevel& b, double share) const 
     if (!(t > -0.2 && t < 1.2 && u > -0.2 && u < 1.2)) return kNever;
   }
   return kNever;
+}
+
+/// Where sign · gap, at_p > 0 at p and at_q < 0 at q, is 0: by secants, of which an end that stays counts
+/// half (the Illinois rule), every fourth step by halving.
+double Pair::bracketed(double p, double q, double at_p, double at_q, double sign) const {
+  for (int i = 0, side = 0; i < 60 && q - p > 1e-9; ++i) {
+    const double y = i % 4 == 3 ? 0.5 * (p + q) : p + (q - p) * (at_p / (at_p - at_q));
+    const double d = sign * gap(y);
+    if (std::abs(d) < 1e-9) return y;
+    if (d > 0.0) {
+      p = y, at_p = d;
+      if (side == 1) at_q *= 0.5;
+      side = 1;
+    } else {
+      q = y, at_q = d;
+      if (side == -1) at_p *= 0.5;
+      side = -1;
+    }
+  }
+  return 0.5 * (p + q);
 }
 
 /// The height between a and b at which sign · gap falls from > 0 to < 0. Pieces that touch at an end
@@ -85,23 +106,7 @@ double Pair::meeting(PairLevel a, PairLevel b, double sign) const {
   }
   const double near = newton(a, b, a.gap() / (a.gap() - b.gap()));
   if (near == near) return near;
-  // Newton went astray: a bracket, by secants whose end that stays counts half.
-  double p = a.y, q = b.y, at_p = sign * a.gap(), at_q = sign * b.gap();
-  for (int i = 0, side = 0; i < 60 && q - p > 1e-9; ++i) {
-    const double y = i % 4 == 3 ? 0.5 * (p + q) : p + (q - p) * (at_p / (at_p - at_q));
-    const double d = sign * gap(y);
-    if (std::abs(d) < 1e-9) return y;
-    if (d > 0.0) {
-      p = y, at_p = d;
-      if (side == 1) at_q *= 0.5;
-      side = 1;
-    } else {
-      q = y, at_q = d;
-      if (side == -1) at_p *= 0.5;
-      side = -1;
-    }
-  }
-  return 0.5 * (p + q);
+  return bracketed(a.y, b.y, sign * a.gap(), sign * b.gap(), sign);  // Newton went astray
 }
 
 /// A height between a and b, at whose ends sign · gap >= 0, where it is less than nothing. Where the

@@ -254,12 +254,35 @@ void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
   }
 }
 
+struct MeanColor {
+  VF r, g, b;
+};
+
+/// Means of pixels by Gauss's 2 × 2 places: `at` of the tile's places with their rim; x, y: the pixels' middles.
+HWY_INLINE MeanColor MeanOfFour(const LitTile& tile, size_t at, VF x, float y) {
+  const F f;
+  constexpr float kGauss = 0.28867513f;
+  VF r = hn::Zero(f), g = r, b = r;
+  for (const float dy : {-kGauss, kGauss})
+    for (const float dx : {-kGauss, kGauss}) {
+      Spot spot{hn::Zero(f), hn::Zero(f), hn::Zero(f)};
+      if (tile.rises)
+        spot = SeenFrom(hn::LoadU(f, &tile.d[at]), hn::LoadU(f, &tile.nx[at]),
+                        hn::LoadU(f, &tile.ny[at]), hn::LoadU(f, &tile.bend[at]), Const(dx),
+                        Const(dy));
+      const LitColor c =
+          LitAt(tile.lamp, hn::Neg(spot.d), spot.nx, spot.ny, hn::Add(x, Const(dx)), Const(y + dy));
+      r = hn::Add(r, c.r), g = hn::Add(g, c.g), b = hn::Add(b, c.b);
+    }
+  const VF quarter = Const(0.25f);
+  return {hn::Mul(r, quarter), hn::Mul(g, quarter), hn::Mul(b, quarter)};
+}
+
 /// Means of a row's calm pixels by Gauss's 2 × 2 places. Those differ from the means by middles around by more than they
 /// do from the truth: of a fourth derivative f the one leaves f/1920 and more, the other f/4320. Where the two are as far
 /// apart as may be seen, cells are asked.
 void MeansWithin(LitTile& tile, int row, const float* rough, float levels, float most_fear) {
   const F f;
-  constexpr float kGauss = 0.28867513f;
   LitTile::Trust* const trust = &tile.trust[size_t(row * kSide)];
   HWY_ALIGN float steps[kSide];
   for (int i = 0; i < kSide; ++i) steps[i] = float(i) - 7.5f;
@@ -267,22 +290,8 @@ void MeansWithin(LitTile& tile, int row, const float* rough, float levels, float
     const auto is_calm = [&](LitTile::Trust t) { return t == LitTile::Trust::calm; };
     if (std::none_of(trust + i, trust + i + hn::Lanes(f), is_calm)) continue;
     const size_t at = size_t((row + 1) * kRow + 1) + i, to = size_t(row * kSide) + i;
-    VF r = hn::Zero(f), g = r, b = r;
-    for (const float dy : {-kGauss, kGauss})
-      for (const float dx : {-kGauss, kGauss}) {
-        Spot spot{hn::Zero(f), hn::Zero(f), hn::Zero(f)};
-        if (tile.rises)
-          spot = SeenFrom(hn::LoadU(f, &tile.d[at]), hn::LoadU(f, &tile.nx[at]),
-                          hn::LoadU(f, &tile.ny[at]), hn::LoadU(f, &tile.bend[at]), Const(dx),
-                          Const(dy));
-        const LitColor c =
-            LitAt(tile.lamp, hn::Neg(spot.d), spot.nx, spot.ny,
-                  hn::Add(hn::Load(f, steps + i), Const(dx)), Const(float(row) - 7.5f + dy));
-        r = hn::Add(r, c.r), g = hn::Add(g, c.g), b = hn::Add(b, c.b);
-      }
+    const auto [r, g, b] = MeanOfFour(tile, at, hn::Load(f, steps + i), float(row) - 7.5f);
     HWY_ALIGN float apart[hn::MaxLanes(F())], mean[3][hn::MaxLanes(F())];
-    const VF quarter = Const(0.25f);
-    r = hn::Mul(r, quarter), g = hn::Mul(g, quarter), b = hn::Mul(b, quarter);
     const auto off = [&](VF v, const float* by_middles)
                          HWY_ATTR { return hn::Abs(hn::Sub(v, hn::LoadU(f, by_middles + to))); };
     hn::Store(hn::Max(off(r, tile.mean_r.data()),
