@@ -85,7 +85,7 @@ struct CodeWords {
   }
 };
 
-/// Lengths of words as a header tells them: symbol, extra bits.
+/// The lengths of words as a header gives them: symbol, extra bits.
 struct HeaderWord {
   std::uint8_t symbol, extra, value;
 };

@@ -1,4 +1,4 @@
-// What is known about feet, in float lanes. Included once per instruction set.
+// A foot as float lanes see it. Included once per instruction set.
 #if defined(MIEN_RENDER_SHADE_FOOT_FORM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_RENDER_SHADE_FOOT_FORM_INL_H_
 #undef MIEN_RENDER_SHADE_FOOT_FORM_INL_H_

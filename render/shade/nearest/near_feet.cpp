@@ -53,8 +53,8 @@ glm::dvec2 outward(const Spine<double>& s, double t) {
   return s.side * glm::dvec2{way.y, -way.x};
 }
 
-/// Whether no side touches another but at joints. A side's control triangle may reach far from the
-/// side: what fails whole is asked for in eighths.
+/// Whether sides touch each other at joints only. A side's control triangle may reach far from the side, so a path
+/// that fails as it is is tested again in eighths.
 bool is_simple_in_pieces(const Path& path, Path& fine) {
   if (is_simple(path)) return true;
   constexpr int kPieces = 8;
@@ -80,7 +80,7 @@ bool is_simple_in_pieces(const Path& path, Path& fine) {
   return is_simple(fine);
 }
 
-/// The sides of a path with the hand on which its outside lies; none if a side has the same on both.
+/// The sides of a path, each with the hand on which its outside lies; false if a side has the same on both hands.
 bool add_path(const Path& path, SpineShape& made, Path& pieces) {
   std::vector<Spine<double>>& to = made.spines;
   if (!is_simple_in_pieces(path, pieces)) return false;
@@ -183,8 +183,8 @@ Spine<float> seen_from(const Spine<double>& s, glm::dvec2 p) {
           float(s.begin_y),  float(s.end_x), float(s.end_y), float(s.side)};
 }
 
-/// Whether |p − B| − w has no second minimum in t for any p of a disc: |B'|² falls nowhere below what
-/// the bends of spine and width can take away.
+/// Whether |p − B| − w has no second minimum in t for any p of a disc: |B'|² stays above what the bends of spine
+/// and width can take away from it.
 bool has_one_foot(const Spine<double>& s, double from, double to, double farthest) {
   double slowest = std::numeric_limits<double>::infinity(), w = 0.0, fastest = 0.0;
   const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
@@ -198,8 +198,8 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
   return slowest - taken - w * std::sqrt(fastest) > 0.3 * slowest;
 }
 
-/// How far looks may lie apart [px]: a third of the tile's radius; where the spine turns more tightly than that, so
-/// far that both sides of the bend are seen, but not less than a tenth.
+/// How far apart looks may lie [px]: a third of the tile's radius; where the spine turns more tightly than that,
+/// close enough for both sides of the bend to be seen, but at least a tenth.
 double looks_apart(const Spine<double>& s, double from, double to, double radius) {
   const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
   const double slowest = bend2 > 0.0 ? std::clamp(-0.5 * dot / bend2, from, to) : from;
@@ -269,8 +269,8 @@ void NearFeet::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
   }
 }
 
-/// Whether a path's side has its foot at one end, seen from anywhere in the disc, where another side
-/// goes on: that one is as near.
+/// Whether a path's side has its foot at one of its ends, seen from anywhere in the disc, where another side goes
+/// on that is equally near.
 bool NearFeet::ends_beside(const SpineShape& shape, std::size_t index) const {
   const auto leans = [&](const Spine<double>& s, double t) {
     const glm::dvec2 speed{s.x1 + 2.0 * t * s.x2, s.y1 + 2.0 * t * s.y2};
@@ -288,7 +288,7 @@ bool NearFeet::ends_beside(const SpineShape& shape, std::size_t index) const {
 
 void NearFeet::narrow_shape(const SpineShape& shape) {
   const std::size_t begin = spines_.size();
-  // An upper bound first: by few places of every spine.
+  // First an upper bound, from a few places of every spine.
   double best = std::numeric_limits<double>::infinity();
   for (const Spine<double>& s : shape.spines)
     for (const double t : {0.0, 0.5, 1.0}) best = std::min(best, key(s, t, middle_));

@@ -75,8 +75,8 @@ struct Looks {
   float least;  ///< how near the spine may come to the disc's middle
 };
 
-/// Which looks can be near a place of the disc: those no farther from its middle than the nearest by more than the disc
-/// is wide, and their neighbours.
+/// Which looks can be near a place of the disc: those no farther from its middle than the nearest look by more than
+/// the width of the disc, and their neighbours.
 template <bool kStroke>
 HWY_INLINE Looks LooksAround(const NearSpine& near, const Around& around) {
   const F f;
@@ -127,8 +127,8 @@ HWY_INLINE Foot FootOn(const NearSpine& near, const Looks& looks, VF x, VF y) {
 
 constexpr float kOnSpine = 1.0f;  // [px] B is right to some 5e-5
 
-/// The unit normal at an inner foot, by B' and w' alone: n · B' = −w', as at every such foot. Close to the spine q is all
-/// rounding; `side`, B' × q, still tells on which hand n lies.
+/// The unit normal at an inner foot, by B' and w' alone: n · B' = −w', as at every such foot. Close to the spine q
+/// is all rounding, but `side`, B' × q, still says on which hand n lies.
 HWY_INLINE Direction NormalOnSpine(VF gx, VF gy, VF rate, VF side) {
   const F f;
   const VF speed2 = hn::Max(Fused(gx, gx, hn::Mul(gy, gy)), Const(1e-20f));
@@ -169,7 +169,7 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
     const Direction out = OutwardOf(s, gx, gy, t);
     const VF across = Fused(qx, out.x, hn::Mul(qy, out.y));
     sign = hn::IfThenElse(hn::Lt(across, zero), Const(-1.0f), one);
-    // At an end itself there is nothing else to tell the way; elsewhere the foot's own line is exact.
+    // At an end itself only the outline's normal gives a direction; elsewhere the line to the foot is exact.
     const auto own = hn::Or(inner, hn::Lt(r, Const(1e-3f)));
     nx = hn::IfThenElse(own, hn::Mul(out.x, sign), nx);
     ny = hn::IfThenElse(own, hn::Mul(out.y, sign), ny);
@@ -190,14 +190,15 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
   return {d, hn::Mul(sign, nx), hn::Mul(sign, ny), hn::Mul(sign, held)};
 }
 
-/// A spine that can be nearest somewhere in a disc, with the looks that tell where.
+/// A spine that can be nearest somewhere in a disc, and its looks around there.
 struct Chosen {
   const NearSpine* near;
   Looks looks;
 };
 constexpr int kMostChosen = 24;
 
-/// Those of a disc: none farther than the nearest by more than the disc is wide. Their number, −1: too many.
+/// Chooses those of a disc: none farther than the nearest by more than the disc is wide. Returns their number, −1
+/// if they are too many.
 template <bool kStroke>
 HWY_INLINE int Choose(std::span<const NearSpine> spines, const Around& around, Chosen* chosen) {
   const float away = hn::GetLane(around.away);

@@ -18,8 +18,7 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A piece in which f rises through zero: where it begins (−1: there is none) and f at its begin, middle
-/// and end.
+/// A piece in which f rises through zero: where it begins (−1: there is none), and f at its begin, middle and end.
 template <class V>
 struct Rising {
   V begin, low, middle, high;
@@ -182,11 +181,11 @@ HWY_INLINE V ResidualOn(D d, V o, V r, double m, double a, double b, double c) {
   return Fused(r, rest, hn::Add(o, hn::Set(d, m)));
 }
 
-/// A slope's slope below this part of its terms is doubt: rounding could be most of it.
+/// Below this share of its terms the second derivative is in doubt: it could be mostly rounding.
 inline constexpr double kLeastRise = 0x1p-36;
 
-/// |B − p|² in double lanes after a last Newton step from t, or NaN where it is not proven that this loses
-/// at most `tolerance` of the distance. `curl` bounds |f''|.
+/// |B − p|² in double lanes after a last Newton step from t; NaN unless it is proven that this loses at most
+/// `tolerance` of the distance. `curl` bounds |f''|.
 template <class D, class V>
 HWY_INLINE V ProvenSquare(D d, const CubicExpansion<double>& c, V ox, V oy, V t, V curl,
                           double tolerance) {
@@ -241,7 +240,7 @@ HWY_INLINE V InDoubles(DT dt, Fn fn, V x, More... more) {
   }
 }
 
-/// How much of the distance Newton's method may lose [scaled], beside the roundings.
+/// How much of the distance Newton's method may lose [scaled], not counting roundings.
 template <class T>
 inline constexpr double kCubicTolerance = sizeof(T) == 4 ? 0x1p-27 : 0x1p-54;
 
@@ -318,7 +317,7 @@ HWY_INLINE Pack<hn::Vec<D>> CubicSquare(D d, const CubicFrame<T>& f, const T* x,
                             SquareInBracket(d, f, x, y, found, 0));
   if (HWY_UNLIKELY(found.any_second))
     square = LesserOrNan(d, square, SquareInBracket(d, f, x, y, found, 1));
-  // Doubt is a curl that is not a number.
+  // A curl that is NaN marks doubt.
   const auto curl = LoadPack(d, found.curl);
   return IfThenElse(Gt(curl, SetPack(d, 0)), square, curl);
 }

@@ -41,8 +41,8 @@ HWY_INLINE CurveAt<V> CurveFrom(D d, const TileFacts& c, V dx, V dy, V t) {
   return at;
 }
 
-/// Middles relative to p0 and reaches of several tiles, a guess at their feet, and what was proven:
-/// GridTile's numbers, `how` as a number. `uncertain`: ask TileCertifier, which knows more ways.
+/// Middles relative to p0 and reaches of several tiles, a guess at their feet, and what was proven: GridTile's
+/// numbers, `how` as a number. `uncertain`: ask TileCertifier, which has more proofs.
 template <size_t kTiles>
 struct TileLanes {
   HWY_ALIGN double dx[kTiles], dy[kTiles], reach[kTiles], t[kTiles];
