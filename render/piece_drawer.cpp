@@ -44,7 +44,7 @@ Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
     return Error{"",
                  fmt::format("the piece {},{},{},{} is not in a picture of {} x {} pixels", piece.x,
                              piece.y, piece.width, piece.height, parts_->width, parts_->height)};
-  constexpr int kAtOnce = 4;  // strips between two questions
+  constexpr int kAtOnce = 4;  // strips between two checks for a stop
   const int first = piece.y / Drawing::kRows, last = (piece.y + piece.height - 1) / Drawing::kRows;
   RenderStats took;
   try {

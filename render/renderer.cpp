@@ -12,7 +12,7 @@
 namespace mien {
 namespace {
 
-/// Counts finished jobs and tells the caller, one thread at a time; remembers a wish to stop.
+/// Counts finished jobs and reports them to the caller, one thread at a time; remembers a request to stop.
 class Watch {
  public:
   Watch(const Progress& progress, int jobs) : progress_(progress), jobs_(jobs) {}
@@ -57,7 +57,7 @@ struct Renderer::Scratch {
     fingerprints = keeps ? drawing.fingerprints() : nullptr;
   }
 
-  /// Rows of the frame before where they are the same, the others drawn.
+  /// Copies the rows that are the same as in the frame before, and draws the others.
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch, RenderStats& stats) {
     if (!fingerprints) return drawing.draw_strip(strip, target, scratch, stats);
     const PixelRect& r = target.rect;

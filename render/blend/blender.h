@@ -19,12 +19,12 @@ using Mix = glm::dvec4;
 /// Into the blending space.
 Mix mix_from_color(const Color& color, Blend blend);
 
-/// `top` over `below`.
-/// The largest channel, taken positive.
+/// The largest absolute value of a channel.
 inline double largest(const Mix& m) {
   return std::max({std::abs(m.r), std::abs(m.g), std::abs(m.b), std::abs(m.a)});
 }
 
+/// `top` over `below`.
 inline Mix over(const Mix& top, const Mix& below) {
   return top + (1.0 - top.a) * below;
 }
@@ -37,7 +37,7 @@ void store(const Mix& mix, Blend blend, Depth depth, void* pixel);
 /// mean over 8 × 8 pixels is right to 1/128 of one, and values that are whole levels stay. Float is not dithered.
 void store_dithered(const Mix& mix, Blend blend, Depth depth, int x, int y, void* pixel);
 
-/// That threshold.
+/// The threshold of that dither.
 double dither_threshold(int x, int y);
 
 }  // namespace mien

@@ -1,6 +1,5 @@
 #pragma once
-// Light on a relief: what a sloping surface makes of a colour. The law is Light's, in
-// sdf/scene/paint.h.
+// Light on a relief: how a slope changes the colour of a surface. The law is Light's, in sdf/scene/paint.h.
 
 #include <mien/paint.h>
 #include "render/blend/blender.h"
@@ -9,7 +8,7 @@
 
 namespace mien {
 
-/// A lamp made ready for one material: unit directions, and what a level surface shines back.
+/// A lamp prepared for one material: unit directions, and the highlight on a level surface.
 class Lamp {
  public:
   /// A direction of no length, or not from the front, shines straight on.

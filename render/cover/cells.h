@@ -59,7 +59,7 @@ void cells_of_row(const OutlinePiece& p, const RowStretch& s, int width, Sink&& 
   }
 }
 
-/// What lanes found of the k-th row of a range.
+/// The k-th row of a range, from what the lanes found.
 inline RowStretch row_stretch(const RowRange& range, const RowRoots& at, int k) {
   const auto i = std::size_t(k);
   const int row = range.first_row + k;
@@ -105,8 +105,8 @@ void rows_of(const OutlinePiece& p, double top, double bottom, int width, Sink&&
   });
 }
 
-/// Calls sink(CellStretch) for the cells that the piece crosses between two heights, from the top
-/// down. Columns beyond `width` are left out, those left of 0 are told as −1.
+/// Calls sink(CellStretch) for the cells that the piece crosses between two heights, from the top down. Columns
+/// beyond `width` are left out, those left of 0 are reported as −1.
 template <class Sink>
 void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
   rows_of(p, top, bottom, width, [&](const RowStretch& s) { cells_of_row(p, s, width, sink); });

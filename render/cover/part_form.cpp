@@ -6,7 +6,7 @@
 namespace mien {
 namespace {
 
-constexpr float kNoArea = 1e-6f;  // [px]: what roundings leave of nothing
+constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
 
 /// Sums of a form's cells: areas and first moments about their middles, and what fills all cells from a
 /// column on.

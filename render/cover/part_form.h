@@ -1,8 +1,8 @@
 #pragma once
-// What a region takes of a pixel, in its real form, and that form in cells.
+// The exact form of a region's part of a pixel, and that form in cells.
 //
-// A region enters a pixel from the left and across the stretches of outline inside it. Both are kept as
-// they come; areas and centroids of n × n cells are found from them when somebody asks.
+// A region enters a pixel from the left and across the stretches of outline inside it. Both are kept as they come;
+// areas and centroids of n × n cells are computed from them on demand.
 
 #include <array>
 #include <span>

@@ -20,8 +20,8 @@ struct CellPart {
   float area, rest;
 };
 
-/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends. And for
-/// rows in which it stays in one column, or goes on to the next: what it leaves in the first, and in the other.
+/// Its parameter, x and column where it begins, at each border of rows it passes, and where it ends. For rows in
+/// which it stays in one column, or goes on to the next one: what it adds to the first, and to the other.
 struct RowRoots {
   static constexpr int kRows = 16, kSpare = 8 + 1;
   std::array<double, kRows + kSpare> t, x;

@@ -44,7 +44,7 @@ struct Piece {
     return {y, t, x, ColumnAt(x, width)};
   }
 
-  /// Between two heights: where it meets the one border of columns that lies there, or its end.
+  /// Between two heights: where the piece meets the one border of columns that lies there, or its end.
   HWY_INLINE Places Between(const Places& a, const Places& b) const {
     const D d;
     const V border = hn::Max(a.column, b.column), way = hn::Sub(border, x0);

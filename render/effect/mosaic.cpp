@@ -9,7 +9,7 @@ namespace {
 
 using Sum = std::array<double, 4>;
 
-/// What a slope's light makes of a tile: towards white, or darker [share].
+/// How a slope's light changes a tile: towards white, or darker [share].
 constexpr double kAbove = 0.36, kLeft = 0.18, kRight = -0.24, kBelow = -0.44;
 
 double shaded(const Sum& color, std::size_t c, double light) {
@@ -17,8 +17,8 @@ double shaded(const Sum& color, std::size_t c, double light) {
   return light > 0 ? color[c] + light * (color[3] - color[c]) : color[c] * (1 + light);
 }
 
-/// Tiles from their pixels, pixels from their tiles. Tiles and pixels share borders only by
-/// chance: a pixel gives to each tile, and takes from each, by the area they share.
+/// Tiles from their pixels, then pixels from their tiles. Borders of tiles and pixels coincide only by chance: a
+/// pixel gives to each tile, and takes from each, by the area they share.
 class Mosaic final : public RowEffect {
  public:
   Mosaic(const MosaicEffect& effect, int width, int height)
@@ -50,7 +50,7 @@ class Mosaic final : public RowEffect {
     }
   }
 
-  /// The tile that a place is in; `end`: that a stretch ending there is in.
+  /// The tile that contains a place; `end`: the tile that a stretch ending there is in.
   int tile_at(double place, bool end) const {
     int tile = int(place / side_);
     while (tile > 0 && tile * side_ > place) --tile;

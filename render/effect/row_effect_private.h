@@ -13,7 +13,7 @@ namespace mien {
 class RowEffect {
  public:
   virtual ~RowEffect() = default;
-  /// The next row of what `in` gives, with the effect.
+  /// The next row of what `in` gives, with the effect applied.
   virtual bool next(const NextRow& in, float* row) = 0;
 };
 

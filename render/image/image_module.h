@@ -1,6 +1,6 @@
 #pragma once
-// Encoders as modules: what a program that loads them at run time finds in them. Theirs are large
-// libraries, and linking those costs every process its start.
+// Encoders as modules: what a program finds in them when it loads them at run time. They need large libraries, and
+// linking those would slow the start of every process.
 //
 //   void* module = dlopen("mien-exr-jpeg-0.1.0.so", RTLD_NOW);
 //   auto verbs = reinterpret_cast<mien::ImageModuleEntry>(dlsym(module,

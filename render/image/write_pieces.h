@@ -1,5 +1,5 @@
 #pragma once
-// The road every picture takes to its file: pieces made on many threads, put in order, the file
+// The way of every picture to its file: pieces are made on many threads and put in order, and the file appears
 // whole or not at all.
 
 #include <mien/write.h>

@@ -44,8 +44,8 @@ class EachItsOwn final : public LookRule {
   int last_ = 0;
 };
 
-/// Which look each row's middle has at the middles of pixels: a fragment changes it from its column
-/// on. Columns are those of the image.
+/// The look at the middle of each pixel of each row: a fragment changes it from its column on. Columns are those of
+/// the image.
 void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image, bool dots,
                 const Looks* looks) {
   struct Change {

@@ -15,7 +15,7 @@ class DistanceTable {
     ++stamp_, used_ = 0;
   }
 
-  /// What is known of a shape at a place, in 1/2048 px, or else `ask()`.
+  /// The distance to a shape at a place, in 1/2048 px: the one already known, or else `ask()`.
   template <class Ask>
   double at(int shape, int x, int y, Ask&& ask) {
     if (2 * used_ > entries_.size()) grow();

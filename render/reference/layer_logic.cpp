@@ -41,7 +41,7 @@ LayerLogic::LayerLogic(const Scene& scene, std::vector<char> covers)
   reach_.assign(sets_.size(), Reach::part);
 }
 
-/// Works off a stack of its own: trees may be a hundred thousand deep.
+/// Uses a stack of its own: trees may be a hundred thousand deep.
 void LayerLogic::write_program(Area area) {
   if (area.node >= 0) todo_.push_back({.node = area.node});
   while (!todo_.empty()) {

@@ -52,8 +52,8 @@ class LayerLogic {
   };
   const Scope& whole_picture() const { return whole_; }
 
-  /// What is left of a scope in a square; `reach(set)` says how much of it a set holds, and is asked
-  /// for a set once. Scopes end in the opposite order: with `leave`.
+  /// What is left of a scope in a square. `reach(set)` says how much of the square a set holds, and is asked once
+  /// for each set. Scopes end in the opposite order, by `leave`.
   template <class ReachOf>
   Scope enter(const Scope& outer, ReachOf&& reach);
   void leave(const Scope& scope);

@@ -52,7 +52,7 @@ bool SquareResolver::cuts(const Square& s, const Scope& scope, Resolved& to) {
   polygon(s, scope, 0, corners);
   if (bent_ > tolerance_ * side * side && side > kSmall) return false;
   to.mix = sum_ / (side * side);
-  // What is off between the places that were measured is left to the last term.
+  // The last term stands for what may be off between the places that were measured.
   to.bound = (off_ + shift + bent_) / (side * side) * largest(most_ - least_) + 0.125 * tolerance_;
   return true;
 }
@@ -78,8 +78,8 @@ bool SquareResolver::cut_by(int set, const Square& s) {
   return true;
 }
 
-/// Where the square is of an outline: on one side, or crossed by it. `sign` times the set's distance
-/// has the form.
+/// How an outline lies in the square: all of it on one side, or across it. `sign` times the set's distance has the
+/// form.
 SquareResolver::Side SquareResolver::side_of(int set, const Square& s, const OutlineFit& fit,
                                              double sign, int& line) {
   const double half = double(s.half) / kUnits;
@@ -92,11 +92,11 @@ SquareResolver::Side SquareResolver::side_of(int set, const Square& s, const Out
   return fit.at <= 0.0 ? Side::inside : Side::outside;
 }
 
-// The outline is n = −(at + bend₀ s²/2), s along it, where bend₀ is what the bend at the middle is on the
-// outline. The line through what it is at both ends of the chord, shifted by the mean of what is left,
-// parts the square in the same areas, but for what the outline's ends are beside those of the line.
-// Distances on the outline, at its ends and in its middle, are by what it is off, and mend it by Simpson's
-// rule.
+// The outline is n = −(at + bend₀ s²/2) with s along it; bend₀ is the bend on the outline that belongs to `bend` at
+// the middle. It is replaced by the line through its two points at the ends of the chord, shifted by the mean of
+// the difference. That line parts the square in the same areas, except for what lies between the ends of the two.
+// Distances measured on the outline, at its ends and in its middle, say by how much it is off, and correct it by
+// Simpson's rule.
 SquareResolver::Side SquareResolver::crosses(int set, const Square& s, const OutlineFit& fit,
                                              double sign, int& line) {
   const double half = double(s.half) / kUnits;
@@ -132,8 +132,7 @@ SquareResolver::Side SquareResolver::crosses(int set, const Square& s, const Out
   return Side::crosses;
 }
 
-/// The line's place among those of the square; outlines that lie on each other are one line. −1: they
-/// are too many.
+/// The line's index among those of the square; outlines that coincide share a line. −1: there are too many.
 int SquareResolver::line_like(const Line& line, double half, bool& turned) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& l = lines_[i];
@@ -150,10 +149,9 @@ int SquareResolver::line_like(const Line& line, double half, bool& turned) {
   return int(lines_.size()) - 1;
 }
 
-/// What lies between an outline and its line beside the square's border, where they leave it: a
-/// triangle as high as they are apart there, and the longer the more nearly they run along the border.
-/// Beside a corner the outline may leave by the other border, as far from the line as it bends in all
-/// the square.
+/// The area between an outline and its line beside the square's border, where they leave it: a triangle as high as
+/// they are apart there, and longer the more nearly they run along the border. Beside a corner the outline may
+/// leave through the other border, as far from the line as it sags in the whole square.
 double SquareResolver::beside_ends(const Line& line, double half) const {
   const glm::dvec2 along{-line.normal.y, line.normal.x}, foot = -line.offset * line.normal,
                                                          across = glm::abs(line.normal);
@@ -174,7 +172,7 @@ double SquareResolver::beside_ends(const Line& line, double half) const {
   return sum;
 }
 
-/// What outlines that cross within the square may move of its area: their lines cross elsewhere.
+/// How much area may be misplaced because outlines cross within the square: their lines cross elsewhere.
 double SquareResolver::crossings(double half) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < lines_.size(); ++i)
@@ -188,7 +186,7 @@ double SquareResolver::crossings(double half) const {
       if (std::min(from, to) > near || std::max(from, to) < -near) continue;
       const double length = 2.0 * half, apart = std::max(std::abs(from), std::abs(to));
       double moved = 0.25 * length * near;
-      if (apart < 0.1 * length) {  // all but along each other: what they share counts for nothing
+      if (apart < 0.1 * length) {  // nearly along each other: what they share is nothing
         const double sign = glm::dot(a.normal, b.normal) < 0.0 ? -1.0 : 1.0;
         const double bends = std::abs(a.bend - sign * b.bend) * length * length / 12.0,
                      shift = 0.5 * std::abs(a.bend) * length * apart;
@@ -199,8 +197,8 @@ double SquareResolver::crossings(double half) const {
   return sum;
 }
 
-/// Adds a polygon in which paints vary, by triangles: three places in each, right for polynomials of second
-/// degree, where its centroid says much the same.
+/// Adds a polygon in which paints vary, by triangles with three places in each, exact for polynomials of degree
+/// two. By how much the colour at the centroid differs is the estimated error.
 void SquareResolver::add_varied(glm::dvec2 center, const Scope& scope,
                                 std::span<const glm::dvec2> corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {

@@ -26,8 +26,8 @@ struct Pen {
 
 }  // namespace
 
-/// A distance with a fold along a line: a stroke about its spine, a path about a side that has inside
-/// or outside on both hands. Unfolded it has the form again.
+/// A distance with a fold along a line: of a stroke about its spine, or of a path about a side that has inside, or
+/// outside, on both hands. Unfolded it has the form again.
 bool SquareResolver::folded(int set, const Square& s, const NineDistances& d) {
   const LevelSet& level = logic_.sets()[std::size_t(set)];
   const double pen = scale_ * std::visit(Pen{}, scene_.shapes()[std::size_t(level.shape)]);
@@ -53,20 +53,25 @@ bool SquareResolver::folded(int set, const Square& s, const NineDistances& d) {
   if (!(fit.off <= (width > 0.0 ? allowed_off(fit, half, tolerance_) : tolerance_ / 4.0)))
     return false;
   Cut cut{.set = set, .opposite = within};
-  // No area: two sides of a path w apart leave distances off by w/2 of one fold, a fit by half of that.
-  if (!(width > 0.0)) {
-    cut.opposite = !within;
-    off_ += 8.0 * half * fit.off;
-    cuts_.push_back(cut);
-    return true;
-  }
-  const OutlineFit sides[] = {{fit.at - width, fit.normal, fit.bend, fit.off},
-                              {-fit.at - width, -fit.normal, -fit.bend, fit.off}};
+  if (width > 0.0) return cut_by_rims(cut, s, fit, width, sign);
+  // No area: distances to two sides of a path w apart differ by w/2 from those to one fold, and a fit by half of
+  // that.
+  cut.opposite = !within;
+  off_ += 8.0 * half * fit.off;
+  cuts_.push_back(cut);
+  return true;
+}
+
+/// The two outlines at `width` on either side of a fold.
+bool SquareResolver::cut_by_rims(Cut cut, const Square& s, const OutlineFit& fold, double width,
+                                 double sign) {
+  const OutlineFit rims[] = {{fold.at - width, fold.normal, fold.bend, fold.off},
+                             {-fold.at - width, -fold.normal, -fold.bend, fold.off}};
   for (int k = 0; k < 2; ++k) {
-    const Side side = side_of(set, s, sides[k], sign, cut.line[k]);
+    const Side side = side_of(cut.set, s, rims[k], sign, cut.line[k]);
     if (side == Side::unknown) return false;
     if (side == Side::outside) {
-      cuts_.push_back({.set = set, .opposite = !within});
+      cuts_.push_back({.set = cut.set, .opposite = !cut.opposite});
       return true;
     }
     if (side == Side::crosses && cut.line[k] < 0) cut.line[k] = ~cut.line[k], cut.inside[k] = false;
@@ -75,8 +80,8 @@ bool SquareResolver::folded(int set, const Square& s, const NineDistances& d) {
   return true;
 }
 
-/// Two straight outlines of one set, as of a path that all but runs back along itself: the distance is the
-/// larger or the smaller of the two lines' own.
+/// Two straight outlines of one set, as of a path that almost runs back along itself: the distance is the larger or
+/// the smaller of the two lines' own.
 bool SquareResolver::two_lines(int set, const Square& s, const NineDistances& d) {
   const LevelSet& level = logic_.sets()[std::size_t(set)];
   const double half = double(s.half) / kUnits;
@@ -113,7 +118,7 @@ bool SquareResolver::two_lines(int set, const Square& s, const NineDistances& d)
   return cut_by_both(set, lines, off_most > off_least, off, half);
 }
 
-/// Whether the distance is by the two lines where they meet, which may be round, and between them.
+/// Whether the two lines give the distance where they meet, which may be round, and between them.
 bool SquareResolver::hold_between(int set, const Square& s, std::span<const OutlineFit> lines,
                                   bool either) {
   const LevelSet& level = logic_.sets()[std::size_t(set)];

@@ -55,7 +55,7 @@ Resolved SquareResolver::pixel(int x, int y) {
   return found;
 }
 
-/// Whole blocks leave few layers to their pixels.
+/// Narrows the layers to whole blocks first, so that few are left for each pixel.
 void SquareResolver::enter_blocks(int x, int y) {
   std::size_t same = 0;
   const auto first = [](int v, int side) { return side * (v / side); };
@@ -127,7 +127,7 @@ bool SquareResolver::varied(const Scope& scope) const {
   });
 }
 
-/// What a gradient seen in the square may have there: a stop, even one at which it jumps.
+/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps.
 SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, const Scope& scope) {
   Kink worst = Kink::none;
   for (const LiveLayer& live : logic_.live(scope)) {
@@ -148,10 +148,10 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
   return worst;
 }
 
-/// Nothing but whole layers: by three rules of four places (and the middle), each right for polynomials
-/// of third degree. A ridge in the square would have to lie so that all three see the same of it. Stops of
-/// gradients are known: what changes little there has little of a kink. A jump may be missed by all
-/// places: there squares are divided to the end.
+/// A square in which only whole layers are seen: by three rules of four places (and the middle), each exact for
+/// polynomials of degree three. A ridge is missed only if it lies so that all three see the same of it. Stops of
+/// gradients are known; where the colour changes little, so does its kink. A jump may be missed by all places, so
+/// squares with one are divided to the end.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
   const Mix middle = color(center, scope);
   if (!varied(scope)) return {middle, 0.0};
@@ -214,7 +214,7 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   return relief.lamp.lit(mix, relief.slope(p, d, gradient), paints_.blend);
 }
 
-/// Layers bottom to top; a group is collected by itself and then laid over what was there.
+/// Layers bottom to top; a group is composited by itself and then laid over what was there.
 Mix SquareResolver::color(glm::dvec2 p, const Scope& scope) {
   levels_.assign(1, paints_.background);
   open_.clear();

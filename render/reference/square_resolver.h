@@ -1,12 +1,12 @@
 #pragma once
 // The reference: a square's mean colour by distances alone.
 //
-// It shares nothing with the way pictures are drawn (outlines, their order, areas of pieces): only the
-// shapes' signed distances and the layers' paints. A square is divided into quarters until every shape
-// that matters covers it, misses it, or crosses it along what is all but a parabola. Nine distances say
-// so, three more where it crosses measure by how much it is off; parabolas count as the straight lines
-// that part the square in the same areas, and these cut it into polygons of one colour each. It draws
-// what the arrangement's certificate refuses, and judges flat pictures in tests.
+// It shares nothing with the way pictures are drawn (outlines, their order, areas of pieces): only the shapes'
+// signed distances and the layers' paints. A square is divided into quarters until every shape that matters covers
+// it, misses it, or crosses it along what is nearly a parabola. Nine distances decide that; three more, where it
+// crosses, measure by how much it is off. Parabolas are replaced by straight lines that part the square in the same
+// areas, and these cut it into polygons of one colour each. The reference draws what the arrangement's certificate
+// refuses, and judges flat pictures in tests.
 
 #include "render/reference/layer_logic.h"
 #include "render/shade/paint_table.h"
@@ -27,15 +27,15 @@ struct Resolved {
   bool varies = false;  ///< a paint that varies may be seen
 };
 
-/// What resolving took so far.
+/// The work of resolving so far.
 struct ResolverStats {
   long long squares = 0, distances = 0;
 };
 
 class SquareResolver {
  public:
-  /// `tolerance`: what squares that are not divided any more may add to a pixel. All must outlive
-  /// this.
+  /// `tolerance`: how much squares that are not divided further may add to the error of a pixel. All arguments must
+  /// outlive this.
   SquareResolver(const Scene& scene, const View& view, const PaintTable& paints, double tolerance);
 
   /// The pixel (x, y) of the whole picture.
@@ -50,14 +50,14 @@ class SquareResolver {
   struct Square {
     int x, y, half;
   };
-  /// A straight line that stands for an outline across the square: offset + dot(normal, p) = 0.
+  /// A straight line that replaces an outline across the square: offset + dot(normal, p) = 0.
   struct Line {
     glm::dvec2 normal;
     double offset;
-    double bend;  ///< of what it stands for
-    double sag;   ///< how far that leaves it
+    double bend;  ///< of the outline
+    double sag;   ///< how far the outline leaves the line
   };
-  /// A set in the square: where it is on the given sides of its lines, or is not.
+  /// A set in the square: it lies where the given sides of its lines are, or everywhere else.
   struct Cut {
     int set;
     int line[2] = {-1, -1};
@@ -95,6 +95,7 @@ class SquareResolver {
 
   // square_folds.cpp: where distances are not smooth
   bool folded(int set, const Square& s, const NineDistances& d);
+  bool cut_by_rims(Cut cut, const Square& s, const OutlineFit& fold, double width, double sign);
   bool two_lines(int set, const Square& s, const NineDistances& d);
   bool hold_between(int set, const Square& s, std::span<const OutlineFit> lines, bool either);
   bool cut_by_both(int set, std::span<const OutlineFit> lines, bool either, double off,
@@ -124,8 +125,8 @@ class SquareResolver {
   std::vector<Cut> cuts_;
   std::array<char, 8> sides_{};  ///< by line: whether the polygon at hand is inside
   bool varies_here_ = false;
-  double bent_ = 0;  ///< what means of colours that vary may be off by, times their area
-  double off_ = 0;   ///< what lines may take from one side to the other [px²]
+  double bent_ = 0;  ///< bound on the error of means of varying colours, times their area
+  double off_ = 0;   ///< area that lines may put on the wrong side [px²]
   Mix sum_{0.0}, least_{0.0}, most_{0.0};  ///< of the square's polygons: by area; their colours
   std::vector<char> inside_;               ///< by set, at the place at hand
   std::vector<Mix> levels_;

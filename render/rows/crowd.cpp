@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kNarrowest = 8;           // [px] of a window: a dither's period
 constexpr std::size_t kFewLayers = 24;  // layers: fewer are not worth another window
-/// [px] Outlines are off by less, so what lies so far outside a window is not seen in it, and what
-/// reaches so far around it covers it.
+/// [px] More than outlines may be off: what lies this far outside a window is not seen in it, and what reaches this
+/// far around it covers it.
 constexpr double kBeyond = 0.125;
 
 bool meet(const Box2& box, const PixelRect& r) {
@@ -19,7 +19,7 @@ bool meet(const Box2& box, const PixelRect& r) {
          box.lo.y < r.y + r.height + kBeyond && box.hi.y > r.y - kBeyond;
 }
 
-/// What shows through a layer wherever it is, at most; of one in a group that is not asked.
+/// An upper bound of what shows through a layer anywhere; a layer in a group counts as transparent.
 double through(const Layer& layer) {
   if (layer.group >= 0) return 1.0;
   double least = 1.0;
@@ -80,7 +80,7 @@ void Crowd::halve(const PixelRect& rect, const PixelRect& wanted, std::size_t de
   halve(second, wanted, depth + 1, scratch, draw);
 }
 
-/// From the top down, until so much covers it that what is below does not show.
+/// From the top down, until what covers the rectangle hides everything below.
 void Crowd::look(const PixelRect& rect, std::span<const PartLayer> among,
                  std::vector<PartLayer>& seen) const {
   const glm::dvec2 half{0.5 * rect.width, 0.5 * rect.height};

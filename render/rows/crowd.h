@@ -1,15 +1,14 @@
 #pragma once
 // A scene of more layers than one sweep should hold, drawn window by window.
 //
-// A sweep costs what its outlines cross, hidden or not; of ten thousand discs next to nothing is
-// seen. So a strip of rows is halved until few layers are left in a window: one that a distance puts
-// outside it is left out, and all that lies below what covers it. What is left is a scene of its
-// own, drawn like any other. Windows lie at absolute places: pixels do not depend on what is asked
-// for.
+// The cost of a sweep grows with the crossings of its outlines, hidden or not, and of ten thousand discs next to
+// nothing is seen. So a strip of rows is halved until few layers are left in each window: layers that their
+// distance puts outside it are left out, and so is all that lies below a layer that covers it. The rest is a scene
+// of its own, drawn like any other. Windows lie at absolute places: pixels do not depend on what is asked for.
 //
-// Layers of opacities a, b … that each cover a window let (1 − a)(1 − b) … through. What is below them changes no
-// channel by more than that, as premultiplied colours lie in [0, 1]; where it is less than kUnseen of
-// what a pixel may be off by, encoded at its steepest, the background stands for it.
+// Layers of opacities a, b … that each cover a window let (1 − a)(1 − b) … through. Layers below them change no
+// channel by more than that, as premultiplied colours lie in [0, 1]. Where that is less than kUnseen of a pixel's
+// permitted error, encoded at its steepest, the background replaces them.
 
 #include <mien/image.h>
 #include <mien/view.h>
@@ -37,10 +36,10 @@ struct CrowdScratch {
 
 class Crowd {
  public:
-  /// Layers from which on a scene is one: more than any face has.
+  /// A scene of so many layers or more is a crowd: more than any face has.
   static constexpr std::size_t kMany = 2000;
 
-  /// Of what a pixel may be off by, a level of 255 or 32 of 65535: what is left out may change it by so much.
+  /// Share of a pixel's permitted error (a level of 255, or 32 of 65535) by which left out layers may change it.
   static constexpr double kUnseen = 0.125;
 
   static bool is_one(const Scene& scene) { return scene.layers().size() >= kMany; }
@@ -67,7 +66,8 @@ class Crowd {
   View view_;
   Map<FaceSpace, GridSpace> face_from_grid_;
   std::vector<Seen> layers_;
-  double unseen_ = 0;  ///< so little light shows through what covers a window
+  /// Where less light than this shows through what covers a window, the rest is left out.
+  double unseen_ = 0;
 };
 
 }  // namespace mien

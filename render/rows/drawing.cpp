@@ -10,8 +10,8 @@
 namespace mien {
 namespace {
 
-/// How far an outline may be off [px]: a third of a level of 255 at full contrast, or of 32 levels of
-/// 65535. Dark pixels blended in linear light are encoded 12.92 times as steep: as much of that.
+/// How far an outline may be off [px]: a third of a level of 255 at full contrast, or of 32 levels of 65535. Dark
+/// pixels blended in linear light are encoded up to 12.92 times as steeply, so there it is about a twelfth of that.
 double tolerance_of(Depth depth, Blend blend) {
   const bool fine = depth != Depth::u8, linear = blend == Blend::linear;
   return fine ? (linear ? 1.0 / 48'000 : 1.0 / 4000) : (linear ? 1.0 / 9000 : 1.0 / 800);
@@ -89,7 +89,7 @@ void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {
   maker_.finish();
 }
 
-/// Fragments by the strips they cross.
+/// Lists the fragments of every strip.
 void Drawing::sort_into_strips() {
   const int strips = (height_ + kRows - 1) / kRows;
   const auto fragments = sweep_.fragments();
@@ -112,17 +112,9 @@ void Drawing::sort_into_strips() {
       in_strip_[std::size_t(first_of_strip_[std::size_t(s) + 1]++)] = int(i);
 }
 
-void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
-                         RenderStats& stats) const {
-  if (strip < 0 || strip >= (height_ + kRows - 1) / kRows) return;
-  const int top = strip * kRows, bottom = std::min(top + kRows, height_);
-  const PixelRect& rect = target.rect;
-  const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
-  if (first >= end) return;
-  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
-  scratch.sums.begin(kRows, width_, looks_.count());
-  const long long cells_before = scratch.sums.cells();
-  const double begin = monotonic_seconds();
+/// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
+void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const {
+  sums.begin(kRows, width_, looks_.count());
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
   };
@@ -132,12 +124,25 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     const Fragment& f = sweep_.fragments()[i];
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (from < to)
-      scratch.sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, top, jumps_[i],
-                       varied(f.left), varied(f.right), f.right);
+      sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, strip * kRows, jumps_[i],
+               varied(f.left), varied(f.right), f.right);
   }
+}
+
+void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
+                         RenderStats& stats) const {
+  if (strip < 0 || strip >= (height_ + kRows - 1) / kRows) return;
+  const int top = strip * kRows, bottom = std::min(top + kRows, height_);
+  const PixelRect& rect = target.rect;
+  const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
+  if (first >= end) return;
+  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, nullptr);
+  const long long cells_before = scratch.sums.cells();
+  const double begin = monotonic_seconds();
+  sum_fragments(strip, first, end, scratch.sums);
   stats.roots += scratch.sums.cells() - cells_before;
   stats.root_seconds += monotonic_seconds() - begin;
-  // What caches hold is worth keeping there.
+  // A picture that fits the caches is worth keeping there.
   constexpr std::size_t kCaches = std::size_t{8} << 20;
   const bool large = target.stride * std::size_t(rect.height) > kCaches;
   scratch.painter.begin(palette_, looks_, format_, dither_,
@@ -186,8 +191,8 @@ void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripSc
 /// One pixel by distances.
 Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
                           RenderStats& stats) const {
-  // A quarter of what a pixel may be off by; dark ones in linear light are encoded 12.92 times as
-  // steep, but divided no finer: their squares' errors fall by chance.
+  // A quarter of a pixel's permitted error. Dark pixels in linear light are encoded 12.92 times as steeply, but are
+  // divided no finer: the errors of their squares cancel by chance.
   const double tolerance = format_.depth() == Depth::u8 ? 0x1p-11 : 0x1p-14;
   if (!scratch.resolver) scratch.resolver.emplace(scene_, view_, paints_, tolerance);
   const Resolved found = scratch.resolver->pixel(x, y);
@@ -240,7 +245,7 @@ const RowFingerprints* Drawing::fingerprints() {
 }
 
 void Drawing::tell(RenderStats& stats) const {
-  if (crowded_) return;  // its windows told
+  if (crowded_) return;  // its windows have reported
   RenderStats own;
   own.pieces = sweep_.stats().pieces;
   own.crossings = sweep_.stats().crossings;
@@ -249,8 +254,8 @@ void Drawing::tell(RenderStats& stats) const {
   stats.add(own);
 }
 
-/// A piece may be off by its tolerance along its length, neighbours out of order by order(), each
-/// times the jump; means by centroids by what they neglect; what was resolved, by its own bound.
+/// The bound adds up: for every piece, its jump times its tolerance along its length and order() along its height;
+/// what means by centroids neglect; and the own bound of what was resolved.
 void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
                                      float* map) const {
   const int top = strip * kRows, bottom = std::min(top + kRows, height_);
@@ -279,7 +284,7 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
     const double jump =
         varies ? 1.0
                : double(std::max({std::abs(j.r), std::abs(j.g), std::abs(j.b), std::abs(j.a)}));
-    // How steeply a mixed colour is encoded lies between what it is at the two: the darker one counts.
+    // A mixed colour is encoded no more steeply than the darker one of the two.
     const double steep = std::max(format_.steepness(palette_.entries[std::size_t(f.left)].color),
                                   format_.steepness(palette_.entries[std::size_t(f.right)].color));
     cells_of(sweep_.pieces()[std::size_t(f.piece)], from, to, width_, [&](const CellStretch& c) {

@@ -1,6 +1,6 @@
 #pragma once
-// A scene on its way to pixels: outlines, arrangement and looks of a whole picture, made once; then
-// rows, in strips at absolute places.
+// A scene on its way to pixels: the outlines, arrangement and looks of a whole picture, made once; then its rows,
+// in strips at absolute places.
 
 #include <mien/render_stats.h>
 #include "render/reference/square_resolver.h"
@@ -41,7 +41,7 @@ struct StripScratch {
   std::unique_ptr<Window> window;  ///< of a crowd
 };
 
-/// Scratch of threads, handed to whichever has strips to draw.
+/// Scratch of threads, lent to whichever has strips to draw.
 class StripScratches {
  public:
   std::unique_ptr<StripScratch> take() {
@@ -63,27 +63,26 @@ class StripScratches {
 
 class Drawing {
  public:
-  /// Nothing is done where all but the view's region is as it was, number for number: pieces of one
-  /// picture share it.
-  /// A crowd's outlines are left to its windows.
+  /// Does nothing if all but the view's region is as it was, number for number, so the pieces of one picture share
+  /// it. A crowd's outlines are left to its windows.
   void make(const Scene& scene, const View& view, Depth depth);
-  /// The same of all outlines at once, a crowd's too.
+  /// The same with all outlines at once, even a crowd's.
   void make_whole(const Scene& scene, const View& view, Depth depth);
 
-  /// Strips of kRows rows; those that show some of a target.
+  /// Strips of kRows rows. Draws those rows of a strip that show some of the target.
   static constexpr int kRows = 16;
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
                   RenderStats& stats) const;
 
-  /// Bounds on what the pixels of a strip may be off by, in levels of 255, written to a map of the
-  /// target's rectangle; the pixels are drawn to `target` on the way.
+  /// Bounds on the errors of a strip's pixels, in levels of 255, written to a map of the target's rectangle; the
+  /// pixels are drawn to `target` on the way.
   void draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
                               float* map) const;
 
-  /// Of the picture's rows; none of a crowd's.
+  /// Those of the picture's rows; null for a crowd.
   const RowFingerprints* fingerprints();
 
-  /// What all strips have in common.
+  /// Reports the work that all strips share.
   void tell(RenderStats& stats) const;
 
   /// The scene made last.
@@ -95,6 +94,7 @@ class Drawing {
   const Looks& looks() const { return looks_; }
 
  private:
+  void sum_fragments(int strip, int first, int end, RowSums& sums) const;
   void draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
                     RenderStats& stats, float* map) const;
   void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
@@ -106,7 +106,7 @@ class Drawing {
   void arrange();
   void make_outlines(const Scene& scene, const View& view, Depth depth);
   void sort_into_strips();
-  /// What neighbours may be out of order by [px].
+  /// How far neighbours may be out of order [px].
   double order() const { return std::min(kOrder, 0.5 * tolerance_); }
 
   int width_ = 0, height_ = 0;

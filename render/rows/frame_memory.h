@@ -1,9 +1,9 @@
 #pragma once
-// Finished rows of the frame before, for a frame that changes little: a row made from the same
+// Finished rows of the frame before, for a frame that changes little: a row made from the same inputs
 // (row_fingerprints.h) is copied instead of drawn.
 //
-// Keeping costs a copy of every row that is drawn and its fingerprint. So nothing is kept until two
-// frames in a row have some of their shapes in common, and it rests where it was of no use.
+// This costs a copy and a fingerprint of every row that is drawn. So nothing is kept until two frames in a row have
+// some of their shapes in common, and keeping pauses where it was of no use.
 
 #include <mien/image.h>
 #include <mien/view.h>
@@ -26,15 +26,14 @@ class FrameMemory {
     Depth depth;
     int shapes, in_common;  ///< with the frame before
   };
-  /// To be called for every frame; whether it is to be kept, and rows of the one before may be there.
+  /// To be called for every frame. Returns whether it is to be kept; rows of the one before may then be there.
   bool begin(const Frame& frame);
 
-  /// Copies the row of columns, if one made from the same is there. Rows at the same time, if they
-  /// are not the same ones.
+  /// Copies the row, if one made from the same inputs is there. Different rows may be recalled at the same time.
   bool recall(int y, std::uint64_t fingerprint, std::byte* to);
   void keep(int y, std::uint64_t fingerprint, const std::byte* from);
 
-  /// How many of a frame's rows were recalled: what is of no use rests for a while.
+  /// How many of a frame's rows were recalled: keeping pauses for a while if there were too few.
   void end(int rows, int recalled);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// From mixed colours to the bytes of pixels: twins in lanes of store() and store_dithered()
-// (render/blend/blender.h), off by less than a hundredth of a level of 255 and half a level of 65535.
+// From mixed colours to the bytes of pixels: the SIMD twins of store() and store_dithered()
+// (render/blend/blender.h), within a hundredth of a level of 255 and half a level of 65535.
 
 #include "render/blend/blender.h"
 #include "render/blend/transfer.h"
@@ -56,7 +56,7 @@ class PixelFormat {
     put_pixels({from, carry, count, blend_, depth_, to});
   }
 
-  /// How much steeper than itself a colour's darkest channel is encoded.
+  /// How steeply a colour's darkest channel is encoded; 1 where colours are mixed as encoded.
   double steepness(const Rgba& mix) const {
     if (blend_ != Blend::linear) return 1.0;
     const double up = mix.a > 0.0f ? 1.0 / double(mix.a) : 1.0;

@@ -1,6 +1,6 @@
 #pragma once
-// What every row of a picture is made from, as a number: rows of two frames whose numbers are the
-// same are the same to the byte.
+// A hash of all that a row of a picture is made from: rows of two frames with the same hash are the same to the
+// byte.
 //
 // A row is made from the stretches of visible outline that cross it, in their order, and from what is
 // seen on both sides of each. Nothing else of a scene counts: not what is hidden, nor names, nor how
@@ -17,10 +17,10 @@ namespace mien {
 
 class RowFingerprints {
  public:
-  /// No row has it: it stands for a row that may be made from more than its outlines.
+  /// No row has it: it stands for a row that may depend on more than its outlines.
   static constexpr std::uint64_t kNone = 0;
 
-  /// `seed` stands for the view, and for all else that a whole picture has in common.
+  /// `seed` stands for the view, and for everything else that a whole picture shares.
   void make(std::uint64_t seed, const Scene& scene, const Looks& looks, int first_look,
             const Sweep& sweep, int rows);
 

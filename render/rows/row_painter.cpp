@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kSame = 1e-5f;        // sums of thousands of cells agree with their look to less
 constexpr float kUnseenArea = 1e-6f;  // a share of less shows nowhere
-constexpr float kClosed = 1e-5f;      // a look that goes on by less has ended
+constexpr float kClosed = 1e-5f;      // a look that goes on by less than this has ended
 
 bool close(const Rgba& x, const Rgba& y) {
   return std::max(std::max(std::abs(x.r - y.r), std::abs(x.g - y.g)),
@@ -44,19 +44,19 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
   bytes_ = format.bytes();
   shader_.begin(looks);
   allowed_ = format.depth() == Depth::u8 ? 0.2 / 255 : 4.0 / 65535;
-  // A twentieth of what is allowed where colours are encoded the steepest.
+  // A twentieth of what is permitted, where colours are encoded most steeply.
   least_ = note_ ? 0.0 : 0.05 * allowed_ / (format.blend() == Blend::linear ? 12.92 : 1.0);
   thresholds_.fill(0.5f);
 }
 
-/// Into how many cells each way a pixel must be seen, so that what is neglected does not show; 0: it need not. It
-/// counts by how steeply the colour is encoded, and falls as the square of the cells' side.
+/// Into how many cells each way a pixel must be divided so that what is neglected does not show; 0: into none. What
+/// is neglected counts by how steeply the colour is encoded, and falls with the square of the cells' side.
 int RowPainter::cells_for(double neglected, const Rgba& mix, int column) const {
   if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed_) return 0;
   const double off = neglected * format_->steepness(mix);
   if (note_) note_(column, y_, float(255.0 * std::min(off, allowed_)));
   if (off <= allowed_) return 0;
-  const double share = format_->depth() == Depth::u8 ? 0.5 : 0.2;  // of what may be
+  const double share = format_->depth() == Depth::u8 ? 0.5 : 0.2;  // of what is permitted
   const int most = format_->depth() == Depth::u8 ? 16 : 32;
   int side = 4;
   while (side < most && off > share * allowed_ * side * side) side *= 2;
@@ -113,7 +113,7 @@ void RowPainter::paint_varied(RowSums& sums, int row) {
         take_shares(column);
         cell(column);
         at = column + 1;
-        sum_ = sum_ + cells[at];  // what the pixel's outlines leave of all those after it
+        sum_ = sum_ + cells[at];  // what the pixel's outlines add to all pixels after it
       }
       cells[column] = cells[column + 1] = {};
     }
@@ -121,7 +121,7 @@ void RowPainter::paint_varied(RowSums& sums, int row) {
   if (at < x1_) run(at, x1_);
 }
 
-/// The same where no look varies: with the sum at hand.
+/// The same where no look varies, with the sum in registers.
 void RowPainter::paint_flat(RowSums& sums, int row) {
   Rgba* const cells = sums.sums(row);
   std::uint64_t* const marks = sums.marks(row);
@@ -154,7 +154,7 @@ void RowPainter::paint_flat(RowSums& sums, int row) {
   stats_->edge_pixels += kept;
 }
 
-/// Draws a run; its sum, in its look's own colour if that is known.
+/// Draws a run; returns its sum, as its look's own colour if that is known.
 Rgba RowPainter::flat_run(int from, int until, const Rgba& sum) {
   const Palette::Entry* entry =
       &palette_->entries[std::size_t(from > 0 ? hints_[from - 1] : look_)];
@@ -170,7 +170,7 @@ Rgba RowPainter::flat_run(int from, int until, const Rgba& sum) {
   return entry ? entry->color : sum;
 }
 
-/// Columns of one colour. A short run is written as long as a pattern: what is right of it comes later.
+/// Columns of one colour. A short run is written as long as a pattern: what lies right of it is written later.
 void RowPainter::fill(int first, int end, const RunPattern& pattern) {
   stats_->fill_pixels += end - first;
   const std::size_t size = std::size_t(end - first) * bytes_;
@@ -188,7 +188,7 @@ RunPattern RowPainter::pattern_of(const Rgba& mix) const {
   return pattern;
 }
 
-/// Whether a look is what all the sums up to here say.
+/// Whether the sum so far agrees with a look.
 bool RowPainter::looks_like(int look) const {
   const Palette::Entry& e = palette_->entries[std::size_t(look)];
   if (!close(sum_, e.color)) return false;
@@ -196,7 +196,7 @@ bool RowPainter::looks_like(int look) const {
   return open_.size() == 1 && open_[0].look == look;
 }
 
-/// The look of the run that begins at a column; −1 if none of those it may be agrees.
+/// The look of the run that begins at a column; −1 if no candidate agrees with the sum.
 int RowPainter::look_of_run(int column) {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
@@ -204,8 +204,8 @@ int RowPainter::look_of_run(int column) {
   return nearest_look();
 }
 
-/// Of the looks right of one of the row's fragments that agree, the one whose colour is nearest; of two as near the
-/// darker one: their numbers do not count, so a row is the same whatever else is in the picture.
+/// Of the looks right of the row's fragments that agree, the one of the nearest colour; of two as near, the darker
+/// one. Their numbers do not count, so a row is the same whatever else is in the picture.
 int RowPainter::nearest_look() {
   const auto off = [&](const Rgba& c) {
     return std::abs(c.r - sum_.r) + std::abs(c.g - sum_.g) + std::abs(c.b - sum_.b) +
@@ -231,7 +231,7 @@ RowPainter::Open RowPainter::whole(int look) {
   return o;
 }
 
-/// What stretches did to this pixel they do to all after it.
+/// What stretches did to this pixel they do to all pixels after it.
 void RowPainter::move_on() {
   for (const auto& [look, stretch] : formed_)
     for (Open& o : open_)
@@ -241,7 +241,7 @@ void RowPainter::move_on() {
 
 void RowPainter::run(int from, int until) {
   if (!formed_.empty()) move_on();
-  // A varied look that has all but ended or all but filled the row goes on as if it had.
+  // A varied look that has nearly ended, or nearly filled the row, is taken to have done so.
   if (!open_.empty())
     std::erase_if(open_, [](const Open& o) { return std::abs(o.height) < kClosed; });
   const int look = look_of_run(from);
@@ -253,7 +253,7 @@ void RowPainter::run(int from, int until) {
   from = std::max(from, x0_), until = std::min(until, x1_);
   if (from >= until) return;
   if (look >= 0) return run_of(look, from, until);
-  // Several looks one above the other: a level outline within the row, or roundings.
+  // Several looks above each other: a level outline within the row, or rounding.
   for (int x = from; x < until; ++x) {
     for (Open& o : open_) o.area = o.height, o.mx = 0.0f, o.my = o.height_y;
     cell(x);
@@ -274,7 +274,7 @@ void RowPainter::run_of(int look, int from, int until) {
   }
 }
 
-/// What is neglected shows in some pixels: those are seen in cells.
+/// Where what is neglected would show in some pixels, these are divided into cells.
 void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   const double neglected = looks_->neglected(look);
   const bool tip = looks_->has_tip(look);
@@ -293,7 +293,7 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   }
 }
 
-/// What varied looks take of the pixel, and of those after it.
+/// Adds what varied looks take of the pixel, and of those after it.
 void RowPainter::take_shares(int column) {
   move_on();
   for (Open& o : open_) o.area = o.height, o.mx = 0.0f, o.my = o.height_y;
@@ -308,7 +308,7 @@ void RowPainter::take_shares(int column) {
   }
 }
 
-/// The mean over what a look takes of the pixel.
+/// The mean colour over what a look takes of the pixel.
 glm::vec4 RowPainter::part(const Open& o, int column, int side) {
   const float up = 1.0f / o.area;
   const float x = std::clamp(o.mx * up, -0.4999f, 0.4999f),
@@ -355,7 +355,7 @@ void RowPainter::cell(int column) {
   keep_cell(mix, varies ? threshold(column) : 0.5f, column);
 }
 
-/// To be put with the row's others.
+/// Keeps a colour to be written together with the row's others.
 void RowPainter::keep_cell(const Rgba& mix, float carry, int column) {
   const auto k = std::size_t(kept_++);
   cells_.r[k] = mix.r, cells_.g[k] = mix.g, cells_.b[k] = mix.b, cells_.a[k] = mix.a;

@@ -1,8 +1,8 @@
 #pragma once
-// One row of pixels from its sums: cells that outlines cross one by one, and runs between them.
+// One row of pixels from its sums: the cells that outlines cross, one by one, and the runs between them.
 //
-// What a run looks like is known from the look that its left neighbour noted; it counts only where the
-// sum agrees, and then the look's own colour goes on in place of the sum: roundings end there.
+// The fragment left of a run noted the run's look. That look counts only where the sum agrees; then its own colour
+// replaces the sum, so rounding errors end there.
 
 #include <mien/render_stats.h>
 #include "render/rows/row_sums.h"
@@ -35,29 +35,29 @@ class RowPainter {
   void begin(const Palette& palette, const Looks& looks, const PixelFormat& format, bool dither,
              Stores stores = Stores::ordinary);
 
-  /// Columns x0 to x1 of the picture's row y; `to` is where x0 goes. Sets the sums back to nothing.
+  /// Columns x0 to x1 of the picture's row y; `to` is where x0 goes. Resets the sums to zero.
   void paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to, RenderStats& stats);
 
-  /// Tells what means by centroids neglect of a pixel, in levels of 255; none: nobody asks.
+  /// Is called with what means by centroids neglect of a pixel, in levels of 255; empty: nobody asks.
   void note_errors(std::function<void(int x, int y, float levels)> note) {
     note_ = std::move(note);
   }
 
-  /// Adds the work of rows since it was last told.
+  /// Adds the work of the rows since the last call.
   void tell(RenderStats& stats) {
     const NearFeet::Work work = shader_.take_work();
     stats.distances += work.distances, stats.distance_seconds += work.seconds;
   }
 
-  /// Columns of that row whose colours vary too much for means by centroids: to be resolved otherwise.
+  /// Columns of that row whose colours vary too much for means by centroids: the caller resolves them by distances.
   std::span<const int> refused() const { return refused_; }
 
-  /// Whether a run of that row had to be looked for, and there are too many looks for that.
+  /// Whether the look of a run had to be searched for, and there are too many looks for that.
   bool lost() const { return lost_; }
 
  private:
   static constexpr int kBlock = LookShader::kBlock;
-  /// What a varied look takes of the pixels from here on, and of the pixel at hand.
+  /// What a varied look takes of the pixels from here on, and of the current one.
   struct Open {
     int look;
     float height, height_y;
@@ -94,8 +94,8 @@ class RowPainter {
   const PixelFormat* format_ = nullptr;
   bool dither_ = false;
   Stores stores_ = Stores::ordinary;
-  double allowed_ = 0,
-         least_ = 0;  ///< of what is neglected: that may be; that is not even looked at
+  double allowed_ = 0;  ///< how much may be neglected
+  double least_ = 0;    ///< how much is not even looked at
   std::size_t bytes_ = 4;
   LookShader shader_;
 

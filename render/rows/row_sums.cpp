@@ -5,7 +5,7 @@
 namespace mien {
 namespace {
 
-/// Left of the picture it is as good as at its border.
+/// Left of the picture x counts as at the border.
 PartStretch stretch_of(const CellStretch& c) {
   const auto x = [&](double at) {
     return c.column < 0 ? 0.0f : std::clamp(float(at - c.column), 0.0f, 1.0f);

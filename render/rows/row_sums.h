@@ -13,8 +13,8 @@
 
 namespace mien {
 
-/// What a varied look takes of a pixel: area and first moments about the pixel's middle, what it takes
-/// of all pixels after it, and the stretch of outline that says so.
+/// What a varied look takes of a pixel: area and first moments about the pixel's middle, what it takes of all
+/// pixels after it, and the stretch of outline that bounds it.
 struct LookShare {
   int column, look;
   float area, mx, my;      ///< of the pixel
@@ -32,13 +32,13 @@ class RowSums {
   void add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
            int left_varied, int right_varied, int right_look);
 
-  /// Row by row: its sums, which the reader sets back to nothing; a bit per column that outlines cross,
-  /// the one after which has a sum, too; and the shares of varied looks.
+  /// Row by row: its sums, which the reader resets to zero; a bit for each column that outlines cross (the one
+  /// after it has a sum, too); and the shares of varied looks.
   Rgba* sums(int row) { return sums_.data() + std::size_t(row) * stride_; }
   std::uint64_t* marks(int row) { return marks_.data() + std::size_t(row) * mark_words_; }
   const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
-  /// A bit for each look right of one of the row's fragments; none of looks beyond kMostLooks. The
-  /// reader sets them back, too.
+  /// A bit for each look right of one of the row's fragments, except looks beyond kMostLooks. The reader resets
+  /// these, too.
   std::uint64_t* looks(int row) { return looks_.data() + std::size_t(row) * look_words_; }
   int look_words() const { return int(look_words_); }
   static constexpr int kMostLooks = 1024;

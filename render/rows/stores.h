@@ -6,8 +6,7 @@
 
 namespace mien {
 
-/// `streamed` stores pass the caches by. Right for pictures that are larger than those, wrong for
-/// smaller ones.
+/// `streamed` stores bypass the caches. Right for pictures that are larger than the caches, wrong for smaller ones.
 enum class Stores { ordinary, streamed };
 
 /// A pixel again and again.

@@ -30,7 +30,7 @@ void FillRun(std::uint8_t* to, size_t size, const std::uint8_t* pattern, size_t 
     for (const size_t end = i + (size - i) / kLine * kLine; i < end; i += lanes)
       hn::Stream(v, d, to + i);
   }
-  const bool went_past_caches = i > 0;  // what did would have to be read back
+  const bool went_past_caches = i > 0;  // what bypassed them would have to be read back
   for (; wide && i + lanes <= size; i += lanes) hn::StoreU(v, d, to + i);
   if (wide && size >= lanes && !went_past_caches)
     return hn::StoreU(v, d, to + size - lanes);  // the rest, with some again

@@ -6,7 +6,7 @@
 
 namespace mien {
 
-/// Lanes read up to kColorSpare beyond the last.
+/// Lanes may read up to kColorSpare beyond the last colour.
 struct ColorPlanes {
   const float *r, *g, *b, *a;
 };

@@ -107,7 +107,7 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
   if (field.kind == PaintField::Kind::distance) {
     const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
     lit.distances_of_cells(x, y, *at.cells, t, lit_scratch_);
-    // A ridge that runs through cells lowers their mean: that is known better.
+    // A ridge that runs through cells lowers their mean; the part's own mean is more exact.
     float mean = 0.0f, sum = 0.0f, area = 0.0f;
     if (at.form)
       mean = lit.distance_of_part(x, y, *at.form, lit_scratch_);
@@ -132,7 +132,7 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
     cells_of_form(*form, side, cells_);
   else
     whole_cells(side, cells_);
-  // Under a ramp whose opacity varies what lies below counts by place.
+  // Under a ramp whose opacity varies, lower layers count place by place.
   each_ = std::ranges::any_of(looks_->steps(look), [&](const LookStep& step) {
     const auto fades = [&] {
       const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];

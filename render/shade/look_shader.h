@@ -36,7 +36,7 @@ class LookShader {
     return {c.r[0], c.g[0], c.b[0], c.a[0]};
   }
 
-  /// The mean over a pixel or a part of one by side × side cells: what centroids neglect falls by as much.
+  /// The mean over a pixel or a part of one by side × side cells, which reduces what centroids neglect.
   glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side);
 
   /// The distances asked for since it was last taken.

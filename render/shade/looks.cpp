@@ -26,9 +26,8 @@ bool same(const LookStep& a, const LookStep& b) {
          a.mix == b.mix;
 }
 
-/// The literals of a conjunction, written to `to`; false where it is none. Postfix: an `and` may only
-/// follow what are literals or conjunctions, so a program of outlines, nots of single outlines and
-/// ands is one.
+/// The literals of a conjunction, written to `to`; false for any other program. In postfix order an `and` may only
+/// follow literals or conjunctions, so a program of outlines, nots of single outlines and ands is a conjunction.
 bool literals_of(std::span<const AreaStep> program, std::vector<int>& to) {
   bool last_is_literal = false;
   for (const AreaStep& step : program) {
@@ -209,7 +208,7 @@ int Looks::compose(const std::uint64_t* inside, const std::uint64_t* covered) {
   return known_or_new(first_step);
 }
 
-/// Leaves and enters until `group` is the innermost open one.
+/// Closes and opens groups until `group` is the innermost open one.
 void Looks::enter_group(int group) {
   chain_.clear();
   for (int g = group; g >= 0; g = paints_->groups[std::size_t(g)].parent) chain_.push_back(g);
@@ -245,7 +244,7 @@ void Looks::lay_over(const Mix& mix) {
   levels_.back().mix = over(mix, levels_.back().mix);
 }
 
-/// What is constant so far becomes a step: the level's ground, or something over what is there.
+/// Writes what is constant so far as a step: the level's ground, or something over what is there.
 void Looks::write_pending(Level& level, bool ground) {
   if (!level.varies) {
     if (ground) steps_.push_back({.kind = Kind::open, .mix = level.mix});
@@ -330,8 +329,8 @@ double Looks::slope_of(const LookStep& step) const {
          std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b), std::abs(along.a)});
 }
 
-/// Two paints over each other: the upper one's opacity times the lower one's colour has a mean of its own, a twelfth of the
-/// product of both slopes away from the product of their means.
+/// Two paints over each other: the mean of the upper one's opacity times the lower one's colour differs from the
+/// product of their means, by a twelfth of the product of both slopes.
 double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
   constexpr double kLit = 0.3;  // [1/px] what light may change by
   double sum = 0.0, below = 0.0;
@@ -340,7 +339,7 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
     const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
     const GridPaint& paint = varied.paint;
     const bool lit = step.zone >= 0;
-    if (varied.dense) sum += 0.01;  // integrated, but for more stops than can be told apart
+    if (varied.dense) sum += 0.01;  // integrated, unless it has more stops than can be resolved
     if (paint.ramp && !varied.dense) {
       const RampSegment& along = segment(step);
       sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;

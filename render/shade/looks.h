@@ -1,9 +1,9 @@
 #pragma once
 // What a region looks like: one colour, or how to find the colour of a place.
 //
-// A region is a set of outlines. The layers whose programs hold there are laid over each other, from
-// the topmost opaque one up; what is constant is laid together at once. Looks that are made alike are
-// one look: no outline is seen between them.
+// A region is a set of outlines. The layers whose programs hold there are laid over each other, from the topmost
+// opaque one up; constant colours are composited at once. Looks made alike are one look: no outline is seen between
+// them.
 
 #include "render/shade/paint_table.h"
 #include "sdf/arrange/regions.h"
@@ -54,19 +54,17 @@ class Looks final : public LookRule {
   }
   const PaintTable& paints() const { return *paints_; }
 
-  /// What means by centroids may be off by, in the blending space. Two ramps over each other: the mean of
-  /// their product is not that of their means, but for a twelfth of the product of what both change by
-  /// per pixel.
+  /// A bound on the error of means by centroids, in the blending space. Of two ramps over each other the mean of
+  /// the product differs from the product of the means, by a twelfth of the product of their changes per pixel.
   double neglected(int look) const { return looks_[std::size_t(look)].neglected; }
-  /// What is added where a radial ramp is seen: of slope s per pixel, r pixels from its centre, it bends
-  /// by s / r. A part's variance is not a square's (0.03 s / r), and what is left of a whole pixel is
-  /// 0.02 s / r² and less, the tip's own share at the centre among it. [px]
-  /// Less than `least` may be told as nothing.
+  /// What to add where a radial ramp is seen: of slope s per pixel, r pixels from its centre, it bends by s / r.
+  /// The variance of a part is not that of a square (0.03 s / r), and a whole pixel neglects at most 0.02 s / r²,
+  /// the tip's own share at the centre included. [px] Less than `least` may be returned as 0.
   double neglected_near(int look, glm::dvec2 p, bool part, double least) const;
-  /// Whether its mean over a part of a pixel may ask for the part's form: it is lit, goes by a distance, or
-  /// means by centroids neglect something.
+  /// Whether its mean over a part of a pixel may need the part's form: it is lit, goes by a distance, or means by
+  /// centroids neglect something.
   bool formed(int look) const { return looks_[std::size_t(look)].formed; }
-  /// Whether cells do not help either: a gradient of it has more stops than can be told apart.
+  /// Whether cells do not help either: one of its gradients has more stops than can be resolved.
   bool dense(int look) const { return looks_[std::size_t(look)].dense; }
   /// Whether a radial ramp's centre may lie in it.
   bool has_tip(int look) const { return looks_[std::size_t(look)].tip; }

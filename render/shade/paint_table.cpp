@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden changes
 constexpr int kMostKinks =
-    96;  ///< of one paint in a picture: more make outlines dearer than samples
+    96;  ///< of one paint in a picture: with more, outlines cost more than samples
 
 }  // namespace
 
@@ -47,7 +47,7 @@ class PaintMaker {
     return made;
   }
 
-  /// What is left of the picture before.
+  /// Drops what is left of the picture before.
   void finish() {
     to_.varied.resize(varied_);
     to_.distances.resize(distances_);
@@ -180,7 +180,7 @@ void PaintTable::make_groups(const Scene& scene) {
   for (const Group& group : scene.groups()) {
     const int parent = group.parent < 0 ? -1 : nearest_[std::size_t(group.parent)];
     if (group.opacity >= 1.0) {
-      nearest_.push_back(parent);  // its layers are as good as on their own
+      nearest_.push_back(parent);  // its layers look the same as on their own
       continue;
     }
     nearest_.push_back(int(groups.size()));

@@ -1,6 +1,6 @@
 #pragma once
-// A scene's layers made ready to be seen: their programs on outlines, and their paints on the grid of
-// the whole picture's pixels.
+// A scene's layers prepared for drawing: their programs on outlines, and their paints on the grid of the whole
+// picture's pixels.
 //
 // A gradient is smooth but for its stops, a relief's light but for the steps and the end of its
 // profile. Each of these kinks is a line, and the line is an outline like any other: so no region has
@@ -43,7 +43,7 @@ struct PaintedLayer {
   int group = -1;   ///< index into PaintTable::groups; −1: on its own
 };
 
-/// Layers that are mixed first and laid over what is below as one: translucent ones only.
+/// Layers that are composited first and then laid over what is below as one: translucent groups only.
 struct PaintedGroup {
   int parent;  ///< −1: none
   double opacity;

@@ -1,5 +1,5 @@
 #pragma once
-// Ramps between two kinks over many places at once: where along, and which colour.
+// Ramps between two kinks at many places at once: t there, and its colour.
 
 namespace mien {
 
@@ -9,7 +9,7 @@ struct RadialLanes {
   float qx, qy, sx, sy;
   float ax, ay, bx, by;
   float trace;     ///< tr UᵀU
-  float variance;  ///< of a place: each stands for so much around it
+  float variance;  ///< of the area that each place stands for
   int from;
 };
 

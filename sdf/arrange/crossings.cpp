@@ -8,9 +8,9 @@ namespace mien {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDeep = 1e-7;  // [px] what dips less shows nowhere
+constexpr double kDeep = 1e-7;  // [px] a shallower dip does not show
 
-/// The signed distance along x, of a pair in the order the sweep has them.
+/// A pair of pieces in the sweep's order, and the signed gap between them along x.
 class Pair {
  public:
   Pair(const SweepPiece& left, const SweepPiece& right) : l_(left), r_(right) {}
@@ -33,11 +33,12 @@ class Pair {
 
  private:
   double newton(const PairLevel& a, const PairLevel& b, double share) const;
+  double bracketed(double p, double q, double at_p, double at_q, double sign) const;
 
   const SweepPiece &l_, &r_;
 };
 
-/// Newton's steps in both parameters, from a share of the way from a to b; none where they lead astray.
+/// Newton steps in both parameters, starting at a share of the way from a to b; NaN where they diverge.
 double Pair::newton(const PairLevel& a, const PairLevel& b, double share) const {
   constexpr double kClose = 1e-9;  // [px]
   double t = a.l + share * (b.l - a.l), u = a.r + share * (b.r - a.r);
@@ -57,6 +58,26 @@ double Pair::newton(const PairLevel& a, const PairLevel& b, double share) const 
     if (!(t > -0.2 && t < 1.2 && u > -0.2 && u < 1.2)) return kNever;
   }
   return kNever;
+}
+
+/// The zero of sign · gap, which is at_p > 0 at p and at_q < 0 at q. Secants, with the value at an end that stays
+/// halved (the Illinois rule); every fourth step bisects.
+double Pair::bracketed(double p, double q, double at_p, double at_q, double sign) const {
+  for (int i = 0, side = 0; i < 60 && q - p > 1e-9; ++i) {
+    const double y = i % 4 == 3 ? 0.5 * (p + q) : p + (q - p) * (at_p / (at_p - at_q));
+    const double d = sign * gap(y);
+    if (std::abs(d) < 1e-9) return y;
+    if (d > 0.0) {
+      p = y, at_p = d;
+      if (side == 1) at_q *= 0.5;
+      side = 1;
+    } else {
+      q = y, at_q = d;
+      if (side == -1) at_p *= 0.5;
+      side = -1;
+    }
+  }
+  return 0.5 * (p + q);
 }
 
 /// The height between a and b at which sign · gap falls from > 0 to < 0. Pieces that touch at an end
@@ -85,27 +106,11 @@ double Pair::meeting(PairLevel a, PairLevel b, double sign) const {
   }
   const double near = newton(a, b, a.gap() / (a.gap() - b.gap()));
   if (near == near) return near;
-  // Newton went astray: a bracket, by secants whose end that stays counts half.
-  double p = a.y, q = b.y, at_p = sign * a.gap(), at_q = sign * b.gap();
-  for (int i = 0, side = 0; i < 60 && q - p > 1e-9; ++i) {
-    const double y = i % 4 == 3 ? 0.5 * (p + q) : p + (q - p) * (at_p / (at_p - at_q));
-    const double d = sign * gap(y);
-    if (std::abs(d) < 1e-9) return y;
-    if (d > 0.0) {
-      p = y, at_p = d;
-      if (side == 1) at_q *= 0.5;
-      side = 1;
-    } else {
-      q = y, at_q = d;
-      if (side == -1) at_p *= 0.5;
-      side = -1;
-    }
-  }
-  return 0.5 * (p + q);
+  return bracketed(a.y, b.y, sign * a.gap(), sign * b.gap(), sign);  // Newton went astray
 }
 
-/// A height between a and b, at whose ends sign · gap >= 0, where it is less than nothing. Where the
-/// gap is convex that is decided by its slopes; where neither convex nor concave is sure, by halves.
+/// A height between a and b at which sign · gap is negative although it is >= 0 at both. Where the gap is convex
+/// its slopes decide; where neither convexity nor concavity is proven, halving does.
 double Pair::dip(double a, double b, double sign, int depth) const {
   if (sign * widening(a) < 0.0 && sign * widening(b) > 0.0) {
     double p = a, q = b;
@@ -140,7 +145,7 @@ void there_and_back(const Pair& pair, const PairLevel& a, const PairLevel& b, do
   out.add(pair.meeting(middle, b, -sign));
 }
 
-/// The gap where the first of both ends and the sweep does not go on: level pieces are met where it is.
+/// The gap at the end of the piece that ends first. The sweep is there, so a level piece is met at that point.
 double gap_at_end(const SweepPiece& left, const SweepPiece& right) {
   const bool left_first = before(left.x1, left.y1, right.x1, right.y1);
   const double y = left_first ? left.y1 : right.y1, x = left_first ? left.x1 : right.x1;
@@ -156,8 +161,8 @@ SweepPiece sweep_piece(const OutlinePiece& piece) {
   const double lowest = std::min(piece.x0, piece.x1), highest = std::max(piece.x0, piece.x1);
   made.lowest_x = float(lowest - kFloat * std::abs(lowest));
   made.highest_x = float(highest + kFloat * std::abs(highest));
-  // Half the control point's distance from the chord, along x. A piece as good as level has no lean to
-  // speak of: all its width, and no tangents.
+  // Half the control point's distance from the chord, along x. An almost level piece has no usable lean: its bulge
+  // is its whole width, and it has no tangents.
   constexpr double kLevel = 1e-4, kSteepest = 1e9, kLeast = 1e-9;
   const double off = wide * piece.ay - high * piece.ax, most = std::abs(wide);
   const bool level = !(high > kLevel * most), convex = off > 0.0;

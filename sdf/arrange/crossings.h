@@ -11,18 +11,17 @@ namespace mien {
 struct Crossings {
   std::array<double, 4> at;
   int count = 0;
-  bool one_way = false;  ///< there is one, and the gap falls all the way there and beyond
+  bool one_way = false;  ///< there is one, and the gap falls all along
   void add(double y) { at[std::size_t(count++)] = y; }
 };
 
-/// `left` lies left of `right` at the height y, says the sweep: that is believed, whatever their
-/// numbers say there. What their numbers say where the first of them ends decides about one crossing;
-/// where it is the same order, they may still cross there and back. An order that is wrong at y heals
-/// at y.
+/// The sweep says that `left` lies left of `right` at the height y, and is believed even if their coordinates
+/// disagree there. Their coordinates where the first of them ends decide whether they cross once; if the order
+/// there is the same, they may still cross there and back. An order that is wrong at y is put right at y.
 Crossings crossings(const SweepPiece& left, const SweepPiece& right, double y);
 
-/// What is closer than that touches [px]: too near for a wrong order to show (1e-6 of a pixel's area
-/// per row), too far for roundings to reach (1e-10 at coordinates of a million).
+/// Pieces closer than this touch [px]: too close for a wrong order to show (1e-6 of a pixel's area per row), but
+/// far above rounding (1e-10 at coordinates of a million).
 inline constexpr double kTouch = 1e-6;
 
 }  // namespace mien

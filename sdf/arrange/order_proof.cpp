@@ -7,7 +7,7 @@
 namespace mien {
 namespace {
 
-constexpr int kHalvings = 16;  // of a height: what is shorter is not known
+constexpr int kHalvings = 16;  // of a height: shorter stretches count as unproven
 
 class OrderProof {
  public:

@@ -5,8 +5,8 @@
 namespace mien {
 namespace {
 
-/// The splitmix64 sequence (Steele, Lea and Flood 2014): an outline's key is the xor its crossing
-/// makes. Two sets of n regions met share a hash with odds of n² / 2⁶⁵.
+/// The splitmix64 sequence (Steele, Lea and Flood 2014). Crossing an outline xors its key into the hash. Some two
+/// of n regions share a hash with a probability of n² / 2⁶⁵.
 std::uint64_t key_of(std::uint64_t i) {
   std::uint64_t z = (i + 1) * 0x9e3779b97f4a7c15ull;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;

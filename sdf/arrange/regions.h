@@ -1,5 +1,5 @@
 #pragma once
-// The regions of an arrangement: sets of outlines that a place is inside of, and what they look like.
+// The regions of an arrangement: the set of outlines that a place is inside of, and what it looks like.
 //
 // A sweep only ever crosses one outline at a time, so a region is found from its neighbour by a hash
 // that changes with the outline crossed: one look-up, whatever the number of outlines.
@@ -10,15 +10,15 @@
 
 namespace mien {
 
-/// Says what a set of outlines looks like, as a number: equal numbers look alike. Asked once for every
-/// region; keeps words of its own per region, so that it need not begin from nothing.
+/// Says what a set of outlines looks like, as a number; equal numbers look alike. Asked once for every region. It
+/// keeps words of its own for each region, so that it need not start from nothing.
 class LookRule {
  public:
   virtual ~LookRule() = default;
   virtual int state_words() const = 0;
   /// Inside of no outline. Writes the region's words.
   virtual int first_look(std::uint64_t* state) = 0;
-  /// After crossing `outline`; `before` are the words of the region come from, whose look is given.
+  /// After crossing `outline`; `before` are the words of the region on the near side, whose look is known.
   virtual int look(const std::uint64_t* inside, int outline, const std::uint64_t* before,
                    int look_before, std::uint64_t* state) = 0;
 };

@@ -11,7 +11,7 @@ namespace {
 constexpr long kAgainFirst =
     10'000;  // comparisons repeated after forced swaps: enough for any face, and an end
 
-constexpr double kProven = HUGE_VAL;  // neighbours since ever: their order needs no proof any more
+constexpr double kProven = HUGE_VAL;  // such neighbours need no further proof of their order
 
 }  // namespace
 
@@ -53,7 +53,8 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   stats_.regions = regions.count();
 }
 
-/// Those between top and bottom, by height and then from the left: a bucket per height, each in order.
+/// Vertices between top and bottom, by height and then from the left: sorted into buckets by height, then within
+/// each.
 void Sweep::sort_vertices() {
   const auto& all = outlines_->vertices;
   const std::size_t buckets = std::clamp<std::size_t>(all.size(), 1, 1024);
@@ -92,7 +93,7 @@ void Sweep::put(int slot, int i) {
   active_[s] = i, lowest_[s] = p.lowest_x, highest_[s] = p.highest_x, p.slot = slot;
 }
 
-/// The order at the top, from nothing: what crosses it, from left to right.
+/// The order at the top from scratch: what crosses it, from left to right.
 void Sweep::begin_at_top() {
   std::vector<int>& first = active_;  // sorted in its place
   windings_.assign(outlines_->rules.size(), 0);
@@ -137,7 +138,7 @@ void Sweep::enter(int slot, double y) {
   together_[std::size_t(slot)] = y;
 }
 
-/// Looks may have changed: what was shown so far is a fragment.
+/// The looks may change here: what was shown so far becomes a fragment.
 void Sweep::show(int slot, double y) {
   SweepPiece& p = at(slot);
   const int left = regions_->look(region_left_of(slot)),
@@ -215,7 +216,7 @@ void Sweep::start(int a, int b, const OutlineVertex& v) {
     else
       end = middle;
   }
-  // Which is left? By their ways, or by where they are a little farther on.
+  // Which is left? Their directions decide, or their places a little farther down.
   const SweepPiece &p = piece(a), &q = piece(b);
   double side = p.ax * q.ay - q.ax * p.ay;
   if (std::abs(side) <= 1e-12 * (std::abs(p.ax) + p.ay) * (std::abs(q.ax) + q.ay)) {
@@ -245,7 +246,7 @@ void Sweep::start(int a, int b, const OutlineVertex& v) {
 
 void Sweep::end(int a, int b, const OutlineVertex& v) {
   int slot = std::min(piece(a).slot, piece(b).slot), last = std::max(piece(a).slot, piece(b).slot);
-  for (; last > slot + 1; --last) {  // what is still between is out of order
+  for (; last > slot + 1; --last) {  // whatever is between them still is out of order
     ++stats_.forced;
     swap(last - 1, v.y);
   }
@@ -288,7 +289,7 @@ void Sweep::events_until(double y, double x) {
   }
 }
 
-/// Swaps with all that lies between, too: its own events come at this height, or were missed.
+/// Swaps with everything between as well: those events fall at this height too, or were missed.
 void Sweep::swap_past(const Event& event, int from, int to) {
   if (to == from + 1) return swap(from, event.y, event.one_way);
   for (int slot = from; slot < to; ++slot) swap(slot, event.y);
@@ -304,7 +305,7 @@ void Sweep::swap_past(const Event& event, int from, int to) {
 void Sweep::schedule(double y, int left, int right, bool one_way) {
   const SweepPiece &a = piece(left), &b = piece(right);
   const double there = x_at(a, y), here = x_at(b, y);
-  double x = a.y1 - a.y0 > b.y1 - b.y0 ? there : here;  // the steeper one knows it better
+  double x = a.y1 - a.y0 > b.y1 - b.y0 ? there : here;  // the steeper one gives it more exactly
   if (y >= a.y1) x = std::min(x, a.x1);                 // before either ends
   if (y >= b.y1) x = std::min(x, b.x1);
   one_way = one_way && std::abs(there - here) <= may_differ_;
@@ -329,8 +330,8 @@ void Sweep::meet(int left, int right, double y) {
     schedule(found.at[std::size_t(i)], left, right, found.one_way);
 }
 
-/// Compares the piece at a slot with all others from one on whose reach along x meets its own, but with the one
-/// at `met`.
+/// Compares the piece at a slot with all others from `first_slot` on whose reach along x meets its own, except the
+/// one at `met`.
 void Sweep::meet_others(int slot, double y, int first_slot, int met) {
   const int own = active_[std::size_t(slot)];
   const std::size_t first = std::size_t(first_slot), count = std::size_t(count_) - first;
@@ -355,12 +356,12 @@ void Sweep::meet_others(int slot, double y, int first_slot, int met) {
     }
 }
 
-/// The pieces at a slot and the next were neighbours until now: were they in order?
+/// The pieces at a slot and the next have been neighbours until now: were they in order all the while?
 void Sweep::parted(int slot, double y) {
   const double from = together_[std::size_t(slot)];
   together_[std::size_t(slot)] = y;
   if (!(y > from)) return;
-  // Those that show nothing, too: what shows may be hidden behind a wrong order of theirs.
+  // Pieces that show nothing are checked too: a wrong order of theirs may hide something that would show.
   if (highest_[std::size_t(slot)] <= lowest_[std::size_t(slot) + 1]) return;
   const SweepPiece &left = at(slot), &right = at(slot + 1);
   ++stats_.proofs;

@@ -7,12 +7,13 @@
 // come from the order, so along any row their differences telescope by construction and no rounding
 // can travel along a row. A wrong order heals when its pieces are next compared.
 //
-// Neighbours are proven to be in order over the whole height they are neighbours, to a tolerance. Where
-// that fails the place is told as a doubt, and whoever draws resolves its pixels otherwise.
+// Neighbours are proven to be in order over the whole height at which they are neighbours, to a tolerance. Where
+// the proof fails, the place is reported as a doubt, and its pixels are resolved by distances.
 //
-// What is cut off at the picture's sides has no order: left of it there is one set, right of it nothing.
+// Outlines that are cut off at the picture's sides have no order: left of the picture there is one region, right of
+// it nothing.
 //
-// No colours here: of two regions only whether they look alike is asked (regions.h).
+// No colours here: the sweep only asks whether two regions look alike (regions.h).
 
 #include "sdf/arrange/crossings.h"
 #include "sdf/arrange/order_proof.h"
@@ -42,12 +43,12 @@ struct SweepStats {
 /// Sweeps one arrangement after another; keeps its scratch.
 class Sweep {
  public:
-  /// The arrangement between two heights. `regions` has begun with the outlines' number. `order`: what
-  /// neighbours may be out of order by [px].
+  /// The arrangement between two heights. `regions` has begun with the number of outlines. `order`: how far
+  /// neighbours may be out of order [px].
   void run(const Outlines& outlines, double top, double bottom, Regions& regions,
            double order = kOrder);
 
-  /// By the order of their ends.
+  /// Ordered by their ends.
   std::span<const Fragment> fragments() const { return fragments_; }
   std::span<const SweepPiece> pieces() const { return pieces_; }
   std::span<const Doubt> doubts() const { return doubts_; }
@@ -58,7 +59,7 @@ class Sweep {
     double y, x;
     int left, right;
     int order;     ///< in which events were found
-    bool one_way;  ///< they are in order before, and the other way round beyond: proven
+    bool one_way;  ///< proven: they are in order before, and the other way round afterwards
   };
   static bool later(const Event& a, const Event& b);
 
@@ -107,8 +108,8 @@ class Sweep {
   std::vector<int> active_;              ///< pieces
   std::vector<int> region_;              ///< to the right of each
   std::vector<float> lowest_, highest_;  ///< their reach along x
-  std::vector<double> together_;         ///< since when it and the next are neighbours
-  std::vector<std::uint64_t> met_;       ///< a bit by slot, scratch
+  std::vector<double> together_;    ///< the height since which it and the next have been neighbours
+  std::vector<std::uint64_t> met_;  ///< a bit by slot, scratch
 
   std::vector<Event> events_;  ///< a heap, the first on top
   int found_ = 0;
@@ -118,7 +119,7 @@ class Sweep {
   std::vector<int> windings_;         ///< by outline, left of the picture
   int left_ = 0;                      ///< the region there
   int left_look_ = 0;
-  double left_from_ = 0;  ///< from what height it looks so
+  double left_from_ = 0;  ///< the height since which it has looked so
 };
 
 }  // namespace mien

@@ -20,8 +20,8 @@ struct SweepPiece : OutlinePiece {
   float lowest_x, highest_x;       ///< rounded outwards
   double lean;                     ///< of its chord, dx / dy
   double left_bulge, right_bulge;  ///< how far it leaves its chord along x [px], upper bounds
-  /// Lines through its ends that it has nothing left of, and nothing right of: its tangents where it bends that
-  /// way, else its chord. NaN: there is none.
+  /// Two lines through its ends. No part of it lies left of the low one or right of the high one: tangents on the
+  /// side to which it bends, else its chord. NaN: there is none.
   double low_top, low_bottom, high_top, high_bottom;
   int slot = -1;  ///< its place in the order from left to right; −1: not met or passed
   int left_look = 0, right_look = 0;
@@ -33,7 +33,7 @@ struct SweepPiece : OutlinePiece {
 inline double parameter_at(const OutlinePiece& p, double y) {
   const double d = y - p.y0, divisor = p.ay + std::sqrt(std::max(0.0, p.ay * p.ay + p.by * d));
   return std::min(std::max(0.0, d / divisor),
-                  1.0);  // 0 / 0, of a level start, is the first of both
+                  1.0);  // 0 / 0, at a level start, becomes 0
 }
 
 inline double x_of(const OutlinePiece& p, double t) {
@@ -48,7 +48,7 @@ inline double x_at(const OutlinePiece& p, double y) {
   return p.x1 > p.x0 ? std::clamp(x, p.x0, p.x1) : std::clamp(x, p.x1, p.x0);
 }
 
-/// The same where the sweep is at (x, y): level pieces are met at x.
+/// The same with the sweep at (x, y): a level piece is met at x.
 inline double x_there(const OutlinePiece& p, double y, double x) {
   return p.y0 == p.y1 ? std::clamp(x, p.x0, p.x1) : x_at(p, y);
 }
@@ -58,7 +58,7 @@ inline bool before(double x, double y, double u, double v) {
   return y != v ? y < v : x < u;
 }
 
-/// > 0 where x(e) − x(f) rises at that height.
+/// > 0 where x(e) − x(f) grows at that height.
 inline double parting(const OutlinePiece& e, const OutlinePiece& f, double y) {
   const double t = parameter_at(e, y), u = parameter_at(f, y);
   return (e.ax + t * e.bx) * (f.ay + u * f.by) - (f.ax + u * f.bx) * (e.ay + t * e.by);
@@ -74,14 +74,15 @@ inline double chord_at(const SweepPiece& p, double y) {
   return p.x0 + (y - p.y0) * p.lean;
 }
 
-/// The gap from `left` to `right` between two heights, at least, by their chords; level pieces have a poor one.
+/// A lower bound of the gap from `left` to `right` between two heights, by their chords; a poor one for level
+/// pieces.
 inline double chord_gap(const SweepPiece& left, const SweepPiece& right, double from, double to) {
   const double a = chord_at(right, from) - chord_at(left, from),
                b = chord_at(right, to) - chord_at(left, to);
   return std::min(a, b) - left.right_bulge - right.left_bulge;
 }
 
-/// The same by the lines through their ends: the gap of two lines is least at an end. −∞ where there are none.
+/// The same by the lines through their ends: the gap between two lines is least at an end. −∞ where there are none.
 inline double tangent_gap(const SweepPiece& left, const SweepPiece& right, double from, double to) {
   using Places = std::array<double, 2>;
   const auto low = [&](double y) {
@@ -100,7 +101,8 @@ inline double tangent_gap(const SweepPiece& left, const SweepPiece& right, doubl
   return most;
 }
 
-/// The same way from end to end: as of abutting shapes, or of copies of one, of which there may be thousands.
+/// Whether both run the same way from end to end: pieces of abutting shapes do, or of copies of a shape, of which
+/// there may be thousands.
 inline bool coincide(const OutlinePiece& a, const OutlinePiece& b) {
   return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1 && a.ax == b.ax &&
          a.ay == b.ay && a.bx == b.bx && a.by == b.by;

@@ -1,6 +1,6 @@
-// What the sweep does at the picture's sides, where outlines are cut: a loop that goes there leaves the
-// order, one that comes from there enters it. Beyond the left side outlines have winding numbers and one
-// region together; what the right side cuts off is of no use to anyone.
+// What the sweep does at the picture's sides, where outlines are cut: a loop that leaves through a side leaves the
+// order, one that comes back enters it. Beyond the left side there are winding numbers and one region; what the
+// right side cuts off changes no pixel.
 
 #include "sdf/arrange/sweep.h"
 
@@ -57,7 +57,7 @@ void Sweep::come(int i, bool left, double y) {
   meet_others(slot, y, 0);
 }
 
-/// What lies left of the picture may look otherwise: what was shown so far is a fragment of its side.
+/// What lies left of the picture may look different now: what was shown so far becomes a fragment of its side.
 void Sweep::show_left(double y) {
   const int look = regions_->look(left_), none = regions_->look(0);
   if (look == left_look_ && y < bottom_) return;

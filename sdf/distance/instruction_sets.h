@@ -16,8 +16,8 @@ struct InstructionSet {
 /// Those compiled in that this machine has, best first.
 std::vector<InstructionSet> instruction_sets();
 
-/// Makes every batch function of the process use this set; id 0: the best. The one process-wide switch of the
-/// house, and neither installed nor exported. Not thread-safe.
+/// Makes every batch function of the process use this set; id 0: the best. It is mien's only process-wide switch,
+/// and neither installed nor exported. Not thread-safe.
 void use_instruction_set(long long id);
 
 }  // namespace mien::batch

@@ -100,7 +100,7 @@ std::vector<MuscleValue> muscle_values(const FaceModel& model, std::span<const d
   return values;
 }
 
-/// The corner of the page that the legend lies on, a veil: the lines behind it leave the words readable.
+/// A veil over the corner of the page that holds the legend: its words stay readable over the lines behind.
 void draw_plate(SceneBuilder& build, const Page& page, double right, double down) {
   const glm::dvec2 corner = page.at(right, down);
   const double out = page.canvas.y_up ? -1.0 : 1.0;

@@ -1,5 +1,5 @@
 #pragma once
-// Faces with what moves them drawn over them.
+// Faces with the muscles or points that move them drawn over them.
 
 #include <mien/face.h>
 #include <mien/lettering.h>

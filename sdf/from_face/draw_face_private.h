@@ -1,5 +1,5 @@
 #pragma once
-// A face as the begin of a scene that goes on.
+// A face as the beginning of a scene, to which more can be added.
 
 #include <mien/face.h>
 #include <mien/scene.h>

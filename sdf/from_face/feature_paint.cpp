@@ -29,7 +29,7 @@ class Numbers {
   const Face& face_;
 };
 
-constexpr double kLeast = 1e-9;  ///< lengths that divide are at least this, whatever posed them
+constexpr double kLeast = 1e-9;  ///< the least length to divide by, whatever the pose
 
 struct Along {
   const Numbers& n;
@@ -72,7 +72,7 @@ Relief relief_of(const FaceRelief& given, const Face& face, Area own) {
   for (int i = 0; given.table >= 0 && i < n.size(given.table); ++i)
     relief.table.push_back(n(given.table, i));
   for (const FaceDome& dome : given.domes)
-    if (n(dome.height) != 0)  // no bulge: as if the dome were not there
+    if (n(dome.height) != 0)  // no bulge: as if there were no dome
       relief.domes.push_back({.center = n.point(dome.center),
                               .radii = glm::max(n.point(dome.radii), glm::dvec2{kLeast}),
                               .axis = n.way(dome.tilt),

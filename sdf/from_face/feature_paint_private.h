@@ -1,5 +1,5 @@
 #pragma once
-// A feature's paint, with the numbers it has in a face, as a scene's.
+// A feature's paint as a scene's, with the numbers that a face gives it.
 
 #include <mien/face.h>
 #include <mien/feature.h>
@@ -13,10 +13,10 @@ namespace mien {
 /// The colour in a slice.
 Color color_of(const Face& face, int slice);
 
-/// `own` is the area of the feature's figure, not clipped: what its gradients and relief count from.
+/// `own`: the area of the feature's figure, not clipped. Gradients and relief are measured from it.
 Paint paint_of(const Feature& feature, const Face& face, Area own);
 
-/// What follows a feature's outline.
+/// The effects that follow a feature's outline.
 struct Surroundings {
   struct Contour {
     Color color;
@@ -28,7 +28,7 @@ struct Surroundings {
 };
 Surroundings surroundings_of(const Feature& feature, const Face& face);
 
-/// What a slice of one number holds, at most 1; 1 without a slice.
+/// The opacity in a slice of one number, at most 1; 1 without a slice.
 double opacity_of(const Face& face, int slice);
 
 }  // namespace mien

@@ -138,7 +138,7 @@ Shape shape(const OpeningFigure& f, const FigureNumbers& n) {
   return Path{.loops = {std::move(loop)}, .rule = FillRule::nonzero};
 }
 
-/// What a figure says besides its numbers.
+/// Whether two figures agree in everything but their numbers.
 bool same_structure(const PathFigure& a, const PathFigure& b) {
   const auto same_node = [](const PathFigure::Node& p, const PathFigure::Node& q) {
     return p.bend == q.bend;
@@ -172,7 +172,7 @@ std::vector<Shape> smooth_pieces(const PolylineFigure& f, const FigureNumbers& n
   const auto knot = [](glm::dvec2 a, glm::dvec2 b) {
     return std::sqrt(std::hypot(b.x - a.x, b.y - a.y));
   };
-  /// Change of place by knot at the middle one of three points.
+  /// The derivative by knot at the middle one of three points.
   const auto tangent = [&](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     const double ab = knot(a, b), bc = knot(b, c);
     return (bc / ab * (b - a) + ab / bc * (c - b)) / (ab + bc);
@@ -202,7 +202,7 @@ std::vector<Shape> smooth_pieces(const PolylineFigure& f, const FigureNumbers& n
 
 }  // namespace
 
-/// The widths are a quadratic in the parameter, so each piece's are one too, by the polar form.
+/// Widths are quadratic in the parameter, so those of a piece are too (by the polar form).
 std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
   const FigureNumbers n(face);
   if (const auto* line = std::get_if<PolylineFigure>(&figure))

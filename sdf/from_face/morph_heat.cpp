@@ -36,7 +36,7 @@ Path rectangle(glm::dvec2 lo, glm::dvec2 hi) {
   return {{loop}, FillRule::nonzero};
 }
 
-/// From 0, below in the picture, to the largest, above.
+/// The bar: 0 at its lower end, the largest amount at its upper.
 void add_bar(SceneBuilder& build, const FaceCanvas& canvas, double unit) {
   const double x1 = canvas.box.hi.x - kBarMargin * unit, x0 = x1 - kBarWidth * unit;
   const double height = kBarHeight * canvas.box.size().y, middle = canvas.box.center().y;

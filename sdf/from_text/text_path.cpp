@@ -8,7 +8,7 @@ namespace {
 
 constexpr char32_t kReplacement = 0xfffd;
 
-/// One character off the front of UTF-8; what is none costs a byte.
+/// Takes one character off the front of UTF-8; an invalid one takes a byte.
 char32_t next_character(std::string_view& text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? unsigned(static_cast<unsigned char>(text[i])) : 0u;

@@ -33,7 +33,7 @@ void AreaPrograms::begin(const Scene& scene) {
   find_alike();
 }
 
-/// The first of every kind of equal shapes stands for all of them.
+/// Of equal shapes the first stands for all.
 void AreaPrograms::find_alike() {
   const auto shapes = scene_->shapes();
   hashes_.clear(), alike_.clear();
@@ -50,7 +50,7 @@ void AreaPrograms::find_alike() {
   }
 }
 
-/// Works off a stack of its own: trees may be a hundred thousand deep.
+/// Uses a stack of its own: trees may be a hundred thousand deep.
 AreaProgram AreaPrograms::add(Area area, double level) {
   AreaProgram made{.first = int(steps_.size())};
   todo_.clear();
@@ -156,7 +156,7 @@ void AreaPrograms::leaf(int index, double level) {
   const Shape& whole = shape({index, 0.0, false});
   if (offset_shape(whole, level)) return outline(index, level, false);
   if (const Band* band = std::get_if<Band>(&whole); band && is_empty(*band)) {
-    // Its distance is that to the farther side: positive, but it may be less than the level.
+    // Its distance is that to the farther side: positive, but perhaps less than the level.
     const Band sides = *band;
     leaf(added(sides.lower), level);
     leaf(added(sides.upper), level);

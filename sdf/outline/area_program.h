@@ -5,7 +5,7 @@
 // area's distance by its CSG tree, "f <= level" is pushed down to single shapes, whose offsets and
 // level lines are outlines of their own:
 //
-//   either, both: to both operands          complement: −a <= v  is  not (a <= −v)
+// unite, intersect: to both operands       complement: −a <= v  is  not (a <= −v)
 //   offset m:     a <= v + m                shell m:    |a| <= v + m =: k  is  a <= k and not (a <= −k)
 
 #include <mien/scene.h>
@@ -23,20 +23,20 @@ struct AreaStep {
   int outline = 0;  ///< index into AreaPrograms::outlines
 };
 
-/// A range of steps. None at all: everywhere.
+/// A range of steps. An empty one: everywhere.
 struct AreaProgram {
   int first = 0, count = 0;
 };
 
-/// What an outline is of: {distance(shape) <= amount}, or of |distance| where it is a rim.
+/// What an outline bounds: {distance(shape) <= amount}, or for a rim {|distance(shape)| <= amount}.
 struct OutlineSource {
-  int shape;      ///< index into Scene::shapes, or beyond them of the shapes added
+  int shape;      ///< index into Scene::shapes; beyond them, of the shapes added
   double amount;  ///< [face units]
   bool rim;       ///< OutlineMaker::rim of that half-width
 };
 
-/// The programs of a scene's areas. A shape met again at the same level is the same outline, also
-/// where it stands in the scene several times.
+/// The programs of a scene's areas. A shape at one level is one outline, even if it stands in the scene several
+/// times.
 class AreaPrograms {
  public:
   /// Begins anew; memory is kept. The scene must outlive its use here.

@@ -13,10 +13,10 @@ namespace {
 constexpr double kMargin = 2.0;
 /// [px] Coordinates beyond are cut to it: snapping needs the low bits.
 constexpr double kFarthest = 0x1p30;
-/// Coordinates of this size are no numbers: their fourth powers must stay finite.
+/// Larger coordinates count as NaN: their fourth powers must stay finite.
 constexpr double kLargest = 1e60;
-/// Where x or y turns so close to a side's end, in its parameter, the piece is not cut: the box of
-/// the ends is left by the square of it.
+/// Where x or y turns this close to a side's end, in its parameter, the piece is not cut: it leaves the box of its
+/// ends only by the square of this.
 constexpr double kNearEnd = 1e-7;
 /// [px] A piece that leaves its chord by less is straight: half the grid of vertices.
 constexpr double kStraight = 0x1p-21;
@@ -132,15 +132,15 @@ void OutlineLoop::cut(glm::dvec2 control, glm::dvec2 to, bool clip) {
   }
 }
 
-/// Whether the piece that ends at `vertex` and the way on to `to` run along one line of the border.
+/// Whether the piece that ends at `vertex` and the one from there to `to` run along one line of the border.
 bool OutlineLoop::runs_along_border(int vertex, glm::dvec2 to) const {
   const OutlineVertex &a = to_->vertices[vertex - 1], &b = to_->vertices[vertex];
   return (a.x == b.x && b.x == to.x && (b.x == window_.lo.x || b.x == window_.hi.x)) ||
          (a.y == b.y && b.y == to.y && (b.y == window_.lo.y || b.y == window_.hi.y));
 }
 
-/// Until `finish` a piece holds its control point in (ax, ay), its vertices in the loop's order, and
-/// in `turn` whether it may bend, in bx its sense.
+/// Until `finish` a piece keeps its control point in (ax, ay), its vertices in the loop's order, whether it may
+/// bend in `turn`, and its direction around the loop in bx.
 void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
   const glm::dvec2 end{snapped(to.x), snapped(to.y)};
   const int last = static_cast<int>(to_->vertices.size()) - 1;

@@ -7,9 +7,9 @@
 //   loop.begin({0, 0}); loop.line({9, 0}); loop.quad({9, 9}, {0, 9}); loop.close();
 //   loop.finish();
 //
-// What lies beyond the window is replaced by its projection onto the window's border, some pixels
-// outside of it: no way between two points of one outer half-plane passes the window, so no winding
-// number inside changes (docs/derivations/outlines.md).
+// What lies beyond the window is replaced by its projection onto the window's border, some pixels outside of it. A
+// path between two points of one outer half-plane never passes through the window, so no winding number inside
+// changes (docs/derivations/outlines.md).
 
 #include "sdf/outline/curve/curve_pen.h"
 #include "sdf/outline/outlines.h"
@@ -18,7 +18,7 @@ namespace mien {
 
 class OutlineLoop final : public CurvePen {
  public:
-  /// All that follows goes to `to`, right inside `window` [px] and to `tolerance` [px].
+  /// All that follows goes to `to`: correct inside `window` [px], to `tolerance` [px].
   void frame(const Box2& window, double tolerance, Outlines& to);
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
   /// Whether loops that follow count as run the other way round.
@@ -30,7 +30,7 @@ class OutlineLoop final : public CurvePen {
   void begin(glm::dvec2 p) override;
   void line(glm::dvec2 to) override;
   void quad(glm::dvec2 control, glm::dvec2 to) override;
-  /// A loop that encloses nothing in the window, or one with a number that is none, vanishes.
+  /// A loop vanishes if it encloses nothing in the window or has a coordinate that is no number.
   void close() override;
   /// Ties pieces to vertices and turns them to run down.
   void finish();
@@ -46,7 +46,7 @@ class OutlineLoop final : public CurvePen {
   Outlines* to_ = nullptr;
   glm::dvec2 start_{0.0};
   int first_vertex_ = 0, first_piece_ = 0;
-  bool bad_ = false;  ///< the loop has a number that is none
+  bool bad_ = false;  ///< the loop has a coordinate that is no number
   bool backwards_ = false;
 };
 

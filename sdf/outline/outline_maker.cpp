@@ -47,7 +47,7 @@ struct OutlineMaker::Filler : BoundaryWriter {
 struct OutlineMaker::Recorder : BoundaryWriter {
   using BoundaryWriter::operator();
   template <class Stroke>
-  void operator()(const Stroke&) const {}  // strokes have wider and narrower ones
+  void operator()(const Stroke&) const {}  // strokes have wider and narrower strokes instead
 };
 
 void OutlineMaker::begin(const OutlineFrame& frame, Outlines& to) {
@@ -78,7 +78,7 @@ int OutlineMaker::rim(const Shape& shape, double half_width) {
   return index;
 }
 
-/// Half of the tolerance is for what bounds the shape, half for the rims along it.
+/// Half of the tolerance is for the shape's boundary, half for the rims along it.
 void OutlineMaker::ribbons(const Shape& shape, double width) {
   const double tolerance = loop_.tolerance();
   list_.frame(grown(loop_.window(), width), 0.5 * tolerance);

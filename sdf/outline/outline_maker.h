@@ -21,9 +21,10 @@ namespace mien {
 
 struct OutlineFrame {
   Map<GridSpace, FaceSpace> grid_from_face;
-  Box2 window;  ///< [px] inside it outlines are right; beyond it they may be anything that leaves
-                ///< the winding numbers inside as they are
-  double tolerance;  ///< [px] by which a piece may leave the outline
+  /// [px] Inside it outlines are correct; beyond it they may be anything that leaves the winding numbers inside as
+  /// they are.
+  Box2 window;
+  double tolerance;  ///< [px] how far a piece may leave the outline
 };
 
 /// Writes outlines one after the other; keeps its scratch. One per thread.
@@ -57,9 +58,9 @@ class OutlineMaker {
   std::vector<QuadBezier> sides_;
 };
 
-/// {distance(shape) <= amount} as another shape, where that is one: discs, strokes, half-planes … are
-/// as much wider. None where it is not (paths, ellipses, parabolas, …): then it is the fill with the
-/// rim of that half-width, or without it where `amount` < 0.
+/// {distance(shape) <= amount} as another shape, where there is one: discs, strokes, half-planes … grow by that
+/// much. None where there is not (paths, ellipses, parabolas, …): then it is the fill united with the rim of that
+/// half-width, or less the rim where `amount` < 0.
 std::optional<Shape> offset_shape(const Shape& shape, double amount);
 
 }  // namespace mien

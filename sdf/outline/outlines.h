@@ -35,7 +35,7 @@ struct Outlines {
   std::vector<OutlineVertex> vertices;
   std::vector<OutlinePiece> pieces;
   std::vector<FillRule> rules;  ///< by outline
-  /// [px] Where outlines are cut: level pieces apart, what runs along these stands for what is beyond.
+  /// [px] Where outlines are cut. Except for level pieces, what runs along these sides stands for what lies beyond.
   double left = -HUGE_VAL, right = HUGE_VAL;
 
   void clear() { vertices.clear(), pieces.clear(), rules.clear(); }

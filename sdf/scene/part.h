@@ -11,7 +11,7 @@ namespace mien {
 /// A layer of the whole scene.
 struct PartLayer {
   int layer;
-  bool covers = false;  ///< all that is seen of the part: it needs no outline there
+  bool covers = false;  ///< it covers the whole part that is seen, so it needs no outline there
 };
 
 /// Makes such scenes; keeps its scratch.

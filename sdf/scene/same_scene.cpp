@@ -160,7 +160,7 @@ void PaintFingerprints::make(const Scene& scene, std::uint64_t seed) {
     if (layer.paint.gradient || layer.paint.relief) Reader(paint, areas_)(layer.paint);
     paints_.push_back(paint.value());
   }
-  // Two layers of one paint are told apart by how many have had it before.
+  // Layers of one paint are told apart by how many had it before.
   sorted_.clear();
   for (std::size_t i = 0; i < paints_.size(); ++i) {
     if (!scene.layers()[i].paint.gradient && !scene.layers()[i].paint.relief) continue;

@@ -12,11 +12,11 @@ namespace mien {
 /// Whether they are the same picture in every number. Ends at the first that differs.
 bool same_scene(const Scene& a, const Scene& b);
 
-/// How many shapes stand in both at the same place of their lists.
+/// How many shapes are the same in both at the same place of their lists.
 int shapes_in_common(const Scene& a, const Scene& b);
 
-/// A fingerprint of every layer's paint, with the areas that it goes by: gradient, relief and
-/// colour. Different layers have different ones, whatever their paints.
+/// A fingerprint of every layer's paint and of the areas that it depends on: gradient, relief and colour. Different
+/// layers have different ones, even if their paints are equal.
 class PaintFingerprints {
  public:
   /// `seed` stands for all else that paints depend on.

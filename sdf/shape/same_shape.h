@@ -1,5 +1,5 @@
 #pragma once
-// Shapes that are the same, number for number: their outlines are drawn and crossed once.
+// Shapes that are equal, number for number: their outlines are drawn and crossed once.
 
 #include <mien/shape.h>
 
@@ -37,7 +37,7 @@ inline bool same_shape(const Shape& a, const Shape& b) {
              a);
 }
 
-/// Alike for shapes that are the same.
+/// The same for equal shapes.
 inline std::uint64_t hash_of(const Shape& shape) {
   const auto mixed = [](std::uint64_t h, double v) {
     std::uint64_t bits;

@@ -11,38 +11,46 @@ namespace {
 constexpr std::size_t kBlock = std::size_t(1)
                                << 14;  // tokens: codes are 90 bytes, so few want more
 
-/// Lengths of a prefix code's words, none longer than `most`; 0: does not occur. By package-merge
-/// (Larmore and Hirschberg 1990), which is optimal: of the n symbols' 2n − 2 cheapest packages each
-/// adds a bit to the words it holds.
-void code_lengths(std::span<const std::uint32_t> counts, int most,
-                  std::span<std::uint8_t> lengths) {
-  struct Package {
-    std::uint64_t weight;
-    int first, second;  // packages of the level before; second < 0: a symbol
-  };
-  std::vector<Package> leaves;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    lengths[i] = 0;
-    if (counts[i]) leaves.push_back({counts[i], int(i), -1});
-  }
-  const auto lighter = [](const Package& a, const Package& b) { return a.weight < b.weight; };
-  std::stable_sort(leaves.begin(), leaves.end(), lighter);
-  if (leaves.size() < 2) {  // a code of one word is a bit all the same
-    for (const Package& leaf : leaves) lengths[std::size_t(leaf.first)] = 1;
-    return;
-  }
-  std::vector<std::vector<Package>> levels{leaves};
+struct Package {
+  std::uint64_t weight;
+  int first, second;  // packages of the level before; second < 0: a symbol
+
+  friend bool operator<(const Package& a, const Package& b) { return a.weight < b.weight; }
+};
+
+/// `most` levels of packages, cheapest first: the symbols, merged with pairs of the level before.
+std::vector<std::vector<Package>> package_levels(const std::vector<Package>& symbols, int most) {
+  std::vector<std::vector<Package>> levels{symbols};
   while (int(levels.size()) < most) {
     const auto& below = levels.back();
     std::vector<Package> pairs, both;
     for (std::size_t i = 0; i + 1 < below.size(); i += 2)
       pairs.push_back({below[i].weight + below[i + 1].weight, int(i), int(i + 1)});
-    std::merge(leaves.begin(), leaves.end(), pairs.begin(), pairs.end(), std::back_inserter(both),
-               lighter);
+    std::merge(symbols.begin(), symbols.end(), pairs.begin(), pairs.end(),
+               std::back_inserter(both));
     levels.push_back(std::move(both));
   }
-  // Packages are taken cheapest first, so those a level's first ones hold are the first below.
-  std::size_t taken = 2 * leaves.size() - 2;
+  return levels;
+}
+
+/// The lengths of a prefix code's words, none longer than `most`; 0: the symbol does not occur. By
+/// package-merge (Larmore and Hirschberg 1990), which is optimal: each of the 2n − 2 cheapest packages
+/// of n symbols adds a bit to the words it holds.
+void code_lengths(std::span<const std::uint32_t> counts, int most,
+                  std::span<std::uint8_t> lengths) {
+  std::vector<Package> symbols;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    lengths[i] = 0;
+    if (counts[i]) symbols.push_back({counts[i], int(i), -1});
+  }
+  std::stable_sort(symbols.begin(), symbols.end());
+  if (symbols.size() < 2) {  // a code of one word still takes a bit
+    for (const Package& symbol : symbols) lengths[std::size_t(symbol.first)] = 1;
+    return;
+  }
+  const auto levels = package_levels(symbols, most);
+  // Packages are taken cheapest first, so the first ones of a level hold the first ones below.
+  std::size_t taken = 2 * symbols.size() - 2;
   for (std::size_t level = levels.size(); level-- > 0 && taken > 0;) {
     std::size_t held = 0;
     for (std::size_t i = 0; i < taken; ++i) {
@@ -77,7 +85,7 @@ struct CodeWords {
   }
 };
 
-/// Lengths of words as a header tells them: symbol, extra bits.
+/// The lengths of words as a header gives them: symbol, extra bits.
 struct HeaderWord {
   std::uint8_t symbol, extra, value;
 };

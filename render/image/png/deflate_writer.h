@@ -17,13 +17,13 @@ inline DeflateToken deflate_match(std::size_t length, std::size_t distance) {
 
 inline constexpr std::size_t kDeflateWindow = 32768, kDeflateLongest = 258;
 
-/// The symbol behind a block's last token; and the order in which a block's header gives the lengths of
-/// the words that its other lengths are in (3.2.7).
+/// The symbol that ends a block; and the order in which a block's header gives the lengths of the words that its
+/// other lengths are coded in (3.2.7).
 inline constexpr int kDeflateEnd = 256;
 inline constexpr std::array<std::uint8_t, 19> kDeflateHeaderOrder{
     16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15};
 
-/// The symbol that tells a number, and how many bits of it come behind.
+/// The symbol that stands for a number, and how many bits of the number follow it.
 struct DeflateSymbol {
   std::uint16_t symbol;
   std::uint8_t extra;

@@ -31,10 +31,9 @@ Adler followed(const Adler& a, const Adler& b);
 /// Of the lowest `bytes` of a pixel, `count` times one after the other.
 Adler adler_of(std::uint64_t pixel, std::size_t bytes, std::size_t count);
 
-/// Filters strips of rows and finds their tokens: in flat art by its runs, in strips where more than
-/// every 16th pixel differs from its neighbour by libdeflate. Each strip stands for itself: it refers to nothing
-/// before it. So strips may be made anywhere in any order, and joined they are one stream, the same
-/// always.
+/// Filters strips of rows and finds their tokens: by runs in flat art, by libdeflate in strips where more than
+/// every 16th pixel differs from its neighbour. A strip refers to nothing before it. So strips may be made anywhere
+/// in any order, and joined they are always the same stream.
 ///
 /// Filters, by row: a row like the one above is Up (zeros); one in which three of four pixels equal
 /// their neighbour is None (flat art: runs, and what the row above has); others are Sub or Up,
@@ -47,7 +46,7 @@ class PngStrip {
   /// Appends the tokens of `count` rows, RGBA; gives the checksum of what they unpack to.
   Adler add(const std::byte* rows, std::size_t stride, int count, std::vector<DeflateToken>& to);
 
-  /// Most bytes one of these holds while it works on so many rows, with the tokens.
+  /// An upper bound of the bytes that one of these holds while it works on so many rows, tokens included.
   static std::size_t memory(const PngPixels& pixels, int rows);
 
  private:

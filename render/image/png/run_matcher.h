@@ -9,7 +9,7 @@
 
 namespace mien {
 
-/// Bytes of a row that are told as one: its filter's number, or a pixel again and again.
+/// Bytes of a row that are coded as one: its filter's number, or one pixel repeated.
 struct PixelRun {
   std::uint64_t pixel;  ///< its bytes, the first one lowest; or the filter's number
   std::uint32_t at;     ///< its first byte's place in the strip
@@ -35,9 +35,9 @@ class TokenCosts {
   std::array<int, DeflateCounts::kDistances> distances_;
 };
 
-/// Finds how a strip's rows are told in the fewest bits, run by run and never byte by byte: a run begins
-/// with its pixel or a match and goes on as a match with itself. Matches begin where runs do; of a
-/// longer run they take the end, so that they go on behind it.
+/// Finds how to code a strip's rows in the fewest bits, run by run and never byte by byte: a run begins with its
+/// pixel or a match and goes on as a match with itself. Matches begin where runs do; of a longer run they take the
+/// end, so that they go on behind it.
 class RunMatcher {
  public:
   explicit RunMatcher(std::size_t pixel_bytes) : pixel_(pixel_bytes) {}
@@ -48,7 +48,7 @@ class RunMatcher {
   void add(std::uint64_t pixel, std::size_t bytes);
   void end_row(std::vector<DeflateToken>& to);
 
-  /// Most bytes one of these holds, at so many runs a row.
+  /// An upper bound of the bytes that one of these holds, at so many runs a row.
   static std::size_t memory(std::size_t runs);
 
  private:

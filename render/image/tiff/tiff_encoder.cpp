@@ -76,7 +76,7 @@ struct TiffFile {
   }
 };
 
-/// Tiles of one colour are all alike: the last one's packed bytes serve the next.
+/// Tiles of one colour are all alike: the packed bytes of the last one serve for the next.
 struct TileWorker {
   libdeflate_compressor* compressor = libdeflate_alloc_compressor(kLevel);
   std::vector<std::byte> tile, flat_pixel, flat_packed;
@@ -190,7 +190,7 @@ class TiffEncoder final : public PictureEncoder {
            (how.recipe.empty() || set(TIFFTAG_IMAGEDESCRIPTION, how.recipe.c_str()));
   }
 
-  /// Into worker.tile: the file's channels, the part of an edge tile that is no picture zero.
+  /// Into worker.tile: the file's channels; the part of an edge tile outside the picture is zero.
   void pack_tile(TileWorker& worker, const std::byte* from, std::size_t stride, int width,
                  int height) const {
     const std::size_t channel = bytes_per_channel(frame_.depth), to_pixel = pixel_bytes();

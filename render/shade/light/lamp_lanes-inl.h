@@ -18,8 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Three channels, premultiplied, in the blending space.
 struct LitColor {
   VF r, g, b;
-  /// What the law clamps, less the bound: colours have a kink where one of these is 0. Facing the lamp, the highlight,
-  /// the brightest channel; beyond its 0 the others have theirs.
+  /// What the law clamps, minus the bound: colours have a kink where one of these is 0. In order: facing the lamp,
+  /// the highlight, the brightest channel; the other channels follow where that one is beyond 0.
   VF bounds[3];
 };
 

@@ -42,7 +42,7 @@ void set_ramp(const GridPaint& paint, glm::dvec2 middle, LampRamp& to) {
 bool lanes_know(const GridPaint& paint) {
   if (!paint.ramp) return true;
   constexpr std::size_t kFew = 12;
-  constexpr double kLeast = 1e-4;  // of a stretch: floats know no shorter one
+  constexpr double kLeast = 1e-4;  // of a stretch: floats resolve no shorter one
   const Ramp& ramp = *paint.ramp;
   if (paint.field.kind == PaintField::Kind::distance || ramp.extend() != Extend::pad) return false;
   if (ramp.jumps() || ramp.at().empty() || ramp.at().size() > kFew) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// A lit paint as the vectors see it: float numbers, places relative to a tile's middle.
+// A lit paint in the form that lanes use: float numbers, places relative to a tile's middle.
 // lamp_lanes-inl.h is the twin of LitSurface::color.
 
 #include "render/shade/light/lit_surface.h"
@@ -42,12 +42,12 @@ struct LampLanes {
   float level_shine = 0, shininess = 1;
   std::vector<LampDome> domes;  ///< that reach the tile
   float finest =
-      1e9f;       ///< [px] half as wide is the narrowest of the domes or of the highlights on them
+      1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one
   LampRamp ramp;  ///< instead of `light`
 };
 
-/// Whether a paint has a base that lanes know: one colour, or a ramp of few stops that ends in plain colours, along a line
-/// or from a centre.
+/// Whether lanes can evaluate a paint's base: one colour, or a ramp of few stops along a line or from a centre that
+/// ends in plain colours.
 bool lanes_know(const GridPaint& paint);
 
 /// The zone's light around `middle`, within `radius`; uses what `to` has allocated.

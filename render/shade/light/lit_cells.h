@@ -1,10 +1,10 @@
 #pragma once
 // The mean light over cells of a pixel, each seen at its centroid.
 //
-// A ridge, where two feet are as near and the gradient jumps, cuts cells in closed form. It is found by
-// its far side: each of a cell's eight neighbours tells, by its distance, gradient and bend, what its
-// foot's distance would be here. Where its gradient is another one, the ridge lies where the two
-// distances agree. So nothing need be known of the shape.
+// A ridge, where two feet are equally near and the gradient jumps, cuts cells in closed form. It is found from its
+// far side: the distance, gradient and bend at each of a cell's eight neighbours predict how far that neighbour's
+// foot is from here. Where its gradient is another one, the ridge lies where the two distances agree. So nothing
+// need be known of the shape.
 
 #include "render/cover/part_form.h"
 #include "render/shade/light/lamp_lanes.h"
@@ -28,14 +28,14 @@ struct LitCells {
   float shallow, deep;  ///< the zone's depths
   int side = 4, row = 4;
   bool ringed =
-      false;    ///< one cell more all around, and a foot for each; else `foot` tells them all
+      false;    ///< one cell more all around, and a foot for each; else `foot` serves for all
   FootAt foot;  ///< at the pixel's middle
   alignas(64) std::array<float, kMost> area, at_x, at_y;  ///< as in PartCells
   alignas(64) std::array<float, kMost> mid_x, mid_y;      ///< middles, from the tile's
   alignas(64) std::array<float, kMost> d, nx, ny, bend;   ///< there
   alignas(64) std::array<float, kMost> r, g, b;  ///< what mean_of_cells saw, where there is area
 
-  /// All cells with the foot at the pixel's middle; or with a margin, whose feet are then to be found.
+  /// Takes all cells with the foot at the pixel's middle; or with a margin, and their feet are then to be found.
   void take(const PartCells& cells, bool ring);
   int places() const { return row * row; }
   /// Where the k-th cell stands.
@@ -48,12 +48,12 @@ struct LitMean {
   float r = 0, g = 0, b = 0;
   float area = 0;   ///< of the cells, at least a tenth
   float lean = 0;   ///< how far that plane's colours are from the mean
-  float rough = 0;  ///< how far colours are from a plane over the pixel, root of the mean square
+  float rough = 0;  ///< how far colours are from a plane over the pixel, root mean square
   float jump = 0;   ///< the most that a ridge changes colours by
-  /// Share of cells that two ridges cut, or a ridge and an outline, times what it changes.
+  /// Share of cells that are cut by two ridges, or by a ridge and an outline, times the change of colour there.
   float unsure = 0;
   float turn = 0;  ///< the most that a gradient turns within a cell
-  /// By how much the law would change there, were it not clamped from somewhere on; 0 where it is not.
+  /// How much the law would vary there without its clamps, if one of them begins there; else 0.
   float kink = 0;
 };
 

@@ -14,7 +14,7 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of what is left of two gradients so near to each other a slope of 1 makes a level.
+/// Gradients closer than this are one branch: what is left of their difference makes a level at a slope of 1.
 constexpr float kSameBranch = 0.02f;
 
 /// Depths in a zone, and what cells are like there.
@@ -45,7 +45,7 @@ HWY_INLINE Spot MovedBy(const Spot& at, VF ex, VF ey, VF way) {
   return {Fused(Fused(at.nx, ex, hn::Mul(at.ny, ey)), way, at.d), at.nx, at.ny};
 }
 
-/// A cell that a ridge cuts: two branches, each at the middle of its part. What is left of a cell is taken for a
+/// A cell that a ridge cuts: two branches, each at the middle of its part. What is left of a cell is treated as a
 /// square of that area around its centroid. `jump`: by how much the branches' colours differ there, else 0.
 HWY_INLINE void MixRidge(const Zone& zone, VF side, VF left, const Spot& here, const Ridge& ridge,
                          VF x, VF y, LitColor& color, VF& jump) {
@@ -128,7 +128,7 @@ HWY_INLINE LitColor ColorAt(const Zone& zone, const LitCells& cells, size_t k, V
   return color;
 }
 
-/// How far colours are from the plane nearest to them: by the sums, minus what a plane explains.
+/// How far colours are from the nearest plane: from their sums, minus what the plane explains.
 struct Plane {
   float mean, x, y;
 };
@@ -150,8 +150,8 @@ Plane PlaneOf(const Moments& m, float c, float cx, float cy) {
   return {mean, (m.yy * ux - m.xy * uy) / whole, (m.xx * uy - m.xy * ux) / whole};
 }
 
-/// How much the law would change colours over the cells, were it not clamped, if one of its clamps begins within them or
-/// so near beside their middles that it may; else 0. In the blending space, around `dark`.
+/// How much the law would vary over the cells without its clamps, if one of them begins within the cells or so
+/// close beside their middles that it may; else 0. In the blending space, around `dark`.
 float KinkOf(const LampLanes& lamp, const Sums& s, float dark) {
   constexpr float kBeyond = 0.35f;  // of the range at the middles
   const float light = HWY_MAX(lamp.light[0], HWY_MAX(lamp.light[1], lamp.light[2]));
@@ -168,7 +168,7 @@ float KinkOf(const LampLanes& lamp, const Sums& s, float dark) {
   return kink * float(encoding_slope(linear_from_srgb(double(dark))));
 }
 
-/// Where a ring around the cells is left out.
+/// The cells without the rows above and below of a ring around them.
 struct Span {
   size_t begin, end;
 };

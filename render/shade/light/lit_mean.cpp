@@ -29,7 +29,7 @@ Mix divided(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle,
     sum += 0.25 * parts[i];
     apart = std::max(apart, largest(parts[i] - parts[0]));
   }
-  // Where the quarters are alike there is no kink; agreement of the means alone may be chance.
+  // If the quarters are alike there is no kink; the means alone may agree by chance.
   if (depth == 0 || (largest(sum - coarse) < tolerance && apart < 30.0 * tolerance)) return sum;
   sum = Mix{0.0};
   for (std::size_t i = 0; i < 4; ++i)
@@ -38,7 +38,7 @@ Mix divided(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle,
   return sum;
 }
 
-/// Each cell by a square of its area around its centroid: by its middle, or divided until it is right.
+/// Each cell as a square of its area around its centroid: by its middle, or divided until it is right.
 Mix mean_of_cells(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corner,
                   const PartCells& cells, double tolerance) {
   Mix sum{0.0};
@@ -72,8 +72,8 @@ Mix part_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corne
   cells_of_form(form, 4, cells);
   float area = 0.0f;
   for (int k = 0; k < cells.count(); ++k) area += cells.area[std::size_t(k)];
-  // What is narrow may lie in one column of coarse cells, and a ridge between two columns: means agree by chance, so
-  // three are asked to.
+  // Something narrow may lie in one column of coarse cells, and a ridge between two columns. Means then agree by
+  // chance, so three must.
   Mix coarse{0.0};
   int agree = -1;
   for (int side = area < 0.4f ? 16 : 4; side <= PartCells::kMostSide; side *= 2) {

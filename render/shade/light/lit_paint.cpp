@@ -33,7 +33,7 @@ int floor_to_tile(int x) {
   return x & ~(LitTile::kSide - 1);
 }
 
-/// The mean of a part of a pixel that the middles around it tell well, to second order.
+/// The mean over a part of a pixel where the middles around it suffice, to second order.
 glm::vec3 smooth_part(const LitTile& t, int column, int row, const PartForm& form) {
   PartCells cells;
   cells_of_form(form, 4, cells);
@@ -41,8 +41,8 @@ glm::vec3 smooth_part(const LitTile& t, int column, int row, const PartForm& for
              below = std::size_t(LitTile::kRow);
   float area = 0.0f, x = 0.0f, y = 0.0f, xx = 0.0f, xy = 0.0f, yy = 0.0f;
   for (std::size_t k = 0; k < 16; ++k) {
-    const float a = cells.area[k],
-                own = a * a / 12;  // of what is left of a cell: as much as its area
+    // The own second moment of what is left of a cell is that of a square of its area.
+    const float a = cells.area[k], own = a * a / 12;
     area += a, x += a * cells.x[k], y += a * cells.y[k];
     xx += a * cells.x[k] * cells.x[k] + own, yy += a * cells.y[k] * cells.y[k] + own;
     xy += a * cells.x[k] * cells.y[k];
@@ -123,7 +123,7 @@ void LitPaint::make_tile(LitTile& t, Scratch& scratch) const {
   set_lamp(surface_, t.zone, middle, kRadius, t.lamp);
   t.full = t.smooth = false;
   constexpr double kAlikeSlopes =
-      0.02;  // per level of tolerance: a slope of that jump is worth as much
+      0.02;  // per level of tolerance: a jump of the slope by so much makes as much
   t.same = float(std::clamp(kAlikeSlopes * tolerance_, 0.002, double(LitTile::kSame)));
   t.rises = !surface_.flat(t.zone);
   const bool varies = t.rises || !t.lamp.domes.empty() || t.lamp.ramp.kind != LampRamp::Kind::none;
@@ -141,7 +141,7 @@ void LitPaint::make_smooth(LitTile& t, Scratch& scratch) const {
   constexpr double kShare = 0.5;  // of the tolerance: the border is where polynomials are worst
   SmoothPlaces& at = scratch.kept_->smooth;
   if (t.rises) t.feet.at(at.x, at.y, {at.d.data(), at.nx.data(), at.ny.data(), at.bend.data()});
-  // A dome that is small for a tile may lie between its places, a highlight on it, too.
+  // A dome that is small for a tile may lie between its places, and so may a highlight on it.
   constexpr float kSmall = 20.0f, kNarrow = 3.0f;  // [px]
   const bool small =
       t.lamp.finest < kNarrow || std::ranges::any_of(t.lamp.domes, [](const LampDome& d) {
@@ -150,7 +150,7 @@ void LitPaint::make_smooth(LitTile& t, Scratch& scratch) const {
   t.smooth = !small && smooth_means(at, float(kShare * tolerance_ / 255.0), t);
 }
 
-/// What pixels ask for that smooth means do not tell.
+/// Makes what pixels need where smooth means do not serve.
 void LitPaint::make_full(LitTile& t) const {
   if (t.full) return;
   t.full = true;
@@ -164,7 +164,7 @@ void LitPaint::make_distances(LitTile& t) const {
   t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f, t.lamp.finest = 1e9f;
   t.shallow = -1e9f, t.deep = 1e9f;
   t.feet.narrow(gradient_area_, middle, kRadius);
-  // Feet two pixels apart tell of a ridge between them within half a level, not within an eighth.
+  // Feet two pixels apart reveal a ridge between them to within half a level, but not to within an eighth.
   const bool unsure = tolerance_ < double(LitTile::kFine) && !t.feet.is_single();
   t.tangled = t.feet.tangled() || gradient_area_.is_fine() || unsure;
   find_feet(t);
@@ -235,15 +235,15 @@ float LitPaint::opacity_at(const LitPiece& piece, double t) const {
                  : surface_.paint().ramp->color(t).a);
 }
 
-/// A ramp's kinks are outlines: over a part of a pixel its opacity is that of the mean t. Along a line that is t at the
-/// centroid, which is all that is asked for; from a centre it bends, and cells tell.
+/// A ramp's kinks are outlines, so over a part of a pixel its opacity is that at the mean t. Along a line that is t
+/// at the centroid, and no more is needed; from a centre t bends, and cells give its mean.
 float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* form) const {
   const GridPaint& paint = surface_.paint();
   if (!paint.ramp) return float(paint.color.a);
   const Ramp& ramp = *paint.ramp;
   if (ramp.least_opacity() == ramp.most_opacity()) return float(ramp.least_opacity());
   const glm::dvec2 middle = glm::dvec2{x, y} + 0.5 - surface_.center();
-  // [px] So far from a radial gradient's centre a pixel's mean is right to second order.
+  // [px] This far from a radial gradient's centre a pixel's mean is right to second order.
   constexpr double kFar = 6.0;
   const PaintField& field = paint.field;
   const bool straight = field.kind == PaintField::Kind::linear;
@@ -318,7 +318,7 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
     sum += cells.area[k] * glm::vec4{r[k], g[k], b[k], a[k]}, area += cells.area[k];
   }
   if (!(area > 0.0f)) return;
-  // Places tell how it varies, the form what its mean is.
+  // Places give its variation, the form its mean.
   const glm::vec4 by = mean - sum / area;
   for (std::size_t k = 0; k < count; ++k) r[k] += by.r, g[k] += by.g, b[k] += by.b, a[k] += by.a;
 }

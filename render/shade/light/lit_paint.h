@@ -1,12 +1,12 @@
 #pragma once
-// A layer's lit paint, ready to be asked for means over pixels and parts of pixels.
+// A layer's lit paint, ready to give means over pixels and parts of pixels.
 //
 //   LitPaint head(paint, table.distances, view.blend, {width / 2.0, height / 2.0}, 0.3);
 //   head.pixels(1, x, y, count, r, g, b, a, scratch);         // whole pixels of a row
 //   glm::vec4 edge = head.part(1, x, y, form, scratch);
 //
-// Every answer depends on the paint and the pixel alone: not on what was asked before, nor on
-// scratch, region or thread.
+// Every answer depends on the paint and the pixel alone: not on earlier questions, nor on scratch, region or
+// thread.
 
 #include "render/shade/light/lit_pixel.h"
 #include "render/shade/light/lit_surface.h"
@@ -41,16 +41,16 @@ class LitPaint {
     double error_ = 0;
   };
 
-  /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose
-  /// own is its top left corner, y down. `tolerance`: what a mean may be off, in levels of 255.
+  /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose own is its top
+  /// left corner, y down. `tolerance`: the permitted error of a mean, in levels of 255.
   LitPaint(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
            glm::dvec2 center, double tolerance = 0.3) {
     make(paint, distances, blend, center, tolerance, 0);
   }
   LitPaint() = default;
 
-  /// Made anew; memory is kept. `index`: among the picture's lit paints; scratch keeps what is of one
-  /// index in the same places from frame to frame.
+  /// Made anew; memory is kept. `index`: among the picture's lit paints; scratch keeps what belongs to one index in
+  /// the same places from frame to frame.
   void make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
             glm::dvec2 center, double tolerance, int index);
 
@@ -72,8 +72,8 @@ class LitPaint {
   /// The mean over a part of pixel (x, y) that lies in that piece.
   glm::vec4 part(const LitPiece& piece, int x, int y, const PartForm& form, Scratch& scratch) const;
 
-  /// Colours at the centroids of a pixel's cells, each looked at by itself; else the mean over the form, or the whole
-  /// pixel without one, for all of them.
+  /// Colours at the centroids of a pixel's cells, each evaluated by itself; else the mean over the form, or over
+  /// the whole pixel without one, for all of them.
   void colors_of_cells(const LitPiece& piece, int x, int y, const PartCells& cells,
                        const PartForm* form, bool each, std::span<float> r, std::span<float> g,
                        std::span<float> b, std::span<float> a, Scratch& scratch) const;
@@ -84,7 +84,7 @@ class LitPaint {
   /// The distance at the centroids of a pixel's cells.
   void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
 
-  /// What the last answer may be off by, in levels of 255.
+  /// An estimate of the last answer's error, in levels of 255.
   double error(const Scratch& scratch) const { return scratch.error_; }
 
  private:

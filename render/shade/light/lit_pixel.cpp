@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-/// [px] Within so much of its own outline, a round profile of less than so much width is steep.
+/// [px] This close to its own outline, a round profile narrower than kSteepWidth is steep.
 constexpr float kEdge = 0.75f, kSteepWidth = 12.0f;
 constexpr float kMostTurn = 0.25f;  // of the gradient within a cell
 
@@ -21,10 +21,10 @@ float apart(const LitMean& a, const LitMean& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// 16 × 16 cells are enough for three tenths of a level, seen of the worst ridges and tips.
+/// 16 × 16 cells are enough for three tenths of a level, judged by the worst ridges and tips seen.
 constexpr float kFine = 0.1f / 255;
 
-/// What a mean may be off in the blending space: dark colours in linear light are encoded steeply.
+/// The permitted error of a mean in the blending space: dark colours in linear light are encoded steeply.
 float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
   if (!place.lamp->linear) return place.tolerance;
   // The rest of the pixel may be as dark as it likes.
@@ -32,9 +32,9 @@ float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
   return place.tolerance / std::max(place.tolerance < kFine ? steep : 0.5f * steep, 1.0f);
 }
 
-/// Whether 4 × 4 cells may be off by more than the tolerance. Of colours within three tolerances of a plane the mean was
-/// seen to be within one, but for kinks; what is narrow has no plane, so there the colours themselves count. A ridge is
-/// cut in closed form, which leaves a twentieth of its jump.
+/// Whether 4 × 4 cells may be off by more than the tolerance. Where colours were within three tolerances of a
+/// plane, the mean was found within one, kinks apart. What is narrow has no plane, so there the colours themselves
+/// count. A ridge is cut in closed form, which leaves a twentieth of its jump.
 bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
   constexpr float kMostKink = 33.0f;
   const float allowed = allowed_of(place, mean) / mean.area;
@@ -43,9 +43,10 @@ bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part)
          (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place));
 }
 
-/// Whether cells half as wide as those of `coarse` may be: they are nearer to the truth than those are to them. Two
-/// ridges in a cell are told by one of them. A kink leaves up to an eighth of its slope times the square of a cell, which
-/// at 8 bits does not show in 8 × 8 cells; the law may be steeper beside it than its range over the pixel says.
+/// Whether even cells half as wide as those of `coarse` may be off: they are nearer to the truth than to the coarse
+/// ones. Of two ridges in a cell only one is cut. A kink leaves up to an eighth of its slope times the square of a
+/// cell's side, which at 8 bits does not show in 8 × 8 cells; beside it the law may be steeper than its range over
+/// the pixel says.
 bool asks_for_finer(const LitPixel::Place& place, int side, const LitMean& mean,
                     const LitMean& coarse) {
   const float allowed = allowed_of(place, mean) / mean.area;
@@ -54,7 +55,8 @@ bool asks_for_finer(const LitPixel::Place& place, int side, const LitMean& mean,
          (place.tolerance < kFine && 0.2f * mean.kink > allowed * float(side * side));
 }
 
-/// Whether 4 × 4 and 8 × 8 cells may agree by chance: where little may be off, or a ridge changes very much.
+/// Whether 4 × 4 and 8 × 8 cells may agree by chance: where the tolerance is small, or a ridge changes colours very
+/// much.
 bool may_agree_by_chance(const LitPixel::Place& place, const LitMean& mean) {
   return place.tolerance < kFine || mean.jump > 250.0f * allowed_of(place, mean);
 }
@@ -86,7 +88,7 @@ LitMean LitPixel::seen(const Place& place, const PartForm* form, int side) {
 
 glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
   LitMean mean = seen(place, form, 4);
-  constexpr float kSmall = 3.0f;  // [px] less may lie between the middles of cells
+  constexpr float kSmall = 3.0f;  // [px] smaller domes may lie between the middles of cells
   const bool small = place.lamp->finest < kSmall;
   if (!small && !asks_for_more(place, mean, form)) return {mean.r, mean.g, mean.b};
   const bool fine = place.tolerance < kFine || small;
@@ -135,7 +137,7 @@ float LitPixel::distance_by(const Place& place, const PartForm* form, int side) 
 float LitPixel::distance(const Place& place, const PartForm* form) {
   float mean = distance_by(place, form, 4);
   if (place.calm) return mean;
-  // Two means may agree by chance where a ridge runs through cells: three are asked to.
+  // Two means may agree by chance where a ridge runs through cells, so three must.
   int agree = 0;
   for (int side = 8; side <= PartCells::kMostSide && agree < 2; side *= 2) {
     const float coarse = std::exchange(mean, distance_by(place, form, side));

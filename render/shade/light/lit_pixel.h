@@ -1,6 +1,6 @@
 #pragma once
-// A pixel, or a part of one in its real form, seen as 4 × 4 cells; as 8 × 8 to 32 × 32 where these say
-// that they are not enough.
+// The light over a pixel, or over the exact form of a part of one, by 4 × 4 cells; by 8 × 8 to 32 × 32 where those
+// show that they are not enough.
 
 #include "render/shade/light/lit_cells.h"
 #include "render/shade/nearest/near_feet.h"
@@ -20,7 +20,7 @@ class LitPixel {
     float shallow, deep;
     glm::vec2 at;     ///< the pixel's middle, from the tile's
     FootAt foot;      ///< there
-    bool calm;        ///< the foot tells all of the pixel's
+    bool calm;        ///< the foot serves for all of the pixel
     float tolerance;  ///< of the mean
   };
   /// The mean of the form; of the whole pixel without one.
@@ -30,7 +30,7 @@ class LitPixel {
   void colors(const Place& place, const PartForm* form, int side, glm::vec3 otherwise,
               std::span<float> r, std::span<float> g, std::span<float> b);
 
-  /// The signed distance's mean; of it the place's tolerance is [px].
+  /// The mean of the signed distance; the place's tolerance is then in px.
   float distance(const Place& place, const PartForm* form);
 
  private:

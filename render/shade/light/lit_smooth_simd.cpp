@@ -65,7 +65,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kNodes = GaussBasis::kNodes, kSide = LitTile::kSide, kRim = GaussBasis::kRim;
 
-/// By how much the polynomial through the nodes misses the border's values, at most.
+/// The largest difference between the polynomial through the nodes and the border's values.
 float MissedAt(const GaussBasis& basis, const float* nodes, const float* rim) {
   const F f;
   VF most = hn::Zero(f);

@@ -19,8 +19,8 @@ struct Outward {
   glm::dvec2 normal{0.0};
 };
 
-/// Where a lit paint is smooth: in a zone of its profile and between two kinks of its ramp, if it has one. Asked for
-/// beyond it goes on as it was, and so no square around a cell sees what lies beyond a jump.
+/// Where a lit paint is smooth: in a zone of its profile and, if it has a ramp, between two kinks of that. Beyond
+/// them it goes on smoothly, so a square around a cell never sees what lies beyond a jump.
 struct LitPiece {
   int zone;
   const RampSegment* segment;  ///< none: the whole ramp
@@ -59,7 +59,7 @@ class LitSurface {
   const GridPaint& paint() const { return *paint_; }
   const GridRelief& relief() const { return *paint_->relief; }
   const AreaDistance* area() const { return area_; }
-  /// That its gradient goes by; none if it does not go by a distance.
+  /// The area that its gradient goes by; null if it does not go by a distance.
   const AreaDistance* gradient_area() const { return gradient_area_; }
   Blend blend() const { return blend_; }
   glm::dvec2 center() const { return center_; }

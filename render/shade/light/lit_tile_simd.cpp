@@ -33,7 +33,7 @@ void ShadePlaces(LitTile& tile) {
 
 constexpr int kBlocks = LitTile::kBlocks, kWide = 32;  // a row of kRow and what lanes read beyond
 
-/// A row of places as one of the three columns of blocks around each of them sees it.
+/// A row of places as predicted by one of the three columns of blocks around each of them.
 struct Seen {
   float d[kWide], nx[kWide], ny[kWide], bend[kWide], x[kWide];
 };
@@ -56,7 +56,7 @@ HWY_INLINE Spot SpotAt(const Seen& seen, size_t i, float y) {
 
 constexpr float kFarRidge = 1e9f;
 
-/// By more than what second order neglects: two branches of the same gradient, with ridges between.
+/// Apart by more than second order neglects: two branches of the same gradient, with ridges between.
 HWY_INLINE VF TooFarApart(VF a, VF b, VF bend) {
   const VF neglected = Fused(hn::Mul(Const(8.0f), bend), bend, Const(0.02f));
   return hn::Sub(hn::Abs(hn::Sub(a, b)), neglected);
@@ -91,9 +91,9 @@ bool HasRidges(const LitTile& tile) {
   return !hn::AllFalse(f, hn::Gt(most, Const(tile.same * tile.same)));
 }
 
-/// More than 0 where a pixel's foot, spread from the middle of its block (ox, oy) away, may be of another branch than the
-/// pixel: where another block's foot differs in its gradient and the ridge lies on the way, or has the same gradient at
-/// another distance, with ridges between.
+/// More than 0 where a pixel's foot, predicted from the middle of its block (ox, oy) away, may be of another branch
+/// than the pixel: another block's foot differs in its gradient and the ridge lies on the way, or it has the same
+/// gradient at another distance, with ridges between.
 HWY_INLINE VF Mistaken(const Spot& here, const Spot& other, VF ox, VF oy, float same, VF bend) {
   const F f;
   const VF zero = hn::Zero(f), one = Const(1.0f);
@@ -111,10 +111,11 @@ HWY_INLINE VF Mistaken(const Spot& here, const Spot& other, VF ox, VF oy, float 
   return hn::IfThenElseZero(hn::Or(on_the_way, another), one);
 }
 
-/// A ridge so far beside a pixel does not touch it; one beyond `kClear` none of the middles around, nor their blocks.
+/// A ridge farther beside a pixel than kReach does not touch it; beyond `kClear` it touches none of the middles
+/// around, nor their blocks.
 constexpr float kReach = 0.25f, kClear = 1.7f;
 
-/// How far beside each pixel of a row the nearest ridge is, told by the nine blocks around it.
+/// How far beside each pixel of a row the nearest ridge is, from the nine blocks around it.
 void FindRidges(LitTile& tile, int row, const Seen (&around)[3][3], const float (&y)[3]) {
   const F f;
   for (size_t i = 0; i < size_t(kSide); i += hn::Lanes(f)) {
@@ -122,7 +123,7 @@ void FindRidges(LitTile& tile, int row, const Seen (&around)[3][3], const float 
     Ridge ridge = NoRidge();
     const VF bend = hn::Abs(hn::LoadU(f, around[1][1].bend + i + 1));
     const VF ox = hn::LoadU(f, around[1][1].x + i + 1), oy = Const(y[1]);
-    VF wrong = hn::Zero(f);  // where it is more the foot tells nothing
+    VF wrong = hn::Zero(f);  // where it is positive, the foot says nothing
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k) {
         if (j == 1 && k == 1) continue;
@@ -163,12 +164,13 @@ void SpreadFeet(LitTile& tile) {
   }
 }
 
-/// What second differences beyond the tile are taken for, of those at its border. Two pixels beside a kink may have the
-/// same ones, which leaves up to a fifteenth of them; that shows in the third one, but not if it is beyond the border.
+/// Second differences beyond the tile, as a share of those at its border. Two pixels beside a kink may have the
+/// same ones, which leaves up to a fifteenth of them; the third difference shows that, but not if it lies beyond
+/// the border.
 constexpr float kBeyondBorder = 1.0f - 1.0f / 8;
 
-/// Means of one channel: the middle's colour and a 24th of its second differences. What third
-/// differences leave to be feared goes to `rough`, as the largest so far.
+/// Means of one channel: the middle's colour and a 24th of its second differences. The error to be feared from
+/// third differences goes to `rough`, as the largest so far.
 void MeansOf(const float* c, float levels, float* mean, float* rough) {
   const F f;
   HWY_ALIGN float sx[LitTile::kPixels + 32], sy[LitTile::kPixels + 32];
@@ -203,12 +205,12 @@ void MeansOf(const float* c, float levels, float* mean, float* rough) {
   }
 }
 
-/// Where level lines are bent more than this, the foot at a pixel's middle does not tell its corners'.
+/// Where level lines bend more than this, the foot at a pixel's middle does not serve for its corners.
 constexpr float kMostBend = 0.12f;  // [1/px]
 
-/// How much level lines are bent in or beside each pixel of a row, and by how much that differs. Where a side goes over
-/// into another one or a tip the gradient goes on, but the bend jumps: the sector beyond spreads, so a pixel beside is
-/// in it.
+/// How much level lines bend in or beside each pixel of a row, and by how much their bends differ. Where a side
+/// goes over into another one or into a tip, the gradient goes on but the bend jumps. The sector beyond spreads, so
+/// a pixel beside is in it.
 struct Bends {
   HWY_ALIGN float most[kSide + hn::MaxLanes(F())] = {}, swing[kSide + hn::MaxLanes(F())] = {};
 };
@@ -227,14 +229,14 @@ void BendsOf(const LitTile& tile, int row, Bends& to) {
   }
 }
 
-/// Nothing lies between middles or Gauss's places.
+/// Whether nothing can lie between middles or Gauss's places.
 bool IsWide(const LitTile& tile) {
   constexpr float kNarrow = 1.5f;  // [px]
   return tile.lamp.finest > kNarrow;
 }
 
-/// `levels`: what a mean may be off by. A foot told by another bend is off by that times its distance along the level
-/// line, half a pixel, in its normal; light changes by up to 100 levels for a radian.
+/// `levels`: the permitted error of a mean. A foot with the wrong bend puts the normal off by the difference times
+/// its distance along the level line, half a pixel; light changes by up to 100 levels per radian.
 void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
               LitTile::Trust* trust) {
   const float most_swing = 0.05f * levels;  // [1/px]
@@ -254,12 +256,35 @@ void JudgeRow(const LitTile& tile, int row, const float* rough, float levels,
   }
 }
 
-/// Means of a row's calm pixels by Gauss's 2 × 2 places. Those differ from the means by middles around by more than they
-/// do from the truth: of a fourth derivative f the one leaves f/1920 and more, the other f/4320. Where the two are as far
-/// apart as may be seen, cells are asked.
-void MeansWithin(LitTile& tile, int row, const float* rough, float levels, float most_fear) {
+struct MeanColor {
+  VF r, g, b;
+};
+
+/// Means of pixels by Gauss's 2 × 2 places: `at` of the tile's places with their rim; x, y: the pixels' middles.
+HWY_INLINE MeanColor MeanOfFour(const LitTile& tile, size_t at, VF x, float y) {
   const F f;
   constexpr float kGauss = 0.28867513f;
+  VF r = hn::Zero(f), g = r, b = r;
+  for (const float dy : {-kGauss, kGauss})
+    for (const float dx : {-kGauss, kGauss}) {
+      Spot spot{hn::Zero(f), hn::Zero(f), hn::Zero(f)};
+      if (tile.rises)
+        spot = SeenFrom(hn::LoadU(f, &tile.d[at]), hn::LoadU(f, &tile.nx[at]),
+                        hn::LoadU(f, &tile.ny[at]), hn::LoadU(f, &tile.bend[at]), Const(dx),
+                        Const(dy));
+      const LitColor c =
+          LitAt(tile.lamp, hn::Neg(spot.d), spot.nx, spot.ny, hn::Add(x, Const(dx)), Const(y + dy));
+      r = hn::Add(r, c.r), g = hn::Add(g, c.g), b = hn::Add(b, c.b);
+    }
+  const VF quarter = Const(0.25f);
+  return {hn::Mul(r, quarter), hn::Mul(g, quarter), hn::Mul(b, quarter)};
+}
+
+/// Means of a row's calm pixels by Gauss's 2 × 2 places. These differ from the means by middles around by more than
+/// from the truth: a fourth derivative f leaves f/1920 and more in the one, f/4320 in the other. Where the two
+/// differ by as much as may be seen, cells are used.
+void MeansWithin(LitTile& tile, int row, const float* rough, float levels, float most_fear) {
+  const F f;
   LitTile::Trust* const trust = &tile.trust[size_t(row * kSide)];
   HWY_ALIGN float steps[kSide];
   for (int i = 0; i < kSide; ++i) steps[i] = float(i) - 7.5f;
@@ -267,22 +292,8 @@ void MeansWithin(LitTile& tile, int row, const float* rough, float levels, float
     const auto is_calm = [&](LitTile::Trust t) { return t == LitTile::Trust::calm; };
     if (std::none_of(trust + i, trust + i + hn::Lanes(f), is_calm)) continue;
     const size_t at = size_t((row + 1) * kRow + 1) + i, to = size_t(row * kSide) + i;
-    VF r = hn::Zero(f), g = r, b = r;
-    for (const float dy : {-kGauss, kGauss})
-      for (const float dx : {-kGauss, kGauss}) {
-        Spot spot{hn::Zero(f), hn::Zero(f), hn::Zero(f)};
-        if (tile.rises)
-          spot = SeenFrom(hn::LoadU(f, &tile.d[at]), hn::LoadU(f, &tile.nx[at]),
-                          hn::LoadU(f, &tile.ny[at]), hn::LoadU(f, &tile.bend[at]), Const(dx),
-                          Const(dy));
-        const LitColor c =
-            LitAt(tile.lamp, hn::Neg(spot.d), spot.nx, spot.ny,
-                  hn::Add(hn::Load(f, steps + i), Const(dx)), Const(float(row) - 7.5f + dy));
-        r = hn::Add(r, c.r), g = hn::Add(g, c.g), b = hn::Add(b, c.b);
-      }
+    const auto [r, g, b] = MeanOfFour(tile, at, hn::Load(f, steps + i), float(row) - 7.5f);
     HWY_ALIGN float apart[hn::MaxLanes(F())], mean[3][hn::MaxLanes(F())];
-    const VF quarter = Const(0.25f);
-    r = hn::Mul(r, quarter), g = hn::Mul(g, quarter), b = hn::Mul(b, quarter);
     const auto off = [&](VF v, const float* by_middles)
                          HWY_ATTR { return hn::Abs(hn::Sub(v, hn::LoadU(f, by_middles + to))); };
     hn::Store(hn::Max(off(r, tile.mean_r.data()),
@@ -310,11 +321,11 @@ float Steepest(const LitTile& tile) {
 }
 
 void ShadeTile(LitTile& tile, float levels) {
-  // Third differences of more than so many levels, as encoded, are a kink's: there two means agree by chance.
+  // Third differences of more levels than this, as encoded, are a kink's: there two means agree by chance.
   constexpr float kMostThird = 2.0f;
   ShadePlaces(tile);
   const float steep = tile.lamp.linear ? Steepest(tile) : 1.0f;
-  // At 8 bits what is neglected is far less than what is allowed.
+  // At 8 bits what is neglected is far less than what is permitted.
   levels /= levels < LitTile::kFine ? steep : HWY_MAX(0.5f * steep, 1.0f);
   HWY_ALIGN float rough[LitTile::kPixels] = {};
   MeansOf(tile.r.data(), levels, tile.mean_r.data(), rough);

@@ -1,5 +1,5 @@
-// Ridges of a distance, where two feet are as near: told by the branches of places around. Included
-// once per instruction set.
+// Ridges of a distance, where two feet are equally near, found from the branches at places around. Included once
+// per instruction set.
 #if defined(MIEN_RENDER_SHADE_RIDGE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_RENDER_SHADE_RIDGE_INL_H_
 #undef MIEN_RENDER_SHADE_RIDGE_INL_H_

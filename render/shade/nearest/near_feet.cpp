@@ -53,8 +53,8 @@ glm::dvec2 outward(const Spine<double>& s, double t) {
   return s.side * glm::dvec2{way.y, -way.x};
 }
 
-/// Whether no side touches another but at joints. A side's control triangle may reach far from the
-/// side: what fails whole is asked for in eighths.
+/// Whether sides touch each other at joints only. A side's control triangle may reach far from the side, so a path
+/// that fails as it is is tested again in eighths.
 bool is_simple_in_pieces(const Path& path, Path& fine) {
   if (is_simple(path)) return true;
   constexpr int kPieces = 8;
@@ -80,7 +80,7 @@ bool is_simple_in_pieces(const Path& path, Path& fine) {
   return is_simple(fine);
 }
 
-/// The sides of a path with the hand on which its outside lies; none if a side has the same on both.
+/// The sides of a path, each with the hand on which its outside lies; false if a side has the same on both hands.
 bool add_path(const Path& path, SpineShape& made, Path& pieces) {
   std::vector<Spine<double>>& to = made.spines;
   if (!is_simple_in_pieces(path, pieces)) return false;
@@ -112,47 +112,54 @@ bool add_path(const Path& path, SpineShape& made, Path& pieces) {
   return !to.empty();
 }
 
+/// The spines of each kind of shape, where it has any; else the shape is slow.
+struct SpinesOfShape {
+  glm::dvec2 center;
+  SpineShape& made;
+  Path& pieces;
+
+  void add(const QuadBezier& spine, double a, double b, double c) {
+    made.spines.push_back(spine_of(spine, {a, b, c}));
+  }
+  void add(const QuadBezier& spine, double width) { add(spine, width, width, width); }
+
+  void operator()(const TaperedStroke& s) {
+    add(s.spine, s.half_width[0], s.half_width[1], s.half_width[2]);
+  }
+  void operator()(const QuadStroke& s) { add(s.spine, s.half_width); }
+  void operator()(const Line& s) { add(straight(s.a, s.b), s.half_width); }
+  void operator()(const Polyline& s) {
+    for (std::size_t i = 1; i < s.points.size(); ++i)
+      add(straight(s.points[i - 1], s.points[i]), s.half_width);
+    if (s.points.size() == 1) add(straight(s.points[0], s.points[0]), s.half_width);
+    made.slow = made.spines.empty();
+  }
+  void operator()(const Disc& s) { add(straight(s.center, s.center), s.radius); }
+  void operator()(const Path& s) {
+    made.stroke = false;
+    made.slow = !add_path(s, made, pieces);
+  }
+  void operator()(const Triangle& s) {
+    Path path;
+    path.loops.push_back({{straight(s.a, s.b), straight(s.b, s.c), straight(s.c, s.a)}});
+    (*this)(path);
+  }
+  void operator()(const Ellipse& s) {
+    made.ellipse = s;
+    made.ellipse->center += center;
+    made.slow = !(std::min(s.radii.x, s.radii.y) > 1e-3 * std::max(s.radii.x, s.radii.y));
+  }
+  template <class Other>
+  void operator()(const Other&) {
+    made.slow = true;
+  }
+};
+
 void make_spines(const Shape& shape, glm::dvec2 center, SpineShape& made, Path& pieces) {
   made.stroke = true, made.slow = false;
   made.ellipse.reset();
   made.spines.clear(), made.reach.clear(), made.next.clear();
-  const auto add = [&](const QuadBezier& spine, double a, double b, double c) {
-    made.spines.push_back(spine_of(spine, {a, b, c}));
-  };
-  std::visit(
-      [&](const auto& s) {
-        using S = std::decay_t<decltype(s)>;
-        if constexpr (std::is_same_v<S, TaperedStroke>) {
-          add(s.spine, s.half_width[0], s.half_width[1], s.half_width[2]);
-        } else if constexpr (std::is_same_v<S, QuadStroke>) {
-          add(s.spine, s.half_width, s.half_width, s.half_width);
-        } else if constexpr (std::is_same_v<S, Line>) {
-          add(straight(s.a, s.b), s.half_width, s.half_width, s.half_width);
-        } else if constexpr (std::is_same_v<S, Polyline>) {
-          for (std::size_t i = 1; i < s.points.size(); ++i)
-            add(straight(s.points[i - 1], s.points[i]), s.half_width, s.half_width, s.half_width);
-          if (s.points.size() == 1)
-            add(straight(s.points[0], s.points[0]), s.half_width, s.half_width, s.half_width);
-          made.slow = made.spines.empty();
-        } else if constexpr (std::is_same_v<S, Disc>) {
-          add(straight(s.center, s.center), s.radius, s.radius, s.radius);
-        } else if constexpr (std::is_same_v<S, Path>) {
-          made.stroke = false;
-          made.slow = !add_path(s, made, pieces);
-        } else if constexpr (std::is_same_v<S, Triangle>) {
-          made.stroke = false;
-          Path path;
-          path.loops.push_back({{straight(s.a, s.b), straight(s.b, s.c), straight(s.c, s.a)}});
-          made.slow = !add_path(path, made, pieces);
-        } else if constexpr (std::is_same_v<S, Ellipse>) {
-          made.ellipse = s;
-          made.ellipse->center += center;
-          made.slow = !(std::min(s.radii.x, s.radii.y) > 1e-3 * std::max(s.radii.x, s.radii.y));
-        } else {
-          made.slow = true;
-        }
-      },
-      shape);
+  std::visit(SpinesOfShape{center, made, pieces}, shape);
   if (made.slow) made.spines.clear();
   made.crosses =
       std::holds_alternative<Polyline>(shape) || (made.slow && std::holds_alternative<Path>(shape));
@@ -176,8 +183,8 @@ Spine<float> seen_from(const Spine<double>& s, glm::dvec2 p) {
           float(s.begin_y),  float(s.end_x), float(s.end_y), float(s.side)};
 }
 
-/// Whether |p − B| − w has no second minimum in t for any p of a disc: |B'|² falls nowhere below what
-/// the bends of spine and width can take away.
+/// Whether |p − B| − w has no second minimum in t for any p of a disc: |B'|² stays above what the bends of spine
+/// and width can take away from it.
 bool has_one_foot(const Spine<double>& s, double from, double to, double farthest) {
   double slowest = std::numeric_limits<double>::infinity(), w = 0.0, fastest = 0.0;
   const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
@@ -191,8 +198,8 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
   return slowest - taken - w * std::sqrt(fastest) > 0.3 * slowest;
 }
 
-/// How far looks may lie apart [px]: a third of the tile's radius; where the spine turns more tightly than that, so
-/// far that both sides of the bend are seen, but not less than a tenth.
+/// How far apart looks may lie [px]: a third of the tile's radius; where the spine turns more tightly than that,
+/// close enough for both sides of the bend to be seen, but at least a tenth.
 double looks_apart(const Spine<double>& s, double from, double to, double radius) {
   const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
   const double slowest = bend2 > 0.0 ? std::clamp(-0.5 * dot / bend2, from, to) : from;
@@ -201,6 +208,33 @@ double looks_apart(const Spine<double>& s, double from, double to, double radius
   const double tightest = speed > 0.0 ? speed * speed * speed / turn : 0.0;
   return turn == 0.0 && speed > 0.0 ? 0.3 * radius
                                     : std::clamp(tightest, 0.1 * radius, 0.3 * radius);
+}
+
+constexpr int kSteps = 32;  // in which a spine is searched for what is near
+using Keys = std::array<double, kSteps + 1>;
+
+/// The stretch of a spine that may be within `most` of the middle; none if first >= last.
+struct Stretch {
+  int first = kSteps, last = 0;
+};
+Stretch stretch_within(double most, const Keys& keys, double apart) {
+  Stretch found;
+  for (int i = 0; i < kSteps; ++i) {
+    const double low = std::min(keys[std::size_t(i)], keys[std::size_t(i) + 1]) - 0.5 * apart;
+    if (low > most) continue;
+    found.first = std::min(found.first, i), found.last = std::max(found.last, i + 1);
+  }
+  return found;
+}
+
+/// Sets as many looks along [from, to] as the spine's bend asks for.
+void place_looks(const Spine<double>& s, double reach, double from, double to, double radius,
+                 NearSpine& near) {
+  const double looks = std::ceil((to - from) * reach / looks_apart(s, from, to, radius)) + 1.0;
+  near.looks = int(std::clamp(looks, 2.0, near.single ? 4.0 : double(NearSpine::kMostLooks)));
+  if (reach == 0.0) near.looks = 1;
+  near.first = float(from), near.step = float((to - from) / std::max(1, near.looks - 1));
+  near.apart = float(0.5 * reach) * near.step;
 }
 
 }  // namespace
@@ -235,8 +269,8 @@ void NearFeet::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
   }
 }
 
-/// Whether a path's side has its foot at one end, seen from anywhere in the disc, where another side
-/// goes on: that one is as near.
+/// Whether a path's side has its foot at one of its ends, seen from anywhere in the disc, where another side goes
+/// on that is equally near.
 bool NearFeet::ends_beside(const SpineShape& shape, std::size_t index) const {
   const auto leans = [&](const Spine<double>& s, double t) {
     const glm::dvec2 speed{s.x1 + 2.0 * t * s.x2, s.y1 + 2.0 * t * s.y2};
@@ -253,9 +287,8 @@ bool NearFeet::ends_beside(const SpineShape& shape, std::size_t index) const {
 }
 
 void NearFeet::narrow_shape(const SpineShape& shape) {
-  constexpr int kSteps = 32;
   const std::size_t begin = spines_.size();
-  // An upper bound first: by few places of every spine.
+  // First an upper bound, from a few places of every spine.
   double best = std::numeric_limits<double>::infinity();
   for (const Spine<double>& s : shape.spines)
     for (const double t : {0.0, 0.5, 1.0}) best = std::min(best, key(s, t, middle_));
@@ -264,32 +297,23 @@ void NearFeet::narrow_shape(const SpineShape& shape) {
       const Spine<double>& s = shape.spines[k];
       const double apart = shape.reach[k] / kSteps;
       if (key(s, 0.5, middle_) - 0.5 * shape.reach[k] > best + 2.0 * radius_) continue;
-      std::array<double, kSteps + 1> v;
+      Keys v;
       for (int i = 0; i <= kSteps; ++i) {
         v[std::size_t(i)] = key(s, double(i) / kSteps, middle_);
         best = std::min(best, v[std::size_t(i)]);
       }
       if (pass == 0) continue;
-      int first = kSteps, last = 0;
-      for (int i = 0; i < kSteps; ++i) {
-        const double low = std::min(v[std::size_t(i)], v[std::size_t(i) + 1]) - 0.5 * apart;
-        if (low <= best + 2.0 * radius_) first = std::min(first, i), last = std::max(last, i + 1);
-      }
-      if (first >= last) continue;
+      const Stretch stretch = stretch_within(best + 2.0 * radius_, v, apart);
+      if (stretch.first >= stretch.last) continue;
       NearSpine near{seen_from(s, middle_), 1, 0, 0, false, 0, 0};
       near.least = float(*std::min_element(v.begin(), v.end()) - 0.5 * apart);
-      const double from = double(first) / kSteps, to = double(last) / kSteps;
+      const double from = double(stretch.first) / kSteps, to = double(stretch.last) / kSteps;
       const double widest = std::max({s.w0, s.w0 + 0.5 * s.w1 + 0.25 * s.w2, s.w0 + s.w1 + s.w2});
       const double farthest = std::abs(best) + 3.0 * radius_ + std::abs(widest);
       near.single = has_one_foot(s, from, to, farthest);
       if (!shape.next.empty() && has_one_foot(s, 0.0, 1.0, farthest) && ends_beside(shape, k))
         continue;
-      const double apart_by = looks_apart(s, from, to, radius_);
-      const double looks = std::ceil((to - from) * shape.reach[k] / apart_by) + 1.0;
-      near.looks = int(std::clamp(looks, 2.0, near.single ? 4.0 : double(NearSpine::kMostLooks)));
-      if (shape.reach[k] == 0.0) near.looks = 1;
-      near.first = float(from), near.step = float((to - from) / std::max(1, near.looks - 1));
-      near.apart = float(0.5 * shape.reach[k]) * near.step;
+      place_looks(s, shape.reach[k], from, to, radius_, near);
       spines_.push_back(near);
     }
   }

@@ -1,12 +1,12 @@
 #pragma once
-// An area's distance inside one small disc with its gradient and the bend of its level lines, at
-// many places at once.
+// An area's distance inside one small disc, with its gradient and the bend of its level lines, at many places at
+// once.
 //
-// An outline is a set of *spines*: curves B(t) with a half-width w(t), whose distance is the least
-// |p − B(t)| − w(t). Sides of paths are spines without width, whose sign is that of the side. Around
-// a tile only those stretches of spines are kept that can be nearest somewhere in it; each place
-// looks along them, and goes by Newton's method from where it is nearest, and from the next place
-// as near that is not its neighbour: so a second foot that is born inside the tile is found.
+// An outline is a set of *spines*: curves B(t) with a half-width w(t), whose distance is the least |p − B(t)| −
+// w(t). Sides of paths are spines without width, whose sign is that of the side. Around a tile only those stretches
+// of spines are kept that can be nearest somewhere in it. Each place evaluates them at several parameters, their
+// *looks*. Newton's method starts at the nearest look, and at the nearest other one that is no neighbour of it: so
+// a second foot that appears inside the tile is found.
 
 #include "render/shade/nearest/area_distance.h"
 
@@ -29,10 +29,10 @@ struct Spine {
 struct NearSpine {
   Spine<float> spine;
   static constexpr int kMostLooks = 64;
-  int looks;          ///< places along it that are looked at
+  int looks;          ///< how many places along it are evaluated
   float first, step;  ///< their parameters
   bool single;        ///< nowhere in the disc does it have two feet
-  float least;        ///< its distance at the middle, at least
+  float least;        ///< a lower bound of its distance at the middle
   float apart;        ///< how much nearer it may come between two looks
 };
 
@@ -50,7 +50,7 @@ struct Feet {
 
 /// A shape as spines.
 struct SpineShape {
-  bool slow = false;     ///< no spines: asked for one by one
+  bool slow = false;     ///< no spines: distances are asked for one by one
   bool crosses = false;  ///< spines may cross each other
   std::optional<Ellipse> ellipse;
   bool stroke = false;
@@ -72,7 +72,7 @@ class FeetArea {
   const AreaDistance* area() const { return area_; }
   glm::dvec2 center() const { return center_; }
   const std::vector<SpineShape>& shapes() const { return shapes_; }
-  /// Whether ridges may lie a pixel apart: of small shapes where several meet, and of shells.
+  /// Whether ridges may lie a pixel apart: where several shapes meet and one is small, and in shells.
   bool is_fine() const { return fine_; }
 
  private:
@@ -86,16 +86,16 @@ class FeetArea {
 /// Keeps its scratch; one per thread.
 class NearFeet {
  public:
-  /// From now on: the disc around `middle`, a place of the picture.
+  /// From now on answers are for the disc around `middle`, a place of the picture.
   void narrow(const FeetArea& area, glm::dvec2 middle, double radius);
 
-  /// Whether spines in the disc may cross: then feet a pixel apart do not tell of what lies between.
+  /// Whether spines in the disc may cross: then feet a pixel apart do not reveal what lies between.
   bool tangled() const { return tangled_; }
 
-  /// Whether there is one spine near, of one foot seen from anywhere in the disc: no ridges.
+  /// Whether only one spine is near, and has one foot seen from anywhere in the disc: no ridges.
   bool is_single() const { return leaves_.size() == 1 && spines_.size() == 1 && spines_[0].single; }
 
-  /// Of places relative to the middle, a multiple of 16 of them.
+  /// For places relative to the middle, a multiple of 16 of them.
   void at(std::span<const float> x, std::span<const float> y, const Feet& out);
 
   /// Distances of single shapes, and the time that finding them took.
@@ -130,11 +130,11 @@ class NearFeet {
   std::vector<float> nodes_;  ///< [node][d, nx, ny, bend][place]
 };
 
-/// The least of the spines' distances at each place, with what belongs to it.
+/// The least of the spines' distances at each place, with its gradient and bend.
 void spine_feet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
                 std::span<const float> y, const Feet& out);
 
-/// The ellipse's own.
+/// The same for an ellipse.
 void ellipse_feet(const NearEllipse& ellipse, std::span<const float> x, std::span<const float> y,
                   const Feet& out);
 

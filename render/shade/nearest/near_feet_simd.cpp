@@ -3,8 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/shade/nearest/near_feet_simd.cpp"
 #include <hwy/foreach_target.h>
-#include "render/shade/nearest/near_feet.h"
-#include "sdf/distance/lanes/fma-inl.h"
+#include "render/shade/nearest/foot_form-inl.h"
 
 #include <cmath>
 
@@ -12,13 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, 16>;
-using VF = hn::Vec<F>;
-
-HWY_INLINE VF Const(float x) {
-  return hn::Set(F(), x);
-}
 
 HWY_INLINE VF Curve(VF t, float c0, float c1, float c2) {
   return Fused(t, Fused(t, Const(c2), Const(c1)), Const(c0));
@@ -83,8 +75,8 @@ struct Looks {
   float least;  ///< how near the spine may come to the disc's middle
 };
 
-/// Which looks can be near a place of the disc: those no farther from its middle than the nearest by more than the disc
-/// is wide, and their neighbours.
+/// Which looks can be near a place of the disc: those no farther from its middle than the nearest look by more than
+/// the width of the disc, and their neighbours.
 template <bool kStroke>
 HWY_INLINE Looks LooksAround(const NearSpine& near, const Around& around) {
   const F f;
@@ -133,25 +125,30 @@ HWY_INLINE Foot FootOn(const NearSpine& near, const Looks& looks, VF x, VF y) {
   return {hn::IfThenElse(nearer, second, best), hn::IfThenElse(nearer, second_at, at)};
 }
 
-struct FootForm {
-  VF d, nx, ny, bend;
-};
-
 constexpr float kOnSpine = 1.0f;  // [px] B is right to some 5e-5
 
-struct Way {
-  VF x, y;
-};
-
-/// The unit normal at an inner foot, by B' and w' alone: n · B' = −w', as at every such foot. Close to the spine q is all
-/// rounding; `side`, B' × q, still tells on which hand n lies.
-HWY_INLINE Way WayOnSpine(VF gx, VF gy, VF rate, VF side) {
+/// The unit normal at an inner foot, by B' and w' alone: n · B' = −w', as at every such foot. Close to the spine q
+/// is all rounding, but `side`, B' × q, still says on which hand n lies.
+HWY_INLINE Direction NormalOnSpine(VF gx, VF gy, VF rate, VF side) {
   const F f;
   const VF speed2 = hn::Max(Fused(gx, gx, hn::Mul(gy, gy)), Const(1e-20f));
   const VF over = hn::Div(Const(1.0f), speed2), along = hn::Neg(hn::Mul(rate, over));
   const VF left = hn::Max(FusedFrom(rate, rate, speed2), hn::Zero(f));
   const VF across = hn::CopySign(hn::Mul(hn::Sqrt(left), over), side);
   return {FusedFrom(across, gy, hn::Mul(along, gx)), Fused(across, gx, hn::Mul(along, gy))};
+}
+
+/// The outline's own outward normal at a foot on a path's side: the side's, or at an end the mean of it and the next's.
+HWY_INLINE Direction OutwardOf(const Spine<float>& s, VF gx, VF gy, VF t) {
+  const F f;
+  const VF one = Const(1.0f);
+  const auto inner = hn::And(hn::Gt(t, hn::Zero(f)), hn::Lt(t, one)), end = hn::Ge(t, one);
+  const VF speed2 = Fused(gx, gx, hn::Mul(gy, gy));
+  const VF by = hn::Div(Const(s.side), hn::Sqrt(hn::Max(speed2, Const(1e-20f))));
+  return {
+      hn::IfThenElse(inner, hn::Mul(by, gy), hn::IfThenElse(end, Const(s.end_x), Const(s.begin_x))),
+      hn::IfThenElse(inner, hn::Neg(hn::Mul(by, gx)),
+                     hn::IfThenElse(end, Const(s.end_y), Const(s.begin_y)))};
 }
 
 /// With q = p − B = r n, s = |B'|-part across n and h = n · B'' + w'': the foot moves so that the gradient turns by
@@ -169,25 +166,19 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
   const VF over_r = hn::Div(one, r);
   VF nx = hn::Mul(qx, over_r), ny = hn::Mul(qy, over_r), d = key, sign = one;
   if (!kStroke) {
-    const VF speed2 = Fused(gx, gx, hn::Mul(gy, gy));
-    const VF by = hn::Div(Const(s.side), hn::Sqrt(hn::Max(speed2, Const(1e-20f))));
-    const auto end = hn::Ge(t, one);
-    const VF ox = hn::IfThenElse(inner, hn::Mul(by, gy),
-                                 hn::IfThenElse(end, Const(s.end_x), Const(s.begin_x)));
-    const VF oy = hn::IfThenElse(inner, hn::Neg(hn::Mul(by, gx)),
-                                 hn::IfThenElse(end, Const(s.end_y), Const(s.begin_y)));
-    const VF across = Fused(qx, ox, hn::Mul(qy, oy));
+    const Direction out = OutwardOf(s, gx, gy, t);
+    const VF across = Fused(qx, out.x, hn::Mul(qy, out.y));
     sign = hn::IfThenElse(hn::Lt(across, zero), Const(-1.0f), one);
-    // At an end itself there is nothing else to tell the way; elsewhere the foot's own line is exact.
+    // At an end itself only the outline's normal gives a direction; elsewhere the line to the foot is exact.
     const auto own = hn::Or(inner, hn::Lt(r, Const(1e-3f)));
-    nx = hn::IfThenElse(own, hn::Mul(ox, sign), nx),
-    ny = hn::IfThenElse(own, hn::Mul(oy, sign), ny);
+    nx = hn::IfThenElse(own, hn::Mul(out.x, sign), nx);
+    ny = hn::IfThenElse(own, hn::Mul(out.y, sign), ny);
     d = hn::Mul(sign, key);
   }
   if (kStroke) {
     const VF rate = Fused(t, Const(2.0f * s.w2), Const(s.w1));
     const auto near = hn::And(inner, hn::Lt(r, Const(kOnSpine)));
-    const Way on = WayOnSpine(gx, gy, rate, hn::Sub(hn::Mul(gx, qy), hn::Mul(gy, qx)));
+    const Direction on = NormalOnSpine(gx, gy, rate, hn::Sub(hn::Mul(gx, qy), hn::Mul(gy, qx)));
     nx = hn::IfThenElse(near, on.x, nx), ny = hn::IfThenElse(near, on.y, ny);
   }
   const VF cross = hn::Sub(hn::Mul(nx, gy), hn::Mul(ny, gx)), s2 = hn::Mul(cross, cross);
@@ -199,14 +190,15 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
   return {d, hn::Mul(sign, nx), hn::Mul(sign, ny), hn::Mul(sign, held)};
 }
 
-/// A spine that can be nearest somewhere in a disc, with the looks that tell where.
+/// A spine that can be nearest somewhere in a disc, and its looks around there.
 struct Chosen {
   const NearSpine* near;
   Looks looks;
 };
 constexpr int kMostChosen = 24;
 
-/// Those of a disc: none farther than the nearest by more than the disc is wide. Their number, −1: too many.
+/// Chooses those of a disc: none farther than the nearest by more than the disc is wide. Returns their number, −1
+/// if they are too many.
 template <bool kStroke>
 HWY_INLINE int Choose(std::span<const NearSpine> spines, const Around& around, Chosen* chosen) {
   const float away = hn::GetLane(around.away);
@@ -256,70 +248,6 @@ HWY_INLINE FootForm Nearest(std::span<const NearSpine> spines, VF x, VF y) {
     Take<kStroke>(near, looks, x, y, best, form);
   }
   return form;
-}
-
-/// Feet on an ellipse, of places folded into one quadrant of its frame, where the foot is, too. The centre of
-/// curvature at the last guess is taken for the circle's that touches there (three times, from the diagonal), then
-/// Newton's method on the angle (twice).
-HWY_INLINE FootForm EllipseForm(const NearEllipse& e, VF x, VF y) {
-  const F f;
-  const VF zero = hn::Zero(f), one = Const(1.0f), tiny = Const(1e-12f);
-  const VF ox = hn::Sub(x, Const(e.x)), oy = hn::Sub(y, Const(e.y));
-  const VF u = Fused(ox, Const(e.ux), hn::Mul(oy, Const(e.uy)));
-  const VF v = Fused(oy, Const(e.ux), hn::Neg(hn::Mul(ox, Const(e.uy))));
-  const VF px = hn::Abs(u), py = hn::Abs(v);
-  const float a = e.a, b = e.b, ea = (a * a - b * b) / a, eb = (b * b - a * a) / b;
-  VF c = Const(0.70710678f), s = c;
-  const auto unit = [&](VF& p, VF& q) HWY_ATTR {
-    const VF over = hn::Div(one, hn::Sqrt(Fused(p, p, Fused(q, q, tiny))));
-    p = hn::Mul(p, over), q = hn::Mul(q, over);
-  };
-  for (int i = 0; i < 3; ++i) {
-    const VF ex = hn::Mul(Const(ea), hn::Mul(c, hn::Mul(c, c)));
-    const VF ey = hn::Mul(Const(eb), hn::Mul(s, hn::Mul(s, s)));
-    const VF rx = hn::Sub(hn::Mul(Const(a), c), ex), ry = hn::Sub(hn::Mul(Const(b), s), ey);
-    VF qx = hn::Sub(px, ex), qy = hn::Sub(py, ey);
-    unit(qx, qy);
-    const VF r = hn::Sqrt(Fused(rx, rx, hn::Mul(ry, ry)));
-    c = hn::Min(hn::Max(hn::Mul(Fused(qx, r, ex), Const(1.0f / a)), zero), one);
-    s = hn::Min(hn::Max(hn::Mul(Fused(qy, r, ey), Const(1.0f / b)), zero), one);
-    unit(c, s);
-  }
-  for (int i = 0; i < 2; ++i) {
-    const VF fx = hn::Sub(hn::Mul(Const(a), c), px), fy = hn::Sub(hn::Mul(Const(b), s), py);
-    const VF tx = hn::Neg(hn::Mul(Const(a), s)), ty = hn::Mul(Const(b), c);
-    const VF speed2 = Fused(tx, tx, hn::Mul(ty, ty));
-    const VF lean = Fused(fx, hn::Mul(Const(a), c), hn::Mul(fy, hn::Mul(Const(b), s)));
-    const VF rise = hn::Max(hn::Sub(speed2, lean), hn::Mul(speed2, Const(0.05f)));
-    const VF turn = hn::Neg(hn::Div(Fused(fx, tx, hn::Mul(fy, ty)), hn::Max(rise, tiny)));
-    const VF held = hn::Min(hn::Max(turn, Const(-0.3f)), Const(0.3f)), was = c;
-    c = hn::Max(FusedFrom(s, held, c), zero), s = hn::Max(Fused(was, held, s), zero);
-    unit(c, s);
-  }
-  VF nx = hn::Mul(Const(b), c), ny = hn::Mul(Const(a), s);
-  const VF speed2 = Fused(nx, nx, hn::Mul(ny, ny));
-  unit(nx, ny);
-  const VF fx = hn::Mul(Const(a), c), fy = hn::Mul(Const(b), s);
-  const VF d = Fused(hn::Sub(px, fx), nx, hn::Mul(hn::Sub(py, fy), ny));
-  const VF in = Fused(nx, fx, hn::Mul(ny, fy));
-  const VF turn = hn::Max(Fused(d, in, speed2), hn::Mul(speed2, Const(0.01f)));
-  const VF bend = hn::Min(hn::Div(in, turn), Const(4.0f));
-  nx = hn::CopySign(nx, u), ny = hn::CopySign(ny, v);
-  return {d, FusedFrom(ny, Const(e.uy), hn::Mul(nx, Const(e.ux))),
-          Fused(ny, Const(e.ux), hn::Mul(nx, Const(e.uy))), bend};
-}
-
-HWY_INLINE void StoreForm(const FootForm& form, const Feet& out, size_t k) {
-  const F f;
-  hn::StoreU(form.d, f, out.d + k), hn::StoreU(form.nx, f, out.nx + k);
-  hn::StoreU(form.ny, f, out.ny + k), hn::StoreU(form.bend, f, out.bend + k);
-}
-
-void EllipseFeet(const NearEllipse& ellipse, std::span<const float> x, std::span<const float> y,
-                 const Feet& out) {
-  const F f;
-  for (size_t k = 0; k < x.size(); k += hn::Lanes(f))
-    StoreForm(EllipseForm(ellipse, hn::LoadU(f, x.data() + k), hn::LoadU(f, y.data() + k)), out, k);
 }
 
 /// A disc that holds all places.
@@ -377,17 +305,11 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(SpineFeet);
-HWY_EXPORT(EllipseFeet);
 }  // namespace batch
 
 void spine_feet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
                 std::span<const float> y, const Feet& out) {
   HWY_DYNAMIC_DISPATCH(batch::SpineFeet)(spines, stroke, x, y, out);
-}
-
-void ellipse_feet(const NearEllipse& ellipse, std::span<const float> x, std::span<const float> y,
-                  const Feet& out) {
-  HWY_DYNAMIC_DISPATCH(batch::EllipseFeet)(ellipse, x, y, out);
 }
 
 }  // namespace mien

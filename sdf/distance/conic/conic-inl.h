@@ -42,13 +42,13 @@ HWY_INLINE PlacedPoint<W> PlacedIn(D d, const Frame& f, W x, W y, hn::TFromD<D> 
   return {MulAdd(qx, ax, Mul(qy, ay)), MulSub(qy, ax, Mul(qx, ay)), qx, qy};
 }
 
-/// A signed distance [scaled], and a square by which far and nonsensical lanes are told.
+/// A signed distance [scaled], and a square that gives away lanes that are far or not numbers.
 template <class W>
 struct SignedDistance {
   W distance, reach2;
 };
 
-/// Where a lane's last step was so long that its square could still count, NaN, else `reach2`.
+/// NaN where a lane's last step was so long that its square could still count, else `reach2`.
 template <class D, class W>
 HWY_INLINE W IfSettled(D d, W left, W allowed, W reach2) {
   if constexpr (sizeof(hn::TFromD<D>) == 4) return reach2;
@@ -82,7 +82,7 @@ HWY_INLINE SignedDistance<Pack<V>> FromParabola(D d, const ParabolaFrame<T>& f, 
   const W tilt = Mul(two, s), off = NegMulAdd(s, s, v);
   const W across = MulSub(tilt, Sub(u, s), off), reach2 = MulAdd(u, u, Mul(v, v));
   const W distance = Div(across, Sqrt(MulAdd(tilt, tilt, one)));
-  // The next step would be 6 s step² / rise; what it gains of the distance is its square times rise / 2d.
+  // The next step would be 6 s step² / rise; it would change the distance by its square times rise / 2d.
   const W step2 = Mul(step, step), left = Mul(Mul(step2, step2), Mul(Mul(s, s), SetPack(d, 32)));
   const W size2 = Max(Mul(distance, distance), Mul(reach2, SetPack(d, T(0x1p-100))));
   const W allowed = Mul(Mul(rise, SetPack(d, T(0x1p-54))), Max(size2, SetPack(d, T(1e-36f))));
@@ -141,15 +141,16 @@ HWY_INLINE Angle<Pack<V>> EllipseGuess(D d, const EllipseFrame<hn::TFromD<D>>& f
   return {Mul(c, shrink), Mul(s, shrink)};
 }
 
-/// The foot after a step on the outline: what it turned by, taken or not, and the slope's slope before.
+/// The foot after a step on the outline; how far that step wanted to turn, taken or not; and the second derivative
+/// before it.
 template <class W>
 struct TurnedFoot {
   Angle<W> foot;
   W turn, rise;
 };
 
-/// One Newton step of the foot on the outline itself, at most a quarter radian, if it brings the
-/// foot nearer: where three feet meet it may run away.
+/// One Newton step of the foot on the outline itself, at most a quarter radian, taken only if it brings the foot
+/// nearer: where three feet meet it may diverge.
 template <class D, class W>
 HWY_INLINE TurnedFoot<W> Turned(D d, const EllipseFrame<hn::TFromD<D>>& f, W x, W y,
                                 Angle<W> foot) {
@@ -181,7 +182,7 @@ HWY_INLINE TurnedFoot<W> FootOnEllipse(D d, const EllipseFrame<hn::TFromD<D>>& f
   auto at = Turned(d, f, x, y, EllipseGuess(d, f, x, y));
   if constexpr (sizeof(hn::TFromD<D>) == 4) return Turned(d, f, x, y, at.foot);
   at = Turned(d, f, x, y, Turned(d, f, x, y, at.foot).foot);
-  // Every turn's rounding is left in the length: back to 1, to first order.
+  // Every turn leaves its rounding in the length, which is brought back to 1 here, to first order.
   const W cos = at.foot.cos, sin = at.foot.sin, half = SetPack(d, hn::TFromD<D>(0.5));
   const W grow = Mul(half, NegMulAdd(cos, cos, NegMulAdd(sin, sin, SetPack(d, 1))));
   return {{MulAdd(cos, grow, cos), MulAdd(sin, grow, sin)}, at.turn, at.rise};
@@ -224,7 +225,7 @@ HWY_INLINE SignedDistance<W> FromEllipse(D d, const EllipseFrame<hn::TFromD<D>>&
   return {IfThenElse(outside, length, across), reach2};
 }
 
-/// Far away: what the rounding of the point's place and of the residual left over is carried along.
+/// Far away: the rounding errors of the point's offset and of the residual are carried along.
 template <class D, class W>
 HWY_INLINE SignedDistance<W> FromEllipseFar(D d, const EllipseFrame<hn::TFromD<D>>& f, W px, W py) {
   const auto at = PlacedIn(d, f, px, py, f.scale);

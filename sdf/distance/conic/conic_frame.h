@@ -20,8 +20,8 @@ struct EllipseFrame {
   T guess_focal;           ///< the same, at least 1e-6 a²: for the first guess
 };
 
-/// None where the kernel promises nothing: radii not finite or out of float's range, or a ratio of
-/// the radii below kThinnest.
+/// None where the kernel promises nothing: radii not finite or out of float's range, or a ratio of the radii below
+/// kThinnest.
 template <class T>
 std::optional<EllipseFrame<T>> ellipse_frame(const Ellipse& ellipse);
 inline constexpr double kThinnest = 1e-3;

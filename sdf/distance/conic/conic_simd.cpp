@@ -13,7 +13,7 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Points well outside the ellipse: everything once more, and with care.
+/// Points well outside the ellipse are computed once more, with care.
 template <class D, class Exact>
 HWY_NOINLINE void MendFarFromEllipse(D d, const EllipseFrame<float>& f, const float* x,
                                      const float* y, float* distance, const Exact& exact) {

@@ -18,8 +18,7 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A piece in which f rises through zero: where it begins (−1: there is none) and f at its begin, middle
-/// and end.
+/// A piece in which f rises through zero: where it begins (−1: there is none), and f at its begin, middle and end.
 template <class V>
 struct Rising {
   V begin, low, middle, high;
@@ -78,6 +77,37 @@ HWY_INLINE void Keep(M m, const Rising<V>& found, Rising<V>& kept) {
   kept.high = hn::IfThenElse(m, found.high, kept.high);
 }
 
+/// Bounds on f over one piece, from its values at begin, middle and end: f is the parabola through them and
+/// a rest that the frame bounds.
+template <class V>
+struct PieceBounds {
+  V apart;       ///< how far the parabola is from 0, on one side; <= 0 if not proven
+  V rise, fall;  ///< f's slope times the piece's width is at least rise, at most −fall
+};
+
+template <class D, class V>
+HWY_INLINE PieceBounds<V> BoundsOn(D d, V low, V middle, V high, V turn) {
+  const V three = hn::Set(d, 3), half = hn::Set(d, hn::TFromD<D>(0.5)), two = hn::Set(d, 2);
+  // The parabola's slopes at the ends times the width, and its middle Bernstein coefficient; then those
+  // of f's slope.
+  const V a = hn::Sub(middle, low), b = hn::Sub(high, middle);
+  const V slope0 = FusedLess(a, three, b), slope1 = FusedLess(b, three, a);
+  const V bulge = Fused(hn::Sub(a, b), half, middle);
+  const V mean = FusedFrom(turn, two, hn::Sub(high, low));
+  PieceBounds<V> bounds;
+  bounds.rise = hn::Min(hn::Add(hn::Min(slope0, slope1), turn), mean);
+  bounds.fall = hn::Neg(hn::Max(hn::Add(hn::Max(slope0, slope1), turn), mean));
+  bounds.apart = hn::Max(Least(low, high, bulge), hn::Neg(Most(low, high, bulge)));
+  return bounds;
+}
+
+/// Stores one vector's brackets from place k of a pack on.
+template <class D, class V>
+HWY_INLINE void StoreRising(D d, const Rising<V>& r, int which, size_t k, Brackets<D>& out) {
+  hn::Store(r.begin, d, out.begin[which] + k), hn::Store(r.low, d, out.low[which] + k);
+  hn::Store(r.middle, d, out.middle[which] + k), hn::Store(r.high, d, out.high[which] + k);
+}
+
 /// Finds the brackets of one vector of points, which is number `part` of the pack.
 template <class D, class T = hn::TFromD<D>>
 HWY_INLINE void FindBrackets(D d, const CubicFrame<T>& f, const T* x, const T* y, size_t part,
@@ -91,9 +121,7 @@ HWY_INLINE void FindBrackets(D d, const CubicFrame<T>& f, const T* x, const T* y
   const V away = hn::Mul(hn::Sqrt(least), hn::Set(d, T(1 + 0x1p-18))), away2 = hn::Mul(away, away);
   const V place = hn::Add(hn::Abs(ox), hn::Abs(oy));
   const V noise = Fused(place, hn::Set(d, 4 * kUlp), hn::Set(d, 16 * kUlp));
-  const V minus = hn::Neg(noise), noise4 = hn::Mul(noise, hn::Set(d, 4));
-  const V noise8 = hn::Mul(noise, hn::Set(d, 8)), half = hn::Set(d, T(0.5)), three = hn::Set(d, 3),
-          two = hn::Set(d, 2);
+  const V noise4 = hn::Mul(noise, hn::Set(d, 4)), noise8 = hn::Mul(noise, hn::Set(d, 8));
   const V none = hn::Set(d, -1), one = hn::Set(d, 1);
   Rising<V> first{none, none, one, one}, second = first;
   auto has1 = hn::Lt(one, none), has2 = has1, doubt = has1;
@@ -106,21 +134,12 @@ HWY_INLINE void FindBrackets(D d, const CubicFrame<T>& f, const T* x, const T* y
     const auto near = hn::Le(Least(s0, sm, s1), Fused(away, hn::Set(d, piece.reach), beyond));
     f0 = f1, s0 = s1;
     if (hn::AllFalse(d, near)) continue;
-    // The parabola's slopes at the ends times the width, and its middle Bernstein coefficient; then those
-    // of f's slope.
-    const V a = hn::Sub(fm, low), b = hn::Sub(f1, fm);
-    const V slope0 = FusedLess(a, three, b), slope1 = FusedLess(b, three, a);
-    const V bulge = Fused(hn::Sub(a, b), half, fm);
-    const V tilt = hn::Add(noise8, hn::Set(d, piece.tilt)),
-            off = hn::Add(noise4, hn::Set(d, piece.off));
-    const V turn = hn::Set(d, piece.turn), mean = FusedFrom(turn, two, hn::Sub(f1, low));
-    const V rise = hn::Min(hn::Add(hn::Min(slope0, slope1), turn), mean);
-    const V fall = hn::Neg(hn::Max(hn::Add(hn::Max(slope0, slope1), turn), mean));
-    const V apart =
-        hn::Max(Least(low, f1, bulge), hn::Neg(Most(low, f1, bulge)));  // of 0, on one side
-    const auto unknown = hn::And(hn::Le(apart, off), hn::Le(hn::Max(rise, fall), tilt));
-    const auto up =
-        hn::And(hn::And(near, hn::Gt(rise, tilt)), hn::And(hn::Le(low, noise), hn::Ge(f1, minus)));
+    const V tilt = hn::Add(noise8, hn::Set(d, piece.tilt));
+    const V off = hn::Add(noise4, hn::Set(d, piece.off));
+    const auto b = BoundsOn(d, low, fm, f1, hn::Set(d, piece.turn));
+    const auto unknown = hn::And(hn::Le(b.apart, off), hn::Le(hn::Max(b.rise, b.fall), tilt));
+    const auto rises = hn::And(hn::Le(low, noise), hn::Ge(f1, hn::Neg(noise)));
+    const auto up = hn::And(hn::And(near, hn::Gt(b.rise, tilt)), rises);
     const auto next = hn::And(up, has1);
     doubt = hn::Or(doubt, hn::Or(hn::And(near, unknown), hn::And(next, has2)));
     const Rising<V> found{hn::Set(d, T(i) / CubicFrame<T>::kPieces), low, fm, f1};
@@ -132,11 +151,7 @@ HWY_INLINE void FindBrackets(D d, const CubicFrame<T>& f, const T* x, const T* y
   const auto sure = hn::AndNot(doubt, hn::Lt(least, hn::Set(d, kFar<T>)));
   const V curl = Fused(away, hn::Set(d, f.curl_far), hn::Set(d, f.curl));
   hn::Store(hn::IfThenElse(sure, curl, hn::NaN(d)), d, out.curl + k);
-  const auto store = [&](const Rising<V>& r, int which) MIEN_LANES {
-    hn::Store(r.begin, d, out.begin[which] + k), hn::Store(r.low, d, out.low[which] + k);
-    hn::Store(r.middle, d, out.middle[which] + k), hn::Store(r.high, d, out.high[which] + k);
-  };
-  store(first, 0), store(second, 1);
+  StoreRising(d, first, 0, k, out), StoreRising(d, second, 1, k, out);
   out.any_second = out.any_second || !hn::AllFalse(d, has2);
 }
 
@@ -166,11 +181,11 @@ HWY_INLINE V ResidualOn(D d, V o, V r, double m, double a, double b, double c) {
   return Fused(r, rest, hn::Add(o, hn::Set(d, m)));
 }
 
-/// A slope's slope below this part of its terms is doubt: rounding could be most of it.
+/// Below this share of its terms the second derivative is in doubt: it could be mostly rounding.
 inline constexpr double kLeastRise = 0x1p-36;
 
-/// |B − p|² in double lanes after a last Newton step from t, or NaN where it is not proven that this loses
-/// at most `tolerance` of the distance. `curl` bounds |f''|.
+/// |B − p|² in double lanes after a last Newton step from t; NaN unless it is proven that this loses at most
+/// `tolerance` of the distance. `curl` bounds |f''|.
 template <class D, class V>
 HWY_INLINE V ProvenSquare(D d, const CubicExpansion<double>& c, V ox, V oy, V t, V curl,
                           double tolerance) {
@@ -225,7 +240,7 @@ HWY_INLINE V InDoubles(DT dt, Fn fn, V x, More... more) {
   }
 }
 
-/// How much of the distance Newton's method may lose [scaled], beside the roundings.
+/// How much of the distance Newton's method may lose [scaled], not counting roundings.
 template <class T>
 inline constexpr double kCubicTolerance = sizeof(T) == 4 ? 0x1p-27 : 0x1p-54;
 
@@ -302,7 +317,7 @@ HWY_INLINE Pack<hn::Vec<D>> CubicSquare(D d, const CubicFrame<T>& f, const T* x,
                             SquareInBracket(d, f, x, y, found, 0));
   if (HWY_UNLIKELY(found.any_second))
     square = LesserOrNan(d, square, SquareInBracket(d, f, x, y, found, 1));
-  // Doubt is a curl that is not a number.
+  // A curl that is NaN marks doubt.
   const auto curl = LoadPack(d, found.curl);
   return IfThenElse(Gt(curl, SetPack(d, 0)), square, curl);
 }

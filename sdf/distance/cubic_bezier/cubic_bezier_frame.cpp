@@ -9,7 +9,7 @@
 namespace mien::batch {
 namespace {
 
-/// The constants are rounded to the lanes' type, and so is what is compared with them.
+/// Slack for rounding: the constants are rounded to the lanes' type, and so is what they are compared with.
 constexpr double kMore = 1 + 0x1p-16, kSlack = 0x1p-18;
 
 /// The exponent that brings the largest leg's larger coordinate to [1/2, 1).

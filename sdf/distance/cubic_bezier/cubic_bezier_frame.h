@@ -12,8 +12,8 @@
 
 namespace mien::batch {
 
-/// B(t) − p0 = m + τ (a + τ (b + τ c)) with τ = t − ½: constants about the middle, so that none counts
-/// more than the curve is large.
+/// B(t) − p0 = m + τ (a + τ (b + τ c)) with τ = t − ½: constants about the middle, so that none is larger than the
+/// curve.
 template <class T>
 struct CubicExpansion {
   T mx, my, ax, ay, bx, by, cx, cy;
@@ -37,9 +37,9 @@ struct CubicFrame {
   std::array<Sample, 2 * kPieces + 1> sample;
   struct Piece {
     T reach, reach2;  ///< every point is within reach / 2 of one of the three samples; (reach / 2)²
-    /// f on the piece is within `off` of the parabola through its three samples. What the parabola's
-    /// slope leaves of f' does not depend on the point: times the piece's width it is within `tilt` of
-    /// `turn` at the ends and −turn/2 in the middle, and of the parabola through these between them.
+    /// f on the piece is within `off` of the parabola through its three samples. The difference of f' and the
+    /// parabola's slope does not depend on the point. Times the piece's width it is within `tilt` of `turn` at the
+    /// ends, of −turn/2 in the middle, and of the parabola through these between them.
     T off, turn, tilt;
   };
   std::array<Piece, kPieces> piece;

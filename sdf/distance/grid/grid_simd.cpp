@@ -17,7 +17,7 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A tile of which nothing is proven: its points are a batch like any other.
+/// A tile of which nothing is proven: its points are computed like any other batch.
 HWY_NOINLINE void UncertainTile(const QuadBezier& curve, const TileAxis& x, const TileAxis& y,
                                 size_t columns, size_t rows, float* out, size_t stride) {
   float px[kTile * kTile], py[kTile * kTile], distance[kTile * kTile];
@@ -49,7 +49,7 @@ HWY_NOINLINE void CertifiedTile(const QuadBezierFrame<float>& f, const GridTile&
   }
 }
 
-/// What certified tiles need of the float frame: the double one's numbers, rounded.
+/// The float frame that certified tiles need: the double one's numbers, rounded.
 QuadBezierFrame<float> InFloat(const QuadBezierFrame<double>& fine) {
   QuadBezierFrame<float> f{};
   f.scale = float(fine.scale), f.unscale = float(fine.unscale);
@@ -60,7 +60,7 @@ QuadBezierFrame<float> InFloat(const QuadBezierFrame<double>& fine) {
   return f;
 }
 
-/// A grid on its way to distances.
+/// What the tiles of a grid share.
 struct GridWork {
   const QuadBezier& curve;
   const Grid& grid;
@@ -83,7 +83,7 @@ double ReachOf(const TileAxis& x, const TileAxis& y) {
   return std::sqrt(x.half * x.half + y.half * y.half) * (1 + 0x1p-40);
 }
 
-/// The tile from (i, j) on, as far as the grid goes; true if it is certified.
+/// The tile that begins at (i, j), cut off where the grid ends; true if it is certified.
 bool DoTile(const GridWork& work, const TileAxis& x, const TileAxis& y, const GridTile& tile,
             size_t i, size_t j) {
   const size_t columns = std::min(kTile, work.grid.columns - i);

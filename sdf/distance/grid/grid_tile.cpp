@@ -40,7 +40,7 @@ bool TileCertifier::one_sided(glm::dvec2 d, double reach) const {
   return std::abs(s) > reach * c_.s_change + rounding;
 }
 
-/// That root for the middle: from a bound above it, downwards.
+/// That root for the middle: descends from a bound above it.
 double TileCertifier::main_root(glm::dvec2 d) const {
   const double s = d.x * f_.sx + d.y * f_.sy + f_.s1, p = this->p(d);
   double x = std::sqrt(std::max(0.0, -3 * p)) + std::cbrt(std::abs(s));
@@ -56,7 +56,7 @@ double TileCertifier::p(glm::dvec2 d) const {
   return d.x * f_.px + d.y * f_.py + f_.p1;
 }
 
-/// Newton from t to where f = 0; false if it does not arrive.
+/// Newton's method from t to where f = 0; false if it does not get there.
 bool TileCertifier::settle(glm::dvec2 d, double& t) const {
   for (int i = 0; i < 5; ++i) {
     const At now = at(d, t);
@@ -64,13 +64,13 @@ bool TileCertifier::settle(glm::dvec2 d, double& t) const {
     const double step = now.f / now.f1;
     t -= step;
     if (std::abs(step) <= 0x1p-14)
-      return true;  // Newton squares that; what is left is bounded later
+      return true;  // Newton squares that; the remainder is bounded later
   }
   return false;
 }
 
-/// Bounds for all p of the tile and all t within `span` of a root of the middle's. No span: not even the
-/// root's own stretch could be bounded.
+/// Bounds for all p of the tile and all t within `span` of a root for the middle. Span 0: even around the root
+/// itself nothing could be bounded.
 struct TileCertifier::Branch {
   At at;
   double t, span, f1, f2, u;
@@ -118,9 +118,9 @@ GridTile TileCertifier::followed(const Branch& b, double reach) const {
   return tile;
 }
 
-/// The main root lies beyond an end for all p. If it is the only root for all of them, that end is
-/// nearest; if there are three for all of them, the opposite outer one competes with it, and what is
-/// nearer by more than the tile's width stays so.
+/// The main root lies beyond an end for all p. If it is the only root for all of them, that end is nearest. If
+/// there are three roots for all of them, the opposite outer one competes with it, and whichever is nearer by more
+/// than the tile's width stays nearer.
 GridTile TileCertifier::beyond_an_end(glm::dvec2 d, double reach, const Branch& main) const {
   const double x = std::abs(main.t + f_.vertex), end = main.t > 1 ? 1 : 0;
   const double p = this->p(d), change = reach * c_.p_change + 0x1p-40 * std::abs(p);
@@ -172,7 +172,7 @@ GridTile TileCertifier::nearest_branch(glm::dvec2 d, glm::dvec2 middle, double r
   }
   const Branch main = branch(d, reach, t);
   last_t_ = t, last_middle_ = middle, last_w_ = (1 / main.at.f1) * main.at.u;
-  // Convex on [0, 1] and around the root, which touch: rising on both.
+  // Convex on [0, 1] and around the root, and these stretches touch: f rises on both.
   const bool touches = main.span > 0 && main.t + main.span >= 0 && main.t - main.span <= 1;
   if (main.inside() || (is_convex && touches)) return followed(main, reach);
   return sided && main.beyond() ? beyond_an_end(d, reach, main) : GridTile{};

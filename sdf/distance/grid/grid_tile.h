@@ -1,7 +1,6 @@
 #pragma once
-// A tile of a grid of points beside a quadratic Bézier: where every point of the tile has its foot on
-// the curve, proven, and how to get there from the tile's middle in one or two steps. Proofs:
-// docs/derivations/grid_tiles.md.
+// A tile of a grid of points beside a quadratic Bézier: proof of where all its points have their foot on the curve,
+// and how to get there from the tile's middle in one or two steps. Derivation: docs/derivations/grid_tiles.md.
 
 #include "sdf/distance/quad_bezier/quad_bezier_frame.h"
 
@@ -12,11 +11,11 @@ namespace mien::batch {
 /// What is proven about all points of a tile.
 struct GridTile {
   enum class How {
-    multiplied,  ///< the start below and one Newton step, its division by a series, give the foot
-    one_step,    ///< … and one Newton step
-    two_steps,   ///< … and two
-    end,         ///< the foot of all of them is the end t
-    uncertain    ///< nothing
+    multiplied,  ///< the start below and one Newton step, with a series for its division, give the foot
+    one_step,   ///< … and one Newton step
+    two_steps,  ///< … and two
+    end,        ///< the foot of all of them is the end t
+    uncertain   ///< nothing
   };
   How how = How::uncertain;
   /// The foot of the middle, and the start's two linear forms of the offset e from the middle: with
@@ -32,8 +31,8 @@ struct TileFacts {
   double p_change, s_change;  ///< of P and S2 per length
 };
 
-/// Certifies one tile after the other. Warm: a tile's foot is looked for from its predecessor's, which
-/// changes the time it takes and the last digits of t, never what is proven.
+/// Certifies one tile after another. The search for a tile's foot begins at the previous tile's, which changes the
+/// time it takes and the last digits of t, never what is proven.
 class TileCertifier {
  public:
   /// `frame` must outlive the certifier; coordinates below are its scaled ones.
@@ -44,7 +43,8 @@ class TileCertifier {
   /// All points within `reach` of `middle`.
   GridTile certify(glm::dvec2 middle, double reach);
 
-  /// A foot off by this much less than its share of the fast kernel's error [scaled].
+  /// How far the curve's point may be off at a certified foot [scaled]: a quarter of the fast kernel's smallest
+  /// unit of error.
   static constexpr double kTolerance = 0x1p-26;
   /// Tiles with a point farther away than this are left to the fast kernel, which is more careful there.
   static constexpr double kClose = 2;

@@ -15,9 +15,9 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The same frame, of which the compiler knows nothing: so it broadcasts constants from memory
-/// where they are used (which costs nothing), instead of keeping twenty of them in registers it
-/// does not have. Measured: 1.3 times the speed on AVX-512, twice on AVX2.
+/// The same frame, but the compiler knows nothing of its contents. So it broadcasts constants from memory where
+/// they are used (which costs nothing) instead of keeping twenty of them in registers it does not have. Measured:
+/// 1.3 times the speed on AVX-512, twice on AVX2.
 template <class Frame>
 HWY_INLINE const Frame& Reloaded(const Frame& frame) {
   const Frame* p = &frame;
@@ -25,9 +25,9 @@ HWY_INLINE const Frame& Reloaded(const Frame& frame) {
   return *p;
 }
 
-/// out[i] = kernel(x + i, y + i), a pack at a time. A rest shorter than a pack is padded with its
-/// last point: a lane's result never depends on its neighbours, so neither does a point's on where
-/// it stands. Inputs are read before the output is written, so out may be x or y.
+/// out[i] = kernel(x + i, y + i), a pack at a time. A rest shorter than a pack is padded with its last point: a
+/// lane's result never depends on its neighbours, so a point's result does not depend on its place. Inputs are read
+/// before the output is written, so out may be x or y.
 template <class D, class T, class Kernel>
 HWY_INLINE void ForBlocks(D d, const T* x, const T* y, size_t count, T* out, Kernel kernel) {
   const size_t step = kParts * hn::Lanes(d);
@@ -81,9 +81,8 @@ HWY_INLINE Pack<V> DistanceOf(D d, const T* x, const T* y, Pack<V> square, T uns
   return Checked(d, x, y, square, kFar<T>, Mul(Sqrt(square), SetPack(d, unscale)), exact);
 }
 
-/// From this square on [scaled; 2 sizes away or more] half roundings of the point's place count with
-/// the distance and no longer with the curve's size: points so far go through `far`, which is more
-/// careful.
+/// From this square on [scaled; 2 sizes away or more] half roundings of the point's place are measured against the
+/// distance and no longer against the curve's size: points this far go through `far`, which is more careful.
 inline constexpr float kClose = 4;
 
 /// The distances, except in packs with a square not below kClose (or NaN): there far(x, y, distances)

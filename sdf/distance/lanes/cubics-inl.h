@@ -31,7 +31,7 @@ HWY_INLINE W CubicAt(const CubicPack<W>& f, W x) {
   return MulAdd(MulAdd(MulAdd(f.a, x, f.b), x, f.c), x, f.d);
 }
 
-/// The terms' absolute sum: what rounding is measured by.
+/// The sum of the terms' absolute values: rounding is measured by it.
 template <class W>
 HWY_INLINE W TermsAt(const CubicPack<W>& f, W x) {
   const W y = Abs(x);
@@ -84,7 +84,7 @@ HWY_INLINE W RootFrom(D d, const CubicPack<W>& f, W base, W sign, W s, W r, W al
   return Halley(x, CubicAt(f, x), MulAdd(Add(f2_half, f.b), x, f.c), f2_half);
 }
 
-/// `sure`, or 0 where the cubic's value at x is over 2⁻⁵¹ of its terms, or not a number.
+/// `sure`, or 0 where the cubic's value at x is over 2⁻⁵¹ of its terms, or NaN.
 template <class D, class W>
 HWY_INLINE W IfRoot(D d, const CubicPack<W>& f, W x, W sure) {
   const W most = Mul(TermsAt(f, x), SetPack(d, 0x1p-51));

@@ -13,14 +13,14 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Coefficients as the kernel wants them: a > 0, neither end 0, no size whose powers leave the range of
-/// doubles. Lanes that are not are made x³ + 1, and `fits` is 0.
+/// Coefficients as the kernel wants them: a > 0, neither end 0, no size whose powers leave the range of doubles.
+/// All other lanes are made x³ + 1, and their `fits` is 0.
 template <class D, class W>
 HWY_INLINE CubicPack<W> Fitting(D d, CubicPack<W> f, W& fits) {
   const W zero = SetPack(d, 0), one = SetPack(d, 1), sign = CopySign(one, f.a);
   const W least = Min(Abs(f.a), Abs(f.d));
   const W most = Max(Max(Abs(f.a), Abs(f.b)), Max(Abs(f.c), Abs(f.d)));
-  // Written so that a coefficient that is not a number fits nowhere.
+  // Written so that a NaN coefficient never fits.
   const auto number =
       Lt(Add(Add(Abs(f.a), Abs(f.b)), Add(Abs(f.c), Abs(f.d))), SetPack(d, 0x1p102));
   const auto sound =

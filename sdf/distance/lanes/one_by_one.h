@@ -18,8 +18,8 @@ void distances_one_by_one(const Figure& figure, std::span<const T> x, std::span<
   }
 }
 
-/// d[i] = the distance from (x[i], y[i]) to the figure, by the kernel. Figures that the kernel does not
-/// promise for have no frame; they are measured one by one.
+/// d[i] = the distance from (x[i], y[i]) to the figure, by the kernel. Figures for which the kernel promises
+/// nothing have no frame; they are measured one by one.
 template <class Figure, class Frame, class T, class Kernel>
 void distances_by(Kernel* kernel, const std::optional<Frame>& frame, const Figure& figure,
                   std::span<const T> x, std::span<const T> y, std::span<T> d) {

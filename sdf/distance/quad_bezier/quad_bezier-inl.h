@@ -71,9 +71,8 @@ struct Candidate {
   W t, square;
 };
 
-/// The nearest candidate, and the square of the nearest one that was passed over: if they are too
-/// close to tell in these lanes, `rival` says so. Callers that do not read t or rival do not pay
-/// for them.
+/// The nearest candidate. `rival` is the square of the nearest one that was passed over, and says whether these
+/// lanes can tell the two apart. Callers that do not read t or rival do not pay for them.
 template <class W>
 struct Nearest {
   W t, square, rival;
@@ -93,8 +92,8 @@ HWY_INLINE Candidate<W> At(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<
   return {t, SquareAt(d, f, o, t)};
 }
 
-/// After one step on the curve from t, or before it where that was nearer: Newton may run away
-/// where three critical points meet.
+/// After one step on the curve from t, or before it where that was nearer: Newton's method may diverge where three
+/// critical points meet.
 template <class D, class W>
 HWY_INLINE Candidate<W> Settled(D d, const QuadBezierFrame<hn::TFromD<D>>& f, Offset<W> o, W t) {
   Candidate<W> before{t, t};
@@ -140,7 +139,7 @@ HWY_INLINE Nearest<Pack<V>> NearestOnCurved(D d, const QuadBezierFrame<hn::TFrom
   const W apart =
       MulAdd(Mul(x, x), SetPack(d, -0.75f), Mul(p, SetPack(d, -3)));  // of the other roots
   const auto three = Gt(apart, zero), two = And(Ne(free_t, t), three);
-  // Equally large roots of either sign: which one is nearer cannot be told here.
+  // Equally large roots of either sign: which one is nearer cannot be decided here.
   const W equal = IfThenElse(And(three, InDoubt(d, f, o, s)), zero, SetPack(d, 1e30f));
   if (!AnyTrue(d, two)) {
     const auto settled = Settled(d, f, o, t);

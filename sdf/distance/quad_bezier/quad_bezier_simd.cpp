@@ -15,9 +15,9 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// |B − p|² of the nearest of all places where the far point's nearest may be: the one that was found,
-/// both ends, and the other outer root, which for equal distances is the mirrored one. Which of them is
-/// nearest is not for the less careful square to say: it may be wrong by more than an ulp.
+/// |B − p|² of the nearest of all places where a far point's nearest point may be: the one that was found, both
+/// ends, and the other outer root, which is the mirrored one for equal distances. The less careful square cannot
+/// decide between them: it may be wrong by more than an ulp.
 template <class D, class W>
 HWY_INLINE W CarefulSquare(D d, const QuadBezierFrame<float>& f, W px, W py, Offset<W> o, W t) {
   const W mirrored = ClampToUnit(d, Sub(SetPack(d, -2 * f.vertex), t));

@@ -16,8 +16,8 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The largest root of a depressed cubic is good to 1.2e-5 of itself. In double it is better, but not the
-/// guess of the depth it is asked with: what is doubt in float lanes is doubt in double ones.
+/// The largest root of a depressed cubic is good to 1.2e-5 of itself in float. In double it is better, but the
+/// guess of the depth that it depends on is not: what is doubt in float lanes is doubt in double ones.
 inline constexpr float kRootError = 0x1p-16f;
 
 /// The disc at t: its depth |p − B(t)| − w(t), the smaller the nearer.
@@ -55,8 +55,8 @@ HWY_INLINE Disc<W> KinkAt(D d, const TaperedFrame<hn::TFromD<D>>& f, Offset<W> o
   return DiscAt(d, f, o, ClampToUnit(d, MulAdd(rate, Div(length, steep), foot.t)));
 }
 
-/// The deepest disc, the two minima that were looked at, and what the second one's lead times |q| must
-/// be above for the roots' error not to matter.
+/// The deepest disc, the two minima that were evaluated, and the least value of the second one's lead times |q| at
+/// which the roots' error does not matter.
 template <class W>
 struct Improvement {
   Disc<W> best, one, two;
@@ -129,9 +129,9 @@ HWY_INLINE PolishedDisc<W> Polish(D d, const TaperedFrame<hn::TFromD<D>>& f, Off
   return {Deeper(best, DiscAt(d, f, o, next)), step, missing};
 }
 
-/// What was found, and reasons to doubt it (docs/derivations/tapered_batches.md): what the last
-/// improvement gained; how far the last Newton step wanted to go, on its own and beside |q|; and how much
-/// more than enough the least lead over another minimum is.
+/// What was found, and reasons to doubt it (docs/derivations/tapered_batches.md): how much the last improvement
+/// gained; how far the last Newton step wanted to go, by itself and relative to |q|; and by how much the least lead
+/// over another minimum exceeds what it must be.
 template <class W>
 struct DeepestDisc {
   Disc<W> disc;

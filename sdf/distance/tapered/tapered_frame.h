@@ -19,8 +19,8 @@ struct TaperedFrame {
   T px, py, pw, p1;    ///< P = px·dx + py·dy + pw·L + p1
   T sx, sy, sw, s1;    ///< S2 likewise
   T vertex;            ///< t = x − vertex
-  /// An error e of t changes a depth by at most e² steep2 / |q|; least_lead is that for the largest
-  /// root's error.
+  /// An error e of t changes a depth by at most e² steep2 / |q|; least_lead is that bound for the error of the
+  /// largest root.
   T steep2, least_lead;
 };
 

@@ -40,8 +40,8 @@ struct StoredDiscs {
   HWY_ALIGN float square[kMost], t[kMost], one[kMost], two[kMost];
 };
 
-/// Lanes in doubt get the scalar form. Far ones get the least depth of the candidates in double precision:
-/// there |q| may have a larger ulp than the distance, and so has the choice between discs.
+/// Lanes in doubt get the scalar form. Far ones get the least depth of the candidates in double precision: there
+/// |q| may have a larger ulp than the distance, and the choice between discs is off by as much.
 template <class D, class Exact>
 HWY_NOINLINE void MendStroke(const TaperedStroke& stroke, const float* x, const float* y,
                              const StoredDiscs<D>& found, size_t count, float* distance,

@@ -14,9 +14,9 @@ namespace {
 constexpr double kCircle = 6.283185307179586;
 /// [rad] The most a piece turns, however coarse the tolerance.
 constexpr double kMostTurn = 1.3;
-/// Beyond this number of pieces an arc's numbers have no pixels left: what is 10¹³ px large.
+/// An arc of more pieces than this would be 10¹³ px large, where coordinates no longer resolve a pixel.
 constexpr int kMostPieces = 1 << 14;
-/// Arcs of more pieces are asked by eighths of a circle whether the window sees them at all.
+/// For arcs of more pieces the window is asked first, by eighths of a circle, whether it sees them at all.
 constexpr int kLong = 64;
 constexpr double kEighth = kCircle / 8.0;
 /// A bow flatter than this share of the tolerance is drawn straight.
@@ -28,10 +28,11 @@ double excess(double x) {
   return 0.5 * (1.0 - c) * (1.0 - c) / c;
 }
 
-/// Balanced pieces: at their ends. Beside a given end a little more, found by looking along it.
+/// The error of balanced pieces, as a share of the excess, at their ends. Beside a given end it is a little more,
+/// found by trying places along it.
 constexpr double kShare = 8.0 / 15.0, kShareByEnds = 0.56;
 
-/// `share`: of the excess, by which pieces are off at most.
+/// `share` of the excess: the largest error of a piece.
 int pieces_for(double radius, double turn, double tolerance, double share) {
   const double most = tolerance / (share * radius);
   const double h = std::min(std::sqrt(std::sqrt(128.0 * most)), kMostTurn);
@@ -40,8 +41,8 @@ int pieces_for(double radius, double turn, double tolerance, double share) {
   return n > 1.0 ? static_cast<int>(std::min(n, double(kMostPieces))) : 1;
 }
 
-/// An arc in n pieces of the angle h each, beginning at center + u. Where the ends are given, and so
-/// are not drawn in, the control points beside them make up for it.
+/// An arc in n pieces of the angle h each, beginning at center + u. Ends that are given cannot be drawn in, so the
+/// control points beside them make up for it.
 struct Turning {
   glm::dvec2 center, u, v;
   int n;
@@ -76,7 +77,7 @@ struct Turning {
     }
   }
 
-  /// The same for many pieces: what the window does not see is passed by.
+  /// The same for many pieces; those that the window does not see are skipped.
   void write_seen(CurvePen& pen, glm::dvec2 to) const {
     const int step = std::max(1, static_cast<int>(kEighth / std::abs(h)));
     for (int i = 0; i < n; i += step) {
@@ -94,7 +95,7 @@ struct Turning {
   }
 };
 
-/// A whole turn by quarters: those that lie beyond a side of the window are passed by.
+/// A whole turn by quarters; those beyond a side of the window are skipped.
 void write_quarters(CurvePen& pen, const Turning& arc) {
   constexpr double kAround = 1.01;  // of an ellipse, to hold its pieces
   const int quarter = arc.n / 4;

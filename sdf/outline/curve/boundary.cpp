@@ -11,7 +11,7 @@
 namespace mien {
 namespace {
 
-/// What is left of a shape without area: there and back.
+/// What is left of a shape without area: a line there and back.
 void write_segment(CurvePen& pen, glm::dvec2 a, glm::dvec2 b) {
   pen.begin(a);
   pen.line(b);
@@ -75,7 +75,7 @@ void BoundaryWriter::operator()(const Path& s) const {
     if (!loop.sides.empty()) write_loop(loop);
 }
 
-/// Gaps between sides are closed as the distance does it: by straight sides.
+/// Gaps between sides are closed by straight sides, as in the distance.
 void BoundaryWriter::write_loop(const Path::Loop& loop) const {
   Box2 box;
   for (const QuadBezier& side : loop.sides)

@@ -15,12 +15,12 @@ class CurvePen {
   /// Back to the begin, straight.
   virtual void close() = 0;
 
-  /// Any way to `to` that stays beyond one side of the window, as the pen does already.
+  /// Goes to `to` by any path beyond the same side of the window as the pen is now.
   void beyond_to(glm::dvec2 to) { line(to); }
   glm::dvec2 at() const { return at_; }
-  /// [px] by which curves may leave what they stand for.
+  /// [px] by which curves may leave what they approximate.
   double tolerance() const { return tolerance_; }
-  /// Curves matter inside of it only.
+  /// Curves matter only inside it.
   const Box2& window() const { return window_; }
   /// Whether all of a box lies beyond one side of the window.
   bool beyond(const Box2& box) const {

@@ -14,7 +14,7 @@
 namespace mien {
 namespace {
 
-/// [1/px] A parabola bent more is a ray, whatever the picture.
+/// [1/px] A parabola bent more than this is a ray in any picture.
 constexpr double kMostBend = 1e12;
 
 /// Coordinates of p in a side's frame: u along its outline, v towards its inside.
@@ -71,7 +71,7 @@ ParabolaSide tamed(ParabolaSide side) {
   return side;
 }
 
-/// Writes what of a closed outline lies inside a parabola's side.
+/// Writes the part of a closed outline that lies inside a parabola's side.
 class CutWriter {
  public:
   CutWriter(CurvePen& pen, const ParabolaSide& side) : pen_(pen), side_(side) {}
@@ -118,8 +118,8 @@ class CutWriter {
   int next(int i) const { return i + 1 < count_ ? i + 1 : 0; }
   bool enters(int i) const { return runs_[i > 0 ? i - 1 : count_ - 1].to != runs_[i].from; }
 
-  /// Along runs that go on, and along the side's own outline from where one leaves the side, with
-  /// falling u as all outlines here, to where the next one enters.
+  /// Follows runs, and from where a run leaves the side the side's own outline, with falling u as all outlines
+  /// here, to where the next run enters.
   void write_from(int first) {
     pen_.begin(runs_[first].from);
     int i = first;
@@ -136,7 +136,7 @@ class CutWriter {
     pen_.close();
   }
 
-  /// The run that enters next below `here`. If rounding hides it the loop closes.
+  /// The next run that enters below `here`. If rounding hides it, the loop closes.
   int entry_below(double here, int otherwise) const {
     int best = otherwise;
     double highest = -std::numeric_limits<double>::infinity();

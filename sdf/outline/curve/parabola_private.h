@@ -11,8 +11,8 @@ namespace mien {
 void write_half_plane(CurvePen& pen, const HalfPlane& side);
 void write_parabola_side(CurvePen& pen, const ParabolaSide& side);
 
-/// The first side's closed outline, cut to the second: where it leaves the second side, that one's
-/// own outline leads on to where it next comes in. Each loop is a part of what both have in common.
+/// The first side's closed outline, cut to the second side: where it leaves the second side, that side's own
+/// outline leads to where it comes back in. Each loop is one part of the intersection.
 void write_band(CurvePen& pen, const Band& band);
 
 }  // namespace mien

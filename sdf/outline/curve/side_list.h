@@ -1,5 +1,5 @@
 #pragma once
-// A pen that keeps what is drawn with it: the sides of closed loops, one loop after the other.
+// A pen that keeps what is drawn with it: the sides of closed loops, in order.
 
 #include <mien/quad_bezier.h>
 #include "sdf/outline/curve/curve_pen.h"
@@ -20,7 +20,7 @@ class SideList final : public CurvePen {
   void quad(glm::dvec2 control, glm::dvec2 to) override;
   void close() override;
 
-  /// Sides of no length are left out, but for one where the loop is a point.
+  /// Sides of no length are left out, except one where the loop is a point.
   std::span<const QuadBezier> loop(std::size_t i) const;
   std::size_t loops() const { return ends_.size(); }
 

@@ -28,7 +28,7 @@ struct Pen {
   /// The largest of w's control values: no w(t) is larger.
   double widest() const { return std::max({w, w + wa, w + 2.0 * wa + wb}); }
 
-  /// The pen's way from t0 to t1, which may be smaller.
+  /// The pen's movement from t0 to t1, which may be smaller.
   Pen part(double t0, double t1) const {
     const double dt = t1 - t0;
     Pen q;

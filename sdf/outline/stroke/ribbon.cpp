@@ -15,7 +15,7 @@ namespace {
 
 /// [px] Points nearer than this are one.
 constexpr double kSame = 1e-7;
-/// [px] Thinner than this there is no ribbon, and a bend this flat is none.
+/// [px] A ribbon thinner than this is none, and so is a bend this flat.
 constexpr double kThin = 1e-9;
 constexpr double kHalfCircle = 3.141592653589793;
 

@@ -11,10 +11,10 @@
 namespace mien {
 namespace {
 
-/// Halvings: a rim as wide as 10⁹ px reaches its tolerance with ten; cusps and round tips take two
-/// for each factor of four.
+/// Halvings: a rim as wide as 10⁹ px needs ten to reach its tolerance; cusps and round tips need two for each
+/// factor of four.
 constexpr int kRimHalvings = 64;
-/// Pieces of one rim. What needs more is drawn as well as they can.
+/// Pieces of one rim. A rim that needs more is drawn as well as these can.
 constexpr int kMostRimPieces = 2048;
 /// The sine of the most that a piece turns.
 constexpr double kMostRimTurn = 0.9;
@@ -63,7 +63,7 @@ class RimWriter {
     loop_.quad(control, to);
   }
 
-  /// As many parts as the error asks for, which falls with the fourth power of their length.
+  /// As many parts as the error asks for: it falls with the fourth power of their length.
   void write_parts(const Rim& a, const Rim& b, double t0, double t1, double error, int halvings) {
     constexpr double kMost = 8.0, kReserve = 1.1;
     const double wanted = std::sqrt(std::sqrt(kReserve * error / loop_.tolerance()));
@@ -92,7 +92,7 @@ class RimWriter {
            std::min(std::abs(ahead), std::abs(back)) > kLeastLeg * length;
   }
 
-  /// A bound of a rim's length between a and b, speeds as of `q`: cusps included.
+  /// An upper bound of a rim's length between a and b, cusps included; the speeds are those of `q`.
   static double longest(const Pen& q, double speed0, double speed1) {
     const glm::dvec2 v0 = q.velocity(0.0), v1 = q.velocity(1.0);
     const double r0 = q.rate(0.0), r1 = q.rate(1.0);

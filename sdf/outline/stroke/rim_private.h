@@ -15,7 +15,7 @@ struct Rim {
                  ///< it runs back, 0 at its cusps
 };
 
-/// The sine by which normals lean backwards, since the width grows.
+/// The sine of the angle by which normals lean backwards because the width grows.
 double lean_at(const Pen& pen, double t);
 
 /// toward: +1 left of the spine (towards turned(B')), −1 right of it.

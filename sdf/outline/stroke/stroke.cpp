@@ -17,8 +17,8 @@ namespace {
 
 /// [px] Thinner than this there is no stroke.
 constexpr double kThinStroke = 1e-9;
-/// [px] A bend this flat is none, and a width that changes as little towards a turn rests: the lattice that
-/// vertices lie on, three times, below which rims come apart. A seventh of the finest tolerance.
+/// [px] A flatter bend is no bend, and a width that changes less towards a turn is constant: three times the
+/// lattice that vertices lie on, below which rims come apart. A seventh of the finest tolerance.
 constexpr double kFlatStroke = 3e-6;
 /// Parameters this close are one.
 constexpr double kSamePoint = 1e-12;
@@ -61,8 +61,8 @@ void write_cap(OutlineLoop& loop, const Pen& pen, double t, glm::dvec2 from, glm
   write_arc(loop, pen.center(t), pen.width(t), from, 2.0 * std::acos(t > 0.5 ? -lean : lean), to);
 }
 
-/// Where |w'| comes up to |B'| both rims end in one point, but for what t is off by: a tight bend of the
-/// spine makes much of that. The disc there fills the rest.
+/// Where |w'| reaches |B'| both rims end in one point, except for the error of t, which a tight bend of the spine
+/// magnifies. The disc there fills the gap.
 void write_tip(OutlineLoop& loop, const Pen& pen, double t, double end, glm::dvec2 from,
                glm::dvec2 to) {
   const double lean = lean_at(pen, t);
@@ -91,7 +91,7 @@ void write_open(OutlineLoop& loop, const Pen& pen, double t0, double t1) {
 void write_part(OutlineLoop& loop, const Pen& pen) {
   const double w1 = pen.width(1.0);
   const bool open0 = openness(pen, 0.0) > 0.0, open1 = openness(pen, 1.0) > 0.0;
-  // A disc at an end that holds its neighbours.
+  // A disc at an end that contains its neighbours.
   if (!open0 && pen.w > kThinStroke && pen.rate(0.0) < 0.0) write_disc(loop, pen.p, pen.w);
   if (!open1 && w1 > kThinStroke && pen.rate(1.0) > 0.0) write_disc(loop, pen.center(1.0), w1);
   StrokeCuts cuts;
@@ -136,7 +136,7 @@ void write_stroke(OutlineLoop& loop, const Pen& drawn) {
   const bool straight = std::abs(cross(pen.a, pen.b)) <= kFlatStroke * size;
   if (straight) pen = straightened(pen);
   double turn = straight ? -glm::dot(pen.a, pen.b) / glm::dot(pen.b, pen.b) : -1.0;
-  constexpr double kNear = 1e-6;  // a spine that all but turns at its end does
+  constexpr double kNear = 1e-6;  // a spine that turns this near to its end turns at it
   const bool turns = turn > -kNear && turn < 1.0 + kNear;
   turn = std::clamp(turn, 0.0, 1.0);
   if (turns) cuts.add(turn);

@@ -27,9 +27,8 @@ Inside inside(const ParabolaSide& side, glm::dvec2 p) {
   return {v - bow, 0x1p-45 * (size + std::abs(bow) + std::abs(side.bend * u) * size)};
 }
 
-/// A side's outline cut at the corners into pieces, each of which is inside the other side or not.
-/// That is asked once for a piece, far from its ends, so that a foot near a corner is placed
-/// consistently.
+/// A side's outline cut at the corners into pieces, each of which is inside the other side or not. That is decided
+/// once for each piece, far from its ends, so that feet near a corner are treated consistently.
 struct Pieces {
   int cuts;
   std::array<double, 4> cut{};  ///< ascending u

@@ -61,9 +61,8 @@ struct Seen {
   }
 };
 
-/// A piece of the curve and of B'/3, both by their own control points on [lo, hi]. f's coefficients
-/// are formed anew on every piece, so near a cusp, where both are small, they are as good as it
-/// deserves.
+/// A piece of the curve and of B'/3, both by their own control points on [lo, hi]. f's coefficients are formed anew
+/// on every piece, so they stay accurate near a cusp, where both are small.
 struct Piece {
   std::array<glm::dvec2, 4> q;
   std::array<glm::dvec2, 3> u;
