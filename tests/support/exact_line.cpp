@@ -11,7 +11,7 @@ namespace {
 constexpr double kGaussPlace[3] = {0.5 - 0.38729833462074170, 0.5, 0.5 + 0.38729833462074170};
 constexpr double kGaussWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 constexpr double kShortestFine = 3e-5;  // [px] spans that a fine truth may miss
-constexpr int kDepth = 16;              // spans are halved so often
+constexpr int kHalvings = 16;           // spans are halved so often
 constexpr double kNothing = 1e-7;       // [px] shorter spans are where two ends meet
 
 std::size_t followed_by(std::size_t order, std::size_t what) {
@@ -149,7 +149,7 @@ Mixes ExactTruth::along(const Square& square, const FaceLine& line, const Spans&
     if (!span.varies)
       sum = sum + (span.b - span.a) * color(span.stack, line(0.5 * (span.a + span.b)));
     else
-      sum = sum + refined_span(square, span, line, 0, 1, gauss(span, line, 0, 1), kDepth);
+      sum = sum + refined_span(square, span, line, 0, 1, gauss(span, line, 0, 1), kHalvings);
   }
   return sum;
 }
