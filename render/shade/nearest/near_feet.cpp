@@ -198,9 +198,9 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
   return slowest - taken - w * std::sqrt(fastest) > 0.3 * slowest;
 }
 
-/// How far apart looks may lie [px]: a third of the tile's radius; where the spine turns more tightly than that,
+/// How far apart samples may lie [px]: a third of the tile's radius; where the spine turns more tightly than that,
 /// close enough for both sides of the bend to be seen, but at least a tenth.
-double looks_apart(const Spine<double>& s, double from, double to, double radius) {
+double sample_distance(const Spine<double>& s, double from, double to, double radius) {
   const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
   const double slowest = bend2 > 0.0 ? std::clamp(-0.5 * dot / bend2, from, to) : from;
   const double speed = std::hypot(s.x1 + 2.0 * slowest * s.x2, s.y1 + 2.0 * slowest * s.y2);
@@ -227,13 +227,14 @@ Stretch stretch_within(double most, const Keys& keys, double apart) {
   return found;
 }
 
-/// Sets as many looks along [from, to] as the spine's bend asks for.
-void place_looks(const Spine<double>& s, double reach, double from, double to, double radius,
-                 NearSpine& near) {
-  const double looks = std::ceil((to - from) * reach / looks_apart(s, from, to, radius)) + 1.0;
-  near.looks = int(std::clamp(looks, 2.0, near.single ? 4.0 : double(NearSpine::kMostLooks)));
-  if (reach == 0.0) near.looks = 1;
-  near.first = float(from), near.step = float((to - from) / std::max(1, near.looks - 1));
+/// Sets as many samples along [from, to] as the spine's bend asks for.
+void place_samples(const Spine<double>& s, double reach, double from, double to, double radius,
+                   NearSpine& near) {
+  const double samples =
+      std::ceil((to - from) * reach / sample_distance(s, from, to, radius)) + 1.0;
+  near.samples = int(std::clamp(samples, 2.0, near.single ? 4.0 : double(NearSpine::kMostSamples)));
+  if (reach == 0.0) near.samples = 1;
+  near.first = float(from), near.step = float((to - from) / std::max(1, near.samples - 1));
   near.apart = float(0.5 * reach) * near.step;
 }
 
@@ -313,7 +314,7 @@ void NearFeet::narrow_shape(const SpineShape& shape) {
       near.single = has_one_foot(s, from, to, farthest);
       if (!shape.next.empty() && has_one_foot(s, 0.0, 1.0, farthest) && ends_beside(shape, k))
         continue;
-      place_looks(s, shape.reach[k], from, to, radius_, near);
+      place_samples(s, shape.reach[k], from, to, radius_, near);
       spines_.push_back(near);
     }
   }

@@ -5,7 +5,7 @@
 // An outline is a set of *spines*: curves B(t) with a half-width w(t), whose distance is the least |p − B(t)| −
 // w(t). Sides of paths are spines without width, whose sign is that of the side. Around a tile only those stretches
 // of spines are kept that can be nearest somewhere in it. Each place evaluates them at several parameters, their
-// *looks*. Newton's method starts at the nearest look, and at the nearest other one that is no neighbour of it: so
+// *samples*. Newton's method starts at the nearest sample, and at the nearest other one that is no neighbour of it: so
 // a second foot that appears inside the tile is found.
 
 #include "render/shade/nearest/area_distance.h"
@@ -28,12 +28,12 @@ struct Spine {
 /// A stretch of a spine around a tile's middle.
 struct NearSpine {
   Spine<float> spine;
-  static constexpr int kMostLooks = 64;
-  int looks;          ///< how many places along it are evaluated
+  static constexpr int kMostSamples = 64;
+  int samples;        ///< how many places along it are evaluated
   float first, step;  ///< their parameters
   bool single;        ///< nowhere in the disc does it have two feet
   float least;        ///< a lower bound of its distance at the middle
-  float apart;        ///< how much nearer it may come between two looks
+  float apart;        ///< how much nearer it may come between two samples
 };
 
 /// An ellipse in its own frame, seen from a tile's middle.

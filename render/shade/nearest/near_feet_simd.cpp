@@ -25,7 +25,7 @@ HWY_INLINE VF KeyAt(const Spine<float>& s, VF x, VF y, VF t) {
 }
 
 /// Newton's method for the zero of ½ (|B − p|²)' − w' |B − p|, kept within `reach` of where it began. Four steps:
-/// looks are a third of the tile's radius apart, so the first guess is within a sixth, and errors fall as their square.
+/// samples are a third of the tile's radius apart, so the first guess is within a sixth, and errors fall as their square.
 template <bool kStroke>
 HWY_INLINE VF Descended(const Spine<float>& s, VF x, VF y, VF t, float reach) {
   const VF zero = hn::Zero(F()), one = Const(1.0f);
@@ -70,42 +70,42 @@ HWY_INLINE Around AroundOf(VF x, VF y) {
   return {mx, my, hn::Sqrt(hn::MaxOfLanes(f, Fused(dx, dx, hn::Mul(dy, dy))))};
 }
 
-struct Looks {
+struct SampleRange {
   int first, last;
   float least;  ///< how near the spine may come to the disc's middle
 };
 
-/// Which looks can be near a place of the disc: those no farther from its middle than the nearest look by more than
+/// Which samples can be near a place of the disc: those no farther from its middle than the nearest sample by more than
 /// the width of the disc, and their neighbours.
 template <bool kStroke>
-HWY_INLINE Looks LooksAround(const NearSpine& near, const Around& around) {
+HWY_INLINE SampleRange SamplesAround(const NearSpine& near, const Around& around) {
   const F f;
-  HWY_ALIGN float key[NearSpine::kMostLooks + hn::MaxLanes(F())] = {};
+  HWY_ALIGN float key[NearSpine::kMostSamples + hn::MaxLanes(F())] = {};
   const VF iota = hn::Iota(f, 0.0f);
-  for (int i = 0; i < near.looks; i += int(hn::Lanes(f))) {
+  for (int i = 0; i < near.samples; i += int(hn::Lanes(f))) {
     const VF t = Fused(hn::Add(iota, Const(float(i))), Const(near.step), Const(near.first));
     hn::StoreU(KeyAt<kStroke>(near.spine, around.x, around.y, t), f, key + i);
   }
   float least = key[0];
-  for (int i = 1; i < near.looks; ++i) least = HWY_MIN(least, key[i]);
+  for (int i = 1; i < near.samples; ++i) least = HWY_MIN(least, key[i]);
   const float most = least + 2.0f * hn::GetLane(around.away) + near.apart;
-  int first = 0, last = near.looks - 1;
+  int first = 0, last = near.samples - 1;
   while (key[first] > most) ++first;
   while (key[last] > most) --last;
-  return {HWY_MAX(first - 1, 0), HWY_MIN(last + 1, near.looks - 1), least - near.apart};
+  return {HWY_MAX(first - 1, 0), HWY_MIN(last + 1, near.samples - 1), least - near.apart};
 }
 
 /// The nearest place of one spine.
 template <bool kStroke>
-HWY_INLINE Foot FootOn(const NearSpine& near, const Looks& looks, VF x, VF y) {
+HWY_INLINE Foot FootOn(const NearSpine& near, const SampleRange& samples, VF x, VF y) {
   const Spine<float>& s = near.spine;
   const VF far = Const(1e30f);
   VF best = far, at = Const(near.first);
-  // The second: a look no farther than both its neighbours, not beside the best.
+  // The second: a sample no farther than both its neighbours, not beside the best.
   VF second = far, second_at = at, before = far, here = far;
-  for (int i = looks.first; i <= looks.last + 1; ++i) {
+  for (int i = samples.first; i <= samples.last + 1; ++i) {
     const VF next =
-        i <= looks.last ? KeyAt<kStroke>(s, x, y, Const(near.first + float(i) * near.step)) : far;
+        i <= samples.last ? KeyAt<kStroke>(s, x, y, Const(near.first + float(i) * near.step)) : far;
     const VF mid = Const(near.first + float(i - 1) * near.step);  // where `here` is
     const auto valley = hn::And(hn::Le(here, before), hn::Lt(here, next));
     const auto better = hn::And(valley, hn::Lt(here, best));
@@ -115,7 +115,7 @@ HWY_INLINE Foot FootOn(const NearSpine& near, const Looks& looks, VF x, VF y) {
     best = hn::IfThenElse(better, here, best), at = hn::IfThenElse(better, mid, at);
     before = here, here = next;
   }
-  const float reach = near.looks > 1 ? 1.01f * near.step : 1.0f;
+  const float reach = near.samples > 1 ? 1.01f * near.step : 1.0f;
   at = Descended<kStroke>(s, x, y, at, reach);
   best = KeyAt<kStroke>(s, x, y, at);
   if (near.single || hn::AllTrue(F(), hn::Ge(second, far))) return {best, at};
@@ -190,10 +190,10 @@ HWY_INLINE FootForm FormOf(const Spine<float>& s, VF x, VF y, VF t, VF key) {
   return {d, hn::Mul(sign, nx), hn::Mul(sign, ny), hn::Mul(sign, held)};
 }
 
-/// A spine that can be nearest somewhere in a disc, and its looks around there.
+/// A spine that can be nearest somewhere in a disc, and its samples around there.
 struct Chosen {
   const NearSpine* near;
-  Looks looks;
+  SampleRange samples;
 };
 constexpr int kMostChosen = 24;
 
@@ -209,20 +209,20 @@ HWY_INLINE int Choose(std::span<const NearSpine> spines, const Around& around, C
   for (const NearSpine& near : spines) {
     if (near.least - from_middle > best + 2.0f * away) break;
     if (seen == kMostChosen) return -1;
-    const Looks looks = LooksAround<kStroke>(near, around);
-    best = HWY_MIN(best, looks.least + near.apart);
-    chosen[seen++] = {&near, looks};
+    const SampleRange samples = SamplesAround<kStroke>(near, around);
+    best = HWY_MIN(best, samples.least + near.apart);
+    chosen[seen++] = {&near, samples};
   }
   for (int i = 0; i < seen; ++i)
-    if (chosen[i].looks.least <= best + 2.0f * away) chosen[count++] = chosen[i];
+    if (chosen[i].samples.least <= best + 2.0f * away) chosen[count++] = chosen[i];
   return count;
 }
 
 /// Takes the foot on one more spine where it is nearer.
 template <bool kStroke>
-HWY_INLINE void Take(const NearSpine& near, const Looks& looks, VF x, VF y, VF& best,
+HWY_INLINE void Take(const NearSpine& near, const SampleRange& samples, VF x, VF y, VF& best,
                      FootForm& form) {
-  const Foot foot = FootOn<kStroke>(near, looks, x, y);
+  const Foot foot = FootOn<kStroke>(near, samples, x, y);
   const auto nearer = hn::Lt(foot.key, best);
   if (hn::AllFalse(F(), nearer)) return;
   const FootForm other = FormOf<kStroke>(near.spine, x, y, foot.t, foot.key);
@@ -243,9 +243,9 @@ HWY_INLINE FootForm Nearest(std::span<const NearSpine> spines, VF x, VF y) {
       hn::Add(hn::Sqrt(Fused(around.x, around.x, hn::Mul(around.y, around.y))), around.away);
   for (const NearSpine& near : spines) {
     if (hn::AllTrue(F(), hn::Lt(best, hn::Sub(Const(near.least), from_middle)))) break;
-    const Looks looks = LooksAround<kStroke>(near, around);
-    if (hn::AllTrue(F(), hn::Lt(best, Const(looks.least - away)))) continue;
-    Take<kStroke>(near, looks, x, y, best, form);
+    const SampleRange samples = SamplesAround<kStroke>(near, around);
+    if (hn::AllTrue(F(), hn::Lt(best, Const(samples.least - away)))) continue;
+    Take<kStroke>(near, samples, x, y, best, form);
   }
   return form;
 }
@@ -284,7 +284,7 @@ void FeetOn(std::span<const NearSpine> spines, std::span<const float> x, std::sp
       form = Nearest<kStroke>(spines, px, py);
     else
       for (int i = 0; i < count; ++i)
-        Take<kStroke>(*chosen[i].near, chosen[i].looks, px, py, best, form);
+        Take<kStroke>(*chosen[i].near, chosen[i].samples, px, py, best, form);
     StoreForm(form, out, k);
   }
 }
