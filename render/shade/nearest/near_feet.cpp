@@ -200,7 +200,7 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
 
 /// How far apart samples may lie [px]: a third of the tile's radius; where the spine turns more tightly than that,
 /// close enough for both sides of the bend to be seen, but at least a tenth.
-double sample_distance(const Spine<double>& s, double from, double to, double radius) {
+double sample_gap(const Spine<double>& s, double from, double to, double radius) {
   const double dot = s.x1 * s.x2 + s.y1 * s.y2, bend2 = s.x2 * s.x2 + s.y2 * s.y2;
   const double slowest = bend2 > 0.0 ? std::clamp(-0.5 * dot / bend2, from, to) : from;
   const double speed = std::hypot(s.x1 + 2.0 * slowest * s.x2, s.y1 + 2.0 * slowest * s.y2);
@@ -230,9 +230,8 @@ Stretch stretch_within(double most, const Keys& keys, double apart) {
 /// Sets as many samples along [from, to] as the spine's bend asks for.
 void place_samples(const Spine<double>& s, double reach, double from, double to, double radius,
                    NearSpine& near) {
-  const double samples =
-      std::ceil((to - from) * reach / sample_distance(s, from, to, radius)) + 1.0;
-  near.samples = int(std::clamp(samples, 2.0, near.single ? 4.0 : double(NearSpine::kMostSamples)));
+  const double count = std::ceil((to - from) * reach / sample_gap(s, from, to, radius)) + 1.0;
+  near.samples = int(std::clamp(count, 2.0, near.single ? 4.0 : double(NearSpine::kMostSamples)));
   if (reach == 0.0) near.samples = 1;
   near.first = float(from), near.step = float((to - from) / std::max(1, near.samples - 1));
   near.apart = float(0.5 * reach) * near.step;
