@@ -26,16 +26,20 @@ bool is_skin(const FaceModel& model, int color) {
   return model.layout[color].name.starts_with("palette/skin");
 }
 
-bool hides(const Face& face, const Feature& feature) {
+/// How much of a feature hides what lies below it: all, what of a gradient is not clear, nothing.
+enum class Hiding { all, part, none };
+
+Hiding hiding_of(const Face& face, const Feature& feature) {
   const FaceModel& model = *face.model;
   const auto hides_by = [&](int color) {
     return !is_skin(model, color) &&
            face.vector[std::size_t(model.layout[color].begin + 3)] >= kHides;
   };
-  if (feature.paint >= 0) return hides_by(feature.paint);
-  if (!feature.gradient) return false;
+  if (feature.paint >= 0) return hides_by(feature.paint) ? Hiding::all : Hiding::none;
+  if (!feature.gradient) return Hiding::none;
   const std::vector<int>& colors = feature.gradient.in(model.gradients).colors;
-  return std::ranges::all_of(colors, hides_by);
+  if (std::ranges::all_of(colors, hides_by)) return Hiding::all;
+  return std::ranges::any_of(colors, hides_by) ? Hiding::part : Hiding::none;
 }
 
 bool begins_with_any(std::string_view name, std::initializer_list<std::string_view> begins) {
@@ -83,9 +87,12 @@ KnownFeatures::KnownFeatures(const Face& face) {
     if (name == "lip_upper") lip_upper.push_back(i);
     if (name == "lip_upper" || name == "lip_lower") lips.push_back(i);
     if (!feature.painted()) continue;
-    const bool hair = hides(face, feature) && !is_glasses(name);
-    if (hair && head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"}))
-      over_head.push_back(i);
+    const Hiding hiding = is_glasses(name) ? Hiding::none : hiding_of(face, feature);
+    const bool hair = hiding == Hiding::all;
+    if (head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"})) {
+      if (hair) over_head.push_back(i);
+      if (hiding != Hiding::none) over_temples.push_back(i);
+    }
     for (std::size_t s = 0; s < 2; ++s)
       if (hair && brow[s] >= 0 && i > brow[s] && !name.starts_with("brow"))
         over_brow[s].push_back(i);
