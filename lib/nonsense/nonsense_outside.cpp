@@ -34,7 +34,7 @@ void check_scalp(NonsenseSight& sight, const Polygon& head, double turn) {
 void check_hairline(NonsenseSight& sight, const Polygon& head, double turn) {
   constexpr double kNearInside = 0.05, kNearOutside = 0.03, kLeast = 0.01;
   const auto hair = [&](std::size_t i, double out) {
-    return sight.areas.any_covers(sight.known.over_head,
+    return sight.areas.any_covers(sight.known.over_temples,
                                   head[i] + out * sight.unit * outward(head, i, turn));
   };
   double least = kLeast;

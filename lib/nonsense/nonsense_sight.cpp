@@ -26,16 +26,21 @@ bool is_skin(const FaceModel& model, int color) {
   return model.layout[color].name.starts_with("palette/skin");
 }
 
-bool hides(const Face& face, const Feature& feature) {
+/// How much of a feature hides what lies below it: all, what of a gradient is not clear, nothing.
+enum class Hiding { all, part, none };
+
+/// `skin_too`: of a brow, which skin hides as well; of the scalp it is the same as what it hides.
+Hiding hiding_of(const Face& face, const Feature& feature, bool skin_too) {
   const FaceModel& model = *face.model;
   const auto hides_by = [&](int color) {
-    return !is_skin(model, color) &&
+    return (skin_too || !is_skin(model, color)) &&
            face.vector[std::size_t(model.layout[color].begin + 3)] >= kHides;
   };
-  if (feature.paint >= 0) return hides_by(feature.paint);
-  if (!feature.gradient) return false;
+  if (feature.paint >= 0) return hides_by(feature.paint) ? Hiding::all : Hiding::none;
+  if (!feature.gradient) return Hiding::none;
   const std::vector<int>& colors = feature.gradient.in(model.gradients).colors;
-  return std::ranges::all_of(colors, hides_by);
+  if (std::ranges::all_of(colors, hides_by)) return Hiding::all;
+  return std::ranges::any_of(colors, hides_by) ? Hiding::part : Hiding::none;
 }
 
 bool begins_with_any(std::string_view name, std::initializer_list<std::string_view> begins) {
@@ -83,12 +88,17 @@ KnownFeatures::KnownFeatures(const Face& face) {
     if (name == "lip_upper") lip_upper.push_back(i);
     if (name == "lip_upper" || name == "lip_lower") lips.push_back(i);
     if (!feature.painted()) continue;
-    const bool hair = hides(face, feature) && !is_glasses(name);
-    if (hair && head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"}))
-      over_head.push_back(i);
-    for (std::size_t s = 0; s < 2; ++s)
-      if (hair && brow[s] >= 0 && i > brow[s] && !name.starts_with("brow"))
-        over_brow[s].push_back(i);
+    if (!is_glasses(name)) {
+      const Hiding hiding = hiding_of(face, feature, false);
+      if (head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"})) {
+        if (hiding == Hiding::all) over_head.push_back(i);
+        if (hiding != Hiding::none) over_temples.push_back(i);
+      }
+      const bool over_brows =
+          hiding_of(face, feature, true) == Hiding::all && !name.starts_with("brow");
+      for (std::size_t s = 0; s < 2; ++s)
+        if (over_brows && brow[s] >= 0 && i > brow[s]) over_brow[s].push_back(i);
+    }
     // What is clipped to a feature stays in it; an area without a paint only makes room.
     if (feature.clip && feature.clip.in(model.features).painted()) continue;
     if ((head >= 0 && i >= head) || begins_with_any(name, {"ear", "hearing"})) framed.push_back(i);

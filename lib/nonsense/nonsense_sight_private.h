@@ -23,6 +23,8 @@ struct KnownFeatures {
   Sides opening, pupil, brow, upper_lid, lens, rim, arm, ear;
   std::vector<int> lip_upper, lips;  ///< lips: both
   std::vector<int> over_head;        ///< what can hide the head, of hair or cloth
+  /// And hair that fades into skin: a fade has no edge inside the outline that anybody could see.
+  std::vector<int> over_temples;
   std::array<std::vector<int>, 2> over_brow;
   std::vector<int> framed;  ///< what has to stay in the picture
   std::vector<int> looped;  ///< painted paths, which must not turn inside out

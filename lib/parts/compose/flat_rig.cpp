@@ -47,17 +47,28 @@ class Muscles {
   }
 
  private:
-  /// A muscle stops where there is no more room: {"from": POINT, "to": POINT, "less": d, "times": k, "least": d}.
+  /// A muscle stops where there is no more room, upwards or, with "along": "x", outwards:
+  /// {"from": POINT, "to": POINT, "less": NUMBER, "times": k, "least": d}.
   double roomed(const JsonNode& node, double stroke) const {
     const JsonNode* room = in_.find(node, "room");
     if (!room) return stroke;
-    const auto height = [&](std::string_view key) {
-      return geometry_.point(in_, in_.need(*room, key), {}, "").at.y;
+    const int axis = along(*room);
+    const auto place = [&](std::string_view key) {
+      return geometry_.point(in_, in_.need(*room, key), {}, "").at[axis];
     };
-    const double free = height("to") - height("from") - in_.number(in_.need(*room, "less"));
+    const double less = geometry_.scalar(in_, in_.need(*room, "less"), "");
+    const double free = place("to") - place("from") - less;
     const double most =
         std::max(free * in_.number(in_.need(*room, "times")), in_.number(in_.need(*room, "least")));
     return std::min(stroke, most);
+  }
+
+  int along(const JsonNode& room) const {
+    const JsonNode* said = in_.find(room, "along");
+    if (!said) return 1;
+    const std::string_view axis = in_.string(*said);
+    if (axis != "x" && axis != "y") in_.refuse(*said, "room goes along \"x\" or \"y\"");
+    return axis == "x" ? 0 : 1;
   }
 
   template <class Each>

@@ -52,7 +52,8 @@ void add_check(CLI::App& app, CheckArguments& to) {
       ->add_option(
           "--nonsense", to.people,
           "Measure each FACE, or N people instead, in some 500 poses: lids that do not meet, "
-          "lips on the nose, hair beside the head and the like; print what is wrong how often")
+          "lips on the nose, hair beside the head and the like; print what is wrong how often, "
+          "where first, and which parts the people share in whom it is wrong")
       ->type_name("N")
       ->expected(0, 1)
       ->allow_extra_args(false);

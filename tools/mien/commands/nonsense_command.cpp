@@ -7,6 +7,7 @@
 #include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/parts_at_fault.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -72,15 +73,19 @@ TriedOrCode faces_to_try(const CheckArguments& arguments) {
   return tried;
 }
 
-/// Of one check: in how many poses of how many faces something is wrong, and the first of them.
+/// Of one check: in how many poses of how many faces something is wrong, the first of them, and what
+/// parts the people share.
 struct Wrong {
   int poses = 0, faces = 0;
   const TriedFace* face = nullptr;
   const NonsenseFault* first = nullptr;
+  std::vector<PartAtFault> parts;
 };
 
 Wrong wrong_by(std::string_view check, const std::vector<TriedFace>& faces) {
   Wrong wrong;
+  std::vector<const Recipe*> people;
+  std::vector<char> faulty;
   for (const TriedFace& face : faces) {
     const std::string* last = nullptr;
     for (const NonsenseFault& fault : face.faults) {
@@ -89,7 +94,9 @@ Wrong wrong_by(std::string_view check, const std::vector<TriedFace>& faces) {
       last = &fault.pose;
       if (!wrong.first) wrong.face = &face, wrong.first = &fault;
     }
+    people.push_back(&face.recipe), faulty.push_back(last != nullptr);
   }
+  wrong.parts = parts_at_fault(people, faulty);
   return wrong;
 }
 
@@ -107,6 +114,12 @@ std::string as_json(const std::vector<TriedFace>& faces, std::size_t poses) {
           json_string(wrong.face->name), json_string(wrong.first->pose),
           json_string(wrong.first->what), json_number(wrong.first->measured),
           json_number(wrong.first->allowed));
+    for (std::size_t i = 0; i < wrong.parts.size(); ++i)
+      text +=
+          fmt::format("{}{{\"family\": {}, \"part\": {}, \"faulty_faces\": {}, \"faces\": {}}}{}",
+                      i ? ", " : ", \"parts\": [", json_string(wrong.parts[i].family),
+                      json_string(wrong.parts[i].part), wrong.parts[i].faulty, wrong.parts[i].all,
+                      i + 1 == wrong.parts.size() ? "]" : "");
     text += "}";
   }
   return text + "]}\n";
@@ -122,6 +135,9 @@ std::string as_table(const std::vector<TriedFace>& faces, std::size_t poses) {
       text += fmt::format("  {}  {}{}{}: {:.4g}, allowed {:.4g}", one_line(wrong.face->name, 60),
                           wrong.first->pose, wrong.first->what.empty() ? "" : ", ",
                           wrong.first->what, wrong.first->measured, wrong.first->allowed);
+    for (std::size_t i = 0; i < wrong.parts.size(); ++i)
+      text += fmt::format("{}{}={} {} of {}", i ? ", " : "; most with ", wrong.parts[i].family,
+                          wrong.parts[i].part, wrong.parts[i].faulty, wrong.parts[i].all);
     text += "\n";
   }
   return text;
