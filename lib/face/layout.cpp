@@ -1,7 +1,9 @@
 #include <mien/layout.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -39,18 +41,36 @@ double wrapped(double value, double lo, double hi) {
 }  // namespace
 
 int Layout::add(std::string name, SliceKind kind, int size) {
-  Slice slice{.name = name, .kind = kind, .begin = int(size_), .size = size};
-  set_range(slice);
   const int index = int(slices_.size());
-  by_name_.emplace(std::move(name), index);
+  const Place place{std::hash<std::string_view>{}(name), index};
+  Slice slice{.name = std::move(name), .kind = kind, .begin = int(size_), .size = size};
+  set_range(slice);
   slices_.push_back(std::move(slice));
   size_ += std::size_t(size);
+  if (2 * slices_.size() > table_.size()) {
+    const std::vector<Place> old =
+        std::exchange(table_, std::vector<Place>(std::max<std::size_t>(64, 2 * table_.size())));
+    for (const Place& known : old)
+      if (known.slice >= 0) enter(known);
+  }
+  enter(place);
   return index;
 }
 
+void Layout::enter(Place place) {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t at = place.hash & mask;
+  while (table_[at].slice >= 0) at = (at + 1) & mask;
+  table_[at] = place;
+}
+
 int Layout::find(std::string_view name) const {
-  const auto found = by_name_.find(name);
-  return found == by_name_.end() ? -1 : found->second;
+  if (table_.empty()) return -1;
+  const std::size_t hash = std::hash<std::string_view>{}(name), mask = table_.size() - 1;
+  std::size_t at = hash & mask;
+  for (; table_[at].slice >= 0; at = (at + 1) & mask)
+    if (table_[at].hash == hash && slices_[std::size_t(table_[at].slice)].name == name) break;
+  return table_[at].slice;
 }
 
 void apply_rules(const Layout& layout, const FaceVector& rest, FaceVector& vector) {

@@ -10,10 +10,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace mien {
@@ -34,11 +32,15 @@ class MIEN_API Layout {
   double largest = 1e9;
 
  private:
-  struct Hash : std::hash<std::string_view> {
-    using is_transparent = void;
+  /// A name's place in a table that is searched from its hash on.
+  struct Place {
+    std::size_t hash = 0;
+    int slice = -1;  ///< none
   };
+  void enter(Place place);
+
   std::vector<Slice> slices_;
-  std::unordered_map<std::string, int, Hash, std::equal_to<>> by_name_;
+  std::vector<Place> table_;  ///< a power of two, at most half of them taken
   std::size_t size_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #include "lib/picture/oklch.h"
-#include "lib/picture/srgb.h"
+#include "lib/math/degrees.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace mien {
 namespace {
@@ -22,6 +21,22 @@ glm::dvec3 linear_of(const glm::dvec3& lab) {
           -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
+/// The encoded channel, 0 … 255, of linear light: the power 5/12 of a number x is the fifth power of the cube root of
+/// √√x, which Newton's steps find. The C library's power may differ by a last bit, and so by a level, elsewhere.
+int level_of(double linear) {
+  linear = std::clamp(linear, 0.0, 1.0);
+  double encoded = linear * 12.92;
+  if (linear > 0.0031308) {
+    constexpr int kRounds = 12;  // from 1 down to 0.6, the root of the least, and six to spare
+    const double x = std::sqrt(std::sqrt(linear));
+    double root = 1;
+    for (int i = 0; i < kRounds; ++i) root -= (root - x / (root * root)) / 3;
+    const double squared = root * root;
+    encoded = 1.055 * (squared * squared * root) - 0.055;
+  }
+  return int(std::lround(255 * encoded));
+}
+
 bool is_shown(const glm::dvec3& linear) {
   constexpr double kSlack = 1e-4;
   return std::min({linear.x, linear.y, linear.z}) >= -kSlack &&
@@ -31,12 +46,12 @@ bool is_shown(const glm::dvec3& linear) {
 }  // namespace
 
 glm::dvec3 Oklch::lab() const {
-  const double angle = hue * std::numbers::pi / 180;
-  return {lightness, chroma * std::cos(angle), chroma * std::sin(angle)};
+  const glm::dvec2 way = chroma * direction_at(hue);
+  return {lightness, way.x, way.y};
 }
 
 Oklch Oklch::from_lab(glm::dvec3 lab) {
-  return {lab.x, std::hypot(lab.y, lab.z), std::atan2(lab.z, lab.y) * 180 / std::numbers::pi};
+  return {lab.x, std::sqrt(lab.y * lab.y + lab.z * lab.z), degrees_of({lab.y, lab.z})};
 }
 
 Oklch Oklch::from_linear(glm::dvec3 c) {
@@ -63,9 +78,7 @@ std::string hex_of(const Oklch& color, double alpha) {
     linear = linear_of({lab.x, lo * lab.y, lo * lab.z});
   }
   std::string text = "#";
-  for (int i = 0; i < 3; ++i)
-    text += fmt::format("{:02x}",
-                        int(std::lround(255 * srgb_from_linear(std::clamp(linear[i], 0.0, 1.0)))));
+  for (int i = 0; i < 3; ++i) text += fmt::format("{:02x}", level_of(linear[i]));
   if (alpha < 1) text += fmt::format("{:02x}", int(std::lround(255 * std::clamp(alpha, 0.0, 1.0))));
   return text;
 }

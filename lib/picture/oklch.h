@@ -22,7 +22,7 @@ struct Oklch {
 /// The perceived difference of two colours; 0.02 is just noticeable.
 double apart(const Oklch& a, const Oklch& b);
 
-/// "#rrggbbaa", or without the alpha where it is 1. Chroma is lowered until the colour can be shown.
+/// "#rrggbbaa", the same on every machine, or without the alpha where it is 1. Chroma is lowered until the colour can be shown.
 std::string hex_of(const Oklch& color, double alpha = 1);
 
 }  // namespace mien

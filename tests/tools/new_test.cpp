@@ -1,8 +1,10 @@
-// mien new, mien parts and codes in place of faces.
+// mien new, mien code, mien parts and codes in place of faces.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "tests/support/read_back.h"
 #include "tests/support/run_command.h"
@@ -80,6 +82,75 @@ TEST_F(NewTest, PartsAreListed) {
   EXPECT_NE(run_mien({"parts", "glasses"}).out.find("glasses=none\n"), std::string::npos);
 }
 
+TEST_F(NewTest, CodesOfRecipesAndBack) {
+  const std::string plain = printed({"new", "--seed", "hello", "-o", file("r.face.json")});
+  EXPECT_EQ(run_mien({"code", file("r.face.json")}).out, plain + "\n");
+  EXPECT_EQ(run_mien({"code", "--seed", "hello"}).out, plain + "\n");
+  const std::string held = printed({"new", "--seed", "hello", "--hold", "hair=bob", "--hold",
+                                    "age=70", "-o", file("h.face.json")});
+  EXPECT_EQ(run_mien({"code", file("h.face.json")}).out, held + "\n");
+  // What a code says are values to hold; all held, they are the code's face.
+  const std::string said = run_mien({"code", held}).out;
+  EXPECT_EQ(said.find("code " + held + "\nedition Z\nhead="), 0u) << said;
+  EXPECT_NE(said.find("\nhair=bob  held; the seed says "), std::string::npos) << said;
+  std::vector<std::string> words{"new", "--seed", "other"};
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find('=') != std::string::npos)
+      words.insert(words.end(), {"--hold", line.substr(0, line.find(' '))});
+  EXPECT_EQ(picture({"render", printed(words)}), picture({"render", held}));
+  EXPECT_EQ(printed({"code", "z66cbaa5s01b"}), "code " + plain);
+}
+
+TEST_F(NewTest, CodesOfWrittenRecipes) {
+  const auto recipe = [&](const std::string& says) {
+    std::ofstream(file("w.face.json"))
+        << R"({"format": "mien-face", "format_version": 2, )" << says << "}";
+    return run_mien({"code", file("w.face.json")});
+  };
+  const Ran between =
+      recipe(R"("parts": {"hair": "bob"}, "numbers": {"age": 33.33}, "style": "ink")");
+  EXPECT_EQ(between.code, 0) << between.err;
+  EXPECT_NE(between.err.find("say --style ink"), std::string::npos) << between.err;
+  EXPECT_NE(between.err.find("age is 33.3"), std::string::npos) << between.err;
+  const std::string code = between.out.substr(0, between.out.find('\n'));
+  EXPECT_NE(run_mien({"code", code}).out.find("\nhair=bob"), std::string::npos);
+  EXPECT_NE(recipe(R"("parts": {"hiar": "bob"})").err.find("did you mean \"hair\""),
+            std::string::npos);
+  EXPECT_NE(recipe(R"("parts": {"hair": "bbo"})").err.find("did you mean \"bob\""),
+            std::string::npos);
+  EXPECT_NE(recipe(R"("numbers": {"age": 900})").err.find("age goes from"), std::string::npos);
+  EXPECT_NE(recipe(R"("numbers": {"aeg": 9})").err.find("did you mean \"age\""), std::string::npos);
+  EXPECT_EQ(recipe(R"("numbers": {"aeg": 9})").code, 1);
+  EXPECT_NE(run_mien({"code", test::face_path("toon")}).err.find("a face in full has no recipe"),
+            std::string::npos);
+}
+
+TEST_F(NewTest, PartsOfASheet) {
+  const auto drawn = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-o", file("p.png")});
+    const Ran ran = run_mien(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return test::read(file("p.png"));
+  };
+  const auto glasses = drawn({"sheet", "--parts", "glasses", "--columns", "4", "--cell", "48x48"});
+  const std::string listed = run_mien({"parts", "glasses"}).out;
+  const int count = int(std::count(listed.begin(), listed.end(), '\n'));
+  EXPECT_EQ(glasses.spec.width, 4 * 48);
+  EXPECT_EQ(glasses.spec.height, (count + 3) / 4 * (48 + 12));  // a name of 12 pixels below each
+  // Another head, and another style.
+  const std::string code = printed({"new", "--seed", "x"});
+  const auto worn =
+      drawn({"sheet", code, "--parts", "glasses", "--columns", "4", "--cell", "48x48"});
+  EXPECT_EQ(worn.spec.height, glasses.spec.height);
+  EXPECT_NE(worn.channels, glasses.channels);
+  EXPECT_NE(
+      drawn({"sheet", "--parts", "glasses", "--columns", "4", "--cell", "48x48", "--style", "ink"})
+          .channels,
+      glasses.channels);
+  EXPECT_EQ(drawn({"parts", "glasses"}).spec.width, 3 * 320);
+}
+
 TEST_F(NewTest, PeopleOfASheet) {
   const Ran ran = run_mien({"sheet", "--people", "6", "--columns", "3", "--cell", "32", "--picture",
                             "--blink 1", "-o", file("s.png")});
@@ -106,6 +177,15 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"new", "--near", "Z66CB-AA5S0-1B", "--by", "2"}, 2, "--by");
   refused({"new", "--near", "Z66CB-AA5S0-1B", "--between", "a", "b"}, 2, "one of them");
   refused({"parts", "hiar"}, 2, "did you mean \"hair\"");
+  refused({"parts", "-o", "x.png"}, 2, "FAMILY");
+  refused({"code"}, 2, "--seed");
+  refused({"code", "Z66CB-AA5S0-1B", "--seed", "x"}, 2, "one of them");
+  refused({"code", "Z66CB-AA5S0-1C"}, 2, "a sign is wrong");
+  refused({"code", "nobody.json"}, 1, "nobody.json");
+  refused({"sheet", "--parts", "hiar", "-o", "x.png"}, 2, "did you mean \"hair\"");
+  refused({"sheet", "--parts", "hair", "--people", "3", "-o", "x.png"}, 2, "not both");
+  refused({"sheet", "--parts", "hair", "--emotions", "-o", "x.png"}, 2, "not both");
+  refused({"sheet", test::face_path("toon"), "--parts", "hair", "-o", "x.png"}, 1, "no recipe");
   refused({"sheet", "-o", "x.png"}, 2, "--people");
   refused({"sheet", "--people", "1000000000", "-o", "x.png"}, 2, "--people");
   refused({"render", "Z66CB-AA5S0-1C", "-o", "x.png"}, 1, "a sign is wrong");

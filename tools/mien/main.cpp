@@ -25,6 +25,7 @@ struct Run {
   int operator()(const FitArguments& arguments) const { return fit_command(arguments); }
   int operator()(const SheetArguments& arguments) const { return sheet_command(arguments); }
   int operator()(const NewArguments& arguments) const { return new_command(arguments); }
+  int operator()(const CodeArguments& arguments) const { return code_command(arguments); }
   int operator()(const PartsArguments& arguments) const { return parts_command(arguments); }
 };
 

@@ -1,13 +1,6 @@
 #include <mien/composed_face.h>
-#include <mien/face_file.h>
 
 namespace mien {
-
-Expected<Face> face_from_recipe(const Recipe& recipe) {
-  const auto text = face_text_from_recipe(recipe);
-  if (!text) return text.error();
-  return read_face_text(*text, recipe.name.empty() ? "composed face" : recipe.name);
-}
 
 Expected<Face> face_from_code(std::string_view code) {
   const auto read = read_face_code(code);

@@ -1,9 +1,11 @@
+#include <mien/composed_face.h>
 #include <mien/face_file.h>
 
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
+#include "lib/parts/compose/compose.h"
 #include "lib/parts/recipe/recipe_file.h"
 
 #include <fmt/format.h>
@@ -53,14 +55,16 @@ Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel&
 
 Face read_root(Reading& in);
 
-/// A recipe, put together and read.
-Face read_composed(Reading& in, const JsonNode& root) {
-  auto text = face_text_from_recipe(read_recipe(in, root));
-  if (!text) throw Refusal{text.error()};
-  const auto tree = JsonTree::read(*text, "composed face", in.limits);
+Face read_composed(const Expected<JsonTree>& tree, const FaceLimits& limits) {
   if (!tree) throw Refusal{tree.error()};
-  Reading composed(*tree, in.limits, nullptr);
-  return read_root(composed);
+  if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
+  Reading in(*tree, limits, nullptr);
+  return read_root(in);
+}
+
+/// A recipe, put together and read.
+Face read_recipe_face(Reading& in, const JsonNode& root) {
+  return read_composed(composed_face(PartLibrary::shipped(), read_recipe(in, root)), in.limits);
 }
 
 Face read_root(Reading& in) {
@@ -73,7 +77,7 @@ Face read_root(Reading& in) {
                "background", "palette",      "light",          "groups",  "features", "controls",
                "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
                "clips",      "default_clip", "effects"});
-  if (check_format(in, root) == 2) return read_composed(in, root);
+  if (check_format(in, root) == 2) return read_recipe_face(in, root);
   FaceDraft draft;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
@@ -107,6 +111,20 @@ Error too_long(std::string_view name, const FaceLimits& limits) {
   return {one_line(name), fmt::format("longer than {} bytes (limit: bytes)", limits.bytes)};
 }
 
+/// Whatever ends the reading as an error.
+template <class Read>
+Expected<Face> read_safely(std::string_view name, Read&& read) {
+  try {
+    return read();
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  } catch (const std::bad_alloc&) {
+    return Error{one_line(name), "not enough memory to read it"};
+  } catch (const std::exception& e) {
+    return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
+  }
+}
+
 }  // namespace
 
 Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
@@ -124,18 +142,18 @@ Expected<Face> read_face_text(std::string_view text, std::string_view name,
                               const FaceLimits& limits, std::vector<Error>* warnings) {
   if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
     return too_long(name, limits);
-  try {
+  return read_safely(name, [&]() -> Expected<Face> {
     const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
     if (!tree) return tree.error();
     Reading in(*tree, limits, warnings);
     return read_root(in);
-  } catch (const Refusal& refusal) {
-    return refusal.error;
-  } catch (const std::bad_alloc&) {
-    return Error{one_line(name), "not enough memory to read it"};
-  } catch (const std::exception& e) {
-    return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
-  }
+  });
+}
+
+Expected<Face> face_from_recipe(const Recipe& recipe) {
+  return read_safely(recipe.name.empty() ? "composed face" : recipe.name, [&]() -> Expected<Face> {
+    return read_composed(composed_face(PartLibrary::shipped(), recipe), {});
+  });
 }
 
 }  // namespace mien

@@ -51,7 +51,7 @@ class FigureReader {
       in_.refuse(*spine.node, fmt::format("expected 3 points, got {}", spine.node->count));
     StrokeFigure figure{};
     in_.for_each(*spine.node, [&](const JsonNode& child, int i) {
-      figure.spine[i] = point(child, fmt::format("spine/{}", i), spine.mirrored);
+      figure.spine[i] = point(child, item("spine", i), spine.mirrored);
     });
     const Field width = need("half_width");
     if (width.node->kind == JsonKind::array && width.node->count != 3)
@@ -66,7 +66,7 @@ class FigureReader {
     if (points.node->count < 1) in_.refuse(*points.node, "expected at least 1 point, got 0");
     PolylineFigure figure{};
     in_.for_each(*points.node, [&](const JsonNode& child, int i) {
-      figure.points.push_back(point(child, fmt::format("points/{}", i), points.mirrored));
+      figure.points.push_back(point(child, item("points", i), points.mirrored));
     });
     figure.half_width = slice("half_width", SliceKind::length, 1);
     if (const Field smooth = field("smooth"); smooth.node)
@@ -82,7 +82,7 @@ class FigureReader {
     if (loops.node) {
       in_.expect(*loops.node, JsonKind::array);
       in_.for_each(*loops.node, [&](const JsonNode& child, int i) {
-        figure.loops.push_back(loop(child, fmt::format("loops/{}", i), loops.mirrored));
+        figure.loops.push_back(loop(child, item("loops", i), loops.mirrored));
       });
     }
     constexpr std::array<std::string_view, 2> kFills{"nonzero", "even_odd"};
@@ -115,10 +115,21 @@ class FigureReader {
     return add(*f.node, key, kind, size, f.mirrored);
   }
 
+  std::string slice_name(std::string_view part) const {
+    std::string name;
+    name.reserve(name_.size() + 1 + part.size());
+    return name.append(name_).append(1, '/').append(part);
+  }
+
+  /// "points/3"
+  static std::string item(std::string_view list, int index) {
+    return std::string(list).append(1, '/').append(std::to_string(index));
+  }
+
   int add(const JsonNode& node, std::string_view part, SliceKind kind, int size, bool mirrored) {
     const std::vector<double> values =
         read_slice_values(in_, node, kind, size, size, face_.model.canvas, mirrored);
-    return face_.add_slice(in_, node, fmt::format("{}/{}", name_, part), kind, values);
+    return face_.add_slice(in_, node, slice_name(part), kind, values);
   }
 
   int point(const JsonNode& node, std::string_view part, bool mirrored) {
@@ -140,8 +151,7 @@ class FigureReader {
     if (node.count != 3) in_.refuse(node, "expected [x, y, \"bend\"]");
     std::array<double, 2> values{in_.number(*first), in_.number(*in_.tree.next(*first))};
     if (mirrored) mirror_values(SliceKind::point, values, face_.model.canvas.twice_axis());
-    return {face_.add_slice(in_, node, fmt::format("{}/{}", name_, part), SliceKind::point, values),
-            true};
+    return {face_.add_slice(in_, node, slice_name(part), SliceKind::point, values), true};
   }
 
   PathFigure::Loop loop(const JsonNode& node, std::string_view part, bool mirrored) {
@@ -150,7 +160,7 @@ class FigureReader {
       in_.refuse(node, fmt::format("expected at least 3 points, got {}", node.count));
     PathFigure::Loop loop;
     in_.for_each(node, [&](const JsonNode& child, int i) {
-      loop.nodes.push_back(path_node(child, fmt::format("{}/{}", part, i), mirrored));
+      loop.nodes.push_back(path_node(child, item(part, i), mirrored));
     });
     return loop;
   }
@@ -201,16 +211,16 @@ const Kind& read_kind(const Reading& in, const JsonNode& node) {
 
 /// Refuses a clip that names no earlier feature. The error says whether the name comes later in the list or
 /// nowhere.
-[[noreturn]] void refuse_clip(const Reading& in, const JsonNode& node, const FaceDraft& face,
-                              const JsonNode& features) {
+[[noreturn]] void refuse_clip(const Reading& in, const JsonNode& node, const FaceDraft& face) {
   const std::string_view wanted = in.string(node);
-  in.for_each(features, [&](const JsonNode& feature, int) {
-    const JsonNode* name = feature.kind == JsonKind::object ? in.find(feature, "name") : nullptr;
-    if (name && name->kind == JsonKind::string && in.tree.string(*name) == wanted &&
-        name->offset > node.offset)
+  const JsonNode* clipped = in.tree.at(node.parent);
+  for (const JsonNode* feature = in.tree.next(*clipped); feature;
+       feature = in.tree.next(*feature)) {
+    const JsonNode* name = feature->kind == JsonKind::object ? in.find(*feature, "name") : nullptr;
+    if (name && name->kind == JsonKind::string && in.tree.string(*name) == wanted)
       in.refuse(node, fmt::format("the feature {} comes later: move it before what it clips",
                                   in_quotes(wanted)));
-  });
+  }
   std::vector<std::string_view> known;
   for (const Feature& f : face.model.features) {
     std::string_view name = f.name;
@@ -223,8 +233,8 @@ const Kind& read_kind(const Reading& in, const JsonNode& node) {
 /// One feature of the file: one drawn feature, or one for each side.
 class FeatureReader {
  public:
-  FeatureReader(Reading& in, const JsonNode& node, const JsonNode& features, FaceDraft& face)
-      : in_(in), node_(node), features_(features), face_(face) {}
+  FeatureReader(Reading& in, const JsonNode& node, FaceDraft& face)
+      : in_(in), node_(node), face_(face) {}
 
   void read() {
     in_.expect(node_, JsonKind::object);
@@ -299,7 +309,7 @@ class FeatureReader {
 
   Index<Feature> read_clip(const JsonNode& clip, Side side) const {
     const int found = face_.find_feature(in_.string(clip), side);
-    if (found < 0) refuse_clip(in_, clip, face_, features_);
+    if (found < 0) refuse_clip(in_, clip, face_);
     if (face_.clip_depth[std::size_t(found)] >= in_.limits.nesting)
       in_.refuse(clip, fmt::format("features clipped more than {} deep (limit: nesting)",
                                    in_.limits.nesting));
@@ -308,7 +318,6 @@ class FeatureReader {
 
   Reading& in_;
   const JsonNode& node_;
-  const JsonNode& features_;
   FaceDraft& face_;
 };
 
@@ -316,8 +325,7 @@ class FeatureReader {
 
 void read_features(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect(node, JsonKind::array);
-  in.for_each(node,
-              [&](const JsonNode& child, int) { FeatureReader(in, child, node, face).read(); });
+  in.for_each(node, [&](const JsonNode& child, int) { FeatureReader(in, child, face).read(); });
 }
 
 }  // namespace mien

@@ -1,11 +1,11 @@
 // The turning head of a face file: how deep each feature lies.
 
+#include <mien/side.h>
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -59,8 +59,19 @@ class TurnReader {
   }
 
   static std::string author_name(const Feature& f) {
-    return f.name.substr(0,
-                         f.name.size() - (f.side == Side::none ? 0 : side_name(f.side).size() + 1));
+    const std::size_t side = f.side == Side::none ? 0 : side_name(f.side).size() + 1;
+    return f.name.substr(0, f.name.size() - side);
+  }
+
+  /// Whether an author calls a feature so.
+  bool is_feature(std::string_view name) const {
+    for (const Side side : {Side::none, Side::left, Side::right}) {
+      const auto found = face_.feature_by_name.find(feature_of_side(name, side));
+      if (found != face_.feature_by_name.end() &&
+          face_.model.features[std::size_t(found->second)].side == side)
+        return true;
+    }
+    return false;
   }
 
   /// Places a feature or, by a name like "hair/points/3", a single point of one.
@@ -70,10 +81,11 @@ class TurnReader {
         slice_places_[target.slice] = where;
       return;
     }
-    std::vector<std::string> known;
-    for (const Feature& f : face_.model.features) known.push_back(author_name(f));
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (!is_feature(name)) {
+      std::vector<std::string> known;
+      for (const Feature& f : face_.model.features) known.push_back(author_name(f));
       in_.refuse(node, unknown_name("feature", name, {known.begin(), known.end()}));
+    }
     places_[std::string(name)] = where;
   }
 

@@ -3,29 +3,33 @@
 
 namespace mien {
 
-std::string json_copy(const Reading& in, const JsonNode& node, const JsonReplacement& replace) {
-  if (replace)
-    if (auto text = replace(node)) return *std::move(text);
+void add_json(const JsonTree& tree, const JsonNode& node, std::string& to) {
   switch (node.kind) {
     case JsonKind::null:
-      return "null";
+      to += "null";
+      return;
     case JsonKind::boolean:
-      return in.boolean(node) ? "true" : "false";
+      to += node.number != 0 ? "true" : "false";
+      return;
     case JsonKind::number:
-      return json_number(node.number);
+      to += json_number(node.number);
+      return;
     case JsonKind::string:
-      return json_string(in.string(node));
+      to += json_string(tree.string(node));
+      return;
     default:
       break;
   }
   const bool object = node.kind == JsonKind::object;
-  std::string text = object ? "{" : "[";
-  in.for_each(node, [&](const JsonNode& child, int i) {
-    if (i) text += ", ";
-    if (object) text += json_string(in.tree.key(child)) + ": ";
-    text += json_copy(in, child, replace);
-  });
-  return text + (object ? "}" : "]");
+  to += object ? '{' : '[';
+  std::string_view before;
+  for (const JsonNode* child = tree.first(node); child; child = tree.next(*child)) {
+    to += before;
+    if (object) to.append(json_string(tree.key(*child))).append(": ");
+    add_json(tree, *child, to);
+    before = ", ";
+  }
+  to += object ? '}' : ']';
 }
 
 }  // namespace mien

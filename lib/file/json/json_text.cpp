@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mien {
@@ -15,6 +16,11 @@ unsigned code_point(std::string_view text) {
   unsigned code = byte(0) & (0xffu >> (text.size() + 1));
   for (std::size_t i = 1; i < text.size(); ++i) code = code << 6 | (byte(i) & 0x3f);
   return code;
+}
+
+/// Stands for itself.
+bool is_plain(char c) {
+  return c >= 0x20 && c < 0x7f && c != '"' && c != '\\';
 }
 
 std::string escaped(unsigned code) {
@@ -30,11 +36,28 @@ std::string escaped(unsigned code) {
 std::string json_string(std::string_view text) {
   std::string out = "\"";
   while (!text.empty()) {
+    const auto plain = std::size_t(std::ranges::find_if_not(text, is_plain) - text.begin());
+    out += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
     const int length = utf8_length(text);
     out += escaped(length ? code_point(text.substr(0, std::size_t(length))) : 0xfffd);
     text.remove_prefix(std::size_t(length ? length : 1));
   }
   return out + "\"";
+}
+
+std::string well_formed(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto length = std::size_t(utf8_length(text));
+    if (length)
+      out += text.substr(0, length);
+    else
+      out += "\xEF\xBF\xBD";
+    text.remove_prefix(length ? length : 1);
+  }
+  return out;
 }
 
 std::string json_number(double value) {

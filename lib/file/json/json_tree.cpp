@@ -52,6 +52,18 @@ std::string malformed(std::string_view words) {
   return fmt::format("malformed JSON: {}", one_line(words, 160));
 }
 
+std::string too_many(const FaceLimits& limits) {
+  return fmt::format("more than {} JSON values (limit: values)", limits.values);
+}
+std::string too_large(double value, const FaceLimits& limits) {
+  return fmt::format("{} is too large: numbers go from {} to {} (limit: magnitude)", value,
+                     -limits.magnitude, limits.magnitude);
+}
+std::string too_deep(const FaceLimits& limits) {
+  return fmt::format("arrays and objects nested more than {} deep (limit: nesting)",
+                     limits.nesting);
+}
+
 /// Builds the tree from the parser's events; any handler that returns false stops the parser.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
@@ -98,10 +110,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  std::int32_t keep(std::string& text) {
-    tree_.strings.push_back(std::move(text));
-    return std::int32_t(tree_.strings.size() - 1);
-  }
+  std::int32_t keep(std::string& text) { return tree_.keep(std::move(text)); }
 
   bool refuse(const JsonNode& node, std::string what) {
     error = Error{tree_.where(node), std::move(what)};
@@ -126,8 +135,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     }
     tree_.nodes.push_back(node);
     if (tree_.nodes.size() <= limits_.values) return &tree_.nodes.back();
-    refuse(tree_.nodes.back(),
-           fmt::format("more than {} JSON values (limit: values)", limits_.values));
+    refuse(tree_.nodes.back(), too_many(limits_));
     return nullptr;
   }
 
@@ -136,8 +144,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (!node) return false;
     node->number = value;
     if (std::abs(value) <= limits_.magnitude) return true;
-    return refuse(*node, fmt::format("{} is too large: numbers go from {} to {} (limit: magnitude)",
-                                     value, -limits_.magnitude, limits_.magnitude));
+    return refuse(*node, too_large(value, limits_));
   }
 
   bool open(JsonKind kind) {
@@ -146,9 +153,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     open_.push_back({std::int32_t(node - tree_.nodes.data()), -1});
     if (open_.size() <= std::size_t(std::max(limits_.nesting, 0))) return true;
     // Not refuse(): its message would be little more than the pointer of so deep a value.
-    error = Error{tree_.where(std::size_t(node->offset)),
-                  fmt::format("arrays and objects nested more than {} deep (limit: nesting)",
-                              limits_.nesting)};
+    error = Error{tree_.where(std::size_t(node->offset)), too_deep(limits_)};
     return false;
   }
 
@@ -212,7 +217,22 @@ const JsonNode* JsonTree::member(const JsonNode& object, std::string_view key_wa
   return nullptr;
 }
 
+std::optional<Error> JsonTree::beyond(const FaceLimits& limits) const {
+  if (nodes.size() > limits.values) return Error{name_, too_many(limits)};
+  std::vector<int> depths(nodes.size(), 0);  // of containers; parents come before their children
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const JsonNode& node = nodes[i];
+    if (node.kind == JsonKind::number && !(std::abs(node.number) <= limits.magnitude))
+      return Error{where(node), too_large(node.number, limits)};
+    if (node.kind != JsonKind::array && node.kind != JsonKind::object) continue;
+    depths[i] = 1 + (node.parent < 0 ? 0 : depths[std::size_t(node.parent)]);
+    if (depths[i] > std::max(limits.nesting, 0)) return Error{name_, too_deep(limits)};
+  }
+  return {};
+}
+
 std::string JsonTree::where(std::size_t offset) const {
+  if (!has_text_) return name_;
   std::size_t line = 1, column = 1;
   for (std::size_t i = 0; i < std::min(offset, text_.size()); ++i) {
     if (text_[i] == '\n')

@@ -10,6 +10,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +41,11 @@ class JsonTree {
 
   /// A tree without nodes, for other readers of such trees.
   JsonTree(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  /// One that never was text: places in it are "NAME: /pointer".
+  explicit JsonTree(std::string name) : name_(std::move(name)), has_text_(false) {}
+  JsonTree(JsonTree&&) = default;  // its strings stay where they are
+  JsonTree& operator=(JsonTree&&) = default;
+  JsonTree(const JsonTree&) = delete;
 
   const JsonNode& root() const { return nodes[0]; }
   const JsonNode* at(std::int32_t index) const {
@@ -47,8 +54,16 @@ class JsonTree {
   const JsonNode* first(const JsonNode& node) const { return at(node.first); }
   const JsonNode* next(const JsonNode& node) const { return at(node.next); }
   const JsonNode* member(const JsonNode& object, std::string_view key) const;
-  std::string_view key(const JsonNode& node) const { return strings[std::size_t(node.key)]; }
-  std::string_view string(const JsonNode& node) const { return strings[std::size_t(node.text)]; }
+  std::string_view key(const JsonNode& node) const { return strings_[std::size_t(node.key)]; }
+  std::string_view string(const JsonNode& node) const { return strings_[std::size_t(node.text)]; }
+
+  /// Takes a string in; gives its index.
+  std::int32_t keep(std::string text) { return refer(kept_.emplace_back(std::move(text))); }
+  /// The same for one that outlives the tree.
+  std::int32_t refer(std::string_view text) {
+    strings_.push_back(text);
+    return std::int32_t(strings_.size() - 1);
+  }
 
   /// "NAME:LINE:COLUMN: /pointer" of a value; `at_key`: of its key.
   std::string where(const JsonNode& node, bool at_key = false) const;
@@ -57,12 +72,17 @@ class JsonTree {
   /// RFC 6901; "" for the root.
   std::string pointer(const JsonNode& node) const;
 
+  /// What a reader of its text would have refused because of the limits.
+  std::optional<Error> beyond(const FaceLimits& limits) const;
+
   std::vector<JsonNode> nodes;
-  std::vector<std::string> strings;
 
  private:
+  std::vector<std::string_view> strings_;
+  std::deque<std::string> kept_;
   std::string_view text_;
   std::string name_;
+  bool has_text_ = true;
 };
 
 }  // namespace mien

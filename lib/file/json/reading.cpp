@@ -109,6 +109,13 @@ std::vector<double> Reading::numbers(const JsonNode& node, int least, int most) 
   return values;
 }
 
+glm::dvec2 Reading::pair(const JsonNode& node) const {
+  const JsonNode* first = node.kind == JsonKind::array ? tree.first(node) : nullptr;
+  const JsonNode* second = first ? tree.next(*first) : nullptr;
+  if (!second || node.count != 2) numbers(node, 2, 2);  // refuses
+  return {number(*first), number(*second)};
+}
+
 std::size_t Reading::word(const JsonNode& node, std::string_view what,
                           std::span<const std::string_view> words) const {
   const std::string_view got = string(node);

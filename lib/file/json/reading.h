@@ -4,6 +4,7 @@
 
 #include "lib/file/json/json_tree.h"
 
+#include <glm/vec2.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,8 @@ class Reading {
   std::pair<double, double> range(const JsonNode& node) const;
   /// `least` … `most` numbers; if least is 1 a single number may stand without brackets.
   std::vector<double> numbers(const JsonNode& node, int least, int most) const;
+  /// Two numbers.
+  glm::dvec2 pair(const JsonNode& node) const;
   /// One of `words`, as its index; `what` says what they are.
   std::size_t word(const JsonNode& node, std::string_view what,
                    std::span<const std::string_view> words) const;

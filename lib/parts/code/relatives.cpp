@@ -1,52 +1,25 @@
 #include <mien/recipe.h>
 #include <mien/relatives.h>
 #include "lib/parts/code/appearance.h"
+#include "lib/parts/code/code_fields.h"
 #include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/compose/part_palette.h"
 #include "lib/parts/library/part_library.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace mien {
 namespace {
 
-constexpr int kNoPart = 1023, kMostStep = 1023;
+constexpr int kMostStep = 1023;
 
-/// What a code says of every field, held or not.
-using Fields = std::map<int, int>;
-
-Fields fields_of(const Recipe& recipe) {
-  const PartLibrary& library = PartLibrary::shipped();
-  Fields fields;
-  for (const Family& family : library.families()) {
-    const Part* part = chosen_part(library, recipe, family.name);
-    fields[family.number] = part ? part->number : kNoPart;
-  }
-  for (const LibraryNumber& number : library.numbers()) {
-    const double share = (recipe.numbers.at(number.name) - number.lo) / (number.hi - number.lo);
-    fields[number.number] = int(std::floor(share * kMostStep + 0.5));
-  }
-  return fields;
-}
+using Fields = CodeFields;
 
 Expected<Fields> fields_of(const FaceCode& code) {
   const auto recipe = recipe_from_code(code);
   if (!recipe) return recipe.error();
-  return fields_of(*recipe);
-}
-
-/// The shortest code of these fields with that seed.
-FaceCode code_of(const Fields& fields, std::uint64_t seed) {
-  FaceCode code{.seed = seed};
-  for (const auto& [field, value] : fields_of(recipe_from_seed(seed)))
-    if (fields.at(field) != value) code.held.push_back({field, fields.at(field)});
-  // What is held changes what depends on it: an age, numbers; a skin, hair.
-  const Fields then = fields_of(recipe_from_code(code).value());
-  for (const auto& [field, value] : then)
-    if (fields.at(field) != value) code.held.push_back({field, fields.at(field)});
-  return code;
+  return code_fields(*recipe);
 }
 
 bool is_number(int field) {
@@ -64,7 +37,7 @@ Expected<FaceCode> code_near(const FaceCode& code, double by, std::uint64_t seed
   const auto own = fields_of(code);
   if (!own) return own.error();
   const KeyedChance chance(seed);
-  const Fields other = fields_of(recipe_from_seed(seed));
+  const Fields other = code_fields(recipe_from_seed(seed));
   Fields made = *own;
   for (auto& [field, value] : made) {
     const auto question = std::uint64_t(field);
@@ -73,7 +46,7 @@ Expected<FaceCode> code_near(const FaceCode& code, double by, std::uint64_t seed
     else if (chance.share(question) < 0.5 * by)
       value = other.at(field);
   }
-  return code_of(made, code.seed);
+  return code_of_fields(made, code.seed);
 }
 
 Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& to, double at) {
@@ -88,7 +61,7 @@ Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& to, double
     else if (at > 0.0 && chance.share(std::uint64_t(field)) <= at)
       value = b->at(field);
   }
-  return code_of(made, at < 1.0 ? from.seed : to.seed);
+  return code_of_fields(made, at < 1.0 ? from.seed : to.seed);
 }
 
 Expected<FaceCode> code_of_child(const FaceCode& one, const FaceCode& other, std::uint64_t seed) {

@@ -1,9 +1,8 @@
-// A recipe becomes the text of a face file: parts are put on the topology, then nothing of them is left.
-
-#include <mien/recipe.h>
+#include "lib/parts/compose/compose.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
+#include "lib/parts/compose/composed_text.h"
 #include "lib/parts/compose/flat_feature.h"
 #include "lib/parts/compose/flat_rig.h"
 #include "lib/parts/compose/part_palette.h"
@@ -25,7 +24,118 @@ std::string unknown(std::string_view what, std::string_view wanted, const Things
   return unknown_name(what, wanted, names);
 }
 
-/// What the recipe asks for that this edition does not have; nothing if it has all.
+class Composition {
+ public:
+  Composition(const PartLibrary& library, const Recipe& recipe)
+      : library_(library),
+        recipe_(recipe),
+        geometry_(library, recipe_),
+        style_(library, recipe_.style),
+        tree_(recipe.name.empty() ? "composed face" : one_line(recipe.name)) {}
+
+  JsonTree tree() {
+    for (const Family& family : library_.families())
+      if (const Part* part = chosen_part(library_, recipe_, family.name)) tell(*part, family.name);
+    out_.object();
+    out_.key("format"), out_.string("mien-face");
+    out_.key("format_version"), out_.number(1);
+    out_.key("name"), out_.kept_string(well_formed(recipe_.name));
+    out_.key("credit"), out_.kept_string(credit());
+    write_features();
+    write_rest();
+    out_.close();
+    return std::move(tree_);
+  }
+
+ private:
+  const JsonNode& need(std::string_view key) const {
+    return library_.topology().in().need(*library_.topology().node, key);
+  }
+
+  void write_features() {
+    out_.key("features");
+    const std::int32_t array = out_.next();
+    out_.array();
+    draw_families(true);
+    draw(library_.topology(), "");
+    draw_families(false);
+    out_.close();
+    std::ranges::stable_sort(features_.features, {}, &FlatFeatures::One::slot);
+    std::vector<std::int32_t> order;
+    for (const FlatFeatures::One& one : features_.features) order.push_back(one.node);
+    out_.arrange(array, order);
+  }
+
+  /// What a rig needs to know which features there are, and what needs none.
+  void write_rest() {
+    const Reading& in = library_.topology().in();
+    const auto rig = [&](const char* key) {
+      out_.key(key), write_rig(in, need(key), geometry_, out_);
+    };
+    for (const char* key : {"canvas", "background"}) rig(key);
+    if (const JsonNode* light = style_.light())
+      out_.key("light"), write_rig(style_.in(), *light, geometry_, out_);
+    else
+      rig("light");
+    out_.key("palette"), write_palette(library_, recipe_, geometry_, style_, out_);
+    for (const char* key : {"controls", "eyes"}) rig(key);
+    out_.key("turn"), write_turn(in, need("turn"), geometry_, features_, out_);
+    out_.key("muscles"), write_muscles(in, need("muscles"), geometry_, features_, out_);
+    for (const char* key : {"emotions", "expressions", "clips", "default_clip"}) rig(key);
+  }
+
+  std::string credit() const {
+    return recipe_.code.empty() ? "Composed of mien's parts"
+                                : "Composed of mien's parts, code " + well_formed(recipe_.code);
+  }
+
+  /// The points and values that a part tells others, and what it covers.
+  void tell(const Part& part, const std::string& family) {
+    const Reading& in = part.at.in();
+    PartFrame frame;
+    if (const JsonNode* own = in.find(*part.at.node, "in")) frame = geometry_.frame(in, *own);
+    if (const JsonNode* points = in.find(*part.at.node, "points"))
+      in.for_each(*points, [&](const JsonNode& node, int) {
+        const FoundPoint found = geometry_.point(in, node, frame, family);
+        geometry_.add_point(std::string(in.tree.key(node)), {found.at, found.depth, false});
+      });
+    if (const JsonNode* values = in.find(*part.at.node, "values"))
+      in.for_each(*values, [&](const JsonNode& node, int) {
+        geometry_.add_value(std::string(in.tree.key(node)), geometry_.scalar(in, node, family));
+      });
+    if (const JsonNode* covers = in.find(*part.at.node, "covers"))
+      in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
+  }
+
+  /// What the topology's own features are beside comes first.
+  void draw_families(bool first) {
+    for (const Family& family : library_.families()) {
+      const Part* part = chosen_part(library_, recipe_, family.name);
+      if (part && family.first == first && !covered_.contains(family.name))
+        draw(part->at, family.name);
+    }
+  }
+
+  void draw(const LibraryNode& from, std::string_view family) {
+    const Reading& in = from.in();
+    if (const JsonNode* features = in.find(*from.node, "features"))
+      in.for_each(*features, [&](const JsonNode& node, int) {
+        flatten_feature(in, node, family, library_, style_, geometry_, features_, out_);
+      });
+  }
+
+  const PartLibrary& library_;
+  const Recipe& recipe_;
+  PartGeometry geometry_;
+  PartStyle style_;
+  FlatFeatures features_;
+  JsonTree tree_;
+  TreeWriter out_{tree_};
+  std::set<std::string, std::less<>> covered_;
+};
+
+}  // namespace
+
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {
   const std::string where = "recipe";
   for (const auto& [family_name, part] : recipe.parts) {
@@ -50,7 +160,6 @@ std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) 
   return {};
 }
 
-/// Families without a part in the recipe, and that need one, take their first.
 Recipe completed(const PartLibrary& library, Recipe recipe) {
   for (const Family& family : library.families())
     if (!family.optional && !recipe.parts.contains(family.name) && !family.parts.empty())
@@ -58,113 +167,20 @@ Recipe completed(const PartLibrary& library, Recipe recipe) {
   return recipe;
 }
 
-class Composition {
- public:
-  Composition(const PartLibrary& library, const Recipe& recipe)
-      : library_(library),
-        recipe_(recipe),
-        geometry_(library, recipe_),
-        style_(library, recipe_.style) {}
-
-  std::string text() {
-    for (const Family& family : library_.families())
-      if (const Part* part = chosen_part(library_, recipe_, family.name)) tell(*part, family.name);
-    const LibraryNode& topology = library_.topology();
-    const Reading& in = topology.in();
-    draw_families(true);
-    draw(topology, "");
-    draw_families(false);
-    std::stable_sort(features_.features.begin(), features_.features.end(),
-                     [](const auto& a, const auto& b) { return a.slot < b.slot; });
-    std::string all = "{\"format\": \"mien-face\", \"format_version\": 1";
-    all += fmt::format(",\n\"name\": {}, \"credit\": {}", json_string(recipe_.name),
-                       json_string(credit()));
-    for (const char* key : {"canvas", "background"})
-      add(all, key, rig_text(in, need(key), geometry_));
-    const JsonNode* light = style_.light();
-    add(all, "light",
-        light ? rig_text(style_.in(), *light, geometry_) : rig_text(in, need("light"), geometry_));
-    add(all, "palette", palette_text(library_, recipe_, geometry_, style_));
-    std::string drawn;
-    for (const FlatFeatures::One& one : features_.features)
-      drawn += (drawn.empty() ? "[\n  " : ",\n  ") + one.text;
-    add(all, "features", drawn + "]");
-    for (const char* key : {"controls", "eyes"}) add(all, key, rig_text(in, need(key), geometry_));
-    add(all, "turn", turn_text(in, need("turn"), geometry_, features_));
-    add(all, "muscles", muscles_text(in, need("muscles"), geometry_, features_));
-    for (const char* key : {"emotions", "expressions", "clips", "default_clip"})
-      add(all, key, rig_text(in, need(key), geometry_));
-    return all + "}\n";
-  }
-
- private:
-  const JsonNode& need(std::string_view key) const {
-    return library_.topology().in().need(*library_.topology().node, key);
-  }
-
-  static void add(std::string& all, std::string_view key, const std::string& value) {
-    all += fmt::format(",\n{}: {}", json_string(key), value);
-  }
-
-  std::string credit() const {
-    return recipe_.code.empty() ? "Composed of mien's parts"
-                                : "Composed of mien's parts, code " + recipe_.code;
-  }
-
-  /// The points and values that a part tells others, and what it covers.
-  void tell(const Part& part, const std::string& family) {
-    const Reading& in = part.at.in();
-    PartFrame frame;
-    if (const JsonNode* own = in.find(*part.at.node, "in")) frame = geometry_.frame(in, *own);
-    if (const JsonNode* points = in.find(*part.at.node, "points"))
-      in.for_each(*points, [&](const JsonNode& node, int) {
-        const FoundPoint found = geometry_.point(in, node, frame, family);
-        geometry_.add_point(std::string(in.tree.key(node)), {found.at, found.depth, {}});
-      });
-    if (const JsonNode* values = in.find(*part.at.node, "values"))
-      in.for_each(*values, [&](const JsonNode& node, int) {
-        geometry_.add_value(std::string(in.tree.key(node)), geometry_.scalar(in, node, family));
-      });
-    if (const JsonNode* covers = in.find(*part.at.node, "covers"))
-      in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
-  }
-
-  /// What the topology's own features are beside comes first.
-  void draw_families(bool first) {
-    for (const Family& family : library_.families()) {
-      const Part* part = chosen_part(library_, recipe_, family.name);
-      if (part && family.first == first && !covered_.contains(family.name))
-        draw(part->at, family.name);
-    }
-  }
-
-  void draw(const LibraryNode& from, std::string_view family) {
-    const Reading& in = from.in();
-    if (const JsonNode* features = in.find(*from.node, "features"))
-      in.for_each(*features, [&](const JsonNode& node, int) {
-        flatten_feature(in, node, family, library_, style_, geometry_, features_);
-      });
-  }
-
-  const PartLibrary& library_;
-  Recipe recipe_;
-  PartGeometry geometry_;
-  PartStyle style_;
-  FlatFeatures features_;
-  std::set<std::string, std::less<>> covered_;
-};
-
-}  // namespace
-
-Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
-  const PartLibrary& library = PartLibrary::shipped();
+Expected<JsonTree> composed_face(const PartLibrary& library, const Recipe& recipe) {
   if (auto wrong = wrong_in(library, recipe)) return *std::move(wrong);
   try {
     const Recipe whole = completed(library, recipe);
-    return Composition(library, whole).text();
+    return Composition(library, whole).tree();
   } catch (const Refusal& refusal) {
     return refusal.error;
   }
+}
+
+Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
+  const auto tree = composed_face(PartLibrary::shipped(), recipe);
+  if (!tree) return tree.error();
+  return composed_text(*tree);
 }
 
 }  // namespace mien

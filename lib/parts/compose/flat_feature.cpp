@@ -1,7 +1,6 @@
 #include "lib/parts/compose/flat_feature.h"
 #include "lib/base/nearest_name.h"
-#include "lib/file/json/json_copy.h"
-#include "lib/file/json/json_text.h"
+#include "lib/math/degrees.h"
 #include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/compose/short_number.h"
 
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace mien {
 namespace {
@@ -20,30 +20,23 @@ constexpr std::size_t kMostPoints = 4000;  // of a feature, patterns included
 /// A point of a list, or a reference to a slice.
 struct ListPoint {
   FoundPoint found;
-  std::string reference;  ///< "@mouth/spine/0"
+  std::string_view reference;  ///< "@mouth/spine/0"
   bool bend = false;
-
-  std::string text() const {
-    if (!reference.empty())
-      return bend ? fmt::format("[{}, \"bend\"]", json_string(reference)) : json_string(reference);
-    std::string text = short_pair(found.at);
-    if (bend) text.pop_back(), text += ", \"bend\"]";
-    return text;
-  }
 };
 
 class Flattening {
  public:
   Flattening(const Reading& in, const JsonNode& node, std::string_view family,
              const PartLibrary& library, const PartStyle& style, PartGeometry& geometry,
-             FlatFeatures& to)
+             FlatFeatures& to, TreeWriter& out)
       : in_(in),
         node_(node),
         family_(family),
         library_(library),
         style_(style),
         geometry_(geometry),
-        to_(to) {
+        to_(to),
+        out_(out) {
     if (const JsonNode* frame = in.find(node, "in")) frame_ = geometry.frame(in, *frame);
     name_ = in.name(in.need(node, "name"));
     sided_ = in.find(node, "side") != nullptr;
@@ -52,31 +45,36 @@ class Flattening {
   void run() {
     if (!to_.names.insert(name_).second)
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
-    std::string text = fmt::format("{{\"name\": {}", json_string(name_));
+    to_.features.push_back({slot(), out_.next()});
+    out_.object();
+    out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
+    const PartStyle::Role role = style_.role(in_, node_);
     bool painted = false;
     in_.for_each(node_, [&](const JsonNode& member, int) {
       const std::string_view key = in_.tree.key(member);
       for (const std::string_view own : {"name", "slot", "role", "in", "turn", "half", "comment"})
         if (key == own) return;
-      if (style_.replaces(in_, node_, key)) return;
+      if (style_.replaces(role, key)) return;
       painted = painted || key == "paint";
-      text += fmt::format(", {}: {}", json_string(key), member_text(key, member));
+      out_.key(key);
+      write_member(key, member);
     });
-    text += style_.members(in_, node_, painted) + "}";
+    style_.write_members(role, painted, out_);
+    out_.close();
     add_depth();
-    to_.features.push_back({slot(), std::move(text)});
   }
 
  private:
   std::size_t slot() const {
     const JsonNode& wanted = in_.need(node_, "slot");
     const Reading& in = library_.topology().in();
+    const JsonNode& slots = in.need(*library_.topology().node, "slots");
+    std::size_t at = 0;
+    for (const JsonNode* one = in.tree.first(slots); one; one = in.tree.next(*one), ++at)
+      if (in.string(*one) == in_.string(wanted)) return at;
     std::vector<std::string_view> names;
-    in.for_each(in.need(*library_.topology().node, "slots"),
-                [&](const JsonNode& one, int) { names.push_back(in.string(one)); });
-    const auto found = std::ranges::find(names, in_.string(wanted));
-    if (found == names.end()) in_.refuse(wanted, unknown_name("slot", in_.string(wanted), names));
-    return std::size_t(found - names.begin());
+    in.for_each(slots, [&](const JsonNode& one, int) { names.push_back(in.string(one)); });
+    in_.refuse(wanted, unknown_name("slot", in_.string(wanted), names));
   }
 
   void add_depth() {
@@ -84,88 +82,80 @@ class Flattening {
     if (!turn) return;
     if (turn->kind == JsonKind::string) return to_.still.push_back(name_);
     if (turn->kind == JsonKind::number) {
-      to_.flat.emplace(name_, in_.number(*turn));
+      to_.flat.emplace_back(name_, in_.number(*turn));
       return;
     }
-    to_.raised.emplace(name_, in_.number(in_.need(*turn, "raised")));
+    to_.raised.emplace_back(name_, in_.number(in_.need(*turn, "raised")));
   }
 
-  std::string member_text(std::string_view key, const JsonNode& member) {
-    if (key == "points" || key == "spine") return list_text(std::string(key), member);
-    if (key == "loops") return loops_text(member);
+  void write_member(std::string_view key, const JsonNode& member) {
+    if (key == "points" || key == "spine") return write_points(key, list(member, half()));
+    if (key == "loops") return write_loops(member);
     if (key == "center" || key == "inner" || key == "upper" || key == "outer" || key == "lower")
-      return single_text(std::string(key), member);
-    if (key == "radii") {
-      if (member.kind == JsonKind::string) return json_string(in_.string(member));
-      const glm::dvec2 radii = geometry_.pair(in_, member, family_) * frame_.scale;
-      return short_pair(radii);
-    }
-    if (key == "radius" || key == "half_width") return width_text(member);
-    if (key == "paint") return paint_text(member);
-    if (key == "contour" || key == "relief" || key == "shadow" || key == "glow")
-      return copied(member);
-    if (key == "left" || key == "right") return side_text(member);
-    return copied(member);
+      return write_single(key, member);
+    if (key == "radii" && member.kind != JsonKind::string)
+      return out_.pair(short_pair(geometry_.pair(in_, member, family_) * frame_.scale));
+    if (key == "radius" || key == "half_width") return write_widths(member);
+    if (key == "paint" && member.kind == JsonKind::object) return write_gradient(member);
+    if (key == "left" || key == "right") return write_side(member);
+    out_.copy(in_.tree, member);
   }
 
-  std::string copied(const JsonNode& node) const { return json_copy(in_, node); }
+  bool half() const {
+    const JsonNode* half = in_.find(node_, "half");
+    return half && in_.boolean(*half);
+  }
 
-  std::string width_text(const JsonNode& member) const {
+  void write_widths(const JsonNode& member) {
     const auto one = [&](const JsonNode& node) {
       const double width = std::max(frame_.length(geometry_.scalar(in_, node, family_)), 0.0);
-      return short_number(width);
+      out_.number(short_number(width));
     };
     if (member.kind != JsonKind::array) return one(member);
-    std::string text;
-    in_.for_each(member,
-                 [&](const JsonNode& node, int i) { text += (i ? ", " : "[") + one(node); });
-    return text + "]";
+    out_.array();
+    in_.for_each(member, [&](const JsonNode& node, int) { one(node); });
+    out_.close();
   }
 
-  /// A colour's name, or a gradient whose places are the frame's.
-  std::string paint_text(const JsonNode& member) {
-    if (member.kind != JsonKind::object) return copied(member);
-    std::string text;
-    in_.for_each(member, [&](const JsonNode& node, int i) {
+  /// Its places are the frame's.
+  void write_gradient(const JsonNode& member) {
+    out_.object();
+    in_.for_each(member, [&](const JsonNode& node, int) {
       const std::string_view key = in_.tree.key(node);
-      std::string value;
+      out_.key(key);
       if ((key == "center" || key == "radii") && node.kind != JsonKind::string)
-        value = key == "radii" ? short_pair(geometry_.pair(in_, node, family_) * frame_.scale)
-                               : short_pair(geometry_.point(in_, node, frame_, family_).at);
+        out_.pair(short_pair(key == "radii" ? geometry_.pair(in_, node, family_) * frame_.scale
+                                            : geometry_.point(in_, node, frame_, family_).at));
       else
-        value = copied(node);
-      text += fmt::format("{}{}: {}", i ? ", " : "{", json_string(key), value);
+        out_.copy(in_.tree, node);
     });
-    return text + "}";
+    out_.close();
   }
 
   /// What differs on one side: points are moved in the written side's frame, then mirrored.
-  std::string side_text(const JsonNode& member) {
-    std::string text;
-    in_.for_each(member, [&](const JsonNode& node, int i) {
-      text += fmt::format("{}{}: ", i ? ", " : "{", json_string(in_.tree.key(node)));
-      if (node.kind != JsonKind::array) {
-        text += short_pair(mirrored(geometry_.point(in_, node, frame_, family_).at));
-        return;
-      }
-      in_.for_each(node, [&](const JsonNode& point, int k) {
-        text += k ? ", " : "[";
-        text += short_pair(mirrored(geometry_.point(in_, point, frame_, family_).at));
-      });
-      text += "]";
+  void write_side(const JsonNode& member) {
+    const auto one = [&](const JsonNode& node) {
+      out_.pair(short_pair(mirrored(geometry_.point(in_, node, frame_, family_).at)));
+    };
+    out_.object();
+    in_.for_each(member, [&](const JsonNode& node, int) {
+      out_.key(in_.tree.key(node));
+      if (node.kind != JsonKind::array) return one(node);
+      out_.array();
+      in_.for_each(node, [&](const JsonNode& point, int) { one(point); });
+      out_.close();
     });
-    return text + "}";
+    out_.close();
   }
 
   static glm::dvec2 mirrored(glm::dvec2 p) { return {-p.x, p.y}; }
 
-  std::string single_text(const std::string& key, const JsonNode& member) {
-    if (member.kind == JsonKind::string && !in_.string(member).empty() &&
-        in_.string(member)[0] == '@')
-      return json_string(in_.string(member));
+  void write_single(std::string_view key, const JsonNode& member) {
+    if (member.kind == JsonKind::string && in_.string(member).starts_with('@'))
+      return out_.string(in_.string(member));
     const FoundPoint found = geometry_.point(in_, member, frame_, family_);
-    know(fmt::format("{}/{}", name_, key), found);
-    return short_pair(found.at);
+    know(slice_name(key), found);
+    out_.pair(short_pair(found.at));
   }
 
   ListPoint list_point(const JsonNode& node) {
@@ -208,9 +198,8 @@ class Flattening {
     const int count = int(number("count"));
     const KeyedChance chance(seed_from_word(name_));
     const auto place = [&](double degrees, double reach) {
-      const double a = degrees * 0.017453292519943295;
       ListPoint made;
-      made.found.at = frame_.place(center + reach * radii * glm::dvec2{std::cos(a), std::sin(a)});
+      made.found.at = frame_.place(center + reach * radii * direction_at(degrees));
       return made;
     };
     for (int i = 0; i <= count; ++i) {
@@ -243,40 +232,56 @@ class Flattening {
     return points;
   }
 
-  std::string list_text(const std::string& key, const JsonNode& array) {
-    const JsonNode* half = in_.find(node_, "half");
-    const std::vector<ListPoint> points = list(array, half && in_.boolean(*half));
-    return points_text(key, points);
+  std::string slice_name(std::string_view key) const {
+    std::string name;
+    name.reserve(name_.size() + key.size() + 8);  // and a point's number
+    return name.append(name_).append(1, '/').append(key);
   }
 
-  std::string points_text(const std::string& key, const std::vector<ListPoint>& points) {
-    std::string text;
+  void write_points(std::string_view key, const std::vector<ListPoint>& points) {
+    std::string slice = slice_name(key) + '/';
+    const std::size_t stem = slice.size();
+    out_.array();
     for (std::size_t i = 0; i < points.size(); ++i) {
-      text += (i ? ", " : "[") + points[i].text();
-      if (points[i].reference.empty())
-        know(fmt::format("{}/{}/{}", name_, key, i), points[i].found);
+      const ListPoint& point = points[i];
+      if (point.reference.empty()) {
+        write_point(point);
+        slice.resize(stem);
+        fmt::format_to(std::back_inserter(slice), "{}", i);
+        know(slice, point.found);
+      } else if (point.bend) {
+        out_.array(), out_.string(point.reference), out_.string("bend"), out_.close();
+      } else {
+        out_.string(point.reference);
+      }
     }
-    return text + "]";
+    out_.close();
   }
 
-  std::string loops_text(const JsonNode& array) {
-    const JsonNode* half = in_.find(node_, "half");
-    std::string text;
+  void write_point(const ListPoint& point) {
+    const glm::dvec2 at = short_pair(point.found.at);
+    out_.array(), out_.number(at.x), out_.number(at.y);
+    if (point.bend) out_.string("bend");
+    out_.close();
+  }
+
+  void write_loops(const JsonNode& array) {
+    const bool halved = half();
     in_.expect(array, JsonKind::array);
+    out_.array();
     in_.for_each(array, [&](const JsonNode& loop, int i) {
-      text += (i ? ", " : "[") +
-              points_text(fmt::format("loops/{}", i), list(loop, half && in_.boolean(*half)));
+      write_points(fmt::format("loops/{}", i), list(loop, halved));
     });
-    return text + "]";
+    out_.close();
   }
 
   /// From now on other parts can be beside this point.
   void know(const std::string& slice, const FoundPoint& found) {
-    geometry_.add_point(slice, {found.at, found.depth, slice});
-    if (found.depth) to_.flat[slice] = *found.depth;
+    geometry_.add_point(slice, {found.at, found.depth, true});
+    if (found.depth) to_.flat.emplace_back(slice, *found.depth);
     const int side = sided_ || std::abs(found.at.x) < kAxis ? 0 : found.at.x > 0.0 ? 1 : -1;
     for (const auto& [other, weight] : found.rides)
-      to_.rides[other].push_back({slice, weight, side});
+      to_.rides[std::string(other)].push_back({slice, weight, side});
   }
 
   const Reading& in_;
@@ -286,6 +291,7 @@ class Flattening {
   const PartStyle& style_;
   PartGeometry& geometry_;
   FlatFeatures& to_;
+  TreeWriter& out_;
   PartFrame frame_;
   std::string name_;
   bool sided_ = false;
@@ -295,8 +301,8 @@ class Flattening {
 
 void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,
                      const PartLibrary& library, const PartStyle& style, PartGeometry& geometry,
-                     FlatFeatures& to) {
-  Flattening(in, node, family, library, style, geometry, to).run();
+                     FlatFeatures& to, TreeWriter& out) {
+  Flattening(in, node, family, library, style, geometry, to, out).run();
 }
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 // Features of parts as features of a face file: points in the face's own coordinates, paints by role, and what the rig
 // has to know of them.
 
+#include "lib/file/json/tree_writer.h"
 #include "lib/parts/compose/part_geometry.h"
 #include "lib/parts/compose/part_style.h"
 
@@ -23,18 +24,18 @@ struct Ride {
 struct FlatFeatures {
   struct One {
     std::size_t slot;
-    std::string text;
+    std::int32_t node;  ///< of the tree that it was written to
   };
   std::vector<One> features;
   std::set<std::string, std::less<>> names;
-  std::map<std::string, double> flat, raised;  ///< depths for the head's turn
+  std::vector<std::pair<std::string, double>> flat, raised;  ///< depths for the head's turn
   std::vector<std::string> still;
   std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
 };
 
-/// Adds a feature of a part to `to`. Its points become known to `geometry`.
+/// Writes a feature of a part to `out` and adds what is known of it to `to`. Its points become known to `geometry`.
 void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,
                      const PartLibrary& library, const PartStyle& style, PartGeometry& geometry,
-                     FlatFeatures& to);
+                     FlatFeatures& to, TreeWriter& out);
 
 }  // namespace mien

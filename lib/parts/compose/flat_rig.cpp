@@ -1,9 +1,6 @@
 #include "lib/parts/compose/flat_rig.h"
-#include "lib/file/json/json_copy.h"
-#include "lib/file/json/json_text.h"
+#include "lib/base/nearest_name.h"
 #include "lib/parts/compose/short_number.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +18,32 @@ std::string_view feature_of(std::string_view slice) {
 
 class Muscles {
  public:
-  Muscles(const Reading& in, const PartGeometry& geometry, const FlatFeatures& features)
-      : in_(in), geometry_(geometry), features_(features) {}
+  Muscles(const Reading& in, const PartGeometry& geometry, const FlatFeatures& features,
+          TreeWriter& out)
+      : in_(in), geometry_(geometry), features_(features), out_(out) {}
 
-  std::string group(const JsonNode& node) const {
+  void write_group(const JsonNode& node) const {
     const PartFrame& frame = geometry_.frame(in_, in_.need(node, "in"));
-    const std::vector<double> two = in_.numbers(in_.need(node, "origin"), 2, 2);
-    const glm::dvec2 origin{two[0], two[1]};
+    const glm::dvec2 origin = in_.pair(in_.need(node, "origin"));
     const bool far = std::max(std::abs(origin.x), std::abs(origin.y)) > kFarOrigin;
     const glm::dvec2 way = glm::normalize(origin - frame.from);
     const double stroke =
         roomed(node, in_.number(in_.need(node, "stroke")) * glm::length(way * frame.scale));
     const JsonNode* side = in_.find(node, "side");
-    std::string text =
-        fmt::format("{{\"name\": {}", json_string(in_.string(in_.need(node, "name"))));
-    if (side) text += fmt::format(", \"side\": {}", json_string(in_.string(*side)));
-    text +=
-        fmt::format(", \"strength\": {}, \"stroke\": {}, \"origin\": {}, \"attach\": {}",
-                    short_number(in_.number(in_.need(node, "strength"))), short_number(stroke),
-                    short_pair(far ? origin : frame.place(origin)), attachments(node, frame, 0));
+    out_.object();
+    out_.key("name"), out_.string(in_.string(in_.need(node, "name")));
+    if (side) out_.key("side"), out_.string(in_.string(*side));
+    out_.key("strength"), out_.number(short_number(in_.number(in_.need(node, "strength"))));
+    out_.key("stroke"), out_.number(short_number(stroke));
+    out_.key("origin"), out_.pair(short_pair(far ? origin : frame.place(origin)));
+    write_attachments(node, frame, 0);
     if (side && has_sides(node))
-      text += fmt::format(", \"left\": {{\"attach\": {}}}, \"right\": {{\"attach\": {}}}",
-                          attachments(node, frame, 1), attachments(node, frame, -1));
-    return text + "}";
+      for (const auto& [key, which] : {std::pair{"left", 1}, {"right", -1}}) {
+        out_.key(key), out_.object();
+        write_attachments(node, frame, which);
+        out_.close();
+      }
+    out_.close();
   }
 
  private:
@@ -86,85 +86,120 @@ class Muscles {
     return any;
   }
 
+  /// What a muscle holds: a weight, and a stroke of its own where it has one.
+  struct Held {
+    double weight;
+    std::optional<double> stroke;
+  };
+
   /// Of the muscle on a side; 0: what both sides have.
-  std::string attachments(const JsonNode& node, const PartFrame& frame, int side) const {
-    std::map<std::string, std::string> held;
+  void write_attachments(const JsonNode& node, const PartFrame& frame, int side) const {
+    std::map<std::string_view, Held> held;
     in_.for_each(in_.need(node, "attach"), [&](const JsonNode& one, int) {
       const std::string_view key = in_.tree.key(one);
       if (!features_.names.contains(feature_of(key))) return;
       if (one.kind == JsonKind::number)
-        held[std::string(key)] = short_number(in_.number(one));
+        held[key] = {in_.number(one), {}};
       else
-        held[std::string(key)] = fmt::format(
-            "{{\"weight\": {}, \"stroke\": {}}}", short_number(in_.number(in_.need(one, "weight"))),
-            short_number(frame.length(in_.number(in_.need(one, "stroke")))));
+        held[key] = {in_.number(in_.need(one, "weight")),
+                     frame.length(in_.number(in_.need(one, "stroke")))};
     });
-    std::map<std::string, double> rides;
+    std::map<std::string_view, double> rides;
     const bool sided = in_.find(node, "side") != nullptr;
     each_ride(node, [&](const Ride& ride, double weight) {
       if (sided && ride.side != 0 && ride.side != side) return;
       rides[ride.slice] += weight * ride.weight;
     });
-    for (const auto& [slice, weight] : rides)
-      held[slice] = short_number(std::clamp(weight, 0.0, 1.0));
-    std::string text;
-    for (const auto& [slice, value] : held)
-      text += fmt::format("{}{}: {}", text.empty() ? "{" : ", ", json_string(slice), value);
-    return text.empty() ? "{}" : text + "}";
+    for (const auto& [slice, weight] : rides) held[slice] = {std::clamp(weight, 0.0, 1.0), {}};
+    out_.key("attach"), out_.object();
+    for (const auto& [slice, hold] : held) {
+      out_.kept_key(std::string(slice));
+      if (hold.stroke) {
+        out_.object();
+        out_.key("weight"), out_.number(short_number(hold.weight));
+        out_.key("stroke"), out_.number(short_number(*hold.stroke));
+        out_.close();
+      } else {
+        out_.number(short_number(hold.weight));
+      }
+    }
+    out_.close();
   }
 
   const Reading& in_;
   const PartGeometry& geometry_;
   const FlatFeatures& features_;
+  TreeWriter& out_;
 };
 
-std::string depths_text(const std::map<std::string, double>& depths) {
-  std::string text;
-  for (const auto& [name, depth] : depths)
-    text +=
-        fmt::format("{}{}: {}", text.empty() ? "" : ", ", json_string(name), short_number(depth));
-  return "{" + text + "}";
+/// By name: as text, faces are compared line by line.
+void write_depths(std::vector<std::pair<std::string, double>> depths, TreeWriter& to) {
+  std::ranges::sort(depths);
+  to.object();
+  for (const auto& [name, depth] : depths) to.kept_key(name), to.number(short_number(depth));
+  to.close();
 }
+
+/// Writes what stands for an object of the rig that has to be put in a frame.
+class Placing {
+ public:
+  Placing(const Reading& in, const PartGeometry& geometry, TreeWriter& to)
+      : in_(in), geometry_(geometry), to_(to) {}
+
+  bool operator()(const JsonNode& at) const {
+    const JsonNode* first = in_.tree.first(at);
+    const std::string_view key = first ? in_.tree.key(*first) : std::string_view{};
+    if (!key.starts_with('$')) return false;
+    const auto frame = [&] { return geometry_.frame(in_, in_.need(at, "in")); };
+    if (key == "$point")
+      to_.pair(short_pair(geometry_.point(in_, *first, frame(), "").at));
+    else if (key == "$vector")
+      to_.pair(short_pair(frame().vector(geometry_.pair(in_, *first, ""))));
+    else if (key == "$length")
+      to_.number(short_number(in_.number(*first) * frame().scale.x));
+    else if (key == "$value")
+      to_.number(short_number(geometry_.scalar(in_, *first, "")));
+    else
+      in_.refuse(*first, unknown_name("way to put it in a frame", key,
+                                      {"$point", "$vector", "$length", "$value"}));
+    return true;
+  }
+
+ private:
+  const Reading& in_;
+  const PartGeometry& geometry_;
+  TreeWriter& to_;
+};
 
 }  // namespace
 
-std::string rig_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry) {
-  return json_copy(in, node, [&](const JsonNode& at) -> std::optional<std::string> {
-    if (at.kind != JsonKind::object) return {};
-    const auto frame = [&] { return geometry.frame(in, in.need(at, "in")); };
-    if (const JsonNode* point = in.find(at, "$point"))
-      return short_pair(geometry.point(in, *point, frame(), "").at);
-    if (const JsonNode* vector = in.find(at, "$vector"))
-      return short_pair(frame().vector(geometry.pair(in, *vector, "")));
-    if (const JsonNode* length = in.find(at, "$length"))
-      return short_number(in.number(*length) * frame().scale.x);
-    if (const JsonNode* value = in.find(at, "$value"))
-      return short_number(geometry.scalar(in, *value, ""));
-    return {};
-  });
+void write_rig(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
+               TreeWriter& to) {
+  to.copy(in.tree, node, Placing(in, geometry, to));
 }
 
-std::string muscles_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                         const FlatFeatures& features) {
-  const Muscles muscles(in, geometry, features);
-  std::string text = fmt::format("{{\"stiffness\": {}, \"damping\": {}, \"groups\": [",
-                                 short_number(in.number(in.need(node, "stiffness"))),
-                                 short_number(in.number(in.need(node, "damping"))));
-  in.for_each(in.need(node, "groups"), [&](const JsonNode& group, int i) {
-    text += (i ? ",\n    " : "\n    ") + muscles.group(group);
-  });
-  return text + "]}";
+void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
+                   const FlatFeatures& features, TreeWriter& to) {
+  const Muscles muscles(in, geometry, features, to);
+  to.object();
+  for (const char* key : {"stiffness", "damping"})
+    to.key(key), to.number(short_number(in.number(in.need(node, key))));
+  to.key("groups"), to.array();
+  in.for_each(in.need(node, "groups"),
+              [&](const JsonNode& group, int) { muscles.write_group(group); });
+  to.close(), to.close();
 }
 
-std::string turn_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                      const FlatFeatures& features) {
-  std::string text = rig_text(in, node, geometry);
-  text.pop_back();
-  std::string still;
-  for (const std::string& name : features.still)
-    still += (still.empty() ? "" : ", ") + json_string(name);
-  return text + fmt::format(", \"still\": [{}], \"flat\": {}, \"raised\": {}}}", still,
-                            depths_text(features.flat), depths_text(features.raised));
+void write_turn(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
+                const FlatFeatures& features, TreeWriter& to) {
+  to.object();
+  to.copy_children(in.tree, node, Placing(in, geometry, to));
+  to.key("still"), to.array();
+  for (const std::string& name : features.still) to.kept_string(name);
+  to.close();
+  to.key("flat"), write_depths(features.flat, to);
+  to.key("raised"), write_depths(features.raised, to);
+  to.close();
 }
 
 }  // namespace mien

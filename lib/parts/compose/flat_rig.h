@@ -3,20 +3,19 @@
 
 #include "lib/parts/compose/flat_feature.h"
 
-#include <string>
-
 namespace mien {
 
-/// A node of the topology as text; {"$point": [x, y], "in": FRAME}, {"$vector": …}, {"$length": …} and {"$value": …}
+/// Writes a node of the topology; {"$point": [x, y], "in": FRAME}, {"$vector": …}, {"$length": …} and {"$value": …}
 /// are put in the frame.
-std::string rig_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry);
+void write_rig(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
+               TreeWriter& to);
 
 /// The muscle system: strokes and origins in their frames, and everything that parts bound to what a muscle holds.
-std::string muscles_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                         const FlatFeatures& features);
+void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
+                   const FlatFeatures& features, TreeWriter& to);
 
 /// The head's turn, with the depths of what parts drew.
-std::string turn_text(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                      const FlatFeatures& features);
+void write_turn(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
+                const FlatFeatures& features, TreeWriter& to);
 
 }  // namespace mien

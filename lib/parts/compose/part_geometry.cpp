@@ -1,11 +1,8 @@
 #include "lib/parts/compose/part_geometry.h"
 #include "lib/base/nearest_name.h"
-
-#include <fmt/format.h>
+#include "lib/math/degrees.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace mien {
 
@@ -23,8 +20,12 @@ glm::dvec2 PartFrame::place(glm::dvec2 p) const {
   return to + vector(p - from) + glm::dvec2{0.0, lift * share};
 }
 
-PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe)
-    : library_(library), recipe_(recipe) {
+PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe) : library_(library) {
+  values_of_numbers_.reserve(library.numbers().size());
+  for (const LibraryNumber& number : library.numbers()) {
+    const auto given = recipe.numbers.find(number.name);
+    values_of_numbers_.push_back(given == recipe.numbers.end() ? number.rest : given->second);
+  }
   const Reading& in = library.topology().in();
   const JsonNode& root = *library.topology().node;
   in.for_each(in.need(root, "anchors"), [&](const JsonNode& node, int) {
@@ -36,8 +37,8 @@ PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe)
     made.to = pair(in, in.need(node, "to"), "");
     if (const JsonNode* scale = in.find(node, "scale")) made.scale = pair(in, *scale, "");
     if (const JsonNode* tilt = in.find(node, "tilt")) {
-      const double angle = scalar(in, *tilt, "") * std::numbers::pi / 180;
-      made.cosine = std::cos(angle), made.sine = std::sin(angle);
+      const glm::dvec2 way = direction_at(scalar(in, *tilt, ""));
+      made.cosine = way.x, made.sine = way.y;
     }
     if (const JsonNode* lift = in.find(node, "lift")) {
       made.lift = scalar(in, in.need(*lift, "by"), "");
@@ -48,29 +49,30 @@ PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe)
 }
 
 double PartGeometry::value(std::string_view number) const {
-  const auto given = recipe_.numbers.find(std::string(number));
-  return given != recipe_.numbers.end() ? given->second : library_.find_number(number)->rest;
+  return value(*library_.find_number(number));
 }
 
-double PartGeometry::offset(const Reading& in, const JsonNode& node,
-                            std::string_view family) const {
-  const std::string_view name = in.tree.key(node);
-  const std::string own = fmt::format("{}.{}", family, name);
-  const LibraryNumber* number = library_.find_number(own);
-  if (!number) number = library_.find_number(name);
-  if (!number) {
-    std::vector<std::string_view> names;
-    for (const LibraryNumber& one : library_.numbers()) names.push_back(one.name);
-    in.refuse(node, unknown_name("number", name, names));
-  }
-  return value(number->name) - number->rest;
+double PartGeometry::value(const LibraryNumber& number) const {
+  return values_of_numbers_[std::size_t(&number - library_.numbers().data())];
+}
+
+const LibraryNumber& PartGeometry::number(const Reading& in, const JsonNode& node,
+                                          std::string_view name, std::string_view family) const {
+  const LibraryNumber* number = library_.find_number(name, family);
+  if (number) return *number;
+  std::vector<std::string_view> names;
+  for (const LibraryNumber& one : library_.numbers()) names.push_back(one.name);
+  in.refuse(node, unknown_name("number", name, names));
 }
 
 template <class Each>
 void PartGeometry::each_add(const Reading& in, const JsonNode& node, std::string_view family,
                             Each&& each) const {
   if (const JsonNode* adds = in.find(node, "adds"))
-    in.for_each(*adds, [&](const JsonNode& add, int) { each(offset(in, add, family), add); });
+    in.for_each(*adds, [&](const JsonNode& add, int) {
+      const LibraryNumber& by = number(in, add, in.tree.key(add), family);
+      each(value(by) - by.rest, add);
+    });
 }
 
 /// A value that a part tells.
@@ -93,9 +95,7 @@ double PartGeometry::scalar(const Reading& in, const JsonNode& node,
   }
   each_add(in, node, family, [&](double by, const JsonNode& add) { sum += by * in.number(add); });
   if (const JsonNode* times = in.find(node, "times"))
-    sum *= value(library_.find_number(in.string(*times))
-                     ? in.string(*times)
-                     : fmt::format("{}.{}", family, in.string(*times)));
+    sum *= value(number(in, *times, in.string(*times), family));
   if (const JsonNode* least = in.find(node, "least")) sum = std::max(sum, in.number(*least));
   if (const JsonNode* most = in.find(node, "most")) sum = std::min(sum, in.number(*most));
   return sum;
@@ -103,39 +103,29 @@ double PartGeometry::scalar(const Reading& in, const JsonNode& node,
 
 glm::dvec2 PartGeometry::pair(const Reading& in, const JsonNode& node,
                               std::string_view family) const {
-  if (const JsonNode* radius = node.kind == JsonKind::object ? in.find(node, "radius") : nullptr) {
-    const std::vector<double> times = in.numbers(in.need(node, "times"), 2, 2);
-    return told(in, *radius) * glm::dvec2{times[0], times[1]};
-  }
+  if (const JsonNode* radius = node.kind == JsonKind::object ? in.find(node, "radius") : nullptr)
+    return told(in, *radius) * in.pair(in.need(node, "times"));
   const bool plain = node.kind == JsonKind::array;
-  const std::vector<double> two = in.numbers(plain ? node : in.need(node, "xy"), 2, 2);
-  glm::dvec2 sum{two[0], two[1]};
+  glm::dvec2 sum = in.pair(plain ? node : in.need(node, "xy"));
   if (plain) return sum;
-  each_add(in, node, family, [&](double by, const JsonNode& add) {
-    const std::vector<double> way = in.numbers(add, 2, 2);
-    sum += by * glm::dvec2{way[0], way[1]};
-  });
+  each_add(in, node, family, [&](double by, const JsonNode& add) { sum += by * in.pair(add); });
   return sum;
-}
-
-const PartPoint* PartGeometry::find_point(std::string_view name) const {
-  if (const auto other = anchors_.find(name); other != anchors_.end()) name = other->second;
-  const auto found = points_.find(name);
-  return found == points_.end() ? nullptr : &found->second;
 }
 
 FoundPoint PartGeometry::beside(const Reading& in, const JsonNode& at,
                                 std::optional<double> share) const {
   const std::string_view name = share ? in.tree.key(at) : in.string(at);
-  const PartPoint* point = find_point(name);
-  if (!point) {
+  const auto other = anchors_.find(name);
+  const auto point = points_.find(other == anchors_.end() ? name : other->second);
+  if (point == points_.end()) {
     std::vector<std::string_view> names;
     for (const auto& [known, slice] : anchors_) names.push_back(known);
     for (const auto& [known, place] : points_) names.push_back(known);
+    std::ranges::sort(names);
     in.refuse(at, unknown_name("point", name, names));
   }
-  FoundPoint found{point->at, point->depth, {}};
-  if (!point->slice.empty()) found.rides.emplace_back(point->slice, share.value_or(1.0));
+  FoundPoint found{point->second.at, point->second.depth, {}};
+  if (point->second.is_slice) found.rides.emplace_back(point->first, share.value_or(1.0));
   return found;
 }
 
@@ -162,10 +152,8 @@ FoundPoint PartGeometry::point(const Reading& in, const JsonNode& node, const Pa
       found.at.x = -found.at.x;
     if (const JsonNode* plus = in.find(node, "plus"))
       found.at += frame.vector(pair(in, *plus, family));
-    each_add(in, node, family, [&](double by, const JsonNode& add) {
-      const std::vector<double> way = in.numbers(add, 2, 2);
-      found.at += by * frame.vector({way[0], way[1]});
-    });
+    each_add(in, node, family,
+             [&](double by, const JsonNode& add) { found.at += by * frame.vector(in.pair(add)); });
   }
   if (node.kind != JsonKind::object) return found;
   if (const JsonNode* depth = in.find(node, "turn")) found.depth = in.number(*depth);

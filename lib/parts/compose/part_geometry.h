@@ -13,11 +13,13 @@
 #include <mien/recipe.h>
 #include "lib/parts/library/part_library.h"
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace mien {
@@ -33,26 +35,25 @@ struct PartFrame {
   double length(double l) const { return l * 0.5 * (scale.x + scale.y); }
 };
 
-/// A point that others can be beside: how deep it lies for the head's turn, and what it is called in
-/// the face, if anything moves it there.
+/// A point that others can be beside, and how deep it lies for the head's turn.
 struct PartPoint {
   glm::dvec2 at{0.0};
   std::optional<double> depth;
-  std::string slice;  ///< "upper_edge/spine/2"; empty: of no feature
+  bool is_slice = false;  ///< of a feature, "upper_edge/spine/2", which may be moved
 };
 
 /// A point of a file, found.
 struct FoundPoint {
   glm::dvec2 at{0.0};
   std::optional<double> depth;
-  std::vector<std::pair<std::string, double>> rides;  ///< slices it moves with, and how much
+  std::vector<std::pair<std::string_view, double>> rides;  ///< slices it moves with, how much
 };
 
 class PartGeometry {
  public:
   PartGeometry(const PartLibrary& library, const Recipe& recipe);
 
-  /// The number's value in this recipe.
+  /// The value that a number of the library's has in this recipe.
   double value(std::string_view number) const;
 
   /// `family`: whose own numbers may be called without its name.
@@ -69,22 +70,27 @@ class PartGeometry {
   void add_value(std::string name, double value) {
     values_.insert_or_assign(std::move(name), value);
   }
-  const PartPoint* find_point(std::string_view name) const;
 
  private:
   double told(const Reading& in, const JsonNode& name) const;
-  double offset(const Reading& in, const JsonNode& node, std::string_view family) const;
+  double value(const LibraryNumber& number) const;
+  /// The family's own number of that name, or else a common one.
+  const LibraryNumber& number(const Reading& in, const JsonNode& node, std::string_view name,
+                              std::string_view family) const;
   template <class Each>
   void each_add(const Reading& in, const JsonNode& node, std::string_view family,
                 Each&& each) const;
   FoundPoint beside(const Reading& in, const JsonNode& at, std::optional<double> share) const;
 
   const PartLibrary& library_;
-  const Recipe& recipe_;
-  std::map<std::string, PartFrame, std::less<>> frames_;
-  std::map<std::string, PartPoint, std::less<>> points_;
+  std::vector<double> values_of_numbers_;  ///< in the library's order
+  std::map<std::string_view, PartFrame> frames_;
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+  std::unordered_map<std::string, PartPoint, Hash, std::equal_to<>> points_;
   std::map<std::string, double, std::less<>> values_;
-  std::map<std::string, std::string, std::less<>> anchors_;  ///< other names of points
+  std::map<std::string_view, std::string_view> anchors_;  ///< other names of points
 };
 
 }  // namespace mien

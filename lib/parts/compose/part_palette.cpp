@@ -1,9 +1,5 @@
 #include "lib/parts/compose/part_palette.h"
 #include "lib/base/nearest_name.h"
-#include "lib/file/json/json_text.h"
-
-#include <fmt/format.h>
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <map>
@@ -19,7 +15,7 @@ Oklch read_oklch(const Reading& in, const JsonNode& node) {
 struct Toned {
   Oklch color;
   double alpha = 1;
-  std::string text;  ///< of a colour that the file spells itself
+  std::string_view text;  ///< of a colour that the file spells itself
 };
 
 class PaletteRules {
@@ -33,17 +29,18 @@ class PaletteRules {
 
   void read(const Reading& in, const JsonNode& rules) {
     in.for_each(rules, [&](const JsonNode& rule, int) {
-      colors_.insert_or_assign(std::string(in.tree.key(rule)), made(in, rule));
+      colors_.insert_or_assign(in.tree.key(rule), made(in, rule));
     });
   }
 
-  std::string text() const {
-    std::string all;
-    for (const auto& [name, toned] : colors_)
-      all += fmt::format(
-          "{}{}: {}", all.empty() ? "{" : ", ", json_string(name),
-          json_string(toned.text.empty() ? hex_of(toned.color, toned.alpha) : toned.text));
-    return all + "}";
+  void write(TreeWriter& to) const {
+    to.object();
+    for (const auto& [name, toned] : colors_) {
+      to.key(name);
+      to.kept_string(toned.text.empty() ? hex_of(toned.color, toned.alpha)
+                                        : std::string(toned.text));
+    }
+    to.close();
   }
 
  private:
@@ -68,7 +65,7 @@ class PaletteRules {
   Toned made(const Reading& in, const JsonNode& rule) const {
     if (rule.kind == JsonKind::string) {
       const std::string_view text = in.string(rule);
-      if (!text.empty() && text[0] == '#') return {{}, 1, std::string(text)};
+      if (!text.empty() && text[0] == '#') return {{}, 1, text};
       return known(in, rule);
     }
     Toned toned = base(in, rule);
@@ -104,7 +101,8 @@ class PaletteRules {
     // In OKLab a mixture never has a hue that neither has.
     const glm::dvec3 a = known(in, first).color.lab(),
                      b = known(in, *in.tree.next(first)).color.lab();
-    return {Oklch::from_lab(glm::mix(a, b, in.number(in.need(rule, "share")))), 1, {}};
+    const double share = in.number(in.need(rule, "share"));
+    return {Oklch::from_lab((1 - share) * a + share * b), 1, {}};
   }
 
   const PartLibrary& library_;
@@ -112,7 +110,7 @@ class PaletteRules {
   const PartGeometry& geometry_;
   Oklch skin_;
   double darkness_ = 0;
-  std::map<std::string, Toned, std::less<>> colors_;
+  std::map<std::string_view, Toned> colors_;
 };
 
 }  // namespace
@@ -135,17 +133,19 @@ Oklch skin_color(const PartLibrary& library, double tone, double undertone) {
   const double at = std::clamp(tone - 1, 0.0, double(tones.size()) - 1.001);
   const Oklch &a = tones[std::size_t(at)], &b = tones[std::size_t(at) + 1];
   const double share = at - double(std::size_t(at));
-  return {std::lerp(a.lightness, b.lightness, share), std::lerp(a.chroma, b.chroma, share),
-          std::lerp(a.hue, b.hue, share) + kTurn * undertone};
+  // Not std::lerp: how it rounds is the library's own.
+  const auto between = [&](double from, double to) { return from + share * (to - from); };
+  return {between(a.lightness, b.lightness), between(a.chroma, b.chroma),
+          between(a.hue, b.hue) + kTurn * undertone};
 }
 
-std::string palette_text(const PartLibrary& library, const Recipe& recipe,
-                         const PartGeometry& geometry, const PartStyle& style) {
+void write_palette(const PartLibrary& library, const Recipe& recipe, const PartGeometry& geometry,
+                   const PartStyle& style, TreeWriter& to) {
   PaletteRules rules(library, recipe, geometry);
   const LibraryNode& topology = library.topology();
   rules.read(topology.in(), topology.in().need(*topology.node, "palette"));
   if (const JsonNode* own = style.palette()) rules.read(style.in(), *own);
-  return rules.text();
+  rules.write(to);
 }
 
 }  // namespace mien

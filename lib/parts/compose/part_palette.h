@@ -5,7 +5,7 @@
 #include "lib/parts/compose/part_style.h"
 #include "lib/picture/oklch.h"
 
-#include <string>
+#include <string_view>
 
 namespace mien {
 
@@ -18,10 +18,10 @@ Oklch color_of(const Part& part);
 /// The skin's, of a tone from 1 to 10 as the Monk scale counts.
 Oklch skin_color(const PartLibrary& library, double tone, double undertone);
 
-/// The palette of a face file, as text. A rule is {"is": [L, C, h]}, {"part": FAMILY}, {"skin": true},
+/// Writes the palette of a face file. A rule is {"is": [L, C, h]}, {"part": FAMILY}, {"skin": true},
 /// {"from": COLOUR, "L": a or [a, by darkness], "C": …, "h": …} or {"mix": [COLOUR, COLOUR], "share": s}, each
 /// with "alpha"; or "#rrggbb", or another colour's name.
-std::string palette_text(const PartLibrary& library, const Recipe& recipe,
-                         const PartGeometry& geometry, const PartStyle& style);
+void write_palette(const PartLibrary& library, const Recipe& recipe, const PartGeometry& geometry,
+                   const PartStyle& style, TreeWriter& to);
 
 }  // namespace mien

@@ -1,9 +1,10 @@
 #pragma once
 // A style: what features of a role are painted with. It touches no point, so every pose works in every style.
 
+#include "lib/file/json/tree_writer.h"
 #include "lib/parts/library/part_library.h"
 
-#include <string>
+#include <string_view>
 
 namespace mien {
 
@@ -12,11 +13,19 @@ class PartStyle {
   /// The library must outlive this; the name must be one of its styles.
   PartStyle(const PartLibrary& library, std::string_view style);
 
-  /// Whether the style says what this member of a feature is, whatever the part says.
-  bool replaces(const Reading& in, const JsonNode& feature, std::string_view key) const;
+  /// What the style says of a feature, by its role.
+  struct Role {
+    std::string_view name;            ///< empty: none
+    const JsonNode* sheet = nullptr;  ///< null: nothing
+    bool gone = false;
+  };
+  Role role(const Reading& in, const JsonNode& feature) const;
 
-  /// What follows a feature's own members: ", "paint": "skin_shade"". `painted`: the part has a paint.
-  std::string members(const Reading& in, const JsonNode& feature, bool painted) const;
+  /// Whether the style says what this member of a feature is, whatever the part says.
+  bool replaces(const Role& role, std::string_view key) const;
+
+  /// What follows a feature's own members: {"paint": "skin_shade"}. `painted`: the part has a paint.
+  void write_members(const Role& role, bool painted, TreeWriter& to) const;
 
   /// Colours that differ from the topology's; may be null.
   const JsonNode* palette() const;
@@ -25,9 +34,6 @@ class PartStyle {
   const Reading& in() const { return sheet_.in(); }
 
  private:
-  const JsonNode* sheet_of(const Reading& in, const JsonNode& feature) const;
-  bool is_gone(const Reading& in, const JsonNode& feature) const;
-
   LibraryNode sheet_;
 };
 

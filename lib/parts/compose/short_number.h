@@ -1,24 +1,19 @@
 #pragma once
-// Numbers of composed faces as text.
+// Numbers of composed faces.
 
-#include "lib/file/json/json_text.h"
-
-#include <fmt/format.h>
 #include <glm/vec2.hpp>
 
 #include <cmath>
-#include <string>
 
 namespace mien {
 
-/// To a millionth of a face, which is less than any picture shows: the text stays short.
-inline std::string short_number(double value) {
-  return json_number(std::round(value * 1e6) / 1e6 + 0.0);
+/// To a millionth of a face, which is less than any picture shows: as text they stay short.
+inline double short_number(double value) {
+  return std::round(value * 1e6) / 1e6;
 }
 
-/// "[x, y]"
-inline std::string short_pair(glm::dvec2 p) {
-  return fmt::format("[{}, {}]", short_number(p.x), short_number(p.y));
+inline glm::dvec2 short_pair(glm::dvec2 p) {
+  return {short_number(p.x), short_number(p.y)};
 }
 
 }  // namespace mien

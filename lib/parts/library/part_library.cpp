@@ -36,7 +36,19 @@ const Family* PartLibrary::find_family(std::string_view name) const {
 }
 
 const LibraryNumber* PartLibrary::find_number(std::string_view name) const {
-  return named(numbers_, name);
+  const auto found = number_of_.find(name);
+  return found == number_of_.end() ? nullptr : &numbers_[found->second];
+}
+
+const LibraryNumber* PartLibrary::find_number(std::string_view name,
+                                              std::string_view family) const {
+  if (!family.empty()) {
+    std::string own;
+    own.reserve(family.size() + 1 + name.size());
+    own.append(family).append(1, '.').append(name);
+    if (const LibraryNumber* number = find_number(own)) return number;
+  }
+  return find_number(name);
 }
 
 void PartLibrary::read_numbers(const LibraryNode& from, std::string_view family) {
@@ -63,6 +75,7 @@ void PartLibrary::read_numbers(const LibraryNode& from, std::string_view family)
     for (const LibraryNumber& other : numbers_)
       if (other.number == made.number)
         in.refuse(node, fmt::format("\"{}\" has the same permanent number", other.name));
+    number_of_.emplace(made.name, numbers_.size());
     numbers_.push_back(std::move(made));
   });
 }

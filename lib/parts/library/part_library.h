@@ -5,10 +5,11 @@
 #include "lib/file/json/reading.h"
 
 #include <deque>
-#include <map>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace mien {
@@ -79,6 +80,8 @@ class PartLibrary {
 
   const Family* find_family(std::string_view name) const;
   const LibraryNumber* find_number(std::string_view name) const;
+  /// The number "FAMILY.NAME", or else "NAME".
+  const LibraryNumber* find_number(std::string_view name, std::string_view family) const;
 
  private:
   void read_topology(const LibraryNode& root);
@@ -89,6 +92,10 @@ class PartLibrary {
   LibraryNode topology_;
   std::vector<Family> families_;
   std::vector<LibraryNumber> numbers_;
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+  std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> number_of_;  ///< by name
   std::vector<std::string> styles_;
 };
 

@@ -110,6 +110,30 @@ Recipe read_recipe(Reading& in, const JsonNode& root) {
   return RecipeReader(in).read(root);
 }
 
+Expected<Recipe> read_recipe_text(std::string_view text, std::string_view name,
+                                  std::vector<Error>* warnings) {
+  const FaceLimits limits;
+  const auto tree = JsonTree::read(text, name, limits);
+  if (!tree) return tree.error();
+  Reading in(*tree, limits, warnings);
+  try {
+    const JsonNode& root = tree->root();
+    in.expect(root, JsonKind::object);
+    const JsonNode& format = in.need(root, "format");
+    if (in.string(format) != "mien-face")
+      in.refuse(format,
+                fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
+    const JsonNode& version = in.need(root, "format_version");
+    if (in.number(version) == 1)
+      in.refuse(version, "a face in full has no recipe, and so no code: those have version 2");
+    if (in.number(version) != 2)
+      in.refuse(version, fmt::format("expected the integer 2, got {}", in.number(version)));
+    return read_recipe(in, root);
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  }
+}
+
 std::string recipe_text(const Recipe& recipe) {
   std::string text =
       fmt::format("{{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"{}\",\n",

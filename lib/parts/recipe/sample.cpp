@@ -1,12 +1,8 @@
-// A seed becomes a recipe. Every choice is keyed by the permanent number of what is chosen, so a part or a number more
-// changes only the faces that get it.
-
-#include <mien/recipe.h>
+#include "lib/parts/recipe/sample.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/compose/part_palette.h"
-#include "lib/parts/library/part_library.h"
 
 #include <fmt/format.h>
 
@@ -51,11 +47,10 @@ struct Axes {
          {"light", 1.0 - dark},
          {"coily", coily}}};
     const std::string_view key = in.tree.key(node);
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : all) {
+    for (const auto& [name, value] : all)
       if (name == key) return value;
-      names.push_back(name);
-    }
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : all) names.push_back(name);
     in.refuse(node, unknown_name("axis", key, names));
   }
 };
@@ -82,6 +77,8 @@ class Sampler {
     recipe_.code = face_code_text(code_);
     recipe_.name = "face-" + recipe_.code;
     for (const LibraryNumber& number : library_.numbers()) choose(number);
+    skin_ =
+        skin_color(library_, recipe_.numbers.at("skin.tone"), recipe_.numbers.at("skin.undertone"));
     for (const Family& family : library_.families()) choose(family);
     return std::move(recipe_);
   }
@@ -207,8 +204,7 @@ class Sampler {
       const std::string_view other = in.tree.key(node);
       Oklch beside;
       if (other == "skin") {
-        beside = skin_color(library_, recipe_.numbers.at("skin.tone"),
-                            recipe_.numbers.at("skin.undertone"));
+        beside = skin_;
       } else if (const Part* chosen = chosen_part(library_, recipe_, other)) {
         beside = color_of(*chosen);
       } else {
@@ -223,14 +219,19 @@ class Sampler {
   const FaceCode& code_;
   KeyedChance chance_;
   Axes axes_;
+  Oklch skin_;
   Recipe recipe_;
 };
 
 }  // namespace
 
+Recipe sampled_recipe(const PartLibrary& library, const FaceCode& code) {
+  return Sampler(library, code).recipe();
+}
+
 Recipe recipe_from_seed(std::uint64_t seed) {
   const FaceCode code{.seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1), .held = {}};
-  return Sampler(PartLibrary::shipped(), code).recipe();
+  return sampled_recipe(PartLibrary::shipped(), code);
 }
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
@@ -252,7 +253,7 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
     if (!(family->optional && held.value == kNone) && std::ranges::none_of(family->parts, is_part))
       return Error{where, fmt::format("{} has no part {}", family->name, held.value)};
   }
-  return Sampler(library, code).recipe();
+  return sampled_recipe(library, code);
 }
 
 std::vector<PartFamily> part_families() {

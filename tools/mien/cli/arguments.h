@@ -64,7 +64,7 @@ struct FitArguments {
 struct SheetArguments {
   std::optional<std::string> face;
   std::string output;
-  std::optional<std::string> people, seed, style;
+  std::optional<std::string> people, parts, seed, style;
   std::optional<std::string> cell, columns, gap;
   std::vector<std::string> pictures;
   bool emotions = false, half = false;
@@ -79,9 +79,14 @@ struct NewArguments {
   bool clamp = false, flat = false;
 };
 
+/// mien code.
+struct CodeArguments {
+  std::optional<std::string> face, seed;
+};
+
 /// mien parts.
 struct PartsArguments {
-  std::optional<std::string> family;
+  std::optional<std::string> family, output;
 };
 
 struct ListArguments {

@@ -27,6 +27,7 @@ struct CommandApp {
   FitArguments fit;
   SheetArguments sheet;
   NewArguments make;
+  CodeArguments code;
   PartsArguments parts;
   std::string shell;  ///< of `mien completion`
 };

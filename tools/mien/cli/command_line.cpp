@@ -226,6 +226,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("fit")) return std::move(command.fit);
   if (app.got_subcommand("sheet")) return std::move(command.sheet);
   if (app.got_subcommand("new")) return std::move(command.make);
+  if (app.got_subcommand("code")) return std::move(command.code);
   if (app.got_subcommand("parts")) return std::move(command.parts);
   if (app.got_subcommand("manual")) return Help{manual(app)};
   if (app.got_subcommand("completion")) {
@@ -307,6 +308,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_muscle_commands(app, *made);
   add_sheet(app, made->sheet);
   add_new(app, made->make);
+  add_code(app, made->code);
   add_parts(app, made->parts);
 
   app.add_subcommand("manual", "Print the man page")->group("");

@@ -18,10 +18,10 @@ struct WrongUse {
   std::string sentence;
 };
 
-using CommandLine =
-    std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
-                 ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
-                 ImportArguments, FitArguments, SheetArguments, NewArguments, PartsArguments>;
+using CommandLine = std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments,
+                                 SceneArguments, ListArguments, PcaArguments, MorphArguments,
+                                 MeshArguments, AnimateArguments, ImportArguments, FitArguments,
+                                 SheetArguments, NewArguments, CodeArguments, PartsArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

@@ -41,6 +41,18 @@ void add_parts(CLI::App& app, PartsArguments& to) {
   CLI::App* parts =
       app.add_subcommand("parts", "List the parts and numbers that faces are made of");
   parts->add_option("FAMILY", to.family, "Only this family's parts")->type_name("");
+  parts
+      ->add_option("-o,--output", to.output,
+                   "Draw them, as 'mien sheet --parts FAMILY' does, instead of listing them")
+      ->type_name("FILE");
+}
+
+void add_code(CLI::App& app, CodeArguments& to) {
+  CLI::App* code = app.add_subcommand(
+      "code", "Print the code of a recipe, or what a code says, its parts and numbers");
+  code->add_option("FACE", to.face, "Recipe file: its code; a code: what it says")->type_name("");
+  code->add_option("--seed", to.seed, "Instead: the code of this word, as mien new has it")
+      ->type_name("WORD");
 }
 
 void add_check(CLI::App& app, CheckArguments& to) {

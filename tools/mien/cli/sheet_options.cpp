@@ -48,10 +48,15 @@ Expected<std::vector<std::string>> words_of(std::string_view text) {
 
 void add_sheet(CLI::App& app, SheetArguments& to) {
   CLI::App* sheet = app.add_subcommand(
-      "sheet", "Draw a grid of one face at many poses, or of many people, with names");
+      "sheet", "Draw a grid of one face at many poses, of many people or of parts, with names");
   sheet->add_option("FACE", to.face, "Face file, or a code")->type_name("");
   sheet->add_option("--people", to.people, "Instead of one face: so many people, no two alike")
       ->type_name("N");
+  sheet
+      ->add_option("--parts", to.parts,
+                   "Every part of this family, on the same head: a plain one, or FACE's, which is "
+                   "a recipe or a code; 'mien parts' names the families")
+      ->type_name("FAMILY");
   sheet->add_option("--seed", to.seed, "The same word, the same people; default 1")
       ->type_name("WORD");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")
@@ -59,7 +64,7 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
   sheet->add_option("-o,--output", to.output, "Picture to write")->required()->type_name("FILE");
   sheet->add_flag(
       "--emotions", to.emotions,
-      "Every emotion at full strength (default, unless there is a --picture or --people)");
+      "Every emotion at full strength (default, unless there is a --picture, --people or --parts)");
   sheet->add_flag("--half", to.half, "And every emotion at half strength");
   sheet
       ->add_option("--picture", to.pictures,

@@ -22,6 +22,7 @@ int import_command(const ImportArguments& arguments);
 int fit_command(const FitArguments& arguments);
 int sheet_command(const SheetArguments& arguments);
 int new_command(const NewArguments& arguments);
+int code_command(const CodeArguments& arguments);
 int parts_command(const PartsArguments& arguments);
 
 }  // namespace mien::command

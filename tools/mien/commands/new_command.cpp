@@ -92,6 +92,12 @@ int new_command(const NewArguments& arguments) {
 }
 
 int parts_command(const PartsArguments& arguments) {
+  if (arguments.output) {
+    if (!arguments.family) return complain("-o: a sheet needs a FAMILY", kUsedWrongly);
+    SheetArguments sheet;
+    sheet.parts = arguments.family, sheet.output = *arguments.output;
+    return sheet_command(sheet);
+  }
   std::string text;
   const std::vector<PartFamily> families = part_families();
   if (arguments.family) {

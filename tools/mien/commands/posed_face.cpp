@@ -8,6 +8,8 @@
 #include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/frame_file.h"
+#include "lib/file/json/read_bytes.h"
+#include "lib/parts/recipe/recipe_file.h"
 #include "lib/rig/pose/expression_setting.h"
 #include "sdf/from_face/debug_view.h"
 #include "tools/mien/cli/option_words.h"
@@ -20,21 +22,36 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace mien::command {
 
+bool is_given_as_code(const std::string& text) {
+  std::error_code too_long;  // codes that hold much are longer than a file's name may be
+  return looks_like_face_code(text) && !std::filesystem::exists(text, too_long);
+}
+
+Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings) {
+  if (!is_given_as_code(text)) {
+    const auto bytes = read_bytes(text, FaceLimits{}.bytes);
+    if (!bytes) return bytes.error();
+    return read_recipe_text(*bytes, text, warnings);
+  }
+  const auto code = read_face_code(text);
+  if (!code) return code.error();
+  return recipe_from_code(*code);
+}
+
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings) {
-  if (!looks_like_face_code(text) || std::filesystem::exists(text)) {
+  if (!is_given_as_code(text)) {
     if (style)
       return Error{"--style " + *style, "a face file has its own paints: styles are for codes"};
     return read_face(text, {}, warnings);
   }
-  const auto code = read_face_code(text);
-  if (!code) return code.error();
-  auto recipe = recipe_from_code(*code);
+  auto recipe = read_given_recipe(text, warnings);
   if (!recipe) return recipe.error();
   if (style) recipe->style = *style;
   return face_from_recipe(*recipe);

@@ -3,6 +3,7 @@
 
 #include <mien/face.h>
 #include <mien/pose.h>
+#include <mien/recipe.h>
 #include <mien/scene.h>
 #include "tools/mien/cli/arguments.h"
 #include "tools/mien/terminal/messages.h"
@@ -14,6 +15,12 @@ namespace mien::command {
 /// The face of a file or code, or nothing; warnings and the error have been printed.
 std::optional<Face> read_face_aloud(const std::string& path,
                                     const std::optional<std::string>& style = {});
+
+/// Whether a FACE is a code, and no file of that name is there.
+bool is_given_as_code(const std::string& text);
+
+/// The recipe of a code, or of a face file that is one.
+Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings = nullptr);
 
 /// A face file, or the face of a code; `style` paints the latter. A file of that name comes first.
 Expected<Face> read_face_or_code(const std::string& text,

@@ -1,4 +1,4 @@
-// mien sheet: a grid of one face at many poses, each with its name.
+// mien sheet: a grid of one face at many poses, of people or of parts, each with its name.
 
 #include <mien/composed_face.h>
 #include <mien/crowd.h>
@@ -6,6 +6,8 @@
 #include <mien/poser.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
 #include "render/image/write_pieces.h"
 #include "sdf/from_face/caption.h"
 #include "tools/mien/cli/parse_values.h"
@@ -124,6 +126,43 @@ CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
   return {std::move(cells)};
 }
 
+/// --parts: each part of the family on one head, with its name; with --picture, each part at each of them.
+CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
+  const std::vector<PartFamily> families = part_families();
+  const auto family = std::ranges::find(families, *arguments.parts, &PartFamily::name);
+  if (family == families.end()) {
+    std::vector<std::string_view> names;
+    for (const PartFamily& one : families) names.push_back(one.name);
+    return {{},
+            complain({"--parts", unknown_name("family", one_line(*arguments.parts, 60), names)},
+                     kUsedWrongly)};
+  }
+  // A plain head: all at rest, no glasses or hats, hair that shows the ears.
+  auto given = arguments.face ? read_given_recipe(*arguments.face)
+                              : Recipe{.name = {}, .code = {}, .parts = {{"hair", "crop"}}};
+  if (!given) return {{}, complain(given.error(), kFailed)};
+  Recipe recipe = *std::move(given);
+  if (arguments.style) recipe.style = *arguments.style;
+  std::vector<std::string> parts = family->parts;
+  if (family->optional) parts.push_back("none");
+  SheetArguments one = arguments;
+  if (one.pictures.empty()) one.pictures.push_back("");
+  Cells cells;
+  for (const std::string& part : parts) {
+    recipe.parts[family->name] = part;
+    if (part == "none" && family->optional) recipe.parts.erase(family->name);
+    const auto face = face_from_recipe(recipe);
+    if (!face) return {{}, complain(face.error(), kUsedWrongly)};
+    one.face = part;
+    CellsOrCode made = picture_cells(one, *face, size);
+    if (made.code != kDone) return made;
+    for (Cell& cell : made.cells)
+      cell.caption = part + (cell.caption.empty() ? "" : " ") + cell.caption;
+    std::ranges::move(made.cells, std::back_inserter(cells));
+  }
+  return {std::move(cells)};
+}
+
 /// Copies a picture to a place of the sheet.
 void lay(Image& sheet, const Image& picture, int x, int y) {
   for (int r = 0; r < picture.height; ++r)
@@ -176,12 +215,18 @@ int sheet_command(const SheetArguments& arguments) {
   if (!columns) return complain(columns.error(), kUsedWrongly);
   const auto gap = read_whole("--gap", arguments.gap.value_or("0"), 0, kMostGap);
   if (!gap) return complain(gap.error(), kUsedWrongly);
-  if (arguments.people.has_value() == arguments.face.has_value())
-    return complain("a sheet needs a FACE or --people, one of them", kUsedWrongly);
+  if (arguments.people && arguments.parts)
+    return complain("a sheet has --people or --parts, not both", kUsedWrongly);
+  if (arguments.parts && (arguments.emotions || arguments.half))
+    return complain("--parts: a sheet has parts or emotions, not both", kUsedWrongly);
+  if (!arguments.parts && arguments.people.has_value() == arguments.face.has_value())
+    return complain("a sheet needs a FACE, --people or --parts, one of them", kUsedWrongly);
+  const bool composed = arguments.people || arguments.parts;
   std::optional<Face> face;
-  if (arguments.face) face = read_face_aloud(*arguments.face, arguments.style);
-  if (arguments.face && !face) return kFailed;
-  if (arguments.people) {
+  if (!composed) {
+    face = read_face_aloud(*arguments.face, arguments.style);
+    if (!face) return kFailed;
+  } else {
     auto first = face_from_recipe(recipe_from_seed(0));  // all have one canvas
     if (!first) return complain(first.error(), kFailed);
     face = *std::move(first);
@@ -189,6 +234,7 @@ int sheet_command(const SheetArguments& arguments) {
   const auto size = read_cell(arguments, face->model->canvas.box.size());
   if (!size) return complain(size.error(), kUsedWrongly);
   const CellsOrCode made = arguments.people             ? people_cells(arguments, *size)
+                           : arguments.parts            ? part_cells(arguments, *size)
                            : arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
                                                         : picture_cells(arguments, *face, *size);
   if (made.code != kDone) return made.code;

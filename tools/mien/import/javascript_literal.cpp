@@ -228,10 +228,7 @@ class LiteralReader {
     key_ = keep(std::move(name)), key_offset_ = offset;
   }
 
-  std::int32_t keep(std::string text) {
-    tree_.strings.push_back(std::move(text));
-    return std::int32_t(tree_.strings.size() - 1);
-  }
+  std::int32_t keep(std::string text) { return tree_.keep(std::move(text)); }
 
   /// What comes next in the container that is open: a member or element, or its end.
   void item() {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/file/json/json_copy.h"
 #include "tests/support/small_library.h"
 
 namespace mien {
@@ -9,11 +10,17 @@ namespace {
 
 using test::SmallLibrary;
 
-/// What features of a nose become.
+/// What features of a nose become, and their texts.
+struct Flattened : FlatFeatures {
+  std::vector<std::string> texts;
+
+  std::map<std::string, double> depths() const { return {flat.begin(), flat.end()}; }
+};
+
 class FlatFeatureTest : public testing::Test {
  protected:
-  FlatFeatures flatten(const std::string& features, const std::string& style = "soft",
-                       std::map<std::string, double> numbers = {}) {
+  Flattened flatten(const std::string& features, const std::string& style = "soft",
+                    std::map<std::string, double> numbers = {}) {
     SmallLibrary small;
     small.topology =
         test::with(small.topology, "\"features\": []", "\"features\": [" + features + "]");
@@ -21,12 +28,18 @@ class FlatFeatureTest : public testing::Test {
     const Recipe recipe{.name = {}, .code = {}, .parts = {}, .numbers = std::move(numbers)};
     PartGeometry geometry(*library_, recipe);
     const PartStyle paints(*library_, style);
-    FlatFeatures made;
+    Flattened made;
+    JsonTree tree("flat");
+    TreeWriter out(tree);
+    out.array();
     const LibraryNode& topology = library_->topology();
     const Reading& in = topology.in();
     in.for_each(in.need(*topology.node, "features"), [&](const JsonNode& node, int) {
-      flatten_feature(in, node, "nose", *library_, paints, geometry, made);
+      flatten_feature(in, node, "nose", *library_, paints, geometry, made, out);
     });
+    out.close();
+    for (const FlatFeatures::One& one : made.features)
+      add_json(tree, tree.nodes[std::size_t(one.node)], made.texts.emplace_back());
     return made;
   }
 
@@ -34,41 +47,40 @@ class FlatFeatureTest : public testing::Test {
 };
 
 TEST_F(FlatFeatureTest, PointsAreTheFacesAndHalvesAreWhole) {
-  const FlatFeatures made = flatten(
+  const Flattened made = flatten(
       R"({"name": "a", "slot": "front", "role": "hair.line", "in": "eye", "kind": "path", "half": true,
           "points": [[0, 5], [1.5, 3, "bend"], [1, 2]]})",
       "soft", {{"size", 2}});
   ASSERT_EQ(made.features.size(), 1u);
   EXPECT_EQ(made.features[0].slot, 1u);
   EXPECT_EQ(
-      made.features[0].text,
+      made.texts[0],
       R"({"name": "a", "kind": "path", "points": [[0, 6.5], [2, 3.5, "bend"], [1, 2], [-1, 2], [-2, 3.5, "bend"]], )"
       R"("paint": "hair_line"})");
 }
 
 TEST_F(FlatFeatureTest, WidthsAndRadiiAreScaled) {
-  const FlatFeatures made = flatten(
+  const Flattened made = flatten(
       R"({"name": "a", "slot": "front", "role": "hair", "in": "eye", "kind": "stroke", "spine": [[1, 2], [1, 3], [1, 4]],
           "half_width": [0, {"is": 0.1, "adds": {"apart": 1}}, 0.2]},
          {"name": "b", "slot": "back", "role": "hair", "in": "eye", "kind": "ellipse", "center": [1, 2], "radii": [0.1, 0.2]})",
       "soft", {{"size", 2}});
-  EXPECT_NE(made.features[0].text.find(R"("half_width": [0, 0.175, 0.35])"), std::string::npos)
-      << made.features[0].text;
-  EXPECT_NE(made.features[1].text.find(R"("radii": [0.2, 0.3])"), std::string::npos)
-      << made.features[1].text;
+  EXPECT_NE(made.texts[0].find(R"("half_width": [0, 0.175, 0.35])"), std::string::npos)
+      << made.texts[0];
+  EXPECT_NE(made.texts[1].find(R"("radii": [0.2, 0.3])"), std::string::npos) << made.texts[1];
 }
 
 TEST_F(FlatFeatureTest, DepthsAndRidesAreKept) {
-  const FlatFeatures made = flatten(
+  const Flattened made = flatten(
       R"({"name": "head", "slot": "back", "role": "skin", "in": "face", "kind": "path", "turn": 0,
           "points": [{"xy": [0.5, -1], "turn": 0.2}, [0, 1], [-0.5, -1]]},
          {"name": "beard", "slot": "front", "role": "hair", "in": "face", "kind": "path", "half": true, "turn": {"raised": 0.1},
           "points": [[0, 0], {"at": "chin", "plus": [0.1, 0]}, {"at": "chin", "plus": [0, -0.1]}]},
          {"name": "neck", "slot": "back", "role": "skin", "kind": "path", "turn": "still", "points": [[0, 0], [1, 0], [0, 1]]})");
-  EXPECT_EQ(made.flat.at("head"), 0);
-  EXPECT_EQ(made.flat.at("head/points/0"), 0.2);
-  EXPECT_EQ(made.flat.at("beard/points/1"), 0.2);  // as deep as what it is beside
-  EXPECT_EQ(made.raised.at("beard"), 0.1);
+  EXPECT_EQ(made.depths().at("head"), 0);
+  EXPECT_EQ(made.depths().at("head/points/0"), 0.2);
+  EXPECT_EQ(made.depths().at("beard/points/1"), 0.2);  // as deep as what it is beside
+  EXPECT_EQ(made.raised, (std::vector<std::pair<std::string, double>>{{"beard", 0.1}}));
   EXPECT_EQ(made.still, std::vector<std::string>{"neck"});
   const std::vector<Ride>& rides = made.rides.at("head/points/0");
   ASSERT_EQ(rides.size(), 4u);
@@ -83,7 +95,7 @@ TEST_F(FlatFeatureTest, PatternsHaveBounds) {
       "points": [{"scallop": {"center": [0, 0], "radii": [1, 1], "from": 0, "to": 90, "bump": 0.1, "count": )" +
            count + "}}]}";
   };
-  EXPECT_NE(flatten(pattern("3")).features[0].text.find("\"bend\""), std::string::npos);
+  EXPECT_NE(flatten(pattern("3")).texts[0].find("\"bend\""), std::string::npos);
   EXPECT_THROW(flatten(pattern("1e9")), Refusal);
   EXPECT_THROW(flatten(pattern("0")), Refusal);
   EXPECT_THROW(flatten(pattern("-1e8")), Refusal);
@@ -107,12 +119,12 @@ TEST_F(FlatFeatureTest, StylesReplaceAndHide) {
   const char* features =
       R"({"name": "a", "slot": "front", "role": "hair", "kind": "disc", "center": [0, 0], "radius": 1, "paint": "dark"},
          {"name": "b", "slot": "front", "role": "shine", "kind": "disc", "center": [0, 0], "radius": 1, "opacity": 0.5})";
-  const FlatFeatures soft = flatten(features), ink = flatten(features, "ink");
-  EXPECT_NE(soft.features[0].text.find(R"("paint": "dark")"), std::string::npos);
-  EXPECT_NE(ink.features[0].text.find(R"("paint": "skin")"), std::string::npos);
-  EXPECT_EQ(ink.features[0].text.find("dark"), std::string::npos);
-  EXPECT_NE(ink.features[1].text.find(R"("opacity": 0)"), std::string::npos);
-  EXPECT_EQ(ink.features[1].text.find("0.5"), std::string::npos);
+  const Flattened soft = flatten(features), ink = flatten(features, "ink");
+  EXPECT_NE(soft.texts[0].find(R"("paint": "dark")"), std::string::npos);
+  EXPECT_NE(ink.texts[0].find(R"("paint": "skin")"), std::string::npos);
+  EXPECT_EQ(ink.texts[0].find("dark"), std::string::npos);
+  EXPECT_NE(ink.texts[1].find(R"("opacity": 0)"), std::string::npos);
+  EXPECT_EQ(ink.texts[1].find("0.5"), std::string::npos);
 }
 
 }  // namespace

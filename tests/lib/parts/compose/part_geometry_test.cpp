@@ -13,7 +13,7 @@ class PartGeometryTest : public testing::Test {
   FoundPoint point(const std::string& text, std::map<std::string, double> numbers = {}) {
     const Recipe recipe{.name = {}, .code = {}, .parts = {}, .numbers = std::move(numbers)};
     PartGeometry geometry(*library_, recipe);
-    geometry.add_point("head/points/0", {{0.5, -1}, 0.2, "head/points/0"});
+    geometry.add_point("head/points/0", {{0.5, -1}, 0.2, true});
     geometry.add_value("width", 0.25);
     text_ = R"({"frame": "eye", "point": )" + text + "}";
     const auto tree = JsonTree::read(text_, "test", limits_);

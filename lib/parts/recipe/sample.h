@@ -1,0 +1,13 @@
+#pragma once
+// A seed becomes a recipe. Every choice is keyed by the permanent number of what is chosen, so a part or a number more
+// changes only the faces that get it.
+
+#include <mien/recipe.h>
+#include "lib/parts/library/part_library.h"
+
+namespace mien {
+
+/// The recipe of a code in this library, whatever edition the code names; what it holds must be there.
+Recipe sampled_recipe(const PartLibrary& library, const FaceCode& code);
+
+}  // namespace mien

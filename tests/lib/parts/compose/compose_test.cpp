@@ -1,0 +1,83 @@
+#include "lib/parts/compose/compose.h"
+
+#include <mien/composed_face.h>
+#include <mien/face_file.h>
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace mien {
+namespace {
+
+/// Whether two trees say the same, wherever members stand.
+bool same(const JsonTree& a, const JsonNode& in_a, const JsonTree& b, const JsonNode& in_b) {
+  if (in_a.kind != in_b.kind || in_a.count != in_b.count || in_a.number != in_b.number)
+    return false;
+  if (in_a.kind == JsonKind::string) return a.string(in_a) == b.string(in_b);
+  const JsonNode* other = b.first(in_b);
+  for (const JsonNode* one = a.first(in_a); one; one = a.next(*one)) {
+    if (in_a.kind == JsonKind::object) other = b.member(in_b, a.key(*one));
+    if (!other || !same(a, *one, b, *other)) return false;
+    if (in_a.kind == JsonKind::array) other = b.next(*other);
+  }
+  return true;
+}
+
+/// A face is read from the tree, its file from the text: both must be one face, for every part and style. The reader
+/// of the text refuses, too, what is said twice.
+TEST(Compose, TreeAndTextAreOneFace) {
+  for (const PartFamily& family : part_families())
+    for (const std::string& part : family.parts)
+      for (const std::string& style : part_styles()) {
+        Recipe recipe = recipe_from_seed(seed_from_word(part));
+        recipe.parts[family.name] = part, recipe.style = style;
+        recipe.name = "\xC3\xA4 and \xFF, \"broken\"";
+        const auto tree = composed_face(PartLibrary::shipped(), recipe);
+        ASSERT_TRUE(tree) << tree.error().what;
+        const std::string text = face_text_from_recipe(recipe).value();
+        const auto read = JsonTree::read(text, "text", {});
+        ASSERT_TRUE(read) << part << " " << style << ": " << read.error().what;
+        EXPECT_TRUE(same(*tree, tree->root(), *read, read->root())) << part << " " << style;
+      }
+}
+
+TEST(Compose, FacesOfTreeAndTextHaveTheSameNumbers) {
+  for (int i = 0; i < 100; ++i) {
+    const Recipe recipe = recipe_from_seed(seed_from_word(std::to_string(i)));
+    const Face face = face_from_recipe(recipe).value();
+    const Face read = read_face_text(face_text_from_recipe(recipe).value(), "text").value();
+    EXPECT_EQ(face.vector, read.vector) << i;
+    EXPECT_EQ(read_face_text(recipe_text(recipe), "recipe").value().vector, read.vector) << i;
+  }
+}
+
+TEST(Compose, ManyThreadsMakeTheSameFaces) {
+  constexpr int kThreads = 4, kFaces = 40;
+  std::vector<std::vector<FaceVector>> made(kThreads);
+  const auto make = [&](int thread) {
+    for (int i = 0; i < kFaces; ++i)
+      made[std::size_t(thread)].push_back(
+          face_from_recipe(recipe_from_seed(std::uint64_t(i))).value().vector);
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < kThreads; ++i) threads.emplace_back(make, i);
+  for (std::thread& thread : threads) thread.join();
+  for (const std::vector<FaceVector>& one : made) EXPECT_EQ(one, made[0]);
+}
+
+/// What a caller allows holds for what is composed of a recipe, too.
+TEST(Compose, LimitsHoldForWhatIsComposed) {
+  const std::string text = recipe_text(recipe_from_seed(1));
+  EXPECT_TRUE(read_face_text(text, "r"));
+  const auto what = [&](const FaceLimits& limits) {
+    const auto face = read_face_text(text, "r", limits);
+    return face ? "a face" : face.error().what;
+  };
+  EXPECT_NE(what({.values = 1000}).find("(limit: values)"), std::string::npos);
+  EXPECT_NE(what({.features = 10}).find("(limit: features)"), std::string::npos);
+  EXPECT_NE(what({.nesting = 3}).find("(limit: nesting)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien

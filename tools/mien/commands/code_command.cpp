@@ -1,0 +1,88 @@
+// mien code: the code of a recipe, and what a code says.
+
+#include <mien/recipe.h>
+#include "lib/parts/code/code_fields.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/posed_face.h"
+#include "tools/mien/terminal/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien::command {
+namespace {
+
+/// What of a recipe its code cannot hold: a style, and where a number lies between two steps.
+std::vector<Error> left_out(const std::string& file, const Recipe& recipe, const Recipe& held) {
+  std::vector<Error> all;
+  if (recipe.style != held.style)
+    all.push_back(
+        {file, fmt::format("no code holds a style: say --style {} with it", recipe.style)});
+  for (const PartNumber& number : part_numbers()) {
+    const auto said = recipe.numbers.find(number.name);
+    if (said == recipe.numbers.end()) continue;
+    const double value = held.numbers.at(number.name), range = number.hi - number.lo;
+    constexpr double kSeen = 1e-6;  // of the range
+    if (std::abs(value - said->second) > kSeen * range)
+      all.push_back({file, fmt::format("a code holds steps of {:.6g}: {} is {:.6g}, not {:.6g}",
+                                       range / 1023, number.name, value, said->second)});
+  }
+  return all;
+}
+
+int print_code_of(const std::string& file) {
+  std::vector<Error> warnings;
+  const auto recipe = read_given_recipe(file, &warnings);
+  warn(warnings);
+  if (!recipe) return complain(recipe.error(), kFailed);
+  const auto code = code_of_recipe(*recipe);
+  if (!code) return complain(code.error(), kFailed);
+  const auto held = recipe_from_code(*code);
+  if (!held) return complain(held.error(), kFailed);
+  warn(left_out(file, *recipe, *held));
+  return print(face_code_text(*code) + "\n");
+}
+
+/// Every part and number, as --hold takes them; after each that the code holds against its seed, what the seed says.
+int print_meaning_of(const FaceCode& code) {
+  const auto recipe = recipe_from_code(code);
+  if (!recipe) return complain(recipe.error(), kUsedWrongly);
+  const Recipe seeds = recipe_from_seed(code.seed);
+  std::string text = fmt::format("code {}\nedition {}\n", face_code_text(code), code.edition);
+  const auto add = [&](const std::string& name, const std::string& value,
+                       const std::string& of_seed) {
+    const bool held = std::ranges::any_of(code.held, [&](const HeldValue& one) {
+      return one.field == read_held_value(name + "=" + value, true).value().field;
+    });
+    text += fmt::format("{}={}", name, value);
+    if (held) text += fmt::format("  held; the seed says {}", of_seed);
+    text += "\n";
+  };
+  for (const PartFamily& family : part_families()) {
+    const auto part_of = [&](const Recipe& one) {
+      const auto part = one.parts.find(family.name);
+      return part == one.parts.end() ? std::string("none") : part->second;
+    };
+    add(family.name, part_of(*recipe), part_of(seeds));
+  }
+  for (const PartNumber& number : part_numbers())
+    add(number.name, fmt::format("{:.6g}", recipe->numbers.at(number.name)),
+        fmt::format("{:.6g}", seeds.numbers.at(number.name)));
+  return print(text);
+}
+
+}  // namespace
+
+int code_command(const CodeArguments& arguments) {
+  if (arguments.face.has_value() == arguments.seed.has_value())
+    return complain("code: a FACE or a --seed is needed, one of them", kUsedWrongly);
+  if (arguments.seed)
+    return print(face_code_text({.seed = seed_from_word(*arguments.seed), .held = {}}) + "\n");
+  if (!is_given_as_code(*arguments.face)) return print_code_of(*arguments.face);
+  const auto code = read_face_code(*arguments.face);
+  return code ? print_meaning_of(*code) : complain(code.error(), kUsedWrongly);
+}
+
+}  // namespace mien::command
