@@ -3,7 +3,6 @@
 #include "lib/parts/code/appearance.h"
 #include "lib/parts/code/code_fields.h"
 #include "lib/parts/code/keyed_chance.h"
-#include "lib/parts/compose/part_palette.h"
 #include "lib/parts/library/part_library.h"
 
 #include <algorithm>
