@@ -87,12 +87,15 @@ class Flattening {
       to_.flat.emplace(name_, in_.number(*turn));
       return;
     }
-    to_.raised.emplace(name_, in_.number(in_.need(*turn, "raised")));
+    if (const JsonNode* plate = in_.find(*turn, "plate"))
+      to_.plates.emplace(name_, in_.number(*plate));
+    else
+      to_.raised.emplace(name_, in_.number(in_.need(*turn, "raised")));
   }
 
   std::string member_text(std::string_view key, const JsonNode& member) {
     if (key == "points" || key == "spine") return list_text(std::string(key), member);
-    if (key == "loops") return loops_text(member);
+    if (key == "loops" || key == "patch") return lists_text(std::string(key), member);
     if (key == "center" || key == "inner" || key == "upper" || key == "outer" || key == "lower")
       return single_text(std::string(key), member);
     if (key == "radii") {
@@ -100,7 +103,9 @@ class Flattening {
       const glm::dvec2 radii = geometry_.pair(in_, member, family_) * frame_.scale;
       return short_pair(radii);
     }
-    if (key == "radius" || key == "half_width") return width_text(member);
+    constexpr std::array<std::string_view, 5> kLengths{"radius", "half_width", "length", "corner",
+                                                       "feather"};
+    if (std::ranges::find(kLengths, key) != kLengths.end()) return width_text(member);
     if (key == "paint") return paint_text(member);
     if (key == "contour" || key == "relief" || key == "shadow" || key == "glow")
       return copied(member);
@@ -259,13 +264,14 @@ class Flattening {
     return text + "]";
   }
 
-  std::string loops_text(const JsonNode& array) {
+  /// Loops of a path, rows of a patch.
+  std::string lists_text(const std::string& key, const JsonNode& array) {
     const JsonNode* half = in_.find(node_, "half");
     std::string text;
     in_.expect(array, JsonKind::array);
     in_.for_each(array, [&](const JsonNode& loop, int i) {
       text += (i ? ", " : "[") +
-              points_text(fmt::format("loops/{}", i), list(loop, half && in_.boolean(*half)));
+              points_text(fmt::format("{}/{}", key, i), list(loop, half && in_.boolean(*half)));
     });
     return text + "]";
   }

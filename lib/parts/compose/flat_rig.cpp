@@ -152,8 +152,10 @@ std::string turn_text(const Reading& in, const JsonNode& node, const PartGeometr
   std::string still;
   for (const std::string& name : features.still)
     still += (still.empty() ? "" : ", ") + json_string(name);
-  return text + fmt::format(", \"still\": [{}], \"flat\": {}, \"raised\": {}}}", still,
-                            depths_text(features.flat), depths_text(features.raised));
+  text += fmt::format(", \"still\": [{}], \"flat\": {}, \"raised\": {}", still,
+                      depths_text(features.flat), depths_text(features.raised));
+  if (!features.plates.empty()) text += ", \"plate\": " + depths_text(features.plates);
+  return text + "}";
 }
 
 }  // namespace mien

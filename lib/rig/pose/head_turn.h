@@ -5,7 +5,8 @@
 // with it about a pivot: first by the yaw about the vertical, then by the pitch about the level
 // axis, then by the roll in the picture, and seen straight from the front again. What looks alike
 // from every side (the outline of a head, of hair) is not foreshortened, only shifted by its depth
-// and rolled. Sizes are foreshortened as the surface is where they are. Meant for up to about 30°;
+// and rolled. A plate, such as a pair of glasses, is level at one depth and turns as one rigid body: straight
+// lines on it stay straight. Sizes are foreshortened as the surface is where they are. Meant for up to about 30°;
 // beyond, features slide round the edge.
 //
 // Positive yaw turns the face to the picture's right (the subject's left), positive pitch upwards,
@@ -34,6 +35,10 @@ class Turn {
   glm::dvec2 surface(glm::dvec2 p, double depth) const;
   /// Where a point of an outline at `depth` from the head's middle comes to lie.
   glm::dvec2 flat(glm::dvec2 p, double depth) const;
+  /// Where a point of a plate at `depth` from the head's middle comes to lie.
+  glm::dvec2 plate(glm::dvec2 p, double depth) const;
+  /// How much smaller a plate is seen.
+  glm::dvec2 plate_foreshortening() const;
   /// How much smaller the surface is seen at a point: sideways and upwards, before the roll; 0 where
   /// it is turned away.
   glm::dvec2 foreshortening(glm::dvec2 p) const;
