@@ -56,14 +56,17 @@ struct FaceRelief {
 
 /// Effects that follow a feature's outline at a distance; see sdf/scene/effects.h. Colours are slices.
 struct FaceContour {
-  int color, half_width;
+  int color;
+  int half_width;  ///< one number; if it varies two: the thin and the thick half-width
+  enum class By : unsigned char { none, angle, along } by = By::none;  ///< what it varies by
 };
 struct FaceGlow {
   int color, reach;
 };
 struct FaceShadow {
   int color, blur;
-  int shift = -1;  ///< −1: right below
+  int shift = -1;     ///< −1: right below
+  Index<Feature> on;  ///< an earlier feature: the shadow falls on its area only
 };
 struct FaceSurroundings {
   std::optional<FaceShadow> shadow;  ///< below the glow, both below the feature

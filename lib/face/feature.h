@@ -3,6 +3,7 @@
 // the layout. So whatever moves the vector moves the feature, and two features may share a point.
 
 #include <mien/index.h>
+#include <mien/pattern.h>
 #include <mien/side.h>
 
 #include <string>
@@ -61,6 +62,20 @@ struct PathFigure {
   bool even_odd = false;
 };
 
+/// A rectangle with round corners.
+struct RoundedFigure {
+  int center, radii;  ///< half its width and height
+  int corner;         ///< the radius of its corners; at most the smaller of `radii` counts
+  int tilt;           ///< angle of radii.x; −1: none
+};
+
+struct Feature;
+
+/// The areas of EARLIER features, clips and all: inside all of `all`, any of `any` and none of `minus`.
+struct AreaFigure {
+  std::vector<Index<Feature>> all, any, minus;  ///< `all` or `any` is not empty
+};
+
 /// The opening of an eye: the area between the lid edges inner → upper → outer and outer → lower →
 /// inner, two quadratic Béziers that share the canthi (the eye's corners) exactly.
 ///
@@ -81,7 +96,14 @@ struct FaceSurroundings;
 struct GradientPaint;
 
 using Figure = std::variant<BandFigure, EllipseFigure, DiscFigure, CutDiscFigure, StrokeFigure,
-                            PolylineFigure, PathFigure, OpeningFigure>;
+                            PolylineFigure, PathFigure, OpeningFigure, RoundedFigure, AreaFigure,
+                            ScatterFigure, RepeatFigure, StripesFigure>;
+
+/// Where a feature is drawn: inside the area of an EARLIER one, or outside of it.
+struct FeatureClip {
+  Index<Feature> feature;
+  bool outside = false;
+};
 
 /// Something to draw or, without paint, an area that other features are clipped to.
 struct Feature {
@@ -89,12 +111,13 @@ struct Feature {
   Side side = Side::none;
   Figure figure;
   int paint = -1;                        ///< slice of its colour; −1: not drawn
-  Index<Feature> clip;                   ///< an EARLIER feature: drawn inside its area only
+  std::vector<FeatureClip> clips;        ///< it is drawn where all of them let it
   Index<GradientPaint> gradient;         ///< with one, `paint` is −1
   Index<FaceRelief> relief;              ///< none: not lit
   Index<FaceSurroundings> surroundings;  ///< what is drawn around it
-  int opacity = -1;                      ///< slice of what multiplies the paint's opacity; −1: 1
-  Index<FaceGroup> group;                ///< drawn with its group
+  int feather = -1;        ///< slice: how far inside its outline it is full; −1: at once
+  int opacity = -1;        ///< slice of what multiplies the paint's opacity; −1: 1
+  Index<FaceGroup> group;  ///< drawn with its group
 
   bool painted() const { return paint >= 0 || gradient; }
 };
@@ -140,6 +163,13 @@ void for_each_slice(const OpeningFigure& f, Visit&& visit) {
     for (int i = 0; i < 2 * OpeningFigure::kLidBends; ++i)
       visit(i < OpeningFigure::kLidBends ? "upper_shift" : "lower_shift", f.shifts + i);
 }
+template <class Visit>
+void for_each_slice(const RoundedFigure& f, Visit&& visit) {
+  visit("center", f.center), visit("radii", f.radii), visit("corner", f.corner);
+  if (f.tilt >= 0) visit("tilt", f.tilt);
+}
+template <class Visit>
+void for_each_slice(const AreaFigure&, Visit&&) {}  // the numbers are those of other features
 template <class Visit>
 void for_each_slice(const Figure& figure, Visit&& visit) {
   std::visit([&](const auto& f) { for_each_slice(f, visit); }, figure);

@@ -17,10 +17,13 @@ enum class TurnKind : unsigned char {
   surface,  ///< a point of the head's front, `depth` above it: turned, and foreshortened
   flat,     ///< a point of something that looks the same from every side (an outline), at `depth`
             ///< from the head's middle: shifted by parallax, not foreshortened
+  plate,    ///< a point of a flat plate at `depth` from the head's middle: turned as one rigid body
   width,    ///< radii at a point: the first is foreshortened sideways, the second upwards
   size,     ///< a radius at a point: foreshortened by the geometric mean of both
   shift,    ///< x, y of an offset on the surface: foreshortened and rolled
-  angle     ///< an angle of something on the head: rolled
+  plate_width,  ///< radii on a plate
+  plate_size,   ///< a radius on a plate: foreshortened by the geometric mean of both
+  angle         ///< an angle of something on the head: rolled
 };
 
 struct TurnedSlice {

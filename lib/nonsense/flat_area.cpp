@@ -39,6 +39,13 @@ Polygon ellipse_polygon(glm::dvec2 center, glm::dvec2 radii, double degrees) {
   return polygon;
 }
 
+Polygon rectangle(glm::dvec2 center, glm::dvec2 radii, double degrees) {
+  const double tilt = degrees * std::numbers::pi / 180;
+  const glm::dvec2 along{std::cos(tilt), std::sin(tilt)}, across{-along.y, along.x};
+  const glm::dvec2 right = radii.x * along, up = radii.y * across;
+  return {center - right - up, center + right - up, center + right + up, center - right + up};
+}
+
 /// Bends and outline points mean what they do for pictures: between two bends the outline passes
 /// half-way.
 Polygon loop_polygon(const PathFigure::Loop& loop, const AreaNumbers& n) {
@@ -99,6 +106,15 @@ class AreaMaker {
     area_.even_odd = f.even_odd;
     for (const PathFigure::Loop& loop : f.loops) area_.loops.push_back(loop_polygon(loop, n_));
   }
+  void operator()(const RoundedFigure& f) {
+    area_.loops.push_back(
+        rectangle(n_.point(f.center), n_.point(f.radii), f.tilt >= 0 ? n_(f.tilt) : 0.0));
+  }
+  // What these hold is seen in other features, or too small to hide anything.
+  void operator()(const AreaFigure&) {}
+  void operator()(const ScatterFigure&) {}
+  void operator()(const RepeatFigure&) {}
+  void operator()(const StripesFigure&) {}
   void operator()(const OpeningFigure& f) {
     const glm::dvec2 inner = n_.point(f.inner), outer = n_.point(f.outer);
     const int lower_shifts = f.shifts < 0 ? -1 : f.shifts + OpeningFigure::kLidBends;

@@ -100,7 +100,10 @@ KnownFeatures::KnownFeatures(const Face& face) {
         if (over_brows && brow[s] >= 0 && i > brow[s]) over_brow[s].push_back(i);
     }
     // What is clipped to a feature stays in it; an area without a paint only makes room.
-    if (feature.clip && feature.clip.in(model.features).painted()) continue;
+    const bool clipped = std::ranges::any_of(feature.clips, [&](const FeatureClip& clip) {
+      return !clip.outside && clip.feature.in(model.features).painted();
+    });
+    if (clipped) continue;
     if ((head >= 0 && i >= head) || begins_with_any(name, {"ear", "hearing"})) framed.push_back(i);
     if (std::holds_alternative<PathFigure>(feature.figure) && name != "mouth") looped.push_back(i);
   }

@@ -1,38 +1,16 @@
 #include <mien/face_model.h>
+#include "face_numbers_private.h"
 #include "feature_paint_private.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace mien {
 namespace {
 
-class Numbers {
- public:
-  explicit Numbers(const Face& face) : face_(face) {}
-
-  double operator()(int slice, int i = 0) const {
-    return face_.vector[std::size_t(face_.model->layout[slice].begin + i)];
-  }
-  double value_or(int slice, double other) const { return slice < 0 ? other : (*this)(slice); }
-  glm::dvec2 point(int slice) const { return {(*this)(slice, 0), (*this)(slice, 1)}; }
-  /// The direction at an angle in degrees; +x without one.
-  glm::dvec2 way(int slice) const {
-    if (slice < 0) return {1.0, 0.0};
-    const double angle = (*this)(slice)*std::numbers::pi / 180;
-    return {std::cos(angle), std::sin(angle)};
-  }
-  int size(int slice) const { return face_.model->layout[slice].size; }
-
- private:
-  const Face& face_;
-};
-
 constexpr double kLeast = 1e-9;  ///< the least length to divide by, whatever the pose
 
 struct Along {
-  const Numbers& n;
+  const FaceNumbers& n;
   Area own;
 
   using Any = decltype(Gradient::along);
@@ -48,7 +26,7 @@ struct Along {
 };
 
 Gradient gradient_of(const GradientPaint& paint, const Face& face, Area own) {
-  const Numbers n(face);
+  const FaceNumbers n(face);
   Gradient gradient{.along = std::visit(Along{n, own}, paint.along),
                     .stops = {},
                     .extend = Extend(int(paint.extend))};
@@ -58,7 +36,7 @@ Gradient gradient_of(const GradientPaint& paint, const Face& face, Area own) {
 }
 
 Relief relief_of(const FaceRelief& given, const Face& face, Area own) {
-  const Numbers n(face);
+  const FaceNumbers n(face);
   const Relief without;
   const double sign = given.sunk ? -1 : 1;
   Relief relief{.area = own,
@@ -83,12 +61,12 @@ Relief relief_of(const FaceRelief& given, const Face& face, Area own) {
 }  // namespace
 
 Color color_of(const Face& face, int slice) {
-  const Numbers n(face);
+  const FaceNumbers n(face);
   return {n(slice, 0), n(slice, 1), n(slice, 2), n(slice, 3)};
 }
 
 double opacity_of(const Face& face, int slice) {
-  return std::min(Numbers(face).value_or(slice, 1), 1.0);
+  return std::min(FaceNumbers(face).value_or(slice, 1), 1.0);
 }
 
 Paint paint_of(const Feature& feature, const Face& face, Area own) {
@@ -99,8 +77,10 @@ Paint paint_of(const Feature& feature, const Face& face, Area own) {
     paint.gradient = shared(gradient_of(feature.gradient.in(model.gradients), face, own));
     paint.color.a = opacity;
   } else {
-    paint.color = color_of(face, feature.paint);
-    paint.color.a *= opacity;
+    Color color = color_of(face, feature.paint);
+    color.a *= opacity;
+    const double feather = FaceNumbers(face).value_or(feature.feather, 0);
+    paint = feather > 0 ? falling(own, color, -feather, 0) : Paint{.color = color};
   }
   if (feature.relief) {
     Relief relief = relief_of(feature.relief.in(model.reliefs), face, own);
@@ -114,17 +94,27 @@ Surroundings surroundings_of(const Feature& feature, const Face& face) {
   Surroundings made;
   if (!feature.surroundings) return made;
   const FaceSurroundings& given = feature.surroundings.in(face.model->surroundings);
-  const Numbers n(face);
-  if (given.shadow)
+  const FaceNumbers n(face);
+  if (given.shadow) {
+    made.shadow_on = given.shadow->on;
     made.shadow = SoftShadow{
         .color = color_of(face, given.shadow->color),
         .blur = std::max(n(given.shadow->blur), kLeast),
         .shift = given.shadow->shift < 0 ? glm::dvec2{0.0} : n.point(given.shadow->shift)};
+  }
   if (given.glow)
     made.glow = Glow{.color = color_of(face, given.glow->color),
                      .reach = std::max(n(given.glow->reach), kLeast)};
-  if (given.contour && n(given.contour->half_width) > 0)
-    made.contour = {color_of(face, given.contour->color), n(given.contour->half_width)};
+  if (given.contour) {
+    const FaceContour& line = *given.contour;
+    const bool even = line.by == FaceContour::By::none;
+    const double first = n(line.half_width), second = even ? first : n(line.half_width, 1);
+    // By the angle the first is the thin one, whatever a pose made of them.
+    const double thin = line.by == FaceContour::By::angle ? std::min(first, second) : first;
+    const double thick = line.by == FaceContour::By::angle ? std::max(first, second) : second;
+    if (std::max(thin, thick) > 0)
+      made.contour = {color_of(face, line.color), line.by, thin, thick};
+  }
   return made;
 }
 

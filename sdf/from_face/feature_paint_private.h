@@ -2,6 +2,7 @@
 // A feature's paint as a scene's, with the numbers that a face gives it.
 
 #include <mien/face.h>
+#include <mien/face_paint.h>
 #include <mien/feature.h>
 #include <mien/scene.h>
 #include <mien/scene_effects.h>
@@ -20,9 +21,11 @@ Paint paint_of(const Feature& feature, const Face& face, Area own);
 struct Surroundings {
   struct Contour {
     Color color;
-    double half_width;
+    FaceContour::By by;
+    double thin, thick;  ///< half-widths; without a law the first counts
   };
   std::optional<SoftShadow> shadow;
+  Index<Feature> shadow_on;  ///< none: it falls on all that is below
   std::optional<Glow> glow;
   std::optional<Contour> contour;
 };

@@ -1,31 +1,18 @@
 #include <mien/face_model.h>
+#include "face_numbers_private.h"
 #include "figure_shape_private.h"
 #include "lib/rig/eye/lid.h"
+#include "pattern_shapes_private.h"
+#include "smooth_curve_private.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace mien {
 namespace {
-
-/// The numbers of a face by slice.
-class FigureNumbers {
- public:
-  explicit FigureNumbers(const Face& face) : face_(face) {}
-
-  double operator()(int slice, int i = 0) const {
-    return face_.vector[std::size_t(face_.model->layout[slice].begin + i)];
-  }
-  int size(int slice) const { return face_.model->layout[slice].size; }
-  glm::dvec2 point(int slice) const { return {(*this)(slice, 0), (*this)(slice, 1)}; }
-  double sign_of_up() const { return face_.model->canvas.y_up ? 1 : -1; }
-
- private:
-  const Face& face_;
-};
 
 /// side · y >= side · (a q² + b), q = k x + k0, in the shape's own terms: vertex, axis, bend.
 /// A frame that does not change along x (or so little that its vertex is nowhere) leaves a level
@@ -36,26 +23,23 @@ ParabolaSide parabola_side(double k, double k0, double a, double b, double side)
   return {{vertex, b}, {0, side}, side * a * k * k};
 }
 
-Shape shape(const BandFigure& f, const FigureNumbers& n) {
+Shape shape(const BandFigure& f, const FaceNumbers& n) {
   const double k = n(f.frame, 0), k0 = n(f.frame, 1);
   return Band{parabola_side(k, k0, n(f.lower, 0), n(f.lower, 1), 1),
               parabola_side(k, k0, n(f.upper, 0), n(f.upper, 1), -1)};
 }
 
-Shape shape(const EllipseFigure& f, const FigureNumbers& n) {
+Shape shape(const EllipseFigure& f, const FaceNumbers& n) {
   Ellipse ellipse{.center = n.point(f.center), .radii = n.point(f.radii)};
-  if (f.tilt >= 0 && n(f.tilt) != 0) {
-    const double angle = n(f.tilt) * std::numbers::pi / 180;
-    ellipse.axis = {std::cos(angle), std::sin(angle)};
-  }
+  ellipse.axis = n.way(f.tilt);
   return ellipse;
 }
 
-Shape shape(const DiscFigure& f, const FigureNumbers& n) {
+Shape shape(const DiscFigure& f, const FaceNumbers& n) {
   return Disc{n.point(f.center), n(f.radius)};
 }
 
-Shape shape(const CutDiscFigure& f, const FigureNumbers& n) {
+Shape shape(const CutDiscFigure& f, const FaceNumbers& n) {
   return CutDisc{.center = n.point(f.center),
                  .radius = n(f.radius),
                  .upper = n(f.chords, 0),
@@ -63,14 +47,14 @@ Shape shape(const CutDiscFigure& f, const FigureNumbers& n) {
                  .up = {0, n.sign_of_up()}};
 }
 
-Shape shape(const StrokeFigure& f, const FigureNumbers& n) {
+Shape shape(const StrokeFigure& f, const FaceNumbers& n) {
   const QuadBezier spine{n.point(f.spine[0]), n.point(f.spine[1]), n.point(f.spine[2])};
   const int w = f.half_width;
   if (n.size(w) == 1) return QuadStroke{spine, n(w)};
   return TaperedStroke{spine, {n(w, 0), n(w, 1), n(w, 2)}};
 }
 
-Shape shape(const PolylineFigure& f, const FigureNumbers& n) {
+Shape shape(const PolylineFigure& f, const FaceNumbers& n) {
   Polyline line{.points = {}, .half_width = n(f.half_width)};
   for (const int point : f.points) line.points.push_back(n.point(point));
   return line;
@@ -79,7 +63,7 @@ Shape shape(const PolylineFigure& f, const FigureNumbers& n) {
 /// Between two outline points stands a straight side; a bend is the control point of a curve that
 /// begins and ends at its neighbours if they are outline points, or half-way to them if they are
 /// bends too.
-Path::Loop loop_of(const PathFigure::Loop& loop, const FigureNumbers& n) {
+Path::Loop loop_of(const PathFigure::Loop& loop, const FaceNumbers& n) {
   const std::size_t count = loop.nodes.size();
   const auto node = [&](std::size_t i) { return loop.nodes[i % count]; };
   const auto at = [&](std::size_t i) { return n.point(node(i).point); };
@@ -98,14 +82,14 @@ Path::Loop loop_of(const PathFigure::Loop& loop, const FigureNumbers& n) {
   return sides;
 }
 
-Shape shape(const PathFigure& f, const FigureNumbers& n) {
+Shape shape(const PathFigure& f, const FaceNumbers& n) {
   Path path{.loops = {}, .rule = f.even_odd ? FillRule::even_odd : FillRule::nonzero};
   for (const PathFigure::Loop& loop : f.loops) path.loops.push_back(loop_of(loop, n));
   return path;
 }
 
 /// Whether the bends of the lid edges that begin at slice `first` are shifted.
-bool is_shifted(int first, int count, const FigureNumbers& n) {
+bool is_shifted(int first, int count, const FaceNumbers& n) {
   if (first < 0) return false;
   for (int i = 0; i < count; ++i)
     if (n.point(first + i) != glm::dvec2(0)) return true;
@@ -113,14 +97,14 @@ bool is_shifted(int first, int count, const FigureNumbers& n) {
 }
 
 /// The edge of a lid as smooth quadratic pieces between its shifted bends.
-LidPieces lid_pieces(const QuadBezier& edge, int first, const FigureNumbers& n) {
+LidPieces lid_pieces(const QuadBezier& edge, int first, const FaceNumbers& n) {
   LidBends bends = lid_bends(edge);
   for (int i = 0; i < int(bends.size()); ++i) bends[std::size_t(i)] += n.point(first + i);
   return pieces_between(edge.p0, bends, edge.p2);
 }
 
 /// A shut eye, whose lid edges are one curve, has no area and no outline.
-Shape shape(const OpeningFigure& f, const FigureNumbers& n) {
+Shape shape(const OpeningFigure& f, const FaceNumbers& n) {
   constexpr int kBends = OpeningFigure::kLidBends;
   const glm::dvec2 inner = n.point(f.inner), upper = n.point(f.upper), outer = n.point(f.outer),
                    lower = n.point(f.lower);
@@ -150,7 +134,14 @@ bool same_structure(const PathFigure& a, const PathFigure& b) {
          std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(), b.loops.end(), same_loop);
 }
 
-std::vector<double> numbers_of(const Figure& figure, const FigureNumbers& n) {
+/// Areas and patterns say more than their numbers do.
+template <class F>
+constexpr bool is_of_several(const F&) {
+  return std::is_same_v<F, AreaFigure> || std::is_same_v<F, ScatterFigure> ||
+         std::is_same_v<F, RepeatFigure> || std::is_same_v<F, StripesFigure>;
+}
+
+std::vector<double> numbers_of(const Figure& figure, const FaceNumbers& n) {
   std::vector<double> all;
   for_each_slice(figure, [&](std::string_view, int slice) {
     all.push_back(n.size(slice));
@@ -159,91 +150,113 @@ std::vector<double> numbers_of(const Figure& figure, const FigureNumbers& n) {
   return all;
 }
 
-/// The centripetal Catmull-Rom curve through the points (C. Yuksel, S. Schaefer, J. Keyser, 2011: no
-/// cusps, no loops within a segment), each segment as two quadratic pieces with its tangents at both
-/// ends. A point on the axis goes on to its own mirror image, so that both halves meet smoothly.
-std::vector<Shape> smooth_pieces(const PolylineFigure& f, const FigureNumbers& n,
-                                 double twice_axis) {
+/// The strokes along the smooth curve of a polyline.
+std::vector<Shape> smooth_pieces(const PolylineFigure& f, const FaceNumbers& n, double twice_axis) {
   std::vector<glm::dvec2> points;
   for (const int point : f.points)
     if (const glm::dvec2 p = n.point(point); points.empty() || p != points.back())
       points.push_back(p);
-  const auto mirrored = [&](glm::dvec2 p) { return glm::dvec2{twice_axis - p.x, p.y}; };
-  const auto knot = [](glm::dvec2 a, glm::dvec2 b) {
-    return std::sqrt(std::hypot(b.x - a.x, b.y - a.y));
-  };
-  /// The derivative by knot at the middle one of three points.
-  const auto tangent = [&](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-    const double ab = knot(a, b), bc = knot(b, c);
-    return (bc / ab * (b - a) + ab / bc * (c - b)) / (ab + bc);
-  };
-  const auto tangent_at = [&](std::size_t i) {
-    const bool first = i == 0, last = i + 1 == points.size();
-    const glm::dvec2 here = points[i];
-    if (!first && !last) return tangent(points[i - 1], here, points[i + 1]);
-    const glm::dvec2 next = first ? points[1] : points[i - 1];
-    const double away = first ? 1 : -1;
-    if (mirrored(here) == here && next.x != here.x)
-      return away * tangent(mirrored(next), here, next);
-    return away * (next - here) / knot(here, next);
-  };
   std::vector<Shape> pieces;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const double quarter = 0.25 * knot(points[i], points[i + 1]);
-    const glm::dvec2 leave = points[i] + quarter * tangent_at(i);
-    const glm::dvec2 arrive = points[i + 1] - quarter * tangent_at(i + 1);
-    const glm::dvec2 middle = 0.5 * (leave + arrive);
-    pieces.push_back(QuadStroke{{points[i], leave, middle}, n(f.half_width)});
-    pieces.push_back(QuadStroke{{middle, arrive, points[i + 1]}, n(f.half_width)});
-  }
+  for (const QuadBezier& piece : smooth_curve(points, twice_axis))
+    pieces.push_back(QuadStroke{piece, n(f.half_width)});
   if (pieces.empty()) pieces.push_back(Disc{points[0], n(f.half_width)});
   return pieces;
 }
 
-}  // namespace
+/// Of what is one shape: none.
+template <class Other>
+std::vector<Shape> pieces(const Other&, const Face&) {
+  return {};
+}
+
+std::vector<Shape> pieces(const PolylineFigure& line, const Face& face) {
+  if (!line.smooth || line.points.size() < 2) return {};
+  return smooth_pieces(line, FaceNumbers(face), face.model->canvas.twice_axis());
+}
+
+std::vector<Shape> pieces(const ScatterFigure& f, const Face& face) {
+  return pattern_shapes(f, face);
+}
+std::vector<Shape> pieces(const RepeatFigure& f, const Face& face) {
+  return pattern_shapes(f, face);
+}
+std::vector<Shape> pieces(const StripesFigure& f, const Face& face) {
+  return pattern_shapes(f, face);
+}
 
 /// Widths are quadratic in the parameter, so those of a piece are too (by the polar form).
-std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
-  const FigureNumbers n(face);
-  if (const auto* line = std::get_if<PolylineFigure>(&figure))
-    return line->smooth && line->points.size() > 1
-               ? smooth_pieces(*line, n, face.model->canvas.twice_axis())
-               : std::vector<Shape>{};
-  const auto* f = std::get_if<StrokeFigure>(&figure);
-  if (!f || !is_shifted(f->shifts, OpeningFigure::kLidBends, n)) return {};
+std::vector<Shape> pieces(const StrokeFigure& f, const Face& face) {
+  const FaceNumbers n(face);
+  if (!is_shifted(f.shifts, OpeningFigure::kLidBends, n)) return {};
   const LidPieces spines =
-      lid_pieces({n.point(f->spine[0]), n.point(f->spine[1]), n.point(f->spine[2])}, f->shifts, n);
-  const int w = f->half_width;
+      lid_pieces({n.point(f.spine[0]), n.point(f.spine[1]), n.point(f.spine[2])}, f.shifts, n);
+  const int w = f.half_width;
   const bool even = n.size(w) == 1;
   const auto width = [&](double a, double b) {
     const double w0 = n(w, 0), w1 = even ? w0 : n(w, 1), w2 = even ? w0 : n(w, 2);
     return (1 - a) * (1 - b) * w0 + bend_share(a, b) * w1 + a * b * w2;
   };
-  std::vector<Shape> pieces;
+  std::vector<Shape> made;
   constexpr double count = OpeningFigure::kLidBends;
   for (std::size_t i = 0; i < spines.size(); ++i) {
     const double a = double(i) / count, b = double(i + 1) / count;
     if (even)
-      pieces.push_back(QuadStroke{spines[i], n(w)});
+      made.push_back(QuadStroke{spines[i], n(w)});
     else
-      pieces.push_back(TaperedStroke{spines[i], {width(a, a), width(a, b), width(b, b)}});
+      made.push_back(TaperedStroke{spines[i], {width(a, a), width(a, b), width(b, b)}});
   }
-  return pieces;
+  return made;
+}
+
+/// With corners of radius `corner` around it this core is the rectangle; it may be a line or a point.
+Shape shape(const RoundedFigure& f, const FaceNumbers& n) {
+  const glm::dvec2 radii = n.point(f.radii), x = n.way(f.tilt), y{-x.y, x.x};
+  const double corner = std::min({n(f.corner), radii.x, radii.y});
+  const glm::dvec2 center = n.point(f.center);
+  const glm::dvec2 right = (radii.x - corner) * x, up = (radii.y - corner) * y;
+  if (radii.x == corner || radii.y == corner)
+    return Line{center - right - up, center + right + up, 0};
+  const glm::dvec2 corners[] = {center - right - up, center + right - up, center + right + up,
+                                center - right + up};
+  Path::Loop loop;
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec2 a = corners[i], b = corners[(i + 1) % 4];
+    loop.sides.push_back({a, 0.5 * (a + b), b});
+  }
+  return Path{{std::move(loop)}, FillRule::nonzero};
+}
+
+/// What is made of several shapes is none.
+template <class Several>
+Shape shape(const Several&, const FaceNumbers&) {
+  return Path{};
+}
+
+}  // namespace
+
+std::vector<Shape> pieces_of(const Figure& figure, const Face& face) {
+  return std::visit([&](const auto& f) { return pieces(f, face); }, figure);
+}
+
+double corner_of(const RoundedFigure& figure, const Face& face) {
+  const FaceNumbers n(face);
+  return std::min({n(figure.corner), n(figure.radii, 0), n(figure.radii, 1)});
 }
 
 Shape shape_of(const Figure& figure, const Face& face) {
-  return std::visit([n = FigureNumbers(face)](const auto& f) { return shape(f, n); }, figure);
+  return std::visit([n = FaceNumbers(face)](const auto& f) { return shape(f, n); }, figure);
 }
 
 bool same_figure(const Figure& a, const Figure& b, const Face& face) {
-  if (a.index() != b.index()) return false;
+  if (a.index() != b.index() || std::visit([](const auto& f) { return is_of_several(f); }, a))
+    return false;
   if (const auto* path = std::get_if<PathFigure>(&a);
       path && !same_structure(*path, std::get<PathFigure>(b)))
     return false;
   if (const auto* line = std::get_if<PolylineFigure>(&a);
       line && line->smooth != std::get_if<PolylineFigure>(&b)->smooth)
     return false;
-  return numbers_of(a, FigureNumbers(face)) == numbers_of(b, FigureNumbers(face));
+  return numbers_of(a, FaceNumbers(face)) == numbers_of(b, FaceNumbers(face));
 }
 
 }  // namespace mien

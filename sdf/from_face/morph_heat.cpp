@@ -2,7 +2,7 @@
 
 #include <mien/face_model.h>
 #include <mien/morph.h>
-#include "figure_shape_private.h"
+#include "feature_areas_private.h"
 #include "sdf/from_face/caption.h"
 #include "sdf/from_face/heat.h"
 
@@ -76,13 +76,12 @@ void add_labels(SceneBuilder& build, const Lettering& letters, const FaceCanvas&
 MorphHeat morph_heat(const Face& rest, const Face& posed, const Lettering& letters) {
   const FaceModel& model = *posed.model;
   SceneBuilder build({model.canvas.box, model.canvas.y_up}, grey_of(posed, model.background));
-  std::vector<Area> areas;
-  for (const Feature& feature : model.features) {
-    Area area = build.shape(shape_of(feature.figure, posed));
-    if (feature.clip) area = build.intersect(area, areas[std::size_t(feature.clip.at)]);
-    areas.push_back(area);
+  FeatureAreas areas(posed, build);
+  for (Index<Feature> i{0}; i.at < int(model.features.size()); ++i.at) {
+    const Feature& feature = i.in(model.features);
+    areas.add(i);
     if (feature.paint >= 0)
-      build.layer(feature.name, area, {.color = grey_of(posed, feature.paint)});
+      build.layer(feature.name, areas.of(i), {.color = grey_of(posed, feature.paint)});
   }
   std::vector<PointShift> shifts = point_shifts(rest, posed);
   const double largest = largest_shift(shifts);

@@ -19,6 +19,14 @@ namespace mien {
 /// All points within half_width of the outline, on both sides of it.
 MIEN_API Area contour(SceneBuilder& build, Area area, double half_width);
 
+/// A contour that is drawn as by a pen held at an angle: half as wide as `thin` on the side away from
+/// `toward`, as `thick` on that side. `toward` is unit, 0 <= thin <= thick.
+///
+/// What the area, grown by `thin`, has beyond its own shrunken copy, moved: with the outward normal n the line
+/// is thin + thick + (thick − thin) dot(n, toward) wide. It grows inwards and never leaves a gap.
+MIEN_API Area pen_contour(SceneBuilder& build, Area area, double thin, double thick,
+                          glm::dvec2 toward);
+
 /// The profile of a soft edge: 1 − 3u² + 2u³, from 1 at u = 0 to 0 at u = 1, level at both ends. It is
 /// sampled at 17 places and interpolated linearly (error at most 0.003).
 MIEN_API double soft_edge(double u);
@@ -36,7 +44,11 @@ struct SoftShadow {
   Color color;          ///< with the opacity deep inside
   double blur;          ///< > 0: it falls by soft_edge from this deep inside to this far outside
   glm::dvec2 shift{0};  ///< offset of the shadow from the area
+  Area on = {};         ///< it falls on this area only; none: on all that is below
 };
+
+/// A colour whose opacity falls by soft_edge from full at the distance `from` to 0 at `to`.
+MIEN_API Paint falling(Area area, Color color, double from, double to);
 
 /// A shadow of an area. Its opacity is a function of the distance. Along straight outlines this equals a
 /// blur; at corners it is close to one.

@@ -35,7 +35,13 @@ struct FaceDraft {
   FaceVector vector;
   std::unordered_map<std::string, int> feature_by_name;
   std::unordered_map<std::string, Index<Control>> control_by_name;
-  std::vector<int> clip_depth;  ///< per feature: how many clips it is nested in
+  /// What the area of a feature is made of, clips and all.
+  struct AreaSize {
+    int depth;            ///< how many features deep
+    std::size_t figures;  ///< how many figures decide it
+  };
+  std::vector<AreaSize> areas;      ///< per feature
+  std::size_t pattern_figures = 0;  ///< of all patterns, beyond one each
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
   std::unordered_set<std::string> mirrored_eyes;
 

@@ -116,6 +116,24 @@ FaceDome read_dome(Reading& in, FaceDraft& face, const PaintPlace& place, const 
   return dome;
 }
 
+/// One half-width, or the thin and the thick one and what they vary by.
+FaceContour read_contour(Reading& in, const JsonNode& node, PartReader& numbers, int color) {
+  constexpr std::array<std::string_view, 2> kBy{"angle", "along"};
+  in.expect_object(node, {"color", "half_width", "widths", "by"}, "contour");
+  FaceContour made{.color = color, .half_width = -1};
+  if (numbers.has("half_width") == numbers.has("widths"))
+    in.refuse(node, "a contour has either \"half_width\" or \"widths\"");
+  if (numbers.has("half_width")) {
+    if (const JsonNode* by = in.find(node, "by"))
+      in.refuse(*by, "a contour of one half-width varies by nothing: give it \"widths\"");
+    made.half_width = numbers.slice("half_width", SliceKind::length, 1);
+    return made;
+  }
+  made.by = FaceContour::By(1 + in.word(in.need(node, "by"), "way to vary", kBy));
+  made.half_width = numbers.slice("widths", SliceKind::length, 2);
+  return made;
+}
+
 }  // namespace
 
 void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face,
@@ -173,10 +191,12 @@ Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& n
     return read_paint(in, in.need(node, "color"), face);
   };
   if (const JsonNode* shadow = nodes.shadow) {
-    in.expect_object(*shadow, {"color", "blur", "shift"}, "shadow");
+    in.expect_object(*shadow, {"color", "blur", "shift", "on"}, "shadow");
     PartReader numbers(in, face, place, *shadow, feature + "/shadow");
-    made.shadow = FaceShadow{color(*shadow), numbers.divisor("blur", 1),
-                             numbers.optional("shift", SliceKind::shift, 2)};
+    made.shadow = FaceShadow{color(*shadow),
+                             numbers.divisor("blur", 1),
+                             numbers.optional("shift", SliceKind::shift, 2),
+                             {}};
   }
   if (const JsonNode* glow = nodes.glow) {
     in.expect_object(*glow, {"color", "reach"}, "glow");
@@ -184,9 +204,8 @@ Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& n
     made.glow = FaceGlow{color(*glow), numbers.divisor("reach", 1)};
   }
   if (const JsonNode* contour = nodes.contour) {
-    in.expect_object(*contour, {"color", "half_width"}, "contour");
     PartReader numbers(in, face, place, *contour, feature + "/contour");
-    made.contour = FaceContour{color(*contour), numbers.slice("half_width", SliceKind::length, 1)};
+    made.contour = read_contour(in, *contour, numbers, color(*contour));
   }
   face.model.surroundings.push_back(made);
   return last_of(face.model.surroundings);

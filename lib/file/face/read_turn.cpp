@@ -19,7 +19,8 @@ class TurnReader {
 
   void read() {
     in_.expect_object(
-        node_, {"yaw", "pitch", "roll", "pivot", "center", "radii", "still", "flat", "raised"},
+        node_,
+        {"yaw", "pitch", "roll", "pivot", "center", "radii", "still", "flat", "raised", "plate"},
         "turn");
     turn_.yaw = channel("yaw"), turn_.pitch = channel("pitch"), turn_.roll = channel("roll");
     const std::vector<double> pivot = in_.numbers(in_.need(node_, "pivot"), 3, 3);
@@ -96,8 +97,9 @@ class TurnReader {
         place(child, in_.string(child), {TurnKind::still});
       });
     }
-    for (const auto& [key, kind] :
-         {std::pair{"flat", TurnKind::flat}, {"raised", TurnKind::surface}})
+    for (const auto& [key, kind] : {std::pair{"flat", TurnKind::flat},
+                                    {"raised", TurnKind::surface},
+                                    {"plate", TurnKind::plate}})
       if (const JsonNode* depths = in_.find(node_, key)) {
         in_.expect(*depths, JsonKind::object);
         in_.for_each(*depths, [&, kind = kind](const JsonNode& child, int) {
@@ -122,18 +124,33 @@ class TurnReader {
       const Place here = own == slice_places_.end() ? where : own->second;
       add({slice, here.kind, here.depth});
     });
-    if (where.kind == TurnKind::surface) add_sizes(feature.figure);
+    if (foreshortened(where)) add_sizes(feature.figure, where.kind == TurnKind::plate);
     if (feature.gradient) add_gradient(feature.gradient.in(face_.model.gradients), where);
   }
 
-  void add_sizes(const Figure& figure) {
+  static bool foreshortened(const Place& where) {
+    return where.kind == TurnKind::surface || where.kind == TurnKind::plate;
+  }
+
+  void add_sizes(const Figure& figure, bool plate) {
+    const TurnKind width = plate ? TurnKind::plate_width : TurnKind::width;
+    const TurnKind size = plate ? TurnKind::plate_size : TurnKind::size;
     if (const auto* ellipse = std::get_if<EllipseFigure>(&figure)) {
-      add({ellipse->radii, TurnKind::width, 0, ellipse->center});
+      add({ellipse->radii, width, 0, ellipse->center});
       if (ellipse->tilt >= 0) add({ellipse->tilt, TurnKind::angle});
+    } else if (const auto* rounded = std::get_if<RoundedFigure>(&figure)) {
+      add({rounded->radii, width, 0, rounded->center});
+      add({rounded->corner, size, 0, rounded->center});
+      if (rounded->tilt >= 0) add({rounded->tilt, TurnKind::angle});
     } else if (const auto* disc = std::get_if<DiscFigure>(&figure)) {
-      add({disc->radius, TurnKind::size, 0, disc->center});
+      add({disc->radius, size, 0, disc->center});
     } else if (const auto* cut = std::get_if<CutDiscFigure>(&figure)) {
-      add({cut->radius, TurnKind::size, 0, cut->center});
+      add({cut->radius, size, 0, cut->center});
+    } else if (const auto* scatter = std::get_if<ScatterFigure>(&figure)) {
+      const auto& points = scatter->patch.points;
+      add({scatter->mark.size, size, 0, points[points.size() / 2]});
+    } else if (const auto* repeat = std::get_if<RepeatFigure>(&figure)) {
+      add({repeat->mark.size, size, 0, repeat->points[repeat->points.size() / 2]});
     } else if (const auto* opening = std::get_if<OpeningFigure>(&figure);
                opening && opening->shifts >= 0) {
       for (int i = 0; i < 2 * OpeningFigure::kLidBends; ++i)
@@ -147,8 +164,9 @@ class TurnReader {
       add({linear->to, where.kind, where.depth});
     } else if (const auto* radial = std::get_if<RadialPaint>(&gradient.along)) {
       add({radial->center, where.kind, where.depth});
-      if (where.kind != TurnKind::surface) return;
-      add({radial->radii, TurnKind::width, 0, radial->center});
+      if (!foreshortened(where)) return;
+      add({radial->radii, where.kind == TurnKind::plate ? TurnKind::plate_width : TurnKind::width,
+           0, radial->center});
       if (radial->tilt >= 0) add({radial->tilt, TurnKind::angle});
     }
   }

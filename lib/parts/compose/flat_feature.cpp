@@ -85,17 +85,22 @@ class Flattening {
       to_.flat.emplace_back(name_, in_.number(*turn));
       return;
     }
-    to_.raised.emplace_back(name_, in_.number(in_.need(*turn, "raised")));
+    if (const JsonNode* plate = in_.find(*turn, "plate"))
+      to_.plates.emplace_back(name_, in_.number(*plate));
+    else
+      to_.raised.emplace_back(name_, in_.number(in_.need(*turn, "raised")));
   }
 
   void write_member(std::string_view key, const JsonNode& member) {
     if (key == "points" || key == "spine") return write_points(key, list(member, half()));
-    if (key == "loops") return write_loops(member);
+    if (key == "loops" || key == "patch") return write_lists(key, member);
     if (key == "center" || key == "inner" || key == "upper" || key == "outer" || key == "lower")
       return write_single(key, member);
     if (key == "radii" && member.kind != JsonKind::string)
       return out_.pair(short_pair(geometry_.pair(in_, member, family_) * frame_.scale));
-    if (key == "radius" || key == "half_width") return write_widths(member);
+    constexpr std::array<std::string_view, 5> kLengths{"radius", "half_width", "length", "corner",
+                                                       "feather"};
+    if (std::ranges::find(kLengths, key) != kLengths.end()) return write_widths(member);
     if (key == "paint" && member.kind == JsonKind::object) return write_gradient(member);
     if (key == "left" || key == "right") return write_side(member);
     out_.copy(in_.tree, member);
@@ -265,12 +270,13 @@ class Flattening {
     out_.close();
   }
 
-  void write_loops(const JsonNode& array) {
+  /// Loops of a path, rows of a patch.
+  void write_lists(std::string_view key, const JsonNode& array) {
     const bool halved = half();
     in_.expect(array, JsonKind::array);
     out_.array();
     in_.for_each(array, [&](const JsonNode& loop, int i) {
-      write_points(fmt::format("loops/{}", i), list(loop, halved));
+      write_points(fmt::format("{}/{}", key, i), list(loop, halved));
     });
     out_.close();
   }

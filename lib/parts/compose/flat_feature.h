@@ -28,7 +28,7 @@ struct FlatFeatures {
   };
   std::vector<One> features;
   std::set<std::string, std::less<>> names;
-  std::vector<std::pair<std::string, double>> flat, raised;  ///< depths for the head's turn
+  std::vector<std::pair<std::string, double>> flat, raised, plates;  ///< depths for the head's turn
   std::vector<std::string> still;
   std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
 };

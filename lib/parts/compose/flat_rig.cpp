@@ -199,6 +199,7 @@ void write_turn(const Reading& in, const JsonNode& node, const PartGeometry& geo
   to.close();
   to.key("flat"), write_depths(features.flat, to);
   to.key("raised"), write_depths(features.raised, to);
+  if (!features.plates.empty()) to.key("plate"), write_depths(features.plates, to);
   to.close();
 }
 

@@ -48,10 +48,17 @@ glm::dvec2 Turn::turned(glm::dvec3 v) const {
 }
 
 glm::dvec2 Turn::surface(glm::dvec2 p, double depth) const {
+  return plate(p, height(p) + depth);
+}
+
+glm::dvec2 Turn::plate(glm::dvec2 p, double depth) const {
   const glm::dvec2 pivot{head_.pivot.x, head_.pivot.y};
-  const glm::dvec2 q =
-      turned({p.x - pivot.x, up_ * (p.y - pivot.y), height(p) + depth - head_.pivot.z});
+  const glm::dvec2 q = turned({p.x - pivot.x, up_ * (p.y - pivot.y), depth - head_.pivot.z});
   return {pivot.x + q.x, pivot.y + up_ * q.y};
+}
+
+glm::dvec2 Turn::plate_foreshortening() const {
+  return {std::max(yaw_.x, 0.0), std::max(pitch_.x, 0.0)};
 }
 
 glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
@@ -90,10 +97,16 @@ class Turning {
 
  private:
   static bool is_point(TurnKind kind) {
-    return kind == TurnKind::surface || kind == TurnKind::flat;
+    return kind == TurnKind::surface || kind == TurnKind::flat || kind == TurnKind::plate;
   }
   double* at(int slice) { return &now_[std::size_t(model_.layout[slice].begin)]; }
   glm::dvec2 point(int slice) { return {at(slice)[0], at(slice)[1]}; }
+
+  glm::dvec2 turned(glm::dvec2 p, const TurnedSlice& slice) const {
+    if (slice.kind == TurnKind::flat) return turn_.flat(p, slice.depth);
+    if (slice.kind == TurnKind::plate) return turn_.plate(p, slice.depth);
+    return turn_.surface(p, slice.depth);
+  }
 
   void act(const TurnedSlice& slice) {
     double* v = at(slice.slice);
@@ -102,14 +115,16 @@ class Turning {
       return;
     }
     if (is_point(slice.kind)) {
-      const glm::dvec2 p = slice.kind == TurnKind::flat ? turn_.flat({v[0], v[1]}, slice.depth)
-                                                        : turn_.surface({v[0], v[1]}, slice.depth);
+      const glm::dvec2 p = turned({v[0], v[1]}, slice);
       v[0] = p.x, v[1] = p.y;
       return;
     }
-    const glm::dvec2 smaller = turn_.foreshortening(point(slice.at));
-    if (slice.kind == TurnKind::size) {
-      v[0] *= std::sqrt(smaller.x * smaller.y);
+    const bool level = slice.kind == TurnKind::plate_width || slice.kind == TurnKind::plate_size;
+    const glm::dvec2 smaller =
+        level ? turn_.plate_foreshortening() : turn_.foreshortening(point(slice.at));
+    if (slice.kind == TurnKind::size || slice.kind == TurnKind::plate_size) {
+      const double share = std::sqrt(smaller.x * smaller.y);
+      for (int i = 0; i < model_.layout[slice.slice].size; ++i) v[i] *= share;
       return;
     }
     v[0] *= smaller.x, v[1] *= smaller.y;

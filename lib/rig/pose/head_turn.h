@@ -4,8 +4,9 @@
 // The front of the head is half an ellipsoid. A point (x, y) of the face lies on it and is turned with it
 // about a pivot: first by the yaw about the vertical, then by the pitch about the horizontal axis, then by
 // the roll in the picture. It is seen straight from the front again. What looks alike from every side (the
-// outline of a head, of hair) is not foreshortened, only shifted by its depth and rolled. Sizes are
-// foreshortened as the surface at their place is. Meant for up to about 30°; beyond that, features slide
+// outline of a head, of hair) is not foreshortened, only shifted by its depth and rolled. A plate,
+// such as a pair of glasses, stands level at one depth and turns as one rigid body: straight lines on it stay
+// straight. Sizes are foreshortened as the surface at their place is. Meant for up to about 30°; beyond that, features slide
 // round the edge.
 //
 // Positive yaw turns the face to the picture's right (the subject's left), positive pitch upwards,
@@ -34,6 +35,10 @@ class Turn {
   glm::dvec2 surface(glm::dvec2 p, double depth) const;
   /// Where a point of an outline, at `depth` from the head's middle, is seen.
   glm::dvec2 flat(glm::dvec2 p, double depth) const;
+  /// Where a point of a plate, at `depth` from the head's middle, is seen.
+  glm::dvec2 plate(glm::dvec2 p, double depth) const;
+  /// The foreshortening of a plate, sideways and upwards, before the roll.
+  glm::dvec2 plate_foreshortening() const;
   /// The foreshortening of the surface at a point, sideways and upwards, before the roll; 0 where it is
   /// turned away.
   glm::dvec2 foreshortening(glm::dvec2 p) const;

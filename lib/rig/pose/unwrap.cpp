@@ -26,7 +26,7 @@ class Pieces {
     std::unordered_map<int, std::size_t> owner;
     for (std::size_t i = 0; i < first_.size(); ++i) {
       const Feature& f = model.features[i];
-      if (f.clip) join(i, std::size_t(f.clip.at));
+      for (const FeatureClip& clip : f.clips) join(i, std::size_t(clip.feature.at));
       for_each_slice(f.figure, [&](std::string_view, int slice) {
         if (model.layout[slice].kind == SliceKind::point)
           if (const auto [at, added] = owner.emplace(slice, i); !added) join(i, at->second);
@@ -70,7 +70,7 @@ double depth_of(const FaceModel& model, int slice, glm::dvec2 p) {
   const HeadTurn& head = model.turn;
   for (const TurnedSlice& turned : head.slices) {
     if (turned.slice != slice) continue;
-    if (turned.kind == TurnKind::flat) return turned.depth;
+    if (turned.kind == TurnKind::flat || turned.kind == TurnKind::plate) return turned.depth;
     const double x = (p.x - head.center.x) / head.radii.x, y = (p.y - head.center.y) / head.radii.y;
     return turned.depth + head.radii.z * std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }

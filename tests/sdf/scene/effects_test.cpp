@@ -64,5 +64,38 @@ TEST(Effects, AContourIsARibbonAlongTheOutline) {
   EXPECT_NEAR(scene.distance(line, {0, 0.18}), 0.01, 1e-15);
 }
 
+/// The width along a normal is thin + thick + (thick − thin) times how much the normal looks `toward`.
+TEST(Effects, APenContourIsThickOnOneSide) {
+  SceneBuilder build({}, {1, 1, 1, 1});
+  const Area disc = build.shape(Disc{{0, 0}, 0.5});
+  const Area line = pen_contour(build, disc, 0.01, 0.04, {0.6, -0.8});
+  build.layer("line", line, {});
+  const Scene scene = std::move(build).finish();
+  const auto width = [&](glm::dvec2 n) {
+    double inside = 0;
+    constexpr double kStep = 1e-5;
+    for (double r = 0.3; r < 0.6; r += kStep) inside += scene.distance(line, r * n) < 0 ? kStep : 0;
+    return inside;
+  };
+  EXPECT_NEAR(width({0.6, -0.8}), 0.08, 3e-5);
+  EXPECT_NEAR(width({-0.6, 0.8}), 0.02, 3e-5);
+  EXPECT_NEAR(width({0.8, 0.6}), 0.05, 1e-3);  // the moved circle's normals differ a little
+  for (const glm::dvec2 n : {glm::dvec2{0.6, -0.8}, {-0.6, 0.8}, {0.8, 0.6}, {1, 0}, {0, 1}}) {
+    EXPECT_LT(scene.distance(line, 0.509 * n), 0) << "no gap outside";
+    EXPECT_LT(scene.distance(line, 0.491 * n), 0) << "no gap inside";
+    EXPECT_GT(scene.distance(line, 0.511 * n), 0) << "it grows inwards";
+  }
+}
+
+TEST(Effects, AShadowFallsOnOneAreaAlone) {
+  SceneBuilder build({}, {1, 1, 1, 1});
+  const Area disc = build.shape(Disc{{0, 0}, 0.2}), wall = build.shape(Disc{{1, 0}, 0.5});
+  soft_shadow(build, "all", disc, {.color = {0, 0, 0, 1}, .blur = 0.1});
+  soft_shadow(build, "wall", disc, {.color = {0, 0, 0, 1}, .blur = 0.1, .on = wall});
+  const Scene scene = std::move(build).finish();
+  EXPECT_LT(scene.distance(scene.layers()[0].area, {0, 3}), 0);
+  EXPECT_EQ(scene.layers()[1].area.node, wall.node);
+}
+
 }  // namespace
 }  // namespace mien

@@ -6,6 +6,7 @@ Exit 77 (skipped) without python3-jsonschema.
 import copy
 import json
 import pathlib
+import re
 import sys
 
 try:
@@ -21,6 +22,16 @@ SAMPLES = sorted((ROOT / "faces").glob("*.face.json"))
 
 def feature(face, name):
     return next(f for f in face["features"] if f["name"] == name)
+
+
+def primitives():
+    """The features of tests/support/primitive_features.h."""
+    text = (ROOT / "tests/support/primitive_features.h").read_text()
+    return json.loads("[" + ",".join(re.findall(r'R"\((\{.*?\})\)"', text, re.S)[:-1]) + "]")
+
+
+def primitive(name):
+    return copy.deepcopy(next(f for f in primitives() if f["name"] == name))
 
 
 # Each breaks a sound copy of faces/toon.face.json.
@@ -56,6 +67,17 @@ BREAKS = {
     "an unknown key of a pose": lambda f: f["poses"]["brow.sad"].update(slice={}),
     "a seed that is a fraction": lambda f: f["clips"]["idle"]["blink"].update(seed=0.5),
     "a head without radii": lambda f: f["turn"].pop("radii"),
+    "a clip of nothing": lambda f: feature(f, "iris").update(clip=[]),
+    "a clip that is beside": lambda f: feature(f, "iris").update(clip={"beside": "head"}),
+    "an area of nothing": lambda f: f["features"].append({"name": "a", "kind": "area", "minus": ["head"]}),
+    "a pattern of a billion": lambda f: f["features"].append(primitive("dots") | {"count": 10**9}),
+    "a pattern of one row": lambda f: f["features"].append(primitive("dots") | {"patch": [[[0, 0], [1, 1]]]}),
+    "a pattern of nothing": lambda f: f["features"].append({k: v for k, v in primitive("dots").items() if k != "radius"}),
+    "a jitter beyond a step": lambda f: f["features"].append(primitive("dots") | {"jitter": 2}),
+    "stripes in a lattice": lambda f: f["features"].append(primitive("hatching") | {"count": [2, 2]}),
+    "a rectangle without corners": lambda f: f["features"].append({"name": "a", "kind": "rounded", "center": [0, 0], "radii": [1, 1]}),
+    "a contour that varies by nothing": lambda f: feature(f, "iris").update(contour={"color": "skin", "widths": [0, 1]}),
+    "a contour twice as wide": lambda f: feature(f, "iris").update(contour={"color": "skin", "half_width": 1, "widths": [0, 1], "by": "angle"}),
     "tracks beside a curve": lambda f: f["clips"]["restless"].update(blink={"keys": [[0, 0]]}),
 }
 
@@ -69,6 +91,9 @@ def main():
         for error in validator.iter_errors(json.loads(sample.read_text())):
             failures.append(f"{sample.name}: {error.json_path}: {error.message}")
     toon = json.loads((ROOT / "faces/toon.face.json").read_text())
+    known = toon | {"features": toon["features"] + primitives()}
+    assert len(primitives()) >= 14, "where are the primitives?"
+    failures += [f"primitives: {error.json_path}: {error.message}" for error in validator.iter_errors(known)]
     for what, break_it in BREAKS.items():
         broken = copy.deepcopy(toon)
         break_it(broken)

@@ -100,6 +100,45 @@ TEST(Turn, ForeshortensSizesAsItDoesWays_G4) {
       }
 }
 
+/// Three points of a plate stay as they were among each other: seen from the side, narrower, but in line, and two
+/// equal ways stay equal. On the head they would bend round it.
+TEST(Turn, APlateTurnsAsOneRigidBody) {
+  for (const double yaw : {-30.0, 12.0, 30.0}) {
+    const Turn turn(kTurnedHead, yaw, 15, 5, true);
+    const glm::dvec2 a = turn.plate({-0.3, 0.1}, 0.4), b = turn.plate({0, 0.1}, 0.4),
+                     c = turn.plate({0.3, 0.1}, 0.4);
+    EXPECT_LT(glm::length(a + c - 2.0 * b), 1e-15);
+    EXPECT_NEAR(glm::length(c - a), 0.6 * std::cos(yaw * 3.14159265358979 / 180), 1e-2);
+    const glm::dvec2 d = turn.surface({-0.3, 0.1}, 0), e = turn.surface({0, 0.1}, 0),
+                     f = turn.surface({0.3, 0.1}, 0);
+    EXPECT_GT(glm::length(d + f - 2.0 * e), 0.02);
+    EXPECT_NEAR(turn.plate_foreshortening().x, std::cos(yaw * 3.14159265358979 / 180), 1e-12);
+  }
+}
+
+TEST(Turn, ReadsPlates) {
+  const std::string text = test::text_of_face("toon");
+  const auto with_plate = [&](const std::string& plate) {
+    std::string changed = text;
+    const std::string still = "\"still\":";
+    return changed.insert(changed.find(still), "\"plate\": " + plate + ", ");
+  };
+  const Expected<Face> face = read_face_text(with_plate(R"({"brow": 0.4, "iris": 0.4})"));
+  ASSERT_TRUE(face) << sentence(face.error());
+  const Face turned = face_at(*face, {"yaw=25"});
+  const double shift = 0.4 - face->model->turn.pivot.z;
+  const double angle = 25 * 3.14159265358979 / 180;
+  EXPECT_NEAR(point_of(turned, "brow.left/spine/1").x,
+              std::cos(angle) * point_of(*face, "brow.left/spine/1").x + shift * std::sin(angle),
+              1e-12);
+  const Expected<Face> wrong = read_face_text(with_plate(R"({"brwo": 0.4})"));
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(sentence(wrong.error())
+                .find("/turn/plate/brwo: no feature named \"brwo\"; did you mean \"brow\"?"),
+            std::string::npos)
+      << sentence(wrong.error());
+}
+
 TEST(Turn, RollsRigidly_G4) {
   const Turn roll(kTurnedHead, 0, 0, 30, true), down(kTurnedHead, 0, 0, 30, false);
   const glm::dvec2 pivot{0, -0.3}, p{0.2, 0.1};
