@@ -20,7 +20,7 @@ constexpr int kSeeds = 1000;
 
 // Of the trial edition. Whoever changes its parts, or how they are composed, changes the faces of all its codes, and
 // writes here what the test then says.
-constexpr std::uint64_t kVectors = 0x393c7ff9f4bd02b3, kComposed = 0x4a32b9de526629a6;
+constexpr std::uint64_t kVectors = 0x393c7ff9f4bd02b3, kComposed = 0xc6212926f055f073;
 
 void add_text(Fingerprint& to, std::string_view text) {
   to.add(int(text.size()));
@@ -41,7 +41,7 @@ TEST(Sample, VectorsHaveTheSameBitsEverywhere) {
   EXPECT_EQ(bits.value(), kVectors) << "0x" << std::hex << bits.value();
 }
 
-/// Every number, name and colour of the composed faces.
+/// Every number, name and colour of the composed faces, in the order of their files.
 TEST(Sample, ComposedFacesHaveTheSameBitsEverywhere) {
   Fingerprint bits;
   const std::vector<std::string>& styles = PartLibrary::shipped().styles();
@@ -50,11 +50,7 @@ TEST(Sample, ComposedFacesHaveTheSameBitsEverywhere) {
     recipe.style = styles[std::size_t(i) % styles.size()];
     const auto tree = composed_face(PartLibrary::shipped(), recipe);
     ASSERT_TRUE(tree);
-    for (const JsonNode& node : tree->nodes) {
-      bits.add(int(node.kind)), bits.add(node.number);
-      if (node.key >= 0) add_text(bits, tree->key(node));
-      if (node.text >= 0) add_text(bits, tree->string(node));
-    }
+    add_text(bits, composed_text(*tree));
   }
   EXPECT_EQ(bits.value(), kComposed) << "0x" << std::hex << bits.value();
 }
