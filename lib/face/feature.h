@@ -44,8 +44,8 @@ struct StrokeFigure {
 /// A pen line through points, with round caps and joins.
 struct PolylineFigure {
   std::vector<int> points;  ///< at least 1
-  int half_width;
-  bool smooth = false;  ///< a smooth curve through the points instead of straight lines
+  int half_width;           ///< one number, or one for each point
+  bool smooth = false;      ///< a smooth curve through the points instead of straight lines
 };
 
 /// Closed outlines through and towards points.

@@ -100,7 +100,9 @@ class AreaMaker {
     }
   }
   void operator()(const PolylineFigure& f) {
-    for (const int p : f.points) area_.pen.push_back({n_.point(p), n_(f.half_width)});
+    const int widths = n_.size(f.half_width);
+    for (int i = 0; i < int(f.points.size()); ++i)
+      area_.pen.push_back({n_.point(f.points[std::size_t(i)]), n_(f.half_width, i % widths)});
   }
   void operator()(const PathFigure& f) {
     area_.even_odd = f.even_odd;

@@ -150,16 +150,33 @@ std::vector<double> numbers_of(const Figure& figure, const FaceNumbers& n) {
   return all;
 }
 
-/// The strokes along the smooth curve of a polyline.
-std::vector<Shape> smooth_pieces(const PolylineFigure& f, const FaceNumbers& n, double twice_axis) {
+/// The strokes between the points of a polyline that is smooth or not one width: from point to point the
+/// half-width changes evenly.
+std::vector<Shape> strokes_of(const PolylineFigure& f, const FaceNumbers& n, double twice_axis) {
+  const bool even = n.size(f.half_width) == 1;
   std::vector<glm::dvec2> points;
-  for (const int point : f.points)
-    if (const glm::dvec2 p = n.point(point); points.empty() || p != points.back())
+  std::vector<double> widths;
+  for (std::size_t i = 0; i < f.points.size(); ++i)
+    if (const glm::dvec2 p = n.point(f.points[i]); points.empty() || p != points.back()) {
       points.push_back(p);
+      widths.push_back(n(f.half_width, even ? 0 : int(i)));
+    }
+  if (points.size() == 1) return {Disc{points[0], widths[0]}};
+  const std::vector<QuadBezier> curves =
+      f.smooth ? smooth_curve(points, twice_axis) : straight_curve(points);
+  const std::size_t per_point = curves.size() / (points.size() - 1);
   std::vector<Shape> pieces;
-  for (const QuadBezier& piece : smooth_curve(points, twice_axis))
-    pieces.push_back(QuadStroke{piece, n(f.half_width)});
-  if (pieces.empty()) pieces.push_back(Disc{points[0], n(f.half_width)});
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (even) {
+      pieces.push_back(QuadStroke{curves[i], widths[0]});
+      continue;
+    }
+    const std::size_t k = i / per_point;
+    const auto width = [&](double t) { return widths[k] + t * (widths[k + 1] - widths[k]); };
+    const double from = double(i % per_point) / double(per_point), step = 1 / double(per_point);
+    pieces.push_back(
+        TaperedStroke{curves[i], {width(from), width(from + 0.5 * step), width(from + step)}});
+  }
   return pieces;
 }
 
@@ -170,8 +187,10 @@ std::vector<Shape> pieces(const Other&, const Face&) {
 }
 
 std::vector<Shape> pieces(const PolylineFigure& line, const Face& face) {
-  if (!line.smooth || line.points.size() < 2) return {};
-  return smooth_pieces(line, FaceNumbers(face), face.model->canvas.twice_axis());
+  const FaceNumbers n(face);
+  const bool one_shape = !line.smooth && n.size(line.half_width) == 1;
+  if (one_shape || line.points.size() < 2) return {};
+  return strokes_of(line, n, face.model->canvas.twice_axis());
 }
 
 std::vector<Shape> pieces(const ScatterFigure& f, const Face& face) {

@@ -82,6 +82,7 @@ TEST(ExactPrimitives, ThatAreOthersAreSeenToBe) {
                  {"rounded", R"("corner": 0.2)", R"("corner": 0.25)"},
                  {"pen by angle", R"([0.02, 0.08])", R"([0.02, 0.06])"},
                  {"pen along", R"([0, 0.09])", R"([0, 0.07])"},
+                 {"widths", R"([0, 0.1, 0.03, 0])", R"([0, 0.08, 0.03, 0])"},
                  {"feather", R"("feather": 0.3)", R"("feather": 0.2)"},
                  {"shadow on", R"(, "on": "head")", ""}};
   for (const auto& change : changes) {

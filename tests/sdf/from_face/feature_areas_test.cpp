@@ -92,5 +92,23 @@ TEST(FeatureAreas, RoundedRectanglesHaveRoundCorners) {
   EXPECT_NEAR(disc.distance(disc.layers()[0].area, {0.18, 0.24}), 0, 1e-15);
 }
 
+/// At each point the line is as wide as it says there, half-way between two points half-way.
+TEST(FeatureAreas, PolylinesMayHaveAWidthAtEachPoint) {
+  for (const std::string smooth : {R"(, "smooth": true)", ""}) {
+    const Scene scene = scene_of_discs(
+        R"({"name": "x", "kind": "polyline", "paint": "black", "points": [[-0.6, 0], [-0.6, 0], [0, 0], [0.6, 0]], "half_width": [0.05, 0.05, 0.1, 0])" +
+        smooth + "}");
+    const Area area = scene.layers()[0].area;
+    EXPECT_NEAR(scene.distance(area, {-0.65, 0}), 0, 1e-12) << smooth;
+    EXPECT_NEAR(scene.distance(area, {0, 0}), -0.1, 2e-3) << smooth;
+    EXPECT_NEAR(scene.distance(area, {-0.3, 0}), -0.075, 2e-3) << smooth;
+    EXPECT_NEAR(scene.distance(area, {0.3, 0}), -0.05, 2e-3) << smooth;
+    EXPECT_NEAR(scene.distance(area, {0.6, 0}), 0, 1e-12) << smooth;
+  }
+  const Scene dot = scene_of_discs(
+      R"({"name": "x", "kind": "polyline", "paint": "black", "points": [[0, 0], [0, 0]], "half_width": [0.1, 0.2]})");
+  EXPECT_NEAR(dot.distance(dot.layers()[0].area, {0.3, 0}), 0.2, 1e-12);
+}
+
 }  // namespace
 }  // namespace mien

@@ -119,7 +119,12 @@ StrokeFigure FigureReader::stroke() {
 
 PolylineFigure FigureReader::polyline() {
   PolylineFigure figure{.points = point_list(need("points"), "points", 1), .half_width = 0};
-  figure.half_width = slice("half_width", SliceKind::length, 1);
+  const Field width = need("half_width");
+  const int widths = width.node->kind == JsonKind::array ? int(width.node->count) : 1;
+  if (widths != 1 && widths != int(figure.points.size()))
+    in_.refuse(*width.node, fmt::format("expected 1 number or one for each of {} points, got {}",
+                                        figure.points.size(), widths));
+  figure.half_width = slice("half_width", SliceKind::length, widths);
   figure.smooth = flag("smooth");
   return figure;
 }

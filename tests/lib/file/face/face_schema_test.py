@@ -53,6 +53,7 @@ BREAKS = {
     "a number that is too large": lambda f: feature(f, "glint").update(center=[2e9, 0]),
     "a point of one number": lambda f: feature(f, "glint").update(center=[0]),
     "a spine of two points": lambda f: feature(f, "brow").update(spine=[[0, 0], [1, 1]]),
+    "a stroke of two widths": lambda f: feature(f, "brow").update(half_width=[0.1, 0.2]),
     "a path of two points": lambda f: feature(f, "head").update(points=[[0, 0], [1, 1]]),
     "an ellipse without radii": lambda f: feature(f, "iris").pop("radii"),
     "a mirror without a side": lambda f: feature(f, "head").update(mirror=True),

@@ -97,6 +97,9 @@ TEST(FigureReader, SaysWhatIsWrongAndWhere) {
       {face_with(
            R"({"name": "a", "kind": "rounded", "center": [0, 0], "radii": [1, 1], "corner": ^-1})"),
        ": /features/0/corner: a length must not be negative, got -1"},
+      {face_with(
+           R"({"name": "a", "kind": "polyline", "points": [[0, 0], [1, 1], [2, 0]], "half_width": ^[0.1, 0.2]})"),
+       ": /features/0/half_width: expected 1 number or one for each of 3 points, got 2"},
       {face_with(disc + R"(, "feather": ^-0.1})"),
        ": /features/0/feather: a length must not be negative, got -0.1"},
       {face_with(
