@@ -61,17 +61,17 @@ TEST_F(FlatFeatureTest, PointsAreTheFacesAndHalvesAreWhole) {
 
 /// A pattern's points are the frame's, its lengths are scaled, and what turns as a plate is told so.
 TEST_F(FlatFeatureTest, PatternsLieInTheirFrames) {
-  const FlatFeatures made = flatten(
+  const Flattened made = flatten(
       R"({"name": "a", "slot": "front", "role": "hair.line", "in": "eye", "kind": "scatter", "turn": {"plate": 0.3},
           "patch": [[[1, 2], {"xy": [1.5, 2], "turn": 0.2}], [[1, 4], [1.5, 4]]], "count": 9, "of": "stroke", "length": 0.1, "half_width": 0.01})",
       "soft", {{"size", 2}});
   ASSERT_EQ(made.features.size(), 1u);
   EXPECT_EQ(
-      made.features[0].text,
+      made.texts[0],
       R"({"name": "a", "kind": "scatter", "patch": [[[1, 2], [2, 2]], [[1, 5], [2, 5]]], "count": 9, "of": "stroke", )"
       R"("length": 0.175, "half_width": 0.0175, "paint": "hair_line"})");
-  EXPECT_EQ(made.plates.at("a"), 0.3);
-  EXPECT_EQ(made.flat.at("a/patch/0/1"), 0.2);
+  EXPECT_EQ(made.plates, (std::vector<std::pair<std::string, double>>{{"a", 0.3}}));
+  EXPECT_EQ(made.depths().at("a/patch/0/1"), 0.2);
   EXPECT_TRUE(made.raised.empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/file/json/json_copy.h"
 #include "tests/support/small_library.h"
 
 namespace mien {
@@ -28,8 +29,12 @@ double stroke_with(const std::string& room, std::map<std::string, double> number
   geometry.add_value("lip.half", 0.02);
   const LibraryNode& topology = library->topology();
   try {
-    const std::string text = muscles_text(
-        topology.in(), topology.in().need(*topology.node, "muscles"), geometry, FlatFeatures{});
+    JsonTree tree("muscles");
+    TreeWriter out(tree);
+    write_muscles(topology.in(), topology.in().need(*topology.node, "muscles"), geometry,
+                  FlatFeatures{}, out);
+    std::string text;
+    add_json(tree, tree.nodes[0], text);
     const std::string key = "\"stroke\": ";
     return std::stod(text.substr(text.find(key) + key.size()));
   } catch (const Refusal&) {
