@@ -42,7 +42,7 @@ struct PartPoint {
   bool is_slice = false;  ///< of a feature, "upper_edge/spine/2", which may be moved
 };
 
-/// A point of a file, found.
+/// A point of a file, found. Its names are the geometry's, which must outlive it.
 struct FoundPoint {
   glm::dvec2 at{0.0};
   std::optional<double> depth;

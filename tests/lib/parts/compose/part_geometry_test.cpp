@@ -12,7 +12,7 @@ class PartGeometryTest : public testing::Test {
   /// The point that a text says, in the frame "eye" of a face with these numbers.
   FoundPoint point(const std::string& text, std::map<std::string, double> numbers = {}) {
     const Recipe recipe{.name = {}, .code = {}, .parts = {}, .numbers = std::move(numbers)};
-    PartGeometry geometry(*library_, recipe);
+    PartGeometry& geometry = geometry_.emplace(*library_, recipe);
     geometry.add_point("head/points/0", {{0.5, -1}, 0.2, true});
     geometry.add_value("width", 0.25);
     text_ = R"({"frame": "eye", "point": )" + text + "}";
@@ -23,6 +23,7 @@ class PartGeometryTest : public testing::Test {
   }
 
   const std::unique_ptr<PartLibrary> library_ = test::SmallLibrary{}.read().value();
+  std::optional<PartGeometry> geometry_;  // points have its names
   FaceLimits limits_;
   std::string text_;
 };
