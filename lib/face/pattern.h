@@ -9,7 +9,8 @@
 
 namespace mien {
 
-/// No pattern has more figures than this. What is drawn takes time by their square.
+/// All patterns of a face together have no more figures than this: drawing takes time and memory by the square of those
+/// that lie over each other.
 inline constexpr int kMostPatternFigures = 4000;
 
 /// A Bézier patch: 2 or 3 rows of 2 or 3 points each. Its place u runs along the rows, v from the first row to

@@ -40,8 +40,9 @@ struct FaceDraft {
     int depth;            ///< how many features deep
     std::size_t figures;  ///< how many figures decide it
   };
-  std::vector<AreaSize> areas;      ///< per feature
-  std::size_t pattern_figures = 0;  ///< of all patterns, beyond one each
+  std::vector<AreaSize> areas;   ///< per feature
+  std::size_t area_figures = 0;  ///< of all areas, beyond what plain features have
+  int pattern_figures = 0;       ///< of all patterns
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
   std::unordered_set<std::string> mirrored_eyes;
 

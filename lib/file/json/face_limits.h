@@ -11,8 +11,8 @@ struct FaceLimits {
   int nesting = 64;                 ///< of arrays and objects; of features clipped to features
   std::size_t values = 2'000'000;   ///< JSON values of any kind in the text
   std::size_t numbers = 1'000'000;  ///< in the face vector
-  std::size_t features = 100'000;  ///< drawn or not, left and right and figures of patterns counted
-  double magnitude = 1e9;          ///< of any number
+  std::size_t features = 100'000;   ///< drawn or not, left and right counted
+  double magnitude = 1e9;           ///< of any number
 };
 
 }  // namespace mien

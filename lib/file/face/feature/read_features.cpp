@@ -121,14 +121,16 @@ class FeatureReader {
     face_.model.features.push_back(std::move(feature));
   }
 
-  /// A pattern's figures count as features do: what is drawn is bounded.
+  /// Of all patterns, left and right counted.
   void count_figures(const Figure& figure) {
-    face_.pattern_figures +=
-        std::size_t(std::visit([](const auto& f) { return figures_in(f); }, figure)) - 1;
-    if (face_.model.features.size() + face_.pattern_figures >= in_.limits.features)
-      in_.refuse(node_, fmt::format("more than {} features and figures of patterns (limit: "
-                                    "features)",
-                                    in_.limits.features));
+    const auto figures = std::visit([](const auto& f) { return figures_in(f); }, figure);
+    if (figures == 1) return;
+    face_.pattern_figures += figures;
+    if (face_.pattern_figures > kMostPatternFigures)
+      in_.refuse(node_,
+                 fmt::format("the patterns of a face have at most {} figures in all, left and "
+                             "right counted; with this one it is {}",
+                             kMostPatternFigures, face_.pattern_figures));
   }
 
   void add_surroundings(const SurroundingNodes& around, Feature& feature) {
@@ -167,7 +169,7 @@ class FeatureReader {
   }
 
   /// Areas made of areas made of areas: their figures double with every step, unless they are counted.
-  FaceDraft::AreaSize area_of(const Feature& feature) const {
+  FaceDraft::AreaSize area_of(const Feature& feature) {
     constexpr std::size_t kMostFigures = 10'000;
     FaceDraft::AreaSize size{.depth = 0,
                              .figures = std::size_t(std::visit(
@@ -185,6 +187,13 @@ class FeatureReader {
       in_.refuse(node_, fmt::format("its area is made of more than {} figures, those of its clips "
                                     "counted",
                                     kMostFigures));
+    // What plain features clipped to each other have was always allowed.
+    const std::size_t plain = std::size_t(in_.limits.nesting) + 1;
+    face_.area_figures += size.figures > plain ? size.figures - plain : 0;
+    if (face_.area_figures > in_.limits.features)
+      in_.refuse(node_, fmt::format("areas made of patterns and of other areas have more than {} "
+                                    "figures in all (limit: features)",
+                                    in_.limits.features));
     return size;
   }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "tests/support/face_text.h"
@@ -22,14 +24,14 @@ const std::string kSquarePatch = R"("patch": [[[0, 0], [1, 0]], [[0, 1], [1, 1]]
 
 TEST(PatternReader, PutsFewNumbersInTheVector) {
   const Expected<Face> face = read_face_text(
-      scatter_with("3000", R"(, "tilt": 20, "seed": 7, "jitter": 0.5, "vary": 0.25, "sway": 90)"));
+      scatter_with("2000", R"(, "tilt": 20, "seed": 7, "jitter": 0.5, "vary": 0.25, "sway": 90)"));
   ASSERT_TRUE(face) << sentence(face.error());
   const Layout& layout = face->model->layout;
   int own = 0;
   for (const Slice& slice : layout.slices()) own += slice.name.starts_with("a.left/");
   EXPECT_EQ(own, 6);  // four points, the radii, the tilt
   const auto& figure = std::get<ScatterFigure>(face->model->features[1].figure);
-  EXPECT_EQ(figure.columns, 3000);
+  EXPECT_EQ(figure.columns, 2000);
   EXPECT_EQ(figure.rows, 0);
   EXPECT_EQ(figure.chance.seed, 7u);
   EXPECT_EQ(figure.chance.jitter, 0.5);
@@ -85,12 +87,33 @@ TEST(PatternReader, SaysWhatIsWrongAndWhere) {
 }
 
 /// A thousand patterns of four thousand figures each would be drawn for hours.
-TEST(PatternReader, CountsFiguresAsFeatures) {
-  const std::string text = scatter_with("30", "");
-  EXPECT_TRUE(read_face_text(text, "f", {.features = 60}));
-  EXPECT_TRUE(test::said(text, {.features = 59})
-                  .ends_with(": more than 59 features and figures of patterns (limit: features)"))
-      << test::said(text, {.features = 59});
+TEST(PatternReader, CountsTheFiguresOfAllPatterns) {
+  const auto two = [](int first, int second) {
+    const auto pattern = [](const char* name, int count) {
+      return fmt::format(
+          R"({{"name": "{}", "kind": "stripes", "side": "left", {}, "count": {}, "half_width": 1}})",
+          name, kSquarePatch, count);
+    };
+    return face_with(pattern("a", first) + ", " + pattern("b", second));
+  };
+  EXPECT_TRUE(read_face_text(two(1500, 500), "f"));
+  EXPECT_TRUE(test::said(two(1500, 501))
+                  .ends_with(": /features/1: the patterns of a face have at most 4000 figures in "
+                             "all, left and right counted; with this one it is 4002"))
+      << test::said(two(1500, 501));
+}
+
+/// A thousand features clipped to one pattern would each be asked about all of its figures.
+TEST(PatternReader, CountsTheFiguresOfAreasInAll) {
+  std::string features =
+      R"({"name": "p", "kind": "stripes", "count": 4000, "half_width": 1, )" + kSquarePatch + "}";
+  for (int i = 0; i < 30; ++i)
+    features += fmt::format(
+        R"(, {{"name": "d{}", "kind": "disc", "center": [0, 0], "radius": 1, "clip": "p"}})", i);
+  EXPECT_TRUE(test::said(face_with(features))
+                  .ends_with(": areas made of patterns and of other areas have more than 100000 "
+                             "figures in all (limit: features)"))
+      << test::said(face_with(features));
 }
 
 }  // namespace
