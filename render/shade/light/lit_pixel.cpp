@@ -69,11 +69,15 @@ void LitPixel::find_feet(NearFeet& feet) {
           {cells_.d.data(), cells_.nx.data(), cells_.ny.data(), cells_.bend.data()});
 }
 
-void LitPixel::see(const Place& place, const PartForm* form, int side) {
+void LitPixel::cut(const PartForm* form, int side) {
   if (form)
     cells_of_form(*form, side, parts_);
   else
     whole_cells(side, parts_);
+}
+
+void LitPixel::see(const Place& place, const PartForm* form, int side) {
+  cut(form, side);
   cells_.x = place.at.x, cells_.y = place.at.y;
   cells_.shallow = place.shallow, cells_.deep = place.deep;
   cells_.foot = place.foot;
@@ -113,23 +117,39 @@ void LitPixel::colors(const Place& place, const PartForm* form, int side, glm::v
   }
 }
 
+std::size_t LitPixel::find_feet_of_cells(const Place& place) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < std::size_t(parts_.count()); ++k) {
+    if (parts_.area[k] == 0.0f) continue;
+    cells_.area[count] = parts_.area[k];
+    cells_.mid_x[count] = place.at.x + parts_.x[k], cells_.mid_y[count] = place.at.y + parts_.y[k];
+    ++count;
+  }
+  if (count == 0) return 0;
+  const std::size_t padded = (count + 15) / 16 * 16;
+  std::fill_n(cells_.mid_x.begin() + std::ptrdiff_t(count), padded - count, cells_.mid_x[0]);
+  std::fill_n(cells_.mid_y.begin() + std::ptrdiff_t(count), padded - count, cells_.mid_y[0]);
+  place.feet->at(std::span(cells_.mid_x).first(padded), std::span(cells_.mid_y).first(padded),
+                 {cells_.d.data(), cells_.nx.data(), cells_.ny.data(), cells_.bend.data()});
+  return count;
+}
+
 float LitPixel::distance_by(const Place& place, const PartForm* form, int side) {
-  see(place, form, side);
+  cut(form, side);
   float sum = 0.0f, area = 0.0f;
   const float cell = parts_.cell(), spread = cell * cell / 24;
-  for (int k = 0; k < parts_.count(); ++k) {
-    const auto own = std::size_t(k);
-    const float a = parts_.area[own];
-    if (a == 0.0f) continue;
-    FootAt f = place.foot;
-    float x = parts_.x[own], y = parts_.y[own];
-    if (!place.calm) {
-      const std::size_t at = cells_.at(k);
-      f = {cells_.d[at], cells_.nx[at], cells_.ny[at], cells_.bend[at]};
-      x += place.at.x - cells_.mid_x[at], y += place.at.y - cells_.mid_y[at];
+  const auto add = [&](float a, float d, float bend, float aside) {
+    sum += a * (d + bend * (0.5f * aside * aside + spread)), area += a;
+  };
+  if (place.calm) {
+    const FootAt& f = place.foot;
+    for (std::size_t k = 0; k < std::size_t(parts_.count()); ++k) {
+      const float x = parts_.x[k], y = parts_.y[k];
+      add(parts_.area[k], f.d + f.nx * x + f.ny * y, f.bend, f.nx * y - f.ny * x);
     }
-    const float aside = f.nx * y - f.ny * x;
-    sum += a * (f.d + f.nx * x + f.ny * y + f.bend * (0.5f * aside * aside + spread)), area += a;
+  } else {
+    const std::size_t count = find_feet_of_cells(place);
+    for (std::size_t k = 0; k < count; ++k) add(cells_.area[k], cells_.d[k], cells_.bend[k], 0.0f);
   }
   return area > 0.0f ? sum / area : place.foot.d;
 }

@@ -36,7 +36,12 @@ class LitPixel {
  private:
   float distance_by(const Place& place, const PartForm* form, int side);
   LitMean seen(const Place& place, const PartForm* form, int side);
+  /// Cuts the form, or the whole pixel, into side × side cells.
+  void cut(const PartForm* form, int side);
   void see(const Place& place, const PartForm* form, int side);
+  /// The feet of the centroids of those cells that have an area, one after the other. Ridges do not count for a
+  /// distance, so neighbours are not asked. Returns how many there are.
+  std::size_t find_feet_of_cells(const Place& place);
   void find_feet(NearFeet& feet);
 
   PartCells parts_;
