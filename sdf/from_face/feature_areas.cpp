@@ -1,8 +1,8 @@
 #include "feature_areas_private.h"
 
 #include <mien/face_model.h>
-#include "face_numbers_private.h"
-#include "figure_shape_private.h"
+#include "sdf/from_face/figure/face_numbers_private.h"
+#include "sdf/from_face/figure/shape_private.h"
 
 #include <algorithm>
 #include <utility>

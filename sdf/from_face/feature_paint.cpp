@@ -1,6 +1,6 @@
 #include <mien/face_model.h>
-#include "face_numbers_private.h"
 #include "feature_paint_private.h"
+#include "sdf/from_face/figure/face_numbers_private.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "outline_pen_private.h"
 
-#include "figure_shape_private.h"
 #include "lib/rig/eye/lid.h"
+#include "sdf/from_face/figure/shape_private.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The parts that are named are those that were made faulty.
 
-#include "tools/mien/commands/parts_at_fault.h"
+#include "tools/mien/people/parts_at_fault.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <mien/composed_face.h>
 #include <mien/crowd.h>
 #include <mien/face_model.h>
+#include <mien/parallel.h>
 #include <mien/poser.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
@@ -109,19 +110,25 @@ CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
                                                       "fear", "disgust", "surprise"};
   const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
   if (!count) return {{}, complain(count.error(), kUsedWrongly)};
-  Cells cells;
-  std::size_t person = 0;
-  for (const FaceCode& code : crowd(arguments.seed.value_or("1"), int(*count))) {
+  const std::vector<FaceCode> people = crowd(arguments.seed.value_or("1"), int(*count));
+  std::vector<CellsOrCode> made(people.size());
+  const auto draw = [&](std::size_t person) {
     SheetArguments one = arguments;
-    one.face = face_code_text(code);
-    const std::string_view feeling = kFeelings[person++ % kFeelings.size()];
+    one.face = face_code_text(people[person]);
+    const std::string_view feeling = kFeelings[person % kFeelings.size()];
     if (one.pictures.empty())
       one.pictures.push_back(arguments.emotions ? fmt::format("--emotion {}", feeling) : "");
     const auto face = read_face_aloud(*one.face, arguments.style);
-    if (!face) return {{}, kFailed};
-    CellsOrCode made = picture_cells(one, *face, size);
-    if (made.code != kDone) return made;
-    std::ranges::move(made.cells, std::back_inserter(cells));
+    made[person] = face ? picture_cells(one, *face, size) : CellsOrCode{{}, kFailed};
+  };
+  // What is wrong with the arguments is wrong for everybody: the first person says it, once.
+  draw(0);
+  if (made[0].code != kDone) return made[0];
+  parallel_for(int(people.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
+  Cells cells;
+  for (CellsOrCode& one : made) {
+    if (one.code != kDone) return {{}, one.code};
+    std::ranges::move(one.cells, std::back_inserter(cells));
   }
   return {std::move(cells)};
 }

@@ -1,4 +1,4 @@
-#include "tools/mien/commands/parts_at_fault.h"
+#include "tools/mien/people/parts_at_fault.h"
 
 #include <algorithm>
 #include <cmath>

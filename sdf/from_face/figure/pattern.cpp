@@ -1,4 +1,4 @@
-#include "pattern_shapes_private.h"
+#include "pattern_private.h"
 
 #include "face_numbers_private.h"
 #include "lib/rig/eye/lid.h"

@@ -7,8 +7,8 @@
 #include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
-#include "tools/mien/commands/parts_at_fault.h"
 #include "tools/mien/commands/posed_face.h"
+#include "tools/mien/people/parts_at_fault.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>

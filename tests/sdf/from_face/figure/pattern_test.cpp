@@ -1,7 +1,7 @@
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 
-#include "sdf/from_face/pattern_shapes_private.h"
+#include "sdf/from_face/figure/pattern_private.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <mien/face_model.h>
 #include "face_numbers_private.h"
-#include "figure_shape_private.h"
 #include "lib/rig/eye/lid.h"
-#include "pattern_shapes_private.h"
+#include "pattern_private.h"
+#include "shape_private.h"
 #include "smooth_curve_private.h"
 
 #include <algorithm>
