@@ -122,7 +122,7 @@ TEST_F(NewTest, CodesOfWrittenRecipes) {
   EXPECT_NE(recipe(R"("numbers": {"age": 900})").err.find("age goes from"), std::string::npos);
   EXPECT_NE(recipe(R"("numbers": {"aeg": 9})").err.find("did you mean \"age\""), std::string::npos);
   EXPECT_EQ(recipe(R"("numbers": {"aeg": 9})").code, 1);
-  EXPECT_NE(run_mien({"code", test::face_path("toon")}).err.find("a face in full has no recipe"),
+  EXPECT_NE(run_mien({"code", test::face_path("toon")}).err.find("a face in full has its own paints"),
             std::string::npos);
 }
 
@@ -185,12 +185,12 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"sheet", "--parts", "hiar", "-o", "x.png"}, 2, "did you mean \"hair\"");
   refused({"sheet", "--parts", "hair", "--people", "3", "-o", "x.png"}, 2, "not both");
   refused({"sheet", "--parts", "hair", "--emotions", "-o", "x.png"}, 2, "not both");
-  refused({"sheet", test::face_path("toon"), "--parts", "hair", "-o", "x.png"}, 1, "no recipe");
+  refused({"sheet", test::face_path("toon"), "--parts", "hair", "-o", "x.png"}, 1, "and no recipe");
   refused({"sheet", "-o", "x.png"}, 2, "--people");
   refused({"sheet", "--people", "1000000000", "-o", "x.png"}, 2, "--people");
   refused({"render", "Z66CB-AA5S0-1C", "-o", "x.png"}, 1, "a sign is wrong");
   refused({"render", test::face_path("toon"), "--style", "ink", "-o", "x.png"}, 1,
-          "styles are for codes");
+          "has its own paints");
   EXPECT_EQ(printed({"new", "--seed", "x", "--hold", "eye.size=7", "--clamp"}).substr(14, 1), "~");
 }
 

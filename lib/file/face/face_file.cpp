@@ -53,21 +53,21 @@ Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel&
   return {int(in.word(node, "clip", known))};
 }
 
-Face read_root(Reading& in);
-
-Face read_composed(const Expected<JsonTree>& tree, const FaceLimits& limits) {
-  if (!tree) throw Refusal{tree.error()};
-  if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
-  Reading in(*tree, limits, nullptr);
-  return read_root(in);
-}
+Face read_root(Reading& in, const std::filesystem::path* folder);
 
 /// A recipe, put together and read.
-Face read_recipe_face(Reading& in, const JsonNode& root) {
-  return read_composed(composed_face(PartLibrary::shipped(), read_recipe(in, root)), in.limits);
+Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings) {
+  const auto parts = ChosenParts::read(PartLibrary::shipped(), recipe);
+  if (!parts) throw Refusal{parts.error()};
+  const auto tree = composed_face(*parts);
+  if (!tree) throw Refusal{tree.error()};
+  if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
+  Reading in(*tree, limits, warnings);
+  return read_root(in, nullptr);
 }
 
-Face read_root(Reading& in) {
+/// `folder`: where a recipe's own parts lie.
+Face read_root(Reading& in, const std::filesystem::path* folder) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   const JsonNode* version = in.find(root, "format_version");
@@ -77,7 +77,8 @@ Face read_root(Reading& in) {
                "background", "palette",      "light",          "groups",  "features", "controls",
                "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
                "clips",      "default_clip", "effects"});
-  if (check_format(in, root) == 2) return read_recipe_face(in, root);
+  if (check_format(in, root) == 2)
+    return read_composed(read_recipe(in, root, folder), in.limits, in.warnings());
   FaceDraft draft;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
@@ -125,6 +126,20 @@ Expected<Face> read_safely(std::string_view name, Read&& read) {
   }
 }
 
+/// `folder`: of the file that it was in; null: in none.
+Expected<Face> read_text(std::string_view text, std::string_view name,
+                         const std::filesystem::path* folder, const FaceLimits& limits,
+                         std::vector<Error>* warnings) {
+  if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
+    return too_long(name, limits);
+  return read_safely(name, [&]() -> Expected<Face> {
+    const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
+    if (!tree) return tree.error();
+    Reading in(*tree, limits, warnings);
+    return read_root(in, folder);
+  });
+}
+
 }  // namespace
 
 Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
@@ -132,7 +147,8 @@ Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& li
   try {
     const Expected<std::string> text = read_bytes(path, limits.bytes);
     if (!text) return text.error();
-    return read_face_text(*text, path.string(), limits, warnings);
+    const std::filesystem::path folder = path.parent_path();
+    return read_text(*text, path.string(), &folder, limits, warnings);
   } catch (const std::exception& e) {
     return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
   }
@@ -140,20 +156,12 @@ Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& li
 
 Expected<Face> read_face_text(std::string_view text, std::string_view name,
                               const FaceLimits& limits, std::vector<Error>* warnings) {
-  if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
-    return too_long(name, limits);
-  return read_safely(name, [&]() -> Expected<Face> {
-    const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
-    if (!tree) return tree.error();
-    Reading in(*tree, limits, warnings);
-    return read_root(in);
-  });
+  return read_text(text, name, nullptr, limits, warnings);
 }
 
 Expected<Face> face_from_recipe(const Recipe& recipe) {
-  return read_safely(recipe.name.empty() ? "composed face" : recipe.name, [&]() -> Expected<Face> {
-    return read_composed(composed_face(PartLibrary::shipped(), recipe), {});
-  });
+  return read_safely(recipe.name.empty() ? "composed face" : recipe.name,
+                     [&]() -> Expected<Face> { return read_composed(recipe, {}, nullptr); });
 }
 
 }  // namespace mien

@@ -212,6 +212,7 @@ Expected<JsonTree> JsonTree::read(std::string_view text, std::string_view name,
 }
 
 const JsonNode* JsonTree::member(const JsonNode& object, std::string_view key_wanted) const {
+  if (object.kind != JsonKind::object) return nullptr;
   for (const JsonNode* child = first(object); child; child = next(*child))
     if (key(*child) == key_wanted) return child;
   return nullptr;
@@ -243,7 +244,39 @@ std::string JsonTree::where(std::size_t offset) const {
   return fmt::format("{}:{}:{}", name_, line, column);
 }
 
+const JsonTree::Origin* JsonTree::origin_of(const JsonNode& node) const {
+  const auto index = std::int32_t(&node - nodes.data());
+  const auto found = std::ranges::find(origins_, index, &Origin::node);
+  return found == origins_.end() ? nullptr : &*found;
+}
+
+/// Goes down in the other tree by the same keys and numbers, as far as they lead.
+std::string JsonTree::where_in(const Origin& origin, const JsonNode& node) const {
+  std::vector<const JsonNode*> way;
+  for (const JsonNode* step = &node; step != at(origin.node); step = at(step->parent))
+    way.push_back(step);
+  const JsonTree& other = *origin.tree;
+  const JsonNode* place = origin.from;
+  for (auto step = way.rbegin(); step != way.rend(); ++step) {
+    const JsonNode* to = nullptr;
+    if ((*step)->key >= 0) {
+      to = other.member(*place, key(**step));
+    } else if (place->kind == JsonKind::array) {
+      to = other.first(*place);
+      for (const JsonNode* before = first(*at((*step)->parent)); to && before != *step;
+           before = next(*before))
+        to = other.next(*to);
+    }
+    if (!to) break;
+    place = to;
+  }
+  return other.where(*place);
+}
+
 std::string JsonTree::where(const JsonNode& node, bool at_key) const {
+  if (!origins_.empty())
+    for (const JsonNode* above = &node; above; above = at(above->parent))
+      if (const Origin* origin = origin_of(*above)) return where_in(*origin, node);
   const std::string steps = pointer(node);
   const std::string place = where(std::size_t(at_key ? node.key_offset : node.offset));
   return steps.empty() ? place : place + ": " + steps;

@@ -72,12 +72,27 @@ class JsonTree {
   /// RFC 6901; "" for the root.
   std::string pointer(const JsonNode& node) const;
 
+  /// Says that a value was made from one of another tree, which must outlive this one: the places of what is in it are
+  /// that one's.
+  void stems_from(std::int32_t node, const JsonTree& tree, const JsonNode& from) {
+    origins_.push_back({node, &tree, &from});
+  }
+
   /// What a reader of its text would have refused because of the limits.
   std::optional<Error> beyond(const FaceLimits& limits) const;
 
   std::vector<JsonNode> nodes;
 
  private:
+  struct Origin {
+    std::int32_t node;
+    const JsonTree* tree;
+    const JsonNode* from;
+  };
+  const Origin* origin_of(const JsonNode& node) const;
+  std::string where_in(const Origin& origin, const JsonNode& node) const;
+
+  std::vector<Origin> origins_;
   std::vector<std::string_view> strings_;
   std::deque<std::string> kept_;
   std::string_view text_;

@@ -24,6 +24,7 @@ class Reading {
 
   const JsonTree& tree;
   const FaceLimits& limits;
+  std::vector<Error>* warnings() const { return warnings_; }
 
   [[noreturn]] void refuse(const JsonNode& node, std::string what) const;
   void warn(const JsonNode& node, std::string what, bool at_key = false);

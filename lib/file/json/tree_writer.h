@@ -44,6 +44,11 @@ class TreeWriter {
   template <class Replace>
   void copy_children(const JsonTree& from, const JsonNode& node, Replace&& replace);
 
+  /// Says what the value that is written next is made from, in a tree that must outlive this one.
+  void stems_from(const JsonTree& from, const JsonNode& node) {
+    tree_.stems_from(next(), from, node);
+  }
+
   /// The index of the value that is written next.
   std::int32_t next() const { return std::int32_t(tree_.nodes.size()); }
   /// Puts the elements of an array, all of them, in another order.

@@ -1,6 +1,7 @@
 #include "lib/parts/code/appearance.h"
 
 #include <mien/recipe.h>
+#include "lib/parts/compose/chosen_parts.h"
 #include "lib/parts/compose/part_palette.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "lib/parts/code/code_fields.h"
-#include "lib/parts/compose/compose.h"
+#include "lib/parts/compose/chosen_parts.h"
 
 #include <cmath>
 
@@ -8,11 +8,17 @@ namespace {
 
 constexpr int kNoPart = 1023, kMostStep = 1023;
 
+Recipe without_own_parts(Recipe recipe) {
+  std::erase_if(recipe.parts,
+                [&](const auto& chosen) { return recipe.own_parts.contains(chosen.second); });
+  return recipe;
+}
+
 }  // namespace
 
 CodeFields code_fields(const Recipe& recipe) {
   const PartLibrary& library = PartLibrary::shipped();
-  const Recipe whole = completed(library, recipe);
+  const Recipe whole = completed(library, without_own_parts(recipe));
   CodeFields fields;
   for (const Family& family : library.families()) {
     const auto chosen = whole.parts.find(family.name);

@@ -19,7 +19,8 @@ CodeFields code_fields(const Recipe& recipe);
 /// The shortest code of these fields with that seed.
 FaceCode code_of_fields(const CodeFields& fields, std::uint64_t seed);
 
-/// The code of a recipe of the newest edition's: of its own code's seed if it has one. Names and styles are in no code.
+/// The code of a recipe of the newest edition's: of its own code's seed if it has one. Names, styles and
+/// parts of one's own are in no code.
 /// The error names what is unknown or out of range.
 Expected<FaceCode> code_of_recipe(const Recipe& recipe);
 

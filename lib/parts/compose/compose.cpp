@@ -1,5 +1,4 @@
 #include "lib/parts/compose/compose.h"
-#include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/parts/compose/composed_text.h"
@@ -7,9 +6,6 @@
 #include "lib/parts/compose/flat_rig.h"
 #include "lib/parts/compose/part_palette.h"
 #include "lib/parts/compose/part_style.h"
-#include "lib/parts/library/part_library.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -17,25 +13,19 @@
 namespace mien {
 namespace {
 
-template <class Things>
-std::string unknown(std::string_view what, std::string_view wanted, const Things& things) {
-  std::vector<std::string_view> names;
-  for (const auto& thing : things) names.push_back(thing.name);
-  return unknown_name(what, wanted, names);
-}
-
 class Composition {
  public:
-  Composition(const PartLibrary& library, const Recipe& recipe)
-      : library_(library),
-        recipe_(recipe),
-        geometry_(library, recipe_),
-        style_(library, recipe_.style),
-        tree_(recipe.name.empty() ? "composed face" : one_line(recipe.name)) {}
+  explicit Composition(const ChosenParts& parts)
+      : parts_(parts),
+        library_(parts.library()),
+        recipe_(parts.recipe()),
+        geometry_(library_, recipe_),
+        style_(library_, recipe_.style),
+        tree_(recipe_.name.empty() ? "composed face" : one_line(recipe_.name)) {}
 
   JsonTree tree() {
     for (const Family& family : library_.families())
-      if (const Part* part = chosen_part(library_, recipe_, family.name)) tell(*part, family.name);
+      if (const Part* part = parts_.of(family.name)) tell(*part, family.name);
     out_.object();
     out_.key("format"), out_.string("mien-face");
     out_.key("format_version"), out_.number(1);
@@ -77,7 +67,7 @@ class Composition {
       out_.key("light"), write_rig(style_.in(), *light, geometry_, out_);
     else
       rig("light");
-    out_.key("palette"), write_palette(library_, recipe_, geometry_, style_, out_);
+    out_.key("palette"), write_palette(parts_, geometry_, style_, out_);
     for (const char* key : {"controls", "eyes"}) rig(key);
     out_.key("turn"), write_turn(in, need("turn"), geometry_, features_, out_);
     out_.key("muscles"), write_muscles(in, need("muscles"), geometry_, features_, out_);
@@ -110,7 +100,7 @@ class Composition {
   /// What the topology's own features are beside comes first.
   void draw_families(bool first) {
     for (const Family& family : library_.families()) {
-      const Part* part = chosen_part(library_, recipe_, family.name);
+      const Part* part = parts_.of(family.name);
       if (part && family.first == first && !covered_.contains(family.name))
         draw(part->at, family.name);
     }
@@ -124,6 +114,7 @@ class Composition {
       });
   }
 
+  const ChosenParts& parts_;
   const PartLibrary& library_;
   const Recipe& recipe_;
   PartGeometry geometry_;
@@ -136,49 +127,18 @@ class Composition {
 
 }  // namespace
 
-std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {
-  const std::string where = "recipe";
-  for (const auto& [family_name, part] : recipe.parts) {
-    const Family* family = library.find_family(family_name);
-    if (!family)
-      return Error{where,
-                   unknown("family of parts", one_line(family_name, 60), library.families())};
-    if (!family->find(part))
-      return Error{where, unknown(family_name, one_line(part, 60), family->parts)};
-  }
-  for (const auto& [name, value] : recipe.numbers) {
-    const LibraryNumber* number = library.find_number(name);
-    if (!number) return Error{where, unknown("number", one_line(name, 60), library.numbers())};
-    if (!(value >= number->lo && value <= number->hi))
-      return Error{
-          where, fmt::format("{} goes from {} to {}, got {}", name, number->lo, number->hi, value)};
-  }
-  const std::vector<std::string>& styles = library.styles();
-  if (std::ranges::find(styles, recipe.style) == styles.end())
-    return Error{where,
-                 unknown_name("style", one_line(recipe.style, 60), {styles.begin(), styles.end()})};
-  return {};
-}
-
-Recipe completed(const PartLibrary& library, Recipe recipe) {
-  for (const Family& family : library.families())
-    if (!family.optional && !recipe.parts.contains(family.name) && !family.parts.empty())
-      recipe.parts[family.name] = family.parts[0].name;
-  return recipe;
-}
-
-Expected<JsonTree> composed_face(const PartLibrary& library, const Recipe& recipe) {
-  if (auto wrong = wrong_in(library, recipe)) return *std::move(wrong);
+Expected<JsonTree> composed_face(const ChosenParts& parts) {
   try {
-    const Recipe whole = completed(library, recipe);
-    return Composition(library, whole).tree();
+    return Composition(parts).tree();
   } catch (const Refusal& refusal) {
     return refusal.error;
   }
 }
 
 Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
-  const auto tree = composed_face(PartLibrary::shipped(), recipe);
+  const auto parts = ChosenParts::read(PartLibrary::shipped(), recipe);
+  if (!parts) return parts.error();
+  const auto tree = composed_face(*parts);
   if (!tree) return tree.error();
   return composed_text(*tree);
 }

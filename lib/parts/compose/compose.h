@@ -2,22 +2,13 @@
 // A recipe becomes a face: parts are put on the topology, then nothing of them is left.
 
 #include <mien/expected.h>
-#include <mien/recipe.h>
 #include "lib/file/json/json_tree.h"
-#include "lib/parts/library/part_library.h"
-
-#include <optional>
+#include "lib/parts/compose/chosen_parts.h"
 
 namespace mien {
 
-/// What the recipe asks for that the library does not have; nothing if it has all.
-std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe);
-
-/// Families without a part in the recipe, and that need one, take their first.
-Recipe completed(const PartLibrary& library, Recipe recipe);
-
-/// The tree of a face file of format version 1, for a reader of trees: it never was text. The library must outlive it.
-/// The error names what is unknown or out of range.
-Expected<JsonTree> composed_face(const PartLibrary& library, const Recipe& recipe);
+/// The tree of a face file of format version 1, for a reader of trees: it never was text. The parts must
+/// outlive it, and so must their library. The error names what a part asks for that is not there.
+Expected<JsonTree> composed_face(const ChosenParts& parts);
 
 }  // namespace mien

@@ -46,6 +46,7 @@ class Flattening {
     if (!to_.names.insert(name_).second)
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
     to_.features.push_back({slot(), out_.next()});
+    out_.stems_from(in_.tree, node_);
     out_.object();
     out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
     const PartStyle::Role role = style_.role(in_, node_);
@@ -142,6 +143,7 @@ class Flattening {
     const auto one = [&](const JsonNode& node) {
       out_.pair(short_pair(mirrored(geometry_.point(in_, node, frame_, family_).at)));
     };
+    in_.expect(member, JsonKind::object);
     out_.object();
     in_.for_each(member, [&](const JsonNode& node, int) {
       out_.key(in_.tree.key(node));

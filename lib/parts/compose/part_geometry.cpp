@@ -68,11 +68,13 @@ const LibraryNumber& PartGeometry::number(const Reading& in, const JsonNode& nod
 template <class Each>
 void PartGeometry::each_add(const Reading& in, const JsonNode& node, std::string_view family,
                             Each&& each) const {
-  if (const JsonNode* adds = in.find(node, "adds"))
-    in.for_each(*adds, [&](const JsonNode& add, int) {
-      const LibraryNumber& by = number(in, add, in.tree.key(add), family);
-      each(value(by) - by.rest, add);
-    });
+  const JsonNode* adds = in.find(node, "adds");
+  if (!adds) return;
+  in.expect(*adds, JsonKind::object);
+  in.for_each(*adds, [&](const JsonNode& add, int) {
+    const LibraryNumber& by = number(in, add, in.tree.key(add), family);
+    each(value(by) - by.rest, add);
+  });
 }
 
 /// A value that a part tells.
@@ -159,6 +161,7 @@ FoundPoint PartGeometry::point(const Reading& in, const JsonNode& node, const Pa
   if (const JsonNode* depth = in.find(node, "turn")) found.depth = in.number(*depth);
   if (const JsonNode* rides = in.find(node, "rides")) {
     found.rides.clear();
+    in.expect(*rides, JsonKind::object);
     in.for_each(*rides, [&](const JsonNode& one, int) {
       const FoundPoint other = beside(in, one, in.number(one));
       found.rides.insert(found.rides.end(), other.rides.begin(), other.rides.end());

@@ -20,9 +20,10 @@ struct Toned {
 
 class PaletteRules {
  public:
-  PaletteRules(const PartLibrary& library, const Recipe& recipe, const PartGeometry& geometry)
-      : library_(library), recipe_(recipe), geometry_(geometry) {
-    skin_ = skin_color(library, geometry.value("skin.tone"), geometry.value("skin.undertone"));
+  PaletteRules(const ChosenParts& parts, const PartGeometry& geometry)
+      : parts_(parts), geometry_(geometry) {
+    skin_ =
+        skin_color(parts.library(), geometry.value("skin.tone"), geometry.value("skin.undertone"));
     constexpr double kLightest = 0.93, kSpan = 0.6;
     darkness_ = (kLightest - skin_.lightness) / kSpan;
   }
@@ -92,7 +93,7 @@ class PaletteRules {
     if (const JsonNode* is = in.find(rule, "is")) return {read_oklch(in, *is), 1, {}};
     if (const JsonNode* from = in.find(rule, "from")) return {known(in, *from).color, 1, {}};
     if (const JsonNode* family = in.find(rule, "part")) {
-      const Part* part = chosen_part(library_, recipe_, in.string(*family));
+      const Part* part = parts_.of(in.string(*family));
       if (part) return {color_of(*part), 1, {}};
       return {known(in, in.need(rule, "else")).color, 1, {}};
     }
@@ -105,8 +106,7 @@ class PaletteRules {
     return {Oklch::from_lab((1 - share) * a + share * b), 1, {}};
   }
 
-  const PartLibrary& library_;
-  const Recipe& recipe_;
+  const ChosenParts& parts_;
   const PartGeometry& geometry_;
   Oklch skin_;
   double darkness_ = 0;
@@ -114,11 +114,6 @@ class PaletteRules {
 };
 
 }  // namespace
-
-const Part* chosen_part(const PartLibrary& library, const Recipe& recipe, std::string_view family) {
-  const auto chosen = recipe.parts.find(std::string(family));
-  return chosen == recipe.parts.end() ? nullptr : library.find_family(family)->find(chosen->second);
-}
 
 Oklch color_of(const Part& part) {
   return read_oklch(part.at.in(), part.at.in().need(*part.at.node, "color"));
@@ -139,10 +134,10 @@ Oklch skin_color(const PartLibrary& library, double tone, double undertone) {
           between(a.hue, b.hue) + kTurn * undertone};
 }
 
-void write_palette(const PartLibrary& library, const Recipe& recipe, const PartGeometry& geometry,
-                   const PartStyle& style, TreeWriter& to) {
-  PaletteRules rules(library, recipe, geometry);
-  const LibraryNode& topology = library.topology();
+void write_palette(const ChosenParts& parts, const PartGeometry& geometry, const PartStyle& style,
+                   TreeWriter& to) {
+  PaletteRules rules(parts, geometry);
+  const LibraryNode& topology = parts.library().topology();
   rules.read(topology.in(), topology.in().need(*topology.node, "palette"));
   if (const JsonNode* own = style.palette()) rules.read(style.in(), *own);
   rules.write(to);

@@ -1,16 +1,12 @@
 #pragma once
 // All colours of a face, from the few that its recipe chooses.
 
+#include "lib/parts/compose/chosen_parts.h"
 #include "lib/parts/compose/part_geometry.h"
 #include "lib/parts/compose/part_style.h"
 #include "lib/picture/oklch.h"
 
-#include <string_view>
-
 namespace mien {
-
-/// The part that a recipe takes of a family; null: none.
-const Part* chosen_part(const PartLibrary& library, const Recipe& recipe, std::string_view family);
 
 /// The colour that a part is: {"color": [L, C, h]}.
 Oklch color_of(const Part& part);
@@ -21,7 +17,7 @@ Oklch skin_color(const PartLibrary& library, double tone, double undertone);
 /// Writes the palette of a face file. A rule is {"is": [L, C, h]}, {"part": FAMILY}, {"skin": true},
 /// {"from": COLOUR, "L": a or [a, by darkness], "C": …, "h": …} or {"mix": [COLOUR, COLOUR], "share": s}, each
 /// with "alpha"; or "#rrggbb", or another colour's name.
-void write_palette(const PartLibrary& library, const Recipe& recipe, const PartGeometry& geometry,
-                   const PartStyle& style, TreeWriter& to);
+void write_palette(const ChosenParts& parts, const PartGeometry& geometry, const PartStyle& style,
+                   TreeWriter& to);
 
 }  // namespace mien

@@ -12,12 +12,19 @@
 
 namespace mien {
 
+/// A part of one's own: a part file, read.
+struct OwnPart {
+  std::string path;  ///< what errors call it
+  std::string text;
+};
+
 struct Recipe {
   std::string name;                          ///< of the face
   std::string code;                          ///< that it was made from; empty: of none
   std::map<std::string, std::string> parts;  ///< by family; families that are not there have none
   std::map<std::string, double> numbers;     ///< by name; others are at rest
   std::string style = "soft";
+  std::map<std::string, OwnPart> own_parts;  ///< by what `parts` calls them, "fez.part.json"
 };
 
 /// The recipe of a seed in the newest edition.

@@ -2,6 +2,7 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
+#include "lib/file/json/read_bytes.h"
 #include "lib/parts/library/part_library.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,8 @@ namespace {
 
 class RecipeReader {
  public:
-  explicit RecipeReader(Reading& in) : in_(in), library_(PartLibrary::shipped()) {}
+  RecipeReader(Reading& in, const std::filesystem::path* folder)
+      : in_(in), folder_(folder), library_(PartLibrary::shipped()) {}
 
   Recipe read(const JsonNode& root) {
     in_.expect_object(root,
@@ -62,7 +64,25 @@ class RecipeReader {
     in_.refuse(node, unknown_name(what, one_line(wanted, 60), names));
   }
 
-  /// "hair": "bob", or {"part": "bob", "length": 0.2} with the part's own numbers, or null: none.
+  /// A file beside the recipe.
+  void read_own_part(const JsonNode& node) {
+    const std::string name(in_.string(node));
+    if (!folder_)
+      in_.refuse(node, "a part of one's own lies beside the recipe, and this recipe is of no file");
+    if (name.find_first_of("/\\") != std::string::npos)
+      in_.refuse(node,
+                 "a part of one's own lies in the recipe's own folder: a name without slashes");
+    const std::filesystem::path path = *folder_ / name;
+    std::error_code unknown;  // says that there is none, too
+    if (!std::filesystem::is_regular_file(path, unknown))
+      in_.refuse(node, fmt::format("there is no file {}", in_quotes(path.string())));
+    auto text = read_bytes(path, in_.limits.bytes);
+    if (!text) in_.refuse(node, sentence(text.error()));
+    recipe_.own_parts[name] = {path.string(), *std::move(text)};
+  }
+
+  /// "hair": "bob", or {"part": "bob", "length": 0.2} with the part's own numbers, or null: none; "quiff.part.json": a
+  /// part of one's own.
   void read_part(const JsonNode& node) {
     const std::string_view name = in_.tree.key(node);
     const Family* family = library_.find_family(name);
@@ -78,7 +98,9 @@ class RecipeReader {
       return;
     }
     const JsonNode& part = node.kind == JsonKind::object ? in_.need(node, "part") : node;
-    if (!family->find(in_.string(part)))
+    if (in_.string(part).ends_with(".part.json"))
+      read_own_part(part);
+    else if (!family->find(in_.string(part)))
       refuse_unknown(part, family->name, in_.string(part), family->parts);
     recipe_.parts[family->name] = in_.string(part);
     if (node.kind != JsonKind::object) return;
@@ -100,20 +122,22 @@ class RecipeReader {
   }
 
   Reading& in_;
+  const std::filesystem::path* folder_;
   const PartLibrary& library_;
   Recipe recipe_;
 };
 
 }  // namespace
 
-Recipe read_recipe(Reading& in, const JsonNode& root) {
-  return RecipeReader(in).read(root);
+Recipe read_recipe(Reading& in, const JsonNode& root, const std::filesystem::path* folder) {
+  return RecipeReader(in, folder).read(root);
 }
 
-Expected<Recipe> read_recipe_text(std::string_view text, std::string_view name,
-                                  std::vector<Error>* warnings) {
+Expected<Recipe> read_recipe_file(const std::filesystem::path& path, std::vector<Error>* warnings) {
   const FaceLimits limits;
-  const auto tree = JsonTree::read(text, name, limits);
+  const auto text = read_bytes(path, limits.bytes);
+  if (!text) return text.error();
+  const auto tree = JsonTree::read(*text, path.string(), limits);
   if (!tree) return tree.error();
   Reading in(*tree, limits, warnings);
   try {
@@ -125,10 +149,13 @@ Expected<Recipe> read_recipe_text(std::string_view text, std::string_view name,
                 fmt::format("expected \"mien-face\", got {}", in_quotes(in.string(format))));
     const JsonNode& version = in.need(root, "format_version");
     if (in.number(version) == 1)
-      in.refuse(version, "a face in full has no recipe, and so no code: those have version 2");
+      in.refuse(
+          version,
+          "a face in full has its own paints and no recipe: codes and styles are for version 2");
     if (in.number(version) != 2)
       in.refuse(version, fmt::format("expected the integer 2, got {}", in.number(version)));
-    return read_recipe(in, root);
+    const std::filesystem::path folder = path.parent_path();
+    return read_recipe(in, root, &folder);
   } catch (const Refusal& refusal) {
     return refusal.error;
   }

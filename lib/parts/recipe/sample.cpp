@@ -2,6 +2,7 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/parts/code/keyed_chance.h"
+#include "lib/parts/compose/chosen_parts.h"
 #include "lib/parts/compose/part_palette.h"
 
 #include <fmt/format.h>

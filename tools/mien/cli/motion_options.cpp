@@ -9,8 +9,9 @@ void add_face(CLI::App* to, PosedFace& posed) {
   to->add_option("FACE", posed.face, "Face file, or a code that `mien new` printed")
       ->required()
       ->type_name("");
-  to->add_option("--style", posed.style,
-                 "How a face by code is painted: flat, soft, clay, ink or pictogram; default soft")
+  to->add_option(
+        "--style", posed.style,
+        "How a face by code or recipe is painted: flat, soft, clay, ink or pictogram; default soft")
       ->type_name("STYLE");
 }
 

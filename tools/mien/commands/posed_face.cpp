@@ -8,7 +8,6 @@
 #include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/frame_file.h"
-#include "lib/file/json/read_bytes.h"
 #include "lib/parts/recipe/recipe_file.h"
 #include "lib/rig/pose/expression_setting.h"
 #include "sdf/from_face/debug_view.h"
@@ -35,9 +34,7 @@ bool is_given_as_code(const std::string& text) {
 
 Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings) {
   if (!is_given_as_code(text)) {
-    const auto bytes = read_bytes(text, FaceLimits{}.bytes);
-    if (!bytes) return bytes.error();
-    return read_recipe_text(*bytes, text, warnings);
+    return read_recipe_file(text, warnings);
   }
   const auto code = read_face_code(text);
   if (!code) return code.error();
@@ -46,11 +43,7 @@ Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* 
 
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings) {
-  if (!is_given_as_code(text)) {
-    if (style)
-      return Error{"--style " + *style, "a face file has its own paints: styles are for codes"};
-    return read_face(text, {}, warnings);
-  }
+  if (!style && !is_given_as_code(text)) return read_face(text, {}, warnings);
   auto recipe = read_given_recipe(text, warnings);
   if (!recipe) return recipe.error();
   if (style) recipe->style = *style;

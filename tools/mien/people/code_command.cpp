@@ -14,12 +14,15 @@
 namespace mien::command {
 namespace {
 
-/// What of a recipe its code cannot hold: a style, and where a number lies between two steps.
+/// What of a recipe its code cannot hold: a style, parts of one's own, and where a number lies between two steps.
 std::vector<Error> left_out(const std::string& file, const Recipe& recipe, const Recipe& held) {
   std::vector<Error> all;
   if (recipe.style != held.style)
     all.push_back(
         {file, fmt::format("no code holds a style: say --style {} with it", recipe.style)});
+  for (const auto& [family, part] : recipe.parts)
+    if (recipe.own_parts.contains(part))
+      all.push_back({file, fmt::format("no code holds a part of one's own: {} is left out", part)});
   for (const PartNumber& number : part_numbers()) {
     const auto said = recipe.numbers.find(number.name);
     if (said == recipe.numbers.end()) continue;

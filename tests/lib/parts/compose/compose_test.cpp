@@ -33,7 +33,8 @@ TEST(Compose, TreeAndTextAreOneFace) {
         Recipe recipe = recipe_from_seed(seed_from_word(part));
         recipe.parts[family.name] = part, recipe.style = style;
         recipe.name = "\xC3\xA4 and \xFF, \"broken\"";
-        const auto tree = composed_face(PartLibrary::shipped(), recipe);
+        const ChosenParts parts = ChosenParts::read(PartLibrary::shipped(), recipe).value();
+        const auto tree = composed_face(parts);
         ASSERT_TRUE(tree) << tree.error().what;
         const std::string text = face_text_from_recipe(recipe).value();
         const auto read = JsonTree::read(text, "text", {});

@@ -48,7 +48,7 @@ TEST(Sample, ComposedFacesHaveTheSameBitsEverywhere) {
   for (int i = 0; i < kSeeds; ++i) {
     Recipe recipe = sampled_recipe(PartLibrary::shipped(), person(i));
     recipe.style = styles[std::size_t(i) % styles.size()];
-    const auto tree = composed_face(PartLibrary::shipped(), recipe);
+    const auto tree = composed_face(ChosenParts::read(PartLibrary::shipped(), recipe).value());
     ASSERT_TRUE(tree);
     add_text(bits, composed_text(*tree));
   }
@@ -89,8 +89,8 @@ int changed_faces(const PartLibrary& more, const Family& family) {
     }
     EXPECT_EQ(after.parts, before.parts) << i << " is changed without the part";
     if (i % 100 != 0) continue;
-    EXPECT_EQ(composed_text(*composed_face(more, after)),
-              composed_text(*composed_face(edition, before)));
+    EXPECT_EQ(composed_text(*composed_face(ChosenParts::read(more, after).value())),
+              composed_text(*composed_face(ChosenParts::read(edition, before).value())));
   }
   return changed;
 }

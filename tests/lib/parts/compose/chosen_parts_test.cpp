@@ -1,0 +1,230 @@
+#include "lib/parts/compose/chosen_parts.h"
+#include <mien/composed_face.h>
+#include <mien/face_file.h>
+#include <mien/face_model.h>
+#include "lib/file/json/json_copy.h"
+#include "lib/parts/code/code_fields.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace mien {
+namespace {
+
+/// A hat, with something in place of something else.
+std::string hat(std::string_view instead_of = {}, std::string_view there = {}) {
+  std::string text = R"({"format": "mien-part", "format_version": 1,
+ "family": "headwear", "name": "fez",
+ "in": "scalp",
+ "points": {"hairline": [0.24, 0.45]},
+ "features": [
+  {"name": "hair_room", "slot": "background", "role": "none", "in": "scalp", "turn": 0, "kind": "path", "half": true,
+   "points": [[0, 0.5], [0.46, 0.56], [0.8, 0.6], [1.6, -0.5], [1.6, -2], [0, -2]]},
+  {"name": "fez", "slot": "hat", "role": "accent", "in": "scalp", "turn": 0.02, "kind": "path", "half": true,
+   "points": [[0, 0.98], [0.34, 0.96], [0.46, 0.56], [0.3, 0.5, "bend"], [0, 0.49]]}]})";
+  if (!instead_of.empty()) {
+    const std::size_t at = text.find(instead_of);
+    EXPECT_NE(at, std::string::npos) << instead_of;
+    text.replace(at, instead_of.size(), there);
+  }
+  return text;
+}
+
+Recipe wearing(std::string text, const std::string& family = "headwear") {
+  Recipe recipe;
+  recipe.parts[family] = "fez.part.json";
+  recipe.own_parts["fez.part.json"] = {"hats/fez.part.json", std::move(text)};
+  return recipe;
+}
+
+std::string said_of(const Recipe& recipe) {
+  const auto face = face_from_recipe(recipe);
+  return face ? "a face" : sentence(face.error());
+}
+
+bool has_fez(const Face& face) {
+  return std::ranges::any_of(face.model->features,
+                             [](const Feature& one) { return one.name == "fez"; });
+}
+
+TEST(OwnParts, AreDrawn) {
+  const auto face = face_from_recipe(wearing(hat()));
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_TRUE(has_fez(*face));
+  for (const char* style : {"flat", "clay", "ink", "pictogram"}) {
+    Recipe styled = wearing(hat());
+    styled.style = style;
+    EXPECT_EQ(said_of(styled), "a face") << style;
+  }
+}
+
+TEST(OwnParts, AreRefusedAtTheirPlace) {
+  const std::pair<std::pair<const char*, const char*>, const char*> wrongs[] = {
+      {{"mien-part", "mien-prat"}, "hats/fez.part.json:1:12: /format: expected \"mien-part\""},
+      {{"\"format_version\": 1", "\"format_version\": 2"}, "1:43: /format_version: expected the"},
+      {{"headwear", "hair"}, "2:12: /family: the recipe takes this as \"headwear\""},
+      {{"scalp", "skalp"}, "3:8: /in: no frame named \"skalp\"; did you mean \"scalp\"?"},
+      {{"\"points\": {", "\"pints\": {"},
+       "4:11: /pints: no key of a part named \"pints\"; did you"},
+      {{"\"points\": {\"hairline\": [0.24, 0.45]}", "\"points\": []"}, "4:12: /points: expected"},
+      {{"\"points\": {", "\"numbers\": {"}, "4:13: /numbers: a part of one's own has no numbers"},
+      {{"\"slot\": \"hat\"", "\"slot\": \"hatt\""},
+       "8:27: /features/1/slot: no slot named \"hatt\""},
+      {{"\"accent\"", "\"acent\""}, "8:3: /features/1: no palette colour named"},
+      {{"[0.34, 0.96]", "[0.34]"}, "9:26: /features/1/points/1: expected 2 numbers, got 1"},
+      {{"[0.34, 0.96]", "{\"at\": \"mouth.conrer\"}"}, "did you mean \"mouth.corner\"?"},
+      {{"[0.34, 0.96]", "{\"xy\": [0, 0], \"adds\": 5}"},
+       "9:49: /features/1/points/1/adds: expect"},
+      {{"[0.34, 0.96]", "{\"xy\": [0, 0], \"adds\": {\"jaaw\": [0, 0]}}"}, "did you mean \"jaw\"?"},
+      {{"[0.34, 0.96]", "[0.34, 1e99]"}, "9:33: /features/1/points/1/1: 1e+99 is too large"},
+      {{"\"half\": true", "\"half\": 1"}, "/features/0/half: expected"},
+      {{"\"name\": \"fez\", \"slot\"", "\"name\": \"head\", \"slot\""},
+       "another part has a feature"},
+      {{"\"kind\": \"path\"", "\"kind\": \"paht\""}, "6:97: /features/0/kind: no kind of feature"},
+      {{"\"features\": [", "\"covers\": [\"hiar\"], \"features\": ["}, "did you mean \"hair\"?"},
+      {{"[0, 0.98]", "[0, 0.98"}, "hats/fez.part.json:9:"},
+  };
+  for (const auto& [change, said] : wrongs) {
+    const std::string got = said_of(wearing(hat(change.first, change.second)));
+    EXPECT_NE(got.find(said), std::string::npos) << change.second << "\n  " << got;
+    EXPECT_EQ(got.find('\n'), std::string::npos) << got;
+  }
+}
+
+TEST(OwnParts, HaveWhatOthersBuildOn) {
+  const std::string nose =
+      R"({"format": "mien-part", "format_version": 1, "family": "nose", "name": "a", "features": []})";
+  EXPECT_EQ(said_of(wearing(nose, "nose")),
+            "hats/fez.part.json:1:1: every part of family \"nose\" has a feature named \"nose\", "
+            "on which others build");
+}
+
+TEST(OwnParts, AreInNoCode) {
+  Recipe recipe = wearing(hat());
+  const auto& library = PartLibrary::shipped();
+  const ChosenParts chosen = ChosenParts::read(library, recipe).value();
+  EXPECT_EQ(chosen.of("headwear")->name, "fez");
+  EXPECT_EQ(chosen_part(library, recipe, "headwear"), nullptr);
+  EXPECT_EQ(code_of_recipe(recipe).value(), code_of_recipe({}).value());
+  EXPECT_EQ(chosen.of("head"), &library.find_family("head")->parts[0]);
+}
+
+/// Any value of any shipped part in place of any kind of other: a face or a sentence, never worse.
+TEST(OwnParts, OfNonsenseAreRefused) {
+  const PartLibrary& library = PartLibrary::shipped();
+  int faces = 0, refused = 0;
+  for (const char* name : {"headwear/cap", "mouth/wide", "eyes/almond", "beard/stubble", "hair/bob",
+                           "clothes/hoodie"}) {
+    const std::string_view path = name;
+    const Family& family = *library.find_family(path.substr(0, path.find('/')));
+    const Part* part = family.find(path.substr(path.find('/') + 1));
+    if (!part) part = &family.parts.back();
+    JsonTree tree = JsonTree::read(part->at.file->text, part->name, {}).value();
+    const std::string text(part->at.file->text);
+    for (std::size_t i = 1; i < tree.nodes.size(); i += 7) {
+      const JsonNode& node = tree.nodes[i];
+      std::string old;
+      add_json(tree, node, old);
+      // The value's own text ends where its copy would: find its end by reading brackets.
+      std::size_t end = node.offset;
+      int open = 0;
+      bool quoted = false;
+      do {
+        const char c = text[end++];
+        if (c == '"') quoted = !quoted;
+        if (!quoted) open += (c == '[' || c == '{') - (c == ']' || c == '}');
+      } while (quoted || open > 0 ||
+               (node.kind != JsonKind::array && node.kind != JsonKind::object &&
+                node.kind != JsonKind::string &&
+                std::string_view(",]}\n ").find(text[end]) == std::string_view::npos));
+      for (const char* other : {"null", "true", "1e8", "-7", "\"x\"", "\"@x\"", "[]", "{}", "[[]]",
+                                "[\"bend\"]", "[1, 2]", "{\"at\": {}}", "{\"of\": \"lid.in\"}"}) {
+        Recipe recipe;
+        recipe.parts[family.name] = "own.part.json";
+        recipe.own_parts["own.part.json"] = {
+            "own.part.json", text.substr(0, node.offset) + other + text.substr(end)};
+        const std::string said = said_of(recipe);
+        ++(said == "a face" ? faces : refused);
+        ASSERT_EQ(said.find('\n'), std::string::npos) << said;
+      }
+    }
+  }
+  EXPECT_GT(faces, 100);
+  EXPECT_GT(refused, 1000);
+}
+
+class OwnPartFiles : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::string face_with(const std::string& part) const {
+    write(
+        "mina.face.json",
+        R"({"format": "mien-face", "format_version": 2, "parts": {"headwear": ")" + part + "\"}}");
+    std::vector<Error> warnings;
+    const auto face = read_face(folder_ / "mina.face.json", {}, &warnings);
+    if (!face) return sentence(face.error());
+    return warnings.empty() ? (has_fez(*face) ? "a fez" : "none") : sentence(warnings[0]);
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      ("own_parts_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(OwnPartFiles, LieBesideTheirRecipe) {
+  write("fez.part.json", hat());
+  EXPECT_EQ(face_with("fez.part.json"), "a fez");
+  EXPECT_NE(face_with("fes.part.json").find("/parts/headwear: there is no file"),
+            std::string::npos);
+  for (const char* outside : {"../fez.part.json", "/tmp/fez.part.json", "hats/fez.part.json"})
+    EXPECT_NE(face_with(outside).find("without slashes"), std::string::npos) << outside;
+  std::filesystem::create_directory(folder_ / "folder.part.json");
+  EXPECT_NE(face_with("folder.part.json").find("there is no file"), std::string::npos);
+  ASSERT_EQ(mkfifo((folder_ / "pipe.part.json").c_str(), 0600), 0);
+  EXPECT_NE(face_with("pipe.part.json").find("there is no file"), std::string::npos);
+}
+
+TEST_F(OwnPartFiles, AreWarnedOfAtTheirPlace) {
+  write("fez.part.json", hat("\"half\": true", "\"half\": true, \"colour\": 1"));
+  const std::string said = face_with("fez.part.json");
+  EXPECT_NE(said.find("fez.part.json:6:"), std::string::npos) << said;
+  EXPECT_NE(said.find("unknown key \"colour\""), std::string::npos) << said;
+}
+
+TEST(OwnPartExample, IsAFaceAndWhatThePageShows) {
+  const std::filesystem::path root = MIEN_SOURCE_DIR;
+  const auto text = [](const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  const std::string page = text(root / "docs/parts.md");
+  for (const char* name : {"fez.part.json", "mina.face.json"})
+    EXPECT_NE(page.find("```json\n" + text(root / "examples/own_part" / name) + "```"),
+              std::string::npos)
+        << name;
+  std::vector<Error> warnings;
+  const auto face = read_face(root / "examples/own_part/mina.face.json", {}, &warnings);
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_TRUE(has_fez(*face));
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(OwnPartFiles, AreNotOfATextAlone) {
+  const auto face = read_face_text(
+      R"({"format": "mien-face", "format_version": 2, "parts": {"headwear": "fez.part.json"}})",
+      "f");
+  ASSERT_FALSE(face);
+  EXPECT_NE(sentence(face.error()).find("this recipe is of no file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien
