@@ -103,7 +103,7 @@ TEST_F(Nonsense, FindsFeaturesOutOfPlace) {
   EXPECT_TRUE(after("lip_lower.left/spine/0", by(0, -0.4)).contains("mouth_in_head"));
   EXPECT_TRUE(after("lip_upper", by(0, 0.2)).contains("lip_below_nose"));
   EXPECT_TRUE(after("lip_upper", by(0, 0.6)).contains("lip_below_nose")) << "far above it";
-  EXPECT_TRUE(after("brow.right", by(0, -0.15)).contains("brow_above_lid"));
+  EXPECT_TRUE(after("brow.right", by(0, -0.18)).contains("brow_above_lid"));
   EXPECT_TRUE(after("brow.right", by(0, -0.6)).contains("brow_above_lid")) << "far below it";
   EXPECT_TRUE(after("brow", by(0, 0.25)).contains("brow_seen"));
 }
