@@ -32,11 +32,12 @@ float allowed_of(const LitPixel::Place& place, const LitMean& mean) {
   return place.tolerance / std::max(place.tolerance < kFine ? steep : 0.5f * steep, 1.0f);
 }
 
+constexpr float kMostKink = 33.0f;  // tolerances that a kink may change the law by over the cells
+
 /// Whether 4 × 4 cells may be off by more than the tolerance. Where colours were within three tolerances of a
 /// plane, the mean was found within one, kinks apart. What is narrow has no plane, so there the colours themselves
 /// count. A ridge is cut in closed form, which leaves a twentieth of its jump.
 bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
-  constexpr float kMostKink = 33.0f;
   const float allowed = allowed_of(place, mean) / mean.area;
   return mean.rough > 3.3f * allowed || mean.jump > 6.0f * allowed || mean.turn > kMostTurn ||
          mean.kink > kMostKink * allowed ||
@@ -46,11 +47,12 @@ bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part)
 /// Whether even cells half as wide as those of `coarse` may be off: they are nearer to the truth than to the coarse
 /// ones. Of two ridges in a cell only one is cut. A kink leaves up to an eighth of its slope times the square of a
 /// cell's side, which at 8 bits does not show in 8 × 8 cells; beside it the law may be steeper than its range over
-/// the pixel says.
+/// the pixel says. Coarse cells that saw no such kink, in a rim half a pixel wide, agree with these by chance.
 bool asks_for_finer(const LitPixel::Place& place, int side, const LitMean& mean,
                     const LitMean& coarse) {
   const float allowed = allowed_of(place, mean) / mean.area;
-  return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn ||
+  const bool new_kink = mean.kink > kMostKink * allowed && coarse.kink < 0.5f * mean.kink;
+  return apart(mean, coarse) > 0.8f * allowed || mean.turn > kMostTurn || new_kink ||
          0.15f * mean.unsure > place.tolerance ||
          (place.tolerance < kFine && 0.2f * mean.kink > allowed * float(side * side));
 }
