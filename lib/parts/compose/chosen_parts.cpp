@@ -82,7 +82,7 @@ void check_has_what_others_need(const LibraryNode& part, const PartLibrary& libr
     const std::set<std::string_view> has = names_in(part, kind);
     for (const std::string_view name : names_in(family.parts.at(0).at, kind))
       if (said.contains(name) && !has.contains(name) &&
-          std::ranges::all_of(family.parts, [&](const Part& other) {
+          std::ranges::all_of(family.parts, [&, kind = kind](const Part& other) {
             return names_in(other.at, kind).contains(name);
           }))
         part.in().refuse(
