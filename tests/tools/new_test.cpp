@@ -122,8 +122,9 @@ TEST_F(NewTest, CodesOfWrittenRecipes) {
   EXPECT_NE(recipe(R"("numbers": {"age": 900})").err.find("age goes from"), std::string::npos);
   EXPECT_NE(recipe(R"("numbers": {"aeg": 9})").err.find("did you mean \"age\""), std::string::npos);
   EXPECT_EQ(recipe(R"("numbers": {"aeg": 9})").code, 1);
-  EXPECT_NE(run_mien({"code", test::face_path("toon")}).err.find("a face in full has its own paints"),
-            std::string::npos);
+  EXPECT_NE(
+      run_mien({"code", test::face_path("toon")}).err.find("a face in full has its own paints"),
+      std::string::npos);
 }
 
 TEST_F(NewTest, PartsOfASheet) {
