@@ -2,7 +2,6 @@
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
-#include "lib/file/json/json_copy.h"
 #include "lib/parts/code/code_fields.h"
 
 #include <gtest/gtest.h>
@@ -128,9 +127,7 @@ TEST(OwnParts, OfNonsenseAreRefused) {
     const std::string text(part->at.file->text);
     for (std::size_t i = 1; i < tree.nodes.size(); i += 7) {
       const JsonNode& node = tree.nodes[i];
-      std::string old;
-      add_json(tree, node, old);
-      // The value's own text ends where its copy would: find its end by reading brackets.
+      // Where the value ends in the text: behind its brackets or its quotes.
       std::size_t end = node.offset;
       int open = 0;
       bool quoted = false;
