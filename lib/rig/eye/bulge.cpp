@@ -1,5 +1,7 @@
 #include "lib/rig/eye/bulge.h"
 
+#include "lib/math/bracketed_root.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -17,6 +19,25 @@ bool has_cornea(const EyeBody& eye) {
 /// The cap's height, never beyond the ball's front half.
 double cap(const EyeBody& eye) {
   return std::min(eye.cornea, eye.radius);
+}
+
+/// Halving by rank alone ends after 64 places, every third halves.
+constexpr int kMostPlaces = 256;
+
+/// How far beyond `far` the push (native) moves the point of a lid's edge that stands `reach` from the
+/// ball's centre along the unit `ray`, with its slope in `reach`. The lid's direction leans s = reach over
+/// the lid's radius to the side, so the push e v² is seen as e v² s.
+ValueSlope pushed_beyond(const EyeBody& eye, glm::dvec2 ray, double reach, double far,
+                         glm::dvec3 g) {
+  const double s = reach / lid_radius(eye);
+  const double noise = 0x1p-54 * far;
+  const glm::dvec3 d = lid_direction(eye, eye.center + reach * ray);
+  const double push = lid_push(eye, d, g);
+  if (!(s < 1) || !(push > 0)) return {reach + push * std::min(s, 1.0) - far, 1, noise};
+  const double v = std::sqrt(push / eye.bulge), steep = eye.radius / cap(eye);
+  const double v_in_s = steep * (glm::dot(ray, glm::dvec2(g)) - s / d.z * g.z);
+  const double slope = eye.bulge * v * (2 * v_in_s * s + v) / lid_radius(eye);
+  return {reach + push * s - far, 1 + slope, noise};
 }
 
 }  // namespace
@@ -75,13 +96,11 @@ glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g) {
   if (!has_cornea(eye)) return p;
   if (eye.law == BulgeLaw::compat) return p - edge_push(eye, p, g);
   const double far = glm::length(p - eye.center);
-  const auto at = [&](double reach) { return eye.center + reach / far * (p - eye.center); };
-  double lo = 0, hi = far;  // the push goes outwards: before it the point is nearer
-  for (int i = 0; i < 60 && far > 0; ++i) {
-    const double reach = 0.5 * (lo + hi);
-    (reach + glm::length(edge_push(eye, at(reach), g)) < far ? lo : hi) = reach;
-  }
-  return far > 0 ? at(0.5 * (lo + hi)) : p;
+  if (!(far > 0) || !(lid_push(eye, lid_direction(eye, p), g) > 0)) return p;
+  const glm::dvec2 ray = (p - eye.center) / far;
+  const auto beyond = [&](double reach) { return pushed_beyond(eye, ray, reach, far, g); };
+  // The push goes outwards: before it the point is nearer.
+  return eye.center + bracketed_root(beyond, 0, far, -1, far, kMostPlaces) * ray;
 }
 
 }  // namespace mien

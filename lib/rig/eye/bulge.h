@@ -67,8 +67,8 @@ glm::dvec3 lid_direction(const EyeBody& eye, glm::dvec2 p);
 /// The shift in the picture that the push gives a point of a lid's edge at `p`.
 glm::dvec2 edge_push(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
-/// The inverse: where a point of a lid's edge is before the push moves it to `p`. Accurate to 2⁻⁶⁰
-/// (native); the compat law takes the push at `p` instead.
+/// The inverse: where a point of a lid's edge is before the push moves it to `p`. Accurate to a
+/// rounding of its distance from the centre (native); the compat law takes the push at `p` instead.
 glm::dvec2 standing_place(const EyeBody& eye, glm::dvec2 p, glm::dvec3 g);
 
 /// How far the push raises the lid towards the viewer at a point of the picture. Relief light shades a
