@@ -27,6 +27,8 @@ struct Run {
   int operator()(const NewArguments& arguments) const { return new_command(arguments); }
   int operator()(const CodeArguments& arguments) const { return code_command(arguments); }
   int operator()(const PartsArguments& arguments) const { return parts_command(arguments); }
+  int operator()(const ChernoffArguments& arguments) const { return chernoff_command(arguments); }
+  int operator()(const StimuliArguments& arguments) const { return stimuli_command(arguments); }
 };
 
 }  // namespace

@@ -89,6 +89,17 @@ struct PartsArguments {
   std::optional<std::string> family, output;
 };
 
+/// mien chernoff.
+struct ChernoffArguments {
+  std::string table, output;
+  std::optional<std::string> map, legend, manifest, style, cell, columns, gap;
+};
+
+/// mien stimuli.
+struct StimuliArguments {
+  std::string plan, output;
+};
+
 struct ListArguments {
   std::string face;
 };

@@ -29,6 +29,8 @@ struct CommandApp {
   NewArguments make;
   CodeArguments code;
   PartsArguments parts;
+  ChernoffArguments chernoff;
+  StimuliArguments stimuli;
   std::string shell;  ///< of `mien completion`
 };
 

@@ -2,6 +2,7 @@
 #include <mien/version.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "tools/mien/cli/data_options.h"
 #include "tools/mien/cli/motion_options.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/cli/parse_values.h"
@@ -228,6 +229,8 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("new")) return std::move(command.make);
   if (app.got_subcommand("code")) return std::move(command.code);
   if (app.got_subcommand("parts")) return std::move(command.parts);
+  if (app.got_subcommand("chernoff")) return std::move(command.chernoff);
+  if (app.got_subcommand("stimuli")) return std::move(command.stimuli);
   if (app.got_subcommand("manual")) return Help{manual(app)};
   if (app.got_subcommand("completion")) {
     const auto shell = read_choice("completion", command.shell, kShells);
@@ -310,6 +313,8 @@ std::unique_ptr<CommandApp> command_app() {
   add_new(app, made->make);
   add_code(app, made->code);
   add_parts(app, made->parts);
+  add_chernoff(app, made->chernoff);
+  add_stimuli(app, made->stimuli);
 
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");

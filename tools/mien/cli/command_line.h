@@ -18,10 +18,11 @@ struct WrongUse {
   std::string sentence;
 };
 
-using CommandLine = std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments,
-                                 SceneArguments, ListArguments, PcaArguments, MorphArguments,
-                                 MeshArguments, AnimateArguments, ImportArguments, FitArguments,
-                                 SheetArguments, NewArguments, CodeArguments, PartsArguments>;
+using CommandLine =
+    std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
+                 ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
+                 ImportArguments, FitArguments, SheetArguments, NewArguments, CodeArguments,
+                 PartsArguments, ChernoffArguments, StimuliArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

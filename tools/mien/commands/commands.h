@@ -24,5 +24,7 @@ int sheet_command(const SheetArguments& arguments);
 int new_command(const NewArguments& arguments);
 int code_command(const CodeArguments& arguments);
 int parts_command(const PartsArguments& arguments);
+int chernoff_command(const ChernoffArguments& arguments);
+int stimuli_command(const StimuliArguments& arguments);
 
 }  // namespace mien::command

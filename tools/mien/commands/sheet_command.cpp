@@ -10,32 +10,25 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "render/image/write_pieces.h"
-#include "sdf/from_face/caption.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/sheet_options.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/commands/render_plan.h"
+#include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/image_loader.h"
-#include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <iterator>
 
 namespace mien::command {
 namespace {
 
-/// A picture of the sheet and what is written below it.
-struct Cell {
-  std::string caption;
-  Image image;
-};
-using Cells = std::vector<Cell>;
+using Cells = std::vector<SheetCell>;
 
 struct CellsOrCode {
   Cells cells;
@@ -44,9 +37,7 @@ struct CellsOrCode {
 
 constexpr int kDefaultCell = 320;  ///< [px] a cell's longer side
 constexpr int kMostCell = 4096;
-constexpr int kDefaultColumns = 3, kMostColumns = 1000;
-constexpr int kMostGap = 1000;                            // [px]
-constexpr std::size_t kMostBytes = std::size_t(1) << 30;  // of the whole sheet
+constexpr int kDefaultColumns = 3;
 
 /// Each emotion; then, with --half, each at half strength.
 CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Size size) {
@@ -163,44 +154,11 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
     one.face = part;
     CellsOrCode made = picture_cells(one, *face, size);
     if (made.code != kDone) return made;
-    for (Cell& cell : made.cells)
+    for (SheetCell& cell : made.cells)
       cell.caption = part + (cell.caption.empty() ? "" : " ") + cell.caption;
     std::ranges::move(made.cells, std::back_inserter(cells));
   }
   return {std::move(cells)};
-}
-
-/// Copies a picture to a place of the sheet.
-void lay(Image& sheet, const Image& picture, int x, int y) {
-  for (int r = 0; r < picture.height; ++r)
-    std::memcpy(sheet.bytes.data() + sheet.stride() * std::size_t(y + r) + std::size_t(x) * 4,
-                picture.bytes.data() + picture.stride() * std::size_t(r), picture.stride());
-}
-
-/// Rows of `columns` pictures on white, `gap` apart, above their captions if there are any.
-Expected<Image> sheet_of(const Cells& cells, int columns, int gap) {
-  const int width = cells[0].image.width, height = cells[0].image.height;
-  const bool named =
-      std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return !c.caption.empty(); });
-  const int strip = named ? std::max(12, height / 9) : 0, count = int(cells.size());
-  columns = std::min(columns, count);
-  const std::size_t rows = std::size_t((count + columns - 1) / columns);
-  const std::size_t wide = std::size_t(columns) * std::size_t(width + gap) - std::size_t(gap),
-                    high = rows * std::size_t(height + strip + gap) - std::size_t(gap);
-  if (wide * high > kMostBytes / 4) return Error{"sheet", "larger than a GiB"};
-  Image sheet{.width = int(wide), .height = int(high)};
-  sheet.bytes.assign(sheet.stride() * high, std::byte{255});
-  for (int i = 0; i < count; ++i) {
-    const Cell& cell = cells[std::size_t(i)];
-    const int x = i % columns * (width + gap), y = i / columns * (height + strip + gap);
-    lay(sheet, cell.image, x, y);
-    if (!cell.caption.empty())
-      lay(sheet,
-          sheet_picture(caption_scene(letters(), cell.caption, double(width) / strip),
-                        {.width = width, .height = strip}),
-          x, y + height);
-  }
-  return sheet;
 }
 
 /// --cell.
@@ -217,11 +175,8 @@ Expected<Size> read_cell(const SheetArguments& arguments, glm::dvec2 extent) {
 int sheet_command(const SheetArguments& arguments) {
   if (!arguments.pictures.empty() && (arguments.emotions || arguments.half))
     return complain("--picture: a sheet has pictures or emotions, not both", kUsedWrongly);
-  const auto columns = read_whole(
-      "--columns", arguments.columns.value_or(std::to_string(kDefaultColumns)), 1, kMostColumns);
-  if (!columns) return complain(columns.error(), kUsedWrongly);
-  const auto gap = read_whole("--gap", arguments.gap.value_or("0"), 0, kMostGap);
-  if (!gap) return complain(gap.error(), kUsedWrongly);
+  const auto layout = read_sheet_layout(arguments.columns, kDefaultColumns, arguments.gap);
+  if (!layout) return complain(layout.error(), kUsedWrongly);
   if (arguments.people && arguments.parts)
     return complain("a sheet has --people or --parts, not both", kUsedWrongly);
   if (arguments.parts && (arguments.emotions || arguments.half))
@@ -245,7 +200,7 @@ int sheet_command(const SheetArguments& arguments) {
                            : arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
                                                         : picture_cells(arguments, *face, *size);
   if (made.code != kDone) return made.code;
-  const auto sheet = sheet_of(made.cells, int(*columns), int(*gap));
+  const auto sheet = captioned_sheet(made.cells, *layout);
   if (!sheet) return complain(sheet.error(), kFailed);
   const auto done = write_image_by(load_encoder, *sheet, arguments.output, {});
   return done ? int(kDone) : complain(done.error(), kFailed);

@@ -1,0 +1,141 @@
+// mien chernoff: each row of a table as a face.
+
+#include <mien/composed_face.h>
+#include <mien/parallel.h>
+#include <mien/pose.h>
+#include <mien/scene_from_face.h>
+#include "lib/file/json/json_text.h"
+#include "lib/rig/pose/expression_setting.h"
+#include "render/image/write_pieces.h"
+#include "tools/mien/cli/parse_values.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/data/chernoff_faces.h"
+#include "tools/mien/output/captioned_sheet.h"
+#include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/image_loader.h"
+#include "tools/mien/output/sha256.h"
+#include "tools/mien/output/written_file.h"
+#include "tools/mien/terminal/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+namespace mien::command {
+namespace {
+
+constexpr int kDefaultFace = 160, kSmallestFace = 16, kLargestFace = 4096;  // [px] the longer side
+constexpr int kFacesInARow = 10, kLegendColumns = 3;
+
+Expected<SheetCell> cell_of(const ChernoffFace& what, int size) {
+  const auto face = face_from_recipe(what.recipe);
+  if (!face) return face.error();
+  Pose pose;
+  for (const auto& [emotion, strength] : what.emotions) {
+    const auto setting = read_expression(*face, "emotion", fmt::format("{}={}", emotion, strength));
+    if (!setting) return setting.error();
+    pose.settings.push_back(*setting);
+  }
+  const Scene scene = scene_from_face(pose_face(*face, pose));
+  const glm::dvec2 extent = scene.canvas().box.size();
+  const auto pixels = read_size(std::to_string(size), extent.x / extent.y);
+  if (!pixels) return pixels.error();
+  return SheetCell{what.label,
+                   sheet_picture(scene, {.width = pixels->width, .height = pixels->height})};
+}
+
+Expected<std::vector<SheetCell>> cells_of(const std::vector<ChernoffFace>& faces, int size) {
+  std::vector<std::optional<Expected<SheetCell>>> made(faces.size());
+  parallel_for(int(faces.size()), {},
+               [&](int i) { made[std::size_t(i)] = cell_of(faces[std::size_t(i)], size); });
+  std::vector<SheetCell> cells;
+  for (auto& cell : made) {
+    if (!*cell) return cell->error();
+    cells.push_back(**std::move(cell));
+  }
+  return cells;
+}
+
+/// A row for each face: what it is called, its cells of the table, what they moved where, and the SHA-256 of its
+/// pixels.
+std::string manifest(const Table& table, const ChernoffMap& map,
+                     const std::vector<ChernoffFace>& faces, const std::vector<SheetCell>& cells) {
+  std::string text = "face";
+  const auto add = [&](std::string_view cell) { text += ',', add_cell(text, cell); };
+  for (const ChernoffFeature& feature : map.features) add(feature.column), add(feature.name);
+  text += ",sha256\n";
+  for (std::size_t row = 0; row < faces.size(); ++row) {
+    add_cell(text, faces[row].label);
+    auto emotion = faces[row].emotions.begin();
+    for (const ChernoffFeature& feature : map.features) {
+      add(table.rows[row][*table.column(feature.column)]);
+      if (feature.kind == ChernoffFeatureKind::number)
+        add(json_number(faces[row].recipe.numbers.at(feature.name)));
+      else if (feature.kind == ChernoffFeatureKind::emotion)
+        add(json_number((emotion++)->second));
+      else
+        add(feature.values.at(table.rows[row][*table.column(feature.column)]));
+    }
+    text += ',' + sha256(cells[row].image.bytes) + '\n';
+  }
+  return text;
+}
+
+Expected<Done> write_cells(const std::vector<SheetCell>& cells, const SheetLayout& layout,
+                           const std::string& path) {
+  const auto sheet = captioned_sheet(cells, layout);
+  if (!sheet) return sheet.error();
+  return write_image_by(load_encoder, *sheet, path, {});
+}
+
+Expected<Done> write_legend(const Table& table, const ChernoffMap& map, int size, int gap,
+                            const std::string& path) {
+  std::vector<SheetCell> cells;
+  for (const ChernoffFeature& feature : map.features) {
+    const auto faces = chernoff_legend(table, map, feature);
+    if (!faces) return faces.error();
+    auto row = cells_of(*faces, size);
+    if (!row) return row.error();
+    while (row->size() % kLegendColumns != 0) {  // each feature begins a row
+      row->push_back({{}, row->front().image});
+      std::ranges::fill(row->back().image.bytes, std::byte{255});
+    }
+    std::ranges::move(*row, std::back_inserter(cells));
+  }
+  return write_cells(cells, {kLegendColumns, gap}, path);
+}
+
+}  // namespace
+
+int chernoff_command(const ChernoffArguments& arguments) {
+  const auto layout = read_sheet_layout(arguments.columns, kFacesInARow, arguments.gap);
+  if (!layout) return complain(layout.error(), kUsedWrongly);
+  const auto size = read_whole("--cell", arguments.cell.value_or(std::to_string(kDefaultFace)),
+                               kSmallestFace, kLargestFace);
+  if (!size) return complain(size.error(), kUsedWrongly);
+  const auto table = read_table(arguments.table);
+  if (!table) return complain(table.error(), kFailed);
+  std::vector<Error> warnings;
+  auto map = arguments.map ? read_chernoff_map(*arguments.map, &warnings)
+                           : default_chernoff_map(*table, &warnings);
+  warn(warnings);
+  if (!map) return complain(map.error(), kFailed);
+  if (arguments.style) map->face.style = *arguments.style;
+  const auto faces = chernoff_faces(*table, *map);
+  if (!faces) return complain(faces.error(), kFailed);
+  const auto cells = cells_of(*faces, int(*size));
+  if (!cells) return complain(cells.error(), kFailed);
+  auto done = write_cells(*cells, *layout, arguments.output);
+  if (done && arguments.legend)
+    done = write_legend(*table, *map, int(*size), layout->gap, *arguments.legend);
+  if (done && arguments.manifest)
+    done = write_file(*arguments.manifest, [&](const ByteSink& sink) {
+      const std::string text = manifest(*table, *map, *faces, *cells);
+      return sink(text.data(), text.size());
+    });
+  return done ? int(kDone) : complain(done.error(), kFailed);
+}
+
+}  // namespace mien::command

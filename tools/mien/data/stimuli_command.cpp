@@ -1,0 +1,120 @@
+// mien stimuli: the pictures of an experiment, from a plan or again from their manifest.
+
+#include <mien/parallel.h>
+#include "lib/base/one_line.h"
+#include "lib/file/json/read_bytes.h"
+#include "render/image/write_pieces.h"
+#include "tools/mien/commands/commands.h"
+#include "tools/mien/data/stimulus_manifest.h"
+#include "tools/mien/data/stimulus_plan.h"
+#include "tools/mien/output/image_loader.h"
+#include "tools/mien/output/sha256.h"
+#include "tools/mien/output/written_file.h"
+#include "tools/mien/terminal/messages.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <span>
+
+namespace mien::command {
+namespace {
+
+constexpr std::size_t kMostFileBytes = std::size_t(1) << 30;  // of a picture's file
+
+/// How far its controls have moved a face, of which all else stays.
+Expected<double> displacement_of(const Stimulus& stimulus) {
+  Stimulus rest = stimulus;
+  rest.controls.clear();
+  const auto posed = posed_stimulus(stimulus), at_rest = posed_stimulus(rest);
+  if (!posed) return posed.error();
+  if (!at_rest) return at_rest.error();
+  return displacement(*posed, *at_rest);
+}
+
+Expected<ShownStimulus> show(const Stimulus& stimulus, int size,
+                             const std::filesystem::path& folder) {
+  const auto moved = displacement_of(stimulus);
+  if (!moved) return moved.error();
+  const auto image = drawn_stimulus(stimulus, size);
+  if (!image) return image.error();
+  const std::filesystem::path path = folder / stimulus.file;
+  if (const auto done = write_image_by(load_encoder, *image, path, {}); !done) return done.error();
+  const auto bytes = read_bytes(path, kMostFileBytes);
+  if (!bytes) return bytes.error();
+  return ShownStimulus{stimulus, *moved, sha256(std::as_bytes(std::span(*bytes)))};
+}
+
+/// Draws all, the first alone: what is wrong with one is mostly wrong with all.
+Expected<StimulusManifest> show_all(const std::vector<Stimulus>& what, int size,
+                                    const std::filesystem::path& folder) {
+  std::vector<std::optional<Expected<ShownStimulus>>> shown(what.size());
+  const auto draw = [&](std::size_t i) { shown[i] = show(what[i], size, folder); };
+  draw(0);
+  if (!*shown[0]) return shown[0]->error();
+  parallel_for(int(what.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
+  StimulusManifest manifest{.size = size, .shown = {}};
+  for (auto& one : shown) {
+    if (!*one) return one->error();
+    manifest.shown.push_back(**std::move(one));
+  }
+  return manifest;
+}
+
+Expected<Done> make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{folder.string(), "cannot be made: " + failed.message()};
+  return Done{};
+}
+
+int draw_plan(const StimuliArguments& arguments) {
+  std::vector<Error> warnings;
+  const auto plan = read_stimulus_plan(arguments.plan, &warnings);
+  warn(warnings);
+  if (!plan) return complain(plan.error(), kFailed);
+  const auto what = stimuli(*plan);
+  if (!what) return complain(what.error(), kFailed);
+  if (const auto made = make_folder(arguments.output); !made)
+    return complain(made.error(), kFailed);
+  const auto manifest = show_all(*what, plan->size, arguments.output);
+  if (!manifest) return complain(manifest.error(), kFailed);
+  const std::string text = manifest_text(*manifest);
+  const auto done =
+      write_file((std::filesystem::path(arguments.output) / "manifest.json").string(),
+                 [&](const ByteSink& sink) { return sink(text.data(), text.size()); });
+  return done ? print(fmt::format("{} pictures\n", what->size())) : complain(done.error(), kFailed);
+}
+
+/// The same pictures again: each must have the SHA-256 that the manifest says.
+int draw_again(const StimuliArguments& arguments) {
+  const auto manifest = read_stimulus_manifest(arguments.plan);
+  if (!manifest) return complain(manifest.error(), kFailed);
+  std::vector<Stimulus> what;
+  for (const ShownStimulus& shown : manifest->shown) what.push_back(shown.stimulus);
+  if (what.empty()) return complain({arguments.plan, "no pictures"}, kFailed);
+  if (const auto made = make_folder(arguments.output); !made)
+    return complain(made.error(), kFailed);
+  const auto again = show_all(what, manifest->size, arguments.output);
+  if (!again) return complain(again.error(), kFailed);
+  std::size_t others = 0;
+  std::string first;
+  for (std::size_t i = 0; i < what.size(); ++i) {
+    if (again->shown[i].sha256 == manifest->shown[i].sha256) continue;
+    if (others++ == 0) first = what[i].file;
+  }
+  if (others > 0)
+    return complain({arguments.plan,
+                     fmt::format("{} of {} pictures are not the ones it tells of; the first is {}",
+                                 others, what.size(), in_quotes(first))},
+                    kFailed);
+  return print(fmt::format("{} pictures, all as the manifest says\n", what.size()));
+}
+
+}  // namespace
+
+int stimuli_command(const StimuliArguments& arguments) {
+  return is_stimulus_manifest(arguments.plan) ? draw_again(arguments) : draw_plan(arguments);
+}
+
+}  // namespace mien::command

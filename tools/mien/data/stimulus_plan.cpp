@@ -1,0 +1,287 @@
+#include "tools/mien/data/stimulus_plan.h"
+#include <mien/crowd.h>
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/file/json/json_text.h"
+#include "lib/file/json/read_bytes.h"
+#include "lib/parts/recipe/recipe_file.h"
+#include "tools/mien/data/file_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mien::command {
+namespace {
+
+constexpr std::array<std::string_view, 3> kEquals{"number", "displacement", "picture"};
+constexpr int kMostSteps = 1000, kMostFactors = 32, kMostPeople = 10'000;
+constexpr double kLargest = 8192;  // [px] of a picture
+
+/// The numbers' means and each family's most frequent part.
+Recipe mean_of(const std::vector<Recipe>& people) {
+  Recipe mean = people[0];
+  mean.code.clear();
+  for (auto& [name, value] : mean.numbers) {
+    double sum = 0;
+    for (const Recipe& one : people) sum += one.numbers.at(name);
+    value = sum / double(people.size());
+  }
+  for (const PartFamily& family : part_families()) {
+    std::map<std::string, int> votes;
+    for (const Recipe& one : people) {
+      const auto part = one.parts.find(family.name);
+      ++votes[part == one.parts.end() ? "" : part->second];
+    }
+    const auto most = std::ranges::max_element(
+        votes, [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most->first.empty())
+      mean.parts.erase(family.name);
+    else
+      mean.parts[family.name] = most->first;
+  }
+  return mean;
+}
+
+class PlanReader {
+ public:
+  PlanReader(Reading& in, const std::filesystem::path& folder) : in_(in), folder_(folder) {}
+
+  StimulusPlan read(const JsonNode& root) {
+    in_.expect_object(root,
+                      {"$schema", "format", "format_version", "face", "size", "factors", "sample",
+                       "seed", "pairs"},
+                      "plan");
+    expect_format(in_, root, "mien-stimuli");
+    if (const JsonNode* face = in_.find(root, "face"))
+      plan_.face = read_recipe(in_, *face, &folder_);
+    if (const JsonNode* size = in_.find(root, "size")) plan_.size = whole(*size, 16, kLargest);
+    if (const JsonNode* seed = in_.find(root, "seed")) plan_.seed = in_.string(*seed);
+    const JsonNode& factors = in_.need(root, "factors");
+    in_.expect(factors, JsonKind::array);
+    if (factors.count < 1 || factors.count > kMostFactors)
+      in_.refuse(factors, fmt::format("expected 1 to {} factors", kMostFactors));
+    in_.for_each(factors, [&](const JsonNode& node, int) { read_factor(node); });
+    if (const JsonNode* pairs = in_.find(root, "pairs")) read_pairs(*pairs);
+    check_count(factors);
+    if (const JsonNode* sample = in_.find(root, "sample"))
+      plan_.sample = whole(*sample, 1, double(combinations()));
+    return std::move(plan_);
+  }
+
+ private:
+  int whole(const JsonNode& node, double least, double most) const {
+    const double value = in_.number(node);
+    if (value != double(int(std::clamp(value, -1e9, 1e9))) || value < least || value > most)
+      in_.refuse(node,
+                 fmt::format("expected a whole number from {} to {}, got {}", least, most, value));
+    return int(value);
+  }
+
+  void read_factor(const JsonNode& node) {
+    in_.expect_object(node,
+                      {"name", "codes", "people", "seed", "mean", "number", "emotion", "control",
+                       "part", "caricature", "picture", "values", "steps", "from", "to", "equal"},
+                      "factor");
+    static constexpr std::array<std::string_view, 8> kKinds{
+        "codes", "people", "number", "emotion", "control", "part", "caricature", "picture"};
+    const JsonNode* kind = nullptr;
+    for (const std::string_view key : kKinds)
+      if (const JsonNode* found = in_.find(node, key)) {
+        if (kind)
+          in_.refuse(*found, fmt::format("a factor varies one thing, this one \"{}\"",
+                                         in_.tree.key(*kind)));
+        kind = found;
+      }
+    if (!kind) in_.refuse(node, fmt::format("a factor varies one of {}", fmt::join(kKinds, ", ")));
+    Factor factor{.name = std::string(in_.tree.key(*kind)),
+                  .what = {},
+                  .levels = {},
+                  .values = {},
+                  .people = {},
+                  .mean = {}};
+    const std::string_view key = in_.tree.key(*kind);
+    if (key == "codes" || key == "people") read_people(node, *kind, factor);
+    if (key == "number") read_number(node, *kind, factor);
+    if (key == "emotion" || key == "control") read_control(node, *kind, factor);
+    if (key == "part") read_part(node, *kind, factor);
+    if (key == "caricature") read_caricature(*kind, factor);
+    if (key == "picture") read_picture(*kind, factor);
+    if (const JsonNode* name = in_.find(node, "name")) factor.name = in_.string(*name);
+    for (const Factor& other : plan_.factors)
+      if (other.name == factor.name)
+        in_.refuse(node, fmt::format("two factors are called {}", in_quotes(factor.name)));
+    plan_.factors.push_back(std::move(factor));
+  }
+
+  void read_people(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
+    factor.kind = FactorKind::person;
+    std::vector<std::string> codes;
+    if (kind.kind == JsonKind::array) {
+      in_.for_each(kind, [&](const JsonNode& code, int) {
+        const auto read = read_face_code(in_.string(code));
+        if (!read) in_.refuse(code, read.error().what);
+        auto recipe = recipe_from_code(*read);
+        if (!recipe) in_.refuse(code, recipe.error().what);
+        factor.people.push_back(*std::move(recipe));
+        factor.levels.push_back(face_code_text(*read));
+      });
+    } else {
+      const JsonNode* seed = in_.find(node, "seed");
+      for (const FaceCode& code :
+           crowd(seed ? in_.string(*seed) : "1", whole(kind, 1, kMostPeople))) {
+        factor.people.push_back(recipe_from_seed(code.seed));
+        factor.levels.push_back(face_code_text(code));
+      }
+    }
+    if (factor.people.empty()) in_.refuse(kind, "nobody is named");
+    factor.mean = mean_of(factor.people);
+    if (const JsonNode* mean = in_.find(node, "mean"); mean && in_.boolean(*mean)) {
+      factor.people.push_back(factor.mean);
+      factor.levels.emplace_back("mean");
+    }
+  }
+
+  void read_number(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
+    const std::vector<PartNumber> numbers = part_numbers();
+    std::vector<std::string_view> names;
+    for (const PartNumber& number : numbers) names.push_back(number.name);
+    const PartNumber& number = numbers[in_.word(kind, "number", names)];
+    factor.what = number.name;
+    read_scale(node, number.lo, number.hi, factor);
+  }
+
+  void read_control(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
+    factor.kind = FactorKind::control;
+    const bool emotion = in_.tree.key(kind) == "emotion";
+    factor.what = (emotion ? "emotion." : "") + std::string(in_.string(kind));
+    factor.name = in_.string(kind);
+    read_scale(node, 0, 1, factor);
+  }
+
+  /// "values": […], or "steps" from "from" to "to", which are in the range and are its ends if not given.
+  void read_scale(const JsonNode& node, double lo, double hi, Factor& factor) const {
+    if (factor.kind == FactorKind::number) factor.name = factor.what;
+    const auto in_range = [&](const JsonNode& at, double value) {
+      if (factor.kind == FactorKind::number && !(value >= lo && value <= hi))
+        in_.refuse(at, fmt::format("{} goes from {} to {}, got {}", factor.what, lo, hi, value));
+      return value;
+    };
+    if (const JsonNode* values = in_.find(node, "values")) {
+      factor.values = in_.numbers(*values, 1, kMostSteps);
+      for (const double value : factor.values) in_range(*values, value);
+    } else {
+      const JsonNode& from = in_.need(node, "steps");
+      const int steps = whole(from, 2, kMostSteps);
+      if (const JsonNode* end = in_.find(node, "from")) lo = in_range(*end, in_.number(*end));
+      if (const JsonNode* end = in_.find(node, "to")) hi = in_range(*end, in_.number(*end));
+      for (int i = 0; i < steps; ++i)
+        factor.values.push_back(i == steps - 1 ? hi : lo + (hi - lo) * i / (steps - 1));
+    }
+    if (const JsonNode* equal = in_.find(node, "equal")) {
+      factor.equal = EqualIn(in_.word(*equal, "measure", kEquals));
+      if (factor.equal != EqualIn::number && factor.values.size() < 2)
+        in_.refuse(*equal, "equal steps have two ends at least");
+    }
+    factor.levels.resize(factor.values.size());
+  }
+
+  void read_part(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
+    const std::vector<PartFamily> families = part_families();
+    std::vector<std::string_view> names;
+    for (const PartFamily& family : families) names.push_back(family.name);
+    const PartFamily& family = families[in_.word(kind, "family of parts", names)];
+    factor.kind = FactorKind::part;
+    factor.name = factor.what = family.name;
+    std::vector<std::string_view> parts(family.parts.begin(), family.parts.end());
+    if (family.optional) parts.push_back("none");
+    const JsonNode* values = in_.find(node, "values");
+    if (!values) {
+      factor.levels.assign(parts.begin(), parts.end());
+      return;
+    }
+    in_.expect(*values, JsonKind::array);
+    in_.for_each(*values, [&](const JsonNode& value, int) {
+      factor.levels.emplace_back(parts[in_.word(value, family.name, parts)]);
+    });
+    if (factor.levels.empty()) in_.refuse(*values, "no part is named");
+  }
+
+  void read_caricature(const JsonNode& kind, Factor& factor) const {
+    const bool people = std::ranges::any_of(plan_.factors, [](const Factor& one) {
+      return one.kind == FactorKind::person && one.people.size() > 1;
+    });
+    if (!people)
+      in_.refuse(kind,
+                 "a caricature leads away from the mean of people: name two or more before it");
+    factor.kind = FactorKind::caricature;
+    factor.values = in_.numbers(kind, 1, kMostSteps);
+    factor.levels.resize(factor.values.size());
+  }
+
+  void read_picture(const JsonNode& kind, Factor& factor) const {
+    factor.kind = FactorKind::picture;
+    in_.expect(kind, JsonKind::array);
+    in_.for_each(kind, [&](const JsonNode& value, int) {
+      const std::size_t word = in_.word(value, "picture", kStimulusPictures);
+      factor.levels.emplace_back(kStimulusPictures[word]);
+      factor.values.push_back(double(word));
+    });
+    if (factor.levels.empty()) in_.refuse(kind, "no picture is named");
+  }
+
+  void read_pairs(const JsonNode& node) {
+    std::vector<std::string_view> names;
+    for (const Factor& factor : plan_.factors) names.push_back(factor.name);
+    plan_.pairs = in_.word(node, "factor", names);
+    Factor& factor = plan_.factors[*plan_.pairs];
+    if (factor.levels.size() < 2)
+      in_.refuse(node, "a pair differs in two levels, and this factor has one");
+  }
+
+  std::uint64_t combinations() const {
+    std::uint64_t all = 1;
+    for (std::size_t i = 0; i < plan_.factors.size(); ++i)
+      if (i != plan_.pairs) all *= plan_.factors[i].levels.size();
+    return all;
+  }
+
+  /// Multiplied as doubles first, which do not overflow here.
+  void check_count(const JsonNode& node) const {
+    double all = plan_.pairs ? 2 : 1;
+    std::string product;
+    for (std::size_t i = 0; i < plan_.factors.size(); ++i) {
+      const std::size_t count = i == plan_.pairs ? 2 : plan_.factors[i].levels.size();
+      if (i != plan_.pairs) all *= double(count);
+      product += fmt::format("{}{}", i > 0 ? " × " : "", count);
+    }
+    if (all > double(kMostStimuli))
+      in_.refuse(node, fmt::format("{} = {:.0f} pictures; a plan has {} at most", product, all,
+                                   kMostStimuli));
+  }
+
+  Reading& in_;
+  const std::filesystem::path& folder_;
+  StimulusPlan plan_;
+};
+
+}  // namespace
+
+Expected<StimulusPlan> read_stimulus_plan(const std::filesystem::path& path,
+                                          std::vector<Error>* warnings) {
+  const FaceLimits limits;
+  const auto text = read_bytes(path, limits.bytes);
+  if (!text) return text.error();
+  const auto tree = JsonTree::read(*text, path.string(), limits);
+  if (!tree) return tree.error();
+  Reading in(*tree, limits, warnings);
+  const std::filesystem::path folder = path.parent_path();
+  try {
+    return PlanReader(in, folder).read(tree->root());
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  }
+}
+
+}  // namespace mien::command
