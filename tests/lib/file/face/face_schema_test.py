@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/face.schema.json takes the sample faces and refuses what the reader refuses.
+"""docs/face.schema.json takes the sample faces, docs/part.schema.json every part; both refuse what the readers refuse.
 
 Exit 77 (skipped) without python3-jsonschema.
 """
@@ -83,6 +83,37 @@ BREAKS = {
 }
 
 
+# Each breaks a sound copy of examples/own_part/fez.part.json.
+PART_BREAKS = {
+    "another format": lambda p: p.update(format="mien-face"),
+    "an unknown key": lambda p: p.update(nmae="x"),
+    "a name with a space": lambda p: p.update(name="red fez"),
+    "a feature without a role": lambda p: p["features"][0].pop("role"),
+    "an unknown key of a feature": lambda p: p["features"][0].update(pionts=[]),
+    "a point of one number": lambda p: p["features"][0]["points"].append([1]),
+    "a point of three numbers": lambda p: p["features"][0]["points"].append([1, 2, 3]),
+    "a point that is nowhere": lambda p: p["features"][0]["points"].append({"plus": [0, 0]}),
+    "an unknown key of a point": lambda p: p["features"][0]["points"].append({"at": "head.chin", "puls": [0, 0]}),
+    "a named point of text": lambda p: p["points"].update(hairline="high"),
+}
+
+
+def part_failures():
+    validator = Draft202012Validator(json.loads((ROOT / "docs/part.schema.json").read_text()))
+    own = ROOT / "examples/own_part/fez.part.json"
+    parts = sorted((ROOT / "parts").glob("*/*/*.part.json")) + [own]
+    assert len(parts) > 100, "where are the parts?"
+    failures = []
+    for part in parts:
+        failures += [f"{part.name}: {error.json_path}: {error.message}" for error in validator.iter_errors(json.loads(part.read_text()))]
+    for what, break_it in PART_BREAKS.items():
+        broken = json.loads(own.read_text())
+        break_it(broken)
+        if validator.is_valid(broken):
+            failures.append(f"the schema of parts takes {what}")
+    return failures
+
+
 def main():
     Draft202012Validator.check_schema(SCHEMA)
     validator = Draft202012Validator(SCHEMA)
@@ -107,6 +138,7 @@ def main():
     for what, change in {"an unknown key": {"prats": {}}, "a number that is none": {"numbers": {"age": "old"}}, "a face in full": {"features": []}}.items():
         if recipe.is_valid(otto | change):
             failures.append(f"the recipe's schema takes {what}")
+    failures += part_failures()
     print("\n".join(failures) or f"{len(SAMPLES)} samples valid, {len(BREAKS)} broken ones refused")
     return bool(failures)
 
