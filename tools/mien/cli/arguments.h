@@ -42,6 +42,7 @@ struct CheckArguments {
   bool nonsense = false;
   std::vector<std::string> people;  ///< after --nonsense: one word at most
   std::optional<std::string> seed;
+  std::vector<std::string> worn;  ///< part files; by all people
   bool json = false;
 };
 
@@ -86,7 +87,12 @@ struct CodeArguments {
 
 /// mien parts.
 struct PartsArguments {
-  std::optional<std::string> family, output;
+  enum class Verb { list, begin, check };
+  Verb verb = Verb::list;
+  std::optional<std::string> family, output;  ///< listed or begun
+  std::string name;                           ///< begun
+  std::vector<std::string> files;             ///< checked
+  std::optional<std::string> people, seed;
 };
 
 /// mien chernoff.

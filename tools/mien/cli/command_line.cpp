@@ -266,7 +266,7 @@ std::vector<const CLI::App*> leaf_commands(const CLI::App& app) {
   std::vector<const CLI::App*> leaves;
   for (const CLI::App* command : visible_commands(app)) {
     const auto inner = visible_commands(*command);
-    if (inner.empty()) leaves.push_back(command);
+    if (command->get_require_subcommand_min() == 0) leaves.push_back(command);
     leaves.insert(leaves.end(), inner.begin(), inner.end());
   }
   return leaves;

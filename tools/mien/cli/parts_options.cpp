@@ -45,6 +45,25 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->add_option("-o,--output", to.output,
                    "Draw them, as 'mien sheet --parts FAMILY' does, instead of listing them")
       ->type_name("FILE");
+  parts->require_subcommand(0, 1);
+  CLI::App* begin =
+      parts->add_subcommand("new", "Begin a part of one's own: a shipped one, explained");
+  begin->parse_complete_callback([&to] { to.verb = PartsArguments::Verb::begin; });
+  begin->add_option("FAMILY", to.family, "Of this family")->required()->type_name("");
+  begin->add_option("NAME", to.name, "What it is called")->required()->type_name("");
+  begin->add_option("-o,--output", to.output, "File to write; default NAME.part.json")
+      ->type_name("FILE");
+  CLI::App* check = parts->add_subcommand(
+      "check",
+      "Let people wear parts of one's own, and say what is wrong with them in some 500 poses");
+  check->parse_complete_callback([&to] { to.verb = PartsArguments::Verb::check; });
+  check->add_option("FILE", to.files, "Part files, all worn at once")
+      ->required()
+      ->type_name("")
+      ->expected(1, 64);
+  check->add_option("--people", to.people, "So many people; default 100")->type_name("N");
+  check->add_option("--seed", to.seed, "The same word, the same people; default 1")
+      ->type_name("WORD");
 }
 
 void add_code(CLI::App& app, CodeArguments& to) {

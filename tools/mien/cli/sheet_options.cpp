@@ -54,9 +54,10 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
       ->type_name("N");
   sheet
       ->add_option("--parts", to.parts,
-                   "Every part of this family, on the same head: a plain one, or FACE's, which is "
-                   "a recipe or a code; 'mien parts' names the families")
-      ->type_name("FAMILY");
+                   "Every part of this family, or of one's own in this file or folder, on the same "
+                   "head: a plain one, or FACE's, which is a recipe or a code; 'mien parts' names "
+                   "the families")
+      ->type_name("FAMILY|FILE|FOLDER");
   sheet->add_option("--seed", to.seed, "The same word, the same people; default 1")
       ->type_name("WORD");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")

@@ -9,6 +9,7 @@
 #include <mien/scene_from_face.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/parts/recipe/own_part.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/sheet_options.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 
 namespace mien::command {
@@ -124,8 +126,59 @@ CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
   return {std::move(cells)};
 }
 
+/// A plain head, all at rest, no glasses or hats, hair that shows the ears; or FACE's.
+Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
+  auto recipe = arguments.face ? read_given_recipe(*arguments.face)
+                               : Recipe{.name = {}, .code = {}, .parts = {{"hair", "crop"}}};
+  if (recipe && arguments.style) recipe->style = *arguments.style;
+  return recipe;
+}
+
+/// One part's pictures on a head, named after it.
+CellsOrCode part_pictures(const SheetArguments& arguments, const Recipe& recipe,
+                          const std::string& part, Size size) {
+  const auto face = face_from_recipe(recipe);
+  if (!face) return {{}, complain(face.error(), kUsedWrongly)};
+  SheetArguments one = arguments;
+  if (one.pictures.empty()) one.pictures.push_back("");
+  one.face = part;
+  CellsOrCode made = picture_cells(one, *face, size);
+  for (SheetCell& cell : made.cells)
+    cell.caption = part + (cell.caption.empty() ? "" : " ") + cell.caption;
+  return made;
+}
+
+/// --parts FILE or FOLDER: parts of one's own, each on one head.
+CellsOrCode own_part_cells(const SheetArguments& arguments, Size size) {
+  std::vector<FoundPart> parts;
+  if (std::filesystem::is_directory(*arguments.parts)) {
+    auto found = read_part_folder(*arguments.parts);
+    if (!found) return {{}, complain(found.error(), kFailed)};
+    parts = *std::move(found);
+  } else {
+    auto found = read_part_file(*arguments.parts);
+    if (!found) return {{}, complain(found.error(), kFailed)};
+    parts.push_back(*std::move(found));
+  }
+  const auto head = head_for_parts(arguments);
+  if (!head) return {{}, complain(head.error(), kFailed)};
+  Cells cells;
+  for (const FoundPart& part : parts) {
+    Recipe recipe = *head;
+    wear(recipe, part);
+    const std::string file = std::filesystem::path(part.part.path).filename().string();
+    CellsOrCode made =
+        part_pictures(arguments, recipe, file.substr(0, file.find(".part.json")), size);
+    if (made.code != kDone) return made;
+    std::ranges::move(made.cells, std::back_inserter(cells));
+  }
+  return {std::move(cells)};
+}
+
 /// --parts: each part of the family on one head, with its name; with --picture, each part at each of them.
 CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
+  std::error_code none;  // says that there is no such file, too
+  if (std::filesystem::exists(*arguments.parts, none)) return own_part_cells(arguments, size);
   const std::vector<PartFamily> families = part_families();
   const auto family = std::ranges::find(families, *arguments.parts, &PartFamily::name);
   if (family == families.end()) {
@@ -135,27 +188,17 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
             complain({"--parts", unknown_name("family", one_line(*arguments.parts, 60), names)},
                      kUsedWrongly)};
   }
-  // A plain head: all at rest, no glasses or hats, hair that shows the ears.
-  auto given = arguments.face ? read_given_recipe(*arguments.face)
-                              : Recipe{.name = {}, .code = {}, .parts = {{"hair", "crop"}}};
+  auto given = head_for_parts(arguments);
   if (!given) return {{}, complain(given.error(), kFailed)};
   Recipe recipe = *std::move(given);
-  if (arguments.style) recipe.style = *arguments.style;
   std::vector<std::string> parts = family->parts;
   if (family->optional) parts.push_back("none");
-  SheetArguments one = arguments;
-  if (one.pictures.empty()) one.pictures.push_back("");
   Cells cells;
   for (const std::string& part : parts) {
     recipe.parts[family->name] = part;
     if (part == "none" && family->optional) recipe.parts.erase(family->name);
-    const auto face = face_from_recipe(recipe);
-    if (!face) return {{}, complain(face.error(), kUsedWrongly)};
-    one.face = part;
-    CellsOrCode made = picture_cells(one, *face, size);
+    CellsOrCode made = part_pictures(arguments, recipe, part, size);
     if (made.code != kDone) return made;
-    for (SheetCell& cell : made.cells)
-      cell.caption = part + (cell.caption.empty() ? "" : " ") + cell.caption;
     std::ranges::move(made.cells, std::back_inserter(cells));
   }
   return {std::move(cells)};

@@ -1,9 +1,11 @@
 // mien new: a face out of parts, by a seed, a code and what is held; its code is printed. mien parts: what there is.
 
+#include <mien/composed_face.h>
 #include <mien/recipe.h>
 #include <mien/relatives.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/parts/recipe/own_part.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/written_file.h"
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 namespace mien::command {
 namespace {
@@ -91,7 +94,41 @@ int new_command(const NewArguments& arguments) {
   return *arguments.output == "-" ? int(kDone) : print(face_code_text(*code) + "\n");
 }
 
+namespace {
+
+int begin_part(const PartsArguments& arguments) {
+  const auto text = part_skeleton(*arguments.family, arguments.name);
+  if (!text) return complain(text.error(), kUsedWrongly);
+  const std::string path = arguments.output.value_or(arguments.name + ".part.json");
+  std::error_code unknown;  // says that there is none, too
+  if (path != "-" && std::filesystem::exists(path, unknown))
+    return complain({path, "is there already"}, kFailed);
+  const auto done =
+      write_file(path, [&](const ByteSink& sink) { return sink(text->data(), text->size()); });
+  return done ? int(kDone) : complain(done.error(), kFailed);
+}
+
+/// Composing the plain face first says what is wrong with the files, in their own places.
+int check_parts(const PartsArguments& arguments) {
+  CheckArguments check{.faces = {}, .people = {arguments.people.value_or("100")}};
+  check.nonsense = true;
+  check.seed = arguments.seed;
+  Recipe plain;
+  for (const std::string& file : arguments.files) {
+    auto part = read_part_file(file);
+    if (!part) return complain(part.error(), kFailed);
+    wear(plain, *part);
+    check.worn.push_back(file);
+  }
+  if (const auto face = face_from_recipe(plain); !face) return complain(face.error(), kFailed);
+  return nonsense_command(check);
+}
+
+}  // namespace
+
 int parts_command(const PartsArguments& arguments) {
+  if (arguments.verb == PartsArguments::Verb::begin) return begin_part(arguments);
+  if (arguments.verb == PartsArguments::Verb::check) return check_parts(arguments);
   if (arguments.output) {
     if (!arguments.family) return complain("-o: a sheet needs a FAMILY", kUsedWrongly);
     SheetArguments sheet;

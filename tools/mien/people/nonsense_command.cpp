@@ -5,6 +5,7 @@
 #include <mien/parallel.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
+#include "lib/parts/recipe/own_part.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
@@ -42,13 +43,21 @@ struct TriedOrCode {
   int code = kDone;
 };
 
-TriedOrCode people_of(std::string_view count_text, const std::string& seed) {
+TriedOrCode people_of(std::string_view count_text, const std::string& seed,
+                      const std::vector<std::string>& worn) {
+  std::vector<FoundPart> parts;
+  for (const std::string& file : worn) {
+    auto part = read_part_file(file);
+    if (!part) return {{}, complain(part.error(), kFailed)};
+    parts.push_back(*std::move(part));
+  }
   const auto count = read_whole("--nonsense", count_text, 1, kMostTried);
   if (!count) return {{}, complain(count.error(), kUsedWrongly)};
   TriedOrCode tried;
   for (long i = 0; i < *count; ++i) {
     Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("{}/{}", seed, i)));
     std::string name = recipe.code;
+    for (const FoundPart& part : parts) wear(recipe, part);
     tried.faces.push_back({.name = std::move(name), .recipe = std::move(recipe)});
   }
   return tried;
@@ -58,7 +67,8 @@ TriedOrCode faces_to_try(const CheckArguments& arguments) {
   std::vector<std::string> names = arguments.people;
   std::erase(names, "");  // --nonsense alone
   if (!names.empty() && looks_like_number(names[0])) {
-    if (arguments.faces.empty()) return people_of(names[0], arguments.seed.value_or("1"));
+    if (arguments.faces.empty())
+      return people_of(names[0], arguments.seed.value_or("1"), arguments.worn);
     return {{}, complain("--nonsense: takes N people or faces, not both", kUsedWrongly)};
   }
   if (arguments.seed) return {{}, complain("--seed: only with N people", kUsedWrongly)};

@@ -1,0 +1,137 @@
+#include "lib/parts/recipe/own_part.h"
+#include "lib/base/nearest_name.h"
+#include "lib/base/one_line.h"
+#include "lib/file/json/json_copy.h"
+#include "lib/file/json/json_text.h"
+#include "lib/file/json/read_bytes.h"
+#include "lib/parts/library/part_library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mien {
+namespace {
+
+constexpr std::string_view kEnd = ".part.json";
+
+/// What a library's part has and one's own has not, and what is written first.
+constexpr std::array<std::string_view, 8> kWrittenOrLeft{
+    "format", "format_version", "family", "name", "number", "tickets", "comment", "features"};
+
+Error unknown_family(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Family& family : PartLibrary::shipped().families()) names.push_back(family.name);
+  return {{}, unknown_name("family of parts", one_line(name, 60), names)};
+}
+
+/// A shipped part without numbers of its own, in the middle between the plainest and the richest: short enough to
+/// read, and with all that its family has.
+const Part* model_of(const Family& family) {
+  std::vector<const Part*> parts;
+  for (const Part& part : family.parts) {
+    const Reading& in = part.at.in();
+    const JsonNode* features = in.find(*part.at.node, "features");
+    if (!in.find(*part.at.node, "numbers") && features && features->count > 0)
+      parts.push_back(&part);
+  }
+  std::ranges::sort(parts, {}, [](const Part* part) { return part->at.file->text.size(); });
+  return parts.empty() ? nullptr : parts[parts.size() / 2];
+}
+
+std::string comment(std::string_view family, std::string_view begun_as) {
+  const std::array<std::string, 5> lines{
+      fmt::format("Begun as the family's \"{}\". docs/parts.md explains every word.", begun_as),
+      "Draw upwards with y and to the right with x. \"half\": true draws one half and its image.",
+      "[x, y, \"bend\"] is a smooth point, [x, y] a corner.",
+      "slot: between which features it is drawn. role: its colour, and how styles paint it.",
+      fmt::format("Look at it: mien sheet --parts FILE -o {}.png. Try it: mien parts check FILE.",
+                  family)};
+  std::string text;
+  for (const std::string& line : lines)
+    text += fmt::format("{}{}", text.empty() ? "[" : ",\n  ", json_string(line));
+  return text + "]";
+}
+
+}  // namespace
+
+Expected<FoundPart> read_part_file(const std::filesystem::path& path) {
+  const FaceLimits limits;
+  auto text = read_bytes(path, limits.bytes);
+  if (!text) return text.error();
+  const auto tree = JsonTree::read(*text, path.string(), limits);
+  if (!tree) return tree.error();
+  const Reading in(*tree, limits, nullptr);
+  try {
+    in.expect(tree->root(), JsonKind::object);
+    const JsonNode& format = in.need(tree->root(), "format");
+    if (in.string(format) != "mien-part")
+      in.refuse(format,
+                fmt::format("expected \"mien-part\", got {}", in_quotes(in.string(format))));
+    const JsonNode& family = in.need(tree->root(), "family");
+    const std::string name(in.string(family));
+    if (!PartLibrary::shipped().find_family(name)) in.refuse(family, unknown_family(name).what);
+    return FoundPart{name, {path.string(), *std::move(text)}};
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  }
+}
+
+Expected<std::vector<FoundPart>> read_part_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::vector<std::filesystem::path> files;
+  for (std::filesystem::directory_iterator at(folder, failed), end; !failed && at != end;
+       at.increment(failed))
+    if (at->path().filename().string().ends_with(kEnd)) files.push_back(at->path());
+  if (failed) return Error{folder.string(), failed.message()};
+  if (files.empty())
+    return Error{folder.string(), fmt::format("no file's name ends with {}", kEnd)};
+  std::ranges::sort(files);
+  std::vector<FoundPart> parts;
+  for (const std::filesystem::path& file : files) {
+    auto part = read_part_file(file);
+    if (!part) return part.error();
+    parts.push_back(*std::move(part));
+  }
+  return parts;
+}
+
+void wear(Recipe& recipe, const FoundPart& part) {
+  const std::string name = std::filesystem::path(part.part.path).filename().string();
+  recipe.parts[part.family] = name;
+  recipe.own_parts[name] = part.part;
+}
+
+Expected<std::string> part_skeleton(std::string_view family_name, std::string_view name) {
+  const Family* family = PartLibrary::shipped().find_family(std::string(family_name));
+  if (!family) return unknown_family(family_name);
+  constexpr std::string_view kSigns = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  if (name.empty() || name.size() > 60 || name.find_first_not_of(kSigns) != std::string_view::npos)
+    return Error{
+        {},
+        fmt::format("a part's name has small letters, digits and _ only, got {}", in_quotes(name))};
+  const Part* model = model_of(*family);
+  if (!model)
+    return Error{{},
+                 fmt::format("parts of family \"{}\" are colours: they draw nothing", family_name)};
+  const Reading& in = model->at.in();
+  std::string text = fmt::format(
+      "{{\"format\": \"mien-part\", \"format_version\": 1, \"family\": {}, \"name\": {},\n",
+      json_string(family_name), json_string(name));
+  text += fmt::format(" \"comment\": {},\n", comment(family_name, model->name));
+  in.for_each(*model->at.node, [&](const JsonNode& member, int) {
+    if (std::ranges::find(kWrittenOrLeft, in.tree.key(member)) != kWrittenOrLeft.end()) return;
+    text += fmt::format(" {}: ", json_string(in.tree.key(member)));
+    add_json(in.tree, member, text);
+    text += ",\n";
+  });
+  text += " \"features\": [";
+  in.for_each(in.need(*model->at.node, "features"), [&](const JsonNode& feature, int i) {
+    text += i > 0 ? ",\n  " : "\n  ";
+    add_json(in.tree, feature, text);
+  });
+  return text + "]}\n";
+}
+
+}  // namespace mien
