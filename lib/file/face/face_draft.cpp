@@ -112,6 +112,13 @@ Index<Channel> FaceDraft::add_channel(Channel channel) {
 void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control) {
   if (!control_by_name.emplace(control.name, Index<Control>{int(model.controls.size())}).second)
     in.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
+  if (control.channels.size() == 2)
+    for (const int half : {0, 1}) {
+      const auto channel = std::size_t(control.channels[std::size_t(half)].at);
+      if (channel_sides.size() <= channel) channel_sides.resize(channel + 1, Side::none);
+      if (channel_sides[channel] == Side::none)
+        channel_sides[channel] = half == 0 ? Side::left : Side::right;
+    }
   model.controls.push_back(std::move(control));
 }
 

@@ -35,6 +35,8 @@ struct FaceDraft {
   FaceVector vector;
   std::unordered_map<std::string, int> feature_by_name;
   std::unordered_map<std::string, Index<Control>> control_by_name;
+  std::vector<Side>
+      channel_sides;  ///< the half of a control that a channel stands for; shorter: none
   /// What the area of a feature is made of, clips and all.
   struct AreaSize {
     int depth;            ///< how many features deep

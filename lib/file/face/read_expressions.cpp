@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -18,7 +20,11 @@ constexpr std::string_view kEmotion = "emotion";
 
 class ExpressionReader {
  public:
-  ExpressionReader(Reading& in, FaceDraft& face) : in_(in), face_(face) {}
+  ExpressionReader(Reading& in, FaceDraft& face) : in_(in), face_(face) {
+    const std::vector<Muscle>& muscles = face.model.muscles.muscles;
+    for (std::size_t m = 0; m < muscles.size(); ++m) muscles_.emplace_back(muscles[m].name, int(m));
+    std::ranges::sort(muscles_);
+  }
 
   /// {NAME: {MUSCLE, CONTROL or EMOTION: amount, …}, …}
   void read_set(const JsonNode& node, std::string_view set) {
@@ -77,12 +83,13 @@ class ExpressionReader {
   bool add_muscles(const JsonNode& node, std::string_view name, Side side, double amount,
                    Expression& expression) const {
     bool found = false;
-    const std::vector<Muscle>& muscles = face_.model.muscles.muscles;
-    for (std::size_t m = 0; m < muscles.size(); ++m)
-      if (muscles[m].name == name && (side == Side::none || muscles[m].side == side)) {
-        expression.pulls.push_back({{int(m)}, amount, muscles[m].side});
-        found = true;
-      }
+    for (auto at = std::ranges::lower_bound(muscles_, std::pair(name, 0));
+         at != muscles_.end() && at->first == name; ++at) {
+      const Muscle& muscle = face_.model.muscles.muscles[std::size_t(at->second)];
+      if (side != Side::none && muscle.side != side) continue;
+      expression.pulls.push_back({{at->second}, amount, muscle.side});
+      found = true;
+    }
     if (found) check_share(node, amount);
     return found;
   }
@@ -122,12 +129,8 @@ class ExpressionReader {
 
   /// The half of a control that a channel stands for.
   Side side_of(Index<Channel> channel) const {
-    for (const Control& control : face_.model.controls)
-      if (control.channels.size() == 2)
-        for (const int half : {0, 1})
-          if (control.channels[std::size_t(half)] == channel)
-            return half == 0 ? Side::left : Side::right;
-    return Side::none;
+    const auto i = std::size_t(channel.at);
+    return i < face_.channel_sides.size() ? face_.channel_sides[i] : Side::none;
   }
 
   std::string unknown(std::string_view name) const {
@@ -139,6 +142,7 @@ class ExpressionReader {
 
   Reading& in_;
   FaceDraft& face_;
+  std::vector<std::pair<std::string_view, int>> muscles_;  ///< by name, then by index
 };
 
 }  // namespace
@@ -149,12 +153,13 @@ void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face) {
 
 void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect(node, JsonKind::object);
+  ExpressionReader reader(in, face);
   in.for_each(node, [&](const JsonNode& set, int) {
     const std::string_view name = in.tree.key(set);
     if (name == "comment") return;
     if (name == kEmotion || name == "muscle" || name.find('.') != std::string_view::npos)
       in.refuse(set, fmt::format("no set of expressions may be called {}", in_quotes(name)));
-    ExpressionReader(in, face).read_set(set, in.name(set, name));
+    reader.read_set(set, in.name(set, name));
   });
 }
 

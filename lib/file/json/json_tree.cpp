@@ -128,7 +128,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
       JsonNode& parent = tree_.nodes[std::size_t(container.node)];
       node.parent = container.node;
       if (parent.kind == JsonKind::object)
-        node.key = key_, node.key_offset = std::uint32_t(key_offset_);
+        tree_.name(node, key_), node.key_offset = std::uint32_t(key_offset_);
       (container.last < 0 ? parent.first : tree_.nodes[std::size_t(container.last)].next) = index;
       container.last = index;
       ++parent.count;
@@ -213,8 +213,9 @@ Expected<JsonTree> JsonTree::read(std::string_view text, std::string_view name,
 
 const JsonNode* JsonTree::member(const JsonNode& object, std::string_view key_wanted) const {
   if (object.kind != JsonKind::object) return nullptr;
+  const std::uint32_t sign = key_sign(key_wanted);
   for (const JsonNode* child = first(object); child; child = next(*child))
-    if (key(*child) == key_wanted) return child;
+    if (child->key_sign == sign && key(*child) == key_wanted) return child;
   return nullptr;
 }
 

@@ -27,10 +27,22 @@ struct JsonNode {
   std::int32_t text = -1;  ///< of a string: index in strings
   std::int32_t key = -1;   ///< of an object's member: index in strings
   std::uint32_t key_offset = 0;
-  std::uint32_t offset = 0;  ///< of its first byte in the text
-  std::int32_t count = 0;    ///< children
+  std::uint32_t offset = 0;    ///< of its first byte in the text
+  std::int32_t count = 0;      ///< children
+  std::uint32_t key_sign = 0;  ///< of an object's member: key_sign() of its key
   JsonKind kind = JsonKind::null;
 };
+
+/// Length and three letters of a key. Keys that differ mostly have other signs, so looking for one seldom reads
+/// another.
+inline std::uint32_t key_sign(std::string_view key) {
+  const auto letter = [&](std::size_t i) {
+    return std::uint32_t(static_cast<unsigned char>(key[i]));
+  };
+  if (key.empty()) return 0;
+  const std::size_t last = key.size() - 1;
+  return std::uint32_t(key.size()) << 24 ^ letter(0) << 16 ^ letter(last / 2) << 8 ^ letter(last);
+}
 
 class JsonTree {
  public:
@@ -54,6 +66,11 @@ class JsonTree {
   const JsonNode* first(const JsonNode& node) const { return at(node.first); }
   const JsonNode* next(const JsonNode& node) const { return at(node.next); }
   const JsonNode* member(const JsonNode& object, std::string_view key) const;
+  /// Says what a node that was just made is called in its object.
+  void name(JsonNode& node, std::int32_t text) const {
+    node.key = text;
+    node.key_sign = key_sign(strings_[std::size_t(text)]);
+  }
   std::string_view key(const JsonNode& node) const { return strings_[std::size_t(node.key)]; }
   std::string_view string(const JsonNode& node) const { return strings_[std::size_t(node.text)]; }
 

@@ -92,10 +92,10 @@ bool Reading::boolean(const JsonNode& node) const {
 
 std::pair<double, double> Reading::range(const JsonNode& node) const {
   expect(node, JsonKind::array);
-  const std::vector<double> ends = numbers(node, 2, 2);
-  if (!(ends[0] < ends[1]))
-    refuse(node, fmt::format("expected two rising numbers, got {} and {}", ends[0], ends[1]));
-  return {ends[0], ends[1]};
+  const glm::dvec2 ends = pair(node);
+  if (!(ends.x < ends.y))
+    refuse(node, fmt::format("expected two rising numbers, got {} and {}", ends.x, ends.y));
+  return {ends.x, ends.y};
 }
 
 std::vector<double> Reading::numbers(const JsonNode& node, int least, int most) const {
@@ -105,6 +105,7 @@ std::vector<double> Reading::numbers(const JsonNode& node, int least, int most) 
   if (node.count < least || node.count > most)
     refuse(node, fmt::format("expected {}, got {}", amount(least, most), node.count));
   std::vector<double> values;
+  values.reserve(std::size_t(node.count));
   for_each(node, [&](const JsonNode& child, int) { values.push_back(number(child)); });
   return values;
 }

@@ -12,7 +12,7 @@ JsonNode& TreeWriter::add(JsonKind kind) {
     Open& container = open_.back();
     JsonNode& parent = tree_.nodes[std::size_t(container.node)];
     node.parent = container.node;
-    if (parent.kind == JsonKind::object) node.key = key_;
+    if (parent.kind == JsonKind::object) tree_.name(node, key_);
     (container.last < 0 ? parent.first : tree_.nodes[std::size_t(container.last)].next) = index;
     container.last = index;
     ++parent.count;
