@@ -1,5 +1,5 @@
 #pragma once
-// The sample faces in poses that judges look at.
+// The faces of faces/compat/ in poses that judges look at.
 
 #include <mien/mien.h>
 

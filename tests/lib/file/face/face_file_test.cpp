@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/face_path.h"
 #include "tests/support/face_text.h"
 
 namespace mien {
@@ -24,7 +25,7 @@ using test::take_mark;
 constexpr const char* kSamples[] = {"seed0", "toon", "male", "bruno", "clay"};
 
 std::string path_of(const std::string& name) {
-  return MIEN_SOURCE_DIR "/faces/" + name + ".face.json";
+  return test::face_path(name);
 }
 
 const std::string kIris =

@@ -17,7 +17,7 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 SCHEMA = json.loads((ROOT / "docs/face.schema.json").read_text())
-SAMPLES = sorted((ROOT / "faces").glob("*.face.json"))
+SAMPLES = sorted((ROOT / "faces/compat").glob("*.face.json"))
 
 
 def feature(face, name):
@@ -34,7 +34,7 @@ def primitive(name):
     return copy.deepcopy(next(f for f in primitives() if f["name"] == name))
 
 
-# Each breaks a sound copy of faces/toon.face.json.
+# Each breaks a sound copy of faces/compat/toon.face.json.
 BREAKS = {
     "a missing canvas": lambda f: f.pop("canvas"),
     "another format": lambda f: f.update(format="svg"),
@@ -91,7 +91,7 @@ def main():
     for sample in SAMPLES:
         for error in validator.iter_errors(json.loads(sample.read_text())):
             failures.append(f"{sample.name}: {error.json_path}: {error.message}")
-    toon = json.loads((ROOT / "faces/toon.face.json").read_text())
+    toon = json.loads((ROOT / "faces/compat/toon.face.json").read_text())
     known = toon | {"features": toon["features"] + primitives()}
     assert len(primitives()) >= 14, "where are the primitives?"
     failures += [f"primitives: {error.json_path}: {error.message}" for error in validator.iter_errors(known)]
