@@ -1,7 +1,7 @@
 #pragma once
 // mien: a face goes in on the left, pixels come out on the right.
 //
-//   const auto face  = mien::read_face("faces/compat/toon.face.json");               // file  -> Face
+//   const auto face  = mien::read_face("faces/toon.face.json");               // file  -> Face
 //   const auto posed = mien::pose_face(*face, {.time = 1.25});                // Face  -> Face
 //   const auto scene = mien::scene_from_face(posed);                          // Face  -> Scene
 //   const auto image = mien::render(scene, {.width = 7680, .height = 4320});  // Scene -> Image

@@ -1,6 +1,6 @@
 // One buffer, many frames: how much of the picture a blink changes, frame by frame, as a bar chart.
 //
-//   example_blink faces/compat/toon.face.json
+//   example_blink faces/toon.face.json
 #include <mien/mien.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// A face file in, a still out:   example_still faces/compat/toon.face.json toon.png
+// A face file in, a still out:   example_still faces/toon.face.json toon.png
 #include <mien/mien.h>
 #include <mien/write.h>
 

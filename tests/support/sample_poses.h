@@ -1,5 +1,5 @@
 #pragma once
-// The faces of faces/compat/ in poses that judges look at.
+// The sample faces in poses that judges look at.
 
 #include <mien/mien.h>
 
@@ -8,7 +8,8 @@
 
 namespace mien::test {
 
-inline constexpr const char* kSampleFaces[] = {"seed0", "male", "toon", "bruno", "clay"};
+inline constexpr const char* kSampleFaces[] = {"seed0", "male",       "toon",        "bruno",
+                                               "clay",  "faces/toon", "faces/bruno", "faces/clay"};
 
 struct NamedPose {
   std::string name;  ///< "rest", "joy", "anger", "surprise", "blink_half", "blink", "turn_left", …

@@ -18,6 +18,7 @@ except ImportError:
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 SCHEMA = json.loads((ROOT / "docs/face.schema.json").read_text())
 SAMPLES = sorted((ROOT / "faces/compat").glob("*.face.json"))
+RECIPES = [*sorted((ROOT / "faces").glob("*.face.json")), ROOT / "examples/own_part/mina.face.json"]
 
 
 def feature(face, name):
@@ -104,10 +105,13 @@ def main():
     page = (ROOT / "docs/parts.md").read_text()
     otto = json.loads(page.split("```json\n")[1].split("```")[0])
     failures += [f"docs/parts.md: {error.message}" for error in recipe.iter_errors(otto)]
+    assert len(RECIPES) >= 4, "where are the recipes?"
+    for path in RECIPES:
+        failures += [f"{path.name}: {error.json_path}: {error.message}" for error in recipe.iter_errors(json.loads(path.read_text()))]
     for what, change in {"an unknown key": {"prats": {}}, "a number that is none": {"numbers": {"age": "old"}}, "a face in full": {"features": []}}.items():
         if recipe.is_valid(otto | change):
             failures.append(f"the recipe's schema takes {what}")
-    print("\n".join(failures) or f"{len(SAMPLES)} samples valid, {len(BREAKS)} broken ones refused")
+    print("\n".join(failures) or f"{len(SAMPLES)} samples and {len(RECIPES)} recipes valid, {len(BREAKS)} broken ones refused")
     return bool(failures)
 
 
