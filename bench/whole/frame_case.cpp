@@ -59,7 +59,7 @@ std::vector<FrameCase> reuse_cases() {
 }
 
 std::string face_path(const FrameCase& c) {
-  return std::string(MIEN_SOURCE_DIR) + "/faces/" + c.face + ".face.json";
+  return std::string(MIEN_SOURCE_DIR) + "/faces/compat/" + c.face + ".face.json";
 }
 
 Subject::Subject(const FrameCase& c) : face_(*read_face(face_path(c))), reliefs_(c.reliefs) {

@@ -1,7 +1,7 @@
 #pragma once
 // What is drawn: a face at a pose, at one size, and the same never twice.
 //
-// Scene A is the eyes (faces/seed0, gaze (0.03, −0.02)), B the male face at rest, C toon, D bruno,
+// Scene A is the eyes (faces/compat/seed0, gaze (0.03, −0.02)), B the male face at rest, C toon, D bruno,
 // E clay, F bruno without reliefs. B and E are square pictures, the others wide ones.
 
 #include <mien/mien.h>
@@ -14,7 +14,7 @@ namespace mien::bench {
 
 struct FrameCase {
   char scene;
-  const char* face;                   ///< its file is faces/NAME.face.json
+  const char* face;                   ///< its file is faces/compat/NAME.face.json
   std::vector<const char*> settings;  ///< as `mien render --set` takes them
   bool reliefs;                       ///< false: taken out of the scene
   int width, height;

@@ -14,7 +14,7 @@ constexpr std::string_view kHelp =
        [--reuse | --old PROGRAM | --blend linear --depth 16|float | --thumbnails]
 
 Whole frames beside Cairo and beside the floor, in turns in one process: medians and ratios.
-Scenes: A seed0, B male, C toon, D bruno, E clay, F bruno without reliefs.
+Scenes: A seed0, B male, C toon, D bruno, E clay, F bruno without reliefs, all of faces/compat/.
 
 Frames are cold: each is of a face whose points and lengths are all a hundred-thousandth smaller
 than in the frame before, so nothing made for one is of use for the next, and the renderer keeps no

@@ -15,12 +15,13 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/face_path.h"
 #include "tests/support/rendered.h"
 
 namespace mien {
 namespace {
 
-const std::string kFace = MIEN_SOURCE_DIR "/faces/toon.face.json";
+const std::string kFace = test::face_path("toon");
 
 Face toon() {
   auto face = read_face(kFace);

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/face_path.h"
 #include "tests/support/faces.h"
 #include "tests/support/rendered.h"
 
@@ -112,7 +113,7 @@ TEST(Bulge, Of0IsTheSameBytesAsWithout_C1) {
 /// A bulge held at a value is that bulge in the face file.
 TEST(Bulge, HeldAtAValueIsThatBulgeInTheFile_C1) {
   for (const char* value : {"0", "0.012"}) {
-    std::ifstream file(MIEN_SOURCE_DIR "/faces/toon.face.json");
+    std::ifstream file(test::face_path("toon"));
     std::string text{std::istreambuf_iterator<char>(file), {}};
     const Face face = *read_face_text(text);
     const std::string name = "\"bulge\": ";

@@ -17,7 +17,8 @@
 namespace mien {
 namespace {
 
-constexpr const char* kFaces[] = {"seed0", "toon", "male", "bruno", "clay"};
+constexpr const char* kFaces[] = {"seed0", "toon",       "male",        "bruno",
+                                  "clay",  "faces/toon", "faces/bruno", "faces/clay"};
 
 Scene posed_scene(const char* name, const std::vector<std::string>& settings = {}) {
   return scene_from_face(test::posed(test::face_named(name), settings));

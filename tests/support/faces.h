@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/face_path.h"
+
 namespace mien::test {
 
 inline Face face_named(const std::string& name) {
-  auto face = read_face(MIEN_SOURCE_DIR "/faces/" + name + ".face.json");
+  auto face = read_face(face_path(name));
   if (!face) throw std::runtime_error(sentence(face.error()));
   return *face;
 }

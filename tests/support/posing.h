@@ -13,16 +13,18 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/face_path.h"
+
 namespace mien::test {
 
 inline Face sample_face(const std::string& name) {
-  const Expected<Face> face = read_face(MIEN_SOURCE_DIR "/faces/" + name + ".face.json");
+  const Expected<Face> face = read_face(face_path(name));
   if (!face) throw std::runtime_error(sentence(face.error()));
   return *face;
 }
 
 inline std::string text_of_face(const std::string& name) {
-  std::ifstream file(MIEN_SOURCE_DIR "/faces/" + name + ".face.json");
+  std::ifstream file(face_path(name));
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

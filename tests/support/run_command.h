@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/face_path.h"
 #include "tests/support/scratch_folder.h"
 
 namespace mien::test {
@@ -76,11 +77,6 @@ inline Process start_mien(std::vector<std::string> arguments, const std::string&
 inline Ran run_mien(const std::vector<std::string>& arguments, const std::string& out = {},
                     const std::vector<std::string>& environment = {}) {
   return start_mien(arguments, out, environment).wait();
-}
-
-/// A sample face's path.
-inline std::string face_path(const std::string& name) {
-  return std::string(MIEN_SOURCE_DIR) + "/faces/" + name + ".face.json";
 }
 
 }  // namespace mien::test

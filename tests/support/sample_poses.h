@@ -8,7 +8,8 @@
 
 namespace mien::test {
 
-inline constexpr const char* kSampleFaces[] = {"seed0", "male", "toon", "bruno", "clay"};
+inline constexpr const char* kSampleFaces[] = {"seed0", "male",       "toon",        "bruno",
+                                               "clay",  "faces/toon", "faces/bruno", "faces/clay"};
 
 struct NamedPose {
   std::string name;  ///< "rest", "joy", "anger", "surprise", "blink_half", "blink", "turn_left", …

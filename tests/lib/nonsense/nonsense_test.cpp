@@ -202,6 +202,13 @@ TEST_F(Nonsense, FindsNothingUnderHats) {
   }
 }
 
+TEST_F(Nonsense, FindsNothingInTheSampleRecipes) {
+  for (const char* name : {"faces/toon", "faces/bruno", "faces/clay"})
+    for (const NonsenseFault& fault : test_.faults(test::sample_face(name)))
+      ADD_FAILURE() << name << " " << fault.check << " at " << fault.pose << ", " << fault.what
+                    << ": " << fault.measured << ", allowed " << fault.allowed;
+}
+
 TEST_F(Nonsense, TakesFacesThatLackFeatures) {
   for (const char* name : {"seed0", "male"}) test_.faults(test::sample_face(name));
 }

@@ -10,12 +10,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/support/face_path.h"
+
 namespace mien {
 namespace {
 
 Face sample(const std::string& name) {
-  const Expected<Face> face =
-      read_face(std::string(MIEN_SOURCE_DIR "/faces/") + name + ".face.json");
+  const Expected<Face> face = read_face(test::face_path(name));
   if (!face) throw std::runtime_error(sentence(face.error()));
   return *face;
 }

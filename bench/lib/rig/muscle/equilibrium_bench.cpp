@@ -17,7 +17,7 @@ namespace mien {
 namespace {
 
 Face male() {
-  const auto face = read_face("faces/male.face.json");
+  const auto face = read_face("faces/compat/male.face.json");
   if (!face) std::abort();  // run it in the tree's root
   return *face;
 }

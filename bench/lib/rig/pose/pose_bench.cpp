@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 Face face_named(const char* name) {
-  return *read_face(std::string(MIEN_SOURCE_DIR "/faces/") + name + ".face.json");
+  return *read_face(std::string(MIEN_SOURCE_DIR "/faces/compat/") + name + ".face.json");
 }
 
 /// Everything the eyes can do at once.

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/face_path.h"
 #include "tests/support/face_text.h"
 
 namespace mien {
@@ -24,7 +25,7 @@ using test::take_mark;
 constexpr const char* kSamples[] = {"seed0", "toon", "male", "bruno", "clay"};
 
 std::string path_of(const std::string& name) {
-  return MIEN_SOURCE_DIR "/faces/" + name + ".face.json";
+  return test::face_path(name);
 }
 
 const std::string kIris =
@@ -50,6 +51,24 @@ TEST(ReadFace, ReadsTheSamplesWithoutAWarning_E15) {
     EXPECT_EQ(face->model->name, name);
     EXPECT_FALSE(face->model->credit.empty());
     EXPECT_EQ(face->vector.size(), face->model->layout.size());
+  }
+}
+
+/// They can do what the faces of version 1 could.
+TEST(ReadFace, ReadsTheSampleRecipesWithoutAWarning) {
+  for (const char* name : {"toon", "bruno", "clay"}) {
+    SCOPED_TRACE(name);
+    std::vector<Error> warnings;
+    const Expected<Face> face = read_face(path_of(std::string("faces/") + name), {}, &warnings);
+    ASSERT_TRUE(face) << sentence(face.error());
+    for (const Error& warning : warnings) ADD_FAILURE() << sentence(warning);
+    EXPECT_EQ(face->model->name, name);
+    for (const char* setting : {"gaze.x=0.04", "gaze.y=0.02", "blink.left=1", "yaw=20", "pitch=-20",
+                                "emotion.left.surprise=0.3"})
+      EXPECT_TRUE(read_setting(*face, setting)) << setting;
+    EXPECT_TRUE(read_look_at(*face, "0.5,0.3,1"));
+    ASSERT_TRUE(face->model->default_clip);
+    EXPECT_EQ(face->model->default_clip.in(face->model->clips).name, "idle");
   }
 }
 

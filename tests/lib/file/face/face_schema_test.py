@@ -17,7 +17,8 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 SCHEMA = json.loads((ROOT / "docs/face.schema.json").read_text())
-SAMPLES = sorted((ROOT / "faces").glob("*.face.json"))
+SAMPLES = sorted((ROOT / "faces/compat").glob("*.face.json"))
+RECIPES = [*sorted((ROOT / "faces").glob("*.face.json")), ROOT / "examples/own_part/mina.face.json"]
 
 
 def feature(face, name):
@@ -34,7 +35,7 @@ def primitive(name):
     return copy.deepcopy(next(f for f in primitives() if f["name"] == name))
 
 
-# Each breaks a sound copy of faces/toon.face.json.
+# Each breaks a sound copy of faces/compat/toon.face.json.
 BREAKS = {
     "a missing canvas": lambda f: f.pop("canvas"),
     "another format": lambda f: f.update(format="svg"),
@@ -122,7 +123,7 @@ def main():
     for sample in SAMPLES:
         for error in validator.iter_errors(json.loads(sample.read_text())):
             failures.append(f"{sample.name}: {error.json_path}: {error.message}")
-    toon = json.loads((ROOT / "faces/toon.face.json").read_text())
+    toon = json.loads((ROOT / "faces/compat/toon.face.json").read_text())
     known = toon | {"features": toon["features"] + primitives()}
     assert len(primitives()) >= 14, "where are the primitives?"
     failures += [f"primitives: {error.json_path}: {error.message}" for error in validator.iter_errors(known)]
@@ -135,11 +136,14 @@ def main():
     page = (ROOT / "docs/parts.md").read_text()
     otto = json.loads(page.split("```json\n")[1].split("```")[0])
     failures += [f"docs/parts.md: {error.message}" for error in recipe.iter_errors(otto)]
+    assert len(RECIPES) >= 4, "where are the recipes?"
+    for path in RECIPES:
+        failures += [f"{path.name}: {error.json_path}: {error.message}" for error in recipe.iter_errors(json.loads(path.read_text()))]
     for what, change in {"an unknown key": {"prats": {}}, "a number that is none": {"numbers": {"age": "old"}}, "a face in full": {"features": []}}.items():
         if recipe.is_valid(otto | change):
             failures.append(f"the recipe's schema takes {what}")
     failures += part_failures()
-    print("\n".join(failures) or f"{len(SAMPLES)} samples valid, {len(BREAKS)} broken ones refused")
+    print("\n".join(failures) or f"{len(SAMPLES)} samples and {len(RECIPES)} recipes valid, {len(BREAKS)} broken ones refused")
     return bool(failures)
 
 

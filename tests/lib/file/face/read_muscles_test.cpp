@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/support/effort.h"
+#include "tests/support/face_path.h"
 
 namespace mien {
 namespace {
@@ -111,7 +112,7 @@ TEST(ReadMuscles, ExpressionsPullMusclesMoveControlsAndShareEmotions) {  // M10
 
 TEST(ReadMuscles, ReadsTheNativeFaceWithoutAWarning) {
   std::vector<Error> warnings;
-  const Expected<Face> face = read_face(MIEN_SOURCE_DIR "/faces/bruno.face.json", {}, &warnings);
+  const Expected<Face> face = read_face(test::face_path("bruno"), {}, &warnings);
   ASSERT_TRUE(face) << sentence(face.error());
   for (const Error& warning : warnings) ADD_FAILURE() << sentence(warning);
   for (const std::string_view set : {"arkit", "vrm", "viseme"})
@@ -126,7 +127,7 @@ TEST(ReadMuscles, ReadsTheNativeFaceWithoutAWarning) {
 
 /// Truncations and bytes changed, here and there: a face or an error.
 TEST(ReadMuscles, SurvivesDamage) {
-  std::ifstream file(MIEN_SOURCE_DIR "/faces/male.face.json");
+  std::ifstream file(test::face_path("male"));
   std::stringstream all;
   all << file.rdbuf();
   std::string text = all.str();

@@ -90,7 +90,7 @@ constexpr char kBytes[] = {'\0', '"', '[', '}', '-', '9', 'e', ',', ' ', '\\', '
 std::vector<std::string> damaged_faces() {
   if (!std::getenv("MIEN_EVERY_BYTE")) return {"seed0", "toon", "male"};
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(MIEN_SOURCE_DIR "/faces")) {
+  for (const auto& entry : std::filesystem::directory_iterator(MIEN_SOURCE_DIR "/faces/compat")) {
     const std::string name = entry.path().filename().string();
     if (name.ends_with(".face.json")) names.push_back(name.substr(0, name.find('.')));
   }

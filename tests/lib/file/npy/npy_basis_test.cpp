@@ -7,6 +7,7 @@
 #include <mien/npy_basis.h>
 #include <mien/pose.h>
 
+#include "tests/support/face_path.h"
 #include "tests/support/scratch_folder.h"
 
 namespace mien {
@@ -15,7 +16,7 @@ namespace {
 using test::ScratchFolder;
 
 Face toon() {
-  auto face = read_face(MIEN_SOURCE_DIR "/faces/toon.face.json");
+  auto face = read_face(test::face_path("toon"));
   EXPECT_TRUE(face);
   return *face;
 }
@@ -103,7 +104,7 @@ TEST(NpyBasis, AFacePosedByItsBasisIsTheClip) {
 
 TEST(NpyBasis, AnotherFacesBasisIsRefused) {
   const BasisFile file = basis_of_clip(toon(), 10, 2);
-  auto other = read_face(MIEN_SOURCE_DIR "/faces/seed0.face.json");
+  auto other = read_face(test::face_path("seed0"));
   ASSERT_TRUE(other);
   const auto basis = face_basis(file, *other);
   ASSERT_FALSE(basis);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/support/effort.h"
+#include "tests/support/face_path.h"
 #include "tests/support/faces.h"
 #include "tests/support/muscle_reference.h"
 #include "tests/support/random.h"
@@ -16,7 +17,7 @@
 namespace mien {
 namespace {
 
-const std::string kMale = MIEN_SOURCE_DIR "/faces/male.face.json";
+const std::string kMale = test::face_path("male");
 
 glm::dvec2 point_of(const Face& face, const std::string& slice) {
   const int found = face.model->layout.find(slice);

@@ -10,13 +10,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/face_path.h"
 #include "tests/support/faces.h"
 #include "tests/support/muscle_reference.h"
 
 namespace mien {
 namespace {
 
-const std::string kMaleInMotion = MIEN_SOURCE_DIR "/faces/male.face.json";
+const std::string kMaleInMotion = test::face_path("male");
 
 /// The male face with a clip.
 Face male_with(const std::string& clip) {
