@@ -29,7 +29,7 @@ const Wrong kWrongs[] = {
     {{},
      2,
      "a command is needed: render, check, scene, list, bench, animate, morph, mesh, pca, import, "
-     "fit, sheet, new, code, parts; "
+     "fit, sheet, new, code, parts, chernoff, stimuli; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},

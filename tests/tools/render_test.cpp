@@ -60,7 +60,7 @@ TEST(Render, EverySampleFaceInItsOwnAspect) {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with(".face.json")) continue;
     const Picture picture =
-        render(folder, name + ".png", name.substr(0, name.find('.')), {"--size", "120"});
+        render(folder, name + ".png", "faces/" + name.substr(0, name.find('.')), {"--size", "120"});
     const auto face = read_face(entry.path());
     ASSERT_TRUE(face) << name;
     const glm::dvec2 box = face->model->canvas.box.size(), sides{picture.width, picture.height};

@@ -325,7 +325,7 @@ class LiteralReader {
     node.parent = container.node;
     JsonNode& parent = tree_.nodes[std::size_t(container.node)];
     if (parent.kind == JsonKind::object)
-      node.key = key_, node.key_offset = std::uint32_t(key_offset_);
+      tree_.name(node, key_), node.key_offset = std::uint32_t(key_offset_);
     (container.last < 0 ? parent.first : tree_.nodes[std::size_t(container.last)].next) = index;
     container.last = index;
     ++parent.count;
