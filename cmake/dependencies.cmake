@@ -1,17 +1,24 @@
 # Every library mien stands on. A parent project must see the targets too, since the core links to them.
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
-find_package(glm REQUIRED)                      # vectors, in public headers
-find_package(Eigen3 REQUIRED NO_MODULE)         # lib/math, in .cpp files only
-find_package(hwy REQUIRED)                      # SIMD, in -inl.h and _simd.cpp only
-find_package(TBB REQUIRED)                      # threads, in lib/base/parallel.cpp only
-find_package(nlohmann_json REQUIRED)            # JSON, in lib/file only
-find_package(fmt REQUIRED)                      # text
+if(MIEN_HEADER_ONLY_DEPENDENCIES)
+  include(cmake/header_only.cmake)
+else()
+  find_package(glm REQUIRED)                    # vectors, in public headers
+  find_package(Eigen3 REQUIRED NO_MODULE)       # lib/math, in .cpp files only
+  find_package(hwy REQUIRED)                    # SIMD, in -inl.h and _simd.cpp only
+  find_package(nlohmann_json REQUIRED)          # JSON, in lib/file only
+  find_package(fmt REQUIRED)                    # text
+endif()
+if(MIEN_WITH_THREADS)
+  find_package(TBB REQUIRED)                    # threads, in lib/base/parallel.cpp only
+  set(MIEN_THREADS TBB::tbb)
+endif()
 if(MIEN_BUILD_TEXT)
   find_package(PkgConfig REQUIRED)              # outlines of text, in sdf/from_text only
   pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET GLOBAL freetype2)
 endif()
-find_path(MIEN_TINYOBJ tiny_obj_loader.h REQUIRED)  # OBJ files, in lib/file only; a header
+find_path(MIEN_TINYOBJ tiny_obj_loader.h PATHS /usr/include REQUIRED NO_CMAKE_FIND_ROOT_PATH)  # OBJ files, in lib/file only; a header
 if(MIEN_BUILD_IMAGE)
   find_package(PkgConfig REQUIRED)              # image files, in render/image only;
   pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET GLOBAL libdeflate)     # PNG, and TIFF's tiles

@@ -1,8 +1,8 @@
 #pragma once
 // A 64-bit hash of data: different data practically never share one.
 
-#include <bit>
 #include <cstdint>
+#include "lib/base/bit_cast.h"
 
 namespace mien {
 
@@ -19,7 +19,7 @@ class Fingerprint {
   }
   void add(int number) { add(std::uint64_t(std::int64_t(number))); }
   void add(bool yes) { add(std::uint64_t(yes)); }
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }  ///< −0 and 0 differ
+  void add(double number) { add(mien::bit_cast<std::uint64_t>(number)); }  ///< −0 and 0 differ
 
   std::uint64_t value() const { return value_; }
 

@@ -1,8 +1,10 @@
 #include <mien/parallel.h>
 
+#ifndef MIEN_WITHOUT_THREADS
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#endif
 
 #include <algorithm>
 
@@ -25,7 +27,13 @@
 
 namespace mien {
 
-#ifdef MIEN_PLAIN_THREADS
+#ifdef MIEN_WITHOUT_THREADS
+void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job) {
+  if (count <= 0) return;
+  if (threads.executor) return threads.executor(count, job);
+  for (int i = 0; i < count; ++i) job(i);
+}
+#elif defined(MIEN_PLAIN_THREADS)
 void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job) {
   if (count <= 0) return;
   if (threads.executor) return threads.executor(count, job);

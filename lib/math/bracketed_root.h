@@ -2,10 +2,10 @@
 // One root between two numbers at which a function has opposite signs: Newton's method, with halving where
 // it is slow.
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include "lib/base/bit_cast.h"
 
 namespace mien {
 
@@ -18,12 +18,12 @@ struct ValueSlope {
 /// reaches neighbours in at most 64 steps, however far apart lo and hi are.
 inline double middle_by_rank(double lo, double hi) {
   const auto rank = [](double x) {
-    const auto bits = std::bit_cast<std::int64_t>(x);
+    const auto bits = mien::bit_cast<std::int64_t>(x);
     return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
   };
   const std::int64_t a = rank(lo), b = rank(hi), down = (a & b) + ((a ^ b) >> 1);
   const std::int64_t m = down < 0 ? down + ((a ^ b) & 1) : down;  // towards 0: mirror images alike
-  return std::bit_cast<double>(m < 0 ? std::numeric_limits<std::int64_t>::min() - m : m);
+  return mien::bit_cast<double>(m < 0 ? std::numeric_limits<std::int64_t>::min() - m : m);
 }
 
 /// A root of f in (lo, hi), where f has the sign of `sign_lo` at lo and the opposite one at hi. `f` maps x

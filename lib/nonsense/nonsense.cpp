@@ -79,7 +79,8 @@ struct NonsenseTest::Feelings {
   std::array<std::vector<double>, kNonsenseFeelings.size()> moves;
 
   void check(NonsenseSight& sight) const {
-    const auto own = std::ranges::find(kNonsenseFeelings, sight.pose.feeling);
+    const auto own =
+        std::find(kNonsenseFeelings.begin(), kNonsenseFeelings.end(), sight.pose.feeling);
     const std::vector<double> now = moved(sight.rest.face, sight.posed);
     if (own == kNonsenseFeelings.end() || now.empty()) return;
     const auto index = std::size_t(own - kNonsenseFeelings.begin());

@@ -49,8 +49,8 @@ class PoseList {
 
  private:
   int find(std::string_view name) const {
-    const auto found =
-        std::ranges::find_if(model_.controls, [&](const Control& c) { return c.name == name; });
+    const auto found = std::find_if(model_.controls.begin(), model_.controls.end(),
+                                    [&](const Control& c) { return c.name == name; });
     return found == model_.controls.end() ? -1 : int(found - model_.controls.begin());
   }
   const Channel& channel_of(int control) const {

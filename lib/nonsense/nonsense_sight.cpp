@@ -39,13 +39,13 @@ Hiding hiding_of(const Face& face, const Feature& feature, bool skin_too) {
   if (feature.paint >= 0) return hides_by(feature.paint) ? Hiding::all : Hiding::none;
   if (!feature.gradient) return Hiding::none;
   const std::vector<int>& colors = feature.gradient.in(model.gradients).colors;
-  if (std::ranges::all_of(colors, hides_by)) return Hiding::all;
-  return std::ranges::any_of(colors, hides_by) ? Hiding::part : Hiding::none;
+  if (std::all_of(colors.begin(), colors.end(), hides_by)) return Hiding::all;
+  return std::any_of(colors.begin(), colors.end(), hides_by) ? Hiding::part : Hiding::none;
 }
 
 bool begins_with_any(std::string_view name, std::initializer_list<std::string_view> begins) {
-  return std::ranges::any_of(begins,
-                             [&](std::string_view begin) { return name.starts_with(begin); });
+  return std::any_of(begins.begin(), begins.end(),
+                     [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
 bool is_glasses(std::string_view name) {
@@ -100,9 +100,10 @@ KnownFeatures::KnownFeatures(const Face& face) {
         if (over_brows && brow[s] >= 0 && i > brow[s]) over_brow[s].push_back(i);
     }
     // What is clipped to a feature stays in it; an area without a paint only makes room.
-    const bool clipped = std::ranges::any_of(feature.clips, [&](const FeatureClip& clip) {
-      return !clip.outside && clip.feature.in(model.features).painted();
-    });
+    const bool clipped =
+        std::any_of(feature.clips.begin(), feature.clips.end(), [&](const FeatureClip& clip) {
+          return !clip.outside && clip.feature.in(model.features).painted();
+        });
     if (clipped) continue;
     if ((head >= 0 && i >= head) || begins_with_any(name, {"ear", "hearing"})) framed.push_back(i);
     if (std::holds_alternative<PathFigure>(feature.figure) && name != "mouth") looped.push_back(i);

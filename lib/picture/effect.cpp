@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 #include <vector>
+#include "lib/base/from_chars.h"
 
 namespace mien {
 namespace {
@@ -17,7 +17,7 @@ template <class Number>
 std::optional<Number> number(std::string_view text, Number least, Number most) {
   Number value{};
   const char* const end = text.data() + text.size();
-  const auto [at, failed] = std::from_chars(text.data(), end, value);
+  const auto [at, failed] = from_chars(text.data(), end, value);
   if (failed != std::errc{} || at != end || !(value >= least && value <= most)) return {};
   return value;
 }

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "render/cover/row_roots.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -116,7 +117,7 @@ HWY_EXPORT(Roots);
 }  // namespace batch
 
 void row_roots(const OutlinePiece& piece, const RowRange& range, RowRoots& to) {
-  HWY_DYNAMIC_DISPATCH(batch::Roots)(piece, range, to);
+  MIEN_DISPATCH(Roots)(piece, range, to);
 }
 
 }  // namespace mien

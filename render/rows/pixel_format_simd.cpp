@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include "render/blend/transfer-inl.h"
 #include "render/rows/pixel_format.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <cstring>
 
@@ -88,7 +89,7 @@ HWY_EXPORT(PutPixels);
 }  // namespace batch
 
 void put_pixels(const PixelWork& work) {
-  HWY_DYNAMIC_DISPATCH(batch::PutPixels)(work);
+  MIEN_DISPATCH(PutPixels)(work);
 }
 
 }  // namespace mien

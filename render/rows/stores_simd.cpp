@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "render/rows/stores.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <cstdint>
 #include <cstring>
@@ -53,7 +54,7 @@ HWY_EXPORT(FillRun);
 
 void fill_run(std::byte* to, int count, const RunPattern& pattern, std::size_t bytes,
               Stores stores) {
-  HWY_DYNAMIC_DISPATCH(batch::FillRun)
+  MIEN_DISPATCH(FillRun)
   (reinterpret_cast<std::uint8_t*>(to), std::size_t(count) * bytes,
    reinterpret_cast<const std::uint8_t*>(pattern.data()), bytes, stores == Stores::streamed);
 }

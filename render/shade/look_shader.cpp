@@ -133,13 +133,14 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
   else
     whole_cells(side, cells_);
   // Under a ramp whose opacity varies, lower layers count place by place.
-  each_ = std::ranges::any_of(looks_->steps(look), [&](const LookStep& step) {
-    const auto fades = [&] {
-      const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-      return varied.paint.ramp && !varied.dense && looks_->segment(step).slope.a != 0.0;
-    };
-    return step.kind == Kind::paint && fades();
-  });
+  each_ = std::any_of(
+      looks_->steps(look).begin(), looks_->steps(look).end(), [&](const LookStep& step) {
+        const auto fades = [&] {
+          const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+          return varied.paint.ramp && !varied.dense && looks_->segment(step).slope.a != 0.0;
+        };
+        return step.kind == Kind::paint && fades();
+      });
   const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
   glm::vec4 sum{0.0f};
   float area = 0.0f;

@@ -1,8 +1,8 @@
 #include "render/shade/looks.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
+#include "lib/base/bit_cast.h"
 
 namespace mien {
 namespace {
@@ -17,7 +17,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
 std::uint64_t hash_of(const LookStep& step) {
   std::uint64_t hash = mixed(std::uint64_t(step.kind) + 1, std::uint64_t(step.varied + 1));
   hash = mixed(hash, std::uint64_t(step.segment) << 32 | std::uint32_t(step.zone));
-  for (int i = 0; i < 4; ++i) hash = mixed(hash, std::bit_cast<std::uint64_t>(step.mix[i] + 0.0));
+  for (int i = 0; i < 4; ++i) hash = mixed(hash, mien::bit_cast<std::uint64_t>(step.mix[i] + 0.0));
   return hash;
 }
 
@@ -353,7 +353,7 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
 }
 
 bool Looks::formed_by(std::span<const LookStep> steps) const {
-  return std::ranges::any_of(steps, [&](const LookStep& step) {
+  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
     return step.kind == Kind::paint &&
            (step.zone >= 0 ||
             paints_->varied[std::size_t(step.varied)].paint.field.kind != PaintField::Kind::linear);
@@ -361,7 +361,7 @@ bool Looks::formed_by(std::span<const LookStep> steps) const {
 }
 
 bool Looks::dense_by(std::span<const LookStep> steps) const {
-  return std::ranges::any_of(steps, [&](const LookStep& step) {
+  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
     return step.kind == Kind::paint && paints_->varied[std::size_t(step.varied)].dense;
   });
 }

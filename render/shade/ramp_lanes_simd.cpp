@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "render/shade/ramp_lanes.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 #include "sdf/distance/lanes/fma-inl.h"
 
 #include <cstddef>
@@ -59,12 +60,12 @@ HWY_EXPORT(LayRamp);
 }  // namespace batch
 
 void radial_places(const RadialLanes& radial, int count, float* t) {
-  HWY_DYNAMIC_DISPATCH(batch::RadialPlaces)(radial, count, t);
+  MIEN_DISPATCH(RadialPlaces)(radial, count, t);
 }
 
 void lay_ramp(const RampLanes& ramp, const float* t, int count, float* r, float* g, float* b,
               float* a) {
-  HWY_DYNAMIC_DISPATCH(batch::LayRamp)(ramp, t, count, r, g, b, a);
+  MIEN_DISPATCH(LayRamp)(ramp, t, count, r, g, b, a);
 }
 
 }  // namespace mien

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "sdf/arrange/reach.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <array>
 
@@ -41,7 +42,7 @@ HWY_EXPORT(Meeting);
 }  // namespace batch
 
 void meeting(const Reaches& of, float low, float high, std::uint8_t* to) {
-  HWY_DYNAMIC_DISPATCH(batch::Meeting)(of, low, high, to);
+  MIEN_DISPATCH(Meeting)(of, low, high, to);
 }
 
 }  // namespace mien

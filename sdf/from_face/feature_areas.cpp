@@ -19,7 +19,7 @@ void FeatureAreas::add(Index<Feature> feature) {
   const Feature& f = feature.in(face_.model->features);
   Area& area = areas_[std::size_t(feature.at)];
   Area& figure = figures_[std::size_t(feature.at)];
-  const auto same = std::ranges::find_if(f.clips, [&](const FeatureClip& clip) {
+  const auto same = std::find_if(f.clips.begin(), f.clips.end(), [&](const FeatureClip& clip) {
     return !clip.outside &&
            same_figure(f.figure, clip.feature.in(face_.model->features).figure, face_);
   });

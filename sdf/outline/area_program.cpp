@@ -4,8 +4,8 @@
 #include "sdf/shape/same_shape.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include "lib/base/bit_cast.h"
 
 namespace mien {
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kFirstOutlines = 256;
 
 std::uint64_t hash_of(const OutlineSource& source) {
-  std::uint64_t h = std::bit_cast<std::uint64_t>(source.amount) + std::uint64_t(source.rim);
+  std::uint64_t h = mien::bit_cast<std::uint64_t>(source.amount) + std::uint64_t(source.rim);
   h = (h ^ (std::uint64_t(source.shape) << 32)) * 0x9e3779b97f4a7c15ull;
   return h ^ (h >> 29);
 }

@@ -122,13 +122,16 @@ bool same_scene(const Scene& a, const Scene& b) {
   if (&a.background() == &b.background()) return true;  // the same place in memory
   return a.canvas().y_up == b.canvas().y_up && same_bits(a.canvas().box, b.canvas().box) &&
          same_bits(a.background(), b.background()) &&
-         std::ranges::equal(a.shapes(), b.shapes(), same_shape) &&
-         std::ranges::equal(a.nodes(), b.nodes(), same_node) &&
-         std::ranges::equal(a.layers(), b.layers(), same_layer) &&
-         std::ranges::equal(a.groups(), b.groups(),
-                            [](const Group& g, const Group& h) {
-                              return g.parent == h.parent && same_bits(g.opacity, h.opacity);
-                            }) &&
+         std::equal(a.shapes().begin(), a.shapes().end(), b.shapes().begin(), b.shapes().end(),
+                    same_shape) &&
+         std::equal(a.nodes().begin(), a.nodes().end(), b.nodes().begin(), b.nodes().end(),
+                    same_node) &&
+         std::equal(a.layers().begin(), a.layers().end(), b.layers().begin(), b.layers().end(),
+                    same_layer) &&
+         std::equal(a.groups().begin(), a.groups().end(), b.groups().begin(), b.groups().end(),
+                    [](const Group& g, const Group& h) {
+                      return g.parent == h.parent && same_bits(g.opacity, h.opacity);
+                    }) &&
          same_bits(a.light().direction, b.light().direction) &&
          same_bits(a.light().ambient, b.light().ambient);
 }

@@ -47,7 +47,7 @@ struct IsFinite {
   bool of(const QuadBezier& c) const { return of(c.p0) && of(c.p1) && of(c.p2); }
   template <class List>
   bool all(const List& list) const {
-    return std::ranges::all_of(list, [&](const auto& v) { return of(v); });
+    return std::all_of(std::begin(list), std::end(list), [&](const auto& v) { return of(v); });
   }
   bool operator()(const Disc& s) const { return of(s.center) && of(s.radius); }
   bool operator()(const CutDisc& s) const { return of(s.center) && of(s.radius); }
@@ -58,7 +58,8 @@ struct IsFinite {
   bool operator()(const QuadStroke& s) const { return of(s.spine) && of(s.half_width); }
   bool operator()(const TaperedStroke& s) const { return of(s.spine) && all(s.half_width); }
   bool operator()(const Path& s) const {
-    return std::ranges::all_of(s.loops, [&](const Path::Loop& l) { return all(l.sides); });
+    return std::all_of(s.loops.begin(), s.loops.end(),
+                       [&](const Path::Loop& l) { return all(l.sides); });
   }
   template <class Other>
   bool operator()(const Other&) const {

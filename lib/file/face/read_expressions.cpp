@@ -23,7 +23,7 @@ class ExpressionReader {
   ExpressionReader(Reading& in, FaceDraft& face) : in_(in), face_(face) {
     const std::vector<Muscle>& muscles = face.model.muscles.muscles;
     for (std::size_t m = 0; m < muscles.size(); ++m) muscles_.emplace_back(muscles[m].name, int(m));
-    std::ranges::sort(muscles_);
+    std::sort(muscles_.begin(), muscles_.end());
   }
 
   /// {NAME: {MUSCLE, CONTROL or EMOTION: amount, …}, …}
@@ -83,7 +83,7 @@ class ExpressionReader {
   bool add_muscles(const JsonNode& node, std::string_view name, Side side, double amount,
                    Expression& expression) const {
     bool found = false;
-    for (auto at = std::ranges::lower_bound(muscles_, std::pair(name, 0));
+    for (auto at = std::lower_bound(muscles_.begin(), muscles_.end(), std::pair(name, 0));
          at != muscles_.end() && at->first == name; ++at) {
       const Muscle& muscle = face_.model.muscles.muscles[std::size_t(at->second)];
       if (side != Side::none && muscle.side != side) continue;

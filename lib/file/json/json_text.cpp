@@ -36,7 +36,8 @@ std::string escaped(unsigned code) {
 std::string json_string(std::string_view text) {
   std::string out = "\"";
   while (!text.empty()) {
-    const auto plain = std::size_t(std::ranges::find_if_not(text, is_plain) - text.begin());
+    const auto plain =
+        std::size_t(std::find_if_not(text.begin(), text.end(), is_plain) - text.begin());
     out += text.substr(0, plain);
     text.remove_prefix(plain);
     if (text.empty()) break;

@@ -247,7 +247,8 @@ std::string JsonTree::where(std::size_t offset) const {
 
 const JsonTree::Origin* JsonTree::origin_of(const JsonNode& node) const {
   const auto index = std::int32_t(&node - nodes.data());
-  const auto found = std::ranges::find(origins_, index, &Origin::node);
+  const auto found = std::find_if(origins_.begin(), origins_.end(),
+                                  [&](const Origin& o) { return o.node == index; });
   return found == origins_.end() ? nullptr : &*found;
 }
 

@@ -9,10 +9,10 @@
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
+#include "lib/base/from_chars.h"
 
 namespace mien {
 namespace {
@@ -41,7 +41,7 @@ Expected<Done> check_points(std::string_view text, const std::string& name) {
       std::string_view word = next_word(line);
       if (word.starts_with('+')) word.remove_prefix(1);
       double value = 0;
-      const auto [stop, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
+      const auto [stop, failed] = from_chars(word.data(), word.data() + word.size(), value);
       if (failed != std::errc{} || stop != word.data() + word.size() || !std::isfinite(value))
         return Error{fmt::format("{}:{}", name, number),
                      fmt::format("expected three finite numbers, got {}", in_quotes(word))};

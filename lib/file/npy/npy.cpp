@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <system_error>
+#include "lib/base/bit_cast.h"
 
 namespace mien {
 namespace {
@@ -77,7 +77,7 @@ std::optional<std::size_t> bytes_needed(const NpyHeader& header) {
   std::size_t bytes = bytes_of(header.type);
   for (const std::size_t side : header.shape)
     if (__builtin_mul_overflow(bytes, side, &bytes)) return {};
-  return bytes < std::size_t(1) << 62 ? std::optional{bytes} : std::nullopt;
+  return bytes <= std::numeric_limits<std::size_t>::max() / 4 ? std::optional{bytes} : std::nullopt;
 }
 
 template <class Bits>
@@ -94,7 +94,7 @@ void to_doubles(const std::byte* bytes, std::size_t count, bool swap, double* ou
   for (std::size_t i = 0; i < count; ++i, bytes += sizeof(Bits), out += step) {
     Bits bits;
     std::memcpy(&bits, bytes, sizeof bits);
-    *out = double(std::bit_cast<Real>(swap ? swapped(bits) : bits));
+    *out = double(mien::bit_cast<Real>(swap ? swapped(bits) : bits));
   }
 }
 

@@ -76,7 +76,7 @@ bool looks_like_face_code(std::string_view text) {
   const std::string_view body = text.substr(0, text.find('~'));
   const auto known = [](char c) { return c == '-' || value_of(c) >= 0 || c == 'u' || c == 'U'; };
   const auto hyphens = std::count(body.begin(), body.end(), '-');
-  return std::ranges::all_of(body, known) &&
+  return std::all_of(body.begin(), body.end(), known) &&
          int(body.size() - std::size_t(hyphens)) == kBodySigns + 1;
 }
 
@@ -94,7 +94,8 @@ Expected<FaceCode> read_face_code(std::string_view text) {
     if (values.size() > kBodySigns + 1 + 4 * kMostHeld)
       return Error{where, fmt::format("it is longer than a code that holds {} values", kMostHeld)};
   }
-  const auto signs = std::ranges::count_if(text.substr(0, tilde), [](char c) { return c != '-'; });
+  const std::string_view unheld = text.substr(0, tilde);
+  const auto signs = std::count_if(unheld.begin(), unheld.end(), [](char c) { return c != '-'; });
   if (signs != kBodySigns + 1)
     return Error{where, fmt::format("a code has {} signs before what it holds, this has {}",
                                     kBodySigns + 1, signs)};

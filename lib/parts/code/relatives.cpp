@@ -22,8 +22,9 @@ Expected<Fields> fields_of(const FaceCode& code) {
 }
 
 bool is_number(int field) {
-  return std::ranges::any_of(PartLibrary::shipped().numbers(),
-                             [&](const LibraryNumber& number) { return number.number == field; });
+  return std::any_of(PartLibrary::shipped().numbers().begin(),
+                     PartLibrary::shipped().numbers().end(),
+                     [&](const LibraryNumber& number) { return number.number == field; });
 }
 
 int stepped(double step) {

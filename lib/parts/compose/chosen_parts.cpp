@@ -82,9 +82,10 @@ void check_has_what_others_need(const LibraryNode& part, const PartLibrary& libr
     const std::set<std::string_view> has = names_in(part, kind);
     for (const std::string_view name : names_in(family.parts.at(0).at, kind))
       if (said.contains(name) && !has.contains(name) &&
-          std::ranges::all_of(family.parts, [&, kind = kind](const Part& other) {
-            return names_in(other.at, kind).contains(name);
-          }))
+          std::all_of(family.parts.begin(), family.parts.end(),
+                      [&, kind = kind](const Part& other) {
+                        return names_in(other.at, kind).contains(name);
+                      }))
         part.in().refuse(
             *part.node,
             fmt::format("every part of family \"{}\" has a {} named \"{}\", on which others build",
@@ -111,7 +112,9 @@ void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& 
     const std::string_view key = in.tree.key(member);
     if (key == "numbers")
       in.refuse(member, "a part of one's own has no numbers of its own, only the library's");
-    const auto known = std::ranges::find(kPartKeys, key, &PartKey::name);
+    const auto known =
+        std::find_if(std::begin(kPartKeys), std::end(kPartKeys),
+                     [&](const PartKey& known_key) { return known_key.name == key; });
     if (known == kPartKeys.end())
       in.refuse(member, unknown("key of a part", one_line(key, 60), kPartKeys));
     if (known->kind) in.expect(member, *known->kind);
@@ -144,7 +147,7 @@ std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) 
           where, fmt::format("{} goes from {} to {}, got {}", name, number->lo, number->hi, value)};
   }
   const std::vector<std::string>& styles = library.styles();
-  if (std::ranges::find(styles, recipe.style) == styles.end())
+  if (std::find(styles.begin(), styles.end(), recipe.style) == styles.end())
     return Error{where,
                  unknown_name("style", one_line(recipe.style, 60), {styles.begin(), styles.end()})};
   return {};

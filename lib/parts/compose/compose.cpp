@@ -50,7 +50,9 @@ class Composition {
     draw(library_.topology(), "");
     draw_families(false);
     out_.close();
-    std::ranges::stable_sort(features_.features, {}, &FlatFeatures::One::slot);
+    std::stable_sort(
+        features_.features.begin(), features_.features.end(),
+        [](const FlatFeatures::One& a, const FlatFeatures::One& b) { return a.slot < b.slot; });
     std::vector<std::int32_t> order;
     for (const FlatFeatures::One& one : features_.features) order.push_back(one.node);
     out_.arrange(array, order);

@@ -101,7 +101,8 @@ class Flattening {
       return out_.pair(short_pair(geometry_.pair(in_, member, family_) * frame_.scale));
     constexpr std::array<std::string_view, 5> kLengths{"radius", "half_width", "length", "corner",
                                                        "feather"};
-    if (std::ranges::find(kLengths, key) != kLengths.end()) return write_widths(member);
+    if (std::find(kLengths.begin(), kLengths.end(), key) != kLengths.end())
+      return write_widths(member);
     if (key == "paint" && member.kind == JsonKind::object) return write_gradient(member);
     if (key == "left" || key == "right") return write_side(member);
     out_.copy(in_.tree, member);

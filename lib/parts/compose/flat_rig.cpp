@@ -134,7 +134,7 @@ class Muscles {
 
 /// By name: as text, faces are compared line by line.
 void write_depths(std::vector<std::pair<std::string, double>> depths, TreeWriter& to) {
-  std::ranges::sort(depths);
+  std::sort(depths.begin(), depths.end());
   to.object();
   for (const auto& [name, depth] : depths) to.kept_key(name), to.number(short_number(depth));
   to.close();

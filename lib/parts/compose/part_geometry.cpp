@@ -123,7 +123,7 @@ FoundPoint PartGeometry::beside(const Reading& in, const JsonNode& at,
     std::vector<std::string_view> names;
     for (const auto& [known, slice] : anchors_) names.push_back(known);
     for (const auto& [known, place] : points_) names.push_back(known);
-    std::ranges::sort(names);
+    std::sort(names.begin(), names.end());
     in.refuse(at, unknown_name("point", name, names));
   }
   FoundPoint found{point->second.at, point->second.depth, {}};

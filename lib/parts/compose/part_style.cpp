@@ -45,7 +45,7 @@ void PartStyle::write_members(const Role& role, bool painted, TreeWriter& to) co
   if (role.gone) to.key("opacity"), to.number(0);
   if (painted || role.name.empty() || role.name == "none") return;
   std::string color(role.name);
-  std::ranges::replace(color, '.', '_');
+  std::replace(color.begin(), color.end(), '.', '_');
   to.key("paint"), to.kept_string(std::move(color));
 }
 

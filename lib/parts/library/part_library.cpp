@@ -21,7 +21,8 @@ int permanent_number(const Reading& in, const JsonNode& of) {
 
 template <class T>
 const T* named(const std::vector<T>& all, std::string_view name) {
-  const auto found = std::ranges::find_if(all, [&](const T& one) { return one.name == name; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const T& one) { return one.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -108,8 +109,8 @@ void PartLibrary::read_part(const LibraryNode& part) {
   const Reading& in = part.in();
   const JsonNode& family_node = in.need(*part.node, "family");
   const std::string_view family_name = in.string(family_node);
-  const auto family =
-      std::ranges::find_if(families_, [&](const Family& f) { return f.name == family_name; });
+  const auto family = std::find_if(families_.begin(), families_.end(),
+                                   [&](const Family& f) { return f.name == family_name; });
   if (family == families_.end()) {
     std::vector<std::string_view> names;
     for (const Family& f : families_) names.push_back(f.name);

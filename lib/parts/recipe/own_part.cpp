@@ -36,7 +36,9 @@ const Part* model_of(const Family& family) {
     if (!in.find(*part.at.node, "numbers") && features && features->count > 0)
       parts.push_back(&part);
   }
-  std::ranges::sort(parts, {}, [](const Part* part) { return part->at.file->text.size(); });
+  std::sort(parts.begin(), parts.end(), [](const Part* a, const Part* b) {
+    return a->at.file->text.size() < b->at.file->text.size();
+  });
   return parts.empty() ? nullptr : parts[parts.size() / 2];
 }
 
@@ -87,7 +89,7 @@ Expected<std::vector<FoundPart>> read_part_folder(const std::filesystem::path& f
   if (failed) return Error{folder.string(), failed.message()};
   if (files.empty())
     return Error{folder.string(), fmt::format("no file's name ends with {}", kEnd)};
-  std::ranges::sort(files);
+  std::sort(files.begin(), files.end());
   std::vector<FoundPart> parts;
   for (const std::filesystem::path& file : files) {
     auto part = read_part_file(file);
@@ -121,7 +123,9 @@ Expected<std::string> part_skeleton(std::string_view family_name, std::string_vi
       json_string(family_name), json_string(name));
   text += fmt::format(" \"comment\": {},\n", comment(family_name, model->name));
   in.for_each(*model->at.node, [&](const JsonNode& member, int) {
-    if (std::ranges::find(kWrittenOrLeft, in.tree.key(member)) != kWrittenOrLeft.end()) return;
+    if (std::find(kWrittenOrLeft.begin(), kWrittenOrLeft.end(), in.tree.key(member)) !=
+        kWrittenOrLeft.end())
+      return;
     text += fmt::format(" {}: ", json_string(in.tree.key(member)));
     add_json(in.tree, member, text);
     text += ",\n";

@@ -9,9 +9,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
+#include "lib/base/from_chars.h"
 
 namespace mien {
 namespace {
@@ -64,7 +64,8 @@ int sampled_age(const KeyedChance& chance) {
   constexpr std::array<Band, 5> kBands{
       {{0.46, 20, 44}, {0.65, 45, 64}, {0.78, 65, 88}, {0.87, 13, 19}, {1.0, 5, 12}}};
   const double which = chance.share(kAgeBand);
-  const Band& band = *std::ranges::find_if(kBands, [&](const Band& b) { return which < b.until; });
+  const Band& band =
+      *std::find_if(kBands.begin(), kBands.end(), [&](const Band& b) { return which < b.until; });
   return band.youngest + int(chance.share(kAge) * (band.oldest - band.youngest + 1));
 }
 
@@ -172,7 +173,8 @@ class Sampler {
     if (family.optional)
       drawn.push_back(
           {best_of(family, kNone, tickets(in, in.find(*family.at.node, "none"))), nullptr});
-    std::ranges::sort(drawn, [](const Drawn& a, const Drawn& b) { return a.best > b.best; });
+    std::sort(drawn.begin(), drawn.end(),
+              [](const Drawn& a, const Drawn& b) { return a.best > b.best; });
     const Part* part = drawn.empty() ? nullptr : drawn[0].part;
     if (const JsonNode* far = in.find(*family.at.node, "apart")) part = far_enough(in, *far, drawn);
     if (const int* own = held(family.number)) {
@@ -243,15 +245,17 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
                                     code.edition, FaceCode::kNewestEdition)};
   for (const HeldValue& held : code.held) {
     const auto is_field = [&](const auto& one) { return one.number == held.field; };
-    const auto family = std::ranges::find_if(library.families(), is_field);
+    const auto family =
+        std::find_if(library.families().begin(), library.families().end(), is_field);
     if (family == library.families().end()) {
-      if (std::ranges::none_of(library.numbers(), is_field))
+      if (std::none_of(library.numbers().begin(), library.numbers().end(), is_field))
         return Error{
             where, fmt::format("edition {} has no field {}", FaceCode::kNewestEdition, held.field)};
       continue;
     }
     const auto is_part = [&](const Part& part) { return part.number == held.value; };
-    if (!(family->optional && held.value == kNone) && std::ranges::none_of(family->parts, is_part))
+    if (!(family->optional && held.value == kNone) &&
+        std::none_of(family->parts.begin(), family->parts.end(), is_part))
       return Error{where, fmt::format("{} has no part {}", family->name, held.value)};
   }
   return sampled_recipe(library, code);
@@ -299,7 +303,7 @@ Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
     return Error{where, unknown_name("family or number", name, names)};
   }
   double given = 0;
-  const auto [end, failed] = std::from_chars(value.data(), value.data() + value.size(), given);
+  const auto [end, failed] = from_chars(value.data(), value.data() + value.size(), given);
   if (failed != std::errc{} || end != value.data() + value.size() || !std::isfinite(given))
     return Error{where, fmt::format("expected a number from {} to {}", number->lo, number->hi)};
   if (clamp) given = std::clamp(given, number->lo, number->hi);

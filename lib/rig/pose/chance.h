@@ -4,15 +4,15 @@
 
 #include "lib/base/mixed_bits.h"
 
-#include <bit>
 #include <cstdint>
+#include "lib/base/bit_cast.h"
 
 namespace mien {
 
 /// A uniformly distributed number in [0, 1) for a seed, a stream and a count; 53 random bits.
 constexpr double chance(std::uint32_t seed, std::uint32_t stream, double count) {
   const std::uint64_t who = std::uint64_t(seed) << 32 | stream;
-  return double(mixed_bits(mixed_bits(who) ^ std::bit_cast<std::uint64_t>(count + 0.0)) >> 11) *
+  return double(mixed_bits(mixed_bits(who) ^ mien::bit_cast<std::uint64_t>(count + 0.0)) >> 11) *
          0x1p-53;
 }
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include "lib/base/from_chars.h"
 
 namespace mien {
 namespace {
@@ -36,7 +36,7 @@ Expected<Setting> read_expression(const Face& face, std::string_view set, std::s
   if (equals != std::string_view::npos) {
     std::string_view word = text.substr(equals + 1);
     if (word.starts_with('+')) word.remove_prefix(1);
-    const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, status] = from_chars(word.data(), word.data() + word.size(), value);
     if (status != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
       return Error{where, fmt::format("expected a finite number, got {}", in_quotes(word))};
   }

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include "lib/base/from_chars.h"
 
 namespace mien {
 namespace {
@@ -56,7 +56,7 @@ Expected<std::vector<double>> read_numbers(std::string_view text, const std::str
     std::string_view word = text.substr(0, comma);
     if (word.starts_with('+')) word.remove_prefix(1);  // from_chars takes no plus
     double number = 0;
-    const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
+    const auto [end, status] = from_chars(word.data(), word.data() + word.size(), number);
     if (status == std::errc::result_out_of_range)
       return Error{where,
                    fmt::format("{} is too large or too small for a number", in_quotes(word))};

@@ -8,6 +8,7 @@
 #include "render/shade/light/lamp_lanes-inl.h"
 #include "render/shade/light/lit_cells.h"
 #include "render/shade/light/ridge-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -295,7 +296,7 @@ void LitCells::take(const PartCells& cells, bool ring) {
 }
 
 LitMean mean_of_cells(const LampLanes& lamp, LitCells& cells) {
-  return HWY_DYNAMIC_DISPATCH(batch::MeanOfCells)(lamp, cells);
+  return MIEN_DISPATCH(MeanOfCells)(lamp, cells);
 }
 
 }  // namespace mien

@@ -144,7 +144,8 @@ void LitPaint::make_smooth(LitTile& t, Scratch& scratch) const {
   // A dome that is small for a tile may lie between its places, and so may a highlight on it.
   constexpr float kSmall = 20.0f, kNarrow = 3.0f;  // [px]
   const bool small =
-      t.lamp.finest < kNarrow || std::ranges::any_of(t.lamp.domes, [](const LampDome& d) {
+      t.lamp.finest < kNarrow ||
+      std::any_of(t.lamp.domes.begin(), t.lamp.domes.end(), [](const LampDome& d) {
         return d.xx * d.xx + d.xy * d.xy + d.yx * d.yx + d.yy * d.yy > 2.0f / (kSmall * kSmall);
       });
   t.smooth = !small && smooth_means(at, float(kShare * tolerance_ / 255.0), t);

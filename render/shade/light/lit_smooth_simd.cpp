@@ -6,6 +6,7 @@
 #include "render/blend/transfer.h"
 #include "render/shade/light/lamp_lanes-inl.h"
 #include "render/shade/light/lit_tile.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <algorithm>
 
@@ -147,8 +148,8 @@ SmoothPlaces::SmoothPlaces() {
 }
 
 bool smooth_means(const SmoothPlaces& at, float tolerance, LitTile& tile) {
-  return HWY_DYNAMIC_DISPATCH(batch::SmoothMeans)(at, tile.lamp, tolerance, tile.smooth_r.data(),
-                                                  tile.smooth_g.data(), tile.smooth_b.data());
+  return MIEN_DISPATCH(SmoothMeans)(at, tile.lamp, tolerance, tile.smooth_r.data(),
+                                    tile.smooth_g.data(), tile.smooth_b.data());
 }
 
 }  // namespace mien

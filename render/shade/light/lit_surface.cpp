@@ -28,7 +28,8 @@ void LitSurface::make(const GridPaint& paint, std::span<const AreaDistance> dist
 }
 
 int LitSurface::zone_of(double d) const {
-  return int(std::ranges::count_if(levels_, [&](double level) { return d <= level; }));
+  return int(
+      std::count_if(levels_.begin(), levels_.end(), [&](double level) { return d <= level; }));
 }
 
 bool LitSurface::flat(int zone) const {

@@ -6,6 +6,7 @@
 #include "render/blend/transfer.h"
 #include "render/shade/light/lit_tile.h"
 #include "render/shade/light/ridge-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -366,15 +367,15 @@ HWY_EXPORT(JudgeDistances);
 }  // namespace batch
 
 void spread_feet(LitTile& tile) {
-  HWY_DYNAMIC_DISPATCH(batch::SpreadFeet)(tile);
+  MIEN_DISPATCH(SpreadFeet)(tile);
 }
 
 void shade_tile(LitTile& tile, float levels) {
-  HWY_DYNAMIC_DISPATCH(batch::ShadeTile)(tile, levels);
+  MIEN_DISPATCH(ShadeTile)(tile, levels);
 }
 
 void judge_distances(LitTile& tile) {
-  HWY_DYNAMIC_DISPATCH(batch::JudgeDistances)(tile);
+  MIEN_DISPATCH(JudgeDistances)(tile);
 }
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "render/shade/nearest/ellipse_feet_simd.cpp"
 #include <hwy/foreach_target.h>
 #include "render/shade/nearest/foot_form-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -89,7 +90,7 @@ HWY_EXPORT(EllipseFeet);
 
 void ellipse_feet(const NearEllipse& ellipse, std::span<const float> x, std::span<const float> y,
                   const Feet& out) {
-  HWY_DYNAMIC_DISPATCH(batch::EllipseFeet)(ellipse, x, y, out);
+  MIEN_DISPATCH(EllipseFeet)(ellipse, x, y, out);
 }
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "render/shade/nearest/near_feet_simd.cpp"
 #include <hwy/foreach_target.h>
 #include "render/shade/nearest/foot_form-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <cmath>
 
@@ -309,7 +310,7 @@ HWY_EXPORT(SpineFeet);
 
 void spine_feet(std::span<const NearSpine> spines, bool stroke, std::span<const float> x,
                 std::span<const float> y, const Feet& out) {
-  HWY_DYNAMIC_DISPATCH(batch::SpineFeet)(spines, stroke, x, y, out);
+  MIEN_DISPATCH(SpineFeet)(spines, stroke, x, y, out);
 }
 
 }  // namespace mien

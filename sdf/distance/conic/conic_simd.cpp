@@ -7,6 +7,7 @@
 #include <mien/distance.h>
 #include "sdf/distance/conic/conic-inl.h"
 #include "sdf/distance/lanes/blocks-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -90,26 +91,26 @@ HWY_EXPORT(DistancesParabolaDouble);
 
 void distances(const Ellipse& ellipse, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesEllipse),
-                      batch::ellipse_frame<float>(ellipse), ellipse, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesEllipse), batch::ellipse_frame<float>(ellipse),
+                      ellipse, x, y, d);
 }
 
 void distances(const ParabolaSide& side, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesParabola),
-                      batch::parabola_frame<float>(side), side, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesParabola), batch::parabola_frame<float>(side), side, x,
+                      y, d);
 }
 
 void distances(const Ellipse& ellipse, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesEllipseDouble),
-                      batch::ellipse_frame<double>(ellipse), ellipse, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesEllipseDouble), batch::ellipse_frame<double>(ellipse),
+                      ellipse, x, y, d);
 }
 
 void distances(const ParabolaSide& side, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesParabolaDouble),
-                      batch::parabola_frame<double>(side), side, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesParabolaDouble), batch::parabola_frame<double>(side),
+                      side, x, y, d);
 }
 
 }  // namespace mien

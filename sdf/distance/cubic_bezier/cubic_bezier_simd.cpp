@@ -6,6 +6,7 @@
 #include <mien/distance.h>
 #include "sdf/distance/cubic_bezier/cubic_bezier-inl.h"
 #include "sdf/distance/lanes/blocks-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -47,14 +48,14 @@ HWY_EXPORT(DistancesCubicDouble);
 
 void distances(const CubicBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesCubicFloat),
-                      batch::cubic_frame<float>(curve), curve, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesCubicFloat), batch::cubic_frame<float>(curve), curve,
+                      x, y, d);
 }
 
 void distances(const CubicBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesCubicDouble),
-                      batch::cubic_frame<double>(curve), curve, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesCubicDouble), batch::cubic_frame<double>(curve), curve,
+                      x, y, d);
 }
 
 }  // namespace mien

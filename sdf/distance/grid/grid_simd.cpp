@@ -7,6 +7,7 @@
 #include "sdf/distance/grid/grid_certificate-inl.h"
 #include "sdf/distance/grid/grid_tile-inl.h"
 #include "sdf/distance/grid/grid_work.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,7 +188,7 @@ size_t distances_on_grid(const QuadBezier& curve, const Grid& grid, std::span<fl
   const bool finite = std::isfinite(grid.origin.x) && std::isfinite(grid.origin.y) &&
                       std::isfinite(grid.step) && std::isfinite(float(grid.step));
   if (exponent && finite) {
-    return HWY_DYNAMIC_DISPATCH(DistancesOnGrid)(curve, *exponent, grid, d.data());
+    return MIEN_DISPATCH(DistancesOnGrid)(curve, *exponent, grid, d.data());
   }
   for (size_t k = 0; k < size; ++k) {
     const float x = float(grid.origin.x + double(k % grid.columns) * grid.step);

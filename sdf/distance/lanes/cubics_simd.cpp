@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <mien/distance.h>
 #include "sdf/distance/lanes/cubics-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 
 #include <algorithm>
 
@@ -82,7 +83,7 @@ void solve_cubics(std::span<const double> a, std::span<const double> b, std::spa
                   std::span<const double> d, std::span<Roots> out) {
   batch::fit_spans(a, b, out);
   batch::fit_spans(c, d, out);
-  HWY_DYNAMIC_DISPATCH(batch::SolveCubics)
+  MIEN_DISPATCH(SolveCubics)
   (a.data(), b.data(), c.data(), d.data(), out.size(), out.data());
 }
 

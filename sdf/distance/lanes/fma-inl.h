@@ -79,10 +79,12 @@ HWY_INLINE V Emulated(V x, V y, V z) {
 }
 
 /// Whether this instruction set gives the fused bits.
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-inline constexpr bool kNativeFma = false;
-#else
+// Named are those that fuse: WebAssembly's lanes, and emulated ones, multiply, round and add.
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || \
+    (HWY_ARCH_ARM_A64 && HWY_TARGET != HWY_SCALAR)
 inline constexpr bool kNativeFma = true;
+#else
+inline constexpr bool kNativeFma = false;
 #endif
 #ifdef MIEN_SAME_BITS_WITHOUT_FMA
 inline constexpr bool kEmulateFma = !kNativeFma;

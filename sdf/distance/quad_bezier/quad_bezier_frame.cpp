@@ -3,17 +3,17 @@
 #include "lib/math/norm.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include "lib/base/bit_cast.h"
 
 namespace mien::batch {
 namespace {
 
 double power_of_two(int exponent) {
-  return std::bit_cast<double>(uint64_t(1023 + exponent) << 52);
+  return mien::bit_cast<double>(uint64_t(1023 + exponent) << 52);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ std::optional<int> scale_exponent(const QuadBezier& c) {
   // A NaN hides from max, not from sums.
   const bool finite = std::isfinite(c.p0.x + c.p0.y + c.p1.x + c.p1.y + c.p2.x + c.p2.y);
   if (!(finite && leg > 0x1p-140 && leg < 0x1p124)) return std::nullopt;
-  const int exponent = int(std::bit_cast<uint64_t>(leg) >> 52) - 1022;
+  const int exponent = int(mien::bit_cast<uint64_t>(leg) >> 52) - 1022;
   return std::clamp(-exponent, -125, 125);
 }
 

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <mien/distance.h>
 #include "sdf/distance/lanes/blocks-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 #include "sdf/distance/quad_bezier/quad_bezier-inl.h"
 #include "sdf/distance/quad_bezier/quad_bezier_accurate-inl.h"
 
@@ -141,16 +142,14 @@ HWY_EXPORT(DistancesToNearest);
 
 void distances(const QuadBezier& curve, std::span<const float> x, std::span<const float> y,
                std::span<float> d, Precision precision) {
-  const auto kernel = precision == Precision::accurate
-                          ? &HWY_DYNAMIC_DISPATCH(batch::DistancesAccurate)
-                          : &HWY_DYNAMIC_DISPATCH(batch::DistancesFast);
+  const auto kernel = precision == Precision::accurate ? &MIEN_DISPATCH(DistancesAccurate)
+                                                       : &MIEN_DISPATCH(DistancesFast);
   batch::distances_by(kernel, batch::scale_exponent(curve), curve, x, y, d);
 }
 
 void distances(const QuadBezier& curve, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesDouble), batch::scale_exponent(curve),
-                      curve, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesDouble), batch::scale_exponent(curve), curve, x, y, d);
 }
 
 void distances(std::span<const QuadBezier> curves, std::span<const float> x,
@@ -175,7 +174,7 @@ void distances(std::span<const QuadBezier> curves, std::span<const float> x,
   for (const QuadBezier& curve : curves) {
     frames.push_back(batch::quad_bezier_frame<float>(curve, least));
   }
-  HWY_DYNAMIC_DISPATCH(batch::DistancesToNearest)
+  MIEN_DISPATCH(DistancesToNearest)
   (frames.data(), frames.size(), curves, x.data(), y.data(), d.size(), d.data());
 }
 

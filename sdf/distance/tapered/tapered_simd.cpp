@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <mien/distance.h>
 #include "sdf/distance/lanes/blocks-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
 #include "sdf/distance/tapered/tapered-inl.h"
 
 #include <algorithm>
@@ -110,14 +111,14 @@ HWY_EXPORT(DistancesTaperedDouble);
 
 void distances(const TaperedStroke& stroke, std::span<const float> x, std::span<const float> y,
                std::span<float> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesTapered),
-                      batch::tapered_frame<float>(stroke), stroke, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesTapered), batch::tapered_frame<float>(stroke), stroke,
+                      x, y, d);
 }
 
 void distances(const TaperedStroke& stroke, std::span<const double> x, std::span<const double> y,
                std::span<double> d) {
-  batch::distances_by(HWY_DYNAMIC_DISPATCH(batch::DistancesTaperedDouble),
-                      batch::tapered_frame<double>(stroke), stroke, x, y, d);
+  batch::distances_by(MIEN_DISPATCH(DistancesTaperedDouble), batch::tapered_frame<double>(stroke),
+                      stroke, x, y, d);
 }
 
 }  // namespace mien

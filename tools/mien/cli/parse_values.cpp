@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
+#include "lib/base/from_chars.h"
 
 namespace mien::command {
 namespace {
@@ -24,7 +24,7 @@ template <class Number>
 std::optional<Number> number(std::string_view text) {
   Number value{};
   const char* const end = text.data() + text.size();
-  const auto [at, failed] = std::from_chars(text.data(), end, value);
+  const auto [at, failed] = from_chars(text.data(), end, value);
   if (failed != std::errc{} || at != end) return {};
   return value;
 }

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
+#include "lib/base/from_chars.h"
 
 namespace mien::command {
 namespace {
@@ -60,7 +60,7 @@ std::optional<double> finite(std::string_view text) {
   while (text.ends_with(' ')) text.remove_suffix(1);
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
-  const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, wrong] = from_chars(text.data(), text.data() + text.size(), value);
   if (wrong != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
   return value;
 }

@@ -10,9 +10,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <unordered_set>
+#include "lib/base/from_chars.h"
 
 namespace mien {
 namespace {
@@ -111,7 +111,7 @@ class Scanner {
       while (!ended() && is_digit(text_[at_])) ++at_;
     }
     const char* const end = text_.data() + at_;
-    const auto [stop, status] = std::from_chars(text_.data() + digits, end, value);
+    const auto [stop, status] = from_chars(text_.data() + digits, end, value);
     if (status == std::errc::result_out_of_range)
       throw Malformed{begin, "this number is too large or too small"};
     const bool dot_last = stop + 1 == end && *stop == '.';
