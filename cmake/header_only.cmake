@@ -23,7 +23,9 @@ mien_link_header(Eigen /usr/include/eigen3)
 mien_link_header(nlohmann)
 mien_link_header(fmt)
 mien_link_header(hwy)
-mien_link_header(fast_float)
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  mien_link_header(fast_float)  # libc++ reads no floating-point numbers before version 20
+endif()
 mien_link_header(tiny_obj_loader.h)
 
 mien_header_library(glm::glm)

@@ -45,7 +45,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
 }
 
 MIRRORS = {"tests": "_test.cpp", "bench": "_bench.cpp", "fuzz": "_fuzz.cpp"}
-NOT_MIRRORS = ("tests/support/", "fuzz/support/", "tests/golden/", "tests/exactness/", "tests/install/", "tests/embed/", "tests/house/", "tests/tools/",
+NOT_MIRRORS = ("tests/support/", "fuzz/support/", "tests/golden/", "tests/exactness/", "tests/portable/", "tests/install/", "tests/embed/", "tests/house/", "tests/tools/",
                "bench/support/", "bench/whole/")
 
 # Spelled so that this file does not contain what it looks for.

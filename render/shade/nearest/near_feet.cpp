@@ -243,8 +243,8 @@ void FeetArea::make(const AreaDistance& area, glm::dvec2 center) {
   constexpr double kSmall = 32.0;  // [px]
   area_ = &area, center_ = center;
   // A shell folds the distance at the outline, so a thin one has three ridges beside each other.
-  fine_ = std::any_of(area.nodes().begin(), area.nodes().end(),
-                      [](const Node& n) { return n.op == Op::shell; });
+  const auto folds = [](const Node& n) { return n.op == Op::shell; };
+  fine_ = std::any_of(area.nodes().begin(), area.nodes().end(), folds);
   shapes_.resize(area.shapes().size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = area.shapes()[i];
