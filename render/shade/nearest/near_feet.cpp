@@ -241,10 +241,9 @@ void place_samples(const Spine<double>& s, double reach, double from, double to,
 
 void FeetArea::make(const AreaDistance& area, glm::dvec2 center) {
   constexpr double kSmall = 32.0;  // [px]
-  area_ = &area, center_ = center;
+  area_ = &area, center_ = center, fine_ = false;
   // A shell folds the distance at the outline, so a thin one has three ridges beside each other.
-  const auto folds = [](const Node& n) { return n.op == Op::shell; };
-  fine_ = std::any_of(area.nodes().begin(), area.nodes().end(), folds);
+  for (const Node& n : area.nodes()) fine_ = fine_ || n.op == Op::shell;
   shapes_.resize(area.shapes().size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Shape& shape = area.shapes()[i];
