@@ -1,6 +1,7 @@
 // mien new, mien code, mien parts and codes in place of faces.
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -161,6 +162,20 @@ TEST_F(NewTest, PeopleOfASheet) {
   EXPECT_EQ(sheet.spec.height, 64);
 }
 
+TEST_F(NewTest, StatisticsOfPeople) {
+  const Ran table = run_mien({"sheet", "--people", "20", "--statistics"});
+  EXPECT_EQ(table.code, 0) << table.err;
+  EXPECT_NE(table.out.find("20 people of the sheet"), std::string::npos);
+  EXPECT_NE(table.out.find("elders 65-88"), std::string::npos);
+  const Ran json = run_mien(
+      {"sheet", "--people", "20", "--cell", "16", "--statistics", "--json", "-o", file("s.png")});
+  EXPECT_EQ(json.code, 0) << json.err;
+  const auto read = nlohmann::json::parse(json.out);
+  EXPECT_EQ(read.at("people"), 20);
+  EXPECT_EQ(read.at("counts").at(0).at("group"), "age");
+  EXPECT_EQ(test::read(file("s.png")).spec.width, 48);
+}
+
 TEST_F(NewTest, BadUseIsASentence) {
   const auto refused = [](const std::vector<std::string>& words, int code,
                           const std::string& what) {
@@ -188,6 +203,10 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"sheet", "--parts", "hair", "--emotions", "-o", "x.png"}, 2, "not both");
   refused({"sheet", test::face_path("toon"), "--parts", "hair", "-o", "x.png"}, 1, "and no recipe");
   refused({"sheet", "-o", "x.png"}, 2, "--people");
+  refused({"sheet", "--people", "3"}, 2, "--output is required");
+  refused({"sheet", "--parts", "hair", "--statistics"}, 2, "--statistics: needs --people");
+  refused({"sheet", "--people", "3", "--json", "-o", "x.png"}, 2, "--json: needs --statistics");
+  refused({"sheet", "--people", "3", "--statistics", "-o", "-"}, 2, "standard output");
   refused({"sheet", "--people", "1000000000", "-o", "x.png"}, 2, "--people");
   refused({"render", "Z66CB-AA5S0-1C", "-o", "x.png"}, 1, "a sign is wrong");
   refused({"render", test::face_path("toon"), "--style", "ink", "-o", "x.png"}, 1,

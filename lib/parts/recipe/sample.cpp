@@ -19,7 +19,11 @@ namespace {
 constexpr int kNone = 1023;   // a held value: no part of the family
 constexpr int kSteps = 1023;  // of a number's range
 
+constexpr int kMostTickets = 64, kMostOfNone = 256;
+constexpr std::string_view kBare = "none";  // a part of a family that is not optional
+
 // Questions that no family and no number asks.
+constexpr std::uint64_t kWorn = 20000;  // and the family's number
 constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 2003, kHeavy = 2004,
                         kLong = 2005, kCoily = 2006;
 
@@ -85,6 +89,11 @@ class Sampler {
     return std::move(recipe_);
   }
 
+  double lean() {
+    lean_on_axes();
+    return axes_.lean;
+  }
+
  private:
   const int* held(int field) const {
     for (const HeldValue& one : code_.held)
@@ -143,9 +152,8 @@ class Sampler {
     recipe_.numbers[number.name] = number.lo + step * range / kSteps;
   }
 
-  int tickets(const Reading& in, const JsonNode* law) const {
-    constexpr int kMost = 64;
-    return law ? std::clamp(int(std::floor(sum(in, *law) + 0.5)), 0, kMost) : 8;
+  int tickets(const Reading& in, const JsonNode* law, int most) const {
+    return law ? std::clamp(int(std::floor(sum(in, *law) + 0.5)), 0, most) : 8;
   }
 
   struct Drawn {
@@ -161,20 +169,34 @@ class Sampler {
     return best;
   }
 
-  void choose(const Family& family) {
+  /// What is in the draw, the likeliest first. `bare`: only what leaves the family out, or only what does not; not
+  /// said: both.
+  std::vector<Drawn> drawn_of(const Family& family, std::optional<bool> bare) const {
     std::vector<Drawn> drawn;
     for (const Part& part : family.parts) {
+      if (bare && *bare != (part.name == kBare)) continue;
       const Reading& in = part.at.in();
-      const std::uint64_t best =
-          best_of(family, part.number, tickets(in, in.find(*part.at.node, "tickets")));
-      if (best > 0) drawn.push_back({best, &part});
+      const int own = tickets(in, in.find(*part.at.node, "tickets"), kMostTickets);
+      if (const std::uint64_t best = best_of(family, part.number, own); best > 0)
+        drawn.push_back({best, &part});
     }
-    const Reading& in = family.at.in();
-    if (family.optional)
-      drawn.push_back(
-          {best_of(family, kNone, tickets(in, in.find(*family.at.node, "none"))), nullptr});
+    if (const Reading& in = family.at.in(); family.optional && bare != false) {
+      const int own = tickets(in, in.find(*family.at.node, "none"), kMostOfNone);
+      drawn.push_back({best_of(family, kNone, own), nullptr});
+    }
     std::sort(drawn.begin(), drawn.end(),
               [](const Drawn& a, const Drawn& b) { return a.best > b.best; });
+    return drawn;
+  }
+
+  void choose(const Family& family) {
+    const Reading& in = family.at.in();
+    // How many people wear one may be said apart from tickets, and stays the same however many parts there are.
+    std::optional<bool> bare;
+    if (const JsonNode* worn = in.find(*family.at.node, "worn"))
+      bare = chance_.share(kWorn + std::uint64_t(family.number)) >= sum(in, *worn);
+    std::vector<Drawn> drawn = drawn_of(family, bare);
+    if (bare == false && drawn.empty()) drawn = drawn_of(family, true);
     const Part* part = drawn.empty() ? nullptr : drawn[0].part;
     if (const JsonNode* far = in.find(*family.at.node, "apart")) part = far_enough(in, *far, drawn);
     if (const int* own = held(family.number)) {
@@ -230,6 +252,10 @@ class Sampler {
 
 Recipe sampled_recipe(const PartLibrary& library, const FaceCode& code) {
   return Sampler(library, code).recipe();
+}
+
+double sampled_lean(const PartLibrary& library, const FaceCode& code) {
+  return Sampler(library, code).lean();
 }
 
 Recipe recipe_from_seed(std::uint64_t seed) {

@@ -63,12 +63,12 @@ struct FitArguments {
 };
 
 struct SheetArguments {
-  std::optional<std::string> face;
-  std::string output;
+  std::optional<std::string> face, output;
   std::optional<std::string> people, parts, seed, style;
   std::optional<std::string> cell, columns, gap;
   std::vector<std::string> pictures;
   bool emotions = false, half = false;
+  bool statistics = false, json = false;
 };
 
 /// mien new.

@@ -62,7 +62,12 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
       ->type_name("WORD");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")
       ->type_name("STYLE");
-  sheet->add_option("-o,--output", to.output, "Picture to write")->required()->type_name("FILE");
+  sheet->add_option("-o,--output", to.output, "Picture to write")->type_name("FILE");
+  sheet->add_flag(
+      "--statistics", to.statistics,
+      "With --people: print how many of them have each part, how old they are and so on, "
+      "beside what is asked of them; needs no picture");
+  sheet->add_flag("--json", to.json, "With --statistics: print JSON instead of a table");
   sheet->add_flag(
       "--emotions", to.emotions,
       "Every emotion at full strength (default, unless there is a --picture, --people or --parts)");

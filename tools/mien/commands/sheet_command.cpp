@@ -19,6 +19,7 @@
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/image_loader.h"
+#include "tools/mien/people/people_statistics.h"
 
 #include <fmt/format.h>
 
@@ -96,14 +97,19 @@ CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Siz
   return {std::move(cells)};
 }
 
-/// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
-CellsOrCode people_cells(const SheetArguments& arguments, Size size) {
+/// --people.
+Expected<std::vector<FaceCode>> read_people(const SheetArguments& arguments) {
   constexpr int kMostPeople = 10000;
+  const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
+  if (!count) return count.error();
+  return crowd(arguments.seed.value_or("1"), int(*count));
+}
+
+/// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
+CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people,
+                         Size size) {
   constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
                                                       "fear", "disgust", "surprise"};
-  const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
-  if (!count) return {{}, complain(count.error(), kUsedWrongly)};
-  const std::vector<FaceCode> people = crowd(arguments.seed.value_or("1"), int(*count));
   std::vector<CellsOrCode> made(people.size());
   const auto draw = [&](std::size_t person) {
     SheetArguments one = arguments;
@@ -213,40 +219,66 @@ Expected<Size> read_cell(const SheetArguments& arguments, glm::dvec2 extent) {
   return size;
 }
 
-}  // namespace
-
-int sheet_command(const SheetArguments& arguments) {
+/// What does not go together; nothing if all does.
+std::optional<Error> wrongly_used(const SheetArguments& arguments) {
+  const auto says = [](std::string what) { return Error{{}, std::move(what)}; };
   if (!arguments.pictures.empty() && (arguments.emotions || arguments.half))
-    return complain("--picture: a sheet has pictures or emotions, not both", kUsedWrongly);
-  const auto layout = read_sheet_layout(arguments.columns, kDefaultColumns, arguments.gap);
-  if (!layout) return complain(layout.error(), kUsedWrongly);
-  if (arguments.people && arguments.parts)
-    return complain("a sheet has --people or --parts, not both", kUsedWrongly);
+    return says("--picture: a sheet has pictures or emotions, not both");
+  if (arguments.people && arguments.parts) return says("a sheet has --people or --parts, not both");
   if (arguments.parts && (arguments.emotions || arguments.half))
-    return complain("--parts: a sheet has parts or emotions, not both", kUsedWrongly);
+    return says("--parts: a sheet has parts or emotions, not both");
   if (!arguments.parts && arguments.people.has_value() == arguments.face.has_value())
-    return complain("a sheet needs a FACE, --people or --parts, one of them", kUsedWrongly);
-  const bool composed = arguments.people || arguments.parts;
+    return says("a sheet needs a FACE, --people or --parts, one of them");
+  if (arguments.statistics && !arguments.people) return says("--statistics: needs --people");
+  if (arguments.json && !arguments.statistics) return says("--json: needs --statistics");
+  if (arguments.statistics && arguments.output == "-")
+    return says("-o -: the statistics are on standard output already");
+  if (!arguments.statistics && !arguments.output) return says("sheet: --output is required");
+  return {};
+}
+
+/// The cells that are asked for.
+CellsOrCode sheet_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people) {
   std::optional<Face> face;
-  if (!composed) {
+  if (arguments.face && !arguments.parts) {
     face = read_face_aloud(*arguments.face, arguments.style);
-    if (!face) return kFailed;
+    if (!face) return {{}, kFailed};
   } else {
     auto first = face_from_recipe(recipe_from_seed(0));  // all have one canvas
-    if (!first) return complain(first.error(), kFailed);
+    if (!first) return {{}, complain(first.error(), kFailed)};
     face = *std::move(first);
   }
   const auto size = read_cell(arguments, face->model->canvas.box.size());
-  if (!size) return complain(size.error(), kUsedWrongly);
-  const CellsOrCode made = arguments.people             ? people_cells(arguments, *size)
-                           : arguments.parts            ? part_cells(arguments, *size)
-                           : arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
-                                                        : picture_cells(arguments, *face, *size);
-  if (made.code != kDone) return made.code;
-  const auto sheet = captioned_sheet(made.cells, *layout);
-  if (!sheet) return complain(sheet.error(), kFailed);
-  const auto done = write_image_by(load_encoder, *sheet, arguments.output, {});
-  return done ? int(kDone) : complain(done.error(), kFailed);
+  if (!size) return {{}, complain(size.error(), kUsedWrongly)};
+  if (arguments.people) return people_cells(arguments, people, *size);
+  if (arguments.parts) return part_cells(arguments, *size);
+  return arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
+                                    : picture_cells(arguments, *face, *size);
+}
+
+}  // namespace
+
+int sheet_command(const SheetArguments& arguments) {
+  if (const auto wrong = wrongly_used(arguments)) return complain(*wrong, kUsedWrongly);
+  const auto layout = read_sheet_layout(arguments.columns, kDefaultColumns, arguments.gap);
+  if (!layout) return complain(layout.error(), kUsedWrongly);
+  std::vector<FaceCode> people;
+  if (arguments.people) {
+    auto read = read_people(arguments);
+    if (!read) return complain(read.error(), kUsedWrongly);
+    people = *std::move(read);
+  }
+  if (arguments.output) {
+    const CellsOrCode made = sheet_cells(arguments, people);
+    if (made.code != kDone) return made.code;
+    const auto sheet = captioned_sheet(made.cells, *layout);
+    if (!sheet) return complain(sheet.error(), kFailed);
+    const auto done = write_image_by(load_encoder, *sheet, *arguments.output, {});
+    if (!done) return complain(done.error(), kFailed);
+  }
+  if (!arguments.statistics) return kDone;
+  const PeopleStatistics statistics = people_statistics(people);
+  return print(arguments.json ? statistics_json(statistics) : statistics_table(statistics));
 }
 
 }  // namespace mien::command
