@@ -127,7 +127,8 @@ bool same_scene(const Scene& a, const Scene& b) {
          std::ranges::equal(a.layers(), b.layers(), same_layer) &&
          std::ranges::equal(a.groups(), b.groups(),
                             [](const Group& g, const Group& h) {
-                              return g.parent == h.parent && same_bits(g.opacity, h.opacity);
+                              return g.parent == h.parent && g.mix == h.mix &&
+                                     same_bits(g.opacity, h.opacity);
                             }) &&
          same_bits(a.light().direction, b.light().direction) &&
          same_bits(a.light().ambient, b.light().ambient);
