@@ -49,7 +49,7 @@ Scene without_reliefs(const Scene& scene) {
     for (; open.size() > common; open.pop_back()) build.close_group();
     for (; open.size() < chain.size(); open.push_back(chain[open.size()])) {
       const Group& group = scene.groups()[std::size_t(chain[open.size()])];
-      build.open_group(group.name, group.opacity);
+      build.open_group(group.name, group.opacity, {}, group.mix);
     }
     Paint paint = layer.paint;
     paint.relief = nullptr;

@@ -283,7 +283,8 @@ std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, st
     const Maker maker(scene, view);
     PeerDrawing drawing{view.width, view.height, encoded(scene.background()), {}};
     for (const Group& group : scene.groups())
-      if (group.opacity < 1) throw Refusal{"a group with an opacity"};
+      if (group.opacity < 1 || group.mix != MixMode::normal)
+        throw Refusal{"a group with an opacity or a mix"};
     for (const Layer& layer : scene.layers()) drawing.figures.push_back(maker.painted(layer));
     return drawing;
   } catch (const Refusal& refusal) {

@@ -3,6 +3,7 @@
 // numbers that can move are slices of the face vector, referred to by their index.
 
 #include <mien/index.h>
+#include <mien/mix_mode.h>
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -74,9 +75,10 @@ struct FaceSurroundings {
   std::optional<FaceContour> contour;  ///< over the feature
 };
 
-/// Consecutive features that are composited first; the result is then laid over what is below.
+/// Consecutive features that are composited first; the result is then mixed with what is below.
 struct FaceGroup {
   std::string name;
+  MixMode mix = MixMode::normal;
   int opacity = -1;     ///< −1: 1
   Index<Feature> clip;  ///< a feature before the group's first
 };

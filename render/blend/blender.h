@@ -4,6 +4,7 @@
 
 #include <mien/color.h>
 #include <mien/image.h>
+#include <mien/mix_mode.h>
 #include <mien/view.h>
 
 #include <algorithm>
@@ -27,6 +28,20 @@ inline double largest(const Mix& m) {
 /// `top` over `below`.
 inline Mix over(const Mix& top, const Mix& below) {
   return top + (1.0 - top.a) * below;
+}
+
+/// The colour `top` of a group mixed with `below`: the formula of mix_mode.h for premultiplied colours, in which it
+/// holds for opacities, too. It is linear in each of the two.
+inline Mix blended(MixMode mode, const Mix& top, const Mix& below) {
+  switch (mode) {
+    case MixMode::normal:
+      break;
+    case MixMode::multiply:
+      return (1.0 - below.a) * top + (1.0 - top.a) * below + top * below;
+    case MixMode::screen:
+      return top + below - top * below;
+  }
+  return over(top, below);
 }
 
 /// Writes one mixed pixel in the form `depth` asks for (see Image) to `pixel`.

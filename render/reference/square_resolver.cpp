@@ -214,15 +214,16 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   return relief.lamp.lit(mix, relief.slope(p, d, gradient), paints_.blend);
 }
 
-/// Layers bottom to top; a group is composited by itself and then laid over what was there.
+/// Layers bottom to top; a group is composited by itself and then mixed with what was there.
 Mix SquareResolver::color(glm::dvec2 p, const Scope& scope) {
   levels_.assign(1, paints_.background);
   open_.clear();
   const auto close_to = [&](std::size_t depth) {
     while (open_.size() > depth) {
-      const Mix mix = paints_.groups[std::size_t(open_.back())].opacity * levels_.back();
+      const PaintedGroup& group = paints_.groups[std::size_t(open_.back())];
+      const Mix mix = group.opacity * levels_.back();
       open_.pop_back(), levels_.pop_back();
-      levels_.back() = over(mix, levels_.back());
+      levels_.back() = blended(group.mode, mix, levels_.back());
     }
   };
   for (const LiveLayer& live : logic_.live(scope)) {

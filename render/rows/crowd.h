@@ -7,7 +7,8 @@
 // of its own, drawn like any other. Windows lie at absolute places: pixels do not depend on what is asked for.
 //
 // Layers of opacities a, b … that each cover a window let (1 − a)(1 − b) … through. Layers below them change no
-// channel by more than that, as premultiplied colours lie in [0, 1]. Where that is less than kUnseen of a pixel's
+// channel by more than that, as premultiplied colours lie in [0, 1] and the picture is linear in each layer's, by
+// whatever mode groups above mix. Where that is less than kUnseen of a pixel's
 // permitted error, encoded at its steepest, the background replaces them.
 
 #include <mien/image.h>

@@ -31,6 +31,7 @@ void RowFingerprints::look_at_looks(std::uint64_t seed, const Scene& scene, cons
     Fingerprint look(seed);
     for (const LookStep& step : looks.steps(i)) {
       look.add(int(step.kind)), look.add(step.segment), look.add(step.zone);
+      look.add(int(step.mode));
       if (step.varied >= 0) look.add(paints_[std::size_t(step.varied)]);
       for (int k = 0; k < 4; ++k) look.add(step.mix[k]);
     }

@@ -26,7 +26,29 @@ void lay_over(ColorRow& to, const Mix& mix, int count) {
   for (int i = 0; i < count; ++i) to.a[i] = to.a[i] * keep + a;
 }
 
-void lay_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
+void multiply_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
+  for (int i = 0; i < count; ++i) {
+    const float r = opacity * group.r[i], g = opacity * group.g[i], b = opacity * group.b[i],
+                a = opacity * group.a[i], clear = 1.0f - to.a[i], keep = 1.0f - a;
+    to.r[i] = to.r[i] * (keep + r) + clear * r;
+    to.g[i] = to.g[i] * (keep + g) + clear * g;
+    to.b[i] = to.b[i] * (keep + b) + clear * b;
+    to.a[i] = to.a[i] * (keep + a) + clear * a;
+  }
+}
+
+void screen_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
+  for (int i = 0; i < count; ++i) {
+    to.r[i] = to.r[i] * (1.0f - opacity * group.r[i]) + opacity * group.r[i];
+    to.g[i] = to.g[i] * (1.0f - opacity * group.g[i]) + opacity * group.g[i];
+    to.b[i] = to.b[i] * (1.0f - opacity * group.b[i]) + opacity * group.b[i];
+    to.a[i] = to.a[i] * (1.0f - opacity * group.a[i]) + opacity * group.a[i];
+  }
+}
+
+void lay_group(ColorRow& to, const ColorRow& group, MixMode mode, float opacity, int count) {
+  if (mode == MixMode::multiply) return multiply_group(to, group, opacity, count);
+  if (mode == MixMode::screen) return screen_group(to, group, opacity, count);
   for (int i = 0; i < count; ++i) {
     const float keep = 1.0f - opacity * group.a[i];
     to.r[i] = to.r[i] * keep + opacity * group.r[i];
@@ -132,14 +154,14 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
     cells_of_form(*form, side, cells_);
   else
     whole_cells(side, cells_);
-  // Under a ramp whose opacity varies, lower layers count place by place.
+  // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.
   each_ = std::any_of(
       looks_->steps(look).begin(), looks_->steps(look).end(), [&](const LookStep& step) {
         const auto fades = [&] {
           const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
           return varied.paint.ramp && !varied.dense && looks_->segment(step).slope.a != 0.0;
         };
-        return step.kind == Kind::paint && fades();
+        return step.mode != MixMode::normal || (step.kind == Kind::paint && fades());
       });
   const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
   glm::vec4 sum{0.0f};
@@ -168,7 +190,7 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
     lit.pixels(piece, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
                lit_.a.data(), lit_scratch_);
   }
-  lay_group(to, lit_, 1.0f, at.count);
+  lay_group(to, lit_, MixMode::normal, 1.0f, at.count);
 }
 
 const ColorRow& LookShader::places(int look, const Places& at) {
@@ -180,14 +202,20 @@ const ColorRow& LookShader::places(int look, const Places& at) {
         fill(levels_[open++], step.mix, at.count);
         break;
       case Kind::over:
-        lay_over(levels_[open - 1], step.mix, at.count);
+        if (step.mode == MixMode::normal) {
+          lay_over(levels_[open - 1], step.mix, at.count);
+          break;
+        }
+        if (levels_.size() == open) levels_.emplace_back();
+        fill(levels_[open], step.mix, at.count);
+        lay_group(levels_[open - 1], levels_[open], step.mode, 1.0f, at.count);
         break;
       case Kind::paint:
         lay(step, at, levels_[open - 1]);
         break;
       case Kind::close:
         --open;
-        lay_group(levels_[open - 1], levels_[open], float(step.mix.a), at.count);
+        lay_group(levels_[open - 1], levels_[open], step.mode, float(step.mix.a), at.count);
         break;
     }
   }

@@ -17,13 +17,14 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
 std::uint64_t hash_of(const LookStep& step) {
   std::uint64_t hash = mixed(std::uint64_t(step.kind) + 1, std::uint64_t(step.varied + 1));
   hash = mixed(hash, std::uint64_t(step.segment) << 32 | std::uint32_t(step.zone));
+  hash = mixed(hash, std::uint64_t(step.mode));
   for (int i = 0; i < 4; ++i) hash = mixed(hash, mien::bit_cast<std::uint64_t>(step.mix[i] + 0.0));
   return hash;
 }
 
 bool same(const LookStep& a, const LookStep& b) {
   return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment && a.zone == b.zone &&
-         a.mix == b.mix;
+         a.mode == b.mode && a.mix == b.mix;
 }
 
 /// The literals of a conjunction, written to `to`; false for any other program. In postfix order an `and` may only
@@ -226,18 +227,28 @@ void Looks::enter_group(int group) {
 
 void Looks::leave_groups(std::size_t depth) {
   while (open_.size() > depth) {
-    const double opacity = paints_->groups[std::size_t(open_.back())].opacity;
+    const auto& [parent, opacity, mode] = paints_->groups[std::size_t(open_.back())];
     open_.pop_back();
     Level level = levels_.back();
-    if (level.varies) {
-      write_pending(level, false);
-      levels_.pop_back();
-      steps_.push_back({.kind = Kind::close, .mix = {0.0, 0.0, 0.0, opacity}});
-    } else {
-      levels_.pop_back();
-      lay_over(opacity * level.mix);
-    }
+    if (level.varies) write_pending(level, false);
+    levels_.pop_back();
+    if (level.varies)
+      steps_.push_back({.kind = Kind::close, .mode = mode, .mix = {0.0, 0.0, 0.0, opacity}});
+    else
+      lay_group(opacity * level.mix, mode);
   }
+}
+
+/// Constant colours laid over each other are one colour, wherever it is laid; a mode asks for what is below.
+void Looks::lay_group(const Mix& mix, MixMode mode) {
+  Level& below = levels_.back();
+  if (mode == MixMode::normal) return lay_over(mix);
+  if (!below.varies) {
+    below.mix = blended(mode, mix, below.mix);
+    return;
+  }
+  write_pending(below, false);
+  if (mix != Mix{0.0}) steps_.push_back({.kind = Kind::over, .mode = mode, .mix = mix});
 }
 
 void Looks::lay_over(const Mix& mix) {
@@ -320,67 +331,6 @@ int Looks::known_or_new(std::size_t first_step) {
                     neglected > 0.0 || formed_by(steps), dense_by(steps), int(first_step),
                     int(steps_.size() - first_step), hash});
   return table_[i];
-}
-
-/// What a ramp changes by per pixel.
-double Looks::slope_of(const LookStep& step) const {
-  const Mix& along = segment(step).slope;
-  return paints_->varied[std::size_t(step.varied)].paint.field.per_pixel *
-         std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b), std::abs(along.a)});
-}
-
-/// Two paints over each other: the mean of the upper one's opacity times the lower one's colour differs from the
-/// product of their means, by a twelfth of the product of both slopes.
-double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) const {
-  constexpr double kLit = 0.3;  // [1/px] what light may change by
-  double sum = 0.0, below = 0.0;
-  for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint) continue;
-    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
-    const GridPaint& paint = varied.paint;
-    const bool lit = step.zone >= 0;
-    if (varied.dense) sum += 0.01;  // integrated, unless it has more stops than can be resolved
-    if (paint.ramp && !varied.dense) {
-      const RampSegment& along = segment(step);
-      sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;
-      below += slope_of(step);
-      tip = tip || (!lit && paint.field.kind == PaintField::Kind::radial &&
-                    along.from < kTipReach * paint.field.per_pixel);
-    }
-    if (lit) below += kLit;
-  }
-  return sum;
-}
-
-bool Looks::formed_by(std::span<const LookStep> steps) const {
-  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
-    return step.kind == Kind::paint &&
-           (step.zone >= 0 ||
-            paints_->varied[std::size_t(step.varied)].paint.field.kind != PaintField::Kind::linear);
-  });
-}
-
-bool Looks::dense_by(std::span<const LookStep> steps) const {
-  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
-    return step.kind == Kind::paint && paints_->varied[std::size_t(step.varied)].dense;
-  });
-}
-
-double Looks::neglected_near(int look, glm::dvec2 p, bool part, double least) const {
-  double sum = 0.0;
-  for (const LookStep& step : steps(look)) {
-    if (step.kind != Kind::paint || step.zone >= 0) continue;
-    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
-    if (field.kind != PaintField::Kind::radial) continue;
-    const double slope = slope_of(step), bend = part ? 0.03 * slope : 0.0;
-    // r is at least the distance times the smaller radius over the larger one.
-    const glm::dvec2 way = p - field.center;
-    const double near2 = glm::dot(way, way) * field.narrow * field.narrow;
-    if (0.02 * slope + bend * std::sqrt(near2) < least * near2) continue;
-    const double r = std::max(field.at(p, 0.0) / field.per_pixel, 0.5);
-    sum += 0.02 * slope / (r * r) + bend / r;
-  }
-  return sum;
 }
 
 }  // namespace mien

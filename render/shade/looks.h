@@ -19,12 +19,13 @@ namespace mien {
 struct LookStep {
   enum class Kind : unsigned char {
     open,   ///< begin with `mix`: the picture's ground, or a group's
-    over,   ///< lay `mix` over it
+    over,   ///< lay `mix` over it, by `mode`
     paint,  ///< lay a varied paint over it, in one of the segments between its kinks
-    close   ///< the group ends: lay it over what was there, times mix.a
+    close   ///< the group ends: lay it over what was there, times mix.a, by `mode`
   } kind;
   int varied = -1, segment = 0;  ///< of `paint`
   int zone = -1;                 ///< of a lit paint, where it is not level; −1: its ramp alone
+  MixMode mode = MixMode::normal;
   Mix mix{0.0};
 };
 
@@ -93,13 +94,15 @@ class Looks final : public LookRule {
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
   void lay_over(const Mix& mix);
+  void lay_group(const Mix& mix, MixMode mode);
   void lay_paint(int varied, const std::uint64_t* inside);
   void write_pending(Level& level, bool opens);
   void enter_group(int group);
   void leave_groups(std::size_t depth);
   int known_or_new(std::size_t first_step);
+  // looks_neglected.cpp
   double slope_of(const LookStep& step) const;
-  double neglected_by(std::span<const LookStep> steps, bool& tip) const;
+  double neglected_by(std::span<const LookStep> steps, bool& tip);
   bool formed_by(std::span<const LookStep> steps) const;
   bool dense_by(std::span<const LookStep> steps) const;
 
@@ -129,6 +132,7 @@ class Looks final : public LookRule {
   std::vector<Level> levels_;
   std::vector<int> open_;  ///< groups
   std::vector<int> chain_;
+  std::vector<double> grounds_;  ///< of groups: what lies below them changes by per pixel
 };
 
 }  // namespace mien

@@ -174,17 +174,20 @@ class PaintMaker {
   std::size_t varied_ = 0, distances_ = 0;  ///< made so far
 };
 
-/// The translucent groups, and for every group of the scene the nearest of those it is in.
+/// The groups that count, and for every group of the scene the nearest of those it is in.
 void PaintTable::make_groups(const Scene& scene) {
   groups.clear(), nearest_.clear();
+  ground_.assign(scene.groups().size(), 0);
+  for (const Group& group : scene.groups())
+    if (group.mix != MixMode::normal && group.parent >= 0) ground_[std::size_t(group.parent)] = 1;
   for (const Group& group : scene.groups()) {
     const int parent = group.parent < 0 ? -1 : nearest_[std::size_t(group.parent)];
-    if (group.opacity >= 1.0) {
+    if (group.opacity >= 1.0 && group.mix == MixMode::normal && !ground_[nearest_.size()]) {
       nearest_.push_back(parent);  // its layers look the same as on their own
       continue;
     }
     nearest_.push_back(int(groups.size()));
-    groups.push_back({parent, group.opacity > 0.0 ? group.opacity : 0.0});
+    groups.push_back({parent, group.opacity > 0.0 ? std::min(group.opacity, 1.0) : 0.0, group.mix});
   }
 }
 

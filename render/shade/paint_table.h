@@ -43,10 +43,12 @@ struct PaintedLayer {
   int group = -1;   ///< index into PaintTable::groups; −1: on its own
 };
 
-/// Layers that are composited first and then laid over what is below as one: translucent groups only.
+/// Layers that are composited first and then mixed with what is below as one: groups only that are translucent, mix
+/// by a mode of their own, or are what such a group mixes with.
 struct PaintedGroup {
   int parent;  ///< −1: none
   double opacity;
+  MixMode mode;
 };
 
 struct PaintTable {
@@ -71,7 +73,8 @@ struct PaintTable {
   void make_lit(const Scene& scene, const View& view, Depth depth);
   void make_groups(const Scene& scene);
 
-  std::vector<int> nearest_;   ///< by group of the scene: the translucent one it is in
+  std::vector<int> nearest_;   ///< by group of the scene: the painted one it is in
+  std::vector<char> ground_;   ///< by group of the scene: whether a group in it mixes with it
   std::vector<int> distance_;  ///< by node of the scene: its distance's index; −1: none yet
   std::vector<int> place_;
   std::vector<double> kinks_;

@@ -73,7 +73,7 @@ void draw_face(const Face& face, SceneBuilder& build) {
       if (group) {
         const FaceGroup& opened = group.in(model.groups);
         build.open_group(opened.name, opacity_of(face, opened.opacity),
-                         opened.clip ? areas.of(opened.clip) : Area{});
+                         opened.clip ? areas.of(opened.clip) : Area{}, opened.mix);
       }
     }
     areas.add(i);

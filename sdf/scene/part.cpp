@@ -30,7 +30,7 @@ void ScenePart::open_groups_of(int group) {
   for (; open_.size() > same; open_.pop_back()) build_->close_group();
   for (; same < chain_.size(); ++same) {
     const Group& g = whole_->groups()[std::size_t(chain_[same])];
-    build_->open_group(g.name, g.opacity);
+    build_->open_group(g.name, g.opacity, {}, g.mix);
     open_.push_back(chain_[same]);
   }
 }

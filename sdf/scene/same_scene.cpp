@@ -130,7 +130,8 @@ bool same_scene(const Scene& a, const Scene& b) {
                     same_layer) &&
          std::equal(a.groups().begin(), a.groups().end(), b.groups().begin(), b.groups().end(),
                     [](const Group& g, const Group& h) {
-                      return g.parent == h.parent && same_bits(g.opacity, h.opacity);
+                      return g.parent == h.parent && g.mix == h.mix &&
+                             same_bits(g.opacity, h.opacity);
                     }) &&
          same_bits(a.light().direction, b.light().direction) &&
          same_bits(a.light().ambient, b.light().ambient);

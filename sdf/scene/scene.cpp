@@ -132,13 +132,13 @@ void SceneBuilder::layer(std::string name, Area area, Paint paint) {
   data_.layers.push_back({std::move(name), area, std::move(paint), group});
 }
 
-void SceneBuilder::open_group(std::string name, double opacity, Area clip) {
+void SceneBuilder::open_group(std::string name, double opacity, Area clip, MixMode mix) {
   const OpenGroup outer = open_.empty() ? OpenGroup{-1, {}} : open_.back();
   if (clip.node < 0)
     clip = outer.clip;
   else if (outer.clip.node >= 0)
     clip = intersect(clip, outer.clip);
-  data_.groups.push_back({std::move(name), outer.group, opacity});
+  data_.groups.push_back({std::move(name), outer.group, opacity, mix});
   open_.push_back({int(data_.groups.size()) - 1, clip});
 }
 

@@ -12,6 +12,7 @@
 #include <mien/api.h>
 #include <mien/box2.h>
 #include <mien/color.h>
+#include <mien/mix_mode.h>
 #include <mien/op.h>
 #include <mien/paint.h>
 #include <mien/shape.h>
@@ -37,12 +38,14 @@ struct Layer {
   int group = -1;  ///< index into Scene::groups(); −1: none
 };
 
-/// Layers that are composited with each other first; the result is then laid over what is below, with an
-/// opacity. The layers of a group and of its subgroups are consecutive.
+/// Layers that are composited with each other first; the result is then mixed with what is below, with an
+/// opacity. What is below a group in a group is what that one has so far. The layers of a group and of its
+/// subgroups are consecutive.
 struct Group {
   std::string name;
   int parent = -1;     ///< the group it is in; −1: none
   double opacity = 1;  ///< 0 … 1
+  MixMode mix = MixMode::normal;
 };
 
 struct Canvas {
@@ -103,7 +106,7 @@ class MIEN_API SceneBuilder {
 
   /// Begins a group; the layers up to the matching close_group belong to it. With a `clip` they are drawn
   /// only inside that area.
-  void open_group(std::string name, double opacity, Area clip = {});
+  void open_group(std::string name, double opacity, Area clip = {}, MixMode mix = MixMode::normal);
   void close_group();
 
   void light(const Light& light) { data_.light = light; }

@@ -174,6 +174,7 @@ std::string Scene::text() const {
   for (std::size_t i = 0; i < groups().size(); ++i) {
     const Group& g = groups()[i];
     fmt::format_to(out, "group g{} {} opacity {}", i, g.name, g.opacity);
+    if (g.mix != MixMode::normal) fmt::format_to(out, " mix {}", kMixModes[std::size_t(g.mix)]);
     if (g.parent >= 0) fmt::format_to(out, " in g{}", g.parent);
     fmt::format_to(out, "\n");
   }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tests/support/asked.h"
+#include "tests/support/changed_scene.h"
 #include "tests/support/effort.h"
 #include "tests/support/exact_truth.h"
 #include "tests/support/exact_windows.h"
@@ -187,6 +188,16 @@ TEST(ExactLitScenes, OfEveryProfileDomeAndPaintAreWithinALevel) {
     const int side = seed % 3 == 0 ? 9 : seed % 3 == 1 ? 17 : 40;
     expect_exact(scene, {.width = side, .height = side, .dither = false}, Pixels::all,
                  few ? 4 + side : 5);
+  }
+}
+
+TEST(ExactLitScenes, WhoseGroupsMixByEveryModeAreWithinALevel) {
+  for (int seed = 1; seed <= test::asked_of("MIEN_RANDOM_SCENES", 6); ++seed) {
+    const auto word = std::uint64_t(seed);
+    const Scene scene = test::mixed_scene(test::random_lit_scene(word), word);
+    SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));
+    const int side = seed % 2 ? 9 : 24;
+    expect_exact(scene, {.width = side, .height = side, .dither = false}, Pixels::all, 5 + side);
   }
 }
 

@@ -18,13 +18,16 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "tests/support/asked.h"
+#include "tests/support/changed_scene.h"
 #include "tests/support/effort.h"
 #include "tests/support/exact_compare.h"
 #include "tests/support/exact_truth.h"
+#include "tests/support/random_plain_scene.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/rendered.h"
 
@@ -91,9 +94,11 @@ TEST(ExactTruth, KnowsTheMeanOfARadialGradientWithAJump) {
 
 // What is drawn.
 
-void expect_exact(const Scene& scene, int side, Blend blend, int every) {
+void expect_exact(const Scene& scene, int side, Blend blend, int every,
+                  const std::optional<Color>& ground = {}) {
   SCOPED_TRACE(fmt::format("{} px, {}", side, blend == Blend::linear ? "linear" : "srgb"));
-  const View view{.width = side, .height = side, .blend = blend, .dither = false};
+  const View view{
+      .width = side, .height = side, .blend = blend, .background = ground, .dither = false};
   const Image images[] = {test::rendered(scene, view, {.depth = Depth::u8}),
                           test::rendered(scene, view, {.depth = Depth::u16})};
   const double allowed[] = {1, 32};
@@ -111,6 +116,111 @@ TEST(ExactPaint, RandomScenesOfEveryShapeOperatorPaintAndTransparency) {  // E12
     const int side = seed % 3 == 0 ? 4 : seed % 3 == 1 ? 7 : 13;
     expect_exact(scene, side, seed % 2 ? Blend::linear : Blend::srgb, few ? 11 : 1);
   }
+}
+
+TEST(ExactPaint, RandomScenesWhoseGroupsMixByEveryMode) {
+  const bool few = !std::getenv("MIEN_RANDOM_SCENES");
+  const int first = test::asked_of("MIEN_FIRST_SCENE", 1);
+  for (int seed = first; seed < first + scenes(8); ++seed) {
+    const auto word = std::uint64_t(seed);
+    const Scene scene = test::mixed_scene(
+        seed % 3 ? test::random_painted_scene(word) : test::random_plain_scene(word), word);
+    SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));
+    for (const Blend blend : {Blend::linear, Blend::srgb})
+      expect_exact(scene, seed % 2 ? 7 : 12, blend, few ? 7 : 1);
+  }
+}
+
+// The same over nothing: the W3C's formula with the backdrop's opacity.
+TEST(ExactPaint, GroupsMixOverTransparency) {
+  for (int seed = 1; seed <= test::times(6); ++seed) {
+    const auto word = std::uint64_t(seed);
+    const Scene scene = test::mixed_scene(
+        seed % 2 ? test::random_painted_scene(word) : test::random_plain_scene(word), word);
+    SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));
+    for (const Blend blend : {Blend::linear, Blend::srgb})
+      expect_exact(scene, 8, blend, 7, Color{0, 0, 0, 0});
+  }
+}
+
+/// How a colour over another looks in the middle of a picture.
+std::vector<int> middle_of(SceneBuilder build, Blend blend) {
+  const Image image = test::rendered(std::move(build).finish(),
+                                     {.width = 9, .height = 9, .blend = blend, .dither = false});
+  return {image.row(4)[16], image.row(4)[17], image.row(4)[18], image.row(4)[19]};
+}
+
+TEST(Mix, MultipliesAndScreensInThePicturesBlend) {
+  const auto mixed = [](MixMode mode, double opacity, const Color& ground) {
+    SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, ground);
+    build.layer("below", build.shape(Disc{{0, 0}, 0.9}), {{0.5, 0.25, 1, 1}});
+    build.open_group("glass", opacity, {}, mode);
+    build.layer("white", build.shape(Disc{{0, 0}, 0.8}), {{1, 1, 1, 1}});
+    build.layer("lens", build.shape(Disc{{0, 0}, 0.7}), {{0.5, 0, 1, 1}});
+    build.close_group();
+    return build;
+  };
+  const Color black{0, 0, 0, 1};
+  const auto light = [](double v) { return int(255 * test::encoded(v) + 0.5); };
+  EXPECT_EQ(middle_of(mixed(MixMode::multiply, 1, black), Blend::linear),
+            (std::vector{light(0.25), 0, 255, 255}));
+  EXPECT_EQ(middle_of(mixed(MixMode::screen, 1, black), Blend::linear),
+            (std::vector{light(0.75), light(0.25), 255, 255}));
+  EXPECT_EQ(middle_of(mixed(MixMode::multiply, 0.5, black), Blend::linear),
+            (std::vector{light(0.375), light(0.125), 255, 255}));
+  const double half = test::encoded(0.5);
+  EXPECT_EQ(middle_of(mixed(MixMode::multiply, 1, black), Blend::srgb),
+            (std::vector{int(255 * half * half + 0.5), 0, 255, 255}));
+}
+
+/// A pixel from 0 to 1: a ramp from black to white, and over it a group of one layer.
+double over_a_ramp(MixMode mode, const Paint& paint) {
+  const Gradient ramp{LinearGradient{{0, 0}, {1, 0}}, {{0, {0, 0, 0, 1}}, {1, {1, 1, 1, 1}}}};
+  SceneBuilder build({.box = {{0, 0}, {1, 1}}}, {1, 0, 0, 1});
+  build.layer("ramp", build.everywhere(),
+              {.color = {0, 0, 0, 1}, .gradient = shared(Gradient(ramp))});
+  build.open_group("glass", 1, {}, mode);
+  build.layer("glass", build.everywhere(), paint);
+  build.close_group();
+  const View view{.width = 1, .height = 1, .blend = Blend::srgb, .dither = false};
+  return test::rendered(std::move(build).finish(), view).row(0)[0] / 255.0;
+}
+
+// The mean of a product is not the product of the means: of x times x over a pixel it is 1/3, not 1/4.
+TEST(Mix, OverAGradientIsTheMeanOfProducts) {
+  constexpr double kLevel = 1.0 / 255;
+  const Gradient ramp{LinearGradient{{0, 0}, {1, 0}}, {{0, {0, 0, 0, 1}}, {1, {1, 1, 1, 1}}}};
+  const Paint same{.color = {0, 0, 0, 1}, .gradient = shared(Gradient(ramp))};
+  EXPECT_NEAR(over_a_ramp(MixMode::multiply, same), 1.0 / 3, kLevel);
+  EXPECT_NEAR(over_a_ramp(MixMode::screen, same), 2.0 / 3, kLevel);
+  EXPECT_NEAR(over_a_ramp(MixMode::normal, same), 1.0 / 2, kLevel);
+  const double half = test::decoded(0.5);
+  const Paint gray{.color = {half, half, half, 1}};
+  EXPECT_NEAR(over_a_ramp(MixMode::multiply, gray), 1.0 / 4, kLevel);
+  EXPECT_NEAR(over_a_ramp(MixMode::screen, gray), 3.0 / 4, kLevel);
+  EXPECT_NEAR(over_a_ramp(MixMode::normal, gray), 1.0 / 2, kLevel);
+}
+
+// What judges modes must see it go wrong.
+TEST(Mix, OfAnotherModeIsSeenToBe) {
+  const auto scene = [](MixMode mode, double opacity) {
+    SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0.3, 0.4, 0.5, 1});
+    build.open_group("glass", opacity, {}, mode);
+    build.layer("lens", build.shape(Disc{{0, 0}, 0.7}), {{0.5, 0.2, 0.9, 1}});
+    build.close_group();
+    return std::move(build).finish();
+  };
+  const View view{.width = 12, .height = 12, .dither = false};
+  const auto over = [&](const Scene& drawn, const Scene& meant) {
+    const Image images[] = {test::rendered(drawn, view)};
+    const double allowed[] = {1};
+    return test::compare_exactly(images, ExactTruth(meant, view), allowed, 1).over;
+  };
+  const Scene meant = scene(MixMode::multiply, 0.9);
+  EXPECT_EQ(over(meant, meant), 0);
+  EXPECT_GT(over(scene(MixMode::screen, 0.9), meant), 50);
+  EXPECT_GT(over(scene(MixMode::normal, 0.9), meant), 50);
+  EXPECT_GT(over(scene(MixMode::multiply, 0.85), meant), 40);
 }
 
 // Where a bent edge's tangent just misses a row, slivers remain that encoding makes 12.92 times as bright: one

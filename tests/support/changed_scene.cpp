@@ -34,7 +34,7 @@ struct Parts {
     for (; open.size() > same; open.pop_back()) build.close_group();
     for (; same < chain.size(); ++same) {
       const Group& g = groups[std::size_t(chain[same])];
-      build.open_group(g.name, g.opacity);
+      build.open_group(g.name, g.opacity, {}, g.mix);
       open.push_back(chain[same]);
     }
   }
@@ -106,7 +106,10 @@ Scene changed_scene(const Scene& scene, Random& random) {
       p.ground.g = random.unit();
       break;
     case 1:
-      if (!p.groups.empty()) one_of(p.groups).opacity *= random.between(0.8, 1.0);
+      if (!p.groups.empty() && random.chance(0.3))
+        one_of(p.groups).mix = MixMode(random.below(3));
+      else if (!p.groups.empty())
+        one_of(p.groups).opacity *= random.between(0.8, 1.0);
       break;
     case 2:
     case 3:
@@ -128,6 +131,22 @@ Scene changed_scene(const Scene& scene, Random& random) {
       Shape& shape = one_of(p.shapes);
       shape = transformed(glm::dmat2{1.0}, random.size(-4, -1) * random.direction(), shape);
     }
+  }
+  return p.scene();
+}
+
+Scene mixed_scene(const Scene& scene, std::uint64_t seed) {
+  Random random(~seed);
+  Parts p(scene);
+  if (p.groups.empty()) {
+    p.groups.push_back({"group"});
+    const int count = int(p.layers.size()), first = random.below(count),
+              end = first + 1 + random.below(count - first);
+    for (int i = first; i < end; ++i) p.layers[std::size_t(i)].group = 0;
+  }
+  for (Group& group : p.groups) {
+    if (random.chance(0.6)) group.opacity = 1;
+    group.mix = random.chance(0.2) ? MixMode::normal : MixMode(1 + random.below(2));
   }
   return p.scene();
 }

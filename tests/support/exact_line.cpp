@@ -112,7 +112,7 @@ ExactTruth::Spans ExactTruth::spans(const Square& square, const FaceLine& line) 
   return out;
 }
 
-/// Layers bottom to top; a group is collected by itself and then laid over what was there.
+/// Layers bottom to top; a group is collected by itself and then mixed with what was there.
 Mixes ExactTruth::color(const std::vector<int>& stack, glm::dvec2 p) const {
   std::vector<Mixes> mixes{paint_.background()};
   std::vector<int> open;
@@ -124,10 +124,11 @@ Mixes ExactTruth::color(const std::vector<int>& stack, glm::dvec2 p) const {
   };
   const auto close_to = [&](std::size_t depth) {
     while (open.size() > depth) {
-      const Mixes mix = scene_.groups()[std::size_t(open.back())].opacity * mixes.back();
+      const Group& group = scene_.groups()[std::size_t(open.back())];
+      const Mixes mix = group.opacity * mixes.back();
       mixes.pop_back();
       open.pop_back();
-      mixes.back() = laid_over(mix, mixes.back());
+      mixes.back() = mixed_by(group.mix, mix, mixes.back());
     }
   };
   for (const int layer : stack) {

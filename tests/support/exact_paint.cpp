@@ -37,7 +37,8 @@ ExactPaint::ExactPaint(const Scene& scene, const View& view, double unit)
   for (const Layer& layer : scene.layers()) {
     bool hides = opaque(layer);
     for (int g = layer.group; g >= 0; g = scene.groups()[std::size_t(g)].parent)
-      hides &= scene.groups()[std::size_t(g)].opacity == 1;
+      hides &= scene.groups()[std::size_t(g)].opacity == 1 &&
+               scene.groups()[std::size_t(g)].mix == MixMode::normal;
     hides_.push_back(hides);
     flat_.push_back(mixes(layer.paint.color, 1));
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/changed_scene.h"
 #include "tests/support/degenerate_scene.h"
 #include "tests/support/exact_compare.h"
 #include "tests/support/exact_truth.h"
@@ -77,6 +78,8 @@ bool fuzzed_scene(std::string_view kind, std::uint64_t seed, Scene& scene) {
     scene = huge_scene(seed);
   else if (kind == "painted")
     scene = random_painted_scene(seed);
+  else if (kind == "mixed")
+    scene = mixed_scene(seed % 2 ? random_painted_scene(seed) : degenerate_scene(seed, 1e-6), seed);
   else
     return false;
   return true;

@@ -215,11 +215,13 @@ void read_groups(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect(node, JsonKind::object);
   in.for_each(node, [&](const JsonNode& child, int) {
     if (in.tree.key(child) == "comment") return;
-    in.expect_object(child, {"opacity", "clip"}, "group");
+    in.expect_object(child, {"opacity", "mix", "clip"}, "group");
     FaceGroup group{.name = in.name(child, in.tree.key(child))};
     if (const JsonNode* opacity = in.find(child, "opacity"))
       group.opacity =
           read_opacity(in, *opacity, fmt::format("groups/{}/opacity", group.name), face);
+    if (const JsonNode* mix = in.find(child, "mix"))
+      group.mix = MixMode(in.word(*mix, "way to mix", kMixModes));
     face.model.groups.push_back(std::move(group));
   });
 }

@@ -24,7 +24,7 @@ struct PartKey {
   std::string_view name;
   std::optional<JsonKind> kind;  ///< none: not looked at here
 };
-constexpr std::array<PartKey, 14> kPartKeys{{{"format", {}},
+constexpr std::array<PartKey, 15> kPartKeys{{{"format", {}},
                                              {"format_version", {}},
                                              {"$schema", {}},
                                              {"comment", {}},
@@ -37,6 +37,7 @@ constexpr std::array<PartKey, 14> kPartKeys{{{"format", {}},
                                              {"points", JsonKind::object},
                                              {"values", JsonKind::object},
                                              {"covers", JsonKind::array},
+                                             {"groups", JsonKind::object},
                                              {"features", JsonKind::array}}};
 
 /// What a part has of a kind, by name: {"points": {"hairline": …}}, {"features": [{"name": "hat"}, …]}.

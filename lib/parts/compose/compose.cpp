@@ -7,8 +7,12 @@
 #include "lib/parts/compose/part_palette.h"
 #include "lib/parts/compose/part_style.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -32,6 +36,7 @@ class Composition {
     out_.key("name"), out_.kept_string(well_formed(recipe_.name));
     out_.key("credit"), out_.kept_string(credit());
     write_features();
+    if (!groups_.empty()) write_groups();
     write_rest();
     out_.close();
     return std::move(tree_);
@@ -56,6 +61,21 @@ class Composition {
     std::vector<std::int32_t> order;
     for (const FlatFeatures::One& one : features_.features) order.push_back(one.node);
     out_.arrange(array, order);
+  }
+
+  /// Those of all parts that are drawn.
+  void write_groups() {
+    std::set<std::string_view> names;
+    out_.key("groups"), out_.object();
+    for (const auto& [in, node] : groups_)
+      in->for_each(*node, [&, in = in](const JsonNode& group, int) {
+        const std::string_view name = in->tree.key(group);
+        if (name == "comment") return;
+        if (!names.insert(name).second)
+          in->refuse(group, fmt::format("another part has a group named {}, too", in_quotes(name)));
+        out_.key(name), out_.stems_from(in->tree, group), out_.copy(in->tree, group);
+      });
+    out_.close();
   }
 
   /// What a rig needs to know which features there are, and what needs none.
@@ -110,6 +130,7 @@ class Composition {
 
   void draw(const LibraryNode& from, std::string_view family) {
     const Reading& in = from.in();
+    if (const JsonNode* groups = in.find(*from.node, "groups")) groups_.emplace_back(&in, groups);
     if (const JsonNode* features = in.find(*from.node, "features"))
       in.for_each(*features, [&](const JsonNode& node, int) {
         flatten_feature(in, node, family, library_, style_, geometry_, features_, out_);
@@ -125,6 +146,7 @@ class Composition {
   JsonTree tree_;
   TreeWriter out_{tree_};
   std::set<std::string, std::less<>> covered_;
+  std::vector<std::pair<const Reading*, const JsonNode*>> groups_;
 };
 
 }  // namespace

@@ -46,6 +46,26 @@ TEST(Over, MixesHalfBlackAndWhiteInTheBlendsOwnSpace) {
   EXPECT_EQ(over(top, below), (Mix{0.25, 0, 0.75, 1}));
 }
 
+/// The W3C's formulas, of straight colours.
+double blended_straight(MixMode mode, double cb, double ab, double cs, double as) {
+  const double both = mode == MixMode::multiply ? cb * cs : cb + cs - cb * cs;
+  return as * ((1 - ab) * cs + ab * both) + (1 - as) * ab * cb;
+}
+
+TEST(Blended, IsTheStandardsFormulaForAnyOpacities) {
+  for (const double as : {0.0, 0.3, 1.0})
+    for (const double ab : {0.0, 0.6, 1.0})
+      for (const MixMode mode : {MixMode::multiply, MixMode::screen}) {
+        const Mix top = as * Mix{0.9, 0.5, 0, 1}, below = ab * Mix{0.2, 0.7, 1, 1};
+        const Mix mix = blended(mode, top, below);
+        EXPECT_NEAR(mix.r, blended_straight(mode, 0.2, ab, 0.9, as), 1e-15);
+        EXPECT_NEAR(mix.g, blended_straight(mode, 0.7, ab, 0.5, as), 1e-15);
+        EXPECT_NEAR(mix.b, blended_straight(mode, 1, ab, 0, as), 1e-15);
+        EXPECT_NEAR(mix.a, as + ab - as * ab, 1e-15);
+        EXPECT_EQ(blended(MixMode::normal, top, below), over(top, below));
+      }
+}
+
 TEST(StoreDithered, MovesAValueByLessThanALevelAndNotOnAverage) {  // E13
   for (const double value : {0.0, 17.0, 17.25, 200.9, 255.0}) {
     double sum = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/changed_scene.h"
 #include "tests/support/degenerate_scene.h"
 #include "tests/support/effort.h"
 #include "tests/support/exact_truth.h"
@@ -122,6 +123,17 @@ TEST(SquareResolver, KeepsItsBoundWherePaintsVary) {
   for (int seed = 1; seed <= test::times(6); ++seed) {
     const Scene scene = test::random_painted_scene(std::uint64_t(seed));
     keep_to(scene, scene, 7, 2, word);
+  }
+  expect_kept(word, 64.0 / 65535, 1e-3);
+}
+
+TEST(SquareResolver, KeepsItsBoundWhereGroupsMix) {
+  Word word;
+  for (int seed = 1; seed <= test::times(8); ++seed) {
+    const auto number = std::uint64_t(seed);
+    const Scene scene = test::mixed_scene(
+        seed % 2 ? test::random_painted_scene(number) : test::random_plain_scene(number), number);
+    keep_to(scene, scene, 9, 2, word);
   }
   expect_kept(word, 64.0 / 65535, 1e-3);
 }

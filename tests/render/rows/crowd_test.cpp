@@ -27,7 +27,7 @@ Scene crowd(std::uint64_t seed, std::size_t layers, double opaque = 0.8) {
     if (r.chance(0.02))
       paint.relief = shared({.area = whole, .profile = Profile::bevel, .width = 2, .height = 1});
     const bool grouped = r.chance(0.05);
-    if (grouped) build.open_group("group", 0.5);
+    if (grouped) build.open_group("group", 0.5, {}, MixMode(i % kMixModes.size()));
     build.layer("disc", r.chance(0.2) ? build.subtract(whole, hole) : whole, paint);
     if (grouped) build.close_group();
   }

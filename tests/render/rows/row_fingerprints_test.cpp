@@ -15,6 +15,7 @@ constexpr int kPictureSide = 40;
 struct Numbers {
   double radius = 3, stop = 1, opacity = 0.5;
   glm::dvec2 hidden{20, 30};
+  MixMode mix = MixMode::normal, mix_above = MixMode::normal;
 
   Scene scene() const {
     SceneBuilder build({{{0, 0}, {kPictureSide, kPictureSide}}, false}, {1, 1, 1, 1});
@@ -22,12 +23,14 @@ struct Numbers {
       return shared(Gradient{LinearGradient{{0, middle - 3}, {0, middle + 3}},
                              {{0, {stop, 0, 0, 1}}, {1, {0, 0, 1, 1}}}});
     };
-    build.open_group("pair", opacity);
+    build.open_group("pair", opacity, {}, mix);
     build.layer("left", build.shape(Disc{{10, 8}, 3}), {{0, 0, 0, 1}});
     build.layer("right", build.shape(Disc{{20, 8}, radius}), {{0, 0, 0, 1}});
     build.close_group();
     build.layer("below", build.shape(Disc{hidden, 1}), {{0, 1, 0, 1}});
+    build.open_group("one", 1, {}, mix_above);
     build.layer("above", build.shape(Disc{{20, 30}, 5}), {{1, 1, 1, 1}, fade(30)});
+    build.close_group();
     return std::move(build).finish();
   }
 };
@@ -59,6 +62,8 @@ TEST(RowFingerprints, ChangeWhereTheRowDoes) {
   EXPECT_EQ(differing([](Numbers&) {}), (Rows{kPictureSide, -1}));
   EXPECT_EQ(differing([](Numbers& n) { n.radius = 3.5; }), (Rows{4, 11}));
   EXPECT_EQ(differing([](Numbers& n) { n.opacity = 0.6; }), (Rows{5, 10})) << "a group's";
+  EXPECT_EQ(differing([](Numbers& n) { n.mix = MixMode::screen; }), (Rows{5, 10}));
+  EXPECT_EQ(differing([](Numbers& n) { n.mix_above = MixMode::screen; }), (Rows{25, 34}));
   EXPECT_EQ(differing([](Numbers& n) { n.stop = 0.9; }), (Rows{25, 32})) << "a gradient's";
   EXPECT_EQ(differing([](Numbers& n) { n.hidden.x = 21; }), (Rows{kPictureSide, -1}))
       << "what is hidden";

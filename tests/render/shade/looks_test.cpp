@@ -64,6 +64,30 @@ TEST(Looks, MixGroupsFirst) {
   EXPECT_EQ(t.mix({0, 1}), (Mix{0.75, 0.75, 0.75, 1}));  // half white over black, half of that
 }
 
+TEST(Looks, MixGroupsByTheirModeWithAllThatLiesBelow) {
+  SceneBuilder build = builder();
+  build.layer("gray", build.shape(Disc{{0.4, 0.5}, 0.3}), {{0.25, 0.25, 0.25, 1}});
+  build.open_group("glass", 1, {}, MixMode::multiply);
+  build.layer("lens", build.shape(Disc{{0.6, 0.5}, 0.3}), {{1, 0, 0, 1}});
+  build.close_group();
+  Table t(std::move(build));
+  const double gray = t.mix({0}).r;
+  EXPECT_EQ(t.mix({1}), (Mix{1, 0, 0, 1}));
+  EXPECT_EQ(t.mix({0, 1}), (Mix{gray, 0, 0, 1}));  // an opaque lens hides nothing
+}
+
+TEST(Looks, MixAGroupInAGroupWithThatGroupAlone) {
+  SceneBuilder build = builder();
+  build.layer("gray", build.shape(Disc{{0.5, 0.5}, 0.4}), {{0.25, 0.25, 0.25, 1}});
+  build.open_group("ground", 1);
+  build.open_group("glass", 1, {}, MixMode::multiply);
+  build.layer("lens", build.shape(Disc{{0.5, 0.5}, 0.3}), {{1, 0, 0, 1}});
+  build.close_group();
+  build.close_group();
+  Table t(std::move(build));
+  EXPECT_EQ(t.mix({0, 1}), (Mix{1, 0, 0, 1}));  // below the lens its group has nothing
+}
+
 TEST(Looks, ChangeAtTheStopsOfAGradient) {
   SceneBuilder build = builder();
   build.layer("ramp", build.everywhere(),

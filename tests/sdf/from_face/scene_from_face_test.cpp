@@ -375,7 +375,7 @@ TEST(SceneFromFace, PutsFeaturesIntoTheirGroups) {
   const Expected<Face> face = read_face_text(
       R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
           "palette": {"ink": "#000000"}, "background": "ink",
-          "groups": {"frame": {}, "glasses": {"opacity": 0.5, "clip": "head"}},
+          "groups": {"frame": {}, "glasses": {"opacity": 0.5, "mix": "multiply", "clip": "head"}},
           "features": [
             {"name": "head", "kind": "disc", "center": [0, 0], "radius": 0.9, "paint": "ink"},
             {"name": "lens", "kind": "disc", "center": [0, 0], "radius": 0.2, "paint": "ink", "group": "glasses"},
@@ -386,6 +386,8 @@ TEST(SceneFromFace, PutsFeaturesIntoTheirGroups) {
   ASSERT_EQ(scene.groups().size(), 2u);
   EXPECT_EQ(scene.groups()[0].name, "glasses");
   EXPECT_EQ(scene.groups()[0].opacity, 0.5);
+  EXPECT_EQ(scene.groups()[0].mix, MixMode::multiply);
+  EXPECT_EQ(scene.groups()[1].mix, MixMode::normal);
   EXPECT_EQ(scene.groups()[1].parent, -1);
   const int expected[] = {-1, 0, 1, -1};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(scene.layers()[i].group, expected[i]);

@@ -15,7 +15,7 @@ Scene whole() {
   build.layer("a", a, {{1, 0, 0, 1}});
   build.open_group("outer", 0.5);
   build.layer("both", build.intersect(a, b), {{0, 1, 0, 1}});
-  build.open_group("inner", 0.25, b);
+  build.open_group("inner", 0.25, b, MixMode::screen);
   build.layer("rest", build.offset(build.shell(build.subtract(build.complement(a), b), 0.5), 0.1),
               {.relief = shared({.area = a, .profile = Profile::bevel})});
   build.close_group();
@@ -34,6 +34,8 @@ TEST(ScenePart, AllLayersAreTheSameScene) {
   ASSERT_EQ(copy.groups().size(), 2u);
   EXPECT_EQ(copy.groups()[1].parent, 0);
   EXPECT_EQ(copy.groups()[1].opacity, 0.25);
+  EXPECT_EQ(copy.groups()[0].mix, MixMode::normal);
+  EXPECT_EQ(copy.groups()[1].mix, MixMode::screen);
   Random r(1);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(copy.layers()[i].name, scene.layers()[i].name);

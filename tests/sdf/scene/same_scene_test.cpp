@@ -15,6 +15,7 @@ struct Numbers {
   Disc disc{{5, 5}, 3};
   Line line{{1, 1}, {9, 9}, 0.5};
   double grown = 0.25, opacity = 0.5;
+  MixMode mix = MixMode::multiply;
   Gradient gradient{RadialGradient{{5, 5}, {2, 2}}, {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 1}}}};
   double from = -1;
   Relief relief{.profile = Profile::round, .width = 1, .height = 0.5};
@@ -24,7 +25,7 @@ struct Numbers {
     SceneBuilder build(canvas, ground);
     build.light(light);
     const Area round = build.shape(disc), across = build.shape(line);
-    build.open_group(name, opacity);
+    build.open_group(name, opacity, {}, mix);
     build.layer(name, build.offset(round, grown), {{1, 0, 0, 1}, shared(Gradient(gradient))});
     build.close_group();
     Relief lit = relief;
@@ -44,6 +45,7 @@ const std::vector<std::function<void(Numbers&)>> kChanges{
     [](Numbers& n) { n.line.b.y = 8; },
     [](Numbers& n) { n.grown = 0.5; },
     [](Numbers& n) { n.opacity = 0.75; },
+    [](Numbers& n) { n.mix = MixMode::screen; },
     [](Numbers& n) { n.gradient.stops[1].color.g = 1; },
     [](Numbers& n) { n.gradient.extend = Extend::repeat; },
     [](Numbers& n) {

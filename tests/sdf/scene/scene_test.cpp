@@ -60,6 +60,17 @@ layer ring area a5 color 0 0 0 0.5 (bound outside, bound inside)
 )");
 }
 
+TEST(Scene, PrintsHowGroupsMix) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  build.open_group("plain", 1);
+  build.open_group("glass", 0.5, {}, MixMode::multiply);
+  build.layer("lens", build.shape(Disc{{0, 0}, 0.5}), {{1, 0, 0, 1}});
+  const std::string text = std::move(build).finish().text();
+  EXPECT_NE(text.find("group g0 plain opacity 1\ngroup g1 glass opacity 0.5 mix multiply in g0\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Scene, AChainOfAHundredThousandIsNoDeepRecursion) {
   SceneBuilder build({}, {});
   Area all = build.shape(Disc{{0, 0}, 0.1});

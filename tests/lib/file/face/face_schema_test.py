@@ -18,7 +18,7 @@ except ImportError:
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 SCHEMA = json.loads((ROOT / "docs/face.schema.json").read_text())
 SAMPLES = sorted((ROOT / "faces/compat").glob("*.face.json"))
-RECIPES = [*sorted((ROOT / "faces").glob("*.face.json")), ROOT / "examples/own_part/mina.face.json"]
+RECIPES = [*sorted((ROOT / "faces").glob("*.face.json")), *sorted((ROOT / "examples").glob("*/*.face.json"))]
 
 
 def feature(face, name):
@@ -48,6 +48,7 @@ BREAKS = {
     "an opacity above 1": lambda f: feature(f, "iris").update(opacity=2),
     "a profile that is unknown": lambda f: feature(f, "iris").update(relief={"profile": "steep"}),
     "a lamp from behind": lambda f: f.update(light={"direction": [0, 0, -1]}),
+    "a mix that is unknown": lambda f: f.update(groups={"glasses": {"mix": "darken"}}),
     "an unknown kind": lambda f: feature(f, "iris").update(kind="elipse"),
     "a radius that is negative": lambda f: feature(f, "iris").update(radii=[1, -1]),
     "a width that is negative": lambda f: feature(f, "brow").update(half_width=-1),
@@ -95,6 +96,7 @@ PART_BREAKS = {
     "a point of three numbers": lambda p: p["features"][0]["points"].append([1, 2, 3]),
     "a point that is nowhere": lambda p: p["features"][0]["points"].append({"plus": [0, 0]}),
     "an unknown key of a point": lambda p: p["features"][0]["points"].append({"at": "head.chin", "puls": [0, 0]}),
+    "a group that mixes by nothing": lambda p: p.update(groups={"wool": {"mix": "dark"}}),
     "a named point of text": lambda p: p["points"].update(hairline="high"),
 }
 

@@ -108,8 +108,11 @@ const std::string kLens =
 
 TEST(ReadPaint, ReadsGroups) {
   const Face face = read(painted_face(
-      kHead + "," + kLens, R"("groups": {"glasses": {"opacity": 0.5, "clip": "head"}}, )"));
-  ASSERT_EQ(face.model->groups.size(), 1u);
+      kHead + "," + kLens,
+      R"("groups": {"glasses": {"opacity": 0.5, "mix": "screen", "clip": "head"}, "rim": {}}, )"));
+  ASSERT_EQ(face.model->groups.size(), 2u);
+  EXPECT_EQ(face.model->groups[0].mix, MixMode::screen);
+  EXPECT_EQ(face.model->groups[1].mix, MixMode::normal);
   EXPECT_EQ(face.model->groups[0].clip.at, 0);
   EXPECT_EQ(number(face, "groups/glasses/opacity", 0), 0.5);
   EXPECT_EQ(face.model->features.at(1).group.at, 0);
@@ -150,6 +153,9 @@ TEST(ReadPaint, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(paint_said(painted_face(kLens + "," + kHead, groups)),
             "f:3:32: /groups/glasses/clip: the feature \"head\" must come before the group that it "
             "clips");
+  EXPECT_EQ(paint_said(painted_face(kHead, R"("groups": {"glasses": {"mix": "mulitply"}}, )")),
+            "f:3:31: /groups/glasses/mix: no way to mix named \"mulitply\"; did you mean "
+            "\"multiply\"?");
   std::string second = kLens;
   second.replace(second.find("lens"), 4, "glow");
   EXPECT_EQ(

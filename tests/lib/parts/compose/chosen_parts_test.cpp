@@ -95,6 +95,32 @@ TEST(OwnParts, AreRefusedAtTheirPlace) {
   }
 }
 
+const char* const kGrouped =
+    R"("groups": {"wool": {"mix": "multiply", "opacity": 0.5, "clip": "head"}}, "features": [)";
+
+TEST(OwnParts, HaveGroupsOfTheirOwn) {
+  std::string text = hat("\"features\": [", kGrouped);
+  text.replace(text.find("\"slot\": \"hat\""), 0, "\"group\": \"wool\", ");
+  const auto face = face_from_recipe(wearing(text));
+  ASSERT_TRUE(face) << sentence(face.error());
+  ASSERT_EQ(face->model->groups.size(), 1u);
+  EXPECT_EQ(face->model->groups[0].mix, MixMode::multiply);
+  const auto fez = std::ranges::find(face->model->features, "fez", &Feature::name);
+  EXPECT_EQ(fez->group.at, 0);
+  const std::string wrong = said_of(wearing(
+      hat("\"features\": [", R"("groups": {"wool": {"mix": "multiplies"}}, "features": [)")));
+  EXPECT_NE(wrong.find("hats/fez.part.json:5:"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("did you mean \"multiply\"?"), std::string::npos) << wrong;
+  Recipe two = wearing(text);
+  two.parts["glasses"] = "other.part.json";
+  two.own_parts["other.part.json"] = {
+      "other.part.json",
+      R"({"format": "mien-part", "format_version": 1, "family": "glasses", "name": "other",
+      "groups": {"wool": {}}, "features": []})"};
+  EXPECT_NE(said_of(two).find("another part has a group named \"wool\", too"), std::string::npos)
+      << said_of(two);
+}
+
 TEST(OwnParts, HaveWhatOthersBuildOn) {
   const std::string nose =
       R"({"format": "mien-part", "format_version": 1, "family": "nose", "name": "a", "features": []})";
@@ -213,6 +239,18 @@ TEST(OwnPartExample, IsAFaceAndWhatThePageShows) {
   ASSERT_TRUE(face) << sentence(face.error());
   EXPECT_TRUE(has_fez(*face));
   EXPECT_TRUE(warnings.empty());
+}
+
+TEST(TintedGlassesExample, MultiplyAndScreen) {
+  std::vector<Error> warnings;
+  const auto face =
+      read_face(std::filesystem::path(MIEN_SOURCE_DIR) / "examples/tinted_glasses/ada.face.json",
+                {}, &warnings);
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_TRUE(warnings.empty());
+  ASSERT_EQ(face->model->groups.size(), 2u);
+  EXPECT_EQ(face->model->groups[0].mix, MixMode::multiply);
+  EXPECT_EQ(face->model->groups[1].mix, MixMode::screen);
 }
 
 TEST_F(OwnPartFiles, AreNotOfATextAlone) {

@@ -1,0 +1,82 @@
+// What means by centroids neglect of a look, and where its parts need their form.
+#include "render/shade/looks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+using Kind = LookStep::Kind;
+
+}  // namespace
+
+/// What a ramp changes by per pixel.
+double Looks::slope_of(const LookStep& step) const {
+  const Mix& along = segment(step).slope;
+  return paints_->varied[std::size_t(step.varied)].paint.field.per_pixel *
+         std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b), std::abs(along.a)});
+}
+
+/// Two paints over each other: the mean of the upper one's opacity times the lower one's colour differs from the
+/// product of their means, by a twelfth of the product of both slopes. A mode other than normal has three products.
+double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) {
+  constexpr double kLit = 0.3;  // [1/px] what light may change by
+  double sum = 0.0, below = 0.0;
+  grounds_.clear();
+  for (const LookStep& step : steps) {
+    if (step.kind == Kind::open) grounds_.push_back(below);
+    if (step.kind == Kind::close) {
+      const double ground = grounds_.back();
+      grounds_.pop_back();
+      if (step.mode != MixMode::normal) sum += 3.0 * (below - ground) * ground / 12;
+    }
+    if (step.kind != Kind::paint) continue;
+    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
+    const GridPaint& paint = varied.paint;
+    const bool lit = step.zone >= 0;
+    if (varied.dense) sum += 0.01;  // integrated, unless it has more stops than can be resolved
+    if (paint.ramp && !varied.dense) {
+      const RampSegment& along = segment(step);
+      sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;
+      below += slope_of(step);
+      tip = tip || (!lit && paint.field.kind == PaintField::Kind::radial &&
+                    along.from < kTipReach * paint.field.per_pixel);
+    }
+    if (lit) below += kLit;
+  }
+  return sum;
+}
+
+bool Looks::formed_by(std::span<const LookStep> steps) const {
+  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
+    return step.kind == Kind::paint &&
+           (step.zone >= 0 ||
+            paints_->varied[std::size_t(step.varied)].paint.field.kind != PaintField::Kind::linear);
+  });
+}
+
+bool Looks::dense_by(std::span<const LookStep> steps) const {
+  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
+    return step.kind == Kind::paint && paints_->varied[std::size_t(step.varied)].dense;
+  });
+}
+
+double Looks::neglected_near(int look, glm::dvec2 p, bool part, double least) const {
+  double sum = 0.0;
+  for (const LookStep& step : steps(look)) {
+    if (step.kind != Kind::paint || step.zone >= 0) continue;
+    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
+    if (field.kind != PaintField::Kind::radial) continue;
+    const double slope = slope_of(step), bend = part ? 0.03 * slope : 0.0;
+    // r is at least the distance times the smaller radius over the larger one.
+    const glm::dvec2 way = p - field.center;
+    const double near2 = glm::dot(way, way) * field.narrow * field.narrow;
+    if (0.02 * slope + bend * std::sqrt(near2) < least * near2) continue;
+    const double r = std::max(field.at(p, 0.0) / field.per_pixel, 0.5);
+    sum += 0.02 * slope / (r * r) + bend / r;
+  }
+  return sum;
+}
+
+}  // namespace mien
