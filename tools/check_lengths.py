@@ -92,7 +92,7 @@ def percentile(sorted_lengths, share):
 def sources(root, rooms):
     for room in rooms:
         for path in sorted((root / room).rglob("*")):
-            if path.suffix in (".h", ".cpp"):
+            if path.suffix in (".h", ".c", ".cpp"):
                 yield path
 
 

@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-ROOTS = ("lib", "sdf", "render", "tools", "mien.h", "write.h", "version.h")
+ROOTS = ("lib", "sdf", "render", "bind", "tools", "mien.h", "write.h", "version.h")
 
 TOKENS = re.compile(
     r"""(?P<space>\bnamespace\b(?P<name>[\w:\s]*)\{)

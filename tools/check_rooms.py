@@ -22,7 +22,7 @@ ORDER = """
     lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file  lib/nonsense
     sdf/shape  sdf/distance  sdf/csg  sdf/scene  sdf/outline  sdf/arrange  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
     render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render  render/inspect
-    mien.h  write.h  render/image  tools
+    mien.h  write.h  render/image  bind/c  tools
 """.split()
 FACES = ("lib/face", "lib/rig", "lib/file", "lib/parts", "lib/nonsense")
 MAKERS = ("sdf/from_face", "sdf/from_mesh", "sdf/from_text")
@@ -42,10 +42,13 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"CLI/": (r"tools/mien/cli/|tools/accuracy/main\.cpp$", "tools/mien/cli"),
     r"tiny_obj_loader": (r"lib/file/", "lib/file"),
     r"boost/|mpfr": (r"tools/", "tools, tests or bench"),
+    r"mien_(image_)?c\.h": (r"(bind|examples)/", "bind, tests and examples: the house behind it does not know it"),
 }
 
+LIBRARIES = ("lib/", "sdf/", "render/", "bind/")
+
 MIRRORS = {"tests": "_test.cpp", "bench": "_bench.cpp", "fuzz": "_fuzz.cpp"}
-NOT_MIRRORS = ("tests/support/", "fuzz/support/", "tests/golden/", "tests/exactness/", "tests/portable/", "tests/install/", "tests/embed/", "tests/house/", "tests/tools/",
+NOT_MIRRORS = ("tests/support/", "fuzz/support/", "tests/golden/", "tests/exactness/", "tests/portable/", "tests/install/", "tests/embed/", "tests/bind/", "tests/house/", "tests/tools/",
                "bench/support/", "bench/whole/")
 
 # Spelled so that this file does not contain what it looks for.
@@ -62,6 +65,11 @@ def room_of(path):
     while path and path not in ORDER:
         path = path.rpartition("/")[0]
     return path or None
+
+
+def code_of(line):
+    """A line without its comments; one of a comment of C's stars is none."""
+    return re.sub(r"//.*|^\s*/?\*( .*)?$", "", line)
 
 
 class House:
@@ -88,7 +96,7 @@ class House:
 
     def check(self):
         for name in self.files:
-            if re.match(r"(lib|sdf|render|tools|tests|bench|fuzz|examples)/.*\.(h|cpp)$|[a-z]+\.h$", name):
+            if re.match(r"(lib|sdf|render|bind|tools|tests|bench|fuzz|examples)/.*\.(h|c|cpp)$|[a-z]+\.h$", name):
                 self.check_code(name)
             if pathlib.Path(name).suffix in TEXT:
                 self.check_words(name)
@@ -103,9 +111,9 @@ class House:
         for number, line in enumerate(self.lines(name), 1):
             if found := re.match(r'\s*#\s*include\s*(<[^>]+>|"[^"]+")', line):
                 self.check_include(name, number, found[1][1:-1], quoted=found[1][0] == '"')
-            if name.startswith(("lib/", "sdf/", "render/")) and re.search(PRINTS, line.split("//")[0]):
+            if name.startswith(LIBRARIES) and re.search(PRINTS, code_of(line)):
                 self.breach(name, number, "a library prints nothing and ends nothing")
-            if name.startswith(("lib/", "sdf/", "render/")) and re.search(r"\bthread_local\b", line.split("//")[0]):
+            if name.startswith(LIBRARIES) and re.search(r"\bthread_local\b", code_of(line)):
                 self.breach(name, number, "scratch belongs to an object of the thread's, which ends with the work")
             if re.search(r"\bkill\(", line) and name != "tests/support/end_process.h":
                 self.breach(name, number, "kill(-1) ends every process there is: use tests/support/end_process.h")

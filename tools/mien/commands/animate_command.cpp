@@ -7,6 +7,7 @@
 #include <mien/scene_from_face.h>
 #include "lib/base/monotonic_seconds.h"
 #include "render/image/file_type.h"
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
@@ -15,7 +16,6 @@
 #include "tools/mien/film/finished_frame.h"
 #include "tools/mien/film/frame_names.h"
 #include "tools/mien/output/drawn_picture.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/terminal/interrupt.h"
 

@@ -5,13 +5,13 @@
 #include <mien/render.h>
 #include <mien/scene_from_mesh.h>
 #include "lib/base/nearest_name.h"
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/named_file.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/contact_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>

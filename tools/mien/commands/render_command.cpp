@@ -6,6 +6,7 @@
 #include <mien/morph_heat.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/monotonic_seconds.h"
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/cli/parse_values.h"
@@ -14,7 +15,6 @@
 #include "tools/mien/commands/render_plan.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/effected_rows.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/output/letters.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/output/write_strips.h"

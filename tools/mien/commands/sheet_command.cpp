@@ -10,6 +10,7 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/parts/recipe/own_part.h"
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/sheet_options.h"
@@ -18,7 +19,6 @@
 #include "tools/mien/commands/render_plan.h"
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/people/people_statistics.h"
 
 #include <fmt/format.h>

@@ -3,11 +3,11 @@
 #include <mien/parallel.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/data/stimulus_manifest.h"
 #include "tools/mien/data/stimulus_plan.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/output/sha256.h"
 #include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"

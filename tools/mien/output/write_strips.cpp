@@ -1,7 +1,7 @@
 #include "tools/mien/output/write_strips.h"
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "render/render_error.h"
-#include "tools/mien/output/image_loader.h"
 
 #include <algorithm>
 #include <chrono>

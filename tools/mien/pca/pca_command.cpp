@@ -1,12 +1,12 @@
 // mien pca: finds, describes, applies and draws bases of animations.
 
 #include <mien/npy_basis.h>
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/contact_sheet.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/output/written_file.h"
 #include "tools/mien/pca/frames.h"
 #include "tools/mien/pca/pictures.h"

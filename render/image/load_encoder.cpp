@@ -1,13 +1,13 @@
-#include "tools/mien/output/image_loader.h"
+#include "render/image/load_encoder.h"
 #include "render/image/png/png_encoder.h"
 
 #include <dlfcn.h>
 
-namespace mien::command {
+namespace mien {
 namespace {
 
-/// Loads a module by its bare name: the dynamic linker searches the command's own RUNPATH, which the build
-/// sets relative to it.
+/// Loads a module by its bare name: the dynamic linker searches the RUNPATH of the program or library that this is
+/// in, which the build sets relative to it.
 Expected<const ImageModule*> load(const char* file) {
   const auto refuse = [&] {
     const char* said = ::dlerror();
@@ -29,4 +29,4 @@ MadeEncoder load_encoder(const EncoderRequest& request) {
   return (*module)->make(request);
 }
 
-}  // namespace mien::command
+}  // namespace mien

@@ -4,10 +4,10 @@
 
 #include "render/image/image_module.h"
 
-namespace mien::command {
+namespace mien {
 
-/// An encoder of any type. PNG's is the command's own; the others come from a module, which is looked for
-/// beside the command and where it is installed.
+/// An encoder of any type. PNG's is at hand; the others come from a module, which is looked for where the program
+/// or library with this function says: beside it, and where modules are installed.
 MadeEncoder load_encoder(const EncoderRequest& request);
 
-}  // namespace mien::command
+}  // namespace mien

@@ -1,0 +1,81 @@
+#pragma once
+// What the handles of the C interface hold.
+
+#include <mien/piece_drawer.h>
+#include <mien/poser.h>
+#include <mien/renderer.h>
+#include <mien/scene.h>
+#include "bind/c/mien_c.h"
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+struct mien_texts {
+  std::vector<std::string> all;
+};
+
+struct mien_face {
+  mien::Face face;
+  std::atomic<int> owners = 1;
+
+  explicit mien_face(mien::Face of) : face(std::move(of)) {}
+
+  /// Made when it is asked for first; threads may ask at once.
+  const std::vector<mien::SettableName>& names() const {
+    std::call_once(named_, [&] { names_ = mien::settable_names(face); });
+    return names_;
+  }
+
+ private:
+  mutable std::once_flag named_;
+  mutable std::vector<mien::SettableName> names_;
+};
+
+struct mien_pose {
+  mien::Face face;
+  mien::Pose pose;
+
+  explicit mien_pose(const mien::Face& of) : face(of) {}
+
+  /// A new value replaces the one that was held before, so that poses of an animation do not grow.
+  void hold(mien::Setting setting) {
+    std::erase_if(pose.settings, [&](const mien::Setting& one) {
+      return one.control == setting.control && one.index == setting.index &&
+             one.values.size() == setting.values.size();
+    });
+    pose.settings.push_back(std::move(setting));
+  }
+
+  const mien::Face& posed() {
+    if (!poser_) poser_.emplace(face);
+    return poser_->pose(pose);
+  }
+
+ private:
+  std::optional<mien::Poser> poser_;
+};
+
+struct mien_scene {
+  mien::Scene scene;
+};
+
+struct mien_renderer {
+  mien::Renderer renderer;
+};
+
+struct mien_pieces {
+  mien::PieceDrawer drawer;
+  mien::PixelRect whole;
+  mien::Depth depth;
+};
+
+namespace mien::c {
+
+/// A list of texts for the caller.
+mien_texts* new_texts(std::vector<std::string> texts);
+
+}  // namespace mien::c

@@ -1,0 +1,453 @@
+/* Longer than other files: the interface is one header, as C programs expect.
+ *
+ * mien in C: a face goes in, pixels come out. Link libmien_c.
+ *
+ *   #include <mien_c.h>
+ *   #include <stdio.h>
+ *   #include <stdlib.h>
+ *
+ *   int main(void) {
+ *     mien_error* error = NULL;
+ *     mien_face* face = NULL;
+ *     mien_pose* pose = NULL;
+ *     mien_scene* scene = NULL;
+ *     mien_renderer* renderer = NULL;
+ *     mien_view view;
+ *     mien_pixels pixels;
+ *     mien_view_init(&view, sizeof view);
+ *     view.width = 640, view.height = 360;
+ *     mien_pixels_init(&pixels, sizeof pixels);
+ *     pixels.stride = 640 * 4, pixels.bytes = 360 * pixels.stride;
+ *     pixels.data = malloc(pixels.bytes);
+ *
+ *     if (mien_face_read("faces/toon.face.json", MIEN_NUL_ENDED, &face, &error) ||
+ *         mien_pose_new(face, &pose, &error) || mien_pose_time(pose, 1.25, &error) ||
+ *         mien_pose_set(pose, "gaze.x=0.04", MIEN_NUL_ENDED, &error) ||
+ *         mien_scene_new(pose, &scene, &error) || mien_renderer_new(&renderer, &error) ||
+ *         mien_render(renderer, scene, &view, &pixels, NULL, &error))
+ *       fprintf(stderr, "%s: %s\n", mien_error_where(error), mien_error_what(error));
+ *     else
+ *       fwrite(pixels.data, 1, pixels.bytes, stdout);
+ *
+ *     mien_error_free(error), mien_renderer_free(renderer), mien_scene_free(scene);
+ *     mien_pose_free(pose), mien_face_free(face), free(pixels.data);
+ *     return error != NULL;
+ *   }
+ *
+ * Rules for every function
+ *
+ *   Ownership.  What a function gives through `out` belongs to the caller, who frees it with the
+ *               function of its kind. Freeing NULL does nothing. No handle needs another one to live:
+ *               a face may be freed before its poses, a pose before its scenes. Texts that are
+ *               returned as const char* belong to the handle that was asked.
+ *   Failure.    What can fail returns a mien_status: MIEN_OK, or why not. `error` may be NULL; otherwise
+ *               it is always written: NULL for success, or an error with an address and a sentence,
+ *               which the caller frees. `*out` is NULL after a failure. A NULL handle, a wrong size, an
+ *               index out of range are MIEN_MISUSE and crash nothing. Numbers that must be finite and
+ *               are not are MIEN_REFUSED. Functions without a status give NULL handles' names as "", and
+ *               their counts as 0. No C++ exception comes out, nothing is printed, no global state is
+ *               kept.
+ *   Texts.      UTF-8. Those that go in have a length in bytes, without the final NUL;
+ *               MIEN_NUL_ENDED lets the library find the end. Those that come out end with a NUL.
+ *   Structs.    Each begins with its size, which the caller sets (the _init functions do): a struct of an
+ *               older header is shorter, and what it lacks has its default. One of a newer header than the
+ *               library is MIEN_MISUSE. Switches are int32_t: 0 is no, anything else is yes.
+ *   Threads.    Faces and scenes never change: threads may share them. A pose, a renderer and an error
+ *               are used by one thread at a time. mien_face_retain and _free may be called from any.
+ *   Units.      Face units are the face's own (mien_face_canvas). Pixels are squares: pixel (x, y) goes from
+ *               (x, y) to (x + 1, y + 1), y down, from the picture's top left corner. Times are in seconds.
+ *               Colours are linear red, green, blue (sRGB primaries) and opacity, not premultiplied.
+ *
+ * The interface is pure C99, of opaque handles, and its symbols have a version (MIEN_C_0): programs need
+ * not be built again for a newer libmien_c.so.0. Image files are in <mien_image_c.h>. */
+#ifndef MIEN_C_H
+#define MIEN_C_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define MIEN_C_API __attribute__((visibility("default")))
+#else
+#define MIEN_C_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The length of a text that ends with a NUL. */
+#define MIEN_NUL_ENDED ((size_t)-1)
+
+/* Why a function did not do what it was asked for; the sentence is in the error. */
+typedef int32_t mien_status;
+enum {
+  MIEN_OK = 0,
+  MIEN_MISUSE = 1,     /* the program is wrong: a NULL, a size, an index */
+  MIEN_UNREADABLE = 2, /* a file, a face or a code that cannot be read */
+  MIEN_REFUSED = 3,    /* an unknown name, a number out of range, an impossible size */
+  MIEN_CANCELLED = 4,  /* the caller asked for it */
+  MIEN_NO_MEMORY = 5,
+  MIEN_NOT_WRITTEN = 6, /* a picture's file: <mien_image_c.h> */
+  MIEN_UNEXPECTED = 7   /* a bug of mien's; the sentence helps to report it */
+};
+
+typedef struct mien_error mien_error; /* why something failed */
+typedef struct mien_texts mien_texts; /* a list of texts */
+typedef struct mien_face mien_face;   /* a face at rest, with names and clips */
+typedef struct mien_pose mien_pose;   /* how a face is to look */
+typedef struct mien_scene mien_scene; /* a posed face as painted layers */
+typedef struct mien_renderer
+    mien_renderer;                      /* draws; keeps memory and finished rows between frames */
+typedef struct mien_pieces mien_pieces; /* one picture that is drawn piece by piece */
+
+/* ---- Version ---------------------------------------------------------------------------------- */
+
+/* The version of the library that runs: major << 16 | minor << 8 | patch. */
+MIEN_C_API uint32_t mien_version(void);
+
+/* The same as a text, "0.1.0". */
+MIEN_C_API const char* mien_version_text(void);
+
+/* The version of this interface, the 0 of libmien_c.so.0. It is not that of mien. */
+#define MIEN_C_ABI 0
+MIEN_C_API uint32_t mien_abi_version(void);
+
+/* ---- Errors ----------------------------------------------------------------------------------- */
+
+/* The address: "toon.face.json:12:7: /features/2/points", "gaze.z=1", "mien_pose_set: pose". May be "". */
+MIEN_C_API const char* mien_error_where(const mien_error* error);
+
+/* One sentence without a full stop: "expected 2 numbers, got 3". */
+MIEN_C_API const char* mien_error_what(const mien_error* error);
+
+MIEN_C_API void mien_error_free(mien_error* error);
+
+/* An error of one's own, for libraries that continue this interface. Never NULL. */
+MIEN_C_API mien_error* mien_error_new(const char* where, size_t where_length, const char* what,
+                                      size_t what_length);
+
+/* ---- Lists of texts ---------------------------------------------------------------------------- */
+
+MIEN_C_API int32_t mien_texts_count(const mien_texts* texts);
+
+/* The text at an index, which lives as long as the list; "" where there is none. */
+MIEN_C_API const char* mien_texts_at(const mien_texts* texts, int32_t index);
+
+MIEN_C_API void mien_texts_free(mien_texts* texts);
+
+/* ---- Faces ------------------------------------------------------------------------------------ */
+
+/* Reads a face file (docs/face-format.md), of format version 1 or 2. */
+MIEN_C_API mien_status mien_face_read(const char* path, size_t path_length, mien_face** out,
+                                      mien_error** error);
+
+/* The same from memory; `name` stands for the file's name in errors, NULL: "face". */
+MIEN_C_API mien_status mien_face_read_text(const char* text, size_t length, const char* name,
+                                           size_t name_length, mien_face** out, mien_error** error);
+
+/* The person of a code, "ZA7Q2-MKX4T-B1". */
+MIEN_C_API mien_status mien_face_from_code(const char* code, size_t length, mien_face** out,
+                                           mien_error** error);
+
+/* One more owner of a face: it is freed when it has been freed as often as it was made and retained.
+ * Returns the face. */
+MIEN_C_API mien_face* mien_face_retain(mien_face* face);
+MIEN_C_API void mien_face_free(mien_face* face);
+
+/* The name that the face's file gives it, and whom it credits; may be "". */
+MIEN_C_API const char* mien_face_title(const mien_face* face);
+MIEN_C_API const char* mien_face_credit(const mien_face* face);
+
+/* What a picture of the face shows. */
+typedef struct mien_canvas {
+  uint32_t size;    /* sizeof(mien_canvas) */
+  int32_t y_up;     /* whether larger y is higher in the picture */
+  double box[4];    /* left, lower and right, upper ends of x and y: x0, y0, x1, y1 [face units] */
+  double mirror_x;  /* left and right mirror each other about this x [face units] */
+  const char* unit; /* the unit's name, for people; lives as long as the face */
+} mien_canvas;
+
+/* `out->size` is set by the caller. */
+MIEN_C_API mien_status mien_face_canvas(const mien_face* face, mien_canvas* out,
+                                        mien_error** error);
+
+/* Something that can be set: a control ("gaze.x", "emotion.joy"), the weight of a pose, or a slice of the
+ * face's numbers ("brow.left/spine/1"). */
+typedef struct mien_name {
+  uint32_t size;      /* sizeof(mien_name) */
+  int32_t is_control; /* else a slice */
+  int32_t is_pose;    /* a control that is the weight of a pose */
+  int32_t count;      /* of its numbers */
+  int32_t begin;      /* a slice: where its numbers begin in the face's vector; a control: -1 */
+  int32_t reserved;   /* 0 */
+  const char* name;   /* lives as long as the face */
+  const char* unit;   /* "face units", "ratio", "linear light"; lives as long as the face */
+  double lo, hi;      /* the range of each number; may be infinite */
+} mien_name;
+
+/* How many names there are: controls first, poses among them, then slices in the vector's order. */
+MIEN_C_API int32_t mien_face_name_count(const mien_face* face);
+
+/* The name at an index. `out->size` is set by the caller. */
+MIEN_C_API mien_status mien_face_name_at(const mien_face* face, int32_t index, mien_name* out,
+                                         mien_error** error);
+
+/* Its numbers at rest. `count` is the name's. */
+MIEN_C_API mien_status mien_face_values_at(const mien_face* face, int32_t index, double* values,
+                                           int32_t count, mien_error** error);
+
+/* The clips that the face can run, by name. */
+MIEN_C_API int32_t mien_face_clip_count(const mien_face* face);
+MIEN_C_API const char* mien_face_clip_name(const mien_face* face, int32_t index);
+
+/* How many numbers the face's vector has. */
+MIEN_C_API int32_t mien_face_vector_size(const mien_face* face);
+
+/* ---- People ------------------------------------------------------------------------------------ */
+
+/* The seed that a word stands for: the same word, the same seed, below 2^50. */
+MIEN_C_API mien_status mien_seed_from_word(const char* word, size_t length, uint64_t* out,
+                                           mien_error** error);
+
+/* The code of a seed, below 2^50, in the newest edition: a list of one text. */
+MIEN_C_API mien_status mien_code_from_seed(uint64_t seed, mien_texts** out, mien_error** error);
+
+/* The recipe of a seed or a code, a face file of a few lines that mien_face_read_text takes: a list of one
+ * text. */
+MIEN_C_API mien_status mien_recipe_from_seed(uint64_t seed, mien_texts** out, mien_error** error);
+MIEN_C_API mien_status mien_recipe_from_code(const char* code, size_t length, mien_texts** out,
+                                             mien_error** error);
+
+/* The code with one thing held whatever its seed says: "hair=bob", "eye.size=1.05". `clamp`: a number out of
+ * range becomes the nearer end. A list of one text. */
+MIEN_C_API mien_status mien_code_hold(const char* code, size_t length, const char* held,
+                                      size_t held_length, int32_t clamp, mien_texts** out,
+                                      mien_error** error);
+
+/* Somebody like the person of a code: `by`, 0 to 1, is how far and how likely things change. Different seeds
+ * are different people. */
+MIEN_C_API mien_status mien_code_near(const char* code, size_t length, double by, uint64_t seed,
+                                      mien_texts** out, mien_error** error);
+
+/* Somebody between two: 0 is the one, 1 the other. */
+MIEN_C_API mien_status mien_code_between(const char* one, size_t one_length, const char* other,
+                                         size_t other_length, double at, mien_texts** out,
+                                         mien_error** error);
+
+/* A child of two. */
+MIEN_C_API mien_status mien_code_of_child(const char* one, size_t one_length, const char* other,
+                                          size_t other_length, uint64_t seed, mien_texts** out,
+                                          mien_error** error);
+
+/* How different two people look: about 1 for other hair. */
+MIEN_C_API mien_status mien_code_difference(const char* one, size_t one_length, const char* other,
+                                            size_t other_length, double* out, mien_error** error);
+
+/* The codes of `count` people, 0 to 100 000, no two of whom look alike. The first n are the same in every crowd of
+ * the word. */
+MIEN_C_API mien_status mien_crowd(const char* word, size_t length, int32_t count, mien_texts** out,
+                                  mien_error** error);
+
+/* ---- Poses ------------------------------------------------------------------------------------- */
+
+/* A pose of the face, at rest. */
+MIEN_C_API mien_status mien_pose_new(const mien_face* face, mien_pose** out, mien_error** error);
+MIEN_C_API void mien_pose_free(mien_pose* pose);
+
+/* Back to rest. */
+MIEN_C_API mien_status mien_pose_clear(mien_pose* pose, mien_error** error);
+
+/* The time at which clips are taken [s]. NaN: none, no clip runs. */
+MIEN_C_API mien_status mien_pose_time(mien_pose* pose, double seconds, mien_error** error);
+
+/* Holds a control or numbers at a value: "blink=0.5", "brow.left/spine/1=0.1,0.2", "palette/skin=#ffd94a".
+ * What is set later beats what was set earlier; settings beat clips and the gaze. */
+MIEN_C_API mien_status mien_pose_set(mien_pose* pose, const char* text, size_t length,
+                                     mien_error** error);
+
+/* The same by the index of a name, without text: as quick as it gets. `count` is the name's. */
+MIEN_C_API mien_status mien_pose_set_at(mien_pose* pose, int32_t index, const double* values,
+                                        int32_t count, mien_error** error);
+
+/* Adds an expression of a set, "emotion", "muscle", "arkit", "facs", "vrm" or "viseme": "joy=0.8",
+ * "left.surprise=0.3". `clamp`: a strength out of 0 ... 1 becomes the nearer end instead of an error. */
+MIEN_C_API mien_status mien_pose_express(mien_pose* pose, const char* set, size_t set_length,
+                                         const char* text, size_t length, int32_t clamp,
+                                         mien_error** error);
+
+/* Runs a clip, on top of those before it: "idle", "idle=0.5" (its weight), "idle=1@2" (and when it began
+ * [s]). Without any the face's default clip runs. Nothing runs without a time. */
+MIEN_C_API mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t length,
+                                      mien_error** error);
+
+/* The point that the eyes look at [face units], z towards the viewer. */
+MIEN_C_API mien_status mien_pose_look_at(mien_pose* pose, double x, double y, double z,
+                                         mien_error** error);
+
+/* How far the features have travelled to a flat chart, 0 ... 1. */
+enum { MIEN_UNWRAP_LINEAR = 0, MIEN_UNWRAP_DELAYED = 1, MIEN_UNWRAP_SINE = 2 };
+MIEN_C_API mien_status mien_pose_unwrap(mien_pose* pose, double share, int32_t mode,
+                                        mien_error** error);
+
+/* The posed face's numbers. `count` is mien_face_vector_size. */
+MIEN_C_API mien_status mien_pose_vector(mien_pose* pose, double* values, int32_t count,
+                                        mien_error** error);
+
+/* ---- Scenes ------------------------------------------------------------------------------------ */
+
+/* The posed face as painted layers. The pose may change afterwards: the scene stays. */
+MIEN_C_API mien_status mien_scene_new(mien_pose* pose, mien_scene** out, mien_error** error);
+MIEN_C_API void mien_scene_free(mien_scene* scene);
+
+/* The scene's shapes and layers as text, one a line: a list of one text. */
+MIEN_C_API mien_status mien_scene_text(const mien_scene* scene, mien_texts** out,
+                                       mien_error** error);
+
+/* The colour behind everything. */
+MIEN_C_API mien_status mien_scene_background(const mien_scene* scene, double color[4],
+                                             mien_error** error);
+
+/* Layers, from the bottom to the top. Each has the name of its feature, "iris.left". */
+MIEN_C_API int32_t mien_scene_layer_count(const mien_scene* scene);
+MIEN_C_API const char* mien_scene_layer_name(const mien_scene* scene, int32_t layer);
+
+/* The signed distance from a point to a layer's outline, negative inside [face units]. */
+MIEN_C_API mien_status mien_scene_distance(const mien_scene* scene, int32_t layer, double x,
+                                           double y, double* out, mien_error** error);
+
+/* The topmost layer at a point [face units]; -1: none. */
+MIEN_C_API mien_status mien_scene_layer_at(const mien_scene* scene, double x, double y,
+                                           int32_t* out, mien_error** error);
+
+/* ---- Pictures ---------------------------------------------------------------------------------- */
+
+enum { MIEN_FIT_MEET = 0, MIEN_FIT_SLICE = 1 };      /* all of the canvas; all of the picture */
+enum { MIEN_BLEND_LINEAR = 0, MIEN_BLEND_SRGB = 1 }; /* where colours are mixed */
+enum {
+  MIEN_U8 = 0,  /* sRGB-encoded, straight alpha */
+  MIEN_U16 = 1, /* the same, native byte order */
+  MIEN_F32 = 2  /* linear light, premultiplied by alpha */
+};
+
+/* What the picture is. Everything here changes it. */
+typedef struct mien_view {
+  uint32_t size;          /* sizeof(mien_view) */
+  int32_t width, height;  /* [px] of the whole picture, 1 ... 2^20; 512 */
+  int32_t fit;            /* MIEN_FIT_...; meet */
+  int32_t blend;          /* MIEN_BLEND_...; linear */
+  int32_t dither;         /* dithers gradients and lit surfaces at 8 and 16 bits; yes */
+  int32_t has_background; /* `background` replaces the face's; no */
+  int32_t has_region;     /* only `region` is drawn, with the same bytes as in the whole; no */
+  int32_t has_light;      /* `light` replaces the direction to the face's lamp; no */
+  int32_t reserved;       /* 0 */
+  double background[4];
+  double light[3];   /* x right, y up, z > 0 to the viewer */
+  int32_t region[4]; /* x, y, width, height [px] */
+} mien_view;
+
+/* The defaults, and the size. `size` is sizeof(mien_view). False sizes are left alone. */
+MIEN_C_API void mien_view_init(mien_view* view, size_t size);
+
+/* Pixels that the caller owns: red, green, blue, alpha; rows from the top. */
+typedef struct mien_pixels {
+  uint32_t size; /* sizeof(mien_pixels) */
+  int32_t depth; /* MIEN_U8, MIEN_U16, MIEN_F32 */
+  void* data;    /* aligned for a channel */
+  size_t bytes;  /* how many there are from `data` on: nothing is written beyond */
+  size_t stride; /* [bytes] from one row to the next */
+} mien_pixels;
+MIEN_C_API void mien_pixels_init(mien_pixels* pixels, size_t size);
+
+/* Watches long work: called now and then with the share done, 0 ... 1, from one thread at a time. Returning
+ * anything but 0 stops the work, which is then MIEN_CANCELLED. */
+typedef int32_t (*mien_progress)(double done, void* data);
+
+/* Runs job(0, job_data) ... job(count - 1, job_data), each once, in any order and on any threads, and
+ * returns when all are done. */
+typedef void (*mien_executor)(int32_t count, void (*job)(int32_t index, void* job_data),
+                              void* job_data, void* data);
+
+/* How it is drawn. Nothing here changes a bit of the picture. */
+typedef struct mien_render_options {
+  uint32_t size;   /* sizeof(mien_render_options) */
+  int32_t threads; /* 0, or more than the machine has: all of them; 1: the caller's alone; 0 */
+  mien_progress progress; /* NULL */
+  void* progress_data;    /* for `progress` */
+  mien_executor executor; /* draws on the caller's threads; `threads` does not count then; NULL */
+  void* executor_data;    /* for `executor` */
+} mien_render_options;
+MIEN_C_API void mien_render_options_init(mien_render_options* options, size_t size);
+
+MIEN_C_API mien_status mien_renderer_new(mien_renderer** out, mien_error** error);
+MIEN_C_API void mien_renderer_free(mien_renderer* renderer);
+
+/* What will be drawn: the part of the region in the picture, or everything: x, y, width, height [px]. */
+MIEN_C_API mien_status mien_drawn_rect(const mien_view* view, int32_t rect[4], mien_error** error);
+
+/* Draws into the pixels, which are rows of mien_drawn_rect's size. NULL options are the defaults. After a
+ * failure the pixels are unspecified. */
+MIEN_C_API mien_status mien_render(mien_renderer* renderer, const mien_scene* scene,
+                                   const mien_view* view, const mien_pixels* pixels,
+                                   const mien_render_options* options, mien_error** error);
+
+/* Where a point of the picture [px] is in the face [face units], and back. */
+MIEN_C_API mien_status mien_face_from_pixel(const mien_scene* scene, const mien_view* view,
+                                            double x, double y, double out[2], mien_error** error);
+MIEN_C_API mien_status mien_pixel_from_face(const mien_scene* scene, const mien_view* view,
+                                            double x, double y, double out[2], mien_error** error);
+
+/* A picture to be drawn piece by piece, as tiles of a viewer or strips of a file: its outlines are made once.
+ * The view's region does not count. */
+MIEN_C_API mien_status mien_pieces_new(const mien_scene* scene, const mien_view* view,
+                                       int32_t depth, mien_pieces** out, mien_error** error);
+MIEN_C_API void mien_pieces_free(mien_pieces* pieces);
+
+/* Draws the piece x, y, width, height [px], with the bytes of the whole picture. Threads may draw pieces of one
+ * picture at the same time. `stop` is asked every few rows, and may be NULL; anything but 0 stops. */
+MIEN_C_API mien_status mien_pieces_draw(mien_pieces* pieces, const int32_t piece[4],
+                                        const mien_pixels* pixels, int32_t (*stop)(void* data),
+                                        void* data, mien_error** error);
+
+/* ---- Distances --------------------------------------------------------------------------------- */
+
+/* d[i] = the distance from (x[i], y[i]) to a curve or outline, in the units of the coordinates, for `count`
+ * points, in SIMD. d may be x or y; no other overlap is allowed. A coordinate that is NaN or infinite gives
+ * +infinity. Error bounds: docs/numerics.md.
+ *
+ *   quad      a quadratic Bezier curve: x0, y0, x1, y1, x2, y2
+ *   cubic     a cubic Bezier curve: x0, y0, x1, y1, x2, y2, x3, y3
+ *   ellipse   signed, negative inside: centre x, y; radii a, b; the direction of a, x, y, of any length
+ *   tapered   signed, a stroke along a quadratic Bezier curve: its six numbers, then three half-widths, the
+ *             Bernstein coefficients of the half-width along it
+ *
+ * MIEN_REFUSED: a negative radius or half-width, a direction of no length. */
+MIEN_C_API mien_status mien_distances_quad_f32(const double curve[6], const float* x,
+                                               const float* y, float* d, size_t count,
+                                               mien_error** error);
+MIEN_C_API mien_status mien_distances_quad_f64(const double curve[6], const double* x,
+                                               const double* y, double* d, size_t count,
+                                               mien_error** error);
+MIEN_C_API mien_status mien_distances_cubic_f32(const double curve[8], const float* x,
+                                                const float* y, float* d, size_t count,
+                                                mien_error** error);
+MIEN_C_API mien_status mien_distances_cubic_f64(const double curve[8], const double* x,
+                                                const double* y, double* d, size_t count,
+                                                mien_error** error);
+MIEN_C_API mien_status mien_distances_ellipse_f32(const double ellipse[6], const float* x,
+                                                  const float* y, float* d, size_t count,
+                                                  mien_error** error);
+MIEN_C_API mien_status mien_distances_ellipse_f64(const double ellipse[6], const double* x,
+                                                  const double* y, double* d, size_t count,
+                                                  mien_error** error);
+MIEN_C_API mien_status mien_distances_tapered_f32(const double stroke[9], const float* x,
+                                                  const float* y, float* d, size_t count,
+                                                  mien_error** error);
+MIEN_C_API mien_status mien_distances_tapered_f64(const double stroke[9], const double* x,
+                                                  const double* y, double* d, size_t count,
+                                                  mien_error** error);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
