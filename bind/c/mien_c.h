@@ -1,6 +1,5 @@
-/* Longer than other files: the interface is one header, as C programs expect.
- *
- * mien in C: a face goes in, pixels come out. Link libmien_c.
+/* mien in C: a face goes in, pixels come out. Link libmien_c.
+ * Longer than other files: the interface is one header, as C programs expect.
  *
  *   #include <mien_c.h>
  *   #include <stdio.h>
