@@ -19,6 +19,7 @@
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/image_loader.h"
+#include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
 
@@ -137,7 +138,7 @@ Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
 /// One part's pictures on a head, named after it.
 CellsOrCode part_pictures(const SheetArguments& arguments, const Recipe& recipe,
                           const std::string& part, Size size) {
-  const auto face = face_from_recipe(recipe);
+  const auto face = face_from_recipe(recipe, face_letters());
   if (!face) return {{}, complain(face.error(), kUsedWrongly)};
   SheetArguments one = arguments;
   if (one.pictures.empty()) one.pictures.push_back("");
