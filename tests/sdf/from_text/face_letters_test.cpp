@@ -1,11 +1,14 @@
 #include <mien/face_file.h>
 #include <mien/face_letters.h>
+#include <mien/face_model.h>
+#include <mien/pose.h>
 #include <mien/scene_from_face.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -59,6 +62,34 @@ TEST(FaceLetters, StandUprightInThePicture) {
       EXPECT_GT(scene.distance(area, {middle + 0.04, -down * 0.18}), 0) << up << i;  // above it
     }
   }
+}
+
+const std::string kLettered = MIEN_SOURCE_DIR "/examples/lettered/";
+
+/// The example: a cap's text turns with the head and is as high as its frame makes it; a jersey's stays.
+TEST(FaceLetters, OfPartsTurnWithTheHead) {
+  std::vector<Error> warnings;
+  const auto face = read_face(kLettered + "ole.face.json", {}, &warnings, shipped_letters());
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_TRUE(warnings.empty());
+  const auto moved = [&](const char* by, const char* slice) {
+    const Face turned = pose_face(*face, {.settings = {read_setting(*face, by).value()}});
+    const auto at = std::size_t(face->model->layout[face->model->layout.find(slice)].begin);
+    return turned.vector[at] - face->vector[at];
+  };
+  EXPECT_NEAR(std::abs(moved("roll=12", "cap_name/tilt")), 12, 1e-9);
+  EXPECT_GT(moved("yaw=25", "cap_name/center"), 0.05);
+  EXPECT_LT(moved("yaw=25", "cap_name/height"), 0);  // a plate is seen from the side
+  EXPECT_EQ(moved("roll=12", "jersey_number/tilt"), 0);
+  EXPECT_EQ(moved("yaw=25", "jersey_number/center"), 0);
+}
+
+TEST(FaceLetters, ThatAreMissingAreToldInThePartsFile) {
+  const auto face = read_face(kLettered + "ole.face.json");
+  ASSERT_FALSE(face);
+  const std::string said = sentence(face.error());
+  EXPECT_NE(said.find(".part.json:"), std::string::npos) << said;
+  EXPECT_NE(said.find("needs letters"), std::string::npos) << said;
 }
 
 }  // namespace
