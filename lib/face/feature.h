@@ -5,6 +5,7 @@
 #include <mien/index.h>
 #include <mien/pattern.h>
 #include <mien/side.h>
+#include <mien/text_figure.h>
 
 #include <string>
 #include <string_view>
@@ -97,7 +98,7 @@ struct GradientPaint;
 
 using Figure = std::variant<BandFigure, EllipseFigure, DiscFigure, CutDiscFigure, StrokeFigure,
                             PolylineFigure, PathFigure, OpeningFigure, RoundedFigure, AreaFigure,
-                            ScatterFigure, RepeatFigure, StripesFigure>;
+                            ScatterFigure, RepeatFigure, StripesFigure, TextFigure>;
 
 /// Where a feature is drawn: inside the area of an EARLIER one, or outside of it.
 struct FeatureClip {

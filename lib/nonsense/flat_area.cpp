@@ -117,6 +117,7 @@ class AreaMaker {
   void operator()(const ScatterFigure&) {}
   void operator()(const RepeatFigure&) {}
   void operator()(const StripesFigure&) {}
+  void operator()(const TextFigure&) {}
   void operator()(const OpeningFigure& f) {
     const glm::dvec2 inner = n_.point(f.inner), outer = n_.point(f.outer);
     const int lower_shifts = f.shifts < 0 ? -1 : f.shifts + OpeningFigure::kLidBends;

@@ -113,6 +113,11 @@ Expected<Font> Font::read(const std::filesystem::path& path) {
   }
 }
 
+bool Font::has(char32_t character) const {
+  const std::lock_guard lock(data_->mutex);
+  return FT_Get_Char_Index(data_->face, character) != 0;
+}
+
 Glyph Font::glyph(char32_t character) const {
   const std::lock_guard lock(data_->mutex);
   FT_Face face = data_->face;

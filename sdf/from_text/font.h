@@ -27,6 +27,9 @@ class MIEN_API Font {
   /// quadratic.
   static Expected<Font> read(const std::filesystem::path& path);
 
+  /// Whether it has a glyph of its own for a character.
+  bool has(char32_t character) const;
+
   /// The glyph of a character; for a character that the font lacks, its replacement glyph (a box).
   Glyph glyph(char32_t character) const;
 

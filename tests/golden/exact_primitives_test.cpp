@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/box_letters.h"
 #include "tests/support/effort.h"
 #include "tests/support/exact_truth.h"
 #include "tests/support/exact_windows.h"
@@ -22,9 +23,11 @@ namespace {
 using test::ExactTruth;
 using test::primitive_features;
 using test::Tallies;
+using test::Tally;
 
 Scene primitive_scene(const std::string& features) {
-  const Expected<Face> face = read_face_text(test::face_of_primitives(features));
+  const Expected<Face> face = read_face_text(test::face_of_primitives(features), "primitives", {},
+                                             nullptr, test::box_letters());
   if (!face) throw std::runtime_error(sentence(face.error()));
   return scene_from_face(*face);
 }
@@ -53,6 +56,21 @@ TEST(ExactPrimitives, AreWithinALevel) {
                                       << ": " << tallies[i].where;
       }
     }
+  }
+}
+
+/// Letters of boxes: the outlines of a font's are paths like any other.
+TEST(ExactPrimitives, TextsAreWithinALevelAndWhereTheyAreMeant) {
+  const std::string text =
+      R"({"name": "badge", "kind": "text", "text": "mien", "center": [0.1, 0.2], "height": 0.6,
+      "tilt": -20, "paint": "half", "clip": "head", "contour": {"color": "black", "half_width": 0.02}})";
+  const Scene meant = primitive_scene(text);
+  for (const Tally& tally : judged(meant, meant, 31, 5 * test::kThinning))
+    EXPECT_EQ(tally.over, 0) << tally.where;
+  for (const auto& [from, to] : {std::pair{"mien", "mie"}, {"0.6", "0.61"}, {"-20", "-21"}}) {
+    std::string drawn = text;
+    drawn.replace(drawn.find(from), std::string(from).size(), to);
+    EXPECT_GT(judged(primitive_scene(drawn), meant, 31, 2)[2].over, 5) << to;
   }
 }
 

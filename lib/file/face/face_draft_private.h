@@ -2,6 +2,7 @@
 // A face while it is being read, and the parts of its file that add to it.
 
 #include <mien/face_model.h>
+#include <mien/letters.h>
 #include "lib/file/json/reading.h"
 
 #include <array>
@@ -42,9 +43,11 @@ struct FaceDraft {
     int depth;            ///< how many features deep
     std::size_t figures;  ///< how many figures decide it
   };
-  std::vector<AreaSize> areas;   ///< per feature
-  std::size_t area_figures = 0;  ///< of all areas, beyond what plain features have
-  int pattern_figures = 0;       ///< of all patterns
+  std::vector<AreaSize> areas;       ///< per feature
+  std::size_t area_figures = 0;      ///< of all areas, beyond what plain features have
+  int pattern_figures = 0;           ///< of all patterns
+  const Letters* letters = nullptr;  ///< what texts are made with; null: nothing
+  int text_signs = 0;                ///< of all texts
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
   std::unordered_set<std::string> mirrored_eyes;
 

@@ -53,21 +53,22 @@ Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel&
   return {int(in.word(node, "clip", known))};
 }
 
-Face read_root(Reading& in, const std::filesystem::path* folder);
+Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters);
 
 /// A recipe, put together and read.
-Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings) {
+Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings,
+                   const Letters& letters) {
   const auto parts = ChosenParts::read(recipe);
   if (!parts) throw Refusal{parts.error()};
   const auto tree = composed_face(*parts);
   if (!tree) throw Refusal{tree.error()};
   if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
   Reading in(*tree, limits, warnings);
-  return read_root(in, nullptr);
+  return read_root(in, nullptr, letters);
 }
 
 /// `folder`: where a recipe's own parts lie.
-Face read_root(Reading& in, const std::filesystem::path* folder) {
+Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   const JsonNode* version = in.find(root, "format_version");
@@ -78,8 +79,9 @@ Face read_root(Reading& in, const std::filesystem::path* folder) {
                "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
                "clips",      "default_clip", "effects"});
   if (check_format(in, root) == 2)
-    return read_composed(read_recipe(in, root, folder), in.limits, in.warnings());
+    return read_composed(read_recipe(in, root, folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
+  draft.letters = &letters;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
   if (const JsonNode* name = in.find(root, "name")) model.name = in.string(*name);
@@ -129,39 +131,41 @@ Expected<Face> read_safely(std::string_view name, Read&& read) {
 /// `folder`: of the file that it was in; null: in none.
 Expected<Face> read_text(std::string_view text, std::string_view name,
                          const std::filesystem::path* folder, const FaceLimits& limits,
-                         std::vector<Error>* warnings) {
+                         std::vector<Error>* warnings, const Letters& letters) {
   if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
     return too_long(name, limits);
   return read_safely(name, [&]() -> Expected<Face> {
     const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
     if (!tree) return tree.error();
     Reading in(*tree, limits, warnings);
-    return read_root(in, folder);
+    return read_root(in, folder, letters);
   });
 }
 
 }  // namespace
 
 Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
-                         std::vector<Error>* warnings) {
+                         std::vector<Error>* warnings, const Letters& letters) {
   try {
     const Expected<std::string> text = read_bytes(path, limits.bytes);
     if (!text) return text.error();
     const std::filesystem::path folder = path.parent_path();
-    return read_text(*text, path.string(), &folder, limits, warnings);
+    return read_text(*text, path.string(), &folder, limits, warnings, letters);
   } catch (const std::exception& e) {
     return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
   }
 }
 
 Expected<Face> read_face_text(std::string_view text, std::string_view name,
-                              const FaceLimits& limits, std::vector<Error>* warnings) {
-  return read_text(text, name, nullptr, limits, warnings);
+                              const FaceLimits& limits, std::vector<Error>* warnings,
+                              const Letters& letters) {
+  return read_text(text, name, nullptr, limits, warnings, letters);
 }
 
-Expected<Face> face_from_recipe(const Recipe& recipe) {
-  return read_safely(recipe.name.empty() ? "composed face" : recipe.name,
-                     [&]() -> Expected<Face> { return read_composed(recipe, {}, nullptr); });
+Expected<Face> face_from_recipe(const Recipe& recipe, const Letters& letters) {
+  return read_safely(recipe.name.empty() ? "composed face" : recipe.name, [&]() -> Expected<Face> {
+    return read_composed(recipe, {}, nullptr, letters);
+  });
 }
 
 }  // namespace mien

@@ -124,6 +124,8 @@ class TurnReader {
       const Place here = own == slice_places_.end() ? where : own->second;
       add({slice, here.kind, here.depth});
     });
+    if (const auto* text = std::get_if<TextFigure>(&feature.figure))
+      if (where.kind != TurnKind::still) add({text->tilt, TurnKind::angle});
     if (foreshortened(where)) add_sizes(feature.figure, where.kind == TurnKind::plate);
     if (feature.gradient) add_gradient(feature.gradient.in(face_.model.gradients), where);
   }
@@ -146,6 +148,8 @@ class TurnReader {
       add({disc->radius, size, 0, disc->center});
     } else if (const auto* cut = std::get_if<CutDiscFigure>(&figure)) {
       add({cut->radius, size, 0, cut->center});
+    } else if (const auto* text = std::get_if<TextFigure>(&figure)) {
+      add({text->height, size, 0, text->center});
     } else if (const auto* scatter = std::get_if<ScatterFigure>(&figure)) {
       const auto& points = scatter->patch.points;
       add({scatter->mark.size, size, 0, points[points.size() / 2]});

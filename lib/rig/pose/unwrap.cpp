@@ -62,6 +62,8 @@ glm::dvec2 radii_of(const Figure& figure, const Face& face) {
     return glm::dvec2(number(disc->radius, 0));
   if (const auto* cut = std::get_if<CutDiscFigure>(&figure))
     return glm::dvec2(number(cut->radius, 0));
+  if (const auto* text = std::get_if<TextFigure>(&figure))
+    return 0.5 * number(text->height, 0) * glm::dvec2{text->outline->width, 1};
   return glm::dvec2(0);
 }
 

@@ -245,6 +245,21 @@ Shape shape(const RoundedFigure& f, const FaceNumbers& n) {
   return Path{{std::move(loop)}, FillRule::nonzero};
 }
 
+/// Letters stand upright in the picture wherever y points, and are never mirrored.
+Shape shape(const TextFigure& f, const FaceNumbers& n) {
+  Path path;
+  const glm::dvec2 center = n.point(f.center), x = n(f.height) * n.way(f.tilt),
+                   y = n.sign_of_up() * glm::dvec2{-x.y, x.x};
+  if (x == glm::dvec2{0.0}) return path;
+  const auto place = [&](glm::dvec2 p) { return center + p.x * x + p.y * y; };
+  for (const std::vector<QuadBezier>& loop : f.outline->loops) {
+    Path::Loop& made = path.loops.emplace_back();
+    for (const QuadBezier& side : loop)
+      made.sides.push_back({place(side.p0), place(side.p1), place(side.p2)});
+  }
+  return path;
+}
+
 /// What is made of several shapes is none.
 template <class Several>
 Shape shape(const Several&, const FaceNumbers&) {
@@ -274,6 +289,9 @@ bool same_figure(const Figure& a, const Figure& b, const Face& face) {
     return false;
   if (const auto* line = std::get_if<PolylineFigure>(&a);
       line && line->smooth != std::get_if<PolylineFigure>(&b)->smooth)
+    return false;
+  if (const auto* text = std::get_if<TextFigure>(&a);
+      text && text->text != std::get_if<TextFigure>(&b)->text)
     return false;
   return numbers_of(a, FaceNumbers(face)) == numbers_of(b, FaceNumbers(face));
 }

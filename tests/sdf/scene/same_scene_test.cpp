@@ -45,7 +45,6 @@ const std::vector<std::function<void(Numbers&)>> kChanges{
     [](Numbers& n) { n.line.b.y = 8; },
     [](Numbers& n) { n.grown = 0.5; },
     [](Numbers& n) { n.opacity = 0.75; },
-    [](Numbers& n) { n.mix = MixMode::screen; },
     [](Numbers& n) { n.gradient.stops[1].color.g = 1; },
     [](Numbers& n) { n.gradient.extend = Extend::repeat; },
     [](Numbers& n) {
@@ -57,6 +56,7 @@ const std::vector<std::function<void(Numbers&)>> kChanges{
       n.relief.domes.push_back({{5, 5}, {1, 1}, {1, 0}, 1});
     },
     [](Numbers& n) { n.light.ambient = 0.5; },
+    [](Numbers& n) { n.mix = MixMode::screen; },
 };
 
 TEST(SameScene, IsNumberForNumberAndNamesDoNotCount) {

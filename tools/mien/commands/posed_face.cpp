@@ -43,11 +43,11 @@ Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* 
 
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings) {
-  if (!style && !is_given_as_code(text)) return read_face(text, {}, warnings);
+  if (!style && !is_given_as_code(text)) return read_face(text, {}, warnings, face_letters());
   auto recipe = read_given_recipe(text, warnings);
   if (!recipe) return recipe.error();
   if (style) recipe->style = *style;
-  return face_from_recipe(*recipe);
+  return face_from_recipe(*recipe, face_letters());
 }
 
 std::optional<Face> read_face_aloud(const std::string& path,

@@ -19,6 +19,7 @@
 #include "tools/mien/commands/render_plan.h"
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/letters.h"
 #include "tools/mien/people/people_statistics.h"
 
 #include <fmt/format.h>
@@ -148,7 +149,7 @@ Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
 /// One part's pictures on a head, named after it.
 CellsOrCode part_pictures(const SheetArguments& arguments, const Recipe& recipe,
                           const std::string& part, Size size) {
-  const auto face = face_from_recipe(recipe);
+  const auto face = face_from_recipe(recipe, face_letters());
   if (!face) return {{}, complain(face.error(), kUsedWrongly)};
   SheetArguments one = arguments;
   if (one.pictures.empty()) one.pictures.push_back("");

@@ -13,6 +13,7 @@
 #include "tools/mien/data/chernoff_faces.h"
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/letters.h"
 #include "tools/mien/output/sha256.h"
 #include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
@@ -30,7 +31,7 @@ constexpr int kDefaultFace = 160, kSmallestFace = 16, kLargestFace = 4096;  // [
 constexpr int kFacesInARow = 10, kLegendColumns = 3;
 
 Expected<SheetCell> cell_of(const ChernoffFace& what, int size) {
-  const auto face = face_from_recipe(what.recipe);
+  const auto face = face_from_recipe(what.recipe, face_letters());
   if (!face) return face.error();
   Pose pose;
   for (const auto& [emotion, strength] : what.emotions) {

@@ -6,6 +6,7 @@
 #include "lib/file/json/json_text.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/output/drawn_picture.h"
+#include "tools/mien/output/letters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ void double_half(std::byte* row, int width, bool left) {
 }  // namespace
 
 Expected<Face> posed_stimulus(const Stimulus& stimulus) {
-  const auto face = face_from_recipe(stimulus.recipe);
+  const auto face = face_from_recipe(stimulus.recipe, face_letters());
   if (!face) return face.error();
   Pose pose;
   for (const auto& [name, value] : stimulus.controls) {

@@ -8,6 +8,7 @@
 #include "lib/parts/recipe/own_part.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/output/letters.h"
 #include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -125,7 +126,8 @@ int check_parts(const PartsArguments& arguments) {
     wear(plain, *part);
     check.worn.push_back(file);
   }
-  if (const auto face = face_from_recipe(plain); !face) return complain(face.error(), kFailed);
+  if (const auto face = face_from_recipe(plain, face_letters()); !face)
+    return complain(face.error(), kFailed);
   return nonsense_command(check);
 }
 

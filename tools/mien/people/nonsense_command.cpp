@@ -9,6 +9,7 @@
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
+#include "tools/mien/output/letters.h"
 #include "tools/mien/people/parts_at_fault.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -156,7 +157,7 @@ std::string as_table(const std::vector<TriedFace>& faces, std::size_t poses) {
 void try_face(const NonsenseTest& test, TriedFace& tried, std::size_t& poses) {
   std::optional<Face> face = std::move(tried.face);
   if (!face) {
-    auto made = face_from_recipe(tried.recipe);
+    auto made = face_from_recipe(tried.recipe, face_letters());
     if (!made) {
       tried.failed = made.error();
       return;

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/box_letters.h"
+
 namespace {
 
 void require(bool holds) {
@@ -22,7 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   std::vector<mien::Error> warnings;
   const mien::FaceLimits limits{.bytes = 1u << 20, .numbers = 10'000, .features = 1'000};
-  const auto face = mien::read_face_text(text, "fuzz", limits, &warnings);
+  const auto face =
+      mien::read_face_text(text, "fuzz", limits, &warnings, mien::test::box_letters());
   if (!face) {
     require(!face.error().what.empty());
     require(sentence(face.error()).find('\n') == std::string::npos);

@@ -226,6 +226,7 @@ const std::vector<FigureKind>& figure_kinds() {
       {"stripes",
        {"patch", "count", "half_width", "seed", "jitter", "vary"},
        [](Reader& r) -> Figure { return r.stripes(); }},
+      {"text", {"text", "center", "height", "tilt"}, [](Reader& r) -> Figure { return r.text(); }},
   };
   return all;
 }

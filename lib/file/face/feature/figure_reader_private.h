@@ -38,6 +38,8 @@ class FigureReader {
   ScatterFigure scatter();
   RepeatFigure repeat();
   StripesFigure stripes();
+  // text_reader.cpp
+  TextFigure text();
 
   /// A member's value for this side, and whether it was written for the other one.
   struct Field {
@@ -58,6 +60,8 @@ class FigureReader {
   PathFigure::Node path_node(const JsonNode& node, std::string_view part, bool mirrored);
   PathFigure::Loop loop(const JsonNode& node, std::string_view part, bool mirrored);
   std::vector<Index<Feature>> operands(std::string_view key) const;
+
+  std::shared_ptr<const TextOutline> text_outline(const JsonNode& node);
 
   PatternPatch patch();
   PatternMark mark();

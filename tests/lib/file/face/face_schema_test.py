@@ -78,6 +78,8 @@ BREAKS = {
     "a pattern of nothing": lambda f: f["features"].append({k: v for k, v in primitive("dots").items() if k != "radius"}),
     "a jitter beyond a step": lambda f: f["features"].append(primitive("dots") | {"jitter": 2}),
     "stripes in a lattice": lambda f: f["features"].append(primitive("hatching") | {"count": [2, 2]}),
+    "a text of nothing": lambda f: f["features"].append({"name": "a", "kind": "text", "text": "", "center": [0, 0], "height": 1}),
+    "a text without a height": lambda f: f["features"].append({"name": "a", "kind": "text", "text": "A", "center": [0, 0]}),
     "a rectangle without corners": lambda f: f["features"].append({"name": "a", "kind": "rounded", "center": [0, 0], "radii": [1, 1]}),
     "a contour that varies by nothing": lambda f: feature(f, "iris").update(contour={"color": "skin", "widths": [0, 1]}),
     "a contour twice as wide": lambda f: feature(f, "iris").update(contour={"color": "skin", "half_width": 1, "widths": [0, 1], "by": "angle"}),
@@ -126,7 +128,8 @@ def main():
         for error in validator.iter_errors(json.loads(sample.read_text())):
             failures.append(f"{sample.name}: {error.json_path}: {error.message}")
     toon = json.loads((ROOT / "faces/compat/toon.face.json").read_text())
-    known = toon | {"features": toon["features"] + primitives()}
+    badge = {"name": "badge", "kind": "text", "text": "Nº 10", "center": [0, 0], "height": 0.1, "tilt": 5, "paint": "skin"}
+    known = toon | {"features": [*toon["features"], *primitives(), badge]}
     assert len(primitives()) >= 14, "where are the primitives?"
     failures += [f"primitives: {error.json_path}: {error.message}" for error in validator.iter_errors(known)]
     for what, break_it in BREAKS.items():
