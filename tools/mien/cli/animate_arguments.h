@@ -19,6 +19,9 @@ struct MorphArguments {
   bool from_obj = false;  ///< `mien morph from-obj`, not `make`
   std::string rest, map, neutral, output;
   std::vector<std::string> targets;  ///< FILE or NAME=FILE
+
+  std::vector<std::string> people;  ///< `mien morph between`: two recipes or codes
+  std::optional<std::string> steps, at, parts_at, size, style, columns, gap, fps;
 };
 
 struct MeshArguments {

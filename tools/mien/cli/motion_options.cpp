@@ -113,8 +113,45 @@ void add_animate(CLI::App& app, AnimateArguments& to) {
       ->type_name(std::string(kProgress));
 }
 
+namespace {
+
+void add_between(CLI::App& morph, MorphArguments& to) {
+  CLI::App* between = morph.add_subcommand(
+      "between", "Draw one person becoming another: numbers and colours move, parts change");
+  between->add_option("PEOPLE", to.people, "Two codes or recipe files")
+      ->required()
+      ->type_name("")
+      ->expected(2);
+  between
+      ->add_option("-o,--output", to.output,
+                   "A picture of all steps in rows, numbered pictures like frames/%03d.png, or a "
+                   "film: .mp4 .webm .webp .apng .gif")
+      ->required()
+      ->type_name("FILE");
+  between
+      ->add_option("--steps", to.steps,
+                   "So many, both people included; default 9, or 90 as pictures or a film")
+      ->type_name("N");
+  between->add_option("--at", to.at, "One picture instead: so far towards the second, 0 to 1")
+      ->type_name("SHARE");
+  between
+      ->add_option("--parts-at", to.parts_at,
+                   "Where all parts change, 0 to 1; default each at a place of its own")
+      ->type_name("SHARE");
+  between->add_option("--style", to.style, "How both are painted")->type_name("STYLE");
+  between
+      ->add_option("--size", to.size,
+                   "Pixels of a step's picture, or of its longer side; default 320")
+      ->type_name("WxH");
+  between->add_option("--columns", to.columns, "Pictures in a row; default 9")->type_name("N");
+  between->add_option("--gap", to.gap, "White pixels between pictures; default 0")->type_name("N");
+  between->add_option("--fps", to.fps, "Frames a second of a film; default 30")->type_name("N");
+}
+
+}  // namespace
+
 void add_morph(CLI::App& app, MorphArguments& to) {
-  CLI::App* morph = app.add_subcommand("morph", "Morph targets");
+  CLI::App* morph = app.add_subcommand("morph", "Morph targets; one person becoming another");
   morph->require_subcommand(1);
   CLI::App* make = morph->add_subcommand(
       "make", "Make targets out of a face file and the same face in other shapes");
@@ -125,6 +162,7 @@ void add_morph(CLI::App& app, MorphArguments& to) {
       ->expected(1, 1 << 10);
   make->add_option("-o,--output", to.output, "Targets to write")->required()->type_name("FILE");
 
+  add_between(*morph, to);
   CLI::App* from_obj = morph->add_subcommand(
       "from-obj", "Make targets out of OBJ heads whose vertices a map binds to the face's points");
   from_obj->parse_complete_callback([&to] { to.from_obj = true; });

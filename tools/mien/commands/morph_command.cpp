@@ -1,4 +1,4 @@
-// mien morph: targets out of pairs of face files, or of heads in OBJ files.
+// mien morph: one person becoming another; targets out of pairs of face files, or of heads in OBJ files.
 
 #include <mien/face_file.h>
 #include <mien/morph_file.h>
@@ -8,6 +8,7 @@
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/output/written_file.h"
+#include "tools/mien/people/morph_between.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
@@ -46,6 +47,7 @@ Expected<std::string> from_heads(const MorphArguments& arguments, const Face& re
 }  // namespace
 
 int morph_command(const MorphArguments& arguments) {
+  if (!arguments.people.empty()) return morph_between(arguments);
   const auto rest = read_face_aloud(arguments.rest);
   if (!rest) return kFailed;
   const auto text =
