@@ -44,7 +44,7 @@ TEST(EditionFiles, TheNewestIsFrozen) {
 
 // Two editions made here: A is the trial one's files, B has one more hair and one more number.
 
-constexpr int kPeople = test::times(4000);
+constexpr int kFaces = test::times(4000);
 constexpr ShippedPart kHairOfB[] = {
     {"hair/cowlick.part.json",
      R"({"format": "mien-part", "format_version": 1, "family": "hair", "name": "cowlick", "number": 1000, "tickets": {"any": 9},
@@ -79,7 +79,7 @@ TEST(EditionFiles, AnEditionKeepsTheFacesOfThoseBefore) {
   const auto alone = library_of('A', false), beside = library_of('A', true);
   EXPECT_FALSE(beside->find_family("hair")->find("cowlick"));
   EXPECT_FALSE(beside->find_number("tousled"));
-  for (int i = 0; i < kPeople; ++i) {
+  for (int i = 0; i < kFaces; ++i) {
     const Recipe a = sampled_recipe(*alone, somebody_of(i, 'A')),
                  b = sampled_recipe(*beside, somebody_of(i, 'A'));
     EXPECT_EQ(a.parts, b.parts);
@@ -93,7 +93,7 @@ TEST(EditionFiles, AnEditionKeepsTheFacesOfThoseBefore) {
 TEST(EditionFiles, APartOfTheNextChangesTheFacesThatWinIt) {
   const auto a = library_of('A', true), b = library_of('B', true);
   int won = 0;
-  for (int i = 0; i < kPeople; ++i) {
+  for (int i = 0; i < kFaces; ++i) {
     const Recipe before = sampled_recipe(*a, somebody_of(i, 'A'));
     Recipe after = sampled_recipe(*b, somebody_of(i, 'B'));
     EXPECT_EQ(after.edition, 'B');
@@ -108,9 +108,9 @@ TEST(EditionFiles, APartOfTheNextChangesTheFacesThatWinIt) {
     after.name = before.name, after.code = before.code;
     EXPECT_EQ(composed(*b, after), composed(*a, before));
   }
-  std::cout << "of " << kPeople << " faces of edition B " << won << " have its new hair\n";
-  EXPECT_GT(won, kPeople / 100);
-  EXPECT_LT(won, kPeople / 5);
+  std::cout << "of " << kFaces << " faces of edition B " << won << " have its new hair\n";
+  EXPECT_GT(won, kFaces / 100);
+  EXPECT_LT(won, kFaces / 5);
 }
 
 }  // namespace
