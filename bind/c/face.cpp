@@ -121,7 +121,7 @@ mien_status mien_face_values_at(const mien_face* face, int32_t index, double* va
     const auto& names = need(face, "face").names();
     const auto& rest = names[std::size_t(index_of(index, names.size(), "index"))].value;
     need_count(count, rest.size(), "count");
-    if (count > 0) std::ranges::copy(rest, &need(values, "values"));
+    if (count > 0) std::copy(rest.begin(), rest.end(), &need(values, "values"));
   });
 }
 

@@ -1,6 +1,5 @@
-/* Longer than other files: the interface is one header, as C programs expect.
- *
- * mien in C: a face goes in, pixels come out. Link libmien_c.
+/* mien in C: a face goes in, pixels come out. Link libmien_c.
+ * Longer than other files: the interface is one header, as C programs expect.
  *
  *   #include <mien_c.h>
  *   #include <stdio.h>
@@ -378,6 +377,10 @@ typedef struct mien_render_options {
   void* executor_data;    /* for `executor` */
 } mien_render_options;
 MIEN_C_API void mien_render_options_init(mien_render_options* options, size_t size);
+
+/* "#rrggbb" or "#rrggbbaa", sRGB-encoded, as the colours of mien are: for `view.background`. */
+MIEN_C_API mien_status mien_color_from_text(const char* text, size_t length, double color[4],
+                                            mien_error** error);
 
 MIEN_C_API mien_status mien_renderer_new(mien_renderer** out, mien_error** error);
 MIEN_C_API void mien_renderer_free(mien_renderer* renderer);

@@ -114,7 +114,8 @@ mien_status mien_pose_unwrap(mien_pose* pose, double share, int32_t mode, mien_e
 mien_status mien_pose_vector(mien_pose* pose, double* values, int32_t count, mien_error** error) {
   return pass("mien_pose_vector", error, [&] {
     need_count(count, need(pose, "pose").face.vector.size(), "count");
-    if (count > 0) std::ranges::copy(pose->posed().vector, &need(values, "values"));
+    const auto& vector = pose->posed().vector;
+    if (count > 0) std::copy(vector.begin(), vector.end(), &need(values, "values"));
   });
 }
 }

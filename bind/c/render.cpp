@@ -4,6 +4,8 @@
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
 #include "bind/c/view_private.h"
+#include "lib/base/one_line.h"
+#include "lib/picture/color_text.h"
 #include "render/render_error.h"
 
 #include <exception>
@@ -134,6 +136,17 @@ void mien_pixels_init(mien_pixels* pixels, size_t size) {
 }
 void mien_render_options_init(mien_render_options* options, size_t size) {
   init_struct(options, size, kOptions);
+}
+
+mien_status mien_color_from_text(const char* text, size_t length, double color[4],
+                                 mien_error** error) {
+  return pass("mien_color_from_text", error, [&] {
+    need(color, "color");
+    const std::string_view said = text_of(text, length, "text");
+    const auto c = mien::color_from_text(said);
+    if (!c) refuse(mien::one_line(said, 60), "expected a colour like #rrggbb or #rrggbbaa");
+    color[0] = c->r, color[1] = c->g, color[2] = c->b, color[3] = c->a;
+  });
 }
 
 mien_status mien_renderer_new(mien_renderer** out, mien_error** error) {

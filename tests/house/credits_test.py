@@ -12,7 +12,7 @@ NO_LIBRARIES = {"pkgconfig", "threads", "python3", "mien"}
 
 
 def files(*ends):
-    folders = ("bench", "cmake", "faces", "fuzz", "lib", "render", "sdf", "tests", "tools")
+    folders = ("bench", "bind", "cmake", "faces", "fuzz", "lib", "render", "sdf", "tests", "tools")
     return [p for folder in folders for p in sorted((ROOT / folder).rglob("*")) if p.name.endswith(ends)] + [ROOT / "CMakeLists.txt"]
 
 
@@ -23,7 +23,7 @@ class Credits(unittest.TestCase):
         self.assertGreater(len(found), 12)
         for name in sorted(found):
             self.assertIn(SAID_AS.get(name, name), CREDITS.lower())
-        imported = "\n".join(p.read_text(encoding="utf-8") for p in files("_test.py"))
+        imported = "\n".join(p.read_text(encoding="utf-8") for p in files(".py"))
         for name in re.findall(r"^ +(?:import|from) (numpy|jsonschema)", imported, re.M):
             self.assertIn(name, CREDITS.lower())
 

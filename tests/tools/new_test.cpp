@@ -1,5 +1,7 @@
 // mien new, mien code, mien parts and codes in place of faces.
 
+#include <mien/face_code.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +39,7 @@ class NewTest : public testing::Test {
 
 TEST_F(NewTest, TheReadmesThirdCommand) {
   const std::string code = printed({"new", "--seed", "hello", "-o", file("mine.face.json")});
-  EXPECT_EQ(code, "Z66CB-AA5S0-1B");
+  EXPECT_EQ(code, face_code_text({.seed = seed_from_word("hello")}));
   EXPECT_EQ(run_mien({"check", file("mine.face.json")}).out, file("mine.face.json") + ": ok\n");
   EXPECT_FALSE(picture({"render", file("mine.face.json"), "--emotion", "joy"}).empty());
 }
@@ -75,6 +77,24 @@ TEST_F(NewTest, RelativesHaveCodes) {
   }
 }
 
+TEST_F(NewTest, EditionsAreChosen) {
+  EXPECT_EQ(printed({"new", "--seed", "hello", "--edition", "Z"}), "Z66CB-AA5S0-1B");
+  for (const char edition : editions()) {
+    const std::string sign(1, edition);
+    EXPECT_EQ(printed({"new", "--seed", "a", "--edition", sign, "-o", file("e.face.json")})[0],
+              edition);
+    EXPECT_NE(test::read_text(file("e.face.json")).find("\"edition\": \"" + sign + "\""),
+              std::string::npos);
+    EXPECT_EQ(printed({"code", file("e.face.json")})[0], edition);
+    EXPECT_EQ(run_mien({"parts", "--edition", sign}).code, 0);
+    EXPECT_EQ(
+        run_mien({"sheet", "--people", "3", "--edition", sign, "--cell", "16", "-o", file("e.png")})
+            .code,
+        0);
+  }
+  EXPECT_EQ(printed({"new", "--seed", "a"})[0], newest_edition());
+}
+
 TEST_F(NewTest, PartsAreListed) {
   const Ran all = run_mien({"parts"});
   EXPECT_NE(all.out.find("hair "), std::string::npos);
@@ -92,7 +112,7 @@ TEST_F(NewTest, CodesOfRecipesAndBack) {
   EXPECT_EQ(run_mien({"code", file("h.face.json")}).out, held + "\n");
   // What a code says are values to hold; all held, they are the code's face.
   const std::string said = run_mien({"code", held}).out;
-  EXPECT_EQ(said.find("code " + held + "\nedition Z\nhead="), 0u) << said;
+  EXPECT_EQ(said.find("code " + held + "\nedition " + newest_edition() + "\nhead="), 0u) << said;
   EXPECT_NE(said.find("\nhair=bob  held; the seed says "), std::string::npos) << said;
   std::vector<std::string> words{"new", "--seed", "other"};
   std::istringstream lines(said);
@@ -100,7 +120,7 @@ TEST_F(NewTest, CodesOfRecipesAndBack) {
     if (line.find('=') != std::string::npos)
       words.insert(words.end(), {"--hold", line.substr(0, line.find(' '))});
   EXPECT_EQ(picture({"render", printed(words)}), picture({"render", held}));
-  EXPECT_EQ(printed({"code", "z66cbaa5s01b"}), "code " + plain);
+  EXPECT_EQ(printed({"code", "z66cbaa5s01b"}), "code Z66CB-AA5S0-1B");
 }
 
 TEST_F(NewTest, CodesOfWrittenRecipes) {
@@ -189,6 +209,14 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"new", "--seed", "x", "--hold", "eye.size=7"}, 2, "eye.size goes from 0.8 to 1.2");
   refused({"new", "--seed", "x", "--style", "inkk"}, 2, "did you mean \"ink\"");
   refused({"new", "--seed", "x", "--code", "Z66CB-AA5S0-1B"}, 2, "a seed of its own");
+  refused({"new", "--edition", "Q"}, 2,
+          "--edition: edition Q is not known to this version, which has");
+  refused({"new", "--edition", ""}, 2, "--edition");
+  refused({"new", "--edition", "Z", "--code", "Z66CB-AA5S0-1B"}, 2, "of their own");
+  refused({"parts", "--edition", "zz"}, 2, "edition zz is not known");
+  refused({"parts", "new", "hair", "mine", "--edition", "Z"}, 2, "--edition");
+  refused({"sheet", "--people", "3", "--edition", "?", "-o", "x.png"}, 2, "edition ? is not");
+  refused({"sheet", "--parts", "hair", "--edition", "?", "-o", "x.png"}, 2, "edition ? is not");
   refused({"new", "--by", "0.5"}, 2, "--near");
   refused({"new", "--near", "Z66CB-AA5S0-1B", "--by", "2"}, 2, "--by");
   refused({"new", "--near", "Z66CB-AA5S0-1B", "--between", "a", "b"}, 2, "one of them");

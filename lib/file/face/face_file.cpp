@@ -57,7 +57,7 @@ Face read_root(Reading& in, const std::filesystem::path* folder);
 
 /// A recipe, put together and read.
 Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings) {
-  const auto parts = ChosenParts::read(PartLibrary::shipped(), recipe);
+  const auto parts = ChosenParts::read(recipe);
   if (!parts) throw Refusal{parts.error()};
   const auto tree = composed_face(*parts);
   if (!tree) throw Refusal{tree.error()};

@@ -41,12 +41,14 @@ constexpr double kSkinUnit = 0.12, kYears = 30.0, kPerSigma = 0.2;
 }  // namespace
 
 Appearance appearance_of(const Recipe& recipe) {
-  const PartLibrary& library = PartLibrary::shipped();
+  const PartLibrary& library = *PartLibrary::shipped(recipe.edition);
   const auto number = [&](const char* name) { return recipe.numbers.at(name); };
   Appearance seen{.skin = skin_color(library, number("skin.tone"), number("skin.undertone")),
                   .age = number("age")};
-  for (std::size_t i = 0; i < kFamiliesSeen.size(); ++i)
-    seen.parts[i] = chosen_part(library, recipe, kFamiliesSeen[i].family);
+  for (std::size_t i = 0; i < kFamiliesSeen.size(); ++i) {
+    const Part* part = chosen_part(library, recipe, kFamiliesSeen[i].family);
+    seen.parts[i] = part ? part->number : -1;
+  }
   for (std::size_t i = 0; i < kColorsSeen.size(); ++i)
     seen.colors[i] = color_of(*chosen_part(library, recipe, kColorsSeen[i].family));
   for (std::size_t i = 0; i < kNumbersSeen.size(); ++i)

@@ -1,6 +1,7 @@
 #include <mien/crowd.h>
 #include <mien/recipe.h>
 #include "lib/parts/code/appearance.h"
+#include "lib/parts/recipe/sample.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,9 @@ double least_difference(std::span<const Appearance> before, const Appearance& on
 
 }  // namespace
 
-std::vector<FaceCode> crowd(std::string_view word, int count) {
+std::vector<FaceCode> crowd(std::string_view word, int count, char edition) {
+  const PartLibrary* library = PartLibrary::shipped(edition);
+  if (!library) return {};
   std::vector<FaceCode> codes;
   std::vector<Appearance> seen;
   for (int place = 0; place < count; ++place) {
@@ -32,8 +35,9 @@ std::vector<FaceCode> crowd(std::string_view word, int count) {
     Appearance best_seen{};
     double most = -1.0;
     for (int k = 0; k < kTried && most < kDifferent; ++k) {
-      const FaceCode tried{.seed = seed_from_word(fmt::format("{}/{}/{}", word, place, k))};
-      const Appearance look = appearance_of(recipe_from_seed(tried.seed));
+      const FaceCode tried{.edition = edition,
+                           .seed = seed_from_word(fmt::format("{}/{}/{}", word, place, k))};
+      const Appearance look = appearance_of(sampled_recipe(*library, tried));
       if (const double least = least_difference(seen, look, kDifferent); least > most)
         best = tried, best_seen = look, most = least;
     }

@@ -2,6 +2,7 @@
 // A face as a short word: twelve signs that mean the same face for ever, and values held against them.
 
 #include <mien/api.h>
+#include <mien/editions.h>
 #include <mien/expected.h>
 
 #include <cstdint>
@@ -19,12 +20,11 @@ struct HeldValue {
   friend bool operator==(const HeldValue&, const HeldValue&) = default;
 };
 
-/// What a code says: `edition` names the frozen library of parts, `seed` the face in it.
+/// What a code says: `edition` names the library of parts, `seed` the face in it.
 struct FaceCode {
   static constexpr int kSeedBits = 50;
-  static constexpr char kNewestEdition = 'Z';  ///< the trial edition: its faces may still change
 
-  char edition = kNewestEdition;
+  char edition = newest_edition();
   std::uint64_t seed = 0;  ///< below 2^50
   std::vector<HeldValue> held;
 

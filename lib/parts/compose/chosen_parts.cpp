@@ -130,6 +130,11 @@ void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& 
 
 }  // namespace
 
+Expected<const PartLibrary*> library_of(const Recipe& recipe) {
+  if (const PartLibrary* library = PartLibrary::shipped(recipe.edition)) return library;
+  return Error{"recipe", read_edition({&recipe.edition, 1}).error().what};
+}
+
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {
   const std::string where = "recipe";
   for (const auto& [family_name, part] : recipe.parts) {
@@ -183,6 +188,12 @@ void ChosenParts::read_own(const Family& family, const OwnPart& own) {
   check_has_what_others_need({&file, &root}, *library_, family);
   own_.emplace(family.name,
                Part{file.reading.name(file.reading.need(root, "name")), -1, {&file, &root}});
+}
+
+Expected<ChosenParts> ChosenParts::read(const Recipe& recipe) {
+  const auto library = library_of(recipe);
+  if (!library) return library.error();
+  return read(**library, recipe);
 }
 
 Expected<ChosenParts> ChosenParts::read(const PartLibrary& library, const Recipe& recipe) {

@@ -160,7 +160,7 @@ Expected<JsonTree> composed_face(const ChosenParts& parts) {
 }
 
 Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
-  const auto parts = ChosenParts::read(PartLibrary::shipped(), recipe);
+  const auto parts = ChosenParts::read(recipe);
   if (!parts) return parts.error();
   const auto tree = composed_face(*parts);
   if (!tree) return tree.error();

@@ -1,22 +1,30 @@
-# Every JSON file below FROM becomes an entry of TO, a source file.
-file(GLOB_RECURSE files RELATIVE ${FROM} ${FROM}/*.json)
-list(SORT files)
-set(entries "")
-foreach(name IN LISTS files)
-  file(READ ${FROM}/${name} text)
-  # Compilers take raw strings of 64 KiB at least.
-  string(APPEND entries "    {\"${name}\", R\"json_(${text})json_\"},\n")
+# Every JSON file below FROM/EDITION becomes an entry of that edition's in TO, a source file.
+file(GLOB editions RELATIVE ${FROM} ${FROM}/[A-Z])
+list(SORT editions)
+set(tables "")
+set(rows "")
+foreach(edition IN LISTS editions)
+  file(GLOB_RECURSE files RELATIVE ${FROM}/${edition} ${FROM}/${edition}/*.json)
+  list(SORT files)
+  string(APPEND tables "constexpr ShippedPart kParts${edition}[] = {\n")
+  foreach(name IN LISTS files)
+    file(READ ${FROM}/${edition}/${name} text)
+    # Compilers take raw strings of 64 KiB at least.
+    string(APPEND tables "    {\"${name}\", R\"json_(${text})json_\"},\n")
+  endforeach()
+  string(APPEND tables "};\n")
+  string(APPEND rows "    {'${edition}', kParts${edition}},\n")
 endforeach()
 file(WRITE ${TO} "#include \"lib/parts/library/shipped_parts.h\"
 
 namespace mien {
 namespace {
-constexpr ShippedPart kShippedParts[] = {
-${entries}};
+${tables}constexpr ShippedFolder kFolders[] = {
+${rows}};
 }  // namespace
 
-std::span<const ShippedPart> shipped_parts() {
-  return kShippedParts;
+std::span<const ShippedFolder> shipped_folders() {
+  return kFolders;
 }
 
 }  // namespace mien

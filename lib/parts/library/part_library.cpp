@@ -1,10 +1,14 @@
 #include "lib/parts/library/part_library.h"
 #include "lib/base/nearest_name.h"
-#include "lib/parts/library/shipped_parts.h"
+#include "lib/parts/library/edition_files.h"
+
+#include <mien/editions.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 
 namespace mien {
 namespace {
@@ -83,6 +87,7 @@ void PartLibrary::read_numbers(const LibraryNode& from, std::string_view family)
 
 void PartLibrary::read_topology(const LibraryNode& root) {
   const Reading& in = root.in();
+  if (topology_.node) in.refuse(*root.node, "a library has one topology");
   topology_ = root;
   const JsonNode& families = in.need(*root.node, "families");
   in.expect(families, JsonKind::array);
@@ -142,6 +147,7 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>
     for (const LibraryFile& file : library->files_) {
       const Reading& in = file.reading;
       if (format_of(file) == "mien-part") library->read_part({&file, &file.tree.root()});
+      if (format_of(file) == "mien-numbers") library->read_numbers({&file, &file.tree.root()}, "");
       if (format_of(file) != "mien-parts") continue;
       in.for_each(in.need(file.tree.root(), "parts"), [&](const JsonNode& node, int) {
         library->read_part({&file, &node});
@@ -153,13 +159,26 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>
   return library;
 }
 
-const PartLibrary& PartLibrary::shipped() {
-  static const std::unique_ptr<PartLibrary> library = [] {
+const PartLibrary* PartLibrary::shipped(char edition) {
+  struct ReadOnce {
+    std::once_flag flag;
+    std::unique_ptr<PartLibrary> library;
+  };
+  constexpr std::size_t kSigns = 26;
+  static std::array<ReadOnce, kSigns> all;
+  if (editions().find(edition) == std::string_view::npos) return nullptr;
+  ReadOnce& own = all[std::size_t(edition - 'A')];
+  std::call_once(own.flag, [&] {
     std::vector<Text> texts;
-    for (const ShippedPart& part : shipped_parts()) texts.push_back({part.name, part.text});
-    return std::move(PartLibrary::read(texts)).value();  // a test reads it
-  }();
-  return *library;
+    for (const ShippedPart& part : edition_files(shipped_folders(), edition))
+      texts.push_back({part.name, part.text});
+    own.library = std::move(PartLibrary::read(texts)).value();  // a test reads it
+  });
+  return own.library.get();
+}
+
+const PartLibrary& PartLibrary::shipped() {
+  return *shipped(newest_edition());
 }
 
 }  // namespace mien

@@ -66,11 +66,13 @@ class PartLibrary {
  public:
   /// The newest edition, compiled in.
   static const PartLibrary& shipped();
+  /// Any edition, compiled in; null: this build has none of that sign.
+  static const PartLibrary* shipped(char edition);
 
   struct Text {
     std::string_view name, bytes;  ///< "hair/bob.part.json"; both outlive the library
   };
-  /// Reads an edition: one topology, and files of parts.
+  /// Reads an edition: one topology, files of parts, and of more numbers ("mien-numbers").
   static Expected<std::unique_ptr<PartLibrary>> read(const std::vector<Text>& texts);
 
   const LibraryNode& topology() const { return topology_; }

@@ -1,5 +1,5 @@
 #pragma once
-// The files of the newest edition, compiled in: no file is read at run time.
+// The files of all editions, compiled in: no file is read at run time.
 
 #include <span>
 #include <string_view>
@@ -9,6 +9,14 @@ namespace mien {
 struct ShippedPart {
   std::string_view name, text;
 };
-std::span<const ShippedPart> shipped_parts();
+
+/// What lies in parts/EDITION.
+struct ShippedFolder {
+  char edition;
+  std::span<const ShippedPart> parts;
+};
+
+/// By their edition's sign.
+std::span<const ShippedFolder> shipped_folders();
 
 }  // namespace mien

@@ -3,6 +3,7 @@
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
+#include "lib/parts/compose/chosen_parts.h"
 #include "lib/parts/library/part_library.h"
 
 #include <fmt/format.h>
@@ -14,20 +15,14 @@ namespace {
 
 class RecipeReader {
  public:
-  RecipeReader(Reading& in, const std::filesystem::path* folder)
-      : in_(in), folder_(folder), library_(PartLibrary::shipped()) {}
+  RecipeReader(Reading& in, const std::filesystem::path* folder) : in_(in), folder_(folder) {}
 
   Recipe read(const JsonNode& root) {
     in_.expect_object(root,
                       {"$schema", "format", "format_version", "name", "edition", "code", "parts",
                        "numbers", "style"},
                       "recipe");
-    const std::string_view newest(&FaceCode::kNewestEdition, 1);
-    if (const JsonNode* edition = in_.find(root, "edition");
-        edition && in_.string(*edition) != newest)
-      in_.refuse(*edition, fmt::format("edition {} is not known to this version, which has {}",
-                                       in_quotes(in_.string(*edition)), newest));
-    if (const JsonNode* code = in_.find(root, "code")) recipe_ = of_code(*code);
+    read_base(in_.find(root, "edition"), in_.find(root, "code"));
     if (const JsonNode* name = in_.find(root, "name")) recipe_.name = in_.string(*name);
     if (const JsonNode* parts = in_.find(root, "parts")) {
       in_.expect(*parts, JsonKind::object);
@@ -40,7 +35,7 @@ class RecipeReader {
       });
     }
     if (const JsonNode* style = in_.find(root, "style")) {
-      const std::vector<std::string>& styles = library_.styles();
+      const std::vector<std::string>& styles = library_->styles();
       const std::vector<std::string_view> names(styles.begin(), styles.end());
       recipe_.style = styles[in_.word(*style, "style", names)];
     }
@@ -48,6 +43,21 @@ class RecipeReader {
   }
 
  private:
+  /// The edition: the one that is said, else the code's, else the newest. A code may be of an edition before.
+  void read_base(const JsonNode* edition, const JsonNode* code) {
+    if (code) recipe_ = of_code(*code);
+    if (edition) {
+      const auto sign = read_edition(in_.string(*edition));
+      if (!sign) in_.refuse(*edition, sign.error().what);
+      recipe_.edition = *sign;
+    }
+    library_ = PartLibrary::shipped(recipe_.edition);
+    if (!code) return;
+    if (const auto wrong = wrong_in(*library_, recipe_))
+      in_.refuse(*code, fmt::format("the code's face is not of edition {}: {}", recipe_.edition,
+                                    wrong->what));
+  }
+
   Recipe of_code(const JsonNode& node) const {
     const auto code = read_face_code(in_.string(node));
     if (!code) in_.refuse(node, code.error().what);
@@ -85,8 +95,8 @@ class RecipeReader {
   /// part of one's own.
   void read_part(const JsonNode& node) {
     const std::string_view name = in_.tree.key(node);
-    const Family* family = library_.find_family(name);
-    if (!family) refuse_unknown(node, "family of parts", name, library_.families());
+    const Family* family = library_->find_family(name);
+    if (!family) refuse_unknown(node, "family of parts", name, library_->families());
     if (node.kind == JsonKind::null) {
       if (family->find("none")) {
         recipe_.parts[family->name] = "none";
@@ -112,8 +122,8 @@ class RecipeReader {
   }
 
   void read_number(const JsonNode& node, const std::string& name) {
-    const LibraryNumber* number = library_.find_number(name);
-    if (!number) refuse_unknown(node, "number", name, library_.numbers());
+    const LibraryNumber* number = library_->find_number(name);
+    if (!number) refuse_unknown(node, "number", name, library_->numbers());
     const double value = in_.number(node);
     if (!(value >= number->lo && value <= number->hi))
       in_.refuse(node,
@@ -123,7 +133,7 @@ class RecipeReader {
 
   Reading& in_;
   const std::filesystem::path* folder_;
-  const PartLibrary& library_;
+  const PartLibrary* library_ = nullptr;
   Recipe recipe_;
 };
 
@@ -162,15 +172,14 @@ Expected<Recipe> read_recipe_file(const std::filesystem::path& path, std::vector
 }
 
 std::string recipe_text(const Recipe& recipe) {
-  std::string text =
-      fmt::format("{{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"{}\",\n",
-                  FaceCode::kNewestEdition);
+  std::string text = fmt::format(
+      "{{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"{}\",\n", recipe.edition);
   if (!recipe.name.empty()) text += fmt::format(" \"name\": {},\n", json_string(recipe.name));
   if (!recipe.code.empty()) text += fmt::format(" \"code\": {},\n", json_string(recipe.code));
   text += " \"parts\": {";
   const char* before = "\n  ";
   // Families without a part are said to have none: the code may say otherwise.
-  for (const Family& family : PartLibrary::shipped().families()) {
+  for (const PartFamily& family : part_families(recipe.edition)) {
     const auto part = recipe.parts.find(family.name);
     if (part == recipe.parts.end() && !family.optional) continue;
     text += fmt::format("{}{}: {}", before, json_string(family.name),

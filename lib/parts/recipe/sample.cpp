@@ -80,7 +80,7 @@ class Sampler {
 
   Recipe recipe() {
     lean_on_axes();
-    recipe_.code = face_code_text(code_);
+    recipe_.code = face_code_text(code_), recipe_.edition = code_.edition;
     recipe_.name = "face-" + recipe_.code;
     for (const LibraryNumber& number : library_.numbers()) choose(number);
     skin_ =
@@ -265,18 +265,16 @@ Recipe recipe_from_seed(std::uint64_t seed) {
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
   const std::string where = "code " + face_code_text(code);
-  const PartLibrary& library = PartLibrary::shipped();
-  if (code.edition != FaceCode::kNewestEdition)
-    return Error{where, fmt::format("edition {} is not known to this version, which has {}",
-                                    code.edition, FaceCode::kNewestEdition)};
+  const PartLibrary* shipped = PartLibrary::shipped(code.edition);
+  if (!shipped) return Error{where, read_edition({&code.edition, 1}).error().what};
+  const PartLibrary& library = *shipped;
   for (const HeldValue& held : code.held) {
     const auto is_field = [&](const auto& one) { return one.number == held.field; };
     const auto family =
         std::find_if(library.families().begin(), library.families().end(), is_field);
     if (family == library.families().end()) {
       if (std::none_of(library.numbers().begin(), library.numbers().end(), is_field))
-        return Error{
-            where, fmt::format("edition {} has no field {}", FaceCode::kNewestEdition, held.field)};
+        return Error{where, fmt::format("edition {} has no field {}", code.edition, held.field)};
       continue;
     }
     const auto is_part = [&](const Part& part) { return part.number == held.value; };
@@ -287,29 +285,36 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
   return sampled_recipe(library, code);
 }
 
-std::vector<PartFamily> part_families() {
+std::vector<PartFamily> part_families(char edition) {
   std::vector<PartFamily> all;
-  for (const Family& family : PartLibrary::shipped().families()) {
+  const PartLibrary* library = PartLibrary::shipped(edition);
+  if (!library) return all;
+  for (const Family& family : library->families()) {
     all.push_back({family.name, {}, family.optional});
     for (const Part& part : family.parts) all.back().parts.push_back(part.name);
   }
   return all;
 }
 
-std::vector<PartNumber> part_numbers() {
+std::vector<PartNumber> part_numbers(char edition) {
   std::vector<PartNumber> all;
-  for (const LibraryNumber& number : PartLibrary::shipped().numbers())
+  const PartLibrary* library = PartLibrary::shipped(edition);
+  if (!library) return all;
+  for (const LibraryNumber& number : library->numbers())
     all.push_back({number.name, number.lo, number.hi, number.rest});
   return all;
 }
 
-std::vector<std::string> part_styles() {
-  return PartLibrary::shipped().styles();
+std::vector<std::string> part_styles(char edition) {
+  const PartLibrary* library = PartLibrary::shipped(edition);
+  return library ? library->styles() : std::vector<std::string>();
 }
 
-Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
-  const PartLibrary& library = PartLibrary::shipped();
+Expected<HeldValue> read_held_value(std::string_view text, bool clamp, char edition) {
   const std::string where = one_line(text, 60);
+  const PartLibrary* shipped = PartLibrary::shipped(edition);
+  if (!shipped) return Error{where, read_edition({&edition, 1}).error().what};
+  const PartLibrary& library = *shipped;
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return Error{where, "expected NAME=VALUE"};
   const std::string_view name = text.substr(0, equals), value = text.substr(equals + 1);

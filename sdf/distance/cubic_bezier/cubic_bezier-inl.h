@@ -317,9 +317,9 @@ HWY_INLINE Pack<hn::Vec<D>> CubicSquare(D d, const CubicFrame<T>& f, const T* x,
                             SquareInBracket(d, f, x, y, found, 0));
   if (HWY_UNLIKELY(found.any_second))
     square = LesserOrNan(d, square, SquareInBracket(d, f, x, y, found, 1));
-  // A curl that is NaN marks doubt.
+  // A curl that is NaN marks doubt. That of a segment run at an even speed is 0.
   const auto curl = LoadPack(d, found.curl);
-  return IfThenElse(Gt(curl, SetPack(d, 0)), square, curl);
+  return IfThenElse(Gt(curl, SetPack(d, -1)), square, curl);
 }
 
 }  // namespace HWY_NAMESPACE

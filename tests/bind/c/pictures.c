@@ -151,6 +151,18 @@ static void test_views(mien_renderer* renderer, const mien_scene* scene) {
   CHECK(view.size == 12);
 }
 
+static void test_colors(void) {
+  mien_error* error = NULL;
+  double color[4];
+  OK(mien_color_from_text("#ff0000 and more", 7, color, &error));
+  CHECK(color[0] == 1 && color[1] == 0 && color[2] == 0 && color[3] == 1);
+  OK(mien_color_from_text("#00000000", END, color, &error));
+  CHECK(color[0] == 0 && color[3] == 0);
+  FAILS(MIEN_REFUSED, "colour", mien_color_from_text("red", END, color, &error));
+  FAILS(MIEN_MISUSE, "text", mien_color_from_text(NULL, END, color, &error));
+  FAILS(MIEN_MISUSE, "color", mien_color_from_text("#ff0000", END, NULL, &error));
+}
+
 static void test_places(const mien_scene* scene) {
   mien_error* error = NULL;
   mien_view view = small_view();
@@ -210,6 +222,7 @@ void test_pictures(void) {
   test_options(renderer, scene, wanted);
   test_buffers(renderer, scene, wanted);
   test_views(renderer, scene);
+  test_colors();
   test_places(scene);
   test_pieces(scene, wanted);
   FAILS(MIEN_MISUSE, "out", mien_renderer_new(NULL, &error));

@@ -1,4 +1,6 @@
 #include "tools/mien/cli/parse_values.h"
+
+#include <mien/editions.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/picture/color_text.h"
@@ -165,6 +167,13 @@ Expected<double> read_real(std::string_view option, std::string_view text, doubl
   const auto value = number<double>(text);
   if (value && *value >= least && *value <= most) return *value;
   return refuse(option, text, fmt::format("expected a number from {} to {}", least, most));
+}
+
+Expected<char> read_edition_option(const std::optional<std::string>& text) {
+  if (!text) return newest_edition();
+  const auto edition = read_edition(*text);
+  if (edition) return *edition;
+  return Error{"--edition", edition.error().what};
 }
 
 Expected<FrameRange> read_frames(std::string_view text) {

@@ -7,6 +7,8 @@
 #include <mien/view.h>
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace mien::command {
@@ -52,6 +54,9 @@ Expected<long> read_whole(std::string_view option, std::string_view text, long l
 /// A finite number from `least` to `most`.
 Expected<double> read_real(std::string_view option, std::string_view text, double least,
                            double most);
+
+/// --edition; the newest if it is not given.
+Expected<char> read_edition_option(const std::optional<std::string>& text);
 
 /// "0-239" or "17": frames, counted from 0, both ends included.
 struct FrameRange {

@@ -11,6 +11,9 @@ void add_new(CLI::App& app, NewArguments& to) {
   made->add_option("--seed", to.seed,
                    "The same word, the same face; default: another one each time")
       ->type_name("WORD");
+  made->add_option("--edition", to.edition,
+                   "The edition of the parts that it is made of; default the newest that is frozen")
+      ->type_name("EDITION");
   made->add_option("--code", to.code, "The face of this code")->type_name("CODE");
   made->add_option("--near", to.near, "Somebody like the person of this code")->type_name("CODE");
   made->add_option("--by", to.by, "With --near: how far from them, 0 to 1; default 0.3")
@@ -45,6 +48,10 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->add_option("-o,--output", to.output,
                    "Draw them, as 'mien sheet --parts FAMILY' does, instead of listing them")
       ->type_name("FILE");
+  parts
+      ->add_option("--edition", to.edition,
+                   "Of this edition of the parts; default the newest that is frozen")
+      ->type_name("EDITION");
   parts->require_subcommand(0, 1);
   CLI::App* begin =
       parts->add_subcommand("new", "Begin a part of one's own: a shipped one, explained");

@@ -60,6 +60,10 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
       ->type_name("FAMILY|FILE|FOLDER");
   sheet->add_option("--seed", to.seed, "The same word, the same people; default 1")
       ->type_name("WORD");
+  sheet
+      ->add_option("--edition", to.edition,
+                   "People or parts of this edition of the parts; default the newest")
+      ->type_name("EDITION");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")
       ->type_name("STYLE");
   sheet->add_option("-o,--output", to.output, "Picture to write")->type_name("FILE");

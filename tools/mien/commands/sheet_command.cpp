@@ -102,7 +102,9 @@ Expected<std::vector<FaceCode>> read_people(const SheetArguments& arguments) {
   constexpr int kMostPeople = 10000;
   const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
   if (!count) return count.error();
-  return crowd(arguments.seed.value_or("1"), int(*count));
+  const auto edition = read_edition_option(arguments.edition);
+  if (!edition) return edition.error();
+  return crowd(arguments.seed.value_or("1"), int(*count), *edition);
 }
 
 /// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
@@ -134,8 +136,11 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
 
 /// A plain head, all at rest, no glasses or hats, hair that shows the ears; or FACE's.
 Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
-  auto recipe = arguments.face ? read_given_recipe(*arguments.face)
-                               : Recipe{.name = {}, .code = {}, .parts = {{"hair", "crop"}}};
+  const auto edition = read_edition_option(arguments.edition);
+  if (!edition) return edition.error();
+  auto recipe = arguments.face
+                    ? read_given_recipe(*arguments.face)
+                    : Recipe{.name = {}, .edition = *edition, .parts = {{"hair", "crop"}}};
   if (recipe && arguments.style) recipe->style = *arguments.style;
   return recipe;
 }
@@ -185,7 +190,9 @@ CellsOrCode own_part_cells(const SheetArguments& arguments, Size size) {
 CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
   std::error_code none;  // says that there is no such file, too
   if (std::filesystem::exists(*arguments.parts, none)) return own_part_cells(arguments, size);
-  const std::vector<PartFamily> families = part_families();
+  auto given = head_for_parts(arguments);
+  if (!given) return {{}, complain(given.error(), arguments.face ? kFailed : kUsedWrongly)};
+  const std::vector<PartFamily> families = part_families(given->edition);
   const auto family = std::ranges::find(families, *arguments.parts, &PartFamily::name);
   if (family == families.end()) {
     std::vector<std::string_view> names;
@@ -194,8 +201,6 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
             complain({"--parts", unknown_name("family", one_line(*arguments.parts, 60), names)},
                      kUsedWrongly)};
   }
-  auto given = head_for_parts(arguments);
-  if (!given) return {{}, complain(given.error(), kFailed)};
   Recipe recipe = *std::move(given);
   std::vector<std::string> parts = family->parts;
   if (family->optional) parts.push_back("none");
@@ -230,6 +235,7 @@ std::optional<Error> wrongly_used(const SheetArguments& arguments) {
   if (!arguments.parts && arguments.people.has_value() == arguments.face.has_value())
     return says("a sheet needs a FACE, --people or --parts, one of them");
   if (arguments.statistics && !arguments.people) return says("--statistics: needs --people");
+  if (arguments.edition && arguments.face) return says("--edition: FACE has an edition of its own");
   if (arguments.json && !arguments.statistics) return says("--json: needs --statistics");
   if (arguments.statistics && arguments.output == "-")
     return says("-o -: the statistics are on standard output already");

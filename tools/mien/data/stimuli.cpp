@@ -58,6 +58,7 @@ class Experiment {
   /// What the plan's face says stands before what the person's says.
   void put_person(const Recipe& person, Recipe& recipe) const {
     Recipe both = person;
+    both.edition = std::max(person.edition, plan_.face.edition);  // the newer has what both have
     for (const auto& [family, part] : plan_.face.parts) both.parts[family] = part;
     for (const auto& [name, value] : plan_.face.numbers) both.numbers[name] = value;
     for (const auto& [name, part] : plan_.face.own_parts) both.own_parts[name] = part;
@@ -66,7 +67,7 @@ class Experiment {
   }
 
   void exaggerate(double by, Recipe& recipe) const {
-    for (const PartNumber& number : part_numbers()) {
+    for (const PartNumber& number : part_numbers(recipe.edition)) {
       const auto value = recipe.numbers.find(number.name);
       const auto mean = people_->mean.numbers.find(number.name);
       if (value == recipe.numbers.end() || mean == people_->mean.numbers.end()) continue;
@@ -98,8 +99,8 @@ class Experiment {
     }
   }
 
-  static bool is_optional(const std::string& family) {
-    const std::vector<PartFamily> families = part_families();
+  bool is_optional(const std::string& family) const {
+    const std::vector<PartFamily> families = part_families(plan_.face.edition);
     return std::ranges::find(families, family, &PartFamily::name)->optional;
   }
 

@@ -25,7 +25,7 @@ std::string object(const Pairs& pairs, const Json& json) {
 
 std::string recipe_object(const Recipe& recipe) {
   return fmt::format(
-      "{{\"parts\": {}, \"numbers\": {}, \"style\": {}}}",
+      "{{\"edition\": \"{}\", \"parts\": {}, \"numbers\": {}, \"style\": {}}}", recipe.edition,
       object(recipe.parts, [](const std::string& part) { return json_string(part); }),
       object(recipe.numbers, json_number), json_string(recipe.style));
 }

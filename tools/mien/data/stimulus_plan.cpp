@@ -23,12 +23,16 @@ constexpr double kLargest = 8192;  // [px] of a picture
 Recipe mean_of(const std::vector<Recipe>& people) {
   Recipe mean = people[0];
   mean.code.clear();
-  for (auto& [name, value] : mean.numbers) {
+  for (const Recipe& one : people) mean.edition = std::max(mean.edition, one.edition);
+  for (const PartNumber& number : part_numbers(mean.edition)) {
     double sum = 0;
-    for (const Recipe& one : people) sum += one.numbers.at(name);
-    value = sum / double(people.size());
+    for (const Recipe& one : people) {
+      const auto own = one.numbers.find(number.name);  // none in editions before the number
+      sum += own == one.numbers.end() ? number.rest : own->second;
+    }
+    mean.numbers[number.name] = sum / double(people.size());
   }
-  for (const PartFamily& family : part_families()) {
+  for (const PartFamily& family : part_families(mean.edition)) {
     std::map<std::string, int> votes;
     for (const Recipe& one : people) {
       const auto part = one.parts.find(family.name);
@@ -130,8 +134,8 @@ class PlanReader {
     } else {
       const JsonNode* seed = in_.find(node, "seed");
       for (const FaceCode& code :
-           crowd(seed ? in_.string(*seed) : "1", whole(kind, 1, kMostPeople))) {
-        factor.people.push_back(recipe_from_seed(code.seed));
+           crowd(seed ? in_.string(*seed) : "1", whole(kind, 1, kMostPeople), plan_.face.edition)) {
+        factor.people.push_back(recipe_from_code(code).value());
         factor.levels.push_back(face_code_text(code));
       }
     }
@@ -144,7 +148,7 @@ class PlanReader {
   }
 
   void read_number(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
-    const std::vector<PartNumber> numbers = part_numbers();
+    const std::vector<PartNumber> numbers = part_numbers(plan_.face.edition);
     std::vector<std::string_view> names;
     for (const PartNumber& number : numbers) names.push_back(number.name);
     const PartNumber& number = numbers[in_.word(kind, "number", names)];
@@ -188,7 +192,7 @@ class PlanReader {
   }
 
   void read_part(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
-    const std::vector<PartFamily> families = part_families();
+    const std::vector<PartFamily> families = part_families(plan_.face.edition);
     std::vector<std::string_view> names;
     for (const PartFamily& family : families) names.push_back(family.name);
     const PartFamily& family = families[in_.word(kind, "family of parts", names)];

@@ -43,7 +43,10 @@ TEST(RecipeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(refusal(R"("style": "inc")").find("/style"), std::string::npos);
   EXPECT_NE(refusal(R"("code": "Z0000-00000-01")").find("/code: a sign is wrong"),
             std::string::npos);
-  EXPECT_NE(refusal(R"("edition": "Q")").find("/edition"), std::string::npos);
+  EXPECT_NE(refusal(R"("edition": "Q")").find("/edition: edition Q is not known to this version"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("edition": "ZZ")").find("which has"), std::string::npos);
+  EXPECT_NE(refusal(R"("edition": 3)").find("/edition"), std::string::npos);
   EXPECT_NE(refusal(R"("parts": [])").find("/parts"), std::string::npos);
 }
 

@@ -11,7 +11,7 @@
 #include "lib/base/fingerprint.h"
 #include "lib/parts/compose/compose.h"
 #include "lib/parts/compose/composed_text.h"
-#include "lib/parts/library/shipped_parts.h"
+#include "lib/parts/library/edition_files.h"
 
 namespace mien {
 namespace {
@@ -28,13 +28,17 @@ void add_text(Fingerprint& to, std::string_view text) {
 }
 
 FaceCode person(int number) {
-  return {.seed = seed_from_word(std::to_string(number)), .held = {}};
+  return {.edition = kTrialEdition, .seed = seed_from_word(std::to_string(number)), .held = {}};
+}
+
+const PartLibrary& trial() {
+  return *PartLibrary::shipped(kTrialEdition);
 }
 
 TEST(Sample, VectorsHaveTheSameBitsEverywhere) {
   Fingerprint bits;
   for (int i = 0; i < kSeeds; ++i) {
-    const Recipe recipe = sampled_recipe(PartLibrary::shipped(), person(i));
+    const Recipe recipe = sampled_recipe(trial(), person(i));
     for (const auto& [family, part] : recipe.parts) add_text(bits, family), add_text(bits, part);
     for (const auto& [name, value] : recipe.numbers) add_text(bits, name), bits.add(value);
   }
@@ -44,11 +48,11 @@ TEST(Sample, VectorsHaveTheSameBitsEverywhere) {
 /// Every number, name and colour of the composed faces, in the order of their files.
 TEST(Sample, ComposedFacesHaveTheSameBitsEverywhere) {
   Fingerprint bits;
-  const std::vector<std::string>& styles = PartLibrary::shipped().styles();
+  const std::vector<std::string>& styles = trial().styles();
   for (int i = 0; i < kSeeds; ++i) {
-    Recipe recipe = sampled_recipe(PartLibrary::shipped(), person(i));
+    Recipe recipe = sampled_recipe(trial(), person(i));
     recipe.style = styles[std::size_t(i) % styles.size()];
-    const auto tree = composed_face(ChosenParts::read(PartLibrary::shipped(), recipe).value());
+    const auto tree = composed_face(ChosenParts::read(trial(), recipe).value());
     ASSERT_TRUE(tree);
     add_text(bits, composed_text(*tree));
   }
@@ -63,7 +67,8 @@ constexpr int kSampled = 2000;
 /// The edition and one part more, which stands before all others: a copy of the family's first, with a number of its own.
 std::unique_ptr<PartLibrary> with_part(const std::string& text) {
   std::vector<PartLibrary::Text> texts{{"added.part.json", text}};
-  for (const ShippedPart& part : shipped_parts()) texts.push_back({part.name, part.text});
+  for (const ShippedPart& part : edition_files(shipped_folders(), kTrialEdition))
+    texts.push_back({part.name, part.text});
   auto library = PartLibrary::read(texts);
   EXPECT_TRUE(library) << library.error().where << ": " << library.error().what;
   return *std::move(library);
@@ -76,7 +81,7 @@ std::string part_of(const Recipe& recipe, const std::string& family) {
 
 /// How many of the people get the part; expects that it changes nobody else, and of them only what may depend on it.
 int changed_faces(const PartLibrary& more, const Family& family) {
-  const PartLibrary& edition = PartLibrary::shipped();
+  const PartLibrary& edition = trial();
   int changed = 0;
   for (int i = 0; i < kSampled; ++i) {
     const Recipe before = sampled_recipe(edition, person(i));
@@ -97,7 +102,7 @@ int changed_faces(const PartLibrary& more, const Family& family) {
 
 TEST(Sample, AnAddedPartChangesOnlyTheFacesThatWinIt) {
   std::string counts;
-  for (const Family& family : PartLibrary::shipped().families()) {
+  for (const Family& family : trial().families()) {
     const std::string number = family.name == "head"
                                    ? R"(, "numbers": {"added": {"number": 1000, "range": [0, 1],
                                    "rest": 0.5, "sampled": {"spread": 0.5}}})"

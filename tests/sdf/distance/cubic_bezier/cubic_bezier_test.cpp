@@ -33,11 +33,12 @@ TEST(CubicDistances, OfCurvesWithTwoFeetKeepBoth) {
 /// Curves of every shape, points on a grid with the borders of pieces and the curve's own mirror on it.
 TEST(CubicDistances, OfEveryShapeOnAGrid) {
   const CubicBezier curves[] = {
-      {{0, 0}, {1, 1}, {0, 1}, {1, 0}},        // a cusp
-      {{0, 0}, {1.5, 1}, {-0.5, 1}, {1, 0}},   // a loop
-      {{0, 0}, {1, 0}, {-1, 0}, {0.5, 0}},     // a line, gone over three times
-      {{0, 0}, {0.25, 0}, {0.75, 0}, {1, 0}},  // a line
-      {{0, 0}, {0, 0}, {1, 1}, {1, 1}},        // a line that starts and ends at rest
+      {{0, 0}, {1, 1}, {0, 1}, {1, 0}},                  // a cusp
+      {{0, 0}, {1.5, 1}, {-0.5, 1}, {1, 0}},             // a loop
+      {{0, 0}, {1, 0}, {-1, 0}, {0.5, 0}},               // a line, gone over three times
+      {{0, 0}, {0.25, 0}, {0.75, 0}, {1, 0}},            // a line
+      {{0, 0}, {0.25, 0.25}, {0.5, 0.5}, {0.75, 0.75}},  // a line run at an even speed
+      {{0, 0}, {0, 0}, {1, 1}, {1, 1}},                  // a line that starts and ends at rest
       {{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}, {0.5, 1}},
       {{0, 0}, {1.0 / 3, 2.0 / 3}, {2.0 / 3, 2.0 / 3}, {1, 0}},  // a parabola
       {{0.5, 0}, {1.5, 1}, {-0.5, 1}, {0.5, 0}},                 // closed

@@ -1,0 +1,302 @@
+"""Faces and posed faces."""
+from __future__ import annotations
+
+import ctypes
+import os
+import threading
+from types import MappingProxyType
+from typing import Any, Callable, Iterator, Mapping, NamedTuple, Optional, Sequence, Union
+
+import numpy
+import numpy.typing
+
+from . import _library
+from ._library import Handle, NameRecord, WriteOptions, call, lib, path_bytes, text, texts, utf8
+from ._picture import Color, Renderer, Size, Watch, Watched, choice, png, view, whole
+
+Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
+ClipLike = Union[str, "tuple[str, float]", "tuple[str, float, float]"]
+UNWRAP_MODES = ("linear", "delayed", "sine")
+SHOWN_IN_NOTEBOOKS = 400  # [px] the longer side
+
+
+class Canvas(NamedTuple):
+    """What a picture of a face shows [face units]."""
+
+    box: tuple[float, float, float, float]  # x0, y0, x1, y1
+    y_up: bool
+    mirror_x: float
+    unit: str
+
+    @property
+    def aspect(self) -> float:
+        return (self.box[2] - self.box[0]) / (self.box[3] - self.box[1])
+
+
+class Name(NamedTuple):
+    """Something that can be set."""
+
+    name: str
+    unit: str
+    range: tuple[float, float]
+    value: Union[float, tuple[float, ...]]  # at rest
+    is_control: bool  # else a slice of the face's numbers
+    is_pose: bool     # a control that is the weight of a pose
+    begin: int        # a slice: where its numbers begin in the vector; a control: -1
+
+
+class Face:
+    """A face at rest. It never changes: threads may share it."""
+
+    def __init__(self, handle: Handle) -> None:
+        self._handle = handle
+        self._names: Optional[Mapping[str, Name]] = None
+
+    @property
+    def title(self) -> str:
+        """The name that its file gives it; may be empty."""
+        return text(lib.mien_face_title(self._handle.value))
+
+    @property
+    def credit(self) -> str:
+        """Whom its file credits; may be empty."""
+        return text(lib.mien_face_credit(self._handle.value))
+
+    @property
+    def canvas(self) -> Canvas:
+        raw = _library.Canvas(size=ctypes.sizeof(_library.Canvas))
+        call(lib.mien_face_canvas, self._handle.value, raw)
+        x0, y0, x1, y1 = raw.box
+        return Canvas((x0, y0, x1, y1), bool(raw.y_up), raw.mirror_x, text(raw.unit))
+
+    @property
+    def names(self) -> Mapping[str, Name]:
+        """Everything that can be set, by name: controls first, then slices in the vector's order."""
+        if self._names is None:
+            count = lib.mien_face_name_count(self._handle.value)
+            self._names = MappingProxyType({one.name: one for one in map(self._name, range(count))})
+        return self._names
+
+    def _name(self, index: int) -> Name:
+        raw = NameRecord(size=ctypes.sizeof(NameRecord))
+        call(lib.mien_face_name_at, self._handle.value, index, raw)
+        numbers = (ctypes.c_double * raw.count)()
+        call(lib.mien_face_values_at, self._handle.value, index, numbers, raw.count)
+        value = numbers[0] if raw.count == 1 else tuple(numbers)
+        return Name(text(raw.name), text(raw.unit), (raw.lo, raw.hi), value, bool(raw.is_control), bool(raw.is_pose),
+                    raw.begin)
+
+    @property
+    def clips(self) -> tuple[str, ...]:
+        """The names of the clips that it can run."""
+        count = lib.mien_face_clip_count(self._handle.value)
+        return tuple(text(lib.mien_face_clip_name(self._handle.value, i)) for i in range(count))
+
+    @property
+    def emotions(self) -> tuple[str, ...]:
+        """The emotions that it can show, without their halves."""
+        return tuple(name[8:] for name in self.names if name.startswith("emotion.") and name.count(".") == 1)
+
+    @property
+    def vector(self) -> numpy.typing.NDArray[numpy.float64]:
+        """All its numbers, at rest."""
+        return self.pose().vector
+
+    def pose(self, *, time: Optional[float] = None, set: Optional[Mapping[str, Value]] = None,
+             emotions: Optional[Mapping[str, float]] = None,
+             expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
+             look_at: Optional[Sequence[float]] = None, unwrap: float = 0, unwrap_mode: str = "linear",
+             clamp: bool = False) -> Posed:
+        """The face at that pose.
+
+        time         [s] at which clips are taken; without one none runs
+        set          values by name (`Face.names`); a colour may be "#rrggbb". They beat everything else
+        emotions     strengths by name, 0 to 1: {"joy": 0.8, "left.surprise": 0.3}
+        expressions  strengths of other sets: {"arkit": {"jawOpen": 0.5}}
+        clips        names, or (name, weight), or (name, weight, begin [s]); each acts on those before it
+        look_at      x, y, z that the eyes look at [face units], z towards the viewer
+        unwrap       0 to 1: how far the features have travelled to a flat chart, by `unwrap_mode`
+        clamp        strengths out of range become the nearer end instead of an error
+        """
+        made = Handle(lib.mien_pose_free, lib.mien_pose_new, self._handle.value)
+        pose = made.value
+        if time is not None:
+            call(lib.mien_pose_time, pose, float(time))
+        for clip in clips:
+            call(lib.mien_pose_clip, pose, *utf8(_clip_text(clip)))
+        if look_at is not None:
+            if len(look_at) != 3:
+                raise _library.Error("look_at", f"expected x, y, z, got {len(look_at)} numbers")
+            call(lib.mien_pose_look_at, pose, *[float(one) for one in look_at])
+        if unwrap or unwrap_mode != "linear":
+            call(lib.mien_pose_unwrap, pose, float(unwrap), choice(unwrap_mode, UNWRAP_MODES, "unwrap_mode"))
+        for kind, strengths in [*(expressions or {}).items(), ("emotion", emotions or {})]:
+            for name, strength in strengths.items():
+                call(lib.mien_pose_express, pose, *utf8(kind), *utf8(f"{name}={float(strength)!r}"), clamp)
+        for name, value in (set or {}).items():
+            call(lib.mien_pose_set, pose, *utf8(f"{name}={_value_text(value)}"))
+        return Posed(self, made)
+
+    def render(self, size: Size = 1024, **how: Any) -> numpy.typing.NDArray[Any]:
+        """The picture at rest: see `Posed.render`."""
+        return self.pose().render(size, **how)
+
+    def frames(self, count: int, size: Size = 1024, *, fps: float = 30, begin: float = 0,
+               pose: Union[Mapping[str, Any], Callable[[float], Mapping[str, Any]], None] = None,
+               **how: Any) -> Iterator[numpy.typing.NDArray[Any]]:
+        """The pictures of an animation, one after another, by one renderer.
+
+        `pose` has the arguments of `Face.pose`, or is a function that gives them for a time; without a `time` of
+        its own each frame has that of its number. `how` is as for `Posed.render`.
+        """
+        renderer = Renderer()
+        for frame in range(count):
+            time = begin + frame / fps
+            asked: dict[str, Any] = {"time": time, **((pose(time) if callable(pose) else pose) or {})}
+            yield self.pose(**asked).render(size, renderer=renderer, **how)
+
+    def _repr_png_(self) -> bytes:
+        return self.pose()._repr_png_()
+
+    def __repr__(self) -> str:
+        return f"<mien.Face {self.title or 'without a name'}: {len(self.names)} names>"
+
+
+class Posed:
+    """A face at a pose. A notebook shows it."""
+
+    def __init__(self, face: Face, pose: Handle) -> None:
+        self.face = face
+        self._pose = pose
+        self._scene: Optional[Handle] = None
+        self._lock = threading.Lock()  # a pose is used by one thread at a time
+
+    @property
+    def _drawn(self) -> Any:
+        with self._lock:
+            if self._scene is None:
+                self._scene = Handle(lib.mien_scene_free, lib.mien_scene_new, self._pose.value)
+            return self._scene.value
+
+    @property
+    def vector(self) -> numpy.typing.NDArray[numpy.float64]:
+        """All numbers of the posed face."""
+        numbers = numpy.empty(lib.mien_face_vector_size(self.face._handle.value))
+        with self._lock:
+            call(lib.mien_pose_vector, self._pose.value, numbers.ctypes.data, numbers.size)
+        return numbers
+
+    def render(self, size: Size = 1024, *, fit: str = "meet", blend: str = "linear", depth: str = "u8",
+               background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
+               light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0,
+               out: Optional[numpy.typing.NDArray[Any]] = None, progress: Optional[Watch] = None,
+               renderer: Optional[Renderer] = None) -> numpy.typing.NDArray[Any]:
+        """The picture: an array (height, width, 4) of red, green, blue, alpha.
+
+        size        (width, height), or the longer side; the other then follows the canvas
+        depth       "u8" and "u16": sRGB-encoded, straight alpha; "f32": linear light, premultiplied
+        fit         "meet": all of the canvas; "slice": all of the picture
+        blend       "linear" or "srgb": where colours are mixed
+        background  "#rrggbb", "#rrggbbaa", "transparent", or linear red, green, blue, alpha
+        region      x, y, width, height: draws only this part, with the same pixels
+        light       x, y, z: the direction to the lamp that lights reliefs
+        threads     0: all. It does not change a bit
+        out         an array to draw into; its rows may lie apart
+        progress    called with the share done; returning False stops, and Cancelled is raised
+        renderer    keeps memory and finished rows between frames
+        """
+        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
+        return (renderer or Renderer())._render(self._drawn, seen, depth, threads, out, progress)
+
+    def save(self, path: "str | os.PathLike[str]", size: Size = 1024, *, fit: str = "meet", blend: str = "linear",
+             depth: Optional[str] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
+             light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0, memory: int = 256 << 20,
+             recipe: str = "", progress: Optional[Watch] = None) -> None:
+        """Draws into a file, .png, .tif, .exr or .jpg, at any size, piece by piece in so many bytes of memory. It appears whole
+        or not at all. `recipe` goes into its metadata."""
+        library = _library.image()
+        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
+        options, watched = WriteOptions(), Watched(progress)
+        library.mien_write_options_init(options, ctypes.sizeof(WriteOptions))
+        options.depth = -1 if depth is None else choice(depth, ("u8", "u16", "f32"), "depth")
+        options.half = depth is None
+        options.threads, options.memory = whole(threads, "threads"), min(max(memory, 0), 2**64 - 1)
+        options.recipe, options.recipe_length = utf8(recipe)
+        options.progress = watched.function
+        watched.call(library.mien_write_picture, self._drawn, seen, *path_bytes(path), options)
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """The names of what is drawn, from the bottom to the top."""
+        scene = self._drawn
+        return tuple(text(lib.mien_scene_layer_name(scene, i)) for i in range(lib.mien_scene_layer_count(scene)))
+
+    def layer_at(self, x: float, y: float) -> Optional[str]:
+        """The topmost layer at a point [face units]."""
+        found, scene = ctypes.c_int32(), self._drawn
+        call(lib.mien_scene_layer_at, scene, float(x), float(y), ctypes.byref(found))
+        return text(lib.mien_scene_layer_name(scene, found.value)) if found.value >= 0 else None
+
+    def distance(self, layer: Union[str, int], x: float, y: float) -> float:
+        """The signed distance to a layer's outline, negative inside [face units]."""
+        index = layer
+        if isinstance(index, str):
+            if index not in self.layers:
+                raise _library.Error("layer", f"there is no layer {index!r}")
+            index = self.layers.index(index)
+        found = ctypes.c_double()
+        call(lib.mien_scene_distance, self._drawn, whole(index, "layer"), float(x), float(y), ctypes.byref(found))
+        return found.value
+
+    def face_from_pixel(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
+        """Where a point of the picture [px] is in the face [face units]."""
+        found = (ctypes.c_double * 2)()
+        call(lib.mien_face_from_pixel, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
+        return found[0], found[1]
+
+    def pixel_from_face(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
+        """Where a point of the face [face units] is in the picture [px]."""
+        found = (ctypes.c_double * 2)()
+        call(lib.mien_pixel_from_face, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
+        return found[0], found[1]
+
+    @property
+    def scene(self) -> str:
+        """The shapes and layers as text, one a line."""
+        return texts(lib.mien_scene_text, self._drawn)[0]
+
+    def _repr_png_(self) -> bytes:
+        return png(self.render(SHOWN_IN_NOTEBOOKS))
+
+
+def read_face(path: "str | os.PathLike[str]") -> Face:
+    """Reads a face file. What is wrong with it is an `Error` with file, line and column."""
+    return Face(Handle(lib.mien_face_free, lib.mien_face_read, *path_bytes(path)))
+
+
+def read_face_text(words: Union[str, bytes], name: str = "face") -> Face:
+    """The same from memory; `name` stands for the file's name in errors."""
+    raw = words if isinstance(words, bytes) else utf8(words)[0]
+    return Face(Handle(lib.mien_face_free, lib.mien_face_read_text, raw, len(raw), *utf8(name)))
+
+
+def from_code(code: str) -> Face:
+    """The person of a code, "ZA7Q2-MKX4T-B1"."""
+    return Face(Handle(lib.mien_face_free, lib.mien_face_from_code, *utf8(code)))
+
+
+def _value_text(value: Value) -> str:
+    if isinstance(value, str):
+        return value
+    numbers = numpy.asarray(value, dtype=numpy.float64).ravel()
+    return ",".join(repr(float(one)) for one in numbers)
+
+
+def _clip_text(clip: ClipLike) -> str:
+    if isinstance(clip, str):
+        return clip
+    parts: tuple[Any, ...] = tuple(clip)
+    if not 2 <= len(parts) <= 3:
+        raise _library.Error("clips", f"expected (name, weight) or (name, weight, begin), got {clip!r}")
+    name, weight, begin = (*parts, 0.0)[:3]
+    return f"{name}={float(weight)!r}@{float(begin)!r}"

@@ -1,0 +1,230 @@
+"""libmien_c: where it is, what its functions take, and its errors as exceptions."""
+from __future__ import annotations
+
+import ctypes
+import os
+import pathlib
+import weakref
+from ctypes import POINTER, Structure, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+from typing import Any, Callable, Optional
+
+ABI = 0  # of the interface that these prototypes are
+NUL_ENDED = c_size_t(-1).value
+OK, MISUSE, UNREADABLE, REFUSED, CANCELLED, NO_MEMORY, NOT_WRITTEN, UNEXPECTED = range(8)
+
+Progress = ctypes.CFUNCTYPE(c_int32, c_double, c_void_p)
+
+
+class Error(ValueError):
+    """Why something failed: an address, `where`, and a sentence, `what`."""
+
+    def __init__(self, where: str, what: str) -> None:
+        super().__init__(f"{where}: {what}" if where else what)
+        self.where = where
+        self.what = what
+
+    def __reduce__(self) -> tuple[type, tuple[str, str]]:
+        return type(self), (self.where, self.what)
+
+
+class Cancelled(Error):
+    """A progress asked to stop."""
+
+
+class Canvas(Structure):
+    _fields_ = [("size", c_uint32), ("y_up", c_int32), ("box", c_double * 4), ("mirror_x", c_double), ("unit", c_char_p)]
+
+
+class NameRecord(Structure):
+    _fields_ = [("size", c_uint32), ("is_control", c_int32), ("is_pose", c_int32), ("count", c_int32), ("begin", c_int32),
+                ("reserved", c_int32), ("name", c_char_p), ("unit", c_char_p), ("lo", c_double), ("hi", c_double)]
+
+
+class View(Structure):
+    _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("fit", c_int32), ("blend", c_int32),
+                ("dither", c_int32), ("has_background", c_int32), ("has_region", c_int32), ("has_light", c_int32),
+                ("reserved", c_int32), ("background", c_double * 4), ("light", c_double * 3), ("region", c_int32 * 4)]
+
+
+class Pixels(Structure):
+    _fields_ = [("size", c_uint32), ("depth", c_int32), ("data", c_void_p), ("bytes", c_size_t), ("stride", c_size_t)]
+
+
+class RenderOptions(Structure):
+    _fields_ = [("size", c_uint32), ("threads", c_int32), ("progress", Progress), ("progress_data", c_void_p),
+                ("executor", c_void_p), ("executor_data", c_void_p)]
+
+
+class WriteOptions(Structure):
+    _fields_ = [("size", c_uint32), ("type", c_int32), ("half", c_int32), ("jpeg_quality", c_int32), ("threads", c_int32),
+                ("depth", c_int32), ("memory", c_uint64), ("recipe", c_char_p), ("recipe_length", c_size_t),
+                ("progress", Progress), ("progress_data", c_void_p)]
+
+
+_ERROR = POINTER(c_void_p)  # and every other place that a handle is written to
+_TEXT = [c_char_p, c_size_t]
+
+# What each function takes and gives, but for the final `error` of those that give a status.
+_STATUS: dict[str, list[Any]] = {
+    "mien_face_read": [*_TEXT, _ERROR],
+    "mien_face_read_text": [*_TEXT, *_TEXT, _ERROR],
+    "mien_face_from_code": [*_TEXT, _ERROR],
+    "mien_face_canvas": [c_void_p, POINTER(Canvas)],
+    "mien_face_name_at": [c_void_p, c_int32, POINTER(NameRecord)],
+    "mien_face_values_at": [c_void_p, c_int32, c_void_p, c_int32],
+    "mien_seed_from_word": [*_TEXT, POINTER(c_uint64)],
+    "mien_code_from_seed": [c_uint64, _ERROR],
+    "mien_recipe_from_seed": [c_uint64, _ERROR],
+    "mien_recipe_from_code": [*_TEXT, _ERROR],
+    "mien_code_hold": [*_TEXT, *_TEXT, c_int32, _ERROR],
+    "mien_code_near": [*_TEXT, c_double, c_uint64, _ERROR],
+    "mien_code_between": [*_TEXT, *_TEXT, c_double, _ERROR],
+    "mien_code_of_child": [*_TEXT, *_TEXT, c_uint64, _ERROR],
+    "mien_code_difference": [*_TEXT, *_TEXT, POINTER(c_double)],
+    "mien_crowd": [*_TEXT, c_int32, _ERROR],
+    "mien_pose_new": [c_void_p, _ERROR],
+    "mien_pose_time": [c_void_p, c_double],
+    "mien_pose_set": [c_void_p, *_TEXT],
+    "mien_pose_express": [c_void_p, *_TEXT, *_TEXT, c_int32],
+    "mien_pose_clip": [c_void_p, *_TEXT],
+    "mien_pose_look_at": [c_void_p, c_double, c_double, c_double],
+    "mien_pose_unwrap": [c_void_p, c_double, c_int32],
+    "mien_pose_vector": [c_void_p, c_void_p, c_int32],
+    "mien_scene_new": [c_void_p, _ERROR],
+    "mien_scene_text": [c_void_p, _ERROR],
+    "mien_scene_distance": [c_void_p, c_int32, c_double, c_double, POINTER(c_double)],
+    "mien_scene_layer_at": [c_void_p, c_double, c_double, POINTER(c_int32)],
+    "mien_drawn_rect": [POINTER(View), c_void_p],
+    "mien_color_from_text": [*_TEXT, c_void_p],
+    "mien_renderer_new": [_ERROR],
+    "mien_render": [c_void_p, c_void_p, POINTER(View), POINTER(Pixels), POINTER(RenderOptions)],
+    "mien_face_from_pixel": [c_void_p, POINTER(View), c_double, c_double, c_void_p],
+    "mien_pixel_from_face": [c_void_p, POINTER(View), c_double, c_double, c_void_p],
+    **{f"mien_distances_{figure}_{number}": [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]
+       for figure in ("quad", "cubic", "ellipse", "tapered") for number in ("f32", "f64")},
+}
+_PLAIN: dict[str, tuple[Any, list[Any]]] = {
+    "mien_version_text": (c_char_p, []),
+    "mien_abi_version": (c_uint32, []),
+    "mien_error_where": (c_char_p, [c_void_p]),
+    "mien_error_what": (c_char_p, [c_void_p]),
+    "mien_error_free": (None, [c_void_p]),
+    "mien_texts_count": (c_int32, [c_void_p]),
+    "mien_texts_at": (c_char_p, [c_void_p, c_int32]),
+    "mien_texts_free": (None, [c_void_p]),
+    "mien_face_free": (None, [c_void_p]),
+    "mien_face_title": (c_char_p, [c_void_p]),
+    "mien_face_credit": (c_char_p, [c_void_p]),
+    "mien_face_name_count": (c_int32, [c_void_p]),
+    "mien_face_clip_count": (c_int32, [c_void_p]),
+    "mien_face_clip_name": (c_char_p, [c_void_p, c_int32]),
+    "mien_face_vector_size": (c_int32, [c_void_p]),
+    "mien_pose_free": (None, [c_void_p]),
+    "mien_scene_free": (None, [c_void_p]),
+    "mien_scene_layer_count": (c_int32, [c_void_p]),
+    "mien_scene_layer_name": (c_char_p, [c_void_p, c_int32]),
+    "mien_view_init": (None, [POINTER(View), c_size_t]),
+    "mien_pixels_init": (None, [POINTER(Pixels), c_size_t]),
+    "mien_render_options_init": (None, [POINTER(RenderOptions), c_size_t]),
+    "mien_renderer_free": (None, [c_void_p]),
+}
+_IMAGE_STATUS: dict[str, list[Any]] = {
+    "mien_write_picture": [c_void_p, POINTER(View), *_TEXT, POINTER(WriteOptions)],
+}
+_IMAGE_PLAIN: dict[str, tuple[Any, list[Any]]] = {
+    "mien_write_options_init": (None, [POINTER(WriteOptions), c_size_t]),
+}
+
+
+# Where MIEN_LIBRARY says now: the program may go elsewhere before it writes a file.
+_SAID = os.path.abspath(os.environ["MIEN_LIBRARY"]) if os.environ.get("MIEN_LIBRARY") else None
+
+
+def _candidates(name: str) -> list[str]:
+    """Where the library may be: MIEN_LIBRARY, a folder or libmien_c itself; beside the package; where the system looks."""
+    found = []
+    if _SAID:
+        place = pathlib.Path(_SAID)
+        found.append(place / name if place.is_dir() else place if "image" not in name else place.parent / name)
+    here = pathlib.Path(__file__).resolve().parent
+    found += [here / name, here.parents[2] / name]  # in the package; PREFIX/lib of PREFIX/lib/python3/dist-packages/mien
+    return [str(path) for path in found if path.is_file()] + [name]
+
+
+def _open(name: str, status: dict[str, list[Any]], plain: dict[str, tuple[Any, list[Any]]]) -> ctypes.CDLL:
+    said = []
+    for path in _candidates(name):
+        try:
+            library = ctypes.CDLL(path)
+            break
+        except OSError as failure:
+            said.append(str(failure))
+    else:
+        raise ImportError(f"mien needs {name}; MIEN_LIBRARY may say in which folder it is: {'; '.join(said)}")
+    try:
+        for function, (gives, takes) in plain.items():
+            getattr(library, function).restype, getattr(library, function).argtypes = gives, takes
+        for function, takes in status.items():
+            getattr(library, function).restype, getattr(library, function).argtypes = c_int32, [*takes, _ERROR]
+    except AttributeError as failure:
+        raise ImportError(f"{name} is older than this package: {failure}") from None
+    return library
+
+
+lib = _open("libmien_c.so.0", _STATUS, _PLAIN)
+if lib.mien_abi_version() != ABI:
+    raise ImportError(f"libmien_c has interface {lib.mien_abi_version()}, and this package needs {ABI}")
+
+_image: list[ctypes.CDLL] = []
+
+
+def image() -> ctypes.CDLL:
+    """libmien_image_c, which writes files: loaded when one is written first."""
+    if not _image:
+        _image.append(_open("libmien_image_c.so.0", _IMAGE_STATUS, _IMAGE_PLAIN))
+    return _image[0]
+
+
+def text(raw: Optional[bytes]) -> str:
+    return (raw or b"").decode("utf-8", "replace")
+
+
+def call(function: Callable[..., Any], *arguments: Any) -> None:
+    """Calls a function that gives a status; raises what it says."""
+    error = c_void_p()
+    status = function(*arguments, ctypes.byref(error))
+    if status == OK:
+        return
+    where, what = text(lib.mien_error_where(error)), text(lib.mien_error_what(error))
+    lib.mien_error_free(error)
+    if status == NO_MEMORY:
+        raise MemoryError(f"{where}: {what}" if where else what)
+    raise (Cancelled if status == CANCELLED else Error)(where, what)
+
+
+class Handle:
+    """Something of the library's, freed with this object."""
+
+    def __init__(self, free: Callable[[Any], Any], function: Callable[..., Any], *arguments: Any) -> None:
+        self.value = c_void_p()
+        call(function, *arguments, ctypes.byref(self.value))
+        weakref.finalize(self, free, self.value)
+
+
+def texts(function: Callable[..., Any], *arguments: Any) -> list[str]:
+    """The list of texts that a function gives."""
+    made = Handle(lib.mien_texts_free, function, *arguments)
+    return [text(lib.mien_texts_at(made.value, i)) for i in range(lib.mien_texts_count(made.value))]
+
+
+def utf8(words: str) -> tuple[bytes, int]:
+    """A text as two arguments."""
+    if not isinstance(words, str):
+        raise TypeError(f"expected a str, got {type(words).__name__}")
+    raw = words.encode("utf-8", "surrogateescape")
+    return raw, len(raw)
+
+
+def path_bytes(path: "str | os.PathLike[str]") -> tuple[bytes, int]:
+    raw = os.fsencode(path)
+    return raw, len(raw)

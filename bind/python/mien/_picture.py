@@ -1,0 +1,169 @@
+"""Pictures: views, arrays of pixels, PNG."""
+from __future__ import annotations
+
+import ctypes
+import struct
+import threading
+import zlib
+from typing import Any, Callable, Optional, Sequence, Union
+
+import numpy
+import numpy.typing
+
+from ._library import (Error, Handle, Pixels, Progress, RenderOptions, View, call, lib, utf8)
+
+Size = Union[int, "tuple[int, int]"]
+Color = Union[str, Sequence[float]]
+Watch = Callable[[float], Optional[bool]]
+
+DEPTHS: dict[str, tuple[int, Any]] = {"u8": (0, numpy.uint8), "u16": (1, numpy.uint16), "f32": (2, numpy.float32)}
+
+
+def choice(value: str, of: Sequence[str], name: str) -> int:
+    if value not in of:
+        raise Error(name, f"expected {', '.join(of[:-1])} or {of[-1]}, got {value!r}")
+    return list(of).index(value)
+
+
+def whole(number: Any, name: str) -> int:
+    try:
+        value = number.__index__()
+    except AttributeError:
+        raise TypeError(f"{name}: expected a whole number, got {number!r}") from None
+    if not -2**31 <= value < 2**31:
+        raise Error(name, f"is out of range: {value}")
+    return int(value)
+
+
+def sides(size: Size, aspect: float) -> tuple[int, int]:
+    """Width and height; of one number the longer side, the other as the canvas is."""
+    if isinstance(size, (tuple, list)):
+        if len(size) != 2:
+            raise Error("size", f"expected width and height, got {len(size)} numbers")
+        return whole(size[0], "size"), whole(size[1], "size")
+    longer = whole(size, "size")
+    beside = max(1, int(longer * min(aspect, 1 / aspect) + 0.5))
+    return (longer, beside) if aspect >= 1 else (beside, longer)
+
+
+def color(of: Color) -> list[float]:
+    """A colour in linear light: of "transparent", "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
+    if isinstance(of, str):
+        found = (ctypes.c_double * 4)()
+        if of != "transparent":
+            call(lib.mien_color_from_text, *utf8(of), found)
+        return list(found)
+    numbers = [float(one) for one in of]
+    if len(numbers) not in (3, 4):
+        raise Error("background", f"expected 3 or 4 numbers, got {len(numbers)}")
+    return numbers if len(numbers) == 4 else [*numbers, 1.0]
+
+
+def view(aspect: float, size: Size, fit: str = "meet", blend: str = "linear", background: Optional[Color] = None,
+         region: Optional[Sequence[int]] = None, light: Optional[Sequence[float]] = None, dither: bool = True) -> View:
+    made = View()
+    lib.mien_view_init(made, ctypes.sizeof(View))
+    made.width, made.height = sides(size, aspect)
+    made.fit, made.blend = choice(fit, ("meet", "slice"), "fit"), choice(blend, ("linear", "srgb"), "blend")
+    made.dither = dither
+    if background is not None:
+        made.has_background, made.background = 1, (ctypes.c_double * 4)(*color(background))
+    if region is not None:
+        if len(region) != 4:
+            raise Error("region", f"expected x, y, width, height, got {len(region)} numbers")
+        made.has_region, made.region = 1, (ctypes.c_int32 * 4)(*[whole(one, "region") for one in region])
+    if light is not None:
+        if len(light) != 3:
+            raise Error("light", f"expected x, y, z, got {len(light)} numbers")
+        made.has_light, made.light = 1, (ctypes.c_double * 3)(*[float(one) for one in light])
+    return made
+
+
+class Watched:
+    """A progress in Python: what it raises stops the work and is raised again afterwards. Asking also lets Ctrl-C in."""
+
+    def __init__(self, watch: Optional[Watch]) -> None:
+        self.raised: Optional[BaseException] = None
+
+        def asked(done: float, _: Any) -> int:
+            try:
+                return int(watch is not None and watch(done) is False)
+            except BaseException as raised:  # also KeyboardInterrupt
+                self.raised = raised
+                return 1
+
+        self.function = Progress(asked)
+
+    def call(self, function: Callable[..., Any], *arguments: Any) -> None:
+        try:
+            call(function, *arguments)
+        except Error:
+            if self.raised is not None:
+                raise self.raised from None
+            raise
+
+
+def array_for(seen: View, depth: str, out: Optional[numpy.typing.NDArray[Any]]) -> numpy.typing.NDArray[Any]:
+    """The array that is drawn into: `out`, if it can hold the picture, or a new one."""
+    if depth not in DEPTHS:
+        choice(depth, tuple(DEPTHS), "depth")
+    dtype = numpy.dtype(DEPTHS[depth][1])
+    rect = (ctypes.c_int32 * 4)()
+    call(lib.mien_drawn_rect, seen, rect)
+    shape = (max(rect[3], 0), max(rect[2], 0), 4)
+    if out is None:
+        try:
+            return numpy.empty(shape, dtype)
+        except (MemoryError, ValueError) as failure:
+            raise MemoryError(str(failure)) from None
+    if not isinstance(out, numpy.ndarray):
+        raise TypeError(f"out: expected an array, got {type(out).__name__}")
+    if out.dtype != dtype or not out.dtype.isnative:
+        raise TypeError(f"out: expected {dtype}, got {out.dtype}")
+    if out.shape != shape:
+        raise Error("out", f"its shape is {out.shape}, and the picture's {shape}")
+    if not out.flags.writeable:
+        raise Error("out", "is read-only")
+    item = dtype.itemsize
+    if out.size and (out.strides[1:] != (4 * item, item) or out.strides[0] < 4 * item * shape[1] and shape[0] > 1
+                     or not out.flags.aligned):
+        raise Error("out", "its rows are not in order: pixels of a row lie side by side, rows below each other")
+    return out
+
+
+class Renderer:
+    """Draws frame after frame: it keeps memory and finished rows. The pixels are those of `Posed.render`."""
+
+    def __init__(self) -> None:
+        self._handle = Handle(lib.mien_renderer_free, lib.mien_renderer_new)
+        self._lock = threading.Lock()  # it draws one picture at a time
+
+    def _render(self, scene: Any, seen: View, depth: str, threads: int, out: Optional[numpy.typing.NDArray[Any]],
+                progress: Optional[Watch]) -> numpy.typing.NDArray[Any]:
+        array = array_for(seen, depth, out)
+        pixels, options, watched = Pixels(), RenderOptions(), Watched(progress)
+        lib.mien_pixels_init(pixels, ctypes.sizeof(Pixels))
+        lib.mien_render_options_init(options, ctypes.sizeof(RenderOptions))
+        row = array.shape[1] * 4 * array.itemsize
+        pixels.depth, pixels.data = DEPTHS[depth][0], array.ctypes.data
+        pixels.stride = array.strides[0] if array.shape[0] > 1 else row
+        pixels.bytes = pixels.stride * max(array.shape[0] - 1, 0) + row
+        options.threads, options.progress = whole(threads, "threads"), watched.function
+        with self._lock:
+            watched.call(lib.mien_render, self._handle.value, scene, seen, pixels, options)
+        return array
+
+
+def png(array: numpy.typing.NDArray[numpy.uint8]) -> bytes:
+    """A PNG of RGBA pixels."""
+    height, width, _ = array.shape
+    rows = numpy.zeros((height, 1 + width * 4), numpy.uint8)  # each begins with its filter: 2, the difference to the row above
+    rows[:, 1:] = array.reshape(height, width * 4)
+    rows[1:, 1:] -= array[:-1].reshape(height - 1, width * 4)
+    rows[:, 0] = 2
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)) \
+        + chunk(b"sRGB", b"\0") + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)) + chunk(b"IEND", b"")

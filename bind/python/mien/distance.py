@@ -1,0 +1,122 @@
+"""Distances from points to curves, in SIMD, without copies where arrays allow it.
+
+>>> import numpy, mien
+>>> mien.distance.quad([[0, 0], [0.5, 0], [1, 0]], 3.0, [0.0, 0.5])
+array([2.        , 2.06155281])
+
+x and y broadcast against each other, as in NumPy. Where both are float32 the distances are, too; everything else is float64.
+`out` takes the distances; it may be x or y. A NaN or infinite coordinate gives infinity. Error bounds: docs/numerics.md.
+"""
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy
+import numpy.typing
+
+from ._library import Error, call, lib
+
+__all__ = ["cubic", "ellipse", "quad", "tapered"]
+
+Reals = numpy.typing.NDArray[Any]
+
+
+def quad(points: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
+         out: Optional[Reals] = None) -> Any:
+    """To the quadratic Bézier curve of 3 points.
+
+    >>> float(quad([(0, 0), (1, 2), (2, 0)], 1, 1))
+    0.0
+    """
+    return _measure("quad", [_numbers(points, "points", 6)], x, y, out)
+
+
+def cubic(points: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
+          out: Optional[Reals] = None) -> Any:
+    """To the cubic Bézier curve of 4 points.
+
+    >>> float(cubic([(0, 0), (1, 0), (2, 0), (3, 0)], 1, -2))
+    2.0
+    """
+    return _measure("cubic", [_numbers(points, "points", 8)], x, y, out)
+
+
+def ellipse(center: numpy.typing.ArrayLike, radii: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
+            y: numpy.typing.ArrayLike, *, axis: numpy.typing.ArrayLike = (1, 0), out: Optional[Reals] = None) -> Any:
+    """To an ellipse, negative inside. `axis` is the direction of the first radius.
+
+    >>> float(ellipse((0, 0), (2, 1), 0, 3))
+    2.0
+    >>> float(ellipse((0, 0), (2, 1), 0, 3, axis=(0, 1)))
+    1.0
+    """
+    figure = [_numbers(center, "center", 2), _numbers(radii, "radii", 2), _numbers(axis, "axis", 2)]
+    return _measure("ellipse", figure, x, y, out)
+
+
+def tapered(points: numpy.typing.ArrayLike, half_widths: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
+            y: numpy.typing.ArrayLike, *, out: Optional[Reals] = None) -> Any:
+    """To a stroke along the quadratic Bézier curve of 3 points, negative inside. Its half-width goes by 3 Bernstein
+    coefficients, `half_widths`.
+
+    >>> float(tapered([(0, 0), (1, 0), (2, 0)], (0.5, 0.5, 0.5), 1, 2))
+    1.5
+    """
+    return _measure("tapered", [_numbers(points, "points", 6), _numbers(half_widths, "half_widths", 3)], x, y, out)
+
+
+def _numbers(of: numpy.typing.ArrayLike, name: str, count: int) -> Reals:
+    numbers = _real(of, name).astype(numpy.float64).ravel()
+    if numbers.size != count:
+        raise Error(name, f"expected {count} numbers, got {numbers.size}")
+    return numbers
+
+
+def _real(of: numpy.typing.ArrayLike, name: str) -> Reals:
+    array = numpy.asarray(of)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name}: expected real numbers, got {array.dtype}")
+    return array
+
+
+def _measure(figure: str, numbers: list[Reals], x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike,
+             out: Optional[Reals]) -> Any:
+    xs, ys = _real(x, "x"), _real(y, "y")
+    # A Python number beside an array takes the array's type.
+    kinds = [one.dtype for one, given in ((xs, x), (ys, y)) if not isinstance(given, (int, float))]
+    single = bool(kinds) and all(kind in (numpy.dtype("f4"), numpy.dtype("f2")) for kind in kinds)
+    dtype = numpy.dtype(numpy.float32 if single else numpy.float64)
+    try:
+        shape = numpy.broadcast_shapes(xs.shape, ys.shape)
+    except ValueError:
+        raise Error("x, y", f"shapes {xs.shape} and {ys.shape} do not broadcast") from None
+    place = _place(out, shape, dtype, xs, ys)
+    ready = [numpy.ascontiguousarray(numpy.broadcast_to(one, shape), dtype=dtype) for one in (xs, ys)]
+    curve = numpy.concatenate(numbers)
+    call(getattr(lib, f"mien_distances_{figure}_{'f32' if single else 'f64'}"), curve.ctypes.data, ready[0].ctypes.data,
+         ready[1].ctypes.data, place.ctypes.data, place.size)
+    if out is None:
+        return place[()] if shape == () else place
+    if place is not out:
+        out[...] = place
+    return out
+
+
+def _place(out: Optional[Reals], shape: tuple[int, ...], dtype: "numpy.dtype[Any]", xs: Reals, ys: Reals) -> Reals:
+    """Where the kernel writes: `out` itself if it can."""
+    if out is None:
+        return numpy.empty(shape, dtype)
+    if not isinstance(out, numpy.ndarray):
+        raise TypeError(f"out: expected an array, got {type(out).__name__}")
+    if out.shape != shape:
+        raise Error("out", f"its shape is {out.shape}, and the distances' {shape}")
+    if not out.flags.writeable:
+        raise Error("out", "is read-only")
+    if not numpy.can_cast(dtype, out.dtype, "same_kind"):
+        raise TypeError(f"out: cannot hold {dtype} as {out.dtype}")
+    if out.dtype == dtype and out.flags.c_contiguous and out.flags.aligned and out.dtype.isnative:
+        # In the same place as x or y is well; any other overlap is not.
+        if all(one.ctypes.data == out.ctypes.data and one.shape == shape or not numpy.may_share_memory(one, out)
+               for one in (xs, ys)):
+            return out
+    return numpy.empty(shape, dtype)

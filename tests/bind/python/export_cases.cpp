@@ -1,0 +1,20 @@
+// Stands for `mien-accuracy --export FILE --count N --seed S`, which is not built with the tests.
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "tools/accuracy/export.h"
+
+int main(int argc, char** argv) {
+  const bool asked = argc == 7 && std::string(argv[1]) == "--export" &&
+                     std::string(argv[3]) == "--count" && std::string(argv[5]) == "--seed";
+  const long count = asked ? std::atol(argv[4]) : -1;
+  if (count < 0) return 2;
+  std::ofstream file(argv[2], std::ios::binary);
+  const auto seed = std::uint64_t(std::atol(argv[6]));
+  mien::accuracy::write_cases_header(file, seed);
+  for (const auto& family : mien::accuracy::bezier_families())
+    mien::accuracy::write_cases(file, family, std::size_t(count), seed);
+  return file.flush() ? 0 : 1;
+}

@@ -1,0 +1,452 @@
+#!/usr/bin/env python3
+"""The Python package: mien_test.py MIEN ROOT"""
+import ctypes
+import doctest
+import gc
+import os
+import pathlib
+import pickle
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import tracemalloc
+import unittest
+import zlib
+
+try:
+    import numpy
+except ImportError:
+    print("needs python3-numpy: tools/setup --dev")
+    sys.exit(77)
+
+import mien
+import mien._library
+import mien._picture
+from mien import distance, people
+
+ROOT = pathlib.Path(sys.argv.pop())
+MIEN = sys.argv.pop()
+TOON = ROOT / "faces/compat/toon.face.json"
+SIZE = (160, 90)
+
+
+def toon():
+    return mien.read_face(TOON)
+
+
+def decoded(png):
+    """The RGBA pixels of a PNG of 8 bits whose rows have filter 0 or 2."""
+    at, packed = 8, b""
+    width, height, depth, kind = struct.unpack(">IIBB", png[16:26])
+    assert (depth, kind) == (8, 6)
+    while at < len(png):
+        size, name = struct.unpack(">I4s", png[at:at + 8])
+        data = png[at + 8:at + 8 + size]
+        assert struct.unpack(">I", png[at + 8 + size:at + 12 + size])[0] == zlib.crc32(name + data)
+        packed += data if name == b"IDAT" else b""
+        at += 12 + size
+    rows = numpy.frombuffer(zlib.decompress(packed), numpy.uint8).reshape(height, 1 + width * 4)
+    assert set(rows[:, 0]) <= {0, 2}
+    pixels = rows[:, 1:].copy()
+    for y in range(1, height):
+        if rows[y, 0] == 2:
+            pixels[y] += pixels[y - 1]
+    return pixels.reshape(height, width, 4)
+
+
+class Faces(unittest.TestCase):
+    def test_say_what_they_are(self):
+        face = toon()
+        self.assertIn(face.title, repr(face))
+        self.assertIsInstance(face.credit, str)
+        x0, y0, x1, y1 = face.canvas.box
+        self.assertTrue(x0 < x1 and y0 < y1 and face.canvas.unit)
+        self.assertGreater(len(face.names), 100)
+        blink = face.names["blink"]
+        self.assertEqual((blink.range, blink.value, blink.is_control), ((0, 1), 0, True))
+        self.assertTrue(face.clips)
+        slices = [name for name in face.names.values() if not name.is_control]
+        rest = numpy.concatenate([numpy.ravel(name.value) for name in slices])
+        numpy.testing.assert_array_equal(rest, face.vector)
+        self.assertEqual([name.begin for name in slices][:2], [0, numpy.size(slices[0].value)])
+        with self.assertRaises(TypeError):
+            face.names["blink"] = 1
+
+    def test_names_are_those_of_the_command(self):
+        listed = subprocess.run([MIEN, "list", TOON], capture_output=True, text=True, check=True).stdout
+        for name in toon().names:
+            self.assertIn(name, listed)
+
+    def test_come_from_memory_and_codes(self):
+        text = TOON.read_text(encoding="utf-8")
+        for words in (text, text.encode()):
+            numpy.testing.assert_array_equal(mien.read_face_text(words).vector, toon().vector)
+        code = mien.crowd("chorus", 2)[1]
+        person = mien.from_code(code)
+        self.assertEqual(person.emotions[:1], ("joy",))
+        again = mien.read_face_text(people.recipe(code))
+        numpy.testing.assert_array_equal(person.vector, again.vector)
+
+    def test_errors_are_sentences(self):
+        for call, where, what in (
+                (lambda: mien.read_face("no/such.json"), "no/such.json", ""),
+                (lambda: mien.read_face_text("{", "mine"), "mine:1:", ""),
+                (lambda: mien.from_code("ZA7Q2-MKX4T-XX"), "", ""),
+                (lambda: toon().pose(set={"gaze.z": 1}), "gaze.z=1", 'did you mean "gaze.x"?'),
+                (lambda: toon().pose(set={"blink": float("nan")}), "blink=nan", "finite"),
+                (lambda: toon().pose(set={"blink": [1, 2]}), "blink=1.0,2.0", "expected 1 number, got 2"),
+                (lambda: toon().pose(emotions={"none": 1}), "", "emotion"),
+                (lambda: toon().pose(clips=["none"]), "none", "clip"),
+                (lambda: toon().pose(clips=[("a", 1, 2, 3)]), "clips", "expected (name, weight)"),
+                (lambda: toon().pose(look_at=(1, 2)), "look_at", "got 2 numbers"),
+                (lambda: toon().pose(unwrap=2), "share", "0 to 1"),
+                (lambda: toon().pose(unwrap_mode="odd"), "unwrap_mode", "'odd'"),
+                (lambda: mien.crowd("a", -1), "count", "people"),
+                (lambda: people.code(2**50), "seed", "2^50"),
+                (lambda: people.code(-1), "seed", "2^50"),
+                (lambda: people.near("?", 0.1), "", "")):
+            with self.assertRaises(mien.Error) as raised:
+                call()
+            self.assertIn(where, raised.exception.where)
+            self.assertIn(what, raised.exception.what)
+            self.assertIn(raised.exception.what, str(raised.exception))
+        self.assertIsInstance(raised.exception, ValueError)
+        self.assertEqual(pickle.loads(pickle.dumps(raised.exception)).where, raised.exception.where)
+        for call in (lambda: mien.read_face(7), lambda: mien.from_code(None), lambda: mien.crowd("a", 1.5)):
+            self.assertRaises(TypeError, call)
+
+    def test_that_nobody_holds_are_freed(self):
+        freed = []
+        free = mien._library.lib.mien_face_free
+        handle = mien._library.Handle(lambda value: (freed.append(1), free(value)), mien._library.lib.mien_face_read,
+                                      *mien._library.path_bytes(TOON))
+        posed = mien.Face(handle).pose(time=1)
+        del handle
+        gc.collect()
+        self.assertFalse(freed)  # a posed face holds its face
+        posed.render(32)
+        del posed
+        gc.collect()
+        self.assertEqual(freed, [1])
+
+
+class Poses(unittest.TestCase):
+    def test_are_those_of_the_command(self):
+        face, size = mien.from_code(people.code("ada")), (96, 96)
+        posed = face.pose(time=0.5, clips=[("idle", 0.5, 0.25)], look_at=(1, 0.5, 9), emotions={"joy": 0.75, "left.fear": 0.25},
+                          set={"blink": 0.125})
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "a.png")
+            subprocess.run([MIEN, "render", people.code("ada"), "-o", file, "--size", "96x96", "--time", "0.5", "--clip",
+                            "idle=0.5@0.25", "--look-at", "1,0.5,9", "--emotion", "joy=0.75", "--emotion", "left.fear=0.25",
+                            "--set", "blink=0.125"], check=True)
+            by_command = file.read_bytes()
+            posed.save(pathlib.Path(folder, "b.png"), size)
+            by_python = pathlib.Path(folder, "b.png").read_bytes()
+        data = [b[b.index(b"IDAT"):] for b in (by_command, by_python)]
+        self.assertEqual(*data)
+
+    def test_take_numbers_arrays_and_colours(self):
+        face = toon()
+        point = next(n for n in face.names.values() if not n.is_control and numpy.size(n.value) == 2)
+        moved = face.pose(set={point.name: numpy.array([0.1, 0.2], numpy.float32), "blink": numpy.float64(0.5)}).vector
+        numpy.testing.assert_array_equal(moved[point.begin:point.begin + 2], numpy.float32([0.1, 0.2]).astype(float))
+        color = next(n for n in face.names.values() if numpy.size(n.value) == 4 and n.unit == "linear light")
+        red = face.pose(set={color.name: "#ff0000"}).vector
+        numpy.testing.assert_array_equal(red[color.begin:color.begin + 4], [1, 0, 0, 1])
+
+    def test_know_what_is_where(self):
+        posed = toon().pose()
+        self.assertEqual(len(posed.layers), len(set(range(len(posed.layers)))))
+        x, y = posed.face_from_pixel(512.25, 100.5)
+        numpy.testing.assert_allclose(posed.pixel_from_face(x, y), (512.25, 100.5), atol=1e-9)
+        layer = posed.layer_at(0, 0)
+        self.assertIn(layer, posed.layers)
+        self.assertIsNone(posed.layer_at(1e9, 1e9) if posed.layers[0] != "background" else None)
+        self.assertLess(min(posed.distance(i, 0, 0) for i in range(len(posed.layers))), 0)
+        self.assertGreater(posed.distance(layer, 1e6, 0), 0)
+        self.assertIn("layer", posed.scene)
+        for bad in (lambda: posed.distance("none", 0, 0), lambda: posed.distance(10**6, 0, 0),
+                    lambda: posed.layer_at(float("nan"), 0)):
+            self.assertRaises(mien.Error, bad)
+
+
+class Pictures(unittest.TestCase):
+    def test_have_every_depth(self):
+        posed = toon().pose(time=1.25)
+        for depth, dtype in (("u8", numpy.uint8), ("u16", numpy.uint16), ("f32", numpy.float32)):
+            picture = posed.render(SIZE, depth=depth, dither=False)
+            self.assertEqual((picture.shape, picture.dtype), ((90, 160, 4), dtype))
+        encoded = posed.render(SIZE, dither=False) / 255
+        linear = picture[..., :3].astype(float)
+        srgb = numpy.where(linear <= 0.0031308, 12.92 * linear, 1.055 * numpy.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055)
+        self.assertLess(numpy.abs(srgb - encoded[..., :3]).max(), 1.01 / 255)
+
+    def test_are_drawn_in_place_with_gaps(self):
+        posed = toon().pose()
+        for depth in ("u8", "u16", "f32"):
+            wanted = posed.render(SIZE, depth=depth)
+            room = numpy.full((100, 200, 4), 77, wanted.dtype)
+            window = room[5:95, 20:180]
+            self.assertIs(posed.render(SIZE, depth=depth, out=window), window)
+            numpy.testing.assert_array_equal(window, wanted)
+            window[...] = 77
+            self.assertTrue((room == 77).all())
+
+    def test_refuse_arrays_that_cannot_hold_them(self):
+        posed, good = toon().pose(), numpy.zeros((90, 160, 4), numpy.uint8)
+        read_only = good.copy()
+        read_only.flags.writeable = False
+        bytes_ = numpy.zeros(90 * 160 * 8 + 1, numpy.uint8)
+        for out, raised, words in (
+                (read_only, mien.Error, "read-only"), (good[::-1], mien.Error, "rows"), (good[:, ::-1], mien.Error, "rows"),
+                (numpy.zeros((90, 160, 8), numpy.uint8)[..., ::2], mien.Error, "rows"),
+                (numpy.broadcast_to(good[:1], good.shape), mien.Error, "read-only"),
+                (numpy.zeros((160, 90, 4), numpy.uint8).transpose(1, 0, 2), mien.Error, "rows"),
+                (good[:89], mien.Error, "shape"), (good[..., :3], mien.Error, "shape"), (good.astype(float), TypeError, "float64"),
+                (good.view(numpy.int8), TypeError, "int8"), (good.tolist(), TypeError, "list")):
+            with self.assertRaisesRegex(raised, words):
+                posed.render(SIZE, out=out)
+        with self.assertRaisesRegex(TypeError, "u2|uint16"):
+            posed.render(SIZE, depth="u16", out=numpy.zeros((90, 160, 4), ">u2"))
+        crooked = bytes_[1:].view(numpy.uint16).reshape(90, 160, 4)
+        with self.assertRaises(mien.Error):
+            posed.render(SIZE, depth="u16", out=crooked)
+
+    def test_obey_the_view(self):
+        posed = toon().pose()
+        whole = posed.render(SIZE, background="transparent")
+        self.assertEqual(posed.render(64).shape[1], 64)
+        part = posed.render(SIZE, background="transparent", region=(30, 20, 50, 40))
+        numpy.testing.assert_array_equal(part, whole[20:60, 30:80])
+        numpy.testing.assert_array_equal(posed.render(SIZE, background="#ff0000"), posed.render(SIZE, background=(1, 0, 0)))
+        self.assertFalse((posed.render(SIZE, blend="srgb") == posed.render(SIZE)).all())
+        numpy.testing.assert_array_equal(posed.render(SIZE, threads=1), posed.render(SIZE, threads=2))
+        posed.render(SIZE, light=(1, 1, 1), fit="slice")
+        for how, words in (({"fit": "odd"}, "meet or slice"), ({"blend": "odd"}, "linear or srgb"), ({"depth": "u9"}, "u8, u16 or f32"),
+                           ({"background": "red"}, "colour"), ({"background": (1, 2)}, "3 or 4"), ({"region": (1, 2)}, "4|got 2"),
+                           ({"region": (999, 0, 1, 1)}, "region"), ({"light": (0, 0, -1)}, "lamp"), ({"light": (0, 0)}, "x, y, z"),
+                           ({"size": 0}, "sides"), ({"size": (1, 2, 3)}, "width and height"), ({"size": 2**40}, "range"),
+                           ({"size": 2**21}, "sides"), ({"threads": -1}, "threads")):
+            with self.assertRaisesRegex(mien.Error, words):
+                posed.render(**{"size": SIZE, **how})
+        self.assertRaises(TypeError, posed.render, 1.5)
+
+    def test_can_be_watched_and_stopped(self):
+        posed, shares = toon().pose(), []
+        posed.render(SIZE, progress=shares.append)
+        self.assertEqual((shares, shares[-1]), (sorted(shares), 1.0))
+        with self.assertRaises(mien.Cancelled):
+            posed.render((2000, 2000), progress=lambda _: False)
+
+        def interrupted(_):
+            raise KeyboardInterrupt
+
+        self.assertRaises(KeyboardInterrupt, posed.render, SIZE, progress=interrupted)
+        with self.assertRaises(ZeroDivisionError):
+            posed.render(SIZE, progress=lambda _: 1 / 0)
+
+    def test_show_themselves_in_notebooks(self):
+        face = toon()
+        png = face.pose()._repr_png_()
+        numpy.testing.assert_array_equal(decoded(png), face.render(400))
+        self.assertEqual(face._repr_png_(), png)
+
+    def test_are_written(self):
+        posed = toon().pose()
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.png", "a.tif", "a.exr", "a.jpg"):
+                posed.save(pathlib.Path(folder, name), 64, recipe="by a test")
+                self.assertGreater(pathlib.Path(folder, name).stat().st_size, 100)
+            posed.save(os.path.join(folder, "b.png"), 64, depth="u16")
+            for call, words in ((lambda: posed.save(folder + "/a.doc"), "doc"), (lambda: posed.save(folder + "/c/a.png"), "folder"),
+                                (lambda: posed.save(folder + "/d.png", memory=1), "memory"),
+                                (lambda: posed.save(folder + "/d.png", progress=lambda _: False), "cancelled")):
+                with self.assertRaisesRegex(mien.Error, words):
+                    call()
+            self.assertFalse(pathlib.Path(folder, "d.png").exists())
+
+    def test_of_animations_come_one_by_one(self):
+        face = toon()
+        frames = list(face.frames(4, SIZE, fps=8, begin=1, pose={"set": {"gaze.x": 0.02}}))
+        for i, frame in enumerate(frames):
+            numpy.testing.assert_array_equal(frame, face.pose(time=1 + i / 8, set={"gaze.x": 0.02}).render(SIZE))
+        self.assertFalse((frames[0] == frames[3]).all())
+        out = numpy.zeros((90, 160, 4), numpy.uint8)
+        shut = face.frames(2, SIZE, pose=lambda time: {"time": None, "set": {"blink": float(time > 0)}}, out=out)
+        self.assertIs(next(shut), out)
+        opened = out.copy()
+        next(shut)
+        self.assertFalse((opened == out).all())
+        self.assertRaises(StopIteration, next, shut)
+
+    def test_are_drawn_by_many_threads_at_once(self):
+        face, renderer = toon(), mien.Renderer()
+        posed = face.pose(time=1.25)
+        wanted, drawn = posed.render(SIZE), []
+
+        def draw(shared):
+            for _ in range(3):
+                drawn.append(posed.render(SIZE, threads=1, renderer=renderer if shared else None))
+
+        threads = [threading.Thread(target=draw, args=(i % 2,)) for i in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(drawn), 18)
+        for picture in drawn:
+            numpy.testing.assert_array_equal(picture, wanted)
+
+
+QUAD = [[0, 0], [0.5, 1], [1, 0]]
+
+
+def brute(point, x, y, count=20001):
+    t = numpy.linspace(0, 1, count)
+    px, py = point(t)
+    return numpy.array([numpy.hypot(px - a, py - b).min() for a, b in zip(x, y, strict=True)])
+
+
+class Distances(unittest.TestCase):
+    def setUp(self):
+        random = numpy.random.default_rng(1)
+        self.x, self.y = random.uniform(-1, 2, 50), random.uniform(-1, 2, 50)
+
+    def test_are_right(self):
+        x, y = self.x, self.y
+        by = brute(lambda t: (t, 2 * t * (1 - t)), x, y)
+        numpy.testing.assert_allclose(distance.quad(QUAD, x, y), by, atol=1e-4)
+        numpy.testing.assert_allclose(distance.cubic([[0, 0], [1 / 3, 2 / 3], [2 / 3, 2 / 3], [1, 0]], x, y), by, atol=1e-4)
+        numpy.testing.assert_allclose(distance.tapered(QUAD, (0.25,) * 3, x, y), by - 0.25, atol=1e-4)
+        numpy.testing.assert_allclose(distance.ellipse((0.5, 0.5), (2, 2), x, y), numpy.hypot(x - 0.5, y - 0.5) - 2, atol=1e-12)
+
+    def test_keep_types_and_shapes(self):
+        x, y = self.x, self.y
+        exact = distance.quad(QUAD, x, y)
+        single = distance.quad(QUAD, x.astype("f4"), y.astype("f4"))
+        self.assertEqual((exact.dtype, single.dtype), (numpy.float64, numpy.float32))
+        numpy.testing.assert_allclose(single, exact, atol=1e-6)
+        self.assertEqual(distance.quad(QUAD, x.astype("f4"), y).dtype, numpy.float64)
+        self.assertEqual(distance.quad(QUAD, x.astype("f4"), 0.5).dtype, numpy.float32)
+        self.assertEqual(distance.quad(QUAD, [1, 2], [3, 4]).dtype, numpy.float64)
+        grid = distance.quad(QUAD, x[:, None], y[None, :])
+        self.assertEqual(grid.shape, (50, 50))
+        numpy.testing.assert_array_equal(grid.diagonal(), exact)
+        self.assertEqual(numpy.shape(distance.quad(QUAD, 1, 2)), ())
+        self.assertEqual(distance.quad(QUAD, [], []).shape, (0,))
+        numpy.testing.assert_array_equal(distance.quad(QUAD, x[::-2], y[::-2]), exact[::-2])
+        numpy.testing.assert_array_equal(distance.quad(QUAD, x.astype(">f8"), y), exact)
+        x.flags.writeable = False
+        numpy.testing.assert_array_equal(distance.quad(QUAD, x, y), exact)
+        self.assertTrue(numpy.isinf(distance.quad(QUAD, numpy.nan, 0)))
+
+    def test_go_where_they_are_told(self):
+        x, y = self.x, self.y
+        exact = distance.quad(QUAD, x, y)
+        out = numpy.empty(50)
+        self.assertIs(distance.quad(QUAD, x, y, out=out), out)
+        numpy.testing.assert_array_equal(out, exact)
+        spread = numpy.zeros((50, 2))
+        distance.quad(QUAD, x, y, out=spread[:, 1])
+        numpy.testing.assert_array_equal(spread, numpy.stack([0 * exact, exact], 1))
+        both = numpy.concatenate([x, [9.0]])
+        distance.quad(QUAD, both[:50], y, out=both[1:])  # overlaps
+        numpy.testing.assert_array_equal(both[1:], exact)
+        here = x.copy()
+        self.assertIs(distance.quad(QUAD, here, y, out=here), here)
+        numpy.testing.assert_array_equal(here, exact)
+        double = numpy.empty(50)
+        distance.quad(QUAD, x.astype("f4"), y.astype("f4"), out=double)
+        narrow = numpy.empty(50, "f4")
+        distance.quad(QUAD, x, y, out=narrow)  # NumPy's same_kind
+        numpy.testing.assert_allclose(narrow, exact, rtol=1e-6)
+
+    def test_copy_nothing_that_lies_in_one_piece(self):
+        x, y, out = (numpy.zeros(10**6, "f4") for _ in range(3))
+        face, picture = toon().pose(), numpy.empty((512, 512, 4), numpy.uint8)
+        tracemalloc.start()
+        distance.quad(QUAD, x, y, out=out)
+        face.render((512, 512), out=picture)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        self.assertLess(most, 10**5)
+
+    def test_refuse_what_is_none(self):
+        x, y = self.x, self.y
+        read_only = numpy.empty(50)
+        read_only.flags.writeable = False
+        for call, raised, words in (
+                (lambda: distance.quad(QUAD, x, y, out=read_only), mien.Error, "read-only"),
+                (lambda: distance.quad(QUAD, x, y, out=numpy.empty(49)), mien.Error, "shape"),
+                (lambda: distance.quad(QUAD, x, y, out=numpy.empty(50, int)), TypeError, "int64"),
+                (lambda: distance.quad(QUAD, x, y, out=[0] * 50), TypeError, "list"),
+                (lambda: distance.quad(QUAD, x, y[:7]), mien.Error, "broadcast"),
+                (lambda: distance.quad(QUAD[:2], x, y), mien.Error, "expected 6 numbers, got 4"),
+                (lambda: distance.quad("curve", x, y), TypeError, "points"),
+                (lambda: distance.quad(QUAD, x + 1j, y), TypeError, "complex"),
+                (lambda: distance.quad(QUAD, ["a"], y), TypeError, "real"),
+                (lambda: distance.ellipse((0, 0), (1, -1), x, y), mien.Error, "negative"),
+                (lambda: distance.ellipse((0, 0), (1, 1), x, y, axis=(0, 0)), mien.Error, "direction"),
+                (lambda: distance.tapered(QUAD, (1, 1, -1), x, y), mien.Error, "negative")):
+            with self.assertRaisesRegex(raised, words):
+                call()
+
+
+class Package(unittest.TestCase):
+    def test_has_the_version_of_the_library(self):
+        said = subprocess.run([MIEN, "--version"], capture_output=True, text=True, check=True).stdout
+        self.assertIn(mien.__version__, said)
+
+    def test_prototypes_are_those_of_the_headers(self):
+        """Every function with as many arguments as its header says, every struct field by field."""
+        for header, status, plain in (("bind/c/mien_c.h", mien._library._STATUS, mien._library._PLAIN),
+                                      ("bind/c/image/mien_image_c.h", mien._library._IMAGE_STATUS, mien._library._IMAGE_PLAIN)):
+            text = re.sub(r"/\*.*?\*/", "", (ROOT / header).read_text(encoding="utf-8"), flags=re.S)
+            declared = dict(re.findall(r"MIEN_C_API[\w\s*]*?\b(mien_\w+)\((.*?)\);", text, flags=re.S))
+            for name, takes in [*status.items(), *((name, takes) for name, (_, takes) in plain.items())]:
+                arguments = [one for one in re.split(r",(?![^(]*\))", declared[name]) if one.strip() != "void"]
+                self.assertEqual(len(arguments), len(takes) + (name in status), name)
+                for said, argument in zip(takes, arguments, strict=False):
+                    wanted = {ctypes.c_int32: "int32_t", ctypes.c_size_t: "size_t", ctypes.c_double: "double",
+                              ctypes.c_char_p: "const char*"}.get(said)
+                    self.assertTrue(wanted is None or wanted in argument or (wanted == "size_t" and "uint64_t" in argument), (name, argument))
+            for struct_, fields in re.findall(r"typedef struct (\w+) \{(.*?)\}", text, flags=re.S):
+                wanted = [name for one in re.findall(r"\w[\w*]* ([^;]+);", fields) for name in re.findall(r"(\w+)(?:\[\d\])?(?:,|$)", one)]
+                mirror = {"mien_name": "NameRecord"}.get(struct_, struct_[5:].title().replace("_", ""))
+                self.assertEqual([name for name, _ in getattr(mien._library, mirror)._fields_], wanted)
+
+    def test_says_where_it_looked(self):
+        said = subprocess.run([sys.executable, "-c", "import sys; sys.path.insert(0, sys.argv[1]); import mien", str(ROOT / "bind/python")],
+                              env={"MIEN_LIBRARY": "/nowhere", "PYTHONDONTWRITEBYTECODE": "1"}, capture_output=True, text=True)
+        if said.returncode:  # one may be installed
+            self.assertIn("ImportError: mien needs libmien_c.so.0; MIEN_LIBRARY", said.stderr)
+
+    def test_examples_in_its_documentation_run(self):
+        for module in (mien, distance, people):
+            failed, tried = doctest.testmod(module)
+            self.assertFalse(failed)
+        page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
+        for words in (page, (ROOT / "README.md").read_text(encoding="utf-8")):
+            blocks = re.findall(r"^```python\n(.*?)^```$", words, flags=re.S | re.M)
+            self.assertTrue(blocks)
+            here = os.getcwd()
+            with tempfile.TemporaryDirectory() as folder:
+                os.symlink(ROOT / "faces", pathlib.Path(folder, "faces"))
+                os.chdir(folder)
+                try:
+                    names = {}
+                    for block in blocks:
+                        exec(compile(block, "a page's example", "exec"), names)
+                finally:
+                    os.chdir(here)
+
+    def test_is_typed(self):
+        self.assertTrue((ROOT / "bind/python/mien/py.typed").is_file())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
