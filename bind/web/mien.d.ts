@@ -1,0 +1,65 @@
+export class MienError extends Error {
+  readonly where: string;
+  readonly what: string;
+  constructor(where: string, what: string);
+}
+
+export interface Pose {
+  time?: number;
+  set?: Record<string, number | string | number[]>;
+  emotions?: Record<string, number | string>;
+  muscles?: Record<string, number | string>;
+  arkit?: Record<string, number | string>;
+  facs?: Record<string, number | string>;
+  vrm?: Record<string, number | string>;
+  visemes?: Record<string, number | string>;
+  clips?: string[];
+  lookAt?: [number, number, number];
+  blend?: 'linear' | 'srgb';
+  background?: [number, number, number, number];
+}
+
+export interface Name {
+  name: string;
+  unit: string;
+  isControl: boolean;
+  isPose: boolean;
+  count: number;
+  lo: number;
+  hi: number;
+}
+
+export interface Canvas {
+  box: [number, number, number, number];
+  yUp: boolean;
+  mirrorX: number;
+  unit: string;
+}
+
+export class Face {
+  private constructor();
+  readonly title: string;
+  readonly credit: string;
+  readonly clips: string[];
+  readonly names: Name[];
+  readonly canvas: Canvas;
+  draw(width: number, height: number, pose?: Pose): Uint8ClampedArray;
+  featureAt(x: number, y: number): string | null;
+  fromPixel(x: number, y: number): [number, number];
+  free(): void;
+}
+
+export class Mien {
+  private constructor();
+  readonly version: string;
+  face(text: string, name?: string): Face;
+  person(code: string): Face;
+  crowd(word: string, count: number): string[];
+  recipe(code: string): string;
+  code(word: string): string;
+  held(code: string, what: string): string;
+  between(one: string, other: string, at: number): string;
+}
+
+export function isSupported(): boolean;
+export function load(source?: BufferSource | URL | string | Response | Promise<Response> | WebAssembly.Module): Promise<Mien>;
