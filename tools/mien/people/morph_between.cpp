@@ -4,6 +4,7 @@
 #include <mien/face_model.h>
 #include <mien/recipe_between.h>
 #include <mien/scene_from_face.h>
+#include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/posed_face.h"
@@ -11,7 +12,6 @@
 #include "tools/mien/film/frame_names.h"
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
-#include "tools/mien/output/image_loader.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
