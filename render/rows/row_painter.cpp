@@ -12,6 +12,7 @@ namespace {
 constexpr float kSame = 1e-5f;        // sums of thousands of cells agree with their look to less
 constexpr float kUnseenArea = 1e-6f;  // a share of less shows nowhere
 constexpr float kClosed = 1e-5f;      // a look that goes on by less than this has ended
+constexpr float kFilled = 1e-4f;      // and one that lacks less than this fills the row
 
 bool close(const Rgba& x, const Rgba& y) {
   return std::max(std::max(std::abs(x.r - y.r), std::abs(x.g - y.g)),
@@ -193,7 +194,8 @@ bool RowPainter::looks_like(int look) const {
   const Palette::Entry& e = palette_->entries[std::size_t(look)];
   if (!close(sum_, e.color)) return false;
   if (!e.varies) return open_.empty();
-  return open_.size() == 1 && open_[0].look == look;
+  // Over nothing the constant part of a varied look's sum is that of nothing, too.
+  return open_.size() == 1 && open_[0].look == look && std::abs(open_[0].height - 1.0f) < kFilled;
 }
 
 /// The look of the run that begins at a column; −1 if no candidate agrees with the sum.
