@@ -6,6 +6,7 @@
 namespace mien {
 namespace {
 
+constexpr int kMostChords = 24;   // leave 2e-4 px² for bulges up to 0.17 px
 constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
 
 /// Sums of a form's cells: areas and first moments about their middles, and what fills all cells from a
@@ -24,19 +25,20 @@ struct CellSums {
     }
   }
 
-  void add_left(const std::array<float, PartForm::kRows>& left);
+  void add_left(const PartEntry& left);
   void add_stretch(const PartStretch& s);
   void add_chord(float xp, float yp, float xq, float yq, float sign);
   void add_in_row(int row, float xp, float yp, float xq, float yq, float sign);
   void add_in_cell(int row, int column, float xp, float yp, float xq, float yq, float sign);
 };
 
-void CellSums::add_left(const std::array<float, PartForm::kRows>& left) {
-  const int rows = PartForm::kRows / side;
-  for (int k = 0; k < PartForm::kRows; ++k) {
+void CellSums::add_left(const PartEntry& left) {
+  const int rows = PartEntry::kRows / side;
+  for (int k = 0; k < PartEntry::kRows; ++k) {
     const int j = k / rows;
-    const float y = (float(k % rows) + 0.5f) / PartForm::kRows - 0.5f * cell;
-    from[j][0] += left[std::size_t(k)], from_y[j][0] += left[std::size_t(k)] * y;
+    const float y = (float(k % rows) + 0.5f) / PartEntry::kRows - 0.5f * cell,
+                height = left.height[std::size_t(k)];
+    from[j][0] += height, from_y[j][0] += height * y + left.moment[std::size_t(k)];
   }
 }
 
@@ -44,7 +46,7 @@ void CellSums::add_left(const std::array<float, PartForm::kRows>& left) {
 /// 2/3 b / k².
 void CellSums::add_stretch(const PartStretch& s) {
   const float bulge = std::abs(s.xm - 0.5f * (s.xp + s.xq)) + std::abs(s.ym - 0.5f * (s.yp + s.yq));
-  const int chords = std::clamp(int(std::ceil(std::sqrt(3300.0f * bulge))), 1, 8);
+  const int chords = std::clamp(int(std::ceil(std::sqrt(3300.0f * bulge))), 1, kMostChords);
   float x = s.xp, y = s.yp;
   for (int i = 1; i < chords; ++i) {
     const float t = float(i) / float(chords), p = (1.0f - t) * (1.0f - 2.0f * t),
@@ -102,12 +104,19 @@ void CellSums::add_in_cell(int row, int column, float xp, float yp, float xq, fl
 
 }  // namespace
 
-void add_height(const PartStretch& s, std::array<float, PartForm::kRows>& left) {
-  constexpr float kRow = 1.0f / PartForm::kRows;
-  for (int k = 0; k < PartForm::kRows; ++k) {
-    const float top = float(k) * kRow;
-    left[std::size_t(k)] +=
-        s.sign * std::max(std::min(s.yq, top + kRow) - std::max(s.yp, top), 0.0f);
+PartEntry PartEntry::whole() {
+  PartEntry all;
+  all.height.fill(1.0f / kRows);
+  return all;
+}
+
+void PartEntry::add(const PartStretch& s) {
+  constexpr float kRow = 1.0f / kRows;
+  for (int k = 0; k < kRows; ++k) {
+    const float top = float(k) * kRow, from = std::max(s.yp, top), to = std::min(s.yq, top + kRow),
+                by = s.sign * std::max(to - from, 0.0f);
+    height[std::size_t(k)] += by;
+    moment[std::size_t(k)] += by * (0.5f * (from + to) - (top + 0.5f * kRow));
   }
 }
 

@@ -16,14 +16,22 @@ struct PartStretch {
   float sign;  ///< 1: the region lies to its right, −1: to its left
 };
 
-struct PartForm {
+/// How much of a pixel's left border a region has, by thirty-second of the row.
+struct PartEntry {
   static constexpr int kRows = 32;
-  std::array<float, kRows> left{};  ///< what enters from the left, by thirty-second of the row
-  std::span<const PartStretch> stretches;
+  std::array<float, kRows> height{};
+  std::array<float, kRows> moment{};  ///< about the thirty-second's middle
+
+  /// All of the border.
+  static PartEntry whole();
+  /// Adds what the stretch leaves to its right: what enters the pixels there.
+  void add(const PartStretch& stretch);
 };
 
-/// Adds the stretch's height by thirty-second of the row: what enters the pixels to the right.
-void add_height(const PartStretch& stretch, std::array<float, PartForm::kRows>& left);
+struct PartForm {
+  PartEntry left;
+  std::span<const PartStretch> stretches;
+};
 
 /// The cells of a pixel, row by row. Places are seen from the pixel's middle.
 struct PartCells {
@@ -39,8 +47,7 @@ struct PartCells {
 /// The whole pixel in side × side cells: 4, 8, 16 or 32.
 void whole_cells(int side, PartCells& to);
 
-/// The form's cells. Within 2e-4 px² each, but for a thirty-second of a row where less than all of that row
-/// enters from the left.
+/// The form's cells. Within 2e-4 px² each.
 void cells_of_form(const PartForm& form, int side, PartCells& to);
 
 }  // namespace mien

@@ -228,16 +228,14 @@ int RowPainter::nearest_look() {
 
 /// A look that fills the row from the left.
 RowPainter::Open RowPainter::whole(int look) {
-  Open o{look, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, {}};
-  o.left.fill(1.0f / PartForm::kRows);
-  return o;
+  return {look, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, PartEntry::whole()};
 }
 
 /// What stretches did to this pixel they do to all pixels after it.
 void RowPainter::move_on() {
   for (const auto& [look, stretch] : formed_)
     for (Open& o : open_)
-      if (o.look == look) add_height(stretch, o.left);
+      if (o.look == look) o.left.add(stretch);
   formed_.clear();
 }
 

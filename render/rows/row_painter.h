@@ -62,7 +62,7 @@ class RowPainter {
     int look;
     float height, height_y;
     float area, mx, my;
-    std::array<float, PartForm::kRows> left;  ///< its height before this pixel, where forms count
+    PartEntry left;  ///< its height before this pixel, where forms count
   };
   static Open whole(int look);
   void paint_varied(RowSums& sums, int row);

@@ -87,14 +87,7 @@ TEST_P(ExactFaces, AreWithinALevelInEveryPose) {
   expect_exact_poses(Pixels::unlit);
 }
 
-/// The rims of its glasses, thinner than a pixel and lit, are off by up to 1.7 levels at 37 px, mixed
-/// as encoded: light there is not looked at finely enough. mien_exactness shows it.
-bool is_known_to_fail(std::string_view face) {
-  return face == "faces/clay";
-}
-
 TEST_P(ExactFaces, AreWithinALevelWhereLightFallsOnSlopes) {
-  if (is_known_to_fail(GetParam())) GTEST_SKIP() << "lit rims thinner than a pixel";
   expect_exact_poses(Pixels::lit);
 }
 
@@ -118,7 +111,6 @@ struct LargePicture {
 };
 
 TEST_P(ExactFaces, AreWithinALevelInWindowsOfLargePictures) {
-  if (is_known_to_fail(GetParam())) GTEST_SKIP() << "lit rims, and it takes minutes";
   const Scene scene = scene_from_face(test::face_named(GetParam()));
   for (const LargePicture& of : {LargePicture{1920, 120, 5, 5}, {7680, 240, 3, 61}}) {
     const View view = view_of(scene, of.width);

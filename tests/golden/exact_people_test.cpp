@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -45,7 +46,14 @@ void expect_exact_person(const Tallies& tallies) {
   }
 }
 
+/// The truth of a pixel takes as long as the square of what is in it: braids are thousands of links.
+int times_as_few(const Scene& scene) {
+  const int crowd = std::max(1, int(scene.nodes().size()) / 500);
+  return crowd * crowd;
+}
+
 void expect_exact_people(const Scene& scene, int side, int every) {
+  every *= times_as_few(scene);
   const View view{.width = side, .height = side, .dither = false};
   const ExactTruth truth(scene, view, ExactTruth::kLit);
   const auto one_in = [&](int x, int y) {

@@ -18,7 +18,7 @@ struct LitPart {
 
 /// A part's form by rows of places: each stretch of them ends upright.
 struct CountedForm {
-  std::array<float, PartForm::kRows> left{};
+  PartEntry left;
   std::vector<PartStretch> stretches;
   PartForm form() const { return {left, stretches}; }
 };

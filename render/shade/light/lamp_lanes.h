@@ -44,6 +44,10 @@ struct LampLanes {
   float finest =
       1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one
   LampRamp ramp;  ///< instead of `light`
+
+  /// Whether a round profile is so narrow that all of it lies within a pixel.
+  bool is_narrow() const { return rise_kind == Rise::round && width < kNarrow; }
+  static constexpr float kNarrow = 1.0f;  // [px]
 };
 
 /// Whether lanes can evaluate a paint's base: one colour, or a ramp of few stops along a line or from a centre that

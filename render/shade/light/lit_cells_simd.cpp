@@ -24,10 +24,33 @@ struct Zone {
   VF shallow, deep, spread;  ///< spread: variance of the depth within a whole cell
 };
 
+/// The light over what is left of a cell by Gauss's four places along the gradient: for profiles that rise and shine
+/// within a few cells. `most`: how far up and down the cell's part goes, at most.
+HWY_INLINE LitColor ColorOfFour(const Zone& zone, VF share, VF most, const Spot& at, VF x, VF y) {
+  constexpr float kPlace[] = {-0.86113631f, -0.33998104f, 0.33998104f, 0.86113631f};
+  constexpr float kWeight[] = {0.17392742f, 0.32607258f, 0.32607258f, 0.17392742f};
+  const F f;
+  const VF depth = hn::Max(hn::Neg(at.d), zone.shallow);
+  // Depths spread evenly by √3 times their deviation, but none beyond the zone's end.
+  const VF even = hn::Sqrt(hn::Mul(hn::Mul(zone.spread, share), Const(3.0f)));
+  const VF reach = hn::Min(hn::Min(even, most), hn::Sub(depth, zone.shallow));
+  const VF zero = hn::Zero(f);
+  LitColor mean{zero, zero, zero, {zero, zero, zero}};
+  for (int k = 0; k < 4; ++k) {
+    const VF there = hn::Min(Fused(Const(kPlace[k]), reach, depth), zone.deep);
+    const LitColor c = LitAt(zone.lamp, there, at.nx, at.ny, x, y);
+    const auto add = [&](VF& sum, VF v) HWY_ATTR { sum = Fused(Const(kWeight[k]), v, sum); };
+    add(mean.r, c.r), add(mean.g, c.g), add(mean.b, c.b);
+    for (int i = 0; i < 3; ++i) add(mean.bounds[i], c.bounds[i]);
+  }
+  return mean;
+}
+
 /// The light over what is left of a cell, by one place. Where the profile is round, light goes like √depth: for depths
 /// of mean m and variance q m² the mean of √ is that at m (1 − q/4 (1 + q)), an outline's strips (q = 1/3) and corners
 /// (q = 1/2) within 2 %.
-HWY_INLINE LitColor ColorOf(const Zone& zone, VF share, const Spot& at, VF x, VF y) {
+HWY_INLINE LitColor ColorOf(const Zone& zone, VF share, VF most, const Spot& at, VF x, VF y) {
+  if (zone.lamp.is_narrow()) return ColorOfFour(zone, share, most, at, x, y);
   VF depth = hn::Min(hn::Max(hn::Neg(at.d), zone.shallow), zone.deep);
   if (zone.lamp.rise_kind == LampLanes::Rise::round) {
     const VF m2 = hn::Max(hn::Mul(depth, depth), Const(1e-12f));
@@ -58,7 +81,10 @@ HWY_INLINE void MixRidge(const Zone& zone, VF side, VF left, const Spot& here, c
   const VF share = hn::IfThenElseZero(touched, cut.area), way = hn::Add(ridge.offset, cut.t);
   const VF back = hn::Neg(hn::Div(hn::Mul(share, way), hn::Max(hn::Sub(one, share), Const(0.1f))));
   const auto color_at = [&](const Spot& at, VF along, VF part) HWY_ATTR {
-    return ColorOf(zone, hn::Mul(left, part), MovedBy(at, ridge.ex, ridge.ey, along),
+    // A part's depths end at the ridge.
+    const VF up = hn::Abs(Fused(at.nx, ridge.ex, hn::Mul(at.ny, ridge.ey)));
+    const VF most = hn::Div(hn::Abs(hn::Sub(ridge.offset, along)), hn::Max(up, Const(1e-3f)));
+    return ColorOf(zone, hn::Mul(left, part), most, MovedBy(at, ridge.ex, ridge.ey, along),
                    Fused(ridge.ex, along, x), Fused(ridge.ey, along, y));
   };
   const LitColor near = color_at(here, back, hn::Sub(one, share)),
@@ -107,14 +133,14 @@ HWY_INLINE LitColor ColorAt(const Zone& zone, const LitCells& cells, size_t k, V
     const FootAt& foot = cells.foot;
     const Spot here =
         SeenFrom(Const(foot.d), Const(foot.nx), Const(foot.ny), Const(foot.bend), x, y);
-    return ColorOf(zone, share, here, px, py);
+    return ColorOf(zone, share, Const(1.0f), here, px, py);
   }
   const VF bend = hn::LoadU(f, &cells.bend[k]);
   const VF ox = hn::Sub(px, hn::LoadU(f, &cells.mid_x[k]));
   const VF oy = hn::Sub(py, hn::LoadU(f, &cells.mid_y[k]));
   const Spot here = SeenFrom(hn::LoadU(f, &cells.d[k]), hn::LoadU(f, &cells.nx[k]),
                              hn::LoadU(f, &cells.ny[k]), bend, ox, oy);
-  LitColor color = ColorOf(zone, share, here, px, py);
+  LitColor color = ColorOf(zone, share, Const(1.0f), here, px, py);
   const auto there = hn::Gt(area, hn::Zero(f));
   sums.turn = hn::Max(sums.turn, hn::IfThenElseZero(there, hn::Mul(hn::Abs(bend), Const(cell))));
   const Ridge ridge = NearestRidge(cells, k, here, ox, oy);

@@ -9,12 +9,13 @@ namespace mien {
 namespace {
 
 /// [px] This close to its own outline, a round profile narrower than kSteepWidth is steep.
-constexpr float kEdge = 0.75f, kSteepWidth = 12.0f;
+constexpr float kEdge = 0.75f, kSteepWidth = 12.0f, kAllSteep = 1.0f;
 constexpr float kMostTurn = 0.25f;  // of the gradient within a cell
 
 bool is_steep(const LitPixel::Place& place) {
-  return place.lamp->rise_kind == LampLanes::Rise::round && place.foot.d > -kEdge &&
-         place.lamp->width < kSteepWidth;
+  const float width = place.lamp->width;
+  return place.lamp->rise_kind == LampLanes::Rise::round && width < kSteepWidth &&
+         place.foot.d > -kEdge - std::min(width, kAllSteep);
 }
 
 float apart(const LitMean& a, const LitMean& b) {
@@ -95,7 +96,7 @@ LitMean LitPixel::seen(const Place& place, const PartForm* form, int side) {
 glm::vec3 LitPixel::mean(const Place& place, const PartForm* form) {
   LitMean mean = seen(place, form, 4);
   constexpr float kSmall = 3.0f;  // [px] smaller domes may lie between the middles of cells
-  const bool small = place.lamp->finest < kSmall;
+  const bool small = place.lamp->finest < kSmall || place.lamp->is_narrow();
   if (!small && !asks_for_more(place, mean, form)) return {mean.r, mean.g, mean.b};
   const bool fine = place.tolerance < kFine || small;
   const int most = fine ? PartCells::kMostSide : 16;

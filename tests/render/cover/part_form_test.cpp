@@ -51,13 +51,13 @@ TEST(PartForm, GivesCellsTheirAreasAndCentroids) {
 
 TEST(PartForm, IsWhatEntersFromTheLeftLessWhatStretchesTake) {
   const PartStretch entry{0.3f, 0.25f, 0.4f, 0.5f, 0.5f, 0.75f, 1};
-  std::array<float, PartForm::kRows> left{};
-  add_height(entry, left);
+  PartEntry left;
+  left.add(entry);
   float height = 0;
-  for (const float h : left) height += h;
+  for (const float h : left.height) height += h;
   EXPECT_FLOAT_EQ(height, 0.5f);
-  EXPECT_EQ(left[7], 0);
-  EXPECT_FLOAT_EQ(left[8], 1.0f / 32);
+  EXPECT_EQ(left.height[7], 0);
+  EXPECT_FLOAT_EQ(left.height[8], 1.0f / 32);
   PartStretch exit = entry;
   exit.sign = -1;
   PartCells cells, whole;
@@ -71,6 +71,32 @@ TEST(PartForm, IsWhatEntersFromTheLeftLessWhatStretchesTake) {
   EXPECT_NEAR(area, 0.5 * 0.4, 1e-6);
   EXPECT_EQ(cells.area[0], 0);
   EXPECT_FLOAT_EQ(cells.area[16], 1.0f / 64);
+}
+
+/// Outlines seldom enter a pixel at a thirty-second of its height.
+TEST(PartForm, KnowsWhereInACellAnEntryBegins) {
+  const float top = 10.3f / 32;
+  const PartStretch before{0.5f, top, 0.5f, 0.5f * (top + 1), 0.5f, 1, 1};
+  PartEntry left;
+  left.add(before);
+  for (const int side : {4, 8, 16, 32}) {
+    PartCells cells;
+    cells_of_form({left, {}}, side, cells);
+    const auto first = std::size_t(int(top * float(side)) * side);
+    const float bottom = std::floor(top * float(side) + 1) / float(side);
+    EXPECT_NEAR(cells.area[first], (bottom - top) / float(side), 1e-6) << side;
+    EXPECT_NEAR(cells.y[first], 0.5f * (top + bottom) - 0.5f, 1e-5) << side;
+  }
+}
+
+/// Of a bulge of a seventh of a pixel, as tips of strokes in small pictures have.
+TEST(PartForm, FollowsAStrongBend) {
+  const PartStretch bow{0.2f, 0, 0.34f, 0.5f, 0.2f, 1, 1};
+  PartCells cells;
+  cells_of_form({{}, {&bow, 1}}, 8, cells);
+  double area = 0;
+  for (int k = 0; k < cells.count(); ++k) area += double(cells.area[std::size_t(k)]);
+  EXPECT_NEAR(area, 0.8 - 2.0 / 3 * 0.14, 2e-4);
 }
 
 }  // namespace
