@@ -175,6 +175,24 @@ TEST_P(ExactFaces, HaveNoDoubtsAtAnySize) {
         }
 }
 
+/// A level edge covers a share of a row for many pixels. What is varied has nothing as its constant part, as a
+/// transparent background has: the row once went on as if it were full, to the picture's side.
+TEST(ExactLitScenes, WithALevelEdgeOverNothingAreWithinALevel) {
+  for (const double below : {3.0, 3.3, 3.8})
+    for (const double right : {11.4, 40.0}) {
+      SceneBuilder build({.box = {{0, 0}, {24, 16}}}, {0, 0, 0, 0});
+      build.light({.direction = {-0.3, 0.5, 0.8}, .ambient = 0.4});
+      const auto side = [](glm::dvec2 a, glm::dvec2 b) { return QuadBezier{a, 0.5 * (a + b), b}; };
+      const glm::dvec2 a{4.5, below}, b{right, below}, c{right, 12}, d{8, 12};
+      const Area box = build.shape(Path{{{{side(a, b), side(b, c), side(c, d), side(d, a)}}}, {}});
+      const Relief relief{.area = box, .profile = Profile::round, .width = 5, .height = 3};
+      build.layer("box", box, {{0.5, 0.25, 0.1, 1}, {}, shared(relief)});
+      const Scene scene = std::move(build).finish();
+      SCOPED_TRACE(fmt::format("{} {}", below, right));
+      expect_exact(scene, {.width = 24, .height = 16, .dither = false}, Pixels::all, 1);
+    }
+}
+
 TEST(ExactLitScenes, OfEveryProfileDomeAndPaintAreWithinALevel) {
   const bool few = !std::getenv("MIEN_RANDOM_SCENES");
   const int first = test::asked_of("MIEN_FIRST_SCENE", 1);
