@@ -164,11 +164,7 @@ TEST(ExactLitFaces, ThatWereWrongOnceAreRight) {
 }
 
 /// Outlines whose order is not proven would be drawn by distances: right, but slow.
-/// A known fault: in joy and half unwrapped the lash and the lid of bruno and clay all but coincide at an outer corner,
-/// which leaves one doubt at some sizes.
 TEST_P(ExactFaces, HaveNoDoubtsAtAnySize) {
-  const bool known =
-      GetParam() == std::string("faces/bruno") || GetParam() == std::string("faces/clay");
   const Face face = test::face_named(GetParam());
   for (const test::NamedPose& pose : test::sample_poses(face))
     for (const int width : {48, 97, 160, 640, 1920, 7680})
@@ -179,7 +175,7 @@ TEST_P(ExactFaces, HaveNoDoubtsAtAnySize) {
           view.blend = blend, view.region = PixelRect{0, 0, 1, 1};
           RenderStats stats;
           test::rendered(scene, view, {.depth = depth}, &stats);
-          EXPECT_LE(stats.doubts, known ? 1 : 0) << pose.name << ' ' << width;
+          EXPECT_EQ(stats.doubts, 0) << pose.name << ' ' << width;
         }
 }
 
