@@ -1,5 +1,6 @@
 // What no edition may have: a name or a permanent number twice. And what becomes of a broken file of one.
 
+#include "lib/parts/library/shipped_parts.h"
 #include "lib/parts/library/part_library.h"
 
 #include <mien/editions.h>
@@ -31,7 +32,7 @@ void note_features(const LibraryNode& of, const std::string& whose,
   });
 }
 
-TEST(ShippedLibrary, NoTwoFamiliesShareAFeature) {
+TEST(ShippedParts, NoTwoFamiliesShareAFeature) {
   for (const char sign : editions()) {
     std::map<std::string, std::string, std::less<>> owners;
     ASSERT_TRUE(PartLibrary::shipped(sign)) << sign;
@@ -44,7 +45,7 @@ TEST(ShippedLibrary, NoTwoFamiliesShareAFeature) {
 }
 
 /// Families and numbers are fields of one code; parts are values of their family's field.
-TEST(ShippedLibrary, NoPermanentNumberIsUsedTwice) {
+TEST(ShippedParts, NoPermanentNumberIsUsedTwice) {
   for (const char sign : editions()) {
     std::map<int, std::string> fields;
     const auto note = [&](int number, const std::string& name) {
@@ -75,7 +76,7 @@ std::string said_of(const std::string& noses) {
   return read ? "read" : sentence(read.error());
 }
 
-TEST(ShippedLibrary, OfABrokenFileSaysWhichAndWhere) {
+TEST(ShippedParts, OfABrokenFileSaysWhichAndWhere) {
   const std::string good = test::SmallLibrary{}.noses;
   EXPECT_EQ(said_of(good), "read");
   EXPECT_TRUE(said_of("").starts_with("nose/all.json:1:1: ")) << said_of("");
@@ -90,7 +91,7 @@ TEST(ShippedLibrary, OfABrokenFileSaysWhichAndWhere) {
   }
 }
 
-TEST(ShippedLibrary, IsThereOrSaysWhy) {
+TEST(ShippedParts, IsThereOrSaysWhy) {
   for (const char sign : editions()) {
     const auto read = PartLibrary::shipped_or_why(sign);
     ASSERT_TRUE(read) << sentence(read.error());
