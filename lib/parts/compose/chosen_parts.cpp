@@ -131,8 +131,10 @@ void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& 
 }  // namespace
 
 Expected<const PartLibrary*> library_of(const Recipe& recipe) {
-  if (const PartLibrary* library = PartLibrary::shipped(recipe.edition)) return library;
-  return Error{"recipe", read_edition({&recipe.edition, 1}).error().what};
+  auto library = PartLibrary::shipped_or_why(recipe.edition);
+  if (!library && library.error().where.empty())
+    return Error{"recipe", std::move(library).error().what};
+  return library;
 }
 
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {

@@ -30,6 +30,14 @@ const T* named(const std::vector<T>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// A law of chances: numbers by name.
+void expect_law(const Reading& in, const JsonNode& of, std::string_view key) {
+  const JsonNode* law = in.find(of, key);
+  if (!law) return;
+  in.expect(*law, JsonKind::object);
+  in.for_each(*law, [&](const JsonNode& node, int) { in.number(node); });
+}
+
 }  // namespace
 
 const Part* Family::find(std::string_view part) const {
@@ -68,6 +76,7 @@ void PartLibrary::read_numbers(const LibraryNode& from, std::string_view family)
     std::tie(made.lo, made.hi) = in.range(in.need(node, "range"));
     const JsonNode& rest = in.need(node, "rest");
     made.rest = in.number(rest);
+    expect_law(in, node, "sampled");
     if (const JsonNode* law = in.find(node, "sampled")) made.law = {from.file, law};
     if (!(made.rest >= made.lo && made.rest <= made.hi))
       in.refuse(rest, "a number rests within its range");
@@ -96,6 +105,7 @@ void PartLibrary::read_topology(const LibraryNode& root) {
       const JsonNode* said = in.find(node, key);
       return said && in.boolean(*said);
     };
+    for (const char* law : {"none", "worn", "apart"}) expect_law(in, node, law);
     families_.push_back({.name = in.name(in.need(node, "name")),
                          .number = permanent_number(in, node),
                          .optional = is("optional"),
@@ -126,6 +136,7 @@ void PartLibrary::read_part(const LibraryNode& part) {
     if (other.name == made.name || other.number == made.number)
       in.refuse(*part.node,
                 fmt::format("\"{}\" has the same name or permanent number", other.name));
+  expect_law(in, *part.node, "tickets");
   family->parts.push_back(std::move(made));
   read_numbers(part, family_name);
 }
@@ -159,26 +170,36 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>
   return library;
 }
 
-const PartLibrary* PartLibrary::shipped(char edition) {
+Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(std::span<const ShippedFolder> folders,
+                                                         char edition) {
+  std::vector<Text> texts;
+  for (const ShippedPart& part : edition_files(folders, edition))
+    texts.push_back({part.name, part.text});
+  return read(texts);
+}
+
+Expected<const PartLibrary*> PartLibrary::shipped_or_why(char edition) {
   struct ReadOnce {
     std::once_flag flag;
-    std::unique_ptr<PartLibrary> library;
+    Expected<std::unique_ptr<PartLibrary>> library = Error{};
   };
   constexpr std::size_t kSigns = 26;
   static std::array<ReadOnce, kSigns> all;
-  if (editions().find(edition) == std::string_view::npos) return nullptr;
+  if (const auto known = read_edition({&edition, 1}); !known) return known.error();
   ReadOnce& own = all[std::size_t(edition - 'A')];
-  std::call_once(own.flag, [&] {
-    std::vector<Text> texts;
-    for (const ShippedPart& part : edition_files(shipped_folders(), edition))
-      texts.push_back({part.name, part.text});
-    own.library = std::move(PartLibrary::read(texts)).value();  // a test reads it
-  });
-  return own.library.get();
+  std::call_once(own.flag, [&] { own.library = read(shipped_folders(), edition); });
+  if (!own.library) return own.library.error();
+  return own.library->get();
+}
+
+const PartLibrary* PartLibrary::shipped(char edition) {
+  return shipped_or_why(edition).value_or(nullptr);
 }
 
 const PartLibrary& PartLibrary::shipped() {
-  return *shipped(newest_edition());
+  static const PartLibrary nothing;
+  const PartLibrary* newest = shipped(newest_edition());
+  return newest ? *newest : nothing;
 }
 
 }  // namespace mien

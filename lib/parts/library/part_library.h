@@ -3,10 +3,12 @@
 
 #include <mien/expected.h>
 #include "lib/file/json/reading.h"
+#include "lib/parts/library/shipped_parts.h"
 
 #include <deque>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -64,16 +66,21 @@ struct LibraryNumber {
 
 class PartLibrary {
  public:
-  /// The newest edition, compiled in.
+  /// The newest edition, compiled in; without anything in it if a file of it is broken.
   static const PartLibrary& shipped();
-  /// Any edition, compiled in; null: this build has none of that sign.
+  /// Any edition, compiled in; null: this build has none of that sign, or a file of it is broken.
   static const PartLibrary* shipped(char edition);
+  /// The same; the error says which editions there are, or what is broken and where.
+  static Expected<const PartLibrary*> shipped_or_why(char edition);
 
   struct Text {
     std::string_view name, bytes;  ///< "hair/bob.part.json"; both outlive the library
   };
   /// Reads an edition: one topology, files of parts, and of more numbers ("mien-numbers").
   static Expected<std::unique_ptr<PartLibrary>> read(const std::vector<Text>& texts);
+  /// Reads an edition out of the folders of all.
+  static Expected<std::unique_ptr<PartLibrary>> read(std::span<const ShippedFolder> folders,
+                                                     char edition);
 
   const LibraryNode& topology() const { return topology_; }
   const std::vector<Family>& families() const { return families_; }

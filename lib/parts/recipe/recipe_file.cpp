@@ -51,7 +51,9 @@ class RecipeReader {
       if (!sign) in_.refuse(*edition, sign.error().what);
       recipe_.edition = *sign;
     }
-    library_ = PartLibrary::shipped(recipe_.edition);
+    const auto library = PartLibrary::shipped_or_why(recipe_.edition);
+    if (!library) throw Refusal{library.error()};
+    library_ = *library;
     if (!code) return;
     if (const auto wrong = wrong_in(*library_, recipe_))
       in_.refuse(*code, fmt::format("the code's face is not of edition {}: {}", recipe_.edition,

@@ -260,14 +260,16 @@ double sampled_lean(const PartLibrary& library, const FaceCode& code) {
 
 Recipe recipe_from_seed(std::uint64_t seed) {
   const FaceCode code{.seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1), .held = {}};
-  return sampled_recipe(PartLibrary::shipped(), code);
+  const PartLibrary* library = PartLibrary::shipped(code.edition);
+  return library ? sampled_recipe(*library, code) : Recipe{.edition = code.edition};
 }
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
   const std::string where = "code " + face_code_text(code);
-  const PartLibrary* shipped = PartLibrary::shipped(code.edition);
-  if (!shipped) return Error{where, read_edition({&code.edition, 1}).error().what};
-  const PartLibrary& library = *shipped;
+  const auto shipped = PartLibrary::shipped_or_why(code.edition);
+  if (!shipped)
+    return shipped.error().where.empty() ? Error{where, shipped.error().what} : shipped.error();
+  const PartLibrary& library = **shipped;
   for (const HeldValue& held : code.held) {
     const auto is_field = [&](const auto& one) { return one.number == held.field; };
     const auto family =
@@ -312,9 +314,10 @@ std::vector<std::string> part_styles(char edition) {
 
 Expected<HeldValue> read_held_value(std::string_view text, bool clamp, char edition) {
   const std::string where = one_line(text, 60);
-  const PartLibrary* shipped = PartLibrary::shipped(edition);
-  if (!shipped) return Error{where, read_edition({&edition, 1}).error().what};
-  const PartLibrary& library = *shipped;
+  const auto shipped = PartLibrary::shipped_or_why(edition);
+  if (!shipped)
+    return shipped.error().where.empty() ? Error{where, shipped.error().what} : shipped.error();
+  const PartLibrary& library = **shipped;
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return Error{where, "expected NAME=VALUE"};
   const std::string_view name = text.substr(0, equals), value = text.substr(equals + 1);

@@ -1,6 +1,7 @@
 #include "tools/mien/cli/parse_values.h"
 
 #include <mien/editions.h>
+#include <mien/recipe.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/picture/color_text.h"
@@ -170,10 +171,11 @@ Expected<double> read_real(std::string_view option, std::string_view text, doubl
 }
 
 Expected<char> read_edition_option(const std::optional<std::string>& text) {
-  if (!text) return newest_edition();
-  const auto edition = read_edition(*text);
-  if (edition) return *edition;
-  return Error{"--edition", edition.error().what};
+  const auto edition = text ? read_edition(*text) : newest_edition();
+  if (!edition) return Error{"--edition", edition.error().what};
+  const auto whole = recipe_from_code({.edition = *edition, .held = {}});
+  if (!whole) return whole.error();  // a file of it is broken
+  return *edition;
 }
 
 Expected<FrameRange> read_frames(std::string_view text) {
