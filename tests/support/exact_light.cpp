@@ -42,6 +42,31 @@ glm::dvec2 slope_from(const Scene& scene, Area area, glm::dvec2 p, double here, 
   return glm::dvec2{right - here, up - here} / step;
 }
 
+/// The law's terms before they are clamped.
+struct Terms {
+  double facing;     ///< the lamp
+  double highlight;  ///< of its strength
+  double ambient, to_front, strength;
+};
+
+Terms terms_of(glm::dvec2 slope, const Light& light, const Relief& relief) {
+  const glm::dvec3 z{0, 0, 1};
+  const bool from_the_front = light.direction.z > 0;
+  const glm::dvec3 l = from_the_front ? glm::normalize(light.direction) : z;
+  const glm::dvec3 h = glm::normalize(l + z), n = glm::normalize(glm::dvec3{-slope, 1});
+  Terms t{glm::dot(n, l), 0, std::clamp(light.ambient, 0.0, 1.0), l.z,
+          std::clamp(relief.specular, 0.0, 1.0)};
+  const double level = std::pow(h.z, relief.shininess);
+  if (t.strength > 0 && level < 1)
+    t.highlight = (std::pow(std::max(0.0, glm::dot(n, h)), relief.shininess) - level) / (1 - level);
+  return t;
+}
+
+glm::dvec3 unclamped(const glm::dvec3& color, const Terms& t) {
+  const double diffuse = t.ambient + (1 - t.ambient) * std::max(0.0, t.facing) / t.to_front;
+  return color * diffuse + t.strength * std::max(0.0, t.highlight);
+}
+
 }  // namespace
 
 glm::dvec2 distance_slope(const Scene& scene, Area area, glm::dvec2 p, double step) {
@@ -61,20 +86,15 @@ glm::dvec2 surface_slope(const Scene& scene, const Relief& relief, glm::dvec2 p,
 
 glm::dvec3 lit(const glm::dvec3& color, glm::dvec2 slope, const Light& light,
                const Relief& relief) {
-  const glm::dvec3 z{0, 0, 1};
-  const bool from_the_front = light.direction.z > 0;
-  const glm::dvec3 l = from_the_front ? glm::normalize(light.direction) : z;
-  const glm::dvec3 h = glm::normalize(l + z), n = glm::normalize(glm::dvec3{-slope, 1});
-  const double ambient = std::clamp(light.ambient, 0.0, 1.0);
-  const double strength = std::clamp(relief.specular, 0.0, 1.0);
-  const double diffuse = ambient + (1 - ambient) * std::max(0.0, glm::dot(n, l)) / l.z;
-  const double level = std::pow(h.z, relief.shininess);
-  double highlight = 0;
-  if (strength > 0 && level < 1) {
-    const double s = std::pow(std::max(0.0, glm::dot(n, h)), relief.shininess);
-    highlight = strength * std::max(0.0, (s - level) / (1 - level));
-  }
-  return glm::clamp(color * diffuse + highlight, 0.0, 1.0);
+  return glm::clamp(unclamped(color, terms_of(slope, light, relief)), 0.0, 1.0);
+}
+
+unsigned clamps(const glm::dvec3& color, glm::dvec2 slope, const Light& light,
+                const Relief& relief) {
+  const Terms t = terms_of(slope, light, relief);
+  const glm::dvec3 bright = unclamped(color, t);
+  return unsigned(t.facing < 0) + 2 * unsigned(t.highlight < 0) + 4 * unsigned(bright.r > 1) +
+         8 * unsigned(bright.g > 1) + 16 * unsigned(bright.b > 1);
 }
 
 }  // namespace mien::test

@@ -21,4 +21,8 @@ glm::dvec2 surface_slope(const Scene& scene, const Relief& relief, glm::dvec2 p,
 /// What the law of Light makes of a straight colour in linear light; `slope`: x right, y UP.
 glm::dvec3 lit(const glm::dvec3& color, glm::dvec2 slope, const Light& light, const Relief& relief);
 
+/// Which clamps of the law hold there, by bits: where these change, colours have a kink.
+unsigned clamps(const glm::dvec3& color, glm::dvec2 slope, const Light& light,
+                const Relief& relief);
+
 }  // namespace mien::test

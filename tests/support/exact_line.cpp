@@ -155,25 +155,47 @@ Mixes ExactTruth::along(const Square& square, const FaceLine& line, const Spans&
   return sum;
 }
 
-/// The integral over a share of a span. Where a surface stands upright at an end, colours begin like
-/// a square root: places crowd there, so that to Gauss's rule they are smooth.
+/// Where a surface stands upright at an end, colours begin like a square root: places crowd there, so that to
+/// Gauss's rule they are smooth.
+double ExactTruth::place(const Span& span, double share) {
+  const double s = span.upright ? share * share * (3 - 2 * share) : share;
+  return span.a + s * (span.b - span.a);
+}
+
+/// The integral over a share of a span.
 Mixes ExactTruth::gauss(const Span& span, const FaceLine& line, double from, double to) const {
   Mixes sum;
   for (int k = 0; k < 3; ++k) {
     const double s = from + kGaussPlace[k] * (to - from);
-    const double share = span.upright ? s * s * (3 - 2 * s) : s;
     const double density = span.upright ? 6 * s * (1 - s) : 1;
     sum = sum + kGaussWeight[k] * (to - from) * density * (span.b - span.a) *
-                    color(span.stack, line(span.a + share * (span.b - span.a)));
+                    color(span.stack, line(place(span, s)));
   }
   return sum;
 }
 
+std::size_t ExactTruth::clamps_at(const Span& span, const FaceLine& line, double share) const {
+  std::size_t all = 0;
+  for (const int layer : span.stack)
+    all = followed_by(all, paint_.clamps_at(layer, line(place(span, share))));
+  return all;
+}
+
+/// Halves agree by chance where light's clamp begins beside all of their places. It shows at the ends.
 Mixes ExactTruth::refined_span(const Square& square, const Span& span, const FaceLine& line,
                                double from, double to, const Mixes& coarse, int depth) const {
+  constexpr double kInside = 1e-3;     // of a part: its ends are kinks of other kinds
+  constexpr double kShort = 1.0 / 32;  // of a span: what is missed in less does not show
   const double m = 0.5 * (from + to);
   const Mixes left = gauss(span, line, from, m), right = gauss(span, line, m, to);
-  if (depth == 0 || off(square, left + right - coarse) <= 2 * tolerance_) return left + right;
+  const auto alike = [&] {
+    const double by = kInside * (to - from);
+    const std::size_t middle = clamps_at(span, line, m);
+    return clamps_at(span, line, from + by) == middle && clamps_at(span, line, to - by) == middle;
+  };
+  if (depth == 0 ||
+      (off(square, left + right - coarse) <= 2 * tolerance_ && (to - from <= kShort || alike())))
+    return left + right;
   return refined_span(square, span, line, from, m, left, depth - 1) +
          refined_span(square, span, line, m, to, right, depth - 1);
 }

@@ -116,14 +116,25 @@ Mixes ExactPaint::unlit(int i, glm::dvec2 p) const {
   return mixes(g.stops.back().color, opacity);
 }
 
+glm::dvec2 ExactPaint::slope_at(int i, glm::dvec2 p) const {
+  const glm::dvec2 slope = surface_slope(scene_, *layer(i).paint.relief, p, kSlopeStep * unit_);
+  return scene_.canvas().y_up ? slope : glm::dvec2{slope.x, -slope.y};
+}
+
+unsigned ExactPaint::clamps_at(int i, glm::dvec2 p) const {
+  if (!is_lit(i)) return 0;
+  const glm::dvec4 color = unlit(i, p).linear;
+  if (!(color.a > 0)) return 0;
+  return clamps(glm::dvec3(color) / color.a, slope_at(i, p), light_, *layer(i).paint.relief);
+}
+
 Mixes ExactPaint::at(int i, glm::dvec2 p) const {
   const Mixes color = unlit(i, p);
   const double a = color.linear.a;
   if (!is_lit(i) || !(a > 0)) return color;
   const Relief& relief = *layer(i).paint.relief;
-  glm::dvec2 slope = surface_slope(scene_, relief, p, kSlopeStep * unit_);
+  const glm::dvec2 slope = slope_at(i, p);
   if (slope == glm::dvec2{0.0}) return color;
-  if (!scene_.canvas().y_up) slope.y = -slope.y;
   const glm::dvec3 light = lit(glm::dvec3(color.linear) / a, slope, light_, relief);
   const glm::dvec3 straight = glm::dvec3(color.srgb) / a;
   const glm::dvec3 code = layer(i).paint.gradient

@@ -44,6 +44,8 @@ class ExactPaint {
   bool upright(int layer, glm::dvec2 p) const;
 
   Mixes at(int layer, glm::dvec2 p) const;
+  /// Which clamps of light hold at p, by bits.
+  unsigned clamps_at(int layer, glm::dvec2 p) const;
 
   /// Where between a and b the paint has a kink or a jump, but for ridges.
   void find_kinks(int layer, const FaceLine& line, double a, double b,
@@ -57,6 +59,8 @@ class ExactPaint {
   Mixes mixes(const Color& color, double opacity) const;
   bool is_lit(int i) const { return layer(i).paint.relief != nullptr; }
   Mixes unlit(int layer, glm::dvec2 p) const;
+  /// x right, y UP.
+  glm::dvec2 slope_at(int layer, glm::dvec2 p) const;
   double place(const Gradient& gradient, glm::dvec2 p) const;
   bool opaque(const Layer& layer) const;
   void gradient_kinks(const Gradient& gradient, const FaceLine& line, double a, double b,

@@ -109,6 +109,10 @@ class ExactTruth {
   Mixes along(const Square& square, const FaceLine& line, const Spans& spans) const;
   Mixes color(const std::vector<int>& stack, glm::dvec2 p) const;
   Mixes gauss(const Span& span, const FaceLine& line, double from, double to) const;
+  /// Where a share of a span lies on the line.
+  static double place(const Span& span, double share);
+  /// Which clamps of light hold there.
+  std::size_t clamps_at(const Span& span, const FaceLine& line, double share) const;
   Mixes refined_span(const Square& square, const Span& span, const FaceLine& line, double from,
                      double to, const Mixes& coarse, int depth) const;
 
