@@ -27,8 +27,8 @@ struct Hashes {
 const std::map<std::string, Hashes> kDrawn{{"seed0", {0xf64163737606b70e, 0xf64163737606b70e}},
                                            {"male", {0xdc1e3e03482b5525, 0xdc1e3e03482b5525}},
                                            {"toon", {0xa38951eeade1d253, 0xa38951eeade1d253}},
-                                           {"bruno", {0xce051a76d845dae, 0xce051a76d845dae}},
-                                           {"clay", {0x37837418765e9a86, 0x9533ef6b7b9c71b9}}};
+                                           {"bruno", {0x1caaeb5e34153019, 0x1caaeb5e34153019}},
+                                           {"clay", {0xdc09634f382ad9cb, 0x746951e4bb9d0108}}};
 
 /// FNV-1a of the face's pixels in all of its sample poses.
 std::uint64_t hash_of_pictures(const std::string& name) {
