@@ -37,12 +37,14 @@ constexpr float kMostKink = 33.0f;  // tolerances that a kink may change the law
 
 /// Whether 4 × 4 cells may be off by more than the tolerance. Where colours were within three tolerances of a
 /// plane, the mean was found within one, kinks apart. What is narrow has no plane, so there the colours themselves
-/// count. A ridge is cut in closed form, which leaves a twentieth of its jump.
+/// count. A ridge is cut in closed form, which leaves a twentieth of its jump. A part of a round profile may be a strip
+/// with one row of cells, which does not show how light varies across it: at 16 bits that counts.
 bool asks_for_more(const LitPixel::Place& place, const LitMean& mean, bool part) {
   const float allowed = allowed_of(place, mean) / mean.area;
   return mean.rough > 3.3f * allowed || mean.jump > 6.0f * allowed || mean.turn > kMostTurn ||
          mean.kink > kMostKink * allowed ||
-         (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place));
+         (part && mean.lean > 10.0f * allowed && mean.area < 0.7f) || (part && is_steep(place)) ||
+         (part && place.tolerance < kFine && place.lamp->rise_kind == LampLanes::Rise::round);
 }
 
 /// Whether even cells half as wide as those of `coarse` may be off: they are nearer to the truth than to the coarse
