@@ -131,10 +131,7 @@ void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& 
 }  // namespace
 
 Expected<const PartLibrary*> library_of(const Recipe& recipe) {
-  auto library = PartLibrary::shipped_or_why(recipe.edition);
-  if (!library && library.error().where.empty())
-    return Error{"recipe", std::move(library).error().what};
-  return library;
+  return PartLibrary::shipped_or_why(recipe.edition, "recipe");
 }
 
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {

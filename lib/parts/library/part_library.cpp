@@ -178,14 +178,15 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(std::span<const Shipped
   return read(texts);
 }
 
-Expected<const PartLibrary*> PartLibrary::shipped_or_why(char edition) {
+Expected<const PartLibrary*> PartLibrary::shipped_or_why(char edition, std::string where) {
   struct ReadOnce {
     std::once_flag flag;
     Expected<std::unique_ptr<PartLibrary>> library = Error{};
   };
   constexpr std::size_t kSigns = 26;
   static std::array<ReadOnce, kSigns> all;
-  if (const auto known = read_edition({&edition, 1}); !known) return known.error();
+  if (const auto known = read_edition({&edition, 1}); !known)
+    return Error{std::move(where), known.error().what};
   ReadOnce& own = all[std::size_t(edition - 'A')];
   std::call_once(own.flag, [&] { own.library = read(shipped_folders(), edition); });
   if (!own.library) return own.library.error();

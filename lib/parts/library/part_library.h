@@ -70,8 +70,9 @@ class PartLibrary {
   static const PartLibrary& shipped();
   /// Any edition, compiled in; null: this build has none of that sign, or a file of it is broken.
   static const PartLibrary* shipped(char edition);
-  /// The same; the error says which editions there are, or what is broken and where.
-  static Expected<const PartLibrary*> shipped_or_why(char edition);
+  /// The same; the error says which editions there are, at `where` the edition was asked for, or what is broken and
+  /// where that is.
+  static Expected<const PartLibrary*> shipped_or_why(char edition, std::string where = {});
 
   struct Text {
     std::string_view name, bytes;  ///< "hair/bob.part.json"; both outlive the library

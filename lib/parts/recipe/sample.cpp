@@ -266,9 +266,8 @@ Recipe recipe_from_seed(std::uint64_t seed) {
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
   const std::string where = "code " + face_code_text(code);
-  const auto shipped = PartLibrary::shipped_or_why(code.edition);
-  if (!shipped)
-    return shipped.error().where.empty() ? Error{where, shipped.error().what} : shipped.error();
+  const auto shipped = PartLibrary::shipped_or_why(code.edition, where);
+  if (!shipped) return shipped.error();
   const PartLibrary& library = **shipped;
   for (const HeldValue& held : code.held) {
     const auto is_field = [&](const auto& one) { return one.number == held.field; };
@@ -314,9 +313,8 @@ std::vector<std::string> part_styles(char edition) {
 
 Expected<HeldValue> read_held_value(std::string_view text, bool clamp, char edition) {
   const std::string where = one_line(text, 60);
-  const auto shipped = PartLibrary::shipped_or_why(edition);
-  if (!shipped)
-    return shipped.error().where.empty() ? Error{where, shipped.error().what} : shipped.error();
+  const auto shipped = PartLibrary::shipped_or_why(edition, where);
+  if (!shipped) return shipped.error();
   const PartLibrary& library = **shipped;
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return Error{where, "expected NAME=VALUE"};

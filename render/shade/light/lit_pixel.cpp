@@ -8,7 +8,8 @@
 namespace mien {
 namespace {
 
-/// [px] This close to its own outline, a round profile narrower than kSteepWidth is steep.
+/// [px] This close to its own outline, a round profile narrower than kSteepWidth is steep; one narrower than
+/// kAllSteep is steep in all its depths.
 constexpr float kEdge = 0.75f, kSteepWidth = 12.0f, kAllSteep = 1.0f;
 constexpr float kMostTurn = 0.25f;  // of the gradient within a cell
 
