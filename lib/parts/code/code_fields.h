@@ -13,7 +13,7 @@ namespace mien {
 using CodeFields = std::map<int, int>;
 
 /// Numbers are taken to the nearest step. What the recipe does not say is as composing takes it: at rest, no part, or
-/// the family's first. The recipe's edition must be known.
+/// the family's usual one. The recipe's edition must be known.
 CodeFields code_fields(const Recipe& recipe);
 
 /// The shortest code of these fields with that seed, in a known edition.

@@ -161,7 +161,7 @@ std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) 
 Recipe completed(const PartLibrary& library, Recipe recipe) {
   for (const Family& family : library.families())
     if (!family.optional && !recipe.parts.contains(family.name) && !family.parts.empty())
-      recipe.parts[family.name] = family.parts[0].name;
+      recipe.parts[family.name] = family.usual;
   return recipe;
 }
 

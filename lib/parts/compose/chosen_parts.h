@@ -20,7 +20,7 @@ Expected<const PartLibrary*> library_of(const Recipe& recipe);
 /// What the recipe asks for that the library does not have; nothing if it has all.
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe);
 
-/// Families without a part in the recipe, and that need one, take their first.
+/// Families without a part in the recipe, and that need one, take the usual one.
 Recipe completed(const PartLibrary& library, Recipe recipe);
 
 /// The library's part that a recipe takes of a family; null: none, or one of its own.

@@ -141,6 +141,26 @@ void PartLibrary::read_part(const LibraryNode& part) {
   read_numbers(part, family_name);
 }
 
+/// What the topology says, or else the part of the lowest permanent number: later editions, and names of files, change
+/// neither.
+void PartLibrary::choose_usual_parts() {
+  for (Family& family : families_) {
+    if (family.parts.empty()) continue;
+    family.usual =
+        std::min_element(family.parts.begin(), family.parts.end(),
+                         [](const Part& a, const Part& b) { return a.number < b.number; })
+            ->name;
+    const Reading& in = family.at.in();
+    const JsonNode* said = in.find(*family.at.node, "usual");
+    if (!said) continue;
+    std::vector<std::string_view> names;
+    for (const Part& part : family.parts) names.push_back(part.name);
+    family.usual = in.name(*said);
+    if (!family.find(family.usual))
+      in.refuse(*said, unknown_name(family.name, family.usual, names));
+  }
+}
+
 Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>& texts) {
   auto library = std::make_unique<PartLibrary>();
   try {
@@ -164,6 +184,7 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>
         library->read_part({&file, &node});
       });
     }
+    library->choose_usual_parts();
   } catch (const Refusal& refusal) {
     return refusal.error;
   }

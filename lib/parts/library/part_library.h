@@ -53,6 +53,7 @@ struct Family {
   bool first = false;  ///< drawn before the topology's own features, which may be beside its points
   LibraryNode at;
   std::vector<Part> parts;
+  std::string usual;  ///< the part of a recipe that names none
 
   const Part* find(std::string_view part) const;
 };
@@ -96,6 +97,7 @@ class PartLibrary {
  private:
   void read_topology(const LibraryNode& root);
   void read_part(const LibraryNode& part);
+  void choose_usual_parts();
   void read_numbers(const LibraryNode& from, std::string_view family);
 
   std::deque<LibraryFile> files_;

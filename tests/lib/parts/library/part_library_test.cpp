@@ -62,11 +62,39 @@ TEST(PartLibrary, HasOneTopologyAndPerhapsMoreNumbers) {
   EXPECT_NE(two.error().what.find("one topology"), std::string::npos);
 }
 
+/// Which nose a recipe takes that names none.
+std::string usual_nose(const SmallLibrary& library) {
+  const auto read = library.read();
+  return read ? (*read)->find_family("nose")->usual : sentence(read.error());
+}
+
+TEST(PartLibrary, TheUsualPartDoesNotDependOnTheOrderOfFiles) {
+  const SmallLibrary good;
+  EXPECT_EQ(usual_nose(good), "snub");
+  SmallLibrary other = good;
+  other.noses =
+      with(with(good.noses, "\"number\": 1", "\"number\": 3"), "\"number\": 2,", "\"number\": 1,");
+  EXPECT_EQ(usual_nose(other), "long");
+  other = good;
+  other.topology =
+      with(good.topology, "\"optional\": true", "\"optional\": true, \"usual\": \"long\"");
+  EXPECT_EQ(usual_nose(other), "long");
+  other.topology = with(other.topology, "\"usual\": \"long\"", "\"usual\": \"lung\"");
+  EXPECT_NE(usual_nose(other).find("did you mean \"long\""), std::string::npos)
+      << usual_nose(other);
+}
+
 TEST(PartLibrary, TheShippedOneIsWhole) {
   const PartLibrary& library = PartLibrary::shipped();
   EXPECT_GE(library.families().size(), 20u);
   for (const Family& family : library.families())
     EXPECT_TRUE(family.optional || !family.parts.empty()) << family.name;
+  for (const auto& [family, plain] : {std::pair{"head", "oval"},
+                                      {"brows", "soft"},
+                                      {"hair", "crop"},
+                                      {"headwear", "none"},
+                                      {"clothes", "crew"}})
+    EXPECT_EQ(library.find_family(family)->usual, plain);
 }
 
 }  // namespace
