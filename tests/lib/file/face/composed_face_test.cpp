@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "lib/rig/pose/expression_setting.h"
 
@@ -44,6 +46,53 @@ TEST(ComposedFace, PartsRide) {
       most = std::max(most, fall(slice.name));
   EXPECT_NEAR(most, chin, 1e-3);
   EXPECT_GT(fall("moustache.left/spine/2"), 0.02);
+}
+
+double first_of(const Face& face, const FaceVector& vector, std::string_view slice, int plus = 0) {
+  const int found = face.model->layout.find(slice);
+  EXPECT_GE(found, 0) << slice;
+  return vector[std::size_t(face.model->layout[found].begin + plus)];
+}
+
+std::vector<std::string> parts_of(std::string_view name) {
+  for (const PartFamily& family : part_families())
+    if (family.name == name) return family.parts;
+  return {};
+}
+
+/// A fold above a shut lid looked like an open eye without an iris.
+TEST(ComposedFace, ShutEyesHaveNoCrease) {
+  double widest = 0;
+  for (const std::string& eyes : parts_of("eyes")) {
+    Recipe recipe = recipe_from_seed(5);
+    recipe.parts["eyes"] = eyes, recipe.numbers["folds"] = 1;
+    const Face face = face_from_recipe(recipe).value();
+    Pose pose;
+    pose.settings.push_back(
+        read_expression(face, "arkit", "eyeBlinkLeft=1", OutOfRange::refuse).value());
+    const std::string middle = "crease.left/half_width";
+    widest = std::max(widest, first_of(face, face.vector, middle, 1));
+    Poser poser(face);
+    EXPECT_EQ(first_of(face, poser.pose(pose).vector, middle, 1), 0) << eyes;
+  }
+  EXPECT_GT(widest, 0.015);
+}
+
+/// A beard's roots: white hair made a pale mask of them on dark skin.
+TEST(ComposedFace, ShadowsOfBeardsAreDarkerThanTheSkin) {
+  for (const std::string& hair : parts_of("hair_color"))
+    for (const double tone : {1.0, 4.0, 7.0, 8.5, 10.0}) {
+      Recipe recipe = recipe_from_seed(5);
+      recipe.parts["beard"] = "shadow", recipe.parts["hair_color"] = hair;
+      recipe.numbers["skin.tone"] = tone;
+      const Face face = face_from_recipe(recipe).value();
+      const auto light = [&](std::string_view color) {
+        return 0.2126 * first_of(face, face.vector, color) +
+               0.7152 * first_of(face, face.vector, color, 1) +
+               0.0722 * first_of(face, face.vector, color, 2);
+      };
+      EXPECT_LT(light("palette/beard_shadow"), light("palette/skin")) << hair << " " << tone;
+    }
 }
 
 TEST(ComposedFace, WrongCodesAreSentences) {
