@@ -59,6 +59,7 @@ TEST(FuzzedPictures, ThatWereWrongOnceAreRight) {
                          {"painted", 138, 24},
                          {"painted", 44, 24},      // a hairpin between two looks along a spine
                          {"painted", 20002, 24},   // a ridge half a pixel beside a block's foot
+                         {"painted", 5010, 32},    // a ridge whose slope jumps by little, seen by one block
                          {"painted", 300012, 32},  // a thin shell: three ridges in two pixels
                          {"painted", 178, 24},
                          {"painted", 286, 24},
