@@ -42,7 +42,8 @@ struct CheckArguments {
   bool nonsense = false;
   std::vector<std::string> people;  ///< after --nonsense: one word at most
   std::optional<std::string> seed;
-  std::vector<std::string> worn;  ///< part files; by all people
+  std::optional<std::string> style;  ///< of all people
+  std::vector<std::string> worn;     ///< part files; by all people
   bool json = false;
 };
 

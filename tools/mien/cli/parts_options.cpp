@@ -97,6 +97,8 @@ void add_check(CLI::App& app, CheckArguments& to) {
       ->allow_extra_args(false);
   check->add_option("--seed", to.seed, "The same word, the same people; default 1")
       ->type_name("WORD");
+  check->add_option("--style", to.style, "How the N people are painted; default soft")
+      ->type_name("STYLE");
   check->add_flag("--json", to.json, "Print JSON instead of a table");
   check->final_callback([check, &to] { to.nonsense = check->count("--nonsense") > 0; });
 }

@@ -6,10 +6,9 @@ namespace mien::command {
 
 int check_command(const CheckArguments& arguments) {
   if (arguments.nonsense) return nonsense_command(arguments);
-  if (arguments.seed || arguments.json)
-    return complain(
-        arguments.seed ? "--seed: only with --nonsense" : "--json: only with --nonsense",
-        kUsedWrongly);
+  if (arguments.seed) return complain("--seed: only with --nonsense", kUsedWrongly);
+  if (arguments.style) return complain("--style: only with --nonsense", kUsedWrongly);
+  if (arguments.json) return complain("--json: only with --nonsense", kUsedWrongly);
   if (arguments.faces.empty()) return complain("check: FACE is required", kUsedWrongly);
   int code = kDone;
   for (const std::string& path : arguments.faces) {

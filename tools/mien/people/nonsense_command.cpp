@@ -44,10 +44,10 @@ struct TriedOrCode {
   int code = kDone;
 };
 
-TriedOrCode people_of(std::string_view count_text, const std::string& seed,
-                      const std::vector<std::string>& worn) {
+TriedOrCode people_of(std::string_view count_text, const CheckArguments& arguments) {
+  const std::string seed = arguments.seed.value_or("1");
   std::vector<FoundPart> parts;
-  for (const std::string& file : worn) {
+  for (const std::string& file : arguments.worn) {
     auto part = read_part_file(file);
     if (!part) return {{}, complain(part.error(), kFailed)};
     parts.push_back(*std::move(part));
@@ -59,6 +59,7 @@ TriedOrCode people_of(std::string_view count_text, const std::string& seed,
     Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("{}/{}", seed, i)));
     std::string name = recipe.code;
     for (const FoundPart& part : parts) wear(recipe, part);
+    recipe.style = arguments.style.value_or(recipe.style);
     tried.faces.push_back({.name = std::move(name), .recipe = std::move(recipe)});
   }
   return tried;
@@ -68,11 +69,11 @@ TriedOrCode faces_to_try(const CheckArguments& arguments) {
   std::vector<std::string> names = arguments.people;
   std::erase(names, "");  // --nonsense alone
   if (!names.empty() && looks_like_number(names[0])) {
-    if (arguments.faces.empty())
-      return people_of(names[0], arguments.seed.value_or("1"), arguments.worn);
+    if (arguments.faces.empty()) return people_of(names[0], arguments);
     return {{}, complain("--nonsense: takes N people or faces, not both", kUsedWrongly)};
   }
   if (arguments.seed) return {{}, complain("--seed: only with N people", kUsedWrongly)};
+  if (arguments.style) return {{}, complain("--style: only with N people", kUsedWrongly)};
   names.insert(names.end(), arguments.faces.begin(), arguments.faces.end());
   if (names.empty()) return {{}, complain("--nonsense: needs N people, or a face", kUsedWrongly)};
   TriedOrCode tried;
