@@ -248,6 +248,24 @@ MIEN_C_API mien_status mien_code_difference(const char* one, size_t one_length, 
 MIEN_C_API mien_status mien_crowd(const char* word, size_t length, int32_t count, mien_texts** out,
                                   mien_error** error);
 
+/* ---- Parts ------------------------------------------------------------------------------------- */
+
+/* What recipes of an edition choose from: lists of names. `edition` is its sign, "Z"; "" is the newest. */
+MIEN_C_API mien_status mien_part_families(const char* edition, size_t length, mien_texts** out,
+                                          mien_error** error);
+MIEN_C_API mien_status mien_part_numbers(const char* edition, size_t length, mien_texts** out,
+                                         mien_error** error);
+MIEN_C_API mien_status mien_part_styles(const char* edition, size_t length, mien_texts** out,
+                                        mien_error** error);
+
+/* The parts of a family, "hair". The first is "none" where a face may do without. */
+MIEN_C_API mien_status mien_part_names(const char* edition, size_t length, const char* family,
+                                       size_t family_length, mien_texts** out, mien_error** error);
+
+/* A number's range and what it is at rest: lo, hi, rest. */
+MIEN_C_API mien_status mien_part_number(const char* edition, size_t length, const char* name,
+                                        size_t name_length, double out[3], mien_error** error);
+
 /* ---- Poses ------------------------------------------------------------------------------------- */
 
 /* A pose of the face, at rest. */

@@ -16,7 +16,8 @@ export interface Pose {
   clips?: string[];
   lookAt?: [number, number, number];
   blend?: 'linear' | 'srgb';
-  background?: [number, number, number, number];
+  fit?: 'meet' | 'slice';
+  background?: string | [number, number, number, number];
 }
 
 export interface Name {
@@ -27,6 +28,7 @@ export interface Name {
   count: number;
   lo: number;
   hi: number;
+  values: number[];
 }
 
 export interface Canvas {
@@ -34,6 +36,12 @@ export interface Canvas {
   yUp: boolean;
   mirrorX: number;
   unit: string;
+}
+
+export interface Parts {
+  families: { name: string; parts: string[] }[];
+  numbers: { name: string; lo: number; hi: number; rest: number }[];
+  styles: string[];
 }
 
 export class Face {
@@ -44,8 +52,10 @@ export class Face {
   readonly names: Name[];
   readonly canvas: Canvas;
   draw(width: number, height: number, pose?: Pose): Uint8ClampedArray;
+  strips(width: number, height: number, pose?: Pose, most?: number): Generator<{ y: number; rows: number; pixels: Uint8ClampedArray }>;
   featureAt(x: number, y: number): string | null;
   fromPixel(x: number, y: number): [number, number];
+  toPixel(x: number, y: number): [number, number];
   free(): void;
 }
 
@@ -59,6 +69,8 @@ export class Mien {
   code(word: string): string;
   held(code: string, what: string): string;
   between(one: string, other: string, at: number): string;
+  near(code: string, by?: number, word?: string): string;
+  parts(edition?: string): Parts;
 }
 
 export function isSupported(): boolean;

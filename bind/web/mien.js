@@ -20,7 +20,7 @@ export class MienError extends Error {
   }
 }
 
-const VIEW = { bytes: 112, width: 4, height: 8, blend: 16, hasBackground: 24, background: 40 };
+const VIEW = { bytes: 112, width: 4, height: 8, fit: 12, blend: 16, hasBackground: 24, background: 40 };
 const PIXELS = { bytes: 20, data: 8, size: 12, stride: 16 };
 const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, name: 24, unit: 28, lo: 32, hi: 40 };
 const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
@@ -52,11 +52,22 @@ class Memory {
   }
 }
 
-/** The few things that the module asks of its host: no files, no arguments, no way out. */
+/** Ends a call into the module. C++ would catch what JavaScript throws; a trap it cannot. */
+function trap() {
+  // (module (func (export "f") unreachable))
+  const bytes = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 102, 0, 0, 10, 5, 1, 3, 0, 0, 11]);
+  new WebAssembly.Instance(new WebAssembly.Module(bytes)).exports.f();
+}
+
+/** The few things that the module asks of its host: the time; no files, no arguments, no way out. */
 function host(memory) {
   const zero = (...counts) => { for (const at of counts) memory().view.setUint32(at, 0, true); return 0; };
   const known = {
-    proc_exit() { throw new MienError('', 'mien ended'); },
+    clock_time_get(_clock, _precision, at) {
+      memory().view.setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
+      return 0;
+    },
+    proc_exit: trap,
     environ_sizes_get: zero, environ_get: () => 0,
     fd_close: () => 0, fd_seek: () => 0, fd_read: () => 0,
     fd_write(_file, _parts, _count, written) { return zero(written); },
@@ -129,11 +140,37 @@ export class Mien {
     return this.#m.withText(one, (t, n) => this.#m.withText(other, (w, k) => this.texts('mien_code_between', t, n, w, k, at)[0]));
   }
 
+  /** Somebody like the person of a code: `by`, 0 to 1, is how far and how likely things change. */
+  near(code, by = 0.3, word = '') {
+    this.#m.withText(word, (t, n) => this.done('mien_seed_from_word', t, n, this.#slot));
+    const seed = this.#m.view.getBigUint64(this.#slot, true);
+    return this.#m.withText(code, (t, n) => this.texts('mien_code_near', t, n, by, seed)[0]);
+  }
+  /** What recipes of an edition, by default the newest, choose from: { families: [{ name, parts }], numbers: [{ name,
+   *  lo, hi, rest }], styles }. "none" is first among the parts of families that a face may do without. */
+  parts(edition = '') {
+    return this.#m.withText(edition, (t, n) => ({
+      families: this.texts('mien_part_families', t, n).map((name) => ({ name, parts: this.#m.withText(name, (f, k) => this.texts('mien_part_names', t, n, f, k)) })),
+      numbers: this.texts('mien_part_numbers', t, n).map((name) => ({ name, ...this.#range(t, n, name) })),
+      styles: this.texts('mien_part_styles', t, n),
+    }));
+  }
+  #range(edition, length, name) {
+    const at = this.#m.take(24);
+    try {
+      this.#m.withText(name, (t, n) => this.done('mien_part_number', edition, length, t, n, at));
+      const [lo, hi, rest] = [0, 8, 16].map((offset) => this.#m.view.getFloat64(at + offset, true));
+      return { lo, hi, rest };
+    } finally { this.#m.exports.free(at); }
+  }
+
   /** Calls a function whose last argument is an error; throws what it says. For this file. */
   done(name, ...args) {
     const { exports } = this.#m, error = this.#slot + 12;
     this.#m.view.setUint32(error, 0, true);
-    if (exports[name](...args, error) === 0) return;
+    let status;
+    try { status = exports[name](...args, error); } catch (ended) { throw new MienError(name, `mien ended: ${ended.message}`); }
+    if (status === 0) return;
     const at = this.#m.view.getUint32(error, true);
     const where = this.#m.text(exports.mien_error_where(at)), what = this.#m.text(exports.mien_error_what(at));
     exports.mien_error_free(at);
@@ -169,7 +206,7 @@ export class Face {
     const { exports } = this.#m;
     return Array.from({ length: exports.mien_face_clip_count(this.#face) }, (_, i) => this.#m.text(exports.mien_face_clip_name(this.#face, i)));
   }
-  /** What can be set: { name, unit, isControl, isPose, count, lo, hi }, controls first. */
+  /** What can be set: { name, unit, isControl, isPose, count, lo, hi, values }, controls first; values are at rest. */
   get names() {
     const at = this.#m.take(NAME.bytes), count = this.#m.exports.mien_face_name_count(this.#face), found = [];
     for (let i = 0; i < count; ++i) {
@@ -177,10 +214,17 @@ export class Face {
       this.#mien.done('mien_face_name_at', this.#face, i, at);
       const v = this.#m.view, whole = (offset) => v.getInt32(at + offset, true), text = (offset) => this.#m.text(v.getUint32(at + offset, true));
       found.push({ name: text(NAME.name), unit: text(NAME.unit), isControl: whole(NAME.isControl) !== 0, isPose: whole(NAME.isPose) !== 0,
-        count: whole(NAME.count), lo: v.getFloat64(at + NAME.lo, true), hi: v.getFloat64(at + NAME.hi, true) });
+        count: whole(NAME.count), lo: v.getFloat64(at + NAME.lo, true), hi: v.getFloat64(at + NAME.hi, true), values: this.#values(i, whole(NAME.count)) });
     }
     this.#m.exports.free(at);
     return found;
+  }
+  #values(index, count) {
+    const at = this.#m.take(8 * count);
+    try {
+      this.#mien.done('mien_face_values_at', this.#face, index, at, count);
+      return Array.from({ length: count }, (_, i) => this.#m.view.getFloat64(at + 8 * i, true));
+    } finally { this.#m.exports.free(at); }
   }
   /** What a picture of the face shows, in face units: { box: [x0, y0, x1, y1], yUp, mirrorX, unit }. */
   get canvas() {
@@ -200,18 +244,31 @@ export class Face {
    *    pose.clips     ['idle', 'feelings=0.5']
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
-   *    pose.background  [r, g, b, a] in linear light, 0 to 1 */
+   *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
+   *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's */
   draw(width, height, pose = {}) {
-    this.#take(pose);
-    this.#look(width, height, pose);
-    this.#room_for(width * height * 4);
-    const v = this.#m.view;
-    v.setUint32(this.#pixels + PIXELS.data, this.#data, true);
-    v.setUint32(this.#pixels + PIXELS.size, width * height * 4, true);
-    v.setUint32(this.#pixels + PIXELS.stride, width * 4, true);
-    this.#see();
+    this.#poseFor(width, height, pose);
+    this.#roomFor(width * height * 4);
+    this.#into(this.#data, width, height);
     this.#mien.done('mien_render', this.#renderer, this.#scene, this.#view, this.#pixels, 0);
     return new Uint8ClampedArray(this.#m.exports.memory.buffer, this.#data, width * height * 4);
+  }
+
+  /** The same picture from the top in strips of so many rows, in little memory: { y, rows, pixels }. A strip's pixels
+   *  stay valid until the next is asked for. */
+  *strips(width, height, pose = {}, most = Math.max(1, Math.floor((1 << 22) / width))) {
+    this.#poseFor(width, height, pose);
+    const { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', this.#scene, this.#view, 0);
+    const piece = this.#m.take(16), data = this.#m.take(width * most * 4);
+    try {
+      for (let y = 0; y < height; y += most) {
+        const rows = Math.min(most, height - y);
+        [0, y, width, rows].forEach((number, i) => this.#m.view.setInt32(piece + 4 * i, number, true));
+        this.#into(data, width, rows);
+        this.#mien.done('mien_pieces_draw', pieces, piece, this.#pixels, 0, 0);
+        yield { y, rows, pixels: new Uint8ClampedArray(exports.memory.buffer, data, width * rows * 4) };
+      }
+    } finally { exports.mien_pieces_free(pieces), exports.free(piece), exports.free(data); }
   }
 
   /** Of the picture drawn last: the name of the topmost feature at a pixel, or null. */
@@ -225,11 +282,13 @@ export class Face {
       return layer < 0 ? null : this.#m.text(this.#m.exports.mien_scene_layer_name(this.#scene, layer));
     } finally { this.#m.exports.free(at); }
   }
-  /** Of the picture drawn last: where a pixel is, in face units. */
-  fromPixel(x, y) {
+  /** Of the picture drawn last: where a pixel is, in face units, and back. */
+  fromPixel(x, y) { return this.#place('mien_face_from_pixel', x, y); }
+  toPixel(x, y) { return this.#place('mien_pixel_from_face', x, y); }
+  #place(name, x, y) {
     const at = this.#m.take(16);
     try {
-      this.#mien.done('mien_face_from_pixel', this.#scene, this.#view, x, y, at);
+      this.#mien.done(name, this.#scene, this.#view, x, y, at);
       return [this.#m.view.getFloat64(at, true), this.#m.view.getFloat64(at + 8, true)];
     } finally { this.#m.exports.free(at); }
   }
@@ -259,17 +318,31 @@ export class Face {
     const v = this.#m.view;
     v.setInt32(this.#view + VIEW.width, width, true);
     v.setInt32(this.#view + VIEW.height, height, true);
+    v.setInt32(this.#view + VIEW.fit, pose.fit === 'slice' ? 1 : 0, true);
     v.setInt32(this.#view + VIEW.blend, pose.blend === 'srgb' ? 1 : 0, true);
     if (!pose.background) return;
     v.setInt32(this.#view + VIEW.hasBackground, 1, true);
-    pose.background.forEach((c, i) => v.setFloat64(this.#view + VIEW.background + 8 * i, c, true));
+    const at = this.#view + VIEW.background;
+    if (typeof pose.background === 'string') this.#m.withText(pose.background, (t, n) => this.#mien.done('mien_color_from_text', t, n, at));
+    else pose.background.forEach((c, i) => v.setFloat64(at + 8 * i, c, true));
+  }
+  #poseFor(width, height, pose) {
+    this.#take(pose);
+    this.#look(width, height, pose);
+    this.#see();
+  }
+  #into(data, width, rows) {
+    const v = this.#m.view;
+    v.setUint32(this.#pixels + PIXELS.data, data, true);
+    v.setUint32(this.#pixels + PIXELS.size, width * rows * 4, true);
+    v.setUint32(this.#pixels + PIXELS.stride, width * 4, true);
   }
   #see() {
     const scene = this.#mien.made('mien_scene_new', this.#pose);
     this.#m.exports.mien_scene_free(this.#scene);
     this.#scene = scene;
   }
-  #room_for(bytes) {
+  #roomFor(bytes) {
     if (!(bytes > 0 && bytes <= 0x7fff0000)) throw new MienError('', `a picture of ${bytes} bytes cannot be drawn here`);
     if (bytes <= this.#room) return;
     const data = this.#m.take(bytes);

@@ -35,12 +35,13 @@ function draw(of, id) {
 
 onmessage = async ({ data: message }) => {
   const { id } = message;
+  if (message.free) return shown.get(id)?.face?.free(), void shown.delete(id);
   if (!shown.has(id)) shown.set(id, { pose: {} });
   const of = shown.get(id);
   take(of, message);
   try {
     const loaded = await mien;
-    if (message.free) return of.face?.free(), shown.delete(id);
+    if (shown.get(id) !== of) return;  // it left the page meanwhile
     read(of, loaded, message);
     draw(of, id);
   } catch (error) {

@@ -2,33 +2,23 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
+import { pictureHashes } from './picture_hashes.mjs';
 
 const built = new URL(`file://${process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`}/`);
 const { load, MienError, isSupported } = await import(new URL('mien.js', built));
 const mien = await load(readFileSync(new URL('mien.wasm', built)));
 const text = (name) => readFileSync(new URL(`../../../faces/compat/${name}.face.json`, import.meta.url), 'utf8');
 
-/** The house's fingerprint of bytes, eight at a time (lib/base/fingerprint.h), in hexadecimal digits. */
-function hashOf(bytes) {
-  const words = new DataView(bytes.slice().buffer);
-  let value = 0n;
-  for (let i = 0; i < words.byteLength; i += 8) {
-    value = BigInt.asUintN(64, (value ^ words.getBigUint64(i, true)) * 0x9e3779b97f4a7c15n);
-    value ^= value >> 32n;
-  }
-  return value.toString(16).padStart(16, '0');
-}
-
 test('this system is supported', () => assert.ok(isSupported()));
 
 test('pictures have the bytes of the table for machines without fused multiply-adds', () => {
-  const table = readFileSync(new URL('../../portable/picture_hashes.txt', import.meta.url), 'utf8').trim().split('\n').map((line) => line.split(' '));
-  assert.ok(table.length > 30);
+  const { lines, of } = pictureHashes();
+  assert.ok(lines.length > 30);
   const faces = new Map();
-  for (const [subject, width, blend, , unfused] of table) {
+  for (const { subject, width, blend, hash } of lines) {
     if (!faces.has(subject)) faces.set(subject, subject.includes('-') ? mien.person(subject) : mien.face(text(subject), subject));
-    const pixels = faces.get(subject).draw(+width, Math.floor(width * 9 / 16), { time: 1.25, blend });
-    assert.equal(hashOf(pixels), unfused, `${subject} ${width} ${blend}`);
+    const pixels = faces.get(subject).draw(width, Math.floor(width * 9 / 16), { time: 1.25, blend });
+    assert.equal(of(pixels), hash, `${subject} ${width} ${blend}`);
   }
   faces.forEach((face) => face.free());
 });
@@ -41,9 +31,34 @@ test('the same word is the same person, and a held part stays', () => {
   assert.equal(new Set(mien.crowd('x', 5)).size, 5);
 });
 
+test('what recipes choose from is told', () => {
+  const { families, numbers, styles } = mien.parts();
+  assert.equal(families.find(({ name }) => name === 'glasses').parts[0], 'none');
+  assert.ok(families.find(({ name }) => name === 'hair').parts.includes('bob'));
+  assert.deepEqual(numbers.filter(({ lo, hi, rest }) => !(lo <= rest && rest <= hi && lo < hi)), []);
+  assert.ok(styles.includes('ink'));
+  assert.throws(() => mien.parts('?'), /edition/);
+  const code = mien.code('hello');
+  for (const { name, parts } of families) for (const part of parts) mien.held(code, `${name}=${part}`);
+  assert.notEqual(mien.near(code, 0.3, 'a'), mien.near(code, 0.3, 'b'));
+});
+
+test('a picture in strips is the picture', () => {
+  const face = mien.person(mien.code('hello')), pose = { emotions: { joy: 1 }, background: '#ff000080', fit: 'slice' };
+  const whole = face.draw(100, 77, pose).slice(), strips = new Uint8ClampedArray(100 * 77 * 4);
+  let rows = 0;
+  for (const strip of face.strips(100, 77, pose, 10)) strips.set(strip.pixels, strip.y * 400), rows += strip.rows;
+  assert.equal(rows, 77);
+  assert.deepEqual(strips, whole);
+  assert.throws(() => face.draw(100, 77, { background: '#ff' }), MienError);
+  assert.deepEqual(face.toPixel(...face.fromPixel(12, 34)).map(Math.round), [12, 34]);
+  face.free();
+});
+
 test('names, clips and the canvas are told', () => {
   const face = mien.face(text('toon'));
   assert.ok(face.names.some(({ name, isControl }) => name === 'gaze.x' && isControl));
+  assert.ok(face.names.every(({ count, values }) => values.length === count));
   assert.ok(face.clips.length > 0);
   assert.equal(face.canvas.box.length, 4);
   face.free();

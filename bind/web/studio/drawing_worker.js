@@ -1,0 +1,78 @@
+// Draws for the studio away from the page's own thread.
+//
+// The first message is { wasm }: mien.wasm's bytes, or nothing where it lies beside mien.js. Then { number, what, ...details };
+// `what` is a name of `answers` below. Messages out: { number, value }, { number, error: { where, what } } for what mien
+// refused, and { number, share } on the way.
+
+import { load } from '../mien.js';
+import { png } from '../png.js';
+import { personOf, recipeOf, recipeText } from './person.js';
+
+let loading;
+let face = null;
+let small = { text: null, face: null };  // the face of the last small picture, for the next pose of it
+
+/** What the page needs to know of a face. Points and widths are not among it: they are hundreds. */
+function told(of, text) {
+  const names = of.names.filter(({ name, isControl }) => isControl || name.startsWith('palette/'));
+  return { title: of.title, credit: of.credit, clips: of.clips, canvas: of.canvas, names, text };
+}
+
+const answers = {
+  parts: (mien, { edition }) => mien.parts(edition),
+  version: (mien) => mien.version,
+  code: (mien, { word }) => mien.code(word),
+  crowd: (mien, { word, count }) => mien.crowd(word, count),
+  near: (mien, { code, by, word }) => mien.near(code, by, word),
+  recipe: (mien, { code }) => JSON.parse(mien.recipe(code)),
+  /** The person of a face file's text, if it is a recipe without parts of its own; null: it is another face. */
+  person(mien, { text, name }) {
+    mien.face(text, name).free();  // it is a face at all
+    const read = JSON.parse(text);
+    return read.format_version === 2 ? personOf(mien, read) : null;
+  },
+
+  /** Opens a person or the text of a face file; the face before stays if it is refused. */
+  open(mien, { person, text, name }) {
+    const { code = null, recipe = null } = person ? recipeOf(mien, person) : {}, said = recipe ? recipeText(recipe) : text;
+    const read = mien.face(said, name);
+    face?.free();
+    face = read;
+    return { ...told(read, said), code, recipe };
+  },
+  /** The pixels of the open face. The page puts them on its canvas, so that this worker can be ended at any time. */
+  draw(_mien, { width, height, pose }) {
+    const begin = performance.now(), pixels = face.draw(width, height, pose).slice();
+    return { pixels, ms: performance.now() - begin };
+  },
+  /** A small picture of any face. */
+  small(mien, { text, name, width, height, pose }) {
+    if (text !== small.text) {
+      const read = mien.face(text, name);
+      small.face?.free();
+      small = { text, face: read };
+    }
+    return small.face.draw(width, height, pose).slice();
+  },
+  /** A PNG of any size, in strips. */
+  async png(mien, { text, name, width, height, pose }, tell) {
+    const drawn = mien.face(text, name);
+    try { return await png(width, height, drawn.strips(width, height, pose), tell); } finally { drawn.free(); }
+  },
+};
+
+/** What goes over to the page without a copy. */
+function transferred(value) {
+  const pixels = value?.pixels ?? value;
+  return pixels instanceof Uint8ClampedArray ? [pixels.buffer] : [];
+}
+
+onmessage = async ({ data: { number, what, wasm, ...details } }) => {
+  if (!loading) return void (loading = load(wasm));
+  try {
+    const value = await answers[what](await loading, details, (share) => postMessage({ number, share }));
+    postMessage({ number, value }, transferred(value));
+  } catch (error) {
+    postMessage({ number, error: { where: error.where ?? '', what: error.what ?? String(error) } });
+  }
+};

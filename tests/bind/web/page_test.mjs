@@ -1,0 +1,172 @@
+// node --test page_test.mjs: <mien-face> in headless Chromium, over the package that tools/portable web makes.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import test, { after } from 'node:test';
+import { browse } from './chromium.mjs';
+import { pictureHashes } from './picture_hashes.mjs';
+import { serve } from './static_server.mjs';
+
+const built = process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`;
+const root = new URL('../../../', import.meta.url);
+const face = (name) => readFileSync(new URL(`faces/compat/${name}.face.json`, root), 'utf8');
+const page = (body) => `<!doctype html><meta charset="utf-8"><script type="module" src="element.js"></script>${body}`;
+const pages = {
+  '/one.html': page('<mien-face src="toon.face.json" width="160" height="90" time="1.25"></mien-face>'),
+  '/code.html': page('<mien-face code="ZW506-TPRCQ-AE" width="96" height="54" time="1.25"></mien-face>'),
+  '/wrong.html': page('<mien-face code="ZZZZZ-ZZZZZ-ZZ" width="96" height="54"></mien-face>'),
+  '/toon.face.json': face('toon'), '/clay.face.json': face('clay'), '/broken.face.json': '{"format": "mien-fac"}',
+};
+const server = await serve(built, pages);
+const browser = await browse();
+after(async () => { await browser.close(); await server.close(); });
+
+/** The bytes that a page's only face shows, or those of the one that a selector finds. */
+const shown = async (on, which = 'mien-face') => Uint8Array.from(await on.run(async (selector) => {
+  for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);  // a worker's picture is there a frame later
+  const { shadowRoot } = document.querySelector(selector), from = shadowRoot.querySelector('canvas');
+  const into = Object.assign(document.createElement('canvas'), { width: from.width, height: from.height }).getContext('2d');
+  into.drawImage(from, 0, 0);
+  return Array.from(into.getImageData(0, 0, from.width, from.height).data);
+}, which));
+
+/** Does something to the face and waits for the event; returns its detail. */
+const then = (on, name, change, ...args) => on.run(`async (name, ...args) => {
+  const face = document.querySelector('mien-face');
+  const told = new Promise((done) => face.addEventListener(name, ({ detail }) => done(detail), { once: true }));
+  (${change})(face, ...args);
+  return Promise.race([told, new Promise((done) => setTimeout(() => done(null), 60000))]);
+}`, name, ...args);
+const drawn = (on) => on.until(() => {
+  const face = document.querySelector('mien-face');
+  if (face.dataset.watched === undefined) face.dataset.watched = '', face.addEventListener('drawn', () => { face.dataset.drawn = ''; }), face.redraw();
+  return face.dataset.drawn !== undefined;
+});
+const hashes = pictureHashes();
+
+test('a face is drawn with the bytes of a machine without fused multiply-adds', async () => {
+  const on = await browser.open(`${server.url}/one.html`);
+  await drawn(on);
+  assert.equal(hashes.of(await shown(on)), hashes.told('toon', 160, 'linear'));
+  const told = await then(on, 'drawn', (face) => face.setAttribute('src', 'clay.face.json'));
+  assert.ok(told.ms > 0);
+  assert.equal(hashes.of(await shown(on)), hashes.told('clay', 160, 'linear'));
+  assert.deepEqual(on.faults, []);
+});
+
+test('a person is drawn with these bytes, at the pixels of the display', async () => {
+  const on = await browser.open(`${server.url}/code.html`);
+  await drawn(on);
+  assert.equal(hashes.of(await shown(on)), hashes.told('ZW506-TPRCQ-AE', 96, 'linear'));
+  const fine = await browser.open(`${server.url}/code.html`, { dots: 2 });
+  await drawn(fine);
+  assert.equal((await shown(fine)).length, 192 * 108 * 4);
+  assert.equal(await fine.run(() => document.querySelector('mien-face').getBoundingClientRect().width), 96);
+});
+
+test('emotions move the picture, and rest is rest again', async () => {
+  const on = await browser.open(`${server.url}/code.html`);
+  await drawn(on);
+  const rest = await shown(on);
+  await then(on, 'drawn', (face) => face.setAttribute('emotion', 'joy=1'));
+  assert.notDeepEqual(await shown(on), rest);
+  await then(on, 'drawn', (face) => face.removeAttribute('emotion'));
+  assert.deepEqual(await shown(on), rest);
+  await then(on, 'drawn', (face) => { face.pose = { lookAt: [-3, 1, 2] }; });
+  assert.notDeepEqual(await shown(on), rest);
+});
+
+test('clips play while the page stays awake', async () => {
+  const on = await browser.open(`${server.url}/code.html`);
+  await drawn(on);
+  const frames = await on.run(() => new Promise((done) => {
+    const face = document.querySelector('mien-face');
+    let count = 0;
+    face.addEventListener('drawn', () => { if (++count === 5) done(count); });
+    face.removeAttribute('time'), face.setAttribute('playing', '');
+  }));
+  assert.equal(frames, 5);
+});
+
+test('an unknown code is a sentence, and the old face stays', async () => {
+  const on = await browser.open(`${server.url}/code.html`);
+  await drawn(on);
+  const before = await shown(on);
+  const said = await then(on, 'refused', (face) => face.setAttribute('code', 'ZW506-TPRCQ-AF'));
+  assert.match(said.where + said.what, /ZW506-TPRCQ-AF/);
+  assert.ok(said.what.length > 10);
+  const name = await then(on, 'refused', (face) => { face.removeAttribute('code'), face.setAttribute('src', 'broken.face.json'); });
+  assert.match(name.where, /^broken\.face\.json:1/);
+  const gone = await then(on, 'refused', (face) => face.setAttribute('src', 'nowhere.face.json'));
+  assert.match(gone.what, /404/);
+  const setting = await then(on, 'refused', (face) => face.setAttribute('set', 'gaze.z=1'));
+  assert.match(setting.what, /did you mean "gaze\.x"/);
+  assert.deepEqual(await shown(on), before);
+});
+
+test('where nothing was drawn yet, the sentence stands in the page', async () => {
+  const on = await browser.open(`${server.url}/wrong.html`);
+  const said = await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent);
+  assert.match(said, /ZZZZZ-ZZZZZ-ZZ/);
+  await then(on, 'drawn', (face) => face.setAttribute('code', 'ZW506-TPRCQ-AE'));
+  assert.equal(await on.run(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), '');
+});
+
+test('a face that is taken out and put back is drawn again; one that is moved keeps its picture', async () => {
+  const on = await browser.open(`${server.url}/code.html`);
+  await drawn(on);
+  const before = await shown(on);
+  await then(on, 'drawn', (face) => document.body.append(face));
+  assert.deepEqual(await shown(on), before);
+  await on.run(async () => { window.kept = document.querySelector('mien-face'); window.kept.remove(); await new Promise((done) => setTimeout(done, 50)); });
+  await on.run(() => new Promise((done) => { window.kept.addEventListener('drawn', done, { once: true }); document.body.append(window.kept); }));
+  assert.deepEqual(await shown(on), before);
+  assert.deepEqual(on.faults, []);
+});
+
+test('without OffscreenCanvas the page itself shows the same bytes', async () => {
+  const on = await browser.open(`${server.url}/one.html`, { first: 'delete HTMLCanvasElement.prototype.transferControlToOffscreen' });
+  await drawn(on);
+  assert.equal(hashes.of(await shown(on)), hashes.told('toon', 160, 'linear'));
+});
+
+test('without lanes of 128 bits the page says so', async () => {
+  const old = await serve(built, { ...pages, '/mien.js': (text) => `WebAssembly.validate = () => false;\n${text}` });
+  const on = await browser.open(`${old.url}/one.html`);
+  assert.match(await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), /SIMD/);
+  await old.close();
+});
+
+test('without WebAssembly at all the page says so', async () => {
+  const bare = await browse('--js-flags=--jitless');
+  const on = await bare.open(`${server.url}/one.html`);
+  assert.match(await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), /WebAssembly/);
+  await bare.close();
+});
+
+test('where mien.wasm is not there the page says so', async () => {
+  const half = await serve(built, { ...pages, '/worker.js': (text) => text.replace('load()', 'load("nowhere.wasm")') });
+  const on = await browser.open(`${half.url}/one.html`);
+  assert.match(await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), /nowhere\.wasm: cannot be fetched: 404/);
+  await half.close();
+});
+
+test('the README draws what it says', async () => {
+  const readme = readFileSync(new URL('bind/web/README.md', root), 'utf8');
+  const [html, script] = ['html', 'js'].map((language) => readme.match(new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``))[1]);
+  const own = await serve(built, { '/readme.html': `<!doctype html><meta charset="utf-8">${html}`,
+    '/script.html': `<!doctype html><script type="importmap">{"imports": {"mien": "./mien.js"}}</script><script type="module">${script}\nwindow.pixels = Array.from(pixels);</script>` });
+  const on = await browser.open(`${own.url}/readme.html`);
+  await drawn(on);
+  assert.ok(new Set(await shown(on)).size > 50);
+  const other = await browser.open(`${own.url}/script.html`);
+  assert.equal((await other.until(() => window.pixels)).length, 640 * 360 * 4);
+  assert.deepEqual([...on.faults, ...other.faults], []);
+  await own.close();
+});
+
+test('the demo shows a crowd', async () => {
+  const on = await browser.open(`${server.url}/demo.html`);
+  assert.equal(await on.until(() => document.querySelectorAll('mien-face').length), 12);
+  await drawn(on);
+  assert.deepEqual(on.faults, []);
+});

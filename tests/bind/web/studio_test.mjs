@@ -1,0 +1,196 @@
+// node --test studio_test.mjs: the studio in headless Chromium, over the package that tools/portable web makes.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import test, { after } from 'node:test';
+import { browse } from './chromium.mjs';
+import { serve } from './static_server.mjs';
+
+const built = process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`;
+const root = new URL('../../../', import.meta.url);
+const server = await serve(built);
+const browser = await browse();
+after(async () => { await browser.close(); await server.close(); });
+
+const CODE = 'ZF5C2-938BM-JJ';
+async function open(options = {}, code = CODE) {
+  const on = await browser.open(`${server.url}/studio/index.html#${code}`, options);
+  await on.until(() => document.documentElement.dataset.ready === '');
+  return on;
+}
+/** A hash of what the stage shows, once it is there. */
+const picture = async (on) => {
+  await on.until(() => document.querySelector('.frame').getAttribute('aria-busy') === 'false');
+  return on.run(() => {
+    const canvas = document.querySelector('.frame canvas'), { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let hash = 0;
+    for (let i = 0; i < data.length; ++i) hash = Math.imul(hash ^ data[i], 0x9e3779b1) ^ (hash >>> 15);
+    return `${canvas.width} ${hash}`;
+  });
+};
+const show = (on, name) => on.run((tab) => document.getElementById(`tab-${tab}`).click(), name);
+const click = (on, selector) => on.run((what) => document.querySelector(what).click(), selector);
+const code = (on) => on.run(() => document.getElementById('code').value);
+/** Sets a slider by its label, as a person would. */
+const slide = (on, panel, label, value) => on.run((where, name, to) => {
+  const row = [...document.querySelectorAll(`.${where} .slider`)].find((one) => one.querySelector('label').textContent === name);
+  const track = row.querySelector('.track');
+  track.value = to;
+  track.dispatchEvent(new Event('input'));
+}, panel, label, value);
+
+test('somebody by the code of the address is shown at the pixels of the display', async () => {
+  const on = await open({ dots: 2 });
+  assert.equal(await code(on), CODE);
+  await picture(on);
+  const [shown, room] = await on.run(() => { const canvas = document.querySelector('.frame canvas'); return [canvas.width, canvas.clientWidth]; });
+  assert.ok(Math.abs(shown - 2 * room) <= 2, `${shown} ${room}`);
+  assert.deepEqual(on.faults, []);
+});
+
+test('a wrong code of the address is said, and somebody is there all the same', async () => {
+  const on = await open({}, 'ZF5C2-938BM-JK');
+  assert.match(await on.until(() => document.getElementById('said').textContent), /ZF5C2-938BM-JK/);
+  assert.ok(await picture(on));
+});
+
+test('parts change the face and its code; undo and redo go back and forth', async () => {
+  const on = await open();
+  const before = await picture(on);
+  await show(on, 'Parts');
+  await on.run(() => [...document.querySelectorAll('.parts .chip')].find((one) => one.textContent === 'Glasses').click());
+  await on.until(() => document.querySelectorAll('.parts .thumb').length > 3);
+  await on.run(() => [...document.querySelectorAll('.parts .thumb')].find((one) => one.title === 'Cat').click());
+  const after = await picture(on);
+  assert.notEqual(after, before);
+  assert.match(await code(on), /^ZF5C2-938BM-..~/);
+  assert.equal(await on.run(() => document.querySelector('.parts .thumb[aria-pressed=true]').title), 'Cat');
+  await on.press('z', 'KeyZ', 2);
+  assert.equal(await picture(on), before);
+  assert.equal(await code(on), CODE);
+  await on.press('z', 'KeyZ', 2 | 8);
+  assert.equal(await picture(on), after);
+  assert.deepEqual(on.faults, []);
+});
+
+test('a slider that is dragged is one step, and its code says the face', async () => {
+  const on = await open();
+  const before = await picture(on);
+  await show(on, 'Shape');
+  for (const age of [40, 60, 80]) await slide(on, 'shape', 'Age', age);
+  const old = await picture(on);
+  assert.notEqual(old, before);
+  const held = await code(on);
+  await click(on, '#undo');
+  assert.equal(await picture(on), before);
+  const other = await open({}, held);
+  assert.equal(await picture(other), old);
+});
+
+test('feelings, muscles and the pose move the face; at rest it is as before', async () => {
+  const on = await open();
+  const rest = await picture(on);
+  const seen = new Set([rest]);
+  const moves = [['Feelings', 'feelings', 'Joy', 1], ['Muscles', 'muscles', 'Jaw', 1], ['Pose', 'pose', 'Turn', 20], ['Pose', 'pose', 'Blink', 1]];
+  for (const [tab, panel, label, value] of moves) {
+    await show(on, tab);
+    await slide(on, panel, label, value);
+    seen.add(await picture(on));
+  }
+  assert.equal(seen.size, moves.length + 1);
+  await click(on, '#rest');
+  assert.equal(await picture(on), rest);
+  assert.deepEqual(on.faults, []);
+});
+
+test('the head is turned by dragging and by the arrow keys', async () => {
+  const on = await open();
+  const rest = await picture(on);
+  const middle = await on.run(() => { const { x, y, width, height } = document.querySelector('.frame').getBoundingClientRect(); return [x + width / 2, y + height / 2]; });
+  await on.move([middle, [middle[0] + 60, middle[1]], [middle[0] + 120, middle[1]]], true);
+  await on.run(() => document.getElementById('follow').click());  // the eyes would be on the pointer
+  const turned = await picture(on);
+  assert.notEqual(turned, rest);
+  await on.run(() => document.querySelector('.frame canvas').focus());
+  await on.press('Home');
+  assert.equal(await picture(on), rest);
+  await on.press('ArrowLeft');
+  assert.notEqual(await picture(on), rest);
+});
+
+test('the eyes follow the pointer', async () => {
+  const on = await open();
+  const rest = await picture(on);
+  await on.move([[40, 200], [30, 200]]);
+  const left = await picture(on);
+  assert.notEqual(left, rest);
+  await on.move([[1200, 200], [1210, 700]]);
+  assert.notEqual(await picture(on), left);
+  await click(on, '#follow');
+  assert.equal(await picture(on), rest);
+});
+
+test('a word is a person, and the same word the same one', async () => {
+  const on = await open();
+  await on.run(() => { document.querySelector('.people input').value = 'hello', document.querySelector('.people form').requestSubmit(); });
+  await on.until((before) => document.getElementById('code').value !== before, CODE);
+  assert.match(await code(on), /^Z/);
+  assert.equal(await on.run(() => location.hash.slice(1)), await code(on));
+  await on.until(() => document.querySelectorAll('.people canvas[data-drawn]').length >= 12 + 4 + 5);
+  assert.equal(await on.run(() => document.querySelectorAll('.people canvas[data-refused]').length), 0);
+});
+
+test('a file of one\'s own is opened; a broken one is a sentence with its place, and the face stays', async () => {
+  const on = await open();
+  const before = await picture(on);
+  const drop = (name, text) => on.run((file, content) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], file));
+    document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, name, text);
+  await drop('mine.face.json', '{"format": "mien-face",\n "format_version": 1, "canvas": 3}');
+  assert.match(await on.until(() => document.getElementById('said').textContent), /mine\.face\.json:2/);
+  assert.equal(await picture(on), before);
+  await drop('toon.face.json', readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'));
+  await on.until((code) => document.getElementById('code').value !== code, CODE);
+  assert.notEqual(await picture(on), before);
+  const wide = await on.run(() => { const canvas = document.querySelector('.frame canvas'); return canvas.width / canvas.height; });
+  assert.ok(Math.abs(wide - 16 / 9) < 0.02, `${wide}`);
+  for (const tab of ['Parts', 'Shape', 'Colours', 'Feelings', 'Muscles', 'Pose']) await show(on, tab);
+  assert.deepEqual(on.faults, []);
+});
+
+test('tabs take the arrow keys, and every control has a name', async () => {
+  const on = await open();
+  await on.run(() => document.getElementById('tab-People').focus());
+  await on.press('ArrowRight');
+  assert.equal(await on.run(() => document.activeElement.id), 'tab-Parts');
+  await on.press('ArrowLeft'), await on.press('ArrowLeft');
+  assert.equal(await on.run(() => document.querySelector('[role=tab][aria-selected=true]').textContent), 'Pose');
+  for (const tab of ['People', 'Parts', 'Shape', 'Colours', 'Feelings', 'Muscles', 'Pose']) await show(on, tab);
+  await on.send('Accessibility.enable');
+  const { nodes } = await on.send('Accessibility.getFullAXTree');
+  const controls = nodes.filter(({ ignored, role }) => !ignored && ['button', 'slider', 'textbox', 'combobox', 'tab', 'tabpanel', 'application', 'ColorWell'].includes(role?.value));
+  assert.ok(controls.length > 30);
+  assert.deepEqual(controls.filter(({ name }) => !name?.value).map(({ role }) => role.value), []);
+});
+
+test('the studio in one page opens from a disk', async () => {
+  const on = await browser.open(`file://${resolve(built)}/studio.html#${CODE}`);
+  await on.until(() => document.documentElement.dataset.ready === '');
+  const other = await open();
+  assert.equal(await code(on), CODE);
+  assert.equal(await picture(other), await (await on.send('Page.bringToFront'), picture(on)));
+  await on.until(() => document.querySelectorAll('.people canvas[data-drawn]').length >= 12 + 4 + 5);
+  assert.deepEqual(on.faults, []);
+});
+
+test('nothing is wider than the page, at any width', async () => {
+  for (const [width, height] of [[1440, 900], [1024, 700], [390, 844], [320, 568]]) {
+    const on = await open({ width, height });
+    for (const tab of ['People', 'Parts', 'Shape', 'Colours', 'Feelings', 'Pose']) {
+      await show(on, tab);
+      assert.deepEqual(await on.run(() => [document.documentElement.scrollWidth <= innerWidth, document.documentElement.scrollHeight <= innerHeight]), [true, true], `${tab} at ${width}`);
+    }
+  }
+});
