@@ -30,6 +30,10 @@ if(MIEN_INSTRUCTION_SETS STREQUAL few)
   add_compile_definitions(HWY_DISABLED_TARGETS=6640)  # SSSE3, SSE4, AVX3 and its kinds
 endif()
 
+if(MIEN_SAME_BITS_WITHOUT_FMA)
+  add_compile_definitions(MIEN_SAME_BITS_WITHOUT_FMA)  # every room has lanes
+endif()
+
 # A sanitizer or a line counter has to see every file, so these are rules of the folder, not of a target.
 if(MIEN_SANITIZE)
   add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

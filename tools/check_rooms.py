@@ -32,6 +32,7 @@ EXCEPT = MAKERS                                      # the rooms of sdf that kno
 HOMES = {  # what is included -> where it may be, and how that is said
     r"nlohmann/": (r"lib/file/json/json_tree\.cpp$", "lib/file/json/json_tree.cpp"),
     r"(unsupported/)?Eigen/": (r"lib/math/.*\.cpp$", "a .cpp of lib/math"),
+    r"hwy/contrib/": (r"(?!)", "no file: its mathematics fuse multiply-adds by themselves, outside the rule of sdf/distance/lanes/fma-inl.h"),
     r"hwy/": (r".*(-inl\.h|_simd\.cpp)$", "an -inl.h or _simd.cpp"),
     r"(oneapi/)?tbb/": (r"lib/base/parallel\.cpp$", "lib/base/parallel.cpp"),
     r"OpenImageIO/": (r"render/image/", "render/image"),
@@ -45,6 +46,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"mien_(image_)?c\.h": (r"(bind|examples)/", "bind, tests and examples: the house behind it does not know it"),
 }
 
+FUSES = "sdf/distance/lanes/fma-inl.h"  # the one rule, for the same bits everywhere
 LIBRARIES = ("lib/", "sdf/", "render/", "bind/")
 
 MIRRORS = {"tests": "_test.cpp", "bench": "_bench.cpp", "fuzz": "_fuzz.cpp"}
@@ -111,6 +113,8 @@ class House:
         for number, line in enumerate(self.lines(name), 1):
             if found := re.match(r'\s*#\s*include\s*(<[^>]+>|"[^"]+")', line):
                 self.check_include(name, number, found[1][1:-1], quoted=found[1][0] == '"')
+            if name.startswith(LIBRARIES) and name != FUSES and re.search(r"\bhn::(Neg)?Mul(Add|Sub)\b", code_of(line)):
+                self.breach(name, number, f"multiply-adds go through {FUSES}: Fused, FusedFrom, FusedLess")
             if name.startswith(LIBRARIES) and re.search(PRINTS, code_of(line)):
                 self.breach(name, number, "a library prints nothing and ends nothing")
             if name.startswith(LIBRARIES) and re.search(r"\bthread_local\b", code_of(line)):

@@ -1,6 +1,7 @@
 #pragma once
 // What the handles of the C interface hold.
 
+#include <mien/effect.h>
 #include <mien/piece_drawer.h>
 #include <mien/poser.h>
 #include <mien/renderer.h>
@@ -65,6 +66,11 @@ struct mien_scene {
 
 struct mien_renderer {
   mien::Renderer renderer;
+  mien::RenderStats last = {};  ///< of the last picture
+};
+
+struct mien_effects {
+  std::vector<mien::Effect> all;
 };
 
 struct mien_pieces {

@@ -97,8 +97,9 @@ typedef struct mien_face mien_face;   /* a face at rest, with names and clips */
 typedef struct mien_pose mien_pose;   /* how a face is to look */
 typedef struct mien_scene mien_scene; /* a posed face as painted layers */
 typedef struct mien_renderer
-    mien_renderer;                      /* draws; keeps memory and finished rows between frames */
-typedef struct mien_pieces mien_pieces; /* one picture that is drawn piece by piece */
+    mien_renderer;                        /* draws; keeps memory and finished rows between frames */
+typedef struct mien_pieces mien_pieces;   /* one picture that is drawn piece by piece */
+typedef struct mien_effects mien_effects; /* what is done to a finished picture */
 
 /* ---- Version ---------------------------------------------------------------------------------- */
 
@@ -202,6 +203,26 @@ MIEN_C_API const char* mien_face_clip_name(const mien_face* face, int32_t index)
 
 /* How many numbers the face's vector has. */
 MIEN_C_API int32_t mien_face_vector_size(const mien_face* face);
+
+/* ---- Morph targets ------------------------------------------------------------------------------ */
+
+/* The face with the morph targets of a file (docs/morph.md) as poses of its own: mien_pose_set holds their
+ * weights, "smile=0.6". The face itself does not change. */
+MIEN_C_API mien_status mien_face_with_morphs(const mien_face* face, const char* path,
+                                             size_t path_length, mien_face** out,
+                                             mien_error** error);
+
+/* The same from memory; `name` stands for the file's name in errors, NULL: "morphs". */
+MIEN_C_API mien_status mien_face_with_morphs_text(const mien_face* face, const char* text,
+                                                  size_t length, const char* name,
+                                                  size_t name_length, mien_face** out,
+                                                  mien_error** error);
+
+/* The text of such a file, a list of one text: faces[i] is the shape of `rest` that names[i], which ends with a
+ * NUL, stands for. All are the same face, slice for slice. `count` is 0 or more. */
+MIEN_C_API mien_status mien_morphs_text(const mien_face* rest, const char* const* names,
+                                        const mien_face* const* faces, int32_t count,
+                                        mien_texts** out, mien_error** error);
 
 /* ---- People ------------------------------------------------------------------------------------ */
 
@@ -412,6 +433,31 @@ MIEN_C_API mien_status mien_render(mien_renderer* renderer, const mien_scene* sc
                                    const mien_view* view, const mien_pixels* pixels,
                                    const mien_render_options* options, mien_error** error);
 
+/* The work that the renderer's last picture took. Regions of other pictures do not count. */
+typedef struct mien_render_stats {
+  uint32_t size;         /* sizeof(mien_render_stats) */
+  int32_t cancelled;     /* whether it was stopped */
+  int64_t pixels;        /* drawn */
+  int64_t fill_pixels;   /* in runs of one colour */
+  int64_t varied_pixels; /* in runs of a colour that varies */
+  int64_t edge_pixels;   /* crossed by visible outlines */
+  int64_t
+      resolved_pixels; /* those of them resolved by distances, because nothing else was proven */
+  int64_t recalled_pixels; /* copied from the frame before */
+  int64_t pieces;          /* pieces of outline */
+  int64_t crossings;       /* of those pieces with each other */
+  int64_t regions;         /* different sets of outlines that places are inside of */
+  int64_t doubts;          /* places where the order of outlines could not be proven */
+  int64_t roots;           /* solved, where visible pieces meet rows and columns of pixels */
+  int64_t distances;       /* solved for light and for gradients along a distance */
+  double root_seconds;     /* time of the roots, with summing, over all threads [s] */
+  double distance_seconds; /* time of the distances, over all threads [s] */
+} mien_render_stats;
+
+/* `out->size` is set by the caller. All is 0 before the first picture. */
+MIEN_C_API mien_status mien_renderer_stats(const mien_renderer* renderer, mien_render_stats* out,
+                                           mien_error** error);
+
 /* Where a point of the picture [px] is in the face [face units], and back. */
 MIEN_C_API mien_status mien_face_from_pixel(const mien_scene* scene, const mien_view* view,
                                             double x, double y, double out[2], mien_error** error);
@@ -430,6 +476,37 @@ MIEN_C_API mien_status mien_pieces_draw(mien_pieces* pieces, const int32_t piece
                                         const mien_pixels* pixels, int32_t (*stop)(void* data),
                                         void* data, mien_error** error);
 
+/* ---- Effects ------------------------------------------------------------------------------------ */
+
+/* Effects on a finished picture, in order (docs/effects.md); none at first. They never change what has been
+ * drawn: each function below makes another picture. */
+MIEN_C_API mien_status mien_effects_new(mien_effects** out, mien_error** error);
+
+/* Those that the face's file asks for. */
+MIEN_C_API mien_status mien_effects_of_face(const mien_face* face, mien_effects** out,
+                                            mien_error** error);
+MIEN_C_API void mien_effects_free(mien_effects* effects);
+
+/* Adds one: "mosaic:24,0.3", "grid:12,1.5,#ffffff80". */
+MIEN_C_API mien_status mien_effects_add(mien_effects* effects, const char* text, size_t length,
+                                        mien_error** error);
+MIEN_C_API int32_t mien_effects_count(const mien_effects* effects);
+
+/* mien_render, and then the effects, before colours are rounded to the pixels' depth. A region has the bytes of
+ * the whole picture with effects, which is drawn down to the region's last row, in strips. MIEN_REFUSED: more
+ * tiles or cells than pixels across, lines wider than cells. */
+MIEN_C_API mien_status mien_render_with_effects(mien_renderer* renderer, const mien_scene* scene,
+                                                const mien_view* view, const mien_effects* effects,
+                                                const mien_pixels* pixels,
+                                                const mien_render_options* options,
+                                                mien_error** error);
+
+/* The effects on a picture of one's own. `from` is MIEN_F32 and width x height, 1 ... 2^20 each; `to` holds as many
+ * pixels at any depth, and is not `from`. */
+MIEN_C_API mien_status mien_apply_effects(const mien_effects* effects, const mien_pixels* from,
+                                          const mien_pixels* to, int32_t width, int32_t height,
+                                          mien_error** error);
+
 /* ---- Distances --------------------------------------------------------------------------------- */
 
 /* d[i] = the distance from (x[i], y[i]) to a curve or outline, in the units of the coordinates, for `count`
@@ -439,10 +516,12 @@ MIEN_C_API mien_status mien_pieces_draw(mien_pieces* pieces, const int32_t piece
  *   quad      a quadratic Bezier curve: x0, y0, x1, y1, x2, y2
  *   cubic     a cubic Bezier curve: x0, y0, x1, y1, x2, y2, x3, y3
  *   ellipse   signed, negative inside: centre x, y; radii a, b; the direction of a, x, y, of any length
+ *   parabola  signed, negative on the inner side: vertex x, y; axis x, y, of any length, into the inside; bend: the
+ *             parabola is vertex + u (axis turned left) + bend u^2 axis, for an axis of length 1
  *   tapered   signed, a stroke along a quadratic Bezier curve: its six numbers, then three half-widths, the
  *             Bernstein coefficients of the half-width along it
  *
- * MIEN_REFUSED: a negative radius or half-width, a direction of no length. */
+ * MIEN_REFUSED: a negative radius or half-width, a direction or axis of no length. */
 MIEN_C_API mien_status mien_distances_quad_f32(const double curve[6], const float* x,
                                                const float* y, float* d, size_t count,
                                                mien_error** error);
@@ -461,12 +540,34 @@ MIEN_C_API mien_status mien_distances_ellipse_f32(const double ellipse[6], const
 MIEN_C_API mien_status mien_distances_ellipse_f64(const double ellipse[6], const double* x,
                                                   const double* y, double* d, size_t count,
                                                   mien_error** error);
+MIEN_C_API mien_status mien_distances_parabola_f32(const double side[5], const float* x,
+                                                   const float* y, float* d, size_t count,
+                                                   mien_error** error);
+MIEN_C_API mien_status mien_distances_parabola_f64(const double side[5], const double* x,
+                                                   const double* y, double* d, size_t count,
+                                                   mien_error** error);
 MIEN_C_API mien_status mien_distances_tapered_f32(const double stroke[9], const float* x,
                                                   const float* y, float* d, size_t count,
                                                   mien_error** error);
 MIEN_C_API mien_status mien_distances_tapered_f64(const double stroke[9], const double* x,
                                                   const double* y, double* d, size_t count,
                                                   mien_error** error);
+
+/* To a quadratic Bezier curve, almost as if computed in double precision and rounded once. */
+MIEN_C_API mien_status mien_distances_quad_accurate_f32(const double curve[6], const float* x,
+                                                        const float* y, float* d, size_t count,
+                                                        mien_error** error);
+
+/* To the nearest of `curve_count` quadratic Bezier curves, of six numbers each; +infinity if there are none. */
+MIEN_C_API mien_status mien_distances_quads_f32(const double* curves, size_t curve_count,
+                                                const float* x, const float* y, float* d,
+                                                size_t count, mien_error** error);
+
+/* From the points of a grid, d[j columns + i] from (x + i step, y + j step), each rounded to float: quickest where
+ * the grid is fine compared with the curve. d has columns * rows numbers. */
+MIEN_C_API mien_status mien_distances_quad_on_grid_f32(const double curve[6], double x, double y,
+                                                       double step, size_t columns, size_t rows,
+                                                       float* d, mien_error** error);
 
 #ifdef __cplusplus
 }

@@ -54,13 +54,12 @@ struct CarriedJob {
   }
 };
 
-/// The status of a drawing that did not succeed.
-[[noreturn]] void fail(const Error& error, bool cancelled) {
+}  // namespace
+
+void fail(const Error& error, bool cancelled) {
   const bool memory = error.what.starts_with(kMemoryRanOut);
   throw Refusal{cancelled ? MIEN_CANCELLED : memory ? MIEN_NO_MEMORY : MIEN_REFUSED, error};
 }
-
-}  // namespace
 
 View view_of(const mien_view* given) {
   const mien_view v = whole_struct(given, kView, "view");
@@ -175,10 +174,21 @@ mien_status mien_render(mien_renderer* renderer, const mien_scene* scene, const 
     const mien::View seen = view_of(view);
     const mien::PixelRect rect = mien::drawn_rect(seen);
     const mien::PixelBuffer buffer = buffer_of(pixels, rect.width, rect.height);
-    mien::RenderStats stats;
-    const auto done =
-        renderer->renderer.render_into(buffer, scene->scene, seen, options_of(options), &stats);
+    const mien::RenderOptions how = options_of(options);
+    mien::RenderStats& stats = renderer->last = {};
+    const auto done = renderer->renderer.render_into(buffer, scene->scene, seen, how, &stats);
     if (!done) fail(done.error(), stats.cancelled);
+  });
+}
+
+mien_status mien_renderer_stats(const mien_renderer* renderer, mien_render_stats* out,
+                                mien_error** error) {
+  return pass("mien_renderer_stats", error, [&] {
+    const mien::RenderStats& s = need(renderer, "renderer").last;
+    give_struct(out, mien_render_stats{0, s.cancelled, s.pixels, s.fill_pixels, s.varied_pixels,
+                                       s.edge_pixels, s.resolved_pixels, s.recalled_pixels,
+                                       s.pieces, s.crossings, s.regions, s.doubts, s.roots,
+                                       s.distances, s.root_seconds, s.distance_seconds});
   });
 }
 

@@ -11,5 +11,7 @@ Depth depth_of(int32_t depth, std::string_view argument);
 /// The pixels, which hold at least `width` x `height`.
 PixelBuffer buffer_of(const mien_pixels* pixels, int width, int height);
 RenderOptions options_of(const mien_render_options* options);
+/// Throws why a drawing did not succeed.
+[[noreturn]] void fail(const Error& error, bool cancelled);
 
 }  // namespace mien::c

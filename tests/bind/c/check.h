@@ -36,6 +36,8 @@ void test_people(void);
 void test_poses(void);
 void test_scenes(void);
 void test_pictures(void);
+void test_morphs(void);
+void test_effects(void);
 void test_distances(void);
 #ifdef MIEN_IMAGE
 void test_files(const char* folder);

@@ -63,6 +63,8 @@ int main(int argc, char** argv) {
   test_poses();
   test_scenes();
   test_pictures();
+  test_morphs();
+  test_effects();
   test_distances();
 #ifdef MIEN_IMAGE
   test_files(argv[2]);

@@ -10,6 +10,7 @@ enum { kWidth = 160, kHeight = 90, kRow = kWidth * 4, kBytes = kRow * kHeight };
 typedef char view_is_frozen[sizeof(void*) != 8 || sizeof(mien_view) == 112 ? 1 : -1];
 typedef char pixels_are_frozen[sizeof(void*) != 8 || sizeof(mien_pixels) == 32 ? 1 : -1];
 typedef char options_are_frozen[sizeof(void*) != 8 || sizeof(mien_render_options) == 40 ? 1 : -1];
+typedef char stats_are_frozen[sizeof(mien_render_stats) == 120 ? 1 : -1];
 typedef char name_is_frozen[sizeof(void*) != 8 || sizeof(mien_name) == 56 ? 1 : -1];
 typedef char canvas_is_frozen[sizeof(void*) != 8 || sizeof(mien_canvas) == 56 ? 1 : -1];
 
@@ -75,6 +76,46 @@ static void test_options(mien_renderer* renderer, const mien_scene* scene,
   OK(mien_render(renderer, scene, &view, &pixels, &options, &error));
   CHECK(memcmp(drawn, wanted, kBytes) == 0);
   free(drawn);
+}
+
+static void test_stats(const mien_scene* scene) {
+  mien_error* error = NULL;
+  unsigned char* drawn = malloc(kBytes);
+  mien_view view = small_view();
+  mien_pixels pixels = pixels_in(drawn, kBytes, kRow, MIEN_U8);
+  mien_renderer* renderer = NULL;
+  mien_render_stats stats;
+  mien_render_options options;
+  memset(&stats, 7, sizeof stats);
+  stats.size = sizeof stats;
+  OK(mien_renderer_new(&renderer, &error));
+  OK(mien_renderer_stats(renderer, &stats, &error));
+  CHECK(stats.pixels == 0 && stats.roots == 0 && !stats.cancelled);
+  OK(mien_render(renderer, scene, &view, &pixels, NULL, &error));
+  OK(mien_renderer_stats(renderer, &stats, &error));
+  CHECK(stats.pixels == kWidth * kHeight && stats.recalled_pixels == 0 && stats.roots > 0);
+  CHECK(stats.fill_pixels + stats.varied_pixels + stats.edge_pixels == stats.pixels);
+  CHECK(stats.pieces > 100 && stats.regions > 5 && stats.root_seconds > 0 && !stats.cancelled);
+  OK(mien_render(renderer, scene, &view, &pixels, NULL, &error)); /* begins to remember */
+  OK(mien_render(renderer, scene, &view, &pixels, NULL, &error));
+  stats.size = 40; /* an older header's: nothing beyond is written */
+  stats.recalled_pixels = -1;
+  OK(mien_renderer_stats(renderer, &stats, &error));
+  CHECK(stats.size == 40 && stats.recalled_pixels == -1);
+  stats.size = sizeof stats;
+  OK(mien_renderer_stats(renderer, &stats, &error));
+  CHECK(stats.recalled_pixels == kWidth * kHeight);
+  mien_render_options_init(&options, sizeof options);
+  options.progress = stop_at_once, options.progress_data = &asked;
+  view.width = kWidth / 2;
+  FAILS(MIEN_CANCELLED, NULL, mien_render(renderer, scene, &view, &pixels, &options, &error));
+  OK(mien_renderer_stats(renderer, &stats, &error));
+  CHECK(stats.cancelled);
+  FAILS(MIEN_MISUSE, "renderer", mien_renderer_stats(NULL, &stats, &error));
+  FAILS(MIEN_MISUSE, "out", mien_renderer_stats(renderer, NULL, &error));
+  stats.size = 0;
+  FAILS(MIEN_MISUSE, "no size", mien_renderer_stats(renderer, &stats, &error));
+  mien_renderer_free(renderer), free(drawn);
 }
 
 static void test_buffers(mien_renderer* renderer, const mien_scene* scene,
@@ -220,6 +261,7 @@ void test_pictures(void) {
   OK(mien_render(renderer, scene, &view, &pixels, NULL, &error));
   CHECK(memcmp(wanted, wanted + kRow * (kHeight / 2), kRow) != 0);
   test_options(renderer, scene, wanted);
+  test_stats(scene);
   test_buffers(renderer, scene, wanted);
   test_views(renderer, scene);
   test_colors();
