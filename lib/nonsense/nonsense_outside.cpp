@@ -88,6 +88,11 @@ Oklch color_at(const Face& face, int slice) {
   return Oklch::from_linear({rgb[0], rgb[1], rgb[2]});
 }
 
+bool has_contour(const FaceModel& model, int feature) {
+  const Index<FaceSurroundings> around = model.features[std::size_t(feature)].surroundings;
+  return around && around.in(model.surroundings).contour;
+}
+
 /// The least step in lightness that a line keeps in grey.
 void check_line_on_skin(NonsenseSight& sight, int line, int skin, std::string_view what) {
   constexpr double kLeastStep = 0.18, kLeastGrey = 0.1;
@@ -164,8 +169,11 @@ void check_colors(NonsenseSight& sight) {
                              {"palette/backdrop", "palette/skin", "backdrop beside skin", 0.07},
                              {"palette/backdrop", "palette/hair", "backdrop beside hair", 0.1},
                              {"palette/backdrop", "palette/cloth", "backdrop beside cloth", 0.1}};
-  const Layout& layout = sight.posed.model->layout;
+  const FaceModel& model = *sight.posed.model;
+  const Layout& layout = model.layout;
+  const bool outlined = sight.known.head >= 0 && has_contour(model, sight.known.head);
   for (const Pair& pair : kPairs) {
+    if (outlined) break;  // lines part what has one colour, as on paper
     const int a = layout.find(pair.a), b = layout.find(pair.b);
     if (a >= 0 && b >= 0)
       sight.at_least("colours", apart(color_at(sight.posed, a), color_at(sight.posed, b)),

@@ -33,6 +33,8 @@ enum class Hiding { all, part, none };
 Hiding hiding_of(const Face& face, const Feature& feature, bool skin_too) {
   const FaceModel& model = *face.model;
   const auto hides_by = [&](int color) {
+    // Shorn hair is there, though ink lets the skin through.
+    if (!skin_too && model.layout[color].name == "palette/hair_thin") return true;
     return (skin_too || !is_skin(model, color)) &&
            face.vector[std::size_t(model.layout[color].begin + 3)] >= kHides;
   };

@@ -144,6 +144,27 @@ TEST_F(Nonsense, FindsColoursThatAreAlike) {
   EXPECT_EQ(found(posed), std::set<std::string>{"colours"});
 }
 
+TEST_F(Nonsense, LetsInkGiveAllThingsOneColourButLines) {
+  Recipe recipe = bearded();
+  recipe.style = "ink";
+  const Face drawn = *face_from_recipe(recipe);
+  Face posed = drawn;
+  copy_slice(posed, "palette/skin", "palette/cloth");
+  EXPECT_EQ(names_of(test_.faults(drawn, posed, {})), std::set<std::string>{});
+  copy_slice(posed, "palette/skin", "palette/line");
+  EXPECT_EQ(names_of(test_.faults(drawn, posed, {})), std::set<std::string>{"colours"});
+}
+
+TEST_F(Nonsense, KnowsShornHairInEveryStyle) {
+  Recipe recipe = bearded();
+  recipe.parts["hair"] = "buzz", recipe.parts["headwear"] = "bucket";
+  recipe.style = "ink";
+  const Face drawn = *face_from_recipe(recipe);
+  const NonsensePose turned = named(drawn, "yaw=-30 pitch=25");
+  EXPECT_EQ(names_of(test_.faults(drawn, pose_face(drawn, turned.pose), turned)),
+            std::set<std::string>{});
+}
+
 TEST_F(Nonsense, FindsAFeelingThatReadsAsAnother) {
   NonsensePose joy = named(face_, "emotion.joy=1");
   const Face angry = pose_face(face_, named(face_, "emotion.anger=1").pose);
