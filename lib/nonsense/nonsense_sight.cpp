@@ -26,6 +26,10 @@ bool is_skin(const FaceModel& model, int color) {
   return model.layout[color].name.starts_with("palette/skin");
 }
 
+bool is_shorn(std::string_view color) {
+  return color == "palette/hair_thin" || color == "palette/beard_thin";
+}
+
 /// How much of a feature hides what lies below it: all, what of a gradient is not clear, nothing.
 enum class Hiding { all, part, none };
 
@@ -34,7 +38,7 @@ Hiding hiding_of(const Face& face, const Feature& feature, bool skin_too) {
   const FaceModel& model = *face.model;
   const auto hides_by = [&](int color) {
     // Shorn hair is there, though ink lets the skin through.
-    if (!skin_too && model.layout[color].name == "palette/hair_thin") return true;
+    if (!skin_too && is_shorn(model.layout[color].name)) return true;
     return (skin_too || !is_skin(model, color)) &&
            face.vector[std::size_t(model.layout[color].begin + 3)] >= kHides;
   };
