@@ -26,6 +26,7 @@ export interface Name {
   isControl: boolean;
   isPose: boolean;
   count: number;
+  begin: number;
   lo: number;
   hi: number;
   values: number[];
@@ -53,6 +54,7 @@ export class Face {
   readonly canvas: Canvas;
   draw(width: number, height: number, pose?: Pose): Uint8ClampedArray;
   strips(width: number, height: number, pose?: Pose, most?: number): Generator<{ y: number; rows: number; pixels: Uint8ClampedArray }>;
+  vector(pose?: Pose): number[];
   featureAt(x: number, y: number): string | null;
   fromPixel(x: number, y: number): [number, number];
   toPixel(x: number, y: number): [number, number];

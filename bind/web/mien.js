@@ -22,7 +22,7 @@ export class MienError extends Error {
 
 const VIEW = { bytes: 112, width: 4, height: 8, fit: 12, blend: 16, hasBackground: 24, background: 40 };
 const PIXELS = { bytes: 20, data: 8, size: 12, stride: 16 };
-const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, name: 24, unit: 28, lo: 32, hi: 40 };
+const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, begin: 16, name: 24, unit: 28, lo: 32, hi: 40 };
 const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
 
 /** The module's memory: numbers and texts in it. Views are made anew for each use, since memory grows. */
@@ -206,7 +206,8 @@ export class Face {
     const { exports } = this.#m;
     return Array.from({ length: exports.mien_face_clip_count(this.#face) }, (_, i) => this.#m.text(exports.mien_face_clip_name(this.#face, i)));
   }
-  /** What can be set: { name, unit, isControl, isPose, count, lo, hi, values }, controls first; values are at rest. */
+  /** What can be set: { name, unit, isControl, isPose, count, begin, lo, hi, values }, controls first. `begin` is a
+   *  slice's place in vector(), -1 of a control; values are at rest. */
   get names() {
     const at = this.#m.take(NAME.bytes), count = this.#m.exports.mien_face_name_count(this.#face), found = [];
     for (let i = 0; i < count; ++i) {
@@ -214,7 +215,7 @@ export class Face {
       this.#mien.done('mien_face_name_at', this.#face, i, at);
       const v = this.#m.view, whole = (offset) => v.getInt32(at + offset, true), text = (offset) => this.#m.text(v.getUint32(at + offset, true));
       found.push({ name: text(NAME.name), unit: text(NAME.unit), isControl: whole(NAME.isControl) !== 0, isPose: whole(NAME.isPose) !== 0,
-        count: whole(NAME.count), lo: v.getFloat64(at + NAME.lo, true), hi: v.getFloat64(at + NAME.hi, true), values: this.#values(i, whole(NAME.count)) });
+        count: whole(NAME.count), begin: whole(NAME.begin), lo: v.getFloat64(at + NAME.lo, true), hi: v.getFloat64(at + NAME.hi, true), values: this.#values(i, whole(NAME.count)) });
     }
     this.#m.exports.free(at);
     return found;
@@ -223,6 +224,15 @@ export class Face {
     const at = this.#m.take(8 * count);
     try {
       this.#mien.done('mien_face_values_at', this.#face, index, at, count);
+      return Array.from({ length: count }, (_, i) => this.#m.view.getFloat64(at + 8 * i, true));
+    } finally { this.#m.exports.free(at); }
+  }
+  /** The numbers of the face in a pose. */
+  vector(pose = {}) {
+    this.#take(pose);
+    const count = this.#m.exports.mien_face_vector_size(this.#face), at = this.#m.take(8 * count);
+    try {
+      this.#mien.done('mien_pose_vector', this.#pose, at, count);
       return Array.from({ length: count }, (_, i) => this.#m.view.getFloat64(at + 8 * i, true));
     } finally { this.#m.exports.free(at); }
   }

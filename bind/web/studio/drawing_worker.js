@@ -9,7 +9,7 @@ import { png } from '../png.js';
 import { personOf, recipeOf, recipeText } from './person.js';
 
 let loading;
-let face = null;
+let face = null, seen = { width: 1, height: 1 };
 let small = { text: null, face: null };  // the face of the last small picture, for the next pose of it
 
 /** What the page needs to know of a face. Points and widths are not among it: they are hundreds. */
@@ -42,8 +42,16 @@ const answers = {
   },
   /** The pixels of the open face. The page puts them on its canvas, so that this worker can be ended at any time. */
   draw(_mien, { width, height, pose }) {
+    seen = { width, height };
     const begin = performance.now(), pixels = face.draw(width, height, pose).slice();
     return { pixels, ms: performance.now() - begin };
+  },
+  /** The feature that is drawn at a place, in shares of the picture, and its points in a pose: { feature, points: [{ name, at }] }. */
+  points(_mien, { x, y, pose }) {
+    const feature = face.featureAt(x * seen.width, y * seen.height);
+    if (!feature) return { feature, points: [] };
+    const vector = face.vector(pose), isPoint = ({ name, count }) => count === 2 && name.startsWith(`${feature}/`) && !/\/(radii|paint\/.*)$/.test(name);
+    return { feature, points: face.names.filter(isPoint).map(({ name, begin }) => ({ name, at: vector.slice(begin, begin + 2) })) };
   },
   /** A small picture of any face. */
   small(mien, { text, name, width, height, pose }) {

@@ -8,7 +8,7 @@ const needsFile = ({ code, style }) => !code || style !== PLAIN;
 
 /** A word of a shell, in quotes where it needs them. */
 const shell = (word) => (/^[\w./=,:@+~-]+$/.test(word) && !word.startsWith('~') ? word : `'${word.replaceAll("'", "'\\''")}'`);
-const short = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
+const short = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : [value].flat().join(','));
 const pairs = (all, between = '=') => Object.entries(all).map(([name, value]) => `${name}${between}${short(value)}`);
 
 /** What may be set by name: emotions and muscles are controls, too. */

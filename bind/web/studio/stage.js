@@ -1,6 +1,7 @@
 // The face on its stage: drawn at the display's pixels, turned by dragging, looking where the pointer is.
 
 import { drawnPose } from './document.js';
+import { Points } from './points.js';
 
 const STILL = 160;       // [ms] without a change, after which a picture is drawn in full
 const FLUENT = 45;       // [ms] a picture may take while something moves
@@ -15,6 +16,7 @@ export class Stage {
   /** `change(key, values)` sets controls of the pose; `drawn(ms, refused)` hears of each picture. */
   constructor(studio, frame, { change, drawn }) {
     this.#studio = studio, this.#frame = frame, this.#canvas = frame.querySelector('canvas'), this.#change = change, this.#drawn = drawn;
+    this.points = new Points(studio, frame);
     new ResizeObserver(() => this.draw()).observe(frame.parentElement);
     this.#watchDisplay();
     this.#canvas.addEventListener('pointerdown', (event) => this.#press(event));
@@ -24,7 +26,9 @@ export class Stage {
     this.#canvas.addEventListener('keydown', (event) => this.#key(event));
   }
   show(document, opened) {
+    if (this.#opened !== opened) this.points.leave();
     this.#document = document, this.#opened = opened;
+    this.points.show(document);
     this.#moved = performance.now();
     this.draw();
   }
@@ -104,7 +108,9 @@ export class Stage {
   }
 
   #press(event) {
-    if (event.button !== 0 || !this.control('yaw')) return;
+    if (event.button !== 0) return;
+    if (this.points.on) return void this.points.pick(event);
+    if (!this.control('yaw')) return;
     const { set } = this.#document.pose;
     this.#turn = { x: event.clientX, y: event.clientY, yaw: Number(set.yaw ?? 0), pitch: Number(set.pitch ?? 0) };
     this.#canvas.classList.add('turning');

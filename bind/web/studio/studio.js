@@ -28,7 +28,7 @@ class Studio {
   constructor() {
     this.#stage = new Stage(this, document.querySelector('.frame'), {
       change: (key, values) => this.change((before) => Object.entries(values).reduce((now, [name, value]) => withPose(now, 'set', name, value || null), before), key),
-      drawn: (ms, refused) => this.say(refused?.message ?? ''),
+      drawn: (ms, refused) => { if (refused) this.say(refused.message); },
     });
     this.#tabs = tabs(document.querySelector('[role=tablist]'), document.querySelector('.panels'), PANELS, this);
     this.exporting = new ExportDialog(by('exporting'), this);
@@ -50,6 +50,7 @@ class Studio {
   /** Changes the document; what mien refuses is taken back and said. */
   change(make, key = null) {
     if (!this.#history) return this.#history = new History(make({})), this.refresh();
+    this.say('');
     this.#history.change(make(this.document), key);
     return this.refresh();
   }
@@ -121,6 +122,7 @@ class Studio {
     by('theme').onclick = () => this.#theme();
     const toggle = (id, work) => { by(id).onclick = () => { const on = by(id).getAttribute('aria-pressed') !== 'true'; by(id).setAttribute('aria-pressed', on), work(on); }; };
     toggle('follow', (on) => this.#stage.follow(on));
+    toggle('points', (on) => this.#stage.points.turn(on));
     toggle('play', (on) => this.#stage.play(on));
     by('file').onchange = () => this.#read(by('file').files[0]);
     document.addEventListener('dragover', (event) => event.preventDefault());

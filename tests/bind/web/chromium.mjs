@@ -5,7 +5,7 @@ import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
 
-const PATIENCE = 60_000;   // [ms] until a page has done what is waited for
+const PATIENCE = 120_000;  // [ms] until a page has done what is waited for
 
 /** Where the browser is: MIEN_CHROMIUM, or in PATH; null: nowhere. */
 export function chromiumPath() {

@@ -59,6 +59,9 @@ test('names, clips and the canvas are told', () => {
   const face = mien.face(text('toon'));
   assert.ok(face.names.some(({ name, isControl }) => name === 'gaze.x' && isControl));
   assert.ok(face.names.every(({ count, values }) => values.length === count));
+  const { begin, values } = face.names.find(({ name, isControl }) => !isControl && name.startsWith('palette/'));
+  assert.deepEqual(face.vector().slice(begin, begin + values.length), values);
+  assert.notDeepEqual(face.vector({ set: { yaw: 20 } }), face.vector());
   assert.ok(face.clips.length > 0);
   assert.equal(face.canvas.box.length, 4);
   face.free();

@@ -130,6 +130,27 @@ test('the eyes follow the pointer', async () => {
   assert.equal(await picture(on), rest);
 });
 
+test('points of a feature are dragged, and go by the arrow keys', async () => {
+  const on = await open();
+  await click(on, '#follow');  // the eyes would be on the pointer
+  const rest = await picture(on);
+  await click(on, '#points');
+  const middle = await on.run(() => { const { x, y, width, height } = document.querySelector('.frame').getBoundingClientRect(); return [x + width / 2, y + height * 0.5]; });
+  await on.move([middle], true);
+  await on.until(() => document.querySelectorAll('.points button').length > 2);
+  const [name, from] = await on.run(() => { const one = [...document.querySelectorAll('.points button')].sort((a, b) => parseFloat(b.style.top) - parseFloat(a.style.top))[0], { x, y } = one.getBoundingClientRect(); return [one.title, [x + 7, y + 7]]; });
+  await on.move([from, [from[0] + 25, from[1] + 15]], true);
+  const dragged = await picture(on);
+  assert.notEqual(dragged, rest);
+  await on.run((title) => [...document.querySelectorAll('.points button')].find((one) => one.title === title).focus(), name);
+  await on.press('ArrowDown');
+  assert.notEqual(await picture(on), dragged);
+  await on.run(() => { document.getElementById('points').click(), document.getElementById('rest').click(); });
+  assert.equal(await on.run(() => document.querySelectorAll('.points button').length), 0);
+  assert.equal(await picture(on), rest);
+  assert.deepEqual(on.faults, []);
+});
+
 test('a word is a person, and the same word the same one', async () => {
   const on = await open();
   await on.run(() => { document.querySelector('.people input').value = 'hello', document.querySelector('.people form').requestSubmit(); });
@@ -154,6 +175,14 @@ test('a file of one\'s own is opened; a broken one is a sentence with its place,
   await drop('toon.face.json', readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'));
   await on.until((code) => document.getElementById('code').value !== code, CODE);
   assert.notEqual(await picture(on), before);
+  await drop('otto.face.json', JSON.stringify({ format: 'mien-face', format_version: 2, name: 'otto', parts: { hair: 'bob', glasses: 'round' }, numbers: { age: 76.123 }, style: 'ink' }));
+  await on.until(() => document.getElementById('code').value.startsWith('Z'));
+  await show(on, 'Parts');
+  await on.run(() => [...document.querySelectorAll('.parts .chip')].find((one) => one.textContent === 'Hair').click());
+  assert.equal(await on.run(() => document.querySelector('.parts .thumb[aria-pressed=true]').title), 'Bob');
+  await drop('toon.face.json', readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'));
+  await on.until(() => !document.getElementById('code').value.startsWith('Z'));
+  await picture(on);
   const wide = await on.run(() => { const canvas = document.querySelector('.frame canvas'); return canvas.width / canvas.height; });
   assert.ok(Math.abs(wide - 16 / 9) < 0.02, `${wide}`);
   for (const tab of ['Parts', 'Shape', 'Colours', 'Feelings', 'Muscles', 'Pose']) await show(on, tab);

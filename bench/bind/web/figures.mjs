@@ -1,0 +1,55 @@
+// node bench/bind/web/figures.mjs: what bind/web/README.md says of sizes and times, measured over the package that
+// tools/portable web makes, in headless Chromium.
+import { readdirSync, readFileSync } from 'node:fs';
+import { loadavg } from 'node:os';
+import { join } from 'node:path';
+import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { browse } from '../../../tests/bind/web/chromium.mjs';
+import { serve } from '../../../tests/bind/web/static_server.mjs';
+
+const built = process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`;
+const root = new URL('../../../', import.meta.url);
+
+function sizes(what, bytes) {
+  console.log(`${what}: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} by gzip -9, ${brotliCompressSync(bytes).length} by brotli`);
+}
+sizes('mien.wasm', readFileSync(join(built, 'mien.wasm')));
+const parts = readdirSync(new URL('parts', root), { recursive: true }).filter((name) => name.endsWith('.json'));
+sizes('the parts in it', Buffer.concat(parts.map((name) => readFileSync(new URL(`parts/${name}`, root)))));
+sizes('studio.html', readFileSync(join(built, 'studio.html')));
+
+/** In the page: [ms] of frames of a face, no two alike. */
+async function frames(text, width, height, count) {
+  const begin = performance.now(), { load } = await import('./mien.js'), mien = await load(), loaded = performance.now();
+  const face = mien.face(text), read = performance.now(), took = [];
+  for (let i = 0; i < count; ++i) {
+    const before = performance.now();
+    face.draw(width, height, { time: i / 30 });
+    took.push(performance.now() - before);
+  }
+  const sorted = took.slice(Math.floor(count / 2)).sort((a, b) => a - b);
+  return { loaded: loaded - begin, read: read - loaded, first: took[0], best: sorted[0], median: sorted[Math.floor(sorted.length / 2)] };
+}
+
+const page = (body) => `<!doctype html><meta charset="utf-8">${body}`;
+const element = '<mien-face code="Z66CB-AA5S0-1B" width="320" height="320"></mien-face>';
+const server = await serve(built, {
+  '/bare.html': page(''),
+  '/face.html': page(`<script>addEventListener('drawn', () => { window.drawn ??= performance.now(); })</script><script type="module" src="element.js"></script>${element}`),
+});
+const browser = await browse();
+console.log(`${browser.version}; the machine's load ${loadavg()[0].toFixed(1)}`);
+const rounded = (all) => Object.entries(all).map(([name, ms]) => `${name} ${ms.toFixed(1)}`).join(', ');
+for (const [name, width, height] of [['toon', 640, 360], ['toon', 1920, 1080], ['bruno', 640, 360], ['clay', 640, 360]]) {
+  const on = await browser.open(`${server.url}/bare.html`);
+  const text = readFileSync(new URL(`faces/compat/${name}.face.json`, root), 'utf8');
+  console.log(`${name} ${width} x ${height} [ms]: ${rounded(await on.run(frames, text, width, height, 60))}`);
+}
+const times = [];
+for (let i = 0; i < 5; ++i) {
+  const on = await browser.open(`${server.url}/face.html`);
+  times.push(await on.until(() => window.drawn));
+}
+console.log(`the first picture of <mien-face> after the page was asked for [ms]: ${times.map((ms) => ms.toFixed(0)).join(', ')}`);
+await browser.close();
+await server.close();
