@@ -18,11 +18,12 @@ endfunction()
 
 set(MIEN_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/mien)
 
-# mien_install_library(TARGET NAME): TARGET becomes mien::NAME for users, in its own component.
+# mien_install_library(TARGET NAME): TARGET becomes mien::NAME for users, in a component of its own. What programs that
+# were linked to a shared library need, the component NAME-runtime has.
 function(mien_install_library target name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT mien-${name}
-          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name} NAMELINK_COMPONENT ${name}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}-runtime NAMELINK_COMPONENT ${name}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name})
   install(EXPORT mien-${name} NAMESPACE mien:: DESTINATION ${MIEN_PACKAGE_DIR} FILE mien-${name}-targets.cmake
           COMPONENT ${name})
@@ -32,12 +33,11 @@ endfunction()
 file(RELATIVE_PATH MIEN_PC_TO_PREFIX "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
 
 # mien_install_pc(NAME COMPONENT): cmake/NAME.pc.in becomes lib/pkgconfig/NAME.pc.
-# A static library's user links what it stands on; a shared library has done so itself.
+# A static library's user links what it stands on; a shared library has done so itself, and its user need not have it.
 function(mien_install_pc name component)
+  set(requires Requires)
   if(BUILD_SHARED_LIBS)
-    set(requires Requires.private)
-  else()
-    set(requires Requires)
+    set(requires "# Linked already")
   endif()
   configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/package/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
@@ -69,12 +69,18 @@ if(MIEN_BUILD_C)
     mien_install_library(mien_image_c image_c)
     install(FILES bind/c/image/mien_image_c.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT image_c)
     mien_install_pc(mien-image-c image_c)
-    install(TARGETS mien_oiio_module mien_tiff_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mien COMPONENT image_c)
   endif()
 endif()
 if(MIEN_BUILD_C)
   install(DIRECTORY bind/python/mien DESTINATION lib/python3/dist-packages COMPONENT python
           FILES_MATCHING PATTERN *.py PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endif()
+if(MIEN_BUILD_IMAGE AND (MIEN_BUILD_COMMAND OR MIEN_BUILD_C))
+  install(TARGETS mien_oiio_module mien_tiff_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mien COMPONENT formats)
+endif()
+if(MIEN_BUILD_ACCURACY)
+  install(TARGETS mien-accuracy RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT accuracy)
+  install(FILES tools/accuracy/mien-accuracy.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT accuracy)
 endif()
 if(MIEN_BUILD_COMMAND)
   install(TARGETS mien_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)

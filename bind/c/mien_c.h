@@ -435,16 +435,15 @@ MIEN_C_API mien_status mien_render(mien_renderer* renderer, const mien_scene* sc
 
 /* The work that the renderer's last picture took. Regions of other pictures do not count. */
 typedef struct mien_render_stats {
-  uint32_t size;         /* sizeof(mien_render_stats) */
-  int32_t cancelled;     /* whether it was stopped */
-  int64_t pixels;        /* drawn */
-  int64_t fill_pixels;   /* in runs of one colour */
-  int64_t varied_pixels; /* in runs of a colour that varies */
-  int64_t edge_pixels;   /* crossed by visible outlines */
-  int64_t
-      resolved_pixels; /* those of them resolved by distances, because nothing else was proven */
+  uint32_t size;           /* sizeof(mien_render_stats) */
+  int32_t cancelled;       /* whether it was stopped */
+  int64_t pixels;          /* drawn */
+  int64_t fill_pixels;     /* in runs of one colour */
+  int64_t varied_pixels;   /* in runs of a colour that varies */
+  int64_t edge_pixels;     /* crossed by visible outlines */
+  int64_t resolved_pixels; /* of these, resolved by distances: nothing else was proven */
   int64_t recalled_pixels; /* copied from the frame before */
-  int64_t pieces;          /* pieces of outline */
+  int64_t pieces;          /* of outline */
   int64_t crossings;       /* of those pieces with each other */
   int64_t regions;         /* different sets of outlines that places are inside of */
   int64_t doubts;          /* places where the order of outlines could not be proven */

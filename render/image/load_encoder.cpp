@@ -2,16 +2,24 @@
 #include "render/image/png/png_encoder.h"
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 
 namespace mien {
 namespace {
 
+#ifdef MIEN_FORMATS_PACKAGE
+constexpr char kAdvice[] = "; install the package " MIEN_FORMATS_PACKAGE;
+#else
+constexpr char kAdvice[] = "";
+#endif
+
 /// Loads a module by its bare name: the dynamic linker searches the RUNPATH of the program or library that this is
 /// in, which the build sets relative to it.
-Expected<const ImageModule*> load(const char* file) {
+Expected<const ImageModule*> load(const char* file, FileType type) {
   const auto refuse = [&] {
     const char* said = ::dlerror();
-    return Error{"", std::string("cannot load what writes pictures: ") + (said ? said : file)};
+    return Error{"", fmt::format("cannot load what writes {}{} ({})", type_name(type), kAdvice,
+                                 said ? said : file)};
   };
   void* const module = ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
   if (!module) return refuse();
@@ -24,7 +32,8 @@ Expected<const ImageModule*> load(const char* file) {
 
 MadeEncoder load_encoder(const EncoderRequest& request) {
   if (request.type == FileType::png) return png_encoder(request);
-  const auto module = load(request.type == FileType::tiff ? kTiffModuleFile : kOiioModuleFile);
+  const auto module =
+      load(request.type == FileType::tiff ? kTiffModuleFile : kOiioModuleFile, request.type);
   if (!module) return module.error();
   return (*module)->make(request);
 }

@@ -7,7 +7,10 @@
 namespace mien::accuracy {
 
 void write_cases_header(std::ostream& out, uint64_t seed) {
-  out << fmt::format("# distances to quadratic Beziers; hex floats; seed {}\n", seed)
+  out << fmt::format(
+             "# distances to quadratic Beziers; hex floats; seed {}; CC0 1.0, for anybody and "
+             "anything\n",
+             seed)
       << "family,x0,y0,x1,y1,x2,y2,px,py,distance,distance_rest\n";
 }
 

@@ -12,6 +12,7 @@
 
 #include "tools/accuracy/cubics.h"
 #include "tools/accuracy/export.h"
+#include "tools/accuracy/methods/published.h"
 #include "tools/accuracy/tally.h"
 
 namespace {
@@ -24,6 +25,7 @@ struct Options {
   std::vector<std::string> solvers, families, kernels;
   std::string csv, plot, exported;
   bool only_foreign = false, by_family = false, cubics = false, quick = false;
+  bool published = false, times = false;
 };
 
 bool write_file(const std::string& path, const std::string& text) {
@@ -94,12 +96,15 @@ int judge(const Options& options) {
              options.kernels.end();
     });
   }
+  if (options.published)
+    for (const Solver& method : published_methods()) solvers.push_back(method);
   for (const std::string& path : options.solvers) solvers.push_back(foreign_solver(path));
   std::vector<Tally> tallies;
   for (const Family& family : families()) {
     if (!wanted(options.families, family.name)) continue;
-    const auto rows = run(family, solvers, options.count, options.seed,
-                          options.quick ? Truth::scalar : Truth::binary128);
+    auto rows = run(family, solvers, options.count, options.seed,
+                    options.quick ? Truth::scalar : Truth::binary128);
+    if (options.times) measure_times(rows, family, solvers, options.seed);
     tallies.insert(tallies.end(), rows.begin(), rows.end());
     fmt::print(stderr, "{}\n", family.name);
   }
@@ -123,6 +128,10 @@ int main(int argc, char** argv) {
   app.add_option("--kernel", options.kernels, "Only these of mien's kernels (fast, accurate, …)");
   app.add_option("--solver", options.solvers,
                  "A shared library with mien_accuracy_solve (see solver.h)");
+  app.add_flag("--published", options.published,
+               "Judge methods that others have published, too (docs/solvers.md)");
+  app.add_flag("--times", options.times,
+               "Measure nanoseconds per point on quadratic curves, for --csv");
   app.add_flag("--quick", options.quick,
                "Measure float kernels alone, against the scalar form: for many cases");
   app.add_flag("--only-solver", options.only_foreign, "Leave mien's own kernels out");

@@ -121,16 +121,37 @@ double batch_grid(const Case& k) {
 
 template <class F>
 Solver scalar(double error) {
-  return {"scalar",     "",
-          Judge::exact, error / 0x1p-52,
-          kIndex<F>,    [](const Case& k) { return distance(std::get<F>(k.figure), k.p); }};
+  Solver solver{"scalar",     "",
+                Judge::exact, error / 0x1p-52,
+                kIndex<F>,    [](const Case& k) { return distance(std::get<F>(k.figure), k.p); }};
+  if constexpr (kIndex<F> == kIndex<QuadBezier>)
+    solver.many = [](const QuadBezier& c, Points& p) {
+      for (size_t i = 0; i < p.xd.size(); ++i) p.dd[i] = distance(c, {p.xd[i], p.yd[i]});
+    };
+  return solver;
 }
 
 Solver on(const InstructionSet& set, std::string name, Judge judge, double bar, size_t figure,
-          std::function<double(const Case&)> solve) {
-  return {std::move(name), set.name, judge, bar, figure, std::move(solve), [id = set.id] {
-            batch::use_instruction_set(id);
-          }};
+          std::function<double(const Case&)> solve,
+          std::function<void(const QuadBezier&, Points&)> many = {}) {
+  return {std::move(name),
+          set.name,
+          judge,
+          bar,
+          figure,
+          std::move(solve),
+          [id = set.id] { batch::use_instruction_set(id); },
+          std::move(many)};
+}
+
+void many_fast(const QuadBezier& c, Points& p) {
+  distances(c, p.xf, p.yf, p.df);
+}
+void many_accurate(const QuadBezier& c, Points& p) {
+  distances(c, p.xf, p.yf, p.df, Precision::accurate);
+}
+void many_double(const QuadBezier& c, Points& p) {
+  distances(c, p.xd, p.yd, p.dd);
 }
 
 }  // namespace
@@ -144,10 +165,12 @@ std::vector<Solver> own_solvers() {
                           scalar<CubicBezier>(CubicBezierContract::kError)};
   constexpr size_t kBezier = kIndex<QuadBezier>;
   for (const InstructionSet& set : batch::instruction_sets()) {
-    all.push_back(on(set, "fast", Judge::fast, C::kFastError, kBezier, batch_float<QuadBezier>));
-    all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps, kBezier, batch_accurate));
+    all.push_back(
+        on(set, "fast", Judge::fast, C::kFastError, kBezier, batch_float<QuadBezier>, many_fast));
+    all.push_back(on(set, "accurate", Judge::accurate, C::kAccurateUlps, kBezier, batch_accurate,
+                     many_accurate));
     all.push_back(on(set, "double", Judge::exact, C::kDoubleError / 0x1p-52, kBezier,
-                     batch_double<QuadBezier>));
+                     batch_double<QuadBezier>, many_double));
     all.push_back(on(set, "many", Judge::fast, C::kFastError, kBezier, batch_many));
     all.push_back(on(set, "grid", Judge::fast, C::kFastError, kBezier, batch_grid));
     all.push_back(on(set, "ellipse", Judge::fast, EllipseBatchContract::kError, kIndex<Ellipse>,

@@ -28,6 +28,12 @@ enum class Judge {
   exact      ///< 2⁻⁵² S, S as each figure's contract says
 };
 
+/// Points for many distances at once, in both types.
+struct Points {
+  std::vector<float> xf, yf, df;
+  std::vector<double> xd, yd, dd;
+};
+
 struct Solver {
   std::string name;
   std::string instruction_set;  ///< empty for scalar and foreign solvers
@@ -36,6 +42,8 @@ struct Solver {
   size_t figure;  ///< which of Figure's it is for
   std::function<double(const Case&)> solve;
   std::function<void()> prepare = [] {};  ///< called before a run of cases
+  /// The same for many points of one quadratic curve, to see how long it takes; may be empty.
+  std::function<void(const QuadBezier&, Points&)> many = {};
 };
 
 /// mien's own: the scalar form, and every batch kernel on every instruction set.

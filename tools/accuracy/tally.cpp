@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tools/accuracy/reference.h"
+#include "tools/accuracy/timing.h"
 
 namespace mien::accuracy {
 namespace {
@@ -53,7 +54,10 @@ Tally tally_of(const Family& family, const Solver& solver, const std::vector<Cas
     errors[i] = error_units(solver.judge, family.well_conditioned, cases[i], truths[i], found);
     if (std::isinf(errors[i])) {
       ++t.nan;
-    } else if (errors[i] > 0 && is_bad(cases[i], truths[i], found)) {
+      if (!t.bad_case) t.bad_case = cases[i];
+      continue;
+    }
+    if (errors[i] > 0 && is_bad(cases[i], truths[i], found)) {
       ++t.bad;
       t.bad_case = cases[i];
     }
@@ -90,6 +94,16 @@ std::vector<Tally> run(const Family& family, const std::vector<Solver>& solvers,
   return tallies;
 }
 
+void measure_times(std::vector<Tally>& tallies, const Family& family,
+                   const std::vector<Solver>& solvers, uint64_t seed) {
+  const auto cases = cases_of(family, 40, seed);
+  for (Tally& t : tallies)
+    for (const Solver& solver : solvers)
+      if (t.solver == solver.name && t.instruction_set == solver.instruction_set &&
+          solver.figure == cases.front().figure.index())
+        t.ns = ns_per_point(solver, cases);
+}
+
 std::vector<Tally> over_families(const std::vector<Tally>& tallies) {
   std::vector<Tally> rows;
   for (const Tally& t : tallies) {
@@ -101,6 +115,7 @@ std::vector<Tally> over_families(const std::vector<Tally>& tallies) {
     }
     row->cases += t.cases, row->bad += t.bad, row->nan += t.nan;
     row->p999 = std::max(row->p999, t.p999);
+    row->ns = std::max(row->ns, t.ns);
     if (!row->bad_case) row->bad_case = t.bad_case;
     if (t.worst > row->worst) {
       row->worst = t.worst, row->worst_case = t.worst_case, row->family = t.family;
@@ -121,10 +136,10 @@ std::string table(const std::vector<Tally>& tallies) {
 }
 
 std::string csv(const std::vector<Tally>& tallies) {
-  std::string out = "family,kernel,instruction_set,cases,worst,p99.9,bad,nan,bar\n";
+  std::string out = "family,kernel,instruction_set,cases,worst,p99.9,bad,nan,bar,ns\n";
   for (const Tally& t : tallies) {
-    out += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.family, t.solver, t.instruction_set,
-                       t.cases, t.worst, t.p999, t.bad, t.nan, t.bar);
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{:.4g}\n", t.family, t.solver, t.instruction_set,
+                       t.cases, t.worst, t.p999, t.bad, t.nan, t.bar, t.ns);
   }
   return out;
 }

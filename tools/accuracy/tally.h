@@ -12,8 +12,11 @@ namespace mien::accuracy {
 /// What one solver did on one family.
 struct Tally {
   std::string family, solver, instruction_set;
-  size_t cases = 0, bad = 0, nan = 0;   ///< nan: not a number, or infinite where the truth is not
-  double worst = 0, p999 = 0, bar = 0;  ///< in the judge's units; bar 0: none
+  size_t cases = 0, bad = 0, nan = 0;  ///< nan: not a number, or infinite where the truth is not
+  /// In the judge's units: the worst of the numbers; what all but one in a thousand of the answers keep, infinite if
+  /// more of them are none; the bar, 0: none.
+  double worst = 0, p999 = 0, bar = 0;
+  double ns = 0;  ///< per point; 0: nobody measured it
   Case worst_case{};
   std::optional<Case> bad_case{};
 
@@ -28,6 +31,10 @@ enum class Truth { binary128, scalar };
 /// Runs the solvers on `count` cases of the family. The reference is computed once.
 std::vector<Tally> run(const Family& family, const std::vector<Solver>& solvers, size_t count,
                        uint64_t seed, Truth truth = Truth::binary128);
+
+/// Measures how long the solvers take on the family's cases, and notes it in their tallies.
+void measure_times(std::vector<Tally>& tallies, const Family& family,
+                   const std::vector<Solver>& solvers, uint64_t seed);
 
 /// One row per solver and instruction set: the worst over the families.
 std::vector<Tally> over_families(const std::vector<Tally>& tallies);

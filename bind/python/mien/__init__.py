@@ -15,9 +15,9 @@ from ._face import Canvas, Face, Name, Posed, from_code, read_face, read_face_te
 from ._library import Cancelled, Error
 from ._library import lib as _lib
 from ._library import text as _text
-from ._picture import Renderer
+from ._picture import Renderer, Stats
 from .people import crowd
 
 __version__: str = _text(_lib.mien_version_text())
-__all__ = ["Cancelled", "Canvas", "Error", "Face", "Name", "Posed", "Renderer", "crowd", "distance", "from_code", "people",
+__all__ = ["Cancelled", "Canvas", "Error", "Face", "Name", "Posed", "Renderer", "Stats", "crowd", "distance", "from_code", "people",
            "read_face", "read_face_text"]

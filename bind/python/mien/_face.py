@@ -12,7 +12,7 @@ import numpy.typing
 
 from . import _library
 from ._library import Handle, NameRecord, WriteOptions, call, lib, path_bytes, text, texts, utf8
-from ._picture import Color, Renderer, Size, Watch, Watched, choice, png, view, whole
+from ._picture import Color, Renderer, Size, Watch, Watched, choice, effects_of, png, view, whole
 
 Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
 ClipLike = Union[str, "tuple[str, float]", "tuple[str, float, float]"]
@@ -155,6 +155,21 @@ class Face:
             asked: dict[str, Any] = {"time": time, **((pose(time) if callable(pose) else pose) or {})}
             yield self.pose(**asked).render(size, renderer=renderer, **how)
 
+    def with_morphs(self, path: "str | os.PathLike[str]") -> Face:
+        """The face with the morph targets of a file: further names, whose weights `set` holds."""
+        return Face(Handle(lib.mien_face_free, lib.mien_face_with_morphs, self._handle.value, *path_bytes(path)))
+
+    def with_morphs_text(self, words: Union[str, bytes], name: str = "morphs") -> Face:
+        """The same from memory; `name` stands for the file's name in errors."""
+        raw = words if isinstance(words, bytes) else utf8(words)[0]
+        return Face(Handle(lib.mien_face_free, lib.mien_face_with_morphs_text, self._handle.value, raw, len(raw), *utf8(name)))
+
+    def morphs_text(self, shapes: Mapping[str, Face]) -> str:
+        """The text of a file of morph targets: the same face, slice for slice, in other shapes, by name."""
+        names = (ctypes.c_char_p * len(shapes))(*(utf8(name)[0] for name in shapes))
+        faces = (ctypes.c_void_p * len(shapes))(*(face._handle.value.value for face in shapes.values()))
+        return texts(lib.mien_morphs_text, self._handle.value, names, faces, len(shapes))[0]
+
     def _repr_png_(self) -> bytes:
         return self.pose()._repr_png_()
 
@@ -190,7 +205,7 @@ class Posed:
                background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
                light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0,
                out: Optional[numpy.typing.NDArray[Any]] = None, progress: Optional[Watch] = None,
-               renderer: Optional[Renderer] = None) -> numpy.typing.NDArray[Any]:
+               renderer: Optional[Renderer] = None, effects: Union[Sequence[str], bool] = ()) -> numpy.typing.NDArray[Any]:
         """The picture: an array (height, width, 4) of red, green, blue, alpha.
 
         size        (width, height), or the longer side; the other then follows the canvas
@@ -204,9 +219,15 @@ class Posed:
         out         an array to draw into; its rows may lie apart
         progress    called with the share done; returning False stops, and Cancelled is raised
         renderer    keeps memory and finished rows between frames
+        effects     on the finished picture, in order: ["mosaic:24,0.3", "grid:12"]; True: those of the face's file
         """
         seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
-        return (renderer or Renderer())._render(self._drawn, seen, depth, threads, out, progress)
+        return (renderer or Renderer())._render(self._drawn, seen, depth, threads, out, progress, self._effects(effects))
+
+    def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
+        if asked is True:
+            return Handle(lib.mien_effects_free, lib.mien_effects_of_face, self.face._handle.value)
+        return effects_of(asked) if asked else None
 
     def save(self, path: "str | os.PathLike[str]", size: Size = 1024, *, fit: str = "meet", blend: str = "linear",
              depth: Optional[str] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,

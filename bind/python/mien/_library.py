@@ -5,7 +5,7 @@ import ctypes
 import os
 import pathlib
 import weakref
-from ctypes import POINTER, Structure, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Any, Callable, Optional
 
 ABI = 0  # of the interface that these prototypes are
@@ -55,6 +55,12 @@ class RenderOptions(Structure):
                 ("executor", c_void_p), ("executor_data", c_void_p)]
 
 
+class RenderStats(Structure):
+    _fields_ = [("size", c_uint32), ("cancelled", c_int32), *((name, c_int64) for name in (
+        "pixels", "fill_pixels", "varied_pixels", "edge_pixels", "resolved_pixels", "recalled_pixels", "pieces", "crossings",
+        "regions", "doubts", "roots", "distances")), ("root_seconds", c_double), ("distance_seconds", c_double)]
+
+
 class WriteOptions(Structure):
     _fields_ = [("size", c_uint32), ("type", c_int32), ("half", c_int32), ("jpeg_quality", c_int32), ("threads", c_int32),
                 ("depth", c_int32), ("memory", c_uint64), ("recipe", c_char_p), ("recipe_length", c_size_t),
@@ -69,6 +75,9 @@ _STATUS: dict[str, list[Any]] = {
     "mien_face_read": [*_TEXT, _ERROR],
     "mien_face_read_text": [*_TEXT, *_TEXT, _ERROR],
     "mien_face_from_code": [*_TEXT, _ERROR],
+    "mien_face_with_morphs": [c_void_p, *_TEXT, _ERROR],
+    "mien_face_with_morphs_text": [c_void_p, *_TEXT, *_TEXT, _ERROR],
+    "mien_morphs_text": [c_void_p, c_void_p, c_void_p, c_int32, _ERROR],
     "mien_face_canvas": [c_void_p, POINTER(Canvas)],
     "mien_face_name_at": [c_void_p, c_int32, POINTER(NameRecord)],
     "mien_face_values_at": [c_void_p, c_int32, c_void_p, c_int32],
@@ -98,10 +107,18 @@ _STATUS: dict[str, list[Any]] = {
     "mien_color_from_text": [*_TEXT, c_void_p],
     "mien_renderer_new": [_ERROR],
     "mien_render": [c_void_p, c_void_p, POINTER(View), POINTER(Pixels), POINTER(RenderOptions)],
+    "mien_renderer_stats": [c_void_p, POINTER(RenderStats)],
+    "mien_effects_new": [_ERROR],
+    "mien_effects_of_face": [c_void_p, _ERROR],
+    "mien_effects_add": [c_void_p, *_TEXT],
+    "mien_render_with_effects": [c_void_p, c_void_p, POINTER(View), c_void_p, POINTER(Pixels), POINTER(RenderOptions)],
     "mien_face_from_pixel": [c_void_p, POINTER(View), c_double, c_double, c_void_p],
     "mien_pixel_from_face": [c_void_p, POINTER(View), c_double, c_double, c_void_p],
     **{f"mien_distances_{figure}_{number}": [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]
-       for figure in ("quad", "cubic", "ellipse", "tapered") for number in ("f32", "f64")},
+       for figure in ("quad", "cubic", "ellipse", "parabola", "tapered") for number in ("f32", "f64")},
+    "mien_distances_quad_accurate_f32": [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t],
+    "mien_distances_quads_f32": [c_void_p, c_size_t, c_void_p, c_void_p, c_void_p, c_size_t],
+    "mien_distances_quad_on_grid_f32": [c_void_p, c_double, c_double, c_double, c_size_t, c_size_t, c_void_p],
 }
 _PLAIN: dict[str, tuple[Any, list[Any]]] = {
     "mien_version_text": (c_char_p, []),
@@ -127,6 +144,7 @@ _PLAIN: dict[str, tuple[Any, list[Any]]] = {
     "mien_pixels_init": (None, [POINTER(Pixels), c_size_t]),
     "mien_render_options_init": (None, [POINTER(RenderOptions), c_size_t]),
     "mien_renderer_free": (None, [c_void_p]),
+    "mien_effects_free": (None, [c_void_p]),
 }
 _IMAGE_STATUS: dict[str, list[Any]] = {
     "mien_write_picture": [c_void_p, POINTER(View), *_TEXT, POINTER(WriteOptions)],

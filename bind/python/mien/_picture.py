@@ -5,12 +5,12 @@ import ctypes
 import struct
 import threading
 import zlib
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy
 import numpy.typing
 
-from ._library import (Error, Handle, Pixels, Progress, RenderOptions, View, call, lib, utf8)
+from ._library import Error, Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, utf8
 
 Size = Union[int, "tuple[int, int]"]
 Color = Union[str, Sequence[float]]
@@ -131,6 +131,36 @@ def array_for(seen: View, depth: str, out: Optional[numpy.typing.NDArray[Any]]) 
     return out
 
 
+class Stats(NamedTuple):
+    """The work that a picture took."""
+
+    pixels: int           # drawn
+    fill_pixels: int      # in runs of one colour
+    varied_pixels: int    # in runs of a colour that varies
+    edge_pixels: int      # crossed by visible outlines
+    resolved_pixels: int  # those of them resolved by distances, because nothing else was proven
+    recalled_pixels: int  # copied from the frame before
+    pieces: int           # pieces of outline
+    crossings: int        # of those pieces with each other
+    regions: int          # different sets of outlines that places are inside of
+    doubts: int           # places where the order of outlines could not be proven
+    roots: int            # solved, where visible pieces meet rows and columns of pixels
+    distances: int        # solved for light and for gradients along a distance
+    root_seconds: float   # time of the roots, over all threads
+    distance_seconds: float
+    cancelled: bool
+
+
+def effects_of(texts: Sequence[str]) -> Handle:
+    """Effects by their texts, in order."""
+    if isinstance(texts, str):
+        raise TypeError("effects: expected a list of texts, got one text")
+    made = Handle(lib.mien_effects_free, lib.mien_effects_new)
+    for one in texts:
+        call(lib.mien_effects_add, made.value, *utf8(one))
+    return made
+
+
 class Renderer:
     """Draws frame after frame: it keeps memory and finished rows. The pixels are those of `Posed.render`."""
 
@@ -138,8 +168,17 @@ class Renderer:
         self._handle = Handle(lib.mien_renderer_free, lib.mien_renderer_new)
         self._lock = threading.Lock()  # it draws one picture at a time
 
+    @property
+    def stats(self) -> Stats:
+        """The work that the last picture took; all 0 before the first."""
+        raw = RenderStats(size=ctypes.sizeof(RenderStats))
+        with self._lock:
+            call(lib.mien_renderer_stats, self._handle.value, raw)
+        fields = {name: getattr(raw, name) for name in Stats._fields}
+        return Stats(**{**fields, "cancelled": bool(raw.cancelled)})
+
     def _render(self, scene: Any, seen: View, depth: str, threads: int, out: Optional[numpy.typing.NDArray[Any]],
-                progress: Optional[Watch]) -> numpy.typing.NDArray[Any]:
+                progress: Optional[Watch], effects: Optional[Handle] = None) -> numpy.typing.NDArray[Any]:
         array = array_for(seen, depth, out)
         pixels, options, watched = Pixels(), RenderOptions(), Watched(progress)
         lib.mien_pixels_init(pixels, ctypes.sizeof(Pixels))
@@ -150,7 +189,10 @@ class Renderer:
         pixels.bytes = pixels.stride * max(array.shape[0] - 1, 0) + row
         options.threads, options.progress = whole(threads, "threads"), watched.function
         with self._lock:
-            watched.call(lib.mien_render, self._handle.value, scene, seen, pixels, options)
+            if effects is None:
+                watched.call(lib.mien_render, self._handle.value, scene, seen, pixels, options)
+            else:
+                watched.call(lib.mien_render_with_effects, self._handle.value, scene, seen, effects.value, pixels, options)
         return array
 
 

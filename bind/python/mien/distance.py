@@ -16,19 +16,48 @@ import numpy.typing
 
 from ._library import Error, call, lib
 
-__all__ = ["cubic", "ellipse", "quad", "tapered"]
+__all__ = ["cubic", "ellipse", "parabola", "quad", "quad_on_grid", "quads", "tapered"]
 
 Reals = numpy.typing.NDArray[Any]
 
 
 def quad(points: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
-         out: Optional[Reals] = None) -> Any:
-    """To the quadratic Bézier curve of 3 points.
+         out: Optional[Reals] = None, accurate: bool = False) -> Any:
+    """To the quadratic Bézier curve of 3 points. `accurate`: float32 as if computed in float64 and rounded once.
 
     >>> float(quad([(0, 0), (1, 2), (2, 0)], 1, 1))
     0.0
     """
-    return _measure("quad", [_numbers(points, "points", 6)], x, y, out)
+    return _measure("quad", [_numbers(points, "points", 6)], x, y, out, "quad_accurate" if accurate else None)
+
+
+def quads(curves: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
+          out: Optional[Reals] = None) -> Any:
+    """To the nearest of n quadratic Bézier curves, an array (n, 3, 2). In float32, whatever x and y are; infinity if n is 0.
+
+    >>> float(quads([[(0, 0), (1, 0), (2, 0)], [(0, 5), (1, 5), (2, 5)]], 1, 4))
+    1.0
+    """
+    numbers = _real(curves, "curves").astype(numpy.float64)
+    if numbers.size % 6 or numbers.size and numbers.shape[-2:] != (3, 2):
+        raise Error("curves", f"expected an array (n, 3, 2), got {numbers.shape}")
+    xs, ys = _real(x, "x").astype(numpy.float32), _real(y, "y").astype(numpy.float32)
+    return _measure("quads", [numbers.ravel()], xs, ys, out, "quads", numbers.size // 6)
+
+
+def quad_on_grid(points: numpy.typing.ArrayLike, origin: tuple[float, float], step: float, columns: int, rows: int) -> Reals:
+    """To the quadratic Bézier curve of 3 points, from a grid: an array (rows, columns) of float32, [j, i] from the point origin +
+    step (i, j). Quickest where the grid is fine compared with the curve.
+
+    >>> quad_on_grid([(0, 0), (1, 0), (2, 0)], (0, 1), 0.5, 2, 2).tolist()
+    [[1.0, 1.0], [1.5, 1.5]]
+    """
+    if columns < 0 or rows < 0:
+        raise Error("columns, rows", f"expected no negative numbers, got {columns} and {rows}")
+    curve, found = _numbers(points, "points", 6), numpy.empty((rows, columns), numpy.float32)
+    call(lib.mien_distances_quad_on_grid_f32, curve.ctypes.data, float(origin[0]), float(origin[1]), float(step), columns, rows,
+         found.ctypes.data)
+    return found
 
 
 def cubic(points: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
@@ -52,6 +81,18 @@ def ellipse(center: numpy.typing.ArrayLike, radii: numpy.typing.ArrayLike, x: nu
     """
     figure = [_numbers(center, "center", 2), _numbers(radii, "radii", 2), _numbers(axis, "axis", 2)]
     return _measure("ellipse", figure, x, y, out)
+
+
+def parabola(vertex: numpy.typing.ArrayLike, axis: numpy.typing.ArrayLike, bend: float, x: numpy.typing.ArrayLike,
+             y: numpy.typing.ArrayLike, *, out: Optional[Reals] = None) -> Any:
+    """To the parabola vertex + u (axis turned left) + bend u² axis, negative on the side that the axis points to.
+
+    >>> float(parabola((0, 0), (0, 1), 1, 0, -2))
+    2.0
+    >>> float(parabola((0, 0), (0, 1), 1, 0, 0.25))
+    -0.25
+    """
+    return _measure("parabola", [_numbers(vertex, "vertex", 2), _numbers(axis, "axis", 2), _numbers(bend, "bend", 1)], x, y, out)
 
 
 def tapered(points: numpy.typing.ArrayLike, half_widths: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
@@ -80,7 +121,7 @@ def _real(of: numpy.typing.ArrayLike, name: str) -> Reals:
 
 
 def _measure(figure: str, numbers: list[Reals], x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike,
-             out: Optional[Reals]) -> Any:
+             out: Optional[Reals], single_kernel: Optional[str] = None, count: Optional[int] = None) -> Any:
     xs, ys = _real(x, "x"), _real(y, "y")
     # A Python number beside an array takes the array's type.
     kinds = [one.dtype for one, given in ((xs, x), (ys, y)) if not isinstance(given, (int, float))]
@@ -93,8 +134,9 @@ def _measure(figure: str, numbers: list[Reals], x: numpy.typing.ArrayLike, y: nu
     place = _place(out, shape, dtype, xs, ys)
     ready = [numpy.ascontiguousarray(numpy.broadcast_to(one, shape), dtype=dtype) for one in (xs, ys)]
     curve = numpy.concatenate(numbers)
-    call(getattr(lib, f"mien_distances_{figure}_{'f32' if single else 'f64'}"), curve.ctypes.data, ready[0].ctypes.data,
-         ready[1].ctypes.data, place.ctypes.data, place.size)
+    kernel = getattr(lib, f"mien_distances_{(single_kernel or figure) if single else figure}_{'f32' if single else 'f64'}")
+    call(kernel, curve.ctypes.data, *([] if count is None else [count]), ready[0].ctypes.data, ready[1].ctypes.data,
+         place.ctypes.data, place.size)
     if out is None:
         return place[()] if shape == () else place
     if place is not out:

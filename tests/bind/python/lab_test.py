@@ -33,6 +33,7 @@ class Lab(unittest.TestCase):
         self.assertGreater(len(table), 10)
         for row in table:
             self.assertEqual((row.cases, row.wrong, row.nan), (20, 0, 0), row.family)
+            self.assertLessEqual(row.p999, row.worst)
             self.assertLessEqual(row.worst, 4)  # DistancesContract::kDoubleError
         self.assertIn("0 of", str(table))
 
