@@ -44,26 +44,27 @@ TEST(FuzzedPictures, ThatWereWrongOnceAreRight) {
     int side;
   };
   FuzzTally tally;
-  for (const Found& f : {Found{"jittered", 91, 32},
-                         {"jittered", 160, 32},
-                         {"jittered", 278, 24},
-                         {"jittered", 295, 24},
-                         {"jittered", 397, 32},
-                         {"jittered", 20847, 32},
-                         {"jittered", 1004321, 24},  // slivers within a path, which the judges
-                         {"jittered", 1013555, 32},  // overlooked
-                         {"generic", 809, 24},
-                         {"painted", 2, 24},
-                         {"painted", 3, 24},
-                         {"painted", 120, 24},
-                         {"painted", 138, 24},
-                         {"painted", 44, 24},      // a hairpin between two looks along a spine
-                         {"painted", 20002, 24},   // a ridge half a pixel beside a block's foot
-                         {"painted", 5010, 32},    // a ridge whose slope jumps by little, seen by one block
-                         {"painted", 300012, 32},  // a thin shell: three ridges in two pixels
-                         {"painted", 178, 24},
-                         {"painted", 286, 24},
-                         {"painted", 419, 24}})
+  for (const Found& f :
+       {Found{"jittered", 91, 32},
+        {"jittered", 160, 32},
+        {"jittered", 278, 24},
+        {"jittered", 295, 24},
+        {"jittered", 397, 32},
+        {"jittered", 20847, 32},
+        {"jittered", 1004321, 24},  // slivers within a path, which the judges
+        {"jittered", 1013555, 32},  // overlooked
+        {"generic", 809, 24},
+        {"painted", 2, 24},
+        {"painted", 3, 24},
+        {"painted", 120, 24},
+        {"painted", 138, 24},
+        {"painted", 44, 24},      // a hairpin between two looks along a spine
+        {"painted", 20002, 24},   // a ridge half a pixel beside a block's foot
+        {"painted", 5010, 32},    // a ridge whose slope jumps by little, seen by one block
+        {"painted", 300012, 32},  // a thin shell: three ridges in two pixels
+        {"painted", 178, 24},
+        {"painted", 286, 24},
+        {"painted", 419, 24}})
     expect_right(f.kind, f.seed, f.side, tally);
 }
 
