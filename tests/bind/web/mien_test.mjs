@@ -3,9 +3,11 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { pictureHashes } from './picture_hashes.mjs';
+import { pngPixels } from './png_pixels.mjs';
 
 const built = new URL(`file://${process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`}/`);
 const { load, MienError, isSupported } = await import(new URL('mien.js', built));
+const { png } = await import(new URL('png.js', built));
 const mien = await load(readFileSync(new URL('mien.wasm', built)));
 const text = (name) => readFileSync(new URL(`../../../faces/compat/${name}.face.json`, import.meta.url), 'utf8');
 
@@ -43,13 +45,16 @@ test('what recipes choose from is told', () => {
   assert.notEqual(mien.near(code, 0.3, 'a'), mien.near(code, 0.3, 'b'));
 });
 
-test('a picture in strips is the picture', () => {
+test('a picture in strips is the picture, and so is its PNG', async () => {
   const face = mien.person(mien.code('hello')), pose = { emotions: { joy: 1 }, background: '#ff000080', fit: 'slice' };
   const whole = face.draw(100, 77, pose).slice(), strips = new Uint8ClampedArray(100 * 77 * 4);
   let rows = 0;
   for (const strip of face.strips(100, 77, pose, 10)) strips.set(strip.pixels, strip.y * 400), rows += strip.rows;
   assert.equal(rows, 77);
   assert.deepEqual(strips, whole);
+  const file = await png(100, 77, face.strips(100, 77, pose, 10)), read = pngPixels(Buffer.from(await file.arrayBuffer()));
+  assert.deepEqual([read.width, read.height], [100, 77]);
+  assert.equal(Buffer.compare(Buffer.from(read.pixels), Buffer.from(whole)), 0);
   assert.throws(() => face.draw(100, 77, { background: '#ff' }), MienError);
   assert.deepEqual(face.toPixel(...face.fromPixel(12, 34)).map(Math.round), [12, 34]);
   face.free();
