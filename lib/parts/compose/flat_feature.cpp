@@ -176,6 +176,8 @@ class Flattening {
     if (node.kind == JsonKind::array)
       for (const JsonNode* one = in_.tree.first(node); one; one = in_.tree.next(*one)) last = one;
     if (last && last->kind == JsonKind::string) {  // [x, y, "bend"], ["@name", "bend"]
+      constexpr std::array<std::string_view, 1> kMarks{"bend"};
+      in_.word(*last, "mark of a point", kMarks);
       made.bend = true;
       const JsonNode& first = *in_.tree.first(node);
       if (first.kind == JsonKind::string) {

@@ -3,8 +3,24 @@
 #include "lib/math/degrees.h"
 
 #include <algorithm>
+#include <array>
 
 namespace mien {
+namespace {
+
+/// A misspelt key would be left out without a word.
+void expect_point_keys(const Reading& in, const JsonNode& point) {
+  static constexpr std::array<std::string_view, 11> kKeys{"adds",     "at",   "bend",   "comment",
+                                                          "mirrored", "plus", "radius", "rides",
+                                                          "times",    "turn", "xy"};
+  in.for_each(point, [&](const JsonNode& one, int) {
+    const std::string_view key = in.tree.key(one);
+    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+      in.refuse(one, unknown_name("key of a point", key, {kKeys.begin(), kKeys.end()}));
+  });
+}
+
+}  // namespace
 
 glm::dvec2 PartFrame::vector(glm::dvec2 v) const {
   v *= scale;
@@ -158,6 +174,7 @@ FoundPoint PartGeometry::point(const Reading& in, const JsonNode& node, const Pa
              [&](double by, const JsonNode& add) { found.at += by * frame.vector(in.pair(add)); });
   }
   if (node.kind != JsonKind::object) return found;
+  expect_point_keys(in, node);
   if (const JsonNode* depth = in.find(node, "turn")) found.depth = in.number(*depth);
   if (const JsonNode* rides = in.find(node, "rides")) {
     found.rides.clear();
