@@ -161,10 +161,9 @@ void LitPaint::make_full(LitTile& t) const {
 
 void LitPaint::make_distances(LitTile& t) const {
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * LitTile::kSide;
-  // Where the slope jumps by so much, blocks beside the ridge see each other's distances wrong by up to it times 0.7 px.
-  constexpr double kAlikeSlopes = 1.0;  // per pixel of tolerance
   t.rises = true, t.kind = LitTile::Kind::distances;
-  t.same = float(std::clamp(kAlikeSlopes * distance_tolerance_, 2e-4, double(LitTile::kSame)));
+  // Where the slope jumps by s, blocks beside the ridge see each other's distances wrong by up to 0.7 s px.
+  t.same = float(std::clamp(distance_tolerance_, 2e-4, double(LitTile::kSame)));
   t.lamp.rise_kind = LampLanes::Rise::constant, t.lamp.rise = 1.0f, t.lamp.finest = 1e9f;
   t.shallow = -1e9f, t.deep = 1e9f;
   t.feet.narrow(gradient_area_, middle, kRadius);

@@ -58,6 +58,7 @@ static void test_made(const mien_face* rest) {
   CHECK(memcmp(got, before, bytes) == 0);
   free(got), free(half), free(before), free(wanted);
 
+  mien_texts_free(text);
   FAILS(MIEN_REFUSED, "blue", mien_morphs_text(rest, names, faces, 2, &text, &error));
   CHECK(text == NULL);
   FAILS(MIEN_UNREADABLE, "mine:1",
