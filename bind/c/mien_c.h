@@ -146,7 +146,7 @@ MIEN_C_API mien_status mien_face_read(const char* path, size_t path_length, mien
 MIEN_C_API mien_status mien_face_read_text(const char* text, size_t length, const char* name,
                                            size_t name_length, mien_face** out, mien_error** error);
 
-/* The person of a code, "ZA7Q2-MKX4T-B1". */
+/* The person of a code, "AA7Q2-MKX4T-BY". */
 MIEN_C_API mien_status mien_face_from_code(const char* code, size_t length, mien_face** out,
                                            mien_error** error);
 

@@ -1,4 +1,4 @@
-// <mien-face code="Z66CB-AA5S0-1B" width="320" height="320" emotion="joy=0.8" playing></mien-face>
+// <mien-face code="A66CB-AA5S0-14" width="320" height="320" emotion="joy=0.8" playing></mien-face>
 //
 //   src       a face file's address            code      or a person's code
 //   width, height  in CSS pixels (320, 320); the picture has the display's own pixels

@@ -2,7 +2,7 @@
 //
 //   import { load } from 'mien';
 //   const mien = await load();                                  // mien.wasm, beside this file
-//   const face = mien.person('Z66CB-AA5S0-1B');                 // or mien.face(textOfAFaceFile)
+//   const face = mien.person('A66CB-AA5S0-14');                 // or mien.face(textOfAFaceFile)
 //   const pixels = face.draw(640, 360, { time: 1.25, emotions: { joy: 0.8 }, set: { 'gaze.x': 0.04 } });
 //   context.putImageData(new ImageData(pixels, 640, 360), 0, 0);
 //

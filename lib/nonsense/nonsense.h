@@ -3,7 +3,7 @@
 // posed outlines, so no picture is needed.
 //
 //   const NonsenseTest test;
-//   for (const NonsenseFault& fault : test.faults(*face_from_code("Z97Y1-5M52F-C6"))) …
+//   for (const NonsenseFault& fault : test.faults(*face_from_code("A97Y1-5M52F-C9"))) …
 //
 // A check looks at features by their names ("head", "opening.left", "lip_upper", "hair_front"), and only
 // where a face has them. Lengths are in units of a head about 1.07 wide.

@@ -32,7 +32,7 @@ async function frames(text, width, height, count) {
 }
 
 const page = (body) => `<!doctype html><meta charset="utf-8">${body}`;
-const element = '<mien-face code="Z66CB-AA5S0-1B" width="320" height="320"></mien-face>';
+const element = '<mien-face code="A66CB-AA5S0-14" width="320" height="320"></mien-face>';
 const server = await serve(built, {
   '/bare.html': page(''),
   '/face.html': page(`<script>addEventListener('drawn', () => { window.drawn ??= performance.now(); })</script><script type="module" src="element.js"></script>${element}`),

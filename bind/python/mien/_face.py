@@ -302,7 +302,7 @@ def read_face_text(words: Union[str, bytes], name: str = "face") -> Face:
 
 
 def from_code(code: str) -> Face:
-    """The person of a code, "ZA7Q2-MKX4T-B1"."""
+    """The person of a code, "AA7Q2-MKX4T-BY"."""
     return Face(Handle(lib.mien_face_free, lib.mien_face_from_code, *utf8(code)))
 
 

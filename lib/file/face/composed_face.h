@@ -16,7 +16,7 @@ namespace mien {
 /// are made with.
 MIEN_API Expected<Face> face_from_recipe(const Recipe& recipe, const Letters& letters = {});
 
-/// The face of a code, "ZA7Q2-MKX4T-B1".
+/// The face of a code, "AA7Q2-MKX4T-BY".
 MIEN_API Expected<Face> face_from_code(std::string_view code);
 
 }  // namespace mien

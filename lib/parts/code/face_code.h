@@ -31,7 +31,7 @@ struct FaceCode {
   friend bool operator==(const FaceCode&, const FaceCode&) = default;
 };
 
-/// "ZA7Q2-MKX4T-B1": the edition, ten signs of the seed in Crockford's base 32, and a check sign that
+/// "AA7Q2-MKX4T-BY": the edition, ten signs of the seed in Crockford's base 32, and a check sign that
 /// finds any one wrong sign and any swap of neighbours. Held values follow as "~0H0C", field and value
 /// in two signs each, and are checked too.
 MIEN_API std::string face_code_text(const FaceCode& code);

@@ -19,7 +19,7 @@ const pages = {};
 const server = await serve(built, pages), browser = await browse(), folder = mkdtempSync(join(tmpdir(), 'mien-export-'));
 after(async () => { await browser.close(); await server.close(); rmSync(folder, { recursive: true }); });
 
-const CODE = 'ZF5C2-938BM-JJ', WIDTH = 150, HEIGHT = 150;
+const CODE = 'AF5C2-938BM-JX', WIDTH = 150, HEIGHT = 150;
 
 /** The studio with somebody in a pose, and Export open. */
 async function exporting(style, background) {

@@ -12,7 +12,7 @@ const face = (name) => readFileSync(new URL(`faces/compat/${name}.face.json`, ro
 const page = (body) => `<!doctype html><meta charset="utf-8"><script type="module" src="element.js"></script>${body}`;
 const pages = {
   '/one.html': page('<mien-face src="toon.face.json" width="160" height="90" time="1.25"></mien-face>'),
-  '/code.html': page('<mien-face code="ZW506-TPRCQ-AE" width="96" height="54" time="1.25"></mien-face>'),
+  '/code.html': page('<mien-face code="AW506-TPRCQ-A1" width="96" height="54" time="1.25"></mien-face>'),
   '/wrong.html': page('<mien-face code="ZZZZZ-ZZZZZ-ZZ" width="96" height="54"></mien-face>'),
   '/toon.face.json': face('toon'), '/clay.face.json': face('clay'), '/broken.face.json': '{"format": "mien-fac"}',
 };
@@ -64,7 +64,7 @@ test('a face is drawn with the bytes of a machine without fused multiply-adds', 
 test('a person is drawn with these bytes, at the pixels of the display', async () => {
   const on = await browser.open(`${server.url}/code.html`);
   await drawn(on);
-  await shows(on, hashed(hashes.told('ZW506-TPRCQ-AE', 96, 'linear')), 'these bytes');
+  await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const fine = await browser.open(`${server.url}/code.html`, { dots: 2 });
   await drawn(fine);
   await shows(fine, (now) => now.length === 192 * 108 * 4, 'twice the pixels');
@@ -74,7 +74,7 @@ test('a person is drawn with these bytes, at the pixels of the display', async (
 test('emotions move the picture, and rest is rest again', async () => {
   const on = await browser.open(`${server.url}/code.html`);
   await drawn(on);
-  await shows(on, hashed(hashes.told('ZW506-TPRCQ-AE', 96, 'linear')), 'these bytes');
+  await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const rest = await shown(on);
   await then(on, 'drawn', (face) => face.setAttribute('emotion', 'joy=1'));
   await shows(on, otherThan(rest), 'something else');
@@ -99,10 +99,10 @@ test('clips play while the page stays awake', async () => {
 test('an unknown code is a sentence, and the old face stays', async () => {
   const on = await browser.open(`${server.url}/code.html`);
   await drawn(on);
-  await shows(on, hashed(hashes.told('ZW506-TPRCQ-AE', 96, 'linear')), 'these bytes');
+  await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const before = await shown(on);
-  const said = await then(on, 'refused', (face) => face.setAttribute('code', 'ZW506-TPRCQ-AF'));
-  assert.match(said.where + said.what, /ZW506-TPRCQ-AF/);
+  const said = await then(on, 'refused', (face) => face.setAttribute('code', 'AW506-TPRCQ-A2'));
+  assert.match(said.where + said.what, /AW506-TPRCQ-A2/);
   assert.ok(said.what.length > 10);
   const name = await then(on, 'refused', (face) => { face.removeAttribute('code'), face.setAttribute('src', 'broken.face.json'); });
   assert.match(name.where, /^broken\.face\.json:1/);
@@ -117,14 +117,14 @@ test('where nothing was drawn yet, the sentence stands in the page', async () =>
   const on = await browser.open(`${server.url}/wrong.html`);
   const said = await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent);
   assert.match(said, /ZZZZZ-ZZZZZ-ZZ/);
-  await then(on, 'drawn', (face) => face.setAttribute('code', 'ZW506-TPRCQ-AE'));
+  await then(on, 'drawn', (face) => face.setAttribute('code', 'AW506-TPRCQ-A1'));
   assert.equal(await on.run(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), '');
 });
 
 test('a face that is taken out and put back is drawn again; one that is moved keeps its picture', async () => {
   const on = await browser.open(`${server.url}/code.html`);
   await drawn(on);
-  await shows(on, hashed(hashes.told('ZW506-TPRCQ-AE', 96, 'linear')), 'these bytes');
+  await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const before = await shown(on);
   await then(on, 'drawn', (face) => document.body.append(face));
   await shows(on, sameAs(before), 'the same');
