@@ -1,6 +1,6 @@
 // What is seen at a place has a name, and pictures agree.
 
-#include "sdf/scene/feature_at.h"
+#include <mien/feature_at.h>
 
 #include <gtest/gtest.h>
 
