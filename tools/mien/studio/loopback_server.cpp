@@ -22,7 +22,7 @@ namespace mien::command {
 namespace {
 
 constexpr int kPatience = 60;  // [s] for a browser that neither asks nor takes
-constexpr ev_ssize_t kLongest =
+constexpr ev_ssize_t kLongestRequest =
     1 << 16;  // [bytes] of an asker's headers, and of a body that is not wanted
 
 constexpr int kSeeOther = 302, kForbidden = 403, kNotFound = 404, kNotAllowed = 405,
@@ -165,8 +165,8 @@ Expected<LoopbackServer> LoopbackServer::on(std::uint16_t port, WebFolder folder
   if (!parts->http) return Error{"studio", "cannot begin to serve"};
   evhttp* http = parts->http.get();
   evhttp_set_timeout(http, kPatience);
-  evhttp_set_max_headers_size(http, kLongest);
-  evhttp_set_max_body_size(http, kLongest);
+  evhttp_set_max_headers_size(http, kLongestRequest);
+  evhttp_set_max_body_size(http, kLongestRequest);
   evhttp_set_allowed_methods(http, 0xffff);  // the answer to others says which are
   evhttp_set_gencb(http, answer_without_throwing, &parts->folder);
   errno = 0;
