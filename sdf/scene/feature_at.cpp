@@ -35,16 +35,17 @@ struct PlaceOf {
   }
 };
 
-/// The place in [0, 1] whose colour is meant.
-double within(double at, Extend extend) {
-  if (extend == Extend::pad || !std::isfinite(at)) return std::clamp(at, 0.0, 1.0);
-  if (extend == Extend::repeat) return at - std::floor(at);
-  const double twice = at - 2 * std::floor(at / 2);
-  return twice > 1 ? 2 - twice : twice;
+/// The place between the first and the last stop whose colour is meant, or one beyond them, which has the nearer end's.
+double within(const Gradient& gradient, double at) {
+  const double first = gradient.stops.front().at, length = gradient.stops.back().at - first;
+  if (gradient.extend == Extend::pad || !(length > 0) || !std::isfinite(at)) return at;
+  const double turns = (at - first) / length, share = turns - std::floor(turns);
+  const bool back = gradient.extend == Extend::reflect && std::fmod(std::floor(turns), 2) != 0;
+  return first + length * (back ? 1 - share : share);
 }
 
 double opacity_of(const Gradient& gradient, const Scene& scene, glm::dvec2 p) {
-  const double at = within(std::visit(PlaceOf{scene, p}, gradient.along), gradient.extend);
+  const double at = within(gradient, std::visit(PlaceOf{scene, p}, gradient.along));
   const auto& stops = gradient.stops;
   const auto after =
       std::upper_bound(stops.begin(), stops.end(), at,

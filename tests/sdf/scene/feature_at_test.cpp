@@ -78,6 +78,22 @@ TEST(FeatureAt, FollowsEveryGradient) {
   EXPECT_EQ(opacity_at(scene, 6, {0, 0}), 0);
 }
 
+TEST(FeatureAt, RepeatsFromTheFirstStopToTheLast) {
+  SceneBuilder build(kCanvas, {1, 1, 1, 1});
+  const std::vector<Stop> stops{{2, {0, 0, 0, 1}}, {4, {0, 0, 0, 0}}};
+  for (const Extend extend : {Extend::pad, Extend::repeat, Extend::reflect})
+    build.layer("one", build.everywhere(),
+                {.color = {0, 0, 0, 1},
+                 .gradient = shared({LinearGradient{{0, 0}, {1, 0}}, stops, extend})});
+  const Scene scene = std::move(build).finish();
+  const double wanted[3][4] = {{1, 0.75, 0, 0}, {0.25, 0.75, 0.75, 0.25}, {0.75, 0.75, 0.25, 0.75}};
+  const double places[] = {1.5, 2.5, 4.5, 9.5};
+  for (int layer = 0; layer < 3; ++layer)
+    for (int k = 0; k < 4; ++k)
+      EXPECT_NEAR(opacity_at(scene, layer, {places[k], 0}), wanted[layer][k], 1e-12)
+          << layer << " " << k;
+}
+
 TEST(FeatureAt, IsTheThingAndNotItsShadow) {
   SceneBuilder build(kCanvas, {1, 1, 1, 1});
   const Area all = build.everywhere(), disc = build.shape(Disc{{5, 5}, 2});
