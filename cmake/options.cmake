@@ -11,6 +11,7 @@ option(MIEN_WITH_THREADS "Draw on several threads, by oneTBB; else on the caller
 option(MIEN_HEADER_ONLY_DEPENDENCIES "Of fmt and Highway take the headers alone, as for WebAssembly, which has no libraries of theirs" OFF)
 option(MIEN_SAME_BITS_WITHOUT_FMA "Float batches give the same bits on processors without fused multiply-add too, slowly" OFF)
 set(MIEN_FORMATS_PACKAGE "" CACHE STRING "The package that users are told to install where the modules for TIFF, EXR and JPEG are missing")
+set(MIEN_WEB_PACKAGE "" CACHE PATH "The web package, made by tools/portable web: installed for mien studio")
 set(MIEN_INSTRUCTION_SETS all CACHE STRING "all: kernels for every instruction set; few: for the compiler's own and AVX2")
 option(MIEN_BUILD_FUZZ "Build the fuzzers (needs clang)" OFF)
 option(MIEN_WARNINGS "Warn, and treat warnings as errors, in mien's own files" ${PROJECT_IS_TOP_LEVEL})

@@ -39,6 +39,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"(libdeflate|tiff(io)?)\.h": (r"render/image/", "render/image"),
     r"ft2build\.h|freetype/": (r"sdf/from_text/", "sdf/from_text"),
     r"csv\.h": (r"tools/mien/data/", "tools/mien/data"),
+    r"event2/": (r"tools/mien/studio/", "tools/mien/studio"),
     r"nettle/": (r"tools/mien/output/", "tools/mien/output"),
     r"CLI/": (r"tools/mien/cli/|tools/accuracy/main\.cpp$", "tools/mien/cli"),
     r"tiny_obj_loader": (r"lib/file/", "lib/file"),

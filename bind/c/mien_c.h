@@ -358,6 +358,11 @@ MIEN_C_API mien_status mien_scene_distance(const mien_scene* scene, int32_t laye
 MIEN_C_API mien_status mien_scene_layer_at(const mien_scene* scene, double x, double y,
                                            int32_t* out, mien_error** error);
 
+/* The feature that is seen at a point [face units], "iris.left": a list of one text, or of none. Unlike the topmost
+ * layer it is never one that is transparent there, nor a shadow or a glow; outlines count as their features. */
+MIEN_C_API mien_status mien_scene_feature_at(const mien_scene* scene, double x, double y,
+                                             mien_texts** out, mien_error** error);
+
 /* ---- Pictures ---------------------------------------------------------------------------------- */
 
 enum { MIEN_FIT_MEET = 0, MIEN_FIT_SLICE = 1 };      /* all of the canvas; all of the picture */

@@ -1,5 +1,6 @@
 // Scenes: layers, and what is where.
 
+#include <mien/feature_at.h>
 #include <mien/scene_from_face.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
@@ -64,6 +65,17 @@ mien_status mien_scene_layer_at(const mien_scene* scene, double x, double y, int
         *out = layer;
         return;
       }
+  });
+}
+
+mien_status mien_scene_feature_at(const mien_scene* scene, double x, double y, mien_texts** out,
+                                  mien_error** error) {
+  return pass("mien_scene_feature_at", error, [&] {
+    const mien::Scene& in = need(scene, "scene").scene;
+    mien_texts*& made = place(out);
+    const std::string_view feature =
+        mien::feature_at(in, {need_finite(x, "x"), need_finite(y, "y")});
+    made = feature.empty() ? new_texts({}) : new_texts({std::string(feature)});
   });
 }
 }

@@ -281,15 +281,13 @@ export class Face {
     } finally { exports.mien_pieces_free(pieces), exports.free(piece), exports.free(data); }
   }
 
-  /** Of the picture drawn last: the name of the topmost feature at a pixel, or null. */
+  /** Of the picture drawn last: the name of the feature that is seen at a pixel, or null. */
   featureAt(x, y) {
     const at = this.#m.take(16);
     try {
       this.#mien.done('mien_face_from_pixel', this.#scene, this.#view, x, y, at);
       const v = this.#m.view, px = v.getFloat64(at, true), py = v.getFloat64(at + 8, true);
-      this.#mien.done('mien_scene_layer_at', this.#scene, px, py, at);
-      const layer = this.#m.view.getInt32(at, true);
-      return layer < 0 ? null : this.#m.text(this.#m.exports.mien_scene_layer_name(this.#scene, layer));
+      return this.#mien.texts('mien_scene_feature_at', this.#scene, px, py)[0] ?? null;
     } finally { this.#m.exports.free(at); }
   }
   /** Of the picture drawn last: where a pixel is, in face units, and back. */

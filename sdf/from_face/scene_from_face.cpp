@@ -1,6 +1,7 @@
 #include <mien/scene_from_face.h>
 
 #include <mien/face_model.h>
+#include <mien/feature_at.h>
 #include "draw_face_private.h"
 #include "feature_areas_private.h"
 #include "feature_paint_private.h"
@@ -11,6 +12,10 @@
 
 namespace mien {
 namespace {
+
+std::string layer_name(const Feature& feature, std::string_view ending) {
+  return feature.name + std::string(ending);
+}
 
 /// Which way in the picture the lamp does not shine; down, if it shines straight.
 glm::dvec2 away_from_lamp(const FaceModel& model) {
@@ -42,13 +47,13 @@ void draw_feature(Index<Feature> i, const Face& face, const FeatureAreas& areas,
   Surroundings around = surroundings_of(feature, face);
   if (around.shadow) {
     if (around.shadow_on) around.shadow->on = areas.of(around.shadow_on);
-    soft_shadow(build, feature.name + "/shadow", areas.of(i), *around.shadow);
+    soft_shadow(build, layer_name(feature, kShadowLayer), areas.of(i), *around.shadow);
   }
-  if (around.glow) glow(build, feature.name + "/glow", areas.of(i), *around.glow);
+  if (around.glow) glow(build, layer_name(feature, kGlowLayer), areas.of(i), *around.glow);
   if (feature.painted())
     build.layer(feature.name, areas.of(i), paint_of(feature, face, areas.figure(i)));
   if (around.contour)
-    build.layer(feature.name + "/contour",
+    build.layer(layer_name(feature, kContourLayer),
                 contour_of(feature, *around.contour, areas.of(i), face, areas, build),
                 {around.contour->color});
 }

@@ -29,7 +29,7 @@ const Wrong kWrongs[] = {
     {{},
      2,
      "a command is needed: render, check, scene, list, bench, animate, morph, mesh, pca, import, "
-     "fit, sheet, new, code, parts, chernoff, stimuli; "
+     "fit, sheet, new, code, parts, chernoff, stimuli, studio; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},
@@ -190,6 +190,8 @@ const Wrong kWrongs[] = {
     {{"scene", "FACE", "--time", "soon"}, 2, "--time soon: expected a finite number of seconds"},
     {{"list", "FACE", "FACE"}, 2, "list: one argument too many: \"FACE\""},
     {{"bench"}, 2, "bench: FACE is required"},
+    {{"studio", "--port", "65536"}, 2, "--port 65536: expected a whole number from 0 to 65535"},
+    {{"studio", "--prot", "1"}, 2, "no option named \"--prot\"; did you mean \"--port\"?"},
     {{"bench", "FACE", "--repeat", "0"},
      2,
      "--repeat 0: expected a whole number from 1 to 1000000"},

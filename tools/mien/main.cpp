@@ -29,6 +29,7 @@ struct Run {
   int operator()(const PartsArguments& arguments) const { return parts_command(arguments); }
   int operator()(const ChernoffArguments& arguments) const { return chernoff_command(arguments); }
   int operator()(const StimuliArguments& arguments) const { return stimuli_command(arguments); }
+  int operator()(const StudioArguments& arguments) const { return studio_command(arguments); }
 };
 
 }  // namespace

@@ -258,6 +258,11 @@ class Posed:
         call(lib.mien_scene_layer_at, scene, float(x), float(y), ctypes.byref(found))
         return text(lib.mien_scene_layer_name(scene, found.value)) if found.value >= 0 else None
 
+    def feature_at(self, x: float, y: float) -> Optional[str]:
+        """The feature that is seen at a point [face units]: not its shadow or outline, and nothing transparent."""
+        found = texts(lib.mien_scene_feature_at, self._drawn, float(x), float(y))
+        return found[0] if found else None
+
     def distance(self, layer: Union[str, int], x: float, y: float) -> float:
         """The signed distance to a layer's outline, negative inside [face units]."""
         index = layer

@@ -103,6 +103,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_scene_text": [c_void_p, _ERROR],
     "mien_scene_distance": [c_void_p, c_int32, c_double, c_double, POINTER(c_double)],
     "mien_scene_layer_at": [c_void_p, c_double, c_double, POINTER(c_int32)],
+    "mien_scene_feature_at": [c_void_p, c_double, c_double, _ERROR],
     "mien_drawn_rect": [POINTER(View), c_void_p],
     "mien_color_from_text": [*_TEXT, c_void_p],
     "mien_renderer_new": [_ERROR],

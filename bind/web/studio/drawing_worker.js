@@ -46,6 +46,8 @@ const answers = {
     const begin = performance.now(), pixels = face.draw(width, height, pose).slice();
     return { pixels, ms: performance.now() - begin };
   },
+  /** The feature that is seen at a place, in shares of the picture drawn last; null: there is nothing. */
+  feature: (_mien, { x, y }) => face.featureAt(x * seen.width, y * seen.height),
   /** The feature that is drawn at a place, in shares of the picture, and its points in a pose: { feature, points: [{ name, at }] }. */
   points(_mien, { x, y, pose }) {
     const feature = face.featureAt(x * seen.width, y * seen.height);

@@ -2,6 +2,7 @@
 
 import { drawnPose } from './document.js';
 import { Points } from './points.js';
+import { Under } from './under.js';
 
 const STILL = 160;       // [ms] without a change, after which a picture is drawn in full
 const FLUENT = 45;       // [ms] a picture may take while something moves
@@ -17,6 +18,7 @@ export class Stage {
   constructor(studio, frame, { change, drawn }) {
     this.#studio = studio, this.#frame = frame, this.#canvas = frame.querySelector('canvas'), this.#change = change, this.#drawn = drawn;
     this.points = new Points(studio, frame);
+    new Under(studio, frame);
     new ResizeObserver(() => this.draw()).observe(frame.parentElement);
     this.#watchDisplay();
     this.#canvas.addEventListener('pointerdown', (event) => this.#press(event));

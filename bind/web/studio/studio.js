@@ -13,6 +13,8 @@ import { Pose } from './panels/pose.js';
 import { Shape } from './panels/shape.js';
 import { Stage } from './stage.js';
 import { tabs } from './tabs.js';
+import { placeOf } from './under.js';
+import { spelled } from './words.js';
 
 const by = (id) => document.getElementById(id);
 const PANELS = { People, Parts, Shape, Colours, Feelings, Muscles, Pose };
@@ -60,6 +62,18 @@ class Studio {
   }
   say(text) {
     if (by('said').textContent !== text) by('said').textContent = text;
+  }
+
+  /** Whether clicks on the picture are for points. */
+  get shaping() { return this.#stage.points.on; }
+  /** Opens the panel where a feature is changed, and says its name. */
+  select(feature) {
+    if (!feature) return this.say('There is nothing.');
+    const place = this.opened.recipe ? placeOf(feature) : { panel: 'Colours' };
+    if (!place) return this.say(`${spelled(feature)}.`);
+    if (place.family) this.#tabs.panel(place.panel).show(place.family);
+    this.#tabs.choose(place.panel);
+    this.say(place.family ? `${spelled(feature)}: ${place.panel}, ${spelled(place.family)}` : `${spelled(feature)}: ${place.panel}`);
   }
 
   /** Shows the document as it is now. */

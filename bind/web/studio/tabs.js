@@ -1,6 +1,6 @@
 // Tabs as screen readers know them: arrows go from one to the next. A panel is filled when it is shown.
 
-/** { update(), panel(name) }. `panels`: classes by name, made with (root, studio), updated with (document, opened). */
+/** { update(), choose(name), panel(name) }. `panels`: classes by name, made with (root, studio), updated with (document, opened). */
 export function tabs(list, place, panels, studio) {
   const names = Object.keys(panels), made = {};
   let chosen = names[0];
@@ -35,5 +35,5 @@ export function tabs(list, place, panels, studio) {
     if (studio.opened) made[chosen].update(studio.document, studio.opened);
   }
   choose(chosen);
-  return { update, panel: (name) => made[name] };
+  return { update, choose, panel: (name) => made[name] };
 }

@@ -22,9 +22,29 @@ static void test_refusals(const mien_scene* scene) {
   FAILS(MIEN_REFUSED, "y", mien_scene_layer_at(scene, 0, INFINITY, &at, &error));
   FAILS(MIEN_MISUSE, "scene", mien_scene_layer_at(NULL, 0, 0, &at, &error));
   FAILS(MIEN_MISUSE, "out", mien_scene_layer_at(scene, 0, 0, NULL, &error));
+  FAILS(MIEN_REFUSED, "x", mien_scene_feature_at(scene, NAN, 0, &text, &error));
+  FAILS(MIEN_MISUSE, "scene", mien_scene_feature_at(NULL, 0, 0, &text, &error));
+  FAILS(MIEN_MISUSE, "out", mien_scene_feature_at(scene, 0, 0, NULL, &error));
   CHECK(mien_scene_layer_count(NULL) == 0 && mien_scene_layer_name(NULL, 0)[0] == 0);
   CHECK(mien_scene_layer_name(scene, -1)[0] == 0);
   mien_scene_free(NULL);
+}
+
+/* Here the topmost layer is opaque, or an outline: its feature is seen. */
+static void test_features(const mien_scene* scene) {
+  mien_error* error = NULL;
+  mien_texts* text = NULL;
+  int32_t at = 0;
+  OK(mien_scene_feature_at(scene, 0, 0, &text, &error));
+  CHECK(mien_texts_count(text) == 1);
+  OK(mien_scene_layer_at(scene, 0, 0, &at, &error));
+  CHECK(strncmp(mien_texts_at(text, 0), mien_scene_layer_name(scene, at),
+                strlen(mien_texts_at(text, 0))) == 0);
+  mien_texts_free(text);
+  OK(mien_scene_feature_at(scene, 1e9, 1e9, &text, &error));
+  OK(mien_scene_layer_at(scene, 1e9, 1e9, &at, &error));
+  CHECK((mien_texts_count(text) == 0) == (at < 0));
+  mien_texts_free(text);
 }
 
 void test_scenes(void) {
@@ -54,6 +74,7 @@ void test_scenes(void) {
     OK(mien_scene_distance(scene, layer, 0, 0, &d, &error));
     CHECK(d > 0);
   }
+  test_features(scene);
   test_refusals(scene);
   mien_scene_free(scene);
 }

@@ -166,11 +166,14 @@ class Poses(unittest.TestCase):
         layer = posed.layer_at(0, 0)
         self.assertIn(layer, posed.layers)
         self.assertIsNone(posed.layer_at(1e9, 1e9) if posed.layers[0] != "background" else None)
+        feature = posed.feature_at(0, 0)
+        self.assertTrue(feature and layer.startswith(feature), feature)
+        self.assertEqual(posed.feature_at(1e9, 1e9) is None, posed.layer_at(1e9, 1e9) is None)
         self.assertLess(min(posed.distance(i, 0, 0) for i in range(len(posed.layers))), 0)
         self.assertGreater(posed.distance(layer, 1e6, 0), 0)
         self.assertIn("layer", posed.scene)
         for bad in (lambda: posed.distance("none", 0, 0), lambda: posed.distance(10**6, 0, 0),
-                    lambda: posed.layer_at(float("nan"), 0)):
+                    lambda: posed.layer_at(float("nan"), 0), lambda: posed.feature_at(0, float("inf"))):
             self.assertRaises(mien.Error, bad)
 
 

@@ -55,9 +55,9 @@ class Wire {
 /** One page. `faults` are its uncaught errors and what it wrote as errors. */
 class Page {
   faults = [];
-  #wire; #session; #loaded;
-  constructor(wire, session) {
-    this.#wire = wire, this.#session = session;
+  #wire; #session; #target; #loaded;
+  constructor(wire, session, target) {
+    this.#wire = wire, this.#session = session, this.#target = target;
     wire.heard.set(session, (method, params) => this.#hear(method, params));
   }
   send(method, params) { return this.#wire.send(method, params, this.#session); }
@@ -101,6 +101,10 @@ class Page {
     for (const place of places) await tell('mouseMoved', place, dragging ? 1 : 0);
     if (dragging) await tell('mouseReleased', places.at(-1), 0);
   }
+  async close() {
+    this.#wire.heard.delete(this.#session);
+    await this.#wire.send('Target.closeTarget', { targetId: this.#target });
+  }
   async photograph(file) {
     const { data } = await this.send('Page.captureScreenshot', { format: 'png' });
     writeFileSync(file, Buffer.from(data, 'base64'));
@@ -115,20 +119,27 @@ export async function browse(...flags) {
   const ended = new Promise((done) => browser.on('exit', done));
   const wire = new Wire(browser.stdio[3], browser.stdio[4]);
   await wire.send('Browser.getVersion');
+  const pages = new Set();
   return {
     version: (await wire.send('Browser.getVersion')).product,
     /** A page of that size [CSS px]; `first` is a script that runs before the page's own. */
     async open(url, { width = 1280, height = 800, dots = 1, dark = false, touch = false, first } = {}) {
       const { targetId } = await wire.send('Target.createTarget', { url: 'about:blank' });
       const { sessionId } = await wire.send('Target.attachToTarget', { targetId, flatten: true });
-      const page = new Page(wire, sessionId);
+      const page = new Page(wire, sessionId, targetId);
       await Promise.all([page.send('Page.enable'), page.send('Runtime.enable'), page.send('DOM.enable')]);
       await page.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: dots, mobile: touch });
       await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
       if (first) await page.send('Page.addScriptToEvaluateOnNewDocument', { source: first });
       await page.send('Page.bringToFront');  // those behind draw no frames
+      pages.add(page);
       await page.go(url);
       return page;
+    },
+    /** Closes all pages: their workers take time from those that come after them. */
+    async closePages() {
+      await Promise.all([...pages].map((page) => page.close()));
+      pages.clear();
     },
     async close() {
       await wire.send('Browser.close').catch(() => {});

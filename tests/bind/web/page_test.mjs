@@ -1,7 +1,7 @@
 // node --test page_test.mjs: <mien-face> in headless Chromium, over the package that tools/portable web makes.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import test, { after } from 'node:test';
+import test, { after, afterEach } from 'node:test';
 import { browse } from './chromium.mjs';
 import { pictureHashes } from './picture_hashes.mjs';
 import { serve } from './static_server.mjs';
@@ -18,6 +18,7 @@ const pages = {
 };
 const server = await serve(built, pages);
 const browser = await browse();
+afterEach(() => browser.closePages());
 after(async () => { await browser.close(); await server.close(); });
 
 /** The bytes that a page's only face shows, or those of the one that a selector finds. */

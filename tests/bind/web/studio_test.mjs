@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import test, { after } from 'node:test';
+import test, { after, afterEach } from 'node:test';
 import { browse } from './chromium.mjs';
 import { serve } from './static_server.mjs';
 
@@ -10,6 +10,7 @@ const built = process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/packa
 const root = new URL('../../../', import.meta.url);
 const server = await serve(built);
 const browser = await browse();
+afterEach(() => browser.closePages());
 after(async () => { await browser.close(); await server.close(); });
 
 const CODE = 'AF5C2-938BM-JX';
@@ -148,6 +149,31 @@ test('points of a feature are dragged, and go by the arrow keys', async () => {
   await on.run(() => { document.getElementById('points').click(), document.getElementById('rest').click(); });
   assert.equal(await on.run(() => document.querySelectorAll('.points button').length), 0);
   assert.equal(await picture(on), rest);
+  assert.deepEqual(on.faults, []);
+});
+
+test('what is under the pointer is named, and a click shows where it is changed', async () => {
+  const on = await open();
+  await click(on, '#follow');  // nothing but the pointer moves
+  await picture(on);
+  const frame = await on.run(() => { const { x, y, width, height } = document.querySelector('.frame').getBoundingClientRect(); return [x, y, width, height]; });
+  const at = (x, y) => [frame[0] + frame[2] * x, frame[1] + frame[3] * y];
+  const under = () => on.run(() => { const { hidden, textContent } = document.querySelector('.under'); return hidden ? '' : textContent; });
+  const named = new Map();
+  for (let y = 0.3; y < 0.8; y += 0.02) {
+    await on.move([at(0.5, y)]);
+    await on.run(() => new Promise((done) => setTimeout(done, 60)));
+    named.set(await under(), at(0.5, y));
+  }
+  const mouth = [...named.keys()].find((name) => /^(Mouth|Lip|Upper line|Lower line|Teeth|Upper edge|Lower edge)/.test(name));
+  assert.ok(mouth, [...named.keys()].join());
+  await on.move([named.get(mouth)], true);
+  assert.match(await on.until(() => document.getElementById('said').textContent), new RegExp(`^${mouth}: Parts, Mouth$`));
+  assert.equal(await on.run(() => document.querySelector('[role=tab][aria-selected=true]').textContent), 'Parts');
+  assert.equal(await on.run(() => document.querySelector('.parts .chip[aria-pressed=true]').textContent), 'Mouth');
+  await on.move([[5, 5]]);
+  await on.until(() => document.querySelector('.under').hidden);
+  assert.equal(await code(on), CODE, 'a click changes nothing');
   assert.deepEqual(on.faults, []);
 });
 

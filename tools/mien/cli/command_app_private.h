@@ -4,6 +4,7 @@
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
+#include "tools/mien/cli/studio_arguments.h"
 
 #include <CLI/CLI.hpp>
 
@@ -31,6 +32,7 @@ struct CommandApp {
   PartsArguments parts;
   ChernoffArguments chernoff;
   StimuliArguments stimuli;
+  StudioArguments studio;
   std::string shell;  ///< of `mien completion`
 };
 

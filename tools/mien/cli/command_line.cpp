@@ -8,6 +8,7 @@
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/parts_options.h"
 #include "tools/mien/cli/pca_options.h"
+#include "tools/mien/cli/studio_options.h"
 #include "tools/mien/commands/render_plan.h"
 
 #include "command_app_private.h"
@@ -231,6 +232,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("parts")) return std::move(command.parts);
   if (app.got_subcommand("chernoff")) return std::move(command.chernoff);
   if (app.got_subcommand("stimuli")) return std::move(command.stimuli);
+  if (app.got_subcommand("studio")) return std::move(command.studio);
   if (app.got_subcommand("manual")) return Help{manual(app)};
   if (app.got_subcommand("completion")) {
     const auto shell = read_choice("completion", command.shell, kShells);
@@ -315,6 +317,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_parts(app, made->parts);
   add_chernoff(app, made->chernoff);
   add_stimuli(app, made->stimuli);
+  add_studio(app, made->studio);
 
   app.add_subcommand("manual", "Print the man page")->group("");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");

@@ -4,6 +4,7 @@
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
+#include "tools/mien/cli/studio_arguments.h"
 
 #include <string>
 #include <variant>
@@ -22,7 +23,7 @@ using CommandLine =
     std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
                  ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
                  ImportArguments, FitArguments, SheetArguments, NewArguments, CodeArguments,
-                 PartsArguments, ChernoffArguments, StimuliArguments>;
+                 PartsArguments, ChernoffArguments, StimuliArguments, StudioArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

@@ -24,6 +24,8 @@ export class Colours {
     for (const { name, values } of colours) this.#rows.get(name)(pose.set[name], hexOf(values));
     if (!recipe) this.#singles.closest('details').open = true;
   }
+  /** The family to be seen first, once the panel is. */
+  show(family) { requestAnimationFrame(() => this.#thumbs.get(family)?.grid.scrollIntoView({ block: 'nearest' })); }
   #showFamilies(recipe, { families, numbers }) {
     this.#showSkin(recipe, numbers.find(({ name }) => name === TONE));
     for (const name of COLORS) {

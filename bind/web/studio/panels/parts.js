@@ -34,6 +34,8 @@ export class Parts {
     this.#thumbs.grid.setAttribute('aria-label', spelled(this.#family));
     this.#thumbs.fill(this.#family === 'style' ? this.#styles(recipe, lists.styles) : choicesOf({ recipe, name: 'part', family: families.find(({ name }) => name === this.#family) }));
   }
+  /** The family to be seen from now on. */
+  show(family) { this.#family = family; }
   #styles(recipe, styles) {
     return styles.map((style) => ({ key: style, label: spelled(style), pressed: recipe.style === style, face: { text: JSON.stringify({ ...recipe, style }), name: style } }));
   }

@@ -1,0 +1,94 @@
+#include <mien/feature_at.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mien {
+namespace {
+
+constexpr double kUnseen = 0.5 / 255;  // half a level of 8 bits
+
+/// Where along a gradient the place p is.
+struct PlaceOf {
+  const Scene& scene;
+  glm::dvec2 p;
+
+  double operator()(const LinearGradient& g) const {
+    const glm::dvec2 way = g.to - g.from;
+    const double length2 = glm::dot(way, way);
+    return length2 > 0 ? glm::dot(p - g.from, way) / length2 : 1;
+  }
+  double operator()(const RadialGradient& g) const {
+    if (!(g.radii.x > 0 && g.radii.y > 0)) return 1;
+    const glm::dvec2 d = p - g.center, left{-g.axis.y, g.axis.x};
+    return std::hypot(glm::dot(d, g.axis) / g.radii.x, glm::dot(d, left) / g.radii.y);
+  }
+  double operator()(const DistanceGradient& g) const {
+    const double width = g.to - g.from, d = scene.distance(g.area, p) - g.from;
+    if (width == 0)
+      return d < 0 ? -std::numeric_limits<double>::infinity()
+                   : std::numeric_limits<double>::infinity();
+    return d / width;
+  }
+};
+
+/// The place between the first and the last stop whose colour is meant, or one beyond them, which has the nearer end's.
+double within(const Gradient& gradient, double at) {
+  const double first = gradient.stops.front().at, length = gradient.stops.back().at - first;
+  if (gradient.extend == Extend::pad || !(length > 0) || !std::isfinite(at)) return at;
+  const double turns = (at - first) / length, share = turns - std::floor(turns);
+  const bool back = gradient.extend == Extend::reflect && std::fmod(std::floor(turns), 2) != 0;
+  return first + length * (back ? 1 - share : share);
+}
+
+double opacity_of(const Gradient& gradient, const Scene& scene, glm::dvec2 p) {
+  const double at = within(gradient, std::visit(PlaceOf{scene, p}, gradient.along));
+  const auto& stops = gradient.stops;
+  const auto after =
+      std::upper_bound(stops.begin(), stops.end(), at,
+                       [](double place, const Stop& stop) { return place < stop.at; });
+  if (after == stops.begin()) return stops.front().color.a;
+  if (after == stops.end()) return stops.back().color.a;
+  const Stop &a = *std::prev(after), &b = *after;
+  return a.color.a + (b.color.a - a.color.a) * (at - a.at) / (b.at - a.at);
+}
+
+bool is_light(const Layer& layer) {
+  return layer.name.ends_with(kShadowLayer) || layer.name.ends_with(kGlowLayer);
+}
+
+}  // namespace
+
+std::string_view feature_of(const Layer& layer) {
+  std::string_view name = layer.name;
+  for (const std::string_view ending : {kShadowLayer, kGlowLayer, kContourLayer})
+    if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  return name;
+}
+
+double opacity_at(const Scene& scene, int layer, glm::dvec2 p) {
+  const Layer& asked = scene.layers()[std::size_t(layer)];
+  if (!(scene.distance(asked.area, p) <= 0)) return 0;
+  double opacity = asked.paint.color.a;
+  if (asked.paint.gradient) opacity *= opacity_of(*asked.paint.gradient, scene, p);
+  for (int g = asked.group; g >= 0; g = scene.groups()[std::size_t(g)].parent)
+    opacity *= scene.groups()[std::size_t(g)].opacity;
+  return opacity;
+}
+
+int layer_seen_at(const Scene& scene, glm::dvec2 p) {
+  for (int layer = int(scene.layers().size()) - 1; layer >= 0; --layer)
+    if (!is_light(scene.layers()[std::size_t(layer)]) && opacity_at(scene, layer, p) >= kUnseen)
+      return layer;
+  return -1;
+}
+
+std::string_view feature_at(const Scene& scene, glm::dvec2 p) {
+  const int layer = layer_seen_at(scene, p);
+  return layer < 0 ? std::string_view() : feature_of(scene.layers()[std::size_t(layer)]);
+}
+
+}  // namespace mien
