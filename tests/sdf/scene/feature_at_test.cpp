@@ -16,10 +16,10 @@
 namespace mien::test {
 namespace {
 
-const Canvas kCanvas{{{0, 0}, {10, 10}}, true};
+const Canvas kTenWide{{{0, 0}, {10, 10}}, true};
 
 TEST(FeatureAt, IsTheUppermostThatCovers) {
-  SceneBuilder build(kCanvas, {1, 1, 1, 1});
+  SceneBuilder build(kTenWide, {1, 1, 1, 1});
   build.layer("below", build.shape(Disc{{4, 5}, 3}), {{1, 0, 0, 1}});
   build.layer("above", build.shape(Disc{{6, 5}, 3}), {{0, 1, 0, 0.5}});
   const Scene scene = std::move(build).finish();
@@ -31,7 +31,7 @@ TEST(FeatureAt, IsTheUppermostThatCovers) {
 }
 
 TEST(FeatureAt, LooksThroughWhatIsTransparent) {
-  SceneBuilder build(kCanvas, {1, 1, 1, 1});
+  SceneBuilder build(kTenWide, {1, 1, 1, 1});
   const Area all = build.shape(Disc{{5, 5}, 4});
   build.layer("ground", all, {{1, 0, 0, 1}});
   build.layer("clear", all, {{0, 1, 0, 0}});
@@ -52,7 +52,7 @@ TEST(FeatureAt, LooksThroughWhatIsTransparent) {
 }
 
 TEST(FeatureAt, FollowsEveryGradient) {
-  SceneBuilder build(kCanvas, {1, 1, 1, 1});
+  SceneBuilder build(kTenWide, {1, 1, 1, 1});
   const Area all = build.everywhere(), disc = build.shape(Disc{{5, 5}, 2});
   const std::vector<Stop> stops{{0, {0, 0, 0, 1}}, {1, {0, 0, 0, 0}}};
   const auto layer = [&](auto along, Extend extend) {
@@ -79,7 +79,7 @@ TEST(FeatureAt, FollowsEveryGradient) {
 }
 
 TEST(FeatureAt, RepeatsFromTheFirstStopToTheLast) {
-  SceneBuilder build(kCanvas, {1, 1, 1, 1});
+  SceneBuilder build(kTenWide, {1, 1, 1, 1});
   const std::vector<Stop> stops{{2, {0, 0, 0, 1}}, {4, {0, 0, 0, 0}}};
   for (const Extend extend : {Extend::pad, Extend::repeat, Extend::reflect})
     build.layer("one", build.everywhere(),
@@ -95,7 +95,7 @@ TEST(FeatureAt, RepeatsFromTheFirstStopToTheLast) {
 }
 
 TEST(FeatureAt, IsTheThingAndNotItsShadow) {
-  SceneBuilder build(kCanvas, {1, 1, 1, 1});
+  SceneBuilder build(kTenWide, {1, 1, 1, 1});
   const Area all = build.everywhere(), disc = build.shape(Disc{{5, 5}, 2});
   build.layer("wall", all, {{1, 1, 1, 1}});
   build.layer("lamp/shadow", all, {{0, 0, 0, 0.5}});
