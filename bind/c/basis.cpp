@@ -1,6 +1,7 @@
 // Bases of animations: read, fitted, asked, and faces that are posed by them.
 
 #include <mien/basis.h>
+#include <mien/face_model.h>
 #include <mien/npy_basis.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
@@ -9,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 
 namespace mien::c {
 namespace {

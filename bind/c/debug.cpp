@@ -1,6 +1,7 @@
 // Pictures of what moves a face, and of how it is drawn.
 
 #include <mien/debug_picture.h>
+#include <mien/face_model.h>
 #include <mien/morph_heat.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
