@@ -37,7 +37,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"(oneapi/)?tbb/": (r"lib/base/parallel\.cpp$", "lib/base/parallel.cpp"),
     r"OpenImageIO/": (r"render/image/", "render/image"),
     r"(libdeflate|tiff(io)?)\.h": (r"render/image/", "render/image"),
-    r"ft2build\.h|freetype/": (r"sdf/from_text/", "sdf/from_text"),
+    r"ft2build\.h|freetype/": (r"sdf/from_text/|tools/accuracy/methods/", "sdf/from_text; the laboratory judges its distance fields"),
     r"csv\.h": (r"tools/mien/data/", "tools/mien/data"),
     r"event2/": (r"tools/mien/studio/", "tools/mien/studio"),
     r"nettle/": (r"tools/mien/output/", "tools/mien/output"),

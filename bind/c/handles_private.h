@@ -2,6 +2,7 @@
 // What the handles of the C interface hold.
 
 #include <mien/effect.h>
+#include <mien/npy_basis.h>
 #include <mien/piece_drawer.h>
 #include <mien/poser.h>
 #include <mien/renderer.h>
@@ -11,6 +12,7 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +58,9 @@ struct mien_pose {
     return poser_->pose(pose);
   }
 
+  /// What the muscles pull after posed().
+  std::span<const double> pulls() const { return poser_->pulls(); }
+
  private:
   std::optional<mien::Poser> poser_;
 };
@@ -71,6 +76,10 @@ struct mien_renderer {
 
 struct mien_effects {
   std::vector<mien::Effect> all;
+};
+
+struct mien_basis {
+  mien::BasisFile file;
 };
 
 struct mien_pieces {

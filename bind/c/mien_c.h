@@ -100,6 +100,7 @@ typedef struct mien_renderer
     mien_renderer;                        /* draws; keeps memory and finished rows between frames */
 typedef struct mien_pieces mien_pieces;   /* one picture that is drawn piece by piece */
 typedef struct mien_effects mien_effects; /* what is done to a finished picture */
+typedef struct mien_basis mien_basis;     /* the principal components of an animation */
 
 /* ---- Version ---------------------------------------------------------------------------------- */
 
@@ -223,6 +224,82 @@ MIEN_C_API mien_status mien_face_with_morphs_text(const mien_face* face, const c
 MIEN_C_API mien_status mien_morphs_text(const mien_face* rest, const char* const* names,
                                         const mien_face* const* faces, int32_t count,
                                         mien_texts** out, mien_error** error);
+
+/* ---- Bases of animations ------------------------------------------------------------------------ */
+
+/* A basis (docs/pca.md) is the mean and the components of an animation, and the weights of its frames: a frame is
+ * mean + weights[0] component 0 + .... A frame is vertices x dimensions numbers, of a face its vector, whose numbers
+ * are vertices of one dimension. A basis never changes: threads may share it. */
+MIEN_C_API mien_status mien_basis_read(const char* path, size_t path_length, mien_basis** out,
+                                       mien_error** error);
+MIEN_C_API void mien_basis_free(mien_basis* basis);
+
+/* What says how many components there are. */
+enum {
+  MIEN_BASIS_COUNT = 0,    /* so many, 1 ... the least of frames and numbers */
+  MIEN_BASIS_VARIANCE = 1, /* the fewest that hold this share of the variance, 0 ... 1 */
+  MIEN_BASIS_MAX_ERROR = 2 /* the fewest with which no vertex is farther from its place */
+};
+
+/* Fits a basis to frames of one's own, one after the other. */
+MIEN_C_API mien_status mien_basis_of_frames(const double* frames, size_t frame_count,
+                                            size_t vertices, size_t dimensions, int32_t wish,
+                                            double wished, mien_basis** out, mien_error** error);
+
+/* Fits a basis to a face at a pose, at first / fps, (first + 1) / fps ... seconds. An error is then in face units,
+ * or in levels of 255 for colours. */
+MIEN_C_API mien_status mien_basis_of_pose(const mien_pose* pose, int64_t first, size_t frame_count,
+                                          double fps, int32_t wish, double wished, mien_basis** out,
+                                          mien_error** error);
+
+typedef struct mien_basis_info {
+  uint32_t size;         /* sizeof(mien_basis_info) */
+  int32_t of_face;       /* whether frames are a face's vectors */
+  uint64_t frames;       /* that it was fitted to */
+  uint64_t vertices;     /* of a frame */
+  uint64_t dimensions;   /* of a vertex */
+  uint64_t components;   /* that were kept */
+  double total_variance; /* of all components that there could be */
+  double fps, begin;     /* of a face's: frames per second, and when the first one is [s] */
+} mien_basis_info;
+
+/* `out->size` is set by the caller. */
+MIEN_C_API mien_status mien_basis_about(const mien_basis* basis, mien_basis_info* out,
+                                        mien_error** error);
+
+/* The basis's numbers, row by row. */
+enum {
+  MIEN_BASIS_MEAN = 0,       /* vertices x dimensions */
+  MIEN_BASIS_COMPONENTS = 1, /* components x vertices x dimensions */
+  MIEN_BASIS_VARIANCES = 2,  /* components */
+  MIEN_BASIS_WEIGHTS = 3     /* frames x components */
+};
+
+/* `count` is how many there are. */
+MIEN_C_API mien_status mien_basis_numbers(const mien_basis* basis, int32_t which, double* values,
+                                          size_t count, mien_error** error);
+
+/* A frame of weights: vertices x dimensions numbers. Missing weights are 0. */
+MIEN_C_API mien_status mien_basis_decode(const mien_basis* basis, const double* weights,
+                                         size_t weight_count, double* values, size_t count,
+                                         mien_error** error);
+
+/* The weights of frames: `count` is frame_count x components. */
+MIEN_C_API mien_status mien_basis_encode(const mien_basis* basis, const double* frames,
+                                         size_t frame_count, double* weights, size_t count,
+                                         mien_error** error);
+
+/* How many bytes the basis's file has, and the file itself. `count` is so many. */
+MIEN_C_API size_t mien_basis_file_size(const mien_basis* basis);
+MIEN_C_API mien_status mien_basis_file(const mien_basis* basis, void* bytes, size_t count,
+                                       mien_error** error);
+
+/* The face is posed from the basis's vector, which replaces that at rest and the default clip: of these weights,
+ * of which missing ones are 0, or with no weights of the pose's time. A NULL basis: no longer. A basis of another
+ * face is MIEN_REFUSED. */
+MIEN_C_API mien_status mien_pose_basis(mien_pose* pose, const mien_basis* basis,
+                                       const double* weights, size_t weight_count,
+                                       mien_error** error);
 
 /* ---- People ------------------------------------------------------------------------------------ */
 
@@ -362,6 +439,15 @@ MIEN_C_API mien_status mien_scene_layer_at(const mien_scene* scene, double x, do
  * layer it is never one that is transparent there, nor a shadow or a glow; outlines count as their features. */
 MIEN_C_API mien_status mien_scene_feature_at(const mien_scene* scene, double x, double y,
                                              mien_texts** out, mien_error** error);
+/* What moves the face, or how far it is moved, drawn instead of it or over it. Names are not written. */
+enum {
+  MIEN_DEBUG_MUSCLES =
+      0, /* every muscle, blue at rest to red; MIEN_REFUSED where the face has none */
+  MIEN_DEBUG_POINTS = 1, /* every point of the vector */
+  MIEN_DEBUG_MORPH = 2   /* how far points have moved from rest, blue to red */
+};
+MIEN_C_API mien_status mien_scene_debug(mien_pose* pose, int32_t which, mien_scene** out,
+                                        mien_error** error);
 
 /* ---- Pictures ---------------------------------------------------------------------------------- */
 
@@ -461,6 +547,22 @@ typedef struct mien_render_stats {
 /* `out->size` is set by the caller. All is 0 before the first picture. */
 MIEN_C_API mien_status mien_renderer_stats(const mien_renderer* renderer, mien_render_stats* out,
                                            mien_error** error);
+
+/* How a picture is drawn, as a picture. */
+enum {
+  MIEN_DEBUG_OUTLINES = 0,  /* every piece of outline, each outline in its colour */
+  MIEN_DEBUG_REGIONS = 1,   /* what lies between outlines, each in its colour */
+  MIEN_DEBUG_FRAGMENTS = 2, /* visible stretches of outline, brighter where colours change more */
+  MIEN_DEBUG_LOOKS = 3,     /* regions that look alike share a colour */
+  MIEN_DEBUG_DISTANCE =
+      4,                 /* to the nearest layer: blue inside, orange outside, lines every 10 px */
+  MIEN_DEBUG_NORMALS = 5 /* of reliefs; all else is level */
+};
+
+/* Draws one of them into pixels of MIEN_U8. Only the options' `threads` count. */
+MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_view* view,
+                                          int32_t which, const mien_pixels* pixels,
+                                          const mien_render_options* options, mien_error** error);
 
 /* Where a point of the picture [px] is in the face [face units], and back. */
 MIEN_C_API mien_status mien_face_from_pixel(const mien_scene* scene, const mien_view* view,

@@ -128,8 +128,22 @@ TEST_F(DataTest, ATableWithoutAMapIsShown) {
   const Ran ran = run_mien({"chernoff", MIEN_SOURCE_DIR "/examples/chernoff/planets.csv", "-o",
                             path("c.png"), "--cell", "32", "--columns", "4"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(ran.err.find("\"Kind\" is not numbers"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find(
+                "planets.csv: row 1, column \"Kind\": expected a finite number, got \"rock\": the "
+                "column is not shown"),
+            std::string::npos)
+      << ran.err;
   EXPECT_EQ(test::read(path("c.png")).spec.width, 4 * 32);
+}
+
+TEST_F(DataTest, TheFirstCellThatIsNoNumberIsNamed) {
+  const Ran ran = run_mien({"chernoff", file("t.csv", "who,size,mood\na,1,2\nb,2,\nc,3,high\n"),
+                            "-o", path("c.png"), "--cell", "32"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(
+      ran.err.find("t.csv: row 2, column \"mood\": the number is missing: the column is not shown"),
+      std::string::npos)
+      << ran.err;
 }
 
 TEST_F(DataTest, AManifestDrawsTheSameBytesAgain) {
@@ -142,6 +156,7 @@ TEST_F(DataTest, AManifestDrawsTheSameBytesAgain) {
   const Ran again = run_mien({"stimuli", manifest, "-o", path("again")});
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(text("shown/0048.png"), text("again/0048.png"));
+  EXPECT_EQ(text("shown/manifest.json"), text("again/manifest.json"));
   std::string changed = text("shown/manifest.json");
   const std::size_t at = changed.find("\"eye.size\": ");
   changed.replace(at, changed.find(',', at) - at, "\"eye.size\": 1.19");
@@ -151,6 +166,7 @@ TEST_F(DataTest, AManifestDrawsTheSameBytesAgain) {
       other.err.find("1 of 48 pictures are not the ones it tells of; the first is \"0001.png\""),
       std::string::npos)
       << other.err;
+  EXPECT_FALSE(std::filesystem::exists(path("other/manifest.json")));
 }
 
 TEST_F(DataTest, HalvesAndMirrorsAreOfTheWholePicture) {
@@ -201,29 +217,68 @@ TEST_F(DataTest, ASampleIsTheSameForItsSeed) {
   EXPECT_EQ(count("shown"), 8u);
 }
 
+/// Each of 10^12 combinations is as likely; twice as many are those and others.
+TEST_F(DataTest, ASampleNeedsNotTheWholeProduct) {
+  const std::string factors =
+      R"("factors": [{"number": "smile", "steps": 1000}, {"number": "lips", "steps": 1000},
+      {"number": "jaw", "steps": 1000}, {"number": "cheek", "steps": 1000}],)";
+  ASSERT_EQ(stimuli(plan(factors + R"("sample": 4)")).code, 0);
+  const auto shas = [&] {
+    std::set<std::string> all;
+    const std::string manifest = text("shown/manifest.json");
+    for (std::size_t at = 0; (at = manifest.find("\"sha256\": ", at)) != std::string::npos; ++at)
+      all.insert(manifest.substr(at, 75));
+    return all;
+  };
+  const std::set<std::string> four = shas();
+  EXPECT_EQ(four.size(), 4u);
+  ASSERT_EQ(stimuli(plan(factors + R"("sample": 8)")).code, 0);
+  const std::set<std::string> eight = shas();
+  EXPECT_EQ(eight.size(), 8u);
+  EXPECT_TRUE(std::ranges::includes(eight, four));
+  // As many as there are: each of them once, in the order of all.
+  const std::string few =
+      R"("factors": [{"number": "smile", "steps": 3}, {"number": "lips", "steps": 2}])";
+  ASSERT_EQ(stimuli(plan(few)).code, 0);
+  const std::string all = text("shown/manifest.json");
+  ASSERT_EQ(stimuli(plan(few + R"(, "sample": 6)")).code, 0);
+  EXPECT_EQ(all, text("shown/manifest.json"));
+}
+
 TEST_F(DataTest, WrongPlansAreToldBeforeAnythingIsDrawn) {
-  for (const auto& [rest, sentence] : {
-           WrongData{
-               R"("factors": [{"number": "smile", "steps": 1000}, {"number": "lips", "steps": 1000},
+  for (
+      const auto& [rest, sentence] : {
+          WrongData{
+              R"("factors": [{"number": "smile", "steps": 1000}, {"number": "lips", "steps": 1000},
                                 {"number": "jaw", "steps": 1000}])",
-               "1000 × 1000 × 1000 = 1000000000 pictures; a plan has 100000 at most"},
-           WrongData{R"("factors": [])", "expected 1 to 32 factors"},
-           WrongData{R"("factors": [{"name": "x"}])", "a factor varies one of"},
-           WrongData{R"("factors": [{"number": "smlie", "steps": 2}])", "did you mean \"smile\"?"},
-           WrongData{R"("factors": [{"number": "smile", "steps": 2, "to": 7}])",
-                     "smile goes from -0.3 to 1, got 7"},
-           WrongData{
-               R"("factors": [{"number": "smile", "steps": 2}, {"number": "smile", "steps": 2}])",
-               "two factors are called \"smile\""},
-           WrongData{R"("factors": [{"codes": ["ZAAAA"]}])", "plan.json:1:"},
-           WrongData{R"("factors": [{"caricature": [2]}])", "mean of people"},
-           WrongData{R"("factors": [{"control": "blnk", "values": [1]}])",
-                     "did you mean \"blink\"?"},
-           WrongData{R"("factors": [{"number": "smile", "steps": 2}], "pairs": "smle")",
-                     "did you mean \"smile\"?"},
-           WrongData{R"("factors": [{"number": "smile", "steps": 2}], "sample": 3)",
-                     "from 1 to 2, got 3"},
-       }) {
+              "1000 × 1000 × 1000 = 1000000000 pictures; a plan has 100000 at most"},
+          WrongData{R"("factors": [])", "expected 1 to 32 factors"},
+          WrongData{R"("factors": [{"name": "x"}])", "a factor varies one of"},
+          WrongData{R"("factors": [{"number": "smlie", "steps": 2}])", "did you mean \"smile\"?"},
+          WrongData{R"("factors": [{"number": "smile", "steps": 2, "to": 7}])",
+                    "smile goes from -0.3 to 1, got 7"},
+          WrongData{
+              R"("factors": [{"number": "smile", "steps": 2}, {"number": "smile", "steps": 2}])",
+              "two factors are called \"smile\""},
+          WrongData{R"("factors": [{"codes": ["ZAAAA"]}])", "plan.json:1:"},
+          WrongData{R"("factors": [{"caricature": [2]}])", "mean of people"},
+          WrongData{R"("factors": [{"control": "blnk", "values": [1]}])",
+                    "did you mean \"blink\"?"},
+          WrongData{R"("factors": [{"number": "smile", "steps": 2}], "pairs": "smle")",
+                    "did you mean \"smile\"?"},
+          WrongData{R"("factors": [{"number": "smile", "steps": 2}], "sample": 3)",
+                    "from 1 to 2, got 3"},
+          WrongData{
+              R"("factors": [{"number": "smile", "steps": 1000}, {"number": "lips", "steps": 1000}],
+                                "sample": 100001)",
+              "from 1 to 100000, got 100001"},
+          WrongData{
+              R"("factors": [{"number": "smile", "steps": 1000}, {"number": "lips", "steps": 1000},
+                                {"name": "x", "number": "jaw", "steps": 2}], "pairs": "x", "sample": 50001)",
+              "from 1 to 50000, got 50001"},
+          WrongData{R"("factors": [{"number": "smile", "steps": 2}], "seed": "")", "plan.json:1:"},
+          WrongData{R"("factors": [{"people": 2, "seed": ""}])", "an empty word is no seed"},
+      }) {
     const Ran ran = stimuli(plan(rest));
     EXPECT_NE(ran.code, 0) << rest;
     EXPECT_NE(ran.err.find(sentence), std::string::npos) << rest << ran.err;

@@ -209,6 +209,16 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"new", "--seed", "x", "--hold", "eye.size=7"}, 2, "eye.size goes from 0.8 to 1.2");
   refused({"new", "--seed", "x", "--style", "inkk"}, 2, "did you mean \"ink\"");
   refused({"new", "--seed", "x", "--code", "Z66CB-AA5S0-1B"}, 2, "a seed of its own");
+  for (const auto& seeded :
+       std::vector<std::vector<std::string>>{{"new"},
+                                             {"code"},
+                                             {"sheet", "--people", "3", "-o", "x.png"},
+                                             {"check", "--nonsense", "3"},
+                                             {"parts", "check", "x.part.json"}}) {
+    std::vector<std::string> words = seeded;
+    words.insert(words.end(), {"--seed", ""});
+    refused(words, 2, "--seed: an empty word is no seed");
+  }
   refused({"new", "--edition", "Q"}, 2,
           "--edition: edition Q is not known to this version, which has");
   refused({"new", "--edition", ""}, 2, "--edition");
@@ -227,6 +237,12 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"code", "Z66CB-AA5S0-1C"}, 2, "a sign is wrong");
   refused({"code", "nobody.json"}, 1, "nobody.json");
   refused({"sheet", "--parts", "hiar", "-o", "x.png"}, 2, "did you mean \"hair\"");
+  // A wrong part file is the file's fault, a wrong style the caller's.
+  const std::string part = file("bad.part.json");
+  std::ofstream(part)
+      << R"({"format": "mien-part", "format_version": 1, "family": "hair", "featurs": []})";
+  refused({"sheet", "--parts", part, "-o", "x.png"}, 1, "bad.part.json:1:");
+  refused({"sheet", "--parts", part, "--style", "inkk", "-o", "x.png"}, 2, "did you mean \"ink\"");
   refused({"sheet", "--parts", "hair", "--people", "3", "-o", "x.png"}, 2, "not both");
   refused({"sheet", "--parts", "hair", "--emotions", "-o", "x.png"}, 2, "not both");
   refused({"sheet", test::face_path("toon"), "--parts", "hair", "-o", "x.png"}, 1, "and no recipe");

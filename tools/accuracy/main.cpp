@@ -12,6 +12,7 @@
 
 #include "tools/accuracy/cubics.h"
 #include "tools/accuracy/export.h"
+#include "tools/accuracy/fields.h"
 #include "tools/accuracy/methods/published.h"
 #include "tools/accuracy/tally.h"
 
@@ -25,7 +26,7 @@ struct Options {
   std::vector<std::string> solvers, families, kernels;
   std::string csv, plot, exported;
   bool only_foreign = false, by_family = false, cubics = false, quick = false;
-  bool published = false, times = false;
+  bool published = false, times = false, fields = false;
 };
 
 bool write_file(const std::string& path, const std::string& text) {
@@ -85,6 +86,20 @@ int judge_cubics(const Options& options) {
   return std::all_of(tallies.begin(), tallies.end(), passes) ? 0 : 2;
 }
 
+int judge_fields(const Options& options) {
+  require_names("family of curves", options.families, field_families());
+  FreetypeField field;
+  std::vector<FieldTally> tallies;
+  for (const Family& family : field_families()) {
+    if (!wanted(options.families, family.name)) continue;
+    for (const FieldSetting& setting : field_settings())
+      tallies.push_back(judge_field(field, setting, family, options.count, options.seed));
+    fmt::print(stderr, "{}\n", family.name);
+  }
+  fmt::print("{}", field_table(tallies));
+  return options.csv.empty() || write_file(options.csv, field_csv(tallies)) ? 0 : 1;
+}
+
 int judge(const Options& options) {
   require_names("family", options.families, families());
   require_names("kernel", options.kernels, own_solvers());
@@ -138,12 +153,15 @@ int main(int argc, char** argv) {
   app.add_flag("--by-family", options.by_family, "Print a row per family too");
   app.add_flag("--cubics", options.cubics,
                "Judge solve_cubic and solve_cubics, on families of their own, instead");
+  app.add_flag("--fields", options.fields,
+               "Judge the distance fields of FreeType's rasteriser instead (docs/solvers.md)");
   app.add_option("--csv", options.csv, "Write the table as comma-separated values");
   app.add_option("--plot", options.plot, "Draw the table as SVG");
   app.add_option("--export", options.exported, "Write the cases and their true distances instead");
   CLI11_PARSE(app, argc, argv);
   try {
     if (options.cubics) return judge_cubics(options);
+    if (options.fields) return judge_fields(options);
     return options.exported.empty() ? judge(options) : export_cases(options);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "mien-accuracy: {}\n", problem.what());

@@ -62,10 +62,6 @@ double scale_of(const TaperedStroke& s, glm::dvec2 p) {
   return scale_of(s.spine, p) + std::max({s.half_width[0], s.half_width[1], s.half_width[2]});
 }
 
-double size_of(const Case& k) {
-  return std::visit([&](const auto& f) { return size_of(f, k.p); }, k.figure);
-}
-
 template <class F>
 constexpr size_t kIndex = Figure(F{}).index();
 
@@ -191,6 +187,10 @@ std::vector<Solver> own_solvers() {
                      kIndex<CubicBezier>, batch_double<CubicBezier>));
   }
   return all;
+}
+
+double size_of(const Case& k) {
+  return std::visit([&](const auto& f) { return size_of(f, k.p); }, k.figure);
 }
 
 double scalar_distance(const Case& k) {

@@ -52,6 +52,9 @@ std::vector<Solver> own_solvers();
 /// mien's own scalar form.
 double scalar_distance(const Case& k);
 
+/// The size of a case's figure, in the unit of Judge::fast.
+double size_of(const Case& k);
+
 /// A foreign one, from a shared library; throws std::runtime_error with a sentence.
 Solver foreign_solver(const std::string& path);
 

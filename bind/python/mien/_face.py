@@ -12,10 +12,13 @@ import numpy.typing
 
 from . import _library
 from ._library import Handle, NameRecord, WriteOptions, call, lib, path_bytes, text, texts, utf8
-from ._picture import Color, Renderer, Size, Watch, Watched, choice, effects_of, png, view, whole
+from ._basis import Basis, wish
+from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, png, view, whole
 
 Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
 ClipLike = Union[str, "tuple[str, float]", "tuple[str, float, float]"]
+DRAWN = ("outlines", "regions", "fragments", "looks", "distance", "normals")  # pictures of how a face is drawn
+MOVED = ("muscles", "points", "morph")                                        # and of what moves it
 UNWRAP_MODES = ("linear", "delayed", "sine")
 SHOWN_IN_NOTEBOOKS = 400  # [px] the longer side
 
@@ -106,7 +109,7 @@ class Face:
              emotions: Optional[Mapping[str, float]] = None,
              expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
              look_at: Optional[Sequence[float]] = None, unwrap: float = 0, unwrap_mode: str = "linear",
-             clamp: bool = False) -> Posed:
+             clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None) -> Posed:
         """The face at that pose.
 
         time         [s] at which clips are taken; without one none runs
@@ -117,6 +120,7 @@ class Face:
         look_at      x, y, z that the eyes look at [face units], z towards the viewer
         unwrap       0 to 1: how far the features have travelled to a flat chart, by `unwrap_mode`
         clamp        strengths out of range become the nearer end instead of an error
+        basis        whose vector replaces that at rest: of its `weights`, or without any of those at `time`
         """
         made = Handle(lib.mien_pose_free, lib.mien_pose_new, self._handle.value)
         pose = made.value
@@ -135,7 +139,25 @@ class Face:
                 call(lib.mien_pose_express, pose, *utf8(kind), *utf8(f"{name}={float(strength)!r}"), clamp)
         for name, value in (set or {}).items():
             call(lib.mien_pose_set, pose, *utf8(f"{name}={_value_text(value)}"))
+        if basis is not None:
+            held = numpy.ascontiguousarray(() if weights is None else weights, numpy.float64).ravel()
+            call(lib.mien_pose_basis, pose, basis._handle.value, held.ctypes.data, held.size)
+        elif weights is not None:
+            raise _library.Error("weights", "are those of a basis")
         return Posed(self, made)
+
+    def fit_basis(self, count: int, *, fps: float = 30, first: int = 0, components: Optional[int] = None,
+                  variance: Optional[float] = None, max_error: Optional[float] = None, **pose: Any) -> Basis:
+        """A basis of `count` frames of the face, at first / fps, (first + 1) / fps ... seconds, as `mien pca fit` makes it.
+
+        One of: so many `components`; the fewest that hold this share of the `variance`; the fewest with no larger `max_error`
+        of any number [face units; levels of 255 for colours]. `pose` has further arguments of `Face.pose`.
+        """
+        if (frames := whole(count, "count")) < 1:
+            raise _library.Error("count", "expected 1 frame or more")
+        posed = self.pose(**pose)
+        return Basis(Handle(lib.mien_basis_free, lib.mien_basis_of_pose, posed._pose.value, whole(first, "first"), frames, float(fps),
+                            *wish(components, variance, max_error)))
 
     def render(self, size: Size = 1024, **how: Any) -> numpy.typing.NDArray[Any]:
         """The picture at rest: see `Posed.render`."""
@@ -223,6 +245,18 @@ class Posed:
         """
         seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
         return (renderer or Renderer())._render(self._drawn, seen, depth, threads, out, progress, self._effects(effects))
+
+    def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
+              region: Optional[Sequence[int]] = None, threads: int = 0) -> numpy.typing.NDArray[Any]:
+        """A picture of how the face is drawn, "outlines", "regions", "fragments", "looks", "distance" or "normals", or of
+        what moves it, "muscles", "points" or "morph", without names: as `mien render --debug`."""
+        kind = choice(which, (*DRAWN, *MOVED), "which")
+        seen = view(self.face.canvas.aspect, size, fit, background=background, region=region)
+        if which in DRAWN:
+            return debug_picture(self._drawn, seen, kind, threads)
+        with self._lock:
+            scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
+        return Renderer()._render(scene.value, seen, "u8", threads, None, None)
 
     def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
         if asked is True:

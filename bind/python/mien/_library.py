@@ -61,6 +61,11 @@ class RenderStats(Structure):
         "regions", "doubts", "roots", "distances")), ("root_seconds", c_double), ("distance_seconds", c_double)]
 
 
+class BasisInfo(Structure):
+    _fields_ = [("size", c_uint32), ("of_face", c_int32), ("frames", c_uint64), ("vertices", c_uint64), ("dimensions", c_uint64),
+                ("components", c_uint64), ("total_variance", c_double), ("fps", c_double), ("begin", c_double)]
+
+
 class WriteOptions(Structure):
     _fields_ = [("size", c_uint32), ("type", c_int32), ("half", c_int32), ("jpeg_quality", c_int32), ("threads", c_int32),
                 ("depth", c_int32), ("memory", c_uint64), ("recipe", c_char_p), ("recipe_length", c_size_t),
@@ -81,6 +86,15 @@ _STATUS: dict[str, list[Any]] = {
     "mien_face_canvas": [c_void_p, POINTER(Canvas)],
     "mien_face_name_at": [c_void_p, c_int32, POINTER(NameRecord)],
     "mien_face_values_at": [c_void_p, c_int32, c_void_p, c_int32],
+    "mien_basis_read": [*_TEXT, _ERROR],
+    "mien_basis_of_frames": [c_void_p, c_size_t, c_size_t, c_size_t, c_int32, c_double, _ERROR],
+    "mien_basis_of_pose": [c_void_p, c_int64, c_size_t, c_double, c_int32, c_double, _ERROR],
+    "mien_basis_about": [c_void_p, POINTER(BasisInfo)],
+    "mien_basis_numbers": [c_void_p, c_int32, c_void_p, c_size_t],
+    "mien_basis_decode": [c_void_p, c_void_p, c_size_t, c_void_p, c_size_t],
+    "mien_basis_encode": [c_void_p, c_void_p, c_size_t, c_void_p, c_size_t],
+    "mien_basis_file": [c_void_p, c_void_p, c_size_t],
+    "mien_pose_basis": [c_void_p, c_void_p, c_void_p, c_size_t],
     "mien_seed_from_word": [*_TEXT, POINTER(c_uint64)],
     "mien_code_from_seed": [c_uint64, _ERROR],
     "mien_recipe_from_seed": [c_uint64, _ERROR],
@@ -100,6 +114,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_pose_unwrap": [c_void_p, c_double, c_int32],
     "mien_pose_vector": [c_void_p, c_void_p, c_int32],
     "mien_scene_new": [c_void_p, _ERROR],
+    "mien_scene_debug": [c_void_p, c_int32, _ERROR],
     "mien_scene_text": [c_void_p, _ERROR],
     "mien_scene_distance": [c_void_p, c_int32, c_double, c_double, POINTER(c_double)],
     "mien_scene_layer_at": [c_void_p, c_double, c_double, POINTER(c_int32)],
@@ -108,6 +123,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_color_from_text": [*_TEXT, c_void_p],
     "mien_renderer_new": [_ERROR],
     "mien_render": [c_void_p, c_void_p, POINTER(View), POINTER(Pixels), POINTER(RenderOptions)],
+    "mien_debug_picture": [c_void_p, POINTER(View), c_int32, POINTER(Pixels), POINTER(RenderOptions)],
     "mien_renderer_stats": [c_void_p, POINTER(RenderStats)],
     "mien_effects_new": [_ERROR],
     "mien_effects_of_face": [c_void_p, _ERROR],
@@ -137,6 +153,8 @@ _PLAIN: dict[str, tuple[Any, list[Any]]] = {
     "mien_face_clip_count": (c_int32, [c_void_p]),
     "mien_face_clip_name": (c_char_p, [c_void_p, c_int32]),
     "mien_face_vector_size": (c_int32, [c_void_p]),
+    "mien_basis_free": (None, [c_void_p]),
+    "mien_basis_file_size": (c_size_t, [c_void_p]),
     "mien_pose_free": (None, [c_void_p]),
     "mien_scene_free": (None, [c_void_p]),
     "mien_scene_layer_count": (c_int32, [c_void_p]),

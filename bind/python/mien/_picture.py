@@ -151,6 +151,26 @@ class Stats(NamedTuple):
     cancelled: bool
 
 
+def pixels_of(array: numpy.typing.NDArray[Any], depth: str) -> Pixels:
+    """An array of array_for as the library takes it."""
+    pixels = Pixels()
+    lib.mien_pixels_init(pixels, ctypes.sizeof(Pixels))
+    row = array.shape[1] * 4 * array.itemsize
+    pixels.depth, pixels.data = DEPTHS[depth][0], array.ctypes.data
+    pixels.stride = array.strides[0] if array.shape[0] > 1 else row
+    pixels.bytes = pixels.stride * max(array.shape[0] - 1, 0) + row
+    return pixels
+
+
+def debug_picture(scene: Any, seen: View, which: int, threads: int) -> numpy.typing.NDArray[Any]:
+    """How a scene is drawn, as a picture."""
+    array, options = array_for(seen, "u8", None), RenderOptions()
+    lib.mien_render_options_init(options, ctypes.sizeof(RenderOptions))
+    options.threads = whole(threads, "threads")
+    call(lib.mien_debug_picture, scene, seen, which, pixels_of(array, "u8"), options)
+    return array
+
+
 def effects_of(texts: Sequence[str]) -> Handle:
     """Effects by their texts, in order."""
     if isinstance(texts, str):
@@ -180,13 +200,8 @@ class Renderer:
     def _render(self, scene: Any, seen: View, depth: str, threads: int, out: Optional[numpy.typing.NDArray[Any]],
                 progress: Optional[Watch], effects: Optional[Handle] = None) -> numpy.typing.NDArray[Any]:
         array = array_for(seen, depth, out)
-        pixels, options, watched = Pixels(), RenderOptions(), Watched(progress)
-        lib.mien_pixels_init(pixels, ctypes.sizeof(Pixels))
+        pixels, options, watched = pixels_of(array, depth), RenderOptions(), Watched(progress)
         lib.mien_render_options_init(options, ctypes.sizeof(RenderOptions))
-        row = array.shape[1] * 4 * array.itemsize
-        pixels.depth, pixels.data = DEPTHS[depth][0], array.ctypes.data
-        pixels.stride = array.strides[0] if array.shape[0] > 1 else row
-        pixels.bytes = pixels.stride * max(array.shape[0] - 1, 0) + row
         options.threads, options.progress = whole(threads, "threads"), watched.function
         with self._lock:
             if effects is None:

@@ -38,6 +38,8 @@ void test_scenes(void);
 void test_pictures(void);
 void test_morphs(void);
 void test_effects(void);
+void test_bases(const char* folder);
+void test_debug(void);
 void test_distances(void);
 #ifdef MIEN_IMAGE
 void test_files(const char* folder);

@@ -65,6 +65,8 @@ int main(int argc, char** argv) {
   test_pictures();
   test_morphs();
   test_effects();
+  test_bases(argv[2]);
+  test_debug();
   test_distances();
 #ifdef MIEN_IMAGE
   test_files(argv[2]);

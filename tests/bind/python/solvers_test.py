@@ -24,6 +24,7 @@ FUSES = not CPU.exists() or re.search(r"\bfma\b|\basimd\b", CPU.read_text())
 
 def words_of(text):
     """Without what was measured: only what stands in every run."""
+    text = re.sub(r"\d+: [^|\n]+|none", "0 ", text)  # which cases a field reaches depends on how many there are
     return re.sub(r"(\d[\d.e+-]*|∞)", "0", re.sub(r" \*\*\d+\*\*", "", re.sub(r"^(\| (?:mien|numpy|closed|complex|Newton|bisection|subdivision)[^|]*f\d\d \|).*", r"\1", text, flags=re.M)))
 
 
@@ -52,6 +53,14 @@ class Solvers(unittest.TestCase):
             shutil.copy(PAGE, made)
             subprocess.run([sys.executable, SOURCE / "tools/solvers", "--count", "40", "--seed", seed, "--build", BUILD, "--page", made], check=True)
             self.assertEqual(words_of(made.read_text(encoding="utf-8")), words_of(page))
+
+    def test_a_field_keeps_what_its_bytes_can(self):
+        rows = re.findall(r"^\| \d+ px, spread \d+ \| \S+ \| \S+ \| (\d+) \| (\d+) \| ([\d.]+) \| ([\d.]+) \|", PAGE.read_text(encoding="utf-8"), re.M)
+        self.assertEqual(len(rows), 3)
+        for cases, within, worst, mean in rows:
+            self.assertLess(int(cases) / 20, int(within))
+            self.assertGreaterEqual(float(worst), 0.5)
+            self.assertLess(float(mean), 2)
 
     def test_mien_is_right_on_the_page(self):
         rows = re.findall(r"^\| (mien[^|]*) \| ([\d.]+) \| [^|]* \| [\d.]+ \| (\d+) \| (\d+) \|", PAGE.read_text(encoding="utf-8"), re.M)

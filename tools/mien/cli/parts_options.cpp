@@ -4,16 +4,26 @@
 
 namespace mien::command {
 
+void add_seed(CLI::App& command, std::optional<std::string>& to, const std::string& help) {
+  const auto why_not = [](const std::string& word) -> std::string {
+    return word.empty() ? "an empty word is no seed" : "";
+  };
+  command.add_option("--seed", to, help)->type_name("WORD")->check(why_not);
+}
+
+void add_edition(CLI::App& command, std::optional<std::string>& to, const std::string& help) {
+  command
+      .add_option("--edition", to,
+                  help + "; default the newest that is frozen, or Z, the trial one, while none is")
+      ->type_name("EDITION");
+}
+
 void add_new(CLI::App& app, NewArguments& to) {
   CLI::App* made = app.add_subcommand("new", "Make a face of one's own; its code is printed");
   made->add_option("-o,--output", to.output, "Face file to write; - is standard output")
       ->type_name("FILE");
-  made->add_option("--seed", to.seed,
-                   "The same word, the same face; default: another one each time")
-      ->type_name("WORD");
-  made->add_option("--edition", to.edition,
-                   "The edition of the parts that it is made of; default the newest that is frozen")
-      ->type_name("EDITION");
+  add_seed(*made, to.seed, "The same word, the same face; default: another one each time");
+  add_edition(*made, to.edition, "The edition of the parts that it is made of");
   made->add_option("--code", to.code, "The face of this code")->type_name("CODE");
   made->add_option("--near", to.near, "Somebody like the person of this code")->type_name("CODE");
   made->add_option("--by", to.by, "With --near: how far from them, 0 to 1; default 0.3")
@@ -48,10 +58,7 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->add_option("-o,--output", to.output,
                    "Draw them, as 'mien sheet --parts FAMILY' does, instead of listing them")
       ->type_name("FILE");
-  parts
-      ->add_option("--edition", to.edition,
-                   "Of this edition of the parts; default the newest that is frozen")
-      ->type_name("EDITION");
+  add_edition(*parts, to.edition, "Of this edition of the parts");
   parts->require_subcommand(0, 1);
   CLI::App* begin =
       parts->add_subcommand("new", "Begin a part of one's own: a shipped one, explained");
@@ -69,16 +76,14 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->type_name("")
       ->expected(1, 64);
   check->add_option("--people", to.people, "So many people; default 100")->type_name("N");
-  check->add_option("--seed", to.seed, "The same word, the same people; default 1")
-      ->type_name("WORD");
+  add_seed(*check, to.seed, "The same word, the same people; default 1");
 }
 
 void add_code(CLI::App& app, CodeArguments& to) {
   CLI::App* code = app.add_subcommand(
       "code", "Print the code of a recipe, or what a code says, its parts and numbers");
   code->add_option("FACE", to.face, "Recipe file: its code; a code: what it says")->type_name("");
-  code->add_option("--seed", to.seed, "Instead: the code of this word, as mien new has it")
-      ->type_name("WORD");
+  add_seed(*code, to.seed, "Instead: the code of this word, as mien new has it");
 }
 
 void add_check(CLI::App& app, CheckArguments& to) {
@@ -95,8 +100,7 @@ void add_check(CLI::App& app, CheckArguments& to) {
       ->type_name("N")
       ->expected(0, 1)
       ->allow_extra_args(false);
-  check->add_option("--seed", to.seed, "The same word, the same people; default 1")
-      ->type_name("WORD");
+  add_seed(*check, to.seed, "The same word, the same people; default 1");
   check->add_option("--style", to.style, "How the N people are painted; default soft")
       ->type_name("STYLE");
   check->add_flag("--json", to.json, "Print JSON instead of a table");

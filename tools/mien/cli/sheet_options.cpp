@@ -58,12 +58,8 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
                    "head: a plain one, or FACE's, which is a recipe or a code; 'mien parts' names "
                    "the families")
       ->type_name("FAMILY|FILE|FOLDER");
-  sheet->add_option("--seed", to.seed, "The same word, the same people; default 1")
-      ->type_name("WORD");
-  sheet
-      ->add_option("--edition", to.edition,
-                   "People or parts of this edition of the parts; default the newest")
-      ->type_name("EDITION");
+  add_seed(*sheet, to.seed, "The same word, the same people; default 1");
+  add_edition(*sheet, to.edition, "People or parts of this edition of the parts");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")
       ->type_name("STYLE");
   sheet->add_option("-o,--output", to.output, "Picture to write")->type_name("FILE");

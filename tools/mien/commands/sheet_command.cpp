@@ -146,11 +146,11 @@ Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
   return recipe;
 }
 
-/// One part's pictures on a head, named after it.
+/// One part's pictures on a head, named after it. `wrong`: whose fault it is if they do not go together.
 CellsOrCode part_pictures(const SheetArguments& arguments, const Recipe& recipe,
-                          const std::string& part, Size size) {
+                          const std::string& part, Size size, ExitCode wrong) {
   const auto face = face_from_recipe(recipe, face_letters());
-  if (!face) return {{}, complain(face.error(), kUsedWrongly)};
+  if (!face) return {{}, complain(face.error(), wrong)};
   SheetArguments one = arguments;
   if (one.pictures.empty()) one.pictures.push_back("");
   one.face = part;
@@ -174,13 +174,16 @@ CellsOrCode own_part_cells(const SheetArguments& arguments, Size size) {
   }
   const auto head = head_for_parts(arguments);
   if (!head) return {{}, complain(head.error(), kFailed)};
+  // The head first: what is wrong with it is wrong with the arguments, and not with the parts' files.
+  if (const auto plain = face_from_recipe(*head, face_letters()); !plain)
+    return {{}, complain(plain.error(), arguments.face ? kFailed : kUsedWrongly)};
   Cells cells;
   for (const FoundPart& part : parts) {
     Recipe recipe = *head;
     wear(recipe, part);
     const std::string file = std::filesystem::path(part.part.path).filename().string();
     CellsOrCode made =
-        part_pictures(arguments, recipe, file.substr(0, file.find(".part.json")), size);
+        part_pictures(arguments, recipe, file.substr(0, file.find(".part.json")), size, kFailed);
     if (made.code != kDone) return made;
     std::ranges::move(made.cells, std::back_inserter(cells));
   }
@@ -209,7 +212,7 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
   for (const std::string& part : parts) {
     recipe.parts[family->name] = part;
     if (part == "none" && family->optional) recipe.parts.erase(family->name);
-    CellsOrCode made = part_pictures(arguments, recipe, part, size);
+    CellsOrCode made = part_pictures(arguments, recipe, part, size, kUsedWrongly);
     if (made.code != kDone) return made;
     std::ranges::move(made.cells, std::back_inserter(cells));
   }

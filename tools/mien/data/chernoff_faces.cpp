@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mien::command {
@@ -19,17 +20,23 @@ class Column {
     from_ = feature.from.value_or(std::pair(sorted_.front(), sorted_.back()));
   }
 
-  std::pair<double, double> from() const { return from_; }
+  /// What a legend shows: the ends and the middle between them; by order, the least, median and largest value.
+  std::array<double, 3> landmarks() const {
+    const auto [lo, hi] = from_;
+    if (feature_.scale == ChernoffScale::linear) return {lo, 0.5 * lo + 0.5 * hi, hi};
+    const std::size_t half = sorted_.size() / 2;
+    const double below = sorted_[(sorted_.size() - 1) / 2];
+    return {sorted_.front(), 0.5 * below + 0.5 * sorted_[half], sorted_.back()};
+  }
 
-  /// 0 … 1. A column whose values are all equal is in the middle.
+  /// 0 … 1. A column whose values are all equal is in the middle; by order, what is between two values is half-way.
   double place(double value) const {
     const auto [lo, hi] = from_;
     if (feature_.scale == ChernoffScale::linear)
       return hi > lo ? value / (hi - lo) - lo / (hi - lo) : 0.5;
     if (sorted_.front() == sorted_.back()) return 0.5;
     const auto [first, last] = std::equal_range(sorted_.begin(), sorted_.end(), value);
-    const double rank =
-        0.5 * double(first - sorted_.begin() + std::max(first, last - 1) - sorted_.begin());
+    const double rank = 0.5 * double(first - sorted_.begin() + (last - 1) - sorted_.begin());
     const double share = rank / double(sorted_.size() - 1);
     if (feature_.scale == ChernoffScale::rank) return share;
     return std::min(std::floor(4 * share), 3.0) / 3;
@@ -128,8 +135,7 @@ Expected<std::vector<ChernoffFace>> chernoff_legend(const Table& table, const Ch
   if (!at) return at.error();
   const auto column = column_of(table, feature, *at);
   if (!column) return column.error();
-  const auto [lo, hi] = column->from();
-  for (const double value : {lo, 0.5 * lo + 0.5 * hi, hi})
+  for (const double value : column->landmarks())
     add(fmt::format("{}: {:.6g}", feature.column, value), column->place(value));
   return faces;
 }

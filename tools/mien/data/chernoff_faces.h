@@ -21,8 +21,8 @@ struct ChernoffFace {
 /// or a text without a part; or a column that the table does not have.
 Expected<std::vector<ChernoffFace>> chernoff_faces(const Table& table, const ChernoffMap& map);
 
-/// What a feature's column says at three places, for a legend: its least, middle and largest value, or each
-/// text with a part. All else is at rest.
+/// What a feature's column says at three places, for a legend: its least, middle and largest value, the middle
+/// being the median where places go by order; or each text with a part. All else is at rest.
 Expected<std::vector<ChernoffFace>> chernoff_legend(const Table& table, const ChernoffMap& map,
                                                     const ChernoffFeature& feature);
 

@@ -144,11 +144,12 @@ Expected<ChernoffMap> default_chernoff_map(const Table& table, std::vector<Error
   ChernoffMap map;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string& column = table.columns[i];
-    if (!table.is_numeric(i)) {
+    if (const auto numeric = table.numeric(i); !numeric) {
       if (!map.label)
         map.label = column;
       else
-        warnings->push_back({table.name, in_quotes(column) + " is not numbers: not shown"});
+        warnings->push_back(
+            {numeric.error().where, numeric.error().what + ": the column is not shown"});
       continue;
     }
     if (map.features.size() == kDefaultNumbers.size()) {

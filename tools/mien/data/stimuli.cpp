@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <variant>
 
 namespace mien::command {
@@ -171,31 +172,40 @@ class Experiment {
     return level_difference(std::get<Image>(one), std::get<Image>(other)).rms;
   }
 
-  /// All combinations, or the sample: those whose lots are least, in the order in which all would stand. What
-  /// pairs differ in stays at its first level.
-  std::vector<Combination> combinations() const {
-    std::uint64_t count = 1;
-    for (std::size_t i = 0; i < factors_.size(); ++i)
-      if (i != plan_.pairs) count *= factors_[i].levels.size();
-    std::vector<std::uint64_t> chosen(count);
-    for (std::uint64_t i = 0; i < count; ++i) chosen[i] = i;
-    if (plan_.sample) {
-      const KeyedChance chance(seed_from_word(plan_.seed));
-      std::ranges::sort(chosen, {}, [&](std::uint64_t i) { return chance.bits(i); });
-      chosen.resize(std::size_t(*plan_.sample));
-      std::ranges::sort(chosen);
-    }
-    std::vector<Combination> all;
-    for (std::uint64_t rest : chosen) {
-      Combination one(factors_.size());
-      for (std::size_t i = factors_.size(); i-- > 0;) {
-        if (i == plan_.pairs) continue;
-        one[i] = std::size_t(rest % factors_[i].levels.size());
-        rest /= factors_[i].levels.size();
-      }
-      all.push_back(std::move(one));
+  /// How many levels a factor has here: what pairs differ in stays at its first.
+  std::size_t levels_of(std::size_t factor) const {
+    return factor == plan_.pairs ? 1 : factors_[factor].levels.size();
+  }
+
+  /// All, the last factor changing first.
+  std::set<Combination> every_combination() const {
+    std::set<Combination> all{Combination(factors_.size())};
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+      std::set<Combination> longer;
+      for (Combination one : all)
+        for (one[i] = 0; one[i] < levels_of(i); ++one[i]) longer.insert(longer.end(), one);
+      all = std::move(longer);
     }
     return all;
+  }
+
+  /// A level of each factor by lot, again and again until there are so many that differ. All combinations are as
+  /// likely, however many there are, and a larger sample has those of a smaller one.
+  std::set<Combination> sampled_combinations(std::size_t count) const {
+    const KeyedChance chance(seed_from_word(plan_.seed));
+    std::set<Combination> sample;
+    for (std::uint64_t lot = 0; sample.size() < count; ++lot) {
+      Combination one(factors_.size());
+      for (std::size_t i = 0; i < one.size(); ++i)
+        one[i] = std::size_t(chance.bits(lot, i) % levels_of(i));
+      sample.insert(std::move(one));
+    }
+    return sample;
+  }
+
+  /// All or the sample, in the order in which all would stand.
+  std::set<Combination> combinations() const {
+    return plan_.sample ? sampled_combinations(std::size_t(*plan_.sample)) : every_combination();
   }
 
   const StimulusPlan& plan_;

@@ -68,6 +68,13 @@ Expected<Done> make_folder(const std::filesystem::path& folder) {
   return Done{};
 }
 
+Expected<Done> write_manifest(const StimulusManifest& manifest,
+                              const std::filesystem::path& folder) {
+  const std::string text = manifest_text(manifest);
+  return write_file((folder / "manifest.json").string(),
+                    [&](const ByteSink& sink) { return sink(text.data(), text.size()); });
+}
+
 int draw_plan(const StimuliArguments& arguments) {
   std::vector<Error> warnings;
   const auto plan = read_stimulus_plan(arguments.plan, &warnings);
@@ -79,14 +86,11 @@ int draw_plan(const StimuliArguments& arguments) {
     return complain(made.error(), kFailed);
   const auto manifest = show_all(*what, plan->size, arguments.output);
   if (!manifest) return complain(manifest.error(), kFailed);
-  const std::string text = manifest_text(*manifest);
-  const auto done =
-      write_file((std::filesystem::path(arguments.output) / "manifest.json").string(),
-                 [&](const ByteSink& sink) { return sink(text.data(), text.size()); });
+  const auto done = write_manifest(*manifest, arguments.output);
   return done ? print(fmt::format("{} pictures\n", what->size())) : complain(done.error(), kFailed);
 }
 
-/// The same pictures again: each must have the SHA-256 that the manifest says.
+/// The same pictures again: each must have the SHA-256 that the manifest says. Their own manifest says it, too.
 int draw_again(const StimuliArguments& arguments) {
   const auto manifest = read_stimulus_manifest(arguments.plan);
   if (!manifest) return complain(manifest.error(), kFailed);
@@ -108,7 +112,9 @@ int draw_again(const StimuliArguments& arguments) {
                      fmt::format("{} of {} pictures are not the ones it tells of; the first is {}",
                                  others, what.size(), in_quotes(first))},
                     kFailed);
-  return print(fmt::format("{} pictures, all as the manifest says\n", what.size()));
+  const auto done = write_manifest(*again, arguments.output);
+  return done ? print(fmt::format("{} pictures, all as the manifest says\n", what.size()))
+              : complain(done.error(), kFailed);
 }
 
 }  // namespace

@@ -61,20 +61,28 @@ class PlanReader {
     if (const JsonNode* face = in_.find(root, "face"))
       plan_.face = read_recipe(in_, *face, &folder_);
     if (const JsonNode* size = in_.find(root, "size")) plan_.size = whole(*size, 16, kLargest);
-    if (const JsonNode* seed = in_.find(root, "seed")) plan_.seed = in_.string(*seed);
+    if (const JsonNode* seed = in_.find(root, "seed")) plan_.seed = word(*seed);
     const JsonNode& factors = in_.need(root, "factors");
     in_.expect(factors, JsonKind::array);
     if (factors.count < 1 || factors.count > kMostFactors)
       in_.refuse(factors, fmt::format("expected 1 to {} factors", kMostFactors));
     in_.for_each(factors, [&](const JsonNode& node, int) { read_factor(node); });
     if (const JsonNode* pairs = in_.find(root, "pairs")) read_pairs(*pairs);
-    check_count(factors);
+    const double most = double(kMostStimuli) / (plan_.pairs ? 2 : 1);
     if (const JsonNode* sample = in_.find(root, "sample"))
-      plan_.sample = whole(*sample, 1, double(combinations()));
+      plan_.sample = whole(*sample, 1, std::min(combinations(), most));
+    else
+      check_count(factors, most);
     return std::move(plan_);
   }
 
  private:
+  std::string word(const JsonNode& node) const {
+    const std::string_view text = in_.string(node);
+    if (text.empty()) in_.refuse(node, "an empty word is no seed");
+    return std::string(text);
+  }
+
   int whole(const JsonNode& node, double least, double most) const {
     const double value = in_.number(node);
     if (value != double(int(std::clamp(value, -1e9, 1e9))) || value < least || value > most)
@@ -134,7 +142,7 @@ class PlanReader {
     } else {
       const JsonNode* seed = in_.find(node, "seed");
       for (const FaceCode& code :
-           crowd(seed ? in_.string(*seed) : "1", whole(kind, 1, kMostPeople), plan_.face.edition)) {
+           crowd(seed ? word(*seed) : "1", whole(kind, 1, kMostPeople), plan_.face.edition)) {
         factor.people.push_back(recipe_from_code(code).value());
         factor.levels.push_back(face_code_text(code));
       }
@@ -244,25 +252,24 @@ class PlanReader {
       in_.refuse(node, "a pair differs in two levels, and this factor has one");
   }
 
-  std::uint64_t combinations() const {
-    std::uint64_t all = 1;
+  /// Pairs count once. As a double, which does not overflow here.
+  double combinations() const {
+    double all = 1;
     for (std::size_t i = 0; i < plan_.factors.size(); ++i)
-      if (i != plan_.pairs) all *= plan_.factors[i].levels.size();
+      if (i != plan_.pairs) all *= double(plan_.factors[i].levels.size());
     return all;
   }
 
-  /// Multiplied as doubles first, which do not overflow here.
-  void check_count(const JsonNode& node) const {
-    double all = plan_.pairs ? 2 : 1;
+  void check_count(const JsonNode& node, double most) const {
+    if (combinations() <= most) return;
     std::string product;
-    for (std::size_t i = 0; i < plan_.factors.size(); ++i) {
-      const std::size_t count = i == plan_.pairs ? 2 : plan_.factors[i].levels.size();
-      if (i != plan_.pairs) all *= double(count);
-      product += fmt::format("{}{}", i > 0 ? " × " : "", count);
-    }
-    if (all > double(kMostStimuli))
-      in_.refuse(node, fmt::format("{} = {:.0f} pictures; a plan has {} at most", product, all,
-                                   kMostStimuli));
+    for (std::size_t i = 0; i < plan_.factors.size(); ++i)
+      product += fmt::format("{}{}", i > 0 ? " × " : "",
+                             i == plan_.pairs ? 2 : plan_.factors[i].levels.size());
+    in_.refuse(node,
+               fmt::format("{} = {:.0f} pictures; a plan has {} at most, or \"sample\" draws "
+                           "some of them by lot",
+                           product, combinations() * double(kMostStimuli) / most, kMostStimuli));
   }
 
   Reading& in_;

@@ -87,9 +87,10 @@ Expected<double> Table::number(std::size_t row, std::size_t column) const {
                fmt::format("expected a finite number, got {}", in_quotes(cell))};
 }
 
-bool Table::is_numeric(std::size_t column) const {
-  return std::ranges::all_of(rows,
-                             [&](const auto& row) { return finite(row[column]).has_value(); });
+Expected<Done> Table::numeric(std::size_t column) const {
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (const auto value = number(row, column); !value) return value.error();
+  return Done{};
 }
 
 Expected<Table> read_table(const std::filesystem::path& path) {

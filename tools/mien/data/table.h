@@ -21,8 +21,8 @@ struct Table {
   Expected<std::size_t> column(std::string_view heading) const;
   /// The finite number in a cell. The error names row and column, counted from 1 below the heading.
   Expected<double> number(std::size_t row, std::size_t column) const;
-  /// Whether every row has a finite number there.
-  bool is_numeric(std::size_t column) const;
+  /// Whether every row has a finite number there; the error is that of the first cell that has none.
+  Expected<Done> numeric(std::size_t column) const;
   /// What errors call a cell: `states.csv: row 7, column "Murder"`.
   std::string place(std::size_t row, std::size_t column) const;
 };
