@@ -16,7 +16,8 @@ std::vector<std::pair<std::string, double>> legend(ChernoffScale scale,
   map.features.push_back(
       {.column = "size", .name = "eye.size", .scale = scale, .from = {}, .to = {0, 1}});
   std::vector<std::pair<std::string, double>> shown;
-  for (const ChernoffFace& face : *chernoff_legend(table, map, map.features[0]))
+  const auto faces = chernoff_legend(table, map, map.features[0]);
+  for (const ChernoffFace& face : *faces)
     shown.emplace_back(face.label, face.recipe.numbers.at("eye.size"));
   return shown;
 }
