@@ -25,8 +25,13 @@ std::vector<std::pair<std::string, double>> legend(ChernoffScale scale,
 using Shown = std::vector<std::pair<std::string, double>>;
 
 TEST(Legend, OfALinearColumnHasTheMiddleOfItsEnds) {
-  EXPECT_EQ(legend(ChernoffScale::linear, {"1", "100", "2"}),
-            (Shown{{"size: 1", 0}, {"size: 50.5", 0.5}, {"size: 100", 1}}));
+  const Shown wanted{{"size: 1", 0}, {"size: 50.5", 0.5}, {"size: 100", 1}};
+  const Shown shown = legend(ChernoffScale::linear, {"1", "100", "2"});
+  ASSERT_EQ(shown.size(), wanted.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_EQ(shown[i].first, wanted[i].first);
+    EXPECT_DOUBLE_EQ(shown[i].second, wanted[i].second);
+  }
 }
 
 TEST(Legend, OfAColumnByRankHasItsMedian) {
