@@ -24,7 +24,7 @@ FUSES = not CPU.exists() or re.search(r"\bfma\b|\basimd\b", CPU.read_text())
 
 def words_of(text):
     """Without what was measured: only what stands in every run."""
-    text = re.sub(r"\d+: [^|\n]+|none", "0 ", text)  # which cases a field reaches depends on how many there are
+    text = re.sub(r"\d+: [^|\n]+|none ", "0 ", text)  # which cases a field reaches depends on how many there are
     return re.sub(r"(\d[\d.e+-]*|∞)", "0", re.sub(r" \*\*\d+\*\*", "", re.sub(r"^(\| (?:mien|numpy|closed|complex|Newton|bisection|subdivision)[^|]*f\d\d \|).*", r"\1", text, flags=re.M)))
 
 
