@@ -28,7 +28,7 @@ const std::map<std::string, Hashes> kDrawn{{"seed0", {0xf64163737606b70e, 0xf641
                                            {"male", {0xdc1e3e03482b5525, 0xdc1e3e03482b5525}},
                                            {"toon", {0xa38951eeade1d253, 0xa38951eeade1d253}},
                                            {"bruno", {0x1caaeb5e34153019, 0x1caaeb5e34153019}},
-                                           {"clay", {0xdc09634f382ad9cb, 0x746951e4bb9d0108}}};
+                                           {"clay", {0xc1236ca34012f180, 0x120d6b301bf54353}}};
 
 /// FNV-1a of the face's pixels in all of its sample poses.
 std::uint64_t hash_of_pictures(const std::string& name) {

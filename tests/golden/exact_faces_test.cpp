@@ -146,6 +146,7 @@ TEST(ExactLitFaces, ThatWereWrongOnceAreRight) {
                          {"faces/clay", "joy", 48, 23, 21},
                          {"faces/clay", "turn_right", 48, 20, 17},
                          {"faces/clay", "rest", 97, 41, 52},
+                         {"faces/clay", "joy", 333, 180, 144},
                          {"faces/clay", "anger", 640, 319, 280}}) {
     const Face face = test::face_named(p.face);
     const std::vector<test::NamedPose> poses = test::sample_poses(face);

@@ -102,6 +102,15 @@ class Editions(unittest.TestCase):
         self.assertEqual(self.freeze("C", "--anew")[0], 0)
         self.assertEqual(len(list(self.path("C").rglob("*.json"))), 2)
 
+    def test_pictures_are_drawn_again_of_what_is_frozen_alone(self):
+        for sign, more, sentence in [("A", ["--no-hashes"], "leave out --no-hashes"), ("A", ["--build", "."], "is no configured build folder")]:
+            code, said = self.ran("freeze_edition", sign, "--pictures", "--root", self.root, *more)
+            self.assertEqual((code, said.count("\n")), (1, 1), said)
+            self.assertIn(sentence, said)
+        (self.root / "CMakeCache.txt").write_text("")
+        code, said = self.ran("freeze_edition", "A", "--pictures", "--root", self.root, "--build", ".")
+        self.assertEqual((code, said), (1, "freeze_edition: there is no frozen edition A\n"))
+
     def test_without_a_build_nothing_is_frozen(self):
         code, said = self.ran("freeze_edition", "A", "--root", self.root)
         self.assertEqual(code, 1)

@@ -31,8 +31,10 @@ struct LitCells {
       false;    ///< one cell more all around, and a foot for each; else `foot` serves for all
   FootAt foot;  ///< at the pixel's middle
   alignas(64) std::array<float, kMost> area, at_x, at_y;  ///< as in PartCells
-  alignas(64) std::array<float, kMost> mid_x, mid_y;      ///< middles, from the tile's
-  alignas(64) std::array<float, kMost> d, nx, ny, bend;   ///< there
+  /// Where feet are looked for, from the tile's middle: at centroids, since a ridge may run between a centroid and its
+  /// cell's middle, and at the middles of cells without area.
+  alignas(64) std::array<float, kMost> foot_x, foot_y;
+  alignas(64) std::array<float, kMost> d, nx, ny, bend;  ///< there
   alignas(64) std::array<float, kMost> r, g, b;  ///< what mean_of_cells saw, where there is area
 
   /// Takes all cells with the foot at the pixel's middle; or with a margin, and their feet are then to be found.

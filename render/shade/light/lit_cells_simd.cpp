@@ -96,18 +96,19 @@ HWY_INLINE void MixRidge(const Zone& zone, VF side, VF left, const Spot& here, c
   mix(color.r, near.r, far.r), mix(color.g, near.g, far.g), mix(color.b, near.b, far.b);
 }
 
-Ridge NearestRidge(const LitCells& cells, size_t k, const Spot& here, VF ox, VF oy) {
+/// Of the cell at k, whose centroid is (x, y) from the tile's.
+Ridge NearestRidge(const LitCells& cells, size_t k, const Spot& here, VF x, VF y) {
   const F f;
-  const float cell = 1.0f / float(cells.side);
   Ridge ridge = NoRidge();
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i) {
       if (i == 0 && j == 0) continue;
       const size_t at = size_t(std::ptrdiff_t(k) + j * cells.row + i);
-      const VF x = hn::Sub(ox, Const(float(i) * cell)), y = hn::Sub(oy, Const(float(j) * cell));
+      const VF from_x = hn::Sub(x, hn::LoadU(f, &cells.foot_x[at])),
+               from_y = hn::Sub(y, hn::LoadU(f, &cells.foot_y[at]));
       Consider(here,
                SeenFrom(hn::LoadU(f, &cells.d[at]), hn::LoadU(f, &cells.nx[at]),
-                        hn::LoadU(f, &cells.ny[at]), hn::LoadU(f, &cells.bend[at]), x, y),
+                        hn::LoadU(f, &cells.ny[at]), hn::LoadU(f, &cells.bend[at]), from_x, from_y),
                kSameBranch, ridge);
     }
   return ridge;
@@ -136,14 +137,12 @@ HWY_INLINE LitColor ColorAt(const Zone& zone, const LitCells& cells, size_t k, V
     return ColorOf(zone, share, Const(1.0f), here, px, py);
   }
   const VF bend = hn::LoadU(f, &cells.bend[k]);
-  const VF ox = hn::Sub(px, hn::LoadU(f, &cells.mid_x[k]));
-  const VF oy = hn::Sub(py, hn::LoadU(f, &cells.mid_y[k]));
-  const Spot here = SeenFrom(hn::LoadU(f, &cells.d[k]), hn::LoadU(f, &cells.nx[k]),
-                             hn::LoadU(f, &cells.ny[k]), bend, ox, oy);
+  const Spot here{hn::LoadU(f, &cells.d[k]), hn::LoadU(f, &cells.nx[k]),
+                  hn::LoadU(f, &cells.ny[k])};
   LitColor color = ColorOf(zone, share, Const(1.0f), here, px, py);
   const auto there = hn::Gt(area, hn::Zero(f));
   sums.turn = hn::Max(sums.turn, hn::IfThenElseZero(there, hn::Mul(hn::Abs(bend), Const(cell))));
-  const Ridge ridge = NearestRidge(cells, k, here, ox, oy);
+  const Ridge ridge = NearestRidge(cells, k, here, px, py);
   if (hn::AllFalse(f, hn::And(there, hn::Lt(ridge.offset, Const(0.75f * cell))))) return color;
   const VF side = hn::Mul(hn::Sqrt(share), Const(cell));
   VF jump = hn::Zero(f);
@@ -316,8 +315,9 @@ void LitCells::take(const PartCells& cells, bool ring) {
   }
   const float cell = cells.cell(), first = 0.5f * cell - 0.5f - cell;
   for (std::size_t k = 0; k < padded; ++k) {
-    mid_x[k] = x + first + cell * float(int(k) % row);
-    mid_y[k] = y + first + cell * float(std::min(int(k) / row, row - 1));
+    const bool empty = area[k] == 0.0f;
+    foot_x[k] = x + (empty ? first + cell * float(int(k) % row) : at_x[k]);
+    foot_y[k] = y + (empty ? first + cell * float(std::min(int(k) / row, row - 1)) : at_y[k]);
   }
 }
 

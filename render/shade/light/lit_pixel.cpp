@@ -71,7 +71,7 @@ bool may_agree_by_chance(const LitPixel::Place& place, const LitMean& mean) {
 
 void LitPixel::find_feet(NearFeet& feet) {
   const std::size_t count = std::size_t((cells_.places() + 15) / 16 * 16);
-  feet.at(std::span(cells_.mid_x).first(count), std::span(cells_.mid_y).first(count),
+  feet.at(std::span(cells_.foot_x).first(count), std::span(cells_.foot_y).first(count),
           {cells_.d.data(), cells_.nx.data(), cells_.ny.data(), cells_.bend.data()});
 }
 
@@ -128,14 +128,15 @@ std::size_t LitPixel::find_feet_of_cells(const Place& place) {
   for (std::size_t k = 0; k < std::size_t(parts_.count()); ++k) {
     if (parts_.area[k] == 0.0f) continue;
     cells_.area[count] = parts_.area[k];
-    cells_.mid_x[count] = place.at.x + parts_.x[k], cells_.mid_y[count] = place.at.y + parts_.y[k];
+    cells_.foot_x[count] = place.at.x + parts_.x[k],
+    cells_.foot_y[count] = place.at.y + parts_.y[k];
     ++count;
   }
   if (count == 0) return 0;
   const std::size_t padded = (count + 15) / 16 * 16;
-  std::fill_n(cells_.mid_x.begin() + std::ptrdiff_t(count), padded - count, cells_.mid_x[0]);
-  std::fill_n(cells_.mid_y.begin() + std::ptrdiff_t(count), padded - count, cells_.mid_y[0]);
-  place.feet->at(std::span(cells_.mid_x).first(padded), std::span(cells_.mid_y).first(padded),
+  std::fill_n(cells_.foot_x.begin() + std::ptrdiff_t(count), padded - count, cells_.foot_x[0]);
+  std::fill_n(cells_.foot_y.begin() + std::ptrdiff_t(count), padded - count, cells_.foot_y[0]);
+  place.feet->at(std::span(cells_.foot_x).first(padded), std::span(cells_.foot_y).first(padded),
                  {cells_.d.data(), cells_.nx.data(), cells_.ny.data(), cells_.bend.data()});
   return count;
 }
