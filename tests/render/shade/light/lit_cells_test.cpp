@@ -27,9 +27,13 @@ struct Roof {
   LitMean mean(int side, float at) {
     PartCells parts;
     whole_cells(side, parts);
+    return mean(parts, at);
+  }
+
+  LitMean mean(const PartCells& parts, float at) {
     cells.take(parts, true);
     for (std::size_t k = 0; k < std::size_t(cells.places()); ++k) {
-      const float off = cells.mid_x[k] - at;
+      const float off = cells.foot_x[k] - at;
       cells.d[k] = std::abs(off) - 5.0f, cells.nx[k] = off < 0.0f ? -1.0f : 1.0f;
       cells.ny[k] = 0.0f, cells.bend[k] = 0.0f;
     }
@@ -47,6 +51,19 @@ TEST(LitCells, AreCutByRidgesInClosedForm) {
         const float want = bright * (0.5f + at) + dark * (0.5f - at);
         EXPECT_NEAR(roof.mean(side, at).r, want, 1e-4) << side << ' ' << at;
       }
+  });
+}
+
+/// What an outline leaves of a cell may lie wholly beyond a ridge that runs through the cell.
+TEST(LitCells, GoByWhatIsLeftOfThem) {
+  test::on_every_set([] {
+    Roof roof;
+    const float dark = roof.mean(4, -9.0f).r;
+    PartCells parts;
+    whole_cells(4, parts);
+    std::fill_n(parts.area.begin(), 16, 0.0f);
+    parts.area[15] = 4e-4f, parts.x[15] = 0.49f, parts.y[15] = 0.49f;
+    for (const float at : {0.40f, 0.45f}) EXPECT_NEAR(roof.mean(parts, at).r, dark, 1e-5) << at;
   });
 }
 
