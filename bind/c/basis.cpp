@@ -10,13 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace mien::c {
 namespace {
 
-/// Of frames: 2 GiB of those that are made here; others are in the caller's memory, and none is so large.
-constexpr std::size_t kMostMade = std::size_t(1) << 28, kMostNumbers = std::size_t(1) << 40;
+/// Of frames: 2 GiB of those that are made here; others are in the caller's memory, which has no more.
+constexpr std::size_t kMostMade = std::size_t(1) << 28,
+                      kMostNumbers = std::numeric_limits<std::size_t>::max() / sizeof(double);
 
 std::size_t product(std::size_t a, std::size_t b, std::string_view argument) {
   if (b != 0 && a > kMostNumbers / b) refuse(std::string(argument), "so many numbers are none");
@@ -140,7 +142,7 @@ mien_status mien_basis_numbers(const mien_basis* basis, int32_t which, double* v
     const std::vector<double>& numbers = numbers_of(need(basis, "basis").file.fit, which);
     need_size(count, numbers.size(), "count");
     if (count > 0) need(values, "values");
-    std::ranges::copy(numbers, values);
+    std::copy(numbers.begin(), numbers.end(), values);
   });
 }
 
@@ -168,7 +170,7 @@ mien_status mien_basis_encode(const mien_basis* basis, const double* frames, siz
     const auto found =
         must(mien::encode_pca(pca, mien::matrix_in_memory(numbers, frame_count, pca.columns)),
              MIEN_REFUSED);
-    std::ranges::copy(found, weights);
+    std::copy(found.begin(), found.end(), weights);
   });
 }
 
