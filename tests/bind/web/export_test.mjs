@@ -5,7 +5,7 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
-import test, { after, afterEach } from 'node:test';
+import test, { after } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { browse } from './chromium.mjs';
 import { pngPixels } from './png_pixels.mjs';
@@ -17,7 +17,6 @@ const { load } = await import(pathToFileURL(join(built, 'mien.js')));
 const mien = await load();
 const pages = {};
 const server = await serve(built, pages), browser = await browse(), folder = mkdtempSync(join(tmpdir(), 'mien-export-'));
-afterEach(() => browser.closePages());
 after(async () => { await browser.close(); await server.close(); rmSync(folder, { recursive: true }); });
 
 const CODE = 'AF5C2-938BM-JX', WIDTH = 150, HEIGHT = 150;
