@@ -6,7 +6,7 @@
 
 import { load } from '../mien.js';
 import { png } from '../png.js';
-import { personOf, recipeOf, recipeText } from './person.js';
+import { beginning, personOf, recipeOf, recipeText } from './person.js';
 
 let loading;
 let face = null, seen = { width: 1, height: 1 };
@@ -34,11 +34,11 @@ const answers = {
 
   /** Opens a person or the text of a face file; the face before stays if it is refused. */
   open(mien, { person, text, name }) {
-    const { code = null, recipe = null } = person ? recipeOf(mien, person) : {}, said = recipe ? recipeText(recipe) : text;
+    const { code = null, recipe = null } = person ? recipeOf(mien, person) : {}, base = person ? recipeOf(mien, beginning(person)).recipe : null, said = recipe ? recipeText(recipe) : text;
     const read = mien.face(said, name);
     face?.free();
     face = read;
-    return { ...told(read, said), code, recipe };
+    return { ...told(read, said), code, recipe, base };
   },
   /** The pixels of the open face. The page puts them on its canvas, so that this worker can be ended at any time. */
   draw(_mien, { width, height, pose }) {

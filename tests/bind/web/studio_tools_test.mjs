@@ -1,8 +1,9 @@
 // node --test studio_tools_test.mjs: the studio's time line, points that snap, what has changed, and broken files.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import test, { after, afterEach } from 'node:test';
-import { click, CODE, drop, focus, nameless, picture, root, slide, show, studioPages } from './studio_page.mjs';
+import { built, click, CODE, drop, focus, nameless, picture, root, slide, show, studioPages } from './studio_page.mjs';
 
 const { browser, open, close } = await studioPages();
 afterEach(() => browser.closePages());
@@ -89,4 +90,80 @@ test('a clip is as long as its keys; one that goes on and on shows twelve second
   assert.deepEqual(['nod', 'beat', 'sway', 'none'].map((clip) => clipLength(text, clip)), [1.5, 2.25, 12, 12]);
   assert.equal(clipLength(readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'), 'idle'), 12);
   assert.deepEqual([framesOn(0, 1), framesOn(0.033, 1), framesOn(1, -1)], [0.033, 0.067, 0.967]);
+});
+
+/** A JSON value with a patch's operations done, as RFC 6902 says. */
+function patched(value, patch) {
+  const whole = structuredClone(value);
+  for (const { op, path, value: to } of patch) {
+    const keys = path.split('/').slice(1).map((key) => key.replaceAll('~1', '/').replaceAll('~0', '~')), last = keys.pop(), of = keys.reduce((now, key) => now[key], whole);
+    assert.equal(last in of, op !== 'add', `${op} ${path}`);
+    if (op === 'remove') delete of[last];
+    else of[last] = to;
+  }
+  return whole;
+}
+/** What Export says has changed: { said, patch, left }. */
+const changes = (on) => on.run(() => {
+  document.getElementById('export').click();
+  const [said, patch, left] = ['changes', 'patch', 'left'].map((name) => document.querySelector(`#exporting [data-for=${name}]`));
+  const told = { said: said.textContent, patch: patch.hidden ? null : JSON.parse(patch.querySelector('pre').textContent), left: left.hidden ? '' : left.textContent };
+  document.getElementById('exporting').close();
+  return told;
+});
+const mienOf = async () => (await import(new URL(`file://${resolve(built)}/mien.js`))).load();
+
+test('what has changed of a person is a patch of the recipe of their code', async () => {
+  const on = await open(), mien = await mienOf();
+  assert.deepEqual(await changes(on), { said: `Nothing: this is the recipe of ${CODE}.`, patch: null, left: '' });
+  await show(on, 'Shape');
+  await slide(on, 'shape', 'Age', 61);
+  await show(on, 'Parts');
+  await on.run(() => document.querySelector('.parts .thumb[title=Ink]').click());
+  await show(on, 'Feelings');
+  await slide(on, 'feelings', 'Joy', 0.7);
+  await picture(on);
+  const { said, patch, left } = await changes(on);
+  assert.match(said, new RegExp(`^A JSON patch \\(RFC 6902\\) of ${patch.length} changes to the recipe of ${CODE}:$`));
+  assert.match(left, /: Joy\.$/);
+  assert.ok(patch.some(({ path }) => path === '/numbers/age') && patch.some(({ path, value }) => path === '/style' && value === 'ink'));
+  assert.ok(patch.length < 20, 'it is small');
+  const whole = patched(JSON.parse(mien.recipe(CODE)), patch);
+  await on.run(() => { HTMLAnchorElement.prototype.click = function () { window.saved = this.href; }; document.querySelector('[data-do=face]').click(); });
+  assert.deepEqual(whole, JSON.parse(await on.run(async () => (await fetch(window.saved)).text())));
+  await click(on, '#undo'), await click(on, '#undo'), await click(on, '#undo');
+  await picture(on);
+  assert.equal((await changes(on)).patch, null);
+  assert.deepEqual(on.faults, []);
+});
+
+test('what has changed of a file is a patch of it: colours, and points of either side', async () => {
+  const { patchOf, withSettings } = await import(new URL('bind/web/studio/patch.js', root)), mien = await mienOf();
+  const text = readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'), file = JSON.parse(text);
+  const set = { 'palette/skin': '#88aa66', 'brow.right/spine/0': [-0.1, 0.36], 'ear.left/points/1': [0.6, 0.2], 'head/points/3': [0.52, -0.3], 'halo/center': [0.1, 0.1], 'upper_lid.left/spine/0': [0, 0], yaw: 4 };
+  const { file: changed, left } = withSettings(file, set, 0), patch = patchOf(file, changed);
+  assert.deepEqual(left, ['upper_lid.left/spine/0', 'yaw'], 'a point of another feature, and what is the pose\'s');
+  assert.deepEqual(patched(file, patch), changed);
+  const { yaw, 'upper_lid.left/spine/0': shared, ...held } = set;
+  const drawn = (of, pose) => mien.face(JSON.stringify(of)).draw(160, 90, pose).slice();
+  assert.deepEqual(drawn(changed, {}), drawn(file, { set: held }));
+  const on = await open();
+  await drop(on, 'toon.face.json', text);
+  await on.until((code) => document.getElementById('code').value !== code, CODE);
+  assert.equal((await changes(on)).said, 'Nothing: this is toon.face.json as it was opened.');
+  await show(on, 'Colours');
+  await on.run(() => { const input = [...document.querySelectorAll('.swatch')].find((one) => one.textContent.startsWith('Skin')).querySelector('input'); input.value = '#88aa66', input.dispatchEvent(new Event('input')); });
+  await picture(on);
+  assert.deepEqual((await changes(on)).patch, [{ op: 'replace', path: '/palette/skin', value: '#88aa66' }]);
+  assert.deepEqual(on.faults, []);
+});
+
+test('patches: keys with slashes and tildes, what is gone, lists of another length', async () => {
+  const { patchOf, patchText } = await import(new URL('bind/web/studio/patch.js', root));
+  const before = { 'a/b': 1, '~': [1, 2], gone: null, list: [1], same: { x: [0] } }, after = { 'a/b': 2, '~': [1, 3], list: [1, 2], same: { x: [0] }, new: { y: 1 } };
+  const patch = patchOf(before, after);
+  assert.deepEqual(patch.map(({ op, path }) => `${op} ${path}`), ['remove /gone', 'replace /a~1b', 'replace /~0/1', 'replace /list', 'add /new']);
+  assert.deepEqual(patched(before, patch), after);
+  assert.equal(patchText(patchOf(after, after)), '[]');
+  assert.deepEqual(JSON.parse(patchText(patch)), patch);
 });
