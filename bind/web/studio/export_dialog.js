@@ -12,7 +12,7 @@ export class ExportDialog {
   #dialog; #form; #language = 'Command line'; #studio; #desk = null; #aspect = 1;
   constructor(dialog, studio) {
     this.#dialog = dialog, this.#form = dialog.querySelector('form'), this.#studio = studio;
-    const does = { close: () => dialog.close(), png: () => this.#savePng(), face: () => this.#saveFace(), cancel: () => this.#desk?.close(), copy: () => this.#copy('pre'), copyPatch: () => this.#copy('[data-for=patch] pre') };
+    const does = { close: () => dialog.close(), png: () => this.#savePng(), face: () => this.#saveFace(), cancel: () => this.#desk?.close(), copy: () => this.#copy('pre'), copyPatch: () => this.#copy('[data-for=patch]') };
     for (const button of dialog.querySelectorAll('[data-do]')) button.onclick = does[button.dataset.do];
     this.#form.onsubmit = (event) => event.preventDefault();
     this.#form.width.oninput = () => this.#resize('width', 'height', 1 / this.#aspect);
@@ -69,9 +69,9 @@ export class ExportDialog {
   }
   #showChanges() {
     const { patch, left, of } = changesOf(this.#studio.document, this.#studio.opened), count = patch.length === 1 ? 'one change' : `${patch.length} changes`;
-    this.#find('changes').textContent = patch.length ? `A JSON patch (RFC 6902) of ${count} to ${of}:` : `Nothing: this is ${of}.`;
-    this.#find('patch').hidden = !patch.length;
-    this.#find('patch').querySelector('pre').textContent = patchText(patch);
+    this.#find('changes').textContent = patch.length ? `A JSON patch (RFC 6902) of ${count} to ${of}:` : `Nothing: this is still ${of}.`;
+    this.#find('patch').hidden = this.#dialog.querySelector('[data-do=copyPatch]').hidden = !patch.length;
+    this.#find('patch').textContent = patchText(patch);
     this.#find('left').hidden = !left.length;
     this.#find('left').textContent = `Only in the pose, and so not in the file: ${left.join(', ')}.`;
   }

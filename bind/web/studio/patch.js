@@ -15,8 +15,9 @@ export function patchOf(before, after, path = '') {
   return [...gone, ...stays];
 }
 
+const operationText = (one) => ` {${Object.entries(one).map(([key, value]) => `"${key}": ${JSON.stringify(value)}`).join(', ')}}`;
 /** An operation a line, as people read it. */
-export const patchText = (patch) => (patch.length ? `[\n${patch.map((one) => `  ${JSON.stringify(one)}`).join(',\n')}\n]` : '[]');
+export const patchText = (patch) => (patch.length ? `[\n${patch.map(operationText).join(',\n')}\n]` : '[]');
 
 /** The list that a slice is in, of a feature: "points/3" is [points, 3]. */
 function placeIn(feature, slice) {

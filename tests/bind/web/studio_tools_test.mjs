@@ -107,7 +107,7 @@ function patched(value, patch) {
 const changes = (on) => on.run(() => {
   document.getElementById('export').click();
   const [said, patch, left] = ['changes', 'patch', 'left'].map((name) => document.querySelector(`#exporting [data-for=${name}]`));
-  const told = { said: said.textContent, patch: patch.hidden ? null : JSON.parse(patch.querySelector('pre').textContent), left: left.hidden ? '' : left.textContent };
+  const told = { said: said.textContent, patch: patch.hidden ? null : JSON.parse(patch.textContent), left: left.hidden ? '' : left.textContent };
   document.getElementById('exporting').close();
   return told;
 });
@@ -115,7 +115,7 @@ const mienOf = async () => (await import(new URL(`file://${resolve(built)}/mien.
 
 test('what has changed of a person is a patch of the recipe of their code', async () => {
   const on = await open(), mien = await mienOf();
-  assert.deepEqual(await changes(on), { said: `Nothing: this is the recipe of ${CODE}.`, patch: null, left: '' });
+  assert.deepEqual(await changes(on), { said: `Nothing: this is still the recipe of ${CODE}.`, patch: null, left: '' });
   await show(on, 'Shape');
   await slide(on, 'shape', 'Age', 61);
   await show(on, 'Parts');
@@ -150,7 +150,7 @@ test('what has changed of a file is a patch of it: colours, and points of either
   const on = await open();
   await drop(on, 'toon.face.json', text);
   await on.until((code) => document.getElementById('code').value !== code, CODE);
-  assert.equal((await changes(on)).said, 'Nothing: this is toon.face.json as it was opened.');
+  assert.equal((await changes(on)).said, 'Nothing: this is still toon.face.json as it was opened.');
   await show(on, 'Colours');
   await on.run(() => { const input = [...document.querySelectorAll('.swatch')].find((one) => one.textContent.startsWith('Skin')).querySelector('input'); input.value = '#88aa66', input.dispatchEvent(new Event('input')); });
   await picture(on);
