@@ -17,7 +17,7 @@ export class Stage {
   /** `change(key, values)` sets controls of the pose; `drawn(ms, refused)` hears of each picture. */
   constructor(studio, frame, { change, drawn }) {
     this.#studio = studio, this.#frame = frame, this.#canvas = frame.querySelector('canvas'), this.#change = change, this.#drawn = drawn;
-    this.points = new Points(studio, frame);
+    this.points = new Points(studio, frame, document.getElementById('feature'));
     new Under(studio, frame);
     new ResizeObserver(() => this.draw()).observe(frame.parentElement);
     this.#watchDisplay();
@@ -28,7 +28,7 @@ export class Stage {
     this.#canvas.addEventListener('keydown', (event) => this.#key(event));
   }
   show(document, opened) {
-    if (this.#opened !== opened) this.points.leave();
+    if (this.#opened !== opened) this.points.leave(opened);
     this.#document = document, this.#opened = opened;
     this.points.show(document);
     this.#moved = performance.now();

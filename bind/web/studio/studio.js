@@ -139,7 +139,8 @@ class Studio {
     by('theme').onclick = () => this.#theme();
     const toggle = (id, work) => { by(id).onclick = () => { const on = by(id).getAttribute('aria-pressed') !== 'true'; by(id).setAttribute('aria-pressed', on), work(on); }; };
     toggle('follow', (on) => this.#stage.follow(on));
-    toggle('points', (on) => this.#stage.points.turn(on));
+    toggle('points', (on) => { this.#stage.points.turn(on), by('snap').hidden = !on; });
+    toggle('snap', (on) => { this.#stage.points.snapping = on; });
     by('file').onchange = () => this.#read(by('file').files[0]);
     document.addEventListener('dragover', (event) => event.preventDefault());
     document.addEventListener('drop', (event) => { event.preventDefault(), this.#read(event.dataTransfer.files[0]); });

@@ -167,3 +167,80 @@ test('patches: keys with slashes and tildes, what is gone, lists of another leng
   assert.equal(patchText(patchOf(after, after)), '[]');
   assert.deepEqual(JSON.parse(patchText(patch)), patch);
 });
+
+/** The handles of a feature, chosen by its name: { name: [x, y] } [px]. */
+const handles = (on) => on.run(() => Object.fromEntries([...document.querySelectorAll('.points button')].map((one) => { const { x, y, width, height } = one.getBoundingClientRect(); return [one.title, [x + width / 2, y + height / 2]]; })));
+async function shaping(on, feature) {
+  await click(on, '#follow');
+  await picture(on);
+  await click(on, '#points');
+  await on.run((name) => { const select = document.getElementById('feature'); select.value = name, select.dispatchEvent(new Event('change')); }, feature);
+  await on.until((name) => document.querySelector('.points button')?.title.startsWith(`${name}/`), feature);
+  return handles(on);
+}
+const guides = (on) => on.run(() => [...document.querySelectorAll('.guides line:not(.edge)')].map((one) => one.getAttribute('class')).sort());
+/** Drags without letting go, by way of the places. */
+async function hold(on, places, modifiers = 0) {
+  const tell = (type, [x, y]) => on.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: 1, clickCount: 1, modifiers });
+  await tell('mousePressed', places[0]);
+  for (const place of places.slice(1)) await tell('mouseMoved', place);
+  return (at = places.at(-1)) => tell('mouseReleased', at);
+}
+
+test('a dragged point snaps to the mirror axis, and to where its partner is on the other side', async () => {
+  const on = await open();
+  const before = await shaping(on, 'brow.left'), frame = await on.run(() => { const { x, y, width } = document.querySelector('.frame').getBoundingClientRect(); return [x + width / 2, y]; });
+  const [name] = Object.keys(before), from = before[name];
+  let release = await hold(on, [from, [frame[0] + 9, from[1] - 40], [frame[0] + 4, frame[1] + 45]]);
+  assert.deepEqual(await guides(on), ['axis']);
+  assert.match(await on.run(() => document.getElementById('said').textContent), /is held by the mirror axis/);
+  await release();
+  assert.deepEqual(await guides(on), []);
+  assert.ok(Math.abs((await handles(on))[name][0] - frame[0]) < 0.6);
+  release = await hold(on, [(await handles(on))[name], [from[0] + 8, from[1] + 30], [from[0] + 3, from[1] - 3]]);
+  assert.deepEqual(await guides(on), ['partner', 'partner']);
+  await release();
+  const after = (await handles(on))[name];
+  assert.ok(Math.hypot(after[0] - from[0], after[1] - from[1]) < 0.6, 'the brows are alike again');
+  assert.deepEqual(on.faults, []);
+});
+
+test('Alt and the chip suspend snapping, and arrow keys do not snap', async () => {
+  const on = await open();
+  const before = await shaping(on, 'brow.left'), middle = await on.run(() => { const { x, width } = document.querySelector('.frame').getBoundingClientRect(); return x + width / 2; });
+  const [name] = Object.keys(before), from = before[name], near = [middle + 4, from[1] - 60];
+  let release = await hold(on, [from, near], 1);
+  assert.deepEqual(await guides(on), []);
+  await on.send('Input.dispatchKeyEvent', { type: 'keyUp', key: 'Alt', code: 'AltLeft' });
+  assert.deepEqual(await guides(on), ['axis'], 'it snaps as soon as Alt is up');
+  await release();
+  await click(on, '#snap');
+  release = await hold(on, [(await handles(on))[name], near]);
+  assert.deepEqual(await guides(on), []);
+  await release();
+  const apart = (await handles(on))[name][0];
+  assert.ok(Math.abs(apart - near[0]) < 0.6);
+  await click(on, '#snap');
+  await on.run((title) => [...document.querySelectorAll('.points button')].find((one) => one.title === title).focus(), name);
+  await on.press('ArrowLeft');
+  assert.ok((await handles(on))[name][0] < apart - 1);
+  assert.deepEqual(await guides(on), []);
+  assert.match(await on.run(() => document.getElementById('said').textContent), new RegExp(`^${name}: -?[0-9.]+, -?[0-9.]+$`));
+  await click(on, '#points');
+  assert.ok(await on.run(() => document.getElementById('snap').hidden && document.getElementById('feature').hidden));
+  assert.deepEqual(on.faults, []);
+});
+
+test('snapping: the nearest line, two that cross, tangents of the row', async () => {
+  const { linesFor, snapped } = await import(new URL('bind/web/studio/snapping.js', root));
+  const row = [[0, 0], [1, 1], [2, 0], [3, 1], [4, 4]], lines = linesFor({ axis: 10, partner: [17, 8], row, at: 2, others: [[5, -3]] });
+  const at = (place, reach = 0.1) => { const { place: to, held } = snapped(place, lines, reach); return [to.map((one) => Number(one.toFixed(6))), held.map(({ why }) => why).join()]; };
+  assert.deepEqual(at([20, 23]), [[20, 23], '']);
+  assert.deepEqual(at([9.95, 20]), [[10, 20], 'axis']);
+  assert.deepEqual(at([3.04, 7.97]), [[3, 8], 'partner,partner']);
+  assert.deepEqual(at([4.96, 30]), [[5, 30], 'point']);
+  assert.deepEqual(at([2.2, 1.05]), [[2.2, 1], 'tangent'], 'between its neighbours');
+  assert.deepEqual(at([-1.05, -1]), [[-1.025, -1.025], 'tangent'], 'beyond those before it');
+  assert.deepEqual(at([10.05, 4.03]), [[10, 4.03], 'axis']);
+  assert.deepEqual(at([1.9, -1.96], 0.2)[1], 'tangent', 'beyond those after it');
+});
