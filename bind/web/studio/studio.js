@@ -1,5 +1,6 @@
 // The studio: a document, its history, a stage, and panels that change it.
 
+import { BrokenFile } from './broken_file.js';
 import { Desk, Gallery } from './desk.js';
 import { drawnPose, isAtRest, ofFace, ofPerson, REST, withPose } from './document.js';
 import { ExportDialog } from './export_dialog.js';
@@ -23,7 +24,7 @@ const FIRST = 'AM9XB-0E85E-9Y';  // who is there when the studio opens
 const LONGEST_FILE = 16 << 20;
 
 class Studio {
-  #history = null; #shown = null; #opening = false; #stage; #tabs; #timeLine; #lists = new Map();
+  #history = null; #shown = null; #opening = false; #stage; #tabs; #timeLine; #broken; #lists = new Map();
   desk = new Desk();
   gallery = new Gallery();
   opened = null;  // what the worker told of the open face
@@ -36,6 +37,7 @@ class Studio {
     this.#timeLine = new TimeLine(this, this.#stage, document.querySelector('.timeline'));
     this.#tabs = tabs(document.querySelector('[role=tablist]'), document.querySelector('.panels'), PANELS, this);
     this.exporting = new ExportDialog(by('exporting'), this);
+    this.#broken = new BrokenFile(by('broken'), this);
     this.#wire();
   }
   get opening() { return this.#opening; }
@@ -170,11 +172,20 @@ class Studio {
   async #read(file) {
     by('file').value = '';
     if (!file) return;
-    await this.trying(async () => {
-      if (file.size > LONGEST_FILE) throw new Error(`${file.name}: a face file has at most ${LONGEST_FILE >> 20} MB`);
-      const text = await file.text(), person = await this.gallery.ask('person', { text, name: file.name });
-      this.change((before) => (person ? ofPerson(person, before) : ofFace(file.name, text, before)));
-    });
+    if (file.size > LONGEST_FILE) return this.say(`${file.name}: a face file has at most ${LONGEST_FILE >> 20} MB`);
+    const text = await file.text();
+    try {
+      await this.take(file.name, text);
+      this.#broken.close();
+    } catch (refused) {
+      this.say(refused.message);
+      this.#broken.open(file.name, text, refused);
+    }
+  }
+  /** Shows the face of a file's text, if it is one. */
+  async take(name, text) {
+    const person = await this.gallery.ask('person', { text, name });
+    return this.change((before) => (person ? ofPerson(person, before) : ofFace(name, text, before)));
   }
   save(blob, name) {
     const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });

@@ -244,3 +244,57 @@ test('snapping: the nearest line, two that cross, tangents of the row', async ()
   assert.deepEqual(at([10.05, 4.03]), [[10, 4.03], 'axis']);
   assert.deepEqual(at([1.9, -1.96], 0.2)[1], 'tangent', 'beyond those after it');
 });
+
+/** What the view of a broken file says and marks. */
+const broken = (on) => on.run(() => {
+  const dialog = document.getElementById('broken'), [where, what, said] = ['where', 'what', 'said'].map((name) => dialog.querySelector(`[data-for=${name}]`).textContent), area = dialog.querySelector('textarea');
+  const mark = dialog.querySelector('.row').hidden ? null : dialog.querySelector('mark').textContent;
+  return { open: dialog.open, where, what, said, mark, selected: area.value.slice(area.selectionStart, area.selectionEnd), focused: document.activeElement === area };
+});
+const rewrite = (on, from, to) => on.run((before, after) => { const area = document.querySelector('#broken textarea'); area.value = area.value.replace(before, after), area.dispatchEvent(new Event('input')); }, from, to);
+
+test('a broken file is shown at its place, is mended there and tried again; the face stays until it works', async () => {
+  const on = await open(), before = await picture(on);
+  const text = readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8').replace('"side": "left", "paint": "hair"', '"side": "left", "paint": "hiar"').replace('"title": "', '"title": "😀 ');
+  await drop(on, 'mine.face.json', text);
+  await on.until(() => document.getElementById('broken').open);
+  const line = text.split('\n').findIndex((one) => one.includes('"hiar"')) + 1;
+  const { where, what, ...seen } = await broken(on);
+  assert.match(where, new RegExp(`^Line ${line}, column \\d+, /features/\\d+/paint$`));
+  assert.match(what, /hiar.*did you mean "hair"/);
+  assert.deepEqual(seen, { open: true, said: '', mark: '"hiar"', selected: '"hiar"', focused: true });
+  const numbers = await on.run(() => document.querySelector('#broken .numbers').textContent.split('\n').map(Number));
+  assert.ok(numbers.includes(line) && numbers.length < 40, 'the lines around it are seen');
+  await rewrite(on, '"hiar"', '"hair" 7');
+  assert.equal((await broken(on)).mark, null, 'the mark goes with its line');
+  await on.press('Enter', 'Enter', 2);
+  await on.until(() => document.querySelector('#broken [data-for=what]').textContent.includes('malformed'));
+  assert.equal((await broken(on)).mark, '7');
+  assert.equal(await picture(on), before);
+  assert.deepEqual(await nameless(on), []);
+  await rewrite(on, ' 7', '');
+  await click(on, '#broken [data-do=try]');
+  await on.until(() => !document.getElementById('broken').open);
+  assert.notEqual(await picture(on), before);
+  await click(on, '#undo');
+  assert.equal(await picture(on), before);
+  assert.deepEqual(on.faults, []);
+});
+
+test('what was changed in a broken file is not lost by one Escape', async () => {
+  const on = await open();
+  await drop(on, 'mine.face.json', '{"ä": "ö" "b"');
+  await on.until(() => document.getElementById('broken').open);
+  assert.equal((await broken(on)).mark, '"b"', 'syntax: the token that was not expected');
+  await rewrite(on, '"b"', '"c"');
+  await on.press('Escape');
+  assert.match((await broken(on)).said, /not saved/);
+  await on.press('Escape');
+  assert.ok(!(await broken(on)).open);
+  assert.match(await on.run(() => document.getElementById('said').textContent), /^mine\.face\.json:1:/);
+  await drop(on, 'empty.face.json', '');
+  await on.until(() => document.getElementById('broken').open);
+  await on.press('Escape');
+  assert.ok(!(await broken(on)).open, 'nothing was changed');
+  assert.deepEqual(on.faults, []);
+});
