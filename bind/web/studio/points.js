@@ -15,6 +15,7 @@ export class Points {
   /** `chosen`: a select of the features that have points, for those who do not click on the picture. */
   constructor(studio, frame, chosen) {
     this.#studio = studio, this.#frame = frame, this.#chosen = chosen;
+    chosen.onkeydown = (event) => { if (event.key === 'Enter') event.preventDefault(), this.#layer.querySelector('button')?.focus(); };
     chosen.onchange = () => (chosen.value ? this.#take({ feature: chosen.value }) : this.#clear());
     this.#layer = Object.assign(document.createElement('div'), { className: 'points' });
     this.#layer.setAttribute('role', 'group'), this.#layer.setAttribute('aria-label', 'Points');
@@ -39,7 +40,7 @@ export class Points {
     this.#clear();
     this.#chosen.value = points.length ? feature : '';
     if (!points.length) return this.#studio.say(feature ? `${feature} has no points of its own.` : 'There is nothing.');
-    this.#studio.say(`${feature}: ${points.length} points`);
+    this.#studio.say(`${feature}: ${points.length} ${points.length === 1 ? 'point' : 'points'}`);
     for (const point of points) this.#add(point);
   }
   /** Another document is shown: handles go to where its points are. */
@@ -63,7 +64,7 @@ export class Points {
   }
   #add({ name, at, partner }) {
     const button = Object.assign(document.createElement('button'), { type: 'button', title: name });
-    button.setAttribute('aria-label', `${name}; arrow keys move it`);
+    button.setAttribute('aria-label', `${name}; arrow keys move it, Escape leaves it`);
     button.onpointerdown = (event) => { event.stopPropagation(), this.#dragged = { name, event, lines: this.#lines(name) }; };
     button.onkeydown = (event) => this.#key(event, name);
     const handle = { name, button, at, rest: at, partner };
@@ -72,6 +73,7 @@ export class Points {
     this.#put(handle);
   }
   #key(event, name) {
+    if (event.key === 'Escape') return this.#chosen.focus();
     const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (!by) return;
     event.preventDefault(), event.stopPropagation();

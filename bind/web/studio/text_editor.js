@@ -12,7 +12,7 @@ function tokenAt(line, at) {
 }
 
 export class TextEditor {
-  #root; #area; #numbers; #row; #before; #place = null;
+  #root; #area; #numbers; #row; #before; #place = null; #count = 1;
   constructor(root) {
     this.#root = root;
     root.innerHTML = '<pre class="numbers" aria-hidden="true"></pre><div class="sheet"><div class="row" aria-hidden="true" hidden><span></span><mark></mark></div><textarea wrap="off" spellcheck="false" autocapitalize="off" autocomplete="off" aria-label="The file’s text" aria-describedby="broken-what"></textarea></div>';
@@ -25,6 +25,7 @@ export class TextEditor {
   get text() { return this.#area.value; }
   set text(text) {
     this.#area.value = text;
+    this.#count = text.split('\n').length;
     this.unmark();
   }
   /** Marks what stands at a line and a column [characters], from 1, and goes there. */
@@ -56,17 +57,18 @@ export class TextEditor {
   }
   /** The mark stays as long as its line does. */
   #edited() {
-    const { line, text } = this.#place ?? {};
-    if (line && this.text.split('\n')[line - 1] !== text) return this.unmark();
+    const { line, text } = this.#place ?? {}, lines = this.text.split('\n');
+    this.#count = lines.length;
+    if (line && lines[line - 1] !== text) return this.unmark();
     this.#follow();
   }
   /** Numbers and mark go with the text. */
   #follow() {
-    const { scrollTop, scrollLeft, clientHeight } = this.#area, count = this.text.split('\n').length, first = Math.floor(scrollTop / LINE);
-    const last = Math.min(count, first + Math.ceil(clientHeight / LINE) + 1);
+    const { scrollTop, scrollLeft, clientHeight } = this.#area, first = Math.floor(scrollTop / LINE);
+    const last = Math.min(this.#count, first + Math.ceil(clientHeight / LINE) + 1);
     this.#numbers.textContent = Array.from({ length: Math.max(0, last - first) }, (_, i) => first + i + 1).join('\n');
     this.#numbers.style.transform = `translateY(${first * LINE - scrollTop}px)`;
-    this.#root.style.setProperty('--digits', String(count).length);
+    this.#root.style.setProperty('--digits', String(this.#count).length);
     if (this.#place) this.#row.style.transform = `translate(${-scrollLeft}px, ${(this.#place.line - 1) * LINE - scrollTop}px)`;
   }
 }

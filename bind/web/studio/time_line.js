@@ -7,7 +7,7 @@ import { spelled } from './words.js';
 const SECOND = FRAMES;  // [frames]
 
 export class TimeLine {
-  #studio; #stage; #root; #play; #clip; #bar; #field; #length; #loop; #seconds = 0; #of = null; #begun = null;
+  #studio; #stage; #root; #play; #clip; #bar; #field; #length; #loop; #seconds = 0; #known = {}; #of = null; #begun = null;
   looping = true;
   constructor(studio, stage, root) {
     this.#studio = studio, this.#stage = stage, this.#root = root;
@@ -38,10 +38,14 @@ export class TimeLine {
     this.#clip.value = pose.clip ?? '';
     if (!pose.clip) this.leave();
     this.#bar.disabled = this.#field.disabled = !pose.clip;
-    this.#seconds = pose.clip ? Math.max(clipLength(text, pose.clip), pose.time) : clipLength('', null);
+    this.#seconds = Math.max(this.#lengthOf(text, pose.clip), pose.time);
     this.#bar.max = this.#seconds, this.#root.style.setProperty('--seconds', this.#seconds);
     this.#length.textContent = `/ ${this.#seconds} s`;
     this.tell();
+  }
+  #lengthOf(text, clip) {
+    if (this.#known.text !== text || this.#known.clip !== clip) this.#known = { text, clip, length: clipLength(text, clip) };
+    return this.#known.length;
   }
   /** Says the moment; where a clip that does not loop is at its end, it stops. */
   tell() {

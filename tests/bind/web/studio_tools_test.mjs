@@ -298,3 +298,41 @@ test('what was changed in a broken file is not lost by one Escape', async () => 
   assert.ok(!(await broken(on)).open, 'nothing was changed');
   assert.deepEqual(on.faults, []);
 });
+
+test('everything about the picture is reached by the keyboard, and seen when it is', async () => {
+  const on = await open();
+  await choose(on, 'idle');
+  await shaping(on, 'brow.left');
+  await focus(on, '#feature');
+  await on.press('Enter');
+  assert.match(await on.run(() => document.activeElement.getAttribute('aria-label')), /^brow\.left\/spine\/0; arrow keys/);
+  await on.press('Escape');
+  assert.equal(await on.run(() => document.activeElement.id), 'feature');
+  await focus(on, '.frame canvas');
+  const reached = [];
+  for (let i = 0; i < 16; ++i) {
+    await on.press('Tab');
+    const { name, outline } = await on.run(() => { const now = document.activeElement; return { name: now.title || now.id || now.dataset.for, outline: getComputedStyle(now).outlineStyle }; });
+    assert.notEqual(outline, 'none', `${name} is seen`);
+    reached.push(name);
+  }
+  for (const name of ['brow.left/spine/0', 'Play (Space)', 'clip', 'bar', 'moment', 'Loop', 'feature', 'points', 'rest']) assert.ok(reached.includes(name), `${name}: ${reached}`);
+  assert.ok(reached.some((name) => name.startsWith('Dragged points snap')));
+  assert.deepEqual(await nameless(on), []);
+});
+
+test('nothing is wider than the page, whatever is open', async () => {
+  for (const [width, height] of [[1440, 900], [390, 844], [320, 568]]) {
+    const on = await open({ width, height });
+    const fits = async (what) => assert.deepEqual(await on.run(() => [document.documentElement.scrollWidth <= innerWidth, ...[...document.querySelectorAll('dialog[open] form, .timeline, .caption')].map((one) => one.scrollWidth <= one.clientWidth + 1)].every(Boolean)), true, `${what} at ${width}`);
+    await choose(on, 'feelings'), await seek(on, 11.733);
+    await shaping(on, 'brow.left');
+    await fits('points');
+    await click(on, '#export');
+    await fits('Export');
+    await click(on, '#exporting [data-do=close]');
+    await drop(on, 'a_file_with_a_name_that_is_longer_than_the_window.face.json', '{"format": "mien-face"');
+    await on.until(() => document.getElementById('broken').open);
+    await fits('a broken file');
+  }
+});
