@@ -73,7 +73,7 @@ export class ExportDialog {
     this.#find('patch').hidden = this.#dialog.querySelector('[data-do=copyPatch]').hidden = !patch.length;
     this.#find('patch').textContent = patchText(patch);
     this.#find('left').hidden = !left.length;
-    this.#find('left').textContent = `Only in the pose, and so not in the file: ${left.join(', ')}.`;
+    this.#find('left').textContent = `Only in the pose, and so not in the patch: ${left.join(', ')}.`;
   }
   async #copy(which) {
     const text = this.#dialog.querySelector(which).textContent;

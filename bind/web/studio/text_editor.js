@@ -15,7 +15,8 @@ export class TextEditor {
   #root; #area; #numbers; #row; #before; #place = null; #count = 1;
   constructor(root) {
     this.#root = root;
-    root.innerHTML = '<pre class="numbers" aria-hidden="true"></pre><div class="sheet"><div class="row" aria-hidden="true" hidden><span></span><mark></mark></div><textarea wrap="off" spellcheck="false" autocapitalize="off" autocomplete="off" aria-label="The file’s text" aria-describedby="broken-what"></textarea></div>';
+    root.innerHTML = `<pre class="numbers" aria-hidden="true"></pre><div class="sheet"><div class="row" aria-hidden="true" hidden><span></span><mark></mark></div>
+      <textarea wrap="off" spellcheck="false" autocapitalize="off" autocomplete="off" aria-label="The file’s text" aria-describedby="broken-what"></textarea></div>`;
     [this.#numbers, this.#row, this.#area] = ['.numbers', '.row', 'textarea'].map((which) => root.querySelector(which));
     this.#before = this.#row.firstChild;
     this.#area.onscroll = () => this.#follow();

@@ -247,9 +247,10 @@ test('snapping: the nearest line, two that cross, tangents of the row', async ()
 
 /** What the view of a broken file says and marks. */
 const broken = (on) => on.run(() => {
-  const dialog = document.getElementById('broken'), [where, what, said] = ['where', 'what', 'said'].map((name) => dialog.querySelector(`[data-for=${name}]`).textContent), area = dialog.querySelector('textarea');
-  const mark = dialog.querySelector('.row').hidden ? null : dialog.querySelector('mark').textContent;
-  return { open: dialog.open, where, what, said, mark, selected: area.value.slice(area.selectionStart, area.selectionEnd), focused: document.activeElement === area };
+  const dialog = document.getElementById('broken'), area = dialog.querySelector('textarea');
+  const [where, what, said] = ['where', 'what', 'said'].map((name) => dialog.querySelector(`[data-for=${name}]`).textContent);
+  const mark = dialog.querySelector('.row').hidden ? null : dialog.querySelector('mark').textContent, selected = area.value.slice(area.selectionStart, area.selectionEnd);
+  return { open: dialog.open, where, what, said, mark, selected, focused: document.activeElement === area };
 });
 const rewrite = (on, from, to) => on.run((before, after) => { const area = document.querySelector('#broken textarea'); area.value = area.value.replace(before, after), area.dispatchEvent(new Event('input')); }, from, to);
 
@@ -324,7 +325,10 @@ test('everything about the picture is reached by the keyboard, and seen when it 
 test('nothing is wider than the page, whatever is open', async () => {
   for (const [width, height] of [[1440, 900], [390, 844], [320, 568]]) {
     const on = await open({ width, height });
-    const fits = async (what) => assert.deepEqual(await on.run(() => [document.documentElement.scrollWidth <= innerWidth, ...[...document.querySelectorAll('dialog[open] form, .timeline, .caption')].map((one) => one.scrollWidth <= one.clientWidth + 1)].every(Boolean)), true, `${what} at ${width}`);
+    const fits = async (what) => assert.ok(await on.run(() => {
+      const boxes = [...document.querySelectorAll('dialog[open] form, .timeline, .caption')];
+      return document.documentElement.scrollWidth <= innerWidth && boxes.every((one) => one.scrollWidth <= one.clientWidth + 1);
+    }), `${what} at ${width}`);
     await choose(on, 'feelings'), await seek(on, 11.733);
     await shaping(on, 'brow.left');
     await fits('points');
