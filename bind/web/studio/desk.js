@@ -5,7 +5,7 @@ export class Refused extends Error {
   /** `stopped`: nobody refused; the desk was closed. */
   constructor({ where, what, stopped = false }) {
     super(where ? `${where}: ${what}` : what);
-    this.name = 'Refused', this.stopped = stopped;
+    this.name = 'Refused', this.stopped = stopped, this.where = where, this.what = what;
   }
 }
 

@@ -9,9 +9,10 @@ export const REST = { emotions: {}, muscles: {}, set: {}, clip: null, time: 0 };
 export const ofPerson = (person, before = {}) => ({ person, face: null, pose: poseFor(before), background: before.background ?? null });
 export const ofFace = (name, text, before = {}) => ({ person: null, face: { name, text }, pose: REST, background: before.background ?? null });
 
-/** Of a pose what another face takes, too: not the colours of the one before. */
-function poseFor({ pose = REST }) {
-  return { ...pose, set: Object.fromEntries(Object.entries(pose.set).filter(([name]) => !name.startsWith('palette/'))) };
+/** Of a pose what another person takes, too: not the colours and points of the one before; clips are those of people. */
+function poseFor({ pose = REST, person }) {
+  const kept = { ...pose, set: Object.fromEntries(Object.entries(pose.set).filter(([name]) => !name.includes('/'))) };
+  return person ? kept : { ...kept, clip: null, time: 0 };
 }
 
 /** With a value in a group of the pose; null takes it out. */

@@ -6,16 +6,20 @@
 
 import { load } from '../mien.js';
 import { png } from '../png.js';
-import { personOf, recipeOf, recipeText } from './person.js';
+import { beginning, personOf, recipeOf, recipeText } from './person.js';
 
 let loading;
 let face = null, seen = { width: 1, height: 1 };
 let small = { text: null, face: null };  // the face of the last small picture, for the next pose of it
 
-/** What the page needs to know of a face. Points and widths are not among it: they are hundreds. */
+const isPoint = ({ name, count }) => count === 2 && /^[^/]+\/(center|inner|upper|outer|lower|((points|spine)\/\d+)|((loops|patch)\/\d+\/\d+))$/.test(name);
+
+/** What the page needs to know of a face. Points and widths are not among it: they are hundreds. `shaped`: the features that
+ *  have points. */
 function told(of, text) {
-  const names = of.names.filter(({ name, isControl }) => isControl || name.startsWith('palette/'));
-  return { title: of.title, credit: of.credit, clips: of.clips, canvas: of.canvas, names, text };
+  const all = of.names, names = all.filter(({ name, isControl }) => isControl || name.startsWith('palette/'));
+  const shaped = [...new Set(all.filter(isPoint).map(({ name }) => name.slice(0, name.indexOf('/'))))];
+  return { title: of.title, credit: of.credit, clips: of.clips, canvas: of.canvas, names, shaped, text };
 }
 
 const answers = {
@@ -34,11 +38,11 @@ const answers = {
 
   /** Opens a person or the text of a face file; the face before stays if it is refused. */
   open(mien, { person, text, name }) {
-    const { code = null, recipe = null } = person ? recipeOf(mien, person) : {}, said = recipe ? recipeText(recipe) : text;
+    const { code = null, recipe = null } = person ? recipeOf(mien, person) : {}, base = person ? recipeOf(mien, beginning(person)).recipe : null, said = recipe ? recipeText(recipe) : text;
     const read = mien.face(said, name);
     face?.free();
     face = read;
-    return { ...told(read, said), code, recipe };
+    return { ...told(read, said), code, recipe, base };
   },
   /** The pixels of the open face. The page puts them on its canvas, so that this worker can be ended at any time. */
   draw(_mien, { width, height, pose }) {
@@ -48,12 +52,14 @@ const answers = {
   },
   /** The feature that is seen at a place, in shares of the picture drawn last; null: there is nothing. */
   feature: (_mien, { x, y }) => face.featureAt(x * seen.width, y * seen.height),
-  /** The feature that is drawn at a place, in shares of the picture, and its points in a pose: { feature, points: [{ name, at }] }. */
-  points(_mien, { x, y, pose }) {
-    const feature = face.featureAt(x * seen.width, y * seen.height);
+  /** A feature, or the one that is drawn at a place, in shares of the picture, and its points in a pose: { feature, points: [{ name, at,
+   *  partner }] }; `partner` is the point of the other side, { name, at }, or null. */
+  points(_mien, { x, y, pose, feature = face.featureAt(x * seen.width, y * seen.height) }) {
     if (!feature) return { feature, points: [] };
-    const vector = face.vector(pose), isPoint = ({ name, count }) => count === 2 && name.startsWith(`${feature}/`) && !/\/(radii|paint\/.*)$/.test(name);
-    return { feature, points: face.names.filter(isPoint).map(({ name, begin }) => ({ name, at: vector.slice(begin, begin + 2) })) };
+    const vector = face.vector(pose), isOne = (one) => isPoint(one) && one.name.startsWith(`${feature}/`);
+    const { names } = face, told = (one) => (one ? { name: one.name, at: vector.slice(one.begin, one.begin + 2) } : null);
+    const across = (name) => names.find((one) => one.name !== name && one.name === name.replace(/\.(left|right)(?=\/)/, (_, side) => (side === 'left' ? '.right' : '.left')));
+    return { feature, points: names.filter(isOne).map((one) => ({ ...told(one), partner: told(across(one.name)) })) };
   },
   /** A small picture of any face. */
   small(mien, { text, name, width, height, pose }) {

@@ -1,7 +1,9 @@
 // Export: a PNG of any size, the face's file, and the same picture in other languages.
 
+import { changesOf } from './changes.js';
 import { Desk } from './desk.js';
 import { drawnPose } from './document.js';
+import { patchText } from './patch.js';
 import { FILE, LANGUAGES } from './snippets.js';
 
 const MOST = 32768;  // [px] of a side
@@ -10,7 +12,7 @@ export class ExportDialog {
   #dialog; #form; #language = 'Command line'; #studio; #desk = null; #aspect = 1;
   constructor(dialog, studio) {
     this.#dialog = dialog, this.#form = dialog.querySelector('form'), this.#studio = studio;
-    const does = { close: () => dialog.close(), png: () => this.#savePng(), face: () => this.#saveFace(), cancel: () => this.#desk?.close(), copy: () => this.#copy() };
+    const does = { close: () => dialog.close(), png: () => this.#savePng(), face: () => this.#saveFace(), cancel: () => this.#desk?.close(), copy: () => this.#copy('pre'), copyPatch: () => this.#copy('[data-for=patch]') };
     for (const button of dialog.querySelectorAll('[data-do]')) button.onclick = does[button.dataset.do];
     this.#form.onsubmit = (event) => event.preventDefault();
     this.#form.width.oninput = () => this.#resize('width', 'height', 1 / this.#aspect);
@@ -25,6 +27,7 @@ export class ExportDialog {
     this.#form.background.value = background === null ? '' : background === '#00000000' ? background : 'color';
     if (background?.length === 7) this.#form.color.value = background;
     this.#resize('width', 'height', 1 / this.#aspect);
+    this.#showChanges();
     this.#say('');
     this.#dialog.showModal();
   }
@@ -64,8 +67,16 @@ export class ExportDialog {
     this.#find('file').hidden = !text.includes(FILE);
     this.#find('file').textContent = `${FILE} is what “Save .face.json” saves.`;
   }
-  async #copy() {
-    const text = this.#dialog.querySelector('pre').textContent;
+  #showChanges() {
+    const { patch, left, of } = changesOf(this.#studio.document, this.#studio.opened), count = patch.length === 1 ? 'one change' : `${patch.length} changes`;
+    this.#find('changes').textContent = patch.length ? `A JSON patch (RFC 6902) of ${count} to ${of}:` : `Nothing: this is still ${of}.`;
+    this.#find('patch').hidden = this.#dialog.querySelector('[data-do=copyPatch]').hidden = !patch.length;
+    this.#find('patch').textContent = patchText(patch);
+    this.#find('left').hidden = !left.length;
+    this.#find('left').textContent = `Only in the pose, and so not in the patch: ${left.join(', ')}.`;
+  }
+  async #copy(which) {
+    const text = this.#dialog.querySelector(which).textContent;
     this.#say(await this.#studio.copied(text) ? 'Copied.' : 'The browser does not let pages copy here: select the text instead.');
   }
   async #savePng() {

@@ -1,5 +1,6 @@
-// People: a code, what is held against it, a style, a name: { code, held: { hair: 'bob', age: 61 }, style, name }. What is
-// not held follows the law: another age has other folds. And recipes: all of that said in full, as a face file.
+// People: a code, what is held against it, a style, a name: { code, held: { hair: 'bob', age: 61 }, style, name, first }. What
+// is not held follows the law: another age has other folds. `first` is the style that a file said. And recipes: all of that
+// said in full, as a face file.
 
 /** A number of a code is one of so many steps of its range. */
 const STEPS = 1023;
@@ -7,6 +8,9 @@ const ROUNDS = 4;
 
 /** The value at the nearest step, which a code can hold. */
 export const stepped = ({ lo, hi }, value) => lo + Math.round((value - lo) / (hi - lo) * STEPS) / STEPS * (hi - lo);
+
+/** The person as they were before anything was changed. */
+export const beginning = ({ code, name, first = 'soft' }) => ({ code, held: {}, style: first, name });
 
 export const holding = (person, name, value) => ({ ...person, held: { ...person.held, [name]: value } });
 
@@ -44,5 +48,6 @@ export function personOf(mien, recipe) {
   // What is held can move what is not, so it may take more than one round.
   for (let round = 0; round < ROUNDS && (left = differing(recipe, JSON.parse(mien.recipe(code)), lists)).length; ++round)
     for (const one of left) code = mien.held(code, one);
-  return { code, held: {}, style: recipe.style ?? 'soft', name: recipe.name };
+  const { style = 'soft', name } = recipe;
+  return { code, held: {}, style, name, first: style };
 }

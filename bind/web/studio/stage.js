@@ -11,13 +11,13 @@ const LONG = 8000;       // [ms] after which a picture is given up for the next 
 
 export class Stage {
   #studio; #canvas; #frame; #change; #busy = false; #asked = 0; #stale = false; #scale = 1; #moved = 0; #later = 0;
-  #document = null; #opened = null; #look = null; #begun = null; #turn = null; #drawn;
-  playing = false; following = true;
+  #document = null; #opened = null; #look = null; #turn = null; #drawn; #clock = null;
+  following = true;
 
   /** `change(key, values)` sets controls of the pose; `drawn(ms, refused)` hears of each picture. */
   constructor(studio, frame, { change, drawn }) {
     this.#studio = studio, this.#frame = frame, this.#canvas = frame.querySelector('canvas'), this.#change = change, this.#drawn = drawn;
-    this.points = new Points(studio, frame);
+    this.points = new Points(studio, frame, document.getElementById('feature'));
     new Under(studio, frame);
     new ResizeObserver(() => this.draw()).observe(frame.parentElement);
     this.#watchDisplay();
@@ -28,14 +28,15 @@ export class Stage {
     this.#canvas.addEventListener('keydown', (event) => this.#key(event));
   }
   show(document, opened) {
-    if (this.#opened !== opened) this.points.leave();
+    if (this.#opened !== opened) this.points.leave(opened);
     this.#document = document, this.#opened = opened;
     this.points.show(document);
     this.#moved = performance.now();
     this.draw();
   }
-  play(on) {
-    this.playing = on, this.#begun = null;
+  /** Draws picture after picture at what the clock says [s]; null: only what changes. */
+  play(clock) {
+    this.#clock = clock, this.#moved = performance.now();
     this.draw();
   }
   follow(on) {
@@ -43,6 +44,8 @@ export class Stage {
     this.#look = null;
     this.draw();
   }
+  /** The eyes no longer look at the pointer, until it moves. */
+  lookAhead() { this.#lookAt(null); }
   /** Whether a picture takes so long that a change had better stop it. */
   get stuck() { return this.#busy && performance.now() - this.#asked > LONG; }
   /** Whether what is to be seen is not there yet. */
@@ -70,7 +73,7 @@ export class Stage {
     Object.assign(this.#frame.style, { width: `${width}px`, height: `${height}px` });
     return [width * devicePixelRatio, height * devicePixelRatio];
   }
-  #moving() { return this.playing || this.#turn || performance.now() - this.#moved < STILL; }
+  #moving() { return this.#clock || this.#turn || performance.now() - this.#moved < STILL; }
   async #picture() {
     const [width, height] = this.#size(), scale = this.#moving() ? this.#scale : 1;
     const size = { width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)) };
@@ -86,7 +89,7 @@ export class Stage {
     }
     clearTimeout(slow), this.#frame.classList.remove('slow');
     this.#busy = false;
-    if (this.#stale || this.playing) this.draw();
+    if (this.#stale || this.#clock) this.draw();
     else if (scale < 1) clearTimeout(this.#later), this.#later = setTimeout(() => this.draw(), STILL);
     else this.busy(false);
   }
@@ -102,10 +105,7 @@ export class Stage {
   #pose() {
     const more = {};
     if (this.#look && this.following) more.lookAt = this.#look;
-    if (this.playing) {
-      this.#begun ??= performance.now();
-      more.time = (performance.now() - this.#begun) / 1000 + (this.#document.pose.time ?? 0);
-    }
+    if (this.#clock) more.time = this.#clock();
     return drawnPose(this.#document, more);
   }
 
@@ -147,7 +147,7 @@ export class Stage {
   /** What the eyes look at is in front of the face, where the pointer is. */
   #lookAt(event) {
     if (!this.following || !this.#opened || !this.control('gaze.x')) return;
-    const at = event && this.#place(event);
+    const at = event && !document.querySelector('dialog[open]') && this.#place(event);  // a dialog speaks of the picture as it is said
     this.#look = at;
     this.#moved = performance.now();
     this.draw();

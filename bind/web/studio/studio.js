@@ -1,5 +1,6 @@
 // The studio: a document, its history, a stage, and panels that change it.
 
+import { BrokenFile } from './broken_file.js';
 import { Desk, Gallery } from './desk.js';
 import { drawnPose, isAtRest, ofFace, ofPerson, REST, withPose } from './document.js';
 import { ExportDialog } from './export_dialog.js';
@@ -13,6 +14,7 @@ import { Pose } from './panels/pose.js';
 import { Shape } from './panels/shape.js';
 import { Stage } from './stage.js';
 import { tabs } from './tabs.js';
+import { TimeLine } from './time_line.js';
 import { placeOf } from './under.js';
 import { spelled } from './words.js';
 
@@ -22,7 +24,7 @@ const FIRST = 'AM9XB-0E85E-9Y';  // who is there when the studio opens
 const LONGEST_FILE = 16 << 20;
 
 class Studio {
-  #history = null; #shown = null; #opening = false; #stage; #tabs; #lists = new Map();
+  #history = null; #shown = null; #opening = false; #stage; #tabs; #timeLine; #broken; #lists = new Map();
   desk = new Desk();
   gallery = new Gallery();
   opened = null;  // what the worker told of the open face
@@ -30,10 +32,12 @@ class Studio {
   constructor() {
     this.#stage = new Stage(this, document.querySelector('.frame'), {
       change: (key, values) => this.change((before) => Object.entries(values).reduce((now, [name, value]) => withPose(now, 'set', name, value || null), before), key),
-      drawn: (ms, refused) => { if (refused) this.say(refused.message); },
+      drawn: (ms, refused) => { refused ? this.say(refused.message) : this.#timeLine.tell(); },
     });
+    this.#timeLine = new TimeLine(this, this.#stage, document.querySelector('.timeline'));
     this.#tabs = tabs(document.querySelector('[role=tablist]'), document.querySelector('.panels'), PANELS, this);
     this.exporting = new ExportDialog(by('exporting'), this);
+    this.#broken = new BrokenFile(by('broken'), this);
     this.#wire();
   }
   get opening() { return this.#opening; }
@@ -111,6 +115,7 @@ class Studio {
   #show() {
     if (!this.opened) return;
     this.#stage.show(this.document, this.opened);
+    this.#timeLine.show(this.document, this.opened);
     this.#tabs.update();
     by('undo').disabled = !this.#history.canUndo, by('redo').disabled = !this.#history.canRedo;
     by('rest').disabled = isAtRest(this.document);
@@ -130,14 +135,14 @@ class Studio {
     by('undo').onclick = () => this.#step('undo');
     by('redo').onclick = () => this.#step('redo');
     by('random').onclick = () => this.#tabs.panel('People').random();
-    by('rest').onclick = () => this.change((before) => ({ ...before, pose: REST }));
-    by('export').onclick = () => this.opened && this.exporting.open();
+    by('rest').onclick = () => { this.#timeLine.leave(), this.change((before) => ({ ...before, pose: REST })); };
+    by('export').onclick = () => this.#export();
     by('copy').onclick = async () => this.say(await this.copied(this.opened.code) ? 'Copied.' : 'The browser does not let pages copy here.');
     by('theme').onclick = () => this.#theme();
     const toggle = (id, work) => { by(id).onclick = () => { const on = by(id).getAttribute('aria-pressed') !== 'true'; by(id).setAttribute('aria-pressed', on), work(on); }; };
     toggle('follow', (on) => this.#stage.follow(on));
-    toggle('points', (on) => this.#stage.points.turn(on));
-    toggle('play', (on) => this.#stage.play(on));
+    toggle('points', (on) => { this.#stage.points.turn(on), by('snap').hidden = !on; });
+    toggle('snap', (on) => { this.#stage.points.snapping = on; });
     by('file').onchange = () => this.#read(by('file').files[0]);
     document.addEventListener('dragover', (event) => event.preventDefault());
     document.addEventListener('drop', (event) => { event.preventDefault(), this.#read(event.dataTransfer.files[0]); });
@@ -145,11 +150,18 @@ class Studio {
     window.addEventListener('hashchange', () => { if (location.hash.length > 1) this.#tabs.panel('People').who(decodeURIComponent(location.hash.slice(1))); });
   }
   #key(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || by('exporting').open) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || document.querySelector('dialog[open]')) return;
     const way = { z: event.shiftKey ? 'redo' : 'undo', y: 'redo' }[event.key.toLowerCase()];
     if (!way || event.target.matches('input:not([type=range]):not([type=color])')) return;
     event.preventDefault();
     this.#step(way);
+  }
+  /** Of the picture as it is: what moves stops, and the eyes no longer follow. */
+  #export() {
+    if (!this.opened) return;
+    this.#timeLine.pause();
+    this.#stage.lookAhead();
+    this.exporting.open();
   }
   #theme() {
     const { dataset } = document.documentElement, dark = dataset.theme ? dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
@@ -160,11 +172,20 @@ class Studio {
   async #read(file) {
     by('file').value = '';
     if (!file) return;
-    await this.trying(async () => {
-      if (file.size > LONGEST_FILE) throw new Error(`${file.name}: a face file has at most ${LONGEST_FILE >> 20} MB`);
-      const text = await file.text(), person = await this.gallery.ask('person', { text, name: file.name });
-      this.change((before) => (person ? ofPerson(person, before) : ofFace(file.name, text, before)));
-    });
+    if (file.size > LONGEST_FILE) return this.say(`${file.name}: a face file has at most ${LONGEST_FILE >> 20} MB`);
+    const text = await file.text();
+    try {
+      await this.take(file.name, text);
+      this.#broken.close();
+    } catch (refused) {
+      this.say(refused.message);
+      this.#broken.open(file.name, text, refused);
+    }
+  }
+  /** Shows the face of a file's text, if it is one. */
+  async take(name, text) {
+    const person = await this.gallery.ask('person', { text, name });
+    return this.change((before) => (person ? ofPerson(person, before) : ofFace(name, text, before)));
   }
   save(blob, name) {
     const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });

@@ -21,8 +21,8 @@ after(async () => { await browser.close(); await server.close(); rmSync(folder, 
 
 const CODE = 'AF5C2-938BM-JX', WIDTH = 150, HEIGHT = 150;
 
-/** The studio with somebody in a pose, and Export open. */
-async function exporting(style, background) {
+/** The studio with somebody in a pose, or at a moment of a clip besides, and Export open. */
+async function exporting(style, background, { clips: [clip] = [], time } = {}) {
   const on = await browser.open(`${server.url}/studio/index.html#${CODE}`, { first: 'HTMLAnchorElement.prototype.click = function () { window.saved = this.href; }' });
   await on.until(() => document.documentElement.dataset.ready === '');
   const slide = async (tab, label, value) => {
@@ -41,6 +41,11 @@ async function exporting(style, background) {
   await on.run((name) => document.querySelector(`.parts .thumb[title=${name}]`).click(), style);
   await on.run(() => document.getElementById('tab-Colours').click());
   await on.run(() => { const input = [...document.querySelectorAll('.swatch')].find((one) => one.textContent.startsWith('Cloth')).querySelector('input'); input.value = '#3366cc', input.dispatchEvent(new Event('input')); });
+  if (clip) await on.run((name, seconds) => {
+    const [select, bar] = ['clip', 'bar'].map((one) => document.querySelector(`.timeline [data-for=${one}]`));
+    select.value = name, select.dispatchEvent(new Event('change'));
+    bar.value = seconds, bar.dispatchEvent(new Event('input'));
+  }, clip, time);
   await on.until((wanted) => document.querySelector('.frame').getAttribute('aria-busy') === 'false' && document.getElementById('code').value !== wanted, CODE);
   await on.run(() => document.getElementById('export').click());
   await on.run((width, back) => {
@@ -74,12 +79,13 @@ function alike(one, other) {
   const differ = Array.from(one, (byte, i) => Math.abs(byte - other[i])).filter((by) => by > 0);
   assert.ok(Math.max(0, ...differ) <= 1 && differ.length < one.length / 1000, `${differ.length} bytes differ, by ${Math.max(0, ...differ)}`);
 }
-const plain = await exporting('Soft'), ink = await exporting('Ink', '#00000000');
+const MOMENT = { clips: ['feelings'], time: 3.123 };
+const plain = await exporting('Soft'), ink = await exporting('Ink', '#00000000', MOMENT);
 
 test('the PNG has the bytes of the picture, with transparency, too', () => {
-  for (const [of, background] of [[plain, undefined], [ink, '#00000000']]) {
+  for (const [of, more] of [[plain, {}], [ink, { ...MOMENT, background: '#00000000' }]]) {
     assert.deepEqual([of.png.width, of.png.height], [WIDTH, HEIGHT]);
-    equal(of.png.pixels, mien.face(of.face).draw(WIDTH, HEIGHT, { ...POSE, background }));
+    equal(of.png.pixels, mien.face(of.face).draw(WIDTH, HEIGHT, { ...POSE, ...more }));
   }
   assert.ok(ink.png.pixels.some((byte, i) => i % 4 === 3 && byte < 255));
 });
@@ -90,9 +96,11 @@ test('its code alone is the face', async () => {
 });
 
 test('JavaScript draws the same bytes', async () => {
-  const text = (await plain.said('JavaScript')).replace("'mien'", `'${pathToFileURL(join(built, 'mien.js'))}'`);
-  writeFileSync(join(folder, 'snippet.mjs'), `${text}\nexport { pixels };`);
-  equal(plain.png.pixels, (await import(pathToFileURL(join(folder, 'snippet.mjs')))).pixels);
+  for (const [name, of] of Object.entries({ plain, ink })) {
+    const text = (await of.said('JavaScript')).replace("'mien'", `'${pathToFileURL(join(built, 'mien.js'))}'`).replace(/await fetch\([^)]*\)/, `new Response(${JSON.stringify(of.face)})`);
+    writeFileSync(join(folder, `${name}.mjs`), `${text}\nexport { pixels };`);
+    equal(of.png.pixels, (await import(pathToFileURL(join(folder, `${name}.mjs`)))).pixels);
+  }
 });
 
 test('HTML shows the same bytes', async () => {
