@@ -91,7 +91,7 @@ TEST(Svg, NamesAreEscapedAndIdsUnique) {
   std::vector<std::string> ids;
   for (const SvgElement& path : group.children) ids.push_back(path.get("id"));
   EXPECT_EQ(ids, (std::vector<std::string>{"p_eye", "p_eye-2", "p_eye-2-2", "p_____", "p_",
-                                           "p__a_b_________-2"}));
+                                           "p__a_b________-2"}));
   EXPECT_EQ(group.children[0].get("data-name", "none"), "none");
 }
 
