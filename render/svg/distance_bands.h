@@ -14,7 +14,7 @@
 namespace mien {
 
 /// The most that a channel changes by from step to step.
-inline constexpr double kBandStep = 1.0 / 24;
+inline constexpr double kBandStep = 1.0 / 40;
 
 /// What one step covers of the layer, beside the layer's own area, and its colour.
 struct DistanceBand {

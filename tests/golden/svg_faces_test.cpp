@@ -199,8 +199,8 @@ TEST(SvgScenes, StepsOfADistanceAreNear) {
     ASSERT_EQ(svg->simplified.size(), 3u);
     EXPECT_EQ(svg->simplified[2].substr(0, 55),
               "layer \"ramp\": its gradient along a distance is drawn in");
-    // Half a step of a twenty-fourth, and somewhat more where two of these layers lie over each other.
-    EXPECT_LE(worst_level(*svg, scene, 64), 1.5 * 255 / 48);
+    // Half a step of a fortieth, and somewhat more where two of these layers lie over each other.
+    EXPECT_LE(worst_level(*svg, scene, 64), 1.5 * 255 / 80);
   }
 }
 
