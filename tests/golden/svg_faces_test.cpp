@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/degenerate_scene.h"
 #include "tests/support/effort.h"
 #include "tests/support/faces.h"
+#include "tests/support/huge_scene.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/rendered.h"
 #include "tests/support/svg_raster.h"
@@ -153,6 +155,26 @@ TEST(SvgScenes, RandomOnesShowWhatMienDraws) {
     worst = std::max(worst, off);
   }
   RecordProperty("worst", fmt::format("{:.2f}", worst));
+}
+
+/// Vertices that many share, coincident and tangent outlines, widths of zero; and coordinates far outside. Where the
+/// file says that an order is not proven, it is not judged.
+TEST(SvgScenes, DegenerateOnesShowWhatMienDraws) {
+  int judged = 0;
+  for (int seed = 1; seed <= test::times(40); ++seed) {
+    const auto number = std::uint64_t(seed);
+    for (const Scene& scene : {test::degenerate_scene(number, 0),
+                               test::degenerate_scene(number, 1e-6), test::huge_scene(number)}) {
+      const auto svg = svg_text(scene, {.width = 32, .height = 32});
+      ASSERT_TRUE(svg) << sentence(svg.error());
+      const double off = worst_level(*svg, scene, 32);
+      if (!svg->simplified.empty()) continue;
+      EXPECT_LE(off, kFewLevels) << "seed " << seed << "\n" << svg->text;
+      ++judged;
+    }
+  }
+  EXPECT_GE(judged, test::times(110));
+  RecordProperty("judged", judged);
 }
 
 /// Groups in groups that multiply and screen, over a background and over none.
