@@ -13,12 +13,14 @@
 #include <mien/progress.h>
 #include <mien/render_stats.h>
 #include <mien/scene.h>
+#include <mien/svg.h>
 #include <mien/view.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mien {
 
@@ -75,6 +77,12 @@ struct PictureStats {
 MIEN_API Expected<PictureStats> write_picture(const Scene& scene, const View& view,
                                               const std::filesystem::path& path,
                                               const PictureOptions& how = {});
+
+/// Writes svg_text(scene, options) to `path`, whatever its extension, as write_image writes its files; "-" is standard
+/// output. Returns what was simplified: Svg::simplified.
+MIEN_API Expected<std::vector<std::string>> write_svg(const Scene& scene,
+                                                      const std::filesystem::path& path,
+                                                      const SvgOptions& options = {});
 
 /// Checks before a long render that write_image could begin: the format is known, and the folder
 /// exists and is writable. Changes nothing.

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <functional>
 #include <random>
@@ -191,6 +192,34 @@ TEST(CheckTarget, SaysBeforehandWhatWouldFail) {
       sentence(check_output_path(folder / "none/a.png").error()),
       sentence(write_image(sample_image(3, 2, Depth::u8, true), folder / "none/a.png").error()));
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(WriteSvg, WritesTheWholeFileAndSaysWhatIsSimplified) {
+  const ScratchFolder folder;
+  SceneBuilder build({}, {1, 1, 1, 1});
+  const Area disc = build.shape(Disc{{0, 0}, 0.3});
+  const Relief relief{.area = disc, .profile = Profile::bevel, .width = 0.1, .height = 0.1};
+  build.layer("disc", disc, {.color = {1, 0, 0, 1}, .relief = shared(relief)});
+  const Scene scene = std::move(build).finish();
+  const auto done = write_svg(scene, folder / "a.svg", {.width = 64, .height = 64});
+  ASSERT_TRUE(done) << sentence(done.error());
+  EXPECT_EQ(done->size(), 1u);
+  EXPECT_EQ(read_text(folder / "a.svg"), svg_text(scene, {.width = 64, .height = 64})->text);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.svg"});
+}
+
+TEST(WriteSvg, ErrorsAreSentencesAndKeepTheOldFile) {
+  const ScratchFolder folder;
+  write_text(folder / "a.svg", "old");
+  const auto refused = write_svg({}, folder / "a.svg", {.width = std::nan("")});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, (folder / "a.svg").string());
+  EXPECT_EQ(read_text(folder / "a.svg"), "old");
+  EXPECT_FALSE(write_svg({}, folder / "none" / "a.svg"));
+  const auto full = write_svg({}, "/dev/full");
+  ASSERT_FALSE(full);
+  EXPECT_EQ(sentence(full.error()), "/dev/full: cannot be written: No space left on device");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.svg"});
 }
 
 }  // namespace

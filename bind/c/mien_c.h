@@ -564,6 +564,14 @@ MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_vi
                                           int32_t which, const mien_pixels* pixels,
                                           const mien_render_options* options, mien_error** error);
 
+/* The scene as an SVG file, of lines and parabolas that leave the outlines by `tolerance` [px] at most, 1e-4 ... 1;
+ * 0 is 0.01. A list of texts: the file's, and a sentence for each thing that SVG cannot say, with its layer. The view's
+ * size, fit and background count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
+ * begins all ids, so that several pictures can stand in one page. */
+MIEN_C_API mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tolerance,
+                                const char* id_prefix, size_t length, mien_texts** out,
+                                mien_error** error);
+
 /* Where a point of the picture [px] is in the face [face units], and back. */
 MIEN_C_API mien_status mien_face_from_pixel(const mien_scene* scene, const mien_view* view,
                                             double x, double y, double out[2], mien_error** error);

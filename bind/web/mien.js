@@ -281,6 +281,15 @@ export class Face {
     } finally { exports.mien_pieces_free(pieces), exports.free(piece), exports.free(data); }
   }
 
+  /** The same picture as an SVG file: { text, simplified }. Its paths leave the outlines by `tolerance` pixels at most,
+   *  1e-4 to 1; `simplified` has a sentence for each thing that SVG cannot say. Colours are mixed as with blend 'srgb'.
+   *  `idPrefix` begins all ids, so that several pictures can stand in one page. */
+  svg(width, height, pose = {}, { tolerance = 0.01, idPrefix = '' } = {}) {
+    this.#poseFor(width, height, pose);
+    const [text, ...simplified] = this.#m.withText(idPrefix, (t, n) => this.#mien.texts('mien_svg', this.#scene, this.#view, tolerance, t, n));
+    return { text, simplified };
+  }
+
   /** Of the picture drawn last: the name of the feature that is seen at a pixel, or null. */
   featureAt(x, y) {
     const at = this.#m.take(16);

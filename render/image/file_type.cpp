@@ -25,6 +25,9 @@ Expected<FileType> file_type(const std::filesystem::path& path) {
   if (extension == ".exr") return FileType::exr;
   if (extension == ".jpg" || extension == ".jpeg") return FileType::jpeg;
   const std::string known = "known are .png .tif .tiff .exr .jpg .jpeg";
+  if (extension == ".svg")
+    return Error{path.string(),
+                 "SVG holds no pixels, so only `mien render` and write_svg write it; " + known};
   if (extension.empty())
     return Error{path.string(), "its name has no extension that says the format; " + known};
   return Error{path.string(), fmt::format("unknown extension {}; {}", extension, known)};

@@ -5,9 +5,13 @@
 namespace mien {
 
 Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& view) {
+  return pixel_from_face(canvas, {view.width, view.height}, view.fit);
+}
+
+Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, glm::dvec2 picture, Fit fit) {
   const glm::dvec2 size = canvas.box.size(), center = canvas.box.center();
-  const double sx = view.width / size.x, sy = view.height / size.y;
-  const double scale = view.fit == Fit::meet ? std::min(sx, sy) : std::max(sx, sy);
+  const double sx = picture.x / size.x, sy = picture.y / size.y;
+  const double scale = fit == Fit::meet ? std::min(sx, sy) : std::max(sx, sy);
   const glm::dmat2 linear{scale, 0.0, 0.0, canvas.y_up ? -scale : scale};
   return {linear, -(linear * center)};
 }

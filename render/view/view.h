@@ -43,6 +43,8 @@ struct View {
 
 /// The similarity that maps a canvas into the view.
 MIEN_API Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, const View& view);
+/// The same into a picture of that size [px], which need not be whole.
+MIEN_API Map<PixelSpace, FaceSpace> pixel_from_face(const Canvas& canvas, glm::dvec2 size, Fit fit);
 
 /// The rectangle that will be drawn: the part of the region inside the picture, or everything.
 MIEN_API PixelRect drawn_rect(const View& view);

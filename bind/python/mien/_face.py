@@ -23,6 +23,13 @@ UNWRAP_MODES = ("linear", "delayed", "sine")
 SHOWN_IN_NOTEBOOKS = 400  # [px] the longer side
 
 
+class Svg(NamedTuple):
+    """A face as an SVG file."""
+
+    text: str
+    simplified: tuple[str, ...]  # what SVG cannot say, a sentence each with the layer's name
+
+
 class Canvas(NamedTuple):
     """What a picture of a face shows [face units]."""
 
@@ -257,6 +264,19 @@ class Posed:
         with self._lock:
             scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
         return Renderer()._render(scene.value, seen, "u8", threads, None, None)
+
+    def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.01,
+            id_prefix: str = "") -> Svg:
+        """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
+
+        Colours are mixed as SVG viewers do, as with blend="srgb". `id_prefix` begins all ids, so that several pictures can
+        stand in one page.
+        """
+        seen = view(self.face.canvas.aspect, size, fit, background=background)
+        if not tolerance > 0:
+            raise _library.Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
+        file, *simplified = texts(lib.mien_svg, self._drawn, seen, float(tolerance), *utf8(id_prefix))
+        return Svg(file, tuple(simplified))
 
     def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
         if asked is True:

@@ -47,6 +47,30 @@ static void test_features(const mien_scene* scene) {
   mien_texts_free(text);
 }
 
+static void test_svg(const mien_scene* scene) {
+  mien_error* error = NULL;
+  mien_texts* text = NULL;
+  mien_view view;
+  mien_view_init(&view, sizeof view);
+  view.width = 300, view.height = 200;
+  OK(mien_svg(scene, &view, 0, "a-", MIEN_NUL_ENDED, &text, &error));
+  CHECK(mien_texts_count(text) >= 1);
+  CHECK(holds(mien_texts_at(text, 0), "viewBox=\"0 0 300 200\""));
+  CHECK(holds(mien_texts_at(text, 0), "<path id=\"a-"));
+  CHECK(holds(mien_texts_at(text, 0), "</svg>\n"));
+  mien_texts_free(text);
+  FAILS(MIEN_MISUSE, "scene", mien_svg(NULL, &view, 0, "", 0, &text, &error));
+  FAILS(MIEN_MISUSE, "view", mien_svg(scene, NULL, 0, "", 0, &text, &error));
+  FAILS(MIEN_MISUSE, "id_prefix", mien_svg(scene, &view, 0, NULL, 1, &text, &error));
+  FAILS(MIEN_MISUSE, "out", mien_svg(scene, &view, 0, "", 0, NULL, &error));
+  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, NAN, "", 0, &text, &error));
+  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, -1, "", 0, &text, &error));
+  view.has_region = 1;
+  FAILS(MIEN_REFUSED, "view.region", mien_svg(scene, &view, 0, "", 0, &text, &error));
+  view.has_region = 0, view.width = 0;
+  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, 0, "", 0, &text, &error));
+}
+
 void test_scenes(void) {
   mien_error* error = NULL;
   mien_scene* scene = any_scene();
@@ -75,6 +99,7 @@ void test_scenes(void) {
     CHECK(d > 0);
   }
   test_features(scene);
+  test_svg(scene);
   test_refusals(scene);
   mien_scene_free(scene);
 }

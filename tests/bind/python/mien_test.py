@@ -14,6 +14,7 @@ import tempfile
 import threading
 import tracemalloc
 import unittest
+import xml.dom.minidom
 import zlib
 
 try:
@@ -174,6 +175,19 @@ class Poses(unittest.TestCase):
         self.assertIn("layer", posed.scene)
         for bad in (lambda: posed.distance("none", 0, 0), lambda: posed.distance(10**6, 0, 0),
                     lambda: posed.layer_at(float("nan"), 0), lambda: posed.feature_at(0, float("inf"))):
+            self.assertRaises(mien.Error, bad)
+
+
+    def test_are_svg_files(self):
+        posed = toon().pose()
+        made = posed.svg((300, 200), background="transparent", id_prefix="a-")
+        self.assertTrue(made.text.startswith('<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"'))
+        self.assertIn('<path id="a-', made.text)
+        self.assertTrue(all(one.startswith('layer "') for one in made.simplified))
+        xml.dom.minidom.parseString(made.text)
+        self.assertLess(len(posed.svg(300, tolerance=0.5).text), len(posed.svg(300, tolerance=1e-3).text))
+        for bad in (lambda: posed.svg(0), lambda: posed.svg(9, tolerance=0), lambda: posed.svg(9, tolerance=float("nan")),
+                    lambda: posed.svg(9, tolerance=7), lambda: posed.svg(9, fit="none")):
             self.assertRaises(mien.Error, bad)
 
 

@@ -82,6 +82,16 @@ test('poses move the picture, and rest is rest again', () => {
   face.free();
 });
 
+test('a face is an SVG file', () => {
+  const face = mien.person(mien.code('hello'));
+  const { text, simplified } = face.svg(300, 200, { background: '#102030' }, { idPrefix: 'a-' });
+  assert.ok(text.startsWith('<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"') && text.endsWith('</svg>\n'));
+  assert.ok(text.includes('<path id="a-') && text.includes('#102030'));
+  assert.ok(simplified.every((one) => one.startsWith('layer "')));
+  assert.throws(() => face.svg(300, 200, {}, { tolerance: 7 }), MienError);
+  face.free();
+});
+
 test('what is refused is a sentence with an address', () => {
   assert.throws(() => mien.face('{"format": "mien-fac"}', 'a.json'), (e) => e instanceof MienError && e.where.startsWith('a.json:1') && e.what.length > 5);
   assert.throws(() => mien.person('ZZZZZ-ZZZZZ-ZZ'), MienError);

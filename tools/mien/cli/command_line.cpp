@@ -53,8 +53,10 @@ void add_muscle_commands(CLI::App& app, CommandApp& command) {
 }
 
 void add_output(CLI::App* to, RenderArguments& render) {
-  to->add_option("-o,--output", render.output,
-                 "Picture to write: .png .tif .tiff .exr .jpg .jpeg; - is a PNG on standard output")
+  to->add_option(
+        "-o,--output", render.output,
+        "Picture to write: .png .tif .tiff .exr .jpg .jpeg, or .svg for shapes; - is a PNG on "
+        "standard output")
       ->required()
       ->type_name("FILE");
 }

@@ -13,6 +13,7 @@
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/commands/render_plan.h"
+#include "tools/mien/commands/render_svg.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/effected_rows.h"
 #include "tools/mien/output/letters.h"
@@ -222,6 +223,7 @@ Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& pose
 }  // namespace
 
 int render_command(const RenderArguments& arguments) {
+  if (asks_for_svg(arguments)) return render_svg(arguments);
   auto plan = plan_render(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
   if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {

@@ -1,0 +1,75 @@
+#include "render/svg/xml_text.h"
+
+#include <array>
+#include <cstdint>
+
+namespace mien {
+namespace {
+
+/// Appended for what cannot be said.
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+/// The length of the UTF-8 character that `text` begins with, or 0 where it is none, or none that XML allows.
+std::size_t xml_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? std::uint8_t(text[i]) : std::uint8_t{0};
+  };
+  const std::uint8_t first = byte(0);
+  if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' ? 1 : 0;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  std::uint32_t code = first & (0xFFu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3Fu);
+  }
+  constexpr std::array<std::uint32_t, 5> kFirstOfLength{0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code<0xE000, beyond = code> 0x10FFFF;
+  return code < kFirstOfLength[length] || surrogate || beyond || (code & 0xFFFE) == 0xFFFE ? 0
+                                                                                           : length;
+}
+
+bool may_stand_in_id(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+         c == '-' || c == '_';
+}
+
+}  // namespace
+
+std::string xml_escaped(std::string_view text) {
+  std::string made;
+  while (!text.empty()) {
+    const std::size_t length = xml_character(text);
+    const std::string_view one = text.substr(0, length);
+    if (length == 0)
+      made += kReplacement;
+    else if (one == "&")
+      made += "&amp;";
+    else if (one == "<")
+      made += "&lt;";
+    else if (one == ">")
+      made += "&gt;";
+    else if (one == "\"")
+      made += "&quot;";
+    else
+      made += one;
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return made;
+}
+
+XmlIds::XmlIds(std::string_view prefix) {
+  for (const char c : prefix) prefix_ += may_stand_in_id(c) ? c : '_';
+}
+
+std::string XmlIds::unique(std::string_view name) {
+  std::string id = prefix_;
+  for (const char c : name) id += may_stand_in_id(c) ? c : '_';
+  const bool begins = !id.empty() && (id[0] == '_' || (id[0] | 32) >= 'a');  // a letter
+  if (!begins) id.insert(0, 1, '_');
+  std::string one = id;
+  while (!taken_.try_emplace(one, 1).second) one = id + "-" + std::to_string(++taken_[id]);
+  return one;
+}
+
+}  // namespace mien

@@ -1,0 +1,108 @@
+#include "sdf/arrange/area_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+namespace {
+
+/// Of the tolerance: what outlines may take, what joining sides may, and the order of neighbours.
+constexpr double kOutlineShare = 0.8, kJoinShare = 0.05, kOrderShare = 0.1;
+/// [px] The sweep begins and ends where nothing is inside.
+constexpr double kAround = 1.0;
+
+Path window_path(const Box2& box, const Map<FaceSpace, GridSpace>& map) {
+  const glm::dvec2 corners[] = {map(box.lo), map({box.hi.x, box.lo.y}), map(box.hi),
+                                map({box.lo.x, box.hi.y})};
+  Path path{.loops = {{}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec2 a = corners[i], b = corners[(i + 1) % 4];
+    path.loops[0].sides.push_back({a, 0.5 * (a + b), b});
+  }
+  return path;
+}
+
+double enclosed_by(const FragmentLoop& loop) {
+  double twice = 0.0;
+  glm::dvec2 at = loop.start;
+  for (const LoopSide& side : loop.sides) {
+    twice += at.x * side.to.y - at.y * side.to.x;
+    at = side.to;
+  }
+  return 0.5 * std::abs(twice);
+}
+
+}  // namespace
+
+/// Look 1 where the program holds.
+class AreaBoundaries::Inside final : public LookRule {
+ public:
+  explicit Inside(std::span<const AreaStep> program) : program_(program) {}
+  int state_words() const override { return 0; }
+  int first_look(std::uint64_t*) override { return 0; }  // outside of the window
+  int look(const std::uint64_t* inside, int, const std::uint64_t*, int, std::uint64_t*) override {
+    return runs_true(program_, inside, stack_);
+  }
+
+ private:
+  std::span<const AreaStep> program_;
+  std::vector<char> stack_;
+};
+
+AreaBoundaries::AreaBoundaries(const Scene& scene, const Map<GridSpace, FaceSpace>& map,
+                               const Box2& window, double tolerance)
+    : map_(map), window_(window), tolerance_(tolerance), frame_(window_path(window, inverse(map))) {
+  programs_.begin(scene);
+}
+
+int AreaBoundaries::outline_of(const OutlineSource& source) {
+  const Shape& shape = programs_.shape(source);
+  if (source.rim) return maker_.rim(shape, source.amount);
+  return source.amount == 0.0 ? maker_.fill(shape)
+                              : maker_.fill(*offset_shape(shape, source.amount));
+}
+
+/// The outline's own index in this arrangement.
+int AreaBoundaries::local(int outline) {
+  if (std::size_t(outline) >= local_.size()) local_.resize(std::size_t(outline) + 1, -1);
+  int& index = local_[std::size_t(outline)];
+  if (index < 0) {
+    index = outline_of(programs_.outlines()[std::size_t(outline)]);
+    global_.push_back(outline);
+  }
+  return index;
+}
+
+AreaBoundary AreaBoundaries::of(std::span<const AreaLevel> all) {
+  maker_.begin({map_, window_, kOutlineShare * tolerance_}, outlines_);
+  for (const int outline : global_) local_[std::size_t(outline)] = -1;
+  global_.clear(), steps_.clear();
+  steps_.push_back({AreaStep::Kind::outline, maker_.fill(frame_)});
+  for (const AreaLevel& level : all) {
+    const AreaProgram program = programs_.add(level.area, level.level);
+    for (AreaStep step : programs_.steps(program)) {
+      if (step.kind == AreaStep::Kind::outline) step.outline = local(step.outline);
+      steps_.push_back(step);
+    }
+    if (program.count == 0)  // everywhere
+      steps_.push_back({AreaStep::Kind::nothing}), steps_.push_back({AreaStep::Kind::not_});
+    if (level.outside) steps_.push_back({AreaStep::Kind::not_});
+    steps_.push_back({AreaStep::Kind::and_});
+  }
+  maker_.finish();
+  // Loops are to be whole: the sides where outlines were cut are pieces like any others.
+  outlines_.left = -HUGE_VAL, outlines_.right = HUGE_VAL;
+  Inside inside(steps_);
+  regions_.begin(int(outlines_.rules.size()), inside);
+  sweep_.run(outlines_, window_.lo.y - kAround, window_.hi.y + kAround, regions_,
+             std::min(kOrder, kOrderShare * tolerance_));
+  AreaBoundary made;
+  made.loops = fragment_loops(sweep_.fragments(), sweep_.pieces(), kJoinShare * tolerance_);
+  made.doubts = int(sweep_.doubts().size());
+  const glm::dvec2 size = window_.size();
+  made.whole = made.loops.size() == 1 && made.loops[0].sides.size() == 4 &&
+               enclosed_by(made.loops[0]) >= size.x * size.y * (1.0 - 1e-9);
+  return made;
+}
+
+}  // namespace mien
