@@ -15,11 +15,16 @@ int longest_side(FileType type) {
 
 }  // namespace
 
-Expected<FileType> file_type(const std::filesystem::path& path) {
-  if (path == "-") return FileType::png;
+std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });
+  return extension;
+}
+
+Expected<FileType> file_type(const std::filesystem::path& path) {
+  if (path == "-") return FileType::png;
+  const std::string extension = lower_extension(path);
   if (extension == ".png") return FileType::png;
   if (extension == ".tif" || extension == ".tiff") return FileType::tiff;
   if (extension == ".exr") return FileType::exr;

@@ -4,8 +4,12 @@
 #include <mien/write.h>
 
 #include <filesystem>
+#include <string>
 
 namespace mien {
+
+/// With its dot, in lower case; empty if there is none.
+std::string lower_extension(const std::filesystem::path& path);
 
 /// By the extension, in any case: .png .tif .tiff .exr .jpg .jpeg; "-" is a PNG. Else an error that
 /// lists them.

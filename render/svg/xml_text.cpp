@@ -1,7 +1,5 @@
 #include "render/svg/xml_text.h"
-
-#include <array>
-#include <cstdint>
+#include "lib/base/one_line.h"
 
 namespace mien {
 namespace {
@@ -11,22 +9,11 @@ constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// The length of the UTF-8 character that `text` begins with, or 0 where it is none, or none that XML allows.
 std::size_t xml_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? std::uint8_t(text[i]) : std::uint8_t{0};
-  };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' ? 1 : 0;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  std::uint32_t code = first & (0xFFu >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3Fu);
-  }
-  constexpr std::array<std::uint32_t, 5> kFirstOfLength{0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code<0xE000, beyond = code> 0x10FFFF;
-  return code < kFirstOfLength[length] || surrogate || beyond || (code & 0xFFFE) == 0xFFFE ? 0
-                                                                                           : length;
+  const auto first = static_cast<unsigned char>(text[0]);
+  if (first < 0x20 && first != '\t' && first != '\n') return 0;
+  if (text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF"))
+    return 0;  // U+FFFE, U+FFFF
+  return std::size_t(utf8_length(text));
 }
 
 bool may_stand_in_id(char c) {

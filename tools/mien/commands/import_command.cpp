@@ -1,9 +1,9 @@
 // mien import: a face of facemotion.js becomes a face file, a head with targets those of a face.
 
 #include "lib/file/json/read_bytes.h"
+#include "render/image/file/written_file.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/import/facemotion.h"
-#include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
 
 namespace mien::command {
@@ -38,7 +38,7 @@ int import_command(const ImportArguments& arguments) {
   const auto text = face_text_from_facemotion(*source, arguments.files[0], options);
   if (!text) return complain(text.error(), kFailed);
   const auto done = write_file(
-      arguments.output, [&](const ByteSink& sink) { return sink(text->data(), text->size()); });
+      arguments.output, [&](const PutBytes& put) { return put(text->data(), text->size()); });
   return done ? int(kDone) : complain(done.error(), kFailed);
 }
 

@@ -4,10 +4,10 @@
 #include <mien/morph_file.h>
 #include <mien/obj.h>
 #include <mien/obj_map.h>
+#include "render/image/file/written_file.h"
 #include "tools/mien/cli/named_file.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
-#include "tools/mien/output/written_file.h"
 #include "tools/mien/people/morph_between.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -58,7 +58,7 @@ int morph_command(const MorphArguments& arguments) {
     return complain(wrong, kFailed);
   }
   const auto done = write_file(
-      arguments.output, [&](const ByteSink& sink) { return sink(text->data(), text->size()); });
+      arguments.output, [&](const PutBytes& put) { return put(text->data(), text->size()); });
   return done ? kDone : complain(done.error(), kFailed);
 }
 

@@ -1,14 +1,13 @@
 #include "tools/mien/commands/render_svg.h"
 #include <mien/face_model.h>
 #include <mien/scene_from_face.h>
+#include "render/image/file_type.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/commands/render_plan.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/terminal/interrupt.h"
-
-#include <filesystem>
 
 namespace mien::command {
 namespace {
@@ -57,9 +56,7 @@ int write_scene(const RenderArguments& arguments, const View& view, const Scene&
 }  // namespace
 
 bool asks_for_svg(const RenderArguments& arguments) {
-  std::string extension = std::filesystem::path(arguments.output).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c;
-  return extension == ".svg";
+  return lower_extension(arguments.output) == ".svg";
 }
 
 int render_svg(const RenderArguments& arguments) {

@@ -6,6 +6,7 @@
 #include <mien/scene_from_face.h>
 #include "lib/file/json/json_text.h"
 #include "lib/rig/pose/expression_setting.h"
+#include "render/image/file/written_file.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/parse_values.h"
@@ -15,7 +16,6 @@
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/letters.h"
 #include "tools/mien/output/sha256.h"
-#include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
@@ -132,9 +132,9 @@ int chernoff_command(const ChernoffArguments& arguments) {
   if (done && arguments.legend)
     done = write_legend(*table, *map, int(*size), layout->gap, *arguments.legend);
   if (done && arguments.manifest)
-    done = write_file(*arguments.manifest, [&](const ByteSink& sink) {
+    done = write_file(*arguments.manifest, [&](const PutBytes& put) {
       const std::string text = manifest(*table, *map, *faces, *cells);
-      return sink(text.data(), text.size());
+      return put(text.data(), text.size());
     });
   return done ? int(kDone) : complain(done.error(), kFailed);
 }

@@ -3,13 +3,13 @@
 #include <mien/parallel.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
+#include "render/image/file/written_file.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/data/stimulus_manifest.h"
 #include "tools/mien/data/stimulus_plan.h"
 #include "tools/mien/output/sha256.h"
-#include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ Expected<Done> write_manifest(const StimulusManifest& manifest,
                               const std::filesystem::path& folder) {
   const std::string text = manifest_text(manifest);
   return write_file((folder / "manifest.json").string(),
-                    [&](const ByteSink& sink) { return sink(text.data(), text.size()); });
+                    [&](const PutBytes& put) { return put(text.data(), text.size()); });
 }
 
 int draw_plan(const StimuliArguments& arguments) {

@@ -2,6 +2,7 @@
 #include "render/image/file/atomic_file.h"
 #include "render/image/file/output_path.h"
 #include "render/image/file/system_error.h"
+#include "render/image/file_type.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -63,9 +64,7 @@ Words ffmpeg_words(const std::string& to, FilmType type, int width, int height, 
 }  // namespace
 
 std::optional<FilmType> film_type(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });
+  const std::string extension = lower_extension(path);
   const std::pair<const char*, FilmType> known[] = {{".mp4", FilmType::mp4},
                                                     {".webm", FilmType::webm},
                                                     {".webp", FilmType::webp},

@@ -1,13 +1,13 @@
 // mien pca: finds, describes, applies and draws bases of animations.
 
 #include <mien/npy_basis.h>
+#include "render/image/file/written_file.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/contact_sheet.h"
-#include "tools/mien/output/written_file.h"
 #include "tools/mien/pca/frames.h"
 #include "tools/mien/pca/pictures.h"
 #include "tools/mien/terminal/interrupt.h"
@@ -121,7 +121,7 @@ int fit(const PcaArguments& arguments) {
         kFailed);
   const BasisFile file = basis_file(*std::move(fitted), frames);
   const auto done =
-      write_file(arguments.output, [&](const ByteSink& sink) { return write_basis(sink, file); });
+      write_file(arguments.output, [&](const PutBytes& put) { return write_basis(put, file); });
   if (!done) return complain(done.error(), kFailed);
   if (arguments.output == "-") return kDone;
   const PcaError& last = file.fit.curve.back();
@@ -158,8 +158,8 @@ int encode(const PcaArguments& arguments) {
                                                   : weights.error(),
                     kFailed);
   const std::size_t shape[] = {read.frames->source.rows, file->fit.basis.count};
-  const auto done = write_file(arguments.output, [&](const ByteSink& sink) {
-    return write_npy(sink, file->single ? NpyType::float32 : NpyType::float64, shape,
+  const auto done = write_file(arguments.output, [&](const PutBytes& put) {
+    return write_npy(put, file->single ? NpyType::float32 : NpyType::float64, shape,
                      matrix_in_memory(*weights, shape[0], shape[1]));
   });
   return done ? kDone : complain(done.error(), kFailed);
@@ -185,8 +185,8 @@ int decode(const PcaArguments& arguments) {
   }
   const std::size_t shape[] = {weights.size() / file->fit.basis.count, file->vertices,
                                file->dimensions};
-  const auto done = write_file(arguments.output, [&](const ByteSink& sink) {
-    return write_npy(sink, file->single ? NpyType::float32 : NpyType::float64, shape,
+  const auto done = write_file(arguments.output, [&](const PutBytes& put) {
+    return write_npy(put, file->single ? NpyType::float32 : NpyType::float64, shape,
                      decoded_frames(file->fit.basis, weights, file->fit.basis.count, file->single));
   });
   return done ? kDone : complain(done.error(), kFailed);

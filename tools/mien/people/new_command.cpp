@@ -6,10 +6,10 @@
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/parts/recipe/own_part.h"
+#include "render/image/file/written_file.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/output/letters.h"
-#include "tools/mien/output/written_file.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
@@ -93,8 +93,8 @@ int new_command(const NewArguments& arguments) {
   if (!text) return complain(text.error(), kUsedWrongly);
   if (!arguments.flat) text = recipe_text(*recipe);
   if (!arguments.output) return print(face_code_text(*code) + "\n");
-  const auto done = write_file(*arguments.output, [&](const ByteSink& sink) -> Expected<Done> {
-    return sink(text->data(), text->size());
+  const auto done = write_file(*arguments.output, [&](const PutBytes& put) -> Expected<Done> {
+    return put(text->data(), text->size());
   });
   if (!done) return complain(done.error(), kFailed);
   return *arguments.output == "-" ? int(kDone) : print(face_code_text(*code) + "\n");
@@ -110,7 +110,7 @@ int begin_part(const PartsArguments& arguments) {
   if (path != "-" && std::filesystem::exists(path, unknown))
     return complain({path, "is there already"}, kFailed);
   const auto done =
-      write_file(path, [&](const ByteSink& sink) { return sink(text->data(), text->size()); });
+      write_file(path, [&](const PutBytes& put) { return put(text->data(), text->size()); });
   return done ? int(kDone) : complain(done.error(), kFailed);
 }
 

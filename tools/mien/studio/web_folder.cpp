@@ -1,5 +1,7 @@
 #include "tools/mien/studio/web_folder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -50,7 +52,7 @@ std::variant<WebFile, Elsewhere, NoFile> WebFolder::at(std::string_view path) co
   if (failed || root_.empty()) return NoFile::missing;
   if (!is_inside(found, root_)) return NoFile::forbidden;
   if (fs::is_directory(found, failed)) {
-    if (!path.ends_with('/')) return Elsewhere{"/" + below.generic_string() + "/"};
+    if (!path.ends_with('/')) return Elsewhere{fmt::format("/{}/", below.generic_string())};
     found /= "index.html";
     // The package's own folder has no page: the studio is what people come for.
     if (below.empty() && !fs::exists(found, failed)) return Elsewhere{"/studio/"};
