@@ -1,4 +1,5 @@
 #include "render/blend/ramp.h"
+#include "sdf/scene/extended_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +29,8 @@ void Ramp::make(const Gradient& gradient, double opacity, Blend blend) {
   if (extend_ == Extend::repeat && mix_.back() != mix_.front()) jumps_ = true;
 }
 
-/// t brought between the first and the last stop.
-double Ramp::inner(double t) const {
-  const double first = at_.front(), length = at_.back() - first;
-  if (extend_ == Extend::pad) return t;
-  const double turns = (t - first) / length, whole = std::floor(turns);
-  const double part = (turns - whole) * length;
-  const bool back = extend_ == Extend::reflect && std::fmod(whole, 2.0) != 0.0;
-  return first + (back ? length - part : part);
-}
-
 Mix Ramp::color(double t) const {
-  const double s = inner(t);
+  const double s = extended_place(extend_, at_.front(), at_.back(), t);
   if (!(s >= at_.front())) return mix_.front();
   if (s >= at_.back()) return mix_.back();
   const auto after = std::upper_bound(at_.begin(), at_.end(), s);  // neither first nor past the end

@@ -40,7 +40,6 @@ class Ramp {
   bool kinks(double lo, double hi, int most, std::vector<double>& to) const;
 
  private:
-  double inner(double t) const;
   void add_kinks(double begin, bool backward, double lo, double hi,
                  std::vector<double>& kinks) const;
 

@@ -34,12 +34,12 @@ struct CellSums {
 
 void CellSums::add_left(const PartEntry& left) {
   const int rows = PartEntry::kRows / side;
-  for (int k = 0; k < PartEntry::kRows; ++k) {
-    const int j = k / rows;
-    const float y = (float(k % rows) + 0.5f) / PartEntry::kRows - 0.5f * cell,
-                height = left.height[std::size_t(k)];
-    from[j][0] += height, from_y[j][0] += height * y + left.moment[std::size_t(k)];
-  }
+  std::size_t k = 0;
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < rows; ++i, ++k) {
+      const float y = (float(i) + 0.5f) / PartEntry::kRows - 0.5f * cell, height = left.height[k];
+      from[j][0] += height, from_y[j][0] += height * y + left.moment[k];
+    }
 }
 
 /// As many chords as leave less than 2e-4 px² between them and the parabola: with a bulge b in the middle, k chords leave
@@ -123,10 +123,12 @@ void PartEntry::add(const PartStretch& s) {
 void whole_cells(int side, PartCells& to) {
   to.side = side;
   const float cell = 1.0f / float(side);
-  for (int k = 0; k < side * side; ++k) {
-    to.area[std::size_t(k)] = cell * cell;
-    to.x[std::size_t(k)] = (float(k % side) + 0.5f) * cell - 0.5f;
-    to.y[std::size_t(k)] = (float(k / side) + 0.5f) * cell - 0.5f;
+  const auto middle = [&](int i) { return (float(i) + 0.5f) * cell - 0.5f; };
+  std::fill_n(to.area.begin(), side * side, cell * cell);
+  for (int j = 0; j < side; ++j) {
+    const std::size_t row = std::size_t(j * side);
+    for (int i = 0; i < side; ++i) to.x[row + std::size_t(i)] = middle(i);
+    std::fill_n(&to.y[row], side, middle(j));
   }
 }
 
@@ -138,16 +140,24 @@ void cells_of_form(const PartForm& form, int side, PartCells& to) {
     sums.add_stretch(s);
   }
   const float cell = sums.cell, half = 0.5f * cell;
-  std::size_t k = 0;
+  float height[PartCells::kMostSide], height_y[PartCells::kMostSide];  // of what fills each cell
   for (int j = 0; j < side; ++j) {
-    float height = 0.0f, height_y = 0.0f;
-    for (int i = 0; i < side; ++i, ++k) {
-      height += sums.from[j][i], height_y += sums.from_y[j][i];
-      const float area = sums.area[j][i] + height * cell;
-      to.area[k] = area > kNoArea ? area : 0.0f;
-      if (!(area > kNoArea)) continue;
-      to.x[k] += std::clamp(sums.mx[j][i] / area, -half, half);
-      to.y[k] += std::clamp((sums.my[j][i] + height_y * cell) / area, -half, half);
+    height[0] = sums.from[j][0], height_y[0] = sums.from_y[j][0];
+    for (int i = 1; i < side; ++i) {
+      height[i] = height[i - 1] + sums.from[j][i];
+      height_y[i] = height_y[i - 1] + sums.from_y[j][i];
+    }
+    float* const areas = &to.area[std::size_t(j * side)];
+    float* const xs = &to.x[std::size_t(j * side)];
+    float* const ys = &to.y[std::size_t(j * side)];
+    for (int i = 0; i < side; ++i) {
+      const float area = sums.area[j][i] + height[i] * cell;
+      const bool any = area > kNoArea;
+      const float over = any ? area : 1.0f;
+      areas[i] = any ? area : 0.0f;
+      const float x = std::clamp(sums.mx[j][i] / over, -half, half),
+                  y = std::clamp((sums.my[j][i] + height_y[i] * cell) / over, -half, half);
+      xs[i] += any ? x : 0.0f, ys[i] += any ? y : 0.0f;
     }
   }
 }

@@ -93,6 +93,20 @@ void along(const PaintField& field, double x, double y, int from, int count, dou
                 count, t);
 }
 
+RadialCells radial_cells(const PaintField& field, glm::dvec2 from, double variance) {
+  const glm::dmat2& u = field.unit;
+  return {.x = from.x,
+          .y = from.y,
+          .center_x = field.center.x,
+          .center_y = field.center.y,
+          .ax = u[0].x,
+          .ay = u[0].y,
+          .bx = u[1].x,
+          .by = u[1].y,
+          .trace = glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]),
+          .variance = variance};
+}
+
 }  // namespace
 
 void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
@@ -142,11 +156,13 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
     for (int i = 0; i < at.count; ++i) t[i] = float(field.at({}, double(t[i])));
     return;
   }
-  const double variance = double(at.cells->cell() * at.cells->cell()) / 12;
-  for (std::size_t k = 0; k < std::size_t(at.count); ++k) {
-    const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{at.cells->x[k], at.cells->y[k]};
-    t[k] = float(field.mean(p, variance));
+  const glm::dvec2 middle{x + 0.5, y + 0.5};
+  const float *const dx = at.cells->x.data(), *const dy = at.cells->y.data();
+  if (field.kind == PaintField::Kind::radial) {
+    const double variance = double(at.cells->cell() * at.cells->cell()) / 12;
+    return radial_means(radial_cells(field, middle, variance), dx, dy, at.count, t);
   }
+  for (int i = 0; i < at.count; ++i) t[i] = float(field.at(middle + glm::dvec2{dx[i], dy[i]}, 0.0));
 }
 
 glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side) {

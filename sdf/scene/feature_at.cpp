@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sdf/scene/extended_place.h"
+
 namespace mien {
 namespace {
 
@@ -35,21 +37,13 @@ struct PlaceOf {
   }
 };
 
-/// The place between the first and the last stop whose colour is meant, or one beyond them, which has the nearer end's.
-double within(const Gradient& gradient, double at) {
-  const double first = gradient.stops.front().at, length = gradient.stops.back().at - first;
-  if (gradient.extend == Extend::pad || !(length > 0) || !std::isfinite(at)) return at;
-  const double turns = (at - first) / length, share = turns - std::floor(turns);
-  const bool back = gradient.extend == Extend::reflect && std::fmod(std::floor(turns), 2) != 0;
-  return first + length * (back ? 1 - share : share);
-}
-
 double opacity_of(const Gradient& gradient, const Scene& scene, glm::dvec2 p) {
-  const double at = within(gradient, std::visit(PlaceOf{scene, p}, gradient.along));
   const auto& stops = gradient.stops;
+  const double place = std::visit(PlaceOf{scene, p}, gradient.along);
+  const double at = extended_place(gradient.extend, stops.front().at, stops.back().at, place);
   const auto after =
       std::upper_bound(stops.begin(), stops.end(), at,
-                       [](double place, const Stop& stop) { return place < stop.at; });
+                       [](double t, const Stop& stop) { return t < stop.at; });
   if (after == stops.begin()) return stops.front().color.a;
   if (after == stops.end()) return stops.back().color.a;
   const Stop &a = *std::prev(after), &b = *after;

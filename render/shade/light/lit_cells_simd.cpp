@@ -314,10 +314,12 @@ void LitCells::take(const PartCells& cells, bool ring) {
     std::copy_n(&cells.x[from], side, &at_x[to]), std::copy_n(&cells.y[from], side, &at_y[to]);
   }
   const float cell = cells.cell(), first = 0.5f * cell - 0.5f - cell;
+  int column = 0, line = 0;
   for (std::size_t k = 0; k < padded; ++k) {
     const bool empty = area[k] == 0.0f;
-    foot_x[k] = x + (empty ? first + cell * float(int(k) % row) : at_x[k]);
-    foot_y[k] = y + (empty ? first + cell * float(std::min(int(k) / row, row - 1)) : at_y[k]);
+    foot_x[k] = x + (empty ? first + cell * float(column) : at_x[k]);
+    foot_y[k] = y + (empty ? first + cell * float(std::min(line, row - 1)) : at_y[k]);
+    if (++column == row) column = 0, ++line;
   }
 }
 
