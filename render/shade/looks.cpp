@@ -56,7 +56,7 @@ bool literals_of(std::span<const AreaStep> program, std::vector<int>& to) {
 void Looks::begin(const PaintTable& paints) {
   paints_ = &paints;
   words_ = int(paints.layers.size() + 63) / 64;
-  looks_.clear(), steps_.clear();
+  looks_.clear(), steps_.clear(), bows_.clear();
   table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
   opaque_.assign(std::size_t(words_), 0);
   conjunctions_.clear(), literals_.clear();
@@ -327,9 +327,10 @@ int Looks::known_or_new(std::size_t first_step) {
   bool tip = false;
   const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
   const auto steps = std::span(steps_).subspan(first_step);
+  const int first_bow = int(bows_.size()), bows = note_bows(steps);
   looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected, tip,
                     neglected > 0.0 || formed_by(steps), dense_by(steps), int(first_step),
-                    int(steps_.size() - first_step), hash});
+                    int(steps_.size() - first_step), first_bow, bows, hash});
   return table_[i];
 }
 

@@ -76,7 +76,13 @@ class Looks final : public LookRule {
     double neglected;
     bool tip, formed, dense;
     int first, count;
+    int first_bow, bows;
     std::uint64_t hash;
+  };
+  /// A radial ramp, seen from afar: how its place bends.
+  struct Bow {
+    const PaintField* field;
+    double slope;  ///< what the ramp changes by per pixel
   };
   struct Lie {
     int zone = 0;
@@ -102,6 +108,7 @@ class Looks final : public LookRule {
   int known_or_new(std::size_t first_step);
   // looks_neglected.cpp
   double slope_of(const LookStep& step) const;
+  int note_bows(std::span<const LookStep> steps);
   double neglected_by(std::span<const LookStep> steps, bool& tip);
   bool formed_by(std::span<const LookStep> steps) const;
   bool dense_by(std::span<const LookStep> steps) const;
@@ -110,6 +117,7 @@ class Looks final : public LookRule {
   int words_ = 0;
   std::vector<Look> looks_;
   std::vector<LookStep> steps_;
+  std::vector<Bow> bows_;
   std::vector<int> table_;  ///< of looks by hash, open addressing
 
   // Layers of outlines: those whose program or paint reads them.

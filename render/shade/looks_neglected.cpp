@@ -62,18 +62,29 @@ bool Looks::dense_by(std::span<const LookStep> steps) const {
   });
 }
 
-double Looks::neglected_near(int look, glm::dvec2 p, bool part, double least) const {
-  double sum = 0.0;
-  for (const LookStep& step : steps(look)) {
+/// Notes the radial ramps that are not lit; returns their number.
+int Looks::note_bows(std::span<const LookStep> steps) {
+  const std::size_t before = bows_.size();
+  for (const LookStep& step : steps) {
     if (step.kind != Kind::paint || step.zone >= 0) continue;
     const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
     if (field.kind != PaintField::Kind::radial) continue;
-    const double slope = slope_of(step), bend = part ? 0.03 * slope : 0.0;
+    bows_.push_back({&field, slope_of(step)});
+  }
+  return int(bows_.size() - before);
+}
+
+double Looks::neglected_near(int look, glm::dvec2 p, bool part, double least) const {
+  const Look& of = looks_[std::size_t(look)];
+  double sum = 0.0;
+  for (int i = of.first_bow; i < of.first_bow + of.bows; ++i) {
+    const auto& [field, slope] = bows_[std::size_t(i)];
+    const double bend = part ? 0.03 * slope : 0.0;
     // r is at least the distance times the smaller radius over the larger one.
-    const glm::dvec2 way = p - field.center;
-    const double near2 = glm::dot(way, way) * field.narrow * field.narrow;
+    const glm::dvec2 way = p - field->center;
+    const double near2 = glm::dot(way, way) * field->narrow * field->narrow;
     if (0.02 * slope + bend * std::sqrt(near2) < least * near2) continue;
-    const double r = std::max(field.at(p, 0.0) / field.per_pixel, 0.5);
+    const double r = std::max(field->at(p, 0.0) / field->per_pixel, 0.5);
     sum += 0.02 * slope / (r * r) + bend / r;
   }
   return sum;
