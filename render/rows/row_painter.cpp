@@ -277,7 +277,9 @@ void RowPainter::run_of(int look, int from, int until) {
 /// Where what is neglected would show in some pixels, these are divided into cells.
 void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   const double neglected = looks_->neglected(look);
-  const bool tip = looks_->has_tip(look);
+  const bool tip = looks_->has_tip(look) &&
+                   looks_->neglects_near(look, from + 0.5, from + count - 0.5, y_ + 0.5, least_);
+  if (!tip && neglected == 0.0 && !note_) return;
   rough_.clear();
   for (int i = 0; i < count; ++i) {
     const auto k = std::size_t(i);
@@ -314,7 +316,7 @@ glm::vec4 RowPainter::part(const Open& o, int column, int side) {
   const float x = std::clamp(o.mx * up, -0.4999f, 0.4999f),
               y = std::clamp(o.my * up, -0.4999f, 0.4999f);
   const double area = std::min(double(std::abs(o.area)), 1.0);
-  if (!looks_->formed(o.look))
+  if (!looks_->formed(o.look) || (side == 0 && looks_->plain(o.look)))
     return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area);
   stretches_.clear();
   for (const auto& [look, stretch] : formed_)

@@ -2,6 +2,7 @@
 #include "render/shade/ramp_lanes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mien {
@@ -58,14 +59,13 @@ void lay_group(ColorRow& to, const ColorRow& group, MixMode mode, float opacity,
   }
 }
 
-void lay(const RampSegment& s, const float* t, int count, ColorRow& to) {
+RampLanes ramp_lanes(const RampSegment& s) {
   const auto& p = s.at;
   const auto& q = s.slope;
-  lay_ramp({{float(p.r), float(p.g), float(p.b), float(p.a)},
-            {float(q.r), float(q.g), float(q.b), float(q.a)},
-            float(s.from),
-            float(s.to)},
-           t, count, to.r.data(), to.g.data(), to.b.data(), to.a.data());
+  return {{float(p.r), float(p.g), float(p.b), float(p.a)},
+          {float(q.r), float(q.g), float(q.b), float(q.a)},
+          float(s.from),
+          float(s.to)};
 }
 
 /// Mean t around (x + from + i, y).
@@ -121,7 +121,8 @@ void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
     along_distance(varied, at, t_.data());
   else
     along(varied.paint.field, at.first.x, at.first.y, at.from, at.count, at.area / 12, t_.data());
-  mien::lay(segment, t_.data(), at.count, to);
+  lay_ramp(ramp_lanes(segment), t_.data(), at.count, to.r.data(), to.g.data(), to.b.data(),
+           to.a.data());
 }
 
 /// Mean t along a distance.
@@ -207,6 +208,28 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
                lit_.a.data(), lit_scratch_);
   }
   lay_group(to, lit_, MixMode::normal, 1.0f, at.count);
+}
+
+/// What places() makes of one place, bit by bit, without its planes.
+glm::vec4 LookShader::plain_part(int look, double x, double y, double area) const {
+  constexpr std::size_t kLanes = 1 + kColorSpare;
+  std::array<float, kLanes> t{}, r{}, g{}, b{}, a{};
+  for (const LookStep& step : looks_->steps(look)) {
+    const Mix& mix = step.mix;
+    if (step.kind == Kind::open) {
+      r[0] = float(mix.r), g[0] = float(mix.g), b[0] = float(mix.b), a[0] = float(mix.a);
+    } else if (step.kind == Kind::over) {
+      const float keep = float(1.0 - mix.a);
+      r[0] = r[0] * keep + float(mix.r), g[0] = g[0] * keep + float(mix.g);
+      b[0] = b[0] * keep + float(mix.b), a[0] = a[0] * keep + float(mix.a);
+    } else {
+      const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+      along(varied.paint.field, x, y, 0, 1, area / 12, t.data());
+      lay_ramp(ramp_lanes(looks_->segment(step)), t.data(), 1, r.data(), g.data(), b.data(),
+               a.data());
+    }
+  }
+  return {r[0], g[0], b[0], a[0]};
 }
 
 const ColorRow& LookShader::places(int look, const Places& at) {

@@ -32,6 +32,7 @@ class LookShader {
   static constexpr int kBlock = 64;
   /// A part of a pixel, by its centroid and area; of a look that asks for it, by its form.
   glm::vec4 part(int look, double x, double y, double area, const PartForm* form = nullptr) {
+    if (looks_->plain(look)) return plain_part(look, x, y, area);
     const ColorRow& c = places(look, {{x, y}, 0, 1, area, form});
     return {c.r[0], c.g[0], c.b[0], c.a[0]};
   }
@@ -52,6 +53,7 @@ class LookShader {
     const PartCells* cells = nullptr;  ///< of the pixel at `first`, instead of all of it
   };
   const ColorRow& places(int look, const Places& at);
+  glm::vec4 plain_part(int look, double x, double y, double area) const;
   void lay(const LookStep& step, const Places& at, ColorRow& to);
   void lay_lit(const LookStep& step, const Places& at, ColorRow& to);
   void along_distance(const VariedPaint& varied, const Places& at, float* t);

@@ -328,9 +328,17 @@ int Looks::known_or_new(std::size_t first_step) {
   const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
   const auto steps = std::span(steps_).subspan(first_step);
   const int first_bow = int(bows_.size()), bows = note_bows(steps);
-  looks_.push_back({constant ? steps_[first_step].mix : Mix{0.0}, neglected, tip,
-                    neglected > 0.0 || formed_by(steps), dense_by(steps), int(first_step),
-                    int(steps_.size() - first_step), first_bow, bows, hash});
+  looks_.push_back({.mix = constant ? steps_[first_step].mix : Mix{0.0},
+                    .neglected = neglected,
+                    .tip = tip,
+                    .formed = neglected > 0.0 || formed_by(steps),
+                    .dense = dense_by(steps),
+                    .plain = plain_by(steps),
+                    .first = int(first_step),
+                    .count = int(steps.size()),
+                    .first_bow = first_bow,
+                    .bows = bows,
+                    .hash = hash});
   return table_[i];
 }
 

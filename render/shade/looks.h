@@ -62,9 +62,13 @@ class Looks final : public LookRule {
   /// The variance of a part is not that of a square (0.03 s / r), and a whole pixel neglects at most 0.02 s / r²,
   /// the tip's own share at the centre included. [px] Less than `least` may be returned as 0.
   double neglected_near(int look, glm::dvec2 p, bool part, double least) const;
+  /// Whether that is anything for any whole pixel of a row, with middles from `from` to `to`.
+  bool neglects_near(int look, double from, double to, double y, double least) const;
   /// Whether its mean over a part of a pixel may need the part's form: it is lit, goes by a distance, or means by
   /// centroids neglect something.
   bool formed(int look) const { return looks_[std::size_t(look)].formed; }
+  /// Whether it is nothing but linear and radial ramps, unlit, and colours over each other: without groups and modes.
+  bool plain(int look) const { return looks_[std::size_t(look)].plain; }
   /// Whether cells do not help either: one of its gradients has more stops than can be resolved.
   bool dense(int look) const { return looks_[std::size_t(look)].dense; }
   /// Whether a radial ramp's centre may lie in it.
@@ -74,7 +78,7 @@ class Looks final : public LookRule {
   struct Look {
     Mix mix;
     double neglected;
-    bool tip, formed, dense;
+    bool tip, formed, dense, plain;
     int first, count;
     int first_bow, bows;
     std::uint64_t hash;
@@ -112,6 +116,7 @@ class Looks final : public LookRule {
   double neglected_by(std::span<const LookStep> steps, bool& tip);
   bool formed_by(std::span<const LookStep> steps) const;
   bool dense_by(std::span<const LookStep> steps) const;
+  bool plain_by(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;

@@ -62,6 +62,19 @@ bool Looks::dense_by(std::span<const LookStep> steps) const {
   });
 }
 
+bool Looks::plain_by(std::span<const LookStep> steps) const {
+  const auto is_ramp = [&](const LookStep& step) {
+    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
+    return step.zone < 0 && !varied.dense && varied.paint.ramp &&
+           varied.paint.field.kind != PaintField::Kind::distance;
+  };
+  const auto opens = [](const LookStep& step) { return step.kind == Kind::open; };
+  return std::count_if(steps.begin(), steps.end(), opens) == 1 &&
+         std::all_of(steps.begin(), steps.end(), [&](const LookStep& step) {
+           return step.mode == MixMode::normal && (step.kind != Kind::paint || is_ramp(step));
+         });
+}
+
 /// Notes the radial ramps that are not lit; returns their number.
 int Looks::note_bows(std::span<const LookStep> steps) {
   const std::size_t before = bows_.size();
@@ -88,6 +101,17 @@ double Looks::neglected_near(int look, glm::dvec2 p, bool part, double least) co
     sum += 0.02 * slope / (r * r) + bend / r;
   }
   return sum;
+}
+
+bool Looks::neglects_near(int look, double from, double to, double y, double least) const {
+  const Look& of = looks_[std::size_t(look)];
+  const auto first = bows_.begin() + of.first_bow;
+  return std::any_of(first, first + of.bows, [&](const Bow& bow) {
+    const glm::dvec2 center = bow.field->center,
+                     way = glm::dvec2{std::clamp(center.x, from, to), y} - center;
+    const double narrow = bow.field->narrow;
+    return !(0.02 * bow.slope < least * (glm::dot(way, way) * narrow * narrow));
+  });
 }
 
 }  // namespace mien
