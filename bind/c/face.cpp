@@ -1,5 +1,6 @@
 // Faces, their names and numbers.
 
+#include <mien/clip_length.h>
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
@@ -131,6 +132,11 @@ int32_t mien_face_clip_count(const mien_face* face) {
 const char* mien_face_clip_name(const mien_face* face, int32_t index) {
   if (index < 0 || index >= mien_face_clip_count(face)) return "";
   return face->face.model->clips[std::size_t(index)].name.c_str();
+}
+
+double mien_face_clip_length(const mien_face* face, int32_t index) {
+  if (index < 0 || index >= mien_face_clip_count(face)) return 0;
+  return mien::clip_length(face->face.model->clips[std::size_t(index)]);
 }
 
 int32_t mien_face_vector_size(const mien_face* face) {

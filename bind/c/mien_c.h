@@ -202,8 +202,28 @@ MIEN_C_API mien_status mien_face_values_at(const mien_face* face, int32_t index,
 MIEN_C_API int32_t mien_face_clip_count(const mien_face* face);
 MIEN_C_API const char* mien_face_clip_name(const mien_face* face, int32_t index);
 
+/* How long such a clip is [s]: from then on it repeats, or rests. Infinite where it never does: chance moves it, or its
+ * curves are together again after more than an hour, or never. 0 where there is no clip. */
+MIEN_C_API double mien_face_clip_length(const mien_face* face, int32_t index);
+
 /* How many numbers the face's vector has. */
 MIEN_C_API int32_t mien_face_vector_size(const mien_face* face);
+
+/* ---- Face files with other numbers ------------------------------------------------------------- */
+
+/* Where a face file's text says its values, as JSON pointers (RFC 6901): a text for each name of mien_face_name_at, in its
+ * order, "/features/12/spine/1". Two sides that the file writes once have the same one. It is "" where the file does not
+ * hold the value: of controls, whose values are poses, and of all names of a recipe. `name` stands for the file's name in
+ * errors, NULL: "face". */
+MIEN_C_API mien_status mien_face_pointers(const char* text, size_t length, const char* name,
+                                          size_t name_length, mien_texts** out, mien_error** error);
+
+/* A face file's text with other values: settings[i], which ends with a NUL, is "NAME=VALUE" as mien_pose_set takes it, and
+ * later ones beat earlier ones. All else keeps every byte; a side that differs from its mirror image gets an object of
+ * its own. The list's first text is the file's; the others are names that the file cannot hold. `count` is 0 or more. */
+MIEN_C_API mien_status mien_face_text_with(const char* text, size_t length, const char* name,
+                                           size_t name_length, const char* const* settings,
+                                           int32_t count, mien_texts** out, mien_error** error);
 
 /* ---- Morph targets ------------------------------------------------------------------------------ */
 

@@ -50,6 +50,7 @@ export class Face {
   readonly title: string;
   readonly credit: string;
   readonly clips: string[];
+  readonly clipLengths: Record<string, number>;
   readonly names: Name[];
   readonly canvas: Canvas;
   draw(width: number, height: number, pose?: Pose): Uint8ClampedArray;
@@ -66,6 +67,8 @@ export class Mien {
   private constructor();
   readonly version: string;
   face(text: string, name?: string): Face;
+  textWith(text: string, set: NonNullable<Pose['set']>, name?: string): { text: string; left: string[] };
+  pointers(text: string, name?: string): Record<string, string>;
   person(code: string): Face;
   crowd(word: string, count: number): string[];
   recipe(code: string): string;

@@ -46,6 +46,13 @@ class Memory {
     this.bytes[at + bytes.length] = 0;
     try { return use(at, bytes.length); } finally { this.exports.free(at); }
   }
+  /** Calls use(address) with a list of the addresses of texts, each of which ends with a NUL. */
+  withTexts(texts, use) {
+    const all = texts.map((text) => this.encoder.encode(`${text}\0`)), list = this.take(all.reduce((sum, { length }) => sum + length, 4 * all.length + 1));
+    let at = list + 4 * all.length;
+    for (const [i, bytes] of all.entries()) this.view.setUint32(list + 4 * i, at, true), this.bytes.set(bytes, at), at += bytes.length;
+    try { return use(list); } finally { this.exports.free(list); }
+  }
   text(at) {
     const bytes = this.bytes;
     return this.decoder.decode(bytes.slice(at, bytes.indexOf(0, at)));
@@ -117,6 +124,22 @@ export class Mien {
   face(text, name = 'face') {
     return this.#m.withText(text, (t, n) => this.#m.withText(name, (f, k) =>
       new Face(this, this.#m, this.made('mien_face_read_text', t, n, f, k))));
+  }
+  /** The text of a face file with other values, `set` as a pose has them: { text, left }. All else keeps every byte; a
+   *  side that differs from its mirror image gets an object of its own. `left`: names that the file cannot hold. */
+  textWith(text, set, name = 'face') {
+    const settings = Object.entries(set).map(([key, value]) => `${key}=${[value].flat().join(',')}`);
+    const [made, ...left] = this.#m.withText(text, (t, n) => this.#m.withText(name, (f, k) =>
+      this.#m.withTexts(settings, (at) => this.texts('mien_face_text_with', t, n, f, k, at, settings.length))));
+    return { text: made, left };
+  }
+  /** Where a face file's text says its values: JSON pointers (RFC 6901) by the values' names. Names that the file does not
+   *  hold are not among them. */
+  pointers(text, name = 'face') {
+    const face = this.face(text, name), names = face.names;
+    face.free();
+    const found = this.#m.withText(text, (t, n) => this.#m.withText(name, (f, k) => this.texts('mien_face_pointers', t, n, f, k)));
+    return Object.fromEntries(names.map((one, i) => [one.name, found[i]]).filter(([, pointer]) => pointer));
   }
   /** The person of a code. */
   person(code) {
@@ -205,6 +228,12 @@ export class Face {
   get clips() {
     const { exports } = this.#m;
     return Array.from({ length: exports.mien_face_clip_count(this.#face) }, (_, i) => this.#m.text(exports.mien_face_clip_name(this.#face, i)));
+  }
+  /** [s] How long each clip is, by its name: from then on it repeats, or rests. Infinity: it never does, for chance moves
+   *  it, or its curves do not come together again. */
+  get clipLengths() {
+    const { exports } = this.#m;
+    return Object.fromEntries(this.clips.map((name, i) => [name, exports.mien_face_clip_length(this.#face, i)]));
   }
   /** What can be set: { name, unit, isControl, isPose, count, begin, lo, hi, values }, controls first. `begin` is a
    *  slice's place in vector(), -1 of a control; values are at rest. */

@@ -28,8 +28,8 @@ const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 
 const Wrong kWrongs[] = {
     {{},
      2,
-     "a command is needed: render, check, scene, list, bench, animate, morph, mesh, pca, import, "
-     "fit, sheet, new, code, parts, chernoff, stimuli, studio; "
+     "a command is needed: render, check, scene, list, set, bench, animate, morph, mesh, pca, "
+     "import, fit, sheet, new, code, parts, chernoff, stimuli, studio; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\""},

@@ -17,6 +17,7 @@ struct Run {
   int operator()(const CheckArguments& arguments) const { return check_command(arguments); }
   int operator()(const SceneArguments& arguments) const { return scene_command(arguments); }
   int operator()(const ListArguments& arguments) const { return list_command(arguments); }
+  int operator()(const SetArguments& arguments) const { return set_command(arguments); }
   int operator()(const PcaArguments& arguments) const { return pca_command(arguments); }
   int operator()(const MorphArguments& arguments) const { return morph_command(arguments); }
   int operator()(const MeshArguments& arguments) const { return mesh_command(arguments); }

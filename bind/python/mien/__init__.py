@@ -12,7 +12,7 @@ a ValueError with an address and a sentence. The work is done by libmien_c; whil
 """
 from . import distance, people
 from ._basis import Basis, fit_basis, read_basis
-from ._face import Canvas, Face, Name, Posed, Svg, from_code, read_face, read_face_text
+from ._face import Canvas, EditedText, Face, Name, Posed, Svg, face_pointers, face_text_with, from_code, read_face, read_face_text
 from ._library import Cancelled, Error
 from ._library import lib as _lib
 from ._library import text as _text
@@ -20,5 +20,5 @@ from ._picture import Renderer, Stats
 from .people import crowd
 
 __version__: str = _text(_lib.mien_version_text())
-__all__ = ["Basis", "Cancelled", "Canvas", "Error", "Face", "Name", "Posed", "Renderer", "Stats", "Svg", "crowd", "distance", "fit_basis", "from_code", "people",
-           "read_basis", "read_face", "read_face_text"]
+__all__ = ["Basis", "Cancelled", "Canvas", "EditedText", "Error", "Face", "Name", "Posed", "Renderer", "Stats", "Svg", "crowd", "distance", "face_pointers", "face_text_with", "fit_basis", "from_code",
+           "people", "read_basis", "read_face", "read_face_text"]

@@ -30,6 +30,13 @@ class Svg(NamedTuple):
     simplified: tuple[str, ...]  # what SVG cannot say, a sentence each with the layer's name
 
 
+class EditedText(NamedTuple):
+    """A face file with other values."""
+
+    text: str
+    left: tuple[str, ...]  # names that the file cannot hold
+
+
 class Canvas(NamedTuple):
     """What a picture of a face shows [face units]."""
 
@@ -101,6 +108,11 @@ class Face:
         """The names of the clips that it can run."""
         count = lib.mien_face_clip_count(self._handle.value)
         return tuple(text(lib.mien_face_clip_name(self._handle.value, i)) for i in range(count))
+
+    @property
+    def clip_lengths(self) -> Mapping[str, float]:
+        """How long each clip is [s]: from then on it repeats, or rests; infinite where it never does."""
+        return MappingProxyType({name: lib.mien_face_clip_length(self._handle.value, i) for i, name in enumerate(self.clips)})
 
     @property
     def emotions(self) -> tuple[str, ...]:
@@ -358,6 +370,28 @@ def read_face_text(words: Union[str, bytes], name: str = "face") -> Face:
     """The same from memory; `name` stands for the file's name in errors."""
     raw = words if isinstance(words, bytes) else utf8(words)[0]
     return Face(Handle(lib.mien_face_free, lib.mien_face_read_text, raw, len(raw), *utf8(name)))
+
+
+def face_pointers(words: Union[str, bytes], name: str = "face") -> dict[str, str]:
+    """Where a face file's text says its values: JSON pointers (RFC 6901) by the values' names.
+
+    Two sides that the file writes once have the same one. Names that the file does not hold are not among them: controls,
+    whose values are poses, and all names of a recipe.
+    """
+    face = read_face_text(words, name)
+    raw = words if isinstance(words, bytes) else utf8(words)[0]
+    return {known: at for known, at in zip(face.names, texts(lib.mien_face_pointers, raw, len(raw), *utf8(name))) if at}
+
+
+def face_text_with(words: Union[str, bytes], set: Mapping[str, Value], name: str = "face") -> EditedText:
+    """A face file's text with other values; all else keeps every byte.
+
+    `set` is that of `Face.pose`. A side that differs from its mirror image gets an object of its own.
+    """
+    raw = words if isinstance(words, bytes) else utf8(words)[0]
+    settings = (ctypes.c_char_p * len(set))(*(utf8(f"{one}={_value_text(value)}")[0] for one, value in set.items()))
+    made, *left = texts(lib.mien_face_text_with, raw, len(raw), *utf8(name), settings, len(set))
+    return EditedText(made, tuple(left))
 
 
 def from_code(code: str) -> Face:

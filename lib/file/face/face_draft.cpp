@@ -21,11 +21,14 @@ std::string author_name(const Slice& slice) {
 }  // namespace
 
 int FaceDraft::add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
-                         std::span<const double> values) {
+                         std::span<const double> values, Written how) {
   if (vector.size() + values.size() > in.limits.numbers)
     in.refuse(node,
               fmt::format("more than {} numbers in the face (limit: numbers)", in.limits.numbers));
   vector.insert(vector.end(), values.begin(), values.end());
+  if (places)
+    places->push_back(
+        {how == Written::nowhere ? -1 : in.tree.index(node), how == Written::mirrored});
   return model.layout.add(std::move(name), kind, int(values.size()));
 }
 

@@ -3,6 +3,7 @@
 
 #include <mien/face_model.h>
 #include <mien/letters.h>
+#include "lib/file/face/placed_face_private.h"
 #include "lib/file/json/reading.h"
 
 #include <array>
@@ -24,6 +25,13 @@ struct DriveTarget {
   int slice;
   bool mirrored;
 };
+
+/// How a file's node says a slice's numbers: as they are, those of the other side, or not at all.
+enum class Written : unsigned char { plain, mirrored, nowhere };
+
+inline Written written(bool mirrored) {
+  return mirrored ? Written::mirrored : Written::plain;
+}
 
 /// A channel of a control, and the side it acts on.
 struct SidedChannel {
@@ -51,9 +59,11 @@ struct FaceDraft {
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
   std::unordered_set<std::string> mirrored_eyes;
 
-  /// Appends a slice with its values at rest; `node` is where they stand.
+  SlicePlaces* places = nullptr;  ///< where each slice stands; null: nobody asks
+
+  /// Appends a slice with its values at rest; `node` is where they stand, `how` the file says them.
   int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
-                std::span<const double> values);
+                std::span<const double> values, Written how = Written::plain);
 
   /// The slice that an author's name ("opening/upper") refers to on a side; if there is none, the slice
   /// without a side; −1: none.

@@ -53,7 +53,8 @@ Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel&
   return {int(in.word(node, "clip", known))};
 }
 
-Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters);
+Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
+               SlicePlaces* places);
 
 /// A recipe, put together and read.
 Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings,
@@ -64,11 +65,12 @@ Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<E
   if (!tree) throw Refusal{tree.error()};
   if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
   Reading in(*tree, limits, warnings);
-  return read_root(in, nullptr, letters);
+  return read_root(in, nullptr, letters, nullptr);
 }
 
-/// `folder`: where a recipe's own parts lie.
-Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters) {
+/// `folder`: where a recipe's own parts lie. `places`: of the slices, which a recipe has none of; null: nobody asks.
+Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
+               SlicePlaces* places) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   const JsonNode* version = in.find(root, "format_version");
@@ -81,7 +83,7 @@ Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& 
   if (check_format(in, root) == 2)
     return read_composed(read_recipe(in, root, folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
-  draft.letters = &letters;
+  draft.letters = &letters, draft.places = places;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
   if (const JsonNode* name = in.find(root, "name")) model.name = in.string(*name);
@@ -115,8 +117,8 @@ Error too_long(std::string_view name, const FaceLimits& limits) {
 }
 
 /// Whatever ends the reading as an error.
-template <class Read>
-Expected<Face> read_safely(std::string_view name, Read&& read) {
+template <class Made, class Read>
+Expected<Made> read_safely(std::string_view name, Read&& read) {
   try {
     return read();
   } catch (const Refusal& refusal) {
@@ -128,21 +130,29 @@ Expected<Face> read_safely(std::string_view name, Read&& read) {
   }
 }
 
-/// `folder`: of the file that it was in; null: in none.
-Expected<Face> read_text(std::string_view text, std::string_view name,
-                         const std::filesystem::path* folder, const FaceLimits& limits,
-                         std::vector<Error>* warnings, const Letters& letters) {
-  if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
-    return too_long(name, limits);
-  return read_safely(name, [&]() -> Expected<Face> {
-    const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
-    if (!tree) return tree.error();
-    Reading in(*tree, limits, warnings);
-    return read_root(in, folder, letters);
-  });
+/// The face alone.
+Expected<Face> face_of(Expected<PlacedFace> read) {
+  if (!read) return read.error();
+  return std::move(read->face);
 }
 
 }  // namespace
+
+Expected<PlacedFace> read_placed_face(std::string_view text, std::string_view name,
+                                      const std::filesystem::path* folder, const FaceLimits& limits,
+                                      const Letters& letters, std::vector<Error>* warnings) {
+  if (text.size() > limits.bytes || text.size() > std::numeric_limits<std::uint32_t>::max())
+    return too_long(name, limits);
+  return read_safely<PlacedFace>(name, [&]() -> Expected<PlacedFace> {
+    Expected<JsonTree> tree = JsonTree::read(text, name, limits);
+    if (!tree) return tree.error();
+    Reading in(*tree, limits, warnings);
+    SlicePlaces places;
+    Face face = read_root(in, folder, letters, &places);
+    places.resize(face.model->layout.slices().size());
+    return PlacedFace{*std::move(tree), std::move(face), std::move(places)};
+  });
+}
 
 Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
                          std::vector<Error>* warnings, const Letters& letters) {
@@ -150,7 +160,7 @@ Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& li
     const Expected<std::string> text = read_bytes(path, limits.bytes);
     if (!text) return text.error();
     const std::filesystem::path folder = path.parent_path();
-    return read_text(*text, path.string(), &folder, limits, warnings, letters);
+    return face_of(read_placed_face(*text, path.string(), &folder, limits, letters, warnings));
   } catch (const std::exception& e) {
     return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
   }
@@ -159,13 +169,13 @@ Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& li
 Expected<Face> read_face_text(std::string_view text, std::string_view name,
                               const FaceLimits& limits, std::vector<Error>* warnings,
                               const Letters& letters) {
-  return read_text(text, name, nullptr, limits, warnings, letters);
+  return face_of(read_placed_face(text, name, nullptr, limits, letters, warnings));
 }
 
 Expected<Face> face_from_recipe(const Recipe& recipe, const Letters& letters) {
-  return read_safely(recipe.name.empty() ? "composed face" : recipe.name, [&]() -> Expected<Face> {
-    return read_composed(recipe, {}, nullptr, letters);
-  });
+  return read_safely<Face>(
+      recipe.name.empty() ? "composed face" : recipe.name,
+      [&]() -> Expected<Face> { return read_composed(recipe, {}, nullptr, letters); });
 }
 
 }  // namespace mien

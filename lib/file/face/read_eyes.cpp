@@ -61,7 +61,8 @@ class EyeReader {
     const JsonNode& node = need(key);
     const std::vector<double> values =
         read_slice_values(in_, node, kind, size, size, face_.model.canvas, is_mirrored(key));
-    return face_.add_slice(in_, node, fmt::format("{}/{}", eye_.name, key), kind, values);
+    return face_.add_slice(in_, node, fmt::format("{}/{}", eye_.name, key), kind, values,
+                           written(is_mirrored(key)));
   }
   double value(int slice) const {
     return face_.vector[std::size_t(face_.model.layout[slice].begin)];
@@ -180,7 +181,7 @@ class EyeReader {
       const int slice = face_.add_slice(
           in_, node,
           fmt::format("{}/{}_shift/{}", name, i < kBends ? "upper" : "lower", i % kBends),
-          SliceKind::shift, std::array{0.0, 0.0});
+          SliceKind::shift, std::array{0.0, 0.0}, Written::nowhere);
       if (i == 0) opening.shifts = slice;
     }
     eye_.shifts = opening.shifts;
@@ -264,7 +265,7 @@ class EyeReader {
   int add_dome_slices(const JsonNode& node) {
     const auto slice = [&](std::string_view part, SliceKind kind, int size) {
       return face_.add_slice(in_, node, fmt::format("{}/dome/{}", eye_.name, part), kind,
-                             std::vector<double>(std::size_t(size)));
+                             std::vector<double>(std::size_t(size)), Written::nowhere);
     };
     const int first = slice("center", SliceKind::point, 2);
     slice("radii", SliceKind::length, 2);

@@ -29,7 +29,8 @@ class PartReader {
       return face_.reference(in_, value, place_.side, kind, least);
     const std::vector<double> numbers =
         read_slice_values(in_, value, kind, least, most, face_.model.canvas, place_.mirrored);
-    return face_.add_slice(in_, value, fmt::format("{}/{}", name_, key), kind, numbers);
+    return face_.add_slice(in_, value, fmt::format("{}/{}", name_, key), kind, numbers,
+                           written(place_.mirrored));
   }
   int slice(std::string_view key, SliceKind kind, int size) { return slice(key, kind, size, size); }
   int optional(std::string_view key, SliceKind kind, int size) {

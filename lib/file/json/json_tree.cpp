@@ -190,7 +190,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 /// One step of a JSON pointer.
 std::string escaped(std::string_view key) {
   std::string step;
-  for (const char c : one_line(key, 60)) {
+  for (const char c : key) {
     if (c == '~')
       step += "~0";
     else if (c == '/')
@@ -246,9 +246,8 @@ std::string JsonTree::where(std::size_t offset) const {
 }
 
 const JsonTree::Origin* JsonTree::origin_of(const JsonNode& node) const {
-  const auto index = std::int32_t(&node - nodes.data());
   const auto found = std::find_if(origins_.begin(), origins_.end(),
-                                  [&](const Origin& o) { return o.node == index; });
+                                  [&](const Origin& o) { return o.node == index(node); });
   return found == origins_.end() ? nullptr : &*found;
 }
 
@@ -279,16 +278,17 @@ std::string JsonTree::where(const JsonNode& node, bool at_key) const {
   if (!origins_.empty())
     for (const JsonNode* above = &node; above; above = at(above->parent))
       if (const Origin* origin = origin_of(*above)) return where_in(*origin, node);
-  const std::string steps = pointer(node);
+  constexpr std::size_t kLongestKey = 60;
+  const std::string steps = pointer(node, kLongestKey);
   const std::string place = where(std::size_t(at_key ? node.key_offset : node.offset));
   return steps.empty() ? place : place + ": " + steps;
 }
 
-std::string JsonTree::pointer(const JsonNode& node) const {
+std::string JsonTree::pointer(const JsonNode& node, std::optional<std::size_t> longest) const {
   std::vector<std::string> steps;
   for (const JsonNode* child = &node; child->parent >= 0; child = at(child->parent)) {
     if (child->key >= 0) {
-      steps.push_back(escaped(key(*child)));
+      steps.push_back(escaped(longest ? one_line(key(*child), *longest) : key(*child)));
       continue;
     }
     int index = 0;

@@ -63,6 +63,7 @@ class JsonTree {
   const JsonNode* at(std::int32_t index) const {
     return index < 0 ? nullptr : &nodes[std::size_t(index)];
   }
+  std::int32_t index(const JsonNode& node) const { return std::int32_t(&node - nodes.data()); }
   const JsonNode* first(const JsonNode& node) const { return at(node.first); }
   const JsonNode* next(const JsonNode& node) const { return at(node.next); }
   const JsonNode* member(const JsonNode& object, std::string_view key) const;
@@ -86,8 +87,8 @@ class JsonTree {
   std::string where(const JsonNode& node, bool at_key = false) const;
   /// "NAME:LINE:COLUMN" of a byte; columns count characters.
   std::string where(std::size_t offset) const;
-  /// RFC 6901; "" for the root.
-  std::string pointer(const JsonNode& node) const;
+  /// RFC 6901; "" for the root. `longest`: keys of more characters are cut, for people.
+  std::string pointer(const JsonNode& node, std::optional<std::size_t> longest = {}) const;
 
   /// Says that a value was made from one of another tree, which must outlive this one: the places of what is in it are
   /// that one's.

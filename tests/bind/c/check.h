@@ -32,6 +32,7 @@ mien_scene* any_scene(void);
 
 void test_errors(void);
 void test_faces(void);
+void test_face_texts(void);
 void test_people(void);
 void test_poses(void);
 void test_scenes(void);

@@ -98,6 +98,8 @@ void test_faces(void) {
   test_canvas(face);
   CHECK(clips > 0 && mien_face_clip_name(face, 0)[0] != 0);
   CHECK(mien_face_clip_name(face, clips)[0] == 0 && mien_face_clip_name(face, -1)[0] == 0);
+  CHECK(mien_face_clip_length(face, 0) > 0);
+  CHECK(mien_face_clip_length(face, clips) == 0 && mien_face_clip_length(face, -1) == 0);
   mien_face_free(face);
 
   CHECK(mien_face_retain(NULL) == NULL);
@@ -105,4 +107,5 @@ void test_faces(void) {
   CHECK(mien_face_title(NULL)[0] == 0 && mien_face_credit(NULL)[0] == 0);
   CHECK(mien_face_name_count(NULL) == 0 && mien_face_vector_size(NULL) == 0);
   CHECK(mien_face_clip_count(NULL) == 0 && mien_face_clip_name(NULL, 0)[0] == 0);
+  CHECK(mien_face_clip_length(NULL, 0) == 0);
 }

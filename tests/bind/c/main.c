@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   face_file = argv[1];
   test_errors();
   test_faces();
+  test_face_texts();
   test_people();
   test_poses();
   test_scenes();

@@ -3,6 +3,8 @@
 import ctypes
 import doctest
 import gc
+import json
+import math
 import os
 import pathlib
 import pickle
@@ -132,6 +134,34 @@ class Faces(unittest.TestCase):
         del posed
         gc.collect()
         self.assertEqual(freed, [1])
+
+
+class FaceTexts(unittest.TestCase):
+    def test_are_edited_in_place(self):
+        words = TOON.read_text(encoding="utf-8")
+        self.assertEqual(mien.face_text_with(words, {}), (words, ()))
+        set = {"palette/skin": "#88aa66", "brow.right/spine/0": (-0.1, 0.36), "gaze.x": 0.01}
+        made = mien.face_text_with(words, set, "toon.face.json")
+        self.assertEqual(made.left, ("gaze.x",))
+        self.assertEqual(mien.read_face_text(made.text).names["brow.right/spine/0"].value, (-0.1, 0.36))
+        self.assertIn('"#88aa66"', made.text)
+        self.assertEqual(made, mien.face_text_with(words.encode(), set))
+        for bad in (lambda: mien.face_text_with(words, {"palette/skim": "#88aa66"}), lambda: mien.face_text_with("{", {}), lambda: mien.face_pointers("{")):
+            self.assertRaises(mien.Error, bad)
+
+    def test_say_where_values_stand(self):
+        words = TOON.read_text(encoding="utf-8")
+        pointers = mien.face_pointers(words)
+        self.assertEqual(pointers["palette/skin"], "/palette/skin")
+        self.assertNotIn("gaze.x", pointers)
+        at = json.loads(words)
+        for key in pointers["head/points/3"].split("/")[1:]:
+            at = at[int(key) if isinstance(at, list) else key]
+        self.assertEqual(tuple(at[:2]), toon().names["head/points/3"].value)
+
+    def test_clips_have_lengths(self):
+        person = mien.from_code(mien.people.code("hello"))
+        self.assertEqual(dict(person.clip_lengths), {"idle": math.inf, "feelings": 12})
 
 
 class Poses(unittest.TestCase):

@@ -82,6 +82,28 @@ test('poses move the picture, and rest is rest again', () => {
   face.free();
 });
 
+test('a file is edited in place, and says where its values stand', () => {
+  const toon = text('toon'), set = { 'palette/skin': '#88aa66', 'brow.right/spine/0': [-0.1, 0.36], 'gaze.x': 0.01 };
+  assert.deepEqual(mien.textWith(toon, {}), { text: toon, left: [] });
+  const { text: edited, left } = mien.textWith(toon, set, 'toon.face.json');
+  assert.deepEqual(left, ['gaze.x']);
+  assert.ok(edited.includes('"#88aa66"'));
+  const face = mien.face(edited), { begin } = face.names.find(({ name }) => name === 'brow.right/spine/0');
+  assert.deepEqual(face.vector().slice(begin, begin + 2), [-0.1, 0.36]);
+  face.free();
+  const at = mien.pointers(toon), value = at['head/points/3'].split('/').slice(1).reduce((now, key) => now[key], JSON.parse(toon));
+  assert.ok(Array.isArray(value) && !('gaze.x' in at) && at['palette/skin'] === '/palette/skin');
+  assert.throws(() => mien.textWith(toon, { 'palette/skim': '#000000' }), (e) => e instanceof MienError && e.what.includes('palette/skin'));
+  assert.throws(() => mien.textWith('{', {}, 'a.json'), (e) => e.where.startsWith('a.json:1'));
+});
+
+test('clips have lengths', () => {
+  const face = mien.person(mien.code('hello'));
+  assert.deepEqual(Object.keys(face.clipLengths), face.clips);
+  assert.deepEqual(face.clipLengths, { idle: Infinity, feelings: 12 });
+  face.free();
+});
+
 test('a face is an SVG file', () => {
   const face = mien.person(mien.code('hello'));
   const { text, simplified } = face.svg(300, 200, { background: '#102030' }, { idPrefix: 'a-' });

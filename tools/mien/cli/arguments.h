@@ -108,6 +108,12 @@ struct StimuliArguments {
   std::string plan, output;
 };
 
+/// mien set.
+struct SetArguments {
+  std::string face, output;
+  std::vector<std::string> settings;
+};
+
 struct ListArguments {
   std::string face;
 };

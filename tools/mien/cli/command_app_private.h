@@ -22,6 +22,7 @@ struct CommandApp {
   CheckArguments check;
   SceneArguments scene;
   ListArguments list;
+  SetArguments set;
   PcaArguments pca;
   MorphArguments morph;
   MeshArguments mesh;

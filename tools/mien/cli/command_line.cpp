@@ -162,6 +162,21 @@ void add_list(CLI::App& app, CommandApp& command) {
   list->add_option("FACE", command.list.face, "Face file")->required()->type_name("");
 }
 
+void add_set(CLI::App& app, SetArguments& to) {
+  CLI::App* set = app.add_subcommand(
+      "set",
+      "Write a face file anew with other points, numbers and colours; all else keeps every byte");
+  set->add_option("FACE", to.face, "Face file")->required()->type_name("");
+  set->add_option("SETTINGS", to.settings,
+                  "NAME=VALUE..., as --set takes them; 'mien list FACE' names them all")
+      ->required()
+      ->type_name("")
+      ->expected(1, 1 << 16);
+  set->add_option("-o,--output", to.output, "File to write, FACE itself, too; - is standard output")
+      ->required()
+      ->type_name("FILE");
+}
+
 void add_bench(CLI::App& app, CommandApp& command) {
   CLI::App* bench =
       app.add_subcommand("bench", "Measure how long a frame takes, from pose to pixels");
@@ -226,6 +241,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("animate")) return std::move(command.animate);
   if (app.got_subcommand("scene")) return std::move(command.scene);
   if (app.got_subcommand("list")) return std::move(command.list);
+  if (app.got_subcommand("set")) return std::move(command.set);
   if (app.got_subcommand("import")) return std::move(command.import);
   if (app.got_subcommand("fit")) return std::move(command.fit);
   if (app.got_subcommand("sheet")) return std::move(command.sheet);
@@ -307,6 +323,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_check(app, made->check);
   add_scene(app, *made);
   add_list(app, *made);
+  add_set(app, made->set);
   add_bench(app, *made);
   add_animate(app, made->animate);
   add_morph(app, made->morph);

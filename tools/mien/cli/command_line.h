@@ -21,9 +21,10 @@ struct WrongUse {
 
 using CommandLine =
     std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
-                 ListArguments, PcaArguments, MorphArguments, MeshArguments, AnimateArguments,
-                 ImportArguments, FitArguments, SheetArguments, NewArguments, CodeArguments,
-                 PartsArguments, ChernoffArguments, StimuliArguments, StudioArguments>;
+                 ListArguments, SetArguments, PcaArguments, MorphArguments, MeshArguments,
+                 AnimateArguments, ImportArguments, FitArguments, SheetArguments, NewArguments,
+                 CodeArguments, PartsArguments, ChernoffArguments, StimuliArguments,
+                 StudioArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

@@ -15,6 +15,7 @@ int check_command(const CheckArguments& arguments);
 int nonsense_command(const CheckArguments& arguments);
 int scene_command(const SceneArguments& arguments);
 int list_command(const ListArguments& arguments);
+int set_command(const SetArguments& arguments);
 int pca_command(const PcaArguments& arguments);
 int morph_command(const MorphArguments& arguments);
 int mesh_command(const MeshArguments& arguments);

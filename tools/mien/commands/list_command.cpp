@@ -1,6 +1,7 @@
 // Every name of a face, as columns: what --set takes; then the poses that --pose takes, and the clips
 // that --clip takes.
 
+#include <mien/clip_length.h>
 #include <mien/face_model.h>
 #include <mien/pose.h>
 #include "tools/mien/commands/commands.h"
@@ -54,10 +55,8 @@ std::string table(const std::vector<Row>& rows) {
 
 /// The time until a curve repeats or ends.
 double length_of(const Curve& curve) {
-  if (const auto* keys = std::get_if<KeyCurve>(&curve))
-    return keys->period > 0 ? keys->period : keys->keys.back().time;
-  if (const auto* wander = std::get_if<WanderCurve>(&curve)) return wander->period;
-  return 2 * M_PI / std::fabs(std::get<SineCurve>(curve).frequency);
+  const auto* keys = std::get_if<KeyCurve>(&curve);
+  return keys && keys->period == 0 ? keys->keys.back().time : period_of(curve);
 }
 
 std::string clip_line(const FaceModel& model, Index<Clip> index) {

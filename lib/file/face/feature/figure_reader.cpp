@@ -43,7 +43,7 @@ int FigureReader::add(const JsonNode& node, std::string_view part, SliceKind kin
                       bool mirrored) {
   const std::vector<double> values =
       read_slice_values(in_, node, kind, size, size, face_.model.canvas, mirrored);
-  return face_.add_slice(in_, node, below(name_, part), kind, values);
+  return face_.add_slice(in_, node, below(name_, part), kind, values, written(mirrored));
 }
 
 int FigureReader::point(const JsonNode& node, std::string_view part, bool mirrored) {
@@ -161,7 +161,9 @@ PathFigure::Node FigureReader::path_node(const JsonNode& node, std::string_view 
   if (node.count != 3) in_.refuse(node, "expected [x, y, \"bend\"]");
   std::array<double, 2> values{in_.number(*first), in_.number(*in_.tree.next(*first))};
   if (mirrored) mirror_values(SliceKind::point, values, face_.model.canvas.twice_axis());
-  return {face_.add_slice(in_, node, below(name_, part), SliceKind::point, values), true};
+  return {
+      face_.add_slice(in_, node, below(name_, part), SliceKind::point, values, written(mirrored)),
+      true};
 }
 
 PathFigure::Loop FigureReader::loop(const JsonNode& node, std::string_view part, bool mirrored) {

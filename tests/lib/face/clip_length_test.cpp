@@ -1,0 +1,62 @@
+#include <mien/clip_length.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace mien {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+Clip clip_of(std::vector<Curve> curves) {
+  Clip clip{.name = "a", .tracks = {}};
+  for (Curve& curve : curves) clip.tracks.push_back({{0}, std::move(curve)});
+  return clip;
+}
+KeyCurve keys(double last, double period = 0, double offset = 0) {
+  return {.keys = {{0, 0}, {last, 1}}, .period = period, .offset = offset};
+}
+SineCurve sine(double period, bool absolute = false) {
+  return {.frequency = 2 * M_PI / period, .absolute = absolute};
+}
+
+TEST(ClipLength, IsThatOfTheLastKey) {
+  EXPECT_EQ(clip_length(clip_of({})), 0);
+  EXPECT_EQ(clip_length(clip_of({keys(1.5), keys(0.75)})), 1.5);
+  EXPECT_EQ(clip_length(clip_of({keys(1.5, 0, 0.25)})), 1.75);
+  EXPECT_EQ(clip_length(clip_of({keys(1.5, 0, -4)})), 0);
+}
+
+TEST(ClipLength, IsWhenAllPeriodsAreTogetherAgain) {
+  EXPECT_EQ(clip_length(clip_of({keys(1, 4)})), 4);
+  EXPECT_EQ(clip_length(clip_of({keys(1, 12), keys(1, 4)})), 12);
+  EXPECT_EQ(clip_length(clip_of({keys(1, 3), keys(1, 4), keys(1, 0.5)})), 12);
+  EXPECT_NEAR(clip_length(clip_of({keys(1, 0.1), keys(1, 0.3), keys(1, 0.7)})), 2.1, 1e-12);
+  EXPECT_NEAR(clip_length(clip_of({sine(2.5), keys(1, 1)})), 5, 1e-12);
+  EXPECT_NEAR(clip_length(clip_of({sine(5, true)})), 2.5, 1e-12);
+  EXPECT_EQ(clip_length(clip_of({keys(9), keys(1, 4)})),
+            12);  // the end of what runs once is shown, too
+  EXPECT_EQ(clip_length(clip_of({keys(1, 5000)})), 5000);
+}
+
+TEST(ClipLength, IsEndlessWhereNothingComesAgain) {
+  KeyCurve late = keys(1, 4);
+  late.jitter = 0.5;
+  EXPECT_EQ(clip_length(clip_of({late})), kEndless);
+  EXPECT_EQ(clip_length(clip_of({WanderCurve{}, keys(1)})), kEndless);
+  EXPECT_EQ(clip_length(clip_of({sine(1), sine(std::sqrt(2.0))})), kEndless);
+  EXPECT_EQ(clip_length(clip_of({keys(1, 5000), keys(1, 7)})), kEndless);
+  EXPECT_EQ(clip_length(clip_of({keys(1, 1e-300), keys(1, 7)})), 7);
+}
+
+TEST(ClipLength, OfACurveIsItsTurn) {
+  EXPECT_EQ(period_of(keys(2)), 0);
+  EXPECT_EQ(period_of(keys(2, 3)), 3);
+  EXPECT_EQ(period_of(WanderCurve{.period = 1.5}), 1.5);
+  EXPECT_EQ(period_of(SineCurve{.frequency = 0}), 0);
+}
+
+}  // namespace
+}  // namespace mien
