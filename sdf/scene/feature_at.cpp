@@ -41,9 +41,8 @@ double opacity_of(const Gradient& gradient, const Scene& scene, glm::dvec2 p) {
   const auto& stops = gradient.stops;
   const double place = std::visit(PlaceOf{scene, p}, gradient.along);
   const double at = extended_place(gradient.extend, stops.front().at, stops.back().at, place);
-  const auto after =
-      std::upper_bound(stops.begin(), stops.end(), at,
-                       [](double t, const Stop& stop) { return t < stop.at; });
+  const auto after = std::upper_bound(stops.begin(), stops.end(), at,
+                                      [](double t, const Stop& stop) { return t < stop.at; });
   if (after == stops.begin()) return stops.front().color.a;
   if (after == stops.end()) return stops.back().color.a;
   const Stop &a = *std::prev(after), &b = *after;
