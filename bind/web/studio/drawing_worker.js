@@ -19,7 +19,7 @@ const isPoint = ({ name, count }) => count === 2 && /^[^/]+\/(center|inner|upper
 function told(of, text) {
   const all = of.names, names = all.filter(({ name, isControl }) => isControl || name.startsWith('palette/'));
   const shaped = [...new Set(all.filter(isPoint).map(({ name }) => name.slice(0, name.indexOf('/'))))];
-  return { title: of.title, credit: of.credit, clips: of.clips, canvas: of.canvas, names, shaped, text };
+  return { title: of.title, credit: of.credit, clips: of.clips, clipLengths: of.clipLengths, canvas: of.canvas, names, shaped, text };
 }
 
 const answers = {
@@ -69,6 +69,13 @@ const answers = {
       small = { text, face: read };
     }
     return small.face.draw(width, height, pose).slice();
+  },
+  /** A face file's text with what a pose sets of it: { text, left }. */
+  textWith: (mien, { text, set, name }) => mien.textWith(text, set, name),
+  /** An SVG file, and what it cannot say: { text, simplified }. */
+  svg(mien, { text, name, width, height, pose }) {
+    const drawn = mien.face(text, name);
+    try { return drawn.svg(width, height, pose); } finally { drawn.free(); }
   },
   /** A PNG of any size, in strips. */
   async png(mien, { text, name, width, height, pose }, tell) {

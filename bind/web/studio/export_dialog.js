@@ -1,4 +1,4 @@
-// Export: a PNG of any size, the face's file, and the same picture in other languages.
+// Export: a PNG of any size, an SVG file, the face's file, and the same picture in other languages.
 
 import { changesOf } from './changes.js';
 import { Desk } from './desk.js';
@@ -9,10 +9,10 @@ import { FILE, LANGUAGES } from './snippets.js';
 const MOST = 32768;  // [px] of a side
 
 export class ExportDialog {
-  #dialog; #form; #language = 'Command line'; #studio; #desk = null; #aspect = 1;
+  #dialog; #form; #language = 'Command line'; #studio; #desk = null; #aspect = 1; #changes = null;
   constructor(dialog, studio) {
     this.#dialog = dialog, this.#form = dialog.querySelector('form'), this.#studio = studio;
-    const does = { close: () => dialog.close(), png: () => this.#savePng(), face: () => this.#saveFace(), cancel: () => this.#desk?.close(), copy: () => this.#copy('pre'), copyPatch: () => this.#copy('[data-for=patch]') };
+    const does = { close: () => dialog.close(), png: () => this.#savePng(), svg: () => this.#saveSvg(), face: () => this.#saveFace(), cancel: () => this.#desk?.close(), copy: () => this.#copy('pre'), copyPatch: () => this.#copy('[data-for=patch]') };
     for (const button of dialog.querySelectorAll('[data-do]')) button.onclick = does[button.dataset.do];
     this.#form.onsubmit = (event) => event.preventDefault();
     this.#form.width.oninput = () => this.#resize('width', 'height', 1 / this.#aspect);
@@ -28,7 +28,7 @@ export class ExportDialog {
     if (background?.length === 7) this.#form.color.value = background;
     this.#resize('width', 'height', 1 / this.#aspect);
     this.#showChanges();
-    this.#say('');
+    this.#say(''), this.#find('simplified').hidden = true;
     this.#dialog.showModal();
   }
 
@@ -57,7 +57,7 @@ export class ExportDialog {
   #show() {
     const size = this.#size(), { document: of, opened } = this.#studio;
     this.#form.color.parentElement.hidden = this.#form.background.value !== 'color';
-    this.#dialog.querySelector('[data-do=png]').disabled = !size;
+    for (const what of ['png', 'svg']) this.#dialog.querySelector(`[data-do=${what}]`).disabled = !size;
     this.#find('size').textContent = size ? `${(size.width * size.height / 1e6).toFixed(1)} million pixels, drawn in strips; nothing leaves this page.` : `Sides are whole numbers from 1 to ${MOST}.`;
     for (const chip of this.#find('languages').children) chip.setAttribute('aria-pressed', chip.textContent === this.#language);
     if (!size) return;
@@ -67,27 +67,48 @@ export class ExportDialog {
     this.#find('file').hidden = !text.includes(FILE);
     this.#find('file').textContent = `${FILE} is what “Save .face.json” saves.`;
   }
-  #showChanges() {
-    const { patch, left, of } = changesOf(this.#studio.document, this.#studio.opened), count = patch.length === 1 ? 'one change' : `${patch.length} changes`;
-    this.#find('changes').textContent = patch.length ? `A JSON patch (RFC 6902) of ${count} to ${of}:` : `Nothing: this is still ${of}.`;
-    this.#find('patch').hidden = this.#dialog.querySelector('[data-do=copyPatch]').hidden = !patch.length;
-    this.#find('patch').textContent = patchText(patch);
-    this.#find('left').hidden = !left.length;
-    this.#find('left').textContent = `Only in the pose, and so not in the patch: ${left.join(', ')}.`;
+  /** What has changed; said once it is known. */
+  async #showChanges() {
+    for (const name of ['changes', 'patch', 'left']) this.#find(name).textContent = '';
+    const hide = (name, on) => { this.#find(name).hidden = on; };
+    const known = this.#changes = changesOf(this.#studio.document, this.#studio.opened, this.#studio.gallery);
+    hide('patch', true), hide('left', true), this.#dialog.querySelector('[data-do=copyPatch]').hidden = true;
+    try {
+      const { patch, left, of } = await known, count = patch.length === 1 ? 'one change' : `${patch.length} changes`;
+      if (known !== this.#changes) return;
+      this.#find('patch').textContent = patchText(patch);
+      this.#find('left').textContent = `Only in the pose, and so not in the patch: ${left.join(', ')}.`;
+      hide('patch', !patch.length), hide('left', !left.length), this.#dialog.querySelector('[data-do=copyPatch]').hidden = !patch.length;
+      this.#find('changes').textContent = patch.length ? `A JSON patch (RFC 6902) of ${count} to ${of}:` : `Nothing: this is still ${of}.`;
+    } catch (refused) {
+      if (known === this.#changes) this.#find('changes').textContent = refused.message;
+    }
   }
   async #copy(which) {
     const text = this.#dialog.querySelector(which).textContent;
     this.#say(await this.#studio.copied(text) ? 'Copied.' : 'The browser does not let pages copy here: select the text instead.');
   }
-  async #savePng() {
+  #savePng() {
+    return this.#save('png', 'face.png', (blob) => blob);
+  }
+  /** Its sentences on what SVG cannot say are shown. */
+  #saveSvg() {
+    return this.#save('svg', 'face.svg', ({ text, simplified }) => {
+      this.#find('simplified').replaceChildren(...simplified.map((one) => Object.assign(document.createElement('li'), { textContent: `${one}.` })));
+      this.#find('simplified').hidden = !simplified.length;
+      return new Blob([text], { type: 'image/svg+xml' });
+    });
+  }
+  /** Draws in a worker of its own, which can be stopped, and saves what `blobOf` makes of the answer. */
+  async #save(what, file, blobOf) {
     const size = this.#size(), { document: of, opened } = this.#studio;
     this.#working(true);
     this.#desk = new Desk();
     const bar = this.#dialog.querySelector('progress');
     try {
-      const blob = await this.#desk.ask('png', { text: opened.text, name: opened.name, pose: drawnPose(of), ...size }, { tell: (share) => { bar.value = share; } });
-      this.#studio.save(blob, 'face.png');
-      this.#say(`Saved face.png, ${(blob.size / 1e6).toFixed(2)} MB.`);
+      const blob = blobOf(await this.#desk.ask(what, { text: opened.text, name: opened.name, pose: drawnPose(of), ...size }, { tell: (share) => { bar.value = share; } }));
+      this.#studio.save(blob, file);
+      this.#say(`Saved ${file}, ${(blob.size / 1e6).toFixed(2)} MB.`);
     } catch (refused) {
       this.#say(refused.message);
     }
@@ -97,12 +118,18 @@ export class ExportDialog {
   }
   #working(on) {
     this.#dialog.querySelector('progress').hidden = this.#dialog.querySelector('[data-do=cancel]').hidden = !on;
-    this.#dialog.querySelector('[data-do=png]').disabled = on;
+    for (const what of ['png', 'svg']) this.#dialog.querySelector(`[data-do=${what}]`).disabled = on;
     this.#dialog.querySelector('progress').value = 0;
-    if (on) this.#say('');
+    if (on) this.#say(''), this.#find('simplified').hidden = true;
   }
-  #saveFace() {
-    this.#studio.save(new Blob([this.#studio.opened.text], { type: 'application/json' }), FILE);
-    this.#say(`Saved ${FILE}. The pose is in the command line, not in the file.`);
+  /** The file with all that it can hold; what it cannot is said. */
+  async #saveFace() {
+    try {
+      const { text, left } = await this.#changes;
+      this.#studio.save(new Blob([text], { type: 'application/json' }), FILE);
+      this.#say(left.length ? `Saved ${FILE}. Left out, for only the pose has it: ${left.join(', ')}. The command line says it, too.` : `Saved ${FILE}.`);
+    } catch (refused) {
+      this.#say(refused.message);
+    }
   }
 }

@@ -1,13 +1,13 @@
 // The time line: which clip the face runs, and the moment of it that is seen. The document holds both; while the clip
 // plays, the moment is the clock's, and where it is stopped it is the document's again.
 
-import { clipLength, FRAMES, framesOn, rounded } from './clip_time.js';
+import { FRAMES, framesOn, rounded, shownOf } from './clip_time.js';
 import { spelled } from './words.js';
 
 const SECOND = FRAMES;  // [frames]
 
 export class TimeLine {
-  #studio; #stage; #root; #play; #clip; #bar; #field; #length; #loop; #seconds = 0; #known = {}; #of = null; #begun = null;
+  #studio; #stage; #root; #play; #clip; #bar; #field; #length; #loop; #seconds = 0; #of = null; #begun = null;
   looping = true;
   constructor(studio, stage, root) {
     this.#studio = studio, this.#stage = stage, this.#root = root;
@@ -31,21 +31,17 @@ export class TimeLine {
   }
 
   /** Another document is shown, or another face. */
-  show({ pose }, { clips, text }) {
+  show({ pose }, { clips, clipLengths }) {
     const of = JSON.stringify(clips);
     if (this.#of !== of) this.#of = of, this.#clip.replaceChildren(new Option('No clip', ''), ...clips.map((name) => new Option(spelled(name), name)));
     this.#root.classList.toggle('empty', !clips.length);
     this.#clip.value = pose.clip ?? '';
     if (!pose.clip) this.leave();
     this.#bar.disabled = this.#field.disabled = !pose.clip;
-    this.#seconds = Math.max(this.#lengthOf(text, pose.clip), pose.time);
+    this.#seconds = Math.max(shownOf(clipLengths[pose.clip]), pose.time);
     this.#bar.max = this.#seconds, this.#root.style.setProperty('--seconds', this.#seconds);
     this.#length.textContent = `/ ${this.#seconds} s`;
     this.tell();
-  }
-  #lengthOf(text, clip) {
-    if (this.#known.text !== text || this.#known.clip !== clip) this.#known = { text, clip, length: clipLength(text, clip) };
-    return this.#known.length;
   }
   /** Says the moment; where a clip that does not loop is at its end, it stops. */
   tell() {

@@ -90,6 +90,18 @@ test('the PNG has the bytes of the picture, with transparency, too', () => {
   assert.ok(ink.png.pixels.some((byte, i) => i % 4 === 3 && byte < 255));
 });
 
+test('the SVG is that of the picture, and what it cannot say is shown', async () => {
+  for (const [of, style, more] of [[plain, 'Soft', {}], [ink, 'Ink', { ...MOMENT, background: '#00000000' }]]) {
+    const wanted = mien.face(of.face).svg(WIDTH, HEIGHT, { ...POSE, ...more }), svg = (await of.saved('svg')).toString();
+    assert.equal(svg, wanted.text, style);
+    await of.on.until(() => document.querySelector('#exporting [data-for=said]').textContent.startsWith('Saved face.svg, '));
+    const told = await of.on.run(() => { const list = document.querySelector('[data-for=simplified]'); return list.hidden ? [] : Array.from(list.children, (one) => one.textContent); });
+    assert.deepEqual(told, wanted.simplified.map((one) => `${one}.`));
+    const size = await of.on.run(async () => { const image = new Image(); image.src = window.saved, await image.decode(); return [image.width, image.height]; });
+    assert.deepEqual(size, [WIDTH, HEIGHT], 'browsers show it');
+  }
+});
+
 test('its code alone is the face', async () => {
   const code = await plain.on.run(() => document.getElementById('code').value);
   equal(plain.png.pixels, mien.person(code).draw(WIDTH, HEIGHT, POSE));

@@ -84,12 +84,18 @@ test('Play takes the first clip; without a loop it stops at the end; Export stop
   assert.deepEqual(on.faults, []);
 });
 
-test('a clip is as long as its keys; one that goes on and on shows twelve seconds', async () => {
-  const { clipLength, framesOn } = await import(new URL('bind/web/studio/clip_time.js', root));
-  const text = JSON.stringify({ clips: { nod: { pitch: { keys: [[0, 0], [1.5, 4]] } }, beat: { tracks: { blink: { keys: [[0, 0]], period: 2.25 } } }, sway: { yaw: { sine: { amplitude: 3 } } } } });
-  assert.deepEqual(['nod', 'beat', 'sway', 'none'].map((clip) => clipLength(text, clip)), [1.5, 2.25, 12, 12]);
-  assert.equal(clipLength(readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'), 'idle'), 12);
+test('a clip is as long as mien says; one that goes on and on shows twelve seconds', async () => {
+  const { framesOn, shownOf } = await import(new URL('bind/web/studio/clip_time.js', root));
+  assert.deepEqual([1.5, 2.25, Infinity, undefined, 0].map(shownOf), [1.5, 2.25, 12, 12, 12]);
   assert.deepEqual([framesOn(0, 1), framesOn(0.033, 1), framesOn(1, -1)], [0.033, 0.067, 0.967]);
+  const on = await open(), file = JSON.parse(readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'));
+  file.clips = { ...file.clips, nod: { 'gaze.x': { keys: [[0, 0], [1.5, 0.02]] } }, sway: { 'gaze.x': { keys: [[0, 0], [1, 0.02]], period: 2.25 }, 'gaze.y': { keys: [[0, 0]], period: 1.5 } } };
+  await drop(on, 'toon.face.json', JSON.stringify(file));
+  await on.until((code) => document.getElementById('code').value !== code, CODE);
+  const lengths = [];
+  for (const clip of ['nod', 'sway', 'idle']) await choose(on, clip), await picture(on), lengths.push(await on.run(() => document.querySelector('.timeline [data-for=length]').textContent));
+  assert.deepEqual(lengths, ['/ 1.5 s', '/ 4.5 s', '/ 12 s']);
+  assert.deepEqual(on.faults, []);
 });
 
 /** A JSON value with a patch's operations done, as RFC 6902 says. */
@@ -104,13 +110,24 @@ function patched(value, patch) {
   return whole;
 }
 /** What Export says has changed: { said, patch, left }. */
-const changes = (on) => on.run(() => {
-  document.getElementById('export').click();
-  const [said, patch, left] = ['changes', 'patch', 'left'].map((name) => document.querySelector(`#exporting [data-for=${name}]`));
-  const told = { said: said.textContent, patch: patch.hidden ? null : JSON.parse(patch.textContent), left: left.hidden ? '' : left.textContent };
-  document.getElementById('exporting').close();
-  return told;
-});
+async function changes(on) {
+  await click(on, '#export');
+  await on.until(() => document.querySelector('#exporting [data-for=changes]').textContent);
+  return on.run(() => {
+    const [said, patch, left] = ['changes', 'patch', 'left'].map((name) => document.querySelector(`#exporting [data-for=${name}]`));
+    const told = { said: said.textContent, patch: patch.hidden ? null : JSON.parse(patch.textContent), left: left.hidden ? '' : left.textContent };
+    document.getElementById('exporting').close();
+    return told;
+  });
+}
+/** The face's file as Export saves it, and what is said: { text, said }. */
+async function savedFace(on) {
+  await on.run(() => { HTMLAnchorElement.prototype.click = function () { window.saved = this.href; }; window.saved = null, document.getElementById('export').click(), document.querySelector('[data-do=face]').click(); });
+  await on.until(() => window.saved);
+  const text = await on.run(async () => (await fetch(window.saved)).text()), said = await on.run(() => document.querySelector('#exporting [data-for=said]').textContent);
+  await click(on, '#exporting [data-do=close]');
+  return { text, said };
+}
 const mienOf = async () => (await import(new URL(`file://${resolve(built)}/mien.js`))).load();
 
 test('what has changed of a person is a patch of the recipe of their code', async () => {
@@ -129,8 +146,9 @@ test('what has changed of a person is a patch of the recipe of their code', asyn
   assert.ok(patch.some(({ path }) => path === '/numbers/age') && patch.some(({ path, value }) => path === '/style' && value === 'ink'));
   assert.ok(patch.length < 20, 'it is small');
   const whole = patched(JSON.parse(mien.recipe(CODE)), patch);
-  await on.run(() => { HTMLAnchorElement.prototype.click = function () { window.saved = this.href; }; document.querySelector('[data-do=face]').click(); });
-  assert.deepEqual(whole, JSON.parse(await on.run(async () => (await fetch(window.saved)).text())));
+  const saved = await savedFace(on);
+  assert.deepEqual(whole, JSON.parse(saved.text));
+  assert.match(saved.said, /^Saved face\.face\.json\. Left out, for only the pose has it: Joy\./);
   await click(on, '#undo'), await click(on, '#undo'), await click(on, '#undo');
   await picture(on);
   assert.equal((await changes(on)).patch, null);
@@ -138,15 +156,15 @@ test('what has changed of a person is a patch of the recipe of their code', asyn
 });
 
 test('what has changed of a file is a patch of it: colours, and points of either side', async () => {
-  const { patchOf, withSettings } = await import(new URL('bind/web/studio/patch.js', root)), mien = await mienOf();
+  const { patchOf } = await import(new URL('bind/web/studio/patch.js', root)), mien = await mienOf();
   const text = readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'), file = JSON.parse(text);
-  const set = { 'palette/skin': '#88aa66', 'brow.right/spine/0': [-0.1, 0.36], 'ear.left/points/1': [0.6, 0.2], 'head/points/3': [0.52, -0.3], 'halo/center': [0.1, 0.1], 'upper_lid.left/spine/0': [0, 0], yaw: 4 };
-  const { file: changed, left } = withSettings(file, set, 0), patch = patchOf(file, changed);
-  assert.deepEqual(left, ['upper_lid.left/spine/0', 'yaw'], 'a point of another feature, and what is the pose\'s');
-  assert.deepEqual(patched(file, patch), changed);
-  const { yaw, 'upper_lid.left/spine/0': shared, ...held } = set;
-  const drawn = (of, pose) => mien.face(JSON.stringify(of)).draw(160, 90, pose).slice();
-  assert.deepEqual(drawn(changed, {}), drawn(file, { set: held }));
+  const set = { 'palette/skin': '#88aa66', 'brow.right/spine/0': [-0.1, 0.36], 'ear.left/points/1': [0.6, 0.2], 'head/points/3': [0.52, -0.3], 'halo/center': [0.1, 0.1], yaw: 4 };
+  const { text: changed, left } = mien.textWith(text, set), patch = patchOf(file, JSON.parse(changed));
+  assert.deepEqual(left, ['yaw'], 'what is the pose\'s');
+  assert.deepEqual(patched(file, patch), JSON.parse(changed));
+  const { yaw, ...held } = set;
+  const drawn = (of, pose) => mien.face(of).draw(160, 90, pose).slice();
+  assert.deepEqual(drawn(changed, {}), drawn(text, { set: held }));
   const on = await open();
   await drop(on, 'toon.face.json', text);
   await on.until((code) => document.getElementById('code').value !== code, CODE);
@@ -155,6 +173,57 @@ test('what has changed of a file is a patch of it: colours, and points of either
   await on.run(() => { const input = [...document.querySelectorAll('.swatch')].find((one) => one.textContent.startsWith('Skin')).querySelector('input'); input.value = '#88aa66', input.dispatchEvent(new Event('input')); });
   await picture(on);
   assert.deepEqual((await changes(on)).patch, [{ op: 'replace', path: '/palette/skin', value: '#88aa66' }]);
+  assert.deepEqual(on.faults, []);
+});
+
+test('a file is saved as it has become: opened again it is the same picture', async () => {
+  const on = await open(), text = readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8');
+  await drop(on, 'toon.face.json', text);
+  await on.until((code) => document.getElementById('code').value !== code, CODE);
+  const before = await picture(on);
+  assert.deepEqual(await savedFace(on), { text, said: 'Saved face.face.json.' });
+  await show(on, 'Colours');
+  await on.run(() => { const input = [...document.querySelectorAll('.swatch')].find((one) => one.textContent.startsWith('Skin')).querySelector('input'); input.value = '#88aa66', input.dispatchEvent(new Event('input')); });
+  await click(on, '#points');
+  for (const feature of ['mouth', 'brow.right']) {
+    await on.run((name) => { const select = document.getElementById('feature'); select.value = name, select.dispatchEvent(new Event('change')); }, feature);
+    await on.until((name) => document.querySelector('.points button')?.title.startsWith(name), feature);
+    await focus(on, '.points button');
+    for (let i = 0; i < 5; ++i) await on.run(() => document.activeElement.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true })));
+  }
+  await click(on, '#points');
+  const changed = await picture(on), { text: saved, said } = await savedFace(on);
+  assert.notEqual(changed, before);
+  assert.equal(said, 'Saved face.face.json.');
+  assert.ok(saved.includes('#88aa66') && saved !== text && Math.abs(saved.length - text.length) < 200, 'all else stays');
+  await show(on, 'Pose');
+  await slide(on, 'pose', 'Turn', 12);
+  const turned = await savedFace(on);
+  assert.equal(turned.text, saved);
+  assert.equal(turned.said, 'Saved face.face.json. Left out, for only the pose has it: Turn. The command line says it, too.');
+  await drop(on, 'again.face.json', saved);
+  await on.until(() => document.getElementById('rest').disabled);
+  assert.equal(await picture(on), changed);
+  assert.equal((await changes(on)).said, 'Nothing: this is still again.face.json as it was opened.');
+  assert.deepEqual(on.faults, []);
+});
+
+test('what SVG cannot say is listed, until something else is saved', async () => {
+  const on = await open({ first: 'HTMLAnchorElement.prototype.click = function () { window.saved = this.href }' }), text = readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'), mien = await mienOf();
+  await drop(on, 'toon.face.json', text);
+  await on.until((code) => document.getElementById('code').value !== code, CODE);
+  await click(on, '#export'), await click(on, '#exporting [data-do=svg]');
+  await on.until(() => document.querySelector('#exporting [data-for=said]').textContent.startsWith('Saved face.svg, '));
+  const size = await on.run(() => ['width', 'height'].map((name) => Number(document.querySelector('#exporting form')[name].value)));
+  const { text: svg, simplified } = mien.face(text).svg(...size);
+  const listed = () => on.run(() => Array.from(document.querySelectorAll('#exporting [data-for=simplified]:not([hidden]) li'), (one) => one.textContent));
+  assert.ok(simplified.length > 0);
+  assert.deepEqual(await listed(), simplified.map((one) => `${one}.`));
+  assert.equal(await on.run(async () => (await fetch(window.saved)).text()), svg);
+  assert.deepEqual(await nameless(on), []);
+  await click(on, '#exporting [data-do=png]');
+  await on.until(() => document.querySelector('#exporting [data-for=said]').textContent.startsWith('Saved face.png, '));
+  assert.deepEqual(await listed(), []);
   assert.deepEqual(on.faults, []);
 });
 
