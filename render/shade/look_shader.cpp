@@ -1,4 +1,5 @@
 #include "render/shade/look_shader.h"
+#include "render/shade/radial_means.h"
 #include "render/shade/ramp_lanes.h"
 
 #include <algorithm>

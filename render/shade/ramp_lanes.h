@@ -16,18 +16,6 @@ struct RadialLanes {
 /// Mean t of `count` places: sqrt(|q|² + variance (trace − |∇t|²)); writes whole vectors.
 void radial_places(const RadialLanes& radial, int count, float* t);
 
-/// A radial gradient around places: t = |U (p − center)|, with U's columns (ax, ay) and (bx, by).
-struct RadialCells {
-  double x, y;  ///< what the places are seen from
-  double center_x, center_y;
-  double ax, ay, bx, by;
-  double trace;     ///< tr UᵀU
-  double variance;  ///< of the area that each place stands for
-};
-
-/// The same at (x + dx, y + dy), in doubles; reads and writes whole vectors.
-void radial_means(const RadialCells& radial, const float* dx, const float* dy, int count, float* t);
-
 /// Premultiplied at + slope · t for t between `from` and `to`.
 struct RampLanes {
   float at[4], slope[4];
