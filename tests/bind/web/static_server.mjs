@@ -19,5 +19,6 @@ export async function serve(folder, changed = {}) {
     }
   });
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  server.unref();  // a test that fails before it closes the server ends all the same
   return { url: `http://127.0.0.1:${server.address().port}`, close: () => { server.closeAllConnections(); return new Promise((done) => server.close(done)); } };
 }
