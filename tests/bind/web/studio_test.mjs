@@ -143,6 +143,16 @@ test('the eyes follow the pointer', async () => {
   assert.equal(await picture(on), rest);
 });
 
+test('a clip has its own glances, wherever the pointer is', async () => {
+  const on = await open();
+  await on.run(() => { const clip = document.querySelector('[data-for=clip]'); clip.value = 'idle', clip.dispatchEvent(new Event('change')); });
+  const seen = await picture(on);
+  await on.move([[40, 200], [30, 200]]);
+  assert.equal(await picture(on), seen);
+  await click(on, '#rest');
+  assert.notEqual(await picture(on), seen);
+});
+
 test('points of a feature are dragged, and go by the arrow keys', async () => {
   const on = await open();
   await click(on, '#follow');  // the eyes would be on the pointer
