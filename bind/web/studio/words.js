@@ -1,6 +1,6 @@
 // Names as people read them.
 
-const SPELLED = { 'hair_color': 'Hair colour', 'cloth_color': 'Cloth colour', 'frame_color': 'Frame colour', 'ears': 'Ears', 'skin': 'Skin marks', 'aid': 'Aids', 'jewel': 'Jewellery', 'clothes': 'Clothes', 'gaze.x': 'Gaze, across', 'gaze.y': 'Gaze, up and down', 'yaw': 'Turn', 'pitch': 'Nod', 'roll': 'Tilt', 'bias': 'Where lids meet', 'skin.tone': 'Skin', 'part': 'Parting', 'v': 'V-neck', 'tank': 'Tank top', 'crew': 'Crew neck' };
+const SPELLED = { 'hair_color': 'Hair colour', 'cloth_color': 'Cloth colour', 'frame_color': 'Frame colour', 'ears': 'Ears', 'skin': 'Skin marks', 'aid': 'Aids', 'jewel': 'Jewellery', 'clothes': 'Clothes', 'gaze.x': 'Gaze, across', 'gaze.y': 'Gaze, up and down', 'yaw': 'Turn', 'pitch': 'Nod', 'roll': 'Tilt', 'bias': 'Where lids meet', 'skin.tone': 'Skin', 'part': 'Parting', 'lip_upper': 'Upper lip', 'lip_lower': 'Lower lip', 'braids_two': 'Two braids', 'bun_low': 'Low bun', 'bob_angled': 'Angled bob', 'v': 'V-neck', 'tank': 'Tank top', 'crew': 'Crew neck' };
 
 /** "fringe_of_hair" as "Fringe of hair", "brow.left" as "Left brow". */
 export function spelled(name) {

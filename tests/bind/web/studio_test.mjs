@@ -112,7 +112,7 @@ test('what is chosen is seen: in rows of colours, and on a chip under the pointe
 
 test('names are as people say them', async () => {
   const { fileSize, spelled } = await import(new URL('bind/web/studio/words.js', root));
-  for (const [name, said] of [['fringe_of_hair', 'Fringe of hair'], ['brow.left', 'Left brow'], ['gaze.right.x', 'Right gaze, across'], ['left.joy', 'Left joy'], ['palette', 'Palette']]) assert.equal(spelled(name), said);
+  for (const [name, said] of [['fringe_of_hair', 'Fringe of hair'], ['brow.left', 'Left brow'], ['gaze.right.x', 'Right gaze, across'], ['left.joy', 'Left joy'], ['lip_upper.right', 'Right upper lip'], ['palette', 'Palette']]) assert.equal(spelled(name), said);
   assert.deepEqual([12, 46_340, 999_999, 1_250_000].map(fileSize), ['1 kB', '46 kB', '1000 kB', '1.3 MB']);
 });
 
@@ -187,7 +187,7 @@ test('what is under the pointer is named, and a click shows where it is changed'
     await on.run(() => new Promise((done) => setTimeout(done, 60)));
     named.set(await under(), at(0.5, y));
   }
-  const mouth = [...named.keys()].find((name) => /^(Mouth|Lip|Upper line|Lower line|Teeth|Upper edge|Lower edge)/.test(name));
+  const mouth = [...named.keys()].find((name) => /^(Mouth|(Left |Right )?(upper|lower) lip|Upper line|Lower line|Teeth|Upper edge|Lower edge)/i.test(name));
   assert.ok(mouth, [...named.keys()].join());
   await on.move([named.get(mouth)], true);
   assert.match(await on.until(() => document.getElementById('said').textContent), new RegExp(`^${mouth}: Parts, Mouth$`));
