@@ -5,6 +5,7 @@ import { Desk } from './desk.js';
 import { drawnPose } from './document.js';
 import { patchText } from './patch.js';
 import { FILE, LANGUAGES } from './snippets.js';
+import { fileSize } from './words.js';
 
 const MOST = 32768;  // [px] of a side
 
@@ -58,7 +59,7 @@ export class ExportDialog {
     const size = this.#size(), { document: of, opened } = this.#studio;
     this.#form.color.parentElement.hidden = this.#form.background.value !== 'color';
     for (const what of ['png', 'svg']) this.#dialog.querySelector(`[data-do=${what}]`).disabled = !size;
-    this.#find('size').textContent = size ? `${(size.width * size.height / 1e6).toFixed(1)} million pixels, drawn in strips; nothing leaves this page.` : `Sides are whole numbers from 1 to ${MOST}.`;
+    this.#find('size').textContent = size ? `${(size.width * size.height / 1e6).toFixed(1)} million pixels. Nothing leaves this page.` : `Sides are whole numbers from 1 to ${MOST}.`;
     for (const chip of this.#find('languages').children) chip.setAttribute('aria-pressed', chip.textContent === this.#language);
     if (!size) return;
     const { code } = opened, style = of.person?.style ?? 'soft';
@@ -108,7 +109,7 @@ export class ExportDialog {
     try {
       const blob = blobOf(await this.#desk.ask(what, { text: opened.text, name: opened.name, pose: drawnPose(of), ...size }, { tell: (share) => { bar.value = share; } }));
       this.#studio.save(blob, file);
-      this.#say(`Saved ${file}, ${(blob.size / 1e6).toFixed(2)} MB.`);
+      this.#say(`Saved ${file}, ${fileSize(blob.size)}.`);
     } catch (refused) {
       this.#say(refused.message);
     }
@@ -124,6 +125,7 @@ export class ExportDialog {
   }
   /** The file with all that it can hold; what it cannot is said. */
   async #saveFace() {
+    this.#find('simplified').hidden = true;
     try {
       const { text, left } = await this.#changes;
       this.#studio.save(new Blob([text], { type: 'application/json' }), FILE);

@@ -37,7 +37,8 @@ export function recipeOf(mien, { code, held, style, name }) {
 /** What a recipe says otherwise than another, as mien.held takes it. */
 function differing(recipe, other, { families, numbers }) {
   const parts = families.map(({ name }) => [name, partOf(recipe, name)]).filter(([name, wanted]) => wanted !== undefined && wanted !== (partOf(other, name) ?? 'none'));
-  const far = ({ name, lo, hi }) => recipe.numbers?.[name] !== undefined && Math.abs(stepped({ lo, hi }, recipe.numbers[name]) - other.numbers[name]) > 1e-6 * (hi - lo);
+  // What follows from the law is at no step: a number that is the other's is as good as one at its step.
+  const far = ({ name, lo, hi }) => recipe.numbers?.[name] !== undefined && [recipe.numbers[name], stepped({ lo, hi }, recipe.numbers[name])].every((one) => Math.abs(one - other.numbers[name]) > 1e-6 * (hi - lo));
   return [...parts.map(([name, part]) => `${name}=${part}`), ...numbers.filter(far).map(({ name }) => `${name}=${recipe.numbers[name]}`)];
 }
 

@@ -4,6 +4,7 @@
 import { drawnPose, withPose } from './document.js';
 import { Guides, heldBy } from './guides.js';
 import { linesFor, snapped } from './snapping.js';
+import { spelled } from './words.js';
 
 const STEP = 0.004;  // of the picture's width, by an arrow key
 const NEAR = 6;      // [CSS px] within which a point snaps
@@ -27,7 +28,7 @@ export class Points {
   }
   turn(on) {
     this.on = on, this.#chosen.hidden = !on;
-    if (on) this.#studio.say('Click on what you want to shape.');
+    if (on) this.#studio.say('Click on what you want to shape, then drag its points.');
     else this.#clear(), this.#studio.say('');
   }
   /** Takes the feature under the pointer. */
@@ -39,8 +40,8 @@ export class Points {
     const { feature, points } = await this.#studio.desk.ask('points', { ...where, pose: drawnPose(this.#studio.document) });
     this.#clear();
     this.#chosen.value = points.length ? feature : '';
-    if (!points.length) return this.#studio.say(feature ? `${feature} has no points of its own.` : 'There is nothing.');
-    this.#studio.say(`${feature}: ${points.length} ${points.length === 1 ? 'point' : 'points'}`);
+    if (!points.length) return this.#studio.say(feature ? `${spelled(feature)} has no points of its own.` : 'There is nothing.');
+    this.#studio.say(`${spelled(feature)}: drag its ${points.length === 1 ? 'point' : `${points.length} points`}.`);
     for (const point of points) this.#add(point);
   }
   /** Another document is shown: handles go to where its points are. */
@@ -53,7 +54,7 @@ export class Points {
   /** Another face is shown: its points are others. */
   leave({ shaped }) {
     this.#clear();
-    this.#chosen.replaceChildren(new Option('Which feature?', ''), ...shaped.map((name) => new Option(name, name)));
+    this.#chosen.replaceChildren(new Option('Which feature?', ''), ...shaped.map((name) => new Option(spelled(name), name)));
   }
 
   get #canvas() { return this.#studio.opened.canvas; }
@@ -73,7 +74,7 @@ export class Points {
     this.#put(handle);
   }
   #key(event, name) {
-    if (event.key === 'Escape') return this.#chosen.focus();
+    if (event.key === 'Escape') return event.stopPropagation(), this.#chosen.focus();
     const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (!by) return;
     event.preventDefault(), event.stopPropagation();

@@ -4,13 +4,14 @@ import { digits } from './words.js';
 
 let count = 0;
 
-/** { row, set(value) }. `rest`: where a double click and the field's clearing go. `changed(value)` hears every step. */
-export function slider({ label, lo, hi, rest, step = (hi - lo) / 200, changed }) {
+/** { row, set(value) }. `hint`: what the name says to few. `rest`: where a double click and the field's clearing go. `changed(value)` hears every step. */
+export function slider({ label, hint, lo, hi, rest, step = (hi - lo) / 200, changed }) {
   const row = document.createElement('div'), id = `slider-${++count}`;
   row.className = 'slider';
   row.innerHTML = `<label for="${id}"></label><input class="field" type="text" inputmode="decimal" autocomplete="off"><input class="track" type="range" id="${id}">`;
   const [name, field, track] = row.children;
   name.textContent = label;
+  if (hint) name.dataset.hint = hint;
   field.setAttribute('aria-label', `${label}, exactly`);
   Object.assign(track, { min: lo, max: hi, step: 'any' });
   let value = rest;

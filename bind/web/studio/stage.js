@@ -104,7 +104,7 @@ export class Stage {
   }
   #pose() {
     const more = {};
-    if (this.#look && this.following) more.lookAt = this.#look;
+    if (this.#look && this.following && !this.#document.pose.clip) more.lookAt = this.#look;  // a clip's glances are its own
     if (this.#clock) more.time = this.#clock();
     return drawnPose(this.#document, more);
   }

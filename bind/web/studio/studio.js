@@ -150,6 +150,7 @@ class Studio {
     window.addEventListener('hashchange', () => { if (location.hash.length > 1) this.#tabs.panel('People').who(decodeURIComponent(location.hash.slice(1))); });
   }
   #key(event) {
+    if (event.key === 'Escape' && this.shaping && !document.querySelector('dialog[open]')) by('points').click(), by('points').focus();
     if (!(event.ctrlKey || event.metaKey) || event.altKey || document.querySelector('dialog[open]')) return;
     const way = { z: event.shiftKey ? 'redo' : 'undo', y: 'redo' }[event.key.toLowerCase()];
     if (!way || event.target.matches('input:not([type=range]):not([type=color])')) return;
@@ -185,7 +186,7 @@ class Studio {
   /** Shows the face of a file's text, if it is one. */
   async take(name, text) {
     const person = await this.gallery.ask('person', { text, name });
-    return this.change((before) => (person ? ofPerson(person, before) : ofFace(name, text, before)));
+    return this.change((before) => (person ? ofPerson(person, { background: before.background }) : ofFace(name, text, before)));
   }
   save(blob, name) {
     const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });

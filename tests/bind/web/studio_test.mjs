@@ -73,6 +73,49 @@ test('feelings, muscles and the pose move the face; at rest it is as before', as
   assert.deepEqual(on.faults, []);
 });
 
+test('either eye winks, and both sides are set together again', async () => {
+  const on = await open(), seen = new Set([await picture(on)]);
+  const side = (name) => on.run((which) => document.querySelector(`.pose .chip[data-side="${which}"]`).click(), name);
+  const blink = () => on.run(() => [...document.querySelectorAll('.pose .slider')].find((one) => one.querySelector('label').textContent === 'Blink').querySelector('.field').value);
+  await show(on, 'Pose');
+  for (const [which, value] of [['left', 1], ['right', 1], ['', 0.4], ['left', 0]]) {
+    await side(which);
+    await slide(on, 'pose', 'Blink', value);
+    seen.add(await picture(on));
+  }
+  assert.equal(seen.size, 5);
+  for (const [which, value] of [['left', '0'], ['right', '0.4'], ['', '0.4']]) {
+    await side(which);
+    assert.equal(await blink(), value, which);
+  }
+  await slide(on, 'pose', 'Blink', 0);
+  assert.ok(await on.run(() => document.getElementById('rest').disabled));
+  assert.deepEqual(on.faults, []);
+});
+
+test('what is chosen is seen: in rows of colours, and on a chip under the pointer', async () => {
+  const on = await open({}, 'A66CB-AA5S0-14');
+  await show(on, 'Colours');
+  const hidden = await on.run(() => [...document.querySelectorAll('.colours .row')].filter((row) => {
+    const { left, right } = row.getBoundingClientRect(), one = row.querySelector('[aria-pressed=true]')?.getBoundingClientRect();
+    return one && (one.left < left || one.right > right);
+  }).map((row) => row.getAttribute('aria-label')));
+  assert.deepEqual(hidden, []);
+  await show(on, 'Parts');
+  const chip = () => on.run(() => { const one = document.querySelector('.parts .chip[aria-pressed=true]'), { x, y, width, height } = one.getBoundingClientRect(), { color, backgroundColor } = getComputedStyle(one); return { at: [x + width / 2, y + height / 2], look: [color, backgroundColor], over: one.matches(':hover') }; });
+  const { at, look } = await chip();
+  await on.move([at, [at[0] + 1, at[1]]]);
+  const { look: under, over } = await chip();
+  assert.ok(over);
+  assert.deepEqual(under, look);
+});
+
+test('names are as people say them', async () => {
+  const { fileSize, spelled } = await import(new URL('bind/web/studio/words.js', root));
+  for (const [name, said] of [['fringe_of_hair', 'Fringe of hair'], ['brow.left', 'Left brow'], ['gaze.right.x', 'Right gaze, across'], ['left.joy', 'Left joy'], ['lip_upper.right', 'Right upper lip'], ['palette', 'Palette']]) assert.equal(spelled(name), said);
+  assert.deepEqual([12, 46_340, 999_999, 1_250_000].map(fileSize), ['1 kB', '46 kB', '1000 kB', '1.3 MB']);
+});
+
 test('the head is turned by dragging and by the arrow keys', async () => {
   const on = await open();
   const rest = await picture(on);
@@ -98,6 +141,16 @@ test('the eyes follow the pointer', async () => {
   assert.notEqual(await picture(on), left);
   await click(on, '#follow');
   assert.equal(await picture(on), rest);
+});
+
+test('a clip has its own glances, wherever the pointer is', async () => {
+  const on = await open();
+  await on.run(() => { const clip = document.querySelector('[data-for=clip]'); clip.value = 'idle', clip.dispatchEvent(new Event('change')); });
+  const seen = await picture(on);
+  await on.move([[40, 200], [30, 200]]);
+  assert.equal(await picture(on), seen);
+  await click(on, '#rest');
+  assert.notEqual(await picture(on), seen);
 });
 
 test('points of a feature are dragged, and go by the arrow keys', async () => {
@@ -134,7 +187,7 @@ test('what is under the pointer is named, and a click shows where it is changed'
     await on.run(() => new Promise((done) => setTimeout(done, 60)));
     named.set(await under(), at(0.5, y));
   }
-  const mouth = [...named.keys()].find((name) => /^(Mouth|Lip|Upper line|Lower line|Teeth|Upper edge|Lower edge)/.test(name));
+  const mouth = [...named.keys()].find((name) => /^(Mouth|(Left |Right )?(upper|lower) lip|Upper line|Lower line|Teeth|Upper edge|Lower edge)/i.test(name));
   assert.ok(mouth, [...named.keys()].join());
   await on.move([named.get(mouth)], true);
   assert.match(await on.until(() => document.getElementById('said').textContent), new RegExp(`^${mouth}: Parts, Mouth$`));

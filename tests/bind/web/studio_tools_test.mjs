@@ -224,6 +224,30 @@ test('what SVG cannot say is listed, until something else is saved', async () =>
   await click(on, '#exporting [data-do=png]');
   await on.until(() => document.querySelector('#exporting [data-for=said]').textContent.startsWith('Saved face.png, '));
   assert.deepEqual(await listed(), []);
+  await click(on, '#exporting [data-do=svg]');
+  await on.until(() => document.querySelector('#exporting [data-for=said]').textContent.startsWith('Saved face.svg, '));
+  assert.ok((await listed()).length > 0);
+  await click(on, '#exporting [data-do=face]');
+  await on.until(() => document.querySelector('#exporting [data-for=said]').textContent.startsWith('Saved face.face.json'));
+  assert.deepEqual(await listed(), []);
+  assert.deepEqual(on.faults, []);
+});
+
+test('the file of a person, opened again, is that person: by the same code, and at rest', async () => {
+  const on = await open({}, 'A66CB-AA5S0-14');  // an age of 14 is at no step of a code
+  await show(on, 'Parts');
+  await on.run(() => [...document.querySelectorAll('.parts .chip')].find((one) => one.textContent === 'Hair').click());
+  await on.run(() => document.querySelector('.parts .thumb[title=Bob]').click());
+  const rest = await picture(on), known = await on.run(() => document.getElementById('code').value);
+  assert.match(known, /^A66CB-AA5S0-.*~/);
+  await show(on, 'Feelings');
+  await slide(on, 'feelings', 'Joy', 0.5);
+  assert.notEqual(await picture(on), rest);
+  const { text } = await savedFace(on);
+  await drop(on, 'again.face.json', text);
+  await on.until(() => document.getElementById('rest').disabled);
+  assert.equal(await picture(on), rest);
+  assert.equal(await on.run(() => document.getElementById('code').value), known);
   assert.deepEqual(on.faults, []);
 });
 
@@ -382,12 +406,13 @@ test('everything about the picture is reached by the keyboard, and seen when it 
   const reached = [];
   for (let i = 0; i < 16; ++i) {
     await on.press('Tab');
-    const { name, outline } = await on.run(() => { const now = document.activeElement; return { name: now.title || now.id || now.dataset.for, outline: getComputedStyle(now).outlineStyle }; });
+    const { name, outline } = await on.run(() => { const now = document.activeElement; return { name: now.id || now.title || now.dataset.for, outline: getComputedStyle(now).outlineStyle }; });
     assert.notEqual(outline, 'none', `${name} is seen`);
     reached.push(name);
   }
-  for (const name of ['brow.left/spine/0', 'Play (Space)', 'clip', 'bar', 'moment', 'Loop', 'feature', 'points', 'rest']) assert.ok(reached.includes(name), `${name}: ${reached}`);
-  assert.ok(reached.some((name) => name.startsWith('Dragged points snap')));
+  for (const name of ['brow.left/spine/0', 'Play (Space)', 'clip', 'bar', 'moment', 'Loop', 'feature', 'snap', 'points', 'rest']) assert.ok(reached.includes(name), `${name}: ${reached}`);
+  await on.press('Escape');
+  assert.equal(await on.run(() => document.getElementById('points').getAttribute('aria-pressed')), 'false', 'Escape leaves the points');
   assert.deepEqual(await nameless(on), []);
 });
 

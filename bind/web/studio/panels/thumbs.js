@@ -4,7 +4,7 @@ const SIDE = 84;  // [CSS px]
 
 /** A grid of buttons. Call fill() with what is to be chosen; a picture whose face and pose are as before stays. */
 export class Thumbs {
-  #gallery; #group; #chosen; #buttons = new Map();
+  #gallery; #group; #chosen; #buttons = new Map(); #seen = null;
   constructor(gallery, label, chosen) {
     this.#gallery = gallery, this.#group = Symbol(label), this.#chosen = chosen;
     this.grid = document.createElement('div');
@@ -20,6 +20,14 @@ export class Thumbs {
     const buttons = choices.map(({ key }) => this.#buttons.get(key));
     if (buttons.length !== this.grid.childElementCount || buttons.some((one, i) => this.grid.children[i] !== one)) this.grid.replaceChildren(...buttons);
     choices.forEach((choice, i) => this.#show(buttons[i], choice));
+    this.#reveal(buttons.find((one) => one.getAttribute('aria-pressed') === 'true'));
+  }
+  /** Another one is chosen: where it is out of sight of its row, the row goes there. */
+  #reveal(button) {
+    if (!button || this.#seen === button) return;
+    this.#seen = button;
+    const row = this.grid.getBoundingClientRect(), { left, right, width } = button.getBoundingClientRect();
+    if (left < row.left || right > row.right) this.grid.scrollLeft += left - row.left - (row.width - width) / 2;
   }
   #made({ key, label }) {
     const button = document.createElement('button');
