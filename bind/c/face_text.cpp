@@ -1,9 +1,10 @@
-// Face files with other numbers, and where in them numbers stand.
+// Face files with other numbers, where in them numbers stand, and faces of recipes in full.
 
 #include <mien/face_edit.h>
 #include <mien/face_pointers.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
+#include "lib/parts/recipe/recipe_file.h"
 
 #include <fmt/format.h>
 
@@ -55,6 +56,17 @@ mien_status mien_face_text_with(const char* text, size_t length, const char* nam
     std::vector<std::string> texts{std::move(edited->text)};
     std::move(edited->left.begin(), edited->left.end(), std::back_inserter(texts));
     made = new_texts(std::move(texts));
+  });
+}
+
+mien_status mien_recipe_in_full(const char* text, size_t length, const char* name,
+                                size_t name_length, mien_texts** out, mien_error** error) {
+  return pass("mien_recipe_in_full", error, [&] {
+    mien_texts*& made = place(out);
+    const auto whole = text_of(text, length, "text");
+    const auto recipe =
+        must(mien::read_recipe_text(whole, name_of(name, name_length)), MIEN_UNREADABLE);
+    made = new_texts({must(mien::face_text_from_recipe(recipe), MIEN_UNREADABLE)});
   });
 }
 }

@@ -336,6 +336,13 @@ MIEN_C_API mien_status mien_recipe_from_seed(uint64_t seed, mien_texts** out, mi
 MIEN_C_API mien_status mien_recipe_from_code(const char* code, size_t length, mien_texts** out,
                                              mien_error** error);
 
+/* A recipe's face in full, as `mien new --flat` writes it: a file of format version 1, in which every feature stands and
+ * nothing is of parts. `text` is the recipe's, which can have no parts of its own; `name` stands for its file's name in
+ * errors, NULL: "face". A list of one text. */
+MIEN_C_API mien_status mien_recipe_in_full(const char* text, size_t length, const char* name,
+                                           size_t name_length, mien_texts** out,
+                                           mien_error** error);
+
 /* The code with one thing held whatever its seed says: "hair=bob", "eye.size=1.05". `clamp`: a number out of
  * range becomes the nearer end. A list of one text. */
 MIEN_C_API mien_status mien_code_hold(const char* code, size_t length, const char* held,

@@ -68,6 +68,7 @@ export class Mien {
   readonly version: string;
   face(text: string, name?: string): Face;
   textWith(text: string, set: NonNullable<Pose['set']>, name?: string): { text: string; left: string[] };
+  inFull(text: string, name?: string): string;
   pointers(text: string, name?: string): Record<string, string>;
   person(code: string): Face;
   crowd(word: string, count: number): string[];

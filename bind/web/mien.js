@@ -133,6 +133,10 @@ export class Mien {
       this.#m.withTexts(settings, (at) => this.texts('mien_face_text_with', t, n, f, k, at, settings.length))));
     return { text: made, left };
   }
+  /** The text of a recipe's face in full, in which every feature stands and nothing is of parts. */
+  inFull(text, name = 'face') {
+    return this.#m.withText(text, (t, n) => this.#m.withText(name, (f, k) => this.texts('mien_recipe_in_full', t, n, f, k)))[0];
+  }
   /** Where a face file's text says its values: JSON pointers (RFC 6901) by the values' names. Names that the file does not
    *  hold are not among them. */
   pointers(text, name = 'face') {

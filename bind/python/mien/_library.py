@@ -83,6 +83,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_face_with_morphs": [c_void_p, *_TEXT, _ERROR],
     "mien_face_with_morphs_text": [c_void_p, *_TEXT, *_TEXT, _ERROR],
     "mien_face_pointers": [*_TEXT, *_TEXT, _ERROR],
+    "mien_recipe_in_full": [*_TEXT, *_TEXT, _ERROR],
     "mien_face_text_with": [*_TEXT, *_TEXT, c_void_p, c_int32, _ERROR],
     "mien_morphs_text": [c_void_p, c_void_p, c_void_p, c_int32, _ERROR],
     "mien_face_canvas": [c_void_p, POINTER(Canvas)],

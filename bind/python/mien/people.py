@@ -15,7 +15,7 @@ import ctypes
 from ._library import call, lib, texts, utf8
 from ._picture import whole
 
-__all__ = ["between", "child", "code", "crowd", "difference", "hold", "near", "recipe", "seed"]
+__all__ = ["between", "child", "code", "crowd", "difference", "hold", "in_full", "near", "recipe", "seed"]
 
 
 def seed(word: str) -> int:
@@ -35,6 +35,15 @@ def recipe(of: str | int) -> str:
     if isinstance(of, str):
         return texts(lib.mien_recipe_from_code, *utf8(of))[0]
     return texts(lib.mien_recipe_from_seed, _seed(of))[0]
+
+
+def in_full(words: str, name: str = "face") -> str:
+    """A recipe's face in full: a file in which every feature stands and nothing is of parts.
+
+    >>> in_full(recipe("A66CB-AA5S0-14")).count('"format_version": 1')
+    1
+    """
+    return texts(lib.mien_recipe_in_full, *utf8(words), *utf8(name))[0]
 
 
 def crowd(word: str, count: int) -> list[str]:

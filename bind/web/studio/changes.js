@@ -9,10 +9,16 @@ function posed({ emotions, muscles, clip, time }, names) {
   return clip ? [...all, `${spelled(clip)} at ${time} s`] : all;
 }
 
-/** { text, patch, left, of }: the file as it is now, with what the pose sets of it; the operations that make it; what only
- *  the pose has; what the patch is of, as a sentence goes on. `desk`: of a worker that edits the file. */
+/** { text, patch, left, of, lost, full }: the file as it is now, with what the pose sets of it; the operations that make it, or
+ *  a person's recipe; what those leave to the pose; what the patch is of, as a sentence goes on; what the file leaves to the
+ *  pose; whether a person's file is in full now, since no recipe holds points and single colours. `desk`: of a worker that
+ *  edits files. */
 export async function changesOf({ face, pose }, opened, desk) {
-  if (!face) return { text: opened.text, patch: patchOf(opened.base, opened.recipe), left: posed(pose, Object.keys(pose.set)), of: `the recipe of ${opened.base.code}` };
-  const { text, left } = await desk.ask('textWith', { ...face, set: pose.set });
-  return { text, patch: patchOf(JSON.parse(face.text), JSON.parse(text)), left: posed(pose, left), of: `${face.name} as it was opened` };
+  if (face) {
+    const { text, left } = await desk.ask('textWith', { ...face, set: pose.set });
+    return { text, patch: patchOf(JSON.parse(face.text), JSON.parse(text)), left: posed(pose, left), of: `${face.name} as it was opened`, lost: posed(pose, left), full: false };
+  }
+  const names = Object.keys(pose.set), full = names.some((name) => name.includes('/'));
+  const { text, left } = full ? await desk.ask('inFullWith', { text: opened.text, set: pose.set, name: 'face' }) : { text: opened.text, left: names };
+  return { text, patch: patchOf(opened.base, opened.recipe), left: posed(pose, names), of: `the recipe of ${opened.base.code}`, lost: posed(pose, left), full };
 }

@@ -72,6 +72,8 @@ const answers = {
   },
   /** A face file's text with what a pose sets of it: { text, left }. */
   textWith: (mien, { text, set, name }) => mien.textWith(text, set, name),
+  /** The same of a recipe's face in full. */
+  inFullWith: (mien, { text, set, name }) => mien.textWith(mien.inFull(text, name), set, name),
   /** An SVG file, and what it cannot say: { text, simplified }. */
   svg(mien, { text, name, width, height, pose }) {
     const drawn = mien.face(text, name);

@@ -127,9 +127,10 @@ export class ExportDialog {
   async #saveFace() {
     this.#find('simplified').hidden = true;
     try {
-      const { text, left } = await this.#changes;
+      const { text, lost, full } = await this.#changes;
       this.#studio.save(new Blob([text], { type: 'application/json' }), FILE);
-      this.#say(left.length ? `Saved ${FILE}. Left out, for only the pose has it: ${left.join(', ')}. The command line says it, too.` : `Saved ${FILE}.`);
+      const said = full ? `Saved ${FILE} in full: with the points and colours that you changed, it is no longer made of parts.` : `Saved ${FILE}.`;
+      this.#say(lost.length ? `${said} Left out, for only the pose has it: ${lost.join(', ')}. The command line says it, too.` : said);
     } catch (refused) {
       this.#say(refused.message);
     }

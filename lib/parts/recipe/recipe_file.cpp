@@ -145,11 +145,13 @@ Recipe read_recipe(Reading& in, const JsonNode& root, const std::filesystem::pat
   return RecipeReader(in, folder).read(root);
 }
 
-Expected<Recipe> read_recipe_file(const std::filesystem::path& path, std::vector<Error>* warnings) {
+namespace {
+
+/// `folder`: of its own parts; null: it can have none.
+Expected<Recipe> recipe_of(std::string_view text, std::string_view name,
+                           const std::filesystem::path* folder, std::vector<Error>* warnings) {
   const FaceLimits limits;
-  const auto text = read_bytes(path, limits.bytes);
-  if (!text) return text.error();
-  const auto tree = JsonTree::read(*text, path.string(), limits);
+  const auto tree = JsonTree::read(text, name, limits);
   if (!tree) return tree.error();
   Reading in(*tree, limits, warnings);
   try {
@@ -166,11 +168,23 @@ Expected<Recipe> read_recipe_file(const std::filesystem::path& path, std::vector
           "a face in full has its own paints and no recipe: codes and styles are for version 2");
     if (in.number(version) != 2)
       in.refuse(version, fmt::format("expected the integer 2, got {}", in.number(version)));
-    const std::filesystem::path folder = path.parent_path();
-    return read_recipe(in, root, &folder);
+    return read_recipe(in, root, folder);
   } catch (const Refusal& refusal) {
     return refusal.error;
   }
+}
+
+}  // namespace
+
+Expected<Recipe> read_recipe_text(std::string_view text, std::string_view name) {
+  return recipe_of(text, name, nullptr, nullptr);
+}
+
+Expected<Recipe> read_recipe_file(const std::filesystem::path& path, std::vector<Error>* warnings) {
+  const auto text = read_bytes(path, FaceLimits{}.bytes);
+  if (!text) return text.error();
+  const std::filesystem::path folder = path.parent_path();
+  return recipe_of(*text, path.string(), &folder, warnings);
 }
 
 std::string recipe_text(const Recipe& recipe) {

@@ -38,6 +38,23 @@ static void test_pointers(const char* text, size_t length) {
   FAILS(MIEN_MISUSE, "out", mien_face_pointers(text, length, NULL, 0, NULL, &error));
 }
 
+static void test_recipes_in_full(const char* in_full, size_t length) {
+  mien_error* error = NULL;
+  mien_texts *recipe = NULL, *made = NULL;
+  mien_face* face = NULL;
+  OK(mien_recipe_from_code("A66CB-AA5S0-14", END, &recipe, &error));
+  OK(mien_recipe_in_full(mien_texts_at(recipe, 0), END, NULL, 0, &made, &error));
+  CHECK(mien_texts_count(made) == 1 && holds(mien_texts_at(made, 0), "\"format_version\": 1"));
+  OK(mien_face_read_text(mien_texts_at(made, 0), END, NULL, 0, &face, &error));
+  mien_face_free(face);
+  mien_texts_free(recipe);
+  mien_texts_free(made);
+  FAILS(MIEN_UNREADABLE, "mine:", mien_recipe_in_full(in_full, length, "mine", END, &made, &error));
+  CHECK(made == NULL);
+  FAILS(MIEN_MISUSE, "text", mien_recipe_in_full(NULL, 3, NULL, 0, &made, &error));
+  FAILS(MIEN_MISUSE, "out", mien_recipe_in_full(in_full, length, NULL, 0, NULL, &error));
+}
+
 static void test_edits(const char* text, size_t length) {
   mien_error* error = NULL;
   mien_texts *made = NULL, *same = NULL;
@@ -73,6 +90,7 @@ void test_face_texts(void) {
   size_t length;
   char* text = file_text(&length);
   test_pointers(text, length);
+  test_recipes_in_full(text, length);
   test_edits(text, length);
   free(text);
 }

@@ -93,6 +93,10 @@ test('a file is edited in place, and says where its values stand', () => {
   face.free();
   const at = mien.pointers(toon), value = at['head/points/3'].split('/').slice(1).reduce((now, key) => now[key], JSON.parse(toon));
   assert.ok(Array.isArray(value) && !('gaze.x' in at) && at['palette/skin'] === '/palette/skin');
+  const full = mien.inFull(mien.recipe('A66CB-AA5S0-14'));
+  assert.equal(JSON.parse(full).format_version, 1);
+  assert.deepEqual(mien.face(full).draw(64, 64).slice(), mien.person('A66CB-AA5S0-14').draw(64, 64).slice());
+  assert.throws(() => mien.inFull(toon), (e) => e instanceof MienError && e.what.includes('in full'));
   assert.throws(() => mien.textWith(toon, { 'palette/skim': '#000000' }), (e) => e instanceof MienError && e.what.includes('palette/skin'));
   assert.throws(() => mien.textWith('{', {}, 'a.json'), (e) => e.where.startsWith('a.json:1'));
 });

@@ -208,6 +208,26 @@ test('a file is saved as it has become: opened again it is the same picture', as
   assert.deepEqual(on.faults, []);
 });
 
+test('a person whose points and colours were changed is saved in full: opened again it is the same picture', async () => {
+  const on = await open(), before = await picture(on);
+  await show(on, 'Colours');
+  await on.run(() => { const input = [...document.querySelectorAll('.swatch')].find((one) => one.textContent.startsWith('Skin')).querySelector('input'); input.value = '#88aa66', input.dispatchEvent(new Event('input')); });
+  await click(on, '#points');
+  await on.run(() => { const select = document.getElementById('feature'); select.value = 'brow.right', select.dispatchEvent(new Event('change')); });
+  await on.until(() => document.querySelector('.points button')?.title.startsWith('brow.right'));
+  await focus(on, '.points button');
+  for (let i = 0; i < 5; ++i) await on.run(() => document.activeElement.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true })));
+  await click(on, '#points');
+  const changed = await picture(on), { text, said } = await savedFace(on);
+  assert.notEqual(changed, before);
+  assert.equal(said, 'Saved face.face.json in full: with the points and colours that you changed, it is no longer made of parts.');
+  assert.equal(JSON.parse(text).format_version, 1);
+  await drop(on, 'mine.face.json', text);
+  await on.until(() => document.getElementById('rest').disabled);
+  assert.equal(await picture(on), changed);
+  assert.deepEqual(on.faults, []);
+});
+
 test('what SVG cannot say is listed, until something else is saved', async () => {
   const on = await open({ first: 'HTMLAnchorElement.prototype.click = function () { window.saved = this.href }' }), text = readFileSync(new URL('faces/compat/toon.face.json', root), 'utf8'), mien = await mienOf();
   await drop(on, 'toon.face.json', text);

@@ -50,5 +50,21 @@ TEST(RecipeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(refusal(R"("parts": [])").find("/parts"), std::string::npos);
 }
 
+TEST(RecipeFile, IsReadFromItsText) {
+  const Recipe recipe = recipe_from_seed(seed_from_word("hello"));
+  const auto read = read_recipe_text(recipe_text(recipe), "hello");
+  ASSERT_TRUE(read) << read.error().what;
+  EXPECT_EQ(read->code, recipe.code);
+  EXPECT_EQ(read->parts, recipe.parts);
+  const auto in_full = read_recipe_text(face_text_from_recipe(recipe).value(), "full");
+  ASSERT_FALSE(in_full);
+  EXPECT_NE(in_full.error().what.find("in full"), std::string::npos);
+  EXPECT_EQ(in_full.error().where.substr(0, 5), "full:");
+  EXPECT_FALSE(read_recipe_text("{", "half"));
+  EXPECT_FALSE(read_recipe_text(R"({"format": "mien-face", "format_version": 2,
+                                    "parts": {"hair": "mine.part.json"}})",
+                                "own"));
+}
+
 }  // namespace
 }  // namespace mien
