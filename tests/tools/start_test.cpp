@@ -24,7 +24,8 @@ TEST(Start, LinksNoImageLibrary) {
   ASSERT_NE(ran.out.find("libc.so"), std::string::npos)
       << "the linker lists nothing here: " << ran.out;
   EXPECT_EQ(ran.out.find("OpenImageIO"), std::string::npos) << ran.out;
-  constexpr int kMost = 22;  // with those that sanitizers bring: two; the image library would bring fifty
+  // Two of them are the sanitizers', where there are some; the image library would bring fifty.
+  constexpr int kMost = 22;
   EXPECT_LT(std::count(ran.out.begin(), ran.out.end(), '\n'), kMost) << ran.out;
 }
 
