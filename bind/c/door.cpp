@@ -49,6 +49,10 @@ std::string_view text_of(const char* text, std::size_t length, std::string_view 
   return whole;
 }
 
+std::string_view name_of(const char* name, std::size_t length, std::string_view otherwise) {
+  return name ? text_of(name, length, "name") : otherwise;
+}
+
 std::string path_of(const char* path, std::size_t length) {
   const std::string_view text = text_of(path, length, "path");
   if (text.empty()) misuse("path", "is empty");

@@ -65,6 +65,8 @@ T*& place(T** out, std::string_view argument = "out") {
 
 /// The text of an argument with its length. NULL is empty if its length is 0.
 std::string_view text_of(const char* text, std::size_t length, std::string_view argument);
+/// What errors call a text: `name`, or where it is null `otherwise`.
+std::string_view name_of(const char* name, std::size_t length, std::string_view otherwise);
 /// The same for names of files, which hold no NUL and are not empty.
 std::string path_of(const char* path, std::size_t length);
 

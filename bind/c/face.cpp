@@ -56,7 +56,7 @@ mien_status mien_face_read_text(const char* text, size_t length, const char* nam
   return pass("mien_face_read_text", error, [&] {
     mien_face*& made = place(out);
     const auto whole = text_of(text, length, "text");
-    const auto called = name ? text_of(name, name_length, "name") : std::string_view("face");
+    const auto called = name_of(name, name_length, "face");
     made = new mien_face(must(mien::read_face_text(whole, called), MIEN_UNREADABLE));
   });
 }

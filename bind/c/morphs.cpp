@@ -27,7 +27,7 @@ mien_status mien_face_with_morphs_text(const mien_face* face, const char* text, 
     mien_face*& made = place(out);
     const mien::Face& rest = need(face, "face").face;
     const auto whole = text_of(text, length, "text");
-    const auto called = name ? text_of(name, name_length, "name") : std::string_view("morphs");
+    const auto called = name_of(name, name_length, "morphs");
     made = new mien_face(must(mien::read_morphs_text(rest, whole, called), MIEN_UNREADABLE));
   });
 }

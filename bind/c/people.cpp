@@ -5,6 +5,7 @@
 #include <mien/relatives.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
+#include "lib/parts/recipe/recipe_file.h"
 
 #include <algorithm>
 
@@ -65,6 +66,17 @@ mien_status mien_recipe_from_code(const char* code, size_t length, mien_texts** 
     const auto recipe =
         must(mien::recipe_from_code(code_of(code, length, "code")), MIEN_UNREADABLE);
     made = new_texts({mien::recipe_text(recipe)});
+  });
+}
+
+mien_status mien_recipe_in_full(const char* text, size_t length, const char* name,
+                                size_t name_length, mien_texts** out, mien_error** error) {
+  return pass("mien_recipe_in_full", error, [&] {
+    mien_texts*& made = place(out);
+    const auto whole = text_of(text, length, "text");
+    const auto recipe =
+        must(mien::read_recipe_text(whole, name_of(name, name_length, "face")), MIEN_UNREADABLE);
+    made = new_texts({must(mien::face_text_from_recipe(recipe), MIEN_UNREADABLE)});
   });
 }
 

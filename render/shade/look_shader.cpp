@@ -94,20 +94,6 @@ void along(const PaintField& field, double x, double y, int from, int count, dou
                 count, t);
 }
 
-RadialCells radial_cells(const PaintField& field, glm::dvec2 from, double variance) {
-  const glm::dmat2& u = field.unit;
-  return {.x = from.x,
-          .y = from.y,
-          .center_x = field.center.x,
-          .center_y = field.center.y,
-          .ax = u[0].x,
-          .ay = u[0].y,
-          .bx = u[1].x,
-          .by = u[1].y,
-          .trace = glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]),
-          .variance = variance};
-}
-
 }  // namespace
 
 void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
@@ -162,7 +148,7 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
   const float *const dx = at.cells->x.data(), *const dy = at.cells->y.data();
   if (field.kind == PaintField::Kind::radial) {
     const double variance = double(at.cells->cell() * at.cells->cell()) / 12;
-    return radial_means(radial_cells(field, middle, variance), dx, dy, at.count, t);
+    return radial_means(field, middle, variance, dx, dy, at.count, t);
   }
   for (int i = 0; i < at.count; ++i) t[i] = float(field.at(middle + glm::dvec2{dx[i], dy[i]}, 0.0));
 }

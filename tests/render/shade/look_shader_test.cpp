@@ -55,5 +55,20 @@ TEST(LookShader, SaysTheSameOfAPixelWhereverARunBegins) {
   EXPECT_EQ(s.shader.pixels(s.look, 70, 60, 20).r[7], alone);
 }
 
+/// Floats are counted from the block's first pixel, whose middle is the place of this part.
+TEST(LookShader, APlainLooksPartHasTheBitsOfARow) {
+  const Gradient ramps[] = {{LinearGradient{{10, 5}, {110, 30}}, kStops},
+                            {RadialGradient{{60.3, 61.7}, {50, 40}}, kStops}};
+  for (const Gradient& ramp : ramps) {
+    Shaded s(ramp, 1);
+    ASSERT_TRUE(s.looks.plain(s.look));
+    for (const int x : {0, LookShader::kBlock}) {
+      const ColorRow& row = s.shader.pixels(s.look, x, 60, 1);
+      const glm::vec4 alone = s.shader.part(s.look, x + 0.5, 60.5, 1.0);
+      EXPECT_EQ(alone, glm::vec4(row.r[0], row.g[0], row.b[0], row.a[0]));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mien

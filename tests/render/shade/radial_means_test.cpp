@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <glm/geometric.hpp>
 
 #include "render/shade/paint.h"
 #include "tests/support/every_instruction_set.h"
@@ -22,17 +21,13 @@ TEST(RadialMeans, AreThoseOfTheFieldBitByBit) {
           .center = {r.between(-9, 9), r.between(-9, 9)},
           .unit = {r.between(-1, 1), r.between(-1, 1), r.between(-1, 1), r.between(-1, 1)}};
       const glm::dvec2 from{r.between(-9, 9), r.between(-9, 9)};
-      const auto& u = field.unit;
-      const RadialCells cells{from.x,         from.y, field.center.x,
-                              field.center.y, u[0].x, u[0].y,
-                              u[1].x,         u[1].y, glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]),
-                              1.0 / 192};
+      const double variance = 1.0 / 192;
       std::array<float, kPlaces> x, y, t;
       for (std::size_t k = 0; k < kPlaces; ++k)
         x[k] = float(r.between(-0.5, 0.5)), y[k] = float(r.between(-0.5, 0.5));
-      radial_means(cells, x.data(), y.data(), int(kPlaces), t.data());
+      radial_means(field, from, variance, x.data(), y.data(), int(kPlaces), t.data());
       for (std::size_t k = 0; k < kPlaces; ++k)
-        ASSERT_EQ(t[k], float(field.mean(from + glm::dvec2{x[k], y[k]}, cells.variance)));
+        ASSERT_EQ(t[k], float(field.mean(from + glm::dvec2{x[k], y[k]}, variance)));
     }
   });
 }

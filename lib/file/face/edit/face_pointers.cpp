@@ -1,7 +1,7 @@
 #include <mien/face_model.h>
 #include <mien/face_pointers.h>
 
-#include "placed_face_private.h"
+#include "lib/file/face/placed_face_private.h"
 
 namespace mien {
 

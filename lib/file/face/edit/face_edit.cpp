@@ -3,9 +3,9 @@
 #include <mien/pose.h>
 
 #include "lib/base/one_line.h"
+#include "lib/file/face/placed_face_private.h"
 #include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
-#include "placed_face_private.h"
 #include "written_slice_private.h"
 
 #include <fmt/format.h>

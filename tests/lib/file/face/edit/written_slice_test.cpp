@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "lib/file/face/written_slice_private.h"
+#include "lib/file/face/edit/written_slice_private.h"
 #include "lib/picture/color_text.h"
 #include "lib/picture/srgb.h"
 
