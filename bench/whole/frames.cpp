@@ -64,9 +64,14 @@ int main_of(int count, char** words) {
     thumbnails(*options);
     return 0;
   }
+  const std::vector<FrameCase> wanted = wanted_cases(*options);
+  if (wanted.empty()) {
+    fmt::print(stderr, "none of these scenes has so few pixels; --help names them\n");
+    return 2;
+  }
   fmt::print("{}", head(*options));
   bool same = true;
-  for (const FrameCase& c : wanted_cases(*options)) {
+  for (const FrameCase& c : wanted) {
     same &= tell(*options, c);
     std::fflush(stdout);
   }

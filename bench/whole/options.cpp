@@ -21,7 +21,7 @@ than in the frame before, so nothing made for one is of use for the next, and th
 rows. `mien bench` does so, too. --reuse alone looks at what a renderer keeps.
 
   --scenes LETTERS     these scenes only
-  --most PIXELS        no picture larger than that
+  --most PIXELS        no picture of more pixels (640 x 360 has 230400)
   --threads N          threads that mien draws with (1); Cairo has one
   --instructions NAME  AVX3, AVX2, SSE4, …: instead of the best there is
   --rounds N           rounds of a case, instead of 201 to 7 by size
