@@ -21,7 +21,8 @@ bool read_words(int count, char** words, const Words& alone, const WordsWithValu
       ++i;
       continue;
     }
-    fmt::print(stderr, "not understood: {} {}\n", words[i], has_value ? words[i + 1] : "");
+    fmt::print(stderr, "not understood: {}{}{}\n", words[i], has_value ? " " : "",
+               has_value ? words[i + 1] : "");
     return false;
   }
   return true;

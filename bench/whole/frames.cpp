@@ -66,7 +66,8 @@ int main_of(int count, char** words) {
   }
   const std::vector<FrameCase> wanted = wanted_cases(*options);
   if (wanted.empty()) {
-    fmt::print(stderr, "none of these scenes has so few pixels; --help names them\n");
+    fmt::print(stderr, "nothing to measure: no scene of '{}' has at most {} pixels\n",
+               options->scenes, options->most);
     return 2;
   }
   fmt::print("{}", head(*options));

@@ -1,5 +1,8 @@
 #include "bench/whole/options.h"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
@@ -85,7 +88,10 @@ WordsWithValue words_with_value_of(Options& options) {
 std::optional<Options> read_options(int count, char** words, bool& help) {
   Options options;
   if (!read_words(count, words, words_of(options, help), words_with_value_of(options))) return {};
-  if (options.table == Table::old && !options.best_instructions) return {};
+  if (options.table == Table::old && !options.best_instructions) {
+    fmt::print(stderr, "--instructions does not go with --old\n");
+    return {};
+  }
   return options;
 }
 
