@@ -36,7 +36,9 @@ struct FaceModel {
   std::vector<Channel> channels;  ///< in the order in which they act
   std::vector<Control> controls;
   MuscleSystem muscles;
-  std::vector<Expression> expressions;  ///< emotions first
+  std::vector<Expression> expressions;  ///< emotions first; one at rest above 0 is the face's mood
+  /// The face at rest minus its numbers in the file, which are without the mood: empty if it has none.
+  FaceVector mood_shift;
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
   HeadTurn turn;

@@ -137,6 +137,8 @@ void read_eyes(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_muscles(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face);
+/// {EMOTION: strength at rest}; null: none. Whether the face has a mood.
+bool read_mood(Reading& in, const JsonNode* node, FaceDraft& face);
 void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face);
 
 /// Reads the numbers of one slice, mirrored if asked to.

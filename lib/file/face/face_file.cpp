@@ -1,5 +1,6 @@
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
+#include <mien/pose.h>
 
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
@@ -53,6 +54,14 @@ Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel&
   return {int(in.word(node, "clip", known))};
 }
 
+/// The face as it rests. `model` is the face's own, which nobody else has yet.
+Face in_its_mood(Face neutral, FaceModel& model) {
+  Face rest = pose_face(neutral);
+  model.mood_shift = rest.vector;
+  for (std::size_t i = 0; i < rest.vector.size(); ++i) model.mood_shift[i] -= neutral.vector[i];
+  return rest;
+}
+
 Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
                SlicePlaces* places);
 
@@ -76,10 +85,10 @@ Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& 
   const JsonNode* version = in.find(root, "format_version");
   if (!version || version->kind != JsonKind::number || version->number != 2)
     in.expect_object(
-        root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
-               "background", "palette",      "light",          "groups",  "features", "controls",
-               "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
-               "clips",      "default_clip", "effects"});
+        root, {"$schema",    "format",  "format_version", "name",    "credit",   "canvas",
+               "background", "palette", "light",          "groups",  "features", "controls",
+               "poses",      "eyes",    "turn",           "muscles", "emotions", "expressions",
+               "mood",       "clips",   "default_clip",   "effects"});
   if (check_format(in, root) == 2)
     return read_composed(read_recipe(in, root, folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
@@ -103,13 +112,15 @@ Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& 
   if (const JsonNode* muscles = in.find(root, "muscles")) read_muscles(in, *muscles, draft);
   if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);
   if (const JsonNode* sets = in.find(root, "expressions")) read_expressions(in, *sets, draft);
+  const bool has_mood = read_mood(in, in.find(root, "mood"), draft);
   if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
   if (const JsonNode* effects = in.find(root, "effects")) read_effects(in, *effects, model);
   if (const JsonNode* wanted = in.find(root, "default_clip"))
     model.default_clip = clip_named(in, *wanted, model);
   FaceVector rest = draft.vector;
   apply_rules(model.layout, draft.vector, rest);  // wraps angles
-  return {std::make_shared<const FaceModel>(std::move(model)), std::move(rest)};
+  const auto made = std::make_shared<FaceModel>(std::move(model));
+  return has_mood ? in_its_mood({made, std::move(rest)}, *made) : Face{made, std::move(rest)};
 }
 
 Error too_long(std::string_view name, const FaceLimits& limits) {

@@ -24,14 +24,15 @@ struct PartKey {
   std::string_view name;
   std::optional<JsonKind> kind;  ///< none: not looked at here
 };
-constexpr std::array<PartKey, 15> kPartKeys{{{"format", {}},
+constexpr std::array<PartKey, 16> kPartKeys{{{"format", {}},
                                              {"format_version", {}},
                                              {"$schema", {}},
                                              {"comment", {}},
                                              {"family", {}},
                                              {"name", {}},
                                              {"number", {}},   // a library's, as are its
-                                             {"tickets", {}},  // tickets: nothing draws lots here
+                                             {"tickets", {}},  // tickets and what it avoids:
+                                             {"avoids", {}},   // nothing draws lots here
                                              {"in", JsonKind::string},
                                              {"color", JsonKind::array},
                                              {"points", JsonKind::object},

@@ -93,7 +93,8 @@ class Composition {
     for (const char* key : {"controls", "eyes"}) rig(key);
     out_.key("turn"), write_turn(in, need("turn"), geometry_, features_, out_);
     out_.key("muscles"), write_muscles(in, need("muscles"), geometry_, features_, out_);
-    for (const char* key : {"emotions", "expressions", "clips", "default_clip"}) rig(key);
+    for (const char* key : {"emotions", "expressions", "mood", "clips", "default_clip"})
+      if (key != std::string_view("mood") || in.find(*library_.topology().node, key)) rig(key);
   }
 
   std::string credit() const {

@@ -161,6 +161,32 @@ void PartLibrary::choose_usual_parts() {
   }
 }
 
+/// Parts avoid what was chosen before them: families that stand before their own, or parts of these.
+void PartLibrary::check_avoided() const {
+  for (std::size_t own = 0; own < families_.size(); ++own)
+    for (const Part& part : families_[own].parts) {
+      const Reading& in = part.at.in();
+      const JsonNode* avoids = in.find(*part.at.node, "avoids");
+      if (!avoids) continue;
+      in.expect(*avoids, JsonKind::array);
+      in.for_each(*avoids, [&](const JsonNode& node, int) {
+        const std::string_view name = in.string(node), family = name.substr(0, name.find('/'));
+        std::vector<std::string_view> known;
+        for (std::size_t f = 0; f < own; ++f) {
+          known.push_back(families_[f].name);
+          if (families_[f].name != family || family.size() == name.size()) continue;
+          known.clear();
+          for (const Part& one : families_[f].parts) known.push_back(one.name);
+          break;
+        }
+        const std::string_view wanted =
+            name.substr(family.size() < name.size() ? family.size() + 1 : 0);
+        if (std::find(known.begin(), known.end(), wanted) == known.end())
+          in.refuse(node, unknown_name("family or part before it", wanted, known));
+      });
+    }
+}
+
 Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>& texts) {
   auto library = std::make_unique<PartLibrary>();
   try {
@@ -185,6 +211,7 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>
       });
     }
     library->choose_usual_parts();
+    library->check_avoided();
   } catch (const Refusal& refusal) {
     return refusal.error;
   }

@@ -77,6 +77,23 @@ void couple_channels(const FaceModel& model, Values& values) {
       values[std::size_t(n.channel.at)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
+/// The mood gives way to what else is in the face: as much as all other expressions together, and entirely at 1.
+void fade_mood(const FaceModel& model, Values& values) {
+  if (model.mood_shift.empty()) return;
+  const auto at = [&](Index<Channel> c) -> double& { return values[std::size_t(c.at)]; };
+  const auto is_mood = [&](Index<Channel> c) {
+    return c.in(model.channels).rest != 0 && at(c) == c.in(model.channels).rest;
+  };
+  double others = 0;
+  for (const Expression& one : model.expressions)
+    if (!is_mood(one.left) && !is_mood(one.right))
+      others += std::clamp(std::max(at(one.left), at(one.right)), 0.0, 1.0);
+  if (others == 0) return;
+  for (const Expression& one : model.expressions)
+    for (const Index<Channel> c : {one.left, one.right})
+      if (is_mood(c)) at(c) *= std::max(1 - others, 0.0);
+}
+
 /// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
 /// couplings; settings of controls beat what expressions and poses do to them.
 void set_channels(const Face& rest, const Pose& pose, Values& values) {
@@ -86,11 +103,20 @@ void set_channels(const Face& rest, const Pose& pose, Values& values) {
   play_clips(model, pose, values);
   if (pose.look_at) look(rest, *pose.look_at, values);
   override_channels(model, pose, true, values);
+  fade_mood(model, values);
   move_channels(model, values);
   clamp(model, true, values);
   couple_channels(model, values);
   override_channels(model, pose, false, values);
   clamp(model, false, values);
+}
+
+/// The same face without its mood.
+Face without_mood(Face face) {
+  const FaceVector& shift = face.model->mood_shift;
+  for (std::size_t i = 0; i < std::min(shift.size(), face.vector.size()); ++i)
+    face.vector[i] -= shift[i];
+  return face;
 }
 
 bool at_rest(const FaceModel& model, const Values& values) {
@@ -130,12 +156,12 @@ void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector)
 }  // namespace
 
 struct Poser::Scratch {
-  Face rest, posed;
+  Face rest, neutral, posed;
   std::vector<double> values, drive;
   MusclePoser muscles;
   std::optional<UnwrapChart> chart;  ///< made when first needed
 
-  explicit Scratch(Face face) : rest(std::move(face)), posed(rest) {
+  explicit Scratch(Face face) : rest(std::move(face)), neutral(without_mood(rest)), posed(rest) {
     values.reserve(rest.model->channels.size());
   }
 
@@ -158,23 +184,28 @@ std::span<const double> Poser::pulls() const {
 }
 
 const Face& Poser::pose(const Pose& pose) {
-  auto& [rest, posed, values, drive, muscles, chart] = *scratch_;
+  auto& [rest, neutral, posed, values, drive, muscles, chart] = *scratch_;
   const FaceModel& model = *rest.model;
   posed.vector = rest.vector;
   const bool by_basis = pose.basis && pose.basis->basis.columns == rest.vector.size();
   if (by_basis) take_basis(*pose.basis, pose, posed.vector);
-  const FaceVector begin = by_basis ? posed.vector : FaceVector{};
   set_channels(rest, pose, values);
-  scratch_->drive_channels(true);
-  muscles.act(rest, pose, values, set_channels, posed.vector);
-  scratch_->drive_channels(false);
-  hold_eyeballs(model, pose, posed.vector);
-  // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
-  if (!by_basis)
-    pose_eyes(model, rest.vector, values, posed.vector);
-  else if (!at_rest(model, values))
-    pose_eyes(model, begin, values, posed.vector);
-  turn_head(model, values, posed.vector);
+  const bool still = at_rest(model, values);
+  const bool moody = !model.mood_shift.empty();
+  if (!(moody && still)) {
+    if (moody) posed = without_mood(std::move(posed));
+    const FaceVector begin = by_basis ? posed.vector : FaceVector{};
+    scratch_->drive_channels(true);
+    muscles.act(neutral, pose, values, set_channels, posed.vector);
+    scratch_->drive_channels(false);
+    hold_eyeballs(model, pose, posed.vector);
+    // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
+    if (!by_basis)
+      pose_eyes(model, neutral.vector, values, posed.vector);
+    else if (!still)
+      pose_eyes(model, begin, values, posed.vector);
+    turn_head(model, values, posed.vector);
+  }
   if (pose.unwrap > 0) {
     if (!chart) chart.emplace(rest);
     chart->act(pose.unwrap_mode, pose.unwrap, posed.vector);

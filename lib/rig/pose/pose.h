@@ -80,6 +80,8 @@ struct Pose {
 ///   7. unwrap
 ///   8. slice settings
 ///   9. rules (clamp, wrap), applied once, so a posed face is always valid
+/// A face with a mood rests in it (docs/face-format.md). The steps begin without the mood, and where another emotion or
+/// expression comes, the mood goes by as much.
 /// Without time, gaze and settings the result is the rest vector, bit for bit. Total: a setting or clip
 /// of another model does nothing, and numbers out of range follow their rule.
 MIEN_API Face pose_face(const Face& face, const Pose& pose = {});

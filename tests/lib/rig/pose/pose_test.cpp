@@ -386,5 +386,49 @@ TEST(Clips, OfIdleLifeAreTheSameAgain) {
   EXPECT_EQ(posed(toon, 17.3, {}).vector, posed(toon, 17.3, {}).vector);
 }
 
+// A face with a mood: at rest it is what its numbers are at that emotion, and everything else begins from its numbers.
+
+Face male_in(const std::string& mood) {
+  std::string text = test::text_of_face("male");
+  text.insert(text.rfind('}'), ", \"mood\": " + mood);
+  const Expected<Face> face = read_face_text(text);
+  if (!face) throw std::runtime_error(sentence(face.error()));
+  return *face;
+}
+
+void expect_near(const FaceVector& a, const FaceVector& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-11) << i;
+}
+
+TEST(Mood, IsTheFaceAtRest) {
+  const Face plain = sample_face("male"), glad = male_in(R"({"joy": 0.4})");
+  EXPECT_EQ(glad.vector, posed(plain, {}, {"emotion.joy=0.4"}).vector);
+  EXPECT_EQ(pose_face(glad).vector, glad.vector);
+  EXPECT_EQ(posed(glad, {}, {"emotion.joy=0.4"}).vector, glad.vector);
+  EXPECT_EQ(male_in(R"({"joy": 0})").vector, plain.vector);
+}
+
+TEST(Mood, GivesWayToWhatIsSet) {
+  const Face plain = sample_face("male"), glad = male_in(R"({"joy": 0.4})");
+  for (const std::string set : {"emotion.joy=0", "emotion.joy=1", "emotion.sadness=1"})
+    expect_near(posed(glad, {}, {set}).vector, posed(plain, {}, {set}).vector);
+  expect_near(posed(glad, {}, {"emotion.sadness=0.25"}).vector,
+              posed(plain, {}, {"emotion.sadness=0.25", "emotion.joy=0.3"}).vector);
+  expect_near(posed(glad, {}, {"emotion.left.joy=0"}).vector,
+              posed(plain, {}, {"emotion.right.joy=0.4"}).vector);
+}
+
+TEST(Mood, KeepsNumbersThatWereChangedAtRest) {
+  const Face plain = sample_face("male");
+  Face glad = male_in(R"({"joy": 0.4})");
+  const int brow = glad.model->layout.find("eyebrow.left/points/0");
+  ASSERT_GE(brow, 0);
+  const auto moved = std::size_t(glad.model->layout[brow].begin);
+  glad.vector[moved] += 0.125;
+  EXPECT_EQ(pose_face(glad).vector, glad.vector);
+  EXPECT_NEAR(posed(glad, {}, {"emotion.joy=0"}).vector[moved], plain.vector[moved] + 0.125, 1e-12);
+}
+
 }  // namespace
 }  // namespace mien
