@@ -10,7 +10,7 @@
 namespace mien {
 
 /// Its parts, and so its faces, may still change.
-inline constexpr char kTrialEdition = 'Z';
+inline constexpr char kTrialEdition = 'A';
 
 /// The signs of the editions that this build has, from the oldest; the trial one is the last.
 MIEN_API std::string_view editions();
