@@ -16,11 +16,10 @@ namespace {
 using namespace std::string_view_literals;
 constexpr ShippedPart kParts[] = {
 ${rows}};
-constexpr ShippedFolder kFolders[] = {{'A', kParts}};
 }  // namespace
 
-std::span<const ShippedFolder> shipped_folders() {
-  return kFolders;
+std::span<const ShippedPart> shipped_parts() {
+  return kParts;
 }
 
 }  // namespace mien
