@@ -77,7 +77,7 @@ export class Mien {
   held(code: string, what: string): string;
   between(one: string, other: string, at: number): string;
   near(code: string, by?: number, word?: string): string;
-  parts(edition?: string): Parts;
+  parts(): Parts;
 }
 
 export function isSupported(): boolean;

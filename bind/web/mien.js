@@ -173,19 +173,19 @@ export class Mien {
     const seed = this.#m.view.getBigUint64(this.#slot, true);
     return this.#m.withText(code, (t, n) => this.texts('mien_code_near', t, n, by, seed)[0]);
   }
-  /** What recipes of an edition, by default the newest, choose from: { families: [{ name, parts }], numbers: [{ name,
+  /** What recipes choose from: { families: [{ name, parts }], numbers: [{ name,
    *  lo, hi, rest }], styles }. "none" is first among the parts of families that a face may do without. */
-  parts(edition = '') {
-    return this.#m.withText(edition, (t, n) => ({
-      families: this.texts('mien_part_families', t, n).map((name) => ({ name, parts: this.#m.withText(name, (f, k) => this.texts('mien_part_names', t, n, f, k)) })),
-      numbers: this.texts('mien_part_numbers', t, n).map((name) => ({ name, ...this.#range(t, n, name) })),
-      styles: this.texts('mien_part_styles', t, n),
-    }));
+  parts() {
+    return {
+      families: this.texts('mien_part_families').map((name) => ({ name, parts: this.#m.withText(name, (t, n) => this.texts('mien_part_names', t, n)) })),
+      numbers: this.texts('mien_part_numbers').map((name) => ({ name, ...this.#range(name) })),
+      styles: this.texts('mien_part_styles'),
+    };
   }
-  #range(edition, length, name) {
+  #range(name) {
     const at = this.#m.take(24);
     try {
-      this.#m.withText(name, (t, n) => this.done('mien_part_number', edition, length, t, n, at));
+      this.#m.withText(name, (t, n) => this.done('mien_part_number', t, n, at));
       const [lo, hi, rest] = [0, 8, 16].map((offset) => this.#m.view.getFloat64(at + offset, true));
       return { lo, hi, rest };
     } finally { this.#m.exports.free(at); }

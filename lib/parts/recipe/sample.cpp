@@ -82,7 +82,7 @@ class Sampler {
 
   Recipe recipe() {
     lean_on_axes();
-    recipe_.code = face_code_text(code_), recipe_.edition = code_.edition;
+    recipe_.code = face_code_text(code_);
     recipe_.name = "face-" + recipe_.code;
     for (const LibraryNumber& number : library_.numbers()) choose(number);
     skin_ =
@@ -279,13 +279,13 @@ double sampled_lean(const PartLibrary& library, const FaceCode& code) {
 
 Recipe recipe_from_seed(std::uint64_t seed) {
   const FaceCode code{.seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1), .held = {}};
-  const PartLibrary* library = PartLibrary::shipped(code.edition);
-  return library ? sampled_recipe(*library, code) : Recipe{.edition = code.edition};
+  const auto library = PartLibrary::shipped_or_why();
+  return library ? sampled_recipe(**library, code) : Recipe{};
 }
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
   const std::string where = "code " + face_code_text(code);
-  const auto shipped = PartLibrary::shipped_or_why(code.edition, where);
+  const auto shipped = PartLibrary::shipped_or_why();
   if (!shipped) return shipped.error();
   const PartLibrary& library = **shipped;
   for (const HeldValue& held : code.held) {
@@ -294,7 +294,7 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
         std::find_if(library.families().begin(), library.families().end(), is_field);
     if (family == library.families().end()) {
       if (std::none_of(library.numbers().begin(), library.numbers().end(), is_field))
-        return Error{where, fmt::format("edition {} has no field {}", code.edition, held.field)};
+        return Error{where, fmt::format("no code has a field {}", held.field)};
       continue;
     }
     const auto is_part = [&](const Part& part) { return part.number == held.value; };
@@ -305,34 +305,29 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
   return sampled_recipe(library, code);
 }
 
-std::vector<PartFamily> part_families(char edition) {
+std::vector<PartFamily> part_families() {
   std::vector<PartFamily> all;
-  const PartLibrary* library = PartLibrary::shipped(edition);
-  if (!library) return all;
-  for (const Family& family : library->families()) {
+  for (const Family& family : PartLibrary::shipped().families()) {
     all.push_back({family.name, {}, family.optional});
     for (const Part& part : family.parts) all.back().parts.push_back(part.name);
   }
   return all;
 }
 
-std::vector<PartNumber> part_numbers(char edition) {
+std::vector<PartNumber> part_numbers() {
   std::vector<PartNumber> all;
-  const PartLibrary* library = PartLibrary::shipped(edition);
-  if (!library) return all;
-  for (const LibraryNumber& number : library->numbers())
+  for (const LibraryNumber& number : PartLibrary::shipped().numbers())
     all.push_back({number.name, number.lo, number.hi, number.rest});
   return all;
 }
 
-std::vector<std::string> part_styles(char edition) {
-  const PartLibrary* library = PartLibrary::shipped(edition);
-  return library ? library->styles() : std::vector<std::string>();
+std::vector<std::string> part_styles() {
+  return PartLibrary::shipped().styles();
 }
 
-Expected<HeldValue> read_held_value(std::string_view text, bool clamp, char edition) {
+Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
   const std::string where = one_line(text, 60);
-  const auto shipped = PartLibrary::shipped_or_why(edition, where);
+  const auto shipped = PartLibrary::shipped_or_why();
   if (!shipped) return shipped.error();
   const PartLibrary& library = **shipped;
   const std::size_t equals = text.find('=');

@@ -65,7 +65,7 @@ struct FitArguments {
 
 struct SheetArguments {
   std::optional<std::string> face, output;
-  std::optional<std::string> people, parts, seed, style, edition;
+  std::optional<std::string> people, parts, seed, style;
   std::optional<std::string> cell, columns, gap;
   std::vector<std::string> pictures;
   bool emotions = false, half = false;
@@ -74,7 +74,7 @@ struct SheetArguments {
 
 /// mien new.
 struct NewArguments {
-  std::optional<std::string> output, seed, code, style, edition;
+  std::optional<std::string> output, seed, code, style;
   std::optional<std::string> near, by, at;
   std::vector<std::string> between, child_of;  ///< two codes, or none
   std::vector<std::string> held;
@@ -91,7 +91,6 @@ struct PartsArguments {
   enum class Verb { list, begin, check };
   Verb verb = Verb::list;
   std::optional<std::string> family, output;  ///< listed or begun
-  std::optional<std::string> edition;         ///< listed
   std::string name;                           ///< begun
   std::vector<std::string> files;             ///< checked
   std::optional<std::string> people, seed;

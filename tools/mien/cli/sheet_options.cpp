@@ -59,7 +59,6 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
                    "the families")
       ->type_name("FAMILY|FILE|FOLDER");
   add_seed(*sheet, to.seed, "The same word, the same people; default 1");
-  add_edition(*sheet, to.edition, "People or parts of this edition of the parts");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")
       ->type_name("STYLE");
   sheet->add_option("-o,--output", to.output, "Picture to write")->type_name("FILE");

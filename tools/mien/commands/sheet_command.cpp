@@ -103,9 +103,7 @@ Expected<std::vector<FaceCode>> read_people(const SheetArguments& arguments) {
   constexpr int kMostPeople = 10000;
   const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
   if (!count) return count.error();
-  const auto edition = read_edition_option(arguments.edition);
-  if (!edition) return edition.error();
-  return crowd(arguments.seed.value_or("1"), int(*count), *edition);
+  return crowd(arguments.seed.value_or("1"), int(*count));
 }
 
 /// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
@@ -137,11 +135,8 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
 
 /// A plain head, all at rest, no glasses or hats, hair that shows the ears; or FACE's.
 Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
-  const auto edition = read_edition_option(arguments.edition);
-  if (!edition) return edition.error();
-  auto recipe = arguments.face
-                    ? read_given_recipe(*arguments.face)
-                    : Recipe{.name = {}, .edition = *edition, .parts = {{"hair", "crop"}}};
+  auto recipe = arguments.face ? read_given_recipe(*arguments.face)
+                               : Recipe{.name = {}, .parts = {{"hair", "crop"}}};
   if (recipe && arguments.style) recipe->style = *arguments.style;
   return recipe;
 }
@@ -196,7 +191,7 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
   if (std::filesystem::exists(*arguments.parts, none)) return own_part_cells(arguments, size);
   auto given = head_for_parts(arguments);
   if (!given) return {{}, complain(given.error(), arguments.face ? kFailed : kUsedWrongly)};
-  const std::vector<PartFamily> families = part_families(given->edition);
+  const std::vector<PartFamily> families = part_families();
   const auto family = std::ranges::find(families, *arguments.parts, &PartFamily::name);
   if (family == families.end()) {
     std::vector<std::string_view> names;
@@ -239,7 +234,6 @@ std::optional<Error> wrongly_used(const SheetArguments& arguments) {
   if (!arguments.parts && arguments.people.has_value() == arguments.face.has_value())
     return says("a sheet needs a FACE, --people or --parts, one of them");
   if (arguments.statistics && !arguments.people) return says("--statistics: needs --people");
-  if (arguments.edition && arguments.face) return says("--edition: FACE has an edition of its own");
   if (arguments.json && !arguments.statistics) return says("--json: needs --statistics");
   if (arguments.statistics && arguments.output == "-")
     return says("-o -: the statistics are on standard output already");

@@ -23,16 +23,15 @@ constexpr double kLargest = 8192;  // [px] of a picture
 Recipe mean_of(const std::vector<Recipe>& people) {
   Recipe mean = people[0];
   mean.code.clear();
-  for (const Recipe& one : people) mean.edition = std::max(mean.edition, one.edition);
-  for (const PartNumber& number : part_numbers(mean.edition)) {
+  for (const PartNumber& number : part_numbers()) {
     double sum = 0;
     for (const Recipe& one : people) {
-      const auto own = one.numbers.find(number.name);  // none in editions before the number
+      const auto own = one.numbers.find(number.name);
       sum += own == one.numbers.end() ? number.rest : own->second;
     }
     mean.numbers[number.name] = sum / double(people.size());
   }
-  for (const PartFamily& family : part_families(mean.edition)) {
+  for (const PartFamily& family : part_families()) {
     std::map<std::string, int> votes;
     for (const Recipe& one : people) {
       const auto part = one.parts.find(family.name);
@@ -141,8 +140,7 @@ class PlanReader {
       });
     } else {
       const JsonNode* seed = in_.find(node, "seed");
-      for (const FaceCode& code :
-           crowd(seed ? word(*seed) : "1", whole(kind, 1, kMostPeople), plan_.face.edition)) {
+      for (const FaceCode& code : crowd(seed ? word(*seed) : "1", whole(kind, 1, kMostPeople))) {
         factor.people.push_back(recipe_from_code(code).value());
         factor.levels.push_back(face_code_text(code));
       }
@@ -156,7 +154,7 @@ class PlanReader {
   }
 
   void read_number(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
-    const std::vector<PartNumber> numbers = part_numbers(plan_.face.edition);
+    const std::vector<PartNumber> numbers = part_numbers();
     std::vector<std::string_view> names;
     for (const PartNumber& number : numbers) names.push_back(number.name);
     const PartNumber& number = numbers[in_.word(kind, "number", names)];
@@ -200,7 +198,7 @@ class PlanReader {
   }
 
   void read_part(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
-    const std::vector<PartFamily> families = part_families(plan_.face.edition);
+    const std::vector<PartFamily> families = part_families();
     std::vector<std::string_view> names;
     for (const PartFamily& family : families) names.push_back(family.name);
     const PartFamily& family = families[in_.word(kind, "family of parts", names)];

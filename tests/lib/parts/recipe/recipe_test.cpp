@@ -46,19 +46,9 @@ TEST(Recipe, ValuesThatAreWrongAreNamed) {
   EXPECT_NE(what("eye.size=nan").find("a number"), std::string::npos);
   EXPECT_NE(what("hair").find("NAME=VALUE"), std::string::npos);
   EXPECT_EQ(read_held_value("eye.size=9", true).value().value, 1023);
-  EXPECT_NE(recipe_from_code({.edition = 'Y'}).error().what.find("edition Y"), std::string::npos);
   EXPECT_FALSE(recipe_from_code({.held = {{999, 0}}}));
   EXPECT_FALSE(recipe_from_code({.held = {{6, 900}}}));
-  EXPECT_NE(read_held_value("hair=bob", false, '?').error().what.find("edition ?"),
-            std::string::npos);
   Recipe recipe = recipe_from_seed(1);
-  recipe.edition = '?';
-  EXPECT_NE(face_text_from_recipe(recipe).error().what.find("edition ? is not known"),
-            std::string::npos);
-  EXPECT_FALSE(face_from_recipe(recipe));
-  EXPECT_NE(recipe_text(recipe).find("\"edition\": \"?\""), std::string::npos);
-  EXPECT_TRUE(part_families('?').empty() && part_numbers('?').empty() && part_styles('?').empty());
-  recipe = recipe_from_seed(1);
   recipe.numbers["chin"] = 5;
   EXPECT_NE(face_text_from_recipe(recipe).error().what.find("chin goes from"), std::string::npos);
   recipe.numbers.clear(), recipe.style = "inc";
