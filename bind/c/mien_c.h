@@ -137,6 +137,12 @@ MIEN_C_API const char* mien_texts_at(const mien_texts* texts, int32_t index);
 
 MIEN_C_API void mien_texts_free(mien_texts* texts);
 
+/* The sentence about a name that is not among `names`, which has one a line, for doors into other languages: `no WHAT
+ * named "WANTED"; did you mean "NAME"?`, as mien's own errors ask, or without the question. A list of one text. */
+MIEN_C_API mien_status mien_unknown_name(const char* what, size_t what_length, const char* wanted,
+                                         size_t wanted_length, const char* names,
+                                         size_t names_length, mien_texts** out, mien_error** error);
+
 /* ---- Faces ------------------------------------------------------------------------------------ */
 
 /* Reads a face file (docs/face-format.md), of format version 1 or 2. */

@@ -1,4 +1,4 @@
-// What people are made of: the families, parts, numbers and styles of recipes.
+// What people are made of: the families, parts, numbers and styles of recipes; and which name was meant.
 
 #include <mien/recipe.h>
 #include "bind/c/door_private.h"
@@ -31,6 +31,21 @@ const Named& named(const std::vector<Named>& all, std::string_view what, std::st
 }  // namespace
 
 extern "C" {
+
+mien_status mien_unknown_name(const char* what, size_t what_length, const char* wanted,
+                              size_t wanted_length, const char* names, size_t names_length,
+                              mien_texts** out, mien_error** error) {
+  return pass("mien_unknown_name", error, [&] {
+    mien_texts*& made = place(out);
+    std::vector<std::string_view> known;
+    for (auto left = text_of(names, names_length, "names"); !left.empty();) {
+      known.push_back(left.substr(0, left.find('\n')));
+      left.remove_prefix(std::min(left.size(), known.back().size() + 1));
+    }
+    made = new_texts({mien::unknown_name(text_of(what, what_length, "what"),
+                                         text_of(wanted, wanted_length, "wanted"), known)});
+  });
+}
 
 mien_status mien_part_families(mien_texts** out, mien_error** error) {
   return pass("mien_part_families", error, [&] {

@@ -23,6 +23,7 @@ export class MienError extends Error {
 const VIEW = { bytes: 112, width: 4, height: 8, fit: 12, blend: 16, hasBackground: 24, background: 40 };
 const PIXELS = { bytes: 20, data: 8, size: 12, stride: 16 };
 const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, begin: 16, name: 24, unit: 28, lo: 32, hi: 40 };
+const POSE = ['time', 'set', 'emotions', 'muscles', 'arkit', 'facs', 'vrm', 'visemes', 'clips', 'lookAt', 'blend', 'fit', 'background'];
 const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
 
 /** The module's memory: numbers and texts in it. Views are made anew for each use, since memory grows. */
@@ -117,6 +118,15 @@ export async function load(source = new URL('./mien.wasm', import.meta.url)) {
 export class Mien {
   #m; #slot;
   constructor(memory) { this.#m = memory, this.#slot = memory.take(16); }
+
+  /** Refuses keys that are not among those known, in a sentence with the nearest. */
+  known(what, given, names) {
+    for (const key of Object.keys(given)) {
+      if (names.includes(key)) continue;
+      const [sentence] = this.#m.withText(what, (w, l) => this.#m.withText(key, (k, n) => this.#m.withText(names.join('\n'), (t, m) => this.texts('mien_unknown_name', w, l, k, n, t, m))));
+      throw new MienError('', sentence);
+    }
+  }
 
   get version() { return this.#m.text(this.#m.exports.mien_version_text()); }
 
@@ -283,7 +293,7 @@ export class Face {
   /** Draws; pixels stay valid until anything else is asked of mien: copy them to keep them.
    *    pose.time      seconds, at which clips run; none: no clip runs
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
-   *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscle, arkit, facs, vrm, viseme
+   *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes
    *    pose.clips     ['idle', 'feelings=0.5']
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
@@ -353,6 +363,7 @@ export class Face {
 
   #say(name, text, ...more) { this.#m.withText(text, (t, n) => this.#mien.done(name, this.#pose, t, n, ...more)); }
   #take(pose) {
+    this.#mien.known('key of a pose', pose, POSE);
     this.#mien.done('mien_pose_clear', this.#pose);
     this.#mien.done('mien_pose_time', this.#pose, pose.time ?? NaN);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
@@ -363,6 +374,10 @@ export class Face {
     for (const [name, value] of Object.entries(pose.set ?? {})) this.#say('mien_pose_set', `${name}=${[value].flat().join(',')}`);
   }
   #look(width, height, pose) {
+    for (const side of [width, height])
+      if (!Number.isInteger(side)) throw new MienError('', `expected a whole number of pixels, got ${typeof side === 'string' ? JSON.stringify(side) : side}`);
+    if (pose.fit) this.#mien.known('fit', { [pose.fit]: 0 }, ['meet', 'slice']);
+    if (pose.blend) this.#mien.known('blend', { [pose.blend]: 0 }, ['linear', 'srgb']);
     this.#m.exports.mien_view_init(this.#view, VIEW.bytes);
     this.#m.exports.mien_pixels_init(this.#pixels, PIXELS.bytes);
     const v = this.#m.view;

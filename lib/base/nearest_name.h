@@ -11,8 +11,9 @@ namespace mien {
 /// turns a into b (optimal string alignment); anything above `most` is reported as most + 1.
 int edit_distance(std::string_view a, std::string_view b, int most);
 
-/// The name nearest to `wanted`, the first of equals; empty if none is within half its length (at
-/// most 8 edits).
+/// The name that was probably meant: the same in other letters ("Head_Turn"), what people call it
+/// (`meanings`; it may be an option with what follows it), one with a third of its letters wrong at
+/// most, or the only one with that word in it. Empty rather than a wrong one. The first of equals.
 std::string_view nearest_name(std::string_view wanted, const std::vector<std::string_view>& names);
 
 /// `no WHAT named "wanted"; did you mean "nearest"?`, or without the question if nothing is near.

@@ -11,7 +11,7 @@ import numpy
 import numpy.typing
 
 from . import _library
-from ._library import Handle, NameRecord, WriteOptions, call, lib, path_bytes, text, texts, utf8
+from ._library import Handle, NameRecord, WriteOptions, call, hinted, lib, path_bytes, text, texts, utf8
 from ._basis import Basis, wish
 from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, png, view, whole
 
@@ -124,6 +124,7 @@ class Face:
         """All its numbers, at rest."""
         return self.pose().vector
 
+    @hinted
     def pose(self, *, time: Optional[float] = None, set: Optional[Mapping[str, Value]] = None,
              emotions: Optional[Mapping[str, float]] = None,
              expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
@@ -242,6 +243,7 @@ class Posed:
             call(lib.mien_pose_vector, self._pose.value, numbers.ctypes.data, numbers.size)
         return numbers
 
+    @hinted
     def render(self, size: Size = 1024, *, fit: str = "meet", blend: str = "linear", depth: str = "u8",
                background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
                light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0,
@@ -295,6 +297,7 @@ class Posed:
             return Handle(lib.mien_effects_free, lib.mien_effects_of_face, self.face._handle.value)
         return effects_of(asked) if asked else None
 
+    @hinted
     def save(self, path: "str | os.PathLike[str]", size: Size = 1024, *, fit: str = "meet", blend: str = "linear",
              depth: Optional[str] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
              light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0, memory: int = 256 << 20,

@@ -2,11 +2,13 @@
 from __future__ import annotations
 
 import ctypes
+import functools
+import inspect
 import os
 import pathlib
 import weakref
 from ctypes import POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Sequence, TypeVar
 
 ABI = 0  # of the interface that these prototypes are
 NUL_ENDED = c_size_t(-1).value
@@ -98,6 +100,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_basis_encode": [c_void_p, c_void_p, c_size_t, c_void_p, c_size_t],
     "mien_basis_file": [c_void_p, c_void_p, c_size_t],
     "mien_pose_basis": [c_void_p, c_void_p, c_void_p, c_size_t],
+    "mien_unknown_name": [*_TEXT, *_TEXT, *_TEXT, _ERROR],
     "mien_seed_from_word": [*_TEXT, POINTER(c_uint64)],
     "mien_code_from_seed": [c_uint64, _ERROR],
     "mien_recipe_from_seed": [c_uint64, _ERROR],
@@ -265,6 +268,28 @@ def utf8(words: str) -> tuple[bytes, int]:
         raise TypeError(f"expected a str, got {type(words).__name__}")
     raw = words.encode("utf-8", "surrogateescape")
     return raw, len(raw)
+
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def hinted(function: _Function) -> _Function:
+    """The function, whose TypeError about an unknown argument asks whether another was meant."""
+    known = inspect.signature(function).parameters
+
+    @functools.wraps(function)
+    def called(*given: Any, **named: Any) -> Any:
+        for name in named:
+            if name not in known and not any(one.kind is one.VAR_KEYWORD for one in known.values()):
+                raise TypeError(f"{function.__name__}: {unknown_name('argument', name, list(known))}")
+        return function(*given, **named)
+
+    return called  # type: ignore[return-value]
+
+
+def unknown_name(what: str, wanted: str, names: Sequence[str]) -> str:
+    """`no WHAT named "WANTED"; did you mean "NAME"?`"""
+    return texts(lib.mien_unknown_name, *utf8(what), *utf8(wanted), *utf8("\n".join(names)))[0]
 
 
 def path_bytes(path: "str | os.PathLike[str]") -> tuple[bytes, int]:

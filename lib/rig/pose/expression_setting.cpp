@@ -19,10 +19,14 @@ std::string_view typed_name(const Control& control, const std::string& prefix) {
   return std::string_view{control.name}.substr(prefix.size());
 }
 
-std::string none_of(std::string_view set) {
+std::string none_of(const std::vector<Control>& controls, std::string_view set) {
   if (set == "emotion" || set == "muscle") return fmt::format("this face has no {}s", set);
   if (!standard_names(set).empty()) return fmt::format("this face has no table of {} names", set);
-  return fmt::format("this face has no set {}", in_quotes(set));
+  std::vector<std::string_view> sets;
+  for (const Control& control : controls)
+    for (const std::string_view known : {"emotion", "muscle", "arkit", "facs", "vrm", "viseme"})
+      if (control.name.starts_with(std::string(known) + ".")) sets.push_back(known);
+  return unknown_name("set", set, sets);
 }
 
 }  // namespace
@@ -51,7 +55,7 @@ Expected<Setting> read_expression(const Face& face, std::string_view set, std::s
       return Error{where, fmt::format("{} goes from 0 to 1, got {}", in_quotes(name), value)};
     return Setting{true, int(c), {value}};
   }
-  if (known.empty()) return Error{where, none_of(set)};
+  if (known.empty()) return Error{where, none_of(controls, set)};
   if (const std::size_t dot = name.find('.');
       dot != std::string_view::npos && (name.starts_with("left.") || name.starts_with("right.")))
     if (const auto bare = name.substr(dot + 1);

@@ -93,6 +93,13 @@ static void test_parts(void) {
   }
   mien_texts_free(list);
 
+  OK(mien_unknown_name("key", END, "Tilt", END, "yaw\npitch\nroll\n", END, &list, &error));
+  CHECK(strcmp(mien_texts_at(list, 0), "no key named \"Tilt\"; did you mean \"roll\"?") == 0);
+  mien_texts_free(list);
+  OK(mien_unknown_name("key", END, "yaw", END, "", 0, &list, &error));
+  CHECK(strcmp(mien_texts_at(list, 0), "no key named \"yaw\"") == 0);
+  mien_texts_free(list);
+  FAILS(MIEN_MISUSE, "wanted", mien_unknown_name("key", END, NULL, 3, "", 0, &list, &error));
   FAILS(MIEN_REFUSED, "did you mean \"hair\"", mien_part_names("hai", END, &list, &error));
   FAILS(MIEN_REFUSED, "did you mean \"age\"", mien_part_number("aged", END, range, &error));
   FAILS(MIEN_MISUSE, "out", mien_part_number("age", END, NULL, &error));

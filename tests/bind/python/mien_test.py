@@ -93,6 +93,19 @@ class Faces(unittest.TestCase):
         again = mien.read_face_text(people.recipe(code))
         numpy.testing.assert_array_equal(person.vector, again.vector)
 
+    def test_words_that_people_use_are_understood(self):
+        person = mien.from_code(mien.crowd("chorus", 1)[0])
+        for call, raised, what in (
+                (lambda: person.pose(emotions={"happiness": 1}), mien.Error, 'did you mean "joy"?'),
+                (lambda: person.pose(emotions={"scared": 1}), mien.Error, 'did you mean "fear"?'),
+                (lambda: person.pose(expressions={"visemes": {"aa": 1}}), mien.Error, 'did you mean "viseme"?'),
+                (lambda: person.pose(yaw=20), TypeError, 'pose: no argument named "yaw"; did you mean "set: yaw"?'),
+                (lambda: person.pose(emotion={"joy": 1}), TypeError, 'did you mean "emotions"?'),
+                (lambda: person.pose().render(64, bg="#fff"), TypeError, 'did you mean "background"?')):
+            with self.assertRaises(raised) as caught:
+                call()
+            self.assertIn(what, str(caught.exception))
+
     def test_errors_are_sentences(self):
         for call, where, what in (
                 (lambda: mien.read_face("no/such.json"), "no/such.json", ""),

@@ -123,6 +123,12 @@ test('what is refused is a sentence with an address', () => {
   const face = mien.face(text('seed0'));
   assert.throws(() => face.draw(64, 36, { set: { 'gaze.z': 1 } }), /did you mean "gaze\.[xy]"/);
   assert.throws(() => face.draw(0, 36), MienError);
+  assert.throws(() => face.draw(64, 36, { emotion: { joy: 1 } }), /no key of a pose named "emotion"; did you mean "emotions"/);
+  assert.throws(() => face.draw(64, 36, { yaw: 20 }), /did you mean "set: yaw"/);
+  assert.throws(() => face.draw(64, 36, { nonsense: 1 }), (e) => e.what === 'no key of a pose named "nonsense"');
+  assert.throws(() => face.draw(64, 36, { fit: 'slize' }), /did you mean "slice"/);
+  assert.throws(() => face.draw('72px', 72), /expected a whole number of pixels, got "72px"/);
+  assert.throws(() => face.draw(72.5, 72), /whole number of pixels, got 72.5/);
   assert.throws(() => face.draw(1 << 20, 1 << 20), MienError);
   assert.equal(face.draw(64, 36).length, 64 * 36 * 4);  // it still draws
   face.free();

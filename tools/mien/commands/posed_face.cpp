@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,25 @@
 
 namespace mien::command {
 
+namespace {
+
+/// The error about a FACE that cannot be read. A word that is no file's name stands for a person elsewhere.
+Error with_word_explained(Error error, const std::string& text) {
+  std::error_code too_long;
+  if (text.find_first_of("./\\") != std::string::npos || std::filesystem::exists(text, too_long))
+    return error;
+  const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '-' || c == '_' || c >= 128;
+  });
+  const std::string word = one_line(text, 60);
+  return {error.where,
+          fmt::format("there is no such file; `mien new --seed {}` prints the code of a "
+                      "person for any word",
+                      plain ? word : in_quotes(word))};
+}
+
+}  // namespace
+
 bool is_given_as_code(const std::string& text) {
   std::error_code too_long;  // codes that hold much are longer than a file's name may be
   return looks_like_face_code(text) && !std::filesystem::exists(text, too_long);
@@ -34,7 +54,9 @@ bool is_given_as_code(const std::string& text) {
 
 Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings) {
   if (!is_given_as_code(text)) {
-    return read_recipe_file(text, warnings);
+    auto recipe = read_recipe_file(text, warnings);
+    if (!recipe) return with_word_explained(recipe.error(), text);
+    return recipe;
   }
   const auto code = read_face_code(text);
   if (!code) return code.error();
@@ -43,7 +65,11 @@ Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* 
 
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings) {
-  if (!style && !is_given_as_code(text)) return read_face(text, {}, warnings, face_letters());
+  if (!style && !is_given_as_code(text)) {
+    auto face = read_face(text, {}, warnings, face_letters());
+    if (!face) return with_word_explained(face.error(), text);
+    return face;
+  }
   auto recipe = read_given_recipe(text, warnings);
   if (!recipe) return recipe.error();
   if (style) recipe->style = *style;

@@ -58,8 +58,7 @@ TEST(ReadMuscles, ReadsBothSidesAndWeldsTheAxis) {  // M1, M4, M5
 
 TEST(ReadMuscles, NamesTheNearestOfWhatItDoesNotKnow) {  // M4
   EXPECT_EQ(muscles_said(muscles(R"("brow/points/2": 1)")),
-            "/muscles/groups/0/attach/brow~1points~12: no point or number named \"brow/points/2\"; "
-            "did you mean \"brow/points/0\"?");
+            "/muscles/groups/0/attach/brow~1points~12: no point or number named \"brow/points/2\"");
   EXPECT_NE(muscles_said(muscles(R"("iris/scal": 1)")).find("did you mean \"iris/scale\"?"),
             std::string::npos);
   EXPECT_NE(

@@ -32,7 +32,7 @@ TEST(ExpressionSetting, NamesTheNearest) {
             "zygomatcus=1: no muscle named \"zygomatcus\"; did you mean \"zygomaticus\"?");
   EXPECT_EQ(said("arkit", "jawOpn=1"),
             "jawOpn=1: no arkit name named \"jawOpn\"; did you mean \"jawOpen\"?");
-  EXPECT_EQ(said("mood", "x=1"), "x=1: this face has no set \"mood\"");
+  EXPECT_EQ(said("mood", "x=1"), "x=1: no set named \"mood\"; did you mean \"emotion\"?");
   const Face bruno = test::face_named("bruno"), seed = test::face_named("seed0");
   EXPECT_EQ(sentence(read_expression(bruno, "muscle", "left.jaw=1").error()),
             "left.jaw=1: \"jaw\" has no left and right: it is one");
