@@ -12,7 +12,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 Clip clip_of(std::vector<Curve> curves) {
   Clip clip{.name = "a", .tracks = {}};
-  for (Curve& curve : curves) clip.tracks.push_back({{0}, std::move(curve)});
+  for (Curve& curve : curves) clip.tracks.push_back({{0}, {std::move(curve)}});
   return clip;
 }
 KeyCurve keys(double last, double period = 0, double offset = 0) {
