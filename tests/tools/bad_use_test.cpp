@@ -187,7 +187,7 @@ const Wrong kWrongs[] = {
      1,
      "DIR/none.json: cannot be read: No such file or directory"},
     {{"check", "DIR/none.json"}, 1, "DIR/none.json: cannot be read: No such file or directory"},
-    {{"scene", "FACE", "--time", "1", "--seed", ""}, 2, "--seed: an empty word is no seed"},
+    {{"scene", "FACE", "--time", "1", "--seed", ""}, 2, "scene: --seed: an empty word is no seed"},
     {{"scene", "FACE", "--time", "1", "--liveliness", "3"},
      2,
      "--liveliness 3: expected a number from 0 to 2"},

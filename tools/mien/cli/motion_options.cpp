@@ -1,7 +1,7 @@
 #include "tools/mien/cli/motion_options.h"
 #include <mien/unwrap_mode.h>
-#include "tools/mien/cli/option_words.h"
 #include "command_app_private.h"
+#include "tools/mien/cli/option_words.h"
 
 namespace mien::command {
 namespace {
@@ -28,7 +28,8 @@ void add_motion(CLI::App* to, PosedFace& posed) {
       ->type_name("NAME[=WEIGHT[@BEGIN]]")
       ->allow_extra_args(false);
   add_seed(*to, posed.seed,
-           "Blink and glance by this word's chances; default those of the face's own code, recipe or file");
+           "Blink and glance by this word's chances; default those of the face's own code, recipe "
+           "or file");
   to->add_option("--liveliness", posed.liveliness,
                  "How far clips move the face, 0 (not at all) to 2; default 1")
       ->type_name("N");

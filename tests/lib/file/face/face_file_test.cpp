@@ -289,10 +289,13 @@ TEST(ReadFace, SaysWhatIsWrongAndWhere) {
       {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": ^-1}}})"),
        ": /clips/idle/look/wander/seed: a seed is a whole number from 0 to 4294967295, got -1"},
       {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": ^"person"}}})"),
-       ": /clips/idle/look/wander/seed: a seed is a whole number, or {\"person\": NUMBER} for chances of "
+       ": /clips/idle/look/wander/seed: a seed is a whole number, or {\"person\": NUMBER} for "
+       "chances of "
        "each face's own"},
-      {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": {"person": ^0.5}}}})"),
-       ": /clips/idle/look/wander/seed/person: a seed is a whole number from 0 to 4294967295, got 0.5"},
+      {clip_with(
+           R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": {"person": ^0.5}}}})"),
+       ": /clips/idle/look/wander/seed/person: a seed is a whole number from 0 to 4294967295, got "
+       "0.5"},
       {clip_with(R"({"look": {"sine": {"amplitude": 1, "frequency": 1, "seed": ^{}}}})"),
        ": /clips/idle/look/sine/seed: \"person\" is missing"},
       {clip_with(R"({"look": {"keys": [[0, 0]], "share": ^1}})"),
