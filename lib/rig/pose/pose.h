@@ -59,9 +59,9 @@ MIEN_API Expected<glm::dvec3> read_look_at(const Face& face, std::string_view te
 inline constexpr double kMostLively = 2;
 
 struct Pose {
-  std::optional<double> time = {};         ///< [s]; without one no clip runs
-  std::vector<Setting> settings = {};      ///< beat clips and gaze; later ones beat earlier ones
-  std::vector<ClipLayer> clips = {};       ///< bottom to top; none: the face's default clip
+  std::optional<double> time = {};     ///< [s]; without one no clip runs
+  std::vector<Setting> settings = {};  ///< beat clips and gaze; later ones beat earlier ones
+  std::vector<ClipLayer> clips = {};   ///< bottom to top; none: the face's default clip
   /// What clips' personal chance draws from; none: the face's own (FaceModel::seed). seed_from_word makes one.
   std::optional<std::uint64_t> seed = {};
   /// 0 … kMostLively: how far clips move the face from rest, and how often those curves play that say in which share of

@@ -108,7 +108,8 @@ std::vector<int> blinks(const Face& face, int frames) {
   const std::size_t y = std::size_t(face.model->layout[at].begin) + 1;
   Poser poser(face);
   const double open = face.vector[y];
-  const double shut = pose_face(face, {.settings = {read_setting(face, "blink=1").value()}}).vector[y];
+  const double shut =
+      pose_face(face, {.settings = {read_setting(face, "blink=1").value()}}).vector[y];
   std::vector<int> found;
   for (int frame = 0; frame < frames; ++frame)
     if (poser.pose({.time = frame / 30.0}).vector[y] < shut + 0.4 * (open - shut))
