@@ -426,6 +426,14 @@ MIEN_C_API mien_status mien_pose_express(mien_pose* pose, const char* set, size_
 MIEN_C_API mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t length,
                                       mien_error** error);
 
+/* A word instead of the face's own code, recipe or text, for what clips draw by personal chance: the same word, the same
+ * blinks and glances. An empty word is refused. */
+MIEN_C_API mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t length,
+                                      mien_error** error);
+
+/* How far clips move the face, 0 (not at all) ... 2; 1 as the clips say. */
+MIEN_C_API mien_status mien_pose_liveliness(mien_pose* pose, double liveliness, mien_error** error);
+
 /* The point that the eyes look at [face units], z towards the viewer. */
 MIEN_C_API mien_status mien_pose_look_at(mien_pose* pose, double x, double y, double z,
                                          mien_error** error);

@@ -14,6 +14,8 @@ export interface Pose {
   vrm?: Record<string, number | string>;
   visemes?: Record<string, number | string>;
   clips?: string[];
+  seed?: string | number;
+  liveliness?: number;
   lookAt?: [number, number, number];
   blend?: 'linear' | 'srgb';
   fit?: 'meet' | 'slice';

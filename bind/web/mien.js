@@ -295,6 +295,8 @@ export class Face {
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
    *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes
    *    pose.clips     ['idle', 'feelings=0.5']
+   *    pose.seed      a word instead of the face's own code, recipe or text, for blinks and glances by chance
+   *    pose.liveliness  0 to 2: how far clips move the face; 1 (default) as they say, 0 not at all
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
@@ -367,6 +369,8 @@ export class Face {
     this.#mien.done('mien_pose_clear', this.#pose);
     this.#mien.done('mien_pose_time', this.#pose, pose.time ?? NaN);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
+    if (pose.seed != null) this.#say('mien_pose_seed', String(pose.seed));
+    if (pose.liveliness != null) this.#mien.done('mien_pose_liveliness', this.#pose, pose.liveliness);
     if (pose.lookAt) this.#mien.done('mien_pose_look_at', this.#pose, ...pose.lookAt);
     for (const [set, given] of [['emotion', pose.emotions], ['muscle', pose.muscles], ['arkit', pose.arkit], ['facs', pose.facs], ['vrm', pose.vrm], ['viseme', pose.visemes]])
       for (const [name, weight] of Object.entries(given ?? {}))

@@ -62,8 +62,24 @@ Face in_its_mood(Face neutral, FaceModel& model) {
   return rest;
 }
 
-Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
-               SlicePlaces* places);
+/// Where a file is from: what its own parts and its seed come of.
+struct Origin {
+  const std::filesystem::path* folder;  ///< where a recipe's own parts lie; null: there can be none
+  std::uint64_t seed;                   ///< of a face in full
+};
+
+Face read_root(Reading& in, const Origin& origin, const Letters& letters, SlicePlaces* places);
+
+/// The same in every style, and wherever the code is written in another way.
+std::uint64_t seed_of_recipe(const Recipe& recipe) {
+  if (recipe.code.empty()) {
+    Recipe unstyled = recipe;
+    unstyled.style.clear();
+    return seed_from_word(recipe_text(unstyled));
+  }
+  const auto code = read_face_code(recipe.code);
+  return seed_from_word(code ? face_code_text(*code) : recipe.code);
+}
 
 /// A recipe, put together and read.
 Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings,
@@ -74,12 +90,11 @@ Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<E
   if (!tree) throw Refusal{tree.error()};
   if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
   Reading in(*tree, limits, warnings);
-  return read_root(in, nullptr, letters, nullptr);
+  return read_root(in, {nullptr, seed_of_recipe(recipe)}, letters, nullptr);
 }
 
-/// `folder`: where a recipe's own parts lie. `places`: of the slices, which a recipe has none of; null: nobody asks.
-Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
-               SlicePlaces* places) {
+/// `places`: of the slices, which a recipe has none of; null: nobody asks.
+Face read_root(Reading& in, const Origin& origin, const Letters& letters, SlicePlaces* places) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   const JsonNode* version = in.find(root, "format_version");
@@ -90,11 +105,12 @@ Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& 
                "poses",      "eyes",    "turn",           "muscles", "emotions", "expressions",
                "mood",       "clips",   "default_clip",   "effects"});
   if (check_format(in, root) == 2)
-    return read_composed(read_recipe(in, root, folder), in.limits, in.warnings(), letters);
+    return read_composed(read_recipe(in, root, origin.folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
   draft.letters = &letters, draft.places = places;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
+  model.seed = origin.seed;
   if (const JsonNode* name = in.find(root, "name")) model.name = in.string(*name);
   if (const JsonNode* credit = in.find(root, "credit")) model.credit = in.string(*credit);
   read_canvas(in, in.need(root, "canvas"), draft);
@@ -159,7 +175,7 @@ Expected<PlacedFace> read_placed_face(std::string_view text, std::string_view na
     if (!tree) return tree.error();
     Reading in(*tree, limits, warnings);
     SlicePlaces places;
-    Face face = read_root(in, folder, letters, &places);
+    Face face = read_root(in, {folder, seed_from_word(text)}, letters, &places);
     places.resize(face.model->layout.slices().size());
     return PlacedFace{*std::move(tree), std::move(face), std::move(places)};
   });

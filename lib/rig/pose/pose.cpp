@@ -20,15 +20,31 @@ namespace {
 
 using Values = std::vector<double>;
 
+/// A track's value for a control that rests there. With a liveliness of 1 a single curve's value is kept bit for bit.
+double value_of(const ClipTrack& track, double rest, double time, const Temper& temper) {
+  double value = rest;
+  for (std::size_t i = 0; i < track.curves.size(); ++i) {
+    const Curve& curve = track.curves[i];
+    double own = value_at(curve, time, temper);
+    if (temper.liveliness != 1 && !is_played_by_chance(curve))
+      own = rest + temper.liveliness * (own - rest);
+    value = i == 0 ? own : value + (own - rest);
+  }
+  return value;
+}
+
 /// Lays one clip over what is below it.
-void play(const FaceModel& model, const Clip& clip, double time, double weight, Values& values) {
+void play(const FaceModel& model, const Clip& clip, double time, double weight,
+          const Temper& temper, Values& values) {
   for (const ClipTrack& track : clip.tracks) {
-    const double value = value_at(track.curve, time);
+    const std::vector<Index<Channel>>& channels = track.control.in(model.controls).channels;
+    const double rest = channels[0].in(model.channels).rest;  // the halves of a control rest alike
+    const double value = value_of(track, rest, time, temper);
     if (!std::isfinite(value)) continue;
-    for (const Index<Channel> c : track.control.in(model.controls).channels) {
+    for (const Index<Channel> c : channels) {
       double& now = values[std::size_t(c.at)];
       if (clip.additive)
-        now += weight * (value - c.in(model.channels).rest);
+        now += weight * (value - rest);
       else
         now = weight == 1 ? value : now + weight * (value - now);
     }
@@ -36,13 +52,15 @@ void play(const FaceModel& model, const Clip& clip, double time, double weight, 
 }
 
 void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
-  if (!pose.time || !std::isfinite(*pose.time)) return;
+  if (!clips_run(pose)) return;
+  const Temper temper{pose.seed.value_or(model.seed), std::min(pose.liveliness, kMostLively)};
   if (pose.clips.empty() && model.default_clip && !pose.basis)
-    play(model, model.default_clip.in(model.clips), *pose.time, 1, values);
+    play(model, model.default_clip.in(model.clips), *pose.time, 1, temper, values);
   for (const ClipLayer& layer : pose.clips)
     if (layer.clip && layer.clip.at < int(model.clips.size()) && std::isfinite(layer.weight) &&
         std::isfinite(layer.begin))
-      play(model, layer.clip.in(model.clips), *pose.time - layer.begin, layer.weight, values);
+      play(model, layer.clip.in(model.clips), *pose.time - layer.begin, layer.weight, temper,
+           values);
 }
 
 void look(const Face& rest, glm::dvec3 target, Values& values) {

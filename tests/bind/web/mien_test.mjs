@@ -33,6 +33,17 @@ test('the same word is the same person, and a held part stays', () => {
   assert.equal(new Set(mien.crowd('x', 5)).size, 5);
 });
 
+test('people have a time of their own, and without liveliness none', () => {
+  const code = mien.code('hello'), face = mien.person(code), drawn = (pose) => Buffer.from(face.draw(64, 64, pose)).toString('hex');
+  assert.equal(drawn({ time: 1.25 }), drawn({ time: 1.25, seed: code }));
+  assert.notEqual(drawn({ time: 1.25 }), drawn({ time: 1.25, seed: 'hallo' }));
+  assert.equal(drawn({ time: 1.25, seed: 7 }), drawn({ time: 1.25, seed: '7' }));
+  assert.equal(drawn({}), drawn({ time: 1.25, liveliness: 0 }));
+  assert.throws(() => drawn({ seed: '' }), /an empty word is no seed/);
+  assert.throws(() => drawn({ liveliness: 3 }), /goes from 0 to 2, got 3/);
+  face.free();
+});
+
 test('what recipes choose from is told', () => {
   const { families, numbers, styles } = mien.parts();
   assert.equal(families.find(({ name }) => name === 'glasses').parts[0], 'none');

@@ -1,5 +1,6 @@
 #include "tools/mien/commands/posed_face.h"
 #include <mien/composed_face.h>
+#include <mien/face_code.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 #include <mien/morph_file.h>
@@ -137,8 +138,14 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
   return Done{};
 }
 
-/// Adds --clip and --pose.
+/// Adds --clip, --seed, --liveliness and --pose.
 Expected<Done> read_motion(const Face& face, const PosedFace& arguments, Pose& pose) {
+  if (arguments.seed) pose.seed = seed_from_word(*arguments.seed);
+  if (arguments.liveliness) {
+    const auto liveliness = read_real("--liveliness", *arguments.liveliness, 0, kMostLively);
+    if (!liveliness) return liveliness.error();
+    pose.liveliness = *liveliness;
+  }
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
     if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};

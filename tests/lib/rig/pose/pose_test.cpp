@@ -322,11 +322,7 @@ constexpr const char* kPosable = R"({"format": "mien-face", "format_version": 1,
   "controls": [{"name": "look", "range": [-1, 1], "rest": 0, "per_side": true, "offset": {"dot/center": [0, 1]}}],
   "poses": {
     "up": {"slices": {"dot/center": [0.5, 0.3]}},
-    "big": {"per_side": true, "range": [-1, 2], "by": {"dot/radius": [0.05]}, "controls": {"look": 0.4}}},
-  "clips": {
-    "swing": {"look": {"keys": [[0, 0], [1, 1]]}},
-    "hold": {"look": {"keys": [[0, 0.5]]}, "up": {"keys": [[0, 1]]}},
-    "more": {"additive": true, "tracks": {"look": {"keys": [[0, 0.1], [1, 0.2]]}}}}})";
+    "big": {"per_side": true, "range": [-1, 2], "by": {"dot/radius": [0.05]}, "controls": {"look": 0.4}}}})";
 
 Face posable() {
   return *read_face_text(kPosable);
