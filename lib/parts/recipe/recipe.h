@@ -33,6 +33,9 @@ MIEN_API Recipe recipe_from_seed(std::uint64_t seed);
 /// The recipe of a code. The error says which held value is not known.
 MIEN_API Expected<Recipe> recipe_from_code(const FaceCode& code);
 
+/// The same person without an expression: no smile, no mood, so the lips are closed.
+MIEN_API Recipe neutral_recipe(Recipe recipe);
+
 /// The text of a face file, format version 1: parts are put together, and nothing of them is left. The
 /// error names what is unknown or out of range, with the nearest known name.
 MIEN_API Expected<std::string> face_text_from_recipe(const Recipe& recipe);

@@ -305,6 +305,11 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
   return sampled_recipe(library, code);
 }
 
+Recipe neutral_recipe(Recipe recipe) {
+  for (const char* expressive : {"smile", "mood"}) recipe.numbers[expressive] = 0;
+  return recipe;
+}
+
 std::vector<PartFamily> part_families() {
   std::vector<PartFamily> all;
   for (const Family& family : PartLibrary::shipped().families()) {

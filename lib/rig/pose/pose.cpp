@@ -129,12 +129,11 @@ void set_channels(const Face& rest, const Pose& pose, Values& values) {
   clamp(model, false, values);
 }
 
-/// The same face without its mood.
-Face without_mood(Face face) {
-  const FaceVector& shift = face.model->mood_shift;
-  for (std::size_t i = 0; i < std::min(shift.size(), face.vector.size()); ++i)
-    face.vector[i] -= shift[i];
-  return face;
+/// The numbers without the mood.
+FaceVector less_mood(const FaceModel& model, FaceVector vector) {
+  const FaceVector& shift = model.mood_shift;
+  for (std::size_t i = 0; i < std::min(shift.size(), vector.size()); ++i) vector[i] -= shift[i];
+  return vector;
 }
 
 bool at_rest(const FaceModel& model, const Values& values) {
@@ -179,7 +178,10 @@ struct Poser::Scratch {
   MusclePoser muscles;
   std::optional<UnwrapChart> chart;  ///< made when first needed
 
-  explicit Scratch(Face face) : rest(std::move(face)), neutral(without_mood(rest)), posed(rest) {
+  explicit Scratch(Face face)
+      : rest(std::move(face)),
+        neutral{rest.model, less_mood(*rest.model, rest.vector)},
+        posed(rest) {
     values.reserve(rest.model->channels.size());
   }
 
@@ -211,7 +213,7 @@ const Face& Poser::pose(const Pose& pose) {
   const bool still = at_rest(model, values);
   const bool moody = !model.mood_shift.empty();
   if (!(moody && still)) {
-    if (moody) posed = without_mood(std::move(posed));
+    if (moody) posed.vector = less_mood(model, std::move(posed.vector));
     const FaceVector begin = by_basis ? posed.vector : FaceVector{};
     scratch_->drive_channels(true);
     muscles.act(neutral, pose, values, set_channels, posed.vector);
@@ -231,6 +233,16 @@ const Face& Poser::pose(const Pose& pose) {
   for (const Setting& setting : pose.settings) put_numbers(setting, posed.vector);
   apply_rules(model.layout, rest.vector, posed.vector);
   return posed;
+}
+
+Face without_mood(const Face& face) {
+  if (face.model->mood_shift.empty()) return face;
+  auto model = std::make_shared<FaceModel>(*face.model);
+  model->mood_shift.clear();
+  for (const Expression& expression : model->expressions)
+    for (const Index<Channel> c : {expression.left, expression.right})
+      model->channels[std::size_t(c.at)].rest = 0;
+  return {std::move(model), less_mood(*face.model, face.vector)};
 }
 
 Face pose_face(const Face& face, const Pose& pose) {

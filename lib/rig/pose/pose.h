@@ -95,6 +95,9 @@ struct Pose {
 /// their rule.
 MIEN_API Face pose_face(const Face& face, const Pose& pose = {});
 
+/// The same face, resting without its mood.
+MIEN_API Face without_mood(const Face& face);
+
 /// A name that read_setting takes.
 struct SettableName {
   std::string name;

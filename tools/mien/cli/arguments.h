@@ -11,6 +11,7 @@ namespace mien::command {
 struct PosedFace {
   std::string face;
   std::optional<std::string> style;  ///< of a face by code
+  bool neutral = false;
   std::optional<std::string> time;
   std::vector<std::string> clips, poses;
   std::optional<std::string> seed, liveliness;
@@ -69,7 +70,8 @@ struct SheetArguments {
   std::optional<std::string> people, parts, seed, style;
   std::optional<std::string> cell, columns, gap;
   std::vector<std::string> pictures;
-  bool emotions = false, half = false;
+  std::optional<std::string> turned;
+  bool emotions = false, half = false, neutral = false;
   bool statistics = false, json = false;
 };
 

@@ -14,6 +14,8 @@ void add_face(CLI::App* to, PosedFace& posed) {
         "--style", posed.style,
         "How a face by code or recipe is painted: flat, soft, clay, ink or pictogram; default soft")
       ->type_name("STYLE");
+  to->add_flag("--neutral", posed.neutral,
+               "No smile, lips closed, head ahead, all still, but for what other options ask");
 }
 
 /// What moves a face: clips, named poses, a basis.

@@ -65,26 +65,32 @@ Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* 
 }
 
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
-                                 std::vector<Error>* warnings) {
-  if (!style && !is_given_as_code(text)) {
-    auto face = read_face(text, {}, warnings, face_letters());
-    if (!face) return with_word_explained(face.error(), text);
-    return face;
+                                 std::vector<Error>* warnings, bool neutral) {
+  const auto of_recipe = [&](Recipe recipe) {
+    if (style) recipe.style = *style;
+    if (neutral) recipe = neutral_recipe(std::move(recipe));
+    return face_from_recipe(recipe, face_letters());
+  };
+  if (style || is_given_as_code(text)) {
+    auto recipe = read_given_recipe(text, warnings);
+    if (!recipe) return recipe.error();
+    return of_recipe(*std::move(recipe));
   }
-  auto recipe = read_given_recipe(text, warnings);
-  if (!recipe) return recipe.error();
-  if (style) recipe->style = *style;
-  return face_from_recipe(*recipe, face_letters());
+  if (neutral)
+    if (auto recipe = read_recipe_file(text, warnings)) return of_recipe(*std::move(recipe));
+  auto face = read_face(text, {}, warnings, face_letters());
+  if (!face) return with_word_explained(face.error(), text);
+  return neutral ? without_mood(*face) : *std::move(face);
 }
 
 std::optional<Face> read_face_aloud(const std::string& path,
-                                    const std::optional<std::string>& style) {
+                                    const std::optional<std::string>& style, bool neutral) {
   if (path.empty()) {
     complain(Error{"face file", "its name is empty"}, kFailed);
     return {};
   }
   std::vector<Error> warnings;
-  auto face = read_face_or_code(path, style, &warnings);
+  auto face = read_face_or_code(path, style, &warnings, neutral);
   warn(warnings);
   if (face) return *std::move(face);
   complain(face.error(), kFailed);
@@ -239,7 +245,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
     const std::string where = "--clip " + one_line(arguments.clips[0], 60);
     return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
   }
-  auto face = known ? *known : read_face_aloud(arguments.face, arguments.style);
+  auto face = known ? *known : read_face_aloud(arguments.face, arguments.style, arguments.neutral);
   if (!face) return {{}, {}, kFailed};
   for (const std::string& file : arguments.morphs) {
     auto more = read_morphs(*face, file);
@@ -251,6 +257,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
   auto pose = read_pose(*face, arguments, arkit->settings);
   if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
   pose->time = at;
+  if (arguments.neutral) pose->liveliness = 0;
   if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
   return {std::move(face), *std::move(pose), kDone};
 }

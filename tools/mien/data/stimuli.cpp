@@ -58,7 +58,7 @@ class Experiment {
 
   /// What the plan's face says stands before what the person's says.
   void put_person(const Recipe& person, Recipe& recipe) const {
-    Recipe both = person;
+    Recipe both = plan_.neutral ? neutral_recipe(person) : person;
     for (const auto& [family, part] : plan_.face.parts) both.parts[family] = part;
     for (const auto& [name, value] : plan_.face.numbers) both.numbers[name] = value;
     for (const auto& [name, part] : plan_.face.own_parts) both.own_parts[name] = part;

@@ -54,11 +54,11 @@ class PlanReader {
   StimulusPlan read(const JsonNode& root) {
     in_.expect_object(root,
                       {"$schema", "format", "format_version", "face", "size", "factors", "sample",
-                       "seed", "pairs"},
+                       "seed", "pairs", "neutral"},
                       "plan");
     expect_format(in_, root, "mien-stimuli");
-    if (const JsonNode* face = in_.find(root, "face"))
-      plan_.face = read_recipe(in_, *face, &folder_);
+    if (const JsonNode* neutral = in_.find(root, "neutral")) plan_.neutral = in_.boolean(*neutral);
+    if (const JsonNode* face = in_.find(root, "face")) read_face(*face);
     if (const JsonNode* size = in_.find(root, "size")) plan_.size = whole(*size, 16, kLargest);
     if (const JsonNode* seed = in_.find(root, "seed")) plan_.seed = word(*seed);
     const JsonNode& factors = in_.need(root, "factors");
@@ -76,6 +76,17 @@ class PlanReader {
   }
 
  private:
+  /// A smile that the plan itself asks for stays.
+  void read_face(const JsonNode& node) {
+    const Recipe read = read_recipe(in_, node, &folder_);
+    plan_.face = plan_.neutral && !read.code.empty() ? neutral_recipe(read) : read;
+    if (const JsonNode* numbers = in_.find(node, "numbers"))
+      in_.for_each(*numbers, [&](const JsonNode& number, int) {
+        const std::string name(in_.tree.key(number));
+        plan_.face.numbers[name] = read.numbers.at(name);
+      });
+  }
+
   std::string word(const JsonNode& node) const {
     const std::string_view text = in_.string(node);
     if (text.empty()) in_.refuse(node, "an empty word is no seed");
