@@ -95,7 +95,8 @@ void couple_channels(const FaceModel& model, Values& values) {
       values[std::size_t(n.channel.at)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
-/// The mood gives way to what else is in the face: as much as all other expressions together, and entirely at 1.
+/// The mood gives way to what else is in the face: by twice as much as all other expressions together, so that these are
+/// read at half their strength, too.
 void fade_mood(const FaceModel& model, Values& values) {
   if (model.mood_shift.empty()) return;
   const auto at = [&](Index<Channel> c) -> double& { return values[std::size_t(c.at)]; };
@@ -109,7 +110,7 @@ void fade_mood(const FaceModel& model, Values& values) {
   if (others == 0) return;
   for (const Expression& one : model.expressions)
     for (const Index<Channel> c : {one.left, one.right})
-      if (is_mood(c)) at(c) *= std::max(1 - others, 0.0);
+      if (is_mood(c)) at(c) *= std::max(1 - 2 * others, 0.0);
 }
 
 /// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'

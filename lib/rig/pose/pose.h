@@ -89,7 +89,7 @@ struct Pose {
 ///   8. slice settings
 ///   9. rules (clamp, wrap), applied once, so a posed face is always valid
 /// A face with a mood rests in it (docs/face-format.md). The steps begin without the mood, and where another emotion or
-/// expression comes, the mood goes by as much.
+/// expression comes, the mood goes by twice as much.
 /// Without time, gaze and settings the result is the rest vector, bit for bit. Total: a setting or clip
 /// of another model does nothing, a liveliness out of range counts as its nearer end, and numbers out of range follow
 /// their rule.

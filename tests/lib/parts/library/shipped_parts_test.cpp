@@ -75,6 +75,8 @@ TEST(ShippedParts, OfABrokenFileSaysWhichAndWhere) {
            {"\"number\": 2,", "\"number\": 2, \"tickets\": 7,"},
            {"\"number\": 2,", "\"number\": 2, \"tickets\": {\"any\": \"7\"},"},
            {"\"number\": 2,", "\"number\": 1,"},
+           {"\"number\": 2,", "\"number\": 2, \"avoids\": [\"nose\"],"},
+           {"\"number\": 2,", "\"number\": 2, \"avoids\": [\"head/spare\"],"},
            {"\"name\": \"long\", ", ""}}) {
     const std::string said = said_of(test::with(good, from, to));
     EXPECT_TRUE(said.starts_with("nose/all.json:4:")) << said;
