@@ -11,20 +11,23 @@
    tests/untested.txt, each with its reason; that list may only shrink.
 5. The libraries print nothing, end no program and keep nothing for each thread; no file speaks of the machine it was written on.
 6. Links between pages, and pages that code refers to, are there.
+7. Every .cpp is compiled: a CMakeLists.txt names it, or its bench or fuzzer by its stem.
 """
+import fnmatch
 import pathlib
+import posixpath
 import re
 import sys
 
 # The rooms in the order a face goes through them. A file standing alone is a room of its own.
 ORDER = """
     version.h
-    lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file  lib/nonsense
+    lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file
     sdf/shape  sdf/distance  sdf/csg  sdf/scene  sdf/outline  sdf/arrange  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
     render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render  render/inspect  render/svg
     mien.h  write.h  render/image  bind/c  tools
 """.split()
-FACES = ("lib/face", "lib/rig", "lib/file", "lib/parts", "lib/nonsense")
+FACES = ("lib/face", "lib/rig", "lib/file", "lib/parts")
 MAKERS = ("sdf/from_face", "sdf/from_mesh", "sdf/from_text")
 KNOWS_NO = {"sdf": FACES, "render": FACES + MAKERS}  # what a floor does not know, although it stands left of it
 EXCEPT = MAKERS                                      # the rooms of sdf that know what they make scenes from
@@ -105,6 +108,7 @@ class House:
                 self.check_words(name)
                 self.check_links(name)
         self.check_mirrors()
+        self.check_compiled()
         for public, path in self.public.items():
             if path not in self.files:
                 self.breach("cmake/public_headers.txt", 1, f"there is no {path} for <mien/{public}>")
@@ -214,6 +218,24 @@ class House:
                     self.breach("tests/untested.txt", untested[name], f"{name} has a test now: take it out")
         for header in untested.keys() - set(self.files):
             self.breach("tests/untested.txt", untested[header], f"there is no {header}: take it out")
+
+    def check_compiled(self):
+        named, words = set(), set()
+        for name in self.files:
+            if name.endswith(("CMakeLists.txt", ".cmake")):
+                folder = (self.root / name).parent.as_posix()
+                text = re.sub(r"#.*", "", "\n".join(self.lines(name)))
+                for word in re.findall(r"[^\s()\"]+", text.replace("${PROJECT_SOURCE_DIR}", self.root.as_posix())):
+                    word = word.replace("${CMAKE_CURRENT_SOURCE_DIR}", folder)
+                    words.add(word)
+                    named.add(posixpath.normpath(posixpath.join(folder, word)))
+        patterns = [word for word in named if "*" in word]
+        for name in (name for name in self.files if name.endswith(".cpp")):
+            path = (self.root / name).as_posix()
+            parts = re.sub(r"(_bench|_fuzz)?\.cpp$", "", name).split("/")
+            by_stem = name.startswith(("bench/", "fuzz/")) and any("/".join(parts[i:]) in words for i in range(1, len(parts)))
+            if path not in named and not by_stem and not any(fnmatch.fnmatch(path, pattern) for pattern in patterns):
+                self.breach(name, 1, "no CMakeLists.txt names it: nothing compiles it")
 
 
 def main():

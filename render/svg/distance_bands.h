@@ -7,7 +7,7 @@
 // follows from the same for opacities. Where no such colours exist in either direction, steps lie side by side.
 
 #include "render/blend/ramp.h"
-#include "sdf/arrange/area_boundary.h"
+#include "render/svg/area_boundary.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // Loops as the path data of SVG: M, l, q and z, in whole steps of a power of ten, so that relative coordinates add up
 // without error.
 
-#include "sdf/arrange/fragment_loops.h"
+#include "render/svg/fragment_loops.h"
 
 #include <span>
 #include <string>

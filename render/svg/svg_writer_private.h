@@ -2,9 +2,9 @@
 // Writes a scene's layers, one after the other, as an SVG file.
 
 #include <mien/svg.h>
+#include "render/svg/area_boundary.h"
 #include "render/svg/svg_gradient.h"
 #include "render/svg/xml_text.h"
-#include "sdf/arrange/area_boundary.h"
 
 #include <string>
 #include <vector>

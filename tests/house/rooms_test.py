@@ -81,11 +81,16 @@ PLANTED = [
     ("README.md", "see /wor" + "k/main\n", "a path of one machine"),
     ("lib/geom/a.cpp", "// Proof: docs/non" + "e.md.\n", "lib/geom/a.cpp:1: there is no docs/none.md"),
     ("docs/a.md", "\n[b](no" + "ne.md#part)\n", "docs/a.md:2: there is no none.md"),
+    ("CMakeLists.txt", "add_library(all lib/face/c.cpp bind/c/face.cpp ${PROJECT_SOURCE_DIR}/bind/c/image/write.cpp)  # render/draw.cpp\n",
+     "render/draw.cpp:1: no CMakeLists.txt names it"),
+    ("CMakeLists.txt", "add_library(all lib/face/c.cpp bind/c/face.cpp bind/c/image/*.cpp ./render/draw.cpp)\n",
+     "tests/lib/geom/box_test.cpp:1: no CMakeLists.txt names it"),
     ("faces/zel" + "da.json", "{}\n", "trade mark"),
 ]
 
 
 def breaches(files):
+    files = {"CMakeLists.txt": "\n".join(name for name in files if name.endswith(".cpp")), **files}
     with tempfile.TemporaryDirectory() as folder:
         for name, text in files.items():
             path = pathlib.Path(folder, name)

@@ -17,7 +17,6 @@
 // of size c |L| points towards o. At o itself the force is the smallest that the tip allows: none if the
 // other forces together are no larger than c |L| (the point sticks there), else their excess over it.
 // Elsewhere the law is exactly that of P. Mandel's facemotion.js.
-// exceed it by. Elsewhere the law is P. Mandel's, facemotion.js, word for word.
 
 #include <mien/face_model.h>
 

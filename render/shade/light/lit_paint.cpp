@@ -193,7 +193,6 @@ LitPixel::Place LitPaint::place(LitTile& t, int x, int y) const {
 
 void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,
                       float* a, Scratch& scratch) const {
-  scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
   if (sure_way()) {
     for (int i = 0; i < count; ++i) {
@@ -270,7 +269,6 @@ float LitPaint::opacity(const LitPiece& piece, int x, int y, const PartForm* for
 
 glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const PartForm& form,
                          Scratch& scratch) const {
-  scratch.error_ = tolerance_;
   const Mix& base = surface_.paint().color;
   if (sure_way()) {
     // Dark colours in linear light are encoded up to 12.92 times as steep.

@@ -38,7 +38,6 @@ class LitPaint {
     friend class LitPaint;
     struct Kept;
     std::unique_ptr<Kept> kept_;
-    double error_ = 0;
   };
 
   /// Refers to the paint and the distances. `center`: where their origin lies in the picture, whose own is its top
@@ -83,9 +82,6 @@ class LitPaint {
   float distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const;
   /// The distance at the centroids of a pixel's cells.
   void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
-
-  /// An estimate of the last answer's error, in levels of 255.
-  double error(const Scratch& scratch) const { return scratch.error_; }
 
  private:
   LitTile& tile(int zone, int x, int y, Scratch& scratch) const;

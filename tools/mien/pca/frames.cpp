@@ -37,7 +37,7 @@ PcaFramesOrCode of_face(const PcaArguments& arguments) {
     if (!size) return {{}, complain(size.error(), kUsedWrongly)};
     side = double(*size);
   }
-  frames.face = read_face_aloud(arguments.input);
+  frames.face = read_face_or_report(arguments.input);
   if (!frames.face) return {{}, kFailed};
   Pose pose;
   for (const std::string& text : arguments.settings) {

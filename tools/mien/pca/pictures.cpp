@@ -63,7 +63,7 @@ Expected<FramePainter> FramePainter::of(const PcaArguments& arguments, const Bas
   painter.dimensions_ = basis.dimensions;
   if (!basis.slices.empty()) {
     painter.face_ = face;
-    if (!face && arguments.face) painter.face_ = read_face_aloud(*arguments.face);
+    if (!face && arguments.face) painter.face_ = read_face_or_report(*arguments.face);
     if (!painter.face_)
       return Error{"--face", "is needed: the basis is of a face, and the file that draws it"};
     if (const auto fits = face_basis(basis, *painter.face_); !fits) return fits.error();
@@ -106,7 +106,7 @@ namespace {
 
 constexpr double kWord = 0.032;  // height of letters, of the plot's
 const Color kPaper{0.93, 0.93, 0.91, 1}, kRule{0.72, 0.72, 0.70, 1}, kInk{0.03, 0.03, 0.05, 1},
-    kMost{0.55, 0.05, 0.05, 1}, kRms{0.04, 0.20, 0.45, 1};
+    kMostColor{0.55, 0.05, 0.05, 1}, kRmsColor{0.04, 0.20, 0.45, 1};
 
 /// Points of a curve in the unit square: the count across, the logarithm up.
 std::vector<glm::dvec2> points_of(const std::vector<PcaError>& curve, double low, double high,
@@ -153,8 +153,8 @@ Image curve_picture(const std::vector<PcaError>& curve, int width, int height) {
         build.layer("point", build.shape(Disc{p, 0.011}), {.color = color});
     word(name, points.back() + glm::dvec2{0.025, 0}, 0, color);
   };
-  line(&PcaError::rms, "rms", kRms);
-  line(&PcaError::max, "max", kMost);
+  line(&PcaError::rms, "rms", kRmsColor);
+  line(&PcaError::max, "max", kMostColor);
   return sheet_picture(std::move(build).finish(), {.width = width, .height = height});
 }
 

@@ -1,7 +1,6 @@
 // mien check --nonsense: whether faces stay faces in every pose, as a table of what is wrong how often.
 
 #include <mien/composed_face.h>
-#include <mien/nonsense.h>
 #include <mien/parallel.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
@@ -10,6 +9,7 @@
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/output/letters.h"
+#include "tools/mien/people/nonsense.h"
 #include "tools/mien/people/parts_at_fault.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -78,7 +78,7 @@ TriedOrCode faces_to_try(const CheckArguments& arguments) {
   if (names.empty()) return {{}, complain("--nonsense: needs N people, or a face", kUsedWrongly)};
   TriedOrCode tried;
   for (const std::string& name : names) {
-    auto face = read_face_aloud(name);
+    auto face = read_face_or_report(name);
     if (!face) return {{}, kFailed};
     tried.faces.push_back({.name = name, .face = std::move(face)});
   }

@@ -1,6 +1,6 @@
+#include "tools/mien/people/nonsense_pose.h"
 #include <mien/composed_face.h>
 #include <mien/face_model.h>
-#include <mien/nonsense_pose.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #pragma once
 // The poses that the nonsense test looks at.
 
-#include <mien/api.h>
 #include <mien/face.h>
 #include <mien/pose.h>
 
@@ -24,6 +23,6 @@ struct NonsensePose {
 /// shapes and 15 visemes at 1: each as it is and with shut eyes, the first 13 also half shut. The first 13 turn by yaw and pitch to the ends of
 /// their ranges, 30° at most, in all 8 directions; pairs in 4; what is left to both sides. What a face
 /// has no control for is left out. Rest comes first.
-MIEN_API std::vector<NonsensePose> nonsense_poses(const Face& face);
+std::vector<NonsensePose> nonsense_poses(const Face& face);
 
 }  // namespace mien

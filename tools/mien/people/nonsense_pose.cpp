@@ -1,5 +1,5 @@
+#include "tools/mien/people/nonsense_pose.h"
 #include <mien/face_model.h>
-#include <mien/nonsense_pose.h>
 
 #include <fmt/format.h>
 
@@ -77,7 +77,8 @@ class PoseList {
     for (const std::string_view idle : {"corner", "breath"})
       if (const int control = find(idle); control >= 0)
         for (const double end : {channel_of(control).lo, channel_of(control).hi})
-          if (end != channel_of(control).rest) looks.push_back({{{std::string(idle), end}}, 2, false});
+          if (end != channel_of(control).rest)
+            looks.push_back({{{std::string(idle), end}}, 2, false});
     for (const Expression& expression : model_.expressions)
       if (expression.name.starts_with("arkit.") || expression.name.starts_with("viseme."))
         looks.push_back({{{expression.name, 1.0}}, 2, false});

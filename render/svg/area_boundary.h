@@ -7,7 +7,7 @@
 //   const AreaLevel rim[] = {{head, 0.1}, {head, -0.1, true}};
 //   const AreaBoundary around = boundaries.of(rim);              // between two levels
 
-#include "sdf/arrange/fragment_loops.h"
+#include "render/svg/fragment_loops.h"
 #include "sdf/outline/area_program.h"
 #include "sdf/outline/outline_maker.h"
 

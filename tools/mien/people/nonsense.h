@@ -8,9 +8,8 @@
 // A check looks at features by their names ("head", "opening.left", "lip_upper", "hair_front"), and only
 // where a face has them. Lengths are in units of a head about 1.07 wide.
 
-#include <mien/api.h>
 #include <mien/face.h>
-#include <mien/nonsense_pose.h>
+#include "tools/mien/people/nonsense_pose.h"
 
 #include <memory>
 #include <span>
@@ -29,7 +28,7 @@ struct NonsenseCheck {
 };
 
 /// All of them, in the order of tables.
-MIEN_API std::span<const NonsenseCheck> nonsense_checks();
+std::span<const NonsenseCheck> nonsense_checks();
 
 struct NonsenseFault {
   std::string_view check;
@@ -42,7 +41,7 @@ struct NonsenseFault {
 
 /// Knows the six emotions of a plain face, to which `reads` compares. Every function may be called on
 /// many threads at once.
-class MIEN_API NonsenseTest {
+class NonsenseTest {
  public:
   NonsenseTest();
   NonsenseTest(NonsenseTest&&) noexcept;

@@ -1,4 +1,4 @@
-#include "sdf/arrange/area_boundary.h"
+#include "render/svg/area_boundary.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lib/nonsense/flat_area.h"
+#include "tools/mien/people/flat_area.h"
 #include <mien/face_model.h>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 // list of faults.
 
 #include <mien/face_model.h>
-#include <mien/nonsense.h>
-#include "lib/nonsense/flat_area.h"
+#include "tools/mien/people/flat_area.h"
+#include "tools/mien/people/nonsense.h"
 
 #include <array>
 #include <optional>

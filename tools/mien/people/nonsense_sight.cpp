@@ -1,5 +1,5 @@
-#include <mien/nonsense.h>
 #include <mien/side.h>
+#include "tools/mien/people/nonsense.h"
 
 #include "nonsense_sight_private.h"
 

@@ -1,5 +1,5 @@
+#include "tools/mien/people/nonsense.h"
 #include <mien/composed_face.h>
-#include <mien/nonsense.h>
 #include <mien/poser.h>
 
 #include "nonsense_sight_private.h"

@@ -1,4 +1,4 @@
-#include "sdf/arrange/fragment_loops.h"
+#include "render/svg/fragment_loops.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // The nonsense test finds what is planted, and nothing where nothing is.
 
+#include "tools/mien/people/nonsense.h"
 #include <mien/composed_face.h>
 #include <mien/face_code.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
-#include <mien/nonsense.h>
 
 #include <gtest/gtest.h>
 
