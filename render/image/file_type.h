@@ -1,25 +1,46 @@
 #pragma once
-// Which kind of file a path asks for.
+// The formats of picture files, as one table, and which of them a path asks for.
 
 #include <mien/write.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace mien {
+
+enum class PictureWriter { png, tiff, oiio };
+
+struct PictureFormat {
+  FileType type;
+  const char* name;                          ///< as people write it
+  std::vector<std::string_view> extensions;  ///< with their dots
+  std::vector<std::string_view> depths;      ///< the words of --depth; the first is the default
+  Depth drawn;                               ///< unless something else is asked for
+  int longest_side;                          ///< [px] that its writer takes
+  bool transparent;
+  PictureWriter writer;
+};
+
+/// In the order of FileType.
+std::span<const PictureFormat> picture_formats();
+const PictureFormat& format_of(FileType type);
+
+/// ".png .tif .tiff …": of all formats.
+std::string known_extensions();
+/// "PNG 8 16, TIFF 8 16 float, …": of all formats.
+std::string known_depths();
 
 /// With its dot, in lower case; empty if there is none.
 std::string lower_extension(const std::filesystem::path& path);
 
-/// By the extension, in any case: .png .tif .tiff .exr .jpg .jpeg; "-" is a PNG. Else an error that
-/// lists them.
+/// By the extension, in any case; "-" is a PNG. Else an error that lists the known ones.
 Expected<FileType> file_type(const std::filesystem::path& path);
 
 /// The type that `how` gives, else the path's; standard output takes PNG only.
 Expected<FileType> chosen_type(const std::filesystem::path& path, const WriteOptions& how);
-
-/// "PNG", "TIFF", … as people write it.
-const char* type_name(FileType type);
 
 /// A picture that is to be written, but for its pixels.
 struct PictureFrame {

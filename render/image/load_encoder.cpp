@@ -1,4 +1,5 @@
 #include "render/image/load_encoder.h"
+#include "render/image/file_type.h"
 #include "render/image/png/png_encoder.h"
 
 #include <dlfcn.h>
@@ -18,7 +19,7 @@ constexpr char kAdvice[] = "";
 Expected<const ImageModule*> load(const char* file, FileType type) {
   const auto refuse = [&] {
     const char* said = ::dlerror();
-    return Error{"", fmt::format("cannot load what writes {}{} ({})", type_name(type), kAdvice,
+    return Error{"", fmt::format("cannot load what writes {}{} ({})", format_of(type).name, kAdvice,
                                  said ? said : file)};
   };
   void* const module = ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
@@ -31,9 +32,10 @@ Expected<const ImageModule*> load(const char* file, FileType type) {
 }  // namespace
 
 MadeEncoder load_encoder(const EncoderRequest& request) {
-  if (request.type == FileType::png) return png_encoder(request);
+  const PictureWriter writer = format_of(request.type).writer;
+  if (writer == PictureWriter::png) return png_encoder(request);
   const auto module =
-      load(request.type == FileType::tiff ? kTiffModuleFile : kOiioModuleFile, request.type);
+      load(writer == PictureWriter::tiff ? kTiffModuleFile : kOiioModuleFile, request.type);
   if (!module) return module.error();
   return (*module)->make(request);
 }

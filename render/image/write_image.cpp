@@ -1,4 +1,5 @@
 #include <mien/write.h>
+#include "render/image/file_type.h"
 #include "render/image/oiio/oiio_encoder.h"
 #include "render/image/png/png_encoder.h"
 #include "render/image/tiff/tiff_encoder.h"
@@ -8,14 +9,10 @@ namespace mien {
 namespace {
 
 MadeEncoder make_encoder(const EncoderRequest& request) {
-  switch (request.type) {
-    case FileType::png:
-      return png_encoder(request);
-    case FileType::tiff:
-      return tiff_encoder(request);
-    default:
-      return oiio_encoder(request);
-  }
+  const PictureWriter writer = format_of(request.type).writer;
+  return writer == PictureWriter::png    ? png_encoder(request)
+         : writer == PictureWriter::tiff ? tiff_encoder(request)
+                                         : oiio_encoder(request);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ class DrawnPieces {
 };
 
 Depth drawn_depth(const PictureOptions& how, FileType type) {
-  return how.depth.value_or(type == FileType::exr ? Depth::f32 : Depth::u8);
+  return how.depth.value_or(format_of(type).drawn);
 }
 
 }  // namespace

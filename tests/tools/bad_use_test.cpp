@@ -154,7 +154,8 @@ const Wrong kWrongs[] = {
      "DIR/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg"},
     {{"render", "FACE", "-o", "DIR"},
      2,
-     "DIR: its name has no extension that says the format; known are .png .tif .tiff .exr .jpg "
+     "DIR: its name has no extension, which would tell the format; known are .png .tif .tiff .exr "
+     ".jpg "
      ".jpeg"},
     {{"render", "FACE", "-o", "DIR/none/a.png"},
      1,

@@ -161,7 +161,7 @@ class DrawnPieces {
 int32_t depth_for(const mien_write_options& options, mien::FileType type) {
   if (options.depth < -1 || options.depth > MIEN_F32)
     misuse("options.depth", "is none of -1, MIEN_U8, U16, F32");
-  return options.depth >= 0 ? options.depth : type == mien::FileType::exr ? MIEN_F32 : MIEN_U8;
+  return options.depth >= 0 ? options.depth : int32_t(mien::format_of(type).drawn);
 }
 
 double background_opacity(const mien_scene* scene, const mien_view& view) {

@@ -75,7 +75,8 @@ class OiioEncoder final : public PictureEncoder {
 
   Expected<Done> open() {
     // The name is for the writer's messages only: bytes go through the proxy.
-    if (!writer_->set_ioproxy(&proxy_) || !writer_->open(type_name(type_), spec_)) return failure();
+    if (!writer_->set_ioproxy(&proxy_) || !writer_->open(format_of(type_).name, spec_))
+      return failure();
     return Done{};
   }
 
@@ -127,7 +128,7 @@ class OiioEncoder final : public PictureEncoder {
     if (proxy_.failure()) return {"", "cannot be written: " + system_error(proxy_.failure())};
     said.erase(0, said.find_first_not_of(" \n"));
     std::replace(said.begin(), said.end(), '\n', ' ');
-    return {"", std::string("the ") + type_name(type_) +
+    return {"", std::string("the ") + format_of(type_).name +
                     " writer failed: " + (said.empty() ? "no reason given" : said)};
   }
 
@@ -147,7 +148,8 @@ MadeEncoder oiio_encoder(const EncoderRequest& request) {
       OIIO::ImageOutput::create(request.type == FileType::exr ? "openexr" : "jpeg");
   if (!writer) {
     OIIO::geterror();
-    return Error{"", std::string("this OpenImageIO has no writer for ") + type_name(request.type)};
+    return Error{"",
+                 std::string("this OpenImageIO has no writer for ") + format_of(request.type).name};
   }
   const PictureFrame& frame = request.frame;
   OIIO::ImageSpec spec = spec_of(frame, request.type, request.how);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.h"
+
 namespace mien {
 namespace {
 
@@ -24,8 +26,21 @@ TEST(FileType, UnknownOnesAreSentences) {
             ".png .tif "
             ".tiff .exr .jpg .jpeg");
   EXPECT_EQ(sentence(file_type("png").error()),
-            "png: its name has no extension that says the format; known are .png .tif .tiff .exr "
-            ".jpg .jpeg");
+            "png: its name has no extension, which would tell the format; known are .png .tif "
+            ".tiff .exr .jpg .jpeg");
+}
+
+TEST(PictureFormats, AreInTheirTypesOrderAndWhatTheHeadersList) {
+  for (const PictureFormat& format : picture_formats()) {
+    EXPECT_EQ(&format_of(format.type), &format);
+    for (const std::string_view extension : format.extensions)
+      EXPECT_EQ(*file_type("a" + std::string(extension)), format.type);
+  }
+  EXPECT_EQ(known_depths(), "PNG 8 16, TIFF 8 16 float, EXR half float, JPEG 8");
+  for (const char* header : {"/write.h", "/bind/c/image/mien_image_c.h"}) {
+    const std::string text = test::read_text(std::string(MIEN_SOURCE_DIR) + header);
+    EXPECT_NE(text.find(known_extensions()), std::string::npos) << header;
+  }
 }
 
 TEST(CheckFits, KnowsWhatAFormatHolds) {

@@ -5,37 +5,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mien::command {
 namespace {
 
 enum class DepthChoice { eight, sixteen, half, full };  // in kDepths' order
 
-bool holds(FileType type, DepthChoice depth) {
-  switch (type) {
-    case FileType::png:
-      return depth == DepthChoice::eight || depth == DepthChoice::sixteen;
-    case FileType::tiff:
-      return depth != DepthChoice::half;
-    case FileType::exr:
-      return depth == DepthChoice::half || depth == DepthChoice::full;
-    case FileType::jpeg:
-      return depth == DepthChoice::eight;
+/// "8, 16 or float".
+std::string what_it_holds(const PictureFormat& format) {
+  std::string text;
+  for (const std::string_view& word : format.depths) {
+    const bool last = &word == &format.depths.back();
+    text += text.empty() ? "" : last ? " or " : ", ";
+    text += word;
   }
-  return false;
-}
-
-const char* what_it_holds(FileType type) {
-  switch (type) {
-    case FileType::png:
-      return "8 or 16";
-    case FileType::tiff:
-      return "8, 16 or float";
-    case FileType::exr:
-      return "half or float";
-    case FileType::jpeg:
-      return "8";
-  }
-  return "";
+  return text;
 }
 
 Depth drawn_depth(DepthChoice depth) {
@@ -45,18 +30,13 @@ Depth drawn_depth(DepthChoice depth) {
 }
 
 Expected<Done> plan_depth(RenderPlan& plan, const RenderArguments& arguments) {
-  DepthChoice depth =
-      *plan.picture.write.type == FileType::exr ? DepthChoice::half : DepthChoice::eight;
-  if (arguments.depth) {
-    const auto chosen = read_choice("--depth", *arguments.depth, kDepths);
-    if (!chosen) return chosen.error();
-    depth = DepthChoice(*chosen);
-    if (!holds(*plan.picture.write.type, depth)) {
-      return Error{"--depth " + *arguments.depth,
-                   fmt::format("{} holds {}", type_name(*plan.picture.write.type),
-                               what_it_holds(*plan.picture.write.type))};
-    }
-  }
+  const PictureFormat& format = format_of(*plan.picture.write.type);
+  const std::string word = arguments.depth.value_or(std::string(format.depths.front()));
+  const auto chosen = read_choice("--depth", word, kDepths);
+  if (!chosen) return chosen.error();
+  const auto depth = DepthChoice(*chosen);
+  if (std::find(format.depths.begin(), format.depths.end(), word) == format.depths.end())
+    return Error{"--depth " + word, fmt::format("{} holds {}", format.name, what_it_holds(format))};
   plan.picture.depth = drawn_depth(depth);
   plan.picture.write.half = depth == DepthChoice::half;
   return Done{};
