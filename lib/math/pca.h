@@ -57,20 +57,20 @@ struct PcaError {
 
 /// How many components are wanted. Exactly one of the three is set.
 struct PcaWish {
-  std::optional<std::size_t> count;  ///< 1 … min(F, N)
-  std::optional<double> variance;    ///< the fewest that hold this share of the variance, 0 … 1
-  std::optional<double> max_error;   ///< the fewest with which no vertex error is larger
+  std::optional<std::size_t> count = {};  ///< 1 … min(F, N)
+  std::optional<double> variance = {};  ///< the fewest that hold this share of the variance, 0 … 1
+  std::optional<double> max_error = {};  ///< the fewest with which no vertex error is larger
 };
 
 struct PcaOptions {
-  VertexGroups vertices;      ///< empty: every number is a vertex
-  bool single = false;        ///< the basis will be stored as 32-bit floats: mean, components
-                              ///< and weights are rounded to them, and errors are those of
-                              ///< decoded 32-bit frames
-  Progress progress;          ///< may cancel
-  std::size_t direct = 2000;  ///< up to this min(F, N) one symmetric matrix of that size gives the
-                              ///< answer, exact to rounding; beyond it a random subspace with
-                              ///< power iterations does, in memory of n + 10 rows and columns
+  VertexGroups vertices = {};  ///< empty: every number is a vertex
+  bool single = false;         ///< the basis will be stored as 32-bit floats: mean, components
+                               ///< and weights are rounded to them, and errors are those of
+                               ///< decoded 32-bit frames
+  Progress progress = {};      ///< may cancel
+  std::size_t direct = 2000;   ///< up to this min(F, N) one symmetric matrix of that size gives the
+                               ///< answer, exact to rounding; beyond it a random subspace with
+                               ///< power iterations does, in memory of n + 10 rows and columns
 };
 
 struct PcaFit {

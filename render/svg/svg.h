@@ -25,19 +25,19 @@ namespace mien {
 struct SvgOptions {
   double width = 512, height = 512;  ///< [px] of the whole picture, above 0, at most View::kMaxSide
   Fit fit = Fit::meet;
-  std::optional<Color>
-      background;           ///< replaces the scene's; alpha 0 leaves the picture transparent
-  double tolerance = 0.01;  ///< [px] how far a path may leave its outline, kLeastTolerance … 1
-  std::string title;        ///< the picture's; empty: none
-  std::string recipe;       ///< stored as metadata: what made this picture
-  std::string id_prefix;    ///< of all ids, so that several pictures can stand in one page
+  /// Replaces the scene's; alpha 0 leaves the picture transparent.
+  std::optional<Color> background = {};
+  double tolerance = 0.01;     ///< [px] how far a path may leave its outline, kLeastTolerance … 1
+  std::string title = {};      ///< the picture's; empty: none
+  std::string recipe = {};     ///< stored as metadata: what made this picture
+  std::string id_prefix = {};  ///< of all ids, so that several pictures can stand in one page
 
   static constexpr double kLeastTolerance = 1e-4;
 };
 
 struct Svg {
   std::string text;  ///< a whole file, UTF-8
-  /// One sentence each, with the layer's name: what is not drawn as the scene says.
+  /// One sentence each, with the layer's name: what is drawn otherwise than in the scene.
   std::vector<std::string> simplified;
 };
 

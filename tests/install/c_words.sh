@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# c_words.sh PREFIX SOURCE COMPILER: the C programs of the README and of the header are compiled as they stand there, with
+# c_words.sh PREFIX SOURCE COMPILER: the C programs of docs/c.md and of the header are compiled as they stand there, with
 # pkg-config's flags, and draw.
 set -euo pipefail
 prefix=$1 source=$2 compiler=$3
@@ -14,16 +14,16 @@ folder=$prefix/words
 rm -rf "$folder" && mkdir -p "$folder"
 ln -s "$source/faces" "$folder/faces"
 cd "$folder"
-awk '/^```c$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$source/README.md" >readme.c
+awk '/^```c$/ { inside = !programs++; next } /^```$/ { inside = 0 } inside' "$source/docs/c.md" >page.c
 sed -n '/^ \*   #include <mien_c.h>$/,/^ \*   }$/ s/^ \* \{0,3\}//p' "$prefix/include/mien_c.h" >header.c
-for program in readme header; do
+for program in page header; do
   grep -q '^int main(void) {' $program.c
   package=mien-c
-  if [ $program = readme ]; then package=mien-image-c; fi
+  if [ $program = page ]; then package=mien-image-c; fi
   read -ra flags <<<"$(pkg-config --cflags --libs $package)"
   "$compiler" -std=c99 -pedantic -Wall -Wextra -Werror $program.c "${flags[@]}" -o $program
 done
-./readme
+./page
 [ "$(head -c 4 toon.png | tail -c 3)" = PNG ]
 [ "$(./header | wc -c)" = $((640 * 360 * 4)) ]
 # What fails says why.

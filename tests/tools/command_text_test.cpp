@@ -45,6 +45,12 @@ TEST(Completion, NamesEveryOptionForEveryShell) {
   }
 }
 
+/// Renewed by: build/release/mien manual --markdown >docs/command.md
+TEST(CommandPage, IsWhatTheCommandWrites) {
+  EXPECT_EQ(run_mien({"manual", "--markdown"}).out,
+            test::read_text(MIEN_SOURCE_DIR "/docs/command.md"));
+}
+
 /// What bash offers for the words typed so far, the last one unfinished.
 std::string offered(const std::string& words, int last) {
   const ScratchFolder folder;

@@ -36,7 +36,8 @@ struct CommandApp {
   ChernoffArguments chernoff;
   StimuliArguments stimuli;
   StudioArguments studio;
-  std::string shell;  ///< of `mien completion`
+  std::string shell;      ///< of `mien completion`
+  bool markdown = false;  ///< of `mien manual`
 };
 
 std::unique_ptr<CommandApp> command_app();
@@ -47,8 +48,9 @@ void add_seed(CLI::App& command, std::optional<std::string>& to, const std::stri
 /// What was wrong with words that `app` could not read, in one sentence.
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong);
 
-/// Made from the definition: a man page (groff), and completion for bash, zsh or fish.
+/// Made from the definition: a man page (groff), docs/command.md, and completion for bash, zsh or fish.
 std::string manual(const CLI::App& app);
+std::string command_page(const CLI::App& app);
 std::string completion(const CLI::App& app, const std::string& shell);
 
 /// Commands that people see, and an option's visible names.

@@ -2,6 +2,7 @@
 #include <mien/version.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "render/image/file_type.h"
 #include "tools/mien/cli/data_options.h"
 #include "tools/mien/cli/motion_options.h"
 #include "tools/mien/cli/option_words.h"
@@ -53,10 +54,9 @@ void add_muscle_commands(CLI::App& app, CommandApp& command) {
 }
 
 void add_output(CLI::App* to, RenderArguments& render) {
-  to->add_option(
-        "-o,--output", render.output,
-        "Picture to write: .png .tif .tiff .exr .jpg .jpeg, or .svg for shapes; - is a PNG on "
-        "standard output")
+  to->add_option("-o,--output", render.output,
+                 "Picture to write: " + known_extensions() +
+                     ", or .svg for shapes; - is a PNG on standard output; a JPEG must be opaque")
       ->required()
       ->type_name("FILE");
 }
@@ -69,7 +69,7 @@ void add_picture(CLI::App* to, RenderArguments& render) {
                      std::to_string(kDefaultSide))
       ->type_name("WxH");
   to->add_option("--fit", render.fit,
-                 "Show the whole canvas, or fill the whole picture; default meet")
+                 "Show the whole canvas, centred, or fill the whole picture; default meet")
       ->type_name(std::string(kFits));
   to->add_option("--region", render.region,
                  "Draw only this part of the picture, with the same pixels")
@@ -87,18 +87,19 @@ void add_picture(CLI::App* to, RenderArguments& render) {
                  "Dither gradients and lit surfaces of 8 and 16 bits; default on")
       ->type_name(std::string(kDithers));
   to->add_option("--depth", render.depth,
-                 "Bits of a channel; PNG 8 16, TIFF 8 16 float, EXR half float, JPEG 8")
+                 "Bits of a channel: " + known_depths() + "; default the first")
       ->type_name(std::string(kDepths));
-  to->add_option("--effect", render.effects,
-                 "Lay an effect over the picture: mosaic:TILES,BORDER,mean|center or "
-                 "grid:CELLS,WIDTH,COLOUR; many act in order; none: not even the face's own")
+  to->add_option(
+        "--effect", render.effects,
+        "Lay an effect over the picture: mosaic:TILES,BORDER,mean|center or "
+        "grid:CELLS,WIDTH,COLOUR; repeatable, applied in order; none: not even the face's own")
       ->type_name("EFFECT")
       ->allow_extra_args(false);
 }
 
 void add_threads(CLI::App* to, RenderArguments& render) {
   to->add_option("--threads", render.threads,
-                 "Threads to draw with; 0, the default: as many as there are")
+                 "Threads to draw with; 0, the default: all cores; does not change a byte")
       ->type_name("N");
 }
 
@@ -111,14 +112,18 @@ void add_insight(CLI::App* to, RenderArguments& render) {
                  "of distance, normals, or how far a pose moves each point; or over it: its "
                  "muscles, its points by name")
       ->type_name(std::string(kDebugs));
-  to->add_option("--error-map", render.error_map,
-                 "Also write the proven error of every pixel, as grey, and print the largest")
+  to->add_option(
+        "--error-map", render.error_map,
+        "Also write a bound of every pixel's error, as grey, and print the largest; for lit "
+        "faces it is an estimate")
       ->type_name("FILE");
 }
 
 void add_work(CLI::App* to, RenderArguments& render) {
-  to->add_option("--memory", render.memory,
-                 "Most bytes of the picture held at once, K M G T for powers of 1024; default 256M")
+  to->add_option(
+        "--memory", render.memory,
+        "Most bytes of the picture held at once, K M G T for powers of 1024; default 256M; "
+        "does not change a byte")
       ->type_name("BYTES");
   to->add_option("--stats", render.stats,
                  "Print what drawing took, on standard output (standard error with -o -)")
@@ -158,14 +163,13 @@ void add_scene(CLI::App& app, CommandApp& command) {
 void add_list(CLI::App& app, CommandApp& command) {
   CLI::App* list = app.add_subcommand(
       "list",
-      "Print every name that --set takes, with unit, range and value; and the poses and clips");
+      "Print every name that --set takes, with unit, range and value; then poses and clips");
   list->add_option("FACE", command.list.face, "Face file")->required()->type_name("");
 }
 
 void add_set(CLI::App& app, SetArguments& to) {
   CLI::App* set = app.add_subcommand(
-      "set",
-      "Write a face file anew with other points, numbers and colours; all else keeps every byte");
+      "set", "Change points, numbers and colours in a face file and leave every other byte alone");
   set->add_option("FACE", to.face, "Face file")->required()->type_name("");
   set->add_option("SETTINGS", to.settings,
                   "NAME=VALUE..., as --set takes them; 'mien list FACE' names them all")
@@ -251,7 +255,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("chernoff")) return std::move(command.chernoff);
   if (app.got_subcommand("stimuli")) return std::move(command.stimuli);
   if (app.got_subcommand("studio")) return std::move(command.studio);
-  if (app.got_subcommand("manual")) return Help{manual(app)};
+  if (app.got_subcommand("manual")) return Help{command.markdown ? command_page(app) : manual(app)};
   if (app.got_subcommand("completion")) {
     const auto shell = read_choice("completion", command.shell, kShells);
     if (!shell) return WrongUse{sentence(shell.error())};
@@ -315,8 +319,8 @@ std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
 std::unique_ptr<CommandApp> command_app() {
   auto made = std::make_unique<CommandApp>();
   CLI::App& app = made->app;
-  app.set_help_flag("-h,--help", "Say this and stop");
-  app.set_version_flag("--version", "mien " MIEN_VERSION_STRING, "Say which mien this is and stop");
+  app.set_help_flag("-h,--help", "Show this help and exit");
+  app.set_version_flag("--version", "mien " MIEN_VERSION_STRING, "Show the version and exit");
   app.get_formatter()->column_width(34);
   // In the order in which help and the man page list them.
   add_render(app, made->render);
@@ -338,7 +342,9 @@ std::unique_ptr<CommandApp> command_app() {
   add_stimuli(app, made->stimuli);
   add_studio(app, made->studio);
 
-  app.add_subcommand("manual", "Print the man page")->group("");
+  app.add_subcommand("manual", "Print the man page")
+      ->group("")
+      ->add_flag("--markdown", made->markdown, "Print docs/command.md instead");
   CLI::App* shells = app.add_subcommand("completion", "Print completion for a shell")->group("");
   shells->add_option("SHELL", made->shell, std::string(kShells))->required()->type_name("");
   return made;

@@ -25,8 +25,8 @@ void add_motion(CLI::App* to, PosedFace& posed) {
       ->type_name("SECONDS");
   to->add_option(
         "--clip", posed.clips,
-        "Run this clip instead of the face's default one; may be given many times: each is "
-        "laid over those before it, by its weight, its own time beginning at BEGIN")
+        "Run this clip instead of the face's default one, from BEGIN on; default weight 1, "
+        "begin 0; repeatable, each acts on the result of those before it")
       ->type_name("NAME[=WEIGHT[@BEGIN]]")
       ->allow_extra_args(false);
   add_seed(*to, posed.seed,
@@ -35,10 +35,8 @@ void add_motion(CLI::App* to, PosedFace& posed) {
   to->add_option("--liveliness", posed.liveliness,
                  "How far clips move the face, 0 (not at all) to 2; default 1")
       ->type_name("N");
-  to->add_option(
-        "--pose,--morph", posed.poses,
-        "Give a named pose (a morph target) a weight, 1 if none is said; may be given many "
-        "times")
+  to->add_option("--pose,--morph", posed.poses,
+                 "Give a named pose (a morph target) a weight, default 1; repeatable")
       ->type_name("NAME[=WEIGHT]")
       ->allow_extra_args(false);
   to->add_option("--morphs", posed.morphs, "More poses, out of a file that `mien morph make` wrote")
@@ -69,14 +67,15 @@ void add_eyes_and_chart(CLI::App* to, PosedFace& posed) {
 }
 
 void add_feelings(CLI::App* to, PosedFace& posed) {
-  to->add_option("--emotion", posed.emotions,
-                 "Give an emotion a strength from 0 to 1, 1 if none is said; left.joy is the "
-                 "subject's left half; may be given many times")
+  to->add_option(
+        "--emotion", posed.emotions,
+        "Give an emotion a strength from 0 to 1, default 1; left.joy and right.joy are the "
+        "subject's halves; repeatable")
       ->type_name("NAME[=STRENGTH]")
       ->allow_extra_args(false);
   to->add_option("--muscle", posed.muscles,
-                 "Pull a muscle by 0 to 1, whatever the emotions say; left.NAME is the subject's "
-                 "left one; may be given many times")
+                 "Pull a muscle by 0 to 1, whatever the emotions do; left.NAME is the subject's "
+                 "left one; repeatable")
       ->type_name("NAME[=PULL]")
       ->allow_extra_args(false);
   to->add_option("--arkit", posed.arkit,
@@ -94,9 +93,8 @@ void add_pose(CLI::App* to, PosedFace& posed) {
   add_eyes_and_chart(to, posed);
   add_feelings(to, posed);
   to->add_option("--set", posed.settings,
-                 "Hold a control or a number of the face at a value; may be given many times; "
-                 "'mien list FACE' names "
-                 "them all")
+                 "Hold a control or a number of the face at a value, whatever other options do; "
+                 "repeatable, the last one wins; 'mien list FACE' names them all")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
 }
@@ -113,7 +111,7 @@ void add_animate(CLI::App& app, AnimateArguments& to) {
   animate->add_option("--frames", to.frames, "Which frames, FIRST-LAST, counted from 0")
       ->type_name("A-B");
   animate->add_option("--fps", to.fps, "Frames a second; default 30")->type_name("N");
-  animate->add_flag("--again", to.again, "Draw pictures anew that an earlier run finished");
+  animate->add_flag("--again", to.again, "Draw pictures again that an earlier run finished");
   add_picture(animate, to.render);
   add_threads(animate, to.render);
   animate
@@ -196,8 +194,7 @@ void add_mesh(CLI::App& app, MeshArguments& to) {
       ->expected(0, 1 << 10);
   mesh->add_option("-o,--output", to.output, "Picture to write")->required()->type_name("FILE");
   mesh->add_option("--weight", to.weights,
-                   "Draw a mix instead of all targets: this one by so much, 1 if none is said; may "
-                   "be given many times")
+                   "Draw a mix instead of all targets: this one by so much, default 1; repeatable")
       ->type_name("NAME[=WEIGHT]")
       ->allow_extra_args(false);
   mesh->add_option("--yaw", to.yaw, "Turn the head to its left by so many degrees")->type_name("A");

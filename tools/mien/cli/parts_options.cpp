@@ -29,7 +29,7 @@ void add_new(CLI::App& app, NewArguments& to) {
       ->type_name("CODE CODE")
       ->expected(2);
   made->add_option("--hold", to.held,
-                   "Hold a part or a number, whatever the seed says; may be given many times; "
+                   "Hold a part or a number, whatever the seed chooses; repeatable; "
                    "'mien parts' names them all")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -60,7 +60,7 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->type_name("FILE");
   CLI::App* check = parts->add_subcommand(
       "check",
-      "Let people wear parts of one's own, and say what is wrong with them in some 500 poses");
+      "Let people wear parts of one's own, and tell what is wrong with them in some 500 poses");
   check->parse_complete_callback([&to] { to.verb = PartsArguments::Verb::check; });
   check->add_option("FILE", to.files, "Part files, all worn at once")
       ->required()
@@ -71,23 +71,26 @@ void add_parts(CLI::App& app, PartsArguments& to) {
 }
 
 void add_code(CLI::App& app, CodeArguments& to) {
-  CLI::App* code = app.add_subcommand(
-      "code", "Print the code of a recipe, or what a code says, its parts and numbers");
-  code->add_option("FACE", to.face, "Recipe file: its code; a code: what it says")->type_name("");
+  CLI::App* code =
+      app.add_subcommand("code", "Print the code of a recipe, or the parts and numbers of a code");
+  code->add_option("FACE", to.face, "Recipe file: its code; a code: its parts and numbers")
+      ->type_name("");
   add_seed(*code, to.seed, "Instead: the code of this word, as mien new has it");
 }
 
 void add_check(CLI::App& app, CheckArguments& to) {
-  CLI::App* check = app.add_subcommand("check",
-                                       "Say whether face files are in order; with --nonsense, "
-                                       "whether faces stay faces in every pose");
+  CLI::App* check =
+      app.add_subcommand("check",
+                         "Check face files, each fault as FILE:LINE:COLUMN: /pointer: "
+                         "SENTENCE; with --nonsense, whether faces stay faces in "
+                         "every pose");
   check->add_option("FACE", to.faces, "Face files, or codes")->type_name("")->expected(0, 1 << 20);
   check
       ->add_option(
           "--nonsense", to.people,
-          "Measure each FACE, or N people instead, in some 500 poses: lids that do not meet, "
-          "lips on the nose, hair beside the head and the like; print what is wrong how often, "
-          "where first, and which parts the people share in whom it is wrong")
+          "Pose each FACE, or N random people instead, some 500 times: lids that do not meet, "
+          "lips on the nose, hair beside the head and the like; count the faults, tell where each "
+          "came first, and name the parts behind them")
       ->type_name("N")
       ->expected(0, 1)
       ->allow_extra_args(false);

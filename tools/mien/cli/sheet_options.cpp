@@ -80,7 +80,7 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
   sheet
       ->add_option("--picture", to.pictures,
                    "A picture drawn as by mien render with these options, instead of the "
-                   "emotions; may be given many times; options that pose, effects, --region and "
+                   "emotions; repeatable; options that pose, effects, --region and "
                    "such: 'far: --look-at 0,0,9 --region 10,20,80,60'")
       ->type_name("[NAME:] OPTIONS")
       ->allow_extra_args(false);

@@ -12,7 +12,7 @@ int check_command(const CheckArguments& arguments) {
   if (arguments.faces.empty()) return complain("check: FACE is required", kUsedWrongly);
   int code = kDone;
   for (const std::string& path : arguments.faces) {
-    if (!read_face_aloud(path))
+    if (!read_face_or_report(path))
       code = kFailed;
     else if (const int failed = print(path + ": ok\n"))
       return failed;

@@ -67,7 +67,7 @@ Expected<std::vector<PointTarget>> targets_of(const Face& face,
 }  // namespace
 
 int fit_command(const FitArguments& arguments) {
-  const auto face = read_face_aloud(arguments.face);
+  const auto face = read_face_or_report(arguments.face);
   if (!face) return kFailed;
   const FaceModel& model = *face->model;
   if (model.muscles.muscles.empty())

@@ -74,7 +74,7 @@ std::string clip_line(const FaceModel& model, Index<Clip> index) {
 }  // namespace
 
 int list_command(const ListArguments& arguments) {
-  const auto face = read_face_aloud(arguments.face);
+  const auto face = read_face_or_report(arguments.face);
   if (!face) return kFailed;
   const std::vector<SettableName> names = settable_names(*face);
   std::vector<Row> rows{{"NAME", "UNIT", "RANGE", "VALUE"}}, poses;

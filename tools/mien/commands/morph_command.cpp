@@ -48,7 +48,7 @@ Expected<std::string> from_heads(const MorphArguments& arguments, const Face& re
 
 int morph_command(const MorphArguments& arguments) {
   if (!arguments.people.empty()) return morph_between(arguments);
-  const auto rest = read_face_aloud(arguments.rest);
+  const auto rest = read_face_or_report(arguments.rest);
   if (!rest) return kFailed;
   const auto text =
       arguments.from_obj ? from_heads(arguments, *rest) : from_faces(arguments, *rest);

@@ -83,8 +83,8 @@ Expected<Face> read_face_or_code(const std::string& text, const std::optional<st
   return neutral ? without_mood(*face) : *std::move(face);
 }
 
-std::optional<Face> read_face_aloud(const std::string& path,
-                                    const std::optional<std::string>& style, bool neutral) {
+std::optional<Face> read_face_or_report(const std::string& path,
+                                        const std::optional<std::string>& style, bool neutral) {
   if (path.empty()) {
     complain(Error{"face file", "its name is empty"}, kFailed);
     return {};
@@ -245,7 +245,8 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
     const std::string where = "--clip " + one_line(arguments.clips[0], 60);
     return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
   }
-  auto face = known ? *known : read_face_aloud(arguments.face, arguments.style, arguments.neutral);
+  auto face =
+      known ? *known : read_face_or_report(arguments.face, arguments.style, arguments.neutral);
   if (!face) return {{}, {}, kFailed};
   for (const std::string& file : arguments.morphs) {
     auto more = read_morphs(*face, file);

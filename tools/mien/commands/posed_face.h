@@ -1,5 +1,5 @@
 #pragma once
-// FACE, and how it is posed: what render and scene have in common.
+// The FACE argument and its pose options, shared by render and scene.
 
 #include <mien/face.h>
 #include <mien/pose.h>
@@ -13,9 +13,9 @@
 namespace mien::command {
 
 /// The face of a file or code, or nothing; warnings and the error have been printed.
-std::optional<Face> read_face_aloud(const std::string& path,
-                                    const std::optional<std::string>& style = {},
-                                    bool neutral = false);
+std::optional<Face> read_face_or_report(const std::string& path,
+                                        const std::optional<std::string>& style = {},
+                                        bool neutral = false);
 
 /// Whether a FACE is a code, and no file of that name is there.
 bool is_given_as_code(const std::string& text);

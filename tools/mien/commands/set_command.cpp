@@ -16,7 +16,7 @@ int set_command(const SetArguments& arguments) {
   if (is_given_as_code(arguments.face))
     return complain({arguments.face, "a code is no file; 'mien new --flat --code' writes one"},
                     kUsedWrongly);
-  if (!read_face_aloud(arguments.face)) return kFailed;
+  if (!read_face_or_report(arguments.face)) return kFailed;
   const auto edited = edit_face(arguments.face, arguments.settings, {}, face_letters());
   if (!edited) return complain(edited.error(), kUsedWrongly);
   if (!edited->left.empty())

@@ -137,7 +137,7 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
     if (one.pictures.empty())
       one.pictures.push_back(arguments.emotions ? fmt::format("--emotion {}", feeling)
                                                 : own_turn(people[person], *turned));
-    const auto face = read_face_aloud(*one.face, arguments.style, arguments.neutral);
+    const auto face = read_face_or_report(*one.face, arguments.style, arguments.neutral);
     made[person] = face ? picture_cells(one, *face, size) : CellsOrCode{{}, kFailed};
   };
   // What is wrong with the arguments is wrong for everybody: the first person says it, once.
@@ -265,7 +265,7 @@ std::optional<Error> wrongly_used(const SheetArguments& arguments) {
 CellsOrCode sheet_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people) {
   std::optional<Face> face;
   if (arguments.face && !arguments.parts) {
-    face = read_face_aloud(*arguments.face, arguments.style, arguments.neutral);
+    face = read_face_or_report(*arguments.face, arguments.style, arguments.neutral);
     if (!face) return {{}, kFailed};
   } else {
     auto first = face_from_recipe(recipe_from_seed(0));  // all have one canvas
