@@ -1,5 +1,5 @@
 #pragma once
-// A value, or a sentence that says why there is none. Used where mien meets the outside: files and names.
+// A value, or a sentence why there is none. Used where mien meets the outside: files and names.
 
 #include <cassert>
 #include <cstddef>

@@ -1,5 +1,5 @@
 #pragma once
-// The position of something in the list of its kind. The type says which list, so that a feature's index
+// The position of something in the list of its kind. The type names the list, so that a feature's index
 // cannot be taken for a gradient's.
 //
 //   const Index<Clip> clip = …;

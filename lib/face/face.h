@@ -12,7 +12,7 @@ namespace mien {
 
 struct FaceModel;  // lib/face/face_model.h
 
-/// The face vector; Layout says what each number is.
+/// The face vector; Layout tells what each number is.
 using FaceVector = std::vector<double>;
 
 struct Face {

@@ -21,7 +21,7 @@ struct TextOutline {
   double width = 0;                            ///< of the line
 };
 
-/// The outline of UTF-8, or a sentence that says why there is none.
+/// The outline of UTF-8, or a sentence why there is none.
 using Letters = std::function<Expected<TextOutline>(std::string_view text)>;
 
 }  // namespace mien

@@ -67,7 +67,7 @@ struct StripesFigure {
   PatternChance chance;
 };
 
-/// How many figures a pattern has, 1 for what is none.
+/// How many figures a pattern has, 1 for other features.
 inline int figures_in(const ScatterFigure& f) {
   return f.rows > 0 ? f.columns * f.rows : f.columns;
 }

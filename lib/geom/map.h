@@ -8,7 +8,7 @@
 
 namespace mien {
 
-struct FaceSpace;   ///< the face file's own units and y direction, as its canvas says
+struct FaceSpace;   ///< the face file's own units and y direction, as its canvas defines them
 struct PixelSpace;  ///< 1 = pixel, y down, origin at the CENTRE of the whole picture: mirror images
                     ///< about the middle of the picture have exactly opposite coordinates
 struct GridSpace;  ///< 1 = pixel, y down, origin at the TOP LEFT corner of the whole picture: pixel

@@ -5,7 +5,7 @@
 //   build.layer("head", head, {skin});
 //   build.layer("line", contour(build, head, 0.01), {ink});
 //
-// All of them use Scene::distance. It is the true distance to the outline where Scene::exactness says so,
+// All of them use Scene::distance. It is the true distance to the outline where Scene::exactness is exact,
 // as for every single shape. For combined areas it is a bound: a contour then has mitred instead of round
 // corners, and a glow follows these mitres.
 

@@ -22,7 +22,7 @@ MIEN_API std::string_view feature_of(const Layer& layer);
 MIEN_API double opacity_at(const Scene& scene, int layer, glm::dvec2 p);
 
 /// The index of the uppermost layer at p, by the areas' distances; −1: none. Layers that are too transparent there to
-/// change a pixel of 8 bits do not count, nor do shadows and glows: they lie on things and are none.
+/// change a pixel of 8 bits do not count, nor do shadows and glows: they fall on features but are not features.
 MIEN_API int layer_seen_at(const Scene& scene, glm::dvec2 p);
 
 /// The feature of that layer; "" where there is none. The text lives as long as the scene.

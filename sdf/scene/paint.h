@@ -49,7 +49,7 @@ struct RadialGradient {
 };
 
 /// 0 where the signed distance to an area's outline (negative inside) is `from`, 1 where it is `to`. The
-/// distance is Scene::distance, which is exact where Scene::exactness says so.
+/// distance is Scene::distance, which is exact where Scene::exactness is.
 struct DistanceGradient {
   Area area;
   double from, to;

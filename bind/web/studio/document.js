@@ -9,7 +9,7 @@ export const REST = { emotions: {}, muscles: {}, set: {}, clip: null, time: 0 };
 export const ofPerson = (person, before = {}) => ({ person, face: null, pose: poseFor(before), background: before.background ?? null });
 export const ofFace = (name, text, before = {}) => ({ person: null, face: { name, text }, pose: REST, background: before.background ?? null });
 
-/** Of a pose what another person takes, too: not the colours and points of the one before; clips are those of people. */
+/** What carries over to another person: everything but colours, points and a file's own clips. */
 function poseFor({ pose = REST, person }) {
   const kept = { ...pose, set: Object.fromEntries(Object.entries(pose.set).filter(([name]) => !name.includes('/'))) };
   return person ? kept : { ...kept, clip: null, time: 0 };

@@ -6,7 +6,7 @@ const upright = (x, why) => ({ through: [x, 0], along: [0, 1], why });
 const level = (y, why) => ({ through: [0, y], along: [1, 0], why });
 const SAME = 1e-9;
 
-/** The line through two points; null: they are one. */
+/** The line through two points; null if the points coincide. */
 function through([x, y], [u, v]) {
   const length = Math.hypot(u - x, v - y);
   return length > SAME ? { through: [x, y], along: [(u - x) / length, (v - y) / length], why: 'tangent' } : null;

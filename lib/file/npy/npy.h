@@ -50,7 +50,7 @@ MIEN_API Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t
 /// An open file of frames.
 class MIEN_API FrameFile {
  public:
-  /// Errors name the file and say what is wrong: it is no .npy file, has an unsupported type or shape, or
+  /// Errors name the file and the fault: it is no .npy file, has an unsupported type or shape, or
   /// has fewer or more bytes than its shape asks for.
   static Expected<FrameFile> open(const std::filesystem::path& path);
 

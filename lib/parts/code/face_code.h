@@ -11,7 +11,7 @@
 
 namespace mien {
 
-/// A value that a code holds whatever its seed says.
+/// A value that a code holds whatever its seed chooses.
 struct HeldValue {
   int field = 0;  ///< permanent number of a family or of a number, 0 … 1023
   int value = 0;  ///< permanent number of a part, or 1/1023 of a number's range, 0 … 1023
@@ -19,7 +19,7 @@ struct HeldValue {
   friend bool operator==(const HeldValue&, const HeldValue&) = default;
 };
 
-/// What a code says: the seed of a face, and what is held against it.
+/// The contents of a code: the seed of a face, and the values held against it.
 struct FaceCode {
   static constexpr int kSeedBits = 50;
 
