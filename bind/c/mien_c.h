@@ -217,7 +217,7 @@ MIEN_C_API int32_t mien_face_vector_size(const mien_face* face);
 
 /* ---- Face files with other numbers ------------------------------------------------------------- */
 
-/* Where a face file's text says its values, as JSON pointers (RFC 6901): a text for each name of mien_face_name_at, in its
+/* Where a face file's text has its values, as JSON pointers (RFC 6901): a text for each name of mien_face_name_at, in its
  * order, "/features/12/spine/1". Two sides that the file writes once have the same one. It is "" where the file does not
  * hold the value: of controls, whose values are poses, and of all names of a recipe. `name` stands for the file's name in
  * errors, NULL: "face". */
@@ -260,7 +260,7 @@ MIEN_C_API mien_status mien_basis_read(const char* path, size_t path_length, mie
                                        mien_error** error);
 MIEN_C_API void mien_basis_free(mien_basis* basis);
 
-/* What says how many components there are. */
+/* What sets the number of components. */
 enum {
   MIEN_BASIS_COUNT = 0,    /* so many, 1 ... the least of frames and numbers */
   MIEN_BASIS_VARIANCE = 1, /* the fewest that hold this share of the variance, 0 ... 1 */
@@ -349,7 +349,7 @@ MIEN_C_API mien_status mien_recipe_in_full(const char* text, size_t length, cons
                                            size_t name_length, mien_texts** out,
                                            mien_error** error);
 
-/* The code with one thing held whatever its seed says: "hair=bob", "eye.size=1.05". `clamp`: a number out of
+/* The code with one thing held whatever its seed chooses: "hair=bob", "eye.size=1.05". `clamp`: a number out of
  * range becomes the nearer end. A list of one text. */
 MIEN_C_API mien_status mien_code_hold(const char* code, size_t length, const char* held,
                                       size_t held_length, int32_t clamp, mien_texts** out,
@@ -431,7 +431,7 @@ MIEN_C_API mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t 
 MIEN_C_API mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t length,
                                       mien_error** error);
 
-/* How far clips move the face, 0 (not at all) ... 2; 1 as the clips say. */
+/* How far clips move the face, 0 (not at all) ... 2; 1 as the clips have it. */
 MIEN_C_API mien_status mien_pose_liveliness(mien_pose* pose, double liveliness, mien_error** error);
 
 /* The point that the eyes look at [face units], z towards the viewer. */
@@ -589,7 +589,7 @@ MIEN_C_API mien_status mien_renderer_stats(const mien_renderer* renderer, mien_r
 /* How a picture is drawn, as a picture. */
 enum {
   MIEN_DEBUG_OUTLINES = 0,  /* every piece of outline, each outline in its colour */
-  MIEN_DEBUG_REGIONS = 1,   /* what lies between outlines, each in its colour */
+  MIEN_DEBUG_REGIONS = 1,   /* areas between outlines, each in its colour */
   MIEN_DEBUG_FRAGMENTS = 2, /* visible stretches of outline, brighter where colours change more */
   MIEN_DEBUG_LOOKS = 3,     /* regions that look alike share a colour */
   MIEN_DEBUG_DISTANCE =
@@ -603,7 +603,7 @@ MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_vi
                                           const mien_render_options* options, mien_error** error);
 
 /* The scene as an SVG file, of lines and parabolas that leave the outlines by `tolerance` [px] at most, 1e-4 ... 1;
- * 0 is 0.01. A list of texts: the file's, and a sentence for each thing that SVG cannot say, with its layer. The view's
+ * 0 is 0.01. A list of texts: the file's, and a sentence for each thing that SVG cannot show, with its layer. The view's
  * size, fit and background count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
  * begins all ids, so that several pictures can stand in one page. */
 MIEN_C_API mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tolerance,

@@ -44,7 +44,7 @@ struct KeyCurve {
   double offset = 0;           ///< [s] later by this
   double jitter = 0;           ///< [s] each period later by a random part of this; needs a period
   CurveSeed seed = {};
-  /// Of the periods, 0 … 1: in so many the keys are played, in the others the first one is held. Liveliness says how
+  /// The share of periods, 0 … 1, in which the keys are played; in the others the first one is held. Liveliness sets how
   /// often such keys are played, not how far they go. None: in all periods.
   std::optional<double> share = {};
 };

@@ -1,7 +1,7 @@
 #pragma once
 // A face: a shared immutable model, and one vector of numbers of its own.
 //
-// Everything about a face that can move is in the vector. The model names its slices (layout), says which
+// Everything about a face that can move is in the vector. The model names its slices (layout), tells which
 // features are drawn from which slices, and holds the tables that pose it (controls, key shapes, clips).
 // Posing copies only the vector. Every Face is valid, because its file was checked when it was read.
 

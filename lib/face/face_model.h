@@ -1,5 +1,5 @@
 #pragma once
-// The parts of a face that do not move: the meaning of its numbers, what is drawn from them, and what poses
+// The parts of a face that do not move: the meaning of its numbers, the features drawn from them, and the tables that pose
 // them.
 
 #include <mien/canvas.h>

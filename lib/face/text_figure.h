@@ -8,7 +8,7 @@
 
 namespace mien {
 
-/// What is longer is no line on a face; outlines take memory and time.
+/// A longer text is no line on a face; outlines take memory and time.
 inline constexpr int kMostSignsOfText = 60, kMostSignsOfFace = 2000;
 
 struct TextFigure {

@@ -1,8 +1,8 @@
 #pragma once
-// How the colour of a group meets what lies below it, by blend modes of W3C, Compositing and Blending Level 1,
+// How the colour of a group meets the picture below it, by blend modes of W3C, Compositing and Blending Level 1,
 // section "Blending" (https://www.w3.org/TR/compositing-1/).
 //
-// With colours cs of the group and cb of what lies below, straight, and opacities αs and αb, the result has the
+// With colours cs of the group and cb of the picture below, straight, and opacities αs and αb, the result has the
 // opacity αs + αb − αs αb and, premultiplied by it, the colour
 //
 //     αs (1 − αb) cs  +  αb (1 − αs) cb  +  αs αb B(cb, cs)
@@ -21,7 +21,7 @@ enum class MixMode : unsigned char {
   screen     ///< B = cb + cs − cb cs: as light that is added; nothing gets darker
 };
 
-/// As files and scenes say, by mode.
+/// The names of modes in files and scenes.
 inline constexpr std::array<std::string_view, 3> kMixModes{"normal", "multiply", "screen"};
 
 }  // namespace mien

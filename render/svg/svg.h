@@ -8,7 +8,7 @@
 //
 // Layers are in order, with their colours, linear and radial gradients, opacities, groups, mix modes and clips. Each
 // layer's area, whatever it was combined from, is one path: the boundary of its own arrangement. Colours are mixed as
-// encoded, as SVG viewers do (Blend::srgb). What SVG cannot say is written as the nearest plain thing or left out, and
+// encoded, as SVG viewers do (Blend::srgb). What SVG cannot show is written as the nearest plain thing or left out, and
 // `simplified` tells which.
 
 #include <mien/api.h>

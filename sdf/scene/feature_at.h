@@ -1,5 +1,5 @@
 #pragma once
-// What is seen at a place of a picture, by name: for pointers and for questions.
+// The feature seen at a place of a picture, by name: for pointers and for questions.
 //
 //   const glm::dvec2 p = face_from_pixel(place);
 //   feature_at(scene, p);  // "iris.left"; "" where nothing is drawn

@@ -59,8 +59,8 @@ class MIEN_API FrameFile {
   std::size_t dimensions() const { return header_.shape.size() == 3 ? header_.shape[2] : 1; }
   const NpyHeader& header() const { return header_; }
 
-  /// The frames as rows, read from the file on demand. A number that is not finite is an error that says
-  /// where it stands. The source may outlive this object.
+  /// The frames as rows, read from the file on demand. A number that is not finite is an error with
+  /// its place. The source may outlive this object.
   MatrixSource source() const;
 
  private:

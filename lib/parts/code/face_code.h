@@ -34,8 +34,8 @@ struct FaceCode {
 /// in two signs each, and are checked too.
 MIEN_API std::string face_code_text(const FaceCode& code);
 
-/// Reads a code. Case and hyphens do not count, and O, I and L are read as 0, 1 and 1. The error says
-/// what is wrong with it.
+/// Reads a code. Case and hyphens do not count, and O, I and L are read as 0, 1 and 1. The error
+/// names the fault.
 MIEN_API Expected<FaceCode> read_face_code(std::string_view text);
 
 /// Whether a text looks like a code, right or wrong, rather than like the name of a file.

@@ -30,7 +30,7 @@ struct Recipe {
 /// The recipe of a seed.
 MIEN_API Recipe recipe_from_seed(std::uint64_t seed);
 
-/// The recipe of a code. The error says which held value is not known.
+/// The recipe of a code. The error names the held value that is not known.
 MIEN_API Expected<Recipe> recipe_from_code(const FaceCode& code);
 
 /// The same person without an expression: no smile, no mood, so the lips are closed.

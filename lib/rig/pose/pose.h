@@ -64,8 +64,8 @@ struct Pose {
   std::vector<ClipLayer> clips = {};   ///< bottom to top; none: the face's default clip
   /// What clips' personal chance draws from; none: the face's own (FaceModel::seed). seed_from_word makes one.
   std::optional<std::uint64_t> seed = {};
-  /// 0 … kMostLively: how far clips move the face from rest, and how often those curves play that say in which share of
-  /// their periods they do. 1: as the clips say; 0: no clip runs.
+  /// 0 … kMostLively: how far clips move the face from rest, and how often curves with a share
+  /// of their periods play. 1: as the clips have it; 0: no clip runs.
   double liveliness = 1;
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
   double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)

@@ -17,7 +17,7 @@ namespace mien {
 
 /// The pointers of a face file's text, one for each of settable_names(), in its order. Two sides that the file writes
 /// once have the same one. It is empty where the file does not hold the value: of controls, whose values are poses; of
-/// what is derived, such as the shifts of lids; and of all names of a recipe (format version 2), whose numbers are made of
+/// derived numbers, such as the shifts of lids; and of all names of a recipe (format version 2), whose numbers are made of
 /// parts. Errors as for read_face_text.
 MIEN_API Expected<std::vector<std::string>> face_pointers(std::string_view text,
                                                           std::string_view name = "face",
