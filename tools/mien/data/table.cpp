@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include "lib/base/from_chars.h"
 
 namespace mien::command {
