@@ -13,7 +13,7 @@ class CairoPicture {
   CairoPicture(const PeerDrawing& drawing, std::uint32_t* pixels);
   ~CairoPicture();
 
-  /// A whole frame: background, then every figure, paths built anew.
+  /// A whole frame: background, then every figure, with new paths.
   void draw();
 
  private:

@@ -33,7 +33,7 @@ class Subject {
  public:
   explicit Subject(const FrameCase& c);
 
-  /// The face, `step` hundred-thousandths smaller (of a hundred: it begins anew then): every point
+  /// The face, `step` hundred-thousandths smaller (of a hundred: it begins again then): every point
   /// and length of it is another number, so nothing made for one step is of use for the next.
   Face face(int step) const;
   /// The pose; its gaze `step` ten-thousandths further to the side, where the face has a gaze.

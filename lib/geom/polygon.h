@@ -28,7 +28,7 @@ double signed_area(const Polygon& outline);
 /// before its last.
 void add_curve(const QuadBezier& curve, int pieces, Polygon& to);
 
-/// The distance from a point to the straight line from a to b; `share` says where on it the nearest point
+/// The distance from a point to the straight line from a to b; `share` is where on it the nearest point
 /// is, 0 … 1.
 double way_to_side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p, double& share);
 

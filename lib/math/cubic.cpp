@@ -11,7 +11,7 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// Rounding of Horner's rule is at most 6·2⁻⁵³ of the terms' absolute sum; half of that is typical.
-/// A value below kNoise of the sum says nothing about its sign.
+/// A value below kNoise of the sum tells nothing about its sign.
 constexpr double kNoise = 0x1p-51;
 
 /// p q − r s, within 1.5 ulp (Kahan's way with two fused multiply-adds).

@@ -2,7 +2,7 @@
 // Directions and angles in degrees, with the same bits on every machine.
 //
 // IEEE 754 fixes + − × ÷, square roots and remainders; sines and arctangents it leaves to each C library, whose last bits
-// differ. What a code says must not depend on them, so these are sums and products alone. Files that use them are
+// differ. The face of a code must not depend on them, so these are sums and products alone. Files that use them are
 // compiled without fused operations, as all of mien is.
 
 #include <glm/vec2.hpp>

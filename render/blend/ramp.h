@@ -15,7 +15,7 @@ class Ramp {
   /// `opacity` multiplies that of every stop. No stops: transparent.
   Ramp(const Gradient& gradient, double opacity, Blend blend) { make(gradient, opacity, blend); }
 
-  /// Made anew; memory is kept.
+  /// Made again; memory is kept.
   void make(const Gradient& gradient, double opacity, Blend blend);
 
   Mix color(double t) const;

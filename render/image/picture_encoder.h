@@ -1,5 +1,5 @@
 #pragma once
-// What a file format's writer is: it says how it wants the picture cut, prepares pieces on any
+// What a file format's writer is: it chooses how the picture is cut, prepares pieces on any
 // thread, and puts them into the file in order.
 
 #include <mien/view.h>

@@ -26,7 +26,7 @@ class LookRule {
 /// All regions met so far. Region 0 is inside of nothing.
 class Regions {
  public:
-  /// Begins anew; memory is kept.
+  /// Begins again; memory is kept.
   void begin(int outlines, LookRule& rule);
 
   /// The region on the other side of an outline.

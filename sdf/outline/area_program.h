@@ -39,7 +39,7 @@ struct OutlineSource {
 /// times.
 class AreaPrograms {
  public:
-  /// Begins anew; memory is kept. The scene must outlive its use here.
+  /// Begins again; memory is kept. The scene must outlive its use here.
   void begin(const Scene& scene);
 
   /// The program of {distance(area) <= level}; level in face units.

@@ -26,7 +26,7 @@ struct DriveTarget {
   bool mirrored;
 };
 
-/// How a file's node says a slice's numbers: as they are, those of the other side, or not at all.
+/// How a file's node gives a slice's numbers: as they are, those of the other side, or not at all.
 enum class Written : unsigned char { plain, mirrored, nowhere };
 
 inline Written written(bool mirrored) {
@@ -61,7 +61,7 @@ struct FaceDraft {
 
   SlicePlaces* places = nullptr;  ///< where each slice stands; null: nobody asks
 
-  /// Appends a slice with its values at rest; `node` is where they stand, `how` the file says them.
+  /// Appends a slice with its values at rest; `node` is where they stand, `how` the file gives them.
   int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
                 std::span<const double> values, Written how = Written::plain);
 

@@ -89,7 +89,7 @@ class ControlReader {
     return table;
   }
 
-  /// Where the keys are: as "at" says, or evenly over the range.
+  /// Where the keys are: as in "at", or evenly over the range.
   std::vector<double> key_places(const JsonNode& node, const JsonNode& slices) const {
     std::vector<double> at;
     if (const JsonNode* places = in_.find(node, "at")) {

@@ -37,7 +37,7 @@ class Reading {
 
   void expect(const JsonNode& node, JsonKind kind) const;
   /// Checks that it is an object and warns of keys that are not among `known` ("comment" always
-  /// is); `whose` says what kind of object it is.
+  /// is); `whose` names the kind of object.
   void expect_object(const JsonNode& node, const std::vector<std::string_view>& known,
                      std::string_view whose = {});
 
@@ -50,7 +50,7 @@ class Reading {
   std::vector<double> numbers(const JsonNode& node, int least, int most) const;
   /// Two numbers.
   glm::dvec2 pair(const JsonNode& node) const;
-  /// One of `words`, as its index; `what` says what they are.
+  /// One of `words`, as its index; `what` names their kind.
   std::size_t word(const JsonNode& node, std::string_view what,
                    std::span<const std::string_view> words) const;
   /// A name that can be part of a slice's or control's name.

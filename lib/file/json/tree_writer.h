@@ -37,7 +37,7 @@ class TreeWriter {
   void copy(const JsonTree& from, const JsonNode& node) {
     copy(from, node, [](const JsonNode&) { return false; });
   }
-  /// `replace` writes what stands for an object instead, and says whether it did.
+  /// `replace` writes what stands for an object instead, and tells whether it did.
   template <class Replace>
   void copy(const JsonTree& from, const JsonNode& node, Replace&& replace);
   /// The same for its members or elements alone, into what is open.

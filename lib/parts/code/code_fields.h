@@ -1,5 +1,5 @@
 #pragma once
-// A recipe as a code says it: a value for every field, and the shortest code of them.
+// A recipe as a code has it: a value for every field, and the shortest code of them.
 
 #include <mien/face_code.h>
 #include <mien/recipe.h>

@@ -13,7 +13,7 @@ class PartStyle {
   /// The library must outlive this; the name must be one of its styles.
   PartStyle(const PartLibrary& library, std::string_view style);
 
-  /// What the style says of a feature, by its role.
+  /// How the style paints a feature, by its role.
   struct Role {
     std::string_view name;            ///< empty: none
     const JsonNode* sheet = nullptr;  ///< null: nothing
@@ -21,7 +21,7 @@ class PartStyle {
   };
   Role role(const Reading& in, const JsonNode& feature) const;
 
-  /// Whether the style says what this member of a feature is, whatever the part says.
+  /// Whether the style sets this member of a feature, whatever the part has.
   bool replaces(const Role& role, std::string_view key) const;
 
   /// What follows a feature's own members: {"paint": "skin_shade"}. `painted`: the part has a paint.

@@ -136,7 +136,7 @@ void PartLibrary::read_part(const LibraryNode& part) {
   read_numbers(part, family_name);
 }
 
-/// What the topology says, or else the part of the lowest permanent number: more parts, and names of files, change
+/// The choice of the topology, or else the part of the lowest permanent number: more parts, and names of files, change
 /// neither.
 void PartLibrary::choose_usual_parts() {
   for (Family& family : families_) {

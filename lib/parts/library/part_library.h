@@ -68,7 +68,7 @@ class PartLibrary {
  public:
   /// The one that is compiled in; without anything in it if a file of it is broken.
   static const PartLibrary& shipped();
-  /// The same; the error says what is broken and where that is.
+  /// The same; the error names what is broken and its place.
   static Expected<const PartLibrary*> shipped_or_why();
 
   /// Reads one topology and files of parts. Names and texts must outlive the library.

@@ -10,7 +10,7 @@
 
 namespace mien {
 
-/// A part file, and the family that it says it is of.
+/// A part file, and the family that it names.
 struct FoundPart {
   std::string family;
   OwnPart part;

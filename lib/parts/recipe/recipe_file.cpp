@@ -78,7 +78,7 @@ class RecipeReader {
       in_.refuse(node,
                  "a part of one's own lies in the recipe's own folder: a name without slashes");
     const std::filesystem::path path = *folder_ / name;
-    std::error_code unknown;  // says that there is none, too
+    std::error_code unknown;  // set if there is none, too
     if (!std::filesystem::is_regular_file(path, unknown))
       in_.refuse(node, fmt::format("there is no file {}", in_quotes(path.string())));
     auto text = read_bytes(path, in_.limits.bytes);

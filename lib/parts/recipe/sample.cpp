@@ -148,7 +148,7 @@ class Sampler {
         value += sum(in, law) + 2.0 * find("spread") * chance_.bell(question) +
                  find("even") * chance_.share(question);
     }
-    // A code holds 1023 steps: what a seed says it can hold, too.
+    // A code holds 1023 steps: what a seed chooses it can hold, too.
     const double range = number.hi - number.lo;
     double step = std::floor(std::clamp((value - number.lo) / range, 0.0, 1.0) * kSteps + 0.5);
     if (const int* own = held(number.number)) step = *own;

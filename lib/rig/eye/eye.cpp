@@ -112,7 +112,7 @@ class EyeAtWork {
         const LidPair both = blinked({upper, lower}, value(eye_.blink), share_);
         return std::array{both.upper, both.lower};
       };
-      // An unpushed lid is the drawn one less the push it was drawn with. That push is evaluated anew, in
+      // An unpushed lid is the drawn one less the push it was drawn with. That push is evaluated again, in
       // the same way as the present one, so that the resting face keeps every bit.
       const auto again = [&](int lid) {
         return edge_push(rest_body, rest[lid][i] - pushed[lid][i], kAhead);

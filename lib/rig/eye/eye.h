@@ -17,7 +17,7 @@ namespace mien {
 ///   values   of the model's channels, in range
 ///
 /// In this order, for each eye: the lids' middles follow the gaze by their shares; lids that poses have
-/// crossed are uncrossed; the blink closes them where the bias says; crease and riders follow the lids; the
+/// crossed are uncrossed; the blink closes them where the bias puts them; crease and riders follow the lids; the
 /// cornea pushes the edges. The face at rest is drawn with its bulge. So an edge is shifted by the present
 /// push less the push at rest, and the latter closes with the lids: at rest every shift is 0, and shut lids
 /// are one curve.

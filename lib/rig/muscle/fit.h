@@ -4,7 +4,7 @@
 // Finds the pulls in [0, 1] that make Σ |p(pulls) − wanted|² least, where p is the equilibrium. It uses the
 // Gauss-Newton method: each step is a linear least squares problem within the bounds
 // (lib/math/bounded_least_squares.h), damped as by Levenberg and Marquardt. It starts twice, at rest and
-// half pulled, and keeps the better result: a local minimum, or what 60 steps came to. The residual says
+// half pulled, and keeps the better result: a local minimum, or what 60 steps came to. The residual tells
 // how good it is. Where several muscles could do the same, those that need not pull do not.
 
 #include <mien/face_model.h>

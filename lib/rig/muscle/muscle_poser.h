@@ -22,7 +22,7 @@ using ChannelsAt =
 /// Whether clips act at a pose: at a moment, and with some liveliness.
 bool clips_run(const Pose& pose);
 
-/// For each channel, whether a setting or a running clip says what it is.
+/// For each channel, whether a setting or a running clip holds it.
 void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held);
 
 /// Whether a clip that runs at this pose drives muscles or expressions.

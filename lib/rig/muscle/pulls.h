@@ -10,7 +10,7 @@ namespace mien {
 
 /// The pull of every muscle, in [0, 1].
 ///   values   of the model's channels
-///   held     for each channel, whether a setting or a running clip says what it is
+///   held     for each channel, whether a setting or a running clip holds it
 ///
 /// A muscle whose own channel is held has that value, whatever the expressions say. The others are mixed by
 /// the law, with the product in the model's order, so that the order in which expressions were set changes

@@ -16,7 +16,7 @@ struct Temper {
 /// The curve's value at `time` [s], finite. At a key it is the key's value exactly.
 double value_at(const Curve& curve, double time, const Temper& temper = {});
 
-/// Whether liveliness says how often a curve is played. How far all others go is for the caller to scale.
+/// Whether liveliness sets how often a curve is played. How far all others go is for the caller to scale.
 bool is_played_by_chance(const Curve& curve);
 
 }  // namespace mien

@@ -13,7 +13,7 @@ struct OutputPath {
   bool stream = false;  ///< a device or a pipe: written straight into, as it cannot be replaced
 };
 
-/// Follows links (also to files that do not exist yet) and says beforehand what would fail: a
+/// Follows links (also to files that do not exist yet) and tells beforehand what would fail: a
 /// directory, a missing or unwritable folder, a write-protected file. Changes nothing. `where` of
 /// the error is `path` as given.
 Expected<OutputPath> find_output_path(const std::filesystem::path& path);

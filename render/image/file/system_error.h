@@ -3,7 +3,7 @@
 
 namespace mien {
 
-/// What the operating system says an errno value means: "No space left on device".
+/// What an errno value means, in the words of the operating system: "No space left on device".
 std::string system_error(int code);
 
 }  // namespace mien

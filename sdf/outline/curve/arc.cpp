@@ -126,7 +126,7 @@ void write_ellipse(CurvePen& pen, glm::dvec2 center, glm::dvec2 u, glm::dvec2 v)
   if (!(std::abs(cross(u, v)) > 0.0)) return;
   const glm::dvec2 half{norm({u.x, v.x}), norm({u.y, v.y})};
   if (pen.beyond({center - half, center + half})) return;
-  // Conjugate half-axes anew: the first to the ellipse's rightmost point, where x turns anyway.
+  // New conjugate half-axes: the first to the ellipse's rightmost point, where x turns anyway.
   const double c = u.x / half.x, s = v.x / half.x;
   glm::dvec2 right = c * u + s * v, across = c * v - s * u;
   across.x = 0.0;

@@ -28,7 +28,7 @@ Rim rim_at(const Pen& pen, double toward, double t);
 ///        in Q's parameter s,
 ///            |Q(s) − B(t(s))|² − w(t(s))² = c s² (1 − s)²    exactly, c = |Q''/2 − B''/2|² −
 ///            (w''/2)²,
-///        so one number says how far Q leaves the disc at t(s). How much deeper it is in a
+///        so one number tells how far Q leaves the disc at t(s). How much deeper it is in a
 ///        neighbouring disc follows from the derivative along t, s (1 − s)(α + β s), and the second
 ///        one, a quadratic. docs/derivations/outlines.md
 /// Error. At most the loop's tolerance, proven for each piece; pieces halve until it is.

@@ -61,7 +61,7 @@ struct Seen {
   }
 };
 
-/// A piece of the curve and of B'/3, both by their own control points on [lo, hi]. f's coefficients are formed anew
+/// A piece of the curve and of B'/3, both by their own control points on [lo, hi]. f's coefficients are formed again
 /// on every piece, so they stay accurate near a cusp, where both are small.
 struct Piece {
   std::array<glm::dvec2, 4> q;

@@ -10,7 +10,7 @@ inline QuadBezier straight(glm::dvec2 a, glm::dvec2 b) {
   return {a, 0.5 * (a + b), b};
 }
 
-/// Whether a side is straight in the way Path says it.
+/// Whether a side is straight as Path defines it.
 inline bool is_straight(const QuadBezier& c) {
   return c.p1 == 0.5 * (c.p0 + c.p2);
 }

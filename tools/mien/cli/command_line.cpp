@@ -312,7 +312,7 @@ std::vector<std::string> option_words(const CLI::Option& option) {
 }
 
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
-  // A mistyped option says more than the argument that is missing because of it.
+  // A mistyped option explains more than the argument that is missing because of it.
   return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
 }
 

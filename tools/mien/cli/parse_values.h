@@ -13,7 +13,7 @@
 
 namespace mien::command {
 
-/// "1920x1080"; or "1920": the longer side, the other as `aspect` (width over height) says.
+/// "1920x1080"; or "1920": the longer side, the other by `aspect` (width over height).
 struct Size {
   int width, height;
 };

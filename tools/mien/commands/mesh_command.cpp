@@ -101,7 +101,7 @@ class HeadPainter {
         sheet_picture(scene_from_mesh(turned(mesh, yaw_, pitch_), amounts, look), view), caption);
   }
 
-  /// A heat map of each point's distance from the neutral; the caption says what the end of the scale is.
+  /// A heat map of each point's distance from the neutral; the caption tells the end of the scale.
   Image paint_heat(const Mesh& neutral, const Mesh& mesh) const {
     std::vector<double> amounts = point_distances(neutral, mesh);
     const double largest = amounts.empty() ? 0 : *std::max_element(amounts.begin(), amounts.end());

@@ -140,7 +140,7 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
     const auto face = read_face_or_report(*one.face, arguments.style, arguments.neutral);
     made[person] = face ? picture_cells(one, *face, size) : CellsOrCode{{}, kFailed};
   };
-  // What is wrong with the arguments is wrong for everybody: the first person says it, once.
+  // What is wrong with the arguments is wrong for everybody: the first person reports it, once.
   draw(0);
   if (made[0].code != kDone) return made[0];
   parallel_for(int(people.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
@@ -206,7 +206,7 @@ CellsOrCode own_part_cells(const SheetArguments& arguments, Size size) {
 
 /// --parts: each part of the family on one head, with its name; with --picture, each part at each of them.
 CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
-  std::error_code none;  // says that there is no such file, too
+  std::error_code none;  // set if there is no such file, too
   if (std::filesystem::exists(*arguments.parts, none)) return own_part_cells(arguments, size);
   auto given = head_for_parts(arguments);
   if (!given) return {{}, complain(given.error(), arguments.face ? kFailed : kUsedWrongly)};

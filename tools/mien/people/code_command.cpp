@@ -1,4 +1,4 @@
-// mien code: the code of a recipe, and what a code says.
+// mien code: the code of a recipe, and the parts and numbers of a code.
 
 #include <mien/recipe.h>
 #include "lib/parts/code/code_fields.h"
@@ -49,7 +49,7 @@ int print_code_of(const std::string& file) {
   return print(face_code_text(*code) + "\n");
 }
 
-/// Every part and number, as --hold takes them; after each that the code holds against its seed, what the seed says.
+/// Every part and number, as --hold takes them; after each that the code holds against its seed, the seed's choice.
 int print_meaning_of(const FaceCode& code) {
   const auto recipe = recipe_from_code(code);
   if (!recipe) return complain(recipe.error(), kUsedWrongly);

@@ -102,7 +102,7 @@ int begin_part(const PartsArguments& arguments) {
   const auto text = part_skeleton(*arguments.family, arguments.name);
   if (!text) return complain(text.error(), kUsedWrongly);
   const std::string path = arguments.output.value_or(arguments.name + ".part.json");
-  std::error_code unknown;  // says that there is none, too
+  std::error_code unknown;  // set if there is none, too
   if (path != "-" && std::filesystem::exists(path, unknown))
     return complain({path, "is there already"}, kFailed);
   const auto done =
@@ -110,7 +110,7 @@ int begin_part(const PartsArguments& arguments) {
   return done ? int(kDone) : complain(done.error(), kFailed);
 }
 
-/// Composing the plain face first says what is wrong with the files, in their own places.
+/// Composing the plain face first finds faults in the files, in their own places.
 int check_parts(const PartsArguments& arguments) {
   CheckArguments check{.faces = {}, .people = {arguments.people.value_or("100")}};
   check.nonsense = true;

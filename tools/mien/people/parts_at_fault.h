@@ -1,5 +1,5 @@
 #pragma once
-// Which parts people share in whom something is wrong.
+// Which parts people with a fault share.
 
 #include <mien/recipe.h>
 

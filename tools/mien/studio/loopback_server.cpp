@@ -76,7 +76,7 @@ void send(evhttp_request* asked, const WebFile& file) {
   }
   tell(asked, "Content-Type", std::string(file.type));
   tell(asked, "Content-Length", std::to_string(status.st_size));
-  tell(asked, "Cache-Control", "no-cache");  // a package that is made anew is seen at once
+  tell(asked, "Cache-Control", "no-cache");  // a package that is made again is seen at once
   tell(asked, "X-Content-Type-Options", "nosniff");
   // The buffer closes the file, when it has been sent or at once where it could not take it.
   const bool only_head = evhttp_request_get_command(asked) == EVHTTP_REQ_HEAD;

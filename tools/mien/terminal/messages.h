@@ -1,5 +1,5 @@
 #pragma once
-// What the command says: on standard error one line each, on standard output its result.
+// The messages of the command: on standard error one line each, on standard output its result.
 
 #include <mien/expected.h>
 #include "tools/mien/terminal/exit_code.h"

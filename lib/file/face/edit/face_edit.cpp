@@ -94,7 +94,7 @@ class Editing {
     return place(slice).node >= 0 && !std::equal(now.begin(), now.end(), before.begin());
   }
 
-  /// The numbers that the file says, where it writes the slice; none: they would not read back exactly.
+  /// The numbers of the file, where it writes the slice; none: they would not read back exactly.
   std::optional<std::vector<double>> written(int slice) const {
     const auto now = values(in_file_, slice);
     if (!place(slice).mirrored) return std::vector(now.begin(), now.end());
@@ -179,7 +179,7 @@ class Editing {
   std::string_view text_;
   TextEdits edits_;
   const PlacedFace& of_;
-  FaceVector wanted_, in_file_;  ///< at rest; without the face's mood, as the file says them
+  FaceVector wanted_, in_file_;  ///< at rest; without the face's mood, as the file has them
   std::vector<int> partners_;    ///< per slice: the other side's that stands there, too; −1: none
   std::vector<std::string> left_;
   std::map<std::pair<std::int32_t, std::string_view>, Members> own_;  ///< by feature, and side

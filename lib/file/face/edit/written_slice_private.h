@@ -11,7 +11,7 @@
 
 namespace mien {
 
-/// What the file says for the other side, so that it reads back as exactly these values; none: rounding is in the way.
+/// What the file has for the other side, so that it reads back as exactly these values; none: rounding is in the way.
 std::optional<std::vector<double>> written_mirrored(SliceKind kind, std::span<const double> values,
                                                     double twice_axis);
 

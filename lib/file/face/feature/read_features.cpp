@@ -19,7 +19,7 @@ const FigureKind& read_kind(const Reading& in, const JsonNode& node) {
   return figure_kinds()[in.word(node, "kind of feature", names)];
 }
 
-/// Refuses a name that no earlier feature has. The error says whether the name comes later in the list or
+/// Refuses a name that no earlier feature has. The error tells whether the name comes later in the list or
 /// nowhere. Nodes stand in the order of the file, in trees that were composed, too.
 [[noreturn]] void refuse_later(const Reading& in, const JsonNode& node, const FaceDraft& face,
                                const JsonNode& features, std::string_view what) {
