@@ -37,7 +37,7 @@ class NewTest : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(NewTest, TheReadmesThirdCommand) {
+TEST_F(NewTest, TheReadmesFirstCommands) {
   const std::string code = printed({"new", "--seed", "hello", "-o", file("mine.face.json")});
   EXPECT_EQ(code, face_code_text({.seed = seed_from_word("hello")}));
   EXPECT_EQ(run_mien({"check", file("mine.face.json")}).out, file("mine.face.json") + ": ok\n");

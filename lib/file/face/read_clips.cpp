@@ -29,7 +29,8 @@ CurveSeed optional_seed(Reading& in, const JsonNode& node) {
   if (!seed) return {};
   if (seed->kind == JsonKind::number) return {read_count(in, *seed, "seed")};
   if (seed->kind != JsonKind::object)
-    in.refuse(*seed, "a seed is a whole number, or {\"person\": NUMBER} for chances of each face's own");
+    in.refuse(*seed,
+              "a seed is a whole number, or {\"person\": NUMBER} for chances of each face's own");
   in.expect_object(*seed, {"person"}, "seed");
   return {read_count(in, in.need(*seed, "person"), "seed"), true};
 }
@@ -136,7 +137,8 @@ WanderCurve read_wander(Reading& in, const JsonNode& node) {
   if (const JsonNode* word = in.find(node, "ease"))
     curve.ease = Ease(in.word(*word, "ease", kEases));
   curve.seed = optional_seed(in, node);
-  if (const JsonNode* stream = in.find(node, "stream")) curve.stream = read_count(in, *stream, "stream");
+  if (const JsonNode* stream = in.find(node, "stream"))
+    curve.stream = read_count(in, *stream, "stream");
   return curve;
 }
 

@@ -82,9 +82,7 @@ class Composition {
   void write_rest() {
     const Reading& in = library_.topology().in();
     const RigPlace place{library_, geometry_, features_};
-    const auto rig = [&](const char* key) {
-      out_.key(key), write_rig(in, need(key), place, out_);
-    };
+    const auto rig = [&](const char* key) { out_.key(key), write_rig(in, need(key), place, out_); };
     for (const char* key : {"canvas", "background"}) rig(key);
     if (const JsonNode* light = style_.light())
       out_.key("light"), write_rig(style_.in(), *light, place, out_);

@@ -11,8 +11,7 @@ namespace mien {
 
 /// A uniformly distributed number in [0, 1) for a stream of numbers and a count; 53 random bits.
 constexpr double chance(std::uint64_t stream, double count) {
-  return double(mixed_bits(mixed_bits(stream) ^ mien::bit_cast<std::uint64_t>(count + 0.0)) >>
-                11) *
+  return double(mixed_bits(mixed_bits(stream) ^ mien::bit_cast<std::uint64_t>(count + 0.0)) >> 11) *
          0x1p-53;
 }
 

@@ -10,7 +10,8 @@ namespace mien {
 /// What a clip plays by, beside the time.
 struct Temper {
   std::uint64_t seed = 0;  ///< the face's: personal seeds are mixed with it
-  double liveliness = 1;   ///< at least 0: keys with a share of the periods are played in so much of it
+  double liveliness =
+      1;  ///< at least 0: keys with a share of the periods are played in so much of it
 };
 
 /// The curve's value at `time` [s], finite. At a key it is the key's value exactly.

@@ -30,9 +30,9 @@ struct Factor {
 };
 
 struct StimulusPlan {
-  Recipe face;     ///< what no factor moves
+  Recipe face;          ///< what no factor moves
   bool neutral = true;  ///< people whom the plan names neither smile nor move of themselves
-  int size = 256;  ///< [px] the longer side of a picture
+  int size = 256;       ///< [px] the longer side of a picture
   std::vector<Factor> factors;
   std::optional<int> sample;  ///< so many of all combinations, drawn by lot; none: all
   std::string seed = "1";     ///< of the lot
