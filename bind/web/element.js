@@ -84,7 +84,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = ATTRIBUTES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
   number = 0; inView = false; isNear = false;
-  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {};
+  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {};
 
   constructor() {
     super();
@@ -149,7 +149,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     const stale = this.#asked !== this.#source;
     this.#asked = null;
     if (!this.number || stale) return this.queue();
-    if (what === undefined) this.#show(picture), this.#play();
+    if (what === undefined) this.#before = this.#source, this.#show(picture), this.#play();
     else this.#refuse(where, what);
     this.queue();
   }
@@ -192,6 +192,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     } catch (error) {
       if (source !== this.#source || !this.number) return;
       source.fetching = false;
+      this.#source = this.#before ?? source;  // as for a file that is there and is refused: the old face stays
       return this.refuse({ where: source.src, what: error.message });
     }
     if (source === this.#source && this.number) this.queue();

@@ -26,10 +26,15 @@ function styled(text, name, style) {
   return JSON.stringify({ ...recipe, style });
 }
 
+/** The element's face: of a new source if there is one, and if that is no face, still the old one the next time. */
 function faceOf(loaded, id, source) {
-  const of = known.get(id) ?? {};
+  const of = known.get(id) ?? { source };
   known.delete(id), known.set(id, of);
-  if (source) of.face?.free(), of.source = source, of.face = null;
+  if (source && source !== of.source) {
+    const face = read(loaded, source);
+    of.face?.free();
+    of.face = face, of.source = source;
+  }
   of.face ??= read(loaded, of.source);
   const held = [...known.values()].filter(({ face }) => face);
   for (const one of held.slice(0, -MOST_FACES)) one.face.free(), one.face = null;
