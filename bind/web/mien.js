@@ -44,7 +44,7 @@ export async function load(source = new URL('./mien.wasm', import.meta.url)) {
 }
 
 export class Mien {
-  #m; #slot; #common; #desks = [];
+  #m; #slot; #desks = new Map();
   constructor(memory) { this.#m = memory, this.#slot = memory.take(16); }
 
   get version() { return this.#m.text(this.#m.exports.mien_version_text()); }
@@ -122,13 +122,20 @@ export class Mien {
     } finally { this.#m.exports.free(at); }
   }
 
-  /** Where a face draws: first pictures at one desk for all, others at one of a few, which a face keeps until it is the one
-   *  that has drawn least lately. So faces at rest share the memory of one, and those that move have rows to copy. For this file. */
+  /** Where a face draws. The desk of a first picture goes when another face draws; one that has drawn before keeps its desk until
+   *  it is among those that drew least lately. So faces at rest hold no drawing memory, and some that move have rows to copy.
+   *  For this file. */
   desk(face, again) {
-    if (!again) return (this.#common ??= new Desk(this, this.#m)).of(face);
-    const desk = this.#desks.find((one) => one.face === face) ?? (this.#desks.length < MOST_DESKS ? new Desk(this, this.#m) : this.#desks[0]);
-    this.#desks = [...this.#desks.filter((one) => one !== desk), desk];
-    return desk.of(face);
+    const desk = this.#desks.get(face) ?? new Desk(this, this.#m);
+    desk.stays ||= again;
+    this.#desks.delete(face), this.#desks.set(face, desk);
+    for (const [one, { stays }] of this.#desks) if (one !== face && (!stays || this.#desks.size > MOST_DESKS)) this.leave(one);
+    return desk;
+  }
+  deskOf(face) { return this.#desks.get(face); }
+  leave(face) {
+    this.#desks.get(face)?.free();
+    this.#desks.delete(face);
   }
 
   /** Calls a function whose last argument is an error; throws what it says. For this file. */
@@ -157,21 +164,13 @@ export class Mien {
   }
 }
 
-/** What drawing takes: megabytes, where a face at rest takes a fifth of one. One face sits at it. */
+/** What a face draws with, megabytes: a face without it takes a fifth of one. */
 class Desk {
-  #mien; #m; #room = 0;
-  face = null; scene = 0; data = 0;
+  #m; #room = 0;
+  stays = false; scene = 0; data = 0;
   constructor(mien, memory) {
-    this.#mien = mien, this.#m = memory;
+    this.#m = memory;
     this.renderer = mien.made('mien_renderer_new');
-  }
-  of(face) {
-    if (this.face !== face) this.leave(), this.face = face;
-    return this;
-  }
-  leave() {
-    this.show(0);
-    this.face = null;
   }
   show(scene) {
     this.#m.exports.mien_scene_free(this.scene);
@@ -183,11 +182,15 @@ class Desk {
     this.#m.exports.free(this.data);
     this.data = data, this.#room = bytes;
   }
+  free() {
+    const { exports } = this.#m;
+    exports.mien_scene_free(this.scene), exports.mien_renderer_free(this.renderer), exports.free(this.data);
+  }
 }
 
 /** A face, its pose, and how it was seen last. */
 export class Face {
-  #mien; #m; #face; #pose; #view; #pixels; #desk; #drew = false;
+  #mien; #m; #face; #pose; #view; #pixels; #drew = false; #seen = false;
   constructor(mien, memory, face) {
     this.#mien = mien, this.#m = memory, this.#face = face;
     this.#pose = mien.made('mien_pose_new', face);
@@ -257,8 +260,7 @@ export class Face {
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
    *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's */
   draw(width, height, pose = {}) {
-    this.#poseFor(width, height, pose);
-    const desk = this.#desk, bytes = width * height * 4;
+    const desk = this.#poseFor(width, height, pose), bytes = width * height * 4;
     desk.roomFor(bytes);
     this.#into(desk.data, width, height);
     this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, 0);
@@ -269,8 +271,7 @@ export class Face {
   /** The same picture from the top in strips of so many rows, in little memory: { y, rows, pixels }. A strip's pixels
    *  stay valid until the next is asked for. */
   *strips(width, height, pose = {}, most = Math.max(1, Math.floor((1 << 22) / width))) {
-    this.#poseFor(width, height, pose);
-    const { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', this.#desk.scene, this.#view, 0);
+    const { scene } = this.#poseFor(width, height, pose), { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', scene, this.#view, 0);
     const piece = this.#m.take(16), data = this.#m.take(width * most * 4);
     try {
       for (let y = 0; y < height; y += most) {
@@ -289,8 +290,8 @@ export class Face {
   svg(width, height, pose = {}, how = {}) {
     refuseUnknown('svg', how, ['tolerance', 'idPrefix']);
     const { tolerance = 0.01, idPrefix = '' } = how;
-    this.#poseFor(width, height, pose);
-    const [text, ...simplified] = this.#m.withText(idPrefix, (t, n) => this.#mien.texts('mien_svg', this.#desk.scene, this.#view, tolerance, t, n));
+    const { scene } = this.#poseFor(width, height, pose);
+    const [text, ...simplified] = this.#m.withText(idPrefix, (t, n) => this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n));
     return { text, simplified };
   }
 
@@ -317,7 +318,7 @@ export class Face {
   /** Gives back the face's memory; nothing is asked of it afterwards. */
   free() {
     const { exports } = this.#m;
-    if (this.#desk?.face === this) this.#desk.leave();
+    this.#mien.leave(this);
     exports.mien_pose_free(this.#pose), exports.mien_face_free(this.#face);
     for (const at of [this.#view, this.#pixels]) exports.free(at);
     this.#pose = this.#face = this.#view = this.#pixels = 0;
@@ -354,7 +355,7 @@ export class Face {
   #poseFor(width, height, pose) {
     this.#take(pose);
     this.#look(width, height, pose);
-    this.#see();
+    return this.#see();
   }
   #into(data, width, rows) {
     const v = this.#m.view;
@@ -364,12 +365,11 @@ export class Face {
   }
   #see() {
     const scene = this.#mien.made('mien_scene_new', this.#pose);
-    this.#desk = this.#mien.desk(this, this.#drew);
-    this.#desk.show(scene);
+    const desk = this.#mien.desk(this, this.#drew);
+    desk.show(scene);
+    this.#seen = true;
+    return desk;
   }
-  /** Of the picture drawn last; it is made once more where another face sits at the desk by now. */
-  #scene() {
-    if (this.#desk && this.#desk.face !== this) this.#see();
-    return this.#desk?.scene ?? 0;
-  }
+  /** Of the picture drawn last; it is made once more where the desk was left. */
+  #scene() { return this.#seen ? (this.#mien.deskOf(this) ?? this.#see()).scene : 0; }
 }
