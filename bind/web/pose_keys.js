@@ -47,7 +47,7 @@ export function refuseUnknown(where, given, known) {
     if (known.includes(key)) continue;
     const word = key.slice(0, 40), [near] = known.map((name) => ({ name, by: apart(word.toLowerCase(), name.toLowerCase()) })).sort((a, b) => a.by - b.by);
     const close = near.by <= Math.max(1, word.length / 3);
-    throw new MienError(`${where}.${word}`, `there is no such key${close ? `; did you mean "${near.name}"?` : ''}; known are ${known.join(', ')}`);
+    throw new MienError(`${where}.${word}`, `there is no such key; ${close ? `did you mean "${near.name}"?` : `known are ${known.join(', ')}`}`);
   }
 }
 
