@@ -45,7 +45,10 @@ function watch(tell, rootMargin) {
 const shown = [];
 function onceShown(tell) {
   if (shown.push(tell) > 1) return;
-  requestAnimationFrame(() => setTimeout(() => { for (const one of shown.splice(0)) one(); }));
+  requestAnimationFrame(() => {
+    const all = shown.splice(0);  // what comes from now on is of the next frame
+    setTimeout(() => { for (const one of all) one(); });
+  });
 }
 
 /** "a=1, b=2" as { a: '1', b: '2' }. */

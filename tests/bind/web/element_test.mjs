@@ -14,7 +14,11 @@ const toon = readFileSync(new URL('../../../faces/compat/toon.face.json', import
 /** Counts what is told, in order, and whether the picture was there then. */
 const WATCH = `<script>
   window.told = [], window.refused = [];
-  addEventListener('drawn', ({ target }) => { told.push({ id: target.id, at: performance.now(), empty: empty(target) }); });
+  let frame = 0;
+  requestAnimationFrame(function next() { ++frame, requestAnimationFrame(next); });
+  const { putImageData } = CanvasRenderingContext2D.prototype, puts = new WeakMap();  // in which frame each picture was put there
+  CanvasRenderingContext2D.prototype.putImageData = function (...given) { puts.set(this.canvas, frame), putImageData.apply(this, given); };
+  addEventListener('drawn', ({ target }) => { told.push({ id: target.id, empty: empty(target), early: frame <= puts.get(target.shadowRoot.querySelector('canvas')) }); });
   addEventListener('refused', ({ target, detail }) => refused.push({ id: target.id, ...detail }));
   function empty(face) {
     const from = face.shadowRoot.querySelector('canvas'), into = Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d');
@@ -82,7 +86,7 @@ test('two hundred avatars come one by one, and are on the screen when that is to
   assert.equal(seen, 16, `${seen} of the first row are on the screen`);
   await on.until(() => window.told.length >= 200);
   const all = await on.run(() => window.told);
-  assert.deepEqual(all.filter(({ empty }) => empty), []);
+  assert.deepEqual(all.filter(({ empty, early }) => empty || early), []);
   assert.equal(new Set(all.map(({ id }) => id)).size, 200);
   assert.deepEqual(on.faults, []);
 });
@@ -281,6 +285,25 @@ test('faces may go, come back and become others while they are drawn', async () 
   assert.ok((await on.run(() => window.told.map(({ id }) => Number(id.slice(1))))).every((i) => i % 4 !== 0));
   assert.deepEqual(await on.run(() => window.refused), []);
   assert.deepEqual(on.faults, []);
+});
+
+test('a face that becomes another while it is drawn shows and tells nothing of the old one', async () => {
+  const on = await open('bare');
+  const asked = await on.run(async () => {
+    const asked = [], { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      postMessage.call(this, message);
+      asked.push(message.source?.seed ?? message.source?.code);
+      if (asked.at(-1) === 'bob') it.seed = null, it.code = 'nobody';
+      if (asked.at(-1) === 'nobody') it.code = null, it.seed = 'ada';
+    };
+    it.seed = 'bob';
+    await new Promise((done) => it.addEventListener('drawn', done, { once: true }));
+    return asked;
+  });
+  assert.deepEqual(asked, ['bob', 'nobody', 'ada']);
+  assert.equal(Buffer.compare(await shown(on), Buffer.from(ada())), 0);
+  assert.deepEqual(await on.run(() => window.refused), []);
 });
 
 test('ten thousand faces in one page: those in view are drawn, and the page answers', async () => {
