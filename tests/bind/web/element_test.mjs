@@ -324,6 +324,28 @@ test('ten thousand faces in one page: those in view are drawn, and the page answ
   assert.deepEqual(on.faults, []);
 });
 
+test('faces of one file fetch it once, when they are near', async () => {
+  const face = '<mien-face src="toon.face.json" width="72" height="72"></mien-face>';
+  const own = await serve(built, { ...pages, '/three.html': page(`${face.repeat(3)}<div style="height: 4000px"></div><mien-face id="far" src="far.face.json" width="72" height="72"></mien-face>`), '/far.face.json': toon });
+  const on = await browser.open(`${own.url}/three.html`);
+  await on.until(() => window.told.length >= 3);
+  await on.run(() => frames(30));
+  assert.deepEqual(own.asked.filter((path) => path.endsWith('.json')), ['/toon.face.json']);
+  await on.run(() => scrollTo(0, 4000));
+  await drawn(on, 'far');
+  await own.close();
+});
+
+test('faces that the worker has put away are read again', async () => {
+  const on = await open('many');
+  await on.run(() => { for (let i = 0; i < 300; ++i) crowd.append(Object.assign(document.createElement('mien-face'), { id: `f${i}`, seed: `person ${i}`, width: 24, height: 24 })); });
+  await on.until(() => window.told.length >= 300);
+  const first = await on.run(() => window.told[0].id), word = `person ${first.slice(1)}`;
+  await on.run((id) => { document.getElementById(id).width = 72, document.getElementById(id).height = 72; }, first);
+  await shows(on, picture(mien.person(mien.code(word))), first);
+  assert.deepEqual(await on.run(() => window.refused), []);
+});
+
 test('a page may import the element twice', async () => {
   const on = await open('ada');
   await drawn(on);
