@@ -7,8 +7,9 @@
 
 /** The worker. Pages may start only workers of their own origin: of another one it is a worker of the page that imports it. */
 function startWorker() {
-  const here = import.meta.url;
-  if (new URL(here).origin === location.origin) return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  const here = import.meta.url, { protocol, origin } = new URL(here);
+  // Bundlers know the worker by this expression, and some write an address of their own disk for import.meta.url.
+  if (origin === location.origin || !protocol.startsWith('http')) return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
   const there = new URL('./worker.js', here).href, own = new Blob([`import ${JSON.stringify(there)};`], { type: 'text/javascript' });
   return new Worker(URL.createObjectURL(own), { type: 'module' });
 }

@@ -20,6 +20,8 @@ const text = (name) => readFileSync(new URL(`../../../faces/compat/${name}.face.
 
 test('this system is supported', () => assert.ok(isSupported()));
 
+test('mien.wasm is found beside mien.js', async () => assert.equal((await load()).version, mien.version));
+
 test('pictures have the bytes of the table for machines without fused multiply-adds', () => {
   const { lines, of } = pictureHashes();
   assert.ok(lines.length > 30);
