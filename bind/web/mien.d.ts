@@ -72,7 +72,7 @@ export class Mien {
   textWith(text: string, set: NonNullable<Pose['set']>, name?: string): { text: string; left: string[] };
   inFull(text: string, name?: string): string;
   pointers(text: string, name?: string): Record<string, string>;
-  person(code: string): Face;
+  person(code: string, how?: { style?: string }): Face;
   crowd(word: string, count: number): string[];
   recipe(code: string): string;
   code(word: string): string;
