@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/wrap_pages wraps words and nothing else, once."""
+"""tools/wrap_pages wraps words and nothing else, once; and the README stays short."""
 import pathlib
 import runpy
 import unittest
@@ -22,6 +22,9 @@ class Pages(unittest.TestCase):
     def test_other_lines_stay(self):
         text = f"# {LONG}\n\n| {LONG} |\n|---|\n\n```sh\n{LONG}\n```\n\n    {LONG}\n\n![{LONG}](a.png)\n"
         self.assertEqual(wrapped(text), text)
+
+    def test_the_readme_fits_two_screens(self):
+        self.assertLessEqual(WRAP.parent.parent.joinpath("README.md").stat().st_size, 6 * 1024)
 
 
 if __name__ == "__main__":
