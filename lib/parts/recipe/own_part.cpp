@@ -58,6 +58,25 @@ std::string comment(std::string_view family, std::string_view begun_as) {
   return text + "]";
 }
 
+/// JSON broken between its values into lines of at most kWidest bytes, as far as its words allow.
+std::string in_lines(std::string_view json) {
+  constexpr std::size_t kWidest = 118;
+  std::string text;
+  std::size_t line = 0, comma = 0;  // where the line begins, and behind its last comma
+  bool inside = false;              // of a string
+  for (const char c : json) {
+    const bool escaped = inside && text.ends_with('\\') && !text.ends_with("\\\\");
+    if (c == '"' && !escaped) inside = !inside;
+    text += c;
+    if (c == '\n') line = comma = text.size();
+    if (c == ' ' && !inside && text.size() > 1 && text[text.size() - 2] == ',') comma = text.size();
+    if (text.size() - line <= kWidest || comma <= line) continue;
+    text.replace(comma - 1, 1, "\n    ");
+    line = comma, comma = line + 4;
+  }
+  return text;
+}
+
 }  // namespace
 
 Expected<FoundPart> read_part_file(const std::filesystem::path& path) {
@@ -141,7 +160,7 @@ Expected<std::string> part_skeleton(std::string_view family_name, std::string_vi
     text += i > 0 ? ",\n  " : "\n  ";
     add_json(in.tree, feature, text);
   });
-  return text + "]}\n";
+  return in_lines(text) + "]}\n";
 }
 
 }  // namespace mien
