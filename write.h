@@ -27,12 +27,16 @@ namespace mien {
 enum class FileType { png, tiff, exr, jpeg };
 
 struct WriteOptions {
-  std::optional<FileType> type;  ///< else by the extension: .png .tif .tiff .exr .jpg .jpeg
-  bool half = true;              ///< EXR: half floats, else 32-bit
-  int jpeg_quality = 95;         ///< 1 … 100
-  std::string recipe;            ///< stored in the metadata: what made this picture
-  Threads threads;               ///< they change no byte
-  Progress progress;             ///< may cancel: then nothing is written
+  std::optional<FileType> type = {};  ///< else by the extension: .png .tif .tiff .exr .jpg .jpeg
+  bool half = true;                   ///< EXR: half floats, else 32-bit
+  int jpeg_quality = 95;              ///< 1 … 100
+  double dpi =
+      0;  ///< [pixels per inch] the size on paper, 1 … 100 000; 0: none, and in TIFF, which has one always, 72
+  std::string recipe = {};  ///< stored in the metadata: what made this picture
+  Threads threads = {};     ///< they change no byte
+  Progress progress = {};   ///< may cancel: then nothing is written
+
+  static constexpr double kMostDpi = 100'000;
 };
 
 /// Writes to `path`; "-" is a PNG on standard output.
@@ -57,8 +61,8 @@ MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::p
                                     const WriteOptions& how = {});
 
 struct PictureOptions {
-  WriteOptions write;          ///< its threads draw too; its progress covers drawing and writing
-  std::optional<Depth> depth;  ///< drawn at; default u8, for EXR f32
+  WriteOptions write = {};  ///< its threads draw too; its progress covers drawing and writing
+  std::optional<Depth> depth = {};                  ///< drawn at; default u8, for EXR f32
   std::uint64_t memory = std::uint64_t(256) << 20;  ///< [bytes] limit of what is held at once
 };
 

@@ -20,8 +20,8 @@ namespace mien {
 /// How to draw: may change the time, never a bit of the picture.
 struct RenderOptions {
   Depth depth = Depth::u8;
-  Threads threads;
-  Progress progress;  ///< may cancel
+  Threads threads = {};
+  Progress progress = {};  ///< may cancel
 };
 
 /// Draws any scene through any view into an image. Errors, one sentence each: a side outside

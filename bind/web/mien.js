@@ -326,10 +326,12 @@ export class Face {
 
   /** The same picture as an SVG file: { text, simplified }. Its paths leave the outlines by `tolerance` pixels at most,
    *  1e-4 to 1; `simplified` has a sentence for each thing that SVG cannot say. Colours are mixed as with blend 'srgb'.
-   *  `idPrefix` begins all ids, so that several pictures can stand in one page. */
-  svg(width, height, pose = {}, { tolerance = 0.01, idPrefix = '' } = {}) {
+   *  `idPrefix` begins all ids, so that several pictures can stand in one page; without one it is made of the picture, so
+   *  that only equal pictures share ids. */
+  svg(width, height, pose = {}, { tolerance = 0.01, idPrefix } = {}) {
     this.#poseFor(width, height, pose);
-    const [text, ...simplified] = this.#m.withText(idPrefix, (t, n) => this.#mien.texts('mien_svg', this.#scene, this.#view, tolerance, t, n));
+    const write = (t, n) => this.#mien.texts('mien_svg', this.#scene, this.#view, tolerance, t, n);
+    const [text, ...simplified] = idPrefix === undefined ? write(0, 0) : this.#m.withText(idPrefix, write);
     return { text, simplified };
   }
 
@@ -365,7 +367,7 @@ export class Face {
   #take(pose) {
     this.#mien.known('key of a pose', pose, POSE);
     this.#mien.done('mien_pose_clear', this.#pose);
-    this.#mien.done('mien_pose_time', this.#pose, pose.time ?? NaN);
+    if (pose.time !== undefined && pose.time !== null) this.#mien.done('mien_pose_time', this.#pose, pose.time);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
     if (pose.lookAt) this.#mien.done('mien_pose_look_at', this.#pose, ...pose.lookAt);
     for (const [set, given] of [['emotion', pose.emotions], ['muscle', pose.muscles], ['arkit', pose.arkit], ['facs', pose.facs], ['vrm', pose.vrm], ['viseme', pose.visemes]])

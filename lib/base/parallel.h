@@ -13,8 +13,8 @@ using Executor = std::function<void(int count, const std::function<void(int)>& j
 
 /// The threads that work is spread over.
 struct Threads {
-  int count = 0;      ///< 1: the caller's alone; 0, or more than the machine has: all of them
-  Executor executor;  ///< if set, replaces mien's own pool; `count` is ignored then
+  int count = 0;           ///< 1: the caller's alone; 0, or more than the machine has: all of them
+  Executor executor = {};  ///< if set, replaces mien's own pool; `count` is ignored then
 };
 
 /// Runs job(0) … job(count − 1), in any order, and returns when all are done.

@@ -63,14 +63,14 @@ struct PcaWish {
 };
 
 struct PcaOptions {
-  VertexGroups vertices;      ///< empty: every number is a vertex
-  bool single = false;        ///< the basis will be stored as 32-bit floats: mean, components
-                              ///< and weights are rounded to them, and errors are those of
-                              ///< decoded 32-bit frames
-  Progress progress;          ///< may cancel
-  std::size_t direct = 2000;  ///< up to this min(F, N) one symmetric matrix of that size gives the
-                              ///< answer, exact to rounding; beyond it a random subspace with
-                              ///< power iterations does, in memory of n + 10 rows and columns
+  VertexGroups vertices = {};  ///< empty: every number is a vertex
+  bool single = false;         ///< the basis will be stored as 32-bit floats: mean, components
+                               ///< and weights are rounded to them, and errors are those of
+                               ///< decoded 32-bit frames
+  Progress progress = {};      ///< may cancel
+  std::size_t direct = 2000;   ///< up to this min(F, N) one symmetric matrix of that size gives the
+                               ///< answer, exact to rounding; beyond it a random subspace with
+                               ///< power iterations does, in memory of n + 10 rows and columns
 };
 
 struct PcaFit {

@@ -25,12 +25,14 @@ namespace mien {
 struct SvgOptions {
   double width = 512, height = 512;  ///< [px] of the whole picture, above 0, at most View::kMaxSide
   Fit fit = Fit::meet;
-  std::optional<Color>
-      background;           ///< replaces the scene's; alpha 0 leaves the picture transparent
+  std::optional<Color> background =
+      {};                   ///< replaces the scene's; alpha 0 leaves the picture transparent
   double tolerance = 0.01;  ///< [px] how far a path may leave its outline, kLeastTolerance … 1
-  std::string title;        ///< the picture's; empty: none
-  std::string recipe;       ///< stored as metadata: what made this picture
-  std::string id_prefix;    ///< of all ids, so that several pictures can stand in one page
+  std::string title = {};   ///< the picture's; empty: none
+  std::string recipe = {};  ///< stored as metadata: what made this picture
+  /// Of all ids, so that several pictures can stand in one page; letters, digits, '.', '-' and '_' of ASCII. None: made
+  /// of the picture, so that only equal ones share ids.
+  std::optional<std::string> id_prefix = {};
 
   static constexpr double kLeastTolerance = 1e-4;
 };

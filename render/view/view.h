@@ -30,12 +30,12 @@ struct View {
   int width = 512, height = 512;  ///< [px] of the whole picture, 1 … kMaxSide
   Fit fit = Fit::meet;
   Blend blend = Blend::linear;
-  std::optional<Color>
-      background;  ///< replaces the scene's; alpha 0 leaves the picture transparent
-  std::optional<PixelRect>
-      region;  ///< draws only this part of the picture, with the same bytes as in the whole
-  std::optional<glm::dvec3>
-      light;  ///< replaces the scene's direction to the lamp: x right, y up, z > 0 to the viewer
+  std::optional<Color> background =
+      {};  ///< replaces the scene's; alpha 0 leaves the picture transparent
+  std::optional<PixelRect> region =
+      {};  ///< draws only this part of the picture, with the same bytes as in the whole
+  std::optional<glm::dvec3> light =
+      {};  ///< replaces the scene's direction to the lamp: x right, y up, z > 0 to the viewer
   bool dither = true;  ///< dithers gradients and lit surfaces at 8 and 16 bits: see store_dithered
 
   static constexpr int kMaxSide = 1 << 20;
