@@ -36,7 +36,8 @@ struct CommandApp {
   ChernoffArguments chernoff;
   StimuliArguments stimuli;
   StudioArguments studio;
-  std::string shell;  ///< of `mien completion`
+  std::optional<std::string> progress;  ///< of every command that has it
+  std::string shell;                    ///< of `mien completion`
 };
 
 std::unique_ptr<CommandApp> command_app();

@@ -77,13 +77,6 @@ int save_picture(const Image& image, const std::string& path) {
   return done ? kDone : complain(done.error(), kFailed);
 }
 
-Expected<ProgressStyle> read_progress(const PcaArguments& arguments) {
-  if (!arguments.progress) return ProgressStyle::automatic;
-  const auto chosen = read_choice("--progress", *arguments.progress, kProgress);
-  if (!chosen) return chosen.error();
-  return ProgressStyle(*chosen);
-}
-
 /// The basis with where its frames come from.
 BasisFile basis_file(PcaFit fit, const PcaFrames& frames) {
   BasisFile file{std::move(fit), frames.source.rows, frames.vertices, frames.dimensions,
@@ -100,13 +93,11 @@ int fit(const PcaArguments& arguments) {
   int code = kDone;
   const auto wish = aloud(read_wish(arguments), code, kUsedWrongly);
   if (!wish) return code;
-  const auto style = aloud(read_progress(arguments), code, kUsedWrongly);
-  if (!style) return code;
   auto read = read_pca_frames(arguments);
   if (!read.frames) return read.code;
   PcaFrames& frames = *read.frames;
   watch_interrupts();
-  ProgressDisplay display(*style);
+  ProgressDisplay display;
   PcaOptions options{.vertices = std::move(frames.groups),
                      .single = frames.single,
                      .progress = display.watch("fit")};
