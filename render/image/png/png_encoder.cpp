@@ -159,7 +159,8 @@ class PngEncoder final : public PictureEncoder {
       constexpr double kMetre = 1 / 0.0254;  // [inches]
       const std::size_t size = begin_chunk(head_, "pHYs");
       for (int axis = 0; axis < 2; ++axis)
-        add_number(head_, std::uint32_t(std::lround(dpi * kMetre)));
+        add_number(head_,
+                   std::uint32_t(std::lround(std::min(dpi, WriteOptions::kMostDpi) * kMetre)));
       head_.push_back(std::byte(1));  // pixels a metre
       end_chunk(head_, size);
     }
