@@ -333,7 +333,7 @@ MIEN_C_API mien_status mien_pose_basis(mien_pose* pose, const mien_basis* basis,
 MIEN_C_API mien_status mien_seed_from_word(const char* word, size_t length, uint64_t* out,
                                            mien_error** error);
 
-/* The code of a seed, below 2^50, in the newest edition: a list of one text. */
+/* The code of a seed, below 2^50: a list of one text. */
 MIEN_C_API mien_status mien_code_from_seed(uint64_t seed, mien_texts** out, mien_error** error);
 
 /* The recipe of a seed or a code, a face file of a few lines that mien_face_read_text takes: a list of one
@@ -381,21 +381,18 @@ MIEN_C_API mien_status mien_crowd(const char* word, size_t length, int32_t count
 
 /* ---- Parts ------------------------------------------------------------------------------------- */
 
-/* What recipes of an edition choose from: lists of names. `edition` is its sign, "Z"; "" is the newest. */
-MIEN_C_API mien_status mien_part_families(const char* edition, size_t length, mien_texts** out,
-                                          mien_error** error);
-MIEN_C_API mien_status mien_part_numbers(const char* edition, size_t length, mien_texts** out,
-                                         mien_error** error);
-MIEN_C_API mien_status mien_part_styles(const char* edition, size_t length, mien_texts** out,
-                                        mien_error** error);
+/* What recipes choose from: lists of names. */
+MIEN_C_API mien_status mien_part_families(mien_texts** out, mien_error** error);
+MIEN_C_API mien_status mien_part_numbers(mien_texts** out, mien_error** error);
+MIEN_C_API mien_status mien_part_styles(mien_texts** out, mien_error** error);
 
 /* The parts of a family, "hair". The first is "none" where a face may do without. */
-MIEN_C_API mien_status mien_part_names(const char* edition, size_t length, const char* family,
-                                       size_t family_length, mien_texts** out, mien_error** error);
+MIEN_C_API mien_status mien_part_names(const char* family, size_t length, mien_texts** out,
+                                       mien_error** error);
 
 /* A number's range and what it is at rest: lo, hi, rest. */
-MIEN_C_API mien_status mien_part_number(const char* edition, size_t length, const char* name,
-                                        size_t name_length, double out[3], mien_error** error);
+MIEN_C_API mien_status mien_part_number(const char* name, size_t length, double out[3],
+                                        mien_error** error);
 
 /* ---- Poses ------------------------------------------------------------------------------------- */
 
@@ -428,6 +425,14 @@ MIEN_C_API mien_status mien_pose_express(mien_pose* pose, const char* set, size_
  * [s]). Without any the face's default clip runs. Nothing runs without a time. */
 MIEN_C_API mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t length,
                                       mien_error** error);
+
+/* A word instead of the face's own code, recipe or text, for what clips draw by personal chance: the same word, the same
+ * blinks and glances. An empty word is refused. */
+MIEN_C_API mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t length,
+                                      mien_error** error);
+
+/* How far clips move the face, 0 (not at all) ... 2; 1 as the clips say. */
+MIEN_C_API mien_status mien_pose_liveliness(mien_pose* pose, double liveliness, mien_error** error);
 
 /* The point that the eyes look at [face units], z towards the viewer. */
 MIEN_C_API mien_status mien_pose_look_at(mien_pose* pose, double x, double y, double z,

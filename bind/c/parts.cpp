@@ -1,6 +1,5 @@
-// What people are made of: the families, parts, numbers and styles of an edition; and which name was meant.
+// What people are made of: the families, parts, numbers and styles of recipes; and which name was meant.
 
-#include <mien/editions.h>
 #include <mien/recipe.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
@@ -11,11 +10,6 @@
 using namespace mien::c;
 
 namespace {
-
-char edition_of(const char* text, size_t length) {
-  const auto edition = text_of(text, length, "edition");
-  return edition.empty() ? mien::newest_edition() : must(mien::read_edition(edition), MIEN_REFUSED);
-}
 
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& all) {
@@ -53,49 +47,45 @@ mien_status mien_unknown_name(const char* what, size_t what_length, const char* 
   });
 }
 
-mien_status mien_part_families(const char* edition, size_t length, mien_texts** out,
-                               mien_error** error) {
+mien_status mien_part_families(mien_texts** out, mien_error** error) {
   return pass("mien_part_families", error, [&] {
     mien_texts*& made = place(out);
-    made = new_texts(names_of(mien::part_families(edition_of(edition, length))));
+    made = new_texts(names_of(mien::part_families()));
   });
 }
 
-mien_status mien_part_names(const char* edition, size_t length, const char* family,
-                            size_t family_length, mien_texts** out, mien_error** error) {
+mien_status mien_part_names(const char* family, size_t length, mien_texts** out,
+                            mien_error** error) {
   return pass("mien_part_names", error, [&] {
     mien_texts*& made = place(out);
-    const auto families = mien::part_families(edition_of(edition, length));
-    const auto& of = named(families, "family", text_of(family, family_length, "family"));
+    const auto families = mien::part_families();
+    const auto& of = named(families, "family", text_of(family, length, "family"));
     std::vector<std::string> names = of.parts;
     if (of.optional) names.insert(names.begin(), "none");
     made = new_texts(std::move(names));
   });
 }
 
-mien_status mien_part_numbers(const char* edition, size_t length, mien_texts** out,
-                              mien_error** error) {
+mien_status mien_part_numbers(mien_texts** out, mien_error** error) {
   return pass("mien_part_numbers", error, [&] {
     mien_texts*& made = place(out);
-    made = new_texts(names_of(mien::part_numbers(edition_of(edition, length))));
+    made = new_texts(names_of(mien::part_numbers()));
   });
 }
 
-mien_status mien_part_number(const char* edition, size_t length, const char* name,
-                             size_t name_length, double out[3], mien_error** error) {
+mien_status mien_part_number(const char* name, size_t length, double out[3], mien_error** error) {
   return pass("mien_part_number", error, [&] {
     need(out, "out");
-    const auto numbers = mien::part_numbers(edition_of(edition, length));
-    const auto& of = named(numbers, "number", text_of(name, name_length, "name"));
+    const auto numbers = mien::part_numbers();
+    const auto& of = named(numbers, "number", text_of(name, length, "name"));
     out[0] = of.lo, out[1] = of.hi, out[2] = of.rest;
   });
 }
 
-mien_status mien_part_styles(const char* edition, size_t length, mien_texts** out,
-                             mien_error** error) {
+mien_status mien_part_styles(mien_texts** out, mien_error** error) {
   return pass("mien_part_styles", error, [&] {
     mien_texts*& made = place(out);
-    made = new_texts(mien::part_styles(edition_of(edition, length)));
+    made = new_texts(mien::part_styles());
   });
 }
 }

@@ -1,5 +1,6 @@
 // Poses.
 
+#include <mien/face_code.h>
 #include <mien/face_model.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
@@ -9,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 using namespace mien::c;
 
@@ -84,6 +88,24 @@ mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t length, mie
     const mien::Face& face = need(pose, "pose").face;
     pose->pose.clips.push_back(
         must(mien::read_clip_layer(face, text_of(text, length, "text")), MIEN_REFUSED));
+  });
+}
+
+mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t length, mien_error** error) {
+  return pass("mien_pose_seed", error, [&] {
+    std::optional<std::uint64_t>& seed = need(pose, "pose").pose.seed;
+    const std::string_view text = text_of(word, length, "word");
+    if (text.empty()) refuse("seed", "an empty word is no seed");
+    seed = mien::seed_from_word(text);
+  });
+}
+
+mien_status mien_pose_liveliness(mien_pose* pose, double liveliness, mien_error** error) {
+  return pass("mien_pose_liveliness", error, [&] {
+    double& held = need(pose, "pose").pose.liveliness;
+    if (!(liveliness >= 0 && liveliness <= mien::kMostLively))
+      refuse("liveliness", fmt::format("goes from 0 to {}, got {}", mien::kMostLively, liveliness));
+    held = liveliness;
   });
 }
 

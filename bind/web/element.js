@@ -1,28 +1,54 @@
-// <mien-face code="A66CB-AA5S0-14" width="320" height="320" emotion="joy=0.8" playing></mien-face>
+// <mien-face seed="ada" width="320" height="320" emotion="joy=0.8" playing></mien-face>
 //
-//   src       a face file's address            code      or a person's code
+//   code      a person's code                  seed      or a word: the same word is the same person
+//   src       or a face file's address         face-style  a person's paint, as "ink"; `style` is CSS's, here as everywhere
 //   width, height  in CSS pixels (320, 320); the picture has the display's own pixels
 //   emotion   "joy=0.8, left.surprise=0.3"     set       "gaze.x=0.04; palette/skin=#ffd94a"
-//   muscle    "jaw=0.3, left.zygomaticus=1"
-//   clip      "idle" (several: "idle, feelings=0.5")
+//   muscle    "jaw=0.3, left.zygomaticus=1"    blink     0 to 1; without a number 1
+//   look-at   "0.5, 0.3, 9": a point           clip      "idle" (several: "idle, feelings=0.5")
 //   playing   clips run; without it the face is at rest, or at `time` seconds
-//   blend     "linear" (default) or "srgb"   background  "#rrggbb", "#rrggbbaa"; none: the face's own
+//   blend     "linear" (default) or "srgb"     background  "#rrggbb", "#rrggbbaa"; none: the face's own
 //   label     what a screen reader says
 //
-// Events: `drawn` (detail.ms), `refused` (detail.where, detail.what: an error's place and sentence). The old picture
-// stays; where there is none yet, the sentence stands in its place. One module worker draws for all elements of a page,
-// on OffscreenCanvas where there is one; no headers of the server are needed.
+// Each is a property, too: `face.emotion = 'joy=1'` or `{ joy: 1 }`, `face.lookAt = [0, 0, 9]`, `face.faceStyle = 'ink'`; null
+// takes it away. Events: `drawn` (detail.ms), once the picture is on the screen, and `refused` (detail.where, detail.what: an
+// error's place and sentence). The old picture stays; where there is none yet, the sentence stands in its place.
+//
+// Drawn is what is seen: first pictures of faces in view, then those of faces less than half a view away from it. Nothing is
+// drawn farther away, in a hidden element or in a page in the background. Clips run only in view, and not at all for people
+// who want less motion (prefers-reduced-motion): they see the face at rest, or at `time`.
 
-let worker, count = 0;
-const elements = new Map();
+import { forget, leave, wait } from './drawing_queue.js';
 
-function ask(message, given = []) {
-  if (!worker) {
-    worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
-    worker.onmessage = ({ data }) => elements.get(data.id)?.answered(data);
-    worker.onerror = (event) => elements.forEach((element) => element.answered({ where: '', what: event.message || 'the worker cannot be loaded' }));
-  }
-  worker.postMessage(message, given);
+const ATTRIBUTES = ['src', 'code', 'seed', 'face-style', 'width', 'height', 'emotion', 'muscle', 'set', 'blink', 'look-at', 'clip', 'time', 'playing', 'blend', 'background', 'label'];
+const SOURCES = ['src', 'code', 'seed', 'face-style'];
+const STYLE = `:host { display: inline-block } :host([hidden]) { display: none } canvas { display: block; max-width: 100% } canvas[hidden] { display: none }
+  p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
+const INSIDE = '<canvas part="canvas" role="img"></canvas><p part="refused" role="status"></p>';
+
+/** What is there only in pages; servers import this file, too. */
+const page = globalThis.HTMLElement && globalThis.document && {
+  count: 0,
+  inside: Object.assign(document.createElement('template'), { innerHTML: `<style>${STYLE}</style>${INSIDE}` }),
+  stillness: globalThis.matchMedia?.('(prefers-reduced-motion: reduce)') ?? new EventTarget(),
+  inView: watch((face, seen) => { face.inView = seen; }, '0px'),
+  near: watch((face, seen) => { face.isNear = seen; }, '50%'),
+};
+function watch(tell, rootMargin) {
+  if (!globalThis.IntersectionObserver) return { observe(face) { tell(face, true), face.queue(); }, unobserve() {} };
+  return new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) tell(target, isIntersecting), target.queue();
+  }, { rootMargin });
+}
+
+/** Calls back once what the page shows now is on the screen. */
+const shown = [];
+function onceShown(tell) {
+  if (shown.push(tell) > 1) return;
+  requestAnimationFrame(() => {
+    const all = shown.splice(0);  // what comes from now on is of the next frame
+    setTimeout(() => { for (const one of all) one(); });
+  });
 }
 
 /** "a=1, b=2" as { a: '1', b: '2' }. */
@@ -37,119 +63,199 @@ function pairs(text, separator) {
 
 const words = (text) => (text ?? '').split(',').map((word) => word.trim()).filter(Boolean);
 
-export class MienFace extends HTMLElement {
-  static observedAttributes = ['src', 'code', 'width', 'height', 'emotion', 'muscle', 'set', 'clip', 'time', 'playing', 'blend', 'background', 'label'];
-  #id = 0; #canvas; #said; #context; #asked = false; #stale = false; #drawn = false; #given = false; #started = 0; #extra = {};
+/** A property's value as its attribute writes it. */
+function written(value, separator) {
+  if (Array.isArray(value)) return value.join(', ');
+  if (typeof value !== 'object') return String(value);
+  return Object.entries(value).map(([name, one]) => `${name}=${[one].flat().join(',')}`).join(separator);
+}
+
+/** The texts of files that are on their way, by address: faces of one file fetch it once. */
+const fetched = new Map();
+async function fetchText(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`cannot be fetched: ${response.status}`);
+  return response.text();
+}
+function textOf(src) {
+  const address = new URL(src, document.baseURI).href;
+  if (!fetched.has(address)) fetched.set(address, fetchText(address).finally(() => fetched.delete(address)));
+  return fetched.get(address);
+}
+
+class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
+  static observedAttributes = ATTRIBUTES;
+  /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
+  number = 0; inView = false; isNear = false;
+  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {};
 
   constructor() {
     super();
-    this.attachShadow({ mode: 'open' }).innerHTML = `<style>
-      :host { display: inline-block } :host([hidden]) { display: none } canvas { display: block; max-width: 100% } canvas[hidden] { display: none }
-      p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }
-    </style><canvas part="canvas" role="img"></canvas><p part="refused" role="status"></p>`;
+    this.attachShadow({ mode: 'open' }).append(page.inside.content.cloneNode(true));
     [this.#canvas, this.#said] = this.shadowRoot.querySelectorAll('canvas, p');
   }
 
   connectedCallback() {
-    if (!this.#id) this.#enter();
+    if (this.number) return;  // it was moved
+    this.number = ++page.count;
+    this.#upgrade();
     this.#describe();
     this.#open();
+    for (const seen of [page.inView, page.near]) seen.observe(this);
+    page.stillness.addEventListener('change', this.#redrawn);
   }
   disconnectedCallback() {
     queueMicrotask(() => {  // one that is moved is out of the page for a moment
-      if (this.isConnected || !this.#id) return;
-      ask({ id: this.#id, free: true });
-      elements.delete(this.#id);
-      this.#id = 0, this.#asked = this.#stale = false;
+      if (this.isConnected || !this.number) return;
+      for (const seen of [page.inView, page.near]) seen.unobserve(this);
+      page.stillness.removeEventListener('change', this.#redrawn);
+      forget(this);
+      this.number = 0, this.inView = this.isNear = false, this.#lane = this.#worker = this.#asked = null;
     });
   }
   // Attributes are told before an element is connected: until then there is nothing to draw on.
   attributeChangedCallback(name) {
-    if (!this.#id) return;
+    if (!this.number) return;
     if (name === 'label') return this.#describe();
-    if (name === 'src' || name === 'code') return this.#open();
-    this.redraw();
+    SOURCES.includes(name) ? this.#open() : this.redraw();
   }
 
   /** A pose of more than attributes can say, as Face.draw takes it (mien.js); attributes come on top. */
-  set pose(pose) { this.#extra = pose, this.redraw(); }
+  set pose(pose) { this.#extra = pose ?? {}, this.redraw(); }
   get pose() { return this.#extra; }
 
-  /** Draws anew, once the picture before is there. */
+  /** Draws once more. However often it is asked for, the next picture is that of the newest pose. */
   redraw() {
-    if (!this.#id || !(this.hasAttribute('code') || this.hasAttribute('src'))) return;
-    if (this.#asked) return void (this.#stale = true);
-    this.#asked = true;
-    ask({ id: this.#id, ...this.#size(), pose: this.#pose() });
+    if (!this.number || !this.#source) return;
+    this.#lane = this.#drawn ? 'asked' : 'first';
+    this.queue();
   }
-  answered(message) {
-    this.#asked = false;
-    const refused = message.what !== undefined;
-    refused ? this.#refuse(message) : this.#show(message);
-    if (this.#stale || !refused && this.hasAttribute('playing')) requestAnimationFrame(() => { this.#stale = false, this.isConnected && this.redraw(); });
+  #redrawn = () => this.redraw();
+
+  /** For the queue: waits for a picture if one is wanted and would be seen. */
+  queue() {
+    const sees = this.#lane === 'playing' ? this.inView : this.isNear;
+    if (!this.#lane || !sees || this.#asked) return leave(this);
+    if (this.#source.src !== undefined && this.#source.text === undefined) return void this.#fetch();
+    wait(this, this.#lane);
+  }
+  /** For the queue: what the worker is asked for. */
+  request(worker) {
+    this.#lane = null;
+    const request = { id: this.number, ...this.#size(), pose: this.#pose() };
+    if (this.#worker !== worker) request.source = this.#source;
+    this.#worker = worker, this.#asked = this.#source;
+    return request;
+  }
+  /** For the queue: the worker's answer. What is of a face that it no longer is counts for nothing. */
+  answer({ what, where, ...picture }) {
+    const stale = this.#asked !== this.#source;
+    this.#asked = null;
+    if (!this.number || stale) return this.queue();
+    if (what === undefined) this.#before = this.#source, this.#show(picture), this.#play();
+    else this.#refuse(where, what);
+    this.queue();
+  }
+  /** For the queue: there will be no picture, and why. */
+  refuse({ where, what }) {
+    this.#lane = this.#asked = null;
+    this.#refuse(where, what);
   }
 
-  #enter() {
-    this.#id = ++count;
-    elements.set(this.#id, this);
-    if (this.#given) {  // the canvas of before went with the worker's picture
-      const fresh = this.#canvas.cloneNode();
-      this.#canvas.replaceWith(fresh);
-      this.#canvas = fresh, this.#drawn = false;
-    }
-    this.#given = 'transferControlToOffscreen' in this.#canvas;
-    if (!this.#given) return;
-    const canvas = this.#canvas.transferControlToOffscreen();
-    ask({ id: this.#id, canvas }, [canvas]);
+  #refuse(where, what) {
+    if (!this.#drawn) this.#canvas.hidden = true, this.#said.textContent = where ? `${where}: ${what}` : what;
+    this.#tell('refused', { where, what });
   }
-  async #open() {
-    const code = this.getAttribute('code'), src = this.getAttribute('src');
-    if (code === null && src === null) return;
-    this.#asked = true;
-    const what = { id: this.#id, ...this.#size(), pose: this.#pose() };
-    if (code !== null) return ask({ ...what, code });
-    try {
-      const response = await fetch(src);
-      if (!response.ok) throw new Error(`cannot be fetched: ${response.status}`);
-      const text = await response.text();
-      if (src === this.getAttribute('src')) ask({ ...what, text, name: src });
-    } catch (error) {
-      this.answered({ where: src, what: error.message });
+
+  /** Properties that were set before the element was known hide those of its class. */
+  #upgrade() {
+    for (const name of [...ATTRIBUTES.map(propertyOf), 'pose']) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = this[name];
+      delete this[name];
+      this[name] = value;
     }
+  }
+  #open() {
+    const said = (name) => this.getAttribute(name) ?? undefined, style = said('face-style');
+    const [code, seed, src] = ['code', 'seed', 'src'].map(said);
+    const none = code === undefined && seed === undefined && src === undefined;
+    this.#source = none ? null : code !== undefined ? { code, style } : seed !== undefined ? { seed, style } : { src, name: src, style };
+    this.#worker = null;
+    if (none) this.#lane = null, leave(this);
+    this.#size();
+    this.redraw();
+  }
+  async #fetch() {
+    const source = this.#source;
+    if (source.fetching) return;
+    source.fetching = true;
+    try {
+      source.text = await textOf(source.src);
+    } catch (error) {
+      if (source !== this.#source || !this.number) return;
+      source.fetching = false;
+      this.#source = this.#before ?? source;  // as for a file that is there and is refused: the old face stays
+      return this.refuse({ where: source.src, what: error.message });
+    }
+    if (source === this.#source && this.number) this.queue();
   }
   #size() {
-    const dots = globalThis.devicePixelRatio || 1, css = (name) => Number(this.getAttribute(name) ?? 320) || 320;
-    this.#canvas.style.width = `${css('width')}px`;
-    this.#canvas.style.aspectRatio = `${css('width')} / ${css('height')}`;
-    return { width: Math.round(css('width') * dots), height: Math.round(css('height') * dots) };
+    const dots = globalThis.devicePixelRatio || 1, [width, height] = ['width', 'height'].map((name) => Number.parseFloat(this.getAttribute(name) ?? 320));
+    this.#canvas.style.width = `${width}px`;
+    this.#canvas.style.aspectRatio = `${width} / ${height}`;
+    const size = { width: Math.round(width * dots), height: Math.round(height * dots) };
+    if (!this.#drawn) Object.assign(this.#canvas, size);  // a picture of another size stays until the next is there
+    return size;
+  }
+  get #plays() { return this.number !== 0 && this.hasAttribute('playing') && !page.stillness.matches; }
+  /** The next frame of clips that run. */
+  #play() {
+    if (this.#framed || !this.#plays) return;
+    this.#framed = true;
+    requestAnimationFrame(() => {
+      this.#framed = false;
+      if (this.#plays && !this.#lane && !this.#asked) this.#lane = 'playing', this.queue();
+    });
   }
   #pose() {
-    const pose = { ...this.#extra, blend: this.getAttribute('blend') ?? 'linear' };
-    pose.emotions = { ...this.#extra.emotions, ...pairs(this.getAttribute('emotion'), ',') };
-    pose.muscles = { ...this.#extra.muscles, ...pairs(this.getAttribute('muscle'), ',') };
-    if (this.hasAttribute('background')) pose.background = this.getAttribute('background');
-    pose.set = { ...this.#extra.set, ...pairs(this.getAttribute('set'), ';') };
-    pose.clips = [...(this.#extra.clips ?? []), ...words(this.getAttribute('clip'))];
-    if (this.hasAttribute('playing')) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
-    else if (this.hasAttribute('time')) pose.time = Number(this.getAttribute('time'));
+    const pose = { ...this.#extra }, said = (name) => this.getAttribute(name);
+    for (const name of ['blend', 'background']) if (said(name) !== null) pose[name] = said(name);
+    if (said('look-at') !== null) pose.lookAt = said('look-at').split(',').map((one) => (one.trim() ? Number(one) : NaN));
+    const blink = said('blink') === null ? {} : { blink: said('blink') || '1' };
+    for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])
+      if (Object.keys(more).length) pose[key] = { ...pose[key], ...more };
+    const clips = words(said('clip'));
+    if (clips.length) pose.clips = [...(pose.clips ?? []), ...clips];
+    if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
+    else if (said('time') !== null) pose.time = Number(said('time') || NaN);
     return pose;
   }
   #show({ pixels, width, height, ms }) {
     this.#canvas.hidden = false, this.#said.textContent = '', this.#drawn = true;
-    if (pixels) this.#put(pixels, width, height);
-    this.#tell('drawn', { ms });
-  }
-  #put(pixels, width, height) {
     this.#context ??= this.#canvas.getContext('2d');
     if (this.#canvas.width !== width || this.#canvas.height !== height) this.#canvas.width = width, this.#canvas.height = height;
     this.#context.putImageData(new ImageData(pixels, width, height), 0, 0);
-  }
-  #refuse({ where, what }) {
-    if (!this.#drawn) this.#canvas.hidden = true, this.#said.textContent = where ? `${where}: ${what}` : what;
-    this.#tell('refused', { where, what });
+    onceShown(() => { if (this.number) this.#tell('drawn', { ms }); });
   }
   #describe() { this.#canvas.setAttribute('aria-label', this.getAttribute('label') ?? 'a drawn face'); }
   #tell(name, detail) { this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true })); }
 }
 
-customElements.define('mien-face', MienFace);
+/** 'look-at' as 'lookAt'. */
+function propertyOf(attribute) { return attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase()); }
+
+for (const name of ATTRIBUTES) {
+  Object.defineProperty(DrawnFace.prototype, propertyOf(name), {
+    configurable: true, enumerable: true,
+    get() { return name === 'playing' ? this.hasAttribute(name) : this.getAttribute(name); },
+    set(value) {
+      if (value == null || value === false) this.removeAttribute(name);
+      else this.setAttribute(name, value === true ? '' : written(value, name === 'set' ? '; ' : ', '));
+    },
+  });
+}
+
+/** A page may import this file from two places: the first one counts. */
+export const MienFace = globalThis.customElements?.get('mien-face') ?? DrawnFace;
+if (page && MienFace === DrawnFace) customElements.define('mien-face', MienFace);

@@ -14,6 +14,8 @@ export interface Pose {
   vrm?: Record<string, number | string>;
   visemes?: Record<string, number | string>;
   clips?: string[];
+  seed?: string | number;
+  liveliness?: number;
   lookAt?: [number, number, number];
   blend?: 'linear' | 'srgb';
   fit?: 'meet' | 'slice';
@@ -70,14 +72,14 @@ export class Mien {
   textWith(text: string, set: NonNullable<Pose['set']>, name?: string): { text: string; left: string[] };
   inFull(text: string, name?: string): string;
   pointers(text: string, name?: string): Record<string, string>;
-  person(code: string): Face;
+  person(code: string, how?: { style?: string }): Face;
   crowd(word: string, count: number): string[];
   recipe(code: string): string;
   code(word: string): string;
   held(code: string, what: string): string;
   between(one: string, other: string, at: number): string;
   near(code: string, by?: number, word?: string): string;
-  parts(edition?: string): Parts;
+  parts(): Parts;
 }
 
 export function isSupported(): boolean;

@@ -10,88 +10,17 @@
 // machine without fused multiply-adds. What mien refuses is an Error whose `where` is the place and whose `what` is
 // the sentence.
 
-/** What mien refused: `where` ("toon.face.json:12:7: /features/2") and `what` ("expected 2 numbers, got 3"). */
-export class MienError extends Error {
-  constructor(where, what) {
-    super(where ? `${where}: ${what}` : what);
-    this.name = 'MienError';
-    this.where = where;
-    this.what = what;
-  }
-}
+import { MienError, POSE_KEYS, SETS, isTable, refuseOtherKinds, said } from './pose_keys.js';
+import { Memory, compiled, host } from './wasm_host.js';
+
+export { MienError };
 
 const VIEW = { bytes: 112, width: 4, height: 8, fit: 12, blend: 16, hasBackground: 24, background: 40 };
 const PIXELS = { bytes: 20, data: 8, size: 12, stride: 16 };
 const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, begin: 16, name: 24, unit: 28, lo: 32, hi: 40 };
-const POSE = ['time', 'set', 'emotions', 'muscles', 'arkit', 'facs', 'vrm', 'visemes', 'clips', 'lookAt', 'blend', 'fit', 'background'];
 const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
-
-/** The module's memory: numbers and texts in it. Views are made anew for each use, since memory grows. */
-class Memory {
-  constructor(exports) {
-    this.exports = exports;
-    this.decoder = new TextDecoder();
-    this.encoder = new TextEncoder();
-  }
-  get view() { return new DataView(this.exports.memory.buffer); }
-  get bytes() { return new Uint8Array(this.exports.memory.buffer); }
-  take(size) {
-    const at = this.exports.malloc(size);
-    if (!at) throw new MienError('', 'there is not enough memory');
-    return at;
-  }
-  /** Calls use(address, length) with a text in memory. */
-  withText(text, use) {
-    const bytes = this.encoder.encode(text), at = this.take(bytes.length + 1);
-    this.bytes.set(bytes, at);
-    this.bytes[at + bytes.length] = 0;
-    try { return use(at, bytes.length); } finally { this.exports.free(at); }
-  }
-  /** Calls use(address) with a list of the addresses of texts, each of which ends with a NUL. */
-  withTexts(texts, use) {
-    const all = texts.map((text) => this.encoder.encode(`${text}\0`)), list = this.take(all.reduce((sum, { length }) => sum + length, 4 * all.length + 1));
-    let at = list + 4 * all.length;
-    for (const [i, bytes] of all.entries()) this.view.setUint32(list + 4 * i, at, true), this.bytes.set(bytes, at), at += bytes.length;
-    try { return use(list); } finally { this.exports.free(list); }
-  }
-  text(at) {
-    const bytes = this.bytes;
-    return this.decoder.decode(bytes.slice(at, bytes.indexOf(0, at)));
-  }
-}
-
-/** Ends a call into the module. C++ would catch what JavaScript throws; a trap it cannot. */
-function trap() {
-  // (module (func (export "f") unreachable))
-  const bytes = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 102, 0, 0, 10, 5, 1, 3, 0, 0, 11]);
-  new WebAssembly.Instance(new WebAssembly.Module(bytes)).exports.f();
-}
-
-/** The few things that the module asks of its host: the time; no files, no arguments, no way out. */
-function host(memory) {
-  const zero = (...counts) => { for (const at of counts) memory().view.setUint32(at, 0, true); return 0; };
-  const known = {
-    clock_time_get(_clock, _precision, at) {
-      memory().view.setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
-      return 0;
-    },
-    proc_exit: trap,
-    environ_sizes_get: zero, environ_get: () => 0,
-    fd_close: () => 0, fd_seek: () => 0, fd_read: () => 0,
-    fd_write(_file, _parts, _count, written) { return zero(written); },
-    emscripten_notify_memory_growth() {},
-  };
-  return (name) => known[name] ?? (() => -2);  // what is asked besides is not there: ENOENT
-}
-
-async function compiled(source) {
-  if (source instanceof WebAssembly.Module) return source;
-  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
-  const response = await (source instanceof URL || typeof source === 'string' ? fetch(source) : source);
-  if (!response.ok) throw new MienError(response.url, `cannot be fetched: ${response.status}`);
-  const typed = (response.headers.get('Content-Type') ?? '').startsWith('application/wasm');
-  return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-}
+const MOST_DESKS = 8;
+const NODE_FILES = 'node:fs/promises';  // under a name, so that bundlers for pages do not look for it
 
 /** Whether this system runs mien: WebAssembly with 128-bit lanes. */
 export function isSupported() {
@@ -104,7 +33,7 @@ export function isSupported() {
 export async function load(source = new URL('./mien.wasm', import.meta.url)) {
   if (!isSupported()) throw new MienError('', 'this system has no WebAssembly with 128-bit lanes (SIMD), which mien needs');
   let bytes = source;
-  if (source instanceof URL && source.protocol === 'file:') bytes = await (await import('node:fs/promises')).readFile(source);
+  if (source instanceof URL && source.protocol === 'file:') bytes = await (await import(/* @vite-ignore */ /* webpackIgnore: true */ NODE_FILES)).readFile(source);
   const module = await compiled(bytes), imports = {};
   let memory;
   const answer = host(() => memory);
@@ -116,15 +45,17 @@ export async function load(source = new URL('./mien.wasm', import.meta.url)) {
 }
 
 export class Mien {
-  #m; #slot;
+  #m; #slot; #desks = new Map();
   constructor(memory) { this.#m = memory, this.#slot = memory.take(16); }
 
-  /** Refuses keys that are not among those known, in a sentence with the nearest. */
-  known(what, given, names) {
+  /** Refuses keys that are not among the names, in a sentence with the nearest; `what` they are. */
+  known(where, given, names, what = 'key') {
+    if (!isTable(given)) throw new MienError(where, `expected an object, got ${said(given)}`);
     for (const key of Object.keys(given)) {
       if (names.includes(key)) continue;
-      const [sentence] = this.#m.withText(what, (w, l) => this.#m.withText(key, (k, n) => this.#m.withText(names.join('\n'), (t, m) => this.texts('mien_unknown_name', w, l, k, n, t, m))));
-      throw new MienError('', sentence);
+      const word = key.slice(0, 40);
+      const [sentence] = this.#m.withText(what, (w, l) => this.#m.withText(word, (k, n) => this.#m.withText(names.join('\n'), (t, m) => this.texts('mien_unknown_name', w, l, k, n, t, m))));
+      throw new MienError(`${where}.${word}`, sentence);
     }
   }
 
@@ -155,8 +86,10 @@ export class Mien {
     const found = this.#m.withText(text, (t, n) => this.#m.withText(name, (f, k) => this.texts('mien_face_pointers', t, n, f, k)));
     return Object.fromEntries(names.map((one, i) => [one.name, found[i]]).filter(([, pointer]) => pointer));
   }
-  /** The person of a code. */
-  person(code) {
+  /** The person of a code. `style`: one of parts().styles, such as 'ink', instead of her own. */
+  person(code, how = {}) {
+    this.known('person', how, ['style']);
+    if (how.style !== undefined) return this.face(JSON.stringify({ ...JSON.parse(this.recipe(code)), style: how.style }), code);
     return this.#m.withText(code, (t, n) => new Face(this, this.#m, this.made('mien_face_from_code', t, n)));
   }
   /** The codes of people, no two of whom look alike. */
@@ -183,22 +116,38 @@ export class Mien {
     const seed = this.#m.view.getBigUint64(this.#slot, true);
     return this.#m.withText(code, (t, n) => this.texts('mien_code_near', t, n, by, seed)[0]);
   }
-  /** What recipes of an edition, by default the newest, choose from: { families: [{ name, parts }], numbers: [{ name,
+  /** What recipes choose from: { families: [{ name, parts }], numbers: [{ name,
    *  lo, hi, rest }], styles }. "none" is first among the parts of families that a face may do without. */
-  parts(edition = '') {
-    return this.#m.withText(edition, (t, n) => ({
-      families: this.texts('mien_part_families', t, n).map((name) => ({ name, parts: this.#m.withText(name, (f, k) => this.texts('mien_part_names', t, n, f, k)) })),
-      numbers: this.texts('mien_part_numbers', t, n).map((name) => ({ name, ...this.#range(t, n, name) })),
-      styles: this.texts('mien_part_styles', t, n),
-    }));
+  parts() {
+    return {
+      families: this.texts('mien_part_families').map((name) => ({ name, parts: this.#m.withText(name, (t, n) => this.texts('mien_part_names', t, n)) })),
+      numbers: this.texts('mien_part_numbers').map((name) => ({ name, ...this.#range(name) })),
+      styles: this.texts('mien_part_styles'),
+    };
   }
-  #range(edition, length, name) {
+  #range(name) {
     const at = this.#m.take(24);
     try {
-      this.#m.withText(name, (t, n) => this.done('mien_part_number', edition, length, t, n, at));
+      this.#m.withText(name, (t, n) => this.done('mien_part_number', t, n, at));
       const [lo, hi, rest] = [0, 8, 16].map((offset) => this.#m.view.getFloat64(at + offset, true));
       return { lo, hi, rest };
     } finally { this.#m.exports.free(at); }
+  }
+
+  /** Where a face draws. The desk of a first picture goes when another face draws; one that has drawn before keeps its desk until
+   *  it is among those that drew least lately. So faces at rest hold no drawing memory, and some that move have rows to copy.
+   *  For this file. */
+  desk(face, again) {
+    const desk = this.#desks.get(face) ?? new Desk(this, this.#m);
+    desk.stays ||= again;
+    this.#desks.delete(face), this.#desks.set(face, desk);
+    for (const [one, { stays }] of this.#desks) if (one !== face && (!stays || this.#desks.size > MOST_DESKS)) this.leave(one);
+    return desk;
+  }
+  deskOf(face) { return this.#desks.get(face); }
+  leave(face) {
+    this.#desks.get(face)?.free();
+    this.#desks.delete(face);
   }
 
   /** Calls a function whose last argument is an error; throws what it says. For this file. */
@@ -227,13 +176,36 @@ export class Mien {
   }
 }
 
-/** A face, and what is kept from one of its pictures to the next. */
+/** What a face draws with, megabytes: a face without it takes a fifth of one. */
+class Desk {
+  #m; #room = 0;
+  stays = false; scene = 0; data = 0;
+  constructor(mien, memory) {
+    this.#m = memory;
+    this.renderer = mien.made('mien_renderer_new');
+  }
+  show(scene) {
+    this.#m.exports.mien_scene_free(this.scene);
+    this.scene = scene;
+  }
+  roomFor(bytes) {
+    if (bytes <= this.#room) return;
+    const data = this.#m.take(bytes);
+    this.#m.exports.free(this.data);
+    this.data = data, this.#room = bytes;
+  }
+  free() {
+    const { exports } = this.#m;
+    exports.mien_scene_free(this.scene), exports.mien_renderer_free(this.renderer), exports.free(this.data);
+  }
+}
+
+/** A face, its pose, and how it was seen last. */
 export class Face {
-  #mien; #m; #face; #pose; #renderer; #view; #pixels; #room = 0; #data = 0; #scene = 0;
+  #mien; #m; #face; #pose; #view; #pixels; #drew = false; #seen = false;
   constructor(mien, memory, face) {
     this.#mien = mien, this.#m = memory, this.#face = face;
     this.#pose = mien.made('mien_pose_new', face);
-    this.#renderer = mien.made('mien_renderer_new');
     this.#view = memory.take(VIEW.bytes), this.#pixels = memory.take(PIXELS.bytes);
   }
 
@@ -295,23 +267,25 @@ export class Face {
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
    *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes
    *    pose.clips     ['idle', 'feelings=0.5']
+   *    pose.seed      a word instead of the face's own code, recipe or text, for blinks and glances by chance
+   *    pose.liveliness  0 to 2: how far clips move the face; 1 (default) as they say, 0 not at all
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
    *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's */
   draw(width, height, pose = {}) {
-    this.#poseFor(width, height, pose);
-    this.#roomFor(width * height * 4);
-    this.#into(this.#data, width, height);
-    this.#mien.done('mien_render', this.#renderer, this.#scene, this.#view, this.#pixels, 0);
-    return new Uint8ClampedArray(this.#m.exports.memory.buffer, this.#data, width * height * 4);
+    const desk = this.#poseFor(width, height, pose), bytes = width * height * 4;
+    desk.roomFor(bytes);
+    this.#into(desk.data, width, height);
+    this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, 0);
+    this.#drew = true;
+    return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes);
   }
 
   /** The same picture from the top in strips of so many rows, in little memory: { y, rows, pixels }. A strip's pixels
    *  stay valid until the next is asked for. */
   *strips(width, height, pose = {}, most = Math.max(1, Math.floor((1 << 22) / width))) {
-    this.#poseFor(width, height, pose);
-    const { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', this.#scene, this.#view, 0);
+    const { scene } = this.#poseFor(width, height, pose), { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', scene, this.#view, 0);
     const piece = this.#m.take(16), data = this.#m.take(width * most * 4);
     try {
       for (let y = 0; y < height; y += most) {
@@ -328,20 +302,22 @@ export class Face {
    *  1e-4 to 1; `simplified` has a sentence for each thing that SVG cannot say. Colours are mixed as with blend 'srgb'.
    *  `idPrefix` begins all ids, so that several pictures can stand in one page; without one it is made of the picture, so
    *  that only equal pictures share ids. */
-  svg(width, height, pose = {}, { tolerance = 0.01, idPrefix } = {}) {
-    this.#poseFor(width, height, pose);
-    const write = (t, n) => this.#mien.texts('mien_svg', this.#scene, this.#view, tolerance, t, n);
+  svg(width, height, pose = {}, how = {}) {
+    this.#mien.known('svg', how, ['tolerance', 'idPrefix']);
+    const { tolerance = 0.01, idPrefix } = how;
+    const { scene } = this.#poseFor(width, height, pose);
+    const write = (t, n) => this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n);
     const [text, ...simplified] = idPrefix === undefined ? write(0, 0) : this.#m.withText(idPrefix, write);
     return { text, simplified };
   }
 
   /** Of the picture drawn last: the name of the feature that is seen at a pixel, or null. */
   featureAt(x, y) {
-    const at = this.#m.take(16);
+    const at = this.#m.take(16), scene = this.#scene();
     try {
-      this.#mien.done('mien_face_from_pixel', this.#scene, this.#view, x, y, at);
+      this.#mien.done('mien_face_from_pixel', scene, this.#view, x, y, at);
       const v = this.#m.view, px = v.getFloat64(at, true), py = v.getFloat64(at + 8, true);
-      return this.#mien.texts('mien_scene_feature_at', this.#scene, px, py)[0] ?? null;
+      return this.#mien.texts('mien_scene_feature_at', scene, px, py)[0] ?? null;
     } finally { this.#m.exports.free(at); }
   }
   /** Of the picture drawn last: where a pixel is, in face units, and back. */
@@ -350,7 +326,7 @@ export class Face {
   #place(name, x, y) {
     const at = this.#m.take(16);
     try {
-      this.#mien.done(name, this.#scene, this.#view, x, y, at);
+      this.#mien.done(name, this.#scene(), this.#view, x, y, at);
       return [this.#m.view.getFloat64(at, true), this.#m.view.getFloat64(at + 8, true)];
     } finally { this.#m.exports.free(at); }
   }
@@ -358,28 +334,30 @@ export class Face {
   /** Gives back the face's memory; nothing is asked of it afterwards. */
   free() {
     const { exports } = this.#m;
-    exports.mien_scene_free(this.#scene), exports.mien_renderer_free(this.#renderer), exports.mien_pose_free(this.#pose), exports.mien_face_free(this.#face);
-    for (const at of [this.#view, this.#pixels, this.#data]) exports.free(at);
-    this.#scene = this.#renderer = this.#pose = this.#face = this.#data = this.#room = 0;
+    this.#mien.leave(this);
+    exports.mien_pose_free(this.#pose), exports.mien_face_free(this.#face);
+    for (const at of [this.#view, this.#pixels]) exports.free(at);
+    this.#pose = this.#face = this.#view = this.#pixels = 0;
   }
 
   #say(name, text, ...more) { this.#m.withText(text, (t, n) => this.#mien.done(name, this.#pose, t, n, ...more)); }
   #take(pose) {
-    this.#mien.known('key of a pose', pose, POSE);
+    this.#mien.known('pose', pose, POSE_KEYS, 'key of a pose');
+    refuseOtherKinds(pose);
     this.#mien.done('mien_pose_clear', this.#pose);
     if (pose.time !== undefined && pose.time !== null) this.#mien.done('mien_pose_time', this.#pose, pose.time);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
+    if (pose.seed != null) this.#say('mien_pose_seed', String(pose.seed));
+    if (pose.liveliness != null) this.#mien.done('mien_pose_liveliness', this.#pose, pose.liveliness);
     if (pose.lookAt) this.#mien.done('mien_pose_look_at', this.#pose, ...pose.lookAt);
-    for (const [set, given] of [['emotion', pose.emotions], ['muscle', pose.muscles], ['arkit', pose.arkit], ['facs', pose.facs], ['vrm', pose.vrm], ['viseme', pose.visemes]])
-      for (const [name, weight] of Object.entries(given ?? {}))
+    for (const [key, set] of Object.entries(SETS))
+      for (const [name, weight] of Object.entries(pose[key] ?? {}))
         this.#m.withText(set, (s, k) => this.#m.withText(`${name}=${weight}`, (t, n) => this.#mien.done('mien_pose_express', this.#pose, s, k, t, n, 0)));
     for (const [name, value] of Object.entries(pose.set ?? {})) this.#say('mien_pose_set', `${name}=${[value].flat().join(',')}`);
   }
   #look(width, height, pose) {
-    for (const side of [width, height])
-      if (!Number.isInteger(side)) throw new MienError('', `expected a whole number of pixels, got ${typeof side === 'string' ? JSON.stringify(side) : side}`);
-    if (pose.fit) this.#mien.known('fit', { [pose.fit]: 0 }, ['meet', 'slice']);
-    if (pose.blend) this.#mien.known('blend', { [pose.blend]: 0 }, ['linear', 'srgb']);
+    for (const [name, side] of Object.entries({ width, height })) if (!Number.isInteger(side)) throw new MienError(name, `expected whole pixels, got ${said(side)}`);
+    if (!(width * height * 4 <= 0x7fff0000)) throw new MienError('', `a picture of ${width * height * 4} bytes cannot be drawn here`);
     this.#m.exports.mien_view_init(this.#view, VIEW.bytes);
     this.#m.exports.mien_pixels_init(this.#pixels, PIXELS.bytes);
     const v = this.#m.view;
@@ -396,7 +374,7 @@ export class Face {
   #poseFor(width, height, pose) {
     this.#take(pose);
     this.#look(width, height, pose);
-    this.#see();
+    return this.#see();
   }
   #into(data, width, rows) {
     const v = this.#m.view;
@@ -406,14 +384,11 @@ export class Face {
   }
   #see() {
     const scene = this.#mien.made('mien_scene_new', this.#pose);
-    this.#m.exports.mien_scene_free(this.#scene);
-    this.#scene = scene;
+    const desk = this.#mien.desk(this, this.#drew);
+    desk.show(scene);
+    this.#seen = true;
+    return desk;
   }
-  #roomFor(bytes) {
-    if (!(bytes > 0 && bytes <= 0x7fff0000)) throw new MienError('', `a picture of ${bytes} bytes cannot be drawn here`);
-    if (bytes <= this.#room) return;
-    const data = this.#m.take(bytes);
-    this.#m.exports.free(this.#data);
-    this.#data = data, this.#room = bytes;
-  }
+  /** Of the picture drawn last; it is made once more where the desk was left. */
+  #scene() { return this.#seen ? (this.#mien.deskOf(this) ?? this.#see()).scene : 0; }
 }

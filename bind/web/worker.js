@@ -1,50 +1,53 @@
 // Draws faces away from the page's own thread. One worker serves all <mien-face> elements of a page.
 //
-// Messages in: { id, canvas?, text?, name?, code?, width?, height?, pose?, free? }; what is missing stays as it was.
-// Messages out: { id, ms } for a picture that is on its canvas, { id, pixels, width, height, ms } where the page itself
-// has to put it there, { id, where, what } for what mien refused.
+// Messages in: { id, source?, width, height, pose } asks for a picture. `source` is { code }, { seed } or { text, name }, with
+// a `style` or without; where it is missing the face is that of before. { id, free }: the element is no more.
+// Messages out: { pixels, width, height, ms }, or { where, what } for what mien refused, in the order in which was asked.
 
-import { load } from './mien.js';
+import { MienError, load } from './mien.js';
+
+const MOST_FACES = 256;  // that stay read: a fifth of a megabyte each; others are read again, which takes some milliseconds
 
 const mien = load();
-const shown = new Map();  // by element: { canvas, context, face, width, height, pose }
+mien.catch(() => {});  // who asks is told
+const known = new Map();  // by element: { source, face }, the one that was drawn last at the end
 
-function take(of, message) {
-  if (message.canvas) of.canvas = message.canvas, of.context = message.canvas.getContext('2d');
-  if (message.width) of.width = message.width, of.height = message.height;
-  if (message.pose) of.pose = message.pose;
+function read(loaded, { code, seed, text, name, style }) {
+  if (text !== undefined) return loaded.face(style === undefined ? text : styled(text, name, style), name);
+  if (code === undefined && seed === '') throw new MienError('seed', 'expected a word, got none');
+  return loaded.person(code ?? loaded.code(seed), { style });
 }
 
-function read(of, loaded, message) {
-  if (message.text === undefined && message.code === undefined) return;
-  const face = message.code === undefined ? loaded.face(message.text, message.name) : loaded.person(message.code);
-  of.face?.free();  // the old face stays until the new one is there
-  of.face = face;
+/** A recipe's text with another style. */
+function styled(text, name, style) {
+  let recipe;
+  try { recipe = JSON.parse(text); } catch { return text; }  // mien says what is wrong with it
+  if (recipe?.format_version !== 2) throw new MienError(name, 'has no style: only recipes have, faces that are made of parts');
+  return JSON.stringify({ ...recipe, style });
 }
 
-function draw(of, id) {
-  if (!of.face || !of.width) return;
-  const begin = performance.now(), { width, height } = of;
-  const pixels = of.face.draw(width, height, of.pose);
-  const ms = performance.now() - begin;
-  if (!of.context) return postMessage({ id, pixels: pixels.slice(), width, height, ms });
-  if (of.canvas.width !== width || of.canvas.height !== height) of.canvas.width = width, of.canvas.height = height;
-  of.context.putImageData(new ImageData(pixels, width, height), 0, 0);
-  postMessage({ id, ms });
+/** The element's face: of a new source if there is one, and if that is no face, still the old one the next time. */
+function faceOf(loaded, id, source) {
+  const of = known.get(id) ?? { source };
+  known.delete(id), known.set(id, of);
+  if (source && source !== of.source) {
+    const face = read(loaded, source);
+    of.face?.free();
+    of.face = face, of.source = source;
+  }
+  of.face ??= read(loaded, of.source);
+  const held = [...known.values()].filter(({ face }) => face);
+  for (const one of held.slice(0, -MOST_FACES)) one.face.free(), one.face = null;
+  return of.face;
 }
 
-onmessage = async ({ data: message }) => {
-  const { id } = message;
-  if (message.free) return shown.get(id)?.face?.free(), void shown.delete(id);
-  if (!shown.has(id)) shown.set(id, { pose: {} });
-  const of = shown.get(id);
-  take(of, message);
+onmessage = async ({ data: { id, free, source, width, height, pose } }) => {
   try {
-    const loaded = await mien;
-    if (shown.get(id) !== of) return;  // it left the page meanwhile
-    read(of, loaded, message);
-    draw(of, id);
+    const loaded = await mien, begin = performance.now();
+    if (free) return known.get(id)?.face?.free(), void known.delete(id);
+    const pixels = faceOf(loaded, id, source).draw(width, height, pose).slice();
+    postMessage({ pixels, width, height, ms: performance.now() - begin }, [pixels.buffer]);
   } catch (error) {
-    postMessage({ id, where: error.where ?? '', what: error.what ?? String(error) });
+    if (!free) postMessage({ where: error.where ?? '', what: error.what ?? String(error) });
   }
 };

@@ -4,6 +4,7 @@
 #include <mien/index.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,13 +27,26 @@ struct CurveKey {
   Ease ease = Ease::linear;  ///< towards the next key
 };
 
+/// Which random numbers a curve draws. A personal seed is mixed with the face's own (FaceModel::seed, Pose::seed), and
+/// the curve's time is then shifted by a random part of its period: two faces move at different moments.
+struct CurveSeed {
+  constexpr CurveSeed(std::uint32_t of = 0, bool of_the_face = false)
+      : number(of), personal(of_the_face) {}
+
+  std::uint32_t number;
+  bool personal;
+};
+
 /// A curve through keys, held before the first and after the last.
 struct KeyCurve {
   std::vector<CurveKey> keys;  ///< times rising; at least 1
   double period = 0;           ///< [s] time is taken modulo this; 0: once only
   double offset = 0;           ///< [s] later by this
   double jitter = 0;           ///< [s] each period later by a random part of this; needs a period
-  std::uint32_t seed = 0;      ///< which random numbers
+  CurveSeed seed = {};
+  /// Of the periods, 0 … 1: in so many the keys are played, in the others the first one is held. Liveliness says how
+  /// often such keys are played, not how far they go. None: in all periods.
+  std::optional<double> share = {};
 };
 
 /// offset + amplitude · sin(frequency · t + phase), or · |sin …|
@@ -42,6 +56,7 @@ struct SineCurve {
   double phase = 0;      ///< [rad]
   double offset = 0;
   bool absolute = false;
+  CurveSeed seed = {};  ///< a personal one shifts the phase
 };
 
 /// Saccades: rests at a random value for each period and moves quickly to the next. Curves of one seed move
@@ -55,16 +70,18 @@ struct WanderCurve {
   double move = 0.05;    ///< [s] a move takes; jitter + move <= period
   double offset = 0;     ///< [s] later by this
   Ease ease = Ease::smooth;
-  std::uint32_t seed = 0, stream = 0;
+  CurveSeed seed = {};
+  std::uint32_t stream = 0;
 };
 
 using Curve = std::variant<KeyCurve, SineCurve, WanderCurve>;
 
 struct Control;
 
+/// A control's value is the first curve's, plus the difference of each further one from the control's rest.
 struct ClipTrack {
   Index<Control> control;
-  Curve curve;
+  std::vector<Curve> curves;  ///< at least 1
 };
 
 struct Clip {

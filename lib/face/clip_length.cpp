@@ -14,7 +14,7 @@ constexpr double kLongestClip =
 bool is_of_chance(const Curve& curve) {
   const auto* keys = std::get_if<KeyCurve>(&curve);
   return std::holds_alternative<WanderCurve>(curve) ||
-         (keys && keys->period > 0 && keys->jitter > 0);
+         (keys && keys->period > 0 && (keys->jitter > 0 || keys->share.value_or(1) < 1));
 }
 
 /// [s] The last key's time of a curve that runs once; of others 0.
@@ -51,12 +51,13 @@ double period_of(const Curve& curve) {
 
 double clip_length(const Clip& clip) {
   double period = 0, end = 0;
-  for (const ClipTrack& track : clip.tracks) {
-    if (is_of_chance(track.curve)) return kNoEnd;
-    const double its = period_of(track.curve);
-    if (its > 0) period = period > 0 ? meeting(period, its) : its;
-    end = std::max(end, end_of(track.curve));
-  }
+  for (const ClipTrack& track : clip.tracks)
+    for (const Curve& curve : track.curves) {
+      if (is_of_chance(curve)) return kNoEnd;
+      const double its = period_of(curve);
+      if (its > 0) period = period > 0 ? meeting(period, its) : its;
+      end = std::max(end, end_of(curve));
+    }
   if (period == 0 || period == kNoEnd) return std::max(period, end);
   return period * std::max(std::ceil(end / period), 1.0);
 }

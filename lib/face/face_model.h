@@ -14,6 +14,7 @@
 #include <mien/layout.h>
 #include <mien/muscle.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -36,12 +37,17 @@ struct FaceModel {
   std::vector<Channel> channels;  ///< in the order in which they act
   std::vector<Control> controls;
   MuscleSystem muscles;
-  std::vector<Expression> expressions;  ///< emotions first
+  std::vector<Expression> expressions;  ///< emotions first; one at rest above 0 is the face's mood
+  /// The face at rest minus its numbers in the file, which are without the mood: empty if it has none.
+  FaceVector mood_shift;
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
   HeadTurn turn;
   std::vector<Effect> effects;  ///< applied to the finished picture, in this order
   Index<Clip> default_clip;     ///< the clip that runs when a time is given
+  /// What clips' personal chance draws from: seed_from_word of the code that the face was made from; without one, of its
+  /// recipe or of its file's text.
+  std::uint64_t seed = 0;
 };
 
 }  // namespace mien

@@ -20,8 +20,8 @@ struct NonsensePose {
   bool lowers_brow = false;  ///< anger and disgust lay the brows upon the lids
 };
 
-/// Rest; six emotions at ½ and 1; their 15 pairs; ARKit's 52 shapes and 15 visemes at 1: each as it is
-/// and with shut eyes, the first 13 also half shut. The first 13 turn by yaw and pitch to the ends of
+/// Rest; six emotions at ½ and 1; their 15 pairs; what an idle face moves beside eyes and head, at both ends; ARKit's 52
+/// shapes and 15 visemes at 1: each as it is and with shut eyes, the first 13 also half shut. The first 13 turn by yaw and pitch to the ends of
 /// their ranges, 30° at most, in all 8 directions; pairs in 4; what is left to both sides. What a face
 /// has no control for is left out. Rest comes first.
 MIEN_API std::vector<NonsensePose> nonsense_poses(const Face& face);

@@ -116,7 +116,7 @@ KnownFeatures::KnownFeatures(const Face& face) {
   }
 }
 
-RestSight::RestSight(const Face& face_at_rest) : face(face_at_rest), known(face_at_rest) {
+RestSight::RestSight(const Face& face_at_rest) : face(without_mood(face_at_rest)), known(face) {
   AreaCache areas(face);
   for (std::size_t s = 0; s < 2; ++s)
     if (const Polygon* opening = areas.loop_of(known.opening[s]))

@@ -61,7 +61,7 @@ class AreaCache {
 struct RestSight {
   explicit RestSight(const Face& face);
 
-  const Face& face;
+  const Face face;  ///< without its mood, from which feelings are told
   KnownFeatures known;
   double unit = 1;  ///< the length that thresholds are in
   std::array<double, 2> opening_area{0, 0};

@@ -1,6 +1,9 @@
-// mien_picture_hashes TABLE FOLDER: draws each line of a table and compares the hash of the picture's bytes, on every
-// instruction set that is compiled in. No test framework and no thread: it runs wherever the core does, under
+// mien_picture_hashes TABLE FOLDER [--renew]: draws each line of a table and compares the hash of the picture's bytes, on
+// every instruction set that is compiled in. No test framework and no thread: it runs wherever the core does, under
 // qemu and in node.
+//
+// The table holds one version's pictures together on all machines, and promises nothing to the next version: whoever
+// draws other pictures, within the promise, renews it (tools/renew_expected).
 //
 //   toon 160 linear 0123456789abcdef 0123456789abcdef
 //
@@ -18,6 +21,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -62,36 +66,53 @@ std::uint64_t drawn(const Face& face, const Line& line) {
   return image ? hash_of(*image) : 0;
 }
 
-/// Whether all instruction sets draw what the line says. If not, prints the line as it would have to be.
-bool holds(const Line& line, const std::string& folder) {
-  const auto face = face_of(line.subject, folder);
-  if (!face) {
-    std::printf("%s: %s\n", face.error().where.c_str(), face.error().what.c_str());
-    return false;
-  }
+void print(std::FILE* to, const Line& line) {
+  std::fprintf(to, "%s %d %s %016llx %016llx\n", line.subject.c_str(), line.width,
+               line.blend.c_str(), (unsigned long long)line.fused,
+               (unsigned long long)line.unfused);
+}
+
+/// The line as all instruction sets draw it.
+Line as_drawn(const Line& line, const Face& face) {
   Line found = line;
   for (const auto& set : batch::instruction_sets()) {
     batch::use_instruction_set(set.id);
     const bool fused = set.fused || kFusedEverywhere;
-    const std::uint64_t hash = drawn(*face, line), told = fused ? line.fused : line.unfused;
+    const std::uint64_t hash = drawn(face, line), told = fused ? line.fused : line.unfused;
     if (hash != told) (fused ? found.fused : found.unfused) = hash;
   }
   batch::use_instruction_set(0);
-  if (found.fused == line.fused && found.unfused == line.unfused) return true;
-  std::printf("%s %d %s %016llx %016llx\n", line.subject.c_str(), line.width, line.blend.c_str(),
-              (unsigned long long)found.fused, (unsigned long long)found.unfused);
-  return false;
+  return found;
+}
+
+bool write_table(const char* path, const std::vector<Line>& lines) {
+  std::FILE* table = std::fopen(path, "w");
+  for (const Line& line : lines)
+    if (table) print(table, line);
+  return table && std::fclose(table) == 0;
 }
 
 int main_of(int count, char** words) {
-  if (count != 3) return std::fputs("usage: mien_picture_hashes TABLE FOLDER\n", stderr), 2;
+  const bool renew = count == 4 && std::strcmp(words[3], "--renew") == 0;
+  if (count != 3 && !renew)
+    return std::fputs("usage: mien_picture_hashes TABLE FOLDER [--renew]\n", stderr), 2;
   std::ifstream table(words[1]);
-  int lines = 0, others = 0;
-  for (Line line; read_line(table, line); ++lines) others += !holds(line, words[2]);
-  if (lines == 0 || !table.eof()) return std::fprintf(stderr, "%s: no table\n", words[1]), 2;
+  std::vector<Line> lines;
+  int others = 0;
+  for (Line line; read_line(table, line);) {
+    const auto face = face_of(line.subject, words[2]);
+    if (!face) return std::fprintf(stderr, "%s\n", sentence(face.error()).c_str()), 2;
+    lines.push_back(as_drawn(line, *face));
+    if (lines.back().fused == line.fused && lines.back().unfused == line.unfused) continue;
+    ++others;
+    print(stdout, lines.back());
+  }
+  if (lines.empty() || !table.eof()) return std::fprintf(stderr, "%s: no table\n", words[1]), 2;
+  if (renew && !write_table(words[1], lines))
+    return std::fprintf(stderr, "%s: cannot be written\n", words[1]), 2;
   for (const auto& set : batch::instruction_sets()) std::printf("%s ", set.name.c_str());
-  std::printf("drew %d pictures, %d of other bytes\n", lines, others);
-  return others > 0;
+  std::printf("drew %d pictures, %d of other bytes\n", int(lines.size()), others);
+  return others > 0 && !renew;
 }
 
 }  // namespace

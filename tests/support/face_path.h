@@ -1,5 +1,5 @@
 #pragma once
-// Where the sample faces lie. Tests are pinned to those of faces/compat/, whose pictures never change.
+// Where the sample faces lie. Tests are pinned to those of faces/compat/, whose points never change.
 
 #include <string>
 

@@ -23,16 +23,6 @@ std::set<std::string> render_options() {
   return found;
 }
 
-TEST(Help, SaysWhichEditionIsTakenWithAFrozenOneAndWithoutOne) {
-  for (const char* command : {"new", "parts", "sheet"}) {
-    std::string help = run_mien({command, "--help"}).out;
-    help = std::regex_replace(help, std::regex("\\s+"), " ");
-    EXPECT_NE(help.find("default the newest that is frozen, or Z, the trial one, while none is"),
-              std::string::npos)
-        << command << help;
-  }
-}
-
 TEST(Manual, NamesEveryOption) {
   std::string manual = run_mien({"manual"}).out;
   EXPECT_EQ(manual.find(".TH MIEN 1"), 0u);

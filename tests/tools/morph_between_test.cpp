@@ -14,7 +14,7 @@ using test::Ran;
 using test::run_mien;
 using test::ScratchFolder;
 
-constexpr const char *kOne = "Z66CB-AA5S0-1B", *kOther = "ZNCGD-0PRP4-76~6900~09ZZ";
+constexpr const char *kOne = "A66CB-AA5S0-14", *kOther = "ANCGD-0PRP4-79~6900~09ZZ";
 
 class MorphBetween : public testing::Test {
  protected:
@@ -77,7 +77,7 @@ TEST_F(MorphBetween, BadUseIsASentence) {
   refused({"--fps", "30", "-o", out}, 2, "is of films");
   refused({"--style", "inkk", "-o", out}, 2, "did you mean \"ink\"");
   refused({"--step", "3", "-o", out}, 2, "did you mean \"--steps\"");
-  const Ran unknown = run_mien({"morph", "between", kOne, "Z66CB-AA5S0-1C", "-o", out});
+  const Ran unknown = run_mien({"morph", "between", kOne, "A66CB-AA5S0-13", "-o", out});
   EXPECT_EQ(unknown.code, 1);
   EXPECT_NE(unknown.err.find("a sign is wrong"), std::string::npos) << unknown.err;
   EXPECT_TRUE(folder_.names().empty());

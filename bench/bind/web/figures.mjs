@@ -15,9 +15,7 @@ function sizes(what, bytes) {
 }
 sizes('mien.wasm', readFileSync(join(built, 'mien.wasm')));
 const parts = readdirSync(new URL('parts', root), { recursive: true }).filter((name) => name.endsWith('.json'));
-// A file that several editions have alike stands in it once.
-const texts = [...new Set(parts.map((name) => readFileSync(new URL(`parts/${name}`, root), 'utf8')))];
-sizes('the parts in it', Buffer.from(texts.join('')));
+sizes('the parts in it', Buffer.from(parts.map((name) => readFileSync(new URL(`parts/${name}`, root), 'utf8')).join('')));
 sizes('studio.html', readFileSync(join(built, 'studio.html')));
 
 /** In the page: [ms] of frames of a face, no two alike. */
@@ -35,7 +33,10 @@ async function frames(text, width, height, count) {
 
 const page = (body) => `<!doctype html><meta charset="utf-8">${body}`;
 const element = '<mien-face code="A66CB-AA5S0-14" width="320" height="320"></mien-face>';
+const CROWD = 200;
+const avatars = Array.from({ length: CROWD }, (_, i) => `<mien-face seed="person ${i}" width="72" height="72"></mien-face>`).join('');
 const server = await serve(built, {
+  '/crowd.html': page(`<style>body { display: grid; grid-template-columns: repeat(auto-fill, 72px); gap: 4px }</style><script>window.told = []; addEventListener('drawn', () => told.push(performance.now()))</script><script type="module" src="element.js"></script>${avatars}`),
   '/bare.html': page(''),
   '/face.html': page(`<script>addEventListener('drawn', () => { window.drawn ??= performance.now(); })</script><script type="module" src="element.js"></script>${element}`),
 });
@@ -53,5 +54,22 @@ for (let i = 0; i < 5; ++i) {
   times.push(await on.until(() => window.drawn));
 }
 console.log(`the first picture of <mien-face> after the page was asked for [ms]: ${times.map((ms) => ms.toFixed(0)).join(', ')}`);
+const crowd = await browser.open(`${server.url}/crowd.html`, { height: 1000 });
+await crowd.until((count) => window.told.length >= count, CROWD);
+const at = (await crowd.run(() => window.told)).map((ms) => ms.toFixed(0));
+console.log(`${CROWD} avatars of 72 px, after the page was asked for [ms]: the first is seen at ${at[0]}, the twentieth at ${at[19]}, all at ${at.at(-1)}`);
 await browser.close();
 await server.close();
+
+/** Memory and time of a crowd at rest, in node. */
+const { instantiate } = WebAssembly;
+let memory;  // the module's own
+WebAssembly.instantiate = async (...given) => {
+  const instance = await instantiate(...given);
+  memory = instance.exports.memory;
+  return instance;
+};
+const { load } = await import(`file://${built}/mien.js`), mien = await load(readFileSync(join(built, 'mien.wasm')));
+const codes = mien.crowd('figures', CROWD), cpu = () => { const { user, system } = process.cpuUsage(); return (user + system) / 1000; }, began = cpu(), held = [];
+for (const code of codes) held.push(mien.person(code)), held.at(-1).draw(72, 72);
+console.log(`${CROWD} people at rest, drawn once at 72 px: ${(memory.buffer.byteLength / CROWD / 1e6).toFixed(2)} MB of mien's memory each, all that it has counted; ${((cpu() - began) / CROWD).toFixed(1)} ms of CPU each`);

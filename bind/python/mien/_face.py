@@ -129,7 +129,8 @@ class Face:
              emotions: Optional[Mapping[str, float]] = None,
              expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
              look_at: Optional[Sequence[float]] = None, unwrap: float = 0, unwrap_mode: str = "linear",
-             clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None) -> Posed:
+             clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
+             seed: Union[str, int, None] = None, liveliness: float = 1) -> Posed:
         """The face at that pose.
 
         time         [s] at which clips are taken; without one none runs
@@ -141,6 +142,8 @@ class Face:
         unwrap       0 to 1: how far the features have travelled to a flat chart, by `unwrap_mode`
         clamp        strengths out of range become the nearer end instead of an error
         basis        whose vector replaces that at rest: of its `weights`, or without any of those at `time`
+        seed         a word instead of the face's own code, recipe or text, for blinks and glances by chance
+        liveliness   0 to 2: how far clips move the face; 1 as they say, 0 not at all
         """
         made = Handle(lib.mien_pose_free, lib.mien_pose_new, self._handle.value)
         pose = made.value
@@ -148,6 +151,10 @@ class Face:
             call(lib.mien_pose_time, pose, float(time))
         for clip in clips:
             call(lib.mien_pose_clip, pose, *utf8(_clip_text(clip)))
+        if seed is not None:
+            call(lib.mien_pose_seed, pose, *utf8(str(seed)))
+        if liveliness != 1:
+            call(lib.mien_pose_liveliness, pose, float(liveliness))
         if look_at is not None:
             if len(look_at) != 3:
                 raise _library.Error("look_at", f"expected x, y, z, got {len(look_at)} numbers")

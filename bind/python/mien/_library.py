@@ -116,6 +116,8 @@ _STATUS: dict[str, list[Any]] = {
     "mien_pose_set": [c_void_p, *_TEXT],
     "mien_pose_express": [c_void_p, *_TEXT, *_TEXT, c_int32],
     "mien_pose_clip": [c_void_p, *_TEXT],
+    "mien_pose_seed": [c_void_p, *_TEXT],
+    "mien_pose_liveliness": [c_void_p, c_double],
     "mien_pose_look_at": [c_void_p, c_double, c_double, c_double],
     "mien_pose_unwrap": [c_void_p, c_double, c_int32],
     "mien_pose_vector": [c_void_p, c_void_p, c_int32],

@@ -26,7 +26,7 @@ def seed(word: str) -> int:
 
 
 def code(of: str | int) -> str:
-    """The code of a word or a seed, in the newest edition."""
+    """The code of a word or a seed."""
     return texts(lib.mien_code_from_seed, _seed(of))[0]
 
 

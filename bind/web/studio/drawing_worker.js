@@ -23,7 +23,7 @@ function told(of, text) {
 }
 
 const answers = {
-  parts: (mien, { edition }) => mien.parts(edition),
+  parts: (mien) => mien.parts(),
   version: (mien) => mien.version,
   code: (mien, { word }) => mien.code(word),
   crowd: (mien, { word, count }) => mien.crowd(word, count),

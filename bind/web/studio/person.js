@@ -44,7 +44,7 @@ function differing(recipe, other, { families, numbers }) {
 
 /** The person of a recipe that came from a file: its code holds every difference, numbers at the nearest step. */
 export function personOf(mien, recipe) {
-  const lists = mien.parts(recipe.edition);
+  const lists = mien.parts();
   let code = recipe.code ?? mien.code(recipe.name ?? ''), left;
   // What is held can move what is not, so it may take more than one round.
   for (let round = 0; round < ROUNDS && (left = differing(recipe, JSON.parse(mien.recipe(code)), lists)).length; ++round)

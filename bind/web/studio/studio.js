@@ -24,7 +24,7 @@ const FIRST = 'AM9XB-0E85E-9Y';  // who is there when the studio opens
 const LONGEST_FILE = 16 << 20;
 
 class Studio {
-  #history = null; #shown = null; #opening = false; #stage; #tabs; #timeLine; #broken; #lists = new Map();
+  #history = null; #shown = null; #opening = false; #stage; #tabs; #timeLine; #broken; #lists = null;
   desk = new Desk();
   gallery = new Gallery();
   opened = null;  // what the worker told of the open face
@@ -101,9 +101,8 @@ class Studio {
     const { person, face } = this.document;
     try {
       const opened = await this.desk.ask('open', person ? { person, name: 'face.face.json' } : face);
-      const edition = opened.recipe?.edition;
-      if (edition && !this.#lists.has(edition)) this.#lists.set(edition, await this.desk.ask('parts', { edition }));
-      this.opened = { ...opened, name: face?.name ?? 'face.face.json', lists: this.#lists.get(edition) };
+      if (opened.recipe) this.#lists ??= await this.desk.ask('parts');
+      this.opened = { ...opened, name: face?.name ?? 'face.face.json', lists: this.#lists };
       this.#shown = of;
     } catch (refused) {
       if (refused.stopped || this.document.person !== person || this.document.face !== face) return;  // it is another meanwhile

@@ -72,8 +72,35 @@ int FaceDraft::reference(const Reading& in, const JsonNode& node, Side side, Sli
   return found;
 }
 
+std::vector<DriveTarget> FaceDraft::points_of(const Reading& in, const JsonNode& node,
+                                              std::string_view feature, Side side,
+                                              bool mirror) const {
+  std::vector<DriveTarget> found;
+  bool known = false;
+  for (const Side s : {Side::none, Side::left, Side::right}) {
+    const std::string name = feature_of_side(feature, s);
+    if ((side != Side::none && s != side) || !feature_by_name.contains(name)) continue;
+    known = true;
+    const std::string own = name + "/";
+    const auto& slices = model.layout.slices();
+    for (std::size_t i = 0; i < slices.size(); ++i)
+      if (slices[i].kind == SliceKind::point && slices[i].name.starts_with(own))
+        found.push_back({int(i), mirror && is_mirrored(int(i))});
+  }
+  if (known) return found;
+  if (feature_by_name.contains(std::string(feature)))
+    in.refuse(node,
+              fmt::format("{} has no sides, but this control is per side", in_quotes(feature)));
+  std::vector<std::string_view> names;
+  for (const Feature& one : model.features)
+    names.push_back(std::string_view{one.name}.substr(0, one.name.find('.')));
+  in.refuse(node, unknown_name("feature", feature, names));
+}
+
 std::vector<DriveTarget> FaceDraft::targets(const Reading& in, const JsonNode& node,
                                             std::string_view name, Side side, bool mirror) const {
+  if (name.ends_with("/*"))
+    return points_of(in, node, name.substr(0, name.size() - 2), side, mirror);
   const int itself = model.layout.find(name);
   std::vector<DriveTarget> found;
   const auto look = [&](Side s) {

@@ -78,9 +78,13 @@ struct FaceDraft {
 
   /// The slices that a name refers to, for something that acts on a side: that side's slice. For something
   /// without a side: the unsided slice, or those of both sides. `mirror`: the numbers beside the name are
-  /// mirrored where the feature is. Refuses unknown names.
+  /// mirrored where the feature is. "FEATURE/*" means every point that the feature writes itself. Refuses unknown names.
   std::vector<DriveTarget> targets(const Reading& in, const JsonNode& node, std::string_view name,
                                    Side side, bool mirror) const;
+
+  /// The same for "FEATURE/*".
+  std::vector<DriveTarget> points_of(const Reading& in, const JsonNode& node,
+                                     std::string_view feature, Side side, bool mirror) const;
 
   /// Reads numbers that are added to every slice that the node's key refers to on a side.
   std::vector<Offset> offsets(const Reading& in, const JsonNode& node, Side side,
@@ -137,6 +141,8 @@ void read_eyes(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_muscles(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face);
+/// {EMOTION: strength at rest}; null: none. Whether the face has a mood.
+bool read_mood(Reading& in, const JsonNode* node, FaceDraft& face);
 void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face);
 
 /// Reads the numbers of one slice, mirrored if asked to.

@@ -1,5 +1,6 @@
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
+#include <mien/pose.h>
 
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
@@ -53,8 +54,32 @@ Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel&
   return {int(in.word(node, "clip", known))};
 }
 
-Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
-               SlicePlaces* places);
+/// The face as it rests. `model` is the face's own, which nobody else has yet.
+Face in_its_mood(Face neutral, FaceModel& model) {
+  Face rest = pose_face(neutral);
+  model.mood_shift = rest.vector;
+  for (std::size_t i = 0; i < rest.vector.size(); ++i) model.mood_shift[i] -= neutral.vector[i];
+  return rest;
+}
+
+/// Where a file is from: what its own parts and its seed come of.
+struct Origin {
+  const std::filesystem::path* folder;  ///< where a recipe's own parts lie; null: there can be none
+  std::uint64_t seed;                   ///< of a face in full
+};
+
+Face read_root(Reading& in, const Origin& origin, const Letters& letters, SlicePlaces* places);
+
+/// The same in every style, and wherever the code is written in another way.
+std::uint64_t seed_of_recipe(const Recipe& recipe) {
+  if (recipe.code.empty()) {
+    Recipe unstyled = recipe;
+    unstyled.style.clear();
+    return seed_from_word(recipe_text(unstyled));
+  }
+  const auto code = read_face_code(recipe.code);
+  return seed_from_word(code ? face_code_text(*code) : recipe.code);
+}
 
 /// A recipe, put together and read.
 Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings,
@@ -65,27 +90,27 @@ Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<E
   if (!tree) throw Refusal{tree.error()};
   if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
   Reading in(*tree, limits, warnings);
-  return read_root(in, nullptr, letters, nullptr);
+  return read_root(in, {nullptr, seed_of_recipe(recipe)}, letters, nullptr);
 }
 
-/// `folder`: where a recipe's own parts lie. `places`: of the slices, which a recipe has none of; null: nobody asks.
-Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& letters,
-               SlicePlaces* places) {
+/// `places`: of the slices, which a recipe has none of; null: nobody asks.
+Face read_root(Reading& in, const Origin& origin, const Letters& letters, SlicePlaces* places) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   const JsonNode* version = in.find(root, "format_version");
   if (!version || version->kind != JsonKind::number || version->number != 2)
     in.expect_object(
-        root, {"$schema",    "format",       "format_version", "name",    "credit",   "canvas",
-               "background", "palette",      "light",          "groups",  "features", "controls",
-               "poses",      "eyes",         "turn",           "muscles", "emotions", "expressions",
-               "clips",      "default_clip", "effects"});
+        root, {"$schema",    "format",  "format_version", "name",    "credit",   "canvas",
+               "background", "palette", "light",          "groups",  "features", "controls",
+               "poses",      "eyes",    "turn",           "muscles", "emotions", "expressions",
+               "mood",       "clips",   "default_clip",   "effects"});
   if (check_format(in, root) == 2)
-    return read_composed(read_recipe(in, root, folder), in.limits, in.warnings(), letters);
+    return read_composed(read_recipe(in, root, origin.folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
   draft.letters = &letters, draft.places = places;
   FaceModel& model = draft.model;
   model.layout.largest = in.limits.magnitude;
+  model.seed = origin.seed;
   if (const JsonNode* name = in.find(root, "name")) model.name = in.string(*name);
   if (const JsonNode* credit = in.find(root, "credit")) model.credit = in.string(*credit);
   read_canvas(in, in.need(root, "canvas"), draft);
@@ -103,13 +128,15 @@ Face read_root(Reading& in, const std::filesystem::path* folder, const Letters& 
   if (const JsonNode* muscles = in.find(root, "muscles")) read_muscles(in, *muscles, draft);
   if (const JsonNode* emotions = in.find(root, "emotions")) read_emotions(in, *emotions, draft);
   if (const JsonNode* sets = in.find(root, "expressions")) read_expressions(in, *sets, draft);
+  const bool has_mood = read_mood(in, in.find(root, "mood"), draft);
   if (const JsonNode* clips = in.find(root, "clips")) read_clips(in, *clips, draft);
   if (const JsonNode* effects = in.find(root, "effects")) read_effects(in, *effects, model);
   if (const JsonNode* wanted = in.find(root, "default_clip"))
     model.default_clip = clip_named(in, *wanted, model);
   FaceVector rest = draft.vector;
   apply_rules(model.layout, draft.vector, rest);  // wraps angles
-  return {std::make_shared<const FaceModel>(std::move(model)), std::move(rest)};
+  const auto made = std::make_shared<FaceModel>(std::move(model));
+  return has_mood ? in_its_mood({made, std::move(rest)}, *made) : Face{made, std::move(rest)};
 }
 
 Error too_long(std::string_view name, const FaceLimits& limits) {
@@ -148,7 +175,7 @@ Expected<PlacedFace> read_placed_face(std::string_view text, std::string_view na
     if (!tree) return tree.error();
     Reading in(*tree, limits, warnings);
     SlicePlaces places;
-    Face face = read_root(in, folder, letters, &places);
+    Face face = read_root(in, {folder, seed_from_word(text)}, letters, &places);
     places.resize(face.model->layout.slices().size());
     return PlacedFace{*std::move(tree), std::move(face), std::move(places)};
   });

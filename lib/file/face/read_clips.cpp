@@ -14,14 +14,42 @@ namespace {
 constexpr std::array<std::string_view, 6> kEases{"linear", "step", "smooth",
                                                  "in",     "out",  "overshoot"};  // as enum Ease
 
+/// A whole number from 0 to 2^32 − 1; errors call it `what`.
+std::uint32_t read_count(const Reading& in, const JsonNode& node, std::string_view what) {
+  const double number = in.number(node);
+  if (!(number >= 0 && number <= 4294967295.0 && number == std::floor(number)))
+    in.refuse(node,
+              fmt::format("a {} is a whole number from 0 to 4294967295, got {}", what, number));
+  return std::uint32_t(number);
+}
+
+/// "seed": NUMBER, or {"person": NUMBER}; 0 if it is not there.
+CurveSeed optional_seed(Reading& in, const JsonNode& node) {
+  const JsonNode* seed = in.find(node, "seed");
+  if (!seed) return {};
+  if (seed->kind == JsonKind::number) return {read_count(in, *seed, "seed")};
+  if (seed->kind != JsonKind::object)
+    in.refuse(*seed, "a seed is a whole number, or {\"person\": NUMBER} for chances of each face's own");
+  in.expect_object(*seed, {"person"}, "seed");
+  return {read_count(in, in.need(*seed, "person"), "seed"), true};
+}
+
+double read_share_of_periods(const Reading& in, const JsonNode& node) {
+  const double share = in.number(node);
+  if (!(share >= 0 && share <= 1))
+    in.refuse(node, fmt::format("a share of the periods lies between 0 and 1, got {}", share));
+  return share;
+}
+
 SineCurve read_sine(Reading& in, const JsonNode& node) {
-  in.expect_object(node, {"amplitude", "frequency", "phase", "offset", "absolute"});
+  in.expect_object(node, {"amplitude", "frequency", "phase", "offset", "absolute", "seed"});
   SineCurve sine;
   sine.amplitude = in.number(in.need(node, "amplitude"));
   sine.frequency = in.number(in.need(node, "frequency"));
   if (const JsonNode* phase = in.find(node, "phase")) sine.phase = in.number(*phase);
   if (const JsonNode* offset = in.find(node, "offset")) sine.offset = in.number(*offset);
   if (const JsonNode* absolute = in.find(node, "absolute")) sine.absolute = in.boolean(*absolute);
+  sine.seed = optional_seed(in, node);
   return sine;
 }
 
@@ -46,17 +74,6 @@ double optional_time(const Reading& in, const JsonNode& node, std::string_view k
   return time;
 }
 
-/// A whole number from 0 to 2^32 − 1; 0 if it is not there.
-std::uint32_t optional_count(const Reading& in, const JsonNode& node, std::string_view key) {
-  const JsonNode* found = in.find(node, key);
-  if (!found) return 0;
-  const double number = in.number(*found);
-  if (!(number >= 0 && number <= 4294967295.0 && number == std::floor(number)))
-    in.refuse(*found,
-              fmt::format("a {} is a whole number from 0 to 4294967295, got {}", key, number));
-  return std::uint32_t(number);
-}
-
 double read_period(const Reading& in, const JsonNode& node) {
   const double period = in.number(node);
   if (!(period > 0)) in.refuse(node, fmt::format("a period must be positive, got {}", period));
@@ -78,14 +95,18 @@ void read_each_key(const Reading& in, const JsonNode& keys, Ease ease, KeyCurve&
 }
 
 KeyCurve read_keys(Reading& in, const JsonNode& node) {
-  in.expect_object(node, {"keys", "period", "ease", "offset", "jitter", "seed"}, "curve");
+  in.expect_object(node, {"keys", "period", "ease", "offset", "jitter", "seed", "share"}, "curve");
   KeyCurve curve;
   Ease ease = Ease::linear;
   if (const JsonNode* word = in.find(node, "ease")) ease = Ease(in.word(*word, "ease", kEases));
   if (const JsonNode* period = in.find(node, "period")) curve.period = read_period(in, *period);
   if (const JsonNode* offset = in.find(node, "offset")) curve.offset = in.number(*offset);
   curve.jitter = optional_time(in, node, "jitter");
-  curve.seed = optional_count(in, node, "seed");
+  curve.seed = optional_seed(in, node);
+  if (const JsonNode* share = in.find(node, "share")) {
+    curve.share = read_share_of_periods(in, *share);
+    if (curve.period == 0) in.refuse(*share, "a share needs a period");
+  }
   read_each_key(in, in.need(node, "keys"), ease, curve);
   if (curve.jitter > 0 && curve.period == 0)
     in.refuse(*in.find(node, "jitter"), "jitter needs a period");
@@ -104,12 +125,7 @@ WanderCurve read_wander(Reading& in, const JsonNode& node) {
   WanderCurve curve;
   if (const JsonNode* center = in.find(node, "center")) curve.center = in.number(*center);
   curve.amplitude = in.number(in.need(node, "amplitude"));
-  if (const JsonNode* home = in.find(node, "home")) {
-    curve.home = in.number(*home);
-    if (!(curve.home >= 0 && curve.home <= 1))
-      in.refuse(*home,
-                fmt::format("a share of the periods lies between 0 and 1, got {}", curve.home));
-  }
+  if (const JsonNode* home = in.find(node, "home")) curve.home = read_share_of_periods(in, *home);
   curve.period = read_period(in, in.need(node, "period"));
   curve.jitter = optional_time(in, node, "jitter");
   if (in.find(node, "move")) curve.move = optional_time(in, node, "move");
@@ -119,8 +135,8 @@ WanderCurve read_wander(Reading& in, const JsonNode& node) {
   if (const JsonNode* offset = in.find(node, "offset")) curve.offset = in.number(*offset);
   if (const JsonNode* word = in.find(node, "ease"))
     curve.ease = Ease(in.word(*word, "ease", kEases));
-  curve.seed = optional_count(in, node, "seed");
-  curve.stream = optional_count(in, node, "stream");
+  curve.seed = optional_seed(in, node);
+  if (const JsonNode* stream = in.find(node, "stream")) curve.stream = read_count(in, *stream, "stream");
   return curve;
 }
 
@@ -138,6 +154,18 @@ Curve read_curve(Reading& in, const JsonNode& node) {
   return read_keys(in, node);
 }
 
+/// CURVE, or [CURVE, …].
+std::vector<Curve> read_curves(Reading& in, const JsonNode& node) {
+  std::vector<Curve> curves;
+  if (node.kind != JsonKind::array) {
+    curves.push_back(read_curve(in, node));
+    return curves;
+  }
+  if (node.count == 0) in.refuse(node, "expected at least one curve");
+  in.for_each(node, [&](const JsonNode& curve, int) { curves.push_back(read_curve(in, curve)); });
+  return curves;
+}
+
 /// {CONTROL: CURVE, …}, or {"tracks": {CONTROL: CURVE, …}, "additive": true}.
 Clip read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
   in.expect(node, JsonKind::object);
@@ -151,7 +179,7 @@ Clip read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
   in.for_each(tracks ? *tracks : node, [&](const JsonNode& track, int) {
     const std::string_view name = in.tree.key(track);
     if (name == "comment") return;
-    clip.tracks.push_back({face.control_named(in, track, name), read_curve(in, track)});
+    clip.tracks.push_back({face.control_named(in, track, name), read_curves(in, track)});
   });
   return clip;
 }

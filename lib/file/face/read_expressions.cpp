@@ -173,4 +173,29 @@ void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face) {
   });
 }
 
+bool read_mood(Reading& in, const JsonNode* node, FaceDraft& face) {
+  if (!node) return false;
+  in.expect(*node, JsonKind::object);
+  bool any = false;
+  in.for_each(*node, [&](const JsonNode& child, int) {
+    const std::string_view name = in.tree.key(child);
+    if (name == "comment") return;
+    std::vector<std::string_view> known;
+    for (const Expression& expression : face.model.expressions)
+      if (const std::string_view full = expression.name; full.starts_with("emotion."))
+        known.push_back(full.substr(std::string_view("emotion.").size()));
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) in.refuse(child, unknown_name("emotion", name, known));
+    const double strength = in.number(child);
+    if (!(strength >= 0 && strength <= 1))
+      in.refuse(child, fmt::format("a mood goes from 0 to 1, got {}", strength));
+    // Emotions come first among expressions.
+    const Expression& emotion = face.model.expressions[std::size_t(found - known.begin())];
+    for (const Index<Channel> c : {emotion.left, emotion.right})
+      face.model.channels[std::size_t(c.at)].rest = strength;
+    any |= strength > 0;
+  });
+  return any;
+}
+
 }  // namespace mien

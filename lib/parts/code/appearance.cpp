@@ -41,7 +41,7 @@ constexpr double kSkinUnit = 0.12, kYears = 30.0, kPerSigma = 0.2;
 }  // namespace
 
 Appearance appearance_of(const Recipe& recipe) {
-  const PartLibrary& library = *PartLibrary::shipped(recipe.edition);
+  const PartLibrary& library = PartLibrary::shipped();
   const auto number = [&](const char* name) { return recipe.numbers.at(name); };
   Appearance seen{.skin = skin_color(library, number("skin.tone"), number("skin.undertone")),
                   .age = number("age")};

@@ -19,7 +19,7 @@ struct Appearance {
   std::array<double, 5> numbers;  ///< jaw, size of the eyes, chin, lips, thickness of the brows
 };
 
-/// Of a complete recipe, as one from a seed or a code is, of a known edition.
+/// Of a complete recipe, as one from a seed or a code is.
 Appearance appearance_of(const Recipe& recipe);
 
 /// How different two people look, about 1 for other hair. A distance: 0 for equals, symmetric, and no

@@ -17,7 +17,7 @@ Recipe without_own_parts(Recipe recipe) {
 }  // namespace
 
 CodeFields code_fields(const Recipe& recipe) {
-  const PartLibrary& library = *PartLibrary::shipped(recipe.edition);
+  const PartLibrary& library = PartLibrary::shipped();
   const Recipe whole = completed(library, without_own_parts(recipe));
   CodeFields fields;
   for (const Family& family : library.families()) {
@@ -34,8 +34,8 @@ CodeFields code_fields(const Recipe& recipe) {
   return fields;
 }
 
-FaceCode code_of_fields(const CodeFields& fields, std::uint64_t seed, char edition) {
-  FaceCode code{.edition = edition, .seed = seed};
+FaceCode code_of_fields(const CodeFields& fields, std::uint64_t seed) {
+  FaceCode code{.seed = seed, .held = {}};
   // What is held changes what depends on it: an age, numbers; a skin, hair. Each round holds more, until all is said.
   for (std::size_t held = 1; held > 0;) {
     const std::size_t before = code.held.size();
@@ -47,15 +47,15 @@ FaceCode code_of_fields(const CodeFields& fields, std::uint64_t seed, char editi
 }
 
 Expected<FaceCode> code_of_recipe(const Recipe& recipe) {
-  const auto library = library_of(recipe);
+  const auto library = PartLibrary::shipped_or_why();
   if (!library) return library.error();
   if (auto wrong = wrong_in(**library, recipe)) return *std::move(wrong);
   const CodeFields fields = code_fields(recipe);
   const auto own = read_face_code(recipe.code);
-  if (!own) return code_of_fields(fields, 0, recipe.edition);
+  if (!own) return code_of_fields(fields, 0);
   const auto said = recipe_from_code(*own);
-  const bool same = said && own->edition == recipe.edition && code_fields(*said) == fields;
-  return same ? *own : code_of_fields(fields, own->seed, recipe.edition);
+  const bool same = said && code_fields(*said) == fields;
+  return same ? *own : code_of_fields(fields, own->seed);
 }
 
 }  // namespace mien

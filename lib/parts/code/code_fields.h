@@ -13,13 +13,13 @@ namespace mien {
 using CodeFields = std::map<int, int>;
 
 /// Numbers are taken to the nearest step. What the recipe does not say is as composing takes it: at rest, no part, or
-/// the family's usual one. The recipe's edition must be known.
+/// the family's usual one.
 CodeFields code_fields(const Recipe& recipe);
 
-/// The shortest code of these fields with that seed, in a known edition.
-FaceCode code_of_fields(const CodeFields& fields, std::uint64_t seed, char edition);
+/// The shortest code of these fields with that seed.
+FaceCode code_of_fields(const CodeFields& fields, std::uint64_t seed);
 
-/// The code of a recipe, in its edition: of its own code's seed if it has one. Names, styles and parts of one's own
+/// The code of a recipe: of its own code's seed if it has one. Names, styles and parts of one's own
 /// are in no code.
 /// The error names what is unknown or out of range.
 Expected<FaceCode> code_of_recipe(const Recipe& recipe);

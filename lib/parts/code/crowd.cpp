@@ -25,8 +25,8 @@ double least_difference(std::span<const Appearance> before, const Appearance& on
 
 }  // namespace
 
-std::vector<FaceCode> crowd(std::string_view word, int count, char edition) {
-  const PartLibrary* library = PartLibrary::shipped(edition);
+std::vector<FaceCode> crowd(std::string_view word, int count) {
+  const auto library = PartLibrary::shipped_or_why();
   if (!library) return {};
   std::vector<FaceCode> codes;
   std::vector<Appearance> seen;
@@ -35,9 +35,9 @@ std::vector<FaceCode> crowd(std::string_view word, int count, char edition) {
     Appearance best_seen{};
     double most = -1.0;
     for (int k = 0; k < kTried && most < kDifferent; ++k) {
-      const FaceCode tried{.edition = edition,
-                           .seed = seed_from_word(fmt::format("{}/{}/{}", word, place, k))};
-      const Appearance look = appearance_of(sampled_recipe(*library, tried));
+      const FaceCode tried{.seed = seed_from_word(fmt::format("{}/{}/{}", word, place, k)),
+                           .held = {}};
+      const Appearance look = appearance_of(sampled_recipe(**library, tried));
       if (const double least = least_difference(seen, look, kDifferent); least > most)
         best = tried, best_seen = look, most = least;
     }

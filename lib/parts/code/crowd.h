@@ -10,9 +10,7 @@
 namespace mien {
 
 /// So many people of a word, each at least 3.5 (`difference`) from the 200 before. Where none of the 64 tried for
-/// a place is that far, the farthest of them is taken. The first n are the same in every crowd of the word in an
-/// edition. Nobody, if the edition is not known.
-MIEN_API std::vector<FaceCode> crowd(std::string_view word, int count,
-                                     char edition = newest_edition());
+/// a place is that far, the farthest of them is taken. The first n are the same in every crowd of the word.
+MIEN_API std::vector<FaceCode> crowd(std::string_view word, int count);
 
 }  // namespace mien

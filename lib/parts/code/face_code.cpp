@@ -1,6 +1,7 @@
 #include <mien/face_code.h>
 #include "lib/base/mixed_bits.h"
 #include "lib/base/one_line.h"
+#include "lib/parts/code/edition.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,7 @@ int check_of(const std::vector<int>& values) {
 }
 
 std::vector<int> values_of(const FaceCode& code) {
-  std::vector<int> values{value_of(code.edition)};
+  std::vector<int> values{value_of(kEdition)};
   for (int i = kSeedSigns - 1; i >= 0; --i) values.push_back(int(code.seed >> (5 * i) & 31));
   for (const HeldValue& held : code.held)
     for (const int part : {held.field, held.value}) {
@@ -105,7 +106,9 @@ Expected<FaceCode> read_face_code(std::string_view text) {
   values.erase(values.begin() + kBodySigns);
   if (check_of(values) != check)
     return Error{where, "a sign is wrong, or two are swapped: its check sign does not fit"};
-  FaceCode code{.edition = kSigns[std::size_t(values[0])]};
+  if (values[0] != value_of(kEdition))
+    return Error{where, unknown_edition(kSigns.substr(std::size_t(values[0]), 1))};
+  FaceCode code;
   for (int i = 1; i < kBodySigns; ++i)
     code.seed = code.seed << 5 | std::uint64_t(values[std::size_t(i)]);
   for (std::size_t i = kBodySigns; i < values.size(); i += 4)

@@ -38,7 +38,6 @@ class Between {
 
   Recipe recipe() {
     const PartLibrary& library = from_.library();
-    made_.edition = from_.recipe().edition;
     made_.name = fmt::format("{} to {}", from_.recipe().name, to_.recipe().name);
     made_.style = nearest(parts_at_.value_or(0.5)).recipe().style;
     for (const LibraryNumber& number : library.numbers()) {
@@ -99,10 +98,7 @@ class Between {
 
 Expected<Recipe> recipe_between(const Recipe& from, const Recipe& to, double at,
                                 std::optional<double> parts_at) {
-  Recipe first = from, last = to;
-  first.edition = last.edition =
-      std::max(from.edition, to.edition);  // the newer has what both have
-  const auto a = ChosenParts::read(first), b = ChosenParts::read(last);
+  const auto a = ChosenParts::read(from), b = ChosenParts::read(to);
   if (!a) return a.error();
   if (!b) return b.error();
   return Between(*a, *b, std::clamp(at, 0.0, 1.0), parts_at).recipe();

@@ -24,14 +24,15 @@ struct PartKey {
   std::string_view name;
   std::optional<JsonKind> kind;  ///< none: not looked at here
 };
-constexpr std::array<PartKey, 15> kPartKeys{{{"format", {}},
+constexpr std::array<PartKey, 16> kPartKeys{{{"format", {}},
                                              {"format_version", {}},
                                              {"$schema", {}},
                                              {"comment", {}},
                                              {"family", {}},
                                              {"name", {}},
                                              {"number", {}},   // a library's, as are its
-                                             {"tickets", {}},  // tickets: nothing draws lots here
+                                             {"tickets", {}},  // tickets and what it avoids:
+                                             {"avoids", {}},   // nothing draws lots here
                                              {"in", JsonKind::string},
                                              {"color", JsonKind::array},
                                              {"points", JsonKind::object},
@@ -130,10 +131,6 @@ void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& 
 
 }  // namespace
 
-Expected<const PartLibrary*> library_of(const Recipe& recipe) {
-  return PartLibrary::shipped_or_why(recipe.edition, "recipe");
-}
-
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) {
   const std::string where = "recipe";
   for (const auto& [family_name, part] : recipe.parts) {
@@ -190,7 +187,7 @@ void ChosenParts::read_own(const Family& family, const OwnPart& own) {
 }
 
 Expected<ChosenParts> ChosenParts::read(const Recipe& recipe) {
-  const auto library = library_of(recipe);
+  const auto library = PartLibrary::shipped_or_why();
   if (!library) return library.error();
   return read(**library, recipe);
 }

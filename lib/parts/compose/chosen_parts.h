@@ -14,9 +14,6 @@
 
 namespace mien {
 
-/// The library of the recipe's edition. The error says which editions there are.
-Expected<const PartLibrary*> library_of(const Recipe& recipe);
-
 /// What the recipe asks for that the library does not have; nothing if it has all.
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe);
 
@@ -31,7 +28,7 @@ class ChosenParts {
   /// Reads the recipe's own parts. The library must outlive what comes of it. The error names what is unknown or out of
   /// range, in a part of one's own with its place.
   static Expected<ChosenParts> read(const PartLibrary& library, const Recipe& recipe);
-  /// From the library of the recipe's edition.
+  /// From the shipped library.
   static Expected<ChosenParts> read(const Recipe& recipe);
 
   const PartLibrary& library() const { return *library_; }

@@ -81,19 +81,21 @@ class Composition {
   /// What a rig needs to know which features there are, and what needs none.
   void write_rest() {
     const Reading& in = library_.topology().in();
+    const RigPlace place{library_, geometry_, features_};
     const auto rig = [&](const char* key) {
-      out_.key(key), write_rig(in, need(key), geometry_, out_);
+      out_.key(key), write_rig(in, need(key), place, out_);
     };
     for (const char* key : {"canvas", "background"}) rig(key);
     if (const JsonNode* light = style_.light())
-      out_.key("light"), write_rig(style_.in(), *light, geometry_, out_);
+      out_.key("light"), write_rig(style_.in(), *light, place, out_);
     else
       rig("light");
     out_.key("palette"), write_palette(parts_, geometry_, style_, out_);
     for (const char* key : {"controls", "eyes"}) rig(key);
-    out_.key("turn"), write_turn(in, need("turn"), geometry_, features_, out_);
+    out_.key("turn"), write_turn(in, need("turn"), place, out_);
     out_.key("muscles"), write_muscles(in, need("muscles"), geometry_, features_, out_);
-    for (const char* key : {"emotions", "expressions", "clips", "default_clip"}) rig(key);
+    for (const char* key : {"emotions", "expressions", "mood", "clips", "default_clip"})
+      if (key != std::string_view("mood") || in.find(*library_.topology().node, key)) rig(key);
   }
 
   std::string credit() const {

@@ -47,8 +47,8 @@ std::string composed_text(const JsonTree& face) {
   add("{", "format"), add(", ", "format_version"), add(",\n", "name"), add(", ", "credit");
   for (const char* key :
        {"canvas", "background", "light", "palette", "features", "controls", "eyes", "turn",
-        "muscles", "emotions", "expressions", "clips", "default_clip"})
-    add(",\n", key);
+        "muscles", "emotions", "expressions", "mood", "clips", "default_clip"})
+    if (face.member(face.root(), key)) add(",\n", key);  // not every topology has a mood
   return text + "}\n";
 }
 

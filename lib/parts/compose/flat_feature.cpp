@@ -45,7 +45,7 @@ class Flattening {
   void run() {
     if (!to_.names.insert(name_).second)
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
-    to_.features.push_back({slot(), out_.next()});
+    to_.features.push_back({slot(), out_.next(), name_});
     out_.stems_from(in_.tree, node_);
     out_.object();
     out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
@@ -66,17 +66,7 @@ class Flattening {
   }
 
  private:
-  std::size_t slot() const {
-    const JsonNode& wanted = in_.need(node_, "slot");
-    const Reading& in = library_.topology().in();
-    const JsonNode& slots = in.need(*library_.topology().node, "slots");
-    std::size_t at = 0;
-    for (const JsonNode* one = in.tree.first(slots); one; one = in.tree.next(*one), ++at)
-      if (in.string(*one) == in_.string(wanted)) return at;
-    std::vector<std::string_view> names;
-    in.for_each(slots, [&](const JsonNode& one, int) { names.push_back(in.string(one)); });
-    in_.refuse(wanted, unknown_name("slot", in_.string(wanted), names));
-  }
+  std::size_t slot() const { return slot_named(in_, in_.need(node_, "slot"), library_); }
 
   void add_depth() {
     const JsonNode* turn = in_.find(node_, "turn");
@@ -309,6 +299,17 @@ class Flattening {
 };
 
 }  // namespace
+
+std::size_t slot_named(const Reading& in, const JsonNode& wanted, const PartLibrary& library) {
+  const Reading& own = library.topology().in();
+  const JsonNode& slots = own.need(*library.topology().node, "slots");
+  std::size_t at = 0;
+  for (const JsonNode* one = own.tree.first(slots); one; one = own.tree.next(*one), ++at)
+    if (own.string(*one) == in.string(wanted)) return at;
+  std::vector<std::string_view> names;
+  own.for_each(slots, [&](const JsonNode& one, int) { names.push_back(own.string(one)); });
+  in.refuse(wanted, unknown_name("slot", in.string(wanted), names));
+}
 
 void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,
                      const PartLibrary& library, const PartStyle& style, PartGeometry& geometry,

@@ -25,6 +25,7 @@ struct FlatFeatures {
   struct One {
     std::size_t slot;
     std::int32_t node;  ///< of the tree that it was written to
+    std::string name;
   };
   std::vector<One> features;
   std::set<std::string, std::less<>> names;
@@ -32,6 +33,9 @@ struct FlatFeatures {
   std::vector<std::string> still;
   std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
 };
+
+/// The place of a slot, by its name, among the library's. Refuses unknown ones.
+std::size_t slot_named(const Reading& in, const JsonNode& wanted, const PartLibrary& library);
 
 /// Writes a feature of a part to `out` and adds what is known of it to `to`. Its points become known to `geometry`.
 void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 namespace mien {
 namespace {
@@ -143,39 +144,55 @@ void write_depths(std::vector<std::pair<std::string, double>> depths, TreeWriter
 /// Writes what stands for an object of the rig that has to be put in a frame.
 class Placing {
  public:
-  Placing(const Reading& in, const PartGeometry& geometry, TreeWriter& to)
-      : in_(in), geometry_(geometry), to_(to) {}
+  Placing(const Reading& in, const RigPlace& place, TreeWriter& to)
+      : in_(in), place_(place), to_(to) {}
 
   bool operator()(const JsonNode& at) const {
     const JsonNode* first = in_.tree.first(at);
     const std::string_view key = first ? in_.tree.key(*first) : std::string_view{};
     if (!key.starts_with('$')) return false;
-    const auto frame = [&] { return geometry_.frame(in_, in_.need(at, "in")); };
+    const PartGeometry& geometry = place_.geometry;
+    const auto frame = [&] { return geometry.frame(in_, in_.need(at, "in")); };
     if (key == "$point")
-      to_.pair(short_pair(geometry_.point(in_, *first, frame(), "").at));
+      to_.pair(short_pair(geometry.point(in_, *first, frame(), "").at));
     else if (key == "$vector")
-      to_.pair(short_pair(frame().vector(geometry_.pair(in_, *first, ""))));
+      to_.pair(short_pair(frame().vector(geometry.pair(in_, *first, ""))));
     else if (key == "$length")
       to_.number(short_number(in_.number(*first) * frame().scale.x));
     else if (key == "$value")
-      to_.number(short_number(geometry_.scalar(in_, *first, "")));
+      to_.number(short_number(geometry.scalar(in_, *first, "")));
+    else if (key == "$still")
+      write_still(*first, in_.need(at, "slots"));
     else
       in_.refuse(*first, unknown_name("way to put it in a frame", key,
-                                      {"$point", "$vector", "$length", "$value"}));
+                                      {"$point", "$vector", "$length", "$value", "$still"}));
     return true;
   }
 
  private:
+  void write_still(const JsonNode& offset, const JsonNode& slots) const {
+    std::set<std::size_t> wanted;
+    in_.for_each(slots, [&](const JsonNode& slot, int) {
+      wanted.insert(slot_named(in_, slot, place_.library));
+    });
+    const std::vector<std::string>& still = place_.features.still;
+    to_.object();
+    for (const FlatFeatures::One& one : place_.features.features)
+      if (wanted.contains(one.slot) &&
+          std::find(still.begin(), still.end(), one.name) != still.end())
+        to_.kept_key(one.name + "/*"), to_.pair(in_.pair(offset));
+    to_.close();
+  }
+
   const Reading& in_;
-  const PartGeometry& geometry_;
+  const RigPlace& place_;
   TreeWriter& to_;
 };
 
 }  // namespace
 
-void write_rig(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-               TreeWriter& to) {
-  to.copy(in.tree, node, Placing(in, geometry, to));
+void write_rig(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to) {
+  to.copy(in.tree, node, Placing(in, place, to));
 }
 
 void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
@@ -190,10 +207,10 @@ void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& 
   to.close(), to.close();
 }
 
-void write_turn(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                const FlatFeatures& features, TreeWriter& to) {
+void write_turn(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to) {
+  const FlatFeatures& features = place.features;
   to.object();
-  to.copy_children(in.tree, node, Placing(in, geometry, to));
+  to.copy_children(in.tree, node, Placing(in, place, to));
   to.key("still"), to.array();
   for (const std::string& name : features.still) to.kept_string(name);
   to.close();

@@ -5,17 +5,23 @@
 
 namespace mien {
 
+/// Where a rig is written: the face's frames and features, and the library's slots.
+struct RigPlace {
+  const PartLibrary& library;
+  const PartGeometry& geometry;
+  const FlatFeatures& features;
+};
+
 /// Writes a node of the topology; {"$point": [x, y], "in": FRAME}, {"$vector": …}, {"$length": …} and {"$value": …}
-/// are put in the frame.
-void write_rig(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-               TreeWriter& to);
+/// are put in the frame. {"$still": OFFSET, "slots": […]} becomes {"FEATURE/*": OFFSET, …}, of the features in those slots
+/// that stand still while the head turns.
+void write_rig(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to);
 
 /// The muscle system: strokes and origins in their frames, and everything that parts bound to what a muscle holds.
 void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
                    const FlatFeatures& features, TreeWriter& to);
 
 /// The head's turn, with the depths of what parts drew.
-void write_turn(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                const FlatFeatures& features, TreeWriter& to);
+void write_turn(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to);
 
 }  // namespace mien

@@ -1,19 +1,11 @@
-# Every JSON file below FROM/EDITION becomes an entry of that edition's in TO, a source file.
-file(GLOB editions RELATIVE ${FROM} ${FROM}/[A-Z])
-list(SORT editions)
-set(tables "")
+# Every JSON file below FROM becomes an entry of TO, a source file.
+file(GLOB_RECURSE files RELATIVE ${FROM} ${FROM}/*.json)
+list(SORT files)
 set(rows "")
-foreach(edition IN LISTS editions)
-  file(GLOB_RECURSE files RELATIVE ${FROM}/${edition} ${FROM}/${edition}/*.json)
-  list(SORT files)
-  string(APPEND tables "constexpr ShippedPart kParts${edition}[] = {\n")
-  foreach(name IN LISTS files)
-    file(READ ${FROM}/${edition}/${name} text)
-    # Compilers take raw strings of 64 KiB at least. With sv they know the length; clang counts to a million at most.
-    string(APPEND tables "    {\"${name}\"sv, R\"json_(${text})json_\"sv},\n")
-  endforeach()
-  string(APPEND tables "};\n")
-  string(APPEND rows "    {'${edition}', kParts${edition}},\n")
+foreach(name IN LISTS files)
+  file(READ ${FROM}/${name} text)
+  # Compilers take raw strings of 64 KiB at least. With sv they know the length; clang counts to a million at most.
+  string(APPEND rows "    {\"${name}\"sv, R\"json_(${text})json_\"sv},\n")
 endforeach()
 file(WRITE ${TO} "#include \"lib/parts/library/shipped_parts.h\"
 
@@ -22,12 +14,12 @@ file(WRITE ${TO} "#include \"lib/parts/library/shipped_parts.h\"
 namespace mien {
 namespace {
 using namespace std::string_view_literals;
-${tables}constexpr ShippedFolder kFolders[] = {
+constexpr ShippedPart kParts[] = {
 ${rows}};
 }  // namespace
 
-std::span<const ShippedFolder> shipped_folders() {
-  return kFolders;
+std::span<const ShippedPart> shipped_parts() {
+  return kParts;
 }
 
 }  // namespace mien

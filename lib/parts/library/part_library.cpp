@@ -1,14 +1,9 @@
 #include "lib/parts/library/part_library.h"
 #include "lib/base/nearest_name.h"
-#include "lib/parts/library/edition_files.h"
-
-#include <mien/editions.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <mutex>
 
 namespace mien {
 namespace {
@@ -141,7 +136,7 @@ void PartLibrary::read_part(const LibraryNode& part) {
   read_numbers(part, family_name);
 }
 
-/// What the topology says, or else the part of the lowest permanent number: later editions, and names of files, change
+/// What the topology says, or else the part of the lowest permanent number: more parts, and names of files, change
 /// neither.
 void PartLibrary::choose_usual_parts() {
   for (Family& family : families_) {
@@ -161,13 +156,39 @@ void PartLibrary::choose_usual_parts() {
   }
 }
 
-Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>& texts) {
+/// Parts avoid what was chosen before them: families that stand before their own, or parts of these.
+void PartLibrary::check_avoided() const {
+  for (std::size_t own = 0; own < families_.size(); ++own)
+    for (const Part& part : families_[own].parts) {
+      const Reading& in = part.at.in();
+      const JsonNode* avoids = in.find(*part.at.node, "avoids");
+      if (!avoids) continue;
+      in.expect(*avoids, JsonKind::array);
+      in.for_each(*avoids, [&](const JsonNode& node, int) {
+        const std::string_view name = in.string(node), family = name.substr(0, name.find('/'));
+        std::vector<std::string_view> known;
+        for (std::size_t f = 0; f < own; ++f) {
+          known.push_back(families_[f].name);
+          if (families_[f].name != family || family.size() == name.size()) continue;
+          known.clear();
+          for (const Part& one : families_[f].parts) known.push_back(one.name);
+          break;
+        }
+        const std::string_view wanted =
+            name.substr(family.size() < name.size() ? family.size() + 1 : 0);
+        if (std::find(known.begin(), known.end(), wanted) == known.end())
+          in.refuse(node, unknown_name("family or part before it", wanted, known));
+      });
+    }
+}
+
+Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<ShippedPart>& files) {
   auto library = std::make_unique<PartLibrary>();
   try {
-    for (const Text& text : texts) {
-      auto tree = JsonTree::read(text.bytes, text.name, {});
+    for (const ShippedPart& file : files) {
+      auto tree = JsonTree::read(file.text, file.name, {});
       if (!tree) return tree.error();
-      library->files_.emplace_back(std::string(text.name), text.bytes, *std::move(tree));
+      library->files_.emplace_back(std::string(file.name), file.text, *std::move(tree));
     }
     const auto format_of = [](const LibraryFile& file) {
       return file.reading.string(file.reading.need(file.tree.root(), "format"));
@@ -178,50 +199,28 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Text>
     for (const LibraryFile& file : library->files_) {
       const Reading& in = file.reading;
       if (format_of(file) == "mien-part") library->read_part({&file, &file.tree.root()});
-      if (format_of(file) == "mien-numbers") library->read_numbers({&file, &file.tree.root()}, "");
       if (format_of(file) != "mien-parts") continue;
       in.for_each(in.need(file.tree.root(), "parts"), [&](const JsonNode& node, int) {
         library->read_part({&file, &node});
       });
     }
     library->choose_usual_parts();
+    library->check_avoided();
   } catch (const Refusal& refusal) {
     return refusal.error;
   }
   return library;
 }
 
-Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(std::span<const ShippedFolder> folders,
-                                                         char edition) {
-  std::vector<Text> texts;
-  for (const ShippedPart& part : edition_files(folders, edition))
-    texts.push_back({part.name, part.text});
-  return read(texts);
-}
-
-Expected<const PartLibrary*> PartLibrary::shipped_or_why(char edition, std::string where) {
-  struct ReadOnce {
-    std::once_flag flag;
-    Expected<std::unique_ptr<PartLibrary>> library = Error{};
-  };
-  constexpr std::size_t kSigns = 26;
-  static std::array<ReadOnce, kSigns> all;
-  if (const auto known = read_edition({&edition, 1}); !known)
-    return Error{std::move(where), known.error().what};
-  ReadOnce& own = all[std::size_t(edition - 'A')];
-  std::call_once(own.flag, [&] { own.library = read(shipped_folders(), edition); });
-  if (!own.library) return own.library.error();
-  return own.library->get();
-}
-
-const PartLibrary* PartLibrary::shipped(char edition) {
-  return shipped_or_why(edition).value_or(nullptr);
+Expected<const PartLibrary*> PartLibrary::shipped_or_why() {
+  static const auto library = read({shipped_parts().begin(), shipped_parts().end()});
+  if (!library) return library.error();
+  return library->get();
 }
 
 const PartLibrary& PartLibrary::shipped() {
   static const PartLibrary nothing;
-  const PartLibrary* newest = shipped(newest_edition());
-  return newest ? *newest : nothing;
+  return *shipped_or_why().value_or(&nothing);
 }
 
 }  // namespace mien

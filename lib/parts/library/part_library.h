@@ -1,5 +1,5 @@
 #pragma once
-// An edition: its topology, families of parts, numbers and styles, as JSON that was read once.
+// The library of parts: its topology, families of parts, numbers and styles, as JSON that was read once.
 
 #include <mien/expected.h>
 #include "lib/file/json/reading.h"
@@ -8,7 +8,6 @@
 #include <deque>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -67,22 +66,13 @@ struct LibraryNumber {
 
 class PartLibrary {
  public:
-  /// The newest edition, compiled in; without anything in it if a file of it is broken.
+  /// The one that is compiled in; without anything in it if a file of it is broken.
   static const PartLibrary& shipped();
-  /// Any edition, compiled in; null: this build has none of that sign, or a file of it is broken.
-  static const PartLibrary* shipped(char edition);
-  /// The same; the error says which editions there are, at `where` the edition was asked for, or what is broken and
-  /// where that is.
-  static Expected<const PartLibrary*> shipped_or_why(char edition, std::string where = {});
+  /// The same; the error says what is broken and where that is.
+  static Expected<const PartLibrary*> shipped_or_why();
 
-  struct Text {
-    std::string_view name, bytes;  ///< "hair/bob.part.json"; both outlive the library
-  };
-  /// Reads an edition: one topology, files of parts, and of more numbers ("mien-numbers").
-  static Expected<std::unique_ptr<PartLibrary>> read(const std::vector<Text>& texts);
-  /// Reads an edition out of the folders of all.
-  static Expected<std::unique_ptr<PartLibrary>> read(std::span<const ShippedFolder> folders,
-                                                     char edition);
+  /// Reads one topology and files of parts. Names and texts must outlive the library.
+  static Expected<std::unique_ptr<PartLibrary>> read(const std::vector<ShippedPart>& files);
 
   const LibraryNode& topology() const { return topology_; }
   const std::vector<Family>& families() const { return families_; }
@@ -98,6 +88,7 @@ class PartLibrary {
   void read_topology(const LibraryNode& root);
   void read_part(const LibraryNode& part);
   void choose_usual_parts();
+  void check_avoided() const;
   void read_numbers(const LibraryNode& from, std::string_view family);
 
   std::deque<LibraryFile> files_;

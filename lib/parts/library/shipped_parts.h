@@ -1,5 +1,5 @@
 #pragma once
-// The files of all editions, compiled in: no file is read at run time.
+// The files of parts/, compiled in: no file is read at run time.
 
 #include <span>
 #include <string_view>
@@ -7,16 +7,9 @@
 namespace mien {
 
 struct ShippedPart {
-  std::string_view name, text;
+  std::string_view name, text;  ///< "hair/bob.part.json"
 };
 
-/// What lies in parts/EDITION.
-struct ShippedFolder {
-  char edition;
-  std::span<const ShippedPart> parts;
-};
-
-/// By their edition's sign.
-std::span<const ShippedFolder> shipped_folders();
+std::span<const ShippedPart> shipped_parts();
 
 }  // namespace mien

@@ -1,6 +1,5 @@
 #include "lib/parts/recipe/own_part.h"
 
-#include <mien/editions.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_copy.h"
@@ -19,8 +18,9 @@ namespace {
 constexpr std::string_view kEnd = ".part.json";
 
 /// What a library's part has and one's own has not, and what is written first.
-constexpr std::array<std::string_view, 8> kWrittenOrLeft{
-    "format", "format_version", "family", "name", "number", "tickets", "comment", "features"};
+constexpr std::array<std::string_view, 9> kWrittenOrLeft{"format", "format_version", "family",
+                                                         "name",   "number",         "tickets",
+                                                         "avoids", "comment",        "features"};
 
 Error unknown_family(std::string_view name) {
   std::vector<std::string_view> names;
@@ -97,8 +97,7 @@ Expected<FoundPart> read_part_file(const std::filesystem::path& path) {
                 fmt::format("expected \"mien-part\", got {}", in_quotes(in.string(format))));
     const JsonNode& family = in.need(tree->root(), "family");
     const std::string name(in.string(family));
-    if (const auto known = PartLibrary::shipped_or_why(newest_edition()); !known)
-      return known.error();
+    if (const auto known = PartLibrary::shipped_or_why(); !known) return known.error();
     if (!PartLibrary::shipped().find_family(name)) in.refuse(family, unknown_family(name).what);
     return FoundPart{name, {path.string(), *std::move(text)}};
   } catch (const Refusal& refusal) {
@@ -132,8 +131,7 @@ void wear(Recipe& recipe, const FoundPart& part) {
 }
 
 Expected<std::string> part_skeleton(std::string_view family_name, std::string_view name) {
-  if (const auto known = PartLibrary::shipped_or_why(newest_edition()); !known)
-    return known.error();
+  if (const auto known = PartLibrary::shipped_or_why(); !known) return known.error();
   const Family* family = PartLibrary::shipped().find_family(std::string(family_name));
   if (!family) return unknown_family(family_name);
   constexpr std::string_view kSigns = "abcdefghijklmnopqrstuvwxyz0123456789_";

@@ -21,18 +21,20 @@ struct OwnPart {
 struct Recipe {
   std::string name;                          ///< of the face
   std::string code;                          ///< that it was made from; empty: of none
-  char edition = newest_edition();           ///< whose parts and numbers these are
   std::map<std::string, std::string> parts;  ///< by family; families that are not there have none
   std::map<std::string, double> numbers;     ///< by name; others are at rest
   std::string style = "soft";
   std::map<std::string, OwnPart> own_parts;  ///< by what `parts` calls them, "fez.part.json"
 };
 
-/// The recipe of a seed in the newest edition.
+/// The recipe of a seed.
 MIEN_API Recipe recipe_from_seed(std::uint64_t seed);
 
-/// The recipe of a code, in its edition. The error says which edition or held value is not known.
+/// The recipe of a code. The error says which held value is not known.
 MIEN_API Expected<Recipe> recipe_from_code(const FaceCode& code);
+
+/// The same person without an expression: no smile, no mood, so the lips are closed.
+MIEN_API Recipe neutral_recipe(Recipe recipe);
 
 /// The text of a face file, format version 1: parts are put together, and nothing of them is left. The
 /// error names what is unknown or out of range, with the nearest known name.
@@ -47,21 +49,19 @@ struct PartFamily {
   std::vector<std::string> parts;
   bool optional;  ///< a face may have none
 };
-/// Empty for an edition that is not known, as are the next two.
-MIEN_API std::vector<PartFamily> part_families(char edition = newest_edition());
+MIEN_API std::vector<PartFamily> part_families();
 
 /// A number that a recipe may hold.
 struct PartNumber {
   std::string name;
   double lo, hi, rest;
 };
-MIEN_API std::vector<PartNumber> part_numbers(char edition = newest_edition());
+MIEN_API std::vector<PartNumber> part_numbers();
 
-MIEN_API std::vector<std::string> part_styles(char edition = newest_edition());
+MIEN_API std::vector<std::string> part_styles();
 
 /// What a code can hold: the field's permanent number and the value's, from "hair=bob" or
 /// "eye.size=1.05". `clamp`: values out of range are taken as the nearer end.
-MIEN_API Expected<HeldValue> read_held_value(std::string_view text, bool clamp = false,
-                                             char edition = newest_edition());
+MIEN_API Expected<HeldValue> read_held_value(std::string_view text, bool clamp = false);
 
 }  // namespace mien

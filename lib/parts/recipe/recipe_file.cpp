@@ -3,6 +3,7 @@
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
+#include "lib/parts/code/edition.h"
 #include "lib/parts/compose/chosen_parts.h"
 #include "lib/parts/library/part_library.h"
 
@@ -43,21 +44,13 @@ class RecipeReader {
   }
 
  private:
-  /// The edition: the one that is said, else the code's, else the newest. A code may be of an edition before.
   void read_base(const JsonNode* edition, const JsonNode* code) {
-    if (code) recipe_ = of_code(*code);
-    if (edition) {
-      const auto sign = read_edition(in_.string(*edition));
-      if (!sign) in_.refuse(*edition, sign.error().what);
-      recipe_.edition = *sign;
-    }
-    const auto library = PartLibrary::shipped_or_why(recipe_.edition);
+    if (edition && in_.string(*edition) != std::string_view(&kEdition, 1))
+      in_.refuse(*edition, unknown_edition(in_.string(*edition)));
+    const auto library = PartLibrary::shipped_or_why();
     if (!library) throw Refusal{library.error()};
     library_ = *library;
-    if (!code) return;
-    if (const auto wrong = wrong_in(*library_, recipe_))
-      in_.refuse(*code, fmt::format("the code's face is not of edition {}: {}", recipe_.edition,
-                                    wrong->what));
+    if (code) recipe_ = of_code(*code);
   }
 
   Recipe of_code(const JsonNode& node) const {
@@ -206,13 +199,13 @@ Expected<Recipe> read_recipe_file(const std::filesystem::path& path, std::vector
 
 std::string recipe_text(const Recipe& recipe) {
   std::string text = fmt::format(
-      "{{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"{}\",\n", recipe.edition);
+      "{{\"format\": \"mien-face\", \"format_version\": 2, \"edition\": \"{}\",\n", kEdition);
   if (!recipe.name.empty()) text += fmt::format(" \"name\": {},\n", json_string(recipe.name));
   if (!recipe.code.empty()) text += fmt::format(" \"code\": {},\n", json_string(recipe.code));
   text += " \"parts\": {";
   const char* before = "\n  ";
   // Families without a part are said to have none: the code may say otherwise.
-  for (const PartFamily& family : part_families(recipe.edition)) {
+  for (const PartFamily& family : part_families()) {
     const auto part = recipe.parts.find(family.name);
     if (part == recipe.parts.end() && !family.optional) continue;
     text += fmt::format("{}{}: {}", before, json_string(family.name),

@@ -12,7 +12,7 @@
 namespace mien {
 
 /// Reads the recipe of a face file of format version 2, and the parts of its own that lie in `folder`, of at most
-/// `in.limits` bytes each; null: it is of no file and can have none. Refuses what no edition has, at its place.
+/// `in.limits` bytes each; null: it is of no file and can have none. Refuses what the library has not, at its place.
 Recipe read_recipe(Reading& in, const JsonNode& root, const std::filesystem::path* folder);
 
 /// The recipe of a face file's text, without parts of its own. The error is a sentence with its place in `name`; a face

@@ -31,18 +31,20 @@ constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 
 struct Axes {
   double age = 30;  ///< [years]
   double child = 0, elder = 0;
-  double lean = 0;  ///< −1 feminine, 1 masculine; people between them are as likely
+  double minor = 0;  ///< 1 below 18 years
+  double lean = 0;   ///< −1 feminine, 1 masculine; people between them are as likely
   double heavy = 0, lengthy = 0;
   double dark = 0;  ///< of the skin
   double coily = 0;
 
   double of(const Reading& in, const JsonNode& node) const {
-    const std::array<std::pair<std::string_view, double>, 13> all{
+    const std::array<std::pair<std::string_view, double>, 14> all{
         {{"any", 1.0},
          {"lean", lean},
          {"masculine", std::max(lean, 0.0)},
          {"feminine", std::max(-lean, 0.0)},
          {"child", child},
+         {"minor", minor},
          {"adult", 1.0 - child},
          {"elder", elder},
          {"young", 1.0 - elder},
@@ -80,7 +82,7 @@ class Sampler {
 
   Recipe recipe() {
     lean_on_axes();
-    recipe_.code = face_code_text(code_), recipe_.edition = code_.edition;
+    recipe_.code = face_code_text(code_);
     recipe_.name = "face-" + recipe_.code;
     for (const LibraryNumber& number : library_.numbers()) choose(number);
     skin_ =
@@ -102,7 +104,7 @@ class Sampler {
   }
 
   void lean_on_axes() {
-    constexpr double kGrown = 16, kChildYears = 11, kOld = 50, kOldYears = 35;
+    constexpr double kGrown = 16, kChildYears = 11, kOfAge = 18, kOld = 50, kOldYears = 35;
     const LibraryNumber* tone = library_.find_number("skin.tone");
     choose(*tone);
     axes_.dark = (recipe_.numbers[tone->name] - tone->lo) / (tone->hi - tone->lo);
@@ -111,6 +113,7 @@ class Sampler {
     axes_.age = years ? age->lo + *years * (age->hi - age->lo) / kSteps : sampled_age(chance_);
     recipe_.numbers[age->name] = axes_.age;
     axes_.child = std::clamp((kGrown - axes_.age) / kChildYears, 0.0, 1.0);
+    axes_.minor = axes_.age < kOfAge ? 1.0 : 0.0;
     axes_.elder = std::clamp((axes_.age - kOld) / kOldYears, 0.0, 1.0);
     const double side = chance_.share(kLeanSide) < 0.5 ? -1.0 : 1.0;
     axes_.lean = side * (0.35 + 0.65 * chance_.share(kLean)) * (1.0 - 0.75 * axes_.child);
@@ -149,7 +152,8 @@ class Sampler {
     const double range = number.hi - number.lo;
     double step = std::floor(std::clamp((value - number.lo) / range, 0.0, 1.0) * kSteps + 0.5);
     if (const int* own = held(number.number)) step = *own;
-    recipe_.numbers[number.name] = number.lo + step * range / kSteps;
+    // The last step's own sum may round to beyond the range.
+    recipe_.numbers[number.name] = std::min(number.lo + step * range / kSteps, number.hi);
   }
 
   int tickets(const Reading& in, const JsonNode* law, int most) const {
@@ -169,12 +173,27 @@ class Sampler {
     return best;
   }
 
+  /// Whether the part is not drawn beside one that was chosen before: "avoids": ["glasses", "headwear/cap"].
+  bool avoided(const Part& part) const {
+    const Reading& in = part.at.in();
+    const JsonNode* avoids = in.find(*part.at.node, "avoids");
+    bool found = false;
+    if (avoids)
+      in.for_each(*avoids, [&](const JsonNode& node, int) {
+        const std::string_view name = in.string(node), family = name.substr(0, name.find('/'));
+        const auto chosen = recipe_.parts.find(std::string(family));
+        if (chosen == recipe_.parts.end() || chosen->second == kBare) return;
+        found |= family.size() == name.size() || name.substr(family.size() + 1) == chosen->second;
+      });
+    return found;
+  }
+
   /// What is in the draw, the likeliest first. `bare`: only what leaves the family out, or only what does not; not
   /// said: both.
   std::vector<Drawn> drawn_of(const Family& family, std::optional<bool> bare) const {
     std::vector<Drawn> drawn;
     for (const Part& part : family.parts) {
-      if (bare && *bare != (part.name == kBare)) continue;
+      if ((bare && *bare != (part.name == kBare)) || avoided(part)) continue;
       const Reading& in = part.at.in();
       const int own = tickets(in, in.find(*part.at.node, "tickets"), kMostTickets);
       if (const std::uint64_t best = best_of(family, part.number, own); best > 0)
@@ -260,13 +279,13 @@ double sampled_lean(const PartLibrary& library, const FaceCode& code) {
 
 Recipe recipe_from_seed(std::uint64_t seed) {
   const FaceCode code{.seed = seed & ((std::uint64_t{1} << FaceCode::kSeedBits) - 1), .held = {}};
-  const PartLibrary* library = PartLibrary::shipped(code.edition);
-  return library ? sampled_recipe(*library, code) : Recipe{.edition = code.edition};
+  const auto library = PartLibrary::shipped_or_why();
+  return library ? sampled_recipe(**library, code) : Recipe{};
 }
 
 Expected<Recipe> recipe_from_code(const FaceCode& code) {
   const std::string where = "code " + face_code_text(code);
-  const auto shipped = PartLibrary::shipped_or_why(code.edition, where);
+  const auto shipped = PartLibrary::shipped_or_why();
   if (!shipped) return shipped.error();
   const PartLibrary& library = **shipped;
   for (const HeldValue& held : code.held) {
@@ -275,7 +294,7 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
         std::find_if(library.families().begin(), library.families().end(), is_field);
     if (family == library.families().end()) {
       if (std::none_of(library.numbers().begin(), library.numbers().end(), is_field))
-        return Error{where, fmt::format("edition {} has no field {}", code.edition, held.field)};
+        return Error{where, fmt::format("no code has a field {}", held.field)};
       continue;
     }
     const auto is_part = [&](const Part& part) { return part.number == held.value; };
@@ -286,34 +305,34 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
   return sampled_recipe(library, code);
 }
 
-std::vector<PartFamily> part_families(char edition) {
+Recipe neutral_recipe(Recipe recipe) {
+  for (const char* expressive : {"smile", "mood"}) recipe.numbers[expressive] = 0;
+  return recipe;
+}
+
+std::vector<PartFamily> part_families() {
   std::vector<PartFamily> all;
-  const PartLibrary* library = PartLibrary::shipped(edition);
-  if (!library) return all;
-  for (const Family& family : library->families()) {
+  for (const Family& family : PartLibrary::shipped().families()) {
     all.push_back({family.name, {}, family.optional});
     for (const Part& part : family.parts) all.back().parts.push_back(part.name);
   }
   return all;
 }
 
-std::vector<PartNumber> part_numbers(char edition) {
+std::vector<PartNumber> part_numbers() {
   std::vector<PartNumber> all;
-  const PartLibrary* library = PartLibrary::shipped(edition);
-  if (!library) return all;
-  for (const LibraryNumber& number : library->numbers())
+  for (const LibraryNumber& number : PartLibrary::shipped().numbers())
     all.push_back({number.name, number.lo, number.hi, number.rest});
   return all;
 }
 
-std::vector<std::string> part_styles(char edition) {
-  const PartLibrary* library = PartLibrary::shipped(edition);
-  return library ? library->styles() : std::vector<std::string>();
+std::vector<std::string> part_styles() {
+  return PartLibrary::shipped().styles();
 }
 
-Expected<HeldValue> read_held_value(std::string_view text, bool clamp, char edition) {
+Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
   const std::string where = one_line(text, 60);
-  const auto shipped = PartLibrary::shipped_or_why(edition, where);
+  const auto shipped = PartLibrary::shipped_or_why();
   if (!shipped) return shipped.error();
   const PartLibrary& library = **shipped;
   const std::size_t equals = text.find('=');

@@ -7,7 +7,7 @@
 
 namespace mien {
 
-/// The recipe of a code in this library, whatever edition the code names; what it holds must be there.
+/// The recipe of a code in this library; what it holds must be there.
 Recipe sampled_recipe(const PartLibrary& library, const FaceCode& code);
 
 /// How feminine (−1) or masculine (1) the person of a code leans. No recipe holds it: parts and numbers follow from it.

@@ -17,7 +17,7 @@ bool is_control(const FaceModel& model, const Setting& setting) {
 /// Calls each(clip) for the clips that run.
 template <class Each>
 void for_each_clip(const FaceModel& model, const Pose& pose, Each&& each) {
-  if (!pose.time || !std::isfinite(*pose.time)) return;
+  if (!clips_run(pose)) return;
   if (pose.clips.empty() && model.default_clip) each(model.default_clip.in(model.clips));
   for (const ClipLayer& layer : pose.clips)
     if (layer.clip && layer.clip.at < int(model.clips.size())) each(layer.clip.in(model.clips));
@@ -31,7 +31,8 @@ bool same_settings(const std::vector<Setting>& a, const std::vector<Setting>& b)
 
 /// Whether two poses differ in time only.
 bool same_course(const Pose& a, const Pose& b) {
-  return same_settings(a.settings, b.settings) && a.look_at == b.look_at &&
+  return same_settings(a.settings, b.settings) && a.look_at == b.look_at && a.seed == b.seed &&
+         a.liveliness == b.liveliness &&
          std::equal(a.clips.begin(), a.clips.end(), b.clips.begin(), b.clips.end(),
                     [](const ClipLayer& x, const ClipLayer& y) {
                       return x.clip == y.clip && x.weight == y.weight && x.begin == y.begin;
@@ -43,6 +44,10 @@ bool same_face(const Face& a, const Face& b) {
 }
 
 }  // namespace
+
+bool clips_run(const Pose& pose) {
+  return pose.time && std::isfinite(*pose.time) && pose.liveliness > 0;
+}
 
 void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held) {
   held.assign(model.channels.size(), 0);

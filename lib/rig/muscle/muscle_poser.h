@@ -19,6 +19,9 @@ namespace mien {
 using ChannelsAt =
     std::function<void(const Face& rest, const Pose& pose, std::vector<double>& values)>;
 
+/// Whether clips act at a pose: at a moment, and with some liveliness.
+bool clips_run(const Pose& pose);
+
 /// For each channel, whether a setting or a running clip says what it is.
 void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held);
 

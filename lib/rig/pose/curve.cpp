@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mien {
 namespace {
@@ -42,14 +43,36 @@ Moment within_period(double time, double period) {
 }
 
 // Streams of chance(): what a random number of a seed is for. A wander's own streams come after.
-constexpr std::uint32_t kWhen = 0, kWhetherHome = 1, kFirstOwn = 2;
+constexpr std::uint32_t kWhen = 0, kWhether = 1, kFirstOwn = 2;
 
-double value_of(const KeyCurve& curve, double time) {
+/// The random numbers of a curve's seed.
+class Draws {
+ public:
+  Draws(const CurveSeed& seed, const Temper& temper)
+      : first_(seed.personal ? mixed_bits(temper.seed ^ mixed_bits(seed.number))
+                             : std::uint64_t(seed.number) << 32),
+        personal_(seed.personal) {}
+
+  double operator()(std::uint32_t stream, double count) const {
+    return chance(first_ + stream, count);
+  }
+  /// The share of a turn by which the curve's time is shifted.
+  double shift() const { return personal_ ? chance(~first_, 0) : 0; }
+
+ private:
+  std::uint64_t first_;
+  bool personal_;
+};
+
+double value_of(const KeyCurve& curve, double time, const Temper& temper) {
   double t = time - curve.offset;
   if (curve.period > 0) {
-    const Moment moment = within_period(t, curve.period);
+    const Draws draw(curve.seed, temper);
+    const Moment moment = within_period(t + draw.shift() * curve.period, curve.period);
     t = moment.time;
-    if (curve.jitter > 0) t -= curve.jitter * chance(curve.seed, kWhen, moment.count);
+    if (curve.share && !(draw(kWhether, moment.count) < *curve.share * temper.liveliness))
+      return curve.keys[0].value;
+    if (curve.jitter > 0) t -= curve.jitter * draw(kWhen, moment.count);
   }
   const auto next = std::upper_bound(curve.keys.begin(), curve.keys.end(), t,
                                      [](double a, const CurveKey& key) { return a < key.time; });
@@ -60,32 +83,39 @@ double value_of(const KeyCurve& curve, double time) {
   return key.value + eased(key.ease, u) * (next->value - key.value);
 }
 
-double value_of(const SineCurve& curve, double time) {
-  const double wave = std::sin(curve.frequency * time + curve.phase);
+double value_of(const SineCurve& curve, double time, const Temper& temper) {
+  const double shift = 2 * std::numbers::pi * Draws(curve.seed, temper).shift();
+  const double wave = std::sin(curve.frequency * time + (curve.phase + shift));
   return curve.offset + curve.amplitude * (curve.absolute ? std::abs(wave) : wave);
 }
 
 /// Where a wander rests after the move of that period.
-double resting_place(const WanderCurve& curve, double count) {
-  if (chance(curve.seed, kWhetherHome, count) < curve.home) return curve.center;
-  return curve.center +
-         curve.amplitude * (2 * chance(curve.seed, kFirstOwn + curve.stream, count) - 1);
+double resting_place(const WanderCurve& curve, const Draws& draw, double count) {
+  if (draw(kWhether, count) < curve.home) return curve.center;
+  return curve.center + curve.amplitude * (2 * draw(kFirstOwn + curve.stream, count) - 1);
 }
 
-double value_of(const WanderCurve& curve, double time) {
-  const Moment moment = within_period(time - curve.offset, curve.period);
-  const double begin = curve.jitter * chance(curve.seed, kWhen, moment.count);
-  const double from = resting_place(curve, moment.count - 1);
+double value_of(const WanderCurve& curve, double time, const Temper& temper) {
+  const Draws draw(curve.seed, temper);
+  const Moment moment =
+      within_period(time - curve.offset + draw.shift() * curve.period, curve.period);
+  const double begin = curve.jitter * draw(kWhen, moment.count);
+  const double from = resting_place(curve, draw, moment.count - 1);
   if (moment.time <= begin) return from;
-  const double to = resting_place(curve, moment.count);
+  const double to = resting_place(curve, draw, moment.count);
   if (moment.time >= begin + curve.move) return to;
   return from + eased(curve.ease, (moment.time - begin) / curve.move) * (to - from);
 }
 
 }  // namespace
 
-double value_at(const Curve& curve, double time) {
-  return std::visit([&](const auto& c) { return value_of(c, time); }, curve);
+double value_at(const Curve& curve, double time, const Temper& temper) {
+  return std::visit([&](const auto& c) { return value_of(c, time, temper); }, curve);
+}
+
+bool is_played_by_chance(const Curve& curve) {
+  const auto* keys = std::get_if<KeyCurve>(&curve);
+  return keys && keys->period > 0 && keys->share;
 }
 
 }  // namespace mien

@@ -20,15 +20,31 @@ namespace {
 
 using Values = std::vector<double>;
 
+/// A track's value for a control that rests there. With a liveliness of 1 a single curve's value is kept bit for bit.
+double value_of(const ClipTrack& track, double rest, double time, const Temper& temper) {
+  double value = rest;
+  for (std::size_t i = 0; i < track.curves.size(); ++i) {
+    const Curve& curve = track.curves[i];
+    double own = value_at(curve, time, temper);
+    if (temper.liveliness != 1 && !is_played_by_chance(curve))
+      own = rest + temper.liveliness * (own - rest);
+    value = i == 0 ? own : value + (own - rest);
+  }
+  return value;
+}
+
 /// Lays one clip over what is below it.
-void play(const FaceModel& model, const Clip& clip, double time, double weight, Values& values) {
+void play(const FaceModel& model, const Clip& clip, double time, double weight,
+          const Temper& temper, Values& values) {
   for (const ClipTrack& track : clip.tracks) {
-    const double value = value_at(track.curve, time);
+    const std::vector<Index<Channel>>& channels = track.control.in(model.controls).channels;
+    const double rest = channels[0].in(model.channels).rest;  // the halves of a control rest alike
+    const double value = value_of(track, rest, time, temper);
     if (!std::isfinite(value)) continue;
-    for (const Index<Channel> c : track.control.in(model.controls).channels) {
+    for (const Index<Channel> c : channels) {
       double& now = values[std::size_t(c.at)];
       if (clip.additive)
-        now += weight * (value - c.in(model.channels).rest);
+        now += weight * (value - rest);
       else
         now = weight == 1 ? value : now + weight * (value - now);
     }
@@ -36,13 +52,15 @@ void play(const FaceModel& model, const Clip& clip, double time, double weight, 
 }
 
 void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
-  if (!pose.time || !std::isfinite(*pose.time)) return;
+  if (!clips_run(pose)) return;
+  const Temper temper{pose.seed.value_or(model.seed), std::min(pose.liveliness, kMostLively)};
   if (pose.clips.empty() && model.default_clip && !pose.basis)
-    play(model, model.default_clip.in(model.clips), *pose.time, 1, values);
+    play(model, model.default_clip.in(model.clips), *pose.time, 1, temper, values);
   for (const ClipLayer& layer : pose.clips)
     if (layer.clip && layer.clip.at < int(model.clips.size()) && std::isfinite(layer.weight) &&
         std::isfinite(layer.begin))
-      play(model, layer.clip.in(model.clips), *pose.time - layer.begin, layer.weight, values);
+      play(model, layer.clip.in(model.clips), *pose.time - layer.begin, layer.weight, temper,
+           values);
 }
 
 void look(const Face& rest, glm::dvec3 target, Values& values) {
@@ -77,6 +95,24 @@ void couple_channels(const FaceModel& model, Values& values) {
       values[std::size_t(n.channel.at)] += (values[c] - model.channels[c].rest) * n.by;
 }
 
+/// The mood gives way to what else is in the face: by twice as much as all other expressions together, so that these are
+/// read at half their strength, too.
+void fade_mood(const FaceModel& model, Values& values) {
+  if (model.mood_shift.empty()) return;
+  const auto at = [&](Index<Channel> c) -> double& { return values[std::size_t(c.at)]; };
+  const auto is_mood = [&](Index<Channel> c) {
+    return c.in(model.channels).rest != 0 && at(c) == c.in(model.channels).rest;
+  };
+  double others = 0;
+  for (const Expression& one : model.expressions)
+    if (!is_mood(one.left) && !is_mood(one.right))
+      others += std::clamp(std::max(at(one.left), at(one.right)), 0.0, 1.0);
+  if (others == 0) return;
+  for (const Expression& one : model.expressions)
+    for (const Index<Channel> c : {one.left, one.right})
+      if (is_mood(c)) at(c) *= std::max(1 - 2 * others, 0.0);
+}
+
 /// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
 /// couplings; settings of controls beat what expressions and poses do to them.
 void set_channels(const Face& rest, const Pose& pose, Values& values) {
@@ -86,11 +122,19 @@ void set_channels(const Face& rest, const Pose& pose, Values& values) {
   play_clips(model, pose, values);
   if (pose.look_at) look(rest, *pose.look_at, values);
   override_channels(model, pose, true, values);
+  fade_mood(model, values);
   move_channels(model, values);
   clamp(model, true, values);
   couple_channels(model, values);
   override_channels(model, pose, false, values);
   clamp(model, false, values);
+}
+
+/// The numbers without the mood.
+FaceVector less_mood(const FaceModel& model, FaceVector vector) {
+  const FaceVector& shift = model.mood_shift;
+  for (std::size_t i = 0; i < std::min(shift.size(), vector.size()); ++i) vector[i] -= shift[i];
+  return vector;
 }
 
 bool at_rest(const FaceModel& model, const Values& values) {
@@ -130,12 +174,15 @@ void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector)
 }  // namespace
 
 struct Poser::Scratch {
-  Face rest, posed;
+  Face rest, neutral, posed;
   std::vector<double> values, drive;
   MusclePoser muscles;
   std::optional<UnwrapChart> chart;  ///< made when first needed
 
-  explicit Scratch(Face face) : rest(std::move(face)), posed(rest) {
+  explicit Scratch(Face face)
+      : rest(std::move(face)),
+        neutral{rest.model, less_mood(*rest.model, rest.vector)},
+        posed(rest) {
     values.reserve(rest.model->channels.size());
   }
 
@@ -158,23 +205,28 @@ std::span<const double> Poser::pulls() const {
 }
 
 const Face& Poser::pose(const Pose& pose) {
-  auto& [rest, posed, values, drive, muscles, chart] = *scratch_;
+  auto& [rest, neutral, posed, values, drive, muscles, chart] = *scratch_;
   const FaceModel& model = *rest.model;
   posed.vector = rest.vector;
   const bool by_basis = pose.basis && pose.basis->basis.columns == rest.vector.size();
   if (by_basis) take_basis(*pose.basis, pose, posed.vector);
-  const FaceVector begin = by_basis ? posed.vector : FaceVector{};
   set_channels(rest, pose, values);
-  scratch_->drive_channels(true);
-  muscles.act(rest, pose, values, set_channels, posed.vector);
-  scratch_->drive_channels(false);
-  hold_eyeballs(model, pose, posed.vector);
-  // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
-  if (!by_basis)
-    pose_eyes(model, rest.vector, values, posed.vector);
-  else if (!at_rest(model, values))
-    pose_eyes(model, begin, values, posed.vector);
-  turn_head(model, values, posed.vector);
+  const bool still = at_rest(model, values);
+  const bool moody = !model.mood_shift.empty();
+  if (!(moody && still)) {
+    if (moody) posed.vector = less_mood(model, std::move(posed.vector));
+    const FaceVector begin = by_basis ? posed.vector : FaceVector{};
+    scratch_->drive_channels(true);
+    muscles.act(neutral, pose, values, set_channels, posed.vector);
+    scratch_->drive_channels(false);
+    hold_eyeballs(model, pose, posed.vector);
+    // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
+    if (!by_basis)
+      pose_eyes(model, neutral.vector, values, posed.vector);
+    else if (!still)
+      pose_eyes(model, begin, values, posed.vector);
+    turn_head(model, values, posed.vector);
+  }
   if (pose.unwrap > 0) {
     if (!chart) chart.emplace(rest);
     chart->act(pose.unwrap_mode, pose.unwrap, posed.vector);
@@ -182,6 +234,16 @@ const Face& Poser::pose(const Pose& pose) {
   for (const Setting& setting : pose.settings) put_numbers(setting, posed.vector);
   apply_rules(model.layout, rest.vector, posed.vector);
   return posed;
+}
+
+Face without_mood(const Face& face) {
+  if (face.model->mood_shift.empty()) return face;
+  auto model = std::make_shared<FaceModel>(*face.model);
+  model->mood_shift.clear();
+  for (const Expression& expression : model->expressions)
+    for (const Index<Channel> c : {expression.left, expression.right})
+      model->channels[std::size_t(c.at)].rest = 0;
+  return {std::move(model), less_mood(*face.model, face.vector)};
 }
 
 Face pose_face(const Face& face, const Pose& pose) {

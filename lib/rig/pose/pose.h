@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,10 +56,17 @@ MIEN_API Expected<Setting> read_pose(const Face& face, std::string_view text);
 /// look.
 MIEN_API Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text);
 
+inline constexpr double kMostLively = 2;
+
 struct Pose {
-  std::optional<double> time = {};         ///< [s]; without one no clip runs
-  std::vector<Setting> settings = {};      ///< beat clips and gaze; later ones beat earlier ones
-  std::vector<ClipLayer> clips = {};       ///< bottom to top; none: the face's default clip
+  std::optional<double> time = {};     ///< [s]; without one no clip runs
+  std::vector<Setting> settings = {};  ///< beat clips and gaze; later ones beat earlier ones
+  std::vector<ClipLayer> clips = {};   ///< bottom to top; none: the face's default clip
+  /// What clips' personal chance draws from; none: the face's own (FaceModel::seed). seed_from_word makes one.
+  std::optional<std::uint64_t> seed = {};
+  /// 0 … kMostLively: how far clips move the face from rest, and how often those curves play that say in which share of
+  /// their periods they do. 1: as the clips say; 0: no clip runs.
+  double liveliness = 1;
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
   double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)
   UnwrapMode unwrap_mode = UnwrapMode::linear;
@@ -80,9 +88,15 @@ struct Pose {
 ///   7. unwrap
 ///   8. slice settings
 ///   9. rules (clamp, wrap), applied once, so a posed face is always valid
+/// A face with a mood rests in it (docs/face-format.md). The steps begin without the mood, and where another emotion or
+/// expression comes, the mood goes by twice as much.
 /// Without time, gaze and settings the result is the rest vector, bit for bit. Total: a setting or clip
-/// of another model does nothing, and numbers out of range follow their rule.
+/// of another model does nothing, a liveliness out of range counts as its nearer end, and numbers out of range follow
+/// their rule.
 MIEN_API Face pose_face(const Face& face, const Pose& pose = {});
+
+/// The same face, resting without its mood.
+MIEN_API Face without_mood(const Face& face);
 
 /// A name that read_setting takes.
 struct SettableName {

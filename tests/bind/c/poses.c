@@ -87,10 +87,45 @@ static void test_refusals(mien_pose* pose) {
   FAILS(MIEN_REFUSED, "finite", mien_pose_time(pose, NAN, &error));
   FAILS(MIEN_REFUSED, "finite", mien_pose_look_at(pose, NAN, 0, 1, &error));
   FAILS(MIEN_MISUSE, "pose", mien_pose_look_at(NULL, 0, 0, 1, &error));
+  FAILS(MIEN_REFUSED, "an empty word is no seed", mien_pose_seed(pose, "", END, &error));
+  FAILS(MIEN_MISUSE, "word", mien_pose_seed(pose, NULL, END, &error));
+  FAILS(MIEN_MISUSE, "pose", mien_pose_seed(NULL, "a", END, &error));
+  FAILS(MIEN_REFUSED, "goes from 0 to 2, got 3", mien_pose_liveliness(pose, 3, &error));
+  FAILS(MIEN_REFUSED, "liveliness", mien_pose_liveliness(pose, NAN, &error));
+  FAILS(MIEN_MISUSE, "pose", mien_pose_liveliness(NULL, 1, &error));
   FAILS(MIEN_REFUSED, "share", mien_pose_unwrap(pose, 1.5, MIEN_UNWRAP_LINEAR, &error));
   FAILS(MIEN_MISUSE, "mode", mien_pose_unwrap(pose, 0.5, 3, &error));
   FAILS(MIEN_MISUSE, "pose", mien_pose_unwrap(NULL, 0.5, MIEN_UNWRAP_DELAYED, &error));
   FAILS(MIEN_MISUSE, "pose", mien_pose_clear(NULL, &error));
+}
+
+/* The same word gives any face the same time; without liveliness it rests. */
+static void test_seeds(void) {
+  mien_error* error = NULL;
+  mien_texts* code = NULL;
+  mien_face* face = NULL;
+  mien_pose* pose = NULL;
+  double *rest, *own, *other, *still;
+  int32_t count;
+  OK(mien_code_from_seed(5, &code, &error));
+  OK(mien_face_from_code(mien_texts_at(code, 0), END, &face, &error));
+  count = mien_face_vector_size(face);
+  OK(mien_pose_new(face, &pose, &error));
+  rest = vector_of(pose, count);
+  OK(mien_pose_time(pose, 1.25, &error));
+  own = vector_of(pose, count);
+  OK(mien_pose_seed(pose, "ada", END, &error));
+  other = vector_of(pose, count);
+  CHECK(differ(own, other, count));
+  free(other);
+  OK(mien_pose_seed(pose, mien_texts_at(code, 0), END, &error)); /* a person's own is her code */
+  other = vector_of(pose, count);
+  CHECK(!differ(own, other, count));
+  OK(mien_pose_liveliness(pose, 0, &error));
+  still = vector_of(pose, count);
+  CHECK(!differ(rest, still, count));
+  mien_pose_free(pose), mien_face_free(face), mien_texts_free(code);
+  free(rest), free(own), free(other), free(still);
 }
 
 /* People by code have emotions. */
@@ -137,4 +172,5 @@ void test_poses(void) {
   CHECK(pose == NULL);
   free(rest);
   test_emotions();
+  test_seeds();
 }

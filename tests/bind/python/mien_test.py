@@ -193,6 +193,22 @@ class Poses(unittest.TestCase):
         data = [b[b.index(b"IDAT"):] for b in (by_command, by_python)]
         self.assertEqual(*data)
 
+    def test_have_a_time_of_their_own(self):
+        ada, bob = (mien.from_code(people.code(name)) for name in ("ada", "bob"))
+        at = lambda face, **more: face.pose(time=1.25, **more).vector.tolist()
+        self.assertEqual(at(ada), at(ada, seed=people.code("ada")))
+        self.assertNotEqual(at(ada), at(ada, seed="bob"))
+        self.assertEqual(at(ada, seed=7), at(ada, seed="7"))
+        self.assertNotEqual(at(ada, seed="x" * 10**6), at(ada))
+        self.assertEqual(at(bob, liveliness=0), bob.vector.tolist())
+        self.assertNotEqual(at(bob, liveliness=0.5), at(bob))
+        for wrong, where, what in (({"seed": ""}, "seed", "an empty word is no seed"),
+                                   ({"liveliness": -1}, "liveliness", "goes from 0 to 2, got -1"),
+                                   ({"liveliness": math.nan}, "liveliness", "goes from 0 to 2, got nan")):
+            with self.assertRaises(mien.Error) as caught:
+                at(ada, **wrong)
+            self.assertEqual((caught.exception.where, caught.exception.what), (where, what))
+
     def test_take_numbers_arrays_and_colours(self):
         face = toon()
         point = next(n for n in face.names.values() if not n.is_control and numpy.size(n.value) == 2)

@@ -8,10 +8,19 @@ import { pngPixels } from './png_pixels.mjs';
 const built = new URL(`file://${process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`}/`);
 const { load, MienError, isSupported } = await import(new URL('mien.js', built));
 const { png } = await import(new URL('png.js', built));
+const { instantiate } = WebAssembly;
+let memory;  // the module's own
+WebAssembly.instantiate = async (...given) => {
+  const instance = await instantiate(...given);
+  memory = instance.exports.memory;
+  return instance;
+};
 const mien = await load(readFileSync(new URL('mien.wasm', built)));
 const text = (name) => readFileSync(new URL(`../../../faces/compat/${name}.face.json`, import.meta.url), 'utf8');
 
 test('this system is supported', () => assert.ok(isSupported()));
+
+test('mien.wasm is found beside mien.js', async () => assert.equal((await load()).version, mien.version));
 
 test('pictures have the bytes of the table for machines without fused multiply-adds', () => {
   const { lines, of } = pictureHashes();
@@ -33,13 +42,23 @@ test('the same word is the same person, and a held part stays', () => {
   assert.equal(new Set(mien.crowd('x', 5)).size, 5);
 });
 
+test('people have a time of their own, and without liveliness none', () => {
+  const code = mien.code('hello'), face = mien.person(code), drawn = (pose) => Buffer.from(face.draw(64, 64, pose)).toString('hex');
+  assert.equal(drawn({ time: 1.25 }), drawn({ time: 1.25, seed: code }));
+  assert.notEqual(drawn({ time: 1.25 }), drawn({ time: 1.25, seed: 'hallo' }));
+  assert.equal(drawn({ time: 1.25, seed: 7 }), drawn({ time: 1.25, seed: '7' }));
+  assert.equal(drawn({}), drawn({ time: 1.25, liveliness: 0 }));
+  assert.throws(() => drawn({ seed: '' }), /an empty word is no seed/);
+  assert.throws(() => drawn({ liveliness: 3 }), /goes from 0 to 2, got 3/);
+  face.free();
+});
+
 test('what recipes choose from is told', () => {
   const { families, numbers, styles } = mien.parts();
   assert.equal(families.find(({ name }) => name === 'glasses').parts[0], 'none');
   assert.ok(families.find(({ name }) => name === 'hair').parts.includes('bob'));
   assert.deepEqual(numbers.filter(({ lo, hi, rest }) => !(lo <= rest && rest <= hi && lo < hi)), []);
   assert.ok(styles.includes('ink'));
-  assert.throws(() => mien.parts('?'), /edition/);
   const code = mien.code('hello');
   for (const { name, parts } of families) for (const part of parts) mien.held(code, `${name}=${part}`);
   assert.notEqual(mien.near(code, 0.3, 'a'), mien.near(code, 0.3, 'b'));
@@ -101,6 +120,64 @@ test('a file is edited in place, and says where its values stand', () => {
   assert.throws(() => mien.textWith('{', {}, 'a.json'), (e) => e.where.startsWith('a.json:1'));
 });
 
+test('faces at rest hold no drawing memory', async () => {
+  const fresh = await load(readFileSync(new URL('mien.wasm', built))), codes = fresh.crowd('memory', 150), each = () => memory.buffer.byteLength / codes.length;
+  const faces = codes.map((code) => {
+    const face = fresh.person(code);
+    face.draw(72, 72);
+    return face;
+  });
+  assert.ok(each() < 800_000, `${each()} bytes a face, all that mien holds counted`);
+  for (const face of faces) face.draw(72, 72, { emotions: { joy: 1 } });
+  assert.ok(each() < 1_500_000, `${each()} bytes a face that has moved`);
+});
+
+test('what a face says of its last picture does not change when others draw', () => {
+  const faces = mien.crowd('desk', 12).map((code) => mien.person(code)), alone = [];
+  const told = (face) => [face.featureAt(40, 30), face.featureAt(32, 60), ...face.fromPixel(12, 34), ...face.toPixel(0, 0)];
+  for (const [i, face] of faces.entries()) face.draw(64, 64, { set: { yaw: i } }), alone.push(told(face));
+  assert.deepEqual(faces.map(told), alone);
+  const again = faces.map((face, i) => face.draw(64, 64, { set: { yaw: -i }, time: 1, clips: ['idle'] }).slice());
+  faces.slice(0, 6).forEach((face) => face.free());
+  for (const [i, face] of faces.entries()) if (i >= 6) assert.deepEqual(face.draw(64, 64, { set: { yaw: -i }, time: 1, clips: ['idle'] }), again[i]);
+  faces.slice(6).forEach((face) => face.free());
+});
+
+test('a person has another style', () => {
+  const code = mien.code('hello'), draw = (face) => { const pixels = face.draw(48, 48).slice(); face.free(); return pixels; };
+  const own = draw(mien.person(code)), styles = mien.parts().styles.map((style) => draw(mien.person(code, { style })));
+  assert.equal(styles.filter((one) => Buffer.compare(Buffer.from(one), Buffer.from(own)) === 0).length, 1);
+  assert.throws(() => mien.person(code, { style: 'inkk' }), /did you mean "ink"/);
+  assert.throws(() => mien.person(code, { stile: 'ink' }), (e) => e.where === 'person.stile' && e.what.includes('"style"'));
+});
+
+test('what a pose does not know is refused', () => {
+  const face = mien.person(mien.code('hello'));
+  const refused = (pose, where, what) => assert.throws(() => face.draw(48, 48, pose), (e) => e instanceof MienError && e.where === where && what.test(e.what), `${where}: ${what}`);
+  refused({ emotion: { joy: 1 } }, 'pose.emotion', /did you mean "emotions"/);
+  refused({ lookat: [0, 0, 9] }, 'pose.lookat', /did you mean "lookAt"/);
+  refused({ viseme: { aa: 1 } }, 'pose.viseme', /did you mean "visemes"/);
+  refused({ [`x${'y'.repeat(1e6)}`]: 1 }, `pose.x${'y'.repeat(39)}`, /^no key of a pose named/);
+  refused({ emotions: 'joy' }, 'pose.emotions', /expected weights by name.*got "joy"/);
+  refused({ clips: 'idle' }, 'pose.clips', /expected a list/);
+  refused({ fit: 'Slice' }, 'pose.fit', /'meet' or 'slice'/);
+  refused({ blend: 'sRGB' }, 'pose.blend', /'linear' or 'srgb'/);
+  refused({ time: '1' }, 'pose.time', /expected seconds/);
+  refused({ lookAt: [1, 2] }, 'pose.lookAt', /3 numbers/);
+  refused({ background: [1, 0, 0] }, 'pose.background', /#rrggbb/);
+  refused(null, 'pose', /expected an object/);
+  assert.throws(() => face.draw('48px', 48), (e) => e.where === 'width' && /whole pixels, got "48px"/.test(e.what));
+  assert.throws(() => face.svg(48, 48, {}, { tolerence: 0.1 }), /did you mean "tolerance"/);
+  face.draw(48, 48, { emotions: null, time: undefined, lookAt: new Float32Array([0, 0, 9]) });
+  face.free();
+});
+
+test('the element is imported where there is no page', async () => {
+  const { MienFace } = await import(new URL('element.js', built));
+  assert.equal(typeof MienFace, 'function');
+  assert.ok(MienFace.observedAttributes.includes('face-style'));
+});
+
 test('clips have lengths', () => {
   const face = mien.person(mien.code('hello'));
   assert.deepEqual(Object.keys(face.clipLengths), face.clips);
@@ -126,12 +203,9 @@ test('what is refused is a sentence with an address', () => {
   const face = mien.face(text('seed0'));
   assert.throws(() => face.draw(64, 36, { set: { 'gaze.z': 1 } }), /did you mean "gaze\.[xy]"/);
   assert.throws(() => face.draw(0, 36), MienError);
-  assert.throws(() => face.draw(64, 36, { emotion: { joy: 1 } }), /no key of a pose named "emotion"; did you mean "emotions"/);
   assert.throws(() => face.draw(64, 36, { yaw: 20 }), /did you mean "set: yaw"/);
   assert.throws(() => face.draw(64, 36, { nonsense: 1 }), (e) => e.what === 'no key of a pose named "nonsense"');
-  assert.throws(() => face.draw(64, 36, { fit: 'slize' }), /did you mean "slice"/);
-  assert.throws(() => face.draw('72px', 72), /expected a whole number of pixels, got "72px"/);
-  assert.throws(() => face.draw(72.5, 72), /whole number of pixels, got 72.5/);
+  assert.throws(() => face.draw(72.5, 72), /whole pixels, got 72.5/);
   assert.throws(() => face.draw(1 << 20, 1 << 20), MienError);
   assert.equal(face.draw(64, 36).length, 64 * 36 * 4);  // it still draws
   face.free();

@@ -12,7 +12,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 Clip clip_of(std::vector<Curve> curves) {
   Clip clip{.name = "a", .tracks = {}};
-  for (Curve& curve : curves) clip.tracks.push_back({{0}, std::move(curve)});
+  for (Curve& curve : curves) clip.tracks.push_back({{0}, {std::move(curve)}});
   return clip;
 }
 KeyCurve keys(double last, double period = 0, double offset = 0) {
@@ -41,10 +41,20 @@ TEST(ClipLength, IsWhenAllPeriodsAreTogetherAgain) {
   EXPECT_EQ(clip_length(clip_of({keys(1, 5000)})), 5000);
 }
 
+TEST(ClipLength, CountsAllCurvesOfATrack) {
+  const Clip clip{.name = "a", .tracks = {{{0}, {keys(1, 4), keys(1, 6)}}}};
+  EXPECT_EQ(clip_length(clip), 12);
+}
+
 TEST(ClipLength, IsEndlessWhereNothingComesAgain) {
   KeyCurve late = keys(1, 4);
   late.jitter = 0.5;
   EXPECT_EQ(clip_length(clip_of({late})), kEndless);
+  KeyCurve seldom = keys(1, 4);
+  seldom.share = 1;
+  EXPECT_EQ(clip_length(clip_of({seldom})), 4);
+  seldom.share = 0.5;
+  EXPECT_EQ(clip_length(clip_of({seldom})), kEndless);
   EXPECT_EQ(clip_length(clip_of({WanderCurve{}, keys(1)})), kEndless);
   EXPECT_EQ(clip_length(clip_of({sine(1), sine(std::sqrt(2.0))})), kEndless);
   EXPECT_EQ(clip_length(clip_of({keys(1, 5000), keys(1, 7)})), kEndless);

@@ -30,7 +30,8 @@ TEST(NonsensePose, HasAllThatTheTestAsksFor) {
   EXPECT_EQ(names.size(), poses.size()) << "none twice";
   for (const char* name :
        {"emotion.joy=0.5", "emotion.anger=1 blink=0.5", "emotion.joy=1 emotion.fear=1 blink=1",
-        "arkit.jawOpen=1", "viseme.aa=1 yaw=-30", "yaw=30 pitch=-25", "blink=1"})
+        "arkit.jawOpen=1", "viseme.aa=1 yaw=-30", "corner=-1", "corner=1 blink=1",
+        "breath=0.03 yaw=30", "yaw=30 pitch=-25", "blink=1"})
     EXPECT_TRUE(names.contains(name)) << name;
   const auto with = [&](std::string_view begin) {
     return std::ranges::count_if(names, [&](const std::string& name) {

@@ -11,8 +11,10 @@ namespace mien::command {
 struct PosedFace {
   std::string face;
   std::optional<std::string> style;  ///< of a face by code
+  bool neutral = false;
   std::optional<std::string> time;
   std::vector<std::string> clips, poses;
+  std::optional<std::string> seed, liveliness;
   std::optional<std::string> look_at, blink, bias, unwrap, unwrap_mode;
   std::vector<std::string> emotions, muscles;
   std::optional<std::string> arkit;
@@ -65,16 +67,17 @@ struct FitArguments {
 
 struct SheetArguments {
   std::optional<std::string> face, output;
-  std::optional<std::string> people, parts, seed, style, edition;
+  std::optional<std::string> people, parts, seed, style;
   std::optional<std::string> cell, columns, gap;
   std::vector<std::string> pictures;
-  bool emotions = false, half = false;
+  std::optional<std::string> turned;
+  bool emotions = false, half = false, neutral = false;
   bool statistics = false, json = false;
 };
 
 /// mien new.
 struct NewArguments {
-  std::optional<std::string> output, seed, code, style, edition;
+  std::optional<std::string> output, seed, code, style;
   std::optional<std::string> near, by, at;
   std::vector<std::string> between, child_of;  ///< two codes, or none
   std::vector<std::string> held;
@@ -91,7 +94,6 @@ struct PartsArguments {
   enum class Verb { list, begin, check };
   Verb verb = Verb::list;
   std::optional<std::string> family, output;  ///< listed or begun
-  std::optional<std::string> edition;         ///< listed
   std::string name;                           ///< begun
   std::vector<std::string> files;             ///< checked
   std::optional<std::string> people, seed;

@@ -44,8 +44,6 @@ std::unique_ptr<CommandApp> command_app();
 
 /// Adds --seed WORD. An empty word is refused: it is mostly a shell's variable that was never set.
 void add_seed(CLI::App& command, std::optional<std::string>& to, const std::string& help);
-/// Adds --edition EDITION; its default is said here, once.
-void add_edition(CLI::App& command, std::optional<std::string>& to, const std::string& help);
 
 /// What was wrong with words that `app` could not read, in one sentence.
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong);

@@ -1,5 +1,6 @@
 #include "tools/mien/cli/motion_options.h"
 #include <mien/unwrap_mode.h>
+#include "command_app_private.h"
 #include "tools/mien/cli/option_words.h"
 
 namespace mien::command {
@@ -13,6 +14,8 @@ void add_face(CLI::App* to, PosedFace& posed) {
         "--style", posed.style,
         "How a face by code or recipe is painted: flat, soft, clay, ink or pictogram; default soft")
       ->type_name("STYLE");
+  to->add_flag("--neutral", posed.neutral,
+               "No smile, lips closed, head ahead, all still, but for what other options ask");
 }
 
 /// What moves a face: clips, named poses, a basis.
@@ -26,6 +29,12 @@ void add_motion(CLI::App* to, PosedFace& posed) {
         "laid over those before it, by its weight, its own time beginning at BEGIN")
       ->type_name("NAME[=WEIGHT[@BEGIN]]")
       ->allow_extra_args(false);
+  add_seed(*to, posed.seed,
+           "Blink and glance by this word's chances; default those of the face's own code, recipe "
+           "or file");
+  to->add_option("--liveliness", posed.liveliness,
+                 "How far clips move the face, 0 (not at all) to 2; default 1")
+      ->type_name("N");
   to->add_option(
         "--pose,--morph", posed.poses,
         "Give a named pose (a morph target) a weight, 1 if none is said; may be given many "

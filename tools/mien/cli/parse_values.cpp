@@ -1,6 +1,5 @@
 #include "tools/mien/cli/parse_values.h"
 
-#include <mien/editions.h>
 #include <mien/recipe.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
@@ -168,14 +167,6 @@ Expected<double> read_real(std::string_view option, std::string_view text, doubl
   const auto value = number<double>(text);
   if (value && *value >= least && *value <= most) return *value;
   return refuse(option, text, fmt::format("expected a number from {} to {}", least, most));
-}
-
-Expected<char> read_edition_option(const std::optional<std::string>& text) {
-  const auto edition = text ? read_edition(*text) : newest_edition();
-  if (!edition) return Error{"--edition", edition.error().what};
-  const auto whole = recipe_from_code({.edition = *edition, .held = {}});
-  if (!whole) return whole.error();  // a file of it is broken
-  return *edition;
 }
 
 Expected<FrameRange> read_frames(std::string_view text) {

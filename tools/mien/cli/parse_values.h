@@ -55,9 +55,6 @@ Expected<long> read_whole(std::string_view option, std::string_view text, long l
 Expected<double> read_real(std::string_view option, std::string_view text, double least,
                            double most);
 
-/// --edition; if it is not given the newest that is frozen, or the trial one while none is.
-Expected<char> read_edition_option(const std::optional<std::string>& text);
-
 /// "0-239" or "17": frames, counted from 0, both ends included.
 struct FrameRange {
   long first = 0, last = 0;

@@ -11,19 +11,11 @@ void add_seed(CLI::App& command, std::optional<std::string>& to, const std::stri
   command.add_option("--seed", to, help)->type_name("WORD")->check(why_not);
 }
 
-void add_edition(CLI::App& command, std::optional<std::string>& to, const std::string& help) {
-  command
-      .add_option("--edition", to,
-                  help + "; default the newest that is frozen, or Z, the trial one, while none is")
-      ->type_name("EDITION");
-}
-
 void add_new(CLI::App& app, NewArguments& to) {
   CLI::App* made = app.add_subcommand("new", "Make a face of one's own; its code is printed");
   made->add_option("-o,--output", to.output, "Face file to write; - is standard output")
       ->type_name("FILE");
   add_seed(*made, to.seed, "The same word, the same face; default: another one each time");
-  add_edition(*made, to.edition, "The edition of the parts that it is made of");
   made->add_option("--code", to.code, "The face of this code")->type_name("CODE");
   made->add_option("--near", to.near, "Somebody like the person of this code")->type_name("CODE");
   made->add_option("--by", to.by, "With --near: how far from them, 0 to 1; default 0.3")
@@ -58,7 +50,6 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->add_option("-o,--output", to.output,
                    "Draw them, as 'mien sheet --parts FAMILY' does, instead of listing them")
       ->type_name("FILE");
-  add_edition(*parts, to.edition, "Of this edition of the parts");
   parts->require_subcommand(0, 1);
   CLI::App* begin =
       parts->add_subcommand("new", "Begin a part of one's own: a shipped one, explained");

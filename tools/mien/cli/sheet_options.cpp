@@ -59,9 +59,14 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
                    "the families")
       ->type_name("FAMILY|FILE|FOLDER");
   add_seed(*sheet, to.seed, "The same word, the same people; default 1");
-  add_edition(*sheet, to.edition, "People or parts of this edition of the parts");
   sheet->add_option("--style", to.style, "How faces by code are painted; default soft")
       ->type_name("STYLE");
+  sheet->add_flag("--neutral", to.neutral, "No smile, lips closed, heads ahead, all still");
+  sheet
+      ->add_option("--turned", to.turned,
+                   "With --people and no --picture: how far heads turn to either side at most, by "
+                   "the people's own chances, and tilt half as far; default 12")
+      ->type_name("DEGREES");
   sheet->add_option("-o,--output", to.output, "Picture to write")->type_name("FILE");
   sheet->add_flag(
       "--statistics", to.statistics,

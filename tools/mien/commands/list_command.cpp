@@ -64,10 +64,10 @@ std::string clip_line(const FaceModel& model, Index<Clip> index) {
   std::string line = "clip " + clip.name;
   if (index == model.default_clip) line += " (runs with --time)";
   if (clip.additive) line += " (additive)";
-  for (const ClipTrack& track : clip.tracks) {
-    line += fmt::format("  {} every {:.4g} s", track.control.in(model.controls).name,
-                        length_of(track.curve));
-  }
+  for (const ClipTrack& track : clip.tracks)
+    for (const Curve& curve : track.curves)
+      line += fmt::format("  {} every {:.4g} s", track.control.in(model.controls).name,
+                          length_of(curve));
   return line + "\n";
 }
 

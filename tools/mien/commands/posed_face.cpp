@@ -1,5 +1,6 @@
 #include "tools/mien/commands/posed_face.h"
 #include <mien/composed_face.h>
+#include <mien/face_code.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 #include <mien/morph_file.h>
@@ -64,26 +65,32 @@ Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* 
 }
 
 Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
-                                 std::vector<Error>* warnings) {
-  if (!style && !is_given_as_code(text)) {
-    auto face = read_face(text, {}, warnings, face_letters());
-    if (!face) return with_word_explained(face.error(), text);
-    return face;
+                                 std::vector<Error>* warnings, bool neutral) {
+  const auto of_recipe = [&](Recipe recipe) {
+    if (style) recipe.style = *style;
+    if (neutral) recipe = neutral_recipe(std::move(recipe));
+    return face_from_recipe(recipe, face_letters());
+  };
+  if (style || is_given_as_code(text)) {
+    auto recipe = read_given_recipe(text, warnings);
+    if (!recipe) return recipe.error();
+    return of_recipe(*std::move(recipe));
   }
-  auto recipe = read_given_recipe(text, warnings);
-  if (!recipe) return recipe.error();
-  if (style) recipe->style = *style;
-  return face_from_recipe(*recipe, face_letters());
+  if (neutral)
+    if (auto recipe = read_recipe_file(text, warnings)) return of_recipe(*std::move(recipe));
+  auto face = read_face(text, {}, warnings, face_letters());
+  if (!face) return with_word_explained(face.error(), text);
+  return neutral ? without_mood(*face) : *std::move(face);
 }
 
 std::optional<Face> read_face_aloud(const std::string& path,
-                                    const std::optional<std::string>& style) {
+                                    const std::optional<std::string>& style, bool neutral) {
   if (path.empty()) {
     complain(Error{"face file", "its name is empty"}, kFailed);
     return {};
   }
   std::vector<Error> warnings;
-  auto face = read_face_or_code(path, style, &warnings);
+  auto face = read_face_or_code(path, style, &warnings, neutral);
   warn(warnings);
   if (face) return *std::move(face);
   complain(face.error(), kFailed);
@@ -137,8 +144,14 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
   return Done{};
 }
 
-/// Adds --clip and --pose.
+/// Adds --clip, --seed, --liveliness and --pose.
 Expected<Done> read_motion(const Face& face, const PosedFace& arguments, Pose& pose) {
+  if (arguments.seed) pose.seed = seed_from_word(*arguments.seed);
+  if (arguments.liveliness) {
+    const auto liveliness = read_real("--liveliness", *arguments.liveliness, 0, kMostLively);
+    if (!liveliness) return liveliness.error();
+    pose.liveliness = *liveliness;
+  }
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
     if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};
@@ -232,7 +245,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
     const std::string where = "--clip " + one_line(arguments.clips[0], 60);
     return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
   }
-  auto face = known ? *known : read_face_aloud(arguments.face, arguments.style);
+  auto face = known ? *known : read_face_aloud(arguments.face, arguments.style, arguments.neutral);
   if (!face) return {{}, {}, kFailed};
   for (const std::string& file : arguments.morphs) {
     auto more = read_morphs(*face, file);
@@ -244,6 +257,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
   auto pose = read_pose(*face, arguments, arkit->settings);
   if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
   pose->time = at;
+  if (arguments.neutral) pose->liveliness = 0;
   if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
   return {std::move(face), *std::move(pose), kDone};
 }

@@ -14,7 +14,8 @@ namespace mien::command {
 
 /// The face of a file or code, or nothing; warnings and the error have been printed.
 std::optional<Face> read_face_aloud(const std::string& path,
-                                    const std::optional<std::string>& style = {});
+                                    const std::optional<std::string>& style = {},
+                                    bool neutral = false);
 
 /// Whether a FACE is a code, and no file of that name is there.
 bool is_given_as_code(const std::string& text);
@@ -22,10 +23,11 @@ bool is_given_as_code(const std::string& text);
 /// The recipe of a code, or of a face file that is one.
 Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings = nullptr);
 
-/// A face file, or the face of a code; `style` paints the latter. A file of that name comes first.
+/// A face file, or the face of a code; `style` paints the latter. A file of that name comes first. `neutral`: without
+/// smile or mood; the smile of a face in full is in its points, and stays.
 Expected<Face> read_face_or_code(const std::string& text,
                                  const std::optional<std::string>& style = {},
-                                 std::vector<Error>* warnings = nullptr);
+                                 std::vector<Error>* warnings = nullptr, bool neutral = false);
 
 /// A face and the pose asked for, or the exit code after the error has been printed. `known`: the face, if
 /// it has been read already.

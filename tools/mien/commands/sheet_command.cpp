@@ -8,6 +8,7 @@
 #include <mien/scene_from_face.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/recipe/own_part.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
@@ -31,6 +32,8 @@
 
 namespace mien::command {
 namespace {
+
+constexpr double kTurned = 12;  // [degrees] how far a crowd's heads turn unless it is said
 
 using Cells = std::vector<SheetCell>;
 
@@ -103,14 +106,27 @@ Expected<std::vector<FaceCode>> read_people(const SheetArguments& arguments) {
   constexpr int kMostPeople = 10000;
   const auto count = read_whole("--people", *arguments.people, 1, kMostPeople);
   if (!count) return count.error();
-  const auto edition = read_edition_option(arguments.edition);
-  if (!edition) return edition.error();
-  return crowd(arguments.seed.value_or("1"), int(*count), *edition);
+  return crowd(arguments.seed.value_or("1"), int(*count));
+}
+
+/// --turned: how far a person's head is turned and tilted, by chances of their own; empty: not at all.
+std::string own_turn(const FaceCode& person, double most) {
+  constexpr std::uint64_t kYaw = 2010, kPitch = 2011, kRoll = 2012;  // questions that no law asks
+  if (most == 0) return {};
+  const KeyedChance chance(person.seed);
+  const auto angle = [&](std::uint64_t question, double share) {
+    return most * share * (2 * chance.share(question) - 1);
+  };
+  return fmt::format("--set yaw={:.3f} --set pitch={:.3f} --set roll={:.3f}", angle(kYaw, 1),
+                     angle(kPitch, 0.25), angle(kRoll, 0.5));
 }
 
 /// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
 CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people,
                          Size size) {
+  const auto turned = arguments.turned ? read_real("--turned", *arguments.turned, 0, 30)
+                                       : Expected<double>(arguments.neutral ? 0.0 : kTurned);
+  if (!turned) return {{}, complain(turned.error(), kUsedWrongly)};
   constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
                                                       "fear", "disgust", "surprise"};
   std::vector<CellsOrCode> made(people.size());
@@ -119,8 +135,9 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
     one.face = face_code_text(people[person]);
     const std::string_view feeling = kFeelings[person % kFeelings.size()];
     if (one.pictures.empty())
-      one.pictures.push_back(arguments.emotions ? fmt::format("--emotion {}", feeling) : "");
-    const auto face = read_face_aloud(*one.face, arguments.style);
+      one.pictures.push_back(arguments.emotions ? fmt::format("--emotion {}", feeling)
+                                                : own_turn(people[person], *turned));
+    const auto face = read_face_aloud(*one.face, arguments.style, arguments.neutral);
     made[person] = face ? picture_cells(one, *face, size) : CellsOrCode{{}, kFailed};
   };
   // What is wrong with the arguments is wrong for everybody: the first person says it, once.
@@ -137,11 +154,8 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
 
 /// A plain head, all at rest, no glasses or hats, hair that shows the ears; or FACE's.
 Expected<Recipe> head_for_parts(const SheetArguments& arguments) {
-  const auto edition = read_edition_option(arguments.edition);
-  if (!edition) return edition.error();
-  auto recipe = arguments.face
-                    ? read_given_recipe(*arguments.face)
-                    : Recipe{.name = {}, .edition = *edition, .parts = {{"hair", "crop"}}};
+  auto recipe = arguments.face ? read_given_recipe(*arguments.face)
+                               : Recipe{.name = {}, .parts = {{"hair", "crop"}}};
   if (recipe && arguments.style) recipe->style = *arguments.style;
   return recipe;
 }
@@ -198,7 +212,7 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
   if (std::filesystem::exists(*arguments.parts, none)) return own_part_cells(arguments, size);
   auto given = head_for_parts(arguments);
   if (!given) return {{}, complain(given.error(), arguments.face ? kFailed : kUsedWrongly)};
-  const std::vector<PartFamily> families = part_families(given->edition);
+  const std::vector<PartFamily> families = part_families();
   const auto family = std::ranges::find(families, *arguments.parts, &PartFamily::name);
   if (family == families.end()) {
     std::vector<std::string_view> names;
@@ -242,8 +256,8 @@ std::optional<Error> wrongly_used(const SheetArguments& arguments) {
     return says("--parts: a sheet has parts or emotions, not both");
   if (!arguments.parts && arguments.people.has_value() == arguments.face.has_value())
     return says("a sheet needs a FACE, --people or --parts, one of them");
+  if (arguments.turned && !arguments.people) return says("--turned: needs --people");
   if (arguments.statistics && !arguments.people) return says("--statistics: needs --people");
-  if (arguments.edition && arguments.face) return says("--edition: FACE has an edition of its own");
   if (arguments.json && !arguments.statistics) return says("--json: needs --statistics");
   if (arguments.statistics && arguments.output == "-")
     return says("-o -: the statistics are on standard output already");
@@ -255,7 +269,7 @@ std::optional<Error> wrongly_used(const SheetArguments& arguments) {
 CellsOrCode sheet_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people) {
   std::optional<Face> face;
   if (arguments.face && !arguments.parts) {
-    face = read_face_aloud(*arguments.face, arguments.style);
+    face = read_face_aloud(*arguments.face, arguments.style, arguments.neutral);
     if (!face) return {{}, kFailed};
   } else {
     auto first = face_from_recipe(recipe_from_seed(0));  // all have one canvas

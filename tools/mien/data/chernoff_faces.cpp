@@ -61,7 +61,7 @@ void wear(ChernoffFace& face, const ChernoffFeature& feature, double place) {
 }
 
 void wear(ChernoffFace& face, const ChernoffFeature& feature, const std::string& part) {
-  const std::vector<PartFamily> families = part_families(face.recipe.edition);
+  const std::vector<PartFamily> families = part_families();
   const auto family = std::ranges::find(families, feature.name, &PartFamily::name);
   if (part == "none" && family->optional)
     face.recipe.parts.erase(feature.name);

@@ -69,7 +69,7 @@ class MapReader {
   }
 
   void read_number(const JsonNode& node, ChernoffFeature& feature) const {
-    const std::vector<PartNumber> numbers = part_numbers(map_.face.edition);
+    const std::vector<PartNumber> numbers = part_numbers();
     std::vector<std::string_view> names;
     for (const PartNumber& number : numbers) names.push_back(number.name);
     const PartNumber& number = numbers[in_.word(node, "number", names)];
@@ -78,7 +78,7 @@ class MapReader {
   }
 
   void read_part(const JsonNode& whole, const JsonNode& node, ChernoffFeature& feature) const {
-    const std::vector<PartFamily> families = part_families(map_.face.edition);
+    const std::vector<PartFamily> families = part_families();
     std::vector<std::string_view> names;
     for (const PartFamily& family : families) names.push_back(family.name);
     const PartFamily& family = families[in_.word(node, "family of parts", names)];

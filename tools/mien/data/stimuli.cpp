@@ -62,8 +62,7 @@ class Experiment {
 
   /// What the plan's face says stands before what the person's says.
   void put_person(const Recipe& person, Recipe& recipe) const {
-    Recipe both = person;
-    both.edition = std::max(person.edition, plan_.face.edition);  // the newer has what both have
+    Recipe both = plan_.neutral ? neutral_recipe(person) : person;
     for (const auto& [family, part] : plan_.face.parts) both.parts[family] = part;
     for (const auto& [name, value] : plan_.face.numbers) both.numbers[name] = value;
     for (const auto& [name, part] : plan_.face.own_parts) both.own_parts[name] = part;
@@ -72,7 +71,7 @@ class Experiment {
   }
 
   void exaggerate(double by, Recipe& recipe) const {
-    for (const PartNumber& number : part_numbers(recipe.edition)) {
+    for (const PartNumber& number : part_numbers()) {
       const auto value = recipe.numbers.find(number.name);
       const auto mean = people_->mean.numbers.find(number.name);
       if (value == recipe.numbers.end() || mean == people_->mean.numbers.end()) continue;
@@ -105,7 +104,7 @@ class Experiment {
   }
 
   bool is_optional(const std::string& family) const {
-    const std::vector<PartFamily> families = part_families(plan_.face.edition);
+    const std::vector<PartFamily> families = part_families();
     return std::ranges::find(families, family, &PartFamily::name)->optional;
   }
 
@@ -227,7 +226,7 @@ class Experiment {
   /// How many numbers a caricature stops, of those that it moves.
   std::pair<std::size_t, std::size_t> stops(const Recipe& person, double by) const {
     std::size_t stopped = 0, moved = 0;
-    for (const PartNumber& number : part_numbers(person.edition)) {
+    for (const PartNumber& number : part_numbers()) {
       const auto value = person.numbers.find(number.name);
       const auto mean = people_->mean.numbers.find(number.name);
       if (value == person.numbers.end() || mean == people_->mean.numbers.end() ||

@@ -3,6 +3,7 @@
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
+#include "lib/parts/code/edition.h"
 #include "lib/parts/recipe/recipe_file.h"
 #include "tools/mien/data/file_format.h"
 #include "tools/mien/data/stimulus_plan.h"
@@ -25,7 +26,7 @@ std::string object(const Pairs& pairs, const Json& json) {
 
 std::string recipe_object(const Recipe& recipe) {
   return fmt::format(
-      "{{\"edition\": \"{}\", \"parts\": {}, \"numbers\": {}, \"style\": {}}}", recipe.edition,
+      "{{\"edition\": \"{}\", \"parts\": {}, \"numbers\": {}, \"style\": {}}}", kEdition,
       object(recipe.parts, [](const std::string& part) { return json_string(part); }),
       object(recipe.numbers, json_number), json_string(recipe.style));
 }

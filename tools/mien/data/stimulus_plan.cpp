@@ -25,16 +25,15 @@ constexpr double kLargest = 8192;       // [px] of a picture
 Recipe mean_of(const std::vector<Recipe>& people) {
   Recipe mean = people[0];
   mean.code.clear();
-  for (const Recipe& one : people) mean.edition = std::max(mean.edition, one.edition);
-  for (const PartNumber& number : part_numbers(mean.edition)) {
+  for (const PartNumber& number : part_numbers()) {
     double sum = 0;
     for (const Recipe& one : people) {
-      const auto own = one.numbers.find(number.name);  // none in editions before the number
+      const auto own = one.numbers.find(number.name);
       sum += own == one.numbers.end() ? number.rest : own->second;
     }
     mean.numbers[number.name] = sum / double(people.size());
   }
-  for (const PartFamily& family : part_families(mean.edition)) {
+  for (const PartFamily& family : part_families()) {
     std::map<std::string, int> votes;
     for (const Recipe& one : people) {
       const auto part = one.parts.find(family.name);
@@ -57,11 +56,11 @@ class PlanReader {
   StimulusPlan read(const JsonNode& root) {
     in_.expect_object(root,
                       {"$schema", "format", "format_version", "face", "size", "factors", "sample",
-                       "seed", "pairs"},
+                       "seed", "pairs", "neutral"},
                       "plan");
     expect_format(in_, root, "mien-stimuli");
-    if (const JsonNode* face = in_.find(root, "face"))
-      plan_.face = read_recipe(in_, *face, &folder_);
+    if (const JsonNode* neutral = in_.find(root, "neutral")) plan_.neutral = in_.boolean(*neutral);
+    if (const JsonNode* face = in_.find(root, "face")) read_face(*face);
     if (const JsonNode* size = in_.find(root, "size")) plan_.size = whole(*size, 16, kLargest);
     if (const JsonNode* seed = in_.find(root, "seed")) plan_.seed = word(*seed);
     const JsonNode& factors = in_.need(root, "factors");
@@ -79,6 +78,17 @@ class PlanReader {
   }
 
  private:
+  /// A smile that the plan itself asks for stays.
+  void read_face(const JsonNode& node) {
+    const Recipe read = read_recipe(in_, node, &folder_);
+    plan_.face = plan_.neutral && !read.code.empty() ? neutral_recipe(read) : read;
+    if (const JsonNode* numbers = in_.find(node, "numbers"))
+      in_.for_each(*numbers, [&](const JsonNode& number, int) {
+        const std::string name(in_.tree.key(number));
+        plan_.face.numbers[name] = read.numbers.at(name);
+      });
+  }
+
   std::string word(const JsonNode& node) const {
     const std::string_view text = in_.string(node);
     if (text.empty()) in_.refuse(node, "an empty word is no seed");
@@ -164,8 +174,7 @@ class PlanReader {
       refuse_equal(kind, factor.levels);
     } else {
       const JsonNode* seed = in_.find(node, "seed");
-      for (const FaceCode& code :
-           crowd(seed ? word(*seed) : "1", whole(kind, 1, kMostPeople), plan_.face.edition)) {
+      for (const FaceCode& code : crowd(seed ? word(*seed) : "1", whole(kind, 1, kMostPeople))) {
         factor.people.push_back(recipe_from_code(code).value());
         factor.levels.push_back(face_code_text(code));
       }
@@ -179,7 +188,7 @@ class PlanReader {
   }
 
   void read_number(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
-    const std::vector<PartNumber> numbers = part_numbers(plan_.face.edition);
+    const std::vector<PartNumber> numbers = part_numbers();
     std::vector<std::string_view> names;
     for (const PartNumber& number : numbers) names.push_back(number.name);
     const PartNumber& number = numbers[in_.word(kind, "number", names)];
@@ -226,7 +235,7 @@ class PlanReader {
   }
 
   void read_part(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
-    const std::vector<PartFamily> families = part_families(plan_.face.edition);
+    const std::vector<PartFamily> families = part_families();
     std::vector<std::string_view> names;
     for (const PartFamily& family : families) names.push_back(family.name);
     const PartFamily& family = families[in_.word(kind, "family of parts", names)];

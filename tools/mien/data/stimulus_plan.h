@@ -32,6 +32,7 @@ struct Factor {
 
 struct StimulusPlan {
   Recipe face;     ///< what no factor moves
+  bool neutral = true;  ///< people whom the plan names neither smile nor move of themselves
   int size = 256;  ///< [px] the longer side of a picture
   std::vector<Factor> factors;
   std::optional<int> sample;  ///< so many of all combinations, drawn by lot; none: all

@@ -29,6 +29,8 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
     if (!values.empty()) text += fmt::format(R"(, "{}": [{}])", name, list);
   };
   add_all("clip", arguments.posed.clips);
+  add("seed", arguments.posed.seed);
+  add("liveliness", arguments.posed.liveliness);
   add_all("pose", arguments.posed.poses);
   add("look_at", arguments.posed.look_at);
   add("blink", arguments.posed.blink);

@@ -2,6 +2,7 @@
 
 #include <mien/recipe.h>
 #include "lib/parts/code/code_fields.h"
+#include "lib/parts/code/edition.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/terminal/messages.h"
@@ -23,7 +24,7 @@ std::vector<Error> left_out(const std::string& file, const Recipe& recipe, const
   for (const auto& [family, part] : recipe.parts)
     if (recipe.own_parts.contains(part))
       all.push_back({file, fmt::format("no code holds a part of one's own: {} is left out", part)});
-  for (const PartNumber& number : part_numbers(recipe.edition)) {
+  for (const PartNumber& number : part_numbers()) {
     const auto said = recipe.numbers.find(number.name);
     if (said == recipe.numbers.end()) continue;
     const double value = held.numbers.at(number.name), range = number.hi - number.lo;
@@ -52,25 +53,25 @@ int print_code_of(const std::string& file) {
 int print_meaning_of(const FaceCode& code) {
   const auto recipe = recipe_from_code(code);
   if (!recipe) return complain(recipe.error(), kFailed);
-  const Recipe seeds = recipe_from_code({.edition = code.edition, .seed = code.seed}).value();
-  std::string text = fmt::format("code {}\nedition {}\n", face_code_text(code), code.edition);
+  const Recipe seeds = recipe_from_seed(code.seed);
+  std::string text = fmt::format("code {}\nedition {}\n", face_code_text(code), kEdition);
   const auto add = [&](const std::string& name, const std::string& value,
                        const std::string& of_seed) {
     const bool held = std::ranges::any_of(code.held, [&](const HeldValue& one) {
-      return one.field == read_held_value(name + "=" + value, true, code.edition).value().field;
+      return one.field == read_held_value(name + "=" + value, true).value().field;
     });
     text += fmt::format("{}={}", name, value);
     if (held) text += fmt::format("  held; the seed says {}", of_seed);
     text += "\n";
   };
-  for (const PartFamily& family : part_families(code.edition)) {
+  for (const PartFamily& family : part_families()) {
     const auto part_of = [&](const Recipe& one) {
       const auto part = one.parts.find(family.name);
       return part == one.parts.end() ? std::string("none") : part->second;
     };
     add(family.name, part_of(*recipe), part_of(seeds));
   }
-  for (const PartNumber& number : part_numbers(code.edition))
+  for (const PartNumber& number : part_numbers())
     add(number.name, fmt::format("{:.6g}", recipe->numbers.at(number.name)),
         fmt::format("{:.6g}", seeds.numbers.at(number.name)));
   return print(text);

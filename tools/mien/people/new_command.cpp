@@ -5,6 +5,7 @@
 #include <mien/relatives.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/parts/library/part_library.h"
 #include "lib/parts/recipe/own_part.h"
 #include "render/image/file/written_file.h"
 #include "tools/mien/cli/parse_values.h"
@@ -50,10 +51,7 @@ Expected<FaceCode> read_relative(const NewArguments& arguments, std::uint64_t se
 }
 
 Expected<FaceCode> read_code(const NewArguments& arguments) {
-  const auto edition = read_edition_option(arguments.edition);
-  if (!edition) return edition.error();
-  FaceCode code{.edition = *edition,
-                .seed = arguments.seed ? seed_from_word(*arguments.seed) : new_seed()};
+  FaceCode code{.seed = arguments.seed ? seed_from_word(*arguments.seed) : new_seed(), .held = {}};
   if (arguments.code) {
     auto given = read_face_code(*arguments.code);
     if (!given) return Error{"--" + given.error().where, given.error().what};
@@ -64,7 +62,7 @@ Expected<FaceCode> read_code(const NewArguments& arguments) {
     code = *std::move(relative);
   }
   for (const std::string& text : arguments.held) {
-    const auto held = read_held_value(text, arguments.clamp, code.edition);
+    const auto held = read_held_value(text, arguments.clamp);
     if (!held) return Error{"--hold " + held.error().where, held.error().what};
     std::erase_if(code.held, [&](const HeldValue& one) { return one.field == held->field; });
     code.held.push_back(*held);
@@ -94,8 +92,6 @@ int new_command(const NewArguments& arguments) {
     return complain("--code, --near, --between and --child-of: one of them", kUsedWrongly);
   if (arguments.code && arguments.seed)
     return complain("--seed: the --code has a seed of its own", kUsedWrongly);
-  if (arguments.edition && ways > 0)
-    return complain("--edition: codes have an edition of their own", kUsedWrongly);
   if (arguments.by && !arguments.near) return complain("--by is how far from --near", kUsedWrongly);
   if (arguments.at && arguments.between.empty())
     return complain("--at is where --between", kUsedWrongly);
@@ -155,21 +151,18 @@ int check_parts(const PartsArguments& arguments) {
 }  // namespace
 
 int parts_command(const PartsArguments& arguments) {
-  if (arguments.edition && arguments.verb != PartsArguments::Verb::list)
-    return complain("--edition: parts of one's own have none", kUsedWrongly);
   if (arguments.verb == PartsArguments::Verb::begin) return begin_part(arguments);
   if (arguments.verb == PartsArguments::Verb::check) return check_parts(arguments);
   if (arguments.output) {
     if (!arguments.family) return complain("-o: a sheet needs a FAMILY", kUsedWrongly);
     SheetArguments sheet;
     sheet.parts = arguments.family, sheet.output = *arguments.output;
-    sheet.edition = arguments.edition;
     return sheet_command(sheet);
   }
-  const auto edition = read_edition_option(arguments.edition);
-  if (!edition) return complain(edition.error(), kUsedWrongly);
+  if (const auto read = PartLibrary::shipped_or_why(); !read)
+    return complain(read.error(), kFailed);
   std::string text;
-  const std::vector<PartFamily> families = part_families(*edition);
+  const std::vector<PartFamily> families = part_families();
   if (arguments.family) {
     std::vector<std::string_view> names;
     for (const PartFamily& family : families) {
@@ -188,13 +181,12 @@ int parts_command(const PartsArguments& arguments) {
     text += line + "\n";
   }
   text += "\n";
-  for (const PartNumber& number : part_numbers(*edition))
+  for (const PartNumber& number : part_numbers())
     text += fmt::format("{:18}{:.6g} … {:.6g}, at rest {:.6g}\n", number.name, number.lo, number.hi,
                         number.rest);
   text += "\nstyles:";
-  for (const std::string& style : part_styles(*edition)) text += " " + style;
-  return print(text +
-               fmt::format("\n\nedition {}, of {}\n", *edition, fmt::join(editions(), ", ")));
+  for (const std::string& style : part_styles()) text += " " + style;
+  return print(text + "\n");
 }
 
 }  // namespace mien::command

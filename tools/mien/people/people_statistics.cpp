@@ -27,8 +27,8 @@ AskedShare exactly(double share) {
 class Tally {
  public:
   /// `count`: of each line.
-  Tally(Counted PeopleCount::*count, char edition, std::vector<PeopleCount>& lines)
-      : count_(count), lines_(lines), families_(part_families(edition)) {}
+  Tally(Counted PeopleCount::*count, std::vector<PeopleCount>& lines)
+      : count_(count), lines_(lines), families_(part_families()) {}
 
   void add(const Recipe& recipe, double lean) {
     recipe_ = &recipe, next_ = 0;
@@ -89,6 +89,8 @@ class Tally {
     ask("worn", "glasses below 50", exactly(0.18), glasses, age() < kOlder);
     ask("worn", "glasses from 65", kMoreThanTheYoung, glasses, age() >= kElder);
     ask("worn", "headwear", exactly(0.12), part("headwear") != "none");
+    ask("looks", "smiling", AskedShare{0.7, 0.9}, recipe_->numbers.at("smile") >= 0.3);
+    ask("looks", "showing teeth", AskedShare{0.3, 0.37}, recipe_->numbers.at("mood") >= 0.1);
   }
 
   /// What few people have, so that a sheet of a hundred has some.
@@ -153,18 +155,17 @@ bool PeopleCount::missed() const {
 
 PeopleStatistics people_statistics(const std::vector<FaceCode>& people) {
   PeopleStatistics made{.people = int(people.size()), .drawn = kDrawn};
-  const char edition = people.empty() ? newest_edition() : people[0].edition;
-  const PartLibrary& library = *PartLibrary::shipped(edition);
+  const PartLibrary& library = PartLibrary::shipped();
   std::vector<Appearance> seen;
-  Tally here(&PeopleCount::here, edition, made.counts);
-  Tally law(&PeopleCount::law, edition, made.counts);
+  Tally here(&PeopleCount::here, made.counts);
+  Tally law(&PeopleCount::law, made.counts);
   for (const FaceCode& code : people) {
     const Recipe recipe = recipe_from_code(code).value();
     here.add(recipe, sampled_lean(library, code));
     seen.push_back(appearance_of(recipe));
   }
   for (int i = 0; i < kDrawn; ++i) {
-    const FaceCode code{.edition = edition, .seed = seed_from_word(fmt::format("law/{}", i))};
+    const FaceCode code{.seed = seed_from_word(fmt::format("law/{}", i)), .held = {}};
     law.add(sampled_recipe(library, code), sampled_lean(library, code));
   }
   measure_differences(seen, made);

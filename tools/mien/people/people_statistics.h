@@ -39,7 +39,7 @@ struct PeopleStatistics {
   double least_difference = 0, median_difference = 0;
 };
 
-/// Of people by code, all of one edition and known, beside ten thousand as the law draws them. A crowd's shares are others than
+/// Of people by code, beside ten thousand as the law draws them. A crowd's shares are others than
 /// the law's: who looks like somebody before has less of a chance.
 PeopleStatistics people_statistics(const std::vector<FaceCode>& people);
 

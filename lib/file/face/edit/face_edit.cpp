@@ -54,6 +54,9 @@ class Editing {
 
   EditedFace edited() {
     apply_rules(layout(), of_.face.vector, wanted_);
+    in_file_ = wanted_;
+    const FaceVector& mood = of_.face.model->mood_shift;
+    for (std::size_t i = 0; i < mood.size(); ++i) in_file_[i] -= mood[i];
     std::map<std::int32_t, std::vector<int>> shared;  // by the member that both sides read
     for (int slice = 0; slice < int(of_.places.size()); ++slice) {
       if (!is_changed(slice)) continue;
@@ -93,7 +96,7 @@ class Editing {
 
   /// The numbers that the file says, where it writes the slice; none: they would not read back exactly.
   std::optional<std::vector<double>> written(int slice) const {
-    const auto now = values(wanted_, slice);
+    const auto now = values(in_file_, slice);
     if (!place(slice).mirrored) return std::vector(now.begin(), now.end());
     return written_mirrored(layout()[slice].kind, now, of_.face.model->canvas.twice_axis());
   }
@@ -148,7 +151,7 @@ class Editing {
     for (int other = 0; other < int(of_.places.size()); ++other)
       if (place(other).node >= 0 && side(other) == side(slice) && node(other).offset >= begin &&
           node(other).offset < end)
-        write_slice(of_.tree, node(other), layout()[other], values(wanted_, other), copy);
+        write_slice(of_.tree, node(other), layout()[other], values(in_file_, other), copy);
     std::string& members = own_[{member.parent, side(slice)}][of_.tree.index(member)];
     members = fmt::format("{}: {}", json_string(of_.tree.key(member)), copy.text(begin, end));
   }
@@ -176,8 +179,8 @@ class Editing {
   std::string_view text_;
   TextEdits edits_;
   const PlacedFace& of_;
-  FaceVector wanted_;
-  std::vector<int> partners_;  ///< per slice: the other side's that stands there, too; −1: none
+  FaceVector wanted_, in_file_;  ///< at rest; without the face's mood, as the file says them
+  std::vector<int> partners_;    ///< per slice: the other side's that stands there, too; −1: none
   std::vector<std::string> left_;
   std::map<std::pair<std::int32_t, std::string_view>, Members> own_;  ///< by feature, and side
 };

@@ -1,10 +1,12 @@
 #include <mien/composed_face.h>
+#include <mien/crowd.h>
 #include <mien/face_model.h>
 #include <mien/poser.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -98,6 +100,86 @@ TEST(ComposedFace, ShadowsOfBeardsAreDarkerThanTheSkin) {
 TEST(ComposedFace, WrongCodesAreSentences) {
   EXPECT_NE(face_from_code("Z0000").error().what.find("signs"), std::string::npos);
   EXPECT_FALSE(face_from_code(""));
+}
+
+/// The frames, at 30 a second, in which a face's eyes are shut.
+std::vector<int> blinks(const Face& face, int frames) {
+  const int at = face.model->layout.find("opening.left/upper");
+  const std::size_t y = std::size_t(face.model->layout[at].begin) + 1;
+  Poser poser(face);
+  const double open = face.vector[y];
+  const double shut =
+      pose_face(face, {.settings = {read_setting(face, "blink=1").value()}}).vector[y];
+  std::vector<int> found;
+  for (int frame = 0; frame < frames; ++frame)
+    if (poser.pose({.time = frame / 30.0}).vector[y] < shut + 0.4 * (open - shut))
+      found.push_back(frame);
+  return found;
+}
+
+TEST(ComposedFace, EverybodyBlinksByThemselves) {
+  std::vector<std::vector<int>> all;
+  std::size_t shut = 0;
+  for (const FaceCode& code : crowd("blinks", 24)) {
+    all.push_back(blinks(face_from_code(face_code_text(code)).value(), 20 * 30));
+    EXPECT_GE(all.back().size(), 6u) << "three times in 20 s";
+    EXPECT_LE(all.back().size(), 90u);
+    shut += all.back().size();
+  }
+  std::size_t together = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_NE(all[i], all[k]);
+      std::vector<int> both;
+      std::set_intersection(all[i].begin(), all[i].end(), all[k].begin(), all[k].end(),
+                            std::back_inserter(both));
+      together += both.size();
+    }
+  const double mean = double(shut) / 24, pairs = 24 * 23 / 2;
+  EXPECT_LT(double(together) / pairs, 2 * mean * mean / 600) << "as often as chance has it";
+}
+
+TEST(ComposedFace, HasATimeOfItsOwn) {
+  const std::string code = face_code_text({.seed = 7, .held = {}});
+  Recipe recipe = recipe_from_code(read_face_code(code).value()).value();
+  const std::uint64_t own = face_from_code(code).value().model->seed;
+  EXPECT_EQ(own, seed_from_word(code));
+  recipe.style = "ink";
+  EXPECT_EQ(face_from_recipe(recipe).value().model->seed, own) << "in every style";
+  recipe.code.clear();
+  const std::uint64_t without = face_from_recipe(recipe).value().model->seed;
+  EXPECT_NE(without, own);
+  recipe.style = "flat";
+  EXPECT_EQ(face_from_recipe(recipe).value().model->seed, without);
+  recipe.numbers["age"] = 61;
+  EXPECT_NE(face_from_recipe(recipe).value().model->seed, without);
+}
+
+TEST(ComposedFace, WithoutLivelinessRests) {
+  const Face face = face_from_recipe(recipe_from_seed(5)).value();
+  for (const double time : {0.0, 0.7, 3.3, 1e6})
+    EXPECT_EQ(pose_face(face, {.time = time, .liveliness = 0}).vector, face.vector);
+}
+
+/// The idle clip moves eyes, head, shoulders and mouth, never far.
+TEST(ComposedFace, IsIdleWithinBounds) {
+  const Face face = face_from_recipe(recipe_from_seed(5)).value();
+  Poser poser(face);
+  const auto range = [&](std::string_view name) {
+    const int slice = face.model->layout.find(name);
+    EXPECT_GE(slice, 0) << name;
+    const std::size_t y = std::size_t(face.model->layout[slice].begin) + 1;
+    double least = 9, most = -9;
+    for (double t = 0; t < 20; t += 0.1) {
+      const double now = poser.pose({.time = t}).vector[y];
+      least = std::min(least, now), most = std::max(most, now);
+    }
+    return most - least;
+  };
+  EXPECT_NEAR(range("neck/points/1"), 0.008, 0.001) << "breath";
+  const double chin = range("head/points/5");
+  EXPECT_GT(chin, 0.005);
+  EXPECT_LT(chin, 0.06);
 }
 
 }  // namespace

@@ -245,6 +245,10 @@ TEST(ReadFace, SaysWhatIsWrongAndWhere) {
       {control_with(R"("offset": {"iris/centr": ^[1, 0]})"),
        ": /controls/0/offset/iris~1centr: no number named \"iris/centr\"; did you mean "
        "\"iris/center\"?"},
+      {control_with(R"("offset": {"iri/*": ^[1, 0]})"),
+       ": /controls/0/offset/iri~1*: no feature named \"iri\"; did you mean \"iris\"?"},
+      {control_with(R"("offset": {"iris/*": ^[1]})"),
+       ": /controls/0/offset/iris~1*: expected 2 numbers, got 1"},
       {control_with(R"("offset": {"iris/center": ^[1]})"),
        ": /controls/0/offset/iris~1center: expected 2 numbers, got 1"},
       {control_with(R"("scale": ^["iris/radius"])"),
@@ -284,6 +288,23 @@ TEST(ReadFace, SaysWhatIsWrongAndWhere) {
        ": /clips/idle/look/wander/home: a share of the periods lies between 0 and 1, got 2"},
       {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": ^-1}}})"),
        ": /clips/idle/look/wander/seed: a seed is a whole number from 0 to 4294967295, got -1"},
+      {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": ^"person"}}})"),
+       ": /clips/idle/look/wander/seed: a seed is a whole number, or {\"person\": NUMBER} for "
+       "chances of "
+       "each face's own"},
+      {clip_with(
+           R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": {"person": ^0.5}}}})"),
+       ": /clips/idle/look/wander/seed/person: a seed is a whole number from 0 to 4294967295, got "
+       "0.5"},
+      {clip_with(R"({"look": {"sine": {"amplitude": 1, "frequency": 1, "seed": ^{}}}})"),
+       ": /clips/idle/look/sine/seed: \"person\" is missing"},
+      {clip_with(R"({"look": {"keys": [[0, 0]], "share": ^1}})"),
+       ": /clips/idle/look/share: a share needs a period"},
+      {clip_with(R"({"look": {"keys": [[0, 0]], "period": 1, "share": ^1.5}})"),
+       ": /clips/idle/look/share: a share of the periods lies between 0 and 1, got 1.5"},
+      {clip_with(R"({"look": ^[]})"), ": /clips/idle/look: expected at least one curve"},
+      {clip_with(R"({"look": [{"keys": [[0, 0]]}, ^{}]})"),
+       ": /clips/idle/look/1: a curve has \"keys\", \"sine\" or \"wander\""},
       {clip_with(R"({"tracks": {"lok": ^{"keys": [[0, 0]]}}})"),
        ": /clips/idle/tracks/lok: no control named \"lok\"; did you mean \"look\"?"},
       {face_with("", R"(, "default_clip": ^"idle")"), ": /default_clip: no clip named \"idle\""},

@@ -119,6 +119,18 @@ TEST(ReadMuscles, ExpressionsPullMusclesMoveControlsAndShareEmotions) {  // M10
             1 + standard_names("vrm").size() + standard_names("facs").size());
 }
 
+TEST(ReadMuscles, AMoodIsOfEmotions) {
+  const auto said = [](const std::string& mood) {
+    return muscles_said(
+        muscles("\"brow/points/1\": 1", R"(, "emotions": {"joy": {"lift": 1}}, "mood": )" + mood));
+  };
+  EXPECT_EQ(said(R"({"joy": 0.3, "comment": "light"})"), "a face");
+  EXPECT_EQ(said(R"({"jov": 0.3})"), "/mood/jov: no emotion named \"jov\"; did you mean \"joy\"?");
+  EXPECT_EQ(said(R"({"joy": 1.5})"), "/mood/joy: a mood goes from 0 to 1, got 1.5");
+  EXPECT_EQ(said(R"({"joy": "much"})").find("/mood/joy: "), 0u);
+  EXPECT_EQ(said("3").find("/mood: "), 0u);
+}
+
 TEST(ReadMuscles, ReadsTheNativeFaceWithoutAWarning) {
   std::vector<Error> warnings;
   const Expected<Face> face = read_face(test::face_path("bruno"), {}, &warnings);

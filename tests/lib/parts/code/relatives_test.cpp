@@ -48,8 +48,8 @@ TEST(Relatives, DifferenceIsADistance) {
   EXPECT_EQ(difference(kAda, kAda).value(), 0);
   EXPECT_EQ(difference(kAda, kBen).value(), difference(kBen, kAda).value());
   EXPECT_GT(difference(kAda, kBen).value(), 1);
-  EXPECT_FALSE(difference(kAda, {.edition = 'Y'}));
-  EXPECT_FALSE(code_near({.edition = 'Y'}, 0.5, 1));
+  EXPECT_FALSE(difference(kAda, {.held = {{999, 0}}}));
+  EXPECT_FALSE(code_near({.held = {{999, 0}}}, 0.5, 1));
 }
 
 }  // namespace

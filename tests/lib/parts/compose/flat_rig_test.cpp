@@ -67,5 +67,36 @@ TEST(FlatRig, ThickLipsLeaveLessRoom) {
   EXPECT_NEAR(stroke_with(thick, {{"size", 2}}), 0.05, 1e-6);
 }
 
+/// The text of what is written for an object of the rig.
+std::string rig_text(const std::string& node, const FlatFeatures& features) {
+  SmallLibrary small;
+  small.topology =
+      test::with(small.topology, "\"features\": []", "\"features\": [], \"rig\": " + node);
+  const auto library = small.read().value();
+  const PartGeometry geometry(*library, {.name = {}, .code = {}, .parts = {}, .numbers = {}});
+  const LibraryNode& topology = library->topology();
+  JsonTree tree("rig");
+  TreeWriter out(tree);
+  try {
+    write_rig(topology.in(), topology.in().need(*topology.node, "rig"),
+              {*library, geometry, features}, out);
+  } catch (const Refusal& refusal) {
+    return refusal.error.what;
+  }
+  std::string text;
+  add_json(tree, tree.nodes[0], text);
+  return text;
+}
+
+TEST(FlatRig, AControlMovesWhatStandsStillInItsSlots) {
+  FlatFeatures features;
+  features.features = {{0, 0, "halo"}, {1, 0, "shirt"}, {1, 0, "hair"}, {1, 0, "collar"}};
+  features.still = {"halo", "shirt", "collar"};
+  EXPECT_EQ(rig_text(R"({"offset": {"$still": [0, 1], "slots": ["front"]}})", features),
+            R"({"offset": {"shirt/*": [0, 1], "collar/*": [0, 1]}})");
+  EXPECT_EQ(rig_text(R"({"offset": {"$still": [0, 1], "slots": ["fornt"]}})", features),
+            "no slot named \"fornt\"; did you mean \"front\"?");
+}
+
 }  // namespace
 }  // namespace mien

@@ -49,13 +49,8 @@ TEST(PartLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(refusal(bad), "read");
 }
 
-TEST(PartLibrary, HasOneTopologyAndPerhapsMoreNumbers) {
+TEST(PartLibrary, HasOneTopology) {
   const SmallLibrary small;
-  const std::string more = R"({"format": "mien-numbers", "format_version": 1,
-      "numbers": {"curl": {"number": 40, "range": [0, 1], "rest": 0}}})";
-  const auto library = PartLibrary::read({{"topology.json", small.topology}, {"more.json", more}});
-  ASSERT_TRUE(library) << sentence(library.error());
-  EXPECT_EQ((*library)->find_number("curl")->number, 40);
   const auto two =
       PartLibrary::read({{"topology.json", small.topology}, {"more.json", small.topology}});
   ASSERT_FALSE(two);

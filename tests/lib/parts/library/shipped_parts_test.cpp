@@ -1,9 +1,7 @@
-// What no edition may have: a name or a permanent number twice. And what becomes of a broken file of one.
+// What the library may not have: a name or a permanent number twice. And what becomes of a broken file of it.
 
 #include "lib/parts/library/shipped_parts.h"
 #include "lib/parts/library/part_library.h"
-
-#include <mien/editions.h>
 
 #include <gtest/gtest.h>
 
@@ -33,46 +31,38 @@ void note_features(const LibraryNode& of, const std::string& whose,
 }
 
 TEST(ShippedParts, NoTwoFamiliesShareAFeature) {
-  for (const char sign : editions()) {
-    std::map<std::string, std::string, std::less<>> owners;
-    ASSERT_TRUE(PartLibrary::shipped(sign)) << sign;
-    const PartLibrary& library = *PartLibrary::shipped(sign);
-    note_features(library.topology(), "the topology", owners);
-    for (const Family& family : library.families())
-      for (const Part& part : family.parts) note_features(part.at, family.name, owners);
-    EXPECT_GT(owners.size(), 100u);
-  }
+  std::map<std::string, std::string, std::less<>> owners;
+  const PartLibrary& library = PartLibrary::shipped();
+  note_features(library.topology(), "the topology", owners);
+  for (const Family& family : library.families())
+    for (const Part& part : family.parts) note_features(part.at, family.name, owners);
+  EXPECT_GT(owners.size(), 100u);
 }
 
 /// Families and numbers are fields of one code; parts are values of their family's field.
 TEST(ShippedParts, NoPermanentNumberIsUsedTwice) {
-  for (const char sign : editions()) {
-    std::map<int, std::string> fields;
-    const auto note = [&](int number, const std::string& name) {
-      const auto [known, is_new] = fields.emplace(number, name);
-      EXPECT_TRUE(is_new) << number << " is of " << known->second << " and of " << name;
-    };
-    ASSERT_TRUE(PartLibrary::shipped(sign)) << sign;
-    const PartLibrary& library = *PartLibrary::shipped(sign);
-    for (const LibraryNumber& number : library.numbers()) note(number.number, number.name);
-    for (const Family& family : library.families()) {
-      note(family.number, family.name);
-      std::map<int, std::string> parts;
-      for (const Part& part : family.parts) {
-        const auto [known, is_new] = parts.emplace(part.number, part.name);
-        EXPECT_TRUE(is_new) << family.name << ": " << known->second << " and " << part.name;
-      }
+  std::map<int, std::string> fields;
+  const auto note = [&](int number, const std::string& name) {
+    const auto [known, is_new] = fields.emplace(number, name);
+    EXPECT_TRUE(is_new) << number << " is of " << known->second << " and of " << name;
+  };
+  const PartLibrary& library = PartLibrary::shipped();
+  for (const LibraryNumber& number : library.numbers()) note(number.number, number.name);
+  for (const Family& family : library.families()) {
+    note(family.number, family.name);
+    std::map<int, std::string> parts;
+    for (const Part& part : family.parts) {
+      const auto [known, is_new] = parts.emplace(part.number, part.name);
+      EXPECT_TRUE(is_new) << family.name << ": " << known->second << " and " << part.name;
     }
   }
 }
 
-/// What is said of an edition whose noses are these.
+/// What is said of a library whose noses are these.
 std::string said_of(const std::string& noses) {
   const test::SmallLibrary small;
-  const ShippedPart parts[] = {
-      {"head.json", small.head}, {"nose/all.json", noses}, {"topology.json", small.topology}};
-  const ShippedFolder folders[] = {{'Z', parts}};
-  const auto read = PartLibrary::read(folders, 'Z');
+  const auto read = PartLibrary::read(
+      {{"head.json", small.head}, {"nose/all.json", noses}, {"topology.json", small.topology}});
   return read ? "read" : sentence(read.error());
 }
 
@@ -85,6 +75,8 @@ TEST(ShippedParts, OfABrokenFileSaysWhichAndWhere) {
            {"\"number\": 2,", "\"number\": 2, \"tickets\": 7,"},
            {"\"number\": 2,", "\"number\": 2, \"tickets\": {\"any\": \"7\"},"},
            {"\"number\": 2,", "\"number\": 1,"},
+           {"\"number\": 2,", "\"number\": 2, \"avoids\": [\"nose\"],"},
+           {"\"number\": 2,", "\"number\": 2, \"avoids\": [\"head/spare\"],"},
            {"\"name\": \"long\", ", ""}}) {
     const std::string said = said_of(test::with(good, from, to));
     EXPECT_TRUE(said.starts_with("nose/all.json:4:")) << said;
@@ -92,12 +84,9 @@ TEST(ShippedParts, OfABrokenFileSaysWhichAndWhere) {
 }
 
 TEST(ShippedParts, IsThereOrSaysWhy) {
-  for (const char sign : editions()) {
-    const auto read = PartLibrary::shipped_or_why(sign);
-    ASSERT_TRUE(read) << sentence(read.error());
-    EXPECT_EQ(*read, PartLibrary::shipped(sign));
-  }
-  EXPECT_FALSE(PartLibrary::shipped_or_why('?'));
+  const auto read = PartLibrary::shipped_or_why();
+  ASSERT_TRUE(read) << sentence(read.error());
+  EXPECT_EQ(*read, &PartLibrary::shipped());
 }
 
 }  // namespace

@@ -43,7 +43,10 @@ TEST(RecipeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(refusal(R"("style": "inc")").find("/style"), std::string::npos);
   EXPECT_NE(refusal(R"("code": "Z0000-00000-01")").find("/code: a sign is wrong"),
             std::string::npos);
-  EXPECT_NE(refusal(R"("edition": "Q")").find("/edition: edition Q is not known to this version"),
+  EXPECT_NE(refusal(R"("edition": "Q")")
+                .find("/edition: edition Q is not known to this version, which has A"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("code": "Z66CB-AA5S0-1B")").find("/code: edition Z is not known"),
             std::string::npos);
   EXPECT_NE(refusal(R"("edition": "ZZ")").find("which has"), std::string::npos);
   EXPECT_NE(refusal(R"("edition": 3)").find("/edition"), std::string::npos);

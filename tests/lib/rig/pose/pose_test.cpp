@@ -322,11 +322,7 @@ constexpr const char* kPosable = R"({"format": "mien-face", "format_version": 1,
   "controls": [{"name": "look", "range": [-1, 1], "rest": 0, "per_side": true, "offset": {"dot/center": [0, 1]}}],
   "poses": {
     "up": {"slices": {"dot/center": [0.5, 0.3]}},
-    "big": {"per_side": true, "range": [-1, 2], "by": {"dot/radius": [0.05]}, "controls": {"look": 0.4}}},
-  "clips": {
-    "swing": {"look": {"keys": [[0, 0], [1, 1]]}},
-    "hold": {"look": {"keys": [[0, 0.5]]}, "up": {"keys": [[0, 1]]}},
-    "more": {"additive": true, "tracks": {"look": {"keys": [[0, 0.1], [1, 0.2]]}}}}})";
+    "big": {"per_side": true, "range": [-1, 2], "by": {"dot/radius": [0.05]}, "controls": {"look": 0.4}}}})";
 
 Face posable() {
   return *read_face_text(kPosable);
@@ -344,46 +340,48 @@ TEST(Poses, MoveControlsToo) {
   EXPECT_NEAR(slice_of(posed(face, {}, {"big=-1"}), "dot.left/radius")[0], 0.05, 1e-15);
 }
 
-double looks(const Face& face, const Pose& pose) {
-  return slice_of(pose_face(face, pose), "dot.left/center")[1] - 0.1;
+// A face with a mood: at rest it is what its numbers are at that emotion, and everything else begins from its numbers.
+
+Face male_in(const std::string& mood) {
+  std::string text = test::text_of_face("male");
+  text.insert(text.rfind('}'), ", \"mood\": " + mood);
+  const Expected<Face> face = read_face_text(text);
+  if (!face) throw std::runtime_error(sentence(face.error()));
+  return *face;
 }
 
-TEST(Clips, AreLaidOverEachOther) {
-  const Face face = posable();
-  const auto layer = [&](const char* text) {
-    const Expected<ClipLayer> read = read_clip_layer(face, text);
-    if (!read) throw std::runtime_error(sentence(read.error()));
-    return *read;
-  };
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing")}}), 0.25, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing=0.5")}}), 0.125, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing=1@0.15")}}), 0.1, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("more")}}), 0.125, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing"), layer("more")}}), 0.375, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing"), layer("more=2")}}), 0.5, 1e-15);
-  const double mixed = looks(face, {.time = 0.25, .clips = {layer("swing"), layer("hold=0.4")}});
-  EXPECT_NEAR(mixed, 0.6 * 0.25 + 0.4 * 0.5 + 0.4 * 0.2, 1e-15);  // "hold" moves the pose "up" too
-  EXPECT_EQ(looks(face, {.clips = {layer("swing")}}), 0) << "no time, no clip";
-  EXPECT_EQ(looks(face, {.time = 0.5}), 0) << "no default clip";
+void expect_near(const FaceVector& a, const FaceVector& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-11) << i;
 }
 
-TEST(Clips, OfIdleLifeAreTheSameAgain) {
-  const Face toon = sample_face("toon");
-  int blinks = 0, looks_aside = 0;
-  bool shut = false;
-  for (int frame = 0; frame < 60 * 60; ++frame) {
-    const Face now = posed(toon, frame / 60.0, {});
-    const double gap =
-        slice_of(now, "opening.left/upper")[1] - slice_of(now, "opening.left/lower")[1];
-    blinks += gap < 0.1 && !shut;
-    shut = gap < 0.1;
-    looks_aside += std::abs(slice_of(now, "limbus.left/center")[0] -
-                            slice_of(toon, "limbus.left/center")[0]) > 0.01;
-  }
-  EXPECT_GE(blinks, 12);  // people blink 12 to 20 times a minute
-  EXPECT_LE(blinks, 20);
-  EXPECT_GT(looks_aside, 600);
-  EXPECT_EQ(posed(toon, 17.3, {}).vector, posed(toon, 17.3, {}).vector);
+TEST(Mood, IsTheFaceAtRest) {
+  const Face plain = sample_face("male"), glad = male_in(R"({"joy": 0.4})");
+  EXPECT_EQ(glad.vector, posed(plain, {}, {"emotion.joy=0.4"}).vector);
+  EXPECT_EQ(pose_face(glad).vector, glad.vector);
+  EXPECT_EQ(posed(glad, {}, {"emotion.joy=0.4"}).vector, glad.vector);
+  EXPECT_EQ(male_in(R"({"joy": 0})").vector, plain.vector);
+}
+
+TEST(Mood, GivesWayToWhatIsSet) {
+  const Face plain = sample_face("male"), glad = male_in(R"({"joy": 0.4})");
+  for (const std::string set : {"emotion.joy=0", "emotion.joy=1", "emotion.sadness=0.5"})
+    expect_near(posed(glad, {}, {set}).vector, posed(plain, {}, {set}).vector);
+  expect_near(posed(glad, {}, {"emotion.sadness=0.25"}).vector,
+              posed(plain, {}, {"emotion.sadness=0.25", "emotion.joy=0.2"}).vector);
+  expect_near(posed(glad, {}, {"emotion.left.joy=0"}).vector,
+              posed(plain, {}, {"emotion.right.joy=0.4"}).vector);
+}
+
+TEST(Mood, KeepsNumbersThatWereChangedAtRest) {
+  const Face plain = sample_face("male");
+  Face glad = male_in(R"({"joy": 0.4})");
+  const int brow = glad.model->layout.find("eyebrow.left/points/0");
+  ASSERT_GE(brow, 0);
+  const auto moved = std::size_t(glad.model->layout[brow].begin);
+  glad.vector[moved] += 0.125;
+  EXPECT_EQ(pose_face(glad).vector, glad.vector);
+  EXPECT_NEAR(posed(glad, {}, {"emotion.joy=0"}).vector[moved], plain.vector[moved] + 0.125, 1e-12);
 }
 
 }  // namespace

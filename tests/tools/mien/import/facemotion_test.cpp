@@ -211,8 +211,8 @@ TEST(Facemotion, IsStrictAboutNames) {  // M4
   EXPECT_NE(said(with("{'zygomaticus': 1", "{'zigomaticus': 1"))
                 .find("no muscle named \"zigomaticus\"; did you mean \"zygomaticus\"?"),
             std::string::npos);
-  EXPECT_NE(said(with("'damping': 8", "'dampnig': 8"))
-                .find("no key of a morphology named \"dampnig\"; did you mean \"damping\"?"),
+  EXPECT_NE(said(with("'damping': 8", "'dampening': 8"))
+                .find("no key of a morphology named \"dampening\"; did you mean \"damping\"?"),
             std::string::npos);
   EXPECT_NE(said(with("'circle'", "'square'")).find("no type of feature named \"square\""),
             std::string::npos);

@@ -1,0 +1,354 @@
+// node --test element_test.mjs: many <mien-face> in one page, in headless Chromium: which are drawn, when, and what is refused.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import test, { after, afterEach } from 'node:test';
+import { browse } from './chromium.mjs';
+import { pngPixels } from './png_pixels.mjs';
+import { serve } from './static_server.mjs';
+
+const built = process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`;
+const { load } = await import(`file://${built}/mien.js`);
+const mien = await load(readFileSync(`${built}/mien.wasm`));
+const toon = readFileSync(new URL('../../../faces/compat/toon.face.json', import.meta.url), 'utf8');
+
+/** Counts what is told, in order, and whether the picture was there then. */
+const WATCH = `<script>
+  window.told = [], window.refused = [];
+  let frame = 0;
+  requestAnimationFrame(function next() { ++frame, requestAnimationFrame(next); });
+  const { putImageData } = CanvasRenderingContext2D.prototype, puts = new WeakMap();  // in which frame each picture was put there
+  CanvasRenderingContext2D.prototype.putImageData = function (...given) { puts.set(this.canvas, frame), putImageData.apply(this, given); };
+  addEventListener('drawn', ({ target }) => { told.push({ id: target.id, empty: empty(target), early: frame <= puts.get(target.shadowRoot.querySelector('canvas')) }); });
+  addEventListener('refused', ({ target, detail }) => refused.push({ id: target.id, ...detail }));
+  function empty(face) {
+    const from = face.shadowRoot.querySelector('canvas'), into = Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d');
+    into.drawImage(from, from.width / 2, from.height / 2, 1, 1, 0, 0, 1, 1);
+    return into.getImageData(0, 0, 1, 1).data[3] === 0;
+  }
+  const count = (id) => told.filter((one) => one.id === id).length;
+  const frames = (n) => new Promise((done) => { const next = () => (n-- ? requestAnimationFrame(next) : done()); next(); });
+</script><style>body { margin: 0 } #crowd { display: grid; grid-template-columns: repeat(auto-fill, 72px); gap: 4px }</style>`;
+const page = (body, from = '.') => `<!doctype html><meta charset="utf-8">${WATCH}<script type="module" src="${from}/element.js"></script>${body}`;
+const faces = (count, more = '') => Array.from({ length: count }, (_, i) => `<mien-face id="f${i}" seed="person ${i}" width="72" height="72" ${more}></mien-face>`).join('');
+const one = (attributes) => page(`<mien-face id="it" width="72" height="72" ${attributes}></mien-face>`);
+const pages = {
+  '/crowd.html': page(`<div id="crowd">${faces(200)}</div>`),
+  '/ada.html': one('seed="ada"'), '/nothing.html': one('seed=""'), '/bare.html': one(''), '/playing.html': one('seed="ada" clip="idle" playing'),
+  '/column.html': page(Array.from({ length: 40 }, (_, i) => `<div style="height: 200px"><mien-face id="f${i}" seed="${i}" width="72" height="72"></mien-face></div>`).join('')),
+  '/hidden.html': page('<div style="display: none"><mien-face id="none" seed="a" width="72" height="72" playing></mien-face></div><mien-face id="hid" hidden seed="b" width="72" height="72"></mien-face><mien-face id="it" seed="ada" width="72" height="72"></mien-face>'),
+  '/talk.html': page(`<mien-face id="it" seed="ada" width="72" height="72"></mien-face><div id="crowd">${faces(120, 'clip="idle" playing')}</div>`),
+  '/many.html': page('<div id="crowd"></div>'),
+  '/early.html': `<!doctype html><meta charset="utf-8">${WATCH}<mien-face id="it" width="72" height="72"></mien-face><script>it.seed = 'ada', it.pose = { emotions: { joy: 1 } };</script><script type="module" src="element.js"></script>`,
+  '/file.html': one('src="toon.face.json" face-style="ink"'), '/toon.face.json': toon,
+};
+const server = await serve(built, pages);
+const browser = await browse();
+afterEach(() => browser.closePages());
+after(async () => { await browser.close(); await server.close(); });
+
+const open = (name, options) => browser.open(`${server.url}/${name}.html`, options);
+const drawn = (on, id = 'it', times = 1) => on.until((which, least) => count(which) >= least, id, times);
+const sentence = async (on) => (await on.until(() => window.refused.at(-1) ?? null));
+
+/** The bytes that a face shows. */
+const shown = async (on, id = 'it') => Buffer.from(await on.run((which) => {
+  const from = document.getElementById(which).shadowRoot.querySelector('canvas');
+  return Array.from(from.getContext('2d').getImageData(0, 0, from.width, from.height).data);
+}, id));
+/** The bytes that mien itself draws. */
+function picture(face, pose = {}) {
+  const pixels = face.draw(72, 72, pose).slice();
+  face.free();
+  return pixels;
+}
+const ada = (pose, how) => picture(mien.person(mien.code('ada'), how), pose);
+async function shows(on, wanted, id) {
+  for (let i = 0; i < 200; ++i, await new Promise((done) => setTimeout(done, 50))) if (Buffer.compare(await shown(on, id), Buffer.from(wanted)) === 0) return;
+  assert.fail('it shows something else');
+}
+/** Changes the face and waits until that is drawn. */
+async function change(on, work, ...args) {
+  const before = await on.run(() => count('it'));
+  await on.run(work, ...args);
+  await drawn(on, 'it', before + 1);
+}
+
+test('two hundred avatars come one by one, and are on the screen when that is told', async () => {
+  const on = await open('crowd', { width: 1280, height: 1000 });
+  await on.until(() => window.told.length >= 20);
+  const { data } = await on.send('Page.captureScreenshot', { format: 'png' });
+  const { told, filled } = await on.run(() => ({ told: window.told.length, filled: [...document.querySelectorAll('mien-face')].filter((face) => !empty(face)).length }));
+  assert.ok(filled >= 20 && filled < 150, `${filled} of 200 are there when the twentieth is told`);
+  assert.ok(told <= filled);
+  const { width, pixels } = pngPixels(Buffer.from(data, 'base64'));
+  const white = (x, y) => [0, 1, 2].every((c) => pixels[4 * (y * width + x) + c] === 255);
+  const seen = Array.from({ length: 16 }, (_, i) => [76 * i + 36, 50]).filter(([x, y]) => !white(x, y)).length;
+  assert.equal(seen, 16, `${seen} of the first row are on the screen`);
+  await on.until(() => window.told.length >= 200);
+  const all = await on.run(() => window.told);
+  assert.deepEqual(all.filter(({ empty, early }) => empty || early), []);
+  assert.equal(new Set(all.map(({ id }) => id)).size, 200);
+  assert.deepEqual(on.faults, []);
+});
+
+test('what is in view comes first, then what is near; what is far is not drawn', async () => {
+  const on = await browser.open(`${server.url}/column.html`, { width: 800, height: 600, first: 'history.scrollRestoration = "manual"; addEventListener("DOMContentLoaded", () => scrollTo(0, 4000))' });
+  await on.until(() => window.told.length >= 6);
+  await on.run(() => frames(60));
+  const order = (await on.run(() => window.told.map(({ id }) => Number(id.slice(1)))));
+  assert.deepEqual(order.slice(0, 3), [20, 21, 22]);
+  assert.ok(order.every((i) => i >= 19 && i <= 24), `drawn were ${order}`);
+  await on.run(() => scrollTo(0, 0));
+  await drawn(on, 'f0');
+});
+
+test('what is hidden is not drawn until it is shown', async () => {
+  const on = await open('hidden');
+  await drawn(on);
+  await on.run(() => frames(60));
+  assert.deepEqual(await on.run(() => window.told.map(({ id }) => id)), ['it']);
+  await on.run(() => { document.querySelector('div').style.display = '', document.getElementById('hid').hidden = false; });
+  await drawn(on, 'hid');
+  await drawn(on, 'none', 3);
+});
+
+test('clips rest out of view, and in a page in the background', async () => {
+  const on = await open('playing');
+  await drawn(on, 'it', 3);
+  const still = async (rest, wake) => {
+    await on.run(rest);
+    await on.run(() => frames(10));
+    const before = await on.run(() => count('it'));
+    await on.run(() => frames(60));
+    assert.equal(await on.run(() => count('it')), before);
+    await on.run(wake);
+    await drawn(on, 'it', before + 3);
+  };
+  await still(() => { it.style.marginTop = '3000px'; }, () => { it.style.marginTop = ''; });
+  await still(() => { it.hidden = true; }, () => { it.hidden = false; });
+  const turn = (away) => { Object.defineProperty(document, 'hidden', { configurable: true, get: () => away }), document.dispatchEvent(new Event('visibilitychange')); };
+  await still(`() => (${turn})(true)`, `() => (${turn})(false)`);
+});
+
+test('who wants less motion sees the face at rest', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  const wanted = (less) => on.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: less ? 'reduce' : 'no-preference' }] });
+  await wanted(true);
+  await change(on, () => { it.clip = 'idle', it.playing = true; });
+  await on.run(() => frames(30));
+  await shows(on, ada());
+  const before = await on.run(() => count('it'));
+  await on.run(() => frames(30));
+  assert.equal(await on.run(() => count('it')), before);
+  await wanted(false);
+  await drawn(on, 'it', before + 3);
+});
+
+test('a face that talks waits for no crowd', async () => {
+  const on = await open('talk', { width: 1280, height: 1000 });
+  await drawn(on);
+  const waits = await on.run(async () => {
+    const waits = [];
+    for (let i = 0; i < 30; ++i) {
+      const before = window.told.length, mine = count('it');
+      it.pose = { visemes: { aa: (i % 10) / 10 } };
+      while (count('it') === mine) await new Promise((done) => addEventListener('drawn', done, { once: true }));
+      waits.push(window.told.slice(before).findIndex(({ id }) => id === 'it'));
+    }
+    return waits.sort((a, b) => a - b);
+  });
+  // Several pictures may be shown by one frame: those count, too.
+  assert.ok(waits[15] <= 6 && waits[29] <= 20, `it waited for ${waits} others`);
+  const others = await on.run(() => window.told.filter(({ id }) => id !== 'it').length);
+  assert.ok(others > 20, 'and the crowd does not stand still');
+});
+
+test('of many changes the newest is drawn', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  const before = await on.run(() => count('it'));
+  await on.run(async () => { for (let i = 1; i <= 200; ++i) it.emotion = { joy: i / 200 }, i % 10 || await new Promise((done) => setTimeout(done)); });
+  await shows(on, ada({ emotions: { joy: 1 } }));
+  assert.ok(await on.run(() => count('it')) - before <= 25);
+});
+
+test('a seed is a person, and so is a long one; an empty one is refused', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  await shows(on, ada());
+  await change(on, () => { it.seed = 'ä'.repeat(1e6); });
+  await shows(on, picture(mien.person(mien.code('ä'.repeat(1e6)))));
+  const empty = await open('nothing');
+  assert.deepEqual(await sentence(empty), { id: 'it', where: 'seed', what: 'expected a word, got none' });
+});
+
+test('style, blink and look-at are attributes and properties', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  await change(on, () => it.setAttribute('face-style', 'ink'));
+  await shows(on, ada({}, { style: 'ink' }));
+  await change(on, () => { it.faceStyle = null, it.blink = 0.5; });
+  await shows(on, ada({ set: { blink: 0.5 } }));
+  await change(on, () => { it.setAttribute('blink', ''); });
+  await shows(on, ada({ set: { blink: 1 } }));
+  await change(on, () => { it.blink = undefined, it.lookAt = [-3, 1, 2]; });
+  await shows(on, ada({ lookAt: [-3, 1, 2] }));
+  assert.equal(await on.run(() => it.getAttribute('look-at')), '-3, 1, 2');
+  await change(on, () => { it.lookAt = null, it.emotion = { joy: 1, 'left.surprise': 0.5 }, it.set = { 'gaze.x': 0.02 }, it.background = '#102030'; });
+  await shows(on, ada({ emotions: { joy: 1, 'left.surprise': 0.5 }, set: { 'gaze.x': 0.02 }, background: '#102030' }));
+  assert.equal(await on.run(() => `${it.emotion}|${it.playing}|${it.code}|${it.style.color}`), 'joy=1, left.surprise=0.5|false|null|');
+  await on.run(() => { it.faceStyle = 'inkk'; });
+  assert.match((await sentence(on)).what, /did you mean "ink"/);
+  const file = await open('file');
+  assert.match((await sentence(file)).what, /only recipes/);
+});
+
+test('properties that were set before the element was known count', async () => {
+  const on = await open('early');
+  await drawn(on);
+  await shows(on, ada({ emotions: { joy: 1 } }));
+});
+
+test('what a pose does not know is refused', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  for (const [pose, where, what] of [[{ emotion: { joy: 1 } }, 'pose.emotion', /did you mean "emotions"/], [{ clips: 'idle' }, 'pose.clips', /a list/], [{ emotions: 'joy' }, 'pose.emotions', /weights/]]) {
+    const before = await on.run((given) => { const before = refused.length; it.pose = given; return before; }, pose);
+    const said = await on.until((from) => refused[from], before);
+    assert.equal(said.where, where);
+    assert.match(said.what, what);
+  }
+  await on.run(() => { refused.length = 0, it.pose = { then: () => {} }; });
+  assert.match((await sentence(on)).what, /clone/);
+  await change(on, () => { it.pose = null; });
+  await shows(on, ada());
+  for (const [name, value] of [['width', 'wide'], ['width', '-3'], ['look-at', '1, 2'], ['time', 'now']]) {
+    await on.run((key, said) => { refused.length = 0, it.setAttribute(key, said); }, name, value);
+    assert.ok((await sentence(on)).what.length > 10);
+    await change(on, (key) => { it.setAttribute('width', 72), key === 'width' || it.removeAttribute(key); }, name);
+  }
+});
+
+test('the element comes from another origin', async () => {
+  const far = await serve(built, {}, { 'Access-Control-Allow-Origin': '*' });
+  const near = await serve(built, { '/far.html': page('<mien-face id="it" seed="ada" width="72" height="72"></mien-face>', far.url) });
+  const on = await browser.open(`${near.url}/far.html`);
+  await drawn(on);
+  await shows(on, ada());
+  assert.deepEqual(near.asked.filter((path) => /js|wasm/.test(path)), []);
+  assert.deepEqual(on.faults, []);
+  await near.close(), await far.close();
+});
+
+test('a worker that cannot be started is refused, for each face once, and tried again when it is asked for', async () => {
+  for (const elsewhere of [false, true]) {
+    const changed = { ...pages, '/worker.js': null, '/other.html': page(faces(5)) };
+    const far = await serve(built, changed, { 'Access-Control-Allow-Origin': '*' });
+    const near = await serve(built, { '/other.html': page(faces(5), elsewhere ? far.url : '.'), '/worker.js': null });
+    const on = await browser.open(`${near.url}/other.html`);
+    await on.until(() => window.refused.length >= 5);
+    await on.run(() => frames(60));
+    const all = await on.run(() => window.refused);
+    assert.equal(all.length, 5);
+    for (const { where, what } of all) assert.match(where, /worker\.js$/), assert.match(what, /cannot be started/);
+    await near.close(), await far.close();
+  }
+  const changed = { ...pages, '/worker.js': null }, late = await serve(built, changed);
+  const on = await browser.open(`${late.url}/ada.html`);
+  await sentence(on);
+  delete changed['/worker.js'];
+  await on.run(() => it.redraw());
+  await drawn(on);
+  await shows(on, ada());
+  await late.close();
+});
+
+test('faces may go, come back and become others while they are drawn', async () => {
+  const on = await open('crowd', { width: 1280, height: 1000 });
+  await on.until(() => window.told.length >= 3);
+  await on.run(async () => {
+    const all = [...document.querySelectorAll('mien-face')];
+    for (const [i, face] of all.entries()) {
+      if (i % 4 === 0) face.remove();
+      if (i % 4 === 1) face.remove(), await 0, crowd.append(face);
+      if (i % 4 === 2) face.seed = 'ada';
+      if (i % 20 === 0) await new Promise((done) => setTimeout(done, 5));
+    }
+    window.told = [];
+  });
+  await on.until(() => [...document.querySelectorAll('mien-face')].every((face) => !empty(face)));
+  await on.run(() => frames(10));
+  await shows(on, ada(), 'f2');
+  await shows(on, ada(), 'f198');
+  await shows(on, picture(mien.person(mien.code('person 197'))), 'f197');
+  assert.ok((await on.run(() => window.told.map(({ id }) => Number(id.slice(1))))).every((i) => i % 4 !== 0));
+  assert.deepEqual(await on.run(() => window.refused), []);
+  assert.deepEqual(on.faults, []);
+});
+
+test('a face that becomes another while it is drawn shows and tells nothing of the old one', async () => {
+  const on = await open('bare');
+  const asked = await on.run(async () => {
+    const asked = [], { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      postMessage.call(this, message);
+      asked.push(message.source?.seed ?? message.source?.code);
+      if (asked.at(-1) === 'bob') it.seed = null, it.code = 'nobody';
+      if (asked.at(-1) === 'nobody') it.code = null, it.seed = 'ada';
+    };
+    it.seed = 'bob';
+    await new Promise((done) => it.addEventListener('drawn', done, { once: true }));
+    return asked;
+  });
+  assert.deepEqual(asked, ['bob', 'nobody', 'ada']);
+  assert.equal(Buffer.compare(await shown(on), Buffer.from(ada())), 0);
+  assert.deepEqual(await on.run(() => window.refused), []);
+});
+
+test('ten thousand faces in one page: those in view are drawn, and the page answers', async () => {
+  const on = await open('many');
+  const longest = await on.run(async () => {
+    for (let i = 0; i < 10000; ++i) crowd.append(Object.assign(document.createElement('mien-face'), { id: `f${i}`, seed: i, width: 72, height: 72 }));
+    await frames(3);
+    let longest = 0, last = performance.now();
+    const beat = setInterval(() => { longest = Math.max(longest, performance.now() - last), last = performance.now(); }, 20);
+    while (!window.told.some(({ id }) => id === 'f20')) await frames(1);
+    clearInterval(beat);
+    return longest;
+  });
+  assert.ok(longest < 3000, `the page stood still for ${longest} ms`);
+  await on.run(() => { crowd.replaceChildren(); });
+  await on.run(() => frames(10));
+  assert.ok(await on.run(() => window.told.length) < 400);
+  assert.deepEqual(on.faults, []);
+});
+
+test('faces of one file fetch it once, when they are near', async () => {
+  const face = '<mien-face src="toon.face.json" width="72" height="72"></mien-face>';
+  const own = await serve(built, { ...pages, '/three.html': page(`${face.repeat(3)}<div style="height: 4000px"></div><mien-face id="far" src="far.face.json" width="72" height="72"></mien-face>`), '/far.face.json': toon });
+  const on = await browser.open(`${own.url}/three.html`);
+  await on.until(() => window.told.length >= 3);
+  await on.run(() => frames(30));
+  assert.deepEqual(own.asked.filter((path) => path.endsWith('.json')), ['/toon.face.json']);
+  await on.run(() => scrollTo(0, 4000));
+  await drawn(on, 'far');
+  await own.close();
+});
+
+test('faces that the worker has put away are read again', async () => {
+  const on = await open('many');
+  await on.run(() => { for (let i = 0; i < 300; ++i) crowd.append(Object.assign(document.createElement('mien-face'), { id: `f${i}`, seed: `person ${i}`, width: 24, height: 24 })); });
+  await on.until(() => window.told.length >= 300);
+  const first = await on.run(() => window.told[0].id), word = `person ${first.slice(1)}`;
+  await on.run((id) => { document.getElementById(id).width = 72, document.getElementById(id).height = 72; }, first);
+  await shows(on, picture(mien.person(mien.code(word))), first);
+  assert.deepEqual(await on.run(() => window.refused), []);
+});
+
+test('a page may import the element twice', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  assert.ok(await on.run(async () => (await import('./element.js?again')).MienFace === customElements.get('mien-face')));
+  assert.deepEqual(on.faults, []);
+});
