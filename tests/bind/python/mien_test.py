@@ -99,6 +99,7 @@ class Faces(unittest.TestCase):
                 (lambda: person.pose(emotions={"happiness": 1}), mien.Error, 'did you mean "joy"?'),
                 (lambda: person.pose(emotions={"scared": 1}), mien.Error, 'did you mean "fear"?'),
                 (lambda: person.pose(expressions={"visemes": {"aa": 1}}), mien.Error, 'did you mean "viseme"?'),
+                (lambda: person.pose(time=float("nan")), mien.Error, "finite"),
                 (lambda: person.pose(yaw=20), TypeError, 'pose: no argument named "yaw"; did you mean "set: yaw"?'),
                 (lambda: person.pose(emotion={"joy": 1}), TypeError, 'did you mean "emotions"?'),
                 (lambda: person.pose().render(64, bg="#fff"), TypeError, 'did you mean "background"?')):
