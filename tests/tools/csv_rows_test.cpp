@@ -32,6 +32,7 @@ TEST(CsvRows, AreTheSameInEveryDress) {
         "Name;Size;Speed\nAnn;1.5;10\nBob;2.25;20\n",
         "Name\tSize\tSpeed\nAnn\t1.5\t10\nBob\t2.25\t20\n",
         "sep=;\r\nName;Size;Speed\r\nAnn;1.5;10\r\nBob;2.25;20\r\n",
+        "Name|Size|Speed\nAnn|1.5|10\nBob|2.25|20\n",
         "sep=,\nName,Size,Speed\nAnn,1.5,10\nBob,2.25,20\n",
         "\"sep=\t\"\nName\tSize\tSpeed\nAnn\t1.5\t10\nBob\t2.25\t20\n"}) {
     const CsvRows csv = read(text);
@@ -89,8 +90,8 @@ TEST(CsvRows, SayWhereTheyAreBroken) {
   EXPECT_EQ(said("a;b;c\n1;2\n"), "t.csv:2: 2 cells separated by semicolons, the heading has 3");
   EXPECT_EQ(said("a,b\n1,2\n\"1,2\n"),
             "t.csv:3: quotes that do not end, or that stand inside a cell without quotes");
-  EXPECT_EQ(said("sep=|\na|b\n1|2\n"),
-            "t.csv:1: cells are separated by commas, semicolons or tabs, not by \"|\"");
+  EXPECT_EQ(said("sep=:\na:b\n1:2\n"),
+            "t.csv:1: cells are separated by commas, semicolons, tabs or bars, not by \":\"");
   EXPECT_EQ(said(""), "is read");
   EXPECT_EQ(said("sep=;"), "is read");
   EXPECT_EQ(said("a,b"), "is read");

@@ -228,7 +228,7 @@ TEST_F(NewTest, BadUseIsASentence) {
     words.insert(words.end(), {"--seed", ""});
     refused(words, 2, "--seed: an empty word is no seed");
   }
-  refused({"new", "--code", "Z66CB-AA5S0-1B"}, 2,
+  refused({"new", "--code", "Z66CB-AA5S0-1B"}, 1,
           "edition Z is not known to this version, which has A");
   refused({"new", "--by", "0.5"}, 2, "--near");
   refused({"new", "--near", "A66CB-AA5S0-14", "--by", "2"}, 2, "--by");

@@ -15,7 +15,7 @@ namespace mien::command {
 namespace {
 
 constexpr std::size_t kMostRows = 100'000, kMostColumns = 1000;
-constexpr char kSeparators[] = {',', ';', '\t'};
+constexpr char kSeparators[] = {',', ';', '\t', '|'};
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";  // some programs begin UTF-8 with it
 constexpr std::string_view kHowToSave = "; tables are UTF-8: save it as \"CSV UTF-8\"";
 
@@ -161,7 +161,7 @@ std::pair<bool, std::size_t> worth(const Expected<CsvRows>& csv) {
 Expected<CsvRows> best_reading(std::string_view text, const std::string& name) {
   auto best = read_separated(text, 1, kSeparators[0], name);
   char equal = 0;
-  for (const char separator : {kSeparators[1], kSeparators[2]}) {
+  for (const char separator : {kSeparators[1], kSeparators[2], kSeparators[3]}) {
     auto csv = read_separated(text, 1, separator, name);
     const auto now = worth(csv), before = worth(best);
     if (now == before && now.first && now.second > 0) equal = separator;
@@ -189,7 +189,10 @@ std::optional<char> said_separator(std::string_view line) {
 }  // namespace
 
 std::string_view separator_name(char separator) {
-  return separator == ',' ? "commas" : separator == ';' ? "semicolons" : "tabs";
+  return separator == ','   ? "commas"
+         : separator == ';' ? "semicolons"
+         : separator == '|' ? "bars"
+                            : "tabs";
 }
 
 std::optional<double> csv_number(std::string_view cell, bool decimal_comma) {
@@ -216,9 +219,10 @@ Expected<CsvRows> read_csv(std::string_view bytes, const std::string& name) {
   const std::optional<char> said = said_separator(first);
   if (said &&
       std::find(std::begin(kSeparators), std::end(kSeparators), *said) == std::end(kSeparators))
-    return Error{at_line(name, 1), fmt::format("cells are separated by commas, semicolons or tabs, "
-                                               "not by {}",
-                                               in_quotes(std::string_view(&*said, 1)))};
+    return Error{at_line(name, 1),
+                 fmt::format("cells are separated by commas, semicolons, tabs or bars, "
+                             "not by {}",
+                             in_quotes(std::string_view(&*said, 1)))};
   auto csv =
       said ? read_separated(bytes.substr(first.size()), 2, *said, name) : best_reading(bytes, name);
   if (!csv) return csv.error();

@@ -18,7 +18,7 @@ struct CsvRows {
   bool decimal_commas = false;  ///< numbers are written 1,5; only where no comma separates cells
 };
 
-/// Reads a file's bytes. Cells are separated by commas, semicolons or tabs: as a first line `sep=;`
+/// Reads a file's bytes. Cells are separated by commas, semicolons, tabs or bars: as a first line `sep=;`
 /// says, or else so that every row has as many cells as the first and the most of them are numbers.
 /// Blanks around cells are left out. Errors, with file and line: text that is not UTF-8, or holds
 /// NULs; quotes that do not end; rows of other lengths; two separators that may be meant; more than
