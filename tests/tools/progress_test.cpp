@@ -56,7 +56,7 @@ TEST(Progress, IsOfAllCommands) {
     return (folder / name).string();
   };
   const std::string obj = file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> all{
+  std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> all{
       {{"check", face_path("seed0"), face_path("toon")}, {"faces"}},
       {{"check", "--nonsense", "1"}, {"faces"}},
       {{"animate", face_path("seed0"), "-o", (folder / "%d.png").string(), "--frames", "0-1",
@@ -73,6 +73,13 @@ TEST(Progress, IsOfAllCommands) {
                            "factors": [{"emotion": "joy", "steps": 3}]})"),
         "-o", (folder / "shown").string()},
        {"pictures"}}};
+  const std::string basis = (folder / "a.basis").string(), toon = face_path("toon");
+  ASSERT_EQ(
+      test::run_mien({"pca", "fit", toon, "-o", basis, "--frames", "0-9", "--components", "2"})
+          .code,
+      0);
+  all.push_back({{"pca", "encode", basis, toon, "-o", (folder / "w.npy").string()}, {"encode"}});
+  all.push_back({{"pca", "decode", basis, "-o", (folder / "f.npy").string()}, {"decode"}});
   for (const auto& [words, phases] : all) EXPECT_EQ(phases_of_command(words), phases) << words[0];
   for (const char* command : {"render", "check", "animate", "sheet", "chernoff", "stimuli", "mesh"})
     EXPECT_NE(test::run_mien({command, "-h"}).out.find("--progress"), std::string::npos) << command;

@@ -328,7 +328,10 @@ void add_progress(CommandApp& made) {
   for (CLI::App* command :
        {app.get_subcommand("render"), app.get_subcommand("check"), app.get_subcommand("animate"),
         app.get_subcommand("morph")->get_subcommand("between"), app.get_subcommand("mesh"),
-        app.get_subcommand("pca")->get_subcommand("fit"), app.get_subcommand("sheet"),
+        app.get_subcommand("pca")->get_subcommand("fit"),
+        app.get_subcommand("pca")->get_subcommand("encode"),
+        app.get_subcommand("pca")->get_subcommand("decode"),
+        app.get_subcommand("pca")->get_subcommand("compare"), app.get_subcommand("sheet"),
         app.get_subcommand("parts"), app.get_subcommand("parts")->get_subcommand("check"),
         app.get_subcommand("chernoff"), app.get_subcommand("stimuli")})
     command
