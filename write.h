@@ -30,9 +30,13 @@ struct WriteOptions {
   std::optional<FileType> type = {};  ///< else by the extension: .png .tif .tiff .exr .jpg .jpeg
   bool half = true;                   ///< EXR: half floats, else 32-bit
   int jpeg_quality = 95;              ///< 1 … 100
-  std::string recipe = {};            ///< stored in the metadata: what made this picture
-  Threads threads = {};               ///< they change no byte
-  Progress progress = {};             ///< may cancel: then nothing is written
+  double dpi =
+      0;  ///< [pixels per inch] the size on paper, 1 … 100 000; 0: none, and in TIFF, which has one always, 72
+  std::string recipe = {};  ///< stored in the metadata: what made this picture
+  Threads threads = {};     ///< they change no byte
+  Progress progress = {};   ///< may cancel: then nothing is written
+
+  static constexpr double kMostDpi = 100'000;
 };
 
 /// Writes to `path`; "-" is a PNG on standard output.

@@ -403,7 +403,7 @@ MIEN_C_API void mien_pose_free(mien_pose* pose);
 /* Back to rest. */
 MIEN_C_API mien_status mien_pose_clear(mien_pose* pose, mien_error** error);
 
-/* The time at which clips are taken [s]. NaN: none, no clip runs. */
+/* The time at which clips are taken [s]. Until one is said, and after mien_pose_clear, no clip runs. */
 MIEN_C_API mien_status mien_pose_time(mien_pose* pose, double seconds, mien_error** error);
 
 /* Holds a control or numbers at a value: "blink=0.5", "brow.left/spine/1=0.1,0.2", "palette/skin=#ffd94a".
@@ -605,7 +605,8 @@ MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_vi
 /* The scene as an SVG file, of lines and parabolas that leave the outlines by `tolerance` [px] at most, 1e-4 ... 1;
  * 0 is 0.01. A list of texts: the file's, and a sentence for each thing that SVG cannot show, with its layer. The view's
  * size, fit and background count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
- * begins all ids, so that several pictures can stand in one page. */
+ * begins all ids, so that several pictures can stand in one page; NULL of length 0: one made of the picture, so that only
+ * equal pictures share ids. */
 MIEN_C_API mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tolerance,
                                 const char* id_prefix, size_t length, mien_texts** out,
                                 mien_error** error);

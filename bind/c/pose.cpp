@@ -34,14 +34,8 @@ mien_status mien_pose_clear(mien_pose* pose, mien_error** error) {
 }
 
 mien_status mien_pose_time(mien_pose* pose, double seconds, mien_error** error) {
-  return pass("mien_pose_time", error, [&] {
-    auto& time = need(pose, "pose").pose.time;
-    if (std::isnan(seconds)) {
-      time.reset();
-    } else {
-      time = need_finite(seconds, "seconds");
-    }
-  });
+  return pass("mien_pose_time", error,
+              [&] { need(pose, "pose").pose.time = need_finite(seconds, "seconds"); });
 }
 
 mien_status mien_pose_set(mien_pose* pose, const char* text, size_t length, mien_error** error) {

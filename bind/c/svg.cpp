@@ -21,7 +21,9 @@ mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tole
                              .height = double(seen.height),
                              .fit = seen.fit,
                              .background = seen.background,
-                             .id_prefix = std::string(text_of(id_prefix, length, "id_prefix"))};
+                             .id_prefix = {}};
+    if (id_prefix || length > 0)
+      options.id_prefix = std::string(text_of(id_prefix, length, "id_prefix"));
     if (tolerance != 0) options.tolerance = tolerance;
     auto svg = mien::svg_text(need(scene, "scene").scene, options);
     if (!svg) fail(svg.error(), false);

@@ -300,12 +300,14 @@ export class Face {
 
   /** The same picture as an SVG file: { text, simplified }. Its paths leave the outlines by `tolerance` pixels at most,
    *  1e-4 to 1; `simplified` has a sentence for each thing that SVG cannot say. Colours are mixed as with blend 'srgb'.
-   *  `idPrefix` begins all ids, so that several pictures can stand in one page. */
+   *  `idPrefix` begins all ids, so that several pictures can stand in one page; without one it is made of the picture, so
+   *  that only equal pictures share ids. */
   svg(width, height, pose = {}, how = {}) {
     this.#mien.known('svg', how, ['tolerance', 'idPrefix']);
-    const { tolerance = 0.01, idPrefix = '' } = how;
+    const { tolerance = 0.01, idPrefix } = how;
     const { scene } = this.#poseFor(width, height, pose);
-    const [text, ...simplified] = this.#m.withText(idPrefix, (t, n) => this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n));
+    const write = (t, n) => this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n);
+    const [text, ...simplified] = idPrefix === undefined ? write(0, 0) : this.#m.withText(idPrefix, write);
     return { text, simplified };
   }
 
@@ -343,7 +345,7 @@ export class Face {
     this.#mien.known('pose', pose, POSE_KEYS, 'key of a pose');
     refuseOtherKinds(pose);
     this.#mien.done('mien_pose_clear', this.#pose);
-    this.#mien.done('mien_pose_time', this.#pose, pose.time ?? NaN);
+    if (pose.time !== undefined && pose.time !== null) this.#mien.done('mien_pose_time', this.#pose, pose.time);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
     if (pose.seed != null) this.#say('mien_pose_seed', String(pose.seed));
     if (pose.liveliness != null) this.#mien.done('mien_pose_liveliness', this.#pose, pose.liveliness);

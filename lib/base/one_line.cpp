@@ -45,4 +45,13 @@ std::string in_quotes(std::string_view text) {
   return '"' + one_line(text, 60) + '"';
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const int length = utf8_length(text);
+    if (length == 0 || text.front() == '\0') return false;
+    text.remove_prefix(std::size_t(length));
+  }
+  return true;
+}
+
 }  // namespace mien

@@ -18,4 +18,7 @@ std::string in_quotes(std::string_view text);
 /// empty.
 int utf8_length(std::string_view text);
 
+/// Whether a text is UTF-8 all through, without NULs.
+bool is_utf8(std::string_view text);
+
 }  // namespace mien

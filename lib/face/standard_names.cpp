@@ -1,5 +1,8 @@
 #include "lib/face/standard_names.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace mien {
 namespace {
 
@@ -41,6 +44,20 @@ std::span<const std::string_view> standard_names(std::string_view set) {
   if (set == "vrm") return kVrm;
   if (set == "viseme") return kViseme;
   return {};
+}
+
+std::string standard_spelling(std::string_view set, std::string_view name) {
+  const std::size_t dot = name.rfind('.') == std::string_view::npos ? 0 : name.rfind('.') + 1;
+  std::string_view unit = name.substr(dot);
+  const bool named =
+      unit.size() > 2 && (unit[0] == 'A' || unit[0] == 'a') && (unit[1] == 'U' || unit[1] == 'u');
+  if (set != "facs" || !named) return std::string(name);
+  unit.remove_prefix(2);
+  if (unit.ends_with("_r") || unit.ends_with("_c")) unit.remove_suffix(2);
+  while (unit.size() > 1 && unit.front() == '0') unit.remove_prefix(1);
+  const std::string spelt = "AU" + std::string(unit);
+  const bool known = std::find(std::begin(kFacs), std::end(kFacs), spelt) != std::end(kFacs);
+  return known ? std::string(name.substr(0, dot)) + spelt : std::string(name);
 }
 
 bool names_have_sides(std::string_view set) {

@@ -8,12 +8,17 @@
 //   viseme   the 15 mouth shapes that lip-sync programs use (Oculus, Ready Player Me)
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace mien {
 
 /// The names of a set; empty: no set of the four.
 std::span<const std::string_view> standard_names(std::string_view set);
+
+/// The standard spelling of a name, which may stand behind "left." or "right.": of action units "AU1" for "AU01", "au1"
+/// and "AU01_r", as OpenFace has them. Other names stay as they are.
+std::string standard_spelling(std::string_view set, std::string_view name);
 
 /// Whether the names of a set say themselves which side they mean, so that each is one number. Those
 /// of other sets have a left and a right half.

@@ -1,4 +1,5 @@
 #include <mien/svg.h>
+#include "lib/base/fingerprint.h"
 #include "render/render_error.h"
 #include "render/svg/svg_writer_private.h"
 
@@ -7,6 +8,19 @@
 #include <new>
 
 namespace mien {
+namespace {
+
+/// A prefix that other pictures do not have: of the scene and what of the options moves its paths.
+std::string prefix_of(const Scene& scene, const SvgOptions& options) {
+  Fingerprint print;
+  print.add(options.width), print.add(options.height), print.add(int(options.fit));
+  print.add(options.tolerance);
+  for (const char c : scene.text()) print.add(int(c));
+  // An id begins with a letter. 40 bits: among a thousand pictures two share one with a probability of 5e-7.
+  return fmt::format("m{:08x}-", print.value() >> 24);
+}
+
+}  // namespace
 
 Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
   const auto side = [](double v) { return v > 0.0 && v <= View::kMaxSide; };  // NaN is not
@@ -17,7 +31,9 @@ Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
     return Error{"", fmt::format("a path's tolerance is {} to 1 pixels, not {}",
                                  SvgOptions::kLeastTolerance, options.tolerance)};
   try {
-    return SvgWriter(scene, options).write();
+    SvgOptions named = options;
+    if (!named.id_prefix) named.id_prefix = prefix_of(scene, options);
+    return SvgWriter(scene, named).write();
   } catch (const std::bad_alloc&) {
     return Error{"",
                  fmt::format("{}: the scene has {} layers", kMemoryRanOut, scene.layers().size())};

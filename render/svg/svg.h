@@ -27,10 +27,12 @@ struct SvgOptions {
   Fit fit = Fit::meet;
   /// Replaces the scene's; alpha 0 leaves the picture transparent.
   std::optional<Color> background = {};
-  double tolerance = 0.01;     ///< [px] how far a path may leave its outline, kLeastTolerance … 1
-  std::string title = {};      ///< the picture's; empty: none
-  std::string recipe = {};     ///< stored as metadata: what made this picture
-  std::string id_prefix = {};  ///< of all ids, so that several pictures can stand in one page
+  double tolerance = 0.01;  ///< [px] how far a path may leave its outline, kLeastTolerance … 1
+  std::string title = {};   ///< the picture's; empty: none
+  std::string recipe = {};  ///< stored as metadata: what made this picture
+  /// Of all ids, so that several pictures can stand in one page; letters, digits, '.', '-' and '_' of ASCII. None: made
+  /// of the picture, so that only equal ones share ids.
+  std::optional<std::string> id_prefix = {};
 
   static constexpr double kLeastTolerance = 1e-4;
 };

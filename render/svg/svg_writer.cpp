@@ -42,7 +42,7 @@ SvgWriter::SvgWriter(const Scene& scene, const SvgOptions& options)
       map_(grid_of(scene.canvas(), options)),
       decimals_(decimals_for(kRoundingShare * options.tolerance)),
       boundaries_(scene, map_, window_of(options), kBoundaryShare * options.tolerance),
-      ids_(options.id_prefix),
+      ids_(options.id_prefix.value_or("")),
       clips_(scene.nodes().size()) {}
 
 Svg SvgWriter::write() {
@@ -120,7 +120,7 @@ void SvgWriter::simplified(const Layer& layer, const std::string& what) {
 std::string SvgWriter::named(const std::string& name) {
   const std::string id = ids_.unique(name);
   const std::string_view said =
-      std::string_view(id).substr(std::min(options_.id_prefix.size(), id.size()));
+      std::string_view(id).substr(std::min(options_.id_prefix->size(), id.size()));
   if (said == name) return fmt::format(" id=\"{}\"", id);
   return fmt::format(" id=\"{}\" data-name=\"{}\"", id, xml_escaped(name));
 }

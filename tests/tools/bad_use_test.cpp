@@ -25,6 +25,10 @@ struct Wrong {
 
 const char kSides[] = "expected WxH, or the longer side; whole pixels from 1 to 1048576";
 
+std::string wrong_sign() {
+  return "a sign is wrong, or two are swapped: its check sign does not fit";
+}
+
 const Wrong kWrongs[] = {
     {{},
      2,
@@ -50,6 +54,20 @@ const Wrong kWrongs[] = {
      1,
      "hello: there is no such file; `mien new --seed hello` prints the code of a person for any "
      "word"},
+    {{"render", "A66CB-AA5S0-15", "-o", "OUT"}, 1, "code A66CB-AA5S0-15: " + wrong_sign()},
+    {{"code", "A66CB-AA5S0-15"}, 1, "code A66CB-AA5S0-15: " + wrong_sign()},
+    {{"list", "A66CB-AA5S0-15"}, 1, "code A66CB-AA5S0-15: " + wrong_sign()},
+    {{"new", "--code", "A66CB-AA5S0-15"}, 1, "--code A66CB-AA5S0-15: " + wrong_sign()},
+    {{"new", "--near", "A66CB-AA5S0-15"}, 1, "--near A66CB-AA5S0-15: " + wrong_sign()},
+    {{"new", "--child-of", "A66CB-AA5S0-14", "A66CB-AA5S0-15"},
+     1,
+     "--child-of A66CB-AA5S0-15: " + wrong_sign()},
+    {{"render", "FACE", "-o", "OUT", "--dpi", "0"},
+     2,
+     "--dpi 0: expected a number from 1 to 100000"},
+    {{"render", "FACE", "-o", "OUT", "--id-prefix", "a"},
+     2,
+     "--id-prefix: is for SVG files; pixels have no ids"},
     {{"render", "FACE", "-o", "OUT", "--yaw", "20"},
      2,
      "no option named \"--yaw\"; did you mean \"--set yaw=DEGREES\"?"},
@@ -171,7 +189,7 @@ const Wrong kWrongs[] = {
     {{"render", "FACE", "-o", ""}, 2, "--output: its name is empty"},
     {{"render", "FACE", "-o", "OUT", "--error-map", "OUT"},
      2,
-     "--error-map OUT: is the picture's own name"},
+     "--error-map OUT: would overwrite a file of this command: --output writes it"},
     {{"render", "FACE", "-o", "OUT", "--emotion", "joy"},
      2,
      "--emotion joy: this face has no emotions"},

@@ -1,4 +1,4 @@
-// mien chernoff and mien stimuli: tables and experiments as faces.
+// mien stimuli: experiments as faces.
 
 #include <gtest/gtest.h>
 
@@ -8,143 +8,10 @@
 #include <sstream>
 
 #include "tests/support/read_back.h"
-#include "tests/support/run_command.h"
+#include "tests/tools/data_fixture.h"
 
 namespace mien {
 namespace {
-
-using test::Ran;
-using test::run_mien;
-using test::ScratchFolder;
-
-/// A wrong file, and what is said of it.
-struct WrongData {
-  std::string what, sentence;
-};
-
-class DataTest : public testing::Test {
- protected:
-  std::string file(const std::string& name, const std::string& text) const {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string text(const std::string& name) const {
-    std::ifstream in(folder_ / name, std::ios::binary);
-    std::ostringstream all;
-    all << in.rdbuf();
-    return all.str();
-  }
-  Ran chernoff(const std::string& table, const std::string& map) const {
-    return run_mien({"chernoff", file("t.csv", table), "--map", file("m.json", map), "-o",
-                     path("c.png"), "--manifest", path("c.csv"), "--legend", path("l.png"),
-                     "--cell", "32"});
-  }
-  static std::string map(const std::string& features) {
-    return R"({"format": "mien-chernoff", "format_version": 1, "label": "who", "map": [)" +
-           features + "]}";
-  }
-  static std::string plan(const std::string& rest) {
-    return R"({"format": "mien-stimuli", "format_version": 1, "size": 32, )" + rest + "}";
-  }
-  Ran stimuli(const std::string& what) const {
-    return run_mien({"stimuli", file("plan.json", what), "-o", path("shown")});
-  }
-  std::size_t count(const std::string& folder) const {
-    std::size_t files = 0;
-    for ([[maybe_unused]] const auto& one : std::filesystem::directory_iterator(folder_ / folder))
-      ++files;
-    return files;
-  }
-
-  ScratchFolder folder_;
-};
-
-TEST_F(DataTest, TheManifestSaysWhatEachCellBecame) {
-  const Ran ran =
-      chernoff("who,size,kind,mood\n\"a, b\",10,x,0\n\"say \"\"c\"\"\",20,y,4\nd,40,x,1\n",
-               map(R"({"column": "size", "number": "eye.size", "to": [1.2, 0.8]},
-             {"column": "kind", "part": "hair", "values": {"x": "bob", "y": "crop"}},
-             {"column": "mood", "emotion": "joy", "scale": "rank"})"));
-  ASSERT_EQ(ran.code, 0) << ran.err;
-  const std::string written = text("c.csv");
-  EXPECT_NE(written.find("\"a, b\",10,1.2,x,bob,0,0,"), std::string::npos) << written;
-  EXPECT_NE(written.find("\"say \"\"c\"\"\",20,1.0666666666666667,y,crop,4,1,"), std::string::npos)
-      << written;
-  EXPECT_NE(written.find("d,40,0.8,x,bob,1,0.5,"), std::string::npos) << written;
-  EXPECT_EQ(test::read(path("c.png")).spec.width, 3 * 32);
-  EXPECT_EQ(test::read(path("l.png")).spec.width, 3 * 32);
-}
-
-TEST_F(DataTest, WrongCellsAreNamed) {
-  const std::string features = map(R"({"column": "size", "number": "eye.size", "from": [0, 9]})");
-  for (const auto& [table, sentence] : {
-           WrongData{"who,size\na,1\nb,\n", "row 2, column \"size\": the number is missing"},
-           WrongData{"who,size\na,1\nb,two\n", "expected a finite number, got \"two\""},
-           WrongData{"who,size\na,inf\n", "row 1, column \"size\": expected a finite number"},
-           WrongData{"who,size\na,nan\n", "expected a finite number"},
-           WrongData{"who,size\na,1e999\n", "expected a finite number"},
-           WrongData{"who,size\na,10\n", "10 is outside the map's 0 … 9"},
-           WrongData{"who,sise\na,1\n", "no column named \"size\"; did you mean \"sise\"?"},
-           WrongData{"who,size\na,1,2\n", "row 1: 3 cells, the heading has 2"},
-           WrongData{"who,who\na,1\n", "two columns are called \"who\""},
-           WrongData{"who,size\n", "rows below it"},
-           WrongData{"who,size\n\"a,1\n", "quotes"},
-           WrongData{"", "rows below it"},
-       }) {
-    const Ran ran = chernoff(table, features);
-    EXPECT_NE(ran.code, 0) << table;
-    EXPECT_NE(ran.err.find(sentence), std::string::npos) << table << ran.err;
-    EXPECT_NE(ran.err.find("t.csv"), std::string::npos) << ran.err;
-    EXPECT_FALSE(std::filesystem::exists(path("c.png"))) << table;
-  }
-}
-
-TEST_F(DataTest, WrongMapsAreToldAtTheirPlace) {
-  for (const auto& [features, sentence] : {
-           WrongData{R"({"column": "size", "number": "eye.sise"})", "did you mean \"eye.size\"?"},
-           WrongData{R"({"column": "size", "number": "eye.size", "to": [0, 1]})",
-                     "eye.size goes from 0.8 to 1.2, got 0 and 1"},
-           WrongData{R"({"column": "size"})", "one of them"},
-           WrongData{R"({"column": "size", "part": "hair", "values": {"1": "bop"}})",
-                     "did you mean \"bob\"?"},
-           WrongData{
-               R"({"column": "size", "number": "smile"}, {"column": "who", "number": "smile"})",
-               "smile is moved by \"size\" already"},
-       }) {
-    const Ran ran = chernoff("who,size\na,1\n", map(features));
-    EXPECT_NE(ran.code, 0) << features;
-    EXPECT_NE(ran.err.find("m.json:1:"), std::string::npos) << ran.err;
-    EXPECT_NE(ran.err.find(sentence), std::string::npos) << features << ran.err;
-  }
-  const Ran twice = chernoff("who,size\na,1\n", map(R"({"column": "size", "number": "smile"},
-                                                       {"column": "size", "number": "lips"})"));
-  EXPECT_EQ(twice.code, 0);
-  EXPECT_NE(twice.err.find("one value is seen twice"), std::string::npos) << twice.err;
-}
-
-TEST_F(DataTest, ATableWithoutAMapIsShown) {
-  const Ran ran = run_mien({"chernoff", MIEN_SOURCE_DIR "/examples/chernoff/planets.csv", "-o",
-                            path("c.png"), "--cell", "32", "--columns", "4"});
-  ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(ran.err.find(
-                "planets.csv: row 1, column \"Kind\": expected a finite number, got \"rock\": the "
-                "column is not shown"),
-            std::string::npos)
-      << ran.err;
-  EXPECT_EQ(test::read(path("c.png")).spec.width, 4 * 32);
-}
-
-TEST_F(DataTest, TheFirstCellThatIsNoNumberIsNamed) {
-  const Ran ran = run_mien({"chernoff", file("t.csv", "who,size,mood\na,1,2\nb,2,\nc,3,high\n"),
-                            "-o", path("c.png"), "--cell", "32"});
-  ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(
-      ran.err.find("t.csv: row 2, column \"mood\": the number is missing: the column is not shown"),
-      std::string::npos)
-      << ran.err;
-}
 
 TEST_F(DataTest, AManifestDrawsTheSameBytesAgain) {
   const Ran ran = stimuli(plan(R"("factors": [
@@ -189,6 +56,33 @@ TEST_F(DataTest, HalvesAndMirrorsAreOfTheWholePicture) {
       EXPECT_EQ(pixel(left, x, y), pixel(whole, std::min(x, other), y));
       EXPECT_EQ(pixel(right, x, y), pixel(whole, std::max(x, other), y));
     }
+}
+
+TEST_F(DataTest, NamesOfPicturesAreText) {
+  const Ran ran = run_mien({"sheet", "--people", "2", "-o", path("s.png"), "--cell", "16"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const Ran bad = run_mien(
+      {"sheet", "A66CB-AA5S0-14", "--picture", "a\xE9: --emotion joy", "-o", path("t.png")});
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.err.find("is not UTF-8"), std::string::npos) << bad.err;
+}
+
+/// What changes nothing in the pictures, or stops on the way, is told at its place.
+TEST_F(DataTest, FactorsWithoutAnEffectAreTold) {
+  const Ran hidden = stimuli(plan(R"("face": {"parts": {"headwear": "hijab"}}, "factors": [
+      {"part": "hair", "values": ["bob", "crop"]}, {"emotion": "joy", "values": [0, 1]}])"));
+  EXPECT_EQ(hidden.code, 0) << hidden.err;
+  EXPECT_NE(hidden.err.find("/factors/0/part: 0001.png and 0003.png are the same picture, though "
+                            "\"hair\" is bob and crop"),
+            std::string::npos)
+      << hidden.err;
+  EXPECT_EQ(hidden.err.find("factors/1"), std::string::npos) << hidden.err;
+  const Ran far = stimuli(plan(R"("factors": [{"people": 3}, {"caricature": [1, 10]}])"));
+  EXPECT_EQ(far.code, 0) << far.err;
+  EXPECT_NE(far.err.find("/factors/1/caricature: at 10 "), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find(" stop at the end of their range"), std::string::npos) << far.err;
+  const Ran near = stimuli(plan(R"("factors": [{"people": 3}, {"caricature": [0.9, 1]}])"));
+  EXPECT_EQ(near.err, "");
 }
 
 TEST_F(DataTest, PairsDifferInOneFactorAlone) {
@@ -261,6 +155,27 @@ TEST_F(DataTest, WrongPlansAreToldBeforeAnythingIsDrawn) {
               R"("factors": [{"number": "smile", "steps": 2}, {"number": "smile", "steps": 2}])",
               "two factors are called \"smile\""},
           WrongData{R"("factors": [{"codes": ["ZAAAA"]}])", "plan.json:1:"},
+          WrongData{R"("factors": [{"name": "a", "number": "smile", "steps": 2},
+                                   {"name": "b", "number": "smile", "steps": 3}])",
+                    "/factors/1/number: smile is varied by \"a\" already"},
+          WrongData{R"("factors": [{"name": "a", "emotion": "joy", "steps": 2},
+                                   {"name": "b", "control": "emotion.joy", "steps": 3}])",
+                    "emotion.joy is varied by \"a\" already"},
+          WrongData{R"("factors": [{"name": "a", "people": 2}, {"name": "b", "people": 3}])",
+                    "people is varied by \"a\" already"},
+          WrongData{R"("factors": [{"emotion": "joy", "values": [0.5, 1, 0.5]}])",
+                    "/factors/0/values/2: 0.5 is a level already"},
+          WrongData{R"("factors": [{"emotion": "joy", "steps": 3, "from": 0.5, "to": 0.5}])",
+                    "3 steps from 0.5 to 0.5 are equal"},
+          WrongData{R"("factors": [{"part": "hair", "values": ["bob", "bob"]}])",
+                    "/factors/0/values/1: bob is a level already"},
+          WrongData{R"("factors": [{"picture": ["whole", "whole"]}])", "whole is a level already"},
+          WrongData{R"("factors": [{"people": 2}, {"caricature": [1, 1e6]}])",
+                    "a caricature goes from -10 to 10, got 1000000"},
+          WrongData{R"("factors": [{"emotion": "joy", "values": [0, 50]}])",
+                    "/factors/0/emotion: \"emotion.joy\" goes from 0 to 1, got 50"},
+          WrongData{R"("factors": [{"emotion": "happiness", "steps": 2}])",
+                    "did you mean \"emotion.joy\"?"},
           WrongData{R"("factors": [{"caricature": [2]}])", "mean of people"},
           WrongData{R"("factors": [{"control": "blnk", "values": [1]}])",
                     "did you mean \"blink\"?"},

@@ -50,6 +50,25 @@ TEST(Interrupt, LeavesNothingBehindAndSaysSo) {
     }
 }
 
+// Commands that draw many faces end, too, and leave what was there.
+TEST(Interrupt, StopsCrowdsAndExperiments) {
+  const ScratchFolder folder;
+  test::write_text(folder / "a.png", "old");
+  const std::string out = (folder / "a.png").string();
+  for (const Words& words :
+       {Words{"sheet", "--people", "5000", "-o", out}, Words{"check", "--nonsense", "5000"},
+        Words{"morph", "between", "A66CB-AA5S0-14", "A66CB-AA5S0-14", "-o", out, "--steps",
+              "1000"}}) {
+    Process process = start_mien(words);
+    test::wait_until_handled(process.id(), SIGINT);
+    test::end_process(process.id(), SIGINT);
+    const Ran ran = process.wait();
+    EXPECT_EQ(ran.signal, SIGINT) << words[0];
+    EXPECT_EQ(ran.err, "mien: interrupted\n") << words[0];
+    EXPECT_EQ(test::read_text(folder / "a.png"), "old") << words[0];
+  }
+}
+
 // The picture itself is there by then: it is drawn before its errors.
 TEST(Interrupt, StopsAnErrorMap) {
   const ScratchFolder folder;

@@ -96,7 +96,7 @@ TEST_F(MeshTest, WhatIsWrongIsOneLineAndLeavesNothing) {
   const std::pair<Words, const char*> wrongs[] = {
       {{path("nan.obj")}, "nan.obj:1: expected three finite numbers, got \"nan\""},
       {{path("less.obj")}, "less.obj: "},
-      {{path("far.obj")}, "far.obj: a face names point 4, and there are 3"},
+      {{path("far.obj")}, "far.obj:4: a face names point 4, and there are 3"},
       {{path("none.obj")}, "none.obj: cannot be read: No such file or directory"},
       {{path("ah.obj"), "--weight", "aah=1"}, "--weight aah=1: no target named \"aah\""},
       {{path("ah.obj"), "--weight", "ah=x"}, "--weight x: expected a number from -100 to 100"},

@@ -183,6 +183,28 @@ TEST_F(NewTest, StatisticsOfPeople) {
   EXPECT_EQ(test::read(file("s.png")).spec.width, 48);
 }
 
+TEST_F(NewTest, TheWorstOfWhatIsWrongIsDrawn) {
+  const std::string face = test::face_path("toon"), picture = file("worst.png");
+  const Ran ran = run_mien({"check", "--nonsense", face, "-o", picture});
+  EXPECT_EQ(ran.code, 1) << ran.err;
+  EXPECT_NE(ran.out.find("hairline_overlaps"), std::string::npos) << ran.out;
+  EXPECT_GE(test::read(picture).spec.width, 2 * 300);
+  const Ran none = run_mien({"check", "--nonsense", test::face_path("seed0"), "-o", file("n.png")});
+  EXPECT_EQ(none.code, 0) << none.err;
+  EXPECT_NE(none.out.find("no picture is written"), std::string::npos) << none.out;
+  EXPECT_FALSE(std::filesystem::exists(file("n.png")));
+}
+
+TEST_F(NewTest, LongCodesAreOfferedAsFiles) {
+  const std::vector<std::string> words{"new", "--child-of", "A66CB-AA5S0-14", "A66CB-AA5S0-14"};
+  const Ran said = run_mien(words);
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_EQ(said.err.find("-o FILE keeps the person in a file") != std::string::npos,
+            said.out.size() > 41)
+      << said.out << said.err;
+  EXPECT_EQ(run_mien({"new", "--seed", "ada"}).err, "");
+}
+
 TEST_F(NewTest, BadUseIsASentence) {
   const auto refused = [](const std::vector<std::string>& words, int code,
                           const std::string& what) {
@@ -191,7 +213,7 @@ TEST_F(NewTest, BadUseIsASentence) {
     EXPECT_NE(ran.err.find(what), std::string::npos) << ran.err;
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
   };
-  refused({"new", "--code", "A66CB-AA5S0-13"}, 2, "a sign is wrong");
+  refused({"new", "--code", "A66CB-AA5S0-13"}, 1, "a sign is wrong");
   refused({"new", "--seed", "x", "--hold", "hair=bobb"}, 2, "did you mean \"bob\"");
   refused({"new", "--seed", "x", "--hold", "eye.size=7"}, 2, "eye.size goes from 0.8 to 1.2");
   refused({"new", "--seed", "x", "--style", "inkk"}, 2, "did you mean \"ink\"");
@@ -206,7 +228,7 @@ TEST_F(NewTest, BadUseIsASentence) {
     words.insert(words.end(), {"--seed", ""});
     refused(words, 2, "--seed: an empty word is no seed");
   }
-  refused({"new", "--code", "Z66CB-AA5S0-1B"}, 2,
+  refused({"new", "--code", "Z66CB-AA5S0-1B"}, 1,
           "edition Z is not known to this version, which has A");
   refused({"new", "--by", "0.5"}, 2, "--near");
   refused({"new", "--near", "A66CB-AA5S0-14", "--by", "2"}, 2, "--by");
@@ -215,7 +237,7 @@ TEST_F(NewTest, BadUseIsASentence) {
   refused({"parts", "-o", "x.png"}, 2, "FAMILY");
   refused({"code"}, 2, "--seed");
   refused({"code", "A66CB-AA5S0-14", "--seed", "x"}, 2, "one of them");
-  refused({"code", "A66CB-AA5S0-13"}, 2, "a sign is wrong");
+  refused({"code", "A66CB-AA5S0-13"}, 1, "a sign is wrong");
   refused({"code", "nobody.json"}, 1, "nobody.json");
   refused({"sheet", "--parts", "hiar", "-o", "x.png"}, 2, "did you mean \"hair\"");
   // A wrong part file is the file's fault, a wrong style the caller's.

@@ -17,16 +17,11 @@ namespace {
 using test::face_path;
 using test::ScratchFolder;
 
-/// Phases in the order in which they ended, each of which rose from nothing to one.
-std::vector<std::string> phases_of(const std::vector<std::string>& more) {
-  const ScratchFolder folder;
-  std::vector<std::string> words{
-      "render", face_path("toon"), "-o", (folder / "a.png").string(), "--size",
-      "300",    "--progress=json"};
-  words.insert(words.end(), more.begin(), more.end());
-  if (more == std::vector<std::string>{"--error-map"}) words.push_back((folder / "e.png").string());
+/// Phases of a command in the order in which they ended, each of which rose from nothing to one.
+std::vector<std::string> phases_of_command(std::vector<std::string> words) {
+  words.push_back("--progress=json");
   const test::Ran ran = test::run_mien(words);
-  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.code, 0) << ran.err;
   std::istringstream lines(ran.err);
   std::vector<std::string> phases;
   double done = -1;
@@ -40,6 +35,54 @@ std::vector<std::string> phases_of(const std::vector<std::string>& more) {
   }
   EXPECT_EQ(done, -1) << "a phase did not end";
   return phases;
+}
+
+/// The same of drawing a face.
+std::vector<std::string> phases_of(const std::vector<std::string>& more) {
+  const ScratchFolder folder;
+  std::vector<std::string> words{
+      "render", face_path("toon"), "-o", (folder / "a.png").string(), "--size", "300"};
+  words.insert(words.end(), more.begin(), more.end());
+  if (more == std::vector<std::string>{"--error-map"}) words.push_back((folder / "e.png").string());
+  return phases_of_command(words);
+}
+
+/// Every command whose work may take long.
+TEST(Progress, IsOfAllCommands) {
+  const ScratchFolder folder;
+  const std::string out = (folder / "a.png").string(), code = "A66CB-AA5S0-14";
+  const auto file = [&](const char* name, const std::string& text) {
+    test::write_text(folder / name, text);
+    return (folder / name).string();
+  };
+  const std::string obj = file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> all{
+      {{"check", face_path("seed0"), face_path("toon")}, {"faces"}},
+      {{"check", "--nonsense", "1"}, {"faces"}},
+      {{"animate", face_path("seed0"), "-o", (folder / "%d.png").string(), "--frames", "0-1",
+        "--size", "16"},
+       {"frames"}},
+      {{"morph", "between", code, code, "-o", out, "--steps", "2", "--size", "16"}, {"steps"}},
+      {{"mesh", obj, "-o", out, "--size", "16"}, {"heads"}},
+      {{"sheet", "--people", "3", "-o", out, "--cell", "16"}, {"people"}},
+      {{"sheet", "--parts", "iris", "-o", out, "--cell", "16"}, {"parts"}},
+      {{"chernoff", file("t.csv", "a,b\nx,1\ny,2\n"), "-o", out, "--cell", "16", "--legend",
+        (folder / "l.png").string()},
+       {"faces", "legend"}},
+      {{"stimuli", file("p.json", R"({"format": "mien-stimuli", "format_version": 1, "size": 16,
+                           "factors": [{"emotion": "joy", "steps": 3}]})"),
+        "-o", (folder / "shown").string()},
+       {"pictures"}}};
+  const std::string basis = (folder / "a.basis").string(), toon = face_path("toon");
+  ASSERT_EQ(
+      test::run_mien({"pca", "fit", toon, "-o", basis, "--frames", "0-9", "--components", "2"})
+          .code,
+      0);
+  all.push_back({{"pca", "encode", basis, toon, "-o", (folder / "w.npy").string()}, {"encode"}});
+  all.push_back({{"pca", "decode", basis, "-o", (folder / "f.npy").string()}, {"decode"}});
+  for (const auto& [words, phases] : all) EXPECT_EQ(phases_of_command(words), phases) << words[0];
+  for (const char* command : {"render", "check", "animate", "sheet", "chernoff", "stimuli", "mesh"})
+    EXPECT_NE(test::run_mien({command, "-h"}).out.find("--progress"), std::string::npos) << command;
 }
 
 TEST(Progress, JsonIsALineEach) {

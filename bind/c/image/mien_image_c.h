@@ -33,6 +33,7 @@ typedef struct mien_write_options {
   size_t recipe_length;   /* [bytes], or MIEN_NUL_ENDED */
   mien_progress progress; /* may cancel: then nothing is written; NULL */
   void* progress_data;    /* for `progress` */
+  double dpi; /* [pixels per inch] the size on paper, 1 ... 100000; 0: none, in TIFF 72; 0 */
 } mien_write_options;
 
 /* The defaults, and the size. `size` is sizeof(mien_write_options). False sizes are left alone. */

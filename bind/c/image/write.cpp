@@ -35,7 +35,9 @@ mien::WriteOptions options_of(const mien_write_options& o) {
   if (o.threads < 0) misuse("options.threads", "is " + std::to_string(o.threads));
   if (o.jpeg_quality < 1 || o.jpeg_quality > 100)
     refuse("options.jpeg_quality", "expected 1 to 100, got " + std::to_string(o.jpeg_quality));
-  mien::WriteOptions options{.half = o.half != 0, .jpeg_quality = o.jpeg_quality};
+  if (o.dpi != 0 && !(o.dpi >= 1 && o.dpi <= mien::WriteOptions::kMostDpi))
+    refuse("options.dpi", "expected 0, or 1 to 100000");
+  mien::WriteOptions options{.half = o.half != 0, .jpeg_quality = o.jpeg_quality, .dpi = o.dpi};
   if (o.type != MIEN_FILE_BY_NAME) options.type = mien::FileType(o.type - 1);
   if (o.recipe) options.recipe = text_of(o.recipe, o.recipe_length, "options.recipe");
   options.threads.count = o.threads;

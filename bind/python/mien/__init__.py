@@ -10,7 +10,7 @@
 `mien.distance` has distances from points to curves, `mien.people` people by codes. What is wrong raises `mien.Error`,
 a ValueError with an address and a sentence. The work is done by libmien_c; while it runs, other threads of Python run, too.
 """
-from . import distance, people
+from . import distance, lab, people
 from ._basis import Basis, fit_basis, read_basis
 from ._face import Canvas, EditedText, Face, Name, Posed, Svg, face_pointers, face_text_with, from_code, read_face, read_face_text
 from ._library import Cancelled, Error
@@ -21,4 +21,4 @@ from .people import crowd
 
 __version__: str = _text(_lib.mien_version_text())
 __all__ = ["Basis", "Cancelled", "Canvas", "EditedText", "Error", "Face", "Name", "Posed", "Renderer", "Stats", "Svg", "crowd", "distance", "face_pointers", "face_text_with", "fit_basis", "from_code",
-           "people", "read_basis", "read_face", "read_face_text"]
+           "lab", "people", "read_basis", "read_face", "read_face_text"]

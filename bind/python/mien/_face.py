@@ -287,16 +287,17 @@ class Posed:
         return Renderer()._render(scene.value, seen, "u8", threads, None, None)
 
     def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.01,
-            id_prefix: str = "") -> Svg:
+            id_prefix: Optional[str] = None) -> Svg:
         """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
 
         Colours are mixed as SVG viewers do, as with blend="srgb". `id_prefix` begins all ids, so that several pictures can
-        stand in one page.
+        stand in one page; without one it is made of the picture, so that only equal pictures share ids.
         """
         seen = view(self.face.canvas.aspect, size, fit, background=background)
         if not tolerance > 0:
             raise _library.Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
-        file, *simplified = texts(lib.mien_svg, self._drawn, seen, float(tolerance), *utf8(id_prefix))
+        prefix = (None, 0) if id_prefix is None else utf8(id_prefix)
+        file, *simplified = texts(lib.mien_svg, self._drawn, seen, float(tolerance), *prefix)
         return Svg(file, tuple(simplified))
 
     def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
@@ -308,9 +309,9 @@ class Posed:
     def save(self, path: "str | os.PathLike[str]", size: Size = 1024, *, fit: str = "meet", blend: str = "linear",
              depth: Optional[str] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
              light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0, memory: int = 256 << 20,
-             recipe: str = "", progress: Optional[Watch] = None) -> None:
+             recipe: str = "", dpi: float = 0, progress: Optional[Watch] = None) -> None:
         """Draws into a file, .png, .tif, .exr or .jpg, at any size, piece by piece in so many bytes of memory. It appears whole
-        or not at all. `recipe` goes into its metadata."""
+        or not at all. `recipe` goes into its metadata; `dpi`, pixels per inch, says how large it is on paper."""
         library = _library.image()
         seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
         options, watched = WriteOptions(), Watched(progress)
@@ -319,7 +320,7 @@ class Posed:
         options.half = depth is None
         options.threads, options.memory = whole(threads, "threads"), min(max(memory, 0), 2**64 - 1)
         options.recipe, options.recipe_length = utf8(recipe)
-        options.progress = watched.function
+        options.progress, options.dpi = watched.function, float(dpi)
         watched.call(library.mien_write_picture, self._drawn, seen, *path_bytes(path), options)
 
     @property

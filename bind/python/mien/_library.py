@@ -71,7 +71,7 @@ class BasisInfo(Structure):
 class WriteOptions(Structure):
     _fields_ = [("size", c_uint32), ("type", c_int32), ("half", c_int32), ("jpeg_quality", c_int32), ("threads", c_int32),
                 ("depth", c_int32), ("memory", c_uint64), ("recipe", c_char_p), ("recipe_length", c_size_t),
-                ("progress", Progress), ("progress_data", c_void_p)]
+                ("progress", Progress), ("progress_data", c_void_p), ("dpi", c_double)]
 
 
 _ERROR = POINTER(c_void_p)  # and every other place that a handle is written to

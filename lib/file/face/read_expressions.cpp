@@ -30,6 +30,7 @@ class ExpressionReader {
   void read_set(const JsonNode& node, std::string_view set) {
     in_.expect(node, JsonKind::object);
     const auto standard = standard_names(set);
+    std::vector<std::string> given;
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view key = in_.tree.key(child);
       if (key == "comment") return;
@@ -38,7 +39,12 @@ class ExpressionReader {
         in_.refuse(child, unknown_name(fmt::format("{} name", set), name,
                                        {standard.begin(), standard.end()}));
       read_expression(child, fmt::format("{}.{}", set, name), names_have_sides(set));
+      given.push_back(name);
     });
+    // Programs send every name of a set: what this face cannot show exists and does nothing.
+    for (const std::string_view name : standard)
+      if (std::find(given.begin(), given.end(), name) == given.end())
+        add_expression(node, {.name = fmt::format("{}.{}", set, name)}, names_have_sides(set));
   }
 
  private:
@@ -48,13 +54,17 @@ class ExpressionReader {
     in_.for_each(node, [&](const JsonNode& child, int) {
       if (in_.tree.key(child) != "comment") read_part(child, expression);
     });
+    add_expression(node, std::move(expression), one_number);
+  }
+
+  void add_expression(const JsonNode& node, Expression expression, bool one_number) {
     expression.left = expression.right = add_channel();
     std::vector<SidedChannel> channels{{Side::none, expression.left}};
     if (!one_number) {
       expression.right = add_channel();
       channels = {{Side::left, expression.left}, {Side::right, expression.right}};
     }
-    face_.add_control(in_, node, {name, "strength", {}}, channels);
+    face_.add_control(in_, node, {expression.name, "strength", {}}, channels);
     face_.model.expressions.push_back(std::move(expression));
   }
 

@@ -6,29 +6,113 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <limits>
 
 namespace mien {
 namespace {
 
-std::vector<FrameNumber> read_root(const Reading& in) {
-  const JsonNode* frame = &in.tree.root();
-  in.expect(*frame, JsonKind::object);
-  for (const std::string_view inside : {"blendShapes", "points"})
-    if (const JsonNode* found = in.find(*frame, inside)) {
-      frame = found;
-      break;
-    }
-  in.expect(*frame, JsonKind::object);
-  std::vector<FrameNumber> numbers;
-  in.for_each(*frame, [&](const JsonNode& child, int) {
-    if (in.tree.key(child) == "comment") return;
-    numbers.push_back(
-        {std::string{in.tree.key(child)}, in.numbers(child, 1, 4), in.tree.where(child)});
-  });
-  return numbers;
-}
+/// The numbers of a frame, and the place in the file that was read: what stands beside it is said.
+class FrameReader {
+ public:
+  explicit FrameReader(const Reading& in) : in_(in) {}
+
+  std::vector<FrameNumber> read() {
+    const JsonNode* frame = &in_.tree.root();
+    while (const JsonNode* inside = wrapped(*frame)) frame = inside;
+    if (frame->kind == JsonKind::array && frame->count > 0)
+      read_categories(*frame);
+    else
+      read_members(*frame);
+    return std::move(numbers_);
+  }
+
+ private:
+  /// What MediaPipe and others put frames into: {"faceBlendshapes": [{"categories": […]}]}, {"blendShapes": {…}}. A
+  /// wrapper holds nothing else but what is known to be about it.
+  const JsonNode* wrapped(const JsonNode& node) const {
+    if (node.kind == JsonKind::array) return only_face(node);
+    if (node.kind != JsonKind::object) return nullptr;
+    const JsonNode* found = nullptr;
+    for (const std::string_view key :
+         {"blendShapes", "points", "faceBlendshapes", "face_blendshapes", "categories"})
+      if (const JsonNode* one = in_.find(node, key)) {
+        if (found) refuse_beside(*one, *found);
+        found = one;
+      }
+    if (!found) return nullptr;
+    in_.for_each(node, [&](const JsonNode& child, int) {
+      if (&child != found && !is_about_frames(in_.tree.key(child))) refuse_beside(child, *found);
+    });
+    if (found->kind != JsonKind::object && found->kind != JsonKind::array)
+      in_.expect(*found, JsonKind::object);
+    return found;
+  }
+
+  [[noreturn]] void refuse_beside(const JsonNode& child, const JsonNode& found) const {
+    in_.refuse(child,
+               fmt::format("stands beside {}, which is the frame: put it inside, or leave it out",
+                           in_quotes(in_.tree.key(found))));
+  }
+
+  static bool is_about_frames(std::string_view key) {
+    constexpr std::string_view kKnown[] = {"comment",
+                                           "headIndex",
+                                           "headName",
+                                           "head_index",
+                                           "head_name",
+                                           "timestamp",
+                                           "time",
+                                           "timestampMs",
+                                           "timestamp_ms",
+                                           "faceLandmarks",
+                                           "face_landmarks",
+                                           "facialTransformationMatrixes",
+                                           "facial_transformation_matrixes",
+                                           "frame",
+                                           "index"};
+    return std::find(std::begin(kKnown), std::end(kKnown), key) != std::end(kKnown);
+  }
+
+  /// The face of a list of faces; null: a list of categories.
+  const JsonNode* only_face(const JsonNode& list) const {
+    const JsonNode* first = in_.tree.first(list);
+    if (!first || (first->kind == JsonKind::object && in_.find(*first, "categoryName")) ||
+        (first->kind == JsonKind::object && in_.find(*first, "category_name")))
+      return nullptr;
+    if (list.count > 1)
+      in_.refuse(list, fmt::format("holds {} faces; a frame is of one", list.count));
+    return first;
+  }
+
+  /// [{"categoryName": "jawOpen", "score": 0.4}, …]
+  void read_categories(const JsonNode& list) {
+    in_.for_each(list, [&](const JsonNode& child, int) {
+      in_.expect(child, JsonKind::object);
+      const JsonNode* name = in_.find(child, "categoryName");
+      if (!name)
+        name =
+            &in_.need(child, in_.find(child, "category_name") ? "category_name" : "categoryName");
+      take(in_.string(*name), in_.need(child, "score"));
+    });
+  }
+
+  void read_members(const JsonNode& frame) {
+    in_.expect(frame, JsonKind::object);
+    in_.for_each(frame, [&](const JsonNode& child, int) { take(in_.tree.key(child), child); });
+  }
+
+  void take(std::string_view name, const JsonNode& value) {
+    // MediaPipe's share of "none of them" moves nothing.
+    if (name == "comment" || name == "_neutral" || name == "timestamp" || name == "time") return;
+    numbers_.push_back({std::string{name}, in_.numbers(value, 1, 4), in_.tree.where(value)});
+  }
+
+  const Reading& in_;
+  std::vector<FrameNumber> numbers_;
+};
 
 }  // namespace
 
@@ -39,7 +123,8 @@ Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text, std::s
   try {
     const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
     if (!tree) return tree.error();
-    return read_root(Reading(*tree, limits, nullptr));
+    const Reading in(*tree, limits, nullptr);
+    return FrameReader(in).read();
   } catch (const Refusal& refusal) {
     return refusal.error;
   } catch (const std::exception& e) {

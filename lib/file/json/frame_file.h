@@ -1,6 +1,8 @@
 #pragma once
-// Frames of numbers by name, as JSON: {"jawOpen": 0.4, …}, {"mouth.left/points/2": [70, 150], …}. Such
-// a frame may also stand inside an object, as its member "blendShapes" or "points".
+// Frames of numbers by name, as JSON: {"jawOpen": 0.4, …}, {"mouth.left/points/2": [70, 150], …}. A frame may also stand
+// inside an object, as its member "blendShapes" or "points", or as MediaPipe has it: a list of
+// {"categoryName": "jawOpen", "score": 0.4}, perhaps in {"categories": …}, in {"faceBlendshapes": [ONE FACE]}. What stands
+// beside such a member and is not about the frame (its time, the face's name, landmarks) is an error.
 
 #include <mien/expected.h>
 #include <mien/face_limits.h>

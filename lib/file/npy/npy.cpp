@@ -53,23 +53,31 @@ std::optional<std::vector<std::size_t>> shape_of(std::string_view text) {
     if (failed != std::errc{} || shape.size() == kMostSides) return {};
     shape.push_back(side);
     text.remove_prefix(std::size_t(end - text.data()));
+    if (text.starts_with('L')) text.remove_prefix(1);  // Python 2's long numbers: (9L, 10L)
   }
   return shape;
+}
+
+std::string wrong_type(std::string_view type) {
+  const bool integers = type.size() > 1 && (type[1] == 'i' || type[1] == 'u' || type[1] == 'b');
+  return fmt::format(
+      "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type {}{}",
+      in_quotes(type), integers ? "; .astype('f4') makes it one of them" : "");
 }
 
 Expected<Done> read_type(std::string_view text, NpyHeader& header) {
   if (text.size() >= 2) text = text.substr(1, text.size() - 2);  // the quotes
   const std::string_view kind = text.empty() ? text : text.substr(1);
-  if (kind == "f4" || kind == "f8" || kind == "u1") {
-    header.type = kind == "f4"   ? NpyType::float32
+  if (kind == "f2" || kind == "f4" || kind == "f8" || kind == "u1") {
+    header.type = kind == "f2"   ? NpyType::float16
+                  : kind == "f4" ? NpyType::float32
                   : kind == "f8" ? NpyType::float64
                                  : NpyType::uint8;
     header.big_endian = text[0] == '>';
     if (text[0] == '<' || text[0] == '>' || text[0] == '|') return Done{};
     if (text[0] == '=') return Done{};
   }
-  return Error{"", fmt::format("expected float32 or float64 ('<f4', '<f8'), got the type {}",
-                               in_quotes(text))};
+  return Error{"", wrong_type(text)};
 }
 
 /// The size of the array in bytes; nothing if no file can be that large.
@@ -82,7 +90,9 @@ std::optional<std::size_t> bytes_needed(const NpyHeader& header) {
 
 template <class Bits>
 Bits swapped(Bits bits) {
-  if constexpr (sizeof(Bits) == 4)
+  if constexpr (sizeof(Bits) == 2)
+    return __builtin_bswap16(bits);
+  else if constexpr (sizeof(Bits) == 4)
     return __builtin_bswap32(bits);
   else
     return __builtin_bswap64(bits);
@@ -98,10 +108,30 @@ void to_doubles(const std::byte* bytes, std::size_t count, bool swap, double* ou
   }
 }
 
+/// IEEE 754's binary16: one bit of sign, five of exponent, ten of fraction.
+double from_half(std::uint16_t bits) {
+  const int exponent = bits >> 10 & 31, fraction = bits & 1023;
+  const double size = exponent == 31  ? (fraction ? NAN : INFINITY)
+                      : exponent == 0 ? std::ldexp(fraction, -24)
+                                      : std::ldexp(1024 + fraction, exponent - 25);
+  return bits & 0x8000 ? -size : size;
+}
+
+void halves_to_doubles(const std::byte* bytes, std::size_t count, bool swap, double* out,
+                       std::size_t step) {
+  for (std::size_t i = 0; i < count; ++i, bytes += 2, out += step) {
+    std::uint16_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    *out = from_half(swap ? swapped(bits) : bits);
+  }
+}
+
 void convert(const NpyHeader& header, const std::byte* bytes, std::size_t count, double* out,
              std::size_t step) {
   const bool swap = header.big_endian != (std::endian::native == std::endian::big);
-  if (header.type == NpyType::float32)
+  if (header.type == NpyType::float16)
+    halves_to_doubles(bytes, count, swap, out, step);
+  else if (header.type == NpyType::float32)
     to_doubles<float, std::uint32_t>(bytes, count, swap, out, step);
   else
     to_doubles<double, std::uint64_t>(bytes, count, swap, out, step);
@@ -116,11 +146,14 @@ std::size_t NpyHeader::numbers() const {
 }
 
 Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, std::size_t size) {
-  const Error no_file{"", "is not a .npy file"};
+  Error no_file{"", "is not a .npy file"};
   unsigned char begin[12] = {};
   if (size < offset + 10 || !read(offset, 10, begin) ||
-      std::string_view(reinterpret_cast<char*>(begin), 6) != kMagic)
+      std::string_view(reinterpret_cast<char*>(begin), 6) != kMagic) {
+    if (std::string_view(reinterpret_cast<char*>(begin), 4) == std::string_view("PK\3\4", 4))
+      no_file.what += "; it looks like an .npz, an archive of them: save one of its arrays alone";
     return no_file;
+  }
   if (begin[6] < 1 || begin[6] > 3)
     return Error{
         "", fmt::format("has .npy format version {}.{}; known are 1 to 3", begin[6], begin[7])};
@@ -186,8 +219,7 @@ Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
   if (!header) return Error{frames.name_, header.error().what};
   frames.header_ = *header;
   const std::vector<std::size_t>& shape = frames.header_.shape;
-  if (frames.header_.type == NpyType::uint8)
-    return Error{frames.name_, "expected float32 or float64 ('<f4', '<f8'), got the type \"|u1\""};
+  if (frames.header_.type == NpyType::uint8) return Error{frames.name_, wrong_type("|u1")};
   if ((shape.size() != 2 && shape.size() != 3) || frames.header_.numbers() == 0)
     return Error{frames.name_,
                  fmt::format("expected the shape [frames, vertices, dimensions] or [frames, "
@@ -240,7 +272,7 @@ MatrixSource FrameFile::source() const {
 }
 
 std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
-  const char* const names[] = {"<f4", "<f8", "|u1"};
+  const char* const names[] = {"<f4", "<f8", "|u1", "<f2"};
   std::string text =
       fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", names[int(type)],
                   fmt::join(shape, ", "), shape.size() == 1 ? "," : "");

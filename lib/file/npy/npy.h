@@ -4,8 +4,8 @@
 //   const auto frames = FrameFile::open("head.npy");
 //   const auto fit = fit_pca(frames->source(), {.count = 7});
 //
-// Reading accepts float32 and float64 in either byte order, C and Fortran order, and format versions 1
-// to 3. It reads in blocks, so a file may be larger than memory. Writing does what np.save does: C order,
+// Reading accepts float16, float32 and float64 in either byte order, C and Fortran order, and format versions 1
+// to 3, also as Python 2 wrote them. It reads in blocks, so a file may be larger than memory. Writing does what np.save does: C order,
 // little endian. Source: numpy.lib.format, the format's definition.
 
 #include <mien/api.h>
@@ -24,10 +24,11 @@
 
 namespace mien {
 
-enum class NpyType { float32, float64, uint8 };
+enum class NpyType { float32, float64, uint8, float16 };
 
 inline std::size_t bytes_of(NpyType type) {
-  return type == NpyType::float64 ? 8 : type == NpyType::float32 ? 4 : 1;
+  constexpr std::size_t kBytes[] = {4, 8, 1, 2};
+  return kBytes[int(type)];
 }
 
 /// An array's type and shape, and where its numbers are in the file.

@@ -149,8 +149,8 @@ void read_arrays(Arrays& arrays, BasisFile& file) {
   const auto next = [&](std::vector<std::size_t> shape, const char* what, bool info = false) {
     const auto header = arrays.next();
     if (!header) throw std::runtime_error(header.error().what);
-    if ((!info && (header->shape != shape || header->type == NpyType::uint8)) || header->fortran ||
-        header->big_endian)
+    const bool reals = header->type == NpyType::float32 || header->type == NpyType::float64;
+    if ((!info && (header->shape != shape || !reals)) || header->fortran || header->big_endian)
       throw std::runtime_error(fmt::format("its {} have the shape [{}], not [{}]", what,
                                            fmt::join(header->shape, ", "), fmt::join(shape, ", ")));
     return *header;

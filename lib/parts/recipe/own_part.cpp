@@ -58,6 +58,28 @@ std::string comment(std::string_view family, std::string_view begun_as) {
   return text + "]";
 }
 
+/// JSON broken between its values into lines of at most kWidest bytes, as far as its words allow; before numbers, which
+/// belong together, only where there is nothing else.
+std::string in_lines(std::string_view json) {
+  constexpr std::size_t kWidest = 118;
+  std::string text;
+  std::size_t line = 0, good = 0, poor = 0;  // where the line begins, and places to break it
+  bool inside = false;                       // of a string
+  for (const char c : json) {
+    const bool behind_comma = !inside && text.ends_with(", ");
+    if (behind_comma) (c == '[' || c == '{' || c == '"' ? good : poor) = text.size();
+    const bool escaped = inside && text.ends_with('\\') && !text.ends_with("\\\\");
+    if (c == '"' && !escaped) inside = !inside;
+    text += c;
+    if (c == '\n') line = good = poor = text.size();
+    const std::size_t at = good > line ? good : poor;
+    if (text.size() - line <= kWidest || at <= line) continue;
+    text.replace(at - 1, 1, "\n    ");
+    line = at, good = poor = at + 4;
+  }
+  return text;
+}
+
 }  // namespace
 
 Expected<FoundPart> read_part_file(const std::filesystem::path& path) {
@@ -139,7 +161,7 @@ Expected<std::string> part_skeleton(std::string_view family_name, std::string_vi
     text += i > 0 ? ",\n  " : "\n  ";
     add_json(in.tree, feature, text);
   });
-  return text + "]}\n";
+  return in_lines(text) + "]}\n";
 }
 
 }  // namespace mien

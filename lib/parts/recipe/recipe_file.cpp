@@ -69,6 +69,24 @@ class RecipeReader {
     in_.refuse(node, unknown_name(what, one_line(wanted, 60), names));
   }
 
+  /// Why a path is no file of the folder; empty: it is one. Links may not lead elsewhere: a recipe of a stranger reads
+  /// nothing but what lies beside it.
+  static std::string why_no_part(const std::filesystem::path& folder,
+                                 const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (status.type() == fs::file_type::not_found) return "is not there";
+    if (failed) return "cannot be read: " + failed.message();
+    if (status.type() == fs::file_type::directory) return "is a folder, no file";
+    if (status.type() != fs::file_type::regular) return "is a pipe or a device, no file";
+    const fs::path real = fs::canonical(path, failed);
+    const fs::path home =
+        failed ? fs::path() : fs::canonical(folder.empty() ? "." : folder, failed);
+    if (failed) return "cannot be read: " + failed.message();
+    return real.parent_path() == home ? "" : "is a link that leads out of the recipe's folder";
+  }
+
   /// A file beside the recipe.
   void read_own_part(const JsonNode& node) {
     const std::string name(in_.string(node));
@@ -78,9 +96,8 @@ class RecipeReader {
       in_.refuse(node,
                  "a part of one's own lies in the recipe's own folder: a name without slashes");
     const std::filesystem::path path = *folder_ / name;
-    std::error_code unknown;  // set if there is none, too
-    if (!std::filesystem::is_regular_file(path, unknown))
-      in_.refuse(node, fmt::format("there is no file {}", in_quotes(path.string())));
+    if (const std::string wrong = why_no_part(*folder_, path); !wrong.empty())
+      in_.refuse(node, fmt::format("{} {}", in_quotes(path.string()), wrong));
     auto text = read_bytes(path, in_.limits.bytes);
     if (!text) in_.refuse(node, sentence(text.error()));
     recipe_.own_parts[name] = {path.string(), *std::move(text)};

@@ -35,7 +35,8 @@ Expected<Setting> read_expression(const Face& face, std::string_view set, std::s
                                   OutOfRange out) {
   const std::string where = one_line(text, 80), prefix = std::string{set} + ".";
   const std::size_t equals = text.find('=');
-  const std::string_view name = text.substr(0, equals);
+  const std::string spelt = standard_spelling(set, text.substr(0, equals));
+  const std::string_view name = spelt;
   double value = 1;
   if (equals != std::string_view::npos) {
     std::string_view word = text.substr(equals + 1);

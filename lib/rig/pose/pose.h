@@ -27,7 +27,7 @@ struct Clip;
 struct Setting {
   bool control = false;
   int index = 0;  ///< of the control, or the first number in the face vector
-  std::vector<double> values;
+  std::vector<double> values = {};
 };
 
 /// Reads "NAME=VALUE" or "NAME=V,V,…". NAME is one of the face's controls, a slice, or one number of a

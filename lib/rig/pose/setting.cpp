@@ -4,6 +4,7 @@
 #include <mien/pose.h>
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/face/standard_names.h"
 #include "lib/picture/color_text.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,11 @@ struct Target {
   const Slice* slice;  ///< null: a control
 };
 
-std::optional<Target> find_target(const FaceModel& model, std::string_view name) {
+std::optional<Target> find_target(const FaceModel& model, std::string_view given) {
+  const bool unit = given.starts_with("facs.");
+  const std::string spelt =
+      unit ? "facs." + standard_spelling("facs", given.substr(5)) : std::string(given);
+  const std::string_view name = spelt;
   for (std::size_t c = 0; c < model.controls.size(); ++c)
     if (model.controls[c].name == name) return Target{true, int(c), 1, nullptr};
   if (const int found = model.layout.find(name); found >= 0) {

@@ -54,6 +54,11 @@ OIIO::ImageSpec spec_of(const PictureFrame& frame, FileType type, const WriteOpt
   if (!how.recipe.empty() && (type != FileType::jpeg || how.recipe.size() <= kJpegText)) {
     spec.attribute("ImageDescription", how.recipe);
   }
+  if (how.dpi > 0) {
+    spec.attribute("XResolution", float(how.dpi));
+    spec.attribute("YResolution", float(how.dpi));
+    spec.attribute("ResolutionUnit", "in");
+  }
   if (type == FileType::exr) set_exr(spec, how.half);
   if (type == FileType::jpeg) set_jpeg(spec, how.jpeg_quality);
   return spec;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
@@ -75,7 +76,7 @@ class PngEncoder final : public PictureEncoder {
         strip_rows_(strip_rows),
         piece_rows_(piece_rows),
         strips_(std::size_t(slots)) {
-    begin(request.how.recipe);
+    begin(request.how.recipe, request.how.dpi);
   }
 
   static Depth stored(Depth depth) { return depth == Depth::u8 ? Depth::u8 : Depth::u16; }
@@ -138,7 +139,7 @@ class PngEncoder final : public PictureEncoder {
     return own.strip->add(own.rows.data(), row, count, to);
   }
 
-  void begin(const std::string& recipe) {
+  void begin(const std::string& recipe, double dpi) {
     for (const int byte : {0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10})
       head_.push_back(std::byte(byte));
     const std::size_t header = begin_chunk(head_, "IHDR");
@@ -154,6 +155,15 @@ class PngEncoder final : public PictureEncoder {
     const std::size_t srgb = begin_chunk(head_, "sRGB");
     head_.push_back(std::byte(0));  // perceptual
     end_chunk(head_, srgb);
+    if (dpi > 0) {
+      constexpr double kMetre = 1 / 0.0254;  // [inches]
+      const std::size_t size = begin_chunk(head_, "pHYs");
+      for (int axis = 0; axis < 2; ++axis)
+        add_number(head_,
+                   std::uint32_t(std::lround(std::min(dpi, WriteOptions::kMostDpi) * kMetre)));
+      head_.push_back(std::byte(1));  // pixels a metre
+      end_chunk(head_, size);
+    }
     add_text(head_, "Software", "mien " MIEN_VERSION_STRING);
     if (!recipe.empty()) add_text(head_, "Description", recipe);
     stream_.bytes() = {std::byte(0x78), std::byte(0x9c)};  // zlib's own

@@ -166,6 +166,7 @@ class TiffEncoder final : public PictureEncoder {
   }
 
   bool set_tags(const WriteOptions& how) {
+    constexpr double kUsualDpi = 72;  // TIFF 6.0 asks every RGB file for one
     const bool light = frame_.depth == Depth::f32;
     const auto set = [&](std::uint32_t tag, auto... value) {
       return TIFFSetField(tiff_, tag, value...) == 1;
@@ -185,6 +186,9 @@ class TiffEncoder final : public PictureEncoder {
            set(TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE) &&
            set(TIFFTAG_TILEWIDTH, std::uint32_t(tile_)) &&
            set(TIFFTAG_TILELENGTH, std::uint32_t(tile_)) &&
+           set(TIFFTAG_XRESOLUTION, how.dpi > 0 ? how.dpi : kUsualDpi) &&
+           set(TIFFTAG_YRESOLUTION, how.dpi > 0 ? how.dpi : kUsualDpi) &&
+           set(TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH) &&
            set(TIFFTAG_SOFTWARE, "mien " MIEN_VERSION_STRING) &&
            set(TIFFTAG_ICCPROFILE, std::uint32_t(profile.size()), profile.data()) &&
            (how.recipe.empty() || set(TIFFTAG_IMAGEDESCRIPTION, how.recipe.c_str()));

@@ -5,7 +5,7 @@
 
 #include "tests/bind/c/check.h"
 
-typedef char options_are_frozen[sizeof(void*) != 8 || sizeof(mien_write_options) == 64 ? 1 : -1];
+typedef char options_are_frozen[sizeof(void*) != 8 || sizeof(mien_write_options) == 72 ? 1 : -1];
 
 enum { kWidth = 64, kHeight = 36, kRow = kWidth * 4, kBytes = kRow * kHeight };
 static char path[1000];
@@ -57,7 +57,9 @@ static void test_kinds(const mien_scene* scene, const char* folder) {
   CHECK(bytes_of(path, &count) == NULL);
   options.progress = NULL, options.jpeg_quality = 0;
   FAILS(MIEN_REFUSED, "quality", mien_write_picture(scene, &view, path, END, &options, &error));
-  options.jpeg_quality = 95, options.memory = 1;
+  options.jpeg_quality = 95, options.dpi = 0.5;
+  FAILS(MIEN_REFUSED, "dpi", mien_write_picture(scene, &view, path, END, &options, &error));
+  options.dpi = 0, options.memory = 1;
   FAILS(MIEN_NOT_WRITTEN, NULL, mien_write_picture(scene, &view, path, END, &options, &error));
   view.has_region = 1, view.region[0] = 999, view.region[2] = view.region[3] = 1;
   FAILS(MIEN_REFUSED, "region", mien_write_picture(scene, &view, path, END, NULL, &error));

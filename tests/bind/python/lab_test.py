@@ -14,7 +14,6 @@ except ImportError:
     sys.exit(77)
 
 import mien
-import mien.lab
 from mien import distance
 
 PROGRAM = sys.argv.pop()

@@ -99,6 +99,7 @@ class Faces(unittest.TestCase):
                 (lambda: person.pose(emotions={"happiness": 1}), mien.Error, 'did you mean "joy"?'),
                 (lambda: person.pose(emotions={"scared": 1}), mien.Error, 'did you mean "fear"?'),
                 (lambda: person.pose(expressions={"visemes": {"aa": 1}}), mien.Error, 'did you mean "viseme"?'),
+                (lambda: person.pose(time=float("nan")), mien.Error, "finite"),
                 (lambda: person.pose(yaw=20), TypeError, 'pose: no argument named "yaw"; did you mean "set: yaw"?'),
                 (lambda: person.pose(emotion={"joy": 1}), TypeError, 'did you mean "emotions"?'),
                 (lambda: person.pose().render(64, bg="#fff"), TypeError, 'did you mean "background"?')):
@@ -242,6 +243,8 @@ class Poses(unittest.TestCase):
         made = posed.svg((300, 200), background="transparent", id_prefix="a-")
         self.assertTrue(made.text.startswith('<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"'))
         self.assertIn('<path id="a-', made.text)
+        ids = [set(re.findall(r'\bid="([^"]+)"', toon().pose(**pose).svg(64).text)) for pose in ({}, {"set": {"yaw": 5}})]
+        self.assertFalse(ids[0] & ids[1])
         self.assertTrue(all(one.startswith('layer "') for one in made.simplified))
         xml.dom.minidom.parseString(made.text)
         self.assertLess(len(posed.svg(300, tolerance=0.5).text), len(posed.svg(300, tolerance=1e-3).text))

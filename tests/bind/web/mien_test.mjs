@@ -190,6 +190,8 @@ test('a face is an SVG file', () => {
   const { text, simplified } = face.svg(300, 200, { background: '#102030' }, { idPrefix: 'a-' });
   assert.ok(text.startsWith('<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"') && text.endsWith('</svg>\n'));
   assert.ok(text.includes('<path id="a-') && text.includes('#102030'));
+  assert.match(face.svg(30, 20).text, /<path id="m[0-9a-f]{8,10}-/);
+  assert.notEqual(face.svg(30, 20).text.match(/id="m\w+-/)[0], face.svg(31, 20).text.match(/id="m\w+-/)[0]);
   assert.ok(simplified.every((one) => one.startsWith('layer "')));
   assert.throws(() => face.svg(300, 200, {}, { tolerance: 7 }), MienError);
   face.free();

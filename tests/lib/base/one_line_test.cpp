@@ -25,6 +25,13 @@ TEST(OneLine, CutsWhatIsLong) {
   EXPECT_LT(in_quotes(std::string(100'000, '\n')).size(), 70u);
 }
 
+TEST(IsUtf8, IsOfWholeCharactersWithoutNuls) {
+  EXPECT_TRUE(is_utf8(""));
+  EXPECT_TRUE(is_utf8("aö眉🙂\n"));
+  EXPECT_FALSE(is_utf8("a\xE9"));
+  EXPECT_FALSE(is_utf8(std::string_view("a\0b", 3)));
+}
+
 TEST(Utf8Length, CountsTheBytesOfOneCharacter) {
   EXPECT_EQ(utf8_length("a"), 1);
   EXPECT_EQ(utf8_length("ö"), 2);

@@ -18,6 +18,15 @@ TEST(StandardNames, AreFourSetsWithoutDoubles) {
   EXPECT_TRUE(standard_names("emotion").empty());
 }
 
+TEST(StandardNames, OfActionUnitsAreSpeltInManyWays) {
+  for (const char* name : {"AU1", "AU01", "au1", "Au01_r", "AU01_c", "AU001"})
+    EXPECT_EQ(standard_spelling("facs", name), "AU1") << name;
+  EXPECT_EQ(standard_spelling("facs", "left.au12_r"), "left.AU12");
+  for (const char* name : {"AU3", "AU0", "AU", "AUx", "AU1_x", "", "1", "jawOpen"})
+    EXPECT_EQ(standard_spelling("facs", name), name);
+  EXPECT_EQ(standard_spelling("arkit", "AU01"), "AU01");
+}
+
 TEST(StandardNames, SayTheirSideOrHaveHalves) {
   EXPECT_TRUE(names_have_sides("arkit"));
   EXPECT_FALSE(names_have_sides("facs"));

@@ -24,7 +24,9 @@ Scene two_layers() {
   return std::move(build).finish();
 }
 
-std::string text_of(const Scene& scene, const SvgOptions& options = {}) {
+/// Ids without a prefix, unless the options have one.
+std::string text_of(const Scene& scene, SvgOptions options = {}) {
+  if (!options.id_prefix) options.id_prefix = "";
   const auto svg = svg_text(scene, options);
   EXPECT_TRUE(svg) << sentence(svg.error());
   return svg ? svg->text : std::string();
@@ -93,6 +95,24 @@ TEST(Svg, NamesAreEscapedAndIdsUnique) {
   EXPECT_EQ(ids, (std::vector<std::string>{"p_eye", "p_eye-2", "p_eye-2-2", "p_____", "p_",
                                            "p__a_b________-2"}));
   EXPECT_EQ(group.children[0].get("data-name", "none"), "none");
+}
+
+/// So pictures can stand in one page: others have other ids, the same have the same.
+TEST(Svg, IdsAreOfThePicture) {
+  const auto ids = [](const SvgOptions& options, double radius) {
+    SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0, 0, 0, 0});
+    build.layer("eye", build.shape(Disc{{0, 0}, radius}), {{1, 0, 0, 1}});
+    const auto svg = svg_text(std::move(build).finish(), options);
+    EXPECT_TRUE(svg);
+    return svg ? only(read_svg_tree(svg->text), "path").get("id") : std::string();
+  };
+  const std::string id = ids({}, 0.5);
+  EXPECT_TRUE(id.starts_with("m") && id.ends_with("-eye")) << id;
+  EXPECT_EQ(ids({}, 0.5), id);
+  EXPECT_NE(ids({}, 0.6), id);
+  EXPECT_NE(ids({.width = 300}, 0.5), id);
+  EXPECT_EQ(ids({.id_prefix = "a-"}, 0.5), "a-eye");
+  EXPECT_EQ(ids({.id_prefix = ""}, 0.5), "eye");
 }
 
 TEST(Svg, WhatSeveralLayersAreClippedByIsAClipPath) {

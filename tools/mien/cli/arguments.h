@@ -27,9 +27,8 @@ struct PosedFace {
 struct RenderArguments {
   PosedFace posed;
   std::string output;
-  std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats,
-      progress;
-  std::optional<std::string> light, dither, debug, error_map;
+  std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats;
+  std::optional<std::string> light, dither, debug, error_map, id_prefix, dpi;
   std::vector<std::string> effects;
 };
 
@@ -44,8 +43,9 @@ struct CheckArguments {
   bool nonsense = false;
   std::vector<std::string> people;  ///< after --nonsense: one word at most
   std::optional<std::string> seed;
-  std::optional<std::string> style;  ///< of all people
-  std::vector<std::string> worn;     ///< part files; by all people
+  std::optional<std::string> style;   ///< of all people
+  std::vector<std::string> worn;      ///< part files; by all people
+  std::optional<std::string> output;  ///< a picture of what is wrong most
   bool json = false;
 };
 

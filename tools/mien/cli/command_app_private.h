@@ -36,8 +36,9 @@ struct CommandApp {
   ChernoffArguments chernoff;
   StimuliArguments stimuli;
   StudioArguments studio;
-  std::string shell;      ///< of `mien completion`
-  bool markdown = false;  ///< of `mien manual`
+  std::optional<std::string> progress;  ///< of every command that has it
+  std::string shell;                    ///< of `mien completion`
+  bool markdown = false;                ///< of `mien manual`
 };
 
 std::unique_ptr<CommandApp> command_app();

@@ -11,6 +11,7 @@
 #include "tools/mien/cli/pca_options.h"
 #include "tools/mien/cli/studio_options.h"
 #include "tools/mien/commands/render_plan.h"
+#include "tools/mien/terminal/progress_display.h"
 
 #include "command_app_private.h"
 
@@ -128,9 +129,6 @@ void add_work(CLI::App* to, RenderArguments& render) {
   to->add_option("--stats", render.stats,
                  "Print what drawing took, on standard output (standard error with -o -)")
       ->type_name(std::string(kStats));
-  to->add_option("--progress", render.progress,
-                 "auto: a bar on a terminal for work of over a second; json: lines for programs")
-      ->type_name(std::string(kProgress));
 }
 
 std::vector<std::string_view> names_of(const std::vector<std::string>& words) {
@@ -148,6 +146,16 @@ void add_render(CLI::App& app, RenderArguments& to) {
   CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
   add_pose(render, to.posed);
   add_output(render, to);
+  render
+      ->add_option("--dpi", to.dpi,
+                   "Pixels per inch on paper, 1 to 100000, for the file's metadata; default none, "
+                   "in TIFF 72")
+      ->type_name("N");
+  render
+      ->add_option("--id-prefix", to.id_prefix,
+                   "Of an SVG file: what all ids begin with; default: made of the picture, so that "
+                   "only equal pictures share ids")
+      ->type_name("TEXT");
   add_picture(render, to);
   add_threads(render, to);
   add_insight(render, to);
@@ -316,6 +324,29 @@ std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
   return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
 }
 
+namespace {
+
+/// To all commands whose work may take long.
+void add_progress(CommandApp& made) {
+  CLI::App& app = made.app;
+  for (CLI::App* command :
+       {app.get_subcommand("render"), app.get_subcommand("check"), app.get_subcommand("animate"),
+        app.get_subcommand("morph")->get_subcommand("between"), app.get_subcommand("mesh"),
+        app.get_subcommand("pca")->get_subcommand("fit"),
+        app.get_subcommand("pca")->get_subcommand("encode"),
+        app.get_subcommand("pca")->get_subcommand("decode"),
+        app.get_subcommand("pca")->get_subcommand("compare"), app.get_subcommand("sheet"),
+        app.get_subcommand("parts"), app.get_subcommand("parts")->get_subcommand("check"),
+        app.get_subcommand("chernoff"), app.get_subcommand("stimuli")})
+    command
+        ->add_option(
+            "--progress", made.progress,
+            "auto: a bar on a terminal for work of over a second; json: lines for programs")
+        ->type_name(std::string(kProgress));
+}
+
+}  // namespace
+
 std::unique_ptr<CommandApp> command_app() {
   auto made = std::make_unique<CommandApp>();
   CLI::App& app = made->app;
@@ -341,6 +372,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_chernoff(app, made->chernoff);
   add_stimuli(app, made->stimuli);
   add_studio(app, made->studio);
+  add_progress(*made);
 
   app.add_subcommand("manual", "Print the man page")
       ->group("")
@@ -362,6 +394,11 @@ CommandLine read_command_line(int count, const char* const* words) {
     return Help{"mien " MIEN_VERSION_STRING "\n"};
   } catch (const CLI::ParseError& wrong) {
     return WrongUse{wrong_use(app, wrong)};
+  }
+  if (command->progress) {
+    const auto style = read_choice("--progress", *command->progress, kProgress);
+    if (!style) return WrongUse{sentence(style.error())};
+    use_progress(ProgressStyle(*style));
   }
   return chosen(*command);
 }

@@ -114,10 +114,6 @@ void add_animate(CLI::App& app, AnimateArguments& to) {
   animate->add_flag("--again", to.again, "Draw pictures again that an earlier run finished");
   add_picture(animate, to.render);
   add_threads(animate, to.render);
-  animate
-      ->add_option("--progress", to.render.progress,
-                   "auto: a bar on a terminal for work of over a second; json: lines for programs")
-      ->type_name(std::string(kProgress));
 }
 
 namespace {

@@ -67,6 +67,8 @@ void add_parts(CLI::App& app, PartsArguments& to) {
       ->type_name("")
       ->expected(1, 64);
   check->add_option("--people", to.people, "So many people; default 100")->type_name("N");
+  check->add_option("-o,--output", to.output, "Draw the worst case of everything that is wrong")
+      ->type_name("FILE");
   add_seed(*check, to.seed, "The same word, the same people; default 1");
 }
 
@@ -98,6 +100,10 @@ void add_check(CLI::App& app, CheckArguments& to) {
   check->add_option("--style", to.style, "How the N people are painted; default soft")
       ->type_name("STYLE");
   check->add_flag("--json", to.json, "Print JSON instead of a table");
+  check
+      ->add_option("-o,--output", to.output,
+                   "With --nonsense: draw the worst case of everything that is wrong")
+      ->type_name("FILE");
   check->final_callback([check, &to] { to.nonsense = check->count("--nonsense") > 0; });
 }
 

@@ -46,11 +46,6 @@ void add_mesh(CLI::App* to, PcaArguments& pca) {
       ->type_name("N");
 }
 
-void add_progress(CLI::App* to, PcaArguments& pca) {
-  to->add_option("--progress", pca.progress, "auto: a bar on a terminal; json: lines for programs")
-      ->type_name(std::string(kProgress));
-}
-
 void add_fit(CLI::App* pca, PcaArguments& to) {
   CLI::App* fit = add_verb(pca, to, Verb::fit, "fit", "Find the basis of an animation");
   add_input(fit, to);
@@ -65,7 +60,6 @@ void add_fit(CLI::App* pca, PcaArguments& to) {
   fit->add_option("--size", to.size,
                   "Of a face: errors are pixels of a picture with so many on its longer side")
       ->type_name("N");
-  add_progress(fit, to);
 }
 
 }  // namespace

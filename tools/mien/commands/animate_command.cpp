@@ -202,7 +202,7 @@ int animate_command(const AnimateArguments& arguments) {
   watch_interrupts();
   int code = kDone;
   {
-    ProgressDisplay display(animation.plan.progress);
+    ProgressDisplay display;
     code = *names ? as_pictures(animation, **names, arguments.again, display)
                   : as_film(animation, *film, display);
   }

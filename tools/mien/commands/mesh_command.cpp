@@ -13,6 +13,7 @@
 #include "tools/mien/output/contact_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/terminal/messages.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
@@ -37,6 +38,8 @@ struct Heads {
 Expected<Heads> read_heads(const MeshArguments& arguments) {
   auto neutral = read_obj(arguments.neutral);
   if (!neutral) return neutral.error();
+  if (neutral->triangles.empty())
+    return Error{arguments.neutral, "has points and no faces: nothing can be drawn"};
   Heads heads{*std::move(neutral), {}, {}};
   for (const std::string& text : arguments.targets) {
     const auto [name, file] = name_and_file(text);
@@ -122,6 +125,7 @@ std::vector<Image> sheet_of(const Heads& heads, const HeadPainter& painter, int 
   const std::size_t count = heads.targets.size() + 1;
   std::vector<Image> pictures;
   const Image empty = painter.paint({}, "");
+  WatchedWork work("heads", 2 * count);
   for (std::size_t first = 0; first < count; first += std::size_t(columns))
     for (const bool below : {false, true})
       for (std::size_t i = first; i < first + std::size_t(columns); ++i) {
@@ -136,6 +140,7 @@ std::vector<Image> sheet_of(const Heads& heads, const HeadPainter& painter, int 
           pictures.push_back(below ? painter.paint_heat(heads.neutral, target)
                                    : painter.paint(target, heads.names[i - 1]));
         }
+        if (i < count) work.step();
       }
   return pictures;
 }

@@ -20,6 +20,7 @@
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/output/write_strips.h"
 #include "tools/mien/terminal/interrupt.h"
+#include "tools/mien/terminal/progress_display.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -129,7 +130,7 @@ int draw_and_write(const RenderArguments& arguments, RenderPlan& plan, const Sce
                    const std::vector<Effect>& effects, Times times) {
   Expected<PictureStats> done = PictureStats{};
   {
-    ProgressDisplay display(plan.progress);
+    ProgressDisplay display;
     plan.picture.write.recipe = recipe(arguments, plan.view);
     plan.picture.write.progress = display.watch("render");
     const double began = monotonic_seconds();
@@ -196,7 +197,7 @@ int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, co
   ErrorStrips strips(plan, scene);
   Expected<PictureStats> done = PictureStats{};
   {
-    ProgressDisplay display(plan.progress);
+    ProgressDisplay display;
     PictureOptions how{.write = plan.error_map_write, .memory = plan.picture.memory};
     how.write.recipe = recipe(arguments, plan.view);
     how.write.progress = display.watch("error map");
@@ -224,18 +225,16 @@ Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& pose
 
 int render_command(const RenderArguments& arguments) {
   if (asks_for_svg(arguments)) return render_svg(arguments);
+  if (arguments.id_prefix)
+    return complain(Error{"--id-prefix", "is for SVG files; pixels have no ids"}, kUsedWrongly);
   auto plan = plan_render(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
   if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {
     return complain(writable.error(), kFailed);
   }
-  if (plan->error_map) {
-    if (*plan->error_map == arguments.output)
-      return complain({"--error-map " + *plan->error_map, "is the picture's own name"},
-                      kUsedWrongly);
+  if (plan->error_map)
     if (auto writable = check_output(*plan->error_map, plan->error_map_write); !writable)
       return complain(writable.error(), kFailed);
-  }
   Times times;
   double began = monotonic_seconds();
   const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);

@@ -67,8 +67,6 @@ Expected<Done> plan_choices(RenderPlan& plan, const RenderArguments& arguments) 
   if (auto done = plan_choice(plan.view.fit, "--fit", arguments.fit, kFits); !done) return done;
   if (auto done = plan_choice(plan.view.blend, "--blend", arguments.blend, kBlends); !done)
     return done;
-  if (auto done = plan_choice(plan.progress, "--progress", arguments.progress, kProgress); !done)
-    return done;
   bool undithered = !plan.view.dither;
   if (auto done = plan_choice(undithered, "--dither", arguments.dither, kDithers); !done)
     return done;
@@ -125,6 +123,11 @@ Expected<RenderPlan> plan_render(const RenderArguments& arguments) {
   auto plan = plan_picture(arguments);
   if (!plan) return plan;
   plan->picture.write.type = *type;
+  if (arguments.dpi) {
+    const auto dpi = read_real("--dpi", *arguments.dpi, 1, WriteOptions::kMostDpi);
+    if (!dpi) return dpi.error();
+    plan->picture.write.dpi = *dpi;
+  }
   if (auto done = plan_depth(*plan, arguments); !done) return done.error();
   return plan;
 }

@@ -5,7 +5,6 @@
 #include <mien/render.h>
 #include <mien/write.h>
 #include "tools/mien/cli/arguments.h"
-#include "tools/mien/terminal/progress_display.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +21,6 @@ struct RenderPlan {
   std::optional<DebugPicture> debug;     ///< this instead of the picture
   std::optional<std::string> error_map;  ///< a file for the certified bounds, beside the picture
   WriteOptions error_map_write;
-  ProgressStyle progress = ProgressStyle::automatic;
 };
 
 /// Frames that `mien bench` measures without --repeat.

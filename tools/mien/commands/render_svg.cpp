@@ -14,10 +14,13 @@ namespace {
 
 /// Options that only mean something for pixels.
 Expected<Done> check_options(const RenderArguments& a) {
-  const std::pair<const char*, bool> pixels_only[] = {
-      {"--region", bool(a.region)},       {"--depth", bool(a.depth)},
-      {"--dither", bool(a.dither)},       {"--light", bool(a.light)},
-      {"--error-map", bool(a.error_map)}, {"--stats", bool(a.stats)}};
+  const std::pair<const char*, bool> pixels_only[] = {{"--region", bool(a.region)},
+                                                      {"--depth", bool(a.depth)},
+                                                      {"--dither", bool(a.dither)},
+                                                      {"--light", bool(a.light)},
+                                                      {"--error-map", bool(a.error_map)},
+                                                      {"--stats", bool(a.stats)},
+                                                      {"--dpi", bool(a.dpi)}};
   for (const auto& [option, given] : pixels_only)
     if (given) return Error{option, "is for pictures of pixels; an SVG file holds shapes"};
   if (a.blend && *a.blend == "linear")
@@ -44,7 +47,8 @@ int write_scene(const RenderArguments& arguments, const View& view, const Scene&
                            .height = double(view.height),
                            .fit = view.fit,
                            .background = view.background,
-                           .recipe = recipe(arguments, view)};
+                           .recipe = recipe(arguments, view),
+                           .id_prefix = arguments.id_prefix};
   watch_interrupts();
   const auto done = write_svg(scene, arguments.output, options);
   if (!done) return complain(done.error(), kFailed);

@@ -3,7 +3,6 @@
 #include <mien/composed_face.h>
 #include <mien/crowd.h>
 #include <mien/face_model.h>
-#include <mien/parallel.h>
 #include <mien/poser.h>
 #include <mien/render.h>
 #include <mien/scene_from_face.h>
@@ -22,6 +21,7 @@
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/letters.h"
 #include "tools/mien/people/people_statistics.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
@@ -143,7 +143,7 @@ CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<Face
   // What is wrong with the arguments is wrong for everybody: the first person reports it, once.
   draw(0);
   if (made[0].code != kDone) return made[0];
-  parallel_for(int(people.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
+  watched_for("people", int(people.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
   Cells cells;
   for (CellsOrCode& one : made) {
     if (one.code != kDone) return {{}, one.code};
@@ -192,6 +192,7 @@ CellsOrCode own_part_cells(const SheetArguments& arguments, Size size) {
   if (const auto plain = face_from_recipe(*head, face_letters()); !plain)
     return {{}, complain(plain.error(), arguments.face ? kFailed : kUsedWrongly)};
   Cells cells;
+  WatchedWork work("parts", parts.size());
   for (const FoundPart& part : parts) {
     Recipe recipe = *head;
     wear(recipe, part);
@@ -200,6 +201,7 @@ CellsOrCode own_part_cells(const SheetArguments& arguments, Size size) {
         part_pictures(arguments, recipe, file.substr(0, file.find(".part.json")), size, kFailed);
     if (made.code != kDone) return made;
     std::ranges::move(made.cells, std::back_inserter(cells));
+    work.step();
   }
   return {std::move(cells)};
 }
@@ -223,12 +225,14 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
   std::vector<std::string> parts = family->parts;
   if (family->optional) parts.push_back("none");
   Cells cells;
+  WatchedWork work("parts", parts.size());
   for (const std::string& part : parts) {
     recipe.parts[family->name] = part;
     if (part == "none" && family->optional) recipe.parts.erase(family->name);
     CellsOrCode made = part_pictures(arguments, recipe, part, size, kUsedWrongly);
     if (made.code != kDone) return made;
     std::ranges::move(made.cells, std::back_inserter(cells));
+    work.step();
   }
   return {std::move(cells)};
 }

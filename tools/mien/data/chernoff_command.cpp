@@ -1,7 +1,6 @@
 // mien chernoff: each row of a table as a face.
 
 #include <mien/composed_face.h>
-#include <mien/parallel.h>
 #include <mien/pose.h>
 #include <mien/scene_from_face.h>
 #include "lib/file/json/json_text.h"
@@ -17,6 +16,7 @@
 #include "tools/mien/output/letters.h"
 #include "tools/mien/output/sha256.h"
 #include "tools/mien/terminal/messages.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
@@ -47,10 +47,11 @@ Expected<SheetCell> cell_of(const ChernoffFace& what, int size) {
                    sheet_picture(scene, {.width = pixels->width, .height = pixels->height})};
 }
 
-Expected<std::vector<SheetCell>> cells_of(const std::vector<ChernoffFace>& faces, int size) {
+Expected<std::vector<SheetCell>> cells_of(const std::vector<ChernoffFace>& faces, int size,
+                                          const std::string& phase) {
   std::vector<std::optional<Expected<SheetCell>>> made(faces.size());
-  parallel_for(int(faces.size()), {},
-               [&](int i) { made[std::size_t(i)] = cell_of(faces[std::size_t(i)], size); });
+  watched_for(phase, int(faces.size()), {},
+              [&](int i) { made[std::size_t(i)] = cell_of(faces[std::size_t(i)], size); });
   std::vector<SheetCell> cells;
   for (auto& cell : made) {
     if (!*cell) return cell->error();
@@ -97,7 +98,7 @@ Expected<Done> write_legend(const Table& table, const ChernoffMap& map, int size
   for (const ChernoffFeature& feature : map.features) {
     const auto faces = chernoff_legend(table, map, feature);
     if (!faces) return faces.error();
-    auto row = cells_of(*faces, size);
+    auto row = cells_of(*faces, size, "legend");
     if (!row) return row.error();
     while (row->size() % kLegendColumns != 0) {  // each feature begins a row
       row->push_back({{}, row->front().image});
@@ -116,9 +117,9 @@ int chernoff_command(const ChernoffArguments& arguments) {
   const auto size = read_whole("--cell", arguments.cell.value_or(std::to_string(kDefaultFace)),
                                kSmallestFace, kLargestFace);
   if (!size) return complain(size.error(), kUsedWrongly);
-  const auto table = read_table(arguments.table);
-  if (!table) return complain(table.error(), kFailed);
   std::vector<Error> warnings;
+  const auto table = read_table(arguments.table, &warnings);
+  if (!table) return complain(table.error(), kFailed);
   auto map = arguments.map ? read_chernoff_map(*arguments.map, &warnings)
                            : default_chernoff_map(*table, &warnings);
   warn(warnings);
@@ -126,7 +127,8 @@ int chernoff_command(const ChernoffArguments& arguments) {
   if (arguments.style) map->face.style = *arguments.style;
   const auto faces = chernoff_faces(*table, *map);
   if (!faces) return complain(faces.error(), kFailed);
-  const auto cells = cells_of(*faces, int(*size));
+  if (const auto constant = constant_columns(*table, *map)) warn({*constant});
+  const auto cells = cells_of(*faces, int(*size), "faces");
   if (!cells) return complain(cells.error(), kFailed);
   auto done = write_cells(*cells, *layout, arguments.output);
   if (done && arguments.legend)

@@ -32,8 +32,11 @@ class Column {
   /// 0 … 1. A column whose values are all equal is in the middle; by order, what is between two values is half-way.
   double place(double value) const {
     const auto [lo, hi] = from_;
-    if (feature_.scale == ChernoffScale::linear)
-      return hi > lo ? value / (hi - lo) - lo / (hi - lo) : 0.5;
+    if (feature_.scale == ChernoffScale::linear) {
+      if (!(hi > lo)) return 0.5;
+      if (std::isfinite(hi - lo)) return (value - lo) / (hi - lo);
+      return (0.5 * value - 0.5 * lo) / (0.5 * hi - 0.5 * lo);
+    }
     if (sorted_.front() == sorted_.back()) return 0.5;
     const auto [first, last] = std::equal_range(sorted_.begin(), sorted_.end(), value);
     const double rank = 0.5 * double(first - sorted_.begin() + (last - 1) - sorted_.begin());
@@ -80,9 +83,17 @@ Expected<Column> column_of(const Table& table, const ChernoffFeature& feature, s
   return Column(feature, std::move(values));
 }
 
+/// The index of a column that a map names at `where`.
+Expected<std::size_t> named_column(const Table& table, const std::string& column,
+                                   const std::string& where) {
+  auto at = table.column(column);
+  if (at || where.empty()) return at;
+  return Error{where, table.name + " has " + at.error().what};
+}
+
 Expected<Done> wear_column(const Table& table, const ChernoffFeature& feature,
                            std::vector<ChernoffFace>& faces) {
-  const auto at = table.column(feature.column);
+  const auto at = named_column(table, feature.column, feature.where);
   if (!at) return at.error();
   if (feature.kind == ChernoffFeatureKind::part) {
     for (std::size_t row = 0; row < faces.size(); ++row) {
@@ -101,14 +112,36 @@ Expected<Done> wear_column(const Table& table, const ChernoffFeature& feature,
   return Done{};
 }
 
+/// Whether all rows have one value there, of which nothing can be read off the faces.
+bool is_constant(const Table& table, const ChernoffFeature& feature) {
+  const auto at = table.column(feature.column);
+  if (!at || feature.kind == ChernoffFeatureKind::part || feature.from) return false;
+  for (std::size_t row = 1; row < table.rows.size(); ++row)
+    if (*table.number(row, *at) != *table.number(0, *at)) return false;
+  return true;
+}
+
 }  // namespace
+
+std::optional<Error> constant_columns(const Table& table, const ChernoffMap& map) {
+  std::string columns;
+  for (const ChernoffFeature& feature : map.features)
+    if (is_constant(table, feature))
+      columns += (columns.empty() ? "" : ", ") + in_quotes(feature.column);
+  if (columns.empty()) return {};
+  if (table.rows.size() == 1)
+    return Error{table.name, "has one row: its face has the middle of each range"};
+  return Error{table.name, fmt::format("the same value in every row: {}; all faces have the middle "
+                                       "of the range there",
+                                       columns)};
+}
 
 Expected<std::vector<ChernoffFace>> chernoff_faces(const Table& table, const ChernoffMap& map) {
   std::vector<ChernoffFace> faces(table.rows.size(),
                                   {.label = {}, .recipe = map.face, .emotions = {}});
   std::optional<std::size_t> label;
   if (map.label) {
-    const auto found = table.column(*map.label);
+    const auto found = named_column(table, *map.label, map.label_where);
     if (!found) return found.error();
     label = *found;
   }

@@ -18,8 +18,11 @@ struct ChernoffFace {
 };
 
 /// A face for each row. Errors name the cell: a value that is missing, no number, outside a given `from`,
-/// or a text without a part; or a column that the table does not have.
+/// or a text without a part; or the map's place for a column that the table does not have.
 Expected<std::vector<ChernoffFace>> chernoff_faces(const Table& table, const ChernoffMap& map);
+
+/// A warning where columns have one value in every row, of which the faces show nothing.
+std::optional<Error> constant_columns(const Table& table, const ChernoffMap& map);
 
 /// What a feature's column says at three places, for a legend: its least, middle and largest value, the middle
 /// being the median where places go by order; or each text with a part. All else is at rest.

@@ -32,7 +32,8 @@ class MapReader {
     in_.expect_object(root, {"$schema", "format", "format_version", "label", "face", "map"},
                       "map of data");
     expect_format(in_, root, "mien-chernoff");
-    if (const JsonNode* label = in_.find(root, "label")) map_.label = in_.string(*label);
+    if (const JsonNode* label = in_.find(root, "label"))
+      map_.label = in_.string(*label), map_.label_where = in_.tree.where(*label);
     if (const JsonNode* face = in_.find(root, "face"))
       map_.face = read_recipe(in_, *face, &folder_);
     const JsonNode& features = in_.need(root, "map");
@@ -47,8 +48,9 @@ class MapReader {
   void read_feature(const JsonNode& node) {
     in_.expect_object(
         node, {"column", "number", "emotion", "part", "scale", "from", "to", "values"}, "feature");
-    ChernoffFeature feature{.column = std::string(in_.string(in_.need(node, "column"))),
-                            .name = {}};
+    const JsonNode& column = in_.need(node, "column");
+    ChernoffFeature feature{
+        .column = std::string(in_.string(column)), .where = in_.tree.where(column), .name = {}};
     const JsonNode *number = in_.find(node, "number"), *emotion = in_.find(node, "emotion"),
                    *part = in_.find(node, "part");
     if (int(number != nullptr) + int(emotion != nullptr) + int(part != nullptr) != 1)

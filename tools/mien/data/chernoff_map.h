@@ -26,6 +26,7 @@ enum class ChernoffFeatureKind { number, emotion, part };
 /// One column and what it moves.
 struct ChernoffFeature {
   std::string column;
+  std::string where = {};  ///< the map's place that names the column; empty: there is no map
   ChernoffFeatureKind kind = ChernoffFeatureKind::number;
   std::string name;  ///< the recipe's number, "joy", or the family of parts
   ChernoffScale scale = ChernoffScale::linear;
@@ -37,8 +38,9 @@ struct ChernoffFeature {
 
 struct ChernoffMap {
   std::optional<std::string> label =
-      {};            ///< the column that names the faces; none: they are counted
-  Recipe face = {};  ///< what no column moves
+      {};                        ///< the column that names the faces; none: they are counted
+  std::string label_where = {};  ///< the map's place that names it
+  Recipe face = {};              ///< what no column moves
   std::vector<ChernoffFeature> features = {};
 };
 

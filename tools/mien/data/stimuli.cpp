@@ -3,8 +3,10 @@
 #include "tools/mien/data/equal_steps.h"
 #include "tools/mien/data/stimulus_plan.h"
 #include "tools/mien/output/contact_sheet.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <mien/face_code.h>
+#include <mien/pose.h>
 
 #include <fmt/format.h>
 
@@ -27,7 +29,9 @@ class Experiment {
       if (factor.kind == FactorKind::person) people_ = &factor;
   }
 
-  Expected<std::vector<Stimulus>> stimuli() {
+  Expected<std::vector<Stimulus>> stimuli(std::vector<Error>* warnings) {
+    if (const auto checked = check_controls(); !checked) return checked.error();
+    tell_stops(warnings);
     for (Factor& factor : factors_)
       if (const auto done = equalize(factor); !done) return done.error();
     std::vector<Stimulus> made;
@@ -126,41 +130,57 @@ class Experiment {
   /// Moves the levels between a factor's ends so that they differ equally, on the plain face.
   Expected<Done> equalize(Factor& factor) const {
     if (factor.equal == EqualIn::number) return Done{};
+    const auto at_rest = composed_stimulus(plain());
+    if (!at_rest) return at_rest.error();
     std::optional<Error> failed;
-    const auto measured = [&](double value) {
-      Factor one = factor;
-      one.values = {value};
-      Stimulus made = plain();
-      vary(one, 0, made);
-      auto seen = measure(factor.equal, made);
+    const Ruler ruler = [&](const std::vector<double>& values) {
+      std::vector<double> steps(values.size() - 1, 0.0);
+      auto seen = measured(factor, values, *at_rest);
       if (!seen) failed = seen.error();
-      return seen ? *std::move(seen) : Measured{};
-    };
-    double kept_at = factor.values.front();  // many places are compared with the one before them
-    Measured kept = measured(kept_at);
-    const auto differ = [&](double a, double b) {
-      if (a != kept_at) kept = measured(kept_at = a);
-      const Measured other = measured(b);
-      return failed ? std::abs(a - b) : difference(kept, other);
+      for (std::size_t i = 0; seen && i < steps.size(); ++i)
+        steps[i] = difference((*seen)[i], (*seen)[i + 1]);
+      return steps;
     };
     const auto steps =
-        equal_steps(factor.values.front(), factor.values.back(), int(factor.values.size()), differ);
-    if (failed) return *failed;
-    if (!steps) return Error{"factor " + factor.name, steps.error().what};
+        equal_steps(factor.values.front(), factor.values.back(), int(factor.values.size()), ruler);
+    if (failed) return Error{factor.where, failed->what};
+    if (!steps) return Error{factor.where, steps.error().what};
     factor.values = *steps;
     return Done{};
   }
 
   /// What is compared: faces, or pictures of them.
-  using Measured = std::variant<std::monostate, Face, Image>;
+  using Measured = std::variant<Face, Image>;
 
-  static Expected<Measured> measure(EqualIn in, const Stimulus& stimulus) {
-    if (in == EqualIn::displacement) {
-      auto face = posed_stimulus(stimulus);
-      if (!face) return face.error();
-      return Measured(*std::move(face));
+  /// The plain face at those values of a factor. What only poses it is laid over the face at rest.
+  Expected<std::vector<Measured>> measured(const Factor& factor, const std::vector<double>& values,
+                                           const Face& at_rest) const {
+    std::vector<std::optional<Expected<Measured>>> seen(values.size());
+    watched_for("equal steps", int(values.size()), {}, [&](int i) {
+      Factor one = factor;
+      one.values = {values[std::size_t(i)]};
+      Stimulus made = plain();
+      vary(one, 0, made);
+      seen[std::size_t(i)] = measure(
+          factor.equal,
+          factor.kind == FactorKind::control ? Expected<Face>(at_rest) : composed_stimulus(made),
+          made);
+    });
+    std::vector<Measured> all;
+    for (auto& one : seen) {
+      if (!*one) return one->error();
+      all.push_back(**std::move(one));
     }
-    auto image = drawn_stimulus(stimulus, kMeasured);
+    return all;
+  }
+
+  static Expected<Measured> measure(EqualIn in, const Expected<Face>& composed,
+                                    const Stimulus& stimulus) {
+    if (!composed) return composed.error();
+    auto posed = posed_stimulus(*composed, stimulus);
+    if (!posed) return posed.error();
+    if (in == EqualIn::displacement) return Measured(*std::move(posed));
+    auto image = stimulus_picture(*posed, stimulus.picture, kMeasured);
     if (!image) return image.error();
     return Measured(*std::move(image));
   }
@@ -169,6 +189,54 @@ class Experiment {
     if (const Face* face = std::get_if<Face>(&one))
       return displacement(*face, std::get<Face>(other));
     return level_difference(std::get<Image>(one), std::get<Image>(other)).rms;
+  }
+
+  /// Whether the first face has the controls of a plan, and their values are in range.
+  Expected<Done> check_controls() const {
+    const Expected<Face> face = composed_stimulus(plain());
+    if (!face) return face.error();
+    for (const Factor& factor : factors_) {
+      if (factor.kind != FactorKind::control) continue;
+      for (const double value : factor.values)
+        if (const auto read = read_setting(*face, factor.what + "=" + json_number(value)); !read)
+          return Error{factor.where, read.error().what};
+    }
+    return Done{};
+  }
+
+  /// A warning where a caricature would take numbers beyond their ranges: they stop at the ends.
+  void tell_stops(std::vector<Error>* warnings) const {
+    for (const Factor& factor : factors_) {
+      if (factor.kind != FactorKind::caricature) continue;
+      const auto largest = std::ranges::max_element(
+          factor.values, [](double a, double b) { return std::abs(a) < std::abs(b); });
+      std::size_t most = 0, of = 0, who = 0;
+      for (std::size_t i = 0; i < people_->people.size(); ++i) {
+        const auto [stopped, all] = stops(people_->people[i], *largest);
+        if (stopped > most) most = stopped, of = all, who = i;
+      }
+      if (most > 0)
+        warnings->push_back(
+            {factor.where,
+             fmt::format("at {} {} of {} numbers of {} stop at the end of their range", *largest,
+                         most, of, people_->levels[who])});
+    }
+  }
+
+  /// How many numbers a caricature stops, of those that it moves.
+  std::pair<std::size_t, std::size_t> stops(const Recipe& person, double by) const {
+    std::size_t stopped = 0, moved = 0;
+    for (const PartNumber& number : part_numbers()) {
+      const auto value = person.numbers.find(number.name);
+      const auto mean = people_->mean.numbers.find(number.name);
+      if (value == person.numbers.end() || mean == people_->mean.numbers.end() ||
+          value->second == mean->second)
+        continue;
+      ++moved;
+      const double wanted = mean->second + by * (value->second - mean->second);
+      stopped += wanted < number.lo || wanted > number.hi;
+    }
+    return {stopped, moved};
   }
 
   /// How many levels a factor has here: what pairs differ in stays at its first.
@@ -214,8 +282,8 @@ class Experiment {
 
 }  // namespace
 
-Expected<std::vector<Stimulus>> stimuli(const StimulusPlan& plan) {
-  return Experiment(plan).stimuli();
+Expected<std::vector<Stimulus>> stimuli(const StimulusPlan& plan, std::vector<Error>* warnings) {
+  return Experiment(plan).stimuli(warnings);
 }
 
 }  // namespace mien::command

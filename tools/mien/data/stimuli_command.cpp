@@ -1,6 +1,6 @@
 // mien stimuli: the pictures of an experiment, from a plan or again from their manifest.
 
-#include <mien/parallel.h>
+#include <mien/pose.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
 #include "render/image/file/written_file.h"
@@ -11,10 +11,13 @@
 #include "tools/mien/data/stimulus_plan.h"
 #include "tools/mien/output/sha256.h"
 #include "tools/mien/terminal/messages.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace mien::command {
@@ -22,27 +25,20 @@ namespace {
 
 constexpr std::size_t kMostFileBytes = std::size_t(1) << 30;  // of a picture's file
 
-/// How far its controls have moved a face, of which all else stays.
-Expected<double> displacement_of(const Stimulus& stimulus) {
-  Stimulus rest = stimulus;
-  rest.controls.clear();
-  const auto posed = posed_stimulus(stimulus), at_rest = posed_stimulus(rest);
-  if (!posed) return posed.error();
-  if (!at_rest) return at_rest.error();
-  return displacement(*posed, *at_rest);
-}
-
 Expected<ShownStimulus> show(const Stimulus& stimulus, int size,
                              const std::filesystem::path& folder) {
-  const auto moved = displacement_of(stimulus);
-  if (!moved) return moved.error();
-  const auto image = drawn_stimulus(stimulus, size);
+  const auto composed = composed_stimulus(stimulus);
+  if (!composed) return composed.error();
+  const auto posed = posed_stimulus(*composed, stimulus);
+  if (!posed) return posed.error();
+  const auto image = stimulus_picture(*posed, stimulus.picture, size);
   if (!image) return image.error();
   const std::filesystem::path path = folder / stimulus.file;
   if (const auto done = write_image_by(load_encoder, *image, path, {}); !done) return done.error();
   const auto bytes = read_bytes(path, kMostFileBytes);
   if (!bytes) return bytes.error();
-  return ShownStimulus{stimulus, *moved, sha256(std::as_bytes(std::span(*bytes)))};
+  return ShownStimulus{stimulus, displacement(*posed, pose_face(*composed, {})),
+                       sha256(std::as_bytes(std::span(*bytes)))};
 }
 
 /// Draws all, the first alone: what is wrong with one is mostly wrong with all.
@@ -52,13 +48,38 @@ Expected<StimulusManifest> show_all(const std::vector<Stimulus>& what, int size,
   const auto draw = [&](std::size_t i) { shown[i] = show(what[i], size, folder); };
   draw(0);
   if (!*shown[0]) return shown[0]->error();
-  parallel_for(int(what.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
+  watched_for("pictures", int(what.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
   StimulusManifest manifest{.size = size, .shown = {}};
   for (auto& one : shown) {
     if (!*one) return one->error();
     manifest.shown.push_back(**std::move(one));
   }
   return manifest;
+}
+
+/// A warning for each factor that alone tells two pictures apart that are one.
+std::vector<Error> equal_pictures(const StimulusPlan& plan,
+                                  const std::vector<ShownStimulus>& shown) {
+  std::vector<Error> warnings;
+  std::set<std::size_t> told;
+  std::map<std::string, const ShownStimulus*> first;
+  for (const ShownStimulus& one : shown) {
+    const auto [found, is_new] = first.emplace(one.sha256, &one);
+    if (is_new) continue;
+    const auto &levels = one.stimulus.levels, &others = found->second->stimulus.levels;
+    std::vector<std::size_t> differ;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      if (levels[i] != others[i]) differ.push_back(i);
+    if (differ.empty() || !told.insert(differ.front()).second) continue;
+    const std::size_t factor = differ.front();
+    warnings.push_back(
+        {plan.factors[factor].where,
+         fmt::format("{} and {} are the same picture, though {} is {} and {}",
+                     found->second->stimulus.file, one.stimulus.file,
+                     in_quotes(levels[factor].first), one_line(others[factor].second, 60),
+                     one_line(levels[factor].second, 60))});
+  }
+  return warnings;
 }
 
 Expected<Done> make_folder(const std::filesystem::path& folder) {
@@ -80,12 +101,15 @@ int draw_plan(const StimuliArguments& arguments) {
   const auto plan = read_stimulus_plan(arguments.plan, &warnings);
   warn(warnings);
   if (!plan) return complain(plan.error(), kFailed);
-  const auto what = stimuli(*plan);
+  warnings.clear();
+  const auto what = stimuli(*plan, &warnings);
+  warn(warnings);
   if (!what) return complain(what.error(), kFailed);
   if (const auto made = make_folder(arguments.output); !made)
     return complain(made.error(), kFailed);
   const auto manifest = show_all(*what, plan->size, arguments.output);
   if (!manifest) return complain(manifest.error(), kFailed);
+  warn(equal_pictures(*plan, manifest->shown));
   const auto done = write_manifest(*manifest, arguments.output);
   return done ? print(fmt::format("{} pictures\n", what->size())) : complain(done.error(), kFailed);
 }

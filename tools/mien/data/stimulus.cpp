@@ -32,33 +32,33 @@ void double_half(std::byte* row, int width, bool left) {
 
 }  // namespace
 
-Expected<Face> posed_stimulus(const Stimulus& stimulus) {
-  const auto face = face_from_recipe(stimulus.recipe, face_letters());
-  if (!face) return face.error();
+Expected<Face> composed_stimulus(const Stimulus& stimulus) {
+  return face_from_recipe(stimulus.recipe, face_letters());
+}
+
+Expected<Face> posed_stimulus(const Face& composed, const Stimulus& stimulus) {
   Pose pose;
   for (const auto& [name, value] : stimulus.controls) {
-    const auto setting = read_setting(*face, name + "=" + json_number(value));
+    const auto setting = read_setting(composed, name + "=" + json_number(value));
     if (!setting) return setting.error();
     pose.settings.push_back(*setting);
   }
-  return pose_face(*face, pose);
+  return pose_face(composed, pose);
 }
 
-Expected<Image> drawn_stimulus(const Stimulus& stimulus, int size) {
-  const auto face = posed_stimulus(stimulus);
-  if (!face) return face.error();
-  const Scene scene = scene_from_face(*face);
+Expected<Image> stimulus_picture(const Face& posed, StimulusPicture picture, int size) {
+  const Scene scene = scene_from_face(posed);
   const glm::dvec2 extent = scene.canvas().box.size();
   const auto pixels = read_size(std::to_string(size), extent.x / extent.y);
   if (!pixels) return pixels.error();
   Image image = sheet_picture(scene, {.width = pixels->width, .height = pixels->height});
-  if (stimulus.picture == StimulusPicture::whole) return image;
+  if (picture == StimulusPicture::whole) return image;
   for (int y = 0; y < image.height; ++y) {
     std::byte* row = image.bytes.data() + image.stride() * std::size_t(y);
-    if (stimulus.picture == StimulusPicture::mirror)
+    if (picture == StimulusPicture::mirror)
       mirror_row(row, image.width);
     else
-      double_half(row, image.width, stimulus.picture == StimulusPicture::left);
+      double_half(row, image.width, picture == StimulusPicture::left);
   }
   return image;
 }

@@ -30,11 +30,14 @@ struct Stimulus {
   StimulusPicture picture = StimulusPicture::whole;
 };
 
-/// The face at its pose. Errors: an unknown control, or a value out of its range.
-Expected<Face> posed_stimulus(const Stimulus& stimulus);
+/// The face of its recipe, at rest.
+Expected<Face> composed_stimulus(const Stimulus& stimulus);
 
-/// Its picture, `size` pixels on the longer side. Errors as for posed_stimulus.
-Expected<Image> drawn_stimulus(const Stimulus& stimulus, int size);
+/// That face at its pose. Errors: an unknown control, or a value out of its range.
+Expected<Face> posed_stimulus(const Face& composed, const Stimulus& stimulus);
+
+/// The picture of the posed face, `size` pixels on the longer side.
+Expected<Image> stimulus_picture(const Face& posed, StimulusPicture picture, int size);
 
 /// The root mean square distance between the same points of two faces, in face units. Points that only one
 /// of them has do not count.

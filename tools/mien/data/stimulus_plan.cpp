@@ -11,13 +11,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mien::command {
 namespace {
 
 constexpr std::array<std::string_view, 3> kEquals{"number", "displacement", "picture"};
 constexpr int kMostSteps = 1000, kMostFactors = 32, kMostPeople = 10'000;
-constexpr double kLargest = 8192;  // [px] of a picture
+constexpr double kMostCaricature = 10;  // times as far from the mean
+constexpr double kLargest = 8192;       // [px] of a picture
 
 /// The numbers' means and each family's most frequent part.
 Recipe mean_of(const std::vector<Recipe>& people) {
@@ -118,6 +120,7 @@ class PlanReader {
       }
     if (!kind) in_.refuse(node, fmt::format("a factor varies one of {}", fmt::join(kKinds, ", ")));
     Factor factor{.name = std::string(in_.tree.key(*kind)),
+                  .where = in_.tree.where(*kind),
                   .what = {},
                   .levels = {},
                   .values = {},
@@ -134,7 +137,26 @@ class PlanReader {
     for (const Factor& other : plan_.factors)
       if (other.name == factor.name)
         in_.refuse(node, fmt::format("two factors are called {}", in_quotes(factor.name)));
+    refuse_same(*kind, factor);
     plan_.factors.push_back(std::move(factor));
+  }
+
+  /// Of two factors that vary the same thing, one would void the other.
+  void refuse_same(const JsonNode& kind, const Factor& factor) const {
+    for (const Factor& other : plan_.factors)
+      if (other.kind == factor.kind && other.what == factor.what)
+        in_.refuse(kind, fmt::format("{} is varied by {} already",
+                                     factor.what.empty() ? in_.tree.key(kind) : factor.what,
+                                     in_quotes(other.name)));
+  }
+
+  /// Levels are told apart: two equal ones would be the same pictures.
+  template <class Levels>
+  void refuse_equal(const JsonNode& node, const Levels& levels) const {
+    const JsonNode* at = node.kind == JsonKind::array ? in_.tree.first(node) : nullptr;
+    for (auto level = levels.begin(); at && level != levels.end(); ++level, at = in_.tree.next(*at))
+      if (std::find(levels.begin(), level, *level) != level)
+        in_.refuse(*at, fmt::format("{} is a level already", *level));
   }
 
   void read_people(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
@@ -149,6 +171,7 @@ class PlanReader {
         factor.people.push_back(*std::move(recipe));
         factor.levels.push_back(face_code_text(*read));
       });
+      refuse_equal(kind, factor.levels);
     } else {
       const JsonNode* seed = in_.find(node, "seed");
       for (const FaceCode& code : crowd(seed ? word(*seed) : "1", whole(kind, 1, kMostPeople))) {
@@ -192,11 +215,14 @@ class PlanReader {
     if (const JsonNode* values = in_.find(node, "values")) {
       factor.values = in_.numbers(*values, 1, kMostSteps);
       for (const double value : factor.values) in_range(*values, value);
+      refuse_equal(*values, factor.values);
     } else {
       const JsonNode& from = in_.need(node, "steps");
       const int steps = whole(from, 2, kMostSteps);
       if (const JsonNode* end = in_.find(node, "from")) lo = in_range(*end, in_.number(*end));
       if (const JsonNode* end = in_.find(node, "to")) hi = in_range(*end, in_.number(*end));
+      if (lo == hi)
+        in_.refuse(from, fmt::format("{} steps from {} to {} are equal", steps, lo, hi));
       for (int i = 0; i < steps; ++i)
         factor.values.push_back(i == steps - 1 ? hi : lo + (hi - lo) * i / (steps - 1));
     }
@@ -227,6 +253,7 @@ class PlanReader {
       factor.levels.emplace_back(parts[in_.word(value, family.name, parts)]);
     });
     if (factor.levels.empty()) in_.refuse(*values, "no part is named");
+    refuse_equal(*values, factor.levels);
   }
 
   void read_caricature(const JsonNode& kind, Factor& factor) const {
@@ -238,6 +265,11 @@ class PlanReader {
                  "a caricature leads away from the mean of people: name two or more before it");
     factor.kind = FactorKind::caricature;
     factor.values = in_.numbers(kind, 1, kMostSteps);
+    for (const double value : factor.values)
+      if (!(std::abs(value) <= kMostCaricature))
+        in_.refuse(kind, fmt::format("a caricature goes from -{0} to {0}, got {1}", kMostCaricature,
+                                     value));
+    refuse_equal(kind, factor.values);
     factor.levels.resize(factor.values.size());
   }
 
@@ -250,6 +282,7 @@ class PlanReader {
       factor.values.push_back(double(word));
     });
     if (factor.levels.empty()) in_.refuse(kind, "no picture is named");
+    refuse_equal(kind, factor.levels);
   }
 
   void read_pairs(const JsonNode& node) {

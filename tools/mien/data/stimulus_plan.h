@@ -20,6 +20,7 @@ enum class EqualIn { number, displacement, picture };
 /// One thing that is varied, and its levels.
 struct Factor {
   std::string name;
+  std::string where;  ///< in the plan
   FactorKind kind = FactorKind::number;
   std::string what;                 ///< the number, control or family; empty for other kinds
   std::vector<std::string> levels;  ///< as the manifest says them
@@ -47,8 +48,9 @@ inline constexpr std::uint64_t kMostStimuli = 100'000;
 Expected<StimulusPlan> read_stimulus_plan(const std::filesystem::path& path,
                                           std::vector<Error>* warnings);
 
-/// The pictures of a plan, in the order of its factors, the last one changing first. Errors: scales without
-/// steps that differ, controls that faces do not have.
-Expected<std::vector<Stimulus>> stimuli(const StimulusPlan& plan);
+/// The pictures of a plan, in the order of its factors, the last one changing first. Errors, with the factor's
+/// place: scales without steps that differ, controls that the first face does not have, or values beyond their
+/// range. Caricatures that stop at the ends of numbers are warnings.
+Expected<std::vector<Stimulus>> stimuli(const StimulusPlan& plan, std::vector<Error>* warnings);
 
 }  // namespace mien::command

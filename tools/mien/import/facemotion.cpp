@@ -74,9 +74,21 @@ class Importer {
   }
 
  private:
+  /// The object whose members are morphologies: the file, or in JSON its only object, {"male": {…}}.
+  const JsonNode& named_morphologies() const {
+    const JsonNode& root = in_.tree.root();
+    const JsonNode* only = root.count == 1 ? in_.tree.first(root) : nullptr;
+    if (!only || !in_.tree.key(*only).empty() || in_.find(*only, "version") ||
+        in_.find(*only, "features"))
+      return root;
+    bool objects = only->count > 0;
+    in_.for_each(*only, [&](const JsonNode& one, int) { objects &= one.kind == JsonKind::object; });
+    return objects ? *only : root;
+  }
+
   /// The morphology asked for, or the only one.
   const JsonNode& chosen() const {
-    const JsonNode& root = in_.tree.root();
+    const JsonNode& root = named_morphologies();
     std::vector<std::string_view> names;
     in_.for_each(root, [&](const JsonNode& child, int) { names.push_back(in_.tree.key(child)); });
     if (options_.morphology.empty()) {

@@ -1,6 +1,6 @@
-// JavaScript's object literals as a tree, without running anything. The grammar is that of ECMAScript's
-// literals (ECMA-262, 12.9 and 13.2.5) without anything that computes: no functions, operators, templates
-// or spreads.
+// Longer than other files: the words of one grammar and what is made of them. JavaScript's object literals as a
+// tree, without running anything. The grammar is that of ECMAScript's literals (ECMA-262, 12.9 and 13.2.5) without
+// anything that computes: no functions, operators, spreads or templates with ${…}.
 
 #include "tools/mien/import/javascript_literal.h"
 
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <unordered_set>
 #include "lib/base/from_chars.h"
 
@@ -61,17 +62,34 @@ class Scanner {
     for (;;) {
       while (!ended() && std::string_view{" \t\r\n\v\f"}.find(text_[at_]) != std::string_view::npos)
         ++at_;
-      if (text_.substr(at_, 2) == "//") {
-        at_ = std::min(text_.find('\n', at_), text_.size());
-      } else if (text_.substr(at_, 2) == "/*") {
-        const std::size_t end = text_.find("*/", at_ + 2);
-        if (end == std::string_view::npos) throw Malformed{at_, "this comment does not end"};
-        at_ = end + 2;
-      } else {
-        return;
-      }
+      if (!skip_comment()) return;
     }
   }
+
+  /// Skips one, without the end of its line; false: none begins here.
+  bool skip_comment() {
+    if (text_.substr(at_, 2) == "//") {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+      return true;
+    }
+    if (text_.substr(at_, 2) != "/*") return false;
+    const std::size_t end = text_.find("*/", at_ + 2);
+    if (end == std::string_view::npos) throw Malformed{at_, "this comment does not end"};
+    at_ = end + 2;
+    return true;
+  }
+
+  /// Whether one of these words comes next, and nothing more of a word.
+  bool begins_with_word(std::initializer_list<std::string_view> words) const {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+      const std::size_t end = at_ + word.size();
+      return text_.substr(at_, word.size()) == word &&
+             (end >= text_.size() || !is_word_start(text_[end]));
+    });
+  }
+
+  /// Passes over a type, up to the mark behind which the value stands.
+  void pass_to_equals() { at_ = std::min(text_.find_first_of("=;\n", at_), text_.size()); }
 
   std::string_view word() {
     const std::size_t begin = at_;
@@ -84,10 +102,12 @@ class Scanner {
     const char quote = text_[at_++];
     std::string value;
     for (;;) {
-      if (ended() || text_[at_] == '\n' || text_[at_] == '\r')
+      if (ended() || (quote != '`' && (text_[at_] == '\n' || text_[at_] == '\r')))
         throw Malformed{begin, "this string does not end"};
       const char c = text_[at_++];
       if (c == quote) return value;
+      if (quote == '`' && c == '$' && mark() == '{')
+        throw Malformed{at_ - 1, "a template with ${…}: no code is run"};
       if (c == '\\')
         escape(value);
       else
@@ -196,32 +216,60 @@ class LiteralReader {
     std::int32_t node, last;
   };
 
-  /// `var NAME = LITERAL`, `export default LITERAL`, `module.exports = LITERAL`, or a bare LITERAL.
+  /// `var NAME = LITERAL`, `export const NAME = LITERAL`, `export default LITERAL`, `module.exports = LITERAL`, a bare
+  /// LITERAL, each perhaps in parentheses or with TypeScript's types; or anything else, which is passed over.
   void statement() {
     const std::size_t begin = scan_.at();
     std::string name;
-    if (is_word_start(scan_.mark())) {
-      name = scan_.word();
-      scan_.skip();
-      if (name == "var" || name == "let" || name == "const" || name == "export") {
-        const bool by_default = name == "export";
-        name = scan_.word(), scan_.skip();
-        if (by_default && name == "default") name.clear();
-      }
-      while (scan_.mark() == '.') scan_.step(), scan_.skip(), name = scan_.word(), scan_.skip();
-      if (!name.empty()) {
-        if (scan_.mark() != '=')
-          throw Malformed{begin,
-                          "expected NAME = {…}: only object literals are read, no code is run"};
-        scan_.step(), scan_.skip();
-      }
-    }
-    if (scan_.mark() != '{')
-      throw Malformed{scan_.at(), "expected an object literal {…}: no code is run"};
+    if (is_word_start(scan_.mark()) && !named(name)) return pass_over();
+    int parentheses = 0;
+    for (; scan_.mark() == '('; scan_.skip()) scan_.step(), ++parentheses;
+    if (scan_.mark() != '{') return pass_over();
     set_key(std::move(name), begin);
     value();
     while (open_.size() > 1) item();
     keys_differ();
+    for (scan_.skip(); parentheses > 0 && scan_.mark() == ')'; --parentheses, scan_.skip())
+      scan_.step();
+    if (parentheses > 0) throw Malformed{scan_.at(), "expected )"};
+    if (is_word_start(scan_.mark()) && scan_.begins_with_word({"as", "satisfies"})) pass_over();
+  }
+
+  /// What the literal that comes next is assigned to; false: none comes next.
+  bool named(std::string& name) {
+    const auto next = [&] { name = scan_.word(), scan_.skip(); };
+    next();
+    if (name == "export") {
+      next();
+      if (name == "default") return name.clear(), true;
+      if (name.empty()) return false;
+    }
+    if (name == "var" || name == "let" || name == "const") next();
+    while (scan_.mark() == '.') scan_.step(), scan_.skip(), next();
+    if (scan_.mark() == ':') scan_.pass_to_equals();
+    if (scan_.mark() != '=') return false;
+    scan_.step(), scan_.skip();
+    return true;
+  }
+
+  /// Other code is not run: it ends with a semicolon, a line or a block.
+  void pass_over() {
+    int depth = 0;
+    while (!scan_.ended()) {
+      if (scan_.skip_comment()) continue;
+      const char c = scan_.mark();
+      if (c == '\'' || c == '"' || c == '`') {
+        scan_.string();
+        continue;
+      }
+      const bool opens = c == '(' || c == '[' || c == '{',
+                 closes = c == ')' || c == ']' || c == '}';
+      depth += int(opens) - int(closes);
+      if (depth < 0) throw Malformed{scan_.at(), fmt::format("a {} that nothing opens", c)};
+      scan_.step();
+      if (depth == 0 && (c == ';' || c == '\n' || c == '}')) return;
+    }
+    if (depth > 0) throw Malformed{scan_.at(), "the text ends too early"};
   }
 
   void set_key(std::string name, std::size_t offset) {
@@ -286,7 +334,7 @@ class LiteralReader {
                                            limits_.nesting)};
       return;
     }
-    if (c == '\'' || c == '"') {
+    if (c == '\'' || c == '"' || c == '`') {
       const std::int32_t text = keep(scan_.string());
       tree_.nodes[std::size_t(add(JsonKind::string, begin))].text = text;
     } else if (is_word_start(c)) {

@@ -1,8 +1,11 @@
 #include "tools/mien/output/captioned_sheet.h"
+#include "lib/base/one_line.h"
 #include "sdf/from_face/caption.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/letters.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -34,6 +37,10 @@ Expected<SheetLayout> read_sheet_layout(const std::optional<std::string>& column
 }
 
 Expected<Image> captioned_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layout) {
+  for (const SheetCell& cell : cells)
+    if (!is_utf8(cell.caption))
+      return Error{"sheet", fmt::format("the name {} is not UTF-8, or holds a NUL",
+                                        in_quotes(cell.caption))};
   const int width = cells[0].image.width, height = cells[0].image.height;
   const bool named =
       std::ranges::any_of(cells, [](const SheetCell& c) { return !c.caption.empty(); });

@@ -13,11 +13,13 @@
 #include "tools/mien/terminal/interrupt.h"
 #include "tools/mien/terminal/messages.h"
 #include "tools/mien/terminal/progress_display.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace mien::command {
 namespace {
@@ -77,13 +79,6 @@ int save_picture(const Image& image, const std::string& path) {
   return done ? kDone : complain(done.error(), kFailed);
 }
 
-Expected<ProgressStyle> read_progress(const PcaArguments& arguments) {
-  if (!arguments.progress) return ProgressStyle::automatic;
-  const auto chosen = read_choice("--progress", *arguments.progress, kProgress);
-  if (!chosen) return chosen.error();
-  return ProgressStyle(*chosen);
-}
-
 /// The basis with where its frames come from.
 BasisFile basis_file(PcaFit fit, const PcaFrames& frames) {
   BasisFile file{std::move(fit), frames.source.rows, frames.vertices, frames.dimensions,
@@ -100,13 +95,11 @@ int fit(const PcaArguments& arguments) {
   int code = kDone;
   const auto wish = aloud(read_wish(arguments), code, kUsedWrongly);
   if (!wish) return code;
-  const auto style = aloud(read_progress(arguments), code, kUsedWrongly);
-  if (!style) return code;
   auto read = read_pca_frames(arguments);
   if (!read.frames) return read.code;
   PcaFrames& frames = *read.frames;
   watch_interrupts();
-  ProgressDisplay display(*style);
+  ProgressDisplay display;
   PcaOptions options{.vertices = std::move(frames.groups),
                      .single = frames.single,
                      .progress = display.watch("fit")};
@@ -146,13 +139,28 @@ int info(const PcaArguments& arguments) {
   return print(of_face + size_text(*file) + curve_text(file->fit.curve));
 }
 
+/// The same numbers, whose reading is watched. They are read block by block, mostly once.
+MatrixSource watched(const MatrixSource& source, const std::string& phase) {
+  watch_interrupts();
+  const auto display = std::make_shared<ProgressDisplay>();
+  const double all = double(std::max<std::size_t>(source.rows * source.columns, 1));
+  const auto read = [=, show = display->watch(phase), done = 0.0](const MatrixBlock& block,
+                                                                  double* out) mutable {
+    auto got = source.read(block, out);
+    done += double(block.rows * block.columns) / all;
+    if (display && !show(std::min(done, 1.0))) throw Interrupted();
+    return got;
+  };
+  return {source.rows, source.columns, read};
+}
+
 int encode(const PcaArguments& arguments) {
   int code = kDone;
   const auto file = aloud(read_basis(arguments.basis), code);
   if (!file) return code;
   const auto read = read_pca_frames(arguments);
   if (!read.frames) return read.code;
-  auto weights = encode_pca(file->fit.basis, read.frames->source);
+  auto weights = encode_pca(file->fit.basis, watched(read.frames->source, "encode"));
   if (!weights)
     return complain(weights.error().where.empty() ? Error{arguments.input, weights.error().what}
                                                   : weights.error(),
@@ -186,8 +194,10 @@ int decode(const PcaArguments& arguments) {
   const std::size_t shape[] = {weights.size() / file->fit.basis.count, file->vertices,
                                file->dimensions};
   const auto done = write_file(arguments.output, [&](const PutBytes& put) {
-    return write_npy(put, file->single ? NpyType::float32 : NpyType::float64, shape,
-                     decoded_frames(file->fit.basis, weights, file->fit.basis.count, file->single));
+    return write_npy(
+        put, file->single ? NpyType::float32 : NpyType::float64, shape,
+        watched(decoded_frames(file->fit.basis, weights, file->fit.basis.count, file->single),
+                "decode"));
   });
   return done ? kDone : complain(done.error(), kFailed);
 }
@@ -259,7 +269,8 @@ int compare(const PcaArguments& arguments) {
   if (file->single)
     for (double& weight : *weights) weight = double(float(weight));
   const MatrixSource decoded = decoded_frames(basis, *weights, basis.count, file->single);
-  const auto found = aloud(compare_frames(frames.source, decoded, frames.groups), code);
+  const auto found =
+      aloud(compare_frames(watched(frames.source, "compare"), decoded, frames.groups), code);
   if (!found) return code;
   const int told =
       print(fmt::format("rms error {:.6g}, max error {:.6g} (frame {}, vertex {})\n",

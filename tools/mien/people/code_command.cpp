@@ -52,7 +52,7 @@ int print_code_of(const std::string& file) {
 /// Every part and number, as --hold takes them; after each that the code holds against its seed, the seed's choice.
 int print_meaning_of(const FaceCode& code) {
   const auto recipe = recipe_from_code(code);
-  if (!recipe) return complain(recipe.error(), kUsedWrongly);
+  if (!recipe) return complain(recipe.error(), kFailed);
   const Recipe seeds = recipe_from_seed(code.seed);
   std::string text = fmt::format("code {}\nedition {}\n", face_code_text(code), kEdition);
   const auto add = [&](const std::string& name, const std::string& value,
@@ -86,7 +86,7 @@ int code_command(const CodeArguments& arguments) {
     return print(face_code_text({.seed = seed_from_word(*arguments.seed), .held = {}}) + "\n");
   if (!is_given_as_code(*arguments.face)) return print_code_of(*arguments.face);
   const auto code = read_face_code(*arguments.face);
-  return code ? print_meaning_of(*code) : complain(code.error(), kUsedWrongly);
+  return code ? print_meaning_of(*code) : complain(code.error(), kFailed);
 }
 
 }  // namespace mien::command

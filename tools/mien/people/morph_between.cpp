@@ -13,6 +13,7 @@
 #include "tools/mien/output/captioned_sheet.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/terminal/messages.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
@@ -89,20 +90,22 @@ Expected<Done> read_options(const MorphArguments& arguments, Morphing& to) {
 }
 
 Expected<Done> read_picture_size(const MorphArguments& arguments, const Face& face, Morphing& to) {
-  constexpr int kMost = 4096;
+  constexpr int kMostPictures = 4096;
   const std::string text = arguments.size.value_or("320");
   const auto extent = face.model->canvas.box.size();
   const auto size = read_size(text, extent.x / extent.y);
   if (!size) return size.error();
-  if (size->width > kMost || size->height > kMost)
-    return Error{"--size " + text, fmt::format("a picture has {} pixels a side at most", kMost)};
+  if (size->width > kMostPictures || size->height > kMostPictures)
+    return Error{"--size " + text,
+                 fmt::format("a picture has {} pixels a side at most", kMostPictures)};
   to.size = *size;
   return Done{};
 }
 
 Expected<Done> write_sheet(const Morphing& morphing, const std::string& output) {
   std::vector<SheetCell> cells;
-  for (long step = 0; step < morphing.steps; ++step) {
+  WatchedWork work("steps", std::size_t(morphing.steps));
+  for (long step = 0; step < morphing.steps; ++step, work.step()) {
     auto picture = morphing.picture(step);
     if (!picture) return picture.error();
     cells.push_back({"", *std::move(picture)});
@@ -113,7 +116,8 @@ Expected<Done> write_sheet(const Morphing& morphing, const std::string& output) 
 }
 
 Expected<Done> write_frames(const Morphing& morphing) {
-  for (long step = 0; step < morphing.steps; ++step) {
+  WatchedWork work("steps", std::size_t(morphing.steps));
+  for (long step = 0; step < morphing.steps; ++step, work.step()) {
     const auto picture = morphing.picture(step);
     if (!picture) return picture.error();
     if (auto done = write_image_by(load_encoder, *picture, morphing.names->of(step), {}); !done)
@@ -126,7 +130,8 @@ Expected<Done> write_film(const Morphing& morphing, const std::string& output) {
   auto film = Film::begin(output, *morphing.film, morphing.size.width, morphing.size.height,
                           morphing.fps, false);
   if (!film) return film.error();
-  for (long step = 0; step < morphing.steps; ++step) {
+  WatchedWork work("steps", std::size_t(morphing.steps));
+  for (long step = 0; step < morphing.steps; ++step, work.step()) {
     const auto picture = morphing.picture(step);
     if (!picture) return picture.error();
     if (auto added = film->add(*picture); !added) return added;

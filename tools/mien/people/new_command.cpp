@@ -22,6 +22,8 @@
 namespace mien::command {
 namespace {
 
+constexpr std::size_t kLongCode = 40;  ///< signs that people still copy
+
 /// A new seed at each call, from the time in nanoseconds.
 std::uint64_t new_seed() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -68,6 +70,19 @@ Expected<FaceCode> read_code(const NewArguments& arguments) {
   return code;
 }
 
+/// The first code that cannot be read: as in other commands, that is no wrong use.
+std::optional<Error> wrong_code(const NewArguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> codes;
+  if (arguments.code) codes.emplace_back("--code", *arguments.code);
+  if (arguments.near) codes.emplace_back("--near", *arguments.near);
+  for (const std::string& one : arguments.between) codes.emplace_back("--between", one);
+  for (const std::string& one : arguments.child_of) codes.emplace_back("--child-of", one);
+  for (const auto& [option, text] : codes)
+    if (const auto read = read_face_code(text); !read)
+      return Error{option + " " + one_line(text, 60), read.error().what};
+  return {};
+}
+
 }  // namespace
 
 int new_command(const NewArguments& arguments) {
@@ -80,15 +95,20 @@ int new_command(const NewArguments& arguments) {
   if (arguments.by && !arguments.near) return complain("--by is how far from --near", kUsedWrongly);
   if (arguments.at && arguments.between.empty())
     return complain("--at is where --between", kUsedWrongly);
+  if (const auto wrong = wrong_code(arguments)) return complain(*wrong, kFailed);
   const auto code = read_code(arguments);
   if (!code) return complain(code.error(), kUsedWrongly);
   auto recipe = recipe_from_code(*code);
-  if (!recipe) return complain(recipe.error(), kUsedWrongly);
+  if (!recipe) return complain(recipe.error(), kFailed);
   if (arguments.style) recipe->style = *arguments.style;
   auto text = face_text_from_recipe(*recipe);
   if (!text) return complain(text.error(), kUsedWrongly);
   if (!arguments.flat) text = recipe_text(*recipe);
-  if (!arguments.output) return print(face_code_text(*code) + "\n");
+  const std::string said = face_code_text(*code);
+  if (!arguments.output && said.size() > kLongCode)
+    warn({Error{"code",
+                fmt::format("of {} signs; -o FILE keeps the person in a file", said.size())}});
+  if (!arguments.output) return print(said + "\n");
   const auto done = write_file(*arguments.output, [&](const PutBytes& put) -> Expected<Done> {
     return put(text->data(), text->size());
   });
@@ -115,6 +135,7 @@ int check_parts(const PartsArguments& arguments) {
   CheckArguments check{.faces = {}, .people = {arguments.people.value_or("100")}};
   check.nonsense = true;
   check.seed = arguments.seed;
+  check.output = arguments.output;
   Recipe plain;
   for (const std::string& file : arguments.files) {
     auto part = read_part_file(file);

@@ -2,20 +2,28 @@
 
 #include <mien/composed_face.h>
 #include <mien/parallel.h>
+#include <mien/pose.h>
+#include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/parts/recipe/own_part.h"
+#include "render/image/load_encoder.h"
+#include "render/image/write_pieces.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
+#include "tools/mien/output/captioned_sheet.h"
+#include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/letters.h"
 #include "tools/mien/people/nonsense.h"
 #include "tools/mien/people/parts_at_fault.h"
 #include "tools/mien/terminal/messages.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,8 +163,61 @@ std::string as_table(const std::vector<TriedFace>& faces, std::size_t poses) {
   return text;
 }
 
+/// How far a fault is beyond what is allowed, as a share of that.
+double excess(const NonsenseFault& fault) {
+  constexpr double kLeast = 0.01;
+  return std::abs(fault.measured - fault.allowed) / std::max(std::abs(fault.allowed), kLeast);
+}
+
+/// The face at the pose in which something is wrong, named after what is.
+Expected<SheetCell> faulty_cell(const TriedFace& tried, const NonsenseFault& fault) {
+  constexpr int kCell = 320;  // [px]
+  const auto face =
+      tried.face ? Expected<Face>(*tried.face) : face_from_recipe(tried.recipe, face_letters());
+  if (!face) return face.error();
+  Pose pose;
+  std::string_view left = fault.pose;
+  if (left == "rest") left = {};
+  while (!left.empty()) {
+    const std::size_t space = std::min(left.find(' '), left.size());
+    const auto setting = read_setting(*face, left.substr(0, space));
+    if (!setting) return setting.error();
+    pose.settings.push_back(*setting);
+    left.remove_prefix(std::min(space + 1, left.size()));
+  }
+  const Scene scene = scene_from_face(pose_face(*face, pose));
+  const glm::dvec2 extent = scene.canvas().box.size();
+  const auto size = read_size(std::to_string(kCell), extent.x / extent.y);
+  if (!size) return size.error();
+  return SheetCell{fmt::format("{} {}", fault.check, fault.pose),
+                   sheet_picture(scene, {.width = size->width, .height = size->height})};
+}
+
+/// Of each check the case that is farthest beyond what is allowed, in one picture.
+int draw_worst(const std::vector<TriedFace>& faces, const std::string& output) {
+  std::vector<SheetCell> cells;
+  for (const NonsenseCheck& check : nonsense_checks()) {
+    const TriedFace* of = nullptr;
+    const NonsenseFault* worst = nullptr;
+    for (const TriedFace& face : faces)
+      for (const NonsenseFault& fault : face.faults)
+        if (fault.check == check.name && (!worst || excess(fault) > excess(*worst)))
+          of = &face, worst = &fault;
+    if (!worst) continue;
+    auto cell = faulty_cell(*of, *worst);
+    if (!cell) return complain(cell.error(), kFailed);
+    if (!cells.empty() && cells[0].image.height != cell->image.height) continue;
+    cells.push_back(*std::move(cell));
+  }
+  if (cells.empty()) return print("nothing is wrong: no picture is written\n");
+  const auto sheet = captioned_sheet(cells, {std::min(4, int(cells.size())), 0});
+  if (!sheet) return complain(sheet.error(), kFailed);
+  const auto done = write_image_by(load_encoder, *sheet, output, {});
+  return done ? int(kDone) : complain(done.error(), kFailed);
+}
+
 void try_face(const NonsenseTest& test, TriedFace& tried, std::size_t& poses) {
-  std::optional<Face> face = std::move(tried.face);
+  std::optional<Face> face = tried.face;
   if (!face) {
     auto made = face_from_recipe(tried.recipe, face_letters());
     if (!made) {
@@ -176,8 +237,8 @@ int nonsense_command(const CheckArguments& arguments) {
   if (tried.code != kDone) return tried.code;
   const NonsenseTest test;
   std::vector<std::size_t> poses(tried.faces.size());
-  parallel_for(int(tried.faces.size()), {},
-               [&](int i) { try_face(test, tried.faces[std::size_t(i)], poses[std::size_t(i)]); });
+  watched_for("faces", int(tried.faces.size()), {},
+              [&](int i) { try_face(test, tried.faces[std::size_t(i)], poses[std::size_t(i)]); });
   std::size_t all = 0;
   bool wrong = false;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -187,6 +248,8 @@ int nonsense_command(const CheckArguments& arguments) {
   }
   const int printed =
       print(arguments.json ? as_json(tried.faces, all) : as_table(tried.faces, all));
+  if (arguments.output && printed == kDone)
+    if (const int drawn = draw_worst(tried.faces, *arguments.output); drawn != kDone) return drawn;
   return printed != kDone ? printed : wrong ? int(kFailed) : int(kDone);
 }
 

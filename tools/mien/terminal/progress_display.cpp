@@ -18,6 +18,8 @@ constexpr double kSilence = 1.0;   // [s] work shorter than this shows no bar
 constexpr double kInterval = 0.1;  // [s] between two looks
 constexpr int kBarWidth = 30;      // at most
 
+ProgressStyle style_of_all = ProgressStyle::automatic;
+
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
 }
@@ -41,7 +43,11 @@ std::string duration_text(double length) {
   return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
-ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(style) {
+void use_progress(ProgressStyle style) {
+  style_of_all = style;
+}
+
+ProgressDisplay::ProgressDisplay() : style_(style_of_all) {
   if (style_ == ProgressStyle::automatic && !::isatty(STDERR_FILENO)) style_ = ProgressStyle::none;
 }
 

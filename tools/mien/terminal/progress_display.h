@@ -14,9 +14,12 @@ enum class ProgressStyle {
   none
 };
 
+/// How all displays of this process look that are made from now on; automatic before.
+void use_progress(ProgressStyle style);
+
 class ProgressDisplay {
  public:
-  explicit ProgressDisplay(ProgressStyle style);
+  ProgressDisplay();
   ~ProgressDisplay();  ///< wipes the bar
 
   /// Watches one phase ("render"); stops it when the command was interrupted. The display

@@ -21,6 +21,40 @@ TEST(FrameFile, FindsAFrameInsideAnObject) {
   EXPECT_EQ(frame->size(), 1u);
 }
 
+/// FaceLandmarker's result, its parts, and its shares by name.
+TEST(FrameFile, TakesWhatMediaPipeGives) {
+  const std::string list =
+      R"([{"index": 0, "score": 1e-7, "categoryName": "_neutral", "displayName": ""},
+          {"index": 1, "score": 0.5, "categoryName": "jawOpen", "displayName": ""}])";
+  const std::string result =
+      R"({"faceLandmarks": [[{"x": 0}]], "faceBlendshapes": [{"headIndex": -1,
+      "headName": "", "categories": )" +
+      list + "}]}";
+  for (const std::string& text : {list, R"({"categories": )" + list + "}", result,
+                                  std::string(R"({"_neutral": 1e-7, "jawOpen": 0.5})"),
+                                  std::string(R"([{"category_name": "jawOpen", "score": 0.5}])")}) {
+    const auto frame = read_frame_text(text, "f");
+    ASSERT_TRUE(frame) << text << sentence(frame.error());
+    ASSERT_EQ(frame->size(), 1u) << text;
+    EXPECT_EQ((*frame)[0].name, "jawOpen");
+    EXPECT_EQ((*frame)[0].values, std::vector<double>{0.5});
+  }
+}
+
+TEST(FrameFile, HidesNoNumbersBesideAFrame) {
+  const auto said = [](std::string_view text) {
+    const auto frame = read_frame_text(text, "f");
+    return frame ? "is read" : sentence(frame.error());
+  };
+  const std::string inside = ", which is the frame: put it inside, or leave it out";
+  EXPECT_EQ(said(R"({"blendShapes": {"jawOpen": 0.5}, "mouthPucker": 1})"),
+            "f:1:50: /mouthPucker: stands beside \"blendShapes\"" + inside);
+  EXPECT_EQ(said(R"({"blendShapes": {"jawOpen": 0.5}, "points": {"a": 1}})"),
+            "f:1:45: /points: stands beside \"blendShapes\"" + inside);
+  EXPECT_EQ(said(R"({"faceBlendshapes": [{"categories": []}, {"categories": []}]})"),
+            "f:1:21: /faceBlendshapes: holds 2 faces; a frame is of one");
+}
+
 TEST(FrameFile, SaysWhatIsWrongAndWhere) {
   const auto said = [](std::string_view text) {
     return sentence(read_frame_text(text, "f").error());

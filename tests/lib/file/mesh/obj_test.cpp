@@ -29,6 +29,49 @@ TEST(Obj, PointsKeepTheirOrderAndFacesBecomeTriangles) {
   EXPECT_EQ(mesh->triangles[2], (std::array<int, 3>{0, 1, 2}));
 }
 
+/// Programs write the same faces in many ways.
+TEST(Obj, TheSameFacesInOtherWords) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const auto plain = read_text_as_obj(points + "f 1 2 3 4\n");
+  ASSERT_TRUE(plain);
+  for (const std::string& text : std::vector<std::string>{
+           points + "f -4 -3 -2 -1\n", points + "f 1/1 2/2 3/3 4/4\n",
+           points + "f 1//1 2//1 3//1 4//1\n", points + "f 1/1/1 2/-1/1 3/1/-1 4/1/1\n",
+           points + "f 1 2 \\\n 3 \\\r\n 4\n",
+           "v 0 0 \\\n0\nv 1 0 0 # a corner \\\nv 1 1 0 1.0\nv 0 1 0 .5 .5 .5\nf 1 2 3 4",
+           "# a head \\\n" + points + "f 1 2 3 4\n", "\xEF\xBB\xBF" + points + "f 1 2 3 4\n",
+           "f 1 2 3 4\n" + points, points + "l 1 2\np 1\nvp 0.1\nmtllib none.mtl\nf 1 2 3 4\n",
+           "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3 4\r"}) {
+    const auto mesh = read_text_as_obj(text);
+    ASSERT_TRUE(mesh) << text << sentence(mesh.error());
+    EXPECT_EQ(mesh->points, plain->points) << text;
+    EXPECT_EQ(mesh->triangles, plain->triangles) << text;
+  }
+}
+
+TEST(Obj, WrongCornersHaveTheirLine) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string corner =
+      "expected a corner of a face like 3, 3/1 or 3//2, counted from 1, got ";
+  for (const auto& [face, what] : std::vector<std::pair<std::string, std::string>>{
+           {"f 0 1 2", corner + "\"0\""},
+           {"f 1 2 3.5", corner + "\"3.5\""},
+           {"f 1 2 x", corner + "\"x\""},
+           {"f 1 2 3/x", corner + "\"3/x\""},
+           {"f 1 2 3/1/1/1", corner + "\"3/1/1/1\""},
+           {"f 1 2 18446744073709551617", corner + "\"18446744073709551617\""},
+           {"f 1 2 4294967297", "a face names point 4294967297, and there are 3"},
+           {"f 1 2 4", "a face names point 4, and there are 3"},
+           {"f -4 -1 -2", "a face names point -4, and there are 3 before it"},
+           {"f 1 2", "a face of 2 points; it has 3 or more"},
+           {"f", "a face of 0 points; it has 3 or more"}}) {
+    const auto mesh = read_text_as_obj(points + face + "\n");
+    ASSERT_FALSE(mesh) << face;
+    EXPECT_EQ(mesh.error().what, what);
+    EXPECT_TRUE(mesh.error().where.ends_with("a.obj:4")) << mesh.error().where;
+  }
+}
+
 TEST(Obj, BadFilesAreOneSentenceWithALine) {
   const std::pair<const char*, const char*> bads[] = {
       {"v 0 0 nan\n", "expected three finite numbers, got \"nan\""},

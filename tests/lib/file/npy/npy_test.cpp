@@ -79,6 +79,25 @@ TEST(Npy, EveryTypeOrderAndVersion) {
         }
 }
 
+TEST(Npy, HalvesAndPython2) {
+  const ScratchFolder folder;
+  // 1, -2, the largest, the least normal, the least subnormal and −0.
+  const std::vector<std::uint16_t> halves{0x3c00, 0xc000, 0x7bff, 0x0400, 0x0001, 0x8000};
+  const std::vector<double> wanted{1, -2, 65504, 0x1p-14, 0x1p-24, -0.0};
+  for (const bool big : {false, true}) {
+    test::write_text(folder / "a.npy",
+                     header_of(dictionary(big ? ">f2" : "<f2", "False", "(2L, 3L)")) +
+                         bytes_of_numbers(halves, big));
+    const auto file = FrameFile::open(folder / "a.npy");
+    ASSERT_TRUE(file) << sentence(file.error());
+    EXPECT_EQ(all_of(*file), wanted);
+  }
+  test::write_text(folder / "a.npy", header_of(dictionary("<f2", "False", "(1, 1)")) +
+                                         bytes_of_numbers(std::vector<std::uint16_t>{0x7c00}));
+  double number = 0;
+  EXPECT_FALSE(FrameFile::open(folder / "a.npy")->source().read({0, 1, 0, 1}, &number));
+}
+
 struct BadHeader {
   std::string bytes, what;
 };
@@ -93,12 +112,16 @@ TEST(Npy, BadFilesAreOneSentence) {
       {"hello, hello, hello", "is not a .npy file"},
       {header_of(dictionary("<f4", "False", "(2, 3)"), 9) + ones,
        "has .npy format version 9.0; known are 1 to 3"},
+      {"PK\3\4hello, hello", "is not a .npy file; it looks like an .npz"},
       {header_of(dictionary("<i4", "False", "(2, 3)")) + ones,
-       "expected float32 or float64 ('<f4', '<f8'), got the type \"<i4\""},
-      {header_of(dictionary("<f2", "False", "(2, 3)")) + ones,
-       "expected float32 or float64 ('<f4', '<f8'), got the type \"<f2\""},
+       "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type \"<i4\"; "
+       ".astype('f4') makes it one of them"},
+      {header_of(dictionary("<c8", "False", "(2, 3)")) + ones,
+       "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type \"<c8\""},
       {header_of(dictionary("|u1", "False", "(2, 3)")) + "123456",
-       "expected float32 or float64 ('<f4', '<f8'), got the type \"|u1\""},
+       "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type \"|u1\"; "
+       ".astype('f4') makes it one of them"},
+      {header_of(dictionary("<f4", "False", "(2L, 3LL)")) + ones, "has a header that is none"},
       {header_of(dictionary("<f4", "False", "(6,)")) + ones,
        "expected the shape [frames, vertices, dimensions] or [frames, numbers] with nothing 0, got "
        "[6]"},

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "tests/support/scratch_folder.h"
 
@@ -29,6 +30,8 @@ TEST(OwnPart, BegunOnesAreWornAsTheyAre) {
     const auto text = part_skeleton(family.name, "mine");
     EXPECT_EQ(text.has_value(), draws(family)) << family.name;
     if (!text) continue;
+    std::istringstream lines(*text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
     const auto path = folder / (family.name + ".part.json");
     std::ofstream(path) << *text;
     const auto part = read_part_file(path);

@@ -59,6 +59,18 @@ TEST(PngEncoder, SaysWhatThePixelsAre) {
   EXPECT_EQ(chunks(png_of(test::sample_image(40, 30, Depth::f32, true))).front().data[9], '\x02');
 }
 
+TEST(PngEncoder, SaysHowLargeItIsOnPaper) {
+  const auto size_of = [](double dpi) {
+    for (const Chunk& chunk :
+         chunks(png_of(test::sample_image(3, 2, Depth::u8, true), {.dpi = dpi})))
+      if (chunk.name == "pHYs") return chunk.data;
+    return std::string();
+  };
+  EXPECT_EQ(size_of(0), "");
+  EXPECT_EQ(size_of(300), std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));  // 11811 pixels a metre
+  EXPECT_EQ(size_of(1e300), size_of(WriteOptions::kMostDpi));
+}
+
 TEST(PngEncoder, TheStreamIsZlibsWithItsCheckSum) {
   const Image image = test::sample_image(301, 1000, Depth::u8, true);  // several strips and pieces
   std::string stream;

@@ -36,6 +36,21 @@ TEST(EncodeTiff, IsTiledZippedAndHasAProfile) {
             "Linear light, sRGB primaries");
 }
 
+TEST(EncodeTiff, HasAResolutionAlways) {
+  const test::ScratchFolder folder;
+  const auto dpi_of = [&](double dpi) {
+    EXPECT_TRUE(encode_to(folder / "a.tif", test::sample_image(4, 3, Depth::u8, true),
+                          FileType::tiff, {.dpi = dpi}));
+    const Read got = read(folder / "a.tif");
+    EXPECT_EQ(got.spec.get_string_attribute("ResolutionUnit"), "in");
+    EXPECT_EQ(got.spec.get_float_attribute("YResolution"),
+              got.spec.get_float_attribute("XResolution"));
+    return got.spec.get_float_attribute("XResolution");
+  };
+  EXPECT_EQ(dpi_of(0), 72);
+  EXPECT_EQ(dpi_of(300), 300);
+}
+
 /// The first bytes of a file of that frame.
 std::string head_of(const PictureFrame& frame, int& pieces, PixelRect& first) {
   const test::ScratchFolder folder;

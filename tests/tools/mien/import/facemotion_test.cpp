@@ -205,7 +205,7 @@ TEST(Facemotion, ChoosesOneOfSeveral) {
 TEST(Facemotion, IsStrictAboutNames) {  // M4
   EXPECT_EQ(said(with("'mouth:1': 1", "'mouth:2': 1")),
             "m.js:24:28: /tiny/muscleGroups/zygomaticus/muscles/mouth:2: no attachment named "
-            "\"mouth:2\"");  // another number is another point, no slip
+            "\"mouth:2\"");
   EXPECT_NE(said(with("'eyeball:scale'", "'eyeball:size'")).find("did you mean \"eyeball:scale\"?"),
             std::string::npos);
   EXPECT_NE(said(with("{'zygomaticus': 1", "{'zigomaticus': 1"))
@@ -222,18 +222,43 @@ TEST(Facemotion, IsStrictAboutNames) {  // M4
             std::string::npos);
 }
 
+/// Modules, types and other code beside a morphology: the same face.
+TEST(Facemotion, ReadsModulesAndPassesOverOtherCode) {
+  const std::size_t begin = kSample.find('{');
+  const std::string body = kSample.substr(begin, kSample.rfind('}') + 1 - begin);
+  const auto face = [](const std::string& text) {
+    const auto made = face_text_from_facemotion(text, "tiny.js", {});
+    return made ? *made : sentence(made.error());
+  };
+  const std::string wanted = face("var tiny = " + body + ";\n");
+  EXPECT_NE(wanted.find("mien-face"), std::string::npos) << wanted;
+  for (const std::string& text : std::vector<std::string>{
+           "export const tiny = " + body + ";\n", "export let tiny = " + body,
+           "module.exports.tiny = " + body + ";", "'use strict';\nvar tiny = " + body + ";\n",
+           "var tiny = (" + body + ");\n", "{\"tiny\": " + body + "}",
+           "const tiny = " + body + " as const;\n", "const tiny: Morphology = " + body + ";\n",
+           "const tiny = " + body + " satisfies Morphology;\n",
+           "var tiny = " + body + "\nif (typeof module !== 'undefined') module.exports = tiny;\n",
+           "import x from './x.js'; // {it's}\nvar tiny = " + body +
+               ";\nvar f = new Face(tiny); // ;\nf.draw();\n",
+           "function a() { return {b: '}'}; }\nvar tiny = " + body + ";\nexport { tiny };\n"})
+    EXPECT_EQ(face(text), wanted) << text;
+  const std::string two = said("var a = " + body + "\nf() // x\nvar b = " + body);
+  EXPECT_NE(two.find("it has 2 morphologies"), std::string::npos) << two;
+}
+
 TEST(Facemotion, RunsNothing) {
-  EXPECT_EQ(said("var a = b;"), "m.js:1:9: expected an object literal {…}: no code is run");
+  EXPECT_EQ(said("var a = b;"), "m.js:1:1: there is no object literal in it");
   EXPECT_EQ(said("var a = {b: f()};"), "m.js:1:13: expected a value, got \"f\": no code is run");
-  EXPECT_EQ(said("alert(1)"),
-            "m.js:1:1: expected NAME = {…}: only object literals are read, no code is run");
+  EXPECT_EQ(said("alert(1)"), "m.js:1:1: there is no object literal in it");
+  EXPECT_EQ(said("var a = {b: `${1}`};"), "m.js:1:14: a template with ${…}: no code is run");
+  EXPECT_EQ(said("alert(1))"), "m.js:1:9: a ) that nothing opens");
   EXPECT_EQ(said("var a = {b: 1 + 1};"), "m.js:1:15: expected , or }");
   EXPECT_EQ(said("var a = {b: 1, b: 2};"), "m.js:1:16: the key \"b\" stands here twice");
   EXPECT_EQ(said(""), "m.js:1:1: there is no object literal in it");
   EXPECT_EQ(said("var a = {'b"), "m.js:1:10: this string does not end");
   EXPECT_EQ(said("/* a"), "m.js:1:1: this comment does not end");
-  EXPECT_EQ(said(std::string(100000, '[')),
-            "m.js:1:1: expected an object literal {…}: no code is run");
+  EXPECT_EQ(said(std::string(100000, '[')), "m.js:1:100001: the text ends too early");
   EXPECT_NE(said("var a = {b: " + std::string(100000, '[')).find("nested more than 64 deep"),
             std::string::npos);
 }
@@ -241,7 +266,7 @@ TEST(Facemotion, RunsNothing) {
 TEST(Facemotion, TakesWhatJavaScriptTakes) {
   const std::string odd = "\xEF\xBB\xBF" + with("'zygomaticus': {", "'zygo\\u006daticus': {\n");
   EXPECT_EQ(said(odd), "a face");
-  EXPECT_EQ(said(with("var tiny", "export const tiny")).find("a face"), std::string::npos);
+  EXPECT_EQ(said(with("var tiny", "export const tiny")), "a face");
   EXPECT_EQ(said(with("var tiny", "module.exports.tiny")), "a face");
   EXPECT_EQ(said(with("var tiny = ", "")), "a face");
   EXPECT_EQ(said(with("'stiffness': 20", "stiffness: 0x14")), "a face");

@@ -1,0 +1,149 @@
+#include "tools/mien/cli/file_roles.h"
+#include "lib/base/one_line.h"
+#include "render/image/file/output_path.h"
+#include "tools/mien/cli/named_file.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <system_error>
+
+namespace mien::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The roles of each command's files.
+class Roles {
+ public:
+  FileRoles operator()(const Help&) { return {}; }
+  FileRoles operator()(const WrongUse&) { return {}; }
+  FileRoles operator()(const RenderArguments& a) {
+    read(a.posed);
+    return write("--output", a.output).write("--error-map", a.error_map).all_;
+  }
+  FileRoles operator()(const BenchArguments&) { return {}; }
+  FileRoles operator()(const CheckArguments& a) {
+    for (const std::string& face : a.faces) read("FACE", face);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const SceneArguments&) { return {}; }
+  FileRoles operator()(const ListArguments&) { return {}; }
+  FileRoles operator()(const FitArguments&) { return {}; }
+  FileRoles operator()(const CodeArguments&) { return {}; }
+  FileRoles operator()(const StudioArguments&) { return {}; }
+  FileRoles operator()(const SetArguments&) { return {}; }  // FACE may be written again
+  FileRoles operator()(const PcaArguments& a) {
+    read("FRAMES", a.input).read("BASIS", a.basis).read("WEIGHTS", a.weights);
+    read("--face", a.face).read("--mesh", a.mesh);
+    return write("--output", a.output).write("--plot", a.plot).all_;
+  }
+  FileRoles operator()(const MorphArguments& a) {
+    read("REST", a.rest).read("MAP", a.map).read("NEUTRAL", a.neutral);
+    for (const std::string& person : a.people) read("PEOPLE", person);
+    read_named(a.targets);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const MeshArguments& a) {
+    read("NEUTRAL", a.neutral).read_named(a.targets);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const AnimateArguments& a) {
+    read(a.render.posed);
+    return write("--output", a.render.output).all_;
+  }
+  FileRoles operator()(const ImportArguments& a) {
+    for (const std::string& file : a.files) read("FILES", name_and_file(file).second);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const SheetArguments& a) {
+    read("FACE", a.face).read_named(a.pictures);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const NewArguments& a) {
+    read("--code", a.code).read("--near", a.near);
+    for (const auto* two : {&a.between, &a.child_of})
+      for (const std::string& one : *two) read(two == &a.between ? "--between" : "--child-of", one);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const PartsArguments& a) {
+    for (const std::string& file : a.files) read("FILE", file);
+    return write("--output", a.output).all_;
+  }
+  FileRoles operator()(const ChernoffArguments& a) {
+    read("TABLE", a.table).read("--map", a.map);
+    write("--output", a.output).write("--legend", a.legend).write("--manifest", a.manifest);
+    return all_;
+  }
+  FileRoles operator()(const StimuliArguments& a) {
+    return read("PLAN", a.plan)
+        .write("--output", (fs::path(a.output) / "manifest.json").string())
+        .all_;
+  }
+
+ private:
+  Roles& read(const std::string& what, const std::optional<std::string>& path) {
+    if (path && !path->empty()) all_.read.push_back({what, *path});
+    return *this;
+  }
+  Roles& write(const std::string& what, const std::optional<std::string>& path) {
+    if (path && !path->empty()) all_.written.push_back({what, *path});
+    return *this;
+  }
+  Roles& read_named(const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) read("FILES", name_and_file(text).second);
+    return *this;
+  }
+  void read(const PosedFace& posed) {
+    read("FACE", posed.face).read("--arkit", posed.arkit).read("--basis", posed.basis);
+    for (const std::string& file : posed.morphs) read("--morphs", file);
+  }
+
+  FileRoles all_;
+};
+
+/// What a file is, whatever it is called: device and inode, or the place where a new one would be. Nothing: a device,
+/// a pipe, standard output, a folder, or no place at all.
+std::optional<std::string> identity(const std::string& path) {
+  struct stat info = {};
+  if (path == "-") return {};
+  if (::stat(path.c_str(), &info) == 0) {
+    if (!S_ISREG(info.st_mode)) return {};
+    return fmt::format("{}:{}", info.st_dev, info.st_ino);
+  }
+  const auto target = find_output_path(path);
+  if (!target) return {};
+  std::error_code failed;
+  const fs::path folder = fs::canonical(folder_of(target->path), failed);
+  if (failed) return {};
+  return (folder / target->path.filename()).string();
+}
+
+}  // namespace
+
+FileRoles file_roles(const CommandLine& line) {
+  return std::visit(Roles{}, line);
+}
+
+Expected<Done> check_file_roles(const FileRoles& roles) {
+  std::vector<std::pair<std::string, std::string>> taken;  // identity and role
+  for (const FileRole& file : roles.read)
+    if (auto is = identity(file.path)) taken.emplace_back(*std::move(is), file.what + " reads it");
+  int outputs = 0;
+  for (const FileRole& file : roles.written) {
+    const std::string where = file.what + " " + one_line(file.path, 60);
+    if (file.path == "-" && outputs++ > 0)
+      return Error{where, "two outputs cannot share standard output"};
+    const auto is = identity(file.path);
+    if (!is) continue;
+    for (const auto& [other, role] : taken)
+      if (other == *is) return Error{where, "would overwrite a file of this command: " + role};
+    taken.emplace_back(*is, file.what + " writes it");
+  }
+  return Done{};
+}
+
+}  // namespace mien::command

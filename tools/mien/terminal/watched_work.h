@@ -1,0 +1,36 @@
+#pragma once
+// The one way in which commands do what may take long: people see how far it is, and Ctrl-C ends it.
+
+#include <mien/parallel.h>
+#include "tools/mien/terminal/progress_display.h"
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <string>
+
+namespace mien::command {
+
+/// Thrown where work ends because the command was interrupted. The command's main function tells it.
+struct Interrupted : std::exception {
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// Work of so many steps, one after the other.
+class WatchedWork {
+ public:
+  WatchedWork(const std::string& phase, std::size_t steps);
+  /// One more is done. Throws Interrupted.
+  void step();
+
+ private:
+  ProgressDisplay display_;
+  Progress progress_;
+  std::size_t steps_, done_ = 0;
+};
+
+/// parallel_for, watched. After an interrupt no job begins; then it throws Interrupted.
+void watched_for(const std::string& phase, int count, const Threads& threads,
+                 const std::function<void(int)>& job);
+
+}  // namespace mien::command
