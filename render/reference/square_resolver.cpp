@@ -82,7 +82,7 @@ SquareResolver::Scope SquareResolver::scope_of(const Scope& outer, glm::dvec2 ce
 
 double SquareResolver::distance(int shape, glm::dvec2 p) {
   ++stats_.distances;
-  return scale_ * mien::distance(scene_.shapes()[std::size_t(shape)], face_from_grid_(p));
+  return scale_ * scene_.shape_distance(std::size_t(shape), face_from_grid_(p));
 }
 
 glm::dvec2 SquareResolver::place(int x, int y) const {

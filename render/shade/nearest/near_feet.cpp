@@ -2,12 +2,14 @@
 #include "lib/base/monotonic_seconds.h"
 #include "sdf/csg/combine.h"
 #include "sdf/shape/curve/path.h"
+#include "sdf/shape/curve/path_tree.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <variant>
 
@@ -80,10 +82,26 @@ bool is_simple_in_pieces(const Path& path, Path& fine) {
   return is_simple(fine);
 }
 
+/// Those of a path: by a tree where it has many sides.
+class Windings {
+ public:
+  explicit Windings(const Path& path) : path_(path) {
+    std::size_t sides = 0;
+    for (const Path::Loop& loop : path.loops) sides += loop.sides.size();
+    if (sides > 4 * PathTree::kFewSides) tree_.emplace(path);
+  }
+  int at(glm::dvec2 p) const { return tree_ ? tree_->winding(p) : winding(path_, p); }
+
+ private:
+  const Path& path_;
+  std::optional<PathTree> tree_;
+};
+
 /// The sides of a path, each with the hand on which its outside lies; false if a side has the same on both hands.
 bool add_path(const Path& path, SpineShape& made, Path& pieces) {
   std::vector<Spine<double>>& to = made.spines;
   if (!is_simple_in_pieces(path, pieces)) return false;
+  const Windings windings(path);
   for (const Path::Loop& loop : path.loops) {
     const std::size_t first = to.size();
     for (const QuadBezier& side : loop.sides) {
@@ -91,8 +109,8 @@ bool add_path(const Path& path, SpineShape& made, Path& pieces) {
       Spine<double> s = spine_of(side, {0.0, 0.0, 0.0});
       constexpr double kAside = 1e-4;  // [px]
       const glm::dvec2 way = along(s, 0.5), right{way.y, -way.x}, p = on_spine(s, 0.5);
-      const bool in_right = is_inside(path.rule, winding(path, p + kAside * right));
-      const bool in_left = is_inside(path.rule, winding(path, p - kAside * right));
+      const bool in_right = is_inside(path.rule, windings.at(p + kAside * right));
+      const bool in_left = is_inside(path.rule, windings.at(p - kAside * right));
       if (in_right == in_left) return false;
       s.side = in_right ? -1.0 : 1.0;
       to.push_back(s);
@@ -261,7 +279,7 @@ void NearFeet::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
   for (const Node& n : tree.nodes()) {
     if (n.op != Op::shape) continue;
     const SpineShape& shape = area.shapes()[std::size_t(n.a)];
-    Leaf leaf{&tree.shapes()[std::size_t(n.a)], &shape, spines_.size(), 0};
+    Leaf leaf{std::size_t(n.a), &shape, spines_.size(), 0};
     if (!shape.slow) narrow_shape(shape);
     leaf.count = spines_.size() - leaf.first;
     tangled_ = tangled_ || (shape.crosses && (shape.slow || leaf.count > 1));
@@ -321,20 +339,22 @@ void NearFeet::narrow_shape(const SpineShape& shape) {
             [](const NearSpine& a, const NearSpine& b) { return a.least < b.least; });
 }
 
-void NearFeet::slow_at(const Shape& shape, std::span<const float> x, std::span<const float> y,
+void NearFeet::slow_at(std::size_t shape, std::span<const float> x, std::span<const float> y,
                        const Feet& out) const {
   constexpr double kStep = 1e-5, kAside = 1e-3;  // [px]
+  const AreaDistance& area = *area_->area();
+  const auto distance_at = [&](glm::dvec2 p) { return area.of_shape(shape, p); };
   const auto gradient = [&](glm::dvec2 p, double d) {
-    const glm::dvec2 g{distance(shape, p + glm::dvec2{kStep, 0.0}) - d,
-                       distance(shape, p + glm::dvec2{0.0, kStep}) - d};
+    const glm::dvec2 g{distance_at(p + glm::dvec2{kStep, 0.0}) - d,
+                       distance_at(p + glm::dvec2{0.0, kStep}) - d};
     const double length = glm::length(g);
     return length > 0.0 ? g / length : glm::dvec2{0.0};
   };
   for (std::size_t i = 0; i < x.size(); ++i) {
     const glm::dvec2 p = middle_ - area_->center() + glm::dvec2{x[i], y[i]};
-    const double d = distance(shape, p);
+    const double d = distance_at(p);
     const glm::dvec2 n = gradient(p, d), along_level{-n.y, n.x}, q = p + kAside * along_level;
-    const double bend = glm::dot(gradient(q, distance(shape, q)) - n, along_level) / kAside;
+    const double bend = glm::dot(gradient(q, distance_at(q)) - n, along_level) / kAside;
     out.d[i] = float(d), out.nx[i] = float(n.x), out.ny[i] = float(n.y);
     out.bend[i] = float(std::clamp(bend, -4.0, 4.0));
   }
@@ -342,7 +362,7 @@ void NearFeet::slow_at(const Shape& shape, std::span<const float> x, std::span<c
 
 void NearFeet::shape_at(const Leaf& leaf, std::span<const float> x, std::span<const float> y,
                         const Feet& out) {
-  if (leaf.spines->slow) return slow_at(*leaf.shape, x, y, out);
+  if (leaf.spines->slow) return slow_at(leaf.shape, x, y, out);
   if (const auto& e = leaf.spines->ellipse) {
     const glm::dvec2 at = e->center - middle_;
     return ellipse_feet({float(at.x), float(at.y), float(e->axis.x), float(e->axis.y),

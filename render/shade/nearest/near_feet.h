@@ -109,7 +109,7 @@ class NearFeet {
  private:
   void combine_at(std::span<const float> x, std::span<const float> y, const Feet& out);
   struct Leaf {
-    const Shape* shape;
+    std::size_t shape;  ///< of the area's
     const SpineShape* spines;
     std::size_t first, count;  ///< in spines_
   };
@@ -117,7 +117,7 @@ class NearFeet {
   bool ends_beside(const SpineShape& shape, std::size_t index) const;
   void shape_at(const Leaf& leaf, std::span<const float> x, std::span<const float> y,
                 const Feet& out);
-  void slow_at(const Shape& shape, std::span<const float> x, std::span<const float> y,
+  void slow_at(std::size_t shape, std::span<const float> x, std::span<const float> y,
                const Feet& out) const;
 
   const FeetArea* area_ = nullptr;
