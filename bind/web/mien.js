@@ -29,6 +29,7 @@ const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
 class Memory {
   constructor(exports) {
     this.exports = exports;
+    this.goesOn = () => true;
     this.decoder = new TextDecoder();
     this.encoder = new TextEncoder();
   }
@@ -75,6 +76,7 @@ function host(memory) {
       return 0;
     },
     proc_exit: trap,
+    mien_asks_to_go_on: (done) => memory().goesOn(done) ? 1 : 0,
     environ_sizes_get: zero, environ_get: () => 0,
     fd_close: () => 0, fd_seek: () => 0, fd_read: () => 0,
     fd_write(_file, _parts, _count, written) { return zero(written); },
@@ -288,12 +290,26 @@ export class Face {
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
-   *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's */
-  draw(width, height, pose = {}) {
+   *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's
+   *  Long drawings can be ended, wherever they are; draw then throws a MienError that says "cancelled":
+   *    how.deadline   milliseconds from now, after which it ends
+   *    how.progress   called about every 10 ms with the share done, 0 to 1; false ends it. What it throws, draw throws */
+  draw(width, height, pose = {}, { deadline = Infinity, progress = undefined } = {}) {
     this.#poseFor(width, height, pose);
     this.#roomFor(width * height * 4);
     this.#into(this.#data, width, height);
-    this.#mien.done('mien_render', this.#renderer, this.#scene, this.#view, this.#pixels, 0);
+    const until = performance.now() + deadline;
+    let thrown;
+    this.#m.goesOn = (done) => {
+      if (performance.now() > until) return false;
+      try { return progress?.(done) !== false; } catch (error) { thrown = { error }; return false; }
+    };
+    try {
+      const options = this.#m.exports.mien_asking_options();
+      this.#mien.done('mien_render', this.#renderer, this.#scene, this.#view, this.#pixels, options);
+    } catch (error) {
+      throw thrown ? thrown.error : error;
+    } finally { this.#m.goesOn = () => true; }
     return new Uint8ClampedArray(this.#m.exports.memory.buffer, this.#data, width * height * 4);
   }
 

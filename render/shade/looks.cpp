@@ -1,4 +1,5 @@
 #include "render/shade/looks.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <cstring>
@@ -60,6 +61,7 @@ void Looks::begin(const PaintTable& paints) {
   table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
   opaque_.assign(std::size_t(words_), 0);
   conjunctions_.clear(), literals_.clear();
+  clause_words_.clear(), first_word_.assign(1, 0);
   for (std::size_t i = 0; i < paints.layers.size(); ++i) {
     const PaintedLayer& layer = paints.layers[i];
     const double opacity = layer.varied < 0
@@ -70,10 +72,29 @@ void Looks::begin(const PaintTable& paints) {
     c.simple = literals_of(paints.programs.steps(layer.program), literals_);
     if (!c.simple) literals_.resize(std::size_t(c.first));
     c.count = int(literals_.size()) - c.first;
+    if (!c.simple) add_clauses(paints.programs.steps(layer.program), c);
     conjunctions_.push_back(c);
   }
   note_outlines();
   make_segments();
+}
+
+/// Notes a program that is a conjunction of clauses, each a disjunction of literals: unions, cut to areas.
+void Looks::add_clauses(std::span<const AreaStep> program, Conjunction& c) {
+  if (!clauses_.read(program)) return;
+  c.first_clause = int(first_word_.size()) - 1;
+  for (std::size_t i = 0; i < clauses_.literals().size(); ++i) {
+    const int literal = clauses_.literals()[i], outline = literal < 0 ? ~literal : literal;
+    if (clauses_.begins(i)) {
+      if (i > 0) first_word_.push_back(int(clause_words_.size()));
+      ++c.clauses;
+    }
+    const bool same = !clauses_.begins(i) && clause_words_.back().word == outline >> 6;
+    if (!same) clause_words_.push_back({outline >> 6, 0, 0});
+    ClauseWord& w = clause_words_.back();
+    (literal < 0 ? w.outside : w.inside) |= std::uint64_t{1} << (outline & 63);
+  }
+  first_word_.push_back(int(clause_words_.size()));
 }
 
 void Looks::note_outline(int outline, int layer) {
@@ -136,8 +157,24 @@ void Looks::make_segments() {
   }
 }
 
+/// Whether of every clause one literal holds.
+bool Looks::hold(const Conjunction& c, const std::uint64_t* inside) const {
+  for (int i = c.first_clause; i < c.first_clause + c.clauses; ++i) {
+    bool holds = false;
+    for (int k = first_word_[std::size_t(i)]; k < first_word_[std::size_t(i) + 1] && !holds; ++k) {
+      const ClauseWord& w = clause_words_[std::size_t(k)];
+      const std::uint64_t in = inside[w.word];
+      holds = ((in & w.inside) | (~in & w.outside)) != 0;
+    }
+    if (!holds) return false;
+  }
+  return true;
+}
+
 bool Looks::covers(int layer, const std::uint64_t* inside) {
   const Conjunction& c = conjunctions_[std::size_t(layer)];
+  if (!c.simple && c.clauses > 0) return hold(c, inside);
+  if (!c.simple) worked(paints_->layers[std::size_t(layer)].program.count);
   if (!c.simple)
     return runs_true(paints_->programs.steps(paints_->layers[std::size_t(layer)].program), inside,
                      stack_);

@@ -7,6 +7,7 @@
 
 #include "render/shade/paint_table.h"
 #include "sdf/arrange/regions.h"
+#include "sdf/outline/area_clauses.h"
 
 #include <array>
 #include <cstdint>
@@ -38,6 +39,9 @@ class Looks final : public LookRule {
   void begin(const PaintTable& paints);
 
   int state_words() const override { return words_; }
+  std::size_t bytes() const override {
+    return looks_.capacity() * sizeof(Look) + steps_.capacity() * sizeof(LookStep);
+  }
   int first_look(std::uint64_t* state) override;
   int look(const std::uint64_t* inside, int outline, const std::uint64_t* before, int look_before,
            std::uint64_t* state) override;
@@ -100,6 +104,9 @@ class Looks final : public LookRule {
   void note_outlines();
   void note_outline(int outline, int layer);
   void make_segments();
+  struct Conjunction;
+  void add_clauses(std::span<const AreaStep> program, Conjunction& to);
+  bool hold(const Conjunction& c, const std::uint64_t* inside) const;
   bool covers(int layer, const std::uint64_t* inside);
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
@@ -136,9 +143,18 @@ class Looks final : public LookRule {
   struct Conjunction {
     int first = 0, count = 0;
     bool simple = false;
+    int first_clause = 0, clauses = 0;  ///< of one that is not simple; none: step by step
   };
   std::vector<Conjunction> conjunctions_;  ///< by layer
   std::vector<int> literals_;              ///< outline, or ~outline
+  /// Of a clause: outlines of one word, inside or outside of any of which it holds.
+  struct ClauseWord {
+    int word;
+    std::uint64_t inside, outside;
+  };
+  AreaClauses clauses_;
+  std::vector<int> first_word_;  ///< by clause
+  std::vector<ClauseWord> clause_words_;
 
   std::vector<std::uint64_t> nothing_;  ///< inside of no outline
   std::vector<char> stack_;

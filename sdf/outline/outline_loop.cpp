@@ -1,5 +1,6 @@
 #include "sdf/outline/outline_loop.h"
 
+#include "lib/base/watch.h"
 #include "sdf/outline/curve/cross_private.h"
 
 #include <algorithm>
@@ -152,14 +153,18 @@ bool OutlineLoop::turns_back(glm::dvec2 to) const {
   };
   const glm::dvec2 from = place(p.top), end = place(p.bottom), way = end - from, back = to - end;
   if (!(way.x * back.x + way.y * back.y < 0.0)) return false;
-  const double longest = std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
-  const auto on_line = [&](glm::dvec2 by) { return std::abs(cross(way, by)) <= kThinnest * longest; };
+  const double longest =
+      std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
+  const auto on_line = [&](glm::dvec2 by) {
+    return std::abs(cross(way, by)) <= kThinnest * longest;
+  };
   return on_line(back) && (p.turn == 0 || on_line(glm::dvec2{p.ax, p.ay} - end));
 }
 
 /// Until `finish` a piece keeps its control point in (ax, ay), its vertices in the loop's order, whether it may
 /// bend in `turn`, and its direction around the loop in bx.
 void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
+  worked(40);
   const glm::dvec2 end{snapped(to.x), snapped(to.y)};
   const int last = static_cast<int>(to_->vertices.size()) - 1;
   OutlineVertex& from = to_->vertices[last];

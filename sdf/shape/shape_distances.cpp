@@ -21,11 +21,12 @@ double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) c
   if (!path) return distance(shape, p);
   std::size_t sides = 0;
   for (const Path::Loop& loop : path->loops) sides += loop.sides.size();
-  const PathTree* const tree = sides < PathTree::kFewSides ? nullptr : tree_of(index, *path);
+  const PathTree* const tree = sides < PathTree::kFewSides ? nullptr : tree_of(index, *path, sides);
   return tree ? tree->distance(p) : distance(*path, p);
 }
 
-const PathTree* ShapeDistances::tree_of(std::size_t index, const Path& path) const {
+const PathTree* ShapeDistances::tree_of(std::size_t index, const Path& path,
+                                        std::size_t sides) const {
   Kept* of = of_.load(std::memory_order_acquire);
   if (!of) {
     const std::lock_guard lock(making_);
@@ -35,7 +36,9 @@ const PathTree* ShapeDistances::tree_of(std::size_t index, const Path& path) con
   Kept& kept = of[index];
   if (const PathTree* tree = kept.tree.load(std::memory_order_acquire)) return tree;
   // One thread makes it; the others go on side by side.
-  if (kept.asked.fetch_add(1, std::memory_order_relaxed) != kAskedOften) return nullptr;
+  if (kept.asked.fetch_add(1, std::memory_order_relaxed) !=
+      (sides > 1000 ? kAskedOften / 16 : kAskedOften))
+    return nullptr;
   kept.own = std::make_unique<const PathTree>(path);
   kept.tree.store(kept.own.get(), std::memory_order_release);
   return kept.own.get();

@@ -19,7 +19,7 @@ class ShapeDistances {
   explicit ShapeDistances(std::size_t shapes = 0);
   ~ShapeDistances();
 
-  /// Questions after which a tree is made: about as many as one costs.
+  /// Questions after which a tree is made: about as many as one costs. Of long paths fewer.
   static constexpr int kAskedOften = 64;
 
   /// Forgets all; there are so many shapes now.
@@ -30,7 +30,7 @@ class ShapeDistances {
 
  private:
   struct Kept;
-  const PathTree* tree_of(std::size_t index, const Path& path) const;
+  const PathTree* tree_of(std::size_t index, const Path& path, std::size_t sides) const;
 
   std::size_t shapes_;
   mutable std::mutex making_;

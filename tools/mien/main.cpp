@@ -1,5 +1,7 @@
+#include "lib/base/watch.h"
 #include "tools/mien/cli/command_line.h"
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/terminal/interrupt.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <csignal>
@@ -40,8 +42,13 @@ int main(int count, char** words) {
   using namespace mien::command;
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like others
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file at its limit
+  mien::Watch watch([] { return !interrupted(); }, mien::kWithoutLimits);
   try {
+    const mien::Watching here(&watch);
     return std::visit(Run{}, read_command_line(count, words));
+  } catch (const mien::Stopped&) {
+    complain("interrupted", kFailed);
+    die_of_interrupt();
   } catch (const std::bad_alloc&) {
     return complain("not enough memory", kFailed);
   } catch (const std::exception& failure) {

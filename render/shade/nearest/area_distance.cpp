@@ -1,5 +1,6 @@
 #include "render/shade/nearest/area_distance.h"
 
+#include "lib/base/watch.h"
 #include "sdf/csg/combine.h"
 
 #include <array>
@@ -45,6 +46,7 @@ void AreaDistance::make(const Scene& scene, Area area, const Map<PixelSpace, Fac
 }
 
 double AreaDistance::tree_at(glm::dvec2 p, double* values) const {
+  worked(30 * std::int64_t(nodes_.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& n = nodes_[i];
     values[i] = n.op == Op::shape ? of_shape(std::size_t(n.a), p)

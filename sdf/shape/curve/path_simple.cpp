@@ -17,9 +17,10 @@ namespace {
 constexpr std::size_t kMostSides = 20'000;
 constexpr std::size_t kFewSides = 256;
 /// Comparisons for each side: a path that needs more is taken as overlapping.
-constexpr std::size_t kMostCompared = 200;
+constexpr std::size_t kMostCompared = 64;
 
-using Hull = std::array<glm::dvec2, 3>;  // of a side: its control points; of a straight one its ends
+using Hull =
+    std::array<glm::dvec2, 3>;  // of a side: its control points; of a straight one its ends
 
 /// Whether some line keeps a strictly on its positive side, except for points it shares with b, and
 /// b on the line or its negative side: then the hulls meet in shared points only.

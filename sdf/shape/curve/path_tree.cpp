@@ -14,7 +14,9 @@ namespace {
 
 constexpr int kFew = 8;         // sides that are not worth another halving
 constexpr int kDeepest = 26;    // halvings: sides that meet in a joint never come apart
-constexpr int kMostLists = 16;  // sides listed in all parts, for each of the path
+constexpr int kMostLists = 16;  // sides listed in all parts, for each of the path …
+constexpr std::size_t kMoreLists = 144, kFirstSides = 2000;  // … and more for the first ones
+constexpr int kStretches = 4;                                // of a side that bends
 
 double cross_of(glm::dvec2 u, glm::dvec2 v) {
   return u.x * v.y - u.y * v.x;
@@ -43,12 +45,15 @@ PathTree::PathTree(const Path& path) : rule_(path.rule) {
   if (sides_.empty()) return;
   const auto largest = [](glm::dvec2 v) { return std::max(std::abs(v.x), std::abs(v.y)); };
   slack_ = 1e-12 * std::max({largest(box.lo), largest(box.hi), 1e-280});
+  for (const QuadBezier& side : sides_) add_stretches(side);
+  first_stretch_.push_back(int(stretches_.size()));
   // A little more than all of the path, so that marks lie beside level and upright paths too.
   const double more = 0x1p-10 * largest(box.size()) + 64.0 * slack_;
   parts_.push_back({.box = grown(box, more), .count = int(sides_.size())});
   for (int i = 0; i < int(sides_.size()); ++i) listed_.push_back(i);
   set_mark(0, -1);
-  const std::size_t most = std::size_t(kMostLists) * sides_.size() + 4096;
+  const std::size_t most =
+      kMostLists * sides_.size() + kMoreLists * std::min(sides_.size(), kFirstSides);
   for (int i = 0; i < int(parts_.size()) && listed_.size() < most; ++i)
     if (halve(i))
       for (const int child : {parts_[std::size_t(i)].child, parts_[std::size_t(i)].child + 1})
@@ -57,21 +62,45 @@ PathTree::PathTree(const Path& path) : rule_(path.rule) {
 
 std::size_t PathTree::bytes() const {
   return (sides_.capacity() + turned_.capacity()) * sizeof(QuadBezier) +
+         stretches_.capacity() * sizeof(Stretch) + boxes_.capacity() * sizeof(Box2) +
          parts_.capacity() * sizeof(Part) + listed_.capacity() * sizeof(int);
 }
 
-/// Whether a side may have a point in the box: its control points are neither beyond a side of the box nor is the box
-/// on one hand of them, seen along the chord.
+void PathTree::add_stretches(const QuadBezier& side) {
+  first_stretch_.push_back(int(stretches_.size()));
+  const int count = is_straight(side) ? 1 : kStretches;
+  const auto blossom = [&](double u, double v) {
+    return (1.0 - u) * ((1.0 - v) * side.p0 + v * side.p1) +
+           u * ((1.0 - v) * side.p1 + v * side.p2);
+  };
+  Box2 all;
+  for (int i = 0; i < count; ++i) {
+    const double s = double(i) / count, t = double(i + 1) / count;
+    const QuadBezier c{blossom(s, s), blossom(s, t), blossom(t, t)};
+    Box2 box;
+    for (const glm::dvec2 p : {c.p0, c.p1, c.p2}) box = around(box, p);
+    stretches_.push_back({grown(box, slack_), c});
+  }
+  for (const glm::dvec2 p : {side.p0, side.p1, side.p2}) all = around(all, p);
+  boxes_.push_back(all);
+}
+
+/// Whether a side may have a point in the box: the control points of a stretch are not all beyond a side of the box,
+/// nor is the box on one hand of them, seen along the chord.
 bool PathTree::meets(int side, const Box2& box) const {
-  const QuadBezier& c = sides_[std::size_t(side)];
-  for (int i : {0, 1})
-    if (std::max({c.p0[i], c.p1[i], c.p2[i]}) < box.lo[i] - slack_ ||
-        std::min({c.p0[i], c.p1[i], c.p2[i]}) > box.hi[i] + slack_)
-      return false;
-  const glm::dvec2 chord = c.p2 - c.p0, half = 0.5 * box.size() + slack_;
-  const double middle = cross_of(chord, box.center() - c.p0), bend = cross_of(chord, c.p1 - c.p0);
-  const double reach = std::abs(chord.x) * half.y + std::abs(chord.y) * half.x;
-  return middle + reach >= std::min(bend, 0.0) && middle - reach <= std::max(bend, 0.0);
+  const glm::dvec2 half = 0.5 * box.size() + slack_, middle = box.center();
+  for (int k = first_stretch_[std::size_t(side)]; k < first_stretch_[std::size_t(side) + 1]; ++k) {
+    const Stretch& s = stretches_[std::size_t(k)];
+    if (s.box.lo.x > box.hi.x || s.box.hi.x < box.lo.x || s.box.lo.y > box.hi.y ||
+        s.box.hi.y < box.lo.y)
+      continue;
+    const glm::dvec2 chord = s.curve.p2 - s.curve.p0;
+    const double across = cross_of(chord, middle - s.curve.p0),
+                 bend = cross_of(chord, s.curve.p1 - s.curve.p0);
+    const double reach = std::abs(chord.x) * half.y + std::abs(chord.y) * half.x;
+    if (across + reach >= std::min(bend, 0.0) && across - reach <= std::max(bend, 0.0)) return true;
+  }
+  return false;
 }
 
 /// Across its longer side, or the other one if that parts nothing.
@@ -89,7 +118,8 @@ bool PathTree::halve(int index) {
     for (Part& half : halves) {
       half.first = int(listed_.size()), half.child = -1, ++half.depth;
       for (int k = whole.first; k < whole.first + whole.count; ++k)
-        if (const int side = listed_[std::size_t(k)]; meets(side, half.box)) listed_.push_back(side);
+        if (const int side = listed_[std::size_t(k)]; meets(side, half.box))
+          listed_.push_back(side);
       half.count = int(listed_.size()) - half.first;
     }
     const bool parts = std::max(halves[0].count, halves[1].count) < whole.count ||
@@ -130,11 +160,18 @@ int PathTree::winding_in(const Part& part, glm::dvec2 p) const {
   int along_x = 0, beyond = 0;
   for (const int i : sides_of(part)) {
     const QuadBezier& side = sides_[std::size_t(i)];
-    const int left = passes(side, {corner.x - near, corner.y}),
-              right = passes(side, {corner.x + near, corner.y});
-    if (left != right) return winding_of_all(p);
-    along_x += passes(side, p) - left;
-    beyond += passes(turned_[std::size_t(i)], {corner.y, corner.x});
+    const Box2& box = boxes_[std::size_t(i)];
+    if (box.lo.y <= p.y && p.y <= box.hi.y) {
+      if (box.hi.x > corner.x - near) {
+        const int left = passes(side, {corner.x - near, corner.y});
+        if (box.lo.x <= corner.x + near && left != passes(side, {corner.x + near, corner.y}))
+          return winding_of_all(p);
+        along_x -= left;
+      }
+      if (box.hi.x > p.x) along_x += passes(side, p);
+    }
+    if (box.lo.x <= corner.x && corner.x <= box.hi.x && box.hi.y > corner.y)
+      beyond += passes(turned_[std::size_t(i)], {corner.y, corner.x});
   }
   // A loop that turns from +x towards +y passes x upwards where it passes y downwards.
   return part.winding + (part.beyond - beyond) + along_x;
@@ -151,6 +188,10 @@ int PathTree::winding(glm::dvec2 p) const {
   return winding_in(parts_[std::size_t(at)], p);
 }
 
+bool PathTree::inside(glm::dvec2 p) const {
+  return is_inside(rule_, winding(p));
+}
+
 /// Nearer halves first; parts farther than the nearest side so far are left out.
 double PathTree::distance(glm::dvec2 p) const {
   double nearest = std::numeric_limits<double>::infinity();
@@ -165,7 +206,8 @@ double PathTree::distance(glm::dvec2 p) const {
       const Part& part = parts_[std::size_t(at)];
       if (part.child < 0) {
         for (const int i : sides_of(part))
-          nearest = std::min(nearest, distance_to_side(sides_[std::size_t(i)], p));
+          if (kRounded * distance_to(boxes_[std::size_t(i)], p) <= nearest)
+            nearest = std::min(nearest, distance_to_side(sides_[std::size_t(i)], p));
         break;
       }
       const std::size_t child = std::size_t(part.child);
@@ -176,7 +218,7 @@ double PathTree::distance(glm::dvec2 p) const {
       at = nearer, least = std::max(one, least);
     }
   }
-  return is_inside(rule_, winding(p)) ? -nearest : nearest;
+  return inside(p) ? -nearest : nearest;
 }
 
 }  // namespace mien

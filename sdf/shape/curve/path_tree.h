@@ -30,6 +30,7 @@ class PathTree {
   /// As of the path itself, up to a rounding.
   double distance(glm::dvec2 p) const;
   int winding(glm::dvec2 p) const;
+  bool inside(glm::dvec2 p) const;
 
   std::size_t sides() const { return sides_.size(); }
   /// Held by it.
@@ -46,6 +47,12 @@ class PathTree {
     int winding = 0;  ///< of the mark
     int beyond = 0;   ///< passes of the part's turned sides beyond the mark
   };
+  /// A side, or a quarter of one that bends: the box of its control points, and these.
+  struct Stretch {
+    Box2 box;
+    QuadBezier curve;
+  };
+  void add_stretches(const QuadBezier& side);
   bool meets(int side, const Box2& box) const;
   bool halve(int part);
   void set_mark(int part, int outer);
@@ -57,8 +64,11 @@ class PathTree {
 
   FillRule rule_;
   std::vector<QuadBezier> sides_, turned_;  ///< turned: x and y exchanged
-  double slack_ = 0;                        ///< more than coordinates are rounded by
-  std::vector<Part> parts_;                 ///< the first is all
+  std::vector<Stretch> stretches_;
+  std::vector<int> first_stretch_;  ///< by side
+  std::vector<Box2> boxes_;         ///< by side
+  double slack_ = 0;                ///< more than coordinates are rounded by
+  std::vector<Part> parts_;         ///< the first is all
   std::vector<int> listed_;
 };
 

@@ -70,7 +70,11 @@ static void test_options(mien_renderer* renderer, const mien_scene* scene,
   CHECK(runs > 0 && memcmp(drawn, wanted, kBytes) == 0);
   options.progress = stop_at_once;
   FAILS(MIEN_CANCELLED, NULL, mien_render(renderer, scene, &view, &pixels, &options, &error));
-  options.threads = -1;
+  options.progress = NULL, options.most_steps = 1;
+  FAILS(MIEN_REFUSED, "steps", mien_render(renderer, scene, &view, &pixels, &options, &error));
+  options.most_steps = 0, options.most_memory = 1;
+  FAILS(MIEN_REFUSED, "memory", mien_render(renderer, scene, &view, &pixels, &options, &error));
+  options.most_memory = 0, options.threads = -1;
   FAILS(MIEN_MISUSE, "threads", mien_render(renderer, scene, &view, &pixels, &options, &error));
   options.size = 8, options.threads = 1; /* an older header's */
   OK(mien_render(renderer, scene, &view, &pixels, &options, &error));

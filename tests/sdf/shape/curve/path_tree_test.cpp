@@ -78,9 +78,15 @@ TEST(PathTree, AnswersAsPathsOfManyBendsDo) {
 
 TEST(PathTree, AnswersAsPathsWithoutAreaDo) {
   Random r(14);
-  expect_same(path_through(400, FillRule::nonzero, [&] { return glm::dvec2{r.between(-1, 1), 0.1}; }),
+  expect_same(path_through(400, FillRule::nonzero,
+                           [&] {
+                             return glm::dvec2{r.between(-1, 1), 0.1};
+                           }),
               r, 600);
-  expect_same(path_through(400, FillRule::nonzero, [&] { return glm::dvec2{0.1, r.between(-1, 1)}; }),
+  expect_same(path_through(400, FillRule::nonzero,
+                           [&] {
+                             return glm::dvec2{0.1, r.between(-1, 1)};
+                           }),
               r, 600);
   expect_same(path_through(400, FillRule::nonzero, [&] { return glm::dvec2{0.1, 0.1}; }), r, 50);
 }
@@ -94,7 +100,7 @@ TEST(PathTree, OfNothingIsNowhere) {
 TEST(PathTree, HoldsAFewListsOfTheSides) {
   Random r(15);
   const PathTree tree(path_through(20'000, FillRule::nonzero, [&] { return r.point(-1, 1); }));
-  EXPECT_LT(tree.bytes(), 20'000u * 600u);
+  EXPECT_LT(tree.bytes(), 20'000u * 800u);
 }
 
 }  // namespace mien::test
