@@ -60,9 +60,9 @@ MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::p
 struct PictureOptions {
   WriteOptions write;          ///< its threads draw too; its progress covers drawing and writing
   std::optional<Depth> depth;  ///< drawn at; default u8, for EXR f32
-  /// [bytes] Limit of what is held at once: of pieces of the picture, and of outlines and their order.
+  /// [bytes] Limit of what pieces of the picture hold at once.
   std::uint64_t memory = std::uint64_t(256) << 20;
-  RenderLimits limits;  ///< of drawing
+  RenderLimits limits;  ///< of drawing: what else is held, and work
 };
 
 /// The time that writing a picture took.

@@ -140,9 +140,7 @@ Expected<PictureStats> write_picture_by(const MakeEncoder& make, const Scene& sc
     }
     const PixelRect rect = drawn_rect(view);
     const bool opaque = view.background.value_or(scene.background()).a >= 1.0;
-    RenderLimits limits = how.limits;
-    limits.memory = std::min(limits.memory, how.memory);
-    DrawnPieces drawn(scene, view, drawn_depth(how, *type), limits);
+    DrawnPieces drawn(scene, view, drawn_depth(how, *type), how.limits);
     const auto took = write_pieces({{rect.width, rect.height, drawn_depth(how, *type), opaque},
                                     [&](const PixelRect& piece, int slot, StopWatch& watch) {
                                       return drawn.draw(piece, slot, watch);

@@ -195,8 +195,18 @@ void NearFeet::shape_at(const Leaf& leaf, std::span<const float> x, std::span<co
 void NearFeet::sign_by_windings(const PathTree& tree, std::span<const float> x,
                                 std::span<const float> y, const Feet& out) const {
   worked(300 * std::int64_t(x.size()));
+  // No side lies within a place's distance of it, so places there have its winding number.
+  glm::dvec2 known{0.0};
+  double around = 0.0;
+  bool inside = false;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!tree.inside(middle_ - area_->center() + glm::dvec2{x[i], y[i]})) continue;
+    const glm::dvec2 p{x[i], y[i]};
+    if (!(glm::distance(p, known) < around)) {
+      constexpr double kFloats = 1e-3;  // [px] more than distances of floats are off by
+      inside = tree.inside(middle_ - area_->center() + p);
+      known = p, around = double(out.d[i]) - kFloats;
+    }
+    if (!inside) continue;
     out.d[i] = -out.d[i], out.nx[i] = -out.nx[i], out.ny[i] = -out.ny[i];
     out.bend[i] = -out.bend[i];
   }
