@@ -104,9 +104,10 @@ class Looks final : public LookRule {
   void note_outlines();
   void note_outline(int outline, int layer);
   void make_segments();
-  struct Conjunction;
-  void add_clauses(std::span<const AreaStep> program, Conjunction& to);
-  bool hold(const Conjunction& c, const std::uint64_t* inside) const;
+  struct Clauses;
+  void note_clauses(const AreaProgram& program);
+  bool hold(const Clauses& clauses, const std::uint64_t* inside) const;
+  bool holds(const AreaProgram& program, const std::uint64_t* inside);
   bool covers(int layer, const std::uint64_t* inside);
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
@@ -143,7 +144,11 @@ class Looks final : public LookRule {
   struct Conjunction {
     int first = 0, count = 0;
     bool simple = false;
-    int first_clause = 0, clauses = 0;  ///< of one that is not simple; none: step by step
+  };
+  /// A longer program as clauses, or its opposite.
+  struct Clauses {
+    int first = 0, count = 0;
+    bool opposite = false;
   };
   std::vector<Conjunction> conjunctions_;  ///< by layer
   std::vector<int> literals_;              ///< outline, or ~outline
@@ -152,7 +157,9 @@ class Looks final : public LookRule {
     int word;
     std::uint64_t inside, outside;
   };
-  AreaClauses clauses_;
+  AreaClauses reader_;
+  std::vector<int> clauses_at_;  ///< by a program's first step: which clauses are its own; −1: none
+  std::vector<Clauses> clauses_;
   std::vector<int> first_word_;  ///< by clause
   std::vector<ClauseWord> clause_words_;
 

@@ -19,13 +19,13 @@ bool AreaClauses::turn_around(Part& part) {
   return true;
 }
 
-bool AreaClauses::read(std::span<const AreaStep> program) {
+bool AreaClauses::read(std::span<const AreaStep> program, bool opposite) {
   literals_.clear(), begins_.clear(), parts_.clear();
   for (const AreaStep& step : program) {
     switch (step.kind) {
       case AreaStep::Kind::outline:
         parts_.push_back({Kind::literal, literals_.size()});
-        literals_.push_back(step.outline), begins_.push_back(1);
+        literals_.push_back(opposite ? ~step.outline : step.outline), begins_.push_back(1);
         break;
       case AreaStep::Kind::nothing:
         return false;
@@ -33,12 +33,13 @@ bool AreaClauses::read(std::span<const AreaStep> program) {
         if (!turn_around(parts_.back())) return false;
         break;
       case AreaStep::Kind::and_:
-        parts_.pop_back();
-        parts_.back().kind = Kind::all;
-        break;
       case AreaStep::Kind::or_: {
         const Part last = parts_.back();
         parts_.pop_back();
+        if ((step.kind == AreaStep::Kind::and_) != opposite) {
+          parts_.back().kind = Kind::all;
+          break;
+        }
         if (last.kind == Kind::all || parts_.back().kind == Kind::all) return false;
         parts_.back().kind = Kind::any;
         begins_[last.first] = 0;

@@ -12,8 +12,9 @@ namespace mien {
 /// Reads programs; keeps its scratch.
 class AreaClauses {
  public:
-  /// False where the program is no conjunction of disjunctions as it stands (opposites of either are turned inwards).
-  bool read(std::span<const AreaStep> program);
+  /// False where the program, or its `opposite`, is no conjunction of disjunctions as it stands (opposites of either
+  /// are turned inwards). The opposite of a union of areas that are conjunctions is one.
+  bool read(std::span<const AreaStep> program, bool opposite = false);
 
   /// Outlines, or ~outline where a place is to be outside, clause after clause.
   std::span<const int> literals() const { return literals_; }

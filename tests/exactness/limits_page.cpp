@@ -5,8 +5,8 @@
 
 #include <mien/face_limits.h>
 #include <mien/limits.h>
+#include <mien/pattern.h>
 #include <mien/view.h>
-#include "lib/face/pattern.h"
 #include "render/rows/crowd.h"
 
 #include <fmt/format.h>

@@ -38,11 +38,14 @@ TEST(AreaClauses, HoldWhereTheProgramDoes) {
   for (int k = 0; k < 2000; ++k) {
     std::vector<AreaStep> program;
     add_random(r, 3, program);
-    AreaClauses clauses;
-    if (!clauses.read(program)) continue;
-    ++read;
-    for (std::uint64_t inside = 0; inside < 256; ++inside)
-      ASSERT_EQ(holds(clauses, inside), runs_true(program, &inside, stack)) << k << ' ' << inside;
+    for (const bool opposite : {false, true}) {
+      AreaClauses clauses;
+      if (!clauses.read(program, opposite)) continue;
+      ++read;
+      for (std::uint64_t inside = 0; inside < 256; ++inside)
+        ASSERT_EQ(holds(clauses, inside) != opposite, runs_true(program, &inside, stack))
+            << k << ' ' << inside;
+    }
   }
   EXPECT_GT(read, 500);
 }
