@@ -17,15 +17,16 @@ constexpr double kSmall = 0.1;  // of what the documents promise, so that it tak
 const View kView{.width = 64, .height = 64};
 
 TEST(BoundedWork, DrawsWhatIsPromised) {
-  for (const HostileScene& hostile : hostile_scenes(kSmall))
-    for (const Depth depth : {Depth::u8, Depth::u16}) {
-      RenderStats stats;
-      const auto image = render(
-          hostile.scene, kView,
-          {.depth = depth, .limits = {.steps = 8'000'000'000, .memory = 256u << 20}}, &stats);
-      EXPECT_TRUE(image) << hostile.name << ": " << sentence(image.error());
-      EXPECT_GT(stats.steps, 0) << hostile.name;
-    }
+  int count = 0;
+  for (const HostileScene& hostile : hostile_scenes(kSmall)) {
+    const Depth depth = ++count % 3 ? Depth::u8 : Depth::u16;
+    RenderStats stats;
+    const auto image =
+        render(hostile.scene, kView,
+               {.depth = depth, .limits = {.steps = 4'000'000'000, .memory = 128u << 20}}, &stats);
+    EXPECT_TRUE(image) << hostile.name << ": " << sentence(image.error());
+    EXPECT_GT(stats.steps, 0) << hostile.name;
+  }
 }
 
 TEST(BoundedWork, SaysWhichLimitIsExceeded) {
