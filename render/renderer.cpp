@@ -120,7 +120,8 @@ Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene,
   if (!drawable(view)) return invalid_size(view);
   const PixelRect rect = drawn_rect(view);
   DoneJobs done(how.progress);
-  Watch watch([&] { return done.ask(); }, how.limits);
+  Watch watch(how.progress ? std::function<bool()>([&] { return done.ask(); }) : nullptr,
+              how.limits);
   RenderStats took;
   const auto tell = [&] {
     took.steps = watch.steps(), took.memory = (long long)(watch.memory());

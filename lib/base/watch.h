@@ -75,7 +75,7 @@ class Watching {
 };
 
 namespace detail {
-inline constexpr std::int64_t kStepsBetweenLooks = 1 << 15;
+inline constexpr std::int64_t kStepsBetweenLooks = 1 << 18;
 struct Pace {
   std::int64_t left = kStepsBetweenLooks;
   Watch* watch = nullptr;

@@ -28,7 +28,7 @@ bool same(const LookStep& a, const LookStep& b) {
          a.mode == b.mode && a.mix == b.mix;
 }
 
-constexpr int kLongProgram = 8;  // steps: shorter ones are run
+constexpr int kLongProgram = 64;  // steps: shorter ones are run as fast
 
 /// The literals of a conjunction, written to `to`; false for any other program. In postfix order an `and` may only
 /// follow literals or conjunctions, so a program of outlines, nots of single outlines and ands is a conjunction.

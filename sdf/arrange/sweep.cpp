@@ -29,7 +29,7 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
                 double order) {
   outlines_ = &outlines, regions_ = &regions, top_ = top, bottom_ = bottom, may_differ_ = order;
   fragments_.clear(), doubts_.clear(), events_.clear(), again_.clear(), pieces_.clear();
-  stats_ = told_ = {}, count_ = 0, found_ = 0, told_regions_ = 0, since_held_ = 0;
+  stats_ = told_ = {}, count_ = 0, found_ = 0, told_regions_ = 0, since_held_ = since_told_ = 0;
   pieces_.reserve(outlines.pieces.size() + 1);
   for (const OutlinePiece& p : outlines.pieces) pieces_.push_back(sweep_piece(p));
   again_left_ = kAgainFirst + 4 * long(pieces_.size());
@@ -42,7 +42,7 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
     const OutlineVertex& v = outlines.vertices[std::size_t(i)];
     events_until(v.y, v.x);
     vertex(i);
-    tell_work();
+    step();
   }
   events_until(bottom_, HUGE_VAL);
   for (int slot = 0; slot < count_; ++slot) {
@@ -294,7 +294,7 @@ void Sweep::events_until(double y, double x) {
     events_.pop_back();
     const int from = piece(event.left).slot, to = piece(event.right).slot;
     if (from >= 0 && to >= 0 && from < to) swap_past(event, from, to);
-    tell_work();
+    step();
   }
 }
 

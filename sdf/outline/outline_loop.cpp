@@ -144,7 +144,7 @@ bool OutlineLoop::runs_along_border(int vertex, glm::dvec2 to) const {
          (a.y == b.y && b.y == to.y && (b.y == window_.lo.y || b.y == window_.hi.y));
 }
 
-/// Whether `to` lies back along the last piece, and on its line: then the way there encloses nothing, and the end of
+/// Whether `to`, which lies back along the last piece, is on its line: then the way there encloses nothing, and the end of
 /// that piece may as well be `to`. Paths that run to and fro without area are so no more than a line.
 bool OutlineLoop::turns_back(glm::dvec2 to) const {
   const OutlinePiece& p = to_->pieces.back();
@@ -152,7 +152,6 @@ bool OutlineLoop::turns_back(glm::dvec2 to) const {
     return glm::dvec2{to_->vertices[vertex].x, to_->vertices[vertex].y};
   };
   const glm::dvec2 from = place(p.top), end = place(p.bottom), way = end - from, back = to - end;
-  if (!(way.x * back.x + way.y * back.y < 0.0)) return false;
   const double longest =
       std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
   const auto on_line = [&](glm::dvec2 by) {
@@ -164,7 +163,6 @@ bool OutlineLoop::turns_back(glm::dvec2 to) const {
 /// Until `finish` a piece keeps its control point in (ax, ay), its vertices in the loop's order, whether it may
 /// bend in `turn`, and its direction around the loop in bx.
 void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
-  worked(40);
   const glm::dvec2 end{snapped(to.x), snapped(to.y)};
   const int last = static_cast<int>(to_->vertices.size()) - 1;
   OutlineVertex& from = to_->vertices[last];
@@ -180,7 +178,11 @@ void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
     const glm::dvec2 at{from.x, from.y};
     return straight || std::abs(cross(end - at, control - at)) <= kThinnest * glm::length(end - at);
   };
-  if (last > first_vertex_ && turns_back(end) && is_flat()) {
+  const auto runs_back = [&] {
+    const OutlineVertex& before = to_->vertices[last - 1];
+    return (from.x - before.x) * (end.x - from.x) + (from.y - before.y) * (end.y - from.y) < 0.0;
+  };
+  if (last > first_vertex_ && runs_back() && turns_back(end) && is_flat()) {
     to_->vertices.pop_back();
     to_->pieces.pop_back();
     return piece(to, to, true);
@@ -211,6 +213,7 @@ void OutlineLoop::close() {
   if (bad_) return drop();
   line(start_);
   const auto count = static_cast<int>(to_->pieces.size()) - first_piece_;
+  worked(40 * count);
   if (count < 2 || encloses_nothing()) return drop();
   // The last vertex is the first: both are the same point, snapped.
   to_->vertices.pop_back();
