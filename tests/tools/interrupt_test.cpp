@@ -64,8 +64,8 @@ TEST(Interrupt, IsHeardInEveryStage) {
     "background": "b", "features": [{"name": "p", "kind": "path", "paint": "a", "points": [)" +
                              points + "]}]}");
   test::write_text(folder / "a.png", "old");
-  Process process = start_mien(
-      {"render", face.string(), "-o", (folder / "a.png").string(), "--size", "256"});
+  Process process =
+      start_mien({"render", face.string(), "-o", (folder / "a.png").string(), "--size", "256"});
   test::wait_until_handled(process.id(), SIGTERM);
   wait_a_little();
   const auto sent = std::chrono::steady_clock::now();
