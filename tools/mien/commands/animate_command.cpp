@@ -18,6 +18,7 @@
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/terminal/interrupt.h"
+#include "tools/mien/terminal/progress_display.h"
 
 #include <fmt/format.h>
 
