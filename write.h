@@ -9,6 +9,7 @@
 #include <mien/api.h>
 #include <mien/expected.h>
 #include <mien/image.h>
+#include <mien/limits.h>
 #include <mien/parallel.h>
 #include <mien/progress.h>
 #include <mien/render_stats.h>
@@ -62,8 +63,10 @@ MIEN_API Expected<Done> write_image(const Image& image, const std::filesystem::p
 
 struct PictureOptions {
   WriteOptions write = {};  ///< its threads draw too; its progress covers drawing and writing
-  std::optional<Depth> depth = {};                  ///< drawn at; default u8, for EXR f32
-  std::uint64_t memory = std::uint64_t(256) << 20;  ///< [bytes] limit of what is held at once
+  std::optional<Depth> depth = {};  ///< drawn at; default u8, for EXR f32
+  /// [bytes] Limit of what pieces of the picture hold at once.
+  std::uint64_t memory = std::uint64_t(256) << 20;
+  RenderLimits limits = {};  ///< of drawing: what else is held, and work
 };
 
 /// The time that writing a picture took.

@@ -12,6 +12,7 @@ struct PieceDrawer::Parts {
   int width = 0, height = 0;
   Drawing drawing;
   StripScratches scratches;
+  RenderLimits limits;
 
   bool hold(const PixelRect& piece) const {
     return piece.x >= 0 && piece.y >= 0 && piece.width >= 1 && piece.height >= 1 &&
@@ -24,15 +25,21 @@ PieceDrawer::PieceDrawer(PieceDrawer&&) noexcept = default;
 PieceDrawer& PieceDrawer::operator=(PieceDrawer&&) noexcept = default;
 PieceDrawer::~PieceDrawer() = default;
 
-Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Depth depth) {
+Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Depth depth,
+                                      const RenderLimits& limits,
+                                      const std::function<bool()>& stop) {
   if (!drawable(view)) return invalid_size(view);
+  Watch watch([&] { return !stop || !stop(); }, limits);
   try {
+    const Watching here(&watch);
     auto parts = std::make_unique<Parts>();
-    parts->width = view.width, parts->height = view.height;
+    parts->width = view.width, parts->height = view.height, parts->limits = limits;
     View whole = view;
     whole.region.reset();
     parts->drawing.make(scene, whole, depth);
     return PieceDrawer(std::move(parts));
+  } catch (const Stopped&) {
+    return why_stopped(watch, limits);
   } catch (const std::bad_alloc&) {
     return out_of_memory({0, 0, view.width, view.height});
   }
@@ -44,24 +51,33 @@ Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
     return Error{"",
                  fmt::format("the piece {},{},{},{} is not in a picture of {} x {} pixels", piece.x,
                              piece.y, piece.width, piece.height, parts_->width, parts_->height)};
-  constexpr int kAtOnce = 4;  // strips between two checks for a stop
   const int first = piece.y / Drawing::kRows, last = (piece.y + piece.height - 1) / Drawing::kRows;
   RenderStats took;
+  Watch watch([&] { return !stop || !stop(); }, parts_->limits);
+  const auto tell = [&] {
+    took.steps = watch.steps(), took.memory = (long long)(watch.memory());
+    parts_->drawing.tell(took);
+    if (stats) stats->add(took);
+  };
   try {
+    const Watching here(&watch);
+    if (stop && stop()) watch.stop(Stopped::Why::cancelled);
     auto scratch = parts_->scratches.take();
-    for (int strip = first; strip <= last && !took.cancelled; ++strip) {
+    for (int strip = first; strip <= last; ++strip) {
+      watch.look(0);
       parts_->drawing.draw_strip(strip, {static_cast<std::byte*>(out.data), out.stride, piece},
                                  *scratch, took);
-      took.cancelled = stop && (strip - first) % kAtOnce == 0 && stop();
     }
     parts_->scratches.give_back(std::move(scratch));
+  } catch (const Stopped&) {
+    took.cancelled = watch.why() == Stopped::Why::cancelled;
+    tell();
+    return why_stopped(watch, parts_->limits);
   } catch (const std::bad_alloc&) {
     return out_of_memory(piece);
   }
   took.pixels += (long long)piece.width * piece.height;
-  parts_->drawing.tell(took);
-  if (stats) stats->add(took);
-  if (took.cancelled) return drawing_cancelled();
+  tell();
   return Done{};
 }
 

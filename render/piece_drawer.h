@@ -10,6 +10,7 @@
 #include <mien/api.h>
 #include <mien/expected.h>
 #include <mien/image.h>
+#include <mien/limits.h>
 #include <mien/render_stats.h>
 #include <mien/scene.h>
 #include <mien/view.h>
@@ -23,15 +24,18 @@ namespace mien {
 /// borrows scratch memory while it draws, so there is as much of it as there are threads drawing.
 class MIEN_API PieceDrawer {
  public:
-  /// The view's region is ignored. Errors as for render.
-  static Expected<PieceDrawer> of(const Scene& scene, const View& view, Depth depth = Depth::u8);
+  /// The view's region is ignored. Errors as for render. `stop` is called every 10 ms or so. The limits are for this
+  /// and for every piece.
+  static Expected<PieceDrawer> of(const Scene& scene, const View& view, Depth depth = Depth::u8,
+                                  const RenderLimits& limits = {},
+                                  const std::function<bool()>& stop = {});
   PieceDrawer(PieceDrawer&&) noexcept;
   PieceDrawer& operator=(PieceDrawer&&) noexcept;
   ~PieceDrawer();
 
   /// Draws a piece of the whole picture into `out`, from its first byte on. The drawer's depth counts, not
-  /// out.depth. `stop` is called every few rows. Errors: the piece is not in the picture; memory ran out;
-  /// `stop` asked to stop. The work of this piece is added to `stats`.
+  /// out.depth. `stop` is called every 10 ms or so. Errors: the piece is not in the picture; memory ran
+  /// out; a limit; `stop` asked to stop. The work of this piece is added to `stats`.
   Expected<Done> draw(const PixelBuffer& out, const PixelRect& piece,
                       const std::function<bool()>& stop = {}, RenderStats* stats = nullptr);
 

@@ -9,6 +9,7 @@
 #include <mien/api.h>
 #include <mien/expected.h>
 #include <mien/image.h>
+#include <mien/limits.h>
 #include <mien/parallel.h>
 #include <mien/progress.h>
 #include <mien/render_stats.h>
@@ -17,15 +18,16 @@
 
 namespace mien {
 
-/// How to draw: may change the time, never a bit of the picture.
+/// How to draw: may change the time or end the work, never a bit of the picture.
 struct RenderOptions {
   Depth depth = Depth::u8;
   Threads threads = {};
-  Progress progress = {};  ///< may cancel
+  Progress progress = {};    ///< may cancel, wherever the work is
+  RenderLimits limits = {};  ///< beyond them it is an error
 };
 
 /// Draws any scene through any view into an image. Errors, one sentence each: a side outside
-/// 1 … View::kMaxSide; more pixels than memory holds; cancelled. `stats` is left alone if drawing did not
+/// 1 … View::kMaxSide; more pixels than memory holds; a limit of `how.limits`, by its name; cancelled. `stats` is left alone if drawing did not
 /// begin.
 MIEN_API Expected<Image> render(const Scene& scene, const View& view, const RenderOptions& how = {},
                                 RenderStats* stats = nullptr);

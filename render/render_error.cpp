@@ -19,6 +19,15 @@ Error out_of_memory(const PixelRect& rect) {
                           rect.height)};
 }
 
+Error why_stopped(const Watch& watch, const RenderLimits& limits) {
+  if (watch.why() == Stopped::Why::cancelled) return drawing_cancelled();
+  if (watch.why() == Stopped::Why::steps)
+    return {"",
+            fmt::format("drawing takes more than {} steps of work (limit `steps`)", limits.steps)};
+  return {"", fmt::format("outlines and their order need more than {} MiB (limit `memory`)",
+                          limits.memory >> 20)};
+}
+
 Error drawing_cancelled() {
   return {"", "cancelled"};
 }

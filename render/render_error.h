@@ -3,6 +3,7 @@
 
 #include <mien/expected.h>
 #include <mien/view.h>
+#include "lib/base/watch.h"
 
 #include <string_view>
 
@@ -15,5 +16,7 @@ bool drawable(const View& view);  ///< its sides are 1 … View::kMaxSide
 Error invalid_size(const View& view);
 Error out_of_memory(const PixelRect& rect);
 Error drawing_cancelled();
+/// What ended watched work.
+Error why_stopped(const Watch& watch, const RenderLimits& limits);
 
 }  // namespace mien

@@ -20,6 +20,8 @@ struct RenderStats {
   long long doubts = 0;           ///< places where the order of outlines could not be proven
   long long roots = 0;            ///< solved, where visible pieces meet rows and columns of pixels
   long long distances = 0;        ///< solved for light and for gradients along a distance
+  long long steps = 0;            ///< of work, as RenderLimits counts them
+  long long memory = 0;           ///< [bytes] that outlines, their order and regions held at most
   double root_seconds = 0, distance_seconds = 0;  ///< time of these, with summing, over all threads
   bool cancelled = false;
 
@@ -32,6 +34,7 @@ struct RenderStats {
     root_seconds += part.root_seconds, distance_seconds += part.distance_seconds;
     pieces = std::max(pieces, part.pieces), crossings = std::max(crossings, part.crossings);
     regions = std::max(regions, part.regions), doubts = std::max(doubts, part.doubts);
+    steps += part.steps, memory = std::max(memory, part.memory);
   }
 };
 

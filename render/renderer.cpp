@@ -1,10 +1,10 @@
 #include <mien/renderer.h>
+#include "lib/base/watch.h"
 #include "render/render_error.h"
 #include "render/rows/drawing.h"
 #include "render/rows/frame_memory.h"
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -12,33 +12,36 @@
 namespace mien {
 namespace {
 
-/// Counts finished jobs and reports them to the caller, one thread at a time; remembers a request to stop.
-class Watch {
+/// Counts finished jobs and reports them to the caller, one thread at a time, until it asks to stop.
+class DoneJobs {
  public:
-  Watch(const Progress& progress, int jobs) : progress_(progress), jobs_(jobs) {}
+  explicit DoneJobs(const Progress& progress) : progress_(progress) {}
 
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
-
-  void job_done(const RenderStats& part) {
+  void begin(int jobs) { jobs_ = jobs; }
+  /// Whether to go on.
+  bool ask() {
+    const std::lock_guard lock(mutex_);
+    return report();
+  }
+  bool job_done(const RenderStats& part) {
     const std::lock_guard lock(mutex_);
     stats_.add(part);
     ++done_;
-    if (progress_ && !cancelled() && !progress_(double(done_) / jobs_)) cancelled_ = true;
+    return report();
   }
-
-  RenderStats stats() const {
-    RenderStats stats = stats_;
-    stats.cancelled = cancelled();
-    return stats;
-  }
+  RenderStats stats() const { return stats_; }
 
  private:
+  bool report() {
+    if (goes_on_ && progress_) goes_on_ = progress_(jobs_ ? double(done_) / jobs_ : 0.0);
+    return goes_on_;
+  }
+
   const Progress& progress_;
-  const int jobs_;
-  int done_ = 0;
+  int jobs_ = 0, done_ = 0;
+  bool goes_on_ = true;
   RenderStats stats_;
   std::mutex mutex_;
-  std::atomic<bool> cancelled_ = false;
 };
 
 }  // namespace
@@ -82,27 +85,26 @@ struct Renderer::Scratch {
   }
 
   /// Strip by strip, several to a job.
-  RenderStats draw(const RowTarget& target, const RenderOptions& how) {
+  RenderStats draw(const RowTarget& target, const RenderOptions& how, Watch& watch,
+                   DoneJobs& done) {
     const PixelRect& r = target.rect;
     if (r.width <= 0 || r.height <= 0) return {};
     constexpr int kAtOnce = 4;  // strips: few enough to share out, enough to be worth it
     const int first = r.y / Drawing::kRows / kAtOnce,
               jobs = (r.y + r.height - 1) / Drawing::kRows / kAtOnce - first + 1;
-    Watch watch(how.progress, jobs);
+    done.begin(jobs);
     const auto job = [&](int i) {
-      if (watch.cancelled()) return;
       RenderStats part;
       auto scratch = scratches.take();
       for (int k = 0; k < kAtOnce; ++k)
         draw_strip((first + i) * kAtOnce + k, target, *scratch, part);
       scratches.give_back(std::move(scratch));
-      watch.job_done(part);
+      if (!done.job_done(part)) watch.stop(Stopped::Why::cancelled);
     };
     parallel_for(jobs, how.threads, std::ref(job));  // by reference: a copy would be allocated
-    RenderStats stats = watch.stats();
+    RenderStats stats = done.stats();
     stats.pixels = (long long)r.width * r.height;
-    if (fingerprints && !stats.cancelled)
-      memory.end(r.height, int(stats.recalled_pixels / r.width));
+    if (fingerprints) memory.end(r.height, int(stats.recalled_pixels / r.width));
     drawing.tell(stats);
     return stats;
   }
@@ -117,14 +119,31 @@ Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene,
                                      const RenderOptions& how, RenderStats* stats) {
   if (!drawable(view)) return invalid_size(view);
   const PixelRect rect = drawn_rect(view);
-  try {
-    if (!scratch_) scratch_ = std::make_unique<Scratch>();
-    scratch_->make(scene, view, out.depth);
-    const RenderStats took =
-        scratch_->draw({static_cast<std::byte*>(out.data), out.stride, rect}, how);
+  DoneJobs done(how.progress);
+  Watch watch(how.progress ? std::function<bool()>([&] { return done.ask(); }) : nullptr,
+              how.limits);
+  RenderStats took;
+  const auto tell = [&] {
+    took.steps = watch.steps(), took.memory = (long long)(watch.memory());
     if (stats) *stats = took;
-    if (took.cancelled) return drawing_cancelled();
+  };
+  try {
+    {
+      const Watching here(&watch);
+      if (!scratch_) scratch_ = std::make_unique<Scratch>();
+      scratch_->make(scene, view, out.depth);
+      took =
+          scratch_->draw({static_cast<std::byte*>(out.data), out.stride, rect}, how, watch, done);
+    }
+    if (watch.stopped()) throw Stopped{watch.why()};  // by its last steps
+    tell();
     return Done{};
+  } catch (const Stopped&) {
+    scratch_.reset();  // it may be large, and half made
+    took = done.stats();
+    took.cancelled = watch.why() == Stopped::Why::cancelled;
+    tell();
+    return why_stopped(watch, how.limits);
   } catch (const std::bad_alloc&) {
     scratch_.reset();
     return out_of_memory(rect);

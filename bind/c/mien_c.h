@@ -526,8 +526,8 @@ typedef struct mien_pixels {
 } mien_pixels;
 MIEN_C_API void mien_pixels_init(mien_pixels* pixels, size_t size);
 
-/* Watches long work: called now and then with the share done, 0 ... 1, from one thread at a time. Returning
- * anything but 0 stops the work, which is then MIEN_CANCELLED. */
+/* Watches long work: called about every 10 ms with the share done, 0 ... 1, from one thread at a time. Returning
+ * anything but 0 stops the work within 50 ms, wherever it is; it is then MIEN_CANCELLED. */
 typedef int32_t (*mien_progress)(double done, void* data);
 
 /* Runs job(0, job_data) ... job(count - 1, job_data), each once, in any order and on any threads, and
@@ -543,6 +543,9 @@ typedef struct mien_render_options {
   void* progress_data;    /* for `progress` */
   mien_executor executor; /* draws on the caller's threads; `threads` does not count then; NULL */
   void* executor_data;    /* for `executor` */
+  int64_t
+      most_steps; /* of work, each about a nanosecond; more are MIEN_REFUSED; 0: 100 000 000 000 */
+  uint64_t most_memory; /* [bytes] of outlines and their order; more are MIEN_REFUSED; 0: 1 GiB */
 } mien_render_options;
 MIEN_C_API void mien_render_options_init(mien_render_options* options, size_t size);
 
@@ -580,6 +583,8 @@ typedef struct mien_render_stats {
   int64_t distances;       /* solved for light and for gradients along a distance */
   double root_seconds;     /* time of the roots, with summing, over all threads [s] */
   double distance_seconds; /* time of the distances, over all threads [s] */
+  int64_t steps;           /* of work */
+  int64_t memory;          /* [bytes] that outlines, their order and regions held at most */
 } mien_render_stats;
 
 /* `out->size` is set by the caller. All is 0 before the first picture. */

@@ -109,7 +109,10 @@ RenderOptions options_of(const mien_render_options* given) {
   if (!given) return {};
   const mien_render_options o = whole_struct(given, kOptions, "options");
   if (o.threads < 0) misuse("options.threads", "is " + std::to_string(o.threads));
+  if (o.most_steps < 0) misuse("options.most_steps", "is " + std::to_string(o.most_steps));
   RenderOptions options{.threads = {.count = o.threads}};
+  if (o.most_steps) options.limits.steps = o.most_steps;
+  if (o.most_memory) options.limits.memory = o.most_memory;
   if (o.progress)
     options.progress = [=](double done) { return o.progress(done, o.progress_data) == 0; };
   if (o.executor)
@@ -185,10 +188,11 @@ mien_status mien_renderer_stats(const mien_renderer* renderer, mien_render_stats
                                 mien_error** error) {
   return pass("mien_renderer_stats", error, [&] {
     const mien::RenderStats& s = need(renderer, "renderer").last;
-    give_struct(out, mien_render_stats{0, s.cancelled, s.pixels, s.fill_pixels, s.varied_pixels,
-                                       s.edge_pixels, s.resolved_pixels, s.recalled_pixels,
-                                       s.pieces, s.crossings, s.regions, s.doubts, s.roots,
-                                       s.distances, s.root_seconds, s.distance_seconds});
+    give_struct(out,
+                mien_render_stats{0, s.cancelled, s.pixels, s.fill_pixels, s.varied_pixels,
+                                  s.edge_pixels, s.resolved_pixels, s.recalled_pixels, s.pieces,
+                                  s.crossings, s.regions, s.doubts, s.roots, s.distances,
+                                  s.root_seconds, s.distance_seconds, s.steps, s.memory});
   });
 }
 

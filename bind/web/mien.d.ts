@@ -55,7 +55,7 @@ export class Face {
   readonly clipLengths: Record<string, number>;
   readonly names: Name[];
   readonly canvas: Canvas;
-  draw(width: number, height: number, pose?: Pose): Uint8ClampedArray;
+  draw(width: number, height: number, pose?: Pose, how?: { deadline?: number; progress?: (done: number) => boolean | void }): Uint8ClampedArray;
   strips(width: number, height: number, pose?: Pose, most?: number): Generator<{ y: number; rows: number; pixels: Uint8ClampedArray }>;
   svg(width: number, height: number, pose?: Pose, how?: { tolerance?: number; idPrefix?: string }): { text: string; simplified: string[] };
   vector(pose?: Pose): number[];

@@ -272,12 +272,26 @@ export class Face {
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
-   *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's */
-  draw(width, height, pose = {}) {
+   *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's
+   *  Long drawings can be ended, wherever they are; draw then throws a MienError that says "cancelled":
+   *    how.deadline   milliseconds from now, after which it ends
+   *    how.progress   called about every 10 ms with the share done, 0 to 1; false ends it. What it throws, draw throws */
+  draw(width, height, pose = {}, { deadline = Infinity, progress = undefined } = {}) {
     const desk = this.#poseFor(width, height, pose), bytes = width * height * 4;
     desk.roomFor(bytes);
     this.#into(desk.data, width, height);
-    this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, 0);
+    const until = performance.now() + deadline;
+    let thrown;
+    this.#m.goesOn = (done) => {
+      if (performance.now() > until) return false;
+      try { return progress?.(done) !== false; } catch (error) { thrown = { error }; return false; }
+    };
+    try {
+      const options = this.#m.exports.mien_asking_options();
+      this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, options);
+    } catch (error) {
+      throw thrown ? thrown.error : error;
+    } finally { this.#m.goesOn = () => true; }
     this.#drew = true;
     return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes);
   }

@@ -6,6 +6,7 @@ import { MienError } from './pose_keys.js';
 export class Memory {
   constructor(exports) {
     this.exports = exports;
+    this.goesOn = () => true;
     this.decoder = new TextDecoder();
     this.encoder = new TextEncoder();
   }
@@ -52,6 +53,7 @@ export function host(memory) {
       return 0;
     },
     proc_exit: trap,
+    mien_asks_to_go_on: (done) => memory().goesOn(done) ? 1 : 0,
     environ_sizes_get: zero, environ_get: () => 0,
     fd_close: () => 0, fd_seek: () => 0, fd_read: () => 0,
     fd_write(_file, _parts, _count, written) { return zero(written); },

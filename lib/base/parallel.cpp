@@ -1,4 +1,5 @@
 #include <mien/parallel.h>
+#include "lib/base/watch.h"
 
 #ifndef MIEN_WITHOUT_THREADS
 #include <oneapi/tbb/global_control.h>
@@ -26,16 +27,15 @@
 #endif
 
 namespace mien {
+namespace {
 
 #ifdef MIEN_WITHOUT_THREADS
-void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job) {
-  if (count <= 0) return;
+void run_jobs(int count, const Threads& threads, const std::function<void(int)>& job) {
   if (threads.executor) return threads.executor(count, job);
   for (int i = 0; i < count; ++i) job(i);
 }
 #elif defined(MIEN_PLAIN_THREADS)
-void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job) {
-  if (count <= 0) return;
+void run_jobs(int count, const Threads& threads, const std::function<void(int)>& job) {
   if (threads.executor) return threads.executor(count, job);
   std::atomic<int> next = 0;
   const auto work = [&] {
@@ -47,8 +47,7 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
   work();
 }
 #else
-void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job) {
-  if (count <= 0) return;
+void run_jobs(int count, const Threads& threads, const std::function<void(int)>& job) {
   if (threads.executor) return threads.executor(count, job);
   if (threads.count == 1 || count == 1) {
     for (int i = 0; i < count; ++i) job(i);
@@ -65,5 +64,25 @@ void parallel_for(int count, const Threads& threads, const std::function<void(in
   arena.execute(all);
 }
 #endif
+
+}  // namespace
+
+/// Jobs are watched as their caller is. Its end is theirs: those not begun are left out.
+void parallel_for(int count, const Threads& threads, const std::function<void(int)>& job) {
+  if (count <= 0) return;
+  Watch* const watch = Watching::current();
+  if (!watch) return run_jobs(count, threads, job);
+  const auto watched = [&](int i) {
+    if (watch->stopped()) return;
+    const Watching here(watch);
+    try {
+      job(i);
+    } catch (const Stopped& stopped) {  // it must not pass through an executor
+      watch->stop(stopped.why);
+    }
+  };
+  run_jobs(count, threads, std::ref(watched));
+  if (watch->stopped()) throw Stopped{watch->why()};
+}
 
 }  // namespace mien

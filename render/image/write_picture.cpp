@@ -40,8 +40,8 @@ PixelBuffer cut(const Image& image, const PixelRect& piece) {
 /// Draws pieces of a view, each by one thread.
 class DrawnPieces {
  public:
-  DrawnPieces(const Scene& scene, const View& view, Depth depth)
-      : scene_(scene), view_(view), rect_(drawn_rect(view)), depth_(depth) {}
+  DrawnPieces(const Scene& scene, const View& view, Depth depth, const RenderLimits& limits)
+      : scene_(scene), view_(view), rect_(drawn_rect(view)), depth_(depth), limits_(limits) {}
 
   PixelBuffer draw(const PixelRect& piece, int slot, StopWatch& watch) {
     std::vector<std::byte>& pixels = pixels_of(slot);
@@ -51,14 +51,18 @@ class DrawnPieces {
     RenderStats stats;
     const auto began = std::chrono::steady_clock::now();
     std::call_once(made_, [&] {
-      auto drawer = PieceDrawer::of(scene_, view_, depth_);
-      if (!drawer) throw std::bad_alloc();  // the view was looked at before
-      drawer_.emplace(*std::move(drawer));
+      auto drawer = PieceDrawer::of(scene_, view_, depth_, limits_, [&] { return watch.ask(); });
+      if (drawer)
+        drawer_.emplace(*std::move(drawer));
+      else
+        fail(drawer.error());
     });
-    const bool whole = bool(drawer_->draw(
+    if (!drawer_) return {};
+    const auto done = drawer_->draw(
         buffer, {rect_.x + piece.x, rect_.y + piece.y, piece.width, piece.height},
-        [&] { return watch.ask(); }, &stats));
-    if (!whole && !stats.cancelled) throw std::bad_alloc();
+        [&] { return watch.ask(); }, &stats);
+    if (!done) fail(done.error());
+    const bool whole = bool(done);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     const std::lock_guard lock(mutex_);
     stats_.render.add(stats);
@@ -67,8 +71,14 @@ class DrawnPieces {
   }
 
   const PictureStats& stats() const { return stats_; }
+  /// Why pieces were not drawn, where it was not the caller.
+  const std::optional<Error>& error() const { return error_; }
 
  private:
+  void fail(const Error& error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_ && error.what != drawing_cancelled().what) error_ = error;
+  }
   std::vector<std::byte>& pixels_of(int slot) {
     const std::lock_guard lock(mutex_);
     while (int(pixels_.size()) <= slot) pixels_.emplace_back();
@@ -79,6 +89,8 @@ class DrawnPieces {
   const View& view_;
   const PixelRect rect_;
   const Depth depth_;
+  const RenderLimits limits_;
+  std::optional<Error> error_;
   std::once_flag made_;
   std::optional<PieceDrawer> drawer_;
   std::mutex mutex_;
@@ -128,13 +140,15 @@ Expected<PictureStats> write_picture_by(const MakeEncoder& make, const Scene& sc
     }
     const PixelRect rect = drawn_rect(view);
     const bool opaque = view.background.value_or(scene.background()).a >= 1.0;
-    DrawnPieces drawn(scene, view, drawn_depth(how, *type));
+    DrawnPieces drawn(scene, view, drawn_depth(how, *type), how.limits);
     const auto took = write_pieces({{rect.width, rect.height, drawn_depth(how, *type), opaque},
                                     [&](const PixelRect& piece, int slot, StopWatch& watch) {
                                       return drawn.draw(piece, slot, watch);
                                     },
                                     how.memory},
                                    path, how.write, make);
+    if (drawn.error())
+      return Error{path == "-" ? "standard output" : path.string(), drawn.error()->what};
     if (!took) return took.error();
     PictureStats stats = drawn.stats();
     stats.encode = took->encode;

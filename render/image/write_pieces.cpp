@@ -83,7 +83,7 @@ Expected<PieceTimes> write_into(const PiecesToWrite& what, FileType type, const 
 
 Expected<PieceTimes> write_device(const PiecesToWrite& what, FileType type, const WriteOptions& how,
                                   const MakeEncoder& make, const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int descriptor = open_stream(path);
   if (descriptor < 0) return Error{"", "cannot be written: " + system_error(errno)};
   FileOutput out(descriptor, ::lseek(descriptor, 0, SEEK_CUR) < 0);
   auto done = write_into(what, type, how, make, out);

@@ -37,6 +37,7 @@ LayerLogic::LayerLogic(const Scene& scene, std::vector<char> covers)
     write_program(scene.layers()[std::size_t(i)].area);
     live_.push_back({i, first, int(steps_.size()) - first});
   }
+  known_.clear();
   seen_.assign(sets_.size(), -1);
   reach_.assign(sets_.size(), Reach::part);
 }

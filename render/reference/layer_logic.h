@@ -55,13 +55,23 @@ class LayerLogic {
   /// What is left of a scope in a square. `reach(set)` says how much of the square a set holds, and is asked once
   /// for each set. Scopes end in the opposite order, by `leave`.
   template <class ReachOf>
-  Scope enter(const Scope& outer, ReachOf&& reach);
+  Scope enter(const Scope& outer, ReachOf&& reach) {
+    return enter(outer, reach, [&](int layer) { return covers_[std::size_t(layer)] != 0; });
+  }
+  /// The same, where `hides(layer)` says of a layer that holds all of the square, from the top down, whether nothing
+  /// below it is seen.
+  template <class ReachOf, class Hides>
+  Scope enter(const Scope& outer, ReachOf&& reach, Hides&& hides);
   void leave(const Scope& scope);
 
   std::span<const LevelSet> sets() const { return sets_; }
   /// Bottom to top.
   std::span<const LiveLayer> live(const Scope& s) const {
     return std::span(live_).subspan(std::size_t(s.first_layer), std::size_t(s.layers));
+  }
+  /// A live layer's expression.
+  std::span<const LogicStep> steps(const LiveLayer& layer) const {
+    return std::span(steps_).subspan(std::size_t(layer.first), std::size_t(layer.count));
   }
   /// The sets that decide: each holds part of the scope.
   std::span<const int> open_sets(const Scope& s) const {
@@ -125,8 +135,8 @@ Reach LayerLogic::shrink(int first, int count, ReachOf&& reach) {
   return parts_.empty() ? Reach::whole : parts_.back().reach;
 }
 
-template <class ReachOf>
-LayerLogic::Scope LayerLogic::enter(const Scope& outer, ReachOf&& reach) {
+template <class ReachOf, class Hides>
+LayerLogic::Scope LayerLogic::enter(const Scope& outer, ReachOf&& reach, Hides&& hides) {
   Scope scope;
   begin_scope(scope, outer);
   for (int i = outer.first_layer + outer.layers; i-- > outer.first_layer;) {
@@ -135,7 +145,7 @@ LayerLogic::Scope LayerLogic::enter(const Scope& outer, ReachOf&& reach) {
     const Reach held = shrink(layer.first, layer.count, reach);
     if (held == Reach::none) continue;
     live_.push_back({layer.layer, first, int(steps_.size()) - first});
-    if (held == Reach::whole && covers_[std::size_t(layer.layer)]) break;
+    if (held == Reach::whole && hides(layer.layer)) break;
   }
   end_scope(scope);
   return scope;

@@ -1,4 +1,5 @@
 #include "render/reference/square_resolver.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,8 @@ SquareResolver::Scope SquareResolver::scope_of(const Scope& outer, glm::dvec2 ce
 
 double SquareResolver::distance(int shape, glm::dvec2 p) {
   ++stats_.distances;
-  return scale_ * mien::distance(scene_.shapes()[std::size_t(shape)], face_from_grid_(p));
+  worked(std::holds_alternative<Path>(scene_.shapes()[std::size_t(shape)]) ? 400 : 40);
+  return scale_ * scene_.shape_distance(std::size_t(shape), face_from_grid_(p));
 }
 
 glm::dvec2 SquareResolver::place(int x, int y) const {
@@ -95,6 +97,7 @@ double SquareResolver::distance(int shape, int x, int y) {
 
 Resolved SquareResolver::square(const Square& s, const Scope& scope, int depth) {
   ++stats_.squares;
+  worked(200);
   const glm::dvec2 center = place(s.x, s.y);
   if (scope.open == 0) return covered(center, double(s.half) / kUnits, scope, depth);
   Resolved found;
@@ -216,6 +219,7 @@ Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
 
 /// Layers bottom to top; a group is composited by itself and then mixed with what was there.
 Mix SquareResolver::color(glm::dvec2 p, const Scope& scope) {
+  worked(30 + 30 * scope.layers);
   levels_.assign(1, paints_.background);
   open_.clear();
   const auto close_to = [&](std::size_t depth) {

@@ -1,10 +1,11 @@
 #pragma once
-// A scene of more layers than one sweep should hold, drawn window by window.
+// A scene of more layers or shapes than one sweep should hold, drawn window by window.
 //
 // The cost of a sweep grows with the crossings of its outlines, hidden or not, and of ten thousand discs next to
-// nothing is seen. So a strip of rows is halved until few layers are left in each window: layers that their
-// distance puts outside it are left out, and so is all that lies below a layer that covers it. The rest is a scene
-// of its own, drawn like any other. Windows lie at absolute places: pixels do not depend on what is asked for.
+// nothing is seen; what it holds grows with its regions, each a set of outlines. So a strip of rows is halved until few
+// layers and shapes are left in each window: shapes that their distance puts outside it, or all around it, are left
+// out of the expressions that say where layers are (render/reference/layer_logic.h), and so is all that lies below a
+// layer that covers it. The rest is a scene of its own, drawn like any other. Windows lie at absolute places: pixels do not depend on what is asked for.
 //
 // Layers of opacities a, b … that each cover a window let (1 − a)(1 − b) … through. Layers below them change no
 // channel by more than that, as premultiplied colours lie in [0, 1] and the picture is linear in each layer's, by
@@ -13,9 +14,12 @@
 
 #include <mien/image.h>
 #include <mien/view.h>
+#include "render/reference/layer_logic.h"
 #include "sdf/scene/part.h"
 
+#include <algorithm>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,18 +36,22 @@ struct CrowdWindow {
 /// Scratch of one thread.
 struct CrowdScratch {
   ScenePart part;
-  std::vector<std::vector<PartLayer>> lists;  ///< of layers, by how often a strip is halved
+  std::optional<LayerLogic> logic;  ///< a copy of the crowd's
+  std::vector<PartLayer> layers;
+  std::vector<PartStep> steps;
 };
 
 class Crowd {
  public:
-  /// A scene of so many layers or more is a crowd: more than any face has.
+  /// A scene of so many layers or shapes, or more, is a crowd: more than any face has.
   static constexpr std::size_t kMany = 2000;
 
   /// Share of a pixel's permitted error (a level of 255, or 32 of 65535) by which left out layers may change it.
   static constexpr double kUnseen = 0.125;
 
-  static bool is_one(const Scene& scene) { return scene.layers().size() >= kMany; }
+  static bool is_one(const Scene& scene) {
+    return std::max(scene.layers().size(), scene.shapes().size()) >= kMany;
+  }
 
   void make(const Scene& scene, const View& view, Depth depth);
 
@@ -52,21 +60,19 @@ class Crowd {
                    const std::function<void(const CrowdWindow&)>& draw) const;
 
  private:
-  struct Seen {
-    Box2 box;        ///< [px]
-    double through;  ///< what of the layers below shows through it, at most
-  };
-  void halve(const PixelRect& rect, const PixelRect& wanted, std::size_t depth,
+  using Scope = LayerLogic::Scope;
+  void halve(const PixelRect& rect, const PixelRect& wanted, const Scope& outer,
              CrowdScratch& scratch, const std::function<void(const CrowdWindow&)>& draw) const;
-  void look(const PixelRect& rect, std::span<const PartLayer> among,
-            std::vector<PartLayer>& seen) const;
-  CrowdWindow window(const PixelRect& rect, std::span<const PartLayer> layers,
-                     CrowdScratch& scratch) const;
+  Scope look(const PixelRect& rect, const Scope& outer, LayerLogic& logic) const;
+  Reach reach(const LevelSet& set, const Box2& box, const PixelRect& rect) const;
+  CrowdWindow window(const PixelRect& rect, const Scope& scope, CrowdScratch& scratch) const;
 
   Scene scene_;
   View view_;
   Map<FaceSpace, GridSpace> face_from_grid_;
-  std::vector<Seen> layers_;
+  std::optional<LayerLogic> logic_;
+  std::vector<Box2> boxes_;      ///< [px] by set
+  std::vector<double> through_;  ///< by layer: what of those below shows through it, at most
   /// Where less light than this shows through what covers a window, the rest is left out.
   double unseen_ = 0;
 };

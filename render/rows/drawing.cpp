@@ -1,11 +1,13 @@
 #include "render/rows/drawing.h"
 #include "lib/base/fingerprint.h"
 #include "lib/base/monotonic_seconds.h"
+#include "lib/base/watch.h"
 #include "sdf/scene/same_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -216,14 +218,22 @@ Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& s
 void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
                              RenderStats& stats) const {
   const PixelRect& rect = target.rect;
+  scratch.resolved.clear();  // doubts lie over each other, and a pixel is resolved once
   for (const Doubt& doubt : sweep_.doubts()) {
+    worked(4);
     const int top = std::max(first, int(std::floor(doubt.top))),
               bottom = std::min(end, int(std::ceil(doubt.bottom)));
     const double least = rect.x, most = rect.x + rect.width;
     const int left = int(std::clamp(std::floor(doubt.left - order()), least, most)),
               right = int(std::clamp(std::ceil(doubt.right + order()), least, most));
+    if (top >= bottom || left >= right) continue;
+    scratch.resolved.resize(std::size_t(rect.width) * std::size_t(end - first), 0);
     for (int y = top; y < bottom; ++y)
-      for (int x = left; x < right; ++x) resolve(x, y, target, scratch, stats);
+      for (int x = left; x < right; ++x) {
+        char& done = scratch.resolved[std::size_t(y - first) * std::size_t(rect.width) +
+                                      std::size_t(x - rect.x)];
+        if (!std::exchange(done, 1)) resolve(x, y, target, scratch, stats);
+      }
   }
 }
 

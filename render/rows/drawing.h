@@ -34,6 +34,7 @@ struct StripScratch {
   RowSums sums;
   RowPainter painter;
   std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
+  std::vector<char> resolved;              ///< pixels of the strip's target that doubts have met
   std::uint32_t odd_rows = 0;  ///< a bit for each of the strip drawn last that its fingerprint does
                                ///< not tell all of
   float* errors = nullptr;  ///< a map of the target, for the bounds of pixels resolved by distances

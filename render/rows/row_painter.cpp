@@ -1,4 +1,5 @@
 #include "render/rows/row_painter.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <bit>
@@ -78,6 +79,7 @@ void RowPainter::room_for(std::size_t cells) {
 
 void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to,
                        RenderStats& stats) {
+  worked(50 + x1);
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
   shares_ = &sums.shares(row);
@@ -289,6 +291,7 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
       rough_.push_back({from + i, side});
   }
   for (const auto& [x, side] : rough_) {
+    worked(30 * side * side);
     if (looks_->dense(look)) refused_.push_back(x);
     const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side);
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);

@@ -1,4 +1,5 @@
 #include "render/shade/looks.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <cstring>
@@ -26,6 +27,8 @@ bool same(const LookStep& a, const LookStep& b) {
   return a.kind == b.kind && a.varied == b.varied && a.segment == b.segment && a.zone == b.zone &&
          a.mode == b.mode && a.mix == b.mix;
 }
+
+constexpr int kLongProgram = 64;  // steps: shorter ones are run as fast
 
 /// The literals of a conjunction, written to `to`; false for any other program. In postfix order an `and` may only
 /// follow literals or conjunctions, so a program of outlines, nots of single outlines and ands is a conjunction.
@@ -60,6 +63,8 @@ void Looks::begin(const PaintTable& paints) {
   table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
   opaque_.assign(std::size_t(words_), 0);
   conjunctions_.clear(), literals_.clear();
+  clause_words_.clear(), clauses_.clear(), first_word_.assign(1, 0);
+  clauses_at_.assign(paints.programs.steps().size(), -1);
   for (std::size_t i = 0; i < paints.layers.size(); ++i) {
     const PaintedLayer& layer = paints.layers[i];
     const double opacity = layer.varied < 0
@@ -76,6 +81,31 @@ void Looks::begin(const PaintTable& paints) {
   make_segments();
 }
 
+/// Notes a long program that is a conjunction of clauses, each a disjunction of literals, or the opposite of one:
+/// unions, cut to areas, and their level lines.
+void Looks::note_clauses(const AreaProgram& program) {
+  if (program.count < kLongProgram || clauses_at_[std::size_t(program.first)] >= 0) return;
+  const auto steps = paints_->programs.steps(program);
+  Clauses made{.first = int(first_word_.size()) - 1};
+  if (!reader_.read(steps)) {
+    made.opposite = true;
+    if (!reader_.read(steps, true)) return;
+  }
+  for (std::size_t i = 0; i < reader_.literals().size(); ++i) {
+    const int literal = reader_.literals()[i], outline = literal < 0 ? ~literal : literal;
+    const bool begins = reader_.begins(i);
+    if (begins && i > 0) first_word_.push_back(int(clause_words_.size()));
+    made.count += begins;
+    if (begins || clause_words_.back().word != outline >> 6)
+      clause_words_.push_back({outline >> 6, 0, 0});
+    ClauseWord& w = clause_words_.back();
+    (literal < 0 ? w.outside : w.inside) |= std::uint64_t{1} << (outline & 63);
+  }
+  first_word_.push_back(int(clause_words_.size()));
+  clauses_at_[std::size_t(program.first)] = int(clauses_.size());
+  clauses_.push_back(made);
+}
+
 void Looks::note_outline(int outline, int layer) {
   reading_.emplace_back(outline, layer);
 }
@@ -86,6 +116,7 @@ void Looks::note_outlines() {
   kink_.assign(outlines, 0);
   reading_.clear();
   const auto note = [&](const AreaProgram& program, int layer, bool kink) {
+    note_clauses(program);
     for (const AreaStep& step : paints.programs.steps(program)) {
       if (step.kind != AreaStep::Kind::outline) continue;
       note_outline(step.outline, layer);
@@ -136,11 +167,32 @@ void Looks::make_segments() {
   }
 }
 
+/// Whether of every clause one literal holds.
+bool Looks::hold(const Clauses& clauses, const std::uint64_t* inside) const {
+  for (int i = clauses.first; i < clauses.first + clauses.count; ++i) {
+    bool holds = false;
+    for (int k = first_word_[std::size_t(i)]; k < first_word_[std::size_t(i) + 1] && !holds; ++k) {
+      const ClauseWord& w = clause_words_[std::size_t(k)];
+      const std::uint64_t in = inside[w.word];
+      holds = ((in & w.inside) | (~in & w.outside)) != 0;
+    }
+    if (!holds) return clauses.opposite;
+  }
+  return !clauses.opposite;
+}
+
+bool Looks::holds(const AreaProgram& program, const std::uint64_t* inside) {
+  if (program.count >= kLongProgram) {
+    const int at = clauses_at_[std::size_t(program.first)];
+    if (at >= 0) return hold(clauses_[std::size_t(at)], inside);
+    worked(program.count);
+  }
+  return runs_true(paints_->programs.steps(program), inside, stack_);
+}
+
 bool Looks::covers(int layer, const std::uint64_t* inside) {
   const Conjunction& c = conjunctions_[std::size_t(layer)];
-  if (!c.simple)
-    return runs_true(paints_->programs.steps(paints_->layers[std::size_t(layer)].program), inside,
-                     stack_);
+  if (!c.simple) return holds(paints_->layers[std::size_t(layer)].program, inside);
   for (int i = c.first; i < c.first + c.count; ++i) {
     const int literal = literals_[std::size_t(i)], outline = literal < 0 ? ~literal : literal;
     if ((inside[outline >> 6] >> (outline & 63) & 1) == std::uint64_t(literal < 0)) return false;
@@ -152,8 +204,7 @@ bool Looks::covers(int layer, const std::uint64_t* inside) {
 int Looks::segment_of(int varied, const std::uint64_t* inside) {
   const std::vector<PaintKink>& kinks = paints_->varied[std::size_t(varied)].kinks;
   int passed = 0;
-  for (const PaintKink& kink : kinks)
-    passed += runs_true(paints_->programs.steps(kink.program), inside, stack_) == kink.after;
+  for (const PaintKink& kink : kinks) passed += holds(kink.program, inside) == kink.after;
   return passed;
 }
 
@@ -268,9 +319,7 @@ void Looks::write_pending(Level& level, bool ground) {
 /// In which zone of its profile a paint lies, and whether its surface slopes there.
 Looks::Lie Looks::lie_of(const VariedPaint& paint, const std::uint64_t* inside) {
   if (paint.lit < 0) return {};
-  const auto holds = [&](const AreaProgram& program) {
-    return runs_true(paints_->programs.steps(program), inside, stack_);
-  };
+  const auto holds = [&](const AreaProgram& program) { return this->holds(program, inside); };
   Lie lie;
   for (const AreaProgram& level : paint.levels) lie.zone += holds(level);
   lie.slopes = !paints_->lit[std::size_t(paint.lit)].flat(lie.zone) ||

@@ -7,6 +7,7 @@
 
 #include "render/shade/paint_table.h"
 #include "sdf/arrange/regions.h"
+#include "sdf/outline/area_clauses.h"
 
 #include <array>
 #include <cstdint>
@@ -38,6 +39,9 @@ class Looks final : public LookRule {
   void begin(const PaintTable& paints);
 
   int state_words() const override { return words_; }
+  std::size_t bytes() const override {
+    return looks_.capacity() * sizeof(Look) + steps_.capacity() * sizeof(LookStep);
+  }
   int first_look(std::uint64_t* state) override;
   int look(const std::uint64_t* inside, int outline, const std::uint64_t* before, int look_before,
            std::uint64_t* state) override;
@@ -100,6 +104,10 @@ class Looks final : public LookRule {
   void note_outlines();
   void note_outline(int outline, int layer);
   void make_segments();
+  struct Clauses;
+  void note_clauses(const AreaProgram& program);
+  bool hold(const Clauses& clauses, const std::uint64_t* inside) const;
+  bool holds(const AreaProgram& program, const std::uint64_t* inside);
   bool covers(int layer, const std::uint64_t* inside);
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
@@ -137,8 +145,23 @@ class Looks final : public LookRule {
     int first = 0, count = 0;
     bool simple = false;
   };
+  /// A longer program as clauses, or its opposite.
+  struct Clauses {
+    int first = 0, count = 0;
+    bool opposite = false;
+  };
   std::vector<Conjunction> conjunctions_;  ///< by layer
   std::vector<int> literals_;              ///< outline, or ~outline
+  /// Of a clause: outlines of one word, inside or outside of any of which it holds.
+  struct ClauseWord {
+    int word;
+    std::uint64_t inside, outside;
+  };
+  AreaClauses reader_;
+  std::vector<int> clauses_at_;  ///< by a program's first step: which clauses are its own; −1: none
+  std::vector<Clauses> clauses_;
+  std::vector<int> first_word_;  ///< by clause
+  std::vector<ClauseWord> clause_words_;
 
   std::vector<std::uint64_t> nothing_;  ///< inside of no outline
   std::vector<char> stack_;

@@ -16,6 +16,8 @@ class LookRule {
  public:
   virtual ~LookRule() = default;
   virtual int state_words() const = 0;
+  /// Held by it.
+  virtual std::size_t bytes() const { return 0; }
   /// Inside of no outline. Writes the region's words.
   virtual int first_look(std::uint64_t* state) = 0;
   /// After crossing `outline`; `before` are the words of the region on the near side, whose look is known.
@@ -34,6 +36,13 @@ class Regions {
 
   int look(int region) const { return looks_[std::size_t(region)]; }
   int count() const { return int(looks_.size()); }
+  /// Held by all of them.
+  std::size_t bytes() const {
+    return words_.capacity() * sizeof(words_[0]) + hashes_.capacity() * sizeof(hashes_[0]) +
+           (looks_.capacity() + table_.capacity()) * sizeof(int) + (rule_ ? rule_->bytes() : 0);
+  }
+  /// What a new one costs, in steps.
+  int steps() const { return 100 + 2 * stride_; }
   bool inside(int region, int outline) const {
     return words(region)[outline >> 6] >> (outline & 63) & 1;
   }

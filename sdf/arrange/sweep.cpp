@@ -1,9 +1,11 @@
 #include "sdf/arrange/sweep.h"
+#include "lib/base/watch.h"
 #include "sdf/arrange/reach.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -27,17 +29,20 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
                 double order) {
   outlines_ = &outlines, regions_ = &regions, top_ = top, bottom_ = bottom, may_differ_ = order;
   fragments_.clear(), doubts_.clear(), events_.clear(), again_.clear(), pieces_.clear();
-  stats_ = {}, count_ = 0, found_ = 0;
+  stats_ = told_ = {}, count_ = 0, found_ = 0, told_regions_ = 0, since_held_ = since_told_ = 0;
   pieces_.reserve(outlines.pieces.size() + 1);
   for (const OutlinePiece& p : outlines.pieces) pieces_.push_back(sweep_piece(p));
   again_left_ = kAgainFirst + 4 * long(pieces_.size());
   room_for(0);
+  holds(bytes());
+  worked(50 * std::int64_t(pieces_.size()));
   sort_vertices();
   begin_at_top();
   for (const int i : order_) {
     const OutlineVertex& v = outlines.vertices[std::size_t(i)];
     events_until(v.y, v.x);
     vertex(i);
+    step();
   }
   events_until(bottom_, HUGE_VAL);
   for (int slot = 0; slot < count_; ++slot) {
@@ -126,7 +131,10 @@ void Sweep::begin_at_top() {
     region_[std::size_t(slot)] = p.flips ? regions_->across(left, p.outline) : left;
     enter(slot, top_);
   }
-  for (int slot = 0; slot < count_; ++slot) meet_others(slot, top_, slot + 1);
+  for (int slot = 0; slot < count_; ++slot) {
+    meet_others(slot, top_, slot + 1);
+    tell_work();
+  }
 }
 
 /// Looks of a piece that the sweep meets here.
@@ -286,6 +294,7 @@ void Sweep::events_until(double y, double x) {
     events_.pop_back();
     const int from = piece(event.left).slot, to = piece(event.right).slot;
     if (from >= 0 && to >= 0 && from < to) swap_past(event, from, to);
+    step();
   }
 }
 

@@ -86,6 +86,13 @@ class Sweep {
   void show(int slot, double y);
   void finish(int slot, double y);
   bool inside(int outline, int winding) const;
+  std::size_t bytes() const;
+  void tell_work();
+  /// Tells it now and then.
+  void step() {
+    constexpr int kOften = 16;
+    if (++since_told_ % kOften == 0) tell_work();
+  }
   int region_left_of(int slot) const { return slot ? region_[std::size_t(slot) - 1] : left_; }
   int winding_left_of(int slot, int outline);
   void open_slots(int slot, int more);
@@ -102,6 +109,10 @@ class Sweep {
   std::vector<Fragment> fragments_;
   std::vector<Doubt> doubts_;
   SweepStats stats_;
+  SweepStats told_;       ///< what the watch knows
+  int told_regions_ = 0;  ///< likewise
+  int since_told_ = 0;    ///< steps of the sweep
+  int since_held_ = 0;    ///< times since it was told what is held
 
   // By slot, from left to right.
   int count_ = 0;

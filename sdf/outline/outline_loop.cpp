@@ -1,10 +1,12 @@
 #include "sdf/outline/outline_loop.h"
 
+#include "lib/base/watch.h"
 #include "sdf/outline/curve/cross_private.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace mien {
 namespace {
@@ -20,6 +22,9 @@ constexpr double kLargest = 1e60;
 constexpr double kNearEnd = 1e-7;
 /// [px] A piece that leaves its chord by less is straight: half the grid of vertices.
 constexpr double kStraight = 0x1p-21;
+
+/// [px] A way back that leaves the way there by less encloses nothing: some units of the grid of vertices.
+constexpr double kThinnest = 0x1p-19;
 
 /// To multiples of 2⁻²⁰, for |v| < 2³¹.
 double snapped(double v) {
@@ -139,6 +144,22 @@ bool OutlineLoop::runs_along_border(int vertex, glm::dvec2 to) const {
          (a.y == b.y && b.y == to.y && (b.y == window_.lo.y || b.y == window_.hi.y));
 }
 
+/// Whether `to`, which lies back along the last piece, is on its line: then the way there encloses nothing, and the end of
+/// that piece may as well be `to`. Paths that run to and fro without area are so no more than a line.
+bool OutlineLoop::turns_back(glm::dvec2 to) const {
+  const OutlinePiece& p = to_->pieces.back();
+  const auto place = [&](int vertex) {
+    return glm::dvec2{to_->vertices[vertex].x, to_->vertices[vertex].y};
+  };
+  const glm::dvec2 from = place(p.top), end = place(p.bottom), way = end - from, back = to - end;
+  const double longest =
+      std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
+  const auto on_line = [&](glm::dvec2 by) {
+    return std::abs(cross(way, by)) <= kThinnest * longest;
+  };
+  return on_line(back) && (p.turn == 0 || on_line(glm::dvec2{p.ax, p.ay} - end));
+}
+
 /// Until `finish` a piece keeps its control point in (ax, ay), its vertices in the loop's order, whether it may
 /// bend in `turn`, and its direction around the loop in bx.
 void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
@@ -151,6 +172,20 @@ void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
     const OutlineVertex& before = to_->vertices[last - 1];
     if (before.x == end.x && before.y == end.y) to_->vertices.pop_back(), to_->pieces.pop_back();
     return;
+  }
+  // A straight way, or one whose control point lies on it.
+  const auto is_flat = [&] {
+    const glm::dvec2 at{from.x, from.y};
+    return straight || std::abs(cross(end - at, control - at)) <= kThinnest * glm::length(end - at);
+  };
+  const auto runs_back = [&] {
+    const OutlineVertex& before = to_->vertices[last - 1];
+    return (from.x - before.x) * (end.x - from.x) + (from.y - before.y) * (end.y - from.y) < 0.0;
+  };
+  if (last > first_vertex_ && runs_back() && turns_back(end) && is_flat()) {
+    to_->vertices.pop_back();
+    to_->pieces.pop_back();
+    return piece(to, to, true);
   }
   OutlinePiece& p = to_->pieces.emplace_back();
   p.ax = control.x, p.ay = control.y;
@@ -178,6 +213,7 @@ void OutlineLoop::close() {
   if (bad_) return drop();
   line(start_);
   const auto count = static_cast<int>(to_->pieces.size()) - first_piece_;
+  worked(40 * count);
   if (count < 2 || encloses_nothing()) return drop();
   // The last vertex is the first: both are the same point, snapped.
   to_->vertices.pop_back();

@@ -39,6 +39,7 @@ class OutlineLoop final : public CurvePen {
   void cut(glm::dvec2 control, glm::dvec2 to, bool clip);
   void piece(glm::dvec2 control, glm::dvec2 to, bool straight);
   bool runs_along_border(int vertex, glm::dvec2 to) const;
+  bool turns_back(glm::dvec2 to) const;
   bool encloses_nothing() const;
   void drop();
   bool is_number(glm::dvec2 p);

@@ -7,14 +7,16 @@ namespace mien {
 Scene ScenePart::make(const Scene& whole, std::span<const PartLayer> layers, const Canvas& canvas) {
   SceneBuilder build(canvas, whole.background());
   whole_ = &whole, build_ = &build;
-  known_.clear(), open_.clear();
+  known_.clear(), shapes_.clear(), open_.clear();
+  everywhere_ = {};
   build.light(whole.light());
-  Area everywhere;
-  for (const auto& [i, covers] : layers) {
-    const Layer& layer = whole.layers()[std::size_t(i)];
+  for (const PartLayer& one : layers) {
+    const Layer& layer = whole.layers()[std::size_t(one.layer)];
     open_groups_of(layer.group);
-    if (covers && everywhere.node < 0) everywhere = build.everywhere();
-    build.layer(layer.name, covers ? everywhere : copy(layer.area), copy(layer.paint));
+    const Area area = one.in == PartLayer::In::own     ? copy(layer.area)
+                      : one.in == PartLayer::In::steps ? made_of(one.steps)
+                                                       : everywhere();
+    build.layer(layer.name, area, copy(layer.paint));
   }
   open_groups_of(-1);
   return std::move(build).finish();
@@ -35,6 +37,37 @@ void ScenePart::open_groups_of(int group) {
   }
 }
 
+Area ScenePart::everywhere() {
+  if (everywhere_.node < 0) everywhere_ = build_->everywhere();
+  return everywhere_;
+}
+
+Area ScenePart::shape(int index) {
+  Area& known = shapes_[index];
+  if (known.node < 0) known = build_->shape(whole_->shapes()[std::size_t(index)]);
+  return known;
+}
+
+Area ScenePart::made_of(std::span<const PartStep> steps) {
+  stack_.clear();
+  for (const PartStep& step : steps) {
+    if (step.op == Op::shape) {
+      const Area own = shape(step.shape);
+      stack_.push_back(step.level == 0.0 ? own : build_->offset(own, step.level));
+      continue;
+    }
+    const Area last = stack_.back();
+    if (step.op == Op::complement) {
+      stack_.back() = build_->complement(last);
+      continue;
+    }
+    stack_.pop_back();
+    stack_.back() = step.op == Op::unite ? build_->unite(stack_.back(), last)
+                                         : build_->intersect(stack_.back(), last);
+  }
+  return stack_.back();
+}
+
 /// Operands first, by a stack of its own: trees may be deep.
 Area ScenePart::copy(Area area) {
   if (area.node < 0) return area;
@@ -52,7 +85,7 @@ Area ScenePart::copy(Area area) {
       continue;
     }
     if (n.op == Op::shape) {
-      known_[at] = build_->shape(whole_->shapes()[std::size_t(n.a)]);
+      known_[at] = shape(n.a);
     } else {
       const bool waits_a = waits_for(n.a), waits_b = waits_for(n.b);
       if (waits_a || waits_b) continue;

@@ -1,5 +1,6 @@
 #include <mien/scene.h>
 #include "sdf/csg/combine.h"
+#include "sdf/shape/shape_distances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,14 +149,19 @@ void SceneBuilder::close_group() {
 
 Scene SceneBuilder::finish() && {
   Scene scene;
+  data_.asked = std::make_shared<const ShapeDistances>(data_.shapes.size());
   scene.data_ = std::make_shared<const Scene::Data>(std::move(data_));
   return scene;
 }
 
 double Scene::distance(Area area, glm::dvec2 p) const {
   return fold<double>(
-      nodes(), area, [&](int i) { return mien::distance(data_->shapes[std::size_t(i)], p); },
+      nodes(), area, [&](int i) { return shape_distance(std::size_t(i), p); },
       [](const Node& n, double a, double b) { return combine(n.op, a, b, n.amount); });
+}
+
+double Scene::shape_distance(std::size_t shape, glm::dvec2 p) const {
+  return data_->asked->at(shape, data_->shapes[shape], p);
 }
 
 Exactness Scene::exactness(Area area) const {

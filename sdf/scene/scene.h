@@ -17,6 +17,7 @@
 #include <mien/paint.h>
 #include <mien/shape.h>
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,6 +54,8 @@ struct Canvas {
   bool y_up = true;                    ///< whether larger y is higher in the picture
 };
 
+class ShapeDistances;
+
 class MIEN_API Scene {
  public:
   const Canvas& canvas() const { return data_->canvas; }
@@ -65,6 +68,8 @@ class MIEN_API Scene {
 
   /// The signed distance of an area by its CSG tree, and what that distance promises.
   double distance(Area area, glm::dvec2 p) const;
+  /// The same of one of its shapes. Paths of many sides that are asked often answer in about log n.
+  double shape_distance(std::size_t shape, glm::dvec2 p) const;
   Exactness exactness(Area area) const;
   Box2 bounds(Area area) const;
 
@@ -82,6 +87,7 @@ class MIEN_API Scene {
     std::vector<Layer> layers;
     std::vector<Group> groups;
     Light light;
+    std::shared_ptr<const ShapeDistances> asked;
   };
   std::shared_ptr<const Data> data_ = std::make_shared<const Data>();
 };

@@ -1,6 +1,7 @@
 // Ctrl-C and worse.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <thread>
@@ -67,6 +68,44 @@ TEST(Interrupt, StopsCrowdsAndExperiments) {
     EXPECT_EQ(ran.err, "mien: interrupted\n") << words[0];
     EXPECT_EQ(test::read_text(folder / "a.png"), "old") << words[0];
   }
+}
+
+// Work between rows: outlines, their order, distances.
+TEST(Interrupt, IsHeardInEveryStage) {
+  const ScratchFolder folder;
+  const auto face = folder / "spikes.face.json";
+  std::string points;
+  for (int i = 0; i < 6000; ++i)
+    points += (i ? ",[" : "[") + std::to_string((i * 7919 % 2000) / 1000.0 - 1) + "," +
+              std::to_string((i * 104729 % 1999) / 1000.0 - 1) + "]";
+  test::write_text(face, R"({"format": "mien-face", "format_version": 1, "name": "spikes",
+    "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"}, "palette": {"a": "#204080", "b": "#fff7e0"},
+    "background": "b", "features": [{"name": "p", "kind": "path", "paint": "a", "points": [)" +
+                             points + "]}]}");
+  test::write_text(folder / "a.png", "old");
+  Process process =
+      start_mien({"render", face.string(), "-o", (folder / "a.png").string(), "--size", "256"});
+  test::wait_until_handled(process.id(), SIGTERM);
+  wait_a_little();
+  const auto sent = std::chrono::steady_clock::now();
+  test::end_process(process.id(), SIGTERM);
+  const Ran ran = process.wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::milliseconds(500));
+  EXPECT_EQ(ran.signal, SIGTERM);
+  EXPECT_EQ(ran.err, "mien: interrupted\n");
+  EXPECT_TRUE(test::read_text(folder / "a.png") == "old");
+}
+
+TEST(Interrupt, IsNotNeededForPipesWithoutAnotherEnd) {
+  const ScratchFolder folder;
+  const auto pipe = (folder / "pipe.png").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Ran read = test::run_mien({"check", pipe});
+  EXPECT_EQ(read.code, 1);
+  EXPECT_NE(read.err.find("is a pipe that nothing is written to"), std::string::npos) << read.err;
+  const Ran written = test::run_mien({"render", face_path("seed0"), "-o", pipe, "--size", "32"});
+  EXPECT_EQ(written.code, 1);
+  EXPECT_NE(written.err.find("cannot be written"), std::string::npos) << written.err;
 }
 
 // The picture itself is there by then: it is drawn before its errors.

@@ -178,8 +178,9 @@ TEST(Render, StatsAreJson) {
   EXPECT_EQ(stats["width"], 80);
   EXPECT_EQ(stats["height"], 45);
   EXPECT_EQ(stats["pixels"], 80 * 45);
-  for (const char* name : {"fill_pixels", "varied_pixels", "edge_pixels", "resolved_pixels",
-                           "pieces", "crossings", "regions", "doubts", "roots", "distances"}) {
+  for (const char* name :
+       {"fill_pixels", "varied_pixels", "edge_pixels", "resolved_pixels", "pieces", "crossings",
+        "regions", "doubts", "roots", "distances", "steps", "memory"}) {
     EXPECT_TRUE(stats[name].is_number_integer()) << name;
   }
   for (const char* name :

@@ -1,9 +1,9 @@
+#include "lib/base/watch.h"
 #include "tools/mien/cli/command_line.h"
 #include "tools/mien/cli/file_roles.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/terminal/interrupt.h"
 #include "tools/mien/terminal/messages.h"
-#include "tools/mien/terminal/watched_work.h"
 
 #include <csignal>
 #include <exception>
@@ -43,13 +43,15 @@ int main(int count, char** words) {
   using namespace mien::command;
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like others
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file at its limit
+  mien::Watch watch([] { return !interrupted(); }, mien::kWithoutLimits);
   try {
+    const mien::Watching here(&watch);
     const CommandLine line = read_command_line(count, words);
     if (const auto safe = check_file_roles(file_roles(line)); !safe)
       return complain(safe.error(), kUsedWrongly);
     return std::visit(Run{}, line);
-  } catch (const Interrupted& interrupted) {
-    complain(interrupted.what(), kFailed);
+  } catch (const mien::Stopped&) {
+    complain("interrupted", kFailed);
     die_of_interrupt();
   } catch (const std::bad_alloc&) {
     return complain("not enough memory", kFailed);

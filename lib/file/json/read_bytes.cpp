@@ -1,19 +1,29 @@
 #include "lib/file/json/read_bytes.h"
 
+#include "lib/base/monotonic_seconds.h"
 #include "lib/base/one_line.h"
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <system_error>
 
 namespace mien {
 namespace {
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+constexpr double kWriterComes = 1.0;  // [s] that a pipe without a writer is waited for
+
+/// An open file, closed in the end.
+struct OpenFile {
+  int descriptor;
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
 };
 
 Error unreadable(const std::string& name) {
@@ -24,19 +34,32 @@ Error unreadable(const std::string& name) {
 
 Expected<std::string> read_bytes(const std::filesystem::path& path, std::size_t most) {
   const std::string name = one_line(path.string());
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return Error{name, "is a directory"};
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (!file) return unreadable(name);
+  // Opening a pipe would wait for its writer for ever.
+  const OpenFile file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+  struct stat info = {};
+  if (file.descriptor < 0 || ::fstat(file.descriptor, &info) != 0) return unreadable(name);
+  if (S_ISDIR(info.st_mode)) return Error{name, "is a directory"};
+  const double opened = monotonic_seconds();
   std::string bytes;
   char block[1 << 16];
-  while (const std::size_t got = std::fread(block, 1, sizeof block, file.get())) {
-    bytes.append(block, got);
-    if (bytes.size() > most)
-      return Error{name, fmt::format("longer than {} bytes (limit: bytes)", most)};
+  for (;;) {
+    const ssize_t got = ::read(file.descriptor, block, sizeof block);
+    if (got > 0) {
+      bytes.append(block, std::size_t(got));
+      if (bytes.size() > most)
+        return Error{name, fmt::format("longer than {} bytes (limit: bytes)", most)};
+    } else if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+      pollfd waits{file.descriptor, POLLIN, 0};
+      ::poll(&waits, 1, -1);  // there is a writer: until it writes or ends
+    } else if (got < 0 && errno != EINTR) {
+      return unreadable(name);
+    } else if (got == 0) {
+      if (!S_ISFIFO(info.st_mode) || !bytes.empty()) return bytes;
+      if (monotonic_seconds() - opened > kWriterComes)
+        return Error{name, "is a pipe that nothing is written to"};
+      ::poll(nullptr, 0, 10);
+    }
   }
-  if (std::ferror(file.get())) return unreadable(name);
-  return bytes;
 }
 
 }  // namespace mien

@@ -206,7 +206,7 @@ struct FrameFile::Descriptor {
 Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
   FrameFile frames;
   frames.name_ = one_line(path.string());
-  auto file = std::make_shared<Descriptor>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  auto file = std::make_shared<Descriptor>(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status = {};
   if (file->number < 0 || ::fstat(file->number, &status) != 0)
     return Error{frames.name_,

@@ -1,15 +1,49 @@
 #include "render/image/file/file_output.h"
+#include "lib/base/monotonic_seconds.h"
+#include "lib/base/watch.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 namespace mien {
+namespace {
+
+/// What a pipe takes at once when it takes anything.
+constexpr std::size_t kAtOnce = 4096;
+
+constexpr double kReaderComes = 1.0;  // [s] that a pipe without a reader is waited for
+
+/// Until a stream takes bytes. Throws Stopped.
+void wait_for(int descriptor) {
+  pollfd waits{descriptor, POLLOUT, 0};
+  while (::poll(&waits, 1, 20) == 0)
+    if (Watch* const watch = Watching::current()) watch->look(0);
+}
+
+}  // namespace
+
+int open_stream(const std::filesystem::path& path) {
+  const double began = monotonic_seconds();
+  int descriptor = -1;
+  do {
+    descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0 || errno != ENXIO) break;
+    if (Watch* const watch = Watching::current()) watch->look(0);
+    ::poll(nullptr, 0, 10);
+  } while (monotonic_seconds() - began < kReaderComes);
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return descriptor;
+}
 
 bool FileOutput::write(const void* data, std::size_t size) {
   const char* from = static_cast<const char*>(data);
   while (size > 0 && !failure_) {
-    const ssize_t put = ::write(descriptor_, from, size);
+    if (stream_) wait_for(descriptor_);
+    const ssize_t put = ::write(descriptor_, from, stream_ ? std::min(size, kAtOnce) : size);
     if (put > 0)
       from += put, size -= std::size_t(put);
     else if (put == 0)

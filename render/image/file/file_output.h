@@ -2,8 +2,12 @@
 // Bytes into an open file, in order.
 
 #include <cstddef>
+#include <filesystem>
 
 namespace mien {
+
+/// Opens a pipe or a device to be written to; −1 and errno, also where nobody reads from the pipe.
+int open_stream(const std::filesystem::path& path);
 
 /// Writes go to the descriptor at once, unbuffered, so that the first failure is known with its
 /// reason. The descriptor stays the caller's and stays open.
@@ -15,7 +19,8 @@ class FileOutput {
   int descriptor() const { return descriptor_; }
   bool stream() const { return stream_; }
 
-  /// Behind what was written before. False at the first failure and ever after.
+  /// Behind what was written before. A pipe that is full is waited for as long as a watch (lib/base/watch.h) lets
+  /// this thread. False at the first failure and ever after.
   bool write(const void* data, std::size_t size);
 
   /// errno's value of the first failure, or 0.

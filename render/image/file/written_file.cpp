@@ -30,7 +30,7 @@ Expected<Done> write_to(const fs::path& path, const WriteBytes& write) {
   const auto target = find_output_path(path);
   if (!target) return target.error();
   if (target->stream) {
-    const int descriptor = ::open(target->path.c_str(), O_WRONLY | O_CLOEXEC);
+    const int descriptor = open_stream(target->path);
     if (descriptor < 0) return Error{"", "cannot be written: " + system_error(errno)};
     auto done = write_into(descriptor, write);
     ::close(descriptor);

@@ -1,4 +1,5 @@
 #include "render/shade/light/lit_mean.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,7 @@ Mix gauss_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 midd
 
 Mix divided(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle, double side,
             const Mix& coarse, double tolerance, int depth) {
+  worked(1500);
   const double q = 0.25 * side;
   const std::array<glm::dvec2, 4> middles{middle + glm::dvec2{-q, -q}, middle + glm::dvec2{q, -q},
                                           middle + glm::dvec2{-q, q}, middle + glm::dvec2{q, q}};

@@ -1,5 +1,6 @@
 #include "render/shade/nearest/area_distance.h"
 
+#include "lib/base/watch.h"
 #include "sdf/csg/combine.h"
 
 #include <array>
@@ -40,19 +41,22 @@ void AreaDistance::make(const Scene& scene, Area area, const Map<PixelSpace, Fac
     nodes_.push_back(n);
   }
   shapes_.resize(shapes);
+  if (!asked_) asked_ = std::make_unique<ShapeDistances>();
+  asked_->begin(shapes);
 }
 
 double AreaDistance::tree_at(glm::dvec2 p, double* values) const {
+  worked(30 * std::int64_t(nodes_.size()));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& n = nodes_[i];
-    values[i] = n.op == Op::shape ? distance(shapes_[std::size_t(n.a)], p)
+    values[i] = n.op == Op::shape ? of_shape(std::size_t(n.a), p)
                                   : combine(n.op, values[n.a], values[n.b], n.amount);
   }
   return values[nodes_.size() - 1];
 }
 
 double AreaDistance::at(glm::dvec2 p) const {
-  if (nodes_.size() == 1) return distance(shapes_[0], p);
+  if (nodes_.size() == 1) return of_shape(0, p);
   std::array<double, 32> few;
   if (nodes_.size() <= few.size()) return tree_at(p, few.data());
   std::vector<double> many(nodes_.size());

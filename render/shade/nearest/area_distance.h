@@ -3,7 +3,9 @@
 // read.
 
 #include <mien/scene.h>
+#include "sdf/shape/shape_distances.h"
 
+#include <memory>
 #include <vector>
 
 namespace mien {
@@ -21,6 +23,11 @@ class AreaDistance {
   /// Negative inside; p in pixels, origin at the picture's centre.
   double at(glm::dvec2 p) const;
 
+  /// The same of one of its shapes.
+  double of_shape(std::size_t shape, glm::dvec2 p) const {
+    return asked_->at(shape, shapes_[shape], p);
+  }
+
   const std::vector<Shape>& shapes() const { return shapes_; }
   /// Operands before users; the last is the area. Of Op::shape, `a` is an index into shapes().
   const std::vector<Node>& nodes() const { return nodes_; }
@@ -29,6 +36,7 @@ class AreaDistance {
   double tree_at(glm::dvec2 p, double* values) const;
 
   std::vector<Shape> shapes_;
+  std::unique_ptr<ShapeDistances> asked_;
   std::vector<Node> nodes_;  ///< operands before users; the last is the area
 };
 

@@ -9,6 +9,7 @@
 // a second foot that appears inside the tile is found.
 
 #include "render/shade/nearest/area_distance.h"
+#include "sdf/shape/curve/path_tree.h"
 
 #include <optional>
 #include <span>
@@ -24,6 +25,10 @@ struct Spine {
       end_y;  ///< of a path: outward, between this side's normal and the next's
   T side;     ///< of a path: outward is side · (y', −x'); strokes: 0
 };
+
+inline glm::dvec2 on_spine(const Spine<double>& s, double t) {
+  return {s.x0 + t * (s.x1 + t * s.x2), s.y0 + t * (s.y1 + t * s.y2)};
+}
 
 /// A stretch of a spine around a tile's middle.
 struct NearSpine {
@@ -57,6 +62,8 @@ struct SpineShape {
   std::vector<Spine<double>> spines;
   std::vector<double> reach;      ///< by spine: |B'| + |w'| at most
   std::vector<std::size_t> next;  ///< by side of a path: the one that begins at its end
+  /// Of a path of many sides that cross: its spines have no hand, and winding numbers say what is inside.
+  std::optional<PathTree> tree;
 };
 
 /// What all tiles of a paint share.
@@ -108,8 +115,14 @@ class NearFeet {
 
  private:
   void combine_at(std::span<const float> x, std::span<const float> y, const Feet& out);
+  /// Trees of fewer nodes are not pruned.
+  static constexpr std::size_t kLargeTree = 32;
+  void prune(std::span<const Node> nodes, glm::dvec2 middle, double radius, std::vector<Node>& to);
+  std::span<const Node> nodes_around(std::span<const float> x, std::span<const float> y);
+  void sign_by_windings(const PathTree& tree, std::span<const float> x, std::span<const float> y,
+                        const Feet& out) const;
   struct Leaf {
-    const Shape* shape;
+    std::size_t shape;  ///< of the area's
     const SpineShape* spines;
     std::size_t first, count;  ///< in spines_
   };
@@ -117,7 +130,7 @@ class NearFeet {
   bool ends_beside(const SpineShape& shape, std::size_t index) const;
   void shape_at(const Leaf& leaf, std::span<const float> x, std::span<const float> y,
                 const Feet& out);
-  void slow_at(const Shape& shape, std::span<const float> x, std::span<const float> y,
+  void slow_at(std::size_t shape, std::span<const float> x, std::span<const float> y,
                const Feet& out) const;
 
   const FeetArea* area_ = nullptr;
@@ -125,6 +138,11 @@ class NearFeet {
   glm::dvec2 middle_{0.0};
   double radius_ = 0;
   bool tangled_ = false;
+  std::vector<Node>
+      tree_;  ///< the area's, as far as it matters in the disc; of Op::shape, b is the leaf
+  std::vector<Node> near_;  ///< likewise in a part of the disc
+  std::vector<double> values_;
+  std::vector<int> place_;
   std::vector<Leaf> leaves_;
   std::vector<NearSpine> spines_;
   std::vector<float> nodes_;  ///< [node][d, nx, ny, bend][place]

@@ -50,6 +50,17 @@ int passes(const QuadBezier& side, const Climb& climb, glm::dvec2 p) {
   return up ? 1 : -1;
 }
 
+/// A lower bound of the distance from p to a side: to the box of its control points.
+double at_least(const QuadBezier& side, glm::dvec2 p) {
+  const double x = std::max({std::min({side.p0.x, side.p1.x, side.p2.x}) - p.x,
+                             p.x - std::max({side.p0.x, side.p1.x, side.p2.x}), 0.0});
+  const double y = std::max({std::min({side.p0.y, side.p1.y, side.p2.y}) - p.y,
+                             p.y - std::max({side.p0.y, side.p1.y, side.p2.y}), 0.0});
+  return std::max(x, y);
+}
+
+}  // namespace
+
 int passes(const QuadBezier& side, glm::dvec2 p) {
   if (p.y < std::min({side.p0.y, side.p1.y, side.p2.y}) ||
       p.y > std::max({side.p0.y, side.p1.y, side.p2.y}))
@@ -65,16 +76,9 @@ int passes(const QuadBezier& side, glm::dvec2 p) {
          passes(side, Climb{turn, y, 1.0, side.p2.y}, p);
 }
 
-/// A lower bound of the distance from p to a side: to the box of its control points.
-double at_least(const QuadBezier& side, glm::dvec2 p) {
-  const double x = std::max({std::min({side.p0.x, side.p1.x, side.p2.x}) - p.x,
-                             p.x - std::max({side.p0.x, side.p1.x, side.p2.x}), 0.0});
-  const double y = std::max({std::min({side.p0.y, side.p1.y, side.p2.y}) - p.y,
-                             p.y - std::max({side.p0.y, side.p1.y, side.p2.y}), 0.0});
-  return std::max(x, y);
+double distance_to_side(const QuadBezier& side, glm::dvec2 p) {
+  return is_straight(side) ? distance_to_segment(side.p0, side.p2, p) : distance(side, p);
 }
-
-}  // namespace
 
 int winding(const Path::Loop& loop, glm::dvec2 p) {
   int count = 0;
@@ -96,10 +100,7 @@ double distance(const Path& path, glm::dvec2 p) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return nearest;
   for (const Path::Loop& loop : path.loops)
     for_each_side(loop, [&](const QuadBezier& side) {
-      if (at_least(side, p) >= nearest) return;
-      const double d =
-          is_straight(side) ? distance_to_segment(side.p0, side.p2, p) : distance(side, p);
-      nearest = std::min(nearest, d);
+      if (at_least(side, p) < nearest) nearest = std::min(nearest, distance_to_side(side, p));
     });
   return is_inside(path.rule, winding(path, p)) ? -nearest : nearest;
 }

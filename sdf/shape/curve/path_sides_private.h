@@ -15,6 +15,12 @@ inline bool is_straight(const QuadBezier& c) {
   return c.p1 == 0.5 * (c.p0 + c.p2);
 }
 
+/// ±1 for every time that a side passes p's height to the right of p.
+int passes(const QuadBezier& side, glm::dvec2 p);
+
+/// Unsigned.
+double distance_to_side(const QuadBezier& side, glm::dvec2 p);
+
 /// Calls visit for every side of a loop, and for a straight one wherever a side does not begin
 /// where the one before ends, so that a loop is closed whatever its numbers.
 template <class Visit>

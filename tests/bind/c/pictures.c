@@ -9,8 +9,8 @@ enum { kWidth = 160, kHeight = 90, kRow = kWidth * 4, kBytes = kRow * kHeight };
 /* The binary interface: these may never change within libmien_c.so.0 (64 bits). */
 typedef char view_is_frozen[sizeof(void*) != 8 || sizeof(mien_view) == 112 ? 1 : -1];
 typedef char pixels_are_frozen[sizeof(void*) != 8 || sizeof(mien_pixels) == 32 ? 1 : -1];
-typedef char options_are_frozen[sizeof(void*) != 8 || sizeof(mien_render_options) == 40 ? 1 : -1];
-typedef char stats_are_frozen[sizeof(mien_render_stats) == 120 ? 1 : -1];
+typedef char options_are_frozen[sizeof(void*) != 8 || sizeof(mien_render_options) == 56 ? 1 : -1];
+typedef char stats_are_frozen[sizeof(mien_render_stats) == 136 ? 1 : -1];
 typedef char name_is_frozen[sizeof(void*) != 8 || sizeof(mien_name) == 56 ? 1 : -1];
 typedef char canvas_is_frozen[sizeof(void*) != 8 || sizeof(mien_canvas) == 56 ? 1 : -1];
 
@@ -70,7 +70,11 @@ static void test_options(mien_renderer* renderer, const mien_scene* scene,
   CHECK(runs > 0 && memcmp(drawn, wanted, kBytes) == 0);
   options.progress = stop_at_once;
   FAILS(MIEN_CANCELLED, NULL, mien_render(renderer, scene, &view, &pixels, &options, &error));
-  options.threads = -1;
+  options.progress = NULL, options.most_steps = 1;
+  FAILS(MIEN_REFUSED, "steps", mien_render(renderer, scene, &view, &pixels, &options, &error));
+  options.most_steps = 0, options.most_memory = 1;
+  FAILS(MIEN_REFUSED, "memory", mien_render(renderer, scene, &view, &pixels, &options, &error));
+  options.most_memory = 0, options.threads = -1;
   FAILS(MIEN_MISUSE, "threads", mien_render(renderer, scene, &view, &pixels, &options, &error));
   options.size = 8, options.threads = 1; /* an older header's */
   OK(mien_render(renderer, scene, &view, &pixels, &options, &error));

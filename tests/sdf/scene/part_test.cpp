@@ -64,13 +64,29 @@ TEST(ScenePart, SomeLayersHaveOnlyWhatTheyNeed) {
 TEST(ScenePart, WhatCoversItHasNoOutline) {
   const Scene scene = whole();
   ScenePart part;
-  const PartLayer some[] = {{0, true}, {2, true}};
+  const PartLayer some[] = {{0, PartLayer::In::everywhere}, {2, PartLayer::In::everywhere}};
   const Scene made = part.make(scene, some, scene.canvas());
   for (const Layer& layer : made.layers())
     EXPECT_EQ(made.distance(layer.area, {1e9, 0}), -HUGE_VAL);
   const glm::dvec2 p{1, 7};  // the relief goes by its own area
   EXPECT_EQ(made.distance(made.layers()[1].paint.relief->area, p),
             scene.distance(scene.layers()[2].paint.relief->area, p));
+}
+
+TEST(ScenePart, MakesAreasOfTheStepsThatAreLeft) {
+  const Scene scene = whole();
+  ScenePart part;
+  const PartStep steps[] = {
+      {Op::shape, 0, 0.25}, {Op::shape, 1}, {Op::complement}, {Op::intersect}};
+  const PartLayer some[] = {{1, PartLayer::In::steps, steps}, {3}};
+  const Scene made = part.make(scene, some, scene.canvas());
+  EXPECT_EQ(made.shapes().size(), 2u);  // shared with the layer that stays as it is
+  Random r(2);
+  for (int k = 0; k < 50; ++k) {
+    const glm::dvec2 p = r.point(0, 10);
+    EXPECT_EQ(made.distance(made.layers()[0].area, p),
+              std::max(distance(scene.shapes()[0], p) - 0.25, -distance(scene.shapes()[1], p)));
+  }
 }
 
 }  // namespace

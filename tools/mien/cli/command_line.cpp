@@ -121,10 +121,9 @@ void add_insight(CLI::App* to, RenderArguments& render) {
 }
 
 void add_work(CLI::App* to, RenderArguments& render) {
-  to->add_option(
-        "--memory", render.memory,
-        "Most bytes of the picture held at once, K M G T for powers of 1024; default 256M; "
-        "does not change a byte")
+  to->add_option("--memory", render.memory,
+                 "Most bytes that pieces of the picture hold, and that outlines hold, K M G T for "
+                 "powers of 1024; default 256M, 1G")
       ->type_name("BYTES");
   to->add_option("--stats", render.stats,
                  "Print what drawing took, on standard output (standard error with -o -)")

@@ -43,14 +43,16 @@ std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const 
       "{{\"width\": {}, \"height\": {}, \"pixels\": {}, \"fill_pixels\": {}, "
       "\"varied_pixels\": {}, \"edge_pixels\": {}, \"resolved_pixels\": {}, \"pieces\": {}, "
       "\"crossings\": {}, \"regions\": {}, \"doubts\": {}, \"roots\": {}, \"distances\": {}, "
+      "\"steps\": {}, \"memory\": {}, "
       "\"seconds\": {{\"read\": {:.6f}, \"scene\": {:.6f}, "
       "\"picture\": {:.6f}, \"draw\": {:.6f}, \"encode\": {:.6f}, \"roots\": {:.6f}, "
       "\"distances\": {:.6f}, \"write\": {:.6f}}}, \"solving_share\": {:.3f}}}\n",
       drawn.width, drawn.height, stats.render.pixels, stats.render.fill_pixels,
       stats.render.varied_pixels, stats.render.edge_pixels, stats.render.resolved_pixels,
       stats.render.pieces, stats.render.crossings, stats.render.regions, stats.render.doubts,
-      stats.render.roots, stats.render.distances, times.read, times.scene, times.picture,
-      stats.draw, stats.encode, stats.render.root_seconds, stats.render.distance_seconds, stats.put,
+      stats.render.roots, stats.render.distances, stats.render.steps, stats.render.memory,
+      times.read, times.scene, times.picture, stats.draw, stats.encode, stats.render.root_seconds,
+      stats.render.distance_seconds, stats.put,
       (stats.render.root_seconds + stats.render.distance_seconds) / std::max(stats.draw, 1e-9));
 }
 

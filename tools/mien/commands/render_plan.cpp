@@ -100,6 +100,7 @@ Expected<Done> plan_values(RenderPlan& plan, const RenderArguments& arguments) {
     return done;
   if (auto done = plan_value(plan.picture.memory, arguments.memory, read_memory); !done)
     return done;
+  if (arguments.memory) plan.picture.limits.memory = plan.picture.memory;
   // Whether it is a size at all can be checked before the face is read.
   if (!arguments.size) return Done{};
   const auto size = read_size(*arguments.size, 1.0);

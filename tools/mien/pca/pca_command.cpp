@@ -1,6 +1,7 @@
 // mien pca: finds, describes, applies and draws bases of animations.
 
 #include <mien/npy_basis.h>
+#include "lib/base/watch.h"
 #include "render/image/file/written_file.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
@@ -148,7 +149,7 @@ MatrixSource watched(const MatrixSource& source, const std::string& phase) {
                                                                   double* out) mutable {
     auto got = source.read(block, out);
     done += double(block.rows * block.columns) / all;
-    if (display && !show(std::min(done, 1.0))) throw Interrupted();
+    if (display && !show(std::min(done, 1.0))) throw Stopped{Stopped::Why::cancelled};
     return got;
   };
   return {source.rows, source.columns, read};

@@ -1,4 +1,5 @@
 #include "tools/mien/terminal/watched_work.h"
+#include "lib/base/watch.h"
 #include "tools/mien/terminal/interrupt.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ WatchedWork::WatchedWork(const std::string& phase, std::size_t steps)
 }
 
 void WatchedWork::step() {
-  if (!progress_(double(++done_) / double(steps_))) throw Interrupted();
+  if (!progress_(double(++done_) / double(steps_))) throw Stopped{Stopped::Why::cancelled};
 }
 
 void watched_for(const std::string& phase, int count, const Threads& threads,
@@ -29,7 +30,7 @@ void watched_for(const std::string& phase, int count, const Threads& threads,
     const std::lock_guard lock(mutex);
     progress(double(++done) / double(count));
   });
-  if (interrupted()) throw Interrupted();
+  if (interrupted()) throw Stopped{Stopped::Why::cancelled};
 }
 
 }  // namespace mien::command

@@ -5,22 +5,16 @@
 #include "tools/mien/terminal/progress_display.h"
 
 #include <cstddef>
-#include <exception>
 #include <functional>
 #include <string>
 
 namespace mien::command {
 
-/// Thrown where work ends because the command was interrupted. The command's main function tells it.
-struct Interrupted : std::exception {
-  const char* what() const noexcept override { return "interrupted"; }
-};
-
 /// Work of so many steps, one after the other.
 class WatchedWork {
  public:
   WatchedWork(const std::string& phase, std::size_t steps);
-  /// One more is done. Throws Interrupted.
+  /// One more is done. Throws Stopped (lib/base/watch.h).
   void step();
 
  private:
@@ -29,7 +23,7 @@ class WatchedWork {
   std::size_t steps_, done_ = 0;
 };
 
-/// parallel_for, watched. After an interrupt no job begins; then it throws Interrupted.
+/// parallel_for, watched. After an interrupt no job begins; then it throws Stopped.
 void watched_for(const std::string& phase, int count, const Threads& threads,
                  const std::function<void(int)>& job);
 

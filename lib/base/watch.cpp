@@ -1,0 +1,67 @@
+#include "lib/base/watch.h"
+#include "lib/base/monotonic_seconds.h"
+
+#include <utility>
+
+namespace mien {
+
+Watch::Watch(std::function<bool()> go_on, const RenderLimits& limits)
+    : go_on_(std::move(go_on)),
+      limits_(limits),
+      outer_(Watching::current()),
+      asked_(monotonic_seconds()) {}
+
+void Watch::stop(Stopped::Why why) {
+  if (!stopped_.exchange(true)) why_ = why;
+}
+
+void Watch::ask() {
+  if (!go_on_ || monotonic_seconds() - asked_ < kPause || !asking_.try_lock()) return;
+  const std::lock_guard lock(asking_, std::adopt_lock);
+  if (!stopped() && !go_on_()) stop(Stopped::Why::cancelled);
+  asked_ = monotonic_seconds();
+}
+
+void Watch::look(std::int64_t steps) {
+  if (steps_.fetch_add(steps) + steps > limits_.steps) stop(Stopped::Why::steps);
+  ask();
+  if (outer_) outer_->look(steps);
+  if (stopped()) throw Stopped{why()};
+}
+
+void Watch::hold(std::uint64_t bytes) {
+  std::uint64_t most = memory_.load(std::memory_order_relaxed);
+  while (most < bytes && !memory_.compare_exchange_weak(most, bytes)) {
+  }
+  if (bytes > limits_.memory) stop(Stopped::Why::memory);
+  if (stopped()) throw Stopped{why()};
+}
+
+Watching::Watching(Watch* watch) : before_(detail::pace.watch) {
+  detail::pace.watch = watch;
+  detail::pace.left = detail::kStepsBetweenLooks;
+}
+
+Watching::~Watching() {
+  detail::Pace& pace = detail::pace;
+  if (pace.watch && !pace.watch->stopped()) {
+    try {
+      pace.watch->look(detail::kStepsBetweenLooks - pace.left);
+    } catch (const Stopped&) {  // the next look finds it
+    }
+  }
+  pace.watch = before_;
+  pace.left = detail::kStepsBetweenLooks;
+}
+
+Watch* Watching::current() {
+  return detail::pace.watch;
+}
+
+void detail::look_up() {
+  const std::int64_t steps = kStepsBetweenLooks - pace.left;
+  pace.left = kStepsBetweenLooks;
+  if (pace.watch) pace.watch->look(steps);
+}
+
+}  // namespace mien

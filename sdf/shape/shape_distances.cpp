@@ -1,0 +1,47 @@
+#include "sdf/shape/shape_distances.h"
+#include "sdf/shape/curve/path_tree.h"
+
+namespace mien {
+
+struct ShapeDistances::Kept {
+  std::atomic<int> asked{0};
+  std::atomic<const PathTree*> tree{nullptr};
+  std::unique_ptr<const PathTree> own;
+};
+
+ShapeDistances::ShapeDistances(std::size_t shapes) : shapes_(shapes) {}
+ShapeDistances::~ShapeDistances() = default;
+
+void ShapeDistances::begin(std::size_t shapes) {
+  of_ = nullptr, kept_.reset(), shapes_ = shapes;
+}
+
+double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) const {
+  const Path* const path = std::get_if<Path>(&shape);
+  if (!path) return distance(shape, p);
+  std::size_t sides = 0;
+  for (const Path::Loop& loop : path->loops) sides += loop.sides.size();
+  const PathTree* const tree = sides < PathTree::kFewSides ? nullptr : tree_of(index, *path, sides);
+  return tree ? tree->distance(p) : distance(*path, p);
+}
+
+const PathTree* ShapeDistances::tree_of(std::size_t index, const Path& path,
+                                        std::size_t sides) const {
+  Kept* of = of_.load(std::memory_order_acquire);
+  if (!of) {
+    const std::lock_guard lock(making_);
+    if (!kept_) kept_ = std::make_unique<Kept[]>(shapes_);
+    of_.store(of = kept_.get(), std::memory_order_release);
+  }
+  Kept& kept = of[index];
+  if (const PathTree* tree = kept.tree.load(std::memory_order_acquire)) return tree;
+  // One thread makes it; the others go on side by side.
+  if (kept.asked.fetch_add(1, std::memory_order_relaxed) !=
+      (sides > 1000 ? kAskedOften / 16 : kAskedOften))
+    return nullptr;
+  kept.own = std::make_unique<const PathTree>(path);
+  kept.tree.store(kept.own.get(), std::memory_order_release);
+  return kept.own.get();
+}
+
+}  // namespace mien
