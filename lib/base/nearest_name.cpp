@@ -82,7 +82,7 @@ std::string_view of_meaning(const Wanted& asked, std::string_view meaning,
   if (const auto longer = shortest_ending(names, "." + whole); !longer.empty()) return longer;
   for (const std::string_view name : names)
     if (name == first_word(meaning)) return meaning;
-  return shortest_ending(names, "." + std::string(meaning));
+  return shortest_ending(names, fmt::format(".{}", meaning));
 }
 
 std::string_view of_meanings(const Wanted& asked, std::span<const std::string_view> means,
