@@ -27,6 +27,9 @@ constexpr std::uint64_t kWorn = 20000;  // and the family's number
 constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 2003, kHeavy = 2004,
                         kLong = 2005, kCoily = 2006;
 
+/// What a number's law holds beside axes: how far chance goes, and between which ends.
+constexpr std::array<std::string_view, 5> kLawful{"spread", "even", "chance", "least", "most"};
+
 /// What a person is like before any part is chosen, each from 0 to 1 or −1 to 1.
 struct Axes {
   double age = 30;  ///< [years]
@@ -126,7 +129,7 @@ class Sampler {
     double all = 0.0;
     in.for_each(law, [&](const JsonNode& node, int) {
       const std::string_view key = in.tree.key(node);
-      if (key != "spread" && key != "even" && key != "chance")
+      if (std::find(kLawful.begin(), kLawful.end(), key) == kLawful.end())
         all += in.number(node) * axes_.of(in, node);
     });
     return all;
@@ -139,14 +142,15 @@ class Sampler {
     if (number.law.node) {
       const Reading& in = number.law.in();
       const JsonNode& law = *number.law.node;
-      const auto find = [&](std::string_view key) {
+      const auto find = [&](std::string_view key, double none = 0.0) {
         const JsonNode* node = in.find(law, key);
-        return node ? in.number(*node) : 0.0;
+        return node ? in.number(*node) : none;
       };
       const JsonNode* seldom = in.find(law, "chance");
       if (!seldom || chance_.share(question + 10000) < in.number(*seldom))
         value += sum(in, law) + 2.0 * find("spread") * chance_.bell(question) +
                  find("even") * chance_.share(question);
+      value = std::clamp(value, find("least", number.lo), find("most", number.hi));
     }
     // A code holds 1023 steps: what a seed chooses it can hold, too.
     const double range = number.hi - number.lo;
