@@ -15,7 +15,7 @@ inline constexpr std::string_view kMemoryRanOut = "memory ran out";
 bool drawable(const View& view);  ///< its sides are 1 … View::kMaxSide
 Error invalid_size(const View& view);
 Error out_of_memory(const PixelRect& rect);
-Error drawing_cancelled();
+MIEN_API Error drawing_cancelled();
 /// What ended watched work.
 Error why_stopped(const Watch& watch, const RenderLimits& limits);
 

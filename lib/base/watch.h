@@ -9,6 +9,7 @@
 // on and compares what was done with the limits. If the work must end, `Stopped` is thrown, and the verb that set
 // the watch turns it into an error. A thread that nobody watches only counts.
 
+#include <mien/api.h>
 #include <mien/limits.h>
 
 #include <atomic>
@@ -23,7 +24,7 @@ struct Stopped {
   enum class Why { cancelled, steps, memory } why;
 };
 
-class Watch {
+class MIEN_API Watch {
  public:
   /// `go_on`: asked every kPause or so, by one thread at a time; none: always. Work inside of other watched work
   /// ends with that.
@@ -60,7 +61,7 @@ class Watch {
 };
 
 /// The watch of this thread, as long as this lives.
-class Watching {
+class MIEN_API Watching {
  public:
   explicit Watching(Watch* watch);
   ~Watching();
@@ -84,7 +85,7 @@ struct Pace {
 __attribute__((tls_model("initial-exec")))  // no call to find it
 #endif
 inline thread_local constinit Pace pace;
-void look_up();
+MIEN_API void look_up();
 }  // namespace detail
 
 /// Steps of work, each about a nanosecond's. Throws Stopped.

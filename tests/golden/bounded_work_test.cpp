@@ -12,7 +12,8 @@
 namespace mien::test {
 namespace {
 
-constexpr double kSmall = 0.1;  // of what the documents promise, so that it takes seconds
+// Of what the documents promise, so that it takes seconds; but enough points for paths to have trees.
+constexpr double kSmall = 0.13;
 
 const View kView{.width = 64, .height = 64};
 
