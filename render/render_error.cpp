@@ -29,7 +29,7 @@ Error why_stopped(const Watch& watch, const RenderLimits& limits) {
 }
 
 Error drawing_cancelled() {
-  return {"", "cancelled"};
+  return {"", std::string(kCancelled)};
 }
 
 }  // namespace mien

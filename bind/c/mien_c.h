@@ -543,8 +543,8 @@ typedef struct mien_render_options {
   void* progress_data;    /* for `progress` */
   mien_executor executor; /* draws on the caller's threads; `threads` does not count then; NULL */
   void* executor_data;    /* for `executor` */
-  int64_t
-      most_steps; /* of work, each about a nanosecond; more are MIEN_REFUSED; 0: 100 000 000 000 */
+  /* Steps of work, each about a nanosecond; more are MIEN_REFUSED; 0: 100 000 000 000 */
+  int64_t most_steps;
   uint64_t most_memory; /* [bytes] of outlines and their order; more are MIEN_REFUSED; 0: 1 GiB */
 } mien_render_options;
 MIEN_C_API void mien_render_options_init(mien_render_options* options, size_t size);

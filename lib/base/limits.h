@@ -1,6 +1,8 @@
 #pragma once
 // How much work and memory drawing may take.
 
+#include <mien/api.h>
+
 #include <cstdint>
 
 namespace mien {
@@ -17,5 +19,8 @@ struct RenderLimits {
 
 /// None but the machine's.
 inline constexpr RenderLimits kWithoutLimits{INT64_MAX, UINT64_MAX};
+
+/// For code that waits inside of watched work, for a pipe or another program: throws if the work is to end.
+MIEN_API void end_if_stopped();
 
 }  // namespace mien

@@ -64,4 +64,8 @@ void detail::look_up() {
   if (pace.watch) pace.watch->look(steps);
 }
 
+void end_if_stopped() {
+  if (Watch* const watch = Watching::current()) watch->look(0);
+}
+
 }  // namespace mien

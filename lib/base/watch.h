@@ -9,7 +9,6 @@
 // on and compares what was done with the limits. If the work must end, `Stopped` is thrown, and the verb that set
 // the watch turns it into an error. A thread that nobody watches only counts.
 
-#include <mien/api.h>
 #include <mien/limits.h>
 
 #include <atomic>
@@ -24,7 +23,7 @@ struct Stopped {
   enum class Why { cancelled, steps, memory } why;
 };
 
-class MIEN_API Watch {
+class Watch {
  public:
   /// `go_on`: asked every kPause or so, by one thread at a time; none: always. Work inside of other watched work
   /// ends with that.
@@ -61,7 +60,7 @@ class MIEN_API Watch {
 };
 
 /// The watch of this thread, as long as this lives.
-class MIEN_API Watching {
+class Watching {
  public:
   explicit Watching(Watch* watch);
   ~Watching();
@@ -85,7 +84,7 @@ struct Pace {
 __attribute__((tls_model("initial-exec")))  // no call to find it
 #endif
 inline thread_local constinit Pace pace;
-MIEN_API void look_up();
+void look_up();
 }  // namespace detail
 
 /// Steps of work, each about a nanosecond's. Throws Stopped.

@@ -77,7 +77,7 @@ class DrawnPieces {
  private:
   void fail(const Error& error) {
     const std::lock_guard lock(mutex_);
-    if (!error_ && error.what != drawing_cancelled().what) error_ = error;
+    if (!error_ && error.what != kCancelled) error_ = error;
   }
   std::vector<std::byte>& pixels_of(int slot) {
     const std::lock_guard lock(mutex_);

@@ -54,7 +54,8 @@ class Pixels(Structure):
 
 class RenderOptions(Structure):
     _fields_ = [("size", c_uint32), ("threads", c_int32), ("progress", Progress), ("progress_data", c_void_p),
-                ("executor", c_void_p), ("executor_data", c_void_p)]
+                ("executor", c_void_p), ("executor_data", c_void_p),
+                ("most_steps", c_int64), ("most_memory", c_uint64)]
 
 
 class RenderStats(Structure):

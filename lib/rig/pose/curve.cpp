@@ -1,5 +1,6 @@
 #include "lib/rig/pose/curve.h"
 
+#include "lib/math/degrees.h"
 #include "lib/rig/pose/chance.h"
 
 #include <algorithm>
@@ -85,7 +86,9 @@ double value_of(const KeyCurve& curve, double time, const Temper& temper) {
 
 double value_of(const SineCurve& curve, double time, const Temper& temper) {
   const double shift = 2 * std::numbers::pi * Draws(curve.seed, temper).shift();
-  const double wave = std::sin(curve.frequency * time + (curve.phase + shift));
+  // The C library's sine has other last bits on other machines.
+  const double angle = curve.frequency * time + (curve.phase + shift);
+  const double wave = direction_at(angle * (180 / std::numbers::pi)).y;
   return curve.offset + curve.amplitude * (curve.absolute ? std::abs(wave) : wave);
 }
 

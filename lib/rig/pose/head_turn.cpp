@@ -1,28 +1,20 @@
 #include "lib/rig/pose/head_turn.h"
 
 #include <mien/face_model.h>
+#include "lib/math/degrees.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace mien {
-namespace {
-
-glm::dvec2 cosine_and_sine(double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
-  return {std::cos(angle), std::sin(angle)};
-}
-
-}  // namespace
 
 Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up)
     : head_(head),
       up_(y_up ? 1 : -1),
       roll_degrees_(roll),
-      yaw_(cosine_and_sine(yaw)),
-      pitch_(cosine_and_sine(pitch)),
-      roll_(cosine_and_sine(roll)) {}
+      yaw_(direction_at(yaw)),
+      pitch_(direction_at(pitch)),
+      roll_(direction_at(roll)) {}
 
 /// The height of the front over the ellipsoid's middle at a point.
 double Turn::height(glm::dvec2 p) const {

@@ -1,6 +1,6 @@
 #include "render/image/file/file_output.h"
+#include <mien/limits.h>
 #include "lib/base/monotonic_seconds.h"
-#include "lib/base/watch.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -20,8 +20,7 @@ constexpr double kReaderComes = 1.0;  // [s] that a pipe without a reader is wai
 /// Until a stream takes bytes. Throws Stopped.
 void wait_for(int descriptor) {
   pollfd waits{descriptor, POLLOUT, 0};
-  while (::poll(&waits, 1, 20) == 0)
-    if (Watch* const watch = Watching::current()) watch->look(0);
+  while (::poll(&waits, 1, 20) == 0) end_if_stopped();
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ int open_stream(const std::filesystem::path& path) {
   do {
     descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor >= 0 || errno != ENXIO) break;
-    if (Watch* const watch = Watching::current()) watch->look(0);
+    end_if_stopped();
     ::poll(nullptr, 0, 10);
   } while (monotonic_seconds() - began < kReaderComes);
   if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);

@@ -46,9 +46,10 @@ TEST(KeyCurve, EasesEachInItsWay) {
 
 TEST(SineCurve, IsWhatItSays) {
   for (double t = -10; t < 10; t += 0.37) {
-    EXPECT_EQ(value_at(SineCurve{2, 1.5, 0.5, 3, false}, t), 3 + 2 * std::sin(1.5 * t + 0.5));
-    EXPECT_EQ(value_at(SineCurve{2, 1.5, 0.5, 3, true}, t),
-              3 + 2 * std::abs(std::sin(1.5 * t + 0.5)));
+    EXPECT_NEAR(value_at(SineCurve{2, 1.5, 0.5, 3, false}, t), 3 + 2 * std::sin(1.5 * t + 0.5),
+                1e-14);
+    EXPECT_NEAR(value_at(SineCurve{2, 1.5, 0.5, 3, true}, t),
+                3 + 2 * std::abs(std::sin(1.5 * t + 0.5)), 1e-14);
   }
 }
 
