@@ -61,7 +61,8 @@ class RenderOptions(Structure):
 class RenderStats(Structure):
     _fields_ = [("size", c_uint32), ("cancelled", c_int32), *((name, c_int64) for name in (
         "pixels", "fill_pixels", "varied_pixels", "edge_pixels", "resolved_pixels", "recalled_pixels", "pieces", "crossings",
-        "regions", "doubts", "roots", "distances")), ("root_seconds", c_double), ("distance_seconds", c_double)]
+        "regions", "doubts", "roots", "distances")), ("root_seconds", c_double), ("distance_seconds", c_double),
+                ("steps", c_int64), ("memory", c_int64)]
 
 
 class BasisInfo(Structure):

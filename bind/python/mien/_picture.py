@@ -148,6 +148,8 @@ class Stats(NamedTuple):
     distances: int        # solved for light and for gradients along a distance
     root_seconds: float   # time of the roots, over all threads
     distance_seconds: float
+    steps: int            # of work, which docs/limits.md tells of
+    memory: int           # bytes that outlines, their order and regions held at most
     cancelled: bool
 
 
