@@ -46,7 +46,8 @@ std::string page() {
       number(kMostPatternFigures));
   row("points of a path without crossings, or without area", number(100'000));
   row("points of a path on a lattice, crossing itself at will", number(1000));
-  row("points of a path without crossings with a gradient along its distance, or a feather", number(1000));
+  row("points of a path without crossings with a gradient along its distance, or a feather",
+      number(1000));
   row("points of a path with a relief", number(300));
   row("layers", number(10'000));
   text +=
