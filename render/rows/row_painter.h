@@ -45,8 +45,7 @@ class RowPainter {
 
   /// Adds the work of the rows since the last call.
   void tell(RenderStats& stats) {
-    const NearFeet::Work work = shader_.take_work();
-    stats.distances += work.distances, stats.distance_seconds += work.seconds;
+    stats.distances += shader_.take_feet();
   }
 
   /// Columns of that row whose colours vary too much for means by centroids: the caller resolves them by distances.

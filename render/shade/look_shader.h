@@ -40,8 +40,8 @@ class LookShader {
   /// The mean over a pixel or a part of one by side × side cells, which reduces what centroids neglect.
   glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side);
 
-  /// The distances asked for since it was last taken.
-  NearFeet::Work take_work() { return lit_scratch_.take_work(); }
+  /// The feet that were looked for since it was last taken.
+  long long take_feet() { return lit_scratch_.take_feet(); }
 
  private:
   /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.

@@ -15,12 +15,14 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Three channels, premultiplied, in the blending space.
+/// Premultiplied, in the blending space.
 struct LitColor {
-  VF r, g, b;
+  VF c[4];
   /// What the law clamps, minus the bound: colours have a kink where one of these is 0. In order: facing the lamp,
   /// the highlight, the brightest channel; the other channels follow where that one is beyond 0.
   VF bounds[3];
+  /// How far the foot of a dome is that shows [px].
+  VF foot;
 };
 
 /// A base colour, straight, in linear light, and its opacity.
@@ -28,30 +30,30 @@ struct LitBase {
   VF r, g, b, a;
 };
 
-HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y) {
+/// `away`: the distance that the ramp goes by.
+HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y, VF away) {
   const LampRamp& ramp = lamp.ramp;
   if (ramp.kind == LampRamp::Kind::none)
     return {Const(lamp.light[0]), Const(lamp.light[1]), Const(lamp.light[2]), Const(lamp.alpha)};
   VF t = Fused(x, Const(ramp.xx), Fused(y, Const(ramp.xy), Const(ramp.x)));
+  if (ramp.kind == LampRamp::Kind::distance) t = Fused(away, Const(ramp.xx), Const(ramp.x));
   if (ramp.kind == LampRamp::Kind::radial) {
     const VF px = hn::Sub(x, Const(ramp.x)), py = hn::Sub(y, Const(ramp.y));
     const VF u = Fused(px, Const(ramp.xx), hn::Mul(py, Const(ramp.xy)));
     const VF v = Fused(px, Const(ramp.yx), hn::Mul(py, Const(ramp.yy)));
     t = hn::Sqrt(Fused(u, u, hn::Mul(v, v)));
   }
-  LitBase c{Const(ramp.first[0]), Const(ramp.first[1]), Const(ramp.first[2]), Const(ramp.first[3])};
-  for (const LampRamp::Stretch& s : ramp.stretches) {
-    const VF way = hn::Mul(hn::Sub(t, Const(s.at)), Const(s.over));
-    const VF in = hn::Min(hn::Max(way, hn::Zero(F())), Const(1.0f));
-    c.r = Fused(in, Const(s.change[0]), c.r), c.g = Fused(in, Const(s.change[1]), c.g);
-    c.b = Fused(in, Const(s.change[2]), c.b), c.a = Fused(in, Const(s.change[3]), c.a);
-  }
-  const VF up = hn::Div(Const(1.0f), hn::Max(c.a, Const(1e-5f)));  // less shows nowhere
+  const VF zero = hn::Zero(F()), one = Const(1.0f);
+  const auto channel = [&](size_t c) HWY_ATTR {
+    return Fused(t, Const(ramp.slope[c]), Const(ramp.at[c]));
+  };
+  const VF alpha = hn::Min(hn::Max(channel(3), zero), one);
+  const VF up = hn::Div(one, hn::Max(alpha, Const(1e-5f)));  // less shows nowhere
   const auto light = [&](VF v) HWY_ATTR {
-    const VF straight = hn::Min(hn::Mul(up, v), Const(1.0f));
+    const VF straight = hn::Min(hn::Max(hn::Mul(up, v), zero), one);
     return lamp.linear ? straight : LightOf(straight);
   };
-  return {light(c.r), light(c.g), light(c.b), hn::Max(c.a, hn::Zero(F()))};
+  return {light(channel(0)), light(channel(1)), light(channel(2)), alpha};
 }
 
 /// The profile's rise per pixel at a depth inside its zone, or not far beyond.
@@ -70,10 +72,10 @@ HWY_INLINE VF Towards(const std::array<float, 3>& way, VF sx, VF sy, VF inverse)
 }
 
 /// (nx, ny) the outward normal, (x, y) from the tile's middle.
-HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, VF y) {
+HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, VF y, VF away) {
   const F f;
   const VF zero = hn::Zero(f);
-  VF sx = zero, sy = zero;
+  VF sx = zero, sy = zero, foot = Const(1e9f);
   if (lamp.rise_kind != LampLanes::Rise::none) {
     const VF falls = hn::Neg(RiseAt(lamp, depth));
     sx = hn::Mul(falls, nx), sy = hn::Mul(falls, ny);
@@ -82,7 +84,8 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
     const VF px = hn::Sub(x, Const(dome.x)), py = hn::Sub(y, Const(dome.y));
     const VF u = Fused(px, Const(dome.xx), hn::Mul(py, Const(dome.xy)));
     const VF v = Fused(px, Const(dome.yx), hn::Mul(py, Const(dome.yy)));
-    const VF in = hn::Max(FusedFrom(u, u, FusedFrom(v, v, Const(1.0f))), zero);
+    const VF left = FusedFrom(u, u, FusedFrom(v, v, Const(1.0f))), in = hn::Max(left, zero);
+    if (dome.foot > 0.0f) foot = hn::Min(foot, hn::Mul(hn::Abs(left), Const(dome.foot)));
     const VF by = hn::Mul(in, Const(dome.height));
     sx = Fused(by, Fused(u, Const(dome.xx), hn::Mul(v, Const(dome.yx))), sx);
     sy = Fused(by, Fused(u, Const(dome.xy), hn::Mul(v, Const(dome.yy))), sy);
@@ -97,7 +100,7 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
     over = hn::Sub(Exp2(power), Const(lamp.level_shine));
     shine = hn::Mul(hn::Max(over, zero), Const(lamp.shine));
   }
-  const LitBase base = BaseAt(lamp, x, y);
+  const LitBase base = BaseAt(lamp, x, y, away);
   const auto channel = [&](VF light) HWY_ATTR {
     const VF bright = Fused(light, diffuse, shine);
     const VF held = hn::Min(hn::Max(bright, zero), Const(1.0f));
@@ -107,7 +110,8 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
   color.bounds[0] = lit, color.bounds[1] = over;
   const VF brightest = hn::Max(base.r, hn::Max(base.g, base.b));
   color.bounds[2] = hn::Sub(Fused(brightest, diffuse, shine), Const(1.0f));
-  color.r = channel(base.r), color.g = channel(base.g), color.b = channel(base.b);
+  color.c[0] = channel(base.r), color.c[1] = channel(base.g), color.c[2] = channel(base.b);
+  color.c[3] = base.a, color.foot = foot;
   return color;
 }
 

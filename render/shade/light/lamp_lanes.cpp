@@ -13,46 +13,33 @@ std::array<float, 3> flipped(const glm::dvec3& v) {
   return {float(v.x), float(-v.y), float(v.z)};
 }
 
-void set_ramp(const GridPaint& paint, glm::dvec2 middle, LampRamp& to) {
+void set_ramp(const GridPaint& paint, const RampSegment* segment, glm::dvec2 middle, LampRamp& to) {
   to.kind = LampRamp::Kind::none;
-  if (!paint.ramp) return;
+  if (!paint.ramp || !segment) return;
   const PaintField& f = paint.field;
-  const bool linear = f.kind == PaintField::Kind::linear;
-  to.kind = linear ? LampRamp::Kind::linear : LampRamp::Kind::radial;
-  if (linear) {
+  if (f.kind == PaintField::Kind::linear) {
+    to.kind = LampRamp::Kind::linear;
     to.x = float(f.at(middle, 0.0)), to.xx = float(f.across.x), to.xy = float(f.across.y);
-  } else {
+  } else if (f.kind == PaintField::Kind::radial) {
+    to.kind = LampRamp::Kind::radial;
     to.x = float(f.center.x - middle.x), to.y = float(f.center.y - middle.y);
     to.xx = float(f.unit[0][0]), to.xy = float(f.unit[1][0]);
     to.yx = float(f.unit[0][1]), to.yy = float(f.unit[1][1]);
+  } else {
+    to.kind = LampRamp::Kind::distance;
+    to.x = float(f.at({}, 0.0)), to.xx = float(f.scale);
   }
-  const auto& at = paint.ramp->at();
-  const auto& mixes = paint.ramp->mixes();
-  to.stretches.clear();
-  for (int c = 0; c < 4; ++c) to.first[std::size_t(c)] = float(mixes[0][c]);
-  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-    LampRamp::Stretch s{float(at[i]), float(1.0 / (at[i + 1] - at[i])), {}};
-    for (int c = 0; c < 4; ++c) s.change[std::size_t(c)] = float(mixes[i + 1][c] - mixes[i][c]);
-    to.stretches.push_back(s);
+  for (int c = 0; c < 4; ++c) {
+    to.at[std::size_t(c)] = float(segment->at[c]);
+    to.slope[std::size_t(c)] = float(segment->slope[c]);
   }
 }
 
 }  // namespace
 
-bool lanes_know(const GridPaint& paint) {
-  if (!paint.ramp) return true;
-  constexpr std::size_t kFew = 12;
-  constexpr double kLeast = 1e-4;  // of a stretch: floats resolve no shorter one
-  const Ramp& ramp = *paint.ramp;
-  if (paint.field.kind == PaintField::Kind::distance || ramp.extend() != Extend::pad) return false;
-  if (ramp.jumps() || ramp.at().empty() || ramp.at().size() > kFew) return false;
-  for (std::size_t i = 0; i + 1 < ramp.at().size(); ++i)
-    if (!(ramp.at()[i + 1] - ramp.at()[i] > kLeast)) return false;
-  return true;
-}
-
-void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius,
+void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle, double radius,
               LampLanes& to) {
+  const int zone = piece.zone;
   const GridRelief& r = surface.relief();
   const bool flat = surface.flat(zone), round = r.profile == Profile::round;
   to.rise_kind = flat    ? LampLanes::Rise::none
@@ -67,7 +54,8 @@ void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double rad
     to.light[i] = float(to.linear ? v : linear_from_srgb(v));
   }
   to.alpha = float(c.a);
-  set_ramp(surface.paint(), middle - surface.center(), to.ramp);
+  to.distance_alone = false;
+  set_ramp(surface.paint(), piece.segment, middle - surface.center(), to.ramp);
   to.to_lamp = flipped(r.lamp.to_lamp()), to.halfway = flipped(r.lamp.halfway());
   to.ambient = float(r.lamp.ambient());
   to.diffuse = float((1.0 - r.lamp.ambient()) / r.lamp.to_lamp().z);
@@ -79,11 +67,16 @@ void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double rad
     const glm::dvec2 at = surface.center() + dome.center - middle;
     if (glm::length(at) > dome.max_radius + radius) continue;
     const glm::dmat2& u = dome.unit;
-    to.domes.push_back({float(at.x), float(at.y), float(u[0][0]), float(u[1][0]), float(u[0][1]),
-                        float(u[1][1]), float(-4.0 * dome.height)});
-    // The slope changes by 4 height / radius² per pixel at the top; a highlight is a bell of 1 / √shininess in slope.
-    const double r2 = 1.0 / std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0],
+    const double steepest = std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0],
                                      u[0][1] * u[0][1] + u[1][1] * u[1][1]);
+    // The slope's own slope jumps by 8 height / radius² there, and light by some 100 levels for a slope of 1.
+    constexpr double kSeen = 3.0;  // [levels/px²]
+    const bool shows = 800.0 * std::abs(dome.height) * steepest > kSeen;
+    to.domes.push_back({float(at.x), float(at.y), float(u[0][0]), float(u[1][0]), float(u[0][1]),
+                        float(u[1][1]), float(-4.0 * dome.height),
+                        shows ? float(0.5 / std::sqrt(steepest)) : 0.0f});
+    // The slope changes by 4 height / radius² per pixel at the top; a highlight is a bell of 1 / √shininess in slope.
+    const double r2 = 1.0 / steepest;
     const double bell = r2 / (4.0 * std::abs(dome.height) * std::sqrt(r.lamp.shininess()));
     to.finest = float(std::min({double(to.finest), std::sqrt(r2), to.shine > 0.0f ? bell : 1e9}));
   }

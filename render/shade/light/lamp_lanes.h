@@ -14,19 +14,16 @@ struct LampDome {
   float x, y;            ///< its centre
   float xx, xy, yx, yy;  ///< u = xx x + xy y, v = yx x + yy y: 1 all along its foot
   float height;          ///< −4 × its height
+  /// [px] Of what is left of 1: how far the foot is. 0: its kink does not show.
+  float foot;
 };
 
-/// A ramp as the base colour, along a line or from a centre. Colours are premultiplied, in the blending space.
+/// A ramp between two of its kinks as the base colour: premultiplied, in the blending space.
 struct LampRamp {
-  enum class Kind : unsigned char { none, linear, radial } kind = Kind::none;
-  float x = 0, y = 0;                    ///< its centre; linear: t at the tile's middle is x
-  float xx = 0, xy = 0, yx = 0, yy = 0;  ///< as a dome's; linear: t grows by xx along x, xy along y
-  struct Stretch {                       ///< between two stops
-    float at, over;                      ///< where it begins; 1 / its length
-    std::array<float, 4> change;
-  };
-  std::array<float, 4> first{};  ///< the colour before all of them
-  std::vector<Stretch> stretches;
+  enum class Kind : unsigned char { none, linear, radial, distance } kind = Kind::none;
+  float x = 0, y = 0;                    ///< its centre; otherwise t at the tile's middle, at distance 0, is x
+  float xx = 0, xy = 0, yx = 0, yy = 0;  ///< as a dome's; linear: t grows by xx along x, xy along y; distance: by xx
+  std::array<float, 4> at{}, slope{};    ///< the colour is at + t slope
 };
 
 struct LampLanes {
@@ -45,16 +42,18 @@ struct LampLanes {
       1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one
   LampRamp ramp;  ///< instead of `light`
 
-  /// Whether a round profile is so narrow that all of it lies within a pixel.
-  bool is_narrow() const { return rise_kind == Rise::round && width < kNarrow; }
-  static constexpr float kNarrow = 1.0f;  // [px]
+  /// Instead of all that: the red channel is the signed distance.
+  bool distance_alone = false;
+
+  bool varies() const {
+    return rise_kind != Rise::none || !domes.empty() || ramp.kind != LampRamp::Kind::none || distance_alone;
+  }
+  bool is_round() const { return rise_kind == Rise::round; }
+  bool goes_by_distance() const { return ramp.kind == LampRamp::Kind::distance; }
 };
 
-/// Whether lanes can evaluate a paint's base: one colour, or a ramp of few stops along a line or from a centre that
-/// ends in plain colours.
-bool lanes_know(const GridPaint& paint);
-
-/// The zone's light around `middle`, within `radius`; uses what `to` has allocated.
-void set_lamp(const LitSurface& surface, int zone, glm::dvec2 middle, double radius, LampLanes& to);
+/// The piece's light around `middle`, within `radius`; uses what `to` has allocated. A ramp needs its segment.
+void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middle, double radius,
+              LampLanes& to);
 
 }  // namespace mien

@@ -8,8 +8,9 @@
 // Every answer depends on the paint and the pixel alone: not on earlier questions, nor on scratch, region or
 // thread.
 
-#include "render/shade/light/lit_pixel.h"
+#include "render/cover/part_form.h"
 #include "render/shade/light/lit_surface.h"
+#include "render/shade/nearest/feet_area.h"
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -19,7 +20,7 @@
 
 namespace mien {
 
-struct LitTile;
+struct LightTile;
 
 class LitPaint {
  public:
@@ -31,8 +32,8 @@ class LitPaint {
     Scratch(Scratch&&) noexcept;
     Scratch& operator=(Scratch&&) noexcept;
 
-    /// The distances asked for since it was last taken.
-    NearFeet::Work take_work();
+    /// The feet that were looked for since it was last taken.
+    long long take_feet();
 
    private:
     friend class LitPaint;
@@ -84,20 +85,18 @@ class LitPaint {
   void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
 
  private:
-  LitTile& tile(int zone, int x, int y, Scratch& scratch) const;
-  void make_tile(LitTile& tile, Scratch& scratch) const;
-  void make_full(LitTile& tile) const;
-  void make_smooth(LitTile& tile, Scratch& scratch) const;
-  void make_distances(LitTile& tile) const;
-  LitPixel::Place place(LitTile& tile, int x, int y) const;
-  bool sure_way() const { return !in_lanes_; }
-  float opacity_at(const LitPiece& piece, double t) const;
-  float opacity(const LitPiece& piece, int x, int y, const PartForm* form) const;
+  /// The tile that has pixel (x, y), made if it is not there; none where branches are too many for any.
+  LightTile* tile(const LitPiece& piece, int x, int y, Scratch& scratch) const;
+  void make_tile(const LitPiece& piece, LightTile& tile) const;
+  /// Whether lanes know its base: a ramp only between two kinks.
+  bool in_lanes(const LitPiece& piece) const { return !surface_.paint().ramp || piece.segment; }
+  Mix slow_pixel(const LitPiece& piece, int x, int y) const;
+  glm::vec4 slow_part(const LitPiece& piece, int x, int y, const PartForm& form) const;
+  float slow_distance(int x, int y, const PartForm* form) const;
 
   LitSurface surface_;
   FeetArea area_, gradient_area_;
   double tolerance_ = 0.3, distance_tolerance_ = 0;  ///< the latter in px
-  bool in_lanes_ = false;
   int index_ = 0;
   std::uint64_t id_ = 0;  ///< of this paint and no other, ever
 };

@@ -1,20 +1,24 @@
 // Shapes as spines.
 
+#include "render/shade/nearest/feet_area.h"
+#include <mien/parabola_side.h>
 #include "lib/base/watch.h"
-#include "render/shade/nearest/near_feet.h"
+#include "sdf/shape/curve/band.h"
 #include "sdf/shape/curve/path.h"
-#include "sdf/shape/curve/path_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
+#include <glm/gtc/constants.hpp>
 #include <variant>
 
 namespace mien {
 namespace {
 
-Spine<double> spine_of(const QuadBezier& c, const double (&w)[3]) {
+// [px] Half planes and the insides of parabolas end so far away.
+constexpr double kEndless = 4e6;
+
+Spine spine_of(const QuadBezier& c, const double (&w)[3]) {
   const glm::dvec2 a = 2.0 * (c.p1 - c.p0), b = (c.p2 - c.p1) - (c.p1 - c.p0);
   return {.x0 = c.p0.x,
           .x1 = a.x,
@@ -37,16 +41,23 @@ QuadBezier straight(glm::dvec2 a, glm::dvec2 b) {
 }
 
 /// B' at an end; where it is 0, the way to the other end.
-glm::dvec2 along(const Spine<double>& s, double t) {
-  const glm::dvec2 speed{s.x1 + 2.0 * t * s.x2, s.y1 + 2.0 * t * s.y2};
+glm::dvec2 way_along(const Spine& s, double t) {
+  const glm::dvec2 speed = along_spine(s, t);
   if (glm::length(speed) > 1e-12) return glm::normalize(speed);
   const glm::dvec2 chord = on_spine(s, 1.0) - on_spine(s, 0.0);
   return glm::length(chord) > 0.0 ? glm::normalize(chord) : glm::dvec2{1.0, 0.0};
 }
 
-glm::dvec2 outward(const Spine<double>& s, double t) {
-  const glm::dvec2 way = along(s, t);
+glm::dvec2 outward(const Spine& s, double t) {
+  const glm::dvec2 way = way_along(s, t);
   return s.side * glm::dvec2{way.y, -way.x};
+}
+
+/// Sets the outline's normal where one side goes on in the other.
+void join(Spine& s, Spine& next) {
+  const glm::dvec2 mean = outward(s, 1.0) + outward(next, 0.0);
+  const glm::dvec2 n = glm::length(mean) > 1e-9 ? glm::normalize(mean) : outward(s, 1.0);
+  s.end_x = next.begin_x = n.x, s.end_y = next.begin_y = n.y;
 }
 
 /// Whether sides touch each other at joints only. A side's control triangle may reach far from the side, so a path
@@ -92,17 +103,17 @@ class Windings {
 };
 
 /// The sides of a path, each with the hand on which its outside lies; false if a side has the same on both hands.
-bool add_path(const Path& path, SpineShape& made, Path& pieces) {
-  std::vector<Spine<double>>& to = made.spines;
+bool add_path(const Path& path, SpineList& made, Path& pieces) {
+  std::vector<Spine>& to = made.spines;
   if (!is_simple_in_pieces(path, pieces)) return false;
   const Windings windings(path);
   for (const Path::Loop& loop : path.loops) {
     const std::size_t first = to.size();
     for (const QuadBezier& side : loop.sides) {
       if (side.p0 == side.p1 && side.p1 == side.p2) continue;
-      Spine<double> s = spine_of(side, {0.0, 0.0, 0.0});
+      Spine s = spine_of(side, {0.0, 0.0, 0.0});
       constexpr double kAside = 1e-4;  // [px]
-      const glm::dvec2 way = along(s, 0.5), right{way.y, -way.x}, p = on_spine(s, 0.5);
+      const glm::dvec2 way = way_along(s, 0.5), right{way.y, -way.x}, p = on_spine(s, 0.5);
       const bool in_right = is_inside(path.rule, windings.at(p + kAside * right));
       const bool in_left = is_inside(path.rule, windings.at(p - kAside * right));
       if (in_right == in_left) return false;
@@ -111,29 +122,51 @@ bool add_path(const Path& path, SpineShape& made, Path& pieces) {
     }
     const std::size_t count = to.size() - first;
     for (std::size_t i = 0; i < count; ++i) {
-      Spine<double>&s = to[first + i], &next = to[first + (i + 1) % count];
+      Spine&s = to[first + i], &next = to[first + (i + 1) % count];
       if (on_spine(s, 1.0) != on_spine(next, 0.0) &&
           glm::distance(on_spine(s, 1.0), on_spine(next, 0.0)) > 1e-6)
         return false;  // not closed
-      const glm::dvec2 mean = outward(s, 1.0) + outward(next, 0.0);
-      const glm::dvec2 n = glm::length(mean) > 1e-9 ? glm::normalize(mean) : outward(s, 1.0);
-      s.end_x = next.begin_x = n.x, s.end_y = next.begin_y = n.y;
+      join(s, next);
       made.next.push_back(first + (i + 1) % count);
     }
   }
   return !to.empty();
 }
 
-constexpr std::size_t kManySides = 128;  // of a path whose sides cross: fewer are asked one by one
+/// An ellipse's arc from angle a to angle b, as pieces. A piece of angle w is off by r w⁴ / 384 at most.
+void add_arc(const Ellipse& e, double a, double b, std::vector<QuadBezier>& to) {
+  constexpr double kOff = 1e-4;  // [px]
+  const glm::dvec2 u = e.axis, v{-u.y, u.x};
+  const double radius = std::max({e.radii.x, e.radii.y, 1e-9});
+  const double widest = std::pow(384.0 * kOff / radius, 0.25);
+  const int pieces = std::clamp(int(std::ceil((b - a) / std::min(widest, 0.8))), 1, 256);
+  const auto at = [&](double by, double w) {
+    return e.center + by * (e.radii.x * std::cos(w) * u + e.radii.y * std::sin(w) * v);
+  };
+  for (int i = 0; i < pieces; ++i) {
+    const double from = a + (b - a) * i / pieces, until = a + (b - a) * (i + 1) / pieces;
+    const double middle = 0.5 * (from + until);
+    to.push_back({at(1.0, from), at(1.0 / std::cos(0.5 * (until - from)), middle), at(1.0, until)});
+  }
+}
 
-/// The spines of each kind of shape, where it has any; else the shape is slow.
+/// A piece of a parabola's outline; its inside lies to the left.
+QuadBezier piece_of(const ParabolaSide& side, double from, double to) {
+  const glm::dvec2 along{side.axis.y, -side.axis.x};
+  const auto blossom = [&](double u, double v) {
+    return side.vertex + 0.5 * (u + v) * along + side.bend * u * v * side.axis;
+  };
+  return {blossom(from, from), blossom(from, to), blossom(to, to)};
+}
+
+/// The spines of each kind of shape.
 struct SpinesOfShape {
-  glm::dvec2 center;
-  SpineShape& made;
+  ShapeSpines& made;
   Path& pieces;
+  std::vector<QuadBezier> sides = {};
 
   void add(const QuadBezier& spine, double a, double b, double c) {
-    made.spines.push_back(spine_of(spine, {a, b, c}));
+    made.list.spines.push_back(spine_of(spine, {a, b, c}));
   }
   void add(const QuadBezier& spine, double width) { add(spine, width, width, width); }
 
@@ -146,23 +179,28 @@ struct SpinesOfShape {
     for (std::size_t i = 1; i < s.points.size(); ++i)
       add(straight(s.points[i - 1], s.points[i]), s.half_width);
     if (s.points.size() == 1) add(straight(s.points[0], s.points[0]), s.half_width);
-    made.slow = made.spines.empty();
   }
   void operator()(const Disc& s) { add(straight(s.center, s.center), s.radius); }
   void operator()(const Path& s) {
-    made.stroke = false;
-    made.slow = !add_path(s, made, pieces);
-    if (made.slow) add_crossing(s);
+    made.list.stroke = false;
+    if (!add_path(s, made.list, pieces)) add_crossing(s);
   }
-  /// Sides that cross have no hand; feet on them are those of lines without width.
+  /// Sides that cross have no outside of their own: any will do, since winding numbers tell signs.
   void add_crossing(const Path& s) {
-    std::size_t sides = 0;
-    for (const Path::Loop& loop : s.loops) sides += loop.sides.size();
-    if (sides < kManySides) return;
-    made.spines.clear(), made.next.clear();
-    for (const Path::Loop& loop : s.loops)
-      for (const QuadBezier& side : loop.sides) add(side, 0.0);
-    made.stroke = true, made.slow = false;
+    made.list.spines.clear(), made.list.next.clear();
+    for (const Path::Loop& loop : s.loops) {
+      const std::size_t first = made.list.spines.size();
+      for (const QuadBezier& side : loop.sides) {
+        if (side.p0 == side.p1 && side.p1 == side.p2) continue;
+        add(side, 0.0);
+        made.list.spines.back().side = 1.0;
+      }
+      const std::size_t count = made.list.spines.size() - first;
+      for (std::size_t i = 0; i < count; ++i) {
+        join(made.list.spines[first + i], made.list.spines[first + (i + 1) % count]);
+        made.list.next.push_back(first + (i + 1) % count);
+      }
+    }
     made.tree.emplace(s);
   }
   void operator()(const Triangle& s) {
@@ -170,49 +208,107 @@ struct SpinesOfShape {
     path.loops.push_back({{straight(s.a, s.b), straight(s.b, s.c), straight(s.c, s.a)}});
     (*this)(path);
   }
-  void operator()(const Ellipse& s) {
-    made.ellipse = s;
-    made.ellipse->center += center;
-    made.slow = !(std::min(s.radii.x, s.radii.y) > 1e-3 * std::max(s.radii.x, s.radii.y));
+  void operator()(const HalfPlane& s) {
+    const glm::dvec2 along{-s.normal.y, s.normal.x}, foot = s.offset * s.normal;
+    sides = {straight(foot - kEndless * along, foot + kEndless * along)};
+    add_sides();
   }
-  template <class Other>
-  void operator()(const Other&) {
-    made.slow = true;
+  void operator()(const ParabolaSide& s) {
+    sides = {piece_of(s, -kEndless, kEndless)};
+    add_sides();
+  }
+  void operator()(const Band& s) {
+    add_band_side(s.lower, s.upper, corners(s)), add_band_side(s.upper, s.lower, corners(s));
+    add_sides();
+  }
+  /// What of a parabola lies in the other one.
+  void add_band_side(const ParabolaSide& side, const ParabolaSide& other, const BandCorners& at) {
+    std::vector<double> cuts{-kEndless};
+    const glm::dvec2 along{side.axis.y, -side.axis.x};
+    for (int i = 0; i < at.count; ++i)
+      cuts.push_back(glm::dot(at.point[std::size_t(i)] - side.vertex, along));
+    std::sort(cuts.begin() + 1, cuts.end());
+    cuts.push_back(kEndless);
+    const bool endless = at.count == 0;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      const double far = 1.0 + std::abs(cuts[i == 0 ? 1 : i]);
+      const double middle = endless ? 0.0
+                            : i == 0 ? cuts[1] - far
+                            : i + 2 == cuts.size() ? cuts[i] + far
+                                                   : 0.5 * (cuts[i] + cuts[i + 1]);
+      const QuadBezier at_middle = piece_of(side, middle, middle);
+      if (distance(other, at_middle.p0) <= 0.0) sides.push_back(piece_of(side, cuts[i], cuts[i + 1]));
+    }
+  }
+  void operator()(const CutDisc& s) {
+    const double pi = glm::pi<double>();
+    const double top = std::asin(std::clamp(s.upper, 0.0, 1.0)),
+                 low = std::asin(std::clamp(s.lower, 0.0, 1.0));
+    const Ellipse round{s.center, {s.radius, s.radius}, {s.up.y, -s.up.x}};
+    add_arc(round, -low, top, sides);
+    if (top < 0.5 * pi) add_chord(round, top, pi - top);
+    add_arc(round, pi - top, pi + low, sides);
+    if (low < 0.5 * pi) add_chord(round, pi + low, 2.0 * pi - low);
+    add_sides();
+  }
+  void add_chord(const Ellipse& round, double from, double to) {
+    std::vector<QuadBezier> ends;
+    add_arc(round, from, from, ends), add_arc(round, to, to, ends);
+    sides.push_back(straight(ends[0].p0, ends[1].p0));
+  }
+  void operator()(const Ellipse& s) {
+    add_arc(s, 0.0, 2.0 * glm::pi<double>(), sides);
+    add_sides();
+  }
+  /// Sides with the inside to their left, in loops where one begins at the other's end.
+  void add_sides() {
+    constexpr double kMeets = 1e-6;  // [px]
+    made.list.stroke = false;
+    for (const QuadBezier& side : sides) {
+      made.list.spines.push_back(spine_of(side, {0.0, 0.0, 0.0}));
+      made.list.spines.back().side = 1.0;
+    }
+    std::vector<Spine>& all = made.list.spines;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const glm::dvec2 own = outward(all[i], 0.0), end = outward(all[i], 1.0);
+      all[i].begin_x = own.x, all[i].begin_y = own.y, all[i].end_x = end.x, all[i].end_y = end.y;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      std::size_t next = (i + 1) % all.size();
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::size_t at = (i + 1 + k) % all.size();
+        if (glm::distance(on_spine(all[at], 0.0), on_spine(all[i], 1.0)) > kMeets) continue;
+        next = at;
+        join(all[i], all[at]);
+        break;
+      }
+      made.list.next.push_back(next);
+    }
   }
 };
 
-void make_spines(const Shape& shape, glm::dvec2 center, SpineShape& made, Path& pieces) {
-  made.stroke = true, made.slow = false;
-  made.ellipse.reset(), made.tree.reset();
-  made.spines.clear(), made.reach.clear(), made.next.clear();
-  std::visit(SpinesOfShape{center, made, pieces}, shape);
-  if (made.slow) made.spines.clear();
-  made.crosses = std::holds_alternative<Polyline>(shape) || made.tree ||
-                 (made.slow && std::holds_alternative<Path>(shape));
-  for (Spine<double>& s : made.spines) {
+void make_spines(const Shape& shape, glm::dvec2 center, ShapeSpines& made, Path& pieces) {
+  made.list.stroke = true;
+  made.tree.reset();
+  made.list.spines.clear(), made.list.reach.clear(), made.list.next.clear();
+  std::visit(SpinesOfShape{made, pieces}, shape);
+  for (Spine& s : made.list.spines) {
     s.x0 += center.x, s.y0 += center.y;
     double most = 0.0;
     for (const double t : {0.0, 1.0})
-      most = std::max(most, std::hypot(s.x1 + 2.0 * t * s.x2, s.y1 + 2.0 * t * s.y2) +
-                                std::abs(s.w1 + 2.0 * t * s.w2));
-    made.reach.push_back(most);
+      most = std::max(most, glm::length(along_spine(s, t)) + std::abs(s.w1 + 2.0 * t * s.w2));
+    made.list.reach.push_back(most);
   }
 }
 
 }  // namespace
 
 void FeetArea::make(const AreaDistance& area, glm::dvec2 center) {
-  constexpr double kSmall = 32.0;  // [px]
-  area_ = &area, center_ = center, fine_ = false;
-  // A shell folds the distance at the outline, so a thin one has three ridges beside each other.
-  for (const Node& n : area.nodes()) fine_ = fine_ || n.op == Op::shell;
+  area_ = &area, center_ = center;
   shapes_.resize(area.shapes().size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
-    const Shape& shape = area.shapes()[i];
     worked(500);
-    make_spines(shape, center, shapes_[i], pieces_);
-    const glm::dvec2 size = bounds(shape).size();
-    fine_ = fine_ || (shapes_.size() > 1 && std::min(size.x, size.y) < kSmall);
+    make_spines(area.shapes()[i], center, shapes_[i], pieces_);
   }
 }
 

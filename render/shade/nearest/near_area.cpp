@@ -1,17 +1,41 @@
-// Which operands of a combination matter around a place: of a union of thousands of shapes a few.
-
+#include "render/shade/nearest/near_area.h"
 #include "lib/base/watch.h"
-#include "render/shade/nearest/near_feet.h"
 #include "sdf/csg/combine.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace mien {
 
+void NearArea::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
+  area_ = &area, middle_ = middle, count_ = 0;
+  const auto& all = area.area()->nodes();
+  if (all.size() < kLargeTree)
+    nodes_.assign(all.begin(), all.end());
+  else
+    prune(all, middle - area.center(), radius, nodes_);
+  for (Node& n : nodes_) {
+    if (n.op != Op::shape) continue;
+    n.b = int(count_);
+    if (count_ == leaves_.size()) leaves_.emplace_back();
+    Leaf& leaf = leaves_[count_++];
+    const ShapeSpines& spines = area.shapes()[std::size_t(n.a)];
+    worked(30 * std::int64_t(spines.list.spines.size()));
+    leaf.shape = std::size_t(n.a), leaf.tree = spines.tree ? &*spines.tree : nullptr;
+    gather_branches(spines.list, middle, radius, leaf.branches);
+  }
+  pairs_.resize(nodes_.size() > 1 ? nodes_.size() : 0);
+}
+
+bool NearArea::crowded() const {
+  return std::any_of(leaves_.begin(), leaves_.begin() + std::ptrdiff_t(count_),
+                     [](const Leaf& leaf) { return leaf.branches.crowded; });
+}
+
 /// What of a tree decides somewhere in a disc: of two operands one alone, where the other is farther by more than both
 /// can change.
-void NearFeet::prune(std::span<const Node> nodes, glm::dvec2 middle, double radius,
+void NearArea::prune(std::span<const Node> nodes, glm::dvec2 middle, double radius,
                      std::vector<Node>& to) {
   constexpr int kUnused = -4, kNeeded = -3, kOnlyA = -2, kOnlyB = -1;
   worked(60 * std::int64_t(nodes.size()));
@@ -58,17 +82,25 @@ void NearFeet::prune(std::span<const Node> nodes, glm::dvec2 middle, double radi
   }
 }
 
-/// The tile's tree, as far as it matters at these places.
-std::span<const Node> NearFeet::nodes_around(std::span<const float> x, std::span<const float> y) {
-  constexpr std::size_t kFewPlaces = 16;
-  if (tree_.size() < kLargeTree || x.size() < kFewPlaces) return tree_;
-  const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
-  const auto [y0, y1] = std::minmax_element(y.begin(), y.end());
-  const glm::dvec2 middle{0.5 * (double(*x0) + double(*x1)), 0.5 * (double(*y0) + double(*y1))};
-  const double radius = 0.5 * std::hypot(double(*x1) - double(*x0), double(*y1) - double(*y0));
-  if (radius > 0.25 * radius_) return tree_;
-  prune(tree_, middle_ - area_->center() + middle, radius, near_);
-  return near_;
+void NearArea::sign_by_windings(const PathTree& tree, const float* x, const float* y,
+                                BranchPair& pair) const {
+  worked(300 * BranchPair::kPlaces);
+  // No side lies within a place's distance of it, so places there have its winding number.
+  glm::dvec2 known{0.0};
+  double around = 0.0;
+  bool inside = false;
+  for (int i = 0; i < BranchPair::kPlaces; ++i) {
+    const glm::dvec2 p{x[i], y[i]};
+    if (!(glm::distance(p, known) < around)) {
+      constexpr double kFloats = 1e-3;  // [px] more than distances of floats are off by
+      inside = tree.inside(middle_ - area_->center() + p);
+      known = p, around = std::abs(double(pair.best.d[i])) - kFloats;
+    }
+    for (BranchPair::Values* v : {&pair.best, &pair.beyond}) {
+      if ((v->d[i] < 0.0f) == inside) continue;
+      v->d[i] = -v->d[i], v->nx[i] = -v->nx[i], v->ny[i] = -v->ny[i];
+    }
+  }
 }
 
 }  // namespace mien

@@ -1,0 +1,70 @@
+#pragma once
+// A square of the picture's pixels, 16 wide or less, at multiples of its side: one piece of a lit paint, and the means
+// of its pixels as far as they were asked for.
+//
+// A square of 16, 8, 4 or 2 pixels is looked at by Gauss's 4 × 4 places. Where nothing breaks it (a ridge, a clamp of
+// the law, the steep outline of a round profile) and its terms of third degree are small, the means of its pixels and of
+// parts of them are those of the bicubic through these places, exactly. Else it is quartered. Pixels that are left are
+// looked at by 4 × 4 cells, cut by ridges; by 8 × 8 to 32 × 32 where those do not suffice (docs/derivations/light.md).
+
+#include "render/cover/part_form.h"
+#include "render/shade/light/lamp_lanes.h"
+#include "render/shade/nearest/near_area.h"
+#include "sdf/distance/feet/near_branches.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mien {
+
+struct LightTile {
+  static constexpr int kSide = 16, kPixels = kSide * kSide;
+  static constexpr int kLevels = 4, kSquares = 1 + 4 + 16 + 64;
+  static constexpr int kChannels = 4;
+
+  // Whose it is.
+  std::uint64_t paint = 0;
+  int zone = 0, x = 0, y = 0, side = kSide;  ///< its first pixel, and how many it has each way
+  const RampSegment* segment = nullptr;
+
+  LampLanes lamp;
+  bool rises = false;  ///< the profile does: `area` counts
+  bool crowded = false;  ///< too many branches: the tile says nothing
+  NearArea area, gradient;  ///< the latter where the ramp goes by a distance
+  float shallow = 0, deep = 0;
+  float tolerance = 0;  ///< of a mean, in what colours are counted in
+  int channels = 3;     ///< how many of them vary
+
+  enum class State : std::uint8_t { unknown, smooth, divided };
+  std::array<State, kSquares> state;
+  std::vector<NearBranches> near, near_gradient;  ///< by square and leaf
+  struct Bicubic {
+    alignas(64) float c[kChannels][16];  ///< at Gauss's places
+  };
+  std::vector<Bicubic> kept;                ///< of smooth squares
+  std::array<std::uint16_t, kSquares> where;  ///< among those
+  std::array<std::uint8_t, kPixels> known;
+  std::array<std::array<float, kPixels>, kChannels> mean;
+  long long places = 0;  ///< that were looked at
+  PartCells cells;       ///< scratch
+
+  static constexpr int first_of(int level) { return level == 0 ? 0 : level == 1 ? 1 : level == 2 ? 5 : 21; }
+  static constexpr int square(int level, int i, int j) { return first_of(level) + (j << level) + i; }
+  float middle() const { return 0.5f * float(side); }
+
+  /// Forgets what was known: of another place or piece.
+  void begin();
+};
+
+/// Makes the mean of pixel (i, j) of the tile known.
+void find_mean(LightTile& tile, int i, int j);
+
+/// The mean over a part of it.
+std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const PartForm& form);
+
+/// The colours at the centroids of its cells; of those without area 0.
+void colors_of_cells(LightTile& tile, int i, int j, const PartCells& cells,
+                     const std::array<float*, 4>& to);
+
+}  // namespace mien

@@ -1,0 +1,275 @@
+// Means of a tile's pixels and parts. Compiled once per instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shade/light/light_tile_simd.cpp"
+#include <hwy/foreach_target.h>
+#include "render/shade/light/gauss_square-inl.h"
+#include "render/shade/light/light_cells-inl.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using State = LightTile::State;
+
+void BeginTile(LightTile& tile) {
+  if (tile.rises) FindFeetOf(tile.area);
+  if (tile.lamp.goes_by_distance()) FindFeetOf(tile.gradient);
+}
+
+struct Square {
+  int level, i, j;
+  int index() const { return LightTile::square(level, i, j); }
+  Square outer() const { return {level - 1, i / 2, j / 2}; }
+};
+
+NearBranches* NearOf(std::vector<NearBranches>& all, const NearArea& area, int square) {
+  return all.data() + size_t(square) * area.leaf_count();
+}
+
+/// Half of what makes a level in linear light: dark values are encoded up to 12.92 times as steep.
+float AllowedOf(const LightTile& tile, const LightTile::Bicubic& c) {
+  if (!tile.lamp.linear || tile.lamp.distance_alone) return tile.tolerance;
+  float least = 1.0f;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 16; ++i) least = HWY_MIN(least, c.c[k][i]);
+  // 1.055 / 2.4 v^(−0.583) is less than 0.72 / √v.
+  const float steep = 0.72f / std::sqrt(HWY_MAX(least, 0.0031f));
+  return tile.tolerance / HWY_MAX(steep, 0.6f);
+}
+
+/// Whether the bicubic through a square's places serves; then it is kept.
+bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
+  // [of half the side] Places lie no farther from any other: nearer ridges may run between them.
+  constexpr float kBetween = 0.55f;
+  // [of the side] Depths under a round profile are no polynomials nearer to its outline; nor is a dome at its foot.
+  constexpr float kSteep = 0.1f, kFoot = 0.14f;
+  constexpr float kThird = 1.2f, kKink = 3.0f;  // of the tolerance
+  const float side = float(tile.side >> square.level), half = 0.5f * side;
+  if (tile.lamp.finest < side) return false;
+  const GaussTables& g = GaussTables::get();
+  alignas(64) float x[16], y[16];
+  for (int k = 0; k < 16; ++k) x[k] = cx + half * g.x[k], y[k] = cy + half * g.y[k];
+  HWY_ALIGN Seen at;
+  const int me = square.index();
+  SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
+          tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx,
+          cy, x, y, 3, at);
+  if (tile.rises) {
+    float highest = -1e9f, off = BranchPair::kFar;
+    for (int k = 0; k < 16; ++k) {
+      highest = HWY_MAX(highest, at.relief.best.d[k]), off = HWY_MIN(off, at.relief.off[k]);
+    }
+    if (off < kBetween * half) return false;
+    if (tile.lamp.is_round() && highest > -kSteep * side) return false;
+  }
+  if (tile.lamp.goes_by_distance())
+    for (int k = 0; k < 16; ++k)
+      if (at.ramp.off[k] < kBetween * half) return false;
+  HWY_ALIGN Shades shades;
+  ShadePlaces(tile, at, x, y, shades);
+  LightTile::Bicubic made;
+  for (int c = 0; c < tile.channels; ++c) std::copy_n(shades.c[c], 16, made.c[c]);
+  const float allowed = AllowedOf(tile, made);
+  if (KinkAmong(tile, shades, nullptr, 0.2f) > kKink * allowed) return false;
+  for (int k = 0; k < 16; ++k)
+    if (shades.foot[k] < kFoot * side) return false;
+  for (int c = 0; c < tile.channels; ++c)
+    if (ThirdOf(made.c[c]) > kThird * allowed) return false;
+  tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
+  tile.kept.push_back(made);
+  return true;
+}
+
+/// Looks at a square, if it was not yet.
+State Look(LightTile& tile, const Square& square) {
+  const int me = square.index();
+  State& state = tile.state[size_t(me)];
+  if (state != State::unknown) return state;
+  state = State::divided;
+  const bool outermost = square.level == 0;
+  const float side = float(tile.side >> square.level), middle = tile.middle();
+  const float cx = (float(square.i) + 0.5f) * side - middle,
+              cy = (float(square.j) + 0.5f) * side - middle;
+  const int outer = outermost ? 0 : square.outer().index();
+  constexpr float kDiagonal = 0.7072f;
+  Enter(tile, outermost || !tile.rises ? nullptr : NearOf(tile.near, tile.area, outer),
+        outermost || !tile.lamp.goes_by_distance() ? nullptr
+                                                   : NearOf(tile.near_gradient, tile.gradient, outer),
+        cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
+        NearOf(tile.near_gradient, tile.gradient, me));
+  if (!Serves(tile, square, cx, cy)) return state;
+  SpreadMeans(tile, square.i * int(side), square.j * int(side), int(side), tile.kept.back());
+  return state = State::smooth;
+}
+
+/// The smallest square around pixel (i, j), looked at; smooth, or it has 2 pixels.
+Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
+  Square square{0, 0, 0};
+  for (int level = 0; tile.side >> level >= 2; ++level) {
+    const int side = tile.side >> level;
+    square = {level, i / side, j / side};
+    if ((smooth = Look(tile, square) == State::smooth)) return square;
+  }
+  return square;
+}
+
+struct PixelNear {
+  const NearBranches *relief, *ramp;
+};
+
+/// Sees a part of a pixel, or all of it, by cells. What clamps and ridges leave is of second order in the cells' side.
+void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form, float* to) {
+  // [of the tolerance] A clamp that begins in the pixel leaves a 90th of its change to 4 × 4 cells; ridges less than a
+  // 400th of their jump.
+  constexpr float kKink = 45.0f, kJump = 100.0f, kAgree = 0.7f;
+  const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
+  std::array<NearBranches, 64> own, own_ramp;
+  const bool ramp = tile.lamp.goes_by_distance();
+  std::vector<NearBranches> many, many_ramp;
+  NearBranches *near = own.data(), *near_ramp = own_ramp.data();
+  if (tile.rises && tile.area.leaf_count() > own.size())
+    many.resize(tile.area.leaf_count()), near = many.data();
+  if (ramp && tile.gradient.leaf_count() > own_ramp.size())
+    many_ramp.resize(tile.gradient.leaf_count()), near_ramp = many_ramp.data();
+  const int from = around.index();
+  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from), cx,
+        cy, 0.7072f, near, near_ramp);
+  float before[LightTile::kChannels] = {};
+  for (int side = 4;; side *= 2) {
+    if (form)
+      cells_of_form(*form, side, tile.cells);
+    else
+      whole_cells(side, tile.cells);
+    CellSum sum;
+    alignas(64) float x[16], y[16];
+    for (size_t k = 0; k < size_t(side * side); k += 16) {
+      const float* area = &tile.cells.area[k];
+      float any = 0.0f;
+      for (int q = 0; q < 16; ++q) {
+        x[q] = cx + tile.cells.x[k + size_t(q)], y[q] = cy + tile.cells.y[k + size_t(q)];
+        any += area[q];
+      }
+      if (any > 0.0f) AddCells(tile, near, near_ramp, cx, cy, x, y, area, side, sum);
+    }
+    const float over = sum.area > 0.0f ? 1.0f / sum.area : 0.0f;
+    float apart = 0.0f;
+    for (int c = 0; c < tile.channels; ++c) {
+      to[c] = sum.c[c] * over;
+      apart = HWY_MAX(apart, std::abs(to[c] - before[c])), before[c] = to[c];
+    }
+    // What a part is off by counts by its area.
+    const float seen = HWY_MAX(sum.area, 0.05f), finer = float(side * side) / 16.0f;
+    if (side == PartCells::kMostSide) return;
+    const bool fine = tile.tolerance < 1e-4f && side == 4;
+    if (!fine && sum.kink * seen < kKink * finer * tile.tolerance &&
+        sum.jump * seen < kJump * finer * tile.tolerance)
+      return;
+    if (side > 4 && apart * seen < kAgree * tile.tolerance) return;
+  }
+}
+
+void FindMean(LightTile& tile, int i, int j) {
+  const size_t p = size_t(j * LightTile::kSide + i);
+  if (tile.known[p]) return;
+  bool smooth = false;
+  const Square around = SquareAround(tile, i, j, smooth);
+  if (tile.known[p]) return;
+  float c[LightTile::kChannels] = {};
+  ByCells(tile, around, i, j, nullptr, c);
+  for (int k = 0; k < tile.channels; ++k) tile.mean[size_t(k)][p] = c[k];
+  tile.known[p] = 1;
+}
+
+/// A smooth square's colour over a part: where it bends little at the part's centroid, with its variance.
+void BySquare(LightTile& tile, const Square& square, int i, int j, const PartForm& form, float* to) {
+  const LightTile::Bicubic& kept = tile.kept[tile.where[size_t(square.index())]];
+  const int side = tile.side >> square.level;
+  const float half = 0.5f * float(side), over = 1.0f / half;
+  const float u0 = float(i) + 0.5f - (float(square.i) + 0.5f) * float(side),
+              v0 = float(j) + 0.5f - (float(square.j) + 0.5f) * float(side);
+  cells_of_form(form, 4, tile.cells);
+  float area = 0.0f;
+  std::fill_n(to, LightTile::kChannels, 0.0f);
+  for (size_t k = 0; k < 16; ++k) {
+    const float a = tile.cells.area[k];
+    if (!(a > 0.0f)) continue;
+    float c[LightTile::kChannels];
+    BicubicAt(kept, tile.channels, (u0 + tile.cells.x[k]) * over, (v0 + tile.cells.y[k]) * over, c);
+    for (int q = 0; q < tile.channels; ++q) to[q] += a * c[q];
+    area += a;
+  }
+  for (int q = 0; q < tile.channels; ++q) to[q] *= area > 0.0f ? 1.0f / area : 0.0f;
+}
+
+void MeanOfPart(LightTile& tile, int i, int j, const PartForm& form, float* to) {
+  bool smooth = false;
+  const Square around = SquareAround(tile, i, j, smooth);
+  if (smooth)
+    BySquare(tile, around, i, j, form, to);
+  else
+    ByCells(tile, around, i, j, &form, to);
+}
+
+void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
+                   const std::array<float*, 4>& to) {
+  bool smooth = false;
+  const Square around = SquareAround(tile, i, j, smooth);
+  const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
+  std::vector<NearBranches> near(tile.area.leaf_count() + 1), near_ramp(tile.gradient.leaf_count() + 1);
+  const int from = around.index();
+  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from), cx,
+        cy, 0.7072f, near.data(), near_ramp.data());
+  alignas(64) float x[16], y[16];
+  for (size_t k = 0; k < size_t(cells.count()); k += 16) {
+    for (size_t q = 0; q < 16; ++q) x[q] = cx + cells.x[k + q], y[q] = cy + cells.y[k + q];
+    HWY_ALIGN Seen at;
+    HWY_ALIGN Shades shades;
+    SeeFrom(tile, near.data(), near_ramp.data(), cx, cy, x, y, 3, at);
+    ShadePlaces(tile, at, x, y, shades);
+    for (size_t c = 0; c < 4; ++c) std::copy_n(shades.c[c], 16, to[c] + k);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mien {
+namespace batch {
+HWY_EXPORT(BeginTile);
+HWY_EXPORT(FindMean);
+HWY_EXPORT(MeanOfPart);
+HWY_EXPORT(ColorsOfCells);
+}  // namespace batch
+
+void LightTile::begin() {
+  state.fill(State::unknown), known.fill(0), kept.clear();
+  near.resize(std::size_t(kSquares) * area.leaf_count() + 1);
+  near_gradient.resize(std::size_t(kSquares) * gradient.leaf_count() + 1);
+  MIEN_DISPATCH(BeginTile)(*this);
+}
+
+void find_mean(LightTile& tile, int i, int j) {
+  MIEN_DISPATCH(FindMean)(tile, i, j);
+}
+
+std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const PartForm& form) {
+  std::array<float, 4> mean{};
+  MIEN_DISPATCH(MeanOfPart)(tile, i, j, form, mean.data());
+  return mean;
+}
+
+void colors_of_cells(LightTile& tile, int i, int j, const PartCells& cells,
+                     const std::array<float*, 4>& to) {
+  MIEN_DISPATCH(ColorsOfCells)(tile, i, j, cells, to);
+}
+
+}  // namespace mien
+#endif

@@ -1,0 +1,134 @@
+// Sixteen places of a lit piece: what they see, their colours, and what breaks a mean over them. Included once per
+// instruction set.
+#if defined(MIEN_RENDER_SHADE_LIT_PLACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIEN_RENDER_SHADE_LIT_PLACES_INL_H_
+#undef MIEN_RENDER_SHADE_LIT_PLACES_INL_H_
+#else
+#define MIEN_RENDER_SHADE_LIT_PLACES_INL_H_
+#endif
+
+#include "render/shade/light/lamp_lanes-inl.h"
+#include "render/shade/light/light_tile.h"
+#include "render/shade/nearest/near_area-inl.h"
+
+#include <algorithm>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What places see of the relief, and of the distance that the ramp goes by.
+struct Seen {
+  BranchPair relief, ramp;
+};
+
+struct Shades {
+  alignas(64) float c[LightTile::kChannels][16];
+  alignas(64) float bounds[3][16];
+  alignas(64) float foot[16];
+};
+
+/// Enters a square around (cx, cy), of half a diagonal r.
+inline void Enter(LightTile& tile, const NearBranches* from, const NearBranches* from_ramp, float cx,
+                  float cy, float r, NearBranches* to, NearBranches* to_ramp) {
+  if (tile.rises) EnterSquare(tile.area, from, cx, cy, r, to);
+  if (tile.lamp.goes_by_distance()) EnterSquare(tile.gradient, from_ramp, cx, cy, r, to_ramp);
+}
+
+inline void SeeFrom(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp, float cx,
+                    float cy, const float* x, const float* y, int steps, Seen& to) {
+  tile.places += 16;
+  if (tile.rises) LookAround(tile.area, near, cx, cy, x, y, steps, to.relief);
+  if (tile.lamp.goes_by_distance())
+    LookAround(tile.gradient, near_ramp, cx, cy, x, y, steps, to.ramp);
+}
+
+/// The colour at a depth, or the distance alone.
+HWY_INLINE LitColor ColorAt(const LightTile& tile, VF depth, VF nx, VF ny, VF x, VF y, VF away) {
+  if (tile.lamp.distance_alone) {
+    const VF zero = hn::Zero(F()), none = Const(-1.0f);
+    return {{hn::Neg(depth), zero, zero, zero}, {none, none, none}, Const(1e9f)};
+  }
+  return LitAt(tile.lamp, depth, nx, ny, x, y, away);
+}
+
+/// The nearest ridge of both, as lanes.
+struct RidgeLanes {
+  VF off, ex, ey;
+  hn::Mask<F> of_ramp;
+};
+HWY_INLINE RidgeLanes RidgeAt(const LightTile& tile, const Seen& at, int k) {
+  const F f;
+  const auto load = [&](const float* p) HWY_ATTR { return hn::Load(f, p + k); };
+  RidgeLanes r{Const(BranchPair::kFar), Const(1.0f), hn::Zero(f), hn::Lt(hn::Zero(f), hn::Zero(f))};
+  if (tile.rises) r.off = load(at.relief.off), r.ex = load(at.relief.ex), r.ey = load(at.relief.ey);
+  if (tile.lamp.goes_by_distance()) {
+    const VF off = load(at.ramp.off);
+    r.of_ramp = hn::Lt(off, r.off);
+    r.off = hn::IfThenElse(r.of_ramp, off, r.off);
+    r.ex = hn::IfThenElse(r.of_ramp, load(at.ramp.ex), r.ex);
+    r.ey = hn::IfThenElse(r.of_ramp, load(at.ramp.ey), r.ey);
+  }
+  return r;
+}
+
+HWY_INLINE void PutColor(const LitColor& color, int k, Shades& to) {
+  const F f;
+  for (int c = 0; c < LightTile::kChannels; ++c) hn::Store(color.c[c], f, to.c[c] + k);
+  for (int b = 0; b < 3; ++b) hn::Store(color.bounds[b], f, to.bounds[b] + k);
+  hn::Store(color.foot, f, to.foot + k);
+}
+
+/// Each place by itself.
+inline void ShadePlaces(const LightTile& tile, const Seen& at, const float* px, const float* py,
+                        Shades& to) {
+  const F f;
+  for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
+    const auto load = [&](const float* p) HWY_ATTR { return hn::Load(f, p + k); };
+    const VF zero = hn::Zero(f);
+    const VF depth = tile.rises ? hn::Neg(load(at.relief.best.d)) : zero;
+    const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
+    const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
+    const VF away = tile.lamp.goes_by_distance() ? load(at.ramp.best.d) : zero;
+    PutColor(ColorAt(tile, depth, nx, ny, hn::LoadU(f, px + k), hn::LoadU(f, py + k), away), k, to);
+  }
+}
+
+/// By how much a clamp of the law that begins among places, or close to them, may change colours there; 0 if none does.
+/// `there`: which places count (area > 0), or null.
+inline float KinkAmong(const LightTile& tile, const Shades& s, const float* there, float margin) {
+  const LampLanes& lamp = tile.lamp;
+  if (lamp.distance_alone) return 0.0f;
+  const auto range = [&](const float* v) {
+    float low = 1e9f, high = -1e9f;
+    for (int i = 0; i < 16; ++i) {
+      const bool counts = !there || there[i] > 0.0f;
+      low = counts && v[i] < low ? v[i] : low, high = counts && v[i] > high ? v[i] : high;
+    }
+    return std::pair{low, high};
+  };
+  // No channel changes by more than the light does, times what the transfer function is steepest.
+  const float steepest = lamp.linear ? 1.0f : 12.92f;
+  const float weight[3] = {lamp.diffuse * steepest, lamp.shine * steepest, steepest};
+  float most = 0.0f;
+  for (int b = 0; b < 3; ++b) {
+    if (!(weight[b] > 0.0f)) continue;
+    const auto [low, high] = range(s.bounds[b]);
+    const float wide = high - low;
+    if (low < margin * wide && high > -margin * wide) most = HWY_MAX(most, weight[b] * wide);
+  }
+  if (most == 0.0f) return 0.0f;
+  float seen = 0.0f;
+  for (int c = 0; c < 3; ++c) {
+    const auto [low, high] = range(s.c[c]);
+    seen = HWY_MAX(seen, high - low);
+  }
+  return HWY_MIN(most, seen);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,295 @@
+// Feet on branches, in lanes. Included once per instruction set.
+//
+// Newton's method for f(t) = (B − p) · B' − w' |B − p| = 0, from a foot close by. Where f grows by at least 0.3 |B'|²
+// (branches.h) two steps from a foot a square's side away leave less than 1e-3 px along the spine, so 1e-6 of a
+// distance, whose error is of second order. Normals come from B' and w' alone, n · B' = −w', and so are right on a
+// spine, too, where the way to the foot is all rounding.
+#if defined(MIEN_SDF_DISTANCE_FEET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIEN_SDF_DISTANCE_FEET_INL_H_
+#undef MIEN_SDF_DISTANCE_FEET_INL_H_
+#else
+#define MIEN_SDF_DISTANCE_FEET_INL_H_
+#endif
+
+#include "sdf/distance/feet/branch_pair.h"
+#include "sdf/distance/feet/branches.h"
+#include "sdf/distance/feet/near_branches.h"
+#include "sdf/distance/lanes/fma-inl.h"
+
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using VF = hn::Vec<F>;
+
+/// One branch for many places, or many branches for one.
+struct BranchLanes {
+  VF x0, x1, x2, y0, y1, y2, w0, w1, w2, low, high;
+};
+
+HWY_INLINE BranchLanes AllOf(const Branches& b, int k) {
+  const F f;
+  const auto at = [&](Branches::Row r) HWY_ATTR { return hn::LoadU(f, b.row(r) + k); };
+  return {at(Branches::x0), at(Branches::x1),  at(Branches::x2), at(Branches::y0),
+          at(Branches::y1), at(Branches::y2),  at(Branches::w0), at(Branches::w1),
+          at(Branches::w2), at(Branches::low), at(Branches::high)};
+}
+HWY_INLINE BranchLanes OneOf(const Branches& b, int k) {
+  const F f;
+  const auto at = [&](Branches::Row r) HWY_ATTR { return hn::Set(f, b.row(r)[k]); };
+  return {at(Branches::x0), at(Branches::x1), at(Branches::x2), at(Branches::y0),
+          at(Branches::y1), at(Branches::y2), at(Branches::w0), at(Branches::w1),
+          at(Branches::w2), at(Branches::first), at(Branches::last)};
+}
+
+/// Where p − B(t) points and how fast B goes there.
+struct Reached {
+  VF ex, ey;  ///< B − p
+  VF gx, gy;  ///< B'
+  VF speed2, along;
+};
+HWY_INLINE Reached ReachedAt(const BranchLanes& c, VF x, VF y, VF t) {
+  const F f;
+  const VF two = hn::Set(f, 2.0f), tt = hn::Mul(two, t);
+  Reached at;
+  at.ex = hn::Sub(Fused(t, Fused(t, c.x2, c.x1), c.x0), x);
+  at.ey = hn::Sub(Fused(t, Fused(t, c.y2, c.y1), c.y0), y);
+  at.gx = Fused(tt, c.x2, c.x1), at.gy = Fused(tt, c.y2, c.y1);
+  at.speed2 = Fused(at.gx, at.gx, hn::Mul(at.gy, at.gy));
+  at.along = Fused(at.ex, at.gx, hn::Mul(at.ey, at.gy));
+  return at;
+}
+
+/// f and f', both times |B − p| for strokes.
+struct Slope {
+  VF value, rise, scale;
+};
+template <bool kStroke>
+HWY_INLINE Slope SlopeAt(const BranchLanes& c, const Reached& at, VF t) {
+  const F f;
+  const VF two = hn::Set(f, 2.0f);
+  const VF bends = Fused(at.ex, c.x2, hn::Mul(at.ey, c.y2));
+  const VF rise = Fused(two, bends, at.speed2);
+  if (!kStroke) return {at.along, rise, hn::Set(f, 1.0f)};
+  const VF r2 = Fused(at.ex, at.ex, Fused(at.ey, at.ey, hn::Set(f, 1e-12f))), r = hn::Sqrt(r2);
+  const VF rate = Fused(hn::Mul(two, t), c.w2, c.w1);
+  const VF value = FusedFrom(rate, r2, hn::Mul(at.along, r));
+  const VF less = Fused(hn::Mul(two, c.w2), r2, hn::Mul(rate, at.along));
+  return {value, hn::Sub(hn::Mul(rise, r), less), r};
+}
+
+template <bool kStroke>
+HWY_INLINE VF Stepped(const BranchLanes& c, VF x, VF y, VF t) {
+  const F f;
+  const Reached at = ReachedAt(c, x, y, t);
+  const Slope s = SlopeAt<kStroke>(c, at, t);
+  // Less than that is no minimum; the step stays short.
+  const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.05f), hn::Set(f, 1e-20f)), s.scale);
+  const VF to = hn::Sub(t, hn::Div(s.value, hn::Max(s.rise, least)));
+  return hn::Min(hn::Max(to, c.low), c.high);
+}
+
+/// The feet seen from the disc's middle, and how they move with the place.
+template <bool kStroke>
+HWY_INLINE void FindMiddleFeet(Branches& b) {
+  const F f;
+  for (int k = 0; k < b.count; k += int(hn::Lanes(f))) {
+    const BranchLanes c = AllOf(b, k);
+    const VF zero = hn::Zero(f);
+    VF t = hn::LoadU(f, b.row(Branches::foot) + k);
+    for (int i = 0; i < 4; ++i) t = Stepped<kStroke>(c, zero, zero, t);
+    const Reached at = ReachedAt(c, zero, zero, t);
+    const Slope s = SlopeAt<kStroke>(c, at, t);
+    VF mx = hn::Mul(at.gx, s.scale), my = hn::Mul(at.gy, s.scale);
+    if (kStroke) {
+      const VF rate = Fused(hn::Add(t, t), c.w2, c.w1);
+      mx = FusedFrom(rate, at.ex, mx), my = FusedFrom(rate, at.ey, my);
+    }
+    const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.3f), hn::Set(f, 1e-20f)), s.scale);
+    const VF over = hn::Div(hn::Set(f, 1.0f), hn::Max(s.rise, least));
+    hn::StoreU(t, f, b.row(Branches::foot) + k);
+    hn::StoreU(hn::Mul(mx, over), f, b.row(Branches::foot_x) + k);
+    hn::StoreU(hn::Mul(my, over), f, b.row(Branches::foot_y) + k);
+  }
+}
+
+template <class M>
+HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(F(), mask, bytes);
+  return std::uint64_t(bytes[0] | bytes[1] << 8) << k;
+}
+
+/// Lets the branches in `from` go that are nowhere nearest within r of (cx, cy), and finds their feet there, to t.
+template <bool kStroke>
+HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx, float cy, float r,
+                                 float* t_of) {
+  const F f;
+  constexpr int kLanes = int(hn::MaxLanes(F()));
+  HWY_ALIGN float keys[Branches::kStride];
+  const VF x = hn::Set(f, cx), y = hn::Set(f, cy), zero = hn::Zero(f);
+  std::uint64_t gone = 0;
+  const std::uint64_t lanes = kLanes == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << kLanes) - 1;
+  for (int k = 0; k < b.count; k += kLanes) {
+    if (!(from >> k & lanes)) continue;
+    const BranchLanes c = AllOf(b, k);
+    const auto at_row = [&](Branches::Row row) HWY_ATTR { return hn::LoadU(f, b.row(row) + k); };
+    VF t = Fused(x, at_row(Branches::foot_x),
+                 Fused(y, at_row(Branches::foot_y), at_row(Branches::foot)));
+    t = hn::Min(hn::Max(t, c.low), c.high);
+    for (int i = 0; i < 2; ++i) t = Stepped<kStroke>(c, x, y, t);
+    const Reached at = ReachedAt(c, x, y, t);
+    const Slope s = SlopeAt<kStroke>(c, at, t);
+    const auto held_low = hn::Le(t, c.low), held_high = hn::Ge(t, c.high);
+    const auto first = hn::Le(t, at_row(Branches::first)), last = hn::Ge(t, at_row(Branches::last));
+    // Held at an end that is none of the outline's: the neighbour is nearer. Where feet are hard to tell both stay.
+    const VF speed2 = hn::Mul(at.speed2, s.scale);
+    const auto steady = hn::Gt(s.rise, hn::Mul(speed2, hn::Set(f, 0.35f)));
+    auto out = hn::And(steady, hn::Or(hn::AndNot(first, held_low), hn::AndNot(last, held_high)));
+    if (!kStroke) {
+      // So is the next side at a corner, where both end firmly: seen from all over the square.
+      const VF r2 = hn::Set(f, r * r);
+      const auto firm = hn::Gt(hn::Mul(s.value, s.value), hn::Mul(r2, at.speed2));
+      const VF nx = at_row(Branches::next_x), ny = at_row(Branches::next_y);
+      const VF on = hn::Neg(Fused(at.ex, nx, hn::Mul(at.ey, ny)));
+      const VF next2 = hn::Mul(r2, Fused(nx, nx, hn::Mul(ny, ny)));
+      const auto goes_on = hn::Or(hn::Gt(on, zero), hn::Lt(hn::Mul(on, on), next2));
+      const auto begins = hn::And(hn::And(first, firm), hn::Gt(s.value, zero));
+      const auto ends = hn::And(hn::And(last, firm), hn::And(hn::Lt(s.value, zero), goes_on));
+      out = hn::Or(out, hn::Or(begins, ends));
+    }
+    gone |= BitsOf(out, k);
+    const VF away = hn::Sqrt(Fused(at.ex, at.ex, hn::Mul(at.ey, at.ey)));
+    const VF key = hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
+    hn::StoreU(t, f, t_of + k), hn::StoreU(key, f, keys + k);
+  }
+  NearBranches found;
+  float best = BranchPair::kFar;
+  for (std::uint64_t rest = from; rest; rest &= rest - 1)
+    best = HWY_MIN(best, keys[std::countr_zero(rest)]);
+  const float most = best + 2.0f * r + 0.01f;  // and what floats round
+  for (std::uint64_t rest = from; rest; rest &= rest - 1) {
+    const int k = std::countr_zero(rest);
+    if (keys[k] < most) found.near |= std::uint64_t{1} << k;
+  }
+  found.key = best, found.local = found.near & ~gone;
+  if (!found.local) found.local = found.near;
+  return found;
+}
+
+/// What one vector of places sees of a spine's branch.
+struct Sight {
+  VF key, nx, ny;  ///< k and its gradient
+  VF sign;         ///< −1 inside a path
+  VF off, ex, ey;  ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
+  VF across;       ///< of strokes: the gradient's share across the spine
+};
+
+template <bool kStroke>
+HWY_INLINE Sight SightOf(const Branches& b, int k, float t0, float cx, float cy, VF x, VF y,
+                         int steps) {
+  const F f;
+  const auto set = [&](float v) HWY_ATTR { return hn::Set(f, v); };
+  const VF zero = hn::Zero(f), one = set(1.0f);
+  const BranchLanes c = OneOf(b, k);
+  VF t = Fused(hn::Sub(x, set(cx)), set(b.row(Branches::foot_x)[k]),
+               Fused(hn::Sub(y, set(cy)), set(b.row(Branches::foot_y)[k]), set(t0)));
+  t = hn::Min(hn::Max(t, c.low), c.high);
+  for (int i = 0; i < steps; ++i) t = Stepped<kStroke>(c, x, y, t);
+  const Reached at = ReachedAt(c, x, y, t);
+  const VF qx = hn::Neg(at.ex), qy = hn::Neg(at.ey);
+  const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
+  const VF nx = hn::Mul(at.gy, over), ny = hn::Neg(hn::Mul(at.gx, over));
+  const VF across = Fused(qx, nx, hn::Mul(qy, ny)), hand = hn::CopySign(one, across);
+  const VF r = hn::Sqrt(Fused(qx, qx, Fused(qy, qy, set(1e-16f)))), over_r = hn::Div(one, r);
+  const auto inner = hn::And(hn::Gt(t, c.low), hn::Lt(t, c.high));
+  Sight s;
+  if (kStroke) {
+    const VF lean = hn::Neg(hn::Mul(Fused(hn::Add(t, t), c.w2, c.w1), over));
+    const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
+    const VF side = hn::Mul(hand, turned);
+    s.key = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
+    s.nx = hn::IfThenElse(inner, FusedFrom(lean, ny, hn::Mul(side, nx)), hn::Mul(qx, over_r));
+    s.ny = hn::IfThenElse(inner, Fused(lean, nx, hn::Mul(side, ny)), hn::Mul(qy, over_r));
+    s.off = hn::IfThenElse(inner, hn::Abs(across), set(BranchPair::kFar));
+    s.ex = hn::Neg(hn::Mul(hand, nx)), s.ey = hn::Neg(hn::Mul(hand, ny)), s.across = turned;
+    return s;
+  }
+  const auto end = hn::Ge(t, c.high);
+  const auto row = [&](Branches::Row which) HWY_ATTR { return set(b.row(which)[k]); };
+  const VF px = hn::IfThenElse(end, row(Branches::end_x), row(Branches::begin_x));
+  const VF py = hn::IfThenElse(end, row(Branches::end_y), row(Branches::begin_y));
+  const VF beside = hn::CopySign(one, Fused(qx, px, hn::Mul(qy, py)));
+  // At a corner itself only the outline's own normal gives a direction.
+  const auto at_end = hn::Lt(r, set(1e-3f));
+  s.key = hn::IfThenElse(inner, hn::Abs(across), r);
+  s.sign = hn::IfThenElse(inner, hn::Mul(hand, row(Branches::side)), beside);
+  const VF ox = hn::IfThenElse(at_end, hn::Mul(px, beside), hn::Mul(qx, over_r));
+  const VF oy = hn::IfThenElse(at_end, hn::Mul(py, beside), hn::Mul(qy, over_r));
+  s.nx = hn::IfThenElse(inner, hn::Mul(hand, nx), ox), s.ny = hn::IfThenElse(inner, hn::Mul(hand, ny), oy);
+  s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
+  return s;
+}
+
+/// The pair that sixteen places see of these branches, from their feet at (cx, cy).
+template <bool kStroke>
+HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const float* t_of, float cx, float cy,
+                       const float* px, const float* py, int steps, BranchPair& to) {
+  const F f;
+  const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
+  const VF alike = hn::Set(f, 4e-4f);  // [of |n − n'|²] one branch's
+  for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
+    const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
+    Sight best{far, one, zero, one, far, one, zero, zero}, next = best;
+    for (std::uint64_t rest = which; rest; rest &= rest - 1) {
+      const int i = std::countr_zero(rest);
+      const Sight now = SightOf<kStroke>(b, i, t_of[i], cx, cy, x, y, steps);
+      const auto nearer = hn::Lt(now.key, best.key);
+      const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
+      const VF lost_key = pick(best.key, now.key), lost_x = pick(best.nx, now.nx),
+               lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign);
+      best = {pick(now.key, best.key), pick(now.nx, best.nx), pick(now.ny, best.ny),
+              pick(now.sign, best.sign), pick(now.off, best.off), pick(now.ex, best.ex),
+              pick(now.ey, best.ey), pick(now.across, best.across)};
+      const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
+      const auto other = hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike),
+                                 hn::Lt(lost_key, next.key));
+      next.key = hn::IfThenElse(other, lost_key, next.key);
+      next.nx = hn::IfThenElse(other, lost_x, next.nx);
+      next.ny = hn::IfThenElse(other, lost_y, next.ny);
+      next.sign = hn::IfThenElse(other, lost_sign, next.sign);
+    }
+    const VF dx = hn::Sub(best.nx, next.nx), dy = hn::Sub(best.ny, next.ny);
+    const VF over = hn::Div(one, hn::Sqrt(Fused(dx, dx, Fused(dy, dy, hn::Set(f, 1e-12f)))));
+    VF off = hn::IfThenElse(hn::Lt(next.key, hn::Set(f, 1e8f)),
+                            hn::Mul(hn::Sub(next.key, best.key), over), far);
+    VF ex = hn::Mul(dx, over), ey = hn::Mul(dy, over);
+    if (kStroke) {  // the spine mirrors
+      const auto spine = hn::And(hn::Lt(best.off, off), hn::Gt(best.across, hn::Set(f, 0.01f)));
+      const VF up = Fused(best.nx, best.ex, hn::Mul(best.ny, best.ey)), two = hn::Set(f, -2.0f);
+      off = hn::IfThenElse(spine, best.off, off);
+      ex = hn::IfThenElse(spine, best.ex, ex), ey = hn::IfThenElse(spine, best.ey, ey);
+      const VF mirrored = Fused(hn::Mul(two, best.off), best.across, best.key);
+      next.key = hn::IfThenElse(spine, mirrored, next.key);
+      next.nx = hn::IfThenElse(spine, Fused(hn::Mul(two, up), best.ex, best.nx), next.nx);
+      next.ny = hn::IfThenElse(spine, Fused(hn::Mul(two, up), best.ey, best.ny), next.ny);
+      next.sign = hn::IfThenElse(spine, best.sign, next.sign);
+    }
+    const auto put = [&](const Sight& s, BranchPair::Values& v) HWY_ATTR {
+      hn::StoreU(hn::Mul(s.sign, s.key), f, v.d + k);
+      hn::StoreU(hn::Mul(s.sign, s.nx), f, v.nx + k);
+      hn::StoreU(hn::Mul(s.sign, s.ny), f, v.ny + k);
+    };
+    put(best, to.best), put(next, to.beyond);
+    hn::StoreU(off, f, to.off + k), hn::StoreU(ex, f, to.ex + k), hn::StoreU(ey, f, to.ey + k);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+#endif

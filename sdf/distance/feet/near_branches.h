@@ -1,0 +1,14 @@
+#pragma once
+// Which branches matter in a square.
+
+#include <cstdint>
+
+namespace mien {
+
+struct NearBranches {
+  std::uint64_t near = 0;   ///< may be nearest somewhere in it
+  std::uint64_t local = 0;  ///< of those, the least among their neighbours
+  float key = 0;            ///< the least |p − B| − w at its middle
+};
+
+}  // namespace mien
