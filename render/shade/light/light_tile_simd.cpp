@@ -32,15 +32,19 @@ NearBranches* NearOf(std::vector<NearBranches>& all, const NearArea& area, int s
   return all.data() + size_t(square) * area.leaf_count();
 }
 
-/// Half of what makes a level in linear light: dark values are encoded up to 12.92 times as steep.
-float AllowedOf(const LightTile& tile, const LightTile::Bicubic& c) {
+/// What means may be off by where the least value is that: dark values of linear light are encoded up to 12.92 times as
+/// steep.
+float AllowedAt(const LightTile& tile, float least) {
   if (!tile.lamp.linear || tile.lamp.distance_alone) return tile.tolerance;
-  float least = 1.0f;
-  for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 16; ++i) least = HWY_MIN(least, c.c[k][i]);
   // 1.055 / 2.4 v^(−0.583) is less than 0.72 / √v.
-  const float steep = 0.72f / std::sqrt(HWY_MAX(least, 0.0031f));
-  return tile.tolerance / HWY_MAX(steep, 0.6f);
+  return tile.tolerance / HWY_MAX(0.72f / std::sqrt(HWY_MAX(least, 0.0031f)), 0.6f);
+}
+
+float LeastOf(const LightTile::Bicubic& square) {
+  float least = 1.0f;
+  for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < 16; ++k) least = HWY_MIN(least, square.c[c][k]);
+  return least;
 }
 
 /// Whether the bicubic through a square's places serves; then it is kept.
@@ -49,8 +53,11 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   constexpr float kBetween = 0.55f;
   // [of the side] Depths under a round profile are no polynomials nearer to its outline; nor is a dome at its foot.
   constexpr float kSteep = 0.1f, kFoot = 0.14f;
-  constexpr float kThird = 1.2f, kKink = 3.0f;  // of the tolerance
+  constexpr float kThird = 1.2f;  // of the tolerance
   const float side = float(tile.side >> square.level), half = 0.5f * side;
+  // [of the tolerance] A clamp that begins in a square's middle leaves to a pixel's mean a 60th of its change where the
+  // pixel is a quarter of the square, a 20th where less.
+  const float kKink = side < 6.0f ? 8.0f : 3.0f;
   if (tile.lamp.finest < side) return false;
   const GaussTables& g = GaussTables::get();
   alignas(64) float x[16], y[16];
@@ -75,7 +82,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   ShadePlaces(tile, at, x, y, shades);
   LightTile::Bicubic made;
   for (int c = 0; c < tile.channels; ++c) std::copy_n(shades.c[c], 16, made.c[c]);
-  const float allowed = AllowedOf(tile, made);
+  const float allowed = tile.lamp.linear ? AllowedAt(tile, LeastOf(made)) : tile.tolerance;
   if (KinkAmong(tile, shades, nullptr, 0.2f) > kKink * allowed) return false;
   for (int k = 0; k < 16; ++k)
     if (shades.foot[k] < kFoot * side) return false;
@@ -84,6 +91,67 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
   tile.kept.push_back(made);
   return true;
+}
+
+/// Two by two pixels by Gauss's 2 × 2 places of each: exact for their cubics. Pixels that nothing breaks become known.
+void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
+  // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
+  constexpr float kBetween = 0.45f, kDeep = 1.0f;
+  // [of the tolerance] A clamp that begins in a pixel leaves a 60th of its change, and what varies so little no more.
+  constexpr float kKink = 20.0f, kRange = 80.0f;
+  // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
+  constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
+  if (tile.lamp.finest < 3.0f) return;
+  alignas(64) float x[16], y[16];
+  for (int k = 0; k < 16; ++k) {
+    // By pixel: places 4 p to 4 p + 3.
+    x[k] = cx + (k & 4 ? 0.5f : -0.5f) + (k & 1 ? kPlace : -kPlace);
+    y[k] = cy + (k & 8 ? 0.5f : -0.5f) + (k & 2 ? kPlace : -kPlace);
+  }
+  HWY_ALIGN Seen at;
+  const int me = square.index();
+  const bool ramp = tile.lamp.goes_by_distance();
+  SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
+          ramp ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx, cy, x, y, 2, at);
+  bool fits[4] = {true, true, true, true};
+  const bool round = tile.rises && tile.lamp.is_round();
+  for (int k = 0; k < 16; ++k) {
+    bool& fit = fits[k / 4];
+    if (tile.rises) fit = fit && at.relief.off[k] > kBetween;
+    if (ramp) fit = fit && at.ramp.off[k] > kBetween;
+    if (round) fit = fit && at.relief.best.d[k] < -kDeep;
+    if (tile.rises && k % 4 != 0) {
+      const int first = k & ~3;
+      const float turn = std::abs(at.relief.best.nx[k] - at.relief.best.nx[first]) +
+                         std::abs(at.relief.best.ny[k] - at.relief.best.ny[first]);
+      fit = fit && turn < kTurn;
+    }
+  }
+  if (!(fits[0] || fits[1] || fits[2] || fits[3])) return;
+  HWY_ALIGN Shades shades;
+  ShadePlaces(tile, at, x, y, shades);
+  for (int p = 0; p < 4; ++p) {
+    if (!fits[p]) continue;
+    alignas(64) float counts[16] = {};
+    float mean[LightTile::kChannels], wide = 0.0f, least = 1.0f;
+    for (int q = 0; q < 4; ++q) counts[4 * p + q] = 1.0f;
+    for (int c = 0; c < tile.channels; ++c) {
+      const float* v = shades.c[c] + 4 * p;
+      mean[c] = 0.25f * ((v[0] + v[3]) + (v[1] + v[2]));
+      const float high = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3])),
+                  low = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
+      wide = HWY_MAX(wide, high - low), least = HWY_MIN(least, low);
+    }
+    const float allowed = AllowedAt(tile, least);
+    float foot = 1e9f;
+    for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * p + q]);
+    if (wide > kRange * allowed || foot < 0.5f) continue;
+    if (KinkAmong(tile, shades, counts, 0.5f) > kKink * allowed) continue;
+    const int side = 2, i = square.i * side + (p & 1), j = square.j * side + (p >> 1);
+    const size_t to = size_t(j * LightTile::kSide + i);
+    for (int c = 0; c < tile.channels; ++c) tile.mean[size_t(c)][to] = mean[c];
+    tile.known[to] = 1;
+  }
 }
 
 /// Looks at a square, if it was not yet.
@@ -103,6 +171,10 @@ State Look(LightTile& tile, const Square& square) {
                                                    : NearOf(tile.near_gradient, tile.gradient, outer),
         cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
         NearOf(tile.near_gradient, tile.gradient, me));
+  if (side < 3.0f) {
+    LookAtPixels(tile, square, cx, cy);
+    return state;
+  }
   if (!Serves(tile, square, cx, cy)) return state;
   SpreadMeans(tile, square.i * int(side), square.j * int(side), int(side), tile.kept.back());
   return state = State::smooth;

@@ -31,6 +31,14 @@ inline void EnterSquare(NearArea& area, const NearBranches* from, float x, float
   size_t k = 0;
   for (NearArea::Leaf& leaf : area.leaves()) {
     const Branches& b = leaf.branches;
+    if (from && from[k].sure) {
+      const NearBranches& known = from[k];
+      const int i = std::countr_zero(known.local);
+      leaf.foot[size_t(i)] = known.foot + (x - known.x) * b.row(Branches::foot_x)[i] +
+                             (y - known.y) * b.row(Branches::foot_y)[i];
+      to[k++] = known;
+      continue;
+    }
     const std::uint64_t before = from ? from[k].near : b.all();
     to[k++] = b.stroke ? Narrowed<true>(b, before, x, y, r, leaf.foot.data())
                        : Narrowed<false>(b, before, x, y, r, leaf.foot.data());

@@ -41,19 +41,17 @@ class Gathering {
   void run() {
     to_.count = 0, to_.stroke = outline_.stroke, to_.crowded = false;
     to_.figures.resize(std::size_t(Branches::kRows * Branches::kStride));
+    const std::size_t count = outline_.spines.size();
+    keys_.resize(2 * count);
     best_ = std::numeric_limits<double>::infinity();
-    for (const Spine& s : outline_.spines)
-      best_ = std::min({best_, key_at(s, 0.0, middle_), key_at(s, 1.0, middle_)});
-    // The best falls on the way: those before are asked again with the last one.
-    for (int pass = 0; pass < 2; ++pass) {
-      to_.count = 0;
-      for (std::size_t i = 0; i < outline_.spines.size() && !to_.crowded; ++i) {
-        now_ = i, wide_ = widest(outline_.spines[i]);
-        const Spine& s = outline_.spines[i];
-        cut(0.0, 1.0, key_at(s, 0.0, middle_), key_at(s, 1.0, middle_));
-      }
-      if (!(best_ < last_best_)) break;
-      if (pass == 0) last_best_ = best_, to_.crowded = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      keys_[2 * i] = key_at(outline_.spines[i], 0.0, middle_);
+      keys_[2 * i + 1] = key_at(outline_.spines[i], 1.0, middle_);
+      best_ = std::min({best_, keys_[2 * i], keys_[2 * i + 1]});
+    }
+    for (now_ = 0; now_ < count && !to_.crowded; ++now_) {
+      wide_ = widest(outline_.spines[now_]);
+      cut(0.0, 1.0, keys_[2 * now_], keys_[2 * now_ + 1]);
     }
     fill_up();
   }
@@ -126,7 +124,8 @@ class Gathering {
   const double radius_;
   Branches& to_;
   std::size_t now_ = 0;
-  double wide_ = 0, best_ = 0, last_best_ = std::numeric_limits<double>::infinity();
+  double wide_ = 0, best_ = 0;
+  std::vector<double>& keys_ = to_.keys;
 };
 
 }  // namespace

@@ -33,6 +33,7 @@ struct Branches {
     kRows
   };
   std::vector<float> figures;
+  std::vector<double> keys;  ///< scratch
   int count = 0;
   bool stroke = false;
   /// There are more than kMost: the branches are of no use.

@@ -132,7 +132,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   constexpr int kLanes = int(hn::MaxLanes(F()));
   HWY_ALIGN float keys[Branches::kStride];
   const VF x = hn::Set(f, cx), y = hn::Set(f, cy), zero = hn::Zero(f);
-  std::uint64_t gone = 0;
+  std::uint64_t gone = 0, unsteady = 0;
   const std::uint64_t lanes = kLanes == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << kLanes) - 1;
   for (int k = 0; k < b.count; k += kLanes) {
     if (!(from >> k & lanes)) continue;
@@ -163,6 +163,8 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
       out = hn::Or(out, hn::Or(begins, ends));
     }
     gone |= BitsOf(out, k);
+    // Above that share of |B'|² the stretch keeps one foot all over a square of a few pixels.
+    unsteady |= BitsOf(hn::Le(s.rise, hn::Mul(speed2, hn::Set(f, 0.65f))), k);
     const VF away = hn::Sqrt(Fused(at.ex, at.ex, hn::Mul(at.ey, at.ey)));
     const VF key = hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
     hn::StoreU(t, f, t_of + k), hn::StoreU(key, f, keys + k);
@@ -178,6 +180,11 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   }
   found.key = best, found.local = found.near & ~gone;
   if (!found.local) found.local = found.near;
+  constexpr float kFewPixels = 3.0f;
+  found.sure = std::popcount(found.near) == 1 ||
+               (r < kFewPixels && std::popcount(found.local) == 1 && !(unsteady & found.near));
+  found.x = cx, found.y = cy;
+  if (found.sure) found.foot = t_of[std::countr_zero(found.local)];
   return found;
 }
 
@@ -205,33 +212,43 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, float t0, float cx, float cy,
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
   const VF nx = hn::Mul(at.gy, over), ny = hn::Neg(hn::Mul(at.gx, over));
   const VF across = Fused(qx, nx, hn::Mul(qy, ny)), hand = hn::CopySign(one, across);
-  const VF r = hn::Sqrt(Fused(qx, qx, Fused(qy, qy, set(1e-16f)))), over_r = hn::Div(one, r);
   const auto inner = hn::And(hn::Gt(t, c.low), hn::Lt(t, c.high));
+  const bool ends = !hn::AllTrue(f, inner);
+  const VF r2 = Fused(qx, qx, Fused(qy, qy, set(1e-16f)));
   Sight s;
   if (kStroke) {
     const VF lean = hn::Neg(hn::Mul(Fused(hn::Add(t, t), c.w2, c.w1), over));
     const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
     const VF side = hn::Mul(hand, turned);
+    const VF r = hn::Sqrt(r2);
     s.key = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
-    s.nx = hn::IfThenElse(inner, FusedFrom(lean, ny, hn::Mul(side, nx)), hn::Mul(qx, over_r));
-    s.ny = hn::IfThenElse(inner, Fused(lean, nx, hn::Mul(side, ny)), hn::Mul(qy, over_r));
-    s.off = hn::IfThenElse(inner, hn::Abs(across), set(BranchPair::kFar));
+    s.nx = FusedFrom(lean, ny, hn::Mul(side, nx)), s.ny = Fused(lean, nx, hn::Mul(side, ny));
+    s.off = hn::Abs(across);
+    if (ends) {
+      const VF over_r = hn::Div(one, r);
+      s.nx = hn::IfThenElse(inner, s.nx, hn::Mul(qx, over_r));
+      s.ny = hn::IfThenElse(inner, s.ny, hn::Mul(qy, over_r));
+      s.off = hn::IfThenElse(inner, s.off, set(BranchPair::kFar));
+    }
     s.ex = hn::Neg(hn::Mul(hand, nx)), s.ey = hn::Neg(hn::Mul(hand, ny)), s.across = turned;
     return s;
   }
-  const auto end = hn::Ge(t, c.high);
   const auto row = [&](Branches::Row which) HWY_ATTR { return set(b.row(which)[k]); };
+  s.key = hn::Abs(across), s.sign = hn::Mul(hand, row(Branches::side));
+  s.nx = hn::Mul(hand, nx), s.ny = hn::Mul(hand, ny);
+  s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
+  if (!ends) return s;
+  const auto end = hn::Ge(t, c.high);
   const VF px = hn::IfThenElse(end, row(Branches::end_x), row(Branches::begin_x));
   const VF py = hn::IfThenElse(end, row(Branches::end_y), row(Branches::begin_y));
   const VF beside = hn::CopySign(one, Fused(qx, px, hn::Mul(qy, py)));
   // At a corner itself only the outline's own normal gives a direction.
+  const VF r = hn::Sqrt(r2), over_r = hn::Div(one, r);
   const auto at_end = hn::Lt(r, set(1e-3f));
-  s.key = hn::IfThenElse(inner, hn::Abs(across), r);
-  s.sign = hn::IfThenElse(inner, hn::Mul(hand, row(Branches::side)), beside);
   const VF ox = hn::IfThenElse(at_end, hn::Mul(px, beside), hn::Mul(qx, over_r));
   const VF oy = hn::IfThenElse(at_end, hn::Mul(py, beside), hn::Mul(qy, over_r));
-  s.nx = hn::IfThenElse(inner, hn::Mul(hand, nx), ox), s.ny = hn::IfThenElse(inner, hn::Mul(hand, ny), oy);
-  s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
+  s.key = hn::IfThenElse(inner, s.key, r), s.sign = hn::IfThenElse(inner, s.sign, beside);
+  s.nx = hn::IfThenElse(inner, s.nx, ox), s.ny = hn::IfThenElse(inner, s.ny, oy);
   return s;
 }
 

@@ -9,6 +9,9 @@ struct NearBranches {
   std::uint64_t near = 0;   ///< may be nearest somewhere in it
   std::uint64_t local = 0;  ///< of those, the least among their neighbours
   float key = 0;            ///< the least |p − B| − w at its middle
+  /// One branch is local and will stay so all over the square: squares in it need not look.
+  bool sure = false;
+  float x = 0, y = 0, foot = 0;  ///< its foot, seen from there
 };
 
 }  // namespace mien
