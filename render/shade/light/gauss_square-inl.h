@@ -27,10 +27,10 @@ inline constexpr double kGaussWeight[4] = {0.173927422568726929, 0.3260725774312
                                            0.326072577431273071, 0.173927422568726929};
 
 struct GaussTables {
-  alignas(64) float x[16], y[16];        ///< places, of half the side
-  float third[4];                        ///< of a row's values: its coefficient of third degree
-  float power[4][4];                     ///< the cubic of each node, by powers
-  alignas(64) float mean[4][4][16];      ///< [log2 of the side − 1][node][pixel]: its share of the mean
+  alignas(64) float x[16], y[16];    ///< places, of half the side
+  float third[4];                    ///< of a row's values: its coefficient of third degree
+  float power[4][4];                 ///< the cubic of each node, by powers
+  alignas(64) float mean[4][4][16];  ///< [log2 of the side − 1][node][pixel]: its share of the mean
 
   static const GaussTables& get() {
     static const GaussTables made;
@@ -39,8 +39,7 @@ struct GaussTables {
 
  private:
   GaussTables() {
-    for (int i = 0; i < 16; ++i)
-      x[i] = float(kGaussNode[i & 3]), y[i] = float(kGaussNode[i >> 2]);
+    for (int i = 0; i < 16; ++i) x[i] = float(kGaussNode[i & 3]), y[i] = float(kGaussNode[i >> 2]);
     for (int k = 0; k < 4; ++k) {
       double p[4] = {1.0, 0.0, 0.0, 0.0};
       int degree = 0;
@@ -72,8 +71,8 @@ inline float ThirdOf(const float* c) {
   const float* k = GaussTables::get().third;
   float most = 0.0f;
   for (int i = 0; i < 4; ++i) {
-    const float row = (k[0] * c[4 * i] + k[3] * c[4 * i + 3]) +
-                      (k[1] * c[4 * i + 1] + k[2] * c[4 * i + 2]);
+    const float row =
+        (k[0] * c[4 * i] + k[3] * c[4 * i + 3]) + (k[1] * c[4 * i + 1] + k[2] * c[4 * i + 2]);
     const float column = (k[0] * c[i] + k[3] * c[12 + i]) + (k[1] * c[4 + i] + k[2] * c[8 + i]);
     most = HWY_MAX(most, HWY_MAX(std::abs(row), std::abs(column)));
   }
@@ -108,8 +107,7 @@ inline void SpreadMeans(LightTile& tile, int left, int top, int side,
     }
   }
   for (int q = 0; q < side; ++q)
-    for (int k = 0; k < side; ++k)
-      tile.known[size_t((top + q) * LightTile::kSide + left + k)] = 1;
+    for (int k = 0; k < side; ++k) tile.known[size_t((top + q) * LightTile::kSide + left + k)] = 1;
 }
 
 /// The square's colour at (u, v) of half its side from its middle.

@@ -44,9 +44,8 @@ HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y, VF away) {
     t = hn::Sqrt(Fused(u, u, hn::Mul(v, v)));
   }
   const VF zero = hn::Zero(F()), one = Const(1.0f);
-  const auto channel = [&](size_t c) HWY_ATTR {
-    return Fused(t, Const(ramp.slope[c]), Const(ramp.at[c]));
-  };
+  const auto channel = [&](size_t c)
+                           HWY_ATTR { return Fused(t, Const(ramp.slope[c]), Const(ramp.at[c])); };
   const VF alpha = hn::Min(hn::Max(channel(3), zero), one);
   const VF up = hn::Div(one, hn::Max(alpha, Const(1e-5f)));  // less shows nowhere
   const auto light = [&](VF v) HWY_ATTR {

@@ -67,8 +67,8 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
     const glm::dvec2 at = surface.center() + dome.center - middle;
     if (glm::length(at) > dome.max_radius + radius) continue;
     const glm::dmat2& u = dome.unit;
-    const double steepest = std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0],
-                                     u[0][1] * u[0][1] + u[1][1] * u[1][1]);
+    const double steepest =
+        std::max(u[0][0] * u[0][0] + u[1][0] * u[1][0], u[0][1] * u[0][1] + u[1][1] * u[1][1]);
     // The slope's own slope jumps by 8 height / radius² there, and light by some 100 levels for a slope of 1.
     constexpr double kSeen = 3.0;  // [levels/px²]
     const bool shows = 800.0 * std::abs(dome.height) * steepest > kSeen;

@@ -21,9 +21,10 @@ struct LampDome {
 /// A ramp between two of its kinks as the base colour: premultiplied, in the blending space.
 struct LampRamp {
   enum class Kind : unsigned char { none, linear, radial, distance } kind = Kind::none;
-  float x = 0, y = 0;                    ///< its centre; otherwise t at the tile's middle, at distance 0, is x
-  float xx = 0, xy = 0, yx = 0, yy = 0;  ///< as a dome's; linear: t grows by xx along x, xy along y; distance: by xx
-  std::array<float, 4> at{}, slope{};    ///< the colour is at + t slope
+  float x = 0, y = 0;  ///< its centre; otherwise t at the tile's middle, at distance 0, is x
+  float xx = 0, xy = 0, yx = 0,
+        yy = 0;  ///< as a dome's; linear: t grows by xx along x, xy along y; distance: by xx
+  std::array<float, 4> at{}, slope{};  ///< the colour is at + t slope
 };
 
 struct LampLanes {
@@ -46,7 +47,8 @@ struct LampLanes {
   bool distance_alone = false;
 
   bool varies() const {
-    return rise_kind != Rise::none || !domes.empty() || ramp.kind != LampRamp::Kind::none || distance_alone;
+    return rise_kind != Rise::none || !domes.empty() || ramp.kind != LampRamp::Kind::none ||
+           distance_alone;
   }
   bool is_round() const { return rise_kind == Rise::round; }
   bool goes_by_distance() const { return ramp.kind == LampRamp::Kind::distance; }

@@ -59,7 +59,8 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
   add(hn::Sub(p, ridge.off), one), add(hn::Sub(q, ridge.off), minus);
   add(hn::Sub(hn::Neg(q), ridge.off), minus), add(hn::Sub(hn::Neg(p), ridge.off), one);
   const VF far = hn::Min(hn::Max(hn::Mul(hn::Mul(half, two), over), zero), one);
-  const VF past = hn::Div(hn::Mul(hn::Mul(three, over), Const(1.0f / 6)), hn::Max(far, Const(1e-6f)));
+  const VF past =
+      hn::Div(hn::Mul(hn::Mul(three, over), Const(1.0f / 6)), hn::Max(far, Const(1e-6f)));
   const VF way = hn::Add(ridge.off, hn::Min(past, p));
   const VF back = hn::Neg(hn::Div(hn::Mul(far, way), hn::Max(hn::Sub(one, far), Const(0.1f))));
   const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
@@ -81,7 +82,8 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
     }
     if (tile.lamp.goes_by_distance()) {
       const BranchPair& r = at.ramp;
-      const VF rx = pick(r, r.best.nx, r.beyond.nx, true), ry = pick(r, r.best.ny, r.beyond.ny, true);
+      const VF rx = pick(r, r.best.nx, r.beyond.nx, true),
+               ry = pick(r, r.best.ny, r.beyond.ny, true);
       away = Fused(ux, rx, Fused(uy, ry, pick(r, r.best.d, r.beyond.d, true)));
     }
     const VF depth = HeldDepth(tile, d, hn::Mul(cell.variance, share));
@@ -102,13 +104,12 @@ struct CellSum {
   float c[LightTile::kChannels] = {};
   float area = 0;
   float jump = 0;  ///< the most that a ridge changes colours by in a cell
-  float low[LightTile::kChannels], high[LightTile::kChannels];
   float kink = 0;  ///< what a clamp of the law may change
 };
 
-/// Whether a round profile may be so steep among cells that two depths are needed.
-HWY_INLINE VF TwoDepths(const LightTile& tile, const Seen& at, int k, const CellLanes& cell,
-                        LitColor& color) {
+/// The colour of cells at a round profile's outline, by two depths.
+HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const CellLanes& cell,
+                          LitColor& color) {
   const F f;
   const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
   const VF d = load(at.relief.best.d), nx = load(at.relief.best.nx), ny = load(at.relief.best.ny);
@@ -122,12 +123,11 @@ HWY_INLINE VF TwoDepths(const LightTile& tile, const Seen& at, int k, const Cell
   const LitColor other = ColorAt(tile, down, nx, ny, cell.x, cell.y, away);
   for (int c = 0; c < LightTile::kChannels; ++c)
     color.c[c] = hn::Mul(Const(0.5f), hn::Add(color.c[c], other.c[c]));
-  return mean;
 }
 
 /// Adds sixteen cells of a 1/side pixel each way.
 inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp,
-                     float cx, float cy, const float* px, const float* py, const float* areas, int side,
+                     float cx, float cy, const float* px, const float* py, const float* areas,
                      CellSum& sum) {
   // [px] Profiles as narrow as that are steep where cells are two depths wide.
   constexpr float kNarrow = 12.0f, kSteep = 1.75f;
@@ -166,17 +166,15 @@ inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranch
     hn::Store(jump, f, jumps + k);
     PutColor(color, k, shades);
   }
-  (void)side;
   sum.kink = HWY_MAX(sum.kink, KinkAmong(tile, shades, areas, 0.1f));
-  for (int i = 0; i < 16; ++i) sum.jump = HWY_MAX(sum.jump, jumps[i]);
+  sum.jump = HWY_MAX(sum.jump, MostOf16(jumps));
   // In one order for all instruction sets.
   const auto total = [](const float* v, const float* by) {
     float part[4] = {};
     for (int i = 0; i < 16; ++i) part[i & 3] += v[i] * by[i];
     return (part[0] + part[1]) + (part[2] + part[3]);
   };
-  alignas(64) static constexpr float kOnes[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-  sum.area += total(areas, kOnes);
+  sum.area += total(areas, kAll);
   for (int c = 0; c < tile.channels; ++c) sum.c[c] += total(shades.c[c], areas);
 }
 

@@ -29,8 +29,8 @@ struct LightTile {
   const RampSegment* segment = nullptr;
 
   LampLanes lamp;
-  bool rises = false;  ///< the profile does: `area` counts
-  bool crowded = false;  ///< too many branches: the tile says nothing
+  bool rises = false;       ///< the profile does: `area` counts
+  bool crowded = false;     ///< too many branches: the tile says nothing
   NearArea area, gradient;  ///< the latter where the ramp goes by a distance
   float shallow = 0, deep = 0;
   float tolerance = 0;  ///< of a mean, in what colours are counted in
@@ -42,15 +42,19 @@ struct LightTile {
   struct Bicubic {
     alignas(64) float c[kChannels][16];  ///< at Gauss's places
   };
-  std::vector<Bicubic> kept;                ///< of smooth squares
+  std::vector<Bicubic> kept;                  ///< of smooth squares
   std::array<std::uint16_t, kSquares> where;  ///< among those
   std::array<std::uint8_t, kPixels> known;
   std::array<std::array<float, kPixels>, kChannels> mean;
   long long places = 0;  ///< that were looked at
   PartCells cells;       ///< scratch
 
-  static constexpr int first_of(int level) { return level == 0 ? 0 : level == 1 ? 1 : level == 2 ? 5 : 21; }
-  static constexpr int square(int level, int i, int j) { return first_of(level) + (j << level) + i; }
+  static constexpr int first_of(int level) {
+    return level == 0 ? 0 : level == 1 ? 1 : level == 2 ? 5 : 21;
+  }
+  static constexpr int square(int level, int i, int j) {
+    return first_of(level) + (j << level) + i;
+  }
   float middle() const { return 0.5f * float(side); }
 
   /// Forgets what was known: of another place or piece.

@@ -42,9 +42,31 @@ float AllowedAt(const LightTile& tile, float least) {
 
 float LeastOf(const LightTile::Bicubic& square) {
   float least = 1.0f;
-  for (int c = 0; c < 3; ++c)
-    for (int k = 0; k < 16; ++k) least = HWY_MIN(least, square.c[c][k]);
+  for (int c = 0; c < 3; ++c) least = HWY_MIN(least, LeastOf16(square.c[c]));
   return least;
+}
+
+/// Whether colours jump at a ridge within reach. Light changes by no more than the surface's normal does, and where the
+/// rise is 0, as on the spine of a stroke whose profile ends there, it goes on smoothly.
+bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
+  if (tile.lamp.distance_alone) return true;
+  // [of the tolerance] A step in a square's middle leaves a third of itself to a mean.
+  constexpr float kJump = 3.0f;
+  const LampLanes& lamp = tile.lamp;
+  const float most = kJump * tile.tolerance / (lamp.linear ? 12.92f : 1.0f);
+  for (int k = 0; k < 16; ++k) {
+    if (at.off[k] >= reach) continue;
+    const float along = at.ex[k] * at.best.nx[k] + at.ey[k] * at.best.ny[k];
+    const float depth = -(at.best.d[k] + at.off[k] * along);
+    float rise = std::abs(lamp.rise);
+    if (lamp.is_round()) {
+      const float in = HWY_MIN(HWY_MAX(depth * lamp.one_over_width, 1e-9f), 1.5f);
+      rise *= std::abs(1.0f - in) / std::sqrt(in * (2.0f - in));
+    }
+    const float dx = at.best.nx[k] - at.beyond.nx[k], dy = at.best.ny[k] - at.beyond.ny[k];
+    if (rise * (std::abs(dx) + std::abs(dy)) > most) return true;
+  }
+  return false;
 }
 
 /// Whether the bicubic through a square's places serves; then it is kept.
@@ -65,27 +87,21 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   HWY_ALIGN Seen at;
   const int me = square.index();
   SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
-          tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx,
-          cy, x, y, 3, at);
-  if (tile.rises) {
-    float highest = -1e9f, off = BranchPair::kFar;
-    for (int k = 0; k < 16; ++k) {
-      highest = HWY_MAX(highest, at.relief.best.d[k]), off = HWY_MIN(off, at.relief.off[k]);
-    }
-    if (off < kBetween * half) return false;
-    if (tile.lamp.is_round() && highest > -kSteep * side) return false;
-  }
-  if (tile.lamp.goes_by_distance())
-    for (int k = 0; k < 16; ++k)
-      if (at.ramp.off[k] < kBetween * half) return false;
+          tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr,
+          cx, cy, x, y, 3, at);
+  if (tile.rises && LeastOf16(at.relief.off) < kBetween * half &&
+      RidgeShows(tile, at.relief, kBetween * half))
+    return false;
+  if (tile.rises && tile.lamp.is_round() && MostOf16(at.relief.best.d) > -kSteep * side)
+    return false;
+  if (tile.lamp.goes_by_distance() && LeastOf16(at.ramp.off) < kBetween * half) return false;
   HWY_ALIGN Shades shades;
   ShadePlaces(tile, at, x, y, shades);
   LightTile::Bicubic made;
   for (int c = 0; c < tile.channels; ++c) std::copy_n(shades.c[c], 16, made.c[c]);
   const float allowed = tile.lamp.linear ? AllowedAt(tile, LeastOf(made)) : tile.tolerance;
-  if (KinkAmong(tile, shades, nullptr, 0.2f) > kKink * allowed) return false;
-  for (int k = 0; k < 16; ++k)
-    if (shades.foot[k] < kFoot * side) return false;
+  if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * allowed) return false;
+  if (LeastOf16(shades.foot) < kFoot * side) return false;
   for (int c = 0; c < tile.channels; ++c)
     if (ThirdOf(made.c[c]) > kThird * allowed) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
@@ -167,8 +183,9 @@ State Look(LightTile& tile, const Square& square) {
   const int outer = outermost ? 0 : square.outer().index();
   constexpr float kDiagonal = 0.7072f;
   Enter(tile, outermost || !tile.rises ? nullptr : NearOf(tile.near, tile.area, outer),
-        outermost || !tile.lamp.goes_by_distance() ? nullptr
-                                                   : NearOf(tile.near_gradient, tile.gradient, outer),
+        outermost || !tile.lamp.goes_by_distance()
+            ? nullptr
+            : NearOf(tile.near_gradient, tile.gradient, outer),
         cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
         NearOf(tile.near_gradient, tile.gradient, me));
   if (side < 3.0f) {
@@ -210,8 +227,8 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   if (ramp && tile.gradient.leaf_count() > own_ramp.size())
     many_ramp.resize(tile.gradient.leaf_count()), near_ramp = many_ramp.data();
   const int from = around.index();
-  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from), cx,
-        cy, 0.7072f, near, near_ramp);
+  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
+        cx, cy, 0.7072f, near, near_ramp);
   float before[LightTile::kChannels] = {};
   for (int side = 4;; side *= 2) {
     if (form)
@@ -227,7 +244,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
         x[q] = cx + tile.cells.x[k + size_t(q)], y[q] = cy + tile.cells.y[k + size_t(q)];
         any += area[q];
       }
-      if (any > 0.0f) AddCells(tile, near, near_ramp, cx, cy, x, y, area, side, sum);
+      if (any > 0.0f) AddCells(tile, near, near_ramp, cx, cy, x, y, area, sum);
     }
     const float over = sum.area > 0.0f ? 1.0f / sum.area : 0.0f;
     float apart = 0.0f;
@@ -259,7 +276,8 @@ void FindMean(LightTile& tile, int i, int j) {
 }
 
 /// A smooth square's colour over a part: where it bends little at the part's centroid, with its variance.
-void BySquare(LightTile& tile, const Square& square, int i, int j, const PartForm& form, float* to) {
+void BySquare(LightTile& tile, const Square& square, int i, int j, const PartForm& form,
+              float* to) {
   const LightTile::Bicubic& kept = tile.kept[tile.where[size_t(square.index())]];
   const int side = tile.side >> square.level;
   const float half = 0.5f * float(side), over = 1.0f / half;
@@ -293,10 +311,11 @@ void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, smooth);
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  std::vector<NearBranches> near(tile.area.leaf_count() + 1), near_ramp(tile.gradient.leaf_count() + 1);
+  std::vector<NearBranches> near(tile.area.leaf_count() + 1),
+      near_ramp(tile.gradient.leaf_count() + 1);
   const int from = around.index();
-  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from), cx,
-        cy, 0.7072f, near.data(), near_ramp.data());
+  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
+        cx, cy, 0.7072f, near.data(), near_ramp.data());
   alignas(64) float x[16], y[16];
   for (size_t k = 0; k < size_t(cells.count()); k += 16) {
     for (size_t q = 0; q < 16; ++q) x[q] = cx + cells.x[k + q], y[q] = cy + cells.y[k + q];

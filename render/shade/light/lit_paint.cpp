@@ -65,7 +65,8 @@ LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch)
       (std::uint64_t(index_) * 8 + std::uint64_t(piece.zone + 1)) * 0x9E3779B97F4A7C15u;
   for (int side = LightTile::kSide; side > 1; side /= 2) {
     const int left = x & ~(side - 1), top = y & ~(side - 1);
-    const std::uint64_t column = std::uint64_t(left / LightTile::kSide) + 37u * std::uint64_t(16 - side);
+    const std::uint64_t column =
+        std::uint64_t(left / LightTile::kSide) + 37u * std::uint64_t(16 - side);
     auto& slot = scratch.kept_->tiles[std::size_t((column + (hash >> 40)) % Scratch::Kept::kTiles)];
     if (!slot) slot = std::make_unique<LightTile>();
     LightTile& t = *slot;
@@ -146,8 +147,7 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
     }
     for (int k = 0; k < n; ++k)
       if (!t->known[from + std::size_t(k)]) find_mean(*t, column + k, row);
-    for (int c = 0; c < t->channels; ++c)
-      std::copy_n(&t->mean[std::size_t(c)][from], n, to[c] + i);
+    for (int c = 0; c < t->channels; ++c) std::copy_n(&t->mean[std::size_t(c)][from], n, to[c] + i);
     if (t->channels < 4) std::fill_n(a + i, n, opacity_of(*t));
     i += n;
   }

@@ -11,9 +11,6 @@
 #include "render/shade/light/light_tile.h"
 #include "render/shade/nearest/near_area-inl.h"
 
-#include <algorithm>
-#include <utility>
-
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
@@ -30,15 +27,18 @@ struct Shades {
   alignas(64) float foot[16];
 };
 
+/// Which of sixteen places count: all.
+alignas(64) inline constexpr float kAll[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+
 /// Enters a square around (cx, cy), of half a diagonal r.
-inline void Enter(LightTile& tile, const NearBranches* from, const NearBranches* from_ramp, float cx,
-                  float cy, float r, NearBranches* to, NearBranches* to_ramp) {
+inline void Enter(LightTile& tile, const NearBranches* from, const NearBranches* from_ramp,
+                  float cx, float cy, float r, NearBranches* to, NearBranches* to_ramp) {
   if (tile.rises) EnterSquare(tile.area, from, cx, cy, r, to);
   if (tile.lamp.goes_by_distance()) EnterSquare(tile.gradient, from_ramp, cx, cy, r, to_ramp);
 }
 
-inline void SeeFrom(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp, float cx,
-                    float cy, const float* x, const float* y, int steps, Seen& to) {
+inline void SeeFrom(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp,
+                    float cx, float cy, const float* x, const float* y, int steps, Seen& to) {
   tile.places += 16;
   if (tile.rises) LookAround(tile.area, near, cx, cy, x, y, steps, to.relief);
   if (tile.lamp.goes_by_distance())
@@ -96,34 +96,60 @@ inline void ShadePlaces(const LightTile& tile, const Seen& at, const float* px, 
   }
 }
 
+HWY_INLINE float LeastOf16(const float* v) {
+  const F f;
+  VF least = hn::Load(f, v);
+  for (int k = int(hn::Lanes(f)); k < 16; k += int(hn::Lanes(f)))
+    least = hn::Min(least, hn::Load(f, v + k));
+  return hn::GetLane(hn::MinOfLanes(f, least));
+}
+HWY_INLINE float MostOf16(const float* v) {
+  const F f;
+  VF most = hn::Load(f, v);
+  for (int k = int(hn::Lanes(f)); k < 16; k += int(hn::Lanes(f)))
+    most = hn::Max(most, hn::Load(f, v + k));
+  return hn::GetLane(hn::MaxOfLanes(f, most));
+}
+
+struct Range {
+  float low, high;
+};
+/// Of values at places that count: where `there` is more than 0.
+HWY_INLINE Range RangeOf16(const float* v, const float* there) {
+  const F f;
+  const VF far = hn::Set(f, 1e9f);
+  VF low = far, high = hn::Neg(far);
+  for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
+    const VF value = hn::Load(f, v + k);
+    const auto counts = hn::Gt(hn::LoadU(f, there + k), hn::Zero(f));
+    low = hn::Min(low, hn::IfThenElse(counts, value, far));
+    high = hn::Max(high, hn::IfThenElse(counts, value, hn::Neg(far)));
+  }
+  return {hn::GetLane(hn::MinOfLanes(f, low)), hn::GetLane(hn::MaxOfLanes(f, high))};
+}
+
 /// By how much a clamp of the law that begins among places, or close to them, may change colours there; 0 if none does.
-/// `there`: which places count (area > 0), or null.
-inline float KinkAmong(const LightTile& tile, const Shades& s, const float* there, float margin) {
+/// `there`: which places count (more than 0).
+HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* there,
+                           float margin) {
   const LampLanes& lamp = tile.lamp;
   if (lamp.distance_alone) return 0.0f;
-  const auto range = [&](const float* v) {
-    float low = 1e9f, high = -1e9f;
-    for (int i = 0; i < 16; ++i) {
-      const bool counts = !there || there[i] > 0.0f;
-      low = counts && v[i] < low ? v[i] : low, high = counts && v[i] > high ? v[i] : high;
-    }
-    return std::pair{low, high};
-  };
   // No channel changes by more than the light does, times what the transfer function is steepest.
   const float steepest = lamp.linear ? 1.0f : 12.92f;
   const float weight[3] = {lamp.diffuse * steepest, lamp.shine * steepest, steepest};
   float most = 0.0f;
   for (int b = 0; b < 3; ++b) {
     if (!(weight[b] > 0.0f)) continue;
-    const auto [low, high] = range(s.bounds[b]);
-    const float wide = high - low;
-    if (low < margin * wide && high > -margin * wide) most = HWY_MAX(most, weight[b] * wide);
+    const Range range = RangeOf16(s.bounds[b], there);
+    const float wide = range.high - range.low;
+    if (range.low < margin * wide && range.high > -margin * wide)
+      most = HWY_MAX(most, weight[b] * wide);
   }
   if (most == 0.0f) return 0.0f;
   float seen = 0.0f;
   for (int c = 0; c < 3; ++c) {
-    const auto [low, high] = range(s.c[c]);
-    seen = HWY_MAX(seen, high - low);
+    const Range range = RangeOf16(s.c[c], there);
+    seen = HWY_MAX(seen, range.high - range.low);
   }
   return HWY_MIN(most, seen);
 }

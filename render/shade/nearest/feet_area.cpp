@@ -122,7 +122,7 @@ bool add_path(const Path& path, SpineList& made, Path& pieces) {
     }
     const std::size_t count = to.size() - first;
     for (std::size_t i = 0; i < count; ++i) {
-      Spine&s = to[first + i], &next = to[first + (i + 1) % count];
+      Spine &s = to[first + i], &next = to[first + (i + 1) % count];
       if (on_spine(s, 1.0) != on_spine(next, 0.0) &&
           glm::distance(on_spine(s, 1.0), on_spine(next, 0.0)) > 1e-6)
         return false;  // not closed
@@ -232,12 +232,13 @@ struct SpinesOfShape {
     const bool endless = at.count == 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const double far = 1.0 + std::abs(cuts[i == 0 ? 1 : i]);
-      const double middle = endless ? 0.0
-                            : i == 0 ? cuts[1] - far
+      const double middle = endless                ? 0.0
+                            : i == 0               ? cuts[1] - far
                             : i + 2 == cuts.size() ? cuts[i] + far
                                                    : 0.5 * (cuts[i] + cuts[i + 1]);
       const QuadBezier at_middle = piece_of(side, middle, middle);
-      if (distance(other, at_middle.p0) <= 0.0) sides.push_back(piece_of(side, cuts[i], cuts[i + 1]));
+      if (distance(other, at_middle.p0) <= 0.0)
+        sides.push_back(piece_of(side, cuts[i], cuts[i + 1]));
     }
   }
   void operator()(const CutDisc& s) {

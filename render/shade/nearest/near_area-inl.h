@@ -34,26 +34,25 @@ inline void EnterSquare(NearArea& area, const NearBranches* from, float x, float
     if (from && from[k].sure) {
       const NearBranches& known = from[k];
       const int i = std::countr_zero(known.local);
-      leaf.foot[size_t(i)] = known.foot + (x - known.x) * b.row(Branches::foot_x)[i] +
-                             (y - known.y) * b.row(Branches::foot_y)[i];
+      leaf.feet.x[i] = known.foot_x, leaf.feet.y[i] = known.foot_y;
+      leaf.feet.t[i] = known.foot + (x - known.x) * known.foot_x + (y - known.y) * known.foot_y;
       to[k++] = known;
       continue;
     }
     const std::uint64_t before = from ? from[k].near : b.all();
-    to[k++] = b.stroke ? Narrowed<true>(b, before, x, y, r, leaf.foot.data())
-                       : Narrowed<false>(b, before, x, y, r, leaf.foot.data());
+    to[k++] = b.stroke ? Narrowed<true>(b, before, x, y, r, leaf.feet)
+                       : Narrowed<false>(b, before, x, y, r, leaf.feet);
     area.feet += 3 * b.count;
   }
 }
 
 inline void LookAtLeaf(NearArea& area, NearArea::Leaf& leaf, const NearBranches& which, float cx,
                        float cy, const float* x, const float* y, int steps, BranchPair& to) {
-  const float* foot = leaf.foot.data();
   area.feet += BranchPair::kPlaces * std::popcount(which.local);
   if (leaf.branches.stroke)
-    LookAt<true>(leaf.branches, which.local, foot, cx, cy, x, y, steps, to);
+    LookAt<true>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, steps, to);
   else
-    LookAt<false>(leaf.branches, which.local, foot, cx, cy, x, y, steps, to);
+    LookAt<false>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, steps, to);
   if (leaf.tree) area.sign_by_windings(*leaf.tree, x, y, to);
 }
 

@@ -4,8 +4,8 @@
 
 #include "render/shade/nearest/feet_area.h"
 #include "sdf/distance/feet/branch_pair.h"
+#include "sdf/distance/feet/near_branches.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -17,8 +17,7 @@ class NearArea {
     std::size_t shape;  ///< of the area's
     const PathTree* tree;
     Branches branches;
-    /// By branch: its foot seen from the middle of the square that was entered last.
-    std::array<float, Branches::kStride> foot;
+    BranchFeet feet;
   };
 
   /// From now on answers are for the disc around `middle`, a place of the picture.
@@ -34,7 +33,8 @@ class NearArea {
   std::vector<BranchPair>& pairs() { return pairs_; }
 
   /// Turns distances of sides that cross to negative ones inside, at places from the disc's middle.
-  void sign_by_windings(const PathTree& tree, const float* x, const float* y, BranchPair& pair) const;
+  void sign_by_windings(const PathTree& tree, const float* x, const float* y,
+                        BranchPair& pair) const;
 
   /// Feet that were looked for, of one branch at one place each.
   long long feet = 0;

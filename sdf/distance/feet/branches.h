@@ -24,12 +24,29 @@ struct Branches {
   /// So many bits has a set of branches.
   static constexpr int kMost = 64, kStride = kMost + 16;
   enum Row : int {
-    x0, x1, x2, y0, y1, y2, w0, w1, w2,  // the spine's
-    low, high,                           // the stretch is 0 to 1; a little beyond joints
-    first, last,                         // the whole spine
-    side, begin_x, begin_y, end_x, end_y,
-    next_x, next_y,        // of a path: the way in which the next side sets out
-    foot, foot_x, foot_y,  // the middle's, and how it moves with the place
+    x0,
+    x1,
+    x2,
+    y0,
+    y1,
+    y2,
+    w0,
+    w1,
+    w2,  // the spine's
+    low,
+    high,  // the stretch is 0 to 1; a little beyond joints
+    first,
+    last,  // the whole spine
+    side,
+    begin_x,
+    begin_y,
+    end_x,
+    end_y,
+    next_x,
+    next_y,  // of a path: the way in which the next side sets out
+    foot,
+    foot_x,
+    foot_y,  // the middle's, and how it moves with the place
     kRows
   };
   std::vector<float> figures;
@@ -41,7 +58,9 @@ struct Branches {
 
   float* row(Row r) { return figures.data() + int(r) * kStride; }
   const float* row(Row r) const { return figures.data() + int(r) * kStride; }
-  std::uint64_t all() const { return count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1; }
+  std::uint64_t all() const {
+    return count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+  }
 };
 
 /// An outline as spines.

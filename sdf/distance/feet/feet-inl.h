@@ -34,15 +34,15 @@ struct BranchLanes {
 HWY_INLINE BranchLanes AllOf(const Branches& b, int k) {
   const F f;
   const auto at = [&](Branches::Row r) HWY_ATTR { return hn::LoadU(f, b.row(r) + k); };
-  return {at(Branches::x0), at(Branches::x1),  at(Branches::x2), at(Branches::y0),
-          at(Branches::y1), at(Branches::y2),  at(Branches::w0), at(Branches::w1),
+  return {at(Branches::x0), at(Branches::x1),  at(Branches::x2),  at(Branches::y0),
+          at(Branches::y1), at(Branches::y2),  at(Branches::w0),  at(Branches::w1),
           at(Branches::w2), at(Branches::low), at(Branches::high)};
 }
 HWY_INLINE BranchLanes OneOf(const Branches& b, int k) {
   const F f;
   const auto at = [&](Branches::Row r) HWY_ATTR { return hn::Set(f, b.row(r)[k]); };
-  return {at(Branches::x0), at(Branches::x1), at(Branches::x2), at(Branches::y0),
-          at(Branches::y1), at(Branches::y2), at(Branches::w0), at(Branches::w1),
+  return {at(Branches::x0), at(Branches::x1),    at(Branches::x2),  at(Branches::y0),
+          at(Branches::y1), at(Branches::y2),    at(Branches::w0),  at(Branches::w1),
           at(Branches::w2), at(Branches::first), at(Branches::last)};
 }
 
@@ -93,6 +93,23 @@ HWY_INLINE VF Stepped(const BranchLanes& c, VF x, VF y, VF t) {
   return hn::Min(hn::Max(to, c.low), c.high);
 }
 
+/// How the foot moves with the place.
+struct Moves {
+  VF x, y;
+};
+template <bool kStroke>
+HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s, VF t) {
+  const F f;
+  VF mx = hn::Mul(at.gx, s.scale), my = hn::Mul(at.gy, s.scale);
+  if (kStroke) {
+    const VF rate = Fused(hn::Add(t, t), c.w2, c.w1);
+    mx = FusedFrom(rate, at.ex, mx), my = FusedFrom(rate, at.ey, my);
+  }
+  const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.3f), hn::Set(f, 1e-20f)), s.scale);
+  const VF over = hn::Div(hn::Set(f, 1.0f), hn::Max(s.rise, least));
+  return {hn::Mul(mx, over), hn::Mul(my, over)};
+}
+
 /// The feet seen from the disc's middle, and how they move with the place.
 template <bool kStroke>
 HWY_INLINE void FindMiddleFeet(Branches& b) {
@@ -103,17 +120,10 @@ HWY_INLINE void FindMiddleFeet(Branches& b) {
     VF t = hn::LoadU(f, b.row(Branches::foot) + k);
     for (int i = 0; i < 4; ++i) t = Stepped<kStroke>(c, zero, zero, t);
     const Reached at = ReachedAt(c, zero, zero, t);
-    const Slope s = SlopeAt<kStroke>(c, at, t);
-    VF mx = hn::Mul(at.gx, s.scale), my = hn::Mul(at.gy, s.scale);
-    if (kStroke) {
-      const VF rate = Fused(hn::Add(t, t), c.w2, c.w1);
-      mx = FusedFrom(rate, at.ex, mx), my = FusedFrom(rate, at.ey, my);
-    }
-    const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.3f), hn::Set(f, 1e-20f)), s.scale);
-    const VF over = hn::Div(hn::Set(f, 1.0f), hn::Max(s.rise, least));
+    const Moves moves = MovesAt<kStroke>(c, at, SlopeAt<kStroke>(c, at, t), t);
     hn::StoreU(t, f, b.row(Branches::foot) + k);
-    hn::StoreU(hn::Mul(mx, over), f, b.row(Branches::foot_x) + k);
-    hn::StoreU(hn::Mul(my, over), f, b.row(Branches::foot_y) + k);
+    hn::StoreU(moves.x, f, b.row(Branches::foot_x) + k);
+    hn::StoreU(moves.y, f, b.row(Branches::foot_y) + k);
   }
 }
 
@@ -127,7 +137,7 @@ HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
 /// Lets the branches in `from` go that are nowhere nearest within r of (cx, cy), and finds their feet there, to t.
 template <bool kStroke>
 HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx, float cy, float r,
-                                 float* t_of) {
+                                 BranchFeet& feet) {
   const F f;
   constexpr int kLanes = int(hn::MaxLanes(F()));
   HWY_ALIGN float keys[Branches::kStride];
@@ -167,7 +177,9 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     unsteady |= BitsOf(hn::Le(s.rise, hn::Mul(speed2, hn::Set(f, 0.65f))), k);
     const VF away = hn::Sqrt(Fused(at.ex, at.ex, hn::Mul(at.ey, at.ey)));
     const VF key = hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
-    hn::StoreU(t, f, t_of + k), hn::StoreU(key, f, keys + k);
+    const Moves moves = MovesAt<kStroke>(c, at, s, t);
+    hn::StoreU(t, f, feet.t + k), hn::StoreU(key, f, keys + k);
+    hn::StoreU(moves.x, f, feet.x + k), hn::StoreU(moves.y, f, feet.y + k);
   }
   NearBranches found;
   float best = BranchPair::kFar;
@@ -184,7 +196,10 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   found.sure = std::popcount(found.near) == 1 ||
                (r < kFewPixels && std::popcount(found.local) == 1 && !(unsteady & found.near));
   found.x = cx, found.y = cy;
-  if (found.sure) found.foot = t_of[std::countr_zero(found.local)];
+  if (found.sure) {
+    const int k = std::countr_zero(found.local);
+    found.foot = feet.t[k], found.foot_x = feet.x[k], found.foot_y = feet.y[k];
+  }
   return found;
 }
 
@@ -192,21 +207,24 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
 struct Sight {
   VF key, nx, ny;  ///< k and its gradient
   VF sign;         ///< −1 inside a path
-  VF off, ex, ey;  ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
-  VF across;       ///< of strokes: the gradient's share across the spine
+  VF off, ex,
+      ey;     ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
+  VF across;  ///< of strokes: the gradient's share across the spine
+  VF moved;        ///< [px²] how far the last step went, squared
 };
 
 template <bool kStroke>
-HWY_INLINE Sight SightOf(const Branches& b, int k, float t0, float cx, float cy, VF x, VF y,
-                         int steps) {
+HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float cx, float cy, VF x,
+                         VF y, int steps) {
   const F f;
   const auto set = [&](float v) HWY_ATTR { return hn::Set(f, v); };
   const VF zero = hn::Zero(f), one = set(1.0f);
   const BranchLanes c = OneOf(b, k);
-  VF t = Fused(hn::Sub(x, set(cx)), set(b.row(Branches::foot_x)[k]),
-               Fused(hn::Sub(y, set(cy)), set(b.row(Branches::foot_y)[k]), set(t0)));
+  VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
+               Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
-  for (int i = 0; i < steps; ++i) t = Stepped<kStroke>(c, x, y, t);
+  VF before = t;
+  for (int i = 0; i < steps; ++i) before = t, t = Stepped<kStroke>(c, x, y, t);
   const Reached at = ReachedAt(c, x, y, t);
   const VF qx = hn::Neg(at.ex), qy = hn::Neg(at.ey);
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
@@ -215,7 +233,9 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, float t0, float cx, float cy,
   const auto inner = hn::And(hn::Gt(t, c.low), hn::Lt(t, c.high));
   const bool ends = !hn::AllTrue(f, inner);
   const VF r2 = Fused(qx, qx, Fused(qy, qy, set(1e-16f)));
+  const VF step = hn::Sub(t, before);
   Sight s;
+  s.moved = hn::Mul(hn::Mul(step, step), at.speed2);
   if (kStroke) {
     const VF lean = hn::Neg(hn::Mul(Fused(hn::Add(t, t), c.w2, c.w1), over));
     const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
@@ -254,26 +274,31 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, float t0, float cx, float cy,
 
 /// The pair that sixteen places see of these branches, from their feet at (cx, cy).
 template <bool kStroke>
-HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const float* t_of, float cx, float cy,
-                       const float* px, const float* py, int steps, BranchPair& to) {
+HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet& feet, float cx,
+                       float cy, const float* px, const float* py, int steps, BranchPair& to) {
   const F f;
   const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
-  const VF alike = hn::Set(f, 4e-4f);  // [of |n − n'|²] one branch's
+  const VF alike = hn::Set(f, 4e-4f);    // [of |n − n'|²] one branch's
+  const VF settles = hn::Set(f, 1e-3f);  // [px²]
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
-    Sight best{far, one, zero, one, far, one, zero, zero}, next = best;
+    Sight best{far, one, zero, one, far, one, zero, zero, zero}, next = best;
     for (std::uint64_t rest = which; rest; rest &= rest - 1) {
       const int i = std::countr_zero(rest);
-      const Sight now = SightOf<kStroke>(b, i, t_of[i], cx, cy, x, y, steps);
+      const Sight now = SightOf<kStroke>(b, i, feet, cx, cy, x, y, steps);
       const auto nearer = hn::Lt(now.key, best.key);
       const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
       const VF lost_key = pick(best.key, now.key), lost_x = pick(best.nx, now.nx),
-               lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign);
-      best = {pick(now.key, best.key), pick(now.nx, best.nx), pick(now.ny, best.ny),
-              pick(now.sign, best.sign), pick(now.off, best.off), pick(now.ex, best.ex),
-              pick(now.ey, best.ey), pick(now.across, best.across)};
+               lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign),
+               lost_moved = pick(best.moved, now.moved);
+      best = {
+          pick(now.key, best.key),   pick(now.nx, best.nx),         pick(now.ny, best.ny),
+          pick(now.sign, best.sign), pick(now.off, best.off),       pick(now.ex, best.ex),
+          pick(now.ey, best.ey),     pick(now.across, best.across), pick(now.moved, best.moved)};
       const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
-      const auto other = hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike),
+      // A foot that still moves may be on its way to the best one.
+      const auto settled = hn::Lt(lost_moved, settles);
+      const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), settled),
                                  hn::Lt(lost_key, next.key));
       next.key = hn::IfThenElse(other, lost_key, next.key);
       next.nx = hn::IfThenElse(other, lost_x, next.nx);

@@ -1,0 +1,172 @@
+// A form's cells, many at once. Compiled once per instruction set.
+//
+// A chord leaves to its right, in a cell, what lies between it and the cell's right side. Along the chord's height in
+// the cell's row, x runs evenly from u0 to u1, seen from the cell's left side, and is held to the cell: three pieces,
+// left of the cell, in it and right of it, each with its area and moments in closed form.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cover/part_cells_simd.cpp"
+#include <hwy/foreach_target.h>
+#include "render/cover/part_form.h"
+#include "sdf/distance/lanes/dispatch-inl.h"
+#include "sdf/distance/lanes/fma-inl.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace mien::batch {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using VF = hn::Vec<F>;
+
+struct Chord {
+  float xp, yp, xq, yq, sign;
+};
+
+/// Adds to cells from `first` on, a vector of them: areas, and moments about their left top corners.
+HWY_INLINE void AddChord(const Chord& c, float side, PartCells& to, size_t first, VF left, VF top) {
+  const F f;
+  const auto set = [&](float v) HWY_ATTR { return hn::Set(f, v); };
+  const VF zero = hn::Zero(f), one = set(1.0f), cell = set(side), half = set(0.5f);
+  const VF slope = set((c.xq - c.xp) / (c.yq - c.yp));
+  const auto held = [&](VF v, VF most) HWY_ATTR { return hn::Min(hn::Max(v, zero), most); };
+  const VF y0 = held(hn::Sub(set(c.yp), top), cell), y1 = held(hn::Sub(set(c.yq), top), cell);
+  const VF dy = hn::Sub(y1, y0);
+  const VF shift = hn::Sub(top, set(c.yp)), from = hn::Sub(set(c.xp), left);
+  const VF u0 = Fused(slope, hn::Add(y0, shift), from), u1 = Fused(slope, hn::Add(y1, shift), from);
+  const VF low = hn::Min(u0, u1), high = hn::Max(u0, u1), span = hn::Sub(high, low);
+  const VF over = hn::Div(one, hn::Max(span, set(1e-6f)));
+  const VF l = held(low, cell), r = held(high, cell);
+  const auto level = hn::Lt(span, set(1e-5f));
+  const VF is_before = hn::IfThenElse(hn::Lt(low, zero), one, zero);
+  const VF is_in = hn::IfThenElse(hn::And(hn::Ge(low, zero), hn::Lt(low, cell)), one, zero);
+  const VF before = hn::IfThenElse(level, is_before, held(hn::Mul(hn::Neg(low), over), one));
+  const VF in = hn::IfThenElse(level, is_in, hn::Mul(hn::Sub(r, l), over));
+  const VF m1 = hn::Mul(half, hn::Add(l, r));
+  const VF m2 = hn::Mul(Fused(l, l, Fused(l, r, hn::Mul(r, r))), set(1.0f / 3));
+  const VF by = hn::Mul(set(c.sign), dy), left_of = hn::Mul(cell, before);
+  const VF right = hn::Sub(cell, m1);
+  const auto add = [&](float* sums, VF value) HWY_ATTR {
+    hn::Store(Fused(by, value, hn::Load(f, sums + first)), f, sums + first);
+  };
+  add(to.area.data(), Fused(in, right, left_of));
+  const VF more = hn::Mul(half, Fused(cell, cell, hn::Neg(m2)));
+  add(to.x.data(), Fused(in, more, hn::Mul(hn::Mul(half, cell), left_of)));
+  // Where along the height each piece lies.
+  const auto forward = hn::Gt(u1, u0);
+  const VF before_at = hn::Mul(half, before);
+  const VF middle = hn::IfThenElse(level, half, hn::Mul(hn::Sub(m1, low), over));
+  const auto along = [&](VF share) HWY_ATTR {
+    return Fused(dy, hn::IfThenElse(forward, share, hn::Sub(one, share)), y0);
+  };
+  const VF wide = hn::Sub(r, l), spread = hn::Mul(hn::Mul(wide, wide), set(1.0f / 12));
+  const VF covariance = hn::IfThenElse(level, zero, hn::Mul(hn::Mul(dy, over), spread));
+  const VF turned = hn::IfThenElse(forward, covariance, hn::Neg(covariance));
+  const VF inner = Fused(along(middle), right, hn::Neg(turned));
+  add(to.y.data(), Fused(in, inner, hn::Mul(left_of, along(before_at))));
+}
+
+struct Corners {
+  alignas(64) float left[PartCells::kMost], top[PartCells::kMost];
+};
+
+/// By side: 4, 8, 16, 32.
+const Corners& CornersOf(int side) {
+  static const std::array<Corners, 4> made = [] {
+    std::array<Corners, 4> all;
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0, n = 4 << k; i < n * n; ++i)
+        all[size_t(k)].left[i] = float(i % n) / float(n),
+        all[size_t(k)].top[i] = float(i / n) / float(n);
+    return all;
+  }();
+  return made[side == 4 ? 0 : side == 8 ? 1 : side == 16 ? 2 : 3];
+}
+
+/// To the cells of the rows that the chord crosses.
+void AddToRows(const Chord& c, int side, PartCells& to) {
+  if (!(c.yq > c.yp)) return;
+  const F f;
+  const Corners& corners = CornersOf(side);
+  const int first = std::clamp(int(c.yp * float(side)), 0, side - 1),
+            last = std::clamp(int(c.yq * float(side)), 0, side - 1);
+  const size_t lanes = hn::Lanes(f);
+  for (size_t k = size_t(first * side) / lanes * lanes; k < size_t((last + 1) * side); k += lanes)
+    AddChord(c, 1.0f / float(side), to, k, hn::Load(f, corners.left + k),
+             hn::Load(f, corners.top + k));
+}
+
+/// As many chords as leave less than 2e-4 px² between them and the parabola, 1e-3 px² of cells that are coarse anyway:
+/// with a bulge b in the middle, k chords leave 2/3 b / k².
+void AddStretch(const PartStretch& s, int side, PartCells& to) {
+  constexpr int kMostChords = 24;
+  const float bulge = std::abs(s.xm - 0.5f * (s.xp + s.xq)) + std::abs(s.ym - 0.5f * (s.yp + s.yq));
+  const float fine = side == 4 ? 700.0f : 3300.0f;
+  const int chords = std::clamp(int(std::ceil(std::sqrt(fine * bulge))), 1, kMostChords);
+  float x = s.xp, y = s.yp;
+  for (int i = 1; i <= chords; ++i) {
+    const float t = float(i) / float(chords), p = (1.0f - t) * (1.0f - 2.0f * t),
+                m = 4.0f * t * (1.0f - t), q = t * (2.0f * t - 1.0f);
+    const float to_x = i == chords ? s.xq : std::clamp(p * s.xp + m * s.xm + q * s.xq, 0.0f, 1.0f);
+    const float to_y = i == chords ? s.yq : std::clamp(p * s.yp + m * s.ym + q * s.yq, y, s.yq);
+    AddToRows({x, y, to_x, to_y, s.sign}, side, to);
+    x = to_x, y = to_y;
+  }
+}
+
+void CellsOfForm(const PartForm& form, int side, PartCells& to) {
+  const F f;
+  const float cell = 1.0f / float(side);
+  const int rows = PartEntry::kRows / side;
+  to.side = side;
+  for (int j = 0, k = 0; j < side; ++j) {
+    float height = 0.0f, height_y = 0.0f;
+    for (int i = 0; i < rows; ++i, ++k) {
+      const float y = (float(i) + 0.5f) / PartEntry::kRows;
+      height += form.left.height[size_t(k)];
+      height_y += form.left.height[size_t(k)] * y + form.left.moment[size_t(k)];
+    }
+    const size_t row = size_t(j * side);
+    std::fill_n(&to.area[row], side, cell * height);
+    std::fill_n(&to.x[row], side, 0.5f * cell * cell * height);
+    std::fill_n(&to.y[row], side, cell * height_y);
+  }
+  for (const PartStretch& s : form.stretches) AddStretch(s, side, to);
+  constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
+  const Corners& corners = CornersOf(side);
+  const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f * cell);
+  const VF most = hn::Set(f, cell * cell);
+  for (size_t k = 0; k < size_t(side * side); k += hn::Lanes(f)) {
+    const VF sum = hn::Load(f, &to.area[k]), area = hn::Min(sum, most);
+    const auto any = hn::Gt(sum, hn::Set(f, kNoArea));
+    const VF over = hn::Div(hn::Set(f, 1.0f), hn::IfThenElse(any, sum, hn::Set(f, 1.0f)));
+    const auto centre = [&](const float* sums, const float* corner) HWY_ATTR {
+      const VF in = hn::Min(hn::Max(hn::Mul(hn::Load(f, sums + k), over), zero), hn::Set(f, cell));
+      const VF at = hn::Sub(hn::IfThenElse(any, in, half), hn::Set(f, 0.5f));
+      return hn::Add(at, hn::Load(f, corner + k));
+    };
+    hn::Store(centre(to.x.data(), corners.left), f, &to.x[k]);
+    hn::Store(centre(to.y.data(), corners.top), f, &to.y[k]);
+    hn::Store(hn::IfThenElse(any, area, zero), f, &to.area[k]);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace mien::batch
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mien {
+namespace batch {
+HWY_EXPORT(CellsOfForm);
+}  // namespace batch
+
+void cells_of_form(const PartForm& form, int side, PartCells& to) {
+  MIEN_DISPATCH(CellsOfForm)(form, side, to);
+}
+
+}  // namespace mien
+#endif
