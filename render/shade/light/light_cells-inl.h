@@ -134,7 +134,8 @@ inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranch
   const F f;
   Seen at;
   SeeFrom(tile, near, near_ramp, cx, cy, px, py, 2, at);
-  const bool round = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow;
+  const bool steep = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow &&
+                     MostOf16(at.relief.best.d) > -kSteep;
   HWY_ALIGN Shades shades;
   HWY_ALIGN float jumps[16];
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
@@ -145,8 +146,7 @@ inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranch
     const auto there = hn::Gt(cell.area, zero);
     LitColor color;
     const VF d = tile.rises ? load(at.relief.best.d) : zero;
-    const auto steep = hn::And(there, hn::Gt(d, Const(-kSteep)));
-    if (round && !hn::AllFalse(f, steep)) {
+    if (steep) {
       TwoDepths(tile, at, k, cell, color);
     } else {
       const VF nx = tile.rises ? load(at.relief.best.nx) : zero;

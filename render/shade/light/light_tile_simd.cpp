@@ -212,8 +212,20 @@ struct PixelNear {
   const NearBranches *relief, *ramp;
 };
 
+/// Into how many cells each way a part must be divided at least. Over a round profile's width w colours make all their
+/// change, some 200 levels with a bend of 4 / w²: cells of side h leave 33 (h / w)² of its area.
+int LeastSide(const LightTile& tile, float area) {
+  if (!tile.rises || !tile.lamp.is_round()) return 4;
+  const float most = 0.13f * area / HWY_MAX(tile.tolerance, 1e-9f);  // of (w / h)²
+  const float wide = tile.lamp.width * tile.lamp.width;
+  int side = 4;
+  while (side < PartCells::kMostSide && wide * float(side * side) < most) side *= 2;
+  return side;
+}
+
 /// Sees a part of a pixel, or all of it, by cells. What clamps and ridges leave is of second order in the cells' side.
-void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form, float* to) {
+void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form,
+             float form_area, float* to) {
   // [of the tolerance] A clamp that begins in the pixel leaves a 90th of its change to 4 × 4 cells; ridges less than a
   // 400th of their jump.
   constexpr float kKink = 45.0f, kJump = 100.0f, kAgree = 0.7f;
@@ -230,7 +242,8 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
         cx, cy, 0.7072f, near, near_ramp);
   float before[LightTile::kChannels] = {};
-  for (int side = 4;; side *= 2) {
+  const int least = LeastSide(tile, form_area);
+  for (int side = least;; side *= 2) {
     if (form)
       cells_of_form(*form, side, tile.cells);
     else
@@ -255,11 +268,11 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
     // What a part is off by counts by its area.
     const float seen = HWY_MAX(sum.area, 0.05f), finer = float(side * side) / 16.0f;
     if (side == PartCells::kMostSide) return;
-    const bool fine = tile.tolerance < 1e-4f && side == 4;
+    const bool fine = tile.tolerance < 1e-4f && side == least;
     if (!fine && sum.kink * seen < kKink * finer * tile.tolerance &&
         sum.jump * seen < kJump * finer * tile.tolerance)
       return;
-    if (side > 4 && apart * seen < kAgree * tile.tolerance) return;
+    if (side > least && apart * seen < kAgree * tile.tolerance) return;
   }
 }
 
@@ -270,7 +283,7 @@ void FindMean(LightTile& tile, int i, int j) {
   const Square around = SquareAround(tile, i, j, smooth);
   if (tile.known[p]) return;
   float c[LightTile::kChannels] = {};
-  ByCells(tile, around, i, j, nullptr, c);
+  ByCells(tile, around, i, j, nullptr, 1.0f, c);
   for (int k = 0; k < tile.channels; ++k) tile.mean[size_t(k)][p] = c[k];
   tile.known[p] = 1;
 }
@@ -297,13 +310,20 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const PartFor
   for (int q = 0; q < tile.channels; ++q) to[q] *= area > 0.0f ? 1.0f / area : 0.0f;
 }
 
+float AreaOf(const PartForm& form, PartCells& cells) {
+  cells_of_form(form, 4, cells);
+  float area = 0.0f;
+  for (size_t k = 0; k < 16; ++k) area += cells.area[k];
+  return area;
+}
+
 void MeanOfPart(LightTile& tile, int i, int j, const PartForm& form, float* to) {
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, smooth);
   if (smooth)
     BySquare(tile, around, i, j, form, to);
   else
-    ByCells(tile, around, i, j, &form, to);
+    ByCells(tile, around, i, j, &form, AreaOf(form, tile.cells), to);
 }
 
 void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,

@@ -193,8 +193,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   found.key = best, found.local = found.near & ~gone;
   if (!found.local) found.local = found.near;
   constexpr float kFewPixels = 3.0f;
-  found.sure = std::popcount(found.near) == 1 ||
-               (r < kFewPixels && std::popcount(found.local) == 1 && !(unsteady & found.near));
+  found.sure = r < kFewPixels && std::popcount(found.local) == 1 && !(unsteady & found.near);
   found.x = cx, found.y = cy;
   if (found.sure) {
     const int k = std::countr_zero(found.local);
@@ -210,7 +209,7 @@ struct Sight {
   VF off, ex,
       ey;     ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
   VF across;  ///< of strokes: the gradient's share across the spine
-  VF moved;        ///< [px²] how far the last step went, squared
+  VF moved;   ///< [px²] how far the last step went, squared
 };
 
 template <bool kStroke>
@@ -223,8 +222,22 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
+  // [px²] A step as short as that leaves nothing to the next one.
+  const VF short_step = set(2.5e-5f);
+  constexpr int kMostSteps = 8;
   VF before = t;
-  for (int i = 0; i < steps; ++i) before = t, t = Stepped<kStroke>(c, x, y, t);
+  auto goes =
+      hn::Ge(x, x);  // each place by itself, so that vectors of any width take the same steps
+  for (int i = 0; i < kMostSteps; ++i) {
+    before = hn::IfThenElse(goes, t, before);
+    t = hn::IfThenElse(goes, Stepped<kStroke>(c, x, y, t), t);
+    if (i + 1 < steps) continue;
+    const VF step = hn::Sub(t, before), square = hn::Mul(step, step);
+    const VF gx = Fused(hn::Add(t, t), c.x2, c.x1), gy = Fused(hn::Add(t, t), c.y2, c.y1);
+    const VF moved = hn::Mul(square, Fused(gx, gx, hn::Mul(gy, gy)));
+    goes = hn::And(goes, hn::Gt(moved, short_step));
+    if (hn::AllFalse(f, goes)) break;
+  }
   const Reached at = ReachedAt(c, x, y, t);
   const VF qx = hn::Neg(at.ex), qy = hn::Neg(at.ey);
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
