@@ -16,7 +16,13 @@ namespace mien {
 namespace {
 
 // [px] Half planes and the insides of parabolas end so far away.
-constexpr double kEndless = 4e6;
+constexpr double kEndless = 1e6;
+
+/// Along a parabola, from its vertex.
+double endless(const ParabolaSide& side) {
+  return side.bend == 0.0 ? kEndless
+                          : std::min(kEndless, std::sqrt(kEndless / std::abs(side.bend)));
+}
 
 Spine spine_of(const QuadBezier& c, const double (&w)[3]) {
   const glm::dvec2 a = 2.0 * (c.p1 - c.p0), b = (c.p2 - c.p1) - (c.p1 - c.p0);
@@ -214,25 +220,27 @@ struct SpinesOfShape {
     add_sides();
   }
   void operator()(const ParabolaSide& s) {
-    sides = {piece_of(s, -kEndless, kEndless)};
+    sides = {piece_of(s, -endless(s), endless(s))};
     add_sides();
   }
   void operator()(const Band& s) {
+    // Its distance goes to the farther side: to no outline.
+    made.slow = is_empty(s);
+    if (made.slow) return;
     add_band_side(s.lower, s.upper, corners(s)), add_band_side(s.upper, s.lower, corners(s));
     add_sides();
   }
   /// What of a parabola lies in the other one.
   void add_band_side(const ParabolaSide& side, const ParabolaSide& other, const BandCorners& at) {
-    std::vector<double> cuts{-kEndless};
+    std::vector<double> cuts{-endless(side)};
     const glm::dvec2 along{side.axis.y, -side.axis.x};
     for (int i = 0; i < at.count; ++i)
       cuts.push_back(glm::dot(at.point[std::size_t(i)] - side.vertex, along));
     std::sort(cuts.begin() + 1, cuts.end());
-    cuts.push_back(kEndless);
-    const bool endless = at.count == 0;
+    cuts.push_back(endless(side));
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       const double far = 1.0 + std::abs(cuts[i == 0 ? 1 : i]);
-      const double middle = endless                ? 0.0
+      const double middle = at.count == 0          ? 0.0
                             : i == 0               ? cuts[1] - far
                             : i + 2 == cuts.size() ? cuts[i] + far
                                                    : 0.5 * (cuts[i] + cuts[i + 1]);
@@ -289,17 +297,11 @@ struct SpinesOfShape {
 };
 
 void make_spines(const Shape& shape, glm::dvec2 center, ShapeSpines& made, Path& pieces) {
-  made.list.stroke = true;
+  made.list.stroke = true, made.slow = false;
   made.tree.reset();
-  made.list.spines.clear(), made.list.reach.clear(), made.list.next.clear();
+  made.list.spines.clear(), made.list.next.clear();
   std::visit(SpinesOfShape{made, pieces}, shape);
-  for (Spine& s : made.list.spines) {
-    s.x0 += center.x, s.y0 += center.y;
-    double most = 0.0;
-    for (const double t : {0.0, 1.0})
-      most = std::max(most, glm::length(along_spine(s, t)) + std::abs(s.w1 + 2.0 * t * s.w2));
-    made.list.reach.push_back(most);
-  }
+  for (Spine& s : made.list.spines) s.x0 += center.x, s.y0 += center.y;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 namespace mien {
 
 struct ShapeSpines {
+  bool slow = false;  ///< it has no outline, and yet distances
   SpineList list;
   /// Of a path whose sides cross: they have no outside, and winding numbers say what is inside.
   std::optional<PathTree> tree;

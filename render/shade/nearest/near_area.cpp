@@ -24,6 +24,7 @@ void NearArea::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
     worked(30 * std::int64_t(spines.list.spines.size()));
     leaf.shape = std::size_t(n.a), leaf.tree = spines.tree ? &*spines.tree : nullptr;
     gather_branches(spines.list, middle, radius, leaf.branches);
+    if (spines.slow) leaf.branches.crowded = true;
   }
   pairs_.resize(nodes_.size() > 1 ? nodes_.size() : 0);
 }

@@ -23,7 +23,7 @@ class NearArea {
   /// From now on answers are for the disc around `middle`, a place of the picture.
   void narrow(const FeetArea& area, glm::dvec2 middle, double radius);
 
-  /// Some shape has more branches there than sets hold.
+  /// Some shape has more branches there than sets hold, or none at all: nothing here is of use.
   bool crowded() const;
 
   std::span<const Node> nodes() const { return nodes_; }  ///< of Op::shape, `b` is the leaf

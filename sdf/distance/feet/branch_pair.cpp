@@ -40,9 +40,11 @@ void fold(BranchPair& to, float amount) {
   for (int i = 0; i < kPlaces; ++i) {
     const float side = to.best.d[i] < 0.0f ? -1.0f : 1.0f;
     const float d = std::abs(to.best.d[i]), nx = side * to.best.nx[i], ny = side * to.best.ny[i];
-    const float beyond = to.beyond.d[i] < 0.0f ? -1.0f : 1.0f;
+    // What lies beyond the ridge has the sign that both have on it.
+    const float rises = to.ex[i] * to.best.nx[i] + to.ey[i] * to.best.ny[i];
+    const float beyond = to.best.d[i] + to.off[i] * rises < 0.0f ? -1.0f : 1.0f;
     const bool folds = d < to.off[i];
-    to.beyond.d[i] = (folds ? -d : std::abs(to.beyond.d[i])) - amount;
+    to.beyond.d[i] = (folds ? -d : beyond * to.beyond.d[i]) - amount;
     to.beyond.nx[i] = folds ? -nx : beyond * to.beyond.nx[i];
     to.beyond.ny[i] = folds ? -ny : beyond * to.beyond.ny[i];
     to.off[i] = folds ? d : to.off[i];

@@ -57,27 +57,44 @@ class Gathering {
   }
 
  private:
+  /// How fast key may change along the stretch: speeds and widenings are largest at its ends.
+  double reach(double from, double to) const {
+    const Spine& s = outline_.spines[now_];
+    const auto at = [&](double t) {
+      return glm::length(along_spine(s, t)) + std::abs(s.w1 + 2.0 * t * s.w2);
+    };
+    return std::max(at(from), at(to));
+  }
+
   void cut(double from, double to, double key_from, double key_to) {
     const Spine& s = outline_.spines[now_];
-    const double length = outline_.reach[now_] * (to - from);
+    const double length = reach(from, to) * (to - from);
     if (0.5 * (key_from + key_to - length) > best_ + 2.0 * radius_) return;
     const double far = std::max(best_ + wide_, 0.0) + 2.0 * radius_;
     // [of the disc's radius, of the way to the spine] Stretches as short as that are not cut.
     constexpr double kShort = 0.3, kShortFar = 0.1;
     // [radii] Floats place what is as long as that to within 1e-4 px.
     constexpr double kLong = 64.0;
-    const bool cuts = length > std::max(kShort * radius_, kShortFar * far) &&
-                      (length > kLong * radius_ || !has_one_foot(s, from, to, far));
-    if (cuts) {
-      const double t = 0.5 * (from + to), key = key_at(s, t, middle_);
-      best_ = std::min(best_, key);
-      cut(from, t, key_from, key), cut(t, to, key, key_to);
-      return;
-    }
+    const bool single = has_one_foot(s, from, to, far);
+    if (length > kLong * radius_ ||
+        (!single && length > std::max(kShort * radius_, kShortFar * far)))
+      return cut_at(0.5 * (from + to), from, to, key_from, key_to);
+    // Cut at its vertex a parabola has one least distance within each half.
+    constexpr double kTurns = 0.05;  // [px]
+    const double bend2 = s.x2 * s.x2 + s.y2 * s.y2;
+    const double vertex = bend2 > 0.0 ? -0.5 * (s.x1 * s.x2 + s.y1 * s.y2) / bend2 : from;
+    const double margin = 0.02 * (to - from);
+    if (!single && length > kTurns && vertex > from + margin && vertex < to - margin)
+      return cut_at(vertex, from, to, key_from, key_to);
     if (to_.count == Branches::kMost)
       to_.crowded = true;
     else
       add(from, to, key_from, key_to);
+  }
+  void cut_at(double t, double from, double to, double key_from, double key_to) {
+    const double key = key_at(outline_.spines[now_], t, middle_);
+    best_ = std::min(best_, key);
+    cut(from, t, key_from, key), cut(t, to, key, key_to);
   }
 
   void add(double from, double to, double key_from, double key_to) {

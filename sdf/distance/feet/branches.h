@@ -67,7 +67,6 @@ struct Branches {
 struct SpineList {
   bool stroke = false;  ///< else sides of a path
   std::vector<Spine> spines;
-  std::vector<double> reach;      ///< by spine: |B'| + |w'| at most
   std::vector<std::size_t> next;  ///< by side of a path: the one that begins at its end
 };
 

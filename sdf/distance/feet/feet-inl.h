@@ -267,7 +267,8 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     return s;
   }
   const auto row = [&](Branches::Row which) HWY_ATTR { return set(b.row(which)[k]); };
-  s.key = hn::Abs(across), s.sign = hn::Mul(hand, row(Branches::side));
+  const VF r = hn::Sqrt(r2);  // no less than the least, wherever the foot is
+  s.key = r, s.sign = hn::Mul(hand, row(Branches::side));
   s.nx = hn::Mul(hand, nx), s.ny = hn::Mul(hand, ny);
   s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
   if (!ends) return s;
@@ -276,11 +277,11 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const VF py = hn::IfThenElse(end, row(Branches::end_y), row(Branches::begin_y));
   const VF beside = hn::CopySign(one, Fused(qx, px, hn::Mul(qy, py)));
   // At a corner itself only the outline's own normal gives a direction.
-  const VF r = hn::Sqrt(r2), over_r = hn::Div(one, r);
+  const VF over_r = hn::Div(one, r);
   const auto at_end = hn::Lt(r, set(1e-3f));
   const VF ox = hn::IfThenElse(at_end, hn::Mul(px, beside), hn::Mul(qx, over_r));
   const VF oy = hn::IfThenElse(at_end, hn::Mul(py, beside), hn::Mul(qy, over_r));
-  s.key = hn::IfThenElse(inner, s.key, r), s.sign = hn::IfThenElse(inner, s.sign, beside);
+  s.sign = hn::IfThenElse(inner, s.sign, beside);
   s.nx = hn::IfThenElse(inner, s.nx, ox), s.ny = hn::IfThenElse(inner, s.ny, oy);
   return s;
 }

@@ -1,0 +1,81 @@
+#include "sdf/distance/feet/branch_pair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/random.h"
+
+namespace mien {
+namespace {
+
+/// Distances to straight outlines: each is a branch, and nothing bends.
+BranchPair random_pair(test::Random& random) {
+  BranchPair pair;
+  for (int i = 0; i < BranchPair::kPlaces; ++i) {
+    const glm::dvec2 n = random.direction(), m = random.direction();
+    const double d = random.between(-2, 2), other = d + random.between(0.1, 2);
+    const double length = std::hypot(n.x - m.x, n.y - m.y);
+    pair.best.d[i] = float(d), pair.best.nx[i] = float(n.x), pair.best.ny[i] = float(n.y);
+    pair.beyond.d[i] = float(other), pair.beyond.nx[i] = float(m.x), pair.beyond.ny[i] = float(m.y);
+    pair.off[i] = float((other - d) / length);
+    pair.ex[i] = float((n.x - m.x) / length), pair.ey[i] = float((n.y - m.y) / length);
+  }
+  return pair;
+}
+
+double at(const BranchPair::Values& v, int i, double x, double y) {
+  return double(v.d[i]) + x * double(v.nx[i]) + y * double(v.ny[i]);
+}
+
+/// Both branches meet on the ridge, and the first one holds until there.
+void expect_ridges(const BranchPair& pair, Op op) {
+  for (int i = 0; i < BranchPair::kPlaces; ++i) {
+    if (pair.off[i] > 1e6f) continue;
+    const double x = double(pair.off[i]) * double(pair.ex[i]),
+                 y = double(pair.off[i]) * double(pair.ey[i]);
+    EXPECT_NEAR(at(pair.best, i, x, y), at(pair.beyond, i, x, y),
+                2e-4 * (1.0 + double(pair.off[i])))
+        << int(op) << " " << i;
+    EXPECT_GE(pair.off[i], 0.0f);
+  }
+}
+
+TEST(BranchPair, OfCombinationsMeetOnTheirRidges) {
+  test::Random random(3);
+  for (int k = 0; k < 200; ++k) {
+    const BranchPair a = random_pair(random), b = random_pair(random);
+    for (const Op op :
+         {Op::unite, Op::intersect, Op::subtract, Op::offset, Op::shell, Op::complement}) {
+      BranchPair made;
+      combine_pairs(op, a, b, 0.3f, made);
+      expect_ridges(made, op);
+      for (int i = 0; i < BranchPair::kPlaces; ++i) {
+        const float da = a.best.d[i], db = b.best.d[i];
+        const float want = op == Op::unite       ? std::min(da, db)
+                           : op == Op::intersect ? std::max(da, db)
+                           : op == Op::subtract  ? std::max(da, -db)
+                           : op == Op::offset    ? da - 0.3f
+                           : op == Op::shell     ? std::abs(da) - 0.3f
+                                                 : -da;
+        EXPECT_EQ(made.best.d[i], want);
+      }
+    }
+  }
+}
+
+TEST(BranchPair, ANearerRidgeOfTheOtherOperandCounts) {
+  BranchPair a{}, b{};
+  for (int i = 0; i < BranchPair::kPlaces; ++i) {
+    a.off[i] = b.off[i] = BranchPair::kFar;
+    a.best.d[i] = -1, a.best.nx[i] = 1, b.best.d[i] = -0.5f, b.best.nx[i] = -1;
+  }
+  BranchPair made;
+  combine_pairs(Op::unite, a, b, 0.0f, made);
+  EXPECT_FLOAT_EQ(made.off[0], 0.25f);
+  EXPECT_FLOAT_EQ(made.ex[0], 1.0f);
+  EXPECT_FLOAT_EQ(made.beyond.d[0], -0.5f);
+}
+
+}  // namespace
+}  // namespace mien
