@@ -133,7 +133,7 @@ inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranch
   constexpr float kNarrow = 12.0f, kSteep = 1.75f;
   const F f;
   Seen at;
-  SeeFrom(tile, near, near_ramp, cx, cy, px, py, 2, at);
+  SeeFrom(tile, near, near_ramp, cx, cy, px, py, at);
   const bool steep = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow &&
                      MostOf16(at.relief.best.d) > -kSteep;
   HWY_ALIGN Shades shades;

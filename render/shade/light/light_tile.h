@@ -38,7 +38,7 @@ struct LightTile {
 
   enum class State : std::uint8_t { unknown, smooth, divided };
   std::array<State, kSquares> state;
-  std::vector<NearBranches> near, near_gradient;  ///< by square and leaf
+  std::vector<NearBranches> near, near_gradient;  ///< by square and leaf, and those of a pixel
   struct Bicubic {
     alignas(64) float c[kChannels][16];  ///< at Gauss's places
   };

@@ -88,7 +88,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   const int me = square.index();
   SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
           tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr,
-          cx, cy, x, y, 3, at);
+          cx, cy, x, y, at);
   if (tile.rises && LeastOf16(at.relief.off) < kBetween * half &&
       RidgeShows(tile, at.relief, kBetween * half))
     return false;
@@ -128,7 +128,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   const int me = square.index();
   const bool ramp = tile.lamp.goes_by_distance();
   SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
-          ramp ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx, cy, x, y, 2, at);
+          ramp ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx, cy, x, y, at);
   bool fits[4] = {true, true, true, true};
   const bool round = tile.rises && tile.lamp.is_round();
   for (int k = 0; k < 16; ++k) {
@@ -230,14 +230,9 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   // 400th of their jump.
   constexpr float kKink = 45.0f, kJump = 100.0f, kAgree = 0.7f;
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  std::array<NearBranches, 64> own, own_ramp;
-  const bool ramp = tile.lamp.goes_by_distance();
-  std::vector<NearBranches> many, many_ramp;
-  NearBranches *near = own.data(), *near_ramp = own_ramp.data();
-  if (tile.rises && tile.area.leaf_count() > own.size())
-    many.resize(tile.area.leaf_count()), near = many.data();
-  if (ramp && tile.gradient.leaf_count() > own_ramp.size())
-    many_ramp.resize(tile.gradient.leaf_count()), near_ramp = many_ramp.data();
+  NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
+                      *const near_ramp =
+                          NearOf(tile.near_gradient, tile.gradient, LightTile::kSquares);
   const int from = around.index();
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
         cx, cy, 0.7072f, near, near_ramp);
@@ -331,17 +326,18 @@ void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, smooth);
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  std::vector<NearBranches> near(tile.area.leaf_count() + 1),
-      near_ramp(tile.gradient.leaf_count() + 1);
+  NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
+                      *const near_ramp =
+                          NearOf(tile.near_gradient, tile.gradient, LightTile::kSquares);
   const int from = around.index();
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
-        cx, cy, 0.7072f, near.data(), near_ramp.data());
+        cx, cy, 0.7072f, near, near_ramp);
   alignas(64) float x[16], y[16];
   for (size_t k = 0; k < size_t(cells.count()); k += 16) {
     for (size_t q = 0; q < 16; ++q) x[q] = cx + cells.x[k + q], y[q] = cy + cells.y[k + q];
     HWY_ALIGN Seen at;
     HWY_ALIGN Shades shades;
-    SeeFrom(tile, near.data(), near_ramp.data(), cx, cy, x, y, 3, at);
+    SeeFrom(tile, near, near_ramp, cx, cy, x, y, at);
     ShadePlaces(tile, at, x, y, shades);
     for (size_t c = 0; c < 4; ++c) std::copy_n(shades.c[c], 16, to[c] + k);
   }
@@ -362,8 +358,8 @@ HWY_EXPORT(ColorsOfCells);
 
 void LightTile::begin() {
   state.fill(State::unknown), known.fill(0), kept.clear();
-  near.resize(std::size_t(kSquares) * area.leaf_count() + 1);
-  near_gradient.resize(std::size_t(kSquares) * gradient.leaf_count() + 1);
+  near.resize(std::size_t(kSquares + 1) * area.leaf_count());
+  near_gradient.resize(std::size_t(kSquares + 1) * gradient.leaf_count());
   MIEN_DISPATCH(BeginTile)(*this);
 }
 

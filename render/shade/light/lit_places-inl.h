@@ -38,11 +38,10 @@ inline void Enter(LightTile& tile, const NearBranches* from, const NearBranches*
 }
 
 inline void SeeFrom(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp,
-                    float cx, float cy, const float* x, const float* y, int steps, Seen& to) {
+                    float cx, float cy, const float* x, const float* y, Seen& to) {
   tile.places += 16;
-  if (tile.rises) LookAround(tile.area, near, cx, cy, x, y, steps, to.relief);
-  if (tile.lamp.goes_by_distance())
-    LookAround(tile.gradient, near_ramp, cx, cy, x, y, steps, to.ramp);
+  if (tile.rises) LookAround(tile.area, near, cx, cy, x, y, to.relief);
+  if (tile.lamp.goes_by_distance()) LookAround(tile.gradient, near_ramp, cx, cy, x, y, to.ramp);
 }
 
 /// The colour at a depth, or the distance alone.

@@ -47,27 +47,26 @@ inline void EnterSquare(NearArea& area, const NearBranches* from, float x, float
 }
 
 inline void LookAtLeaf(NearArea& area, NearArea::Leaf& leaf, const NearBranches& which, float cx,
-                       float cy, const float* x, const float* y, int steps, BranchPair& to) {
+                       float cy, const float* x, const float* y, BranchPair& to) {
   area.feet += BranchPair::kPlaces * std::popcount(which.local);
   if (leaf.branches.stroke)
-    LookAt<true>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, steps, to);
+    LookAt<true>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, to);
   else
-    LookAt<false>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, steps, to);
+    LookAt<false>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, to);
   if (leaf.tree) area.sign_by_windings(*leaf.tree, x, y, to);
 }
 
 /// What sixteen places of the square around (cx, cy) see, which was entered last.
 inline void LookAround(NearArea& area, const NearBranches* which, float cx, float cy,
-                       const float* x, const float* y, int steps, BranchPair& to) {
+                       const float* x, const float* y, BranchPair& to) {
   const auto nodes = area.nodes();
-  if (nodes.size() == 1)
-    return LookAtLeaf(area, area.leaves()[0], which[0], cx, cy, x, y, steps, to);
+  if (nodes.size() == 1) return LookAtLeaf(area, area.leaves()[0], which[0], cx, cy, x, y, to);
   std::vector<BranchPair>& pairs = area.pairs();
   for (size_t k = 0; k < nodes.size(); ++k) {
     const Node& n = nodes[k];
     BranchPair& made = k + 1 == nodes.size() ? to : pairs[k];
     if (n.op == Op::shape)
-      LookAtLeaf(area, area.leaves()[size_t(n.b)], which[n.b], cx, cy, x, y, steps, made);
+      LookAtLeaf(area, area.leaves()[size_t(n.b)], which[n.b], cx, cy, x, y, made);
     else
       combine_pairs(n.op, pairs[size_t(n.a)], pairs[size_t(n.b)], float(n.amount), made);
   }

@@ -214,7 +214,7 @@ struct Sight {
 
 template <bool kStroke>
 HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float cx, float cy, VF x,
-                         VF y, int steps) {
+                         VF y) {
   const F f;
   const auto set = [&](float v) HWY_ATTR { return hn::Set(f, v); };
   const VF zero = hn::Zero(f), one = set(1.0f);
@@ -222,8 +222,8 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
-  // [px²] A step as short as that leaves nothing to the next one.
-  const VF short_step = set(2.5e-5f);
+  // [px²] A step as short as that leaves to the next one its square, in radii of the spine's bend.
+  const VF short_step = set(1e-4f);
   constexpr int kMostSteps = 8;
   VF before = t;
   auto goes =
@@ -231,7 +231,6 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   for (int i = 0; i < kMostSteps; ++i) {
     before = hn::IfThenElse(goes, t, before);
     t = hn::IfThenElse(goes, Stepped<kStroke>(c, x, y, t), t);
-    if (i + 1 < steps) continue;
     const VF step = hn::Sub(t, before), square = hn::Mul(step, step);
     const VF gx = Fused(hn::Add(t, t), c.x2, c.x1), gy = Fused(hn::Add(t, t), c.y2, c.y1);
     const VF moved = hn::Mul(square, Fused(gx, gx, hn::Mul(gy, gy)));
@@ -289,7 +288,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
 /// The pair that sixteen places see of these branches, from their feet at (cx, cy).
 template <bool kStroke>
 HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet& feet, float cx,
-                       float cy, const float* px, const float* py, int steps, BranchPair& to) {
+                       float cy, const float* px, const float* py, BranchPair& to) {
   const F f;
   const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
   const VF alike = hn::Set(f, 4e-4f);    // [of |n − n'|²] one branch's
@@ -299,7 +298,7 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
     Sight best{far, one, zero, one, far, one, zero, zero, zero}, next = best;
     for (std::uint64_t rest = which; rest; rest &= rest - 1) {
       const int i = std::countr_zero(rest);
-      const Sight now = SightOf<kStroke>(b, i, feet, cx, cy, x, y, steps);
+      const Sight now = SightOf<kStroke>(b, i, feet, cx, cy, x, y);
       const auto nearer = hn::Lt(now.key, best.key);
       const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
       const VF lost_key = pick(best.key, now.key), lost_x = pick(best.nx, now.nx),
