@@ -1,4 +1,5 @@
 #include "render/shade/look_shader.h"
+#include "render/shade/light/light_tile.h"
 #include "render/shade/radial_means.h"
 #include "render/shade/ramp_lanes.h"
 
@@ -96,6 +97,10 @@ void along(const PaintField& field, double x, double y, int from, int count, dou
 
 }  // namespace
 
+LitPart LookShader::Places::part(int x, int y) const {
+  return {form, float(first.x - x - 0.5), float(first.y - y - 0.5), float(area)};
+}
+
 void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
   if (step.zone >= 0) return lay_lit(step, at, to);
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
@@ -117,7 +122,7 @@ void LookShader::along_distance(const VariedPaint& varied, const Places& at, flo
   const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
   if (at.form)
-    t[0] = lit.distance_of_part(x, y, *at.form, lit_scratch_);
+    t[0] = lit.distance_of_part(x, y, at.part(x, y), lit_scratch_);
   else
     lit.distances(x + at.from, y, at.count, t, lit_scratch_);
   const float from = float(varied.paint.field.from), scale = float(varied.paint.field.scale);
@@ -134,7 +139,7 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
     // A ridge that runs through cells lowers their mean; the part's own mean is more exact.
     float mean = 0.0f, sum = 0.0f, area = 0.0f;
     if (at.form)
-      mean = lit.distance_of_part(x, y, *at.form, lit_scratch_);
+      mean = lit.distance_of_part(x, y, at.part(x, y), lit_scratch_);
     else
       lit.distances(x, y, 1, &mean, lit_scratch_);
     for (std::size_t k = 0; k < std::size_t(at.count); ++k)
@@ -167,7 +172,10 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
         };
         return step.mode != MixMode::normal || (step.kind == Kind::paint && fades());
       });
-  const ColorRow& c = places(look, {{x + 0.5, y + 0.5}, 0, cells_.count(), 1.0, form, &cells_});
+  LitPart part{nullptr, 0.0f, 0.0f, 1.0f};
+  if (form) part = part_of(*form);
+  const glm::dvec2 middle{x + 0.5 + double(part.x), y + 0.5 + double(part.y)};
+  const ColorRow& c = places(look, {middle, 0, cells_.count(), double(part.area), form, &cells_});
   glm::vec4 sum{0.0f};
   float area = 0.0f;
   for (std::size_t k = 0; k < std::size_t(cells_.count()); ++k) {
@@ -185,10 +193,11 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
   lit_.room_for(std::size_t(at.count));
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
   if (at.cells) {
-    lit.colors_of_cells(piece, x, y, *at.cells, at.form, each_, lit_.r, lit_.g, lit_.b, lit_.a,
-                        lit_scratch_);
+    const LitPart part = at.part(x, y);
+    lit.colors_of_cells(piece, x, y, *at.cells, at.form ? &part : nullptr, each_, lit_.r, lit_.g,
+                        lit_.b, lit_.a, lit_scratch_);
   } else if (at.form) {
-    const glm::vec4 c = lit.part(piece, x, y, *at.form, lit_scratch_);
+    const glm::vec4 c = lit.part(piece, x, y, at.part(x, y), lit_scratch_);
     lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
   } else {
     lit.pixels(piece, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),

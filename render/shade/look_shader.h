@@ -50,7 +50,8 @@ class LookShader {
     int from, count;
     double area;
     const PartForm* form;
-    const PartCells* cells = nullptr;  ///< of the pixel at `first`, instead of all of it
+    const PartCells* cells = nullptr;  ///< of the pixel around `first`, instead of all of it
+    LitPart part(int x, int y) const;  ///< of pixel (x, y)
   };
   const ColorRow& places(int look, const Places& at);
   glm::vec4 plain_part(int look, double x, double y, double area) const;

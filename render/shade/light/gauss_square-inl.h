@@ -27,9 +27,9 @@ inline constexpr double kGaussWeight[4] = {0.173927422568726929, 0.3260725774312
                                            0.326072577431273071, 0.173927422568726929};
 
 struct GaussTables {
-  alignas(64) float x[16], y[16];    ///< places, of half the side
-  float third[4];                    ///< of a row's values: its coefficient of third degree
-  float power[4][4];                 ///< the cubic of each node, by powers
+  alignas(64) float x[16], y[16];  ///< places, of half the side
+  float second[4], third[4];  ///< of a row's values: its coefficients of second and third degree
+  float power[4][4];          ///< the cubic of each node, by powers
   alignas(64) float mean[4][4][16];  ///< [log2 of the side − 1][node][pixel]: its share of the mean
 
   static const GaussTables& get() {
@@ -51,6 +51,7 @@ struct GaussTables {
         p[0] *= -kGaussNode[j] * by;
       }
       const double t = kGaussNode[k];
+      second[k] = float(5.0 * kGaussWeight[k] * 0.5 * (3.0 * t * t - 1.0));
       third[k] = float(7.0 * kGaussWeight[k] * 0.5 * (5.0 * t * t * t - 3.0 * t));
       for (int i = 0; i < 4; ++i) power[k][i] = float(p[i]);
       for (int s = 0; s < 4; ++s) SetMeans(p, 2 << s, mean[s][k]);
@@ -66,9 +67,8 @@ struct GaussTables {
   }
 };
 
-/// The largest coefficient of third degree in a row or a column.
-inline float ThirdOf(const float* c) {
-  const float* k = GaussTables::get().third;
+/// The largest coefficient in a row or a column, by the table of its degree.
+inline float MostOf(const float (&k)[4], const float* c) {
   float most = 0.0f;
   for (int i = 0; i < 4; ++i) {
     const float row =

@@ -41,6 +41,8 @@ struct LightTile {
   std::vector<NearBranches> near, near_gradient;  ///< by square and leaf, and those of a pixel
   struct Bicubic {
     alignas(64) float c[kChannels][16];  ///< at Gauss's places
+    float bend =
+        -1;  ///< the largest coefficient of second degree in a row or a column; −1: not asked yet
   };
   std::vector<Bicubic> kept;                  ///< of smooth squares
   std::array<std::uint16_t, kSquares> where;  ///< among those
@@ -64,8 +66,17 @@ struct LightTile {
 /// Makes the mean of pixel (i, j) of the tile known.
 void find_mean(LightTile& tile, int i, int j);
 
+/// A part of a pixel: its form, and its centroid from the pixel's middle and area.
+struct LitPart {
+  const PartForm* form;
+  float x, y, area;
+};
+
+/// Of a form alone: within what its cells leave.
+LitPart part_of(const PartForm& form);
+
 /// The mean over a part of it.
-std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const PartForm& form);
+std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const LitPart& part);
 
 /// The colours at the centroids of its cells; of those without area 0.
 void colors_of_cells(LightTile& tile, int i, int j, const PartCells& cells,

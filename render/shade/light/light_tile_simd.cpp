@@ -103,7 +103,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * allowed) return false;
   if (LeastOf16(shades.foot) < kFoot * side) return false;
   for (int c = 0; c < tile.channels; ++c)
-    if (ThirdOf(made.c[c]) > kThird * allowed) return false;
+    if (MostOf(GaussTables::get().third, made.c[c]) > kThird * allowed) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
   tile.kept.push_back(made);
   return true;
@@ -283,15 +283,19 @@ void FindMean(LightTile& tile, int i, int j) {
   tile.known[p] = 1;
 }
 
-/// A smooth square's colour over a part: where it bends little at the part's centroid, with its variance.
-void BySquare(LightTile& tile, const Square& square, int i, int j, const PartForm& form,
-              float* to) {
-  const LightTile::Bicubic& kept = tile.kept[tile.where[size_t(square.index())]];
-  const int side = tile.side >> square.level;
-  const float half = 0.5f * float(side), over = 1.0f / half;
-  const float u0 = float(i) + 0.5f - (float(square.i) + 0.5f) * float(side),
-              v0 = float(j) + 0.5f - (float(square.j) + 0.5f) * float(side);
-  cells_of_form(form, 4, tile.cells);
+/// A smooth square's colour over a part: at its centroid where it bends little, else by cells.
+void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart& part, float* to) {
+  LightTile::Bicubic& kept = tile.kept[tile.where[size_t(square.index())]];
+  const float side = float(tile.side >> square.level), over = 2.0f / side;
+  const float u0 = float(i) + 0.5f - (float(square.i) + 0.5f) * side,
+              v0 = float(j) + 0.5f - (float(square.j) + 0.5f) * side;
+  if (kept.bend < 0.0f)
+    for (int c = 0; c < tile.channels; ++c)
+      kept.bend = HWY_MAX(kept.bend, MostOf(GaussTables::get().second, kept.c[c]));
+  // A coefficient c bends by 12 c / side² per px²; centroids leave a part's variance, 1/12 at most, times half of that.
+  if (kept.bend < 0.5f * side * side * tile.tolerance)
+    return BicubicAt(kept, tile.channels, (u0 + part.x) * over, (v0 + part.y) * over, to);
+  cells_of_form(*part.form, 4, tile.cells);
   float area = 0.0f;
   std::fill_n(to, LightTile::kChannels, 0.0f);
   for (size_t k = 0; k < 16; ++k) {
@@ -305,20 +309,13 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const PartFor
   for (int q = 0; q < tile.channels; ++q) to[q] *= area > 0.0f ? 1.0f / area : 0.0f;
 }
 
-float AreaOf(const PartForm& form, PartCells& cells) {
-  cells_of_form(form, 4, cells);
-  float area = 0.0f;
-  for (size_t k = 0; k < 16; ++k) area += cells.area[k];
-  return area;
-}
-
-void MeanOfPart(LightTile& tile, int i, int j, const PartForm& form, float* to) {
+void MeanOfPart(LightTile& tile, int i, int j, const LitPart& part, float* to) {
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, smooth);
   if (smooth)
-    BySquare(tile, around, i, j, form, to);
+    BySquare(tile, around, i, j, part, to);
   else
-    ByCells(tile, around, i, j, &form, AreaOf(form, tile.cells), to);
+    ByCells(tile, around, i, j, part.form, part.area, to);
 }
 
 void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
@@ -367,9 +364,22 @@ void find_mean(LightTile& tile, int i, int j) {
   MIEN_DISPATCH(FindMean)(tile, i, j);
 }
 
-std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const PartForm& form) {
+LitPart part_of(const PartForm& form) {
+  PartCells cells;
+  cells_of_form(form, 4, cells);
+  LitPart part{&form, 0.0f, 0.0f, 0.0f};
+  for (std::size_t k = 0; k < 16; ++k) {
+    part.area += cells.area[k];
+    part.x += cells.area[k] * cells.x[k], part.y += cells.area[k] * cells.y[k];
+  }
+  const float over = part.area > 0.0f ? 1.0f / part.area : 0.0f;
+  part.x *= over, part.y *= over;
+  return part;
+}
+
+std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const LitPart& part) {
   std::array<float, 4> mean{};
-  MIEN_DISPATCH(MeanOfPart)(tile, i, j, form, mean.data());
+  MIEN_DISPATCH(MeanOfPart)(tile, i, j, part, mean.data());
   return mean;
 }
 

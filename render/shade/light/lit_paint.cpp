@@ -153,23 +153,23 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
   }
 }
 
-glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const PartForm& form,
+glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const LitPart& part,
                          Scratch& scratch) const {
   LightTile* t = in_lanes(piece) ? tile(piece, x, y, scratch) : nullptr;
-  if (!t) return slow_part(piece, x, y, form);
+  if (!t) return slow_part(piece, x, y, *part.form);
   if (!t->lamp.varies()) return glm::vec4(surface_.paint().color);
-  const std::array<float, 4> mean = mean_of_part(*t, x - t->x, y - t->y, form);
+  const std::array<float, 4> mean = mean_of_part(*t, x - t->x, y - t->y, part);
   return {mean[0], mean[1], mean[2], t->channels == 4 ? mean[3] : opacity_of(*t)};
 }
 
 void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCells& cells,
-                               const PartForm* form, bool each, std::span<float> r,
+                               const LitPart* part, bool each, std::span<float> r,
                                std::span<float> g, std::span<float> b, std::span<float> a,
                                Scratch& scratch) const {
   const auto count = std::size_t(cells.count());
   glm::vec4 mean{0.0f};
-  if (form)
-    mean = part(piece, x, y, *form, scratch);
+  if (part)
+    mean = this->part(piece, x, y, *part, scratch);
   else
     pixels(piece, x, y, 1, &mean.r, &mean.g, &mean.b, &mean.a, scratch);
   const std::array<float*, 4> to{r.data(), g.data(), b.data(), a.data()};
@@ -235,9 +235,9 @@ void LitPaint::distances_of_cells(int x, int y, const PartCells& cells, float* d
   }
 }
 
-float LitPaint::distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const {
+float LitPaint::distance_of_part(int x, int y, const LitPart& part, Scratch& scratch) const {
   LightTile* t = tile(kDistances, x, y, scratch);
-  return t ? mean_of_part(*t, x - t->x, y - t->y, form)[0] : slow_distance(x, y, &form);
+  return t ? mean_of_part(*t, x - t->x, y - t->y, part)[0] : slow_distance(x, y, part.form);
 }
 
 }  // namespace mien

@@ -21,6 +21,7 @@
 namespace mien {
 
 struct LightTile;
+struct LitPart;
 
 class LitPaint {
  public:
@@ -70,17 +71,17 @@ class LitPaint {
               float* a, Scratch& scratch) const;
 
   /// The mean over a part of pixel (x, y) that lies in that piece.
-  glm::vec4 part(const LitPiece& piece, int x, int y, const PartForm& form, Scratch& scratch) const;
+  glm::vec4 part(const LitPiece& piece, int x, int y, const LitPart& part, Scratch& scratch) const;
 
   /// Colours at the centroids of a pixel's cells, each evaluated by itself; else the mean over the form, or over
   /// the whole pixel without one, for all of them.
   void colors_of_cells(const LitPiece& piece, int x, int y, const PartCells& cells,
-                       const PartForm* form, bool each, std::span<float> r, std::span<float> g,
+                       const LitPart* part, bool each, std::span<float> r, std::span<float> g,
                        std::span<float> b, std::span<float> a, Scratch& scratch) const;
 
   /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
   void distances(int x, int y, int count, float* d, Scratch& scratch) const;
-  float distance_of_part(int x, int y, const PartForm& form, Scratch& scratch) const;
+  float distance_of_part(int x, int y, const LitPart& part, Scratch& scratch) const;
   /// The distance at the centroids of a pixel's cells.
   void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
 

@@ -1,4 +1,5 @@
 #include "render/shade/light/lit_paint.h"
+#include "render/shade/light/light_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,8 @@ void judge(test::Random& random, int kind, double size, Profile profile, Blend b
     const auto keeps = [&](glm::dvec2 p) { return glm::dot(p - middle, way) < at; };
     const auto part = [&](const test::CountedForm& form) {
       return [&, form](const test::LitPart&) {
-        return Mix(paint.part(zone, x, y, form.form(), scratch));
+        const PartForm own = form.form();
+        return Mix(paint.part(zone, x, y, part_of(own), scratch));
       };
     };
     cut.add(judged(brute, blend, zone, x, y, part(brute.form(zone, x, y, keeps)), keeps));
@@ -95,7 +97,8 @@ TEST(LitPaint, DoesNotDependOnWhatWasAskedBefore) {
         one.pixels(zone, 0, y, 64, row[0], row[1], row[2], row[3], scratch);
         const int x = random.below(64);
         const PartStretch half{0.3f, 0, 0.4f, 0.5f, 0.5f, 1, 1};
-        other.part(zone, x, y, {.stretches = {&half, 1}}, fresh);
+        const PartForm form{.stretches = {&half, 1}};
+        other.part(zone, x, y, part_of(form), fresh);
         other.pixels(zone, x, y, 1, &single[0], &single[1], &single[2], &single[3], fresh);
         for (int c = 0; c < 4; ++c)
           EXPECT_EQ(std::memcmp(&row[c][x], &single[c], sizeof(float)), 0) << k;
