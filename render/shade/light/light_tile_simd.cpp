@@ -214,9 +214,9 @@ struct PixelNear {
 
 /// Into how many cells each way a part must be divided at least. Over a round profile's width w colours make all their
 /// change, some 200 levels with a bend of 4 / w²: cells of side h leave 33 (h / w)² of its area.
-int LeastSide(const LightTile& tile, float area) {
+int LeastSide(const LightTile& tile, float area, float allowed) {
   if (!tile.rises || !tile.lamp.is_round()) return 4;
-  const float most = 0.13f * area / HWY_MAX(tile.tolerance, 1e-9f);  // of (w / h)²
+  const float most = 0.13f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
   const float wide = tile.lamp.width * tile.lamp.width;
   int side = 4;
   while (side < PartCells::kMostSide && wide * float(side * side) < most) side *= 2;
@@ -229,6 +229,8 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   // [of the tolerance] A clamp that begins in the pixel leaves a 90th of its change to 4 × 4 cells; ridges less than a
   // 400th of their jump.
   constexpr float kKink = 45.0f, kJump = 100.0f, kAgree = 0.7f;
+  // [of 1] Smaller tolerances are never left to 4 × 4 cells alone.
+  constexpr float kFine = 2e-4f;
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
   NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
                       *const near_ramp =
@@ -237,7 +239,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
         cx, cy, 0.7072f, near, near_ramp);
   float before[LightTile::kChannels] = {};
-  const int least = LeastSide(tile, form_area);
+  const int least = LeastSide(tile, form_area, tile.tolerance);
   for (int side = least;; side *= 2) {
     if (form)
       cells_of_form(*form, side, tile.cells);
@@ -263,11 +265,16 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
     // What a part is off by counts by its area.
     const float seen = HWY_MAX(sum.area, 0.05f), finer = float(side * side) / 16.0f;
     if (side == PartCells::kMostSide) return;
-    const bool fine = tile.tolerance < 1e-4f && side == least;
-    if (!fine && sum.kink * seen < kKink * finer * tile.tolerance &&
-        sum.jump * seen < kJump * finer * tile.tolerance)
+    float allowed = tile.tolerance;
+    if (tile.lamp.linear) {
+      allowed = AllowedAt(tile, HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
+      if (side < LeastSide(tile, form_area, allowed)) continue;
+    }
+    const bool fine = allowed < kFine && side == least;
+    if (!fine && sum.kink * seen < kKink * finer * allowed &&
+        sum.jump * seen < kJump * finer * allowed)
       return;
-    if (side > least && apart * seen < kAgree * tile.tolerance) return;
+    if (side > least && apart * seen < kAgree * allowed) return;
   }
 }
 

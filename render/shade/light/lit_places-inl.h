@@ -11,6 +11,8 @@
 #include "render/shade/light/light_tile.h"
 #include "render/shade/nearest/near_area-inl.h"
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
 namespace HWY_NAMESPACE {
@@ -127,30 +129,33 @@ HWY_INLINE Range RangeOf16(const float* v, const float* there) {
   return {hn::GetLane(hn::MinOfLanes(f, low)), hn::GetLane(hn::MaxOfLanes(f, high))};
 }
 
-/// By how much a clamp of the law that begins among places, or close to them, may change colours there; 0 if none does.
-/// `there`: which places count (more than 0).
+/// How steep the transfer function is where the least value is that: of the blending space per linear light.
+HWY_INLINE float SteepnessAt(const LightTile& tile, float least) {
+  if (tile.lamp.linear) return 1.0f;
+  // 1.055 / 2.4 x^(−1.4) with x = (v + 0.055) / 1.055, by a power that is no less.
+  const float x = (HWY_MAX(least, 0.0f) + 0.055f) / 1.055f;
+  return HWY_MIN(0.44f / (x * std::sqrt(x)), 12.92f);
+}
+
+/// By how much a clamp of the law that begins among places, or as close to them as `margin` of their range, changes
+/// colours there: what it takes or leaves, whichever is less; 0 if none begins. `there`: which places count.
 HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* there,
                            float margin) {
   const LampLanes& lamp = tile.lamp;
   if (lamp.distance_alone) return 0.0f;
-  // No channel changes by more than the light does, times what the transfer function is steepest.
-  const float steepest = lamp.linear ? 1.0f : 12.92f;
-  const float weight[3] = {lamp.diffuse * steepest, lamp.shine * steepest, steepest};
+  const float weight[3] = {lamp.diffuse, lamp.shine, 1.0f};
   float most = 0.0f;
   for (int b = 0; b < 3; ++b) {
     if (!(weight[b] > 0.0f)) continue;
     const Range range = RangeOf16(s.bounds[b], there);
-    const float wide = range.high - range.low;
-    if (range.low < margin * wide && range.high > -margin * wide)
-      most = HWY_MAX(most, weight[b] * wide);
+    const float beyond = margin * (range.high - range.low);
+    const float less = HWY_MIN(range.high + beyond, beyond - range.low);
+    most = HWY_MAX(most, weight[b] * less);
   }
   if (most == 0.0f) return 0.0f;
-  float seen = 0.0f;
-  for (int c = 0; c < 3; ++c) {
-    const Range range = RangeOf16(s.c[c], there);
-    seen = HWY_MAX(seen, range.high - range.low);
-  }
-  return HWY_MIN(most, seen);
+  float least = 1.0f;
+  for (int c = 0; c < 3; ++c) least = HWY_MIN(least, RangeOf16(s.c[c], there).low);
+  return most * SteepnessAt(tile, least);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -53,8 +53,8 @@ void judge(test::Random& random, int kind, double size, Profile profile, Blend b
     const auto keeps = [&](glm::dvec2 p) { return glm::dot(p - middle, way) < at; };
     const auto part = [&](const test::CountedForm& form) {
       return [&, form](const test::LitPart&) {
-        const PartForm own = form.form();
-        return Mix(paint.part(zone, x, y, part_of(own), scratch));
+        const PartForm asked = form.form();
+        return Mix(paint.part(zone, x, y, part_of(asked), scratch));
       };
     };
     cut.add(judged(brute, blend, zone, x, y, part(brute.form(zone, x, y, keeps)), keeps));
