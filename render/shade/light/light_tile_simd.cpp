@@ -79,7 +79,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   const float side = float(tile.side >> square.level), half = 0.5f * side;
   // [of the tolerance] A clamp that begins in a square's middle leaves to a pixel's mean a 60th of its change where the
   // pixel is a quarter of the square, a 20th where less.
-  const float kKink = side < 6.0f ? 8.0f : 3.0f;
+  const float kKink = side < 6.0f ? 12.0f : 4.0f;
   if (tile.lamp.finest < side) return false;
   const GaussTables& g = GaussTables::get();
   alignas(64) float x[16], y[16];
@@ -114,7 +114,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
   constexpr float kBetween = 0.45f, kDeep = 1.0f;
   // [of the tolerance] A clamp that begins in a pixel leaves a 60th of its change, and what varies so little no more.
-  constexpr float kKink = 20.0f, kRange = 80.0f;
+  constexpr float kKink = 10.0f, kRange = 80.0f;
   // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
   constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
   if (tile.lamp.finest < 3.0f) return;

@@ -143,19 +143,22 @@ HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* 
                            float margin) {
   const LampLanes& lamp = tile.lamp;
   if (lamp.distance_alone) return 0.0f;
-  const float weight[3] = {lamp.diffuse, lamp.shine, 1.0f};
-  float most = 0.0f;
+  float less[3], most = 0.0f;  // of what is clamped
   for (int b = 0; b < 3; ++b) {
-    if (!(weight[b] > 0.0f)) continue;
     const Range range = RangeOf16(s.bounds[b], there);
     const float beyond = margin * (range.high - range.low);
-    const float less = HWY_MIN(range.high + beyond, beyond - range.low);
-    most = HWY_MAX(most, weight[b] * less);
+    less[b] = HWY_MAX(HWY_MIN(range.high + beyond, beyond - range.low), 0.0f);
+    most = HWY_MAX(most, less[b]);
   }
   if (most == 0.0f) return 0.0f;
-  float least = 1.0f;
-  for (int c = 0; c < 3; ++c) least = HWY_MIN(least, RangeOf16(s.c[c], there).low);
-  return most * SteepnessAt(tile, least);
+  // A channel is clamped where it is 1.
+  float change = less[2] * SteepnessAt(tile, 1.0f);
+  for (int c = 0; c < 3; ++c) {
+    const float steep = SteepnessAt(tile, RangeOf16(s.c[c], there).low);
+    const float light = lamp.ramp.kind == LampRamp::Kind::none ? lamp.light[size_t(c)] : 1.0f;
+    change = HWY_MAX(change, steep * HWY_MAX(lamp.diffuse * light * less[0], lamp.shine * less[1]));
+  }
+  return change;
 }
 
 }  // namespace HWY_NAMESPACE
