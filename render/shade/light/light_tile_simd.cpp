@@ -216,7 +216,7 @@ struct PixelNear {
 /// change, some 200 levels with a bend of 4 / w²: cells of side h leave 33 (h / w)² of its area.
 int LeastSide(const LightTile& tile, float area, float allowed) {
   if (!tile.rises || !tile.lamp.is_round()) return 4;
-  const float most = 0.13f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
+  const float most = 0.033f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
   const float wide = tile.lamp.width * tile.lamp.width;
   int side = 4;
   while (side < PartCells::kMostSide && wide * float(side * side) < most) side *= 2;
