@@ -302,6 +302,8 @@ void make_spines(const Shape& shape, glm::dvec2 center, ShapeSpines& made, Path&
   made.list.spines.clear(), made.list.next.clear();
   std::visit(SpinesOfShape{made, pieces}, shape);
   for (Spine& s : made.list.spines) s.x0 += center.x, s.y0 += center.y;
+  made.list.before.resize(made.list.next.size());
+  for (std::size_t i = 0; i < made.list.next.size(); ++i) made.list.before[made.list.next[i]] = i;
 }
 
 }  // namespace

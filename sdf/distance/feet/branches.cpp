@@ -111,6 +111,9 @@ class Gathering {
     const glm::dvec2 next = outline_.next.empty()
                                 ? glm::dvec2{0.0}
                                 : along_spine(outline_.spines[outline_.next[now_]], 0.0);
+    const glm::dvec2 before = outline_.before.empty()
+                                  ? glm::dvec2{0.0}
+                                  : along_spine(outline_.spines[outline_.before[now_]], 1.0);
     const double by = to - from;
     const glm::dvec2 begin = on_spine(s, from) - middle_, way = by * along_spine(s, from);
     const double figures[Branches::kRows] = {begin.x,
@@ -133,6 +136,8 @@ class Gathering {
                                              s.end_y,
                                              next.x,
                                              next.y,
+                                             before.x,
+                                             before.y,
                                              start,
                                              0.0,
                                              0.0};

@@ -44,6 +44,8 @@ struct Branches {
     end_y,
     next_x,
     next_y,  // of a path: the way in which the next side sets out
+    before_x,
+    before_y,  // and in which the one before arrives
     foot,
     foot_x,
     foot_y,  // the middle's, and how it moves with the place
@@ -67,7 +69,8 @@ struct Branches {
 struct SpineList {
   bool stroke = false;  ///< else sides of a path
   std::vector<Spine> spines;
-  std::vector<std::size_t> next;  ///< by side of a path: the one that begins at its end
+  std::vector<std::size_t> next;    ///< by side of a path: the one that begins at its end
+  std::vector<std::size_t> before;  ///< the other way round
 };
 
 /// The branches around a disc.

@@ -280,6 +280,12 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const auto at_end = hn::Lt(r, set(1e-3f));
   const VF ox = hn::IfThenElse(at_end, hn::Mul(px, beside), hn::Mul(qx, over_r));
   const VF oy = hn::IfThenElse(at_end, hn::Mul(py, beside), hn::Mul(qy, over_r));
+  // An end is no least distance of the outline where the side that goes on there comes nearer.
+  const VF on = Fused(qx, row(Branches::next_x), hn::Mul(qy, row(Branches::next_y)));
+  const VF back = Fused(qx, row(Branches::before_x), hn::Mul(qy, row(Branches::before_y)));
+  const auto passes = hn::IfThenElse(end, on, hn::Neg(back));
+  const auto goes_on = hn::AndNot(inner, hn::Gt(passes, zero));
+  s.moved = hn::IfThenElse(goes_on, one, s.moved);
   s.sign = hn::IfThenElse(inner, s.sign, beside);
   s.nx = hn::IfThenElse(inner, s.nx, ox), s.ny = hn::IfThenElse(inner, s.ny, oy);
   return s;
