@@ -51,7 +51,7 @@ float LeastOf(const LightTile::Bicubic& square) {
 bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
   if (tile.lamp.distance_alone) return true;
   // [of the tolerance] A step in a square's middle leaves a third of itself to a mean.
-  constexpr float kJump = 3.0f;
+  constexpr float kJump = 10.0f;
   const LampLanes& lamp = tile.lamp;
   const float most = kJump * tile.tolerance / (lamp.linear ? 12.92f : 1.0f);
   for (int k = 0; k < 16; ++k) {
@@ -212,14 +212,15 @@ struct PixelNear {
   const NearBranches *relief, *ramp;
 };
 
-/// Into how many cells each way a part must be divided at least. Over a round profile's width w colours make all their
-/// change, some 200 levels with a bend of 4 / w²: cells of side h leave 33 (h / w)² of its area.
+/// Into how many cells each way a part must be divided at least. Over a round profile's width w, or over a narrow dome
+/// or the highlight on one, colours make all their change, some 200 levels with a bend of 4 / w²: cells of side h leave
+/// 33 (h / w)² of its area, and a quarter of that at most by two depths.
 int LeastSide(const LightTile& tile, float area, float allowed) {
-  if (!tile.rises || !tile.lamp.is_round()) return 4;
+  float width = 2.0f * tile.lamp.finest;
+  if (tile.rises && tile.lamp.is_round()) width = HWY_MIN(width, tile.lamp.width);
   const float most = 0.033f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
-  const float wide = tile.lamp.width * tile.lamp.width;
   int side = 4;
-  while (side < PartCells::kMostSide && wide * float(side * side) < most) side *= 2;
+  while (side < PartCells::kMostSide && width * width * float(side * side) < most) side *= 2;
   return side;
 }
 
@@ -228,7 +229,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
              float form_area, float* to) {
   // [of the tolerance] A clamp that begins in the pixel leaves a 90th of its change to 4 × 4 cells; ridges less than a
   // 400th of their jump.
-  constexpr float kKink = 45.0f, kJump = 100.0f, kAgree = 0.7f;
+  constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
   // [of 1] Smaller tolerances are never left to 4 × 4 cells alone.
   constexpr float kFine = 2e-4f;
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
