@@ -5,7 +5,7 @@ import ctypes
 import struct
 import threading
 import zlib
-from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Generator, NamedTuple, Optional, Sequence, Union
 
 import numpy
 import numpy.typing
@@ -84,23 +84,32 @@ class Watched:
 
     def __init__(self, watch: Optional[Watch]) -> None:
         self.raised: Optional[BaseException] = None
+        answers = self._answers(watch)
+        next(answers)
+        self.function = Progress(answers.send)
 
-        def asked(done: float, _: Any) -> int:
+    def _answers(self, watch: Optional[Watch]) -> Generator[int, float, None]:
+        """Whether to stop, by the share done. A generator waits within its try: there Python raises what a signal's
+        handler raises, such as KeyboardInterrupt. In a function it is raised before the first line, and is lost."""
+        stop = 0
+        while True:
             try:
-                return int(watch is not None and watch(done) is False)
-            except BaseException as raised:  # also KeyboardInterrupt
-                self.raised = raised
-                return 1
-
-        self.function = Progress(asked)
+                while True:
+                    done = yield stop
+                    stop = int(stop or watch is not None and watch(done) is False)
+            except GeneratorExit:
+                return
+            except BaseException as raised:
+                self.raised, stop = self.raised or raised, 1
 
     def call(self, function: Callable[..., Any], *arguments: Any) -> None:
         try:
             call(function, *arguments)
         except Error:
-            if self.raised is not None:
-                raise self.raised from None
-            raise
+            if self.raised is None:
+                raise
+        if self.raised is not None:
+            raise self.raised from None
 
 
 def array_for(seen: View, depth: str, out: Optional[numpy.typing.NDArray[Any]]) -> numpy.typing.NDArray[Any]:
