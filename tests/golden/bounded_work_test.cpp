@@ -12,9 +12,8 @@
 namespace mien::test {
 namespace {
 
-// Of what the documents promise, so that it takes seconds; but enough points for paths to have trees. Below 128 sides
-// they have none: a gradient on a tangle of 100 points takes more steps than are allowed here.
-constexpr double kSmall = 0.13;
+// Of what the documents promise, so that it takes seconds.
+constexpr double kSmall = 0.10;
 
 const View kView{.width = 64, .height = 64};
 
