@@ -124,8 +124,6 @@ bool add_path(const Path& path, SpineShape& made, Path& pieces) {
   return !to.empty();
 }
 
-constexpr std::size_t kManySides = 128;  // of a path whose sides cross: fewer are asked one by one
-
 /// The spines of each kind of shape, where it has any; else the shape is slow.
 struct SpinesOfShape {
   glm::dvec2 center;
@@ -156,12 +154,14 @@ struct SpinesOfShape {
   }
   /// Sides that cross have no hand; feet on them are those of lines without width.
   void add_crossing(const Path& s) {
-    std::size_t sides = 0;
-    for (const Path::Loop& loop : s.loops) sides += loop.sides.size();
-    if (sides < kManySides) return;
     made.spines.clear(), made.next.clear();
     for (const Path::Loop& loop : s.loops)
-      for (const QuadBezier& side : loop.sides) add(side, 0.0);
+      for (std::size_t i = 0; i < loop.sides.size(); ++i) {
+        const glm::dvec2 end = loop.sides[i ? i - 1 : loop.sides.size() - 1].p2;
+        if (end != loop.sides[i].p0) add(straight(end, loop.sides[i].p0), 0.0);
+        add(loop.sides[i], 0.0);
+      }
+    if (made.spines.empty()) return;
     made.stroke = true, made.slow = false;
     made.tree.emplace(s);
   }

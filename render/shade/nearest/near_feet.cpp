@@ -40,6 +40,11 @@ bool has_one_foot(const Spine<double>& s, double from, double to, double farthes
   return slowest - taken - w * std::sqrt(fastest) > 0.3 * slowest;
 }
 
+/// Whether a line through its ends is as good [px].
+bool is_straight(const Spine<double>& s) {
+  return std::abs(s.x2) + std::abs(s.y2) < 1e-5;
+}
+
 /// How far apart samples may lie [px]: a third of the tile's radius; where the spine turns more tightly than that,
 /// close enough for both sides of the bend to be seen, but at least a tenth.
 double sample_gap(const Spine<double>& s, double from, double to, double radius) {
@@ -145,6 +150,7 @@ void NearFeet::narrow_shape(const SpineShape& shape) {
       const double widest = std::max({s.w0, s.w0 + 0.5 * s.w1 + 0.25 * s.w2, s.w0 + s.w1 + s.w2});
       const double farthest = std::abs(best) + 3.0 * radius_ + std::abs(widest);
       near.single = has_one_foot(s, from, to, farthest);
+      near.line = shape.tree && is_straight(s);
       if (!shape.next.empty() && has_one_foot(s, 0.0, 1.0, farthest) && ends_beside(shape, k))
         continue;
       place_samples(s, shape.reach[k], from, to, radius_, near);
@@ -195,17 +201,23 @@ void NearFeet::shape_at(const Leaf& leaf, std::span<const float> x, std::span<co
 void NearFeet::sign_by_windings(const PathTree& tree, std::span<const float> x,
                                 std::span<const float> y, const Feet& out) const {
   worked(300 * std::int64_t(x.size()));
-  // No side lies within a place's distance of it, so places there have its winding number.
-  glm::dvec2 known{0.0};
-  double around = 0.0;
-  bool inside = false;
+  // No side lies within a place's distance of it, so places there have its winding number: those of the place before,
+  // and of the one before whose distance was the largest.
+  struct Known {
+    glm::dvec2 at{0.0};
+    double around = 0.0;
+    bool inside = false;
+  } last, wide;
   for (std::size_t i = 0; i < x.size(); ++i) {
+    constexpr double kFloats = 1e-3;  // [px] more than distances of floats are off by
     const glm::dvec2 p{x[i], y[i]};
-    if (!(glm::distance(p, known) < around)) {
-      constexpr double kFloats = 1e-3;  // [px] more than distances of floats are off by
-      inside = tree.inside(middle_ - area_->center() + p);
-      known = p, around = double(out.d[i]) - kFloats;
-    }
+    const auto knows = [&](const Known& k) { return glm::distance(p, k.at) < k.around; };
+    last = {p, double(out.d[i]) - kFloats,
+            knows(last)   ? last.inside
+            : knows(wide) ? wide.inside
+                          : tree.inside(middle_ - area_->center() + p)};
+    if (!knows(wide) || last.around > wide.around) wide = last;
+    const bool inside = last.inside;
     if (!inside) continue;
     out.d[i] = -out.d[i], out.nx[i] = -out.nx[i], out.ny[i] = -out.ny[i];
     out.bend[i] = -out.bend[i];

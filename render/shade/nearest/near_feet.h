@@ -39,6 +39,7 @@ struct NearSpine {
   bool single;        ///< nowhere in the disc does it have two feet
   float least;        ///< a lower bound of its distance at the middle
   float apart;        ///< how much nearer it may come between two samples
+  bool line = false;  ///< straight and without width: its foot needs no search
 };
 
 /// An ellipse in its own frame, seen from a tile's middle.

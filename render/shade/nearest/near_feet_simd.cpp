@@ -96,10 +96,19 @@ HWY_INLINE SampleRange SamplesAround(const NearSpine& near, const Around& around
   return {HWY_MAX(first - 1, 0), HWY_MIN(last + 1, near.samples - 1), least - near.apart};
 }
 
+HWY_INLINE Foot FootOnLine(const Spine<float>& s, VF x, VF y) {
+  const VF ex = hn::Sub(x, Const(s.x0)), ey = hn::Sub(y, Const(s.y0));
+  const float over = 1.0f / HWY_MAX(s.x1 * s.x1 + s.y1 * s.y1, 1e-20f);
+  const VF along = Fused(ex, Const(s.x1), hn::Mul(ey, Const(s.y1)));
+  const VF t = hn::Min(hn::Max(hn::Mul(along, Const(over)), hn::Zero(F())), Const(1.0f));
+  return {KeyAt<false>(s, x, y, t), t};
+}
+
 /// The nearest place of one spine.
 template <bool kStroke>
 HWY_INLINE Foot FootOn(const NearSpine& near, const SampleRange& samples, VF x, VF y) {
   const Spine<float>& s = near.spine;
+  if (near.line) return FootOnLine(s, x, y);
   const VF far = Const(1e30f);
   VF best = far, at = Const(near.first);
   // The second: a sample no farther than both its neighbours, not beside the best.
@@ -206,17 +215,23 @@ HWY_INLINE int Choose(std::span<const NearSpine> spines, const Around& around, C
   const float x = hn::GetLane(around.x), y = hn::GetLane(around.y);
   const float from_middle = std::sqrt(x * x + y * y);
   float best = 1e30f;
-  int seen = 0, count = 0;
+  int count = 0;
+  const auto kept = [&] {
+    int left = 0;
+    for (int i = 0; i < count; ++i)
+      if (chosen[i].samples.least <= best + 2.0f * away) chosen[left++] = chosen[i];
+    return left;
+  };
   for (const NearSpine& near : spines) {
     if (near.least - from_middle > best + 2.0f * away) break;
-    if (seen == kMostChosen) return -1;
     const SampleRange samples = SamplesAround<kStroke>(near, around);
     best = HWY_MIN(best, samples.least + near.apart);
-    chosen[seen++] = {&near, samples};
+    if (samples.least > best + 2.0f * away) continue;
+    if (count == kMostChosen) count = kept();
+    if (count == kMostChosen) return -1;
+    chosen[count++] = {&near, samples};
   }
-  for (int i = 0; i < seen; ++i)
-    if (chosen[i].samples.least <= best + 2.0f * away) chosen[count++] = chosen[i];
-  return count;
+  return kept();
 }
 
 /// Takes the foot on one more spine where it is nearer.

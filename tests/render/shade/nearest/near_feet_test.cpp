@@ -1,4 +1,5 @@
 #include "render/shade/nearest/near_feet.h"
+#include "lib/base/watch.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,58 @@ TEST(NearFeet, AreTheAreasOwnDistancesAndGradients) {
     }
     EXPECT_LT(double(far_off), 2e-3 * double(all));
   });
+}
+
+/// A closed path of `sides` sides through random places; of one kind a side is missing, which closes it by itself.
+Path crossing_path(test::Random& random, int sides, bool bent, bool open) {
+  Path path{{Path::Loop{}}, random.chance(0.5) ? FillRule::nonzero : FillRule::even_odd};
+  const glm::dvec2 first = random.point(0, 64);
+  glm::dvec2 from = first;
+  for (int i = 0; i < sides; ++i) {
+    const glm::dvec2 to = i + 1 < sides ? random.point(0, 64) : first;
+    const glm::dvec2 by = bent ? random.point(0, 64) : 0.5 * (from + to);
+    if (!open || i + 1 < sides) path.loops[0].sides.push_back({from, by, to});
+    from = to;
+  }
+  return path;
+}
+
+TEST(NearFeet, OfPathsThatCrossThemselves) {
+  test::Random random(7);
+  long far_off = 0, all = 0;
+  for (const int sides : {4, 5, 20, 60, 130})
+    for (const bool bent : {false, true})
+      for (const bool open : {false, true})
+        for (int k = 0; k < 10; ++k, all += 16) {
+          SceneBuilder build({.box = {{0, 0}, {64, 64}}, .y_up = false}, {1, 1, 1, 1});
+          const Area path = build.shape(crossing_path(random, sides, bent, open));
+          const Scene scene = std::move(build).finish();
+          check(AreaDistance(scene, path, {glm::dmat2(1.0), {0, 0}}), random.point(8, 56), random,
+                far_off);
+        }
+  EXPECT_LT(double(far_off), 0.02 * double(all));  // ridges are dense here
+}
+
+/// What is asked for one place at a time takes a thousand steps and more.
+TEST(NearFeet, OfCrossingsTakeFewSteps) {
+  test::Random random(8);
+  for (const int sides : {4, 30, 100}) {
+    SceneBuilder build({.box = {{0, 0}, {64, 64}}, .y_up = false}, {1, 1, 1, 1});
+    const Area path = build.shape(crossing_path(random, sides, false, false));
+    const Scene scene = std::move(build).finish();
+    const AreaDistance area(scene, path, {glm::dmat2(1.0), {0, 0}});
+    Watch watch;
+    constexpr int kTimes = 1000;  // the tree is made once
+    {
+      const Watching here(&watch);
+      const FeetArea feet_area(area, {0, 0});
+      NearFeet feet;
+      feet.narrow(feet_area, {32, 32}, 13.0);
+      float x[16] = {}, y[16] = {}, d[16], nx[16], ny[16], bend[16];
+      for (int i = 0; i < kTimes; ++i) feet.at(x, y, {d, nx, ny, bend});
+    }
+    EXPECT_LT(double(watch.steps()) / (16 * kTimes), 500.0) << sides;
+  }
 }
 
 TEST(NearFeet, TellHowTheGradientTurns) {
