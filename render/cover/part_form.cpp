@@ -9,6 +9,24 @@ namespace {
 constexpr int kMostChords = 24;   // leave 2e-4 px² for bulges up to 0.17 px
 constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
 
+/// As many chords as leave less than 2e-4 px² between them and the parabola: with a bulge b in the middle, k chords leave
+/// 2/3 b / k².
+template <class Add>
+void for_each_chord(const PartStretch& s, Add add) {
+  const float bulge = std::abs(s.xm - 0.5f * (s.xp + s.xq)) + std::abs(s.ym - 0.5f * (s.yp + s.yq));
+  const int chords = std::clamp(int(std::ceil(std::sqrt(3300.0f * bulge))), 1, kMostChords);
+  float x = s.xp, y = s.yp;
+  for (int i = 1; i < chords; ++i) {
+    const float t = float(i) / float(chords), p = (1.0f - t) * (1.0f - 2.0f * t),
+                m = 4.0f * t * (1.0f - t), q = t * (2.0f * t - 1.0f);
+    const float to_x = std::clamp(p * s.xp + m * s.xm + q * s.xq, 0.0f, 1.0f);
+    const float to_y = std::clamp(p * s.yp + m * s.ym + q * s.yq, y, s.yq);
+    add(PartChord{x, y, to_x, to_y, s.sign});
+    x = to_x, y = to_y;
+  }
+  add(PartChord{x, y, s.xq, s.yq, s.sign});
+}
+
 /// Sums of a form's cells: areas and first moments about their middles, and what fills all cells from a
 /// column on.
 struct CellSums {
@@ -26,7 +44,6 @@ struct CellSums {
   }
 
   void add_left(const PartEntry& left);
-  void add_stretch(const PartStretch& s);
   void add_chord(float xp, float yp, float xq, float yq, float sign);
   void add_in_row(int row, float xp, float yp, float xq, float yq, float sign);
   void add_in_cell(int row, int column, float xp, float yp, float xq, float yq, float sign);
@@ -40,23 +57,6 @@ void CellSums::add_left(const PartEntry& left) {
       const float y = (float(i) + 0.5f) / PartEntry::kRows - 0.5f * cell, height = left.height[k];
       from[j][0] += height, from_y[j][0] += height * y + left.moment[k];
     }
-}
-
-/// As many chords as leave less than 2e-4 px² between them and the parabola: with a bulge b in the middle, k chords leave
-/// 2/3 b / k².
-void CellSums::add_stretch(const PartStretch& s) {
-  const float bulge = std::abs(s.xm - 0.5f * (s.xp + s.xq)) + std::abs(s.ym - 0.5f * (s.yp + s.yq));
-  const int chords = std::clamp(int(std::ceil(std::sqrt(3300.0f * bulge))), 1, kMostChords);
-  float x = s.xp, y = s.yp;
-  for (int i = 1; i < chords; ++i) {
-    const float t = float(i) / float(chords), p = (1.0f - t) * (1.0f - 2.0f * t),
-                m = 4.0f * t * (1.0f - t), q = t * (2.0f * t - 1.0f);
-    const float to_x = std::clamp(p * s.xp + m * s.xm + q * s.xq, 0.0f, 1.0f);
-    const float to_y = std::clamp(p * s.yp + m * s.ym + q * s.yq, y, s.yq);
-    add_chord(x, y, to_x, to_y, s.sign);
-    x = to_x, y = to_y;
-  }
-  add_chord(x, y, s.xq, s.yq, s.sign);
 }
 
 void CellSums::add_chord(float xp, float yp, float xq, float yq, float sign) {
@@ -120,6 +120,30 @@ void PartEntry::add(const PartStretch& s) {
   }
 }
 
+/// What enters by a thirty-second is one chord around its middle; those that are full make longer ones.
+void chords_of_form(const PartForm& form, std::vector<PartChord>& to) {
+  constexpr float kRow = 1.0f / PartEntry::kRows;
+  to.clear();
+  bool goes_on = false;
+  for (int k = 0; k < PartEntry::kRows; ++k) {
+    const float height = form.left.height[std::size_t(k)], top = float(k) * kRow;
+    const bool full = std::abs(height - kRow) < kNoArea;
+    if (full && goes_on) {
+      to.back().yq = top + kRow;
+    } else if (std::abs(height) > kNoArea) {
+      const float half = full ? 0.5f * kRow : 0.5f * std::min(std::abs(height), kRow),
+                  middle =
+                      top + 0.5f * kRow + (full ? 0.0f : form.left.moment[std::size_t(k)] / height);
+      to.push_back({0.0f, middle - half, 0.0f, middle + half, 0.5f * height / half});
+    }
+    goes_on = full;
+  }
+  for (const PartStretch& s : form.stretches)
+    for_each_chord(s, [&](const PartChord& c) {
+      if (c.yq > c.yp) to.push_back(c);
+    });
+}
+
 void whole_cells(int side, PartCells& to) {
   to.side = side;
   const float cell = 1.0f / float(side);
@@ -136,9 +160,8 @@ void cells_of_form(const PartForm& form, int side, PartCells& to) {
   whole_cells(side, to);
   CellSums sums(side);
   sums.add_left(form.left);
-  for (const PartStretch& s : form.stretches) {
-    sums.add_stretch(s);
-  }
+  for (const PartStretch& s : form.stretches)
+    for_each_chord(s, [&](const PartChord& c) { sums.add_chord(c.xp, c.yp, c.xq, c.yq, c.sign); });
   const float cell = sums.cell, half = 0.5f * cell;
   float height[PartCells::kMostSide], height_y[PartCells::kMostSide];  // of what fills each cell
   for (int j = 0; j < side; ++j) {
