@@ -1,6 +1,7 @@
 #include <mien/piece_drawer.h>
 #include "render/render_error.h"
 #include "render/rows/drawing.h"
+#include "render/watched.h"
 
 #include <fmt/format.h>
 
@@ -29,17 +30,17 @@ Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Dept
                                       const RenderLimits& limits,
                                       const std::function<bool()>& stop) {
   if (!drawable(view)) return invalid_size(view);
-  Watch watch([&] { return !stop || !stop(); }, limits);
-  try {
-    const Watching here(&watch);
+  const auto goes_on = [&](double) { return !stop || !stop(); };
+  const auto make = [&] {
     auto parts = std::make_unique<Parts>();
     parts->width = view.width, parts->height = view.height, parts->limits = limits;
     View whole = view;
     whole.region.reset();
     parts->drawing.make(scene, whole, depth);
     return PieceDrawer(std::move(parts));
-  } catch (const Stopped&) {
-    return why_stopped(watch, limits);
+  };
+  try {
+    return watched(goes_on, limits, make, [] { return 0.0; });
   } catch (const std::bad_alloc&) {
     return out_of_memory({0, 0, view.width, view.height});
   }

@@ -54,8 +54,15 @@ mien_status mien_debug_picture(const mien_scene* scene, const mien_view* view, i
     const mien::PixelRect rect = mien::drawn_rect(how);
     const mien::PixelBuffer buffer = buffer_of(pixels, rect.width, rect.height);
     if (buffer.depth != mien::Depth::u8) misuse("pixels.depth", "is not MIEN_U8");
-    const mien::Image image =
-        mien::debug_picture(seen, how, mien::DebugPicture(which), options_of(options).threads);
+    mien::RenderOptions drawn = options_of(options);
+    bool cancelled = false;
+    if (drawn.progress)
+      drawn.progress = [&, asked = drawn.progress](double done) {
+        return !(cancelled = !asked(done));
+      };
+    const auto made = mien::debug_picture(seen, how, mien::DebugPicture(which), drawn);
+    if (!made) fail(made.error(), cancelled);
+    const mien::Image& image = *made;
     for (int y = 0; y < rect.height; ++y)
       std::memcpy(static_cast<std::byte*>(buffer.data) + std::size_t(y) * buffer.stride,
                   image.bytes.data() + std::size_t(y) * image.stride(), image.stride());

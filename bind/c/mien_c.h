@@ -602,7 +602,7 @@ enum {
   MIEN_DEBUG_NORMALS = 5 /* of reliefs; all else is level */
 };
 
-/* Draws one of them into pixels of MIEN_U8. Only the options' `threads` count. */
+/* Draws one of them into pixels of MIEN_U8. The share that `progress` is told stays 0. NULL options are the defaults. */
 MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_view* view,
                                           int32_t which, const mien_pixels* pixels,
                                           const mien_render_options* options, mien_error** error);
@@ -611,9 +611,10 @@ MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_vi
  * 0 is 0.01. A list of texts: the file's, and a sentence for each thing that SVG cannot show, with its layer. The view's
  * size, fit and background count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
  * begins all ids, so that several pictures can stand in one page; NULL of length 0: one made of the picture, so that only
- * equal pictures share ids. */
+ * equal pictures share ids. Of the options, which may be NULL, `progress`, `most_steps` and `most_memory` count. */
 MIEN_C_API mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tolerance,
-                                const char* id_prefix, size_t length, mien_texts** out,
+                                const char* id_prefix, size_t length,
+                                const mien_render_options* options, mien_texts** out,
                                 mien_error** error);
 
 /* Where a point of the picture [px] is in the face [face units], and back. */
@@ -623,9 +624,11 @@ MIEN_C_API mien_status mien_pixel_from_face(const mien_scene* scene, const mien_
                                             double x, double y, double out[2], mien_error** error);
 
 /* A picture to be drawn piece by piece, as tiles of a viewer or strips of a file: its outlines are made once.
- * The view's region does not count. */
+ * The view's region does not count. Options may be NULL: `progress`, whose share stays 0, may cancel the making of
+ * outlines; the limits hold for it and for each piece. */
 MIEN_C_API mien_status mien_pieces_new(const mien_scene* scene, const mien_view* view,
-                                       int32_t depth, mien_pieces** out, mien_error** error);
+                                       int32_t depth, const mien_render_options* options,
+                                       mien_pieces** out, mien_error** error);
 MIEN_C_API void mien_pieces_free(mien_pieces* pieces);
 
 /* Draws the piece x, y, width, height [px], with the bytes of the whole picture. Threads may draw pieces of one

@@ -220,13 +220,18 @@ mien_status mien_pixel_from_face(const mien_scene* scene, const mien_view* view,
 }
 
 mien_status mien_pieces_new(const mien_scene* scene, const mien_view* view, int32_t depth,
-                            mien_pieces** out, mien_error** error) {
+                            const mien_render_options* options, mien_pieces** out,
+                            mien_error** error) {
   return pass("mien_pieces_new", error, [&] {
     mien_pieces*& made = place(out);
     const mien::View seen = view_of(view);
     const mien::Depth drawn = depth_of(depth, "depth");
-    auto drawer = mien::PieceDrawer::of(need(scene, "scene").scene, seen, drawn);
-    if (!drawer) fail(drawer.error(), false);
+    const mien::RenderOptions how = options_of(options);
+    bool cancelled = false;
+    std::function<bool()> stop;
+    if (how.progress) stop = [&] { return cancelled = !how.progress(0.0); };
+    auto drawer = mien::PieceDrawer::of(need(scene, "scene").scene, seen, drawn, how.limits, stop);
+    if (!drawer) fail(drawer.error(), cancelled);
     made = new mien_pieces{*std::move(drawer), {0, 0, seen.width, seen.height}, drawn};
   });
 }

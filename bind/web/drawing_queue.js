@@ -4,6 +4,12 @@
 // Three kinds of faces wait: those without a picture (`first`), those that the page has changed (`asked`), and those whose
 // clips play (`playing`). They take turns. A face that talks, which is changed again and again, so gets every second turn,
 // however many wait.
+//
+// A picture that takes longer than its face's deadline is refused. The worker ends such a drawing itself; one that does not,
+// because it is elsewhere at work, is replaced.
+
+const GRACE = 1000;  // [ms] for the worker to end a drawing after its deadline
+const LONGEST = 2 ** 31 - 1;  // [ms] that a timer waits
 
 /** The worker. Pages may start only workers of their own origin: of another one it is a worker of the page that imports it. */
 function startWorker() {
@@ -16,7 +22,7 @@ function startWorker() {
 
 const lanes = { first: new Set(), asked: new Set(), playing: new Set() };
 let newest = null;  // of those asked
-let worker = null, drawing = null, turn = 0, woken = false;
+let worker = null, ready = false, drawing = null, allowed = 0, late = 0, turn = 0, woken = false;
 
 const oldest = (lane) => lane.values().next().value;
 const TURNS = [
@@ -76,28 +82,52 @@ function next() {
 function draw(face) {
   try {
     if (!worker) listen(startWorker());
-    worker.postMessage(face.request(worker));
-    drawing = face;
+    const request = face.request(worker);
+    worker.postMessage(request);
+    drawing = face, allowed = request.deadline;
+    expect();
   } catch (error) {
     drawing = null;
     face.refuse({ where: '', what: error.message });
   }
 }
 
+const tooLong = () => ({ where: 'deadline', what: `drawing took longer than ${allowed} ms` });
+
+/** Waits for the worker's answer, from when it has loaded what it draws with. */
+function expect() {
+  clearTimeout(late);
+  if (drawing && ready && allowed > 0) late = setTimeout(replace, Math.min(allowed + GRACE, LONGEST));
+}
+
+/** Another worker for one that does not answer. */
+function replace() {
+  const face = drawing;
+  end();
+  face.refuse(tooLong());
+  wake();
+}
+
+function end() {
+  worker.terminate();
+  clearTimeout(late);
+  worker = drawing = null, ready = false;
+}
+
 function listen(begun) {
   worker = begun;
   worker.onmessage = ({ data }) => {
+    if (data.ready) return ready = true, expect();
     const face = drawing;
     drawing = null;
-    face.answer(data);
+    clearTimeout(late);
+    face.answer(data.late ? tooLong() : data);
     wake();
   };
   worker.onerror = (event) => {
     event.preventDefault?.();
-    worker.terminate();
-    worker = null;
     const waiting = [drawing, ...Object.values(lanes).flatMap((lane) => [...lane])].filter(Boolean);
-    drawing = null;
+    end();
     const where = new URL('./worker.js', String(import.meta.url)).href;
     const what = event.message || 'the worker that draws cannot be started: it is not there, its server allows no other origin (CORS), or the page allows no such workers (worker-src of its content security policy)';
     for (const face of waiting) leave(face), face.refuse({ where, what });

@@ -48,6 +48,8 @@ export class MienFace extends HTMLElement {
   set background(color: string | null | undefined);
   get label(): string | null;
   set label(words: string | null | undefined);
+  get deadline(): string | null;
+  set deadline(milliseconds: number | string | null | undefined);
   /** A pose of more than attributes can say; attributes come on top. */
   get pose(): Pose;
   set pose(pose: Pose | null | undefined);

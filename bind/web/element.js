@@ -8,7 +8,7 @@
 //   look-at   "0.5, 0.3, 9": a point           clip      "idle" (several: "idle, feelings=0.5")
 //   playing   clips run; without it the face is at rest, or at `time` seconds
 //   blend     "linear" (default) or "srgb"     background  "#rrggbb", "#rrggbbaa"; none: the face's own
-//   label     what a screen reader says
+//   label     what a screen reader says        deadline  the most milliseconds that a picture may take (10000)
 //
 // Each is a property, too: `face.emotion = 'joy=1'` or `{ joy: 1 }`, `face.lookAt = [0, 0, 9]`, `face.faceStyle = 'ink'`; null
 // takes it away. Events: `drawn` (detail.ms), once the picture is on the screen, and `refused` (detail.where, detail.what: an
@@ -20,7 +20,7 @@
 
 import { forget, leave, wait } from './drawing_queue.js';
 
-const ATTRIBUTES = ['src', 'code', 'seed', 'face-style', 'width', 'height', 'emotion', 'muscle', 'set', 'blink', 'look-at', 'clip', 'time', 'playing', 'blend', 'background', 'label'];
+const ATTRIBUTES = ['src', 'code', 'seed', 'face-style', 'width', 'height', 'emotion', 'muscle', 'set', 'blink', 'look-at', 'clip', 'time', 'playing', 'blend', 'background', 'label', 'deadline'];
 const SOURCES = ['src', 'code', 'seed', 'face-style'];
 const STYLE = `:host { display: inline-block } :host([hidden]) { display: none } canvas { display: block; max-width: 100% } canvas[hidden] { display: none }
   p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
@@ -142,7 +142,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   /** For the queue: what the worker is asked for. */
   request(worker) {
     this.#lane = null;
-    const request = { id: this.number, ...this.#size(), pose: this.#pose() };
+    const request = { id: this.number, ...this.#size(), pose: this.#pose(), deadline: Number((this.getAttribute('deadline') ?? 10000) || NaN) };
     if (this.#worker !== worker) request.source = this.#source;
     this.#worker = worker, this.#asked = this.#source;
     return request;

@@ -57,7 +57,7 @@ export class Face {
   readonly canvas: Canvas;
   draw(width: number, height: number, pose?: Pose, how?: { deadline?: number; progress?: (done: number) => boolean | void }): Uint8ClampedArray;
   strips(width: number, height: number, pose?: Pose, most?: number): Generator<{ y: number; rows: number; pixels: Uint8ClampedArray }>;
-  svg(width: number, height: number, pose?: Pose, how?: { tolerance?: number; idPrefix?: string }): { text: string; simplified: string[] };
+  svg(width: number, height: number, pose?: Pose, how?: { tolerance?: number; idPrefix?: string; deadline?: number; progress?: (done: number) => boolean | void }): { text: string; simplified: string[] };
   vector(pose?: Pose): number[];
   featureAt(x: number, y: number): string | null;
   fromPixel(x: number, y: number): [number, number];

@@ -280,6 +280,14 @@ export class Face {
     const desk = this.#poseFor(width, height, pose), bytes = width * height * 4;
     desk.roomFor(bytes);
     this.#into(desk.data, width, height);
+    this.#asking({ deadline, progress }, (options) =>
+      this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, options));
+    this.#drew = true;
+    return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes);
+  }
+
+  /** What work(options) returns, which may be ended as draw may. */
+  #asking({ deadline = Infinity, progress = undefined }, work) {
     const until = performance.now() + deadline;
     let thrown;
     this.#m.goesOn = (done) => {
@@ -287,19 +295,16 @@ export class Face {
       try { return progress?.(done) !== false; } catch (error) { thrown = { error }; return false; }
     };
     try {
-      const options = this.#m.exports.mien_asking_options();
-      this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, options);
+      return work(this.#m.exports.mien_asking_options());
     } catch (error) {
       throw thrown ? thrown.error : error;
     } finally { this.#m.goesOn = () => true; }
-    this.#drew = true;
-    return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes);
   }
 
   /** The same picture from the top in strips of so many rows, in little memory: { y, rows, pixels }. A strip's pixels
    *  stay valid until the next is asked for. */
   *strips(width, height, pose = {}, most = Math.max(1, Math.floor((1 << 22) / width))) {
-    const { scene } = this.#poseFor(width, height, pose), { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', scene, this.#view, 0);
+    const { scene } = this.#poseFor(width, height, pose), { exports } = this.#m, pieces = this.#mien.made('mien_pieces_new', scene, this.#view, 0, 0);
     const piece = this.#m.take(16), data = this.#m.take(width * most * 4);
     try {
       for (let y = 0; y < height; y += most) {
@@ -315,12 +320,13 @@ export class Face {
   /** The same picture as an SVG file: { text, simplified }. Its paths leave the outlines by `tolerance` pixels at most,
    *  1e-4 to 1; `simplified` has a sentence for each thing that SVG cannot say. Colours are mixed as with blend 'srgb'.
    *  `idPrefix` begins all ids, so that several pictures can stand in one page; without one it is made of the picture, so
-   *  that only equal pictures share ids. */
+   *  that only equal pictures share ids. `deadline` and `progress` are as for draw. */
   svg(width, height, pose = {}, how = {}) {
-    this.#mien.known('svg', how, ['tolerance', 'idPrefix']);
+    this.#mien.known('svg', how, ['tolerance', 'idPrefix', 'deadline', 'progress']);
     const { tolerance = 0.01, idPrefix } = how;
     const { scene } = this.#poseFor(width, height, pose);
-    const write = (t, n) => this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n);
+    const write = (t, n) => this.#asking(how, (options) =>
+      this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n, options));
     const [text, ...simplified] = idPrefix === undefined ? write(0, 0) : this.#m.withText(idPrefix, write);
     return { text, simplified };
   }

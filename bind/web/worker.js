@@ -1,15 +1,16 @@
 // Draws faces away from the page's own thread. One worker serves all <mien-face> elements of a page.
 //
-// Messages in: { id, source?, width, height, pose } asks for a picture. `source` is { code }, { seed } or { text, name }, with
+// Messages in: { id, source?, width, height, pose, deadline } asks for a picture. `source` is { code }, { seed } or { text, name }, with
 // a `style` or without; where it is missing the face is that of before. { id, free }: the element is no more.
-// Messages out: { pixels, width, height, ms }, or { where, what } for what mien refused, in the order in which was asked.
+// Messages out: { ready } once; then { pixels, width, height, ms }, { where, what } for what mien refused, or { late } where a
+// drawing took longer than its deadline [ms], in the order in which was asked.
 
 import { MienError, load } from './mien.js';
 
 const MOST_FACES = 256;  // that stay read: a fifth of a megabyte each; others are read again, which takes some milliseconds
 
 const mien = load();
-mien.catch(() => {});  // who asks is told
+mien.then(() => postMessage({ ready: true }), () => {});  // who asks is told
 const known = new Map();  // by element: { source, face }, the one that was drawn last at the end
 
 function read(loaded, { code, seed, text, name, style }) {
@@ -41,13 +42,15 @@ function faceOf(loaded, id, source) {
   return of.face;
 }
 
-onmessage = async ({ data: { id, free, source, width, height, pose } }) => {
+onmessage = async ({ data: { id, free, source, width, height, pose, deadline } }) => {
   try {
     const loaded = await mien, begin = performance.now();
     if (free) return known.get(id)?.face?.free(), void known.delete(id);
-    const pixels = faceOf(loaded, id, source).draw(width, height, pose).slice();
+    if (!(deadline > 0)) throw new MienError('deadline', 'expected milliseconds above 0');
+    const pixels = faceOf(loaded, id, source).draw(width, height, pose, { deadline }).slice();
     postMessage({ pixels, width, height, ms: performance.now() - begin }, [pixels.buffer]);
   } catch (error) {
-    if (!free) postMessage({ where: error.where ?? '', what: error.what ?? String(error) });
+    if (error.what === 'cancelled') postMessage({ late: true });
+    else if (!free) postMessage({ where: error.where ?? '', what: error.what ?? String(error) });
   }
 };

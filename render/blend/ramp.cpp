@@ -2,6 +2,7 @@
 #include "sdf/scene/extended_place.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,12 +13,20 @@ void Ramp::make(const Gradient& gradient, double opacity, Blend blend) {
   extend_ = gradient.extend, jumps_ = false;
   least_opacity_ = 1, most_opacity_ = 0;
   double place = -std::numeric_limits<double>::infinity();
+  std::array<Color, 4> known;  // stripes have few colours, and powers take their time
   for (const Stop& stop : gradient.stops) {
-    place = std::max(place, stop.at);  // places do not fall
+    if (!std::isfinite(stop.at)) continue;  // it is nowhere
+    place = std::max(place, stop.at);       // places do not fall
     Color color = stop.color;
     color.a = std::clamp(color.a, 0.0, 1.0) * std::clamp(opacity, 0.0, 1.0);
     at_.push_back(place);
-    mix_.push_back(mix_from_color(color, blend));
+    std::size_t back = 1;
+    while (back <= std::min(known.size(), mix_.size()) &&
+           known[(mix_.size() - back) % known.size()] != color)
+      ++back;
+    const bool is_known = back <= std::min(known.size(), mix_.size());
+    known[mix_.size() % known.size()] = color;
+    mix_.push_back(is_known ? Mix(mix_[mix_.size() - back]) : mix_from_color(color, blend));
   }
   if (at_.empty()) at_ = {0.0}, mix_ = {Mix{0.0}};
   if (!(at_.back() > at_.front())) extend_ = Extend::pad;  // nothing to repeat
@@ -27,6 +36,12 @@ void Ramp::make(const Gradient& gradient, double opacity, Blend blend) {
     if (i > 0 && at_[i] == at_[i - 1] && mix_[i] != mix_[i - 1]) jumps_ = true;
   }
   if (extend_ == Extend::repeat && mix_.back() != mix_.front()) jumps_ = true;
+}
+
+void Ramp::pad() {
+  extend_ = Extend::pad, jumps_ = false;
+  for (std::size_t i = 1; i < at_.size(); ++i)
+    jumps_ = jumps_ || (at_[i] == at_[i - 1] && mix_[i] != mix_[i - 1]);
 }
 
 Mix Ramp::color(double t) const {

@@ -18,6 +18,9 @@ class Ramp {
   /// Made again; memory is kept.
   void make(const Gradient& gradient, double opacity, Blend blend);
 
+  /// Ends its repetition: as if it went on in the colours of its ends.
+  void pad();
+
   Mix color(double t) const;
 
   /// For the form in lanes: the stops' places, which do not fall, and their colours.

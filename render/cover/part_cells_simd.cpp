@@ -7,7 +7,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cover/part_cells_simd.cpp"
 #include <hwy/foreach_target.h>
-#include "render/cover/part_form.h"
+#include "render/cover/part_chords.h"
 #include "sdf/distance/lanes/dispatch-inl.h"
 #include "sdf/distance/lanes/fma-inl.h"
 
@@ -22,12 +22,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using F = hn::CappedTag<float, 16>;
 using VF = hn::Vec<F>;
 
-struct Chord {
-  float xp, yp, xq, yq, sign;
-};
-
 /// Adds to cells from `first` on, a vector of them: areas, and moments about their left top corners.
-HWY_INLINE void AddChord(const Chord& c, float side, PartCells& to, size_t first, VF left, VF top) {
+HWY_INLINE void AddChord(const PartChord& c, float side, PartCells& to, size_t first, VF left,
+                         VF top) {
   const F f;
   const auto set = [&](float v) HWY_ATTR { return hn::Set(f, v); };
   const VF zero = hn::Zero(f), one = set(1.0f), cell = set(side), half = set(0.5f);
@@ -87,7 +84,7 @@ const Corners& CornersOf(int side) {
 }
 
 /// To the cells of the rows that the chord crosses.
-void AddToRows(const Chord& c, int side, PartCells& to) {
+void AddToRows(const PartChord& c, int side, PartCells& to) {
   if (!(c.yq > c.yp)) return;
   const F f;
   const Corners& corners = CornersOf(side);
@@ -97,24 +94,6 @@ void AddToRows(const Chord& c, int side, PartCells& to) {
   for (size_t k = size_t(first * side) / lanes * lanes; k < size_t((last + 1) * side); k += lanes)
     AddChord(c, 1.0f / float(side), to, k, hn::Load(f, corners.left + k),
              hn::Load(f, corners.top + k));
-}
-
-/// As many chords as leave less than 2e-4 px² between them and the parabola, 1e-3 px² of cells that are coarse anyway:
-/// with a bulge b in the middle, k chords leave 2/3 b / k².
-void AddStretch(const PartStretch& s, int side, PartCells& to) {
-  constexpr int kMostChords = 24;
-  const float bulge = std::abs(s.xm - 0.5f * (s.xp + s.xq)) + std::abs(s.ym - 0.5f * (s.yp + s.yq));
-  const float fine = side == 4 ? 700.0f : 3300.0f;
-  const int chords = std::clamp(int(std::ceil(std::sqrt(fine * bulge))), 1, kMostChords);
-  float x = s.xp, y = s.yp;
-  for (int i = 1; i <= chords; ++i) {
-    const float t = float(i) / float(chords), p = (1.0f - t) * (1.0f - 2.0f * t),
-                m = 4.0f * t * (1.0f - t), q = t * (2.0f * t - 1.0f);
-    const float to_x = i == chords ? s.xq : std::clamp(p * s.xp + m * s.xm + q * s.xq, 0.0f, 1.0f);
-    const float to_y = i == chords ? s.yq : std::clamp(p * s.yp + m * s.ym + q * s.yq, y, s.yq);
-    AddToRows({x, y, to_x, to_y, s.sign}, side, to);
-    x = to_x, y = to_y;
-  }
 }
 
 void CellsOfForm(const PartForm& form, int side, PartCells& to) {
@@ -134,7 +113,9 @@ void CellsOfForm(const PartForm& form, int side, PartCells& to) {
     std::fill_n(&to.x[row], side, 0.5f * cell * cell * height);
     std::fill_n(&to.y[row], side, cell * height_y);
   }
-  for (const PartStretch& s : form.stretches) AddStretch(s, side, to);
+  const float fine = side == 4 ? kCoarseChords : kFineChords;  // the coarsest cells ask for less
+  for (const PartStretch& s : form.stretches)
+    for_each_chord(s, fine, [&](const PartChord& c) { AddToRows(c, side, to); });
   constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
   const Corners& corners = CornersOf(side);
   const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f * cell);

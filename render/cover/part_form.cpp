@@ -1,8 +1,15 @@
 #include "render/cover/part_form.h"
+#include "render/cover/part_chords.h"
 
 #include <algorithm>
 
 namespace mien {
+namespace {
+
+constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
+
+}  // namespace
+
 PartEntry PartEntry::whole() {
   PartEntry all;
   all.height.fill(1.0f / kRows);
@@ -17,6 +24,29 @@ void PartEntry::add(const PartStretch& s) {
     height[std::size_t(k)] += by;
     moment[std::size_t(k)] += by * (0.5f * (from + to) - (top + 0.5f * kRow));
   }
+}
+
+void chords_of_form(const PartForm& form, std::vector<PartChord>& to) {
+  constexpr float kRow = 1.0f / PartEntry::kRows;
+  to.clear();
+  bool goes_on = false;
+  for (int k = 0; k < PartEntry::kRows; ++k) {
+    const float height = form.left.height[std::size_t(k)], top = float(k) * kRow;
+    const bool full = std::abs(height - kRow) < kNoArea;
+    if (full && goes_on) {
+      to.back().yq = top + kRow;
+    } else if (std::abs(height) > kNoArea) {
+      const float half = full ? 0.5f * kRow : 0.5f * std::min(std::abs(height), kRow),
+                  middle =
+                      top + 0.5f * kRow + (full ? 0.0f : form.left.moment[std::size_t(k)] / height);
+      to.push_back({0.0f, middle - half, 0.0f, middle + half, 0.5f * height / half});
+    }
+    goes_on = full;
+  }
+  for (const PartStretch& s : form.stretches)
+    for_each_chord(s, kFineChords, [&](const PartChord& c) {
+      if (c.yq > c.yp) to.push_back(c);
+    });
 }
 
 void whole_cells(int side, PartCells& to) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace mien {
 
@@ -32,6 +33,15 @@ struct PartForm {
   PartEntry left;
   std::span<const PartStretch> stretches;
 };
+
+/// A straight stretch, downwards, seen from the pixel's top left corner.
+struct PartChord {
+  float xp, yp, xq, yq;
+  float sign;  ///< 1: the region lies to its right, −1: to its left
+};
+
+/// The form by straight stretches, those at the left border for what enters there. Within 2e-4 px² each.
+void chords_of_form(const PartForm& form, std::vector<PartChord>& to);
 
 /// The cells of a pixel, row by row. Places are seen from the pixel's middle.
 struct PartCells {

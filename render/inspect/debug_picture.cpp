@@ -1,6 +1,7 @@
 #include <mien/debug_picture.h>
 #include "render/blend/transfer.h"
 #include "render/rows/drawing.h"
+#include "render/watched.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +56,7 @@ void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image
   std::vector<Change> changes;
   for (int y = 0; y < rect.height; ++y) {
     const double middle = rect.y + y + 0.5;
+    worked(2 * std::int64_t(sweep.fragments().size()) + 5 * rect.width);
     changes.clear();
     for (const Fragment& f : sweep.fragments())
       if (f.top <= middle && middle < f.bottom)
@@ -86,7 +88,9 @@ void draw_piece(const OutlinePiece& piece, double top, double bottom, int width,
                 const PixelRect& rect, const Rgb& rgb, Image& image) {
   const double from = std::max(top, double(rect.y)),
                to = std::min(bottom, double(rect.y + rect.height));
+  worked(10);
   if (!(from < to)) return;
+  worked(10 * std::int64_t(to - from));
   cells_of(piece, from, to, width, [&](const CellStretch& c) {
     if (c.column >= 0) put(image, c.column - rect.x, c.row - rect.y, rgb);
   });
@@ -168,6 +172,7 @@ void draw_places(const Scene& scene, const View& view, const Drawing& drawing, D
     layers.emplace_back(scene, layer.area, Map<PixelSpace, FaceSpace>{map.linear, map.shift});
   parallel_for(rect.height, threads, [&](int y) {
     for (int x = 0; x < rect.width; ++x) {
+      worked(400 * std::int64_t(layers.size()));
       const glm::dvec2 p{rect.x + x + 0.5, rect.y + y + 0.5};
       put(image, x, y,
           which == DebugPicture::distance ? isoline_color(nearest_distance(layers, p))
@@ -176,10 +181,7 @@ void draw_places(const Scene& scene, const View& view, const Drawing& drawing, D
   });
 }
 
-}  // namespace
-
-Image debug_picture(const Scene& scene, const View& view, DebugPicture which,
-                    const Threads& threads) {
+Image picture_of(const Scene& scene, const View& view, DebugPicture which, const Threads& threads) {
   const PixelRect rect = drawn_rect(view);
   Image image{.width = rect.width, .height = rect.height};
   image.bytes.resize(image.stride() * std::size_t(rect.height));
@@ -212,6 +214,15 @@ Image debug_picture(const Scene& scene, const View& view, DebugPicture which,
       break;
   }
   return image;
+}
+
+}  // namespace
+
+Expected<Image> debug_picture(const Scene& scene, const View& view, DebugPicture which,
+                              const RenderOptions& how) {
+  return watched(
+      how.progress, how.limits, [&] { return picture_of(scene, view, which, how.threads); },
+      [] { return 0.0; });
 }
 
 }  // namespace mien

@@ -2,10 +2,7 @@
 // Pictures of how a picture is drawn, for people who want to see what it costs and why.
 
 #include <mien/api.h>
-#include <mien/image.h>
-#include <mien/parallel.h>
-#include <mien/scene.h>
-#include <mien/view.h>
+#include <mien/render.h>
 
 namespace mien {
 
@@ -27,7 +24,8 @@ enum class DebugPicture : unsigned char {
   normals
 };
 
-MIEN_API Image debug_picture(const Scene& scene, const View& view, DebugPicture which,
-                             const Threads& threads = {});
+/// 8 bits, whatever `how.depth` is; the share that progress is told stays 0. Errors: a limit by its name; cancelled.
+MIEN_API Expected<Image> debug_picture(const Scene& scene, const View& view, DebugPicture which,
+                                       const RenderOptions& how = {});
 
 }  // namespace mien

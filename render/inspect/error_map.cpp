@@ -1,12 +1,14 @@
 #include <mien/error_map.h>
 #include "render/blend/transfer.h"
 #include "render/rows/drawing.h"
+#include "render/watched.h"
 
 #include <algorithm>
 
 namespace mien {
+namespace {
 
-ErrorMap error_map(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
+ErrorMap map_of(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
   const PixelRect rect = drawn_rect(view);
   ErrorMap map{.width = rect.width, .height = rect.height, .levels = {}};
   map.levels.resize(std::size_t(rect.width) * std::size_t(rect.height));
@@ -24,6 +26,14 @@ ErrorMap error_map(const Scene& scene, const View& view, Depth depth, const Thre
   map.unproven = !drawing.paints().lit.empty();
   for (const float level : map.levels) map.worst = std::max(map.worst, level);
   return map;
+}
+
+}  // namespace
+
+Expected<ErrorMap> error_map(const Scene& scene, const View& view, const RenderOptions& how) {
+  return watched(
+      how.progress, how.limits, [&] { return map_of(scene, view, how.depth, how.threads); },
+      [] { return 0.0; });
 }
 
 Image ErrorMap::image() const {

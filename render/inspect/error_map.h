@@ -1,14 +1,11 @@
 #pragma once
 // Error bounds of every pixel of a picture. They are proven, not measured against another picture.
 //
-//   const ErrorMap map = error_map(scene, {.width = 640, .height = 360});
-//   map.worst        // no channel is off by more than this many levels of 255, before rounding
+//   const Expected<ErrorMap> map = error_map(scene, {.width = 640, .height = 360});
+//   map->worst       // no channel is off by more than this many levels of 255, before rounding
 
 #include <mien/api.h>
-#include <mien/image.h>
-#include <mien/parallel.h>
-#include <mien/scene.h>
-#include <mien/view.h>
+#include <mien/render.h>
 
 #include <vector>
 
@@ -28,8 +25,9 @@ struct ErrorMap {
   Image image() const;
 };
 
-/// The bounds of the picture that render() draws at this depth.
-MIEN_API ErrorMap error_map(const Scene& scene, const View& view, Depth depth = Depth::u8,
-                            const Threads& threads = {});
+/// The bounds of the picture that render() draws so; the share that progress is told stays 0. Errors: a limit by its
+/// name; cancelled.
+MIEN_API Expected<ErrorMap> error_map(const Scene& scene, const View& view,
+                                      const RenderOptions& how = {});
 
 }  // namespace mien

@@ -292,7 +292,7 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   }
   for (const auto& [x, side] : rough_) {
     worked(30 * side * side);
-    if (looks_->dense(look)) refused_.push_back(x);
+    if (looks_->open(look)) refused_.push_back(x);
     const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side);
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }
@@ -345,16 +345,16 @@ void RowPainter::cell(int column) {
   if (open_.empty()) return keep_cell(sum_, 0.5f, column);
   Rgba mix = parts(column, 0);
   double neglected = 0.0;
-  bool varies = false, dense = false;
+  bool varies = false, open = false;
   for (const Open& o : open_) {
     if (std::abs(o.area) < kUnseenArea) continue;
     neglected += double(std::abs(o.area)) *
                  (looks_->neglected(o.look) +
                   looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true, least_));
-    varies = true, dense = dense || looks_->dense(o.look);
+    varies = true, open = open || looks_->open(o.look);
   }
   if (const int side = neglected > 0.0 ? cells_for(neglected, mix, column) : 0) {
-    if (dense) refused_.push_back(column);
+    if (open) refused_.push_back(column);
     mix = parts(column, side);
   }
   keep_cell(mix, varies ? threshold(column) : 0.5f, column);

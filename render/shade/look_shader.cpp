@@ -103,6 +103,7 @@ LitPart LookShader::Places::part(int x, int y) const {
 
 void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
   if (step.zone >= 0) return lay_lit(step, at, to);
+  if (step.segment < 0) return lay_integral(step, at, to);
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const RampSegment& segment = looks_->segment(step);
   const std::size_t count = std::size_t(at.count);
@@ -168,7 +169,9 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
       looks_->steps(look).begin(), looks_->steps(look).end(), [&](const LookStep& step) {
         const auto fades = [&] {
           const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-          return varied.paint.ramp && !varied.dense && looks_->segment(step).slope.a != 0.0;
+          if (varied.integral)
+            return varied.paint.ramp->least_opacity() < varied.paint.ramp->most_opacity();
+          return varied.paint.ramp && looks_->segment(step).slope.a != 0.0;
         };
         return step.mode != MixMode::normal || (step.kind == Kind::paint && fades());
       });
@@ -188,7 +191,7 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
 void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
-  const bool segmented = varied.paint.ramp && !varied.dense;
+  const bool segmented = varied.paint.ramp && !varied.integral;
   const LitPiece piece{step.zone, segmented ? &looks_->segment(step) : nullptr};
   lit_.room_for(std::size_t(at.count));
   const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
@@ -203,6 +206,65 @@ void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
     lit.pixels(piece, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
                lit_.a.data(), lit_scratch_);
   }
+  lay_group(to, lit_, MixMode::normal, 1.0f, at.count);
+}
+
+Mix LookShader::ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form) {
+  const PaintField& field = varied.paint.field;
+  constexpr double kReach = 0.70711,
+                   kGentle = 0.1;  // [px, 1/px] far enough from a centre for a mean to second order
+  if (!form && field.kind != PaintField::Kind::distance &&
+      field.bend({x + 0.5, y + 0.5}) < kGentle) {
+    const RampPlane plane =
+        varied.integral->scaled({field.mean({x + 0.5, y + 0.5}, 1.0 / 12), field.per_pixel, 0.0});
+    Mix color;
+    if (varied.integral->straight(plane.t, kReach * plane.gx, color)) return color;
+  }
+  const RampCells& cells = planes_.of(varied, lit_of(varied), x, y, 1, lit_scratch_);
+  if (!form) return ramp_mean(*varied.integral, cells);
+  chords_of_form(*form, chords_);
+  return ramp_mean(*varied.integral, cells, chords_);
+}
+
+/// Of each of a pixel's cells; their mean is that of the part.
+void LookShader::ramp_means_of_cells(const VariedPaint& varied, const Places& at) {
+  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
+  const PartCells& cells = *at.cells;
+  const Mix mean = ramp_mean_of(varied, x, y, at.form);
+  const RampCells& planes = planes_.of(varied, lit_of(varied), x, y, cells.side, lit_scratch_);
+  const PartCells& whole = planes_.places();
+  const int finer = planes.side / cells.side;
+  Mix sum{0.0};
+  double area = 0.0;
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+    const int column = int(k) % cells.side * finer + finer / 2,
+              row = int(k) / cells.side * finer + finer / 2;
+    RampPlane plane = planes.planes[std::size_t(row * planes.side + column)];
+    plane.t = plane.at(double(cells.x[k] - whole.x[std::size_t(column)]),
+                       double(cells.y[k] - whole.y[std::size_t(row * planes.side)]));
+    const Mix c = varied.integral->box_mean(plane, double(cells.cell()));
+    lit_.r[k] = float(c.r), lit_.g[k] = float(c.g), lit_.b[k] = float(c.b), lit_.a[k] = float(c.a);
+    sum += double(cells.area[k]) * c, area += double(cells.area[k]);
+  }
+  const glm::vec4 by{area > 0.0 ? mean - sum / area : Mix{0.0}};
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k)
+    lit_.r[k] += by.r, lit_.g[k] += by.g, lit_.b[k] += by.b, lit_.a[k] += by.a;
+}
+
+void LookShader::lay_integral(const LookStep& step, const Places& at, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
+  if (varied.rows && !at.form && !at.cells) return varied.rows->lay(x, y, at.from, at.count, to);
+  lit_.room_for(std::size_t(at.count));
+  if (at.cells)
+    ramp_means_of_cells(varied, at);
+  else
+    for (int i = 0; i < at.count; ++i) {
+      const Mix c = ramp_mean_of(varied, x + at.from + i, y, at.form);
+      const auto k = std::size_t(i);
+      lit_.r[k] = float(c.r), lit_.g[k] = float(c.g);
+      lit_.b[k] = float(c.b), lit_.a[k] = float(c.a);
+    }
   lay_group(to, lit_, MixMode::normal, 1.0f, at.count);
 }
 

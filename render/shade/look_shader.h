@@ -13,6 +13,7 @@
 
 #include "render/shade/color_row.h"
 #include "render/shade/looks.h"
+#include "render/shade/ramp/planes.h"
 
 #include <vector>
 
@@ -57,6 +58,12 @@ class LookShader {
   glm::vec4 plain_part(int look, double x, double y, double area) const;
   void lay(const LookStep& step, const Places& at, ColorRow& to);
   void lay_lit(const LookStep& step, const Places& at, ColorRow& to);
+  void lay_integral(const LookStep& step, const Places& at, ColorRow& to);
+  const LitPaint* lit_of(const VariedPaint& varied) const {
+    return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
+  }
+  Mix ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form);
+  void ramp_means_of_cells(const VariedPaint& varied, const Places& at);
   void along_distance(const VariedPaint& varied, const Places& at, float* t);
   void along_cells(const VariedPaint& varied, const Places& at, float* t);
 
@@ -65,6 +72,8 @@ class LookShader {
   std::vector<float> t_;
   ColorRow lit_;
   PartCells cells_;
+  RampPlanes planes_;
+  std::vector<PartChord> chords_;
   bool each_ = false;  ///< cells of lit paints are looked at one by one
   LitPaint::Scratch lit_scratch_;
 };

@@ -148,7 +148,7 @@ void Looks::make_segments() {
   first_segment_.clear(), segments_.clear();
   for (const VariedPaint& varied : paints_->varied) {
     first_segment_.push_back(int(segments_.size()));
-    if (!varied.paint.ramp) continue;
+    if (!varied.paint.ramp || varied.integral) continue;
     for (std::size_t k = 0; k <= varied.kinks.size(); ++k) {
       RampSegment s;
       s.from = k > 0 ? varied.kinks[k - 1].at : varied.lowest;
@@ -334,8 +334,9 @@ void Looks::lay_paint(int varied, const std::uint64_t* inside) {
   if (!paint.paint.ramp) {
     if (!lie.slopes) return lay_over(paint.paint.color);
     step.zone = lie.zone;
-  } else if (paint.dense) {
-    step.zone = lie.zone;
+  } else if (paint.integral) {
+    step.segment = -1;
+    if (lie.slopes) step.zone = lie.zone;
   } else {
     step.segment = segment_of(varied, inside);
     const bool constant = segment(step).slope == Mix{0.0};
@@ -381,7 +382,7 @@ int Looks::known_or_new(std::size_t first_step) {
                     .neglected = neglected,
                     .tip = tip,
                     .formed = neglected > 0.0 || formed_by(steps),
-                    .dense = dense_by(steps),
+                    .open = open_by(steps),
                     .plain = plain_by(steps),
                     .first = int(first_step),
                     .count = int(steps.size()),

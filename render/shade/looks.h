@@ -24,7 +24,7 @@ struct LookStep {
     paint,  ///< lay a varied paint over it, in one of the segments between its kinks
     close   ///< the group ends: lay it over what was there, times mix.a, by `mode`
   } kind;
-  int varied = -1, segment = 0;  ///< of `paint`
+  int varied = -1, segment = 0;  ///< of `paint`; segment −1: all of the ramp, by its integral
   int zone = -1;                 ///< of a lit paint, where it is not level; −1: its ramp alone
   MixMode mode = MixMode::normal;
   Mix mix{0.0};
@@ -68,13 +68,14 @@ class Looks final : public LookRule {
   double neglected_near(int look, glm::dvec2 p, bool part, double least) const;
   /// Whether that is anything for any whole pixel of a row, with middles from `from` to `to`.
   bool neglects_near(int look, double from, double to, double y, double least) const;
-  /// Whether its mean over a part of a pixel may need the part's form: it is lit, goes by a distance, or means by
-  /// centroids neglect something.
+  /// Whether its mean over a part of a pixel may need the part's form: it is lit, goes by a distance, has a ramp's
+  /// integral, or means by centroids neglect something.
   bool formed(int look) const { return looks_[std::size_t(look)].formed; }
   /// Whether it is nothing but linear and radial ramps, unlit, and colours over each other: without groups and modes.
   bool plain(int look) const { return looks_[std::size_t(look)].plain; }
-  /// Whether cells do not help either: one of its gradients has more stops than can be resolved.
-  bool dense(int look) const { return looks_[std::size_t(look)].dense; }
+  /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
+  /// many kinks, or two such ramps lie over each other and do not cross.
+  bool open(int look) const { return looks_[std::size_t(look)].open; }
   /// Whether a radial ramp's centre may lie in it.
   bool has_tip(int look) const { return looks_[std::size_t(look)].tip; }
 
@@ -82,7 +83,7 @@ class Looks final : public LookRule {
   struct Look {
     Mix mix;
     double neglected;
-    bool tip, formed, dense, plain;
+    bool tip, formed, open, plain;
     int first, count;
     int first_bow, bows;
     std::uint64_t hash;
@@ -123,7 +124,7 @@ class Looks final : public LookRule {
   int note_bows(std::span<const LookStep> steps);
   double neglected_by(std::span<const LookStep> steps, bool& tip);
   bool formed_by(std::span<const LookStep> steps) const;
-  bool dense_by(std::span<const LookStep> steps) const;
+  bool open_by(std::span<const LookStep> steps) const;
   bool plain_by(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;

@@ -35,8 +35,13 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) {
     const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
     const GridPaint& paint = varied.paint;
     const bool lit = step.zone >= 0;
-    if (varied.dense) sum += 0.01;  // integrated, unless it has more stops than can be resolved
-    if (paint.ramp && !varied.dense) {
+    if (step.segment < 0) {
+      if (lit) sum += kLit;  // not by integrals
+      // Two spreads: the upper opacity's is at most half its range, and a slope's √(1/12).
+      const double range = varied.integral->range();
+      sum += 0.15 * (paint.ramp->most_opacity() - paint.ramp->least_opacity()) * below;
+      below += std::min(1.8 * range, varied.integral->steepest() * paint.field.per_pixel);
+    } else if (paint.ramp) {
       const RampSegment& along = segment(step);
       sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;
       below += slope_of(step);
@@ -51,21 +56,38 @@ double Looks::neglected_by(std::span<const LookStep> steps, bool& tip) {
 bool Looks::formed_by(std::span<const LookStep> steps) const {
   return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
     return step.kind == Kind::paint &&
-           (step.zone >= 0 ||
+           (step.zone >= 0 || step.segment < 0 ||
             paints_->varied[std::size_t(step.varied)].paint.field.kind != PaintField::Kind::linear);
   });
 }
 
-bool Looks::dense_by(std::span<const LookStep> steps) const {
-  return std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
-    return step.kind == Kind::paint && paints_->varied[std::size_t(step.varied)].dense;
-  });
+/// Stops that cross are right in cells but where they cross; stops that run along each other are not.
+bool Looks::open_by(std::span<const LookStep> steps) const {
+  constexpr double kCrossing = 0.2;  // the sine of the angle
+  const auto paint_of = [&](const LookStep& step) -> const GridPaint& {
+    return paints_->varied[std::size_t(step.varied)].paint;
+  };
+  const auto integrated = [](const LookStep& s) { return s.kind == Kind::paint && s.segment < 0; };
+  const auto crosses = [&](const PaintField& f, const PaintField& g) {
+    return f.kind == PaintField::Kind::linear && g.kind == PaintField::Kind::linear &&
+           std::abs(f.across.x * g.across.y - f.across.y * g.across.x) >
+               kCrossing * f.per_pixel * g.per_pixel;
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!integrated(steps[i])) continue;
+    const GridPaint& upper = paint_of(steps[i]);
+    if (steps[i].zone >= 0) return true;
+    if (upper.ramp->least_opacity() == upper.ramp->most_opacity()) continue;
+    for (const LookStep& below : steps.first(i))
+      if (integrated(below) && !crosses(upper.field, paint_of(below).field)) return true;
+  }
+  return false;
 }
 
 bool Looks::plain_by(std::span<const LookStep> steps) const {
   const auto is_ramp = [&](const LookStep& step) {
     const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
-    return step.zone < 0 && !varied.dense && varied.paint.ramp &&
+    return step.zone < 0 && step.segment >= 0 && varied.paint.ramp &&
            varied.paint.field.kind != PaintField::Kind::distance;
   };
   const auto opens = [](const LookStep& step) { return step.kind == Kind::open; };
@@ -79,7 +101,7 @@ bool Looks::plain_by(std::span<const LookStep> steps) const {
 int Looks::note_bows(std::span<const LookStep> steps) {
   const std::size_t before = bows_.size();
   for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint || step.zone >= 0) continue;
+    if (step.kind != Kind::paint || step.zone >= 0 || step.segment < 0) continue;
     const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
     if (field.kind != PaintField::Kind::radial) continue;
     bows_.push_back({&field, slope_of(step)});

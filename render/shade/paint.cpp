@@ -26,6 +26,24 @@ double PaintField::mean(glm::dvec2 p, double variance) const {
   return std::sqrt(std::max(tt + variance * bends, 0.0));
 }
 
+RampPlane PaintField::plane(glm::dvec2 p, double variance) const {
+  if (kind != Kind::radial) return {at(p, 0.0), across.x, across.y};
+  const glm::dvec2 q = unit * (p - center);
+  const double t = std::max(glm::length(q), 1e-300);
+  const glm::dvec2 slope = glm::transpose(unit) * q / t;
+  return {mean(p, variance), slope.x, slope.y};
+}
+
+/// Along its level line t bends by |Uτ|² / t, which level lines make up for by 1 / |∇t|.
+double PaintField::bend(glm::dvec2 p) const {
+  if (kind != Kind::radial) return 0.0;
+  const glm::dvec2 q = unit * (p - center), slope = glm::transpose(unit) * q;  // times t
+  const double steep = glm::length(slope);
+  if (!(steep > 0.0)) return HUGE_VAL;
+  const glm::dvec2 along = unit * (glm::dvec2{-slope.y, slope.x} / steep);
+  return glm::dot(along, along) / steep;
+}
+
 double GridRelief::rise(double inside) const {
   // A hundredth of a pixel beyond the outline still counts as the outline: what is painted there is
   // inside, and only the local form of its distance says otherwise.

@@ -4,6 +4,7 @@
 #include "render/blend/lit.h"
 #include "render/blend/ramp.h"
 #include "render/shade/nearest/area_distance.h"
+#include "render/shade/ramp/integral.h"
 
 #include <optional>
 #include <vector>
@@ -30,6 +31,10 @@ struct PaintField {
   double at(glm::dvec2 p, double d) const;
   /// Its mean over something of that variance along both axes around p; of linear and radial ones, to second order.
   double mean(glm::dvec2 p, double variance) const;
+  /// How t varies around p over something of that variance; of linear and radial ones.
+  RampPlane plane(glm::dvec2 p, double variance) const;
+  /// [1/px] How much level lines bend at p; of linear and radial ones.
+  double bend(glm::dvec2 p) const;
 };
 
 /// A ramp between two kinks: at + slope · t, for t from `from` to `to`.

@@ -8,16 +8,30 @@ namespace mien {
 namespace {
 
 constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden changes
-constexpr int kMostKinks =
-    96;  ///< of one paint in a picture: with more, outlines cost more than samples
+// Of one ramp in a picture: means by its integral cost less than more outlines than that. They cost next to nothing
+// along a line, more where level lines bend, and most under light.
+constexpr int kMostStraight = 8, kMostBent = 40, kMostLit = 96;
+constexpr double kEven = 1e4;  // periods across a pixel, whose mean then is theirs to within 1e-4
+
+/// How much more steeply than 1 the darkest colours of a ramp may be encoded.
+double steepness(const RampIntegral& ramp, Blend blend) {
+  constexpr double kMost = 6.0, kDarkest = 0.01;
+  const Mix& least = ramp.least();
+  const double dark = std::max(std::min({least.r, least.g, least.b}), kDarkest);
+  return blend == Blend::linear ? std::clamp(0.44 * std::pow(dark, -0.583), 1.0, kMost) : 1.0;
+}
 
 }  // namespace
 
 /// Makes paints, each in the place of one of the picture before: its memory is kept.
 class PaintMaker {
  public:
-  PaintMaker(const Scene& scene, const View& view, PaintTable& to)
-      : scene_(scene), view_(view), map_(grid_from_face(scene.canvas(), view)), to_(to) {}
+  PaintMaker(const Scene& scene, const View& view, Depth depth, PaintTable& to)
+      : scene_(scene),
+        view_(view),
+        map_(grid_from_face(scene.canvas(), view)),
+        tolerance_(depth == Depth::u8 ? 0.3 / 255 : 0.03 / 255),
+        to_(to) {}
 
   PaintedLayer layer(const Layer& layer) {
     PaintedLayer made{.program = to_.programs.add(layer.area)};
@@ -31,17 +45,23 @@ class PaintMaker {
         varied.paint.ramp->make(*paint.gradient, paint.color.a, view_.blend);
       else
         varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
+      const bool straight = std::holds_alternative<LinearGradient>(paint.gradient->along);
+      most_ = paint.relief ? kMostLit : straight ? kMostStraight : kMostBent;
       std::visit([&](const auto& along) { field(along, varied); }, paint.gradient->along);
     }
     if (!paint.gradient) varied.paint.ramp.reset();
     const bool by_distance =
-        paint.gradient && varied.paint.field.kind == PaintField::Kind::distance;
+        varied.paint.ramp && varied.paint.field.kind == PaintField::Kind::distance;
     if (paint.relief)
       relief(*paint.relief, varied);
-    else if (by_distance || varied.dense)
+    else if (by_distance)
       varied.paint.relief.emplace(GridRelief{.lamp = Lamp(light(), 0.0, 1.0)});  // a level one
     else
       varied.paint.relief.reset();
+    if (!varied.paint.ramp && !varied.paint.relief) {
+      made.mix = varied.paint.color, --varied_;
+      return made;
+    }
     if (varied.paint.relief) varied.lit = 0;
     made.varied = int(varied_) - 1;
     return made;
@@ -59,38 +79,55 @@ class PaintMaker {
     VariedPaint& varied = to_.varied[varied_++];
     varied.paint.field = {};
     varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
-    varied.dense = false, varied.lowest = varied.highest = 0, varied.lit = -1;
+    varied.integral.reset(), varied.rows.reset();
+    varied.lowest = varied.highest = 0, varied.lit = -1;
     return varied;
   }
 
-  /// The places t between lo and hi where the ramp has a kink; a whole picture's.
-  const std::vector<double>& places(VariedPaint& varied, double lo, double hi) {
+  /// The places t between lo and hi, a whole picture's, where outlines are made of the ramp's kinks; t changes by at
+  /// least so much per pixel. Too many for that: none.
+  const std::vector<double>& places(VariedPaint& varied, double lo, double hi, double per_pixel) {
+    const Ramp& ramp = *varied.paint.ramp;
     varied.lowest = lo, varied.highest = hi;
-    varied.dense = !varied.paint.ramp->kinks(lo, hi, kMostKinks, to_.kinks_);
+    if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
+    varied.integral.emplace().make(ramp);
+    varied.tolerance = tolerance_ / steepness(*varied.integral, view_.blend);
+    if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
+      one_color(varied, varied.integral->mean());
+    else if (varied.paint.field.kind == PaintField::Kind::linear)
+      varied.rows.emplace().make(*varied.integral,
+                                 varied.integral->scaled(varied.paint.field.plane({}, 0.0)));
     return to_.kinks_;
+  }
+
+  /// Instead of the gradient.
+  static void one_color(VariedPaint& varied, Mix mix) {
+    varied.paint.color = mix;
+    varied.paint.ramp.reset(), varied.integral.reset();
+    varied.paint.field = {};
   }
 
   void field(const LinearGradient& g, VariedPaint& varied) {
     PaintField& f = varied.paint.field;
     const glm::dvec2 from = map_(g.from), way = map_(g.to) - from;
-    const double length = std::max(glm::length(way), kLeast);
+    if (way == glm::dvec2{0.0}) return one_color(varied, varied.paint.ramp->mixes().back());
+    const double own = std::hypot(way.x, way.y), length = std::max(own, kLeast);
     f.kind = PaintField::Kind::linear;
-    if (way == glm::dvec2{0.0})
-      f.shift = 1.0;
-    else
-      f.across = way / (length * length), f.shift = -glm::dot(from, f.across);
+    f.across = own < kLeast ? way / own / kLeast : way / (length * length),
+    f.shift = -glm::dot(from, f.across);
     f.per_pixel = glm::length(f.across);
     const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
     const double middle = f.at(half, 0.0), reach = f.per_pixel * glm::length(half);
-    if (way == glm::dvec2{0.0}) return;
-    const glm::dvec2 ahead = glm::normalize(g.to - g.from);
-    for (const double t : places(varied, middle - reach, middle + reach))
+    const glm::dvec2 ahead = (g.to - g.from) / std::hypot(g.to.x - g.from.x, g.to.y - g.from.y);
+    for (const double t : places(varied, middle - reach, middle + reach, f.per_pixel))
       varied.kinks.push_back({to_.programs.add(HalfPlane{
                                   ahead, glm::dot(g.from, ahead) + t * glm::length(g.to - g.from)}),
                               false, t});
   }
 
   void field(const RadialGradient& g, VariedPaint& varied) {
+    if (!(g.radii.x > 0.0 && g.radii.y > 0.0))
+      return one_color(varied, varied.paint.ramp->mixes().back());
     PaintField& f = varied.paint.field;
     f.kind = PaintField::Kind::radial, f.center = map_(g.center);
     f.unit = unit(g.radii, g.axis);
@@ -99,7 +136,8 @@ class PaintMaker {
     double most = 0.0;
     for (const double x : {0.0, double(view_.width)})
       for (const double y : {0.0, double(view_.height)}) most = std::max(most, f.at({x, y}, 0.0));
-    for (const double t : places(varied, 0.0, most))
+    const double least = 1.0 / (map_.scale() * std::max({g.radii.x, g.radii.y, kLeast}));
+    for (const double t : places(varied, 0.0, most, least))
       varied.kinks.push_back(
           {to_.programs.add(Ellipse{g.center, t * glm::max(g.radii, kLeast / map_.scale()),
                                     glm::normalize(g.axis)}),
@@ -111,13 +149,14 @@ class PaintMaker {
     const double length = (g.to - g.from) * map_.scale();
     f.kind = PaintField::Kind::distance, f.distance = distance(g.area);
     f.from = g.from * map_.scale();
-    f.scale = 1.0 / (std::abs(length) > kLeast ? length : kLeast);
+    f.scale = 1.0 / (std::abs(length) > kLeast ? length : std::copysign(kLeast, length));
+    if (g.to == g.from) varied.paint.ramp->pad();
     f.per_pixel = std::abs(f.scale);
     // A distance is at most that of the picture's middle and half a diagonal.
     const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
     const double middle = f.at(half, to_.distances[std::size_t(f.distance)].at(half)),
                  reach = f.per_pixel * glm::length(half);
-    for (const double t : places(varied, middle - reach, middle + reach))
+    for (const double t : places(varied, middle - reach, middle + reach, f.per_pixel))
       varied.kinks.push_back(
           {to_.programs.add(g.area, (f.from + t / f.scale) / map_.scale()), f.scale < 0.0, t});
   }
@@ -170,7 +209,9 @@ class PaintMaker {
   const Scene& scene_;
   const View& view_;
   const Map<GridSpace, FaceSpace> map_;
+  const double tolerance_;  ///< of means
   PaintTable& to_;
+  int most_ = 0;                            ///< kinks of the gradient at hand that may be outlines
   std::size_t varied_ = 0, distances_ = 0;  ///< made so far
 };
 
@@ -203,7 +244,7 @@ void PaintTable::make(const Scene& scene, const View& view, Depth depth) {
   blend = view.blend;
   background = mix_from_color(view.background.value_or(scene.background()), view.blend);
   make_groups(scene);
-  PaintMaker maker(scene, view, *this);
+  PaintMaker maker(scene, view, depth, *this);
   for (const Layer& layer : scene.layers()) {
     layers.push_back(maker.layer(layer));
     if (layer.group >= 0) layers.back().group = nearest_[std::size_t(layer.group)];

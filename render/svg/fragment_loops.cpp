@@ -1,4 +1,5 @@
 #include "render/svg/fragment_loops.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,10 @@ void join_ends(FragmentLoop& loop, double tolerance) {
 std::vector<FragmentLoop> fragment_loops(std::span<const Fragment> fragments,
                                          std::span<const SweepPiece> pieces, double tolerance) {
   std::vector<FragmentCurve> curves;
-  for (const Fragment& f : fragments) curves.push_back(curve_of(f, pieces[std::size_t(f.piece)]));
+  for (const Fragment& f : fragments) {
+    worked(100);
+    curves.push_back(curve_of(f, pieces[std::size_t(f.piece)]));
+  }
   const std::vector<int> next = followers(fragments, curves);
   std::vector<char> seen(fragments.size(), 0);
   std::vector<FragmentLoop> loops;
@@ -127,6 +131,7 @@ std::vector<FragmentLoop> fragment_loops(std::span<const Fragment> fragments,
     for (int i = int(first); i >= 0 && !seen[std::size_t(i)]; i = next[std::size_t(i)]) {
       const FragmentCurve& curve = curves[std::size_t(i)];
       seen[std::size_t(i)] = 1;
+      worked(100);
       const glm::dvec2 at = loop.sides.empty() ? loop.start : loop.sides.back().to;
       if (glm::distance(at, curve.from) > tolerance)
         add_side(loop, {0.5 * (at + curve.from), curve.from, true}, tolerance);

@@ -1,4 +1,5 @@
 #include "render/svg/path_data.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,10 @@ std::string short_decimal(double value, int decimals) {
 
 std::string path_data(std::span<const FragmentLoop> loops, int decimals) {
   PathWriter writer(decimals);
-  for (const FragmentLoop& loop : loops) writer.loop(loop);
+  for (const FragmentLoop& loop : loops) {
+    worked(200 * std::int64_t(loop.sides.size()));
+    writer.loop(loop);
+  }
   return std::move(writer.text);
 }
 

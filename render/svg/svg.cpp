@@ -2,6 +2,7 @@
 #include "lib/base/fingerprint.h"
 #include "render/render_error.h"
 #include "render/svg/svg_writer_private.h"
+#include "render/watched.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,10 @@ Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
   try {
     SvgOptions named = options;
     if (!named.id_prefix) named.id_prefix = prefix_of(scene, options);
-    return SvgWriter(scene, named).write();
+    double done = 0.0;
+    return watched(
+        options.progress, options.limits, [&] { return SvgWriter(scene, named).write(done); },
+        [&] { return done; });
   } catch (const std::bad_alloc&) {
     return Error{"",
                  fmt::format("{}: the scene has {} layers", kMemoryRanOut, scene.layers().size())};

@@ -13,6 +13,8 @@
 
 #include <mien/api.h>
 #include <mien/expected.h>
+#include <mien/limits.h>
+#include <mien/progress.h>
 #include <mien/scene.h>
 #include <mien/view.h>
 
@@ -33,6 +35,8 @@ struct SvgOptions {
   /// Of all ids, so that several pictures can stand in one page; letters, digits, '.', '-' and '_' of ASCII. None: made
   /// of the picture, so that only equal ones share ids.
   std::optional<std::string> id_prefix = {};
+  Progress progress = {};    ///< may cancel
+  RenderLimits limits = {};  ///< beyond them it is an error
 
   static constexpr double kLeastTolerance = 1e-4;
 };
@@ -43,7 +47,7 @@ struct Svg {
   std::vector<std::string> simplified;
 };
 
-/// Errors, one sentence each: a side or the tolerance is out of range, or no number.
+/// Errors, one sentence each: a side or the tolerance is out of range, or no number; a limit by its name; cancelled.
 MIEN_API Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options = {});
 
 }  // namespace mien

@@ -1,4 +1,5 @@
 #include "render/svg/svg_gradient.h"
+#include "render/shade/ramp/integral.h"
 #include "render/svg/path_data.h"
 #include "render/svg/svg_color.h"
 
@@ -7,11 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 namespace mien {
 namespace {
 
 constexpr int kMostHalvings = 6;
+constexpr double kEvenPeriod = 1e-4;  // [px] what repeats so densely is its mean, as in pictures
+constexpr double kShortest = 1e-3;    // [px] viewers take less for no length
 
 /// A stop of the ramp itself.
 struct PlacedMix {
@@ -134,6 +138,15 @@ SvgPaint made(const char* element, const std::string& id, const std::string& geo
           fmt::format(" fill=\"url(#{})\"", id)};
 }
 
+/// Of periods that no pixel resolves.
+std::optional<SvgPaint> even_paint(const Ramp& ramp, double pixels) {
+  if (ramp.extend() == Extend::pad) return {};
+  if (!((ramp.at().back() - ramp.at().front()) * pixels < kEvenPeriod)) return {};
+  RampIntegral integral;
+  integral.make(ramp);
+  return svg_paint(integral.mean());
+}
+
 bool finite(glm::dvec2 p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
@@ -172,10 +185,14 @@ SvgPaint svg_paint(const Mix& mix) {
 SvgPaint svg_paint(const LinearGradient& along, const Ramp& ramp,
                    const Map<GridSpace, FaceSpace>& map, const std::string& id) {
   if (along.from == along.to || !finite(along.from) || !finite(along.to) || !finite(ramp))
-    return svg_paint(ramp.color(1.0));
+    return svg_paint(ramp.mixes().back());
+  glm::dvec2 way = along.to - along.from;
+  const double length = map.scale() * std::hypot(way.x, way.y);
+  if (const auto even = even_paint(ramp, length)) return *even;
   const SvgRamp stops = ramp_along_line(ramp);
-  const glm::dvec2 way = along.to - along.from, a = map(along.from + stops.from * way),
-                   b = map(along.from + stops.to * way);
+  if (length * (stops.to - stops.from) < kShortest)
+    way *= kShortest / (length * (stops.to - stops.from));
+  const glm::dvec2 a = map(along.from + stops.from * way), b = map(along.from + stops.to * way);
   return made("linearGradient", id,
               placed("x1", a.x) + placed("y1", a.y) + placed("x2", b.x) + placed("y2", b.y), stops);
 }
@@ -184,7 +201,9 @@ SvgPaint svg_paint(const RadialGradient& along, const Ramp& ramp,
                    const Map<GridSpace, FaceSpace>& map, const std::string& id) {
   if (!(along.radii.x > 0.0 && along.radii.y > 0.0) || !finite(along.radii) ||
       !finite(along.center) || !finite(along.axis) || !finite(ramp))
-    return svg_paint(ramp.color(1.0));
+    return svg_paint(ramp.mixes().back());
+  if (const auto even = even_paint(ramp, map.scale() * std::max(along.radii.x, along.radii.y)))
+    return *even;
   const SvgRamp stops = ramp_from_center(ramp);
   const glm::dvec2 c = map(along.center);
   if (along.radii.x == along.radii.y)

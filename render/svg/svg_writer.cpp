@@ -1,3 +1,4 @@
+#include "lib/base/watch.h"
 #include "render/svg/distance_bands.h"
 #include "render/svg/path_data.h"
 #include "render/svg/svg_color.h"
@@ -45,10 +46,14 @@ SvgWriter::SvgWriter(const Scene& scene, const SvgOptions& options)
       ids_(options.id_prefix.value_or("")),
       clips_(scene.nodes().size()) {}
 
-Svg SvgWriter::write() {
+Svg SvgWriter::write(double& done) {
   background();
   count_clips();
-  for (const Layer& l : scene_.layers()) layer(l);
+  for (const Layer& l : scene_.layers()) {
+    layer(l);
+    done += 1.0 / double(scene_.layers().size());
+    worked(1000);
+  }
   go_to_group(-1);
   std::string text = head();
   if (!definitions_.empty()) text += "<defs>\n" + definitions_ + "</defs>\n";

@@ -16,7 +16,8 @@ class SvgWriter {
  public:
   SvgWriter(const Scene& scene, const SvgOptions& options);
 
-  Svg write();
+  /// `done`: the share so far.
+  Svg write(double& done);
 
  private:
   /// An area that clips several layers.

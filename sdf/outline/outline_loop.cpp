@@ -144,20 +144,31 @@ bool OutlineLoop::runs_along_border(int vertex, glm::dvec2 to) const {
          (a.y == b.y && b.y == to.y && (b.y == window_.lo.y || b.y == window_.hi.y));
 }
 
-/// Whether `to`, which lies back along the last piece, is on its line: then the way there encloses nothing, and the end of
-/// that piece may as well be `to`. Paths that run to and fro without area are so no more than a line.
-bool OutlineLoop::turns_back(glm::dvec2 to) const {
-  const OutlinePiece& p = to_->pieces.back();
-  const auto place = [&](int vertex) {
-    return glm::dvec2{to_->vertices[vertex].x, to_->vertices[vertex].y};
-  };
-  const glm::dvec2 from = place(p.top), end = place(p.bottom), way = end - from, back = to - end;
+/// Whether `to` lies back along the last piece's chord, and on its line. Then the way there encloses nothing, and the end
+/// of that piece may as well be `to`, if both ways are flat: paths that run to and fro without area are so no more than
+/// a line.
+bool OutlineLoop::runs_back(glm::dvec2 to) const {
+  const OutlineVertex* const end = &to_->vertices.back();
+  const glm::dvec2 way{end[0].x - end[-1].x, end[0].y - end[-1].y},
+      back{to.x - end[0].x, to.y - end[0].y};
   const double longest =
       std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
-  const auto on_line = [&](glm::dvec2 by) {
-    return std::abs(cross(way, by)) <= kThinnest * longest;
-  };
-  return on_line(back) && (p.turn == 0 || on_line(glm::dvec2{p.ax, p.ay} - end));
+  // Corners often turn back and seldom on the line: as one condition this is foreseen by the processor.
+  const bool turns = way.x * back.x + way.y * back.y < 0.0,
+             on_line = std::abs(cross(way, back)) <= kThinnest * longest;
+  return turns & on_line;
+}
+
+/// Whether the last piece and the way by `control` to `to`, of which `runs_back` is true, leave their line by nothing.
+bool OutlineLoop::are_flat(glm::dvec2 control, glm::dvec2 to, bool straight) const {
+  const OutlinePiece& p = to_->pieces.back();
+  const OutlineVertex &a = to_->vertices[p.top], &b = to_->vertices[p.bottom];
+  const glm::dvec2 end{b.x, b.y}, way = end - glm::dvec2{a.x, a.y}, back = to - end;
+  const double longest =
+      std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
+  return (p.turn == 0 ||
+          std::abs(cross(way, glm::dvec2{p.ax, p.ay} - end)) <= kThinnest * longest) &&
+         (straight || std::abs(cross(back, control - end)) <= kThinnest * glm::length(back));
 }
 
 /// Until `finish` a piece keeps its control point in (ax, ay), its vertices in the loop's order, whether it may
@@ -173,16 +184,7 @@ void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
     if (before.x == end.x && before.y == end.y) to_->vertices.pop_back(), to_->pieces.pop_back();
     return;
   }
-  // A straight way, or one whose control point lies on it.
-  const auto is_flat = [&] {
-    const glm::dvec2 at{from.x, from.y};
-    return straight || std::abs(cross(end - at, control - at)) <= kThinnest * glm::length(end - at);
-  };
-  const auto runs_back = [&] {
-    const OutlineVertex& before = to_->vertices[last - 1];
-    return (from.x - before.x) * (end.x - from.x) + (from.y - before.y) * (end.y - from.y) < 0.0;
-  };
-  if (last > first_vertex_ && runs_back() && turns_back(end) && is_flat()) {
+  if (may_run_back_ && last > first_vertex_ && runs_back(end) && are_flat(control, end, straight)) {
     to_->vertices.pop_back();
     to_->pieces.pop_back();
     return piece(to, to, true);

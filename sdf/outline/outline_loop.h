@@ -23,6 +23,8 @@ class OutlineLoop final : public CurvePen {
   void set_tolerance(double tolerance) { tolerance_ = tolerance; }
   /// Whether loops that follow count as run the other way round.
   void set_backwards(bool backwards) { backwards_ = backwards; }
+  /// Whether sides of loops that follow may lie on each other: ways there and back without area become one line.
+  void set_may_run_back(bool may_run_back) { may_run_back_ = may_run_back; }
 
   /// A new outline, to which the loops that follow belong; its index.
   int outline(FillRule rule);
@@ -39,7 +41,8 @@ class OutlineLoop final : public CurvePen {
   void cut(glm::dvec2 control, glm::dvec2 to, bool clip);
   void piece(glm::dvec2 control, glm::dvec2 to, bool straight);
   bool runs_along_border(int vertex, glm::dvec2 to) const;
-  bool turns_back(glm::dvec2 to) const;
+  bool runs_back(glm::dvec2 to) const;
+  bool are_flat(glm::dvec2 control, glm::dvec2 to, bool straight) const;
   bool encloses_nothing() const;
   void drop();
   bool is_number(glm::dvec2 p);
@@ -48,7 +51,7 @@ class OutlineLoop final : public CurvePen {
   glm::dvec2 start_{0.0};
   int first_vertex_ = 0, first_piece_ = 0;
   bool bad_ = false;  ///< the loop has a coordinate that is no number
-  bool backwards_ = false;
+  bool backwards_ = false, may_run_back_ = true;
 };
 
 }  // namespace mien

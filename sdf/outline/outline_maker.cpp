@@ -59,12 +59,14 @@ void OutlineMaker::begin(const OutlineFrame& frame, Outlines& to) {
 
 int OutlineMaker::fill(const Shape& shape) {
   const int index = loop_.outline(rule_of(shape));
+  loop_.set_may_run_back(std::holds_alternative<Path>(shape));
   std::visit(Filler(*this), shape);
   return index;
 }
 
 int OutlineMaker::rim(const Shape& shape, double half_width) {
   const int index = loop_.outline(FillRule::nonzero);
+  loop_.set_may_run_back(false);
   if (!(half_width > 0.0)) return index;
   const auto wider = offset_shape(shape, half_width), narrower = offset_shape(shape, -half_width);
   if (wider && narrower) {

@@ -11,7 +11,8 @@
 namespace mien {
 namespace {
 
-constexpr double kUnseen = 0.5 / 255;  // half a level of 8 bits
+constexpr double kUnseen = 0.5 / 255;                                // half a level of 8 bits
+constexpr double kBeyond = std::numeric_limits<double>::infinity();  // all stops
 
 /// Where along a gradient the place p is.
 struct PlaceOf {
@@ -21,18 +22,16 @@ struct PlaceOf {
   double operator()(const LinearGradient& g) const {
     const glm::dvec2 way = g.to - g.from;
     const double length2 = glm::dot(way, way);
-    return length2 > 0 ? glm::dot(p - g.from, way) / length2 : 1;
+    return length2 > 0 ? glm::dot(p - g.from, way) / length2 : kBeyond;
   }
   double operator()(const RadialGradient& g) const {
-    if (!(g.radii.x > 0 && g.radii.y > 0)) return 1;
+    if (!(g.radii.x > 0 && g.radii.y > 0)) return kBeyond;
     const glm::dvec2 d = p - g.center, left{-g.axis.y, g.axis.x};
     return std::hypot(glm::dot(d, g.axis) / g.radii.x, glm::dot(d, left) / g.radii.y);
   }
   double operator()(const DistanceGradient& g) const {
     const double width = g.to - g.from, d = scene.distance(g.area, p) - g.from;
-    if (width == 0)
-      return d < 0 ? -std::numeric_limits<double>::infinity()
-                   : std::numeric_limits<double>::infinity();
+    if (width == 0) return d < 0 ? -kBeyond : kBeyond;
     return d / width;
   }
 };

@@ -37,19 +37,21 @@ enum class Extend : unsigned char {
   reflect  ///< runs back and forth
 };
 
-/// 0 at `from`, 1 at `to`, and constant along lines perpendicular to that. If from == to: 1 everywhere.
+/// 0 at `from`, 1 at `to`, and constant along lines perpendicular to that. If from == to: the last stop's colour
+/// everywhere, however it is extended (as in SVG).
 struct LinearGradient {
   glm::dvec2 from, to;
 };
 
-/// 0 at the centre, 1 on the ellipse, and more outside it. If a radius is 0: 1 everywhere.
+/// 0 at the centre, 1 on the ellipse, and more outside it. If a radius is 0: the last stop's colour everywhere, too.
 struct RadialGradient {
   glm::dvec2 center, radii;
   glm::dvec2 axis{1.0, 0.0};  ///< unit; where radii.x points
 };
 
 /// 0 where the signed distance to an area's outline (negative inside) is `from`, 1 where it is `to`. The
-/// distance is Scene::distance, which is exact where Scene::exactness is.
+/// distance is Scene::distance, which is exact where Scene::exactness is. If from == to: the first stop's colour before,
+/// the last one's beyond, however it is extended.
 struct DistanceGradient {
   Area area;
   double from, to;

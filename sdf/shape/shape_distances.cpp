@@ -1,4 +1,5 @@
 #include "sdf/shape/shape_distances.h"
+#include "lib/base/watch.h"
 #include "sdf/shape/curve/path_tree.h"
 
 namespace mien {
@@ -21,8 +22,10 @@ double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) c
   if (!path) return distance(shape, p);
   std::size_t sides = 0;
   for (const Path::Loop& loop : path->loops) sides += loop.sides.size();
-  const PathTree* const tree = sides < PathTree::kFewSides ? nullptr : tree_of(index, *path, sides);
-  return tree ? tree->distance(p) : distance(*path, p);
+  if (sides < PathTree::kFewSides) return distance(*path, p);
+  if (const PathTree* const tree = tree_of(index, *path, sides)) return tree->distance(p);
+  worked(4 * std::int64_t(sides));
+  return distance(*path, p);
 }
 
 const PathTree* ShapeDistances::tree_of(std::size_t index, const Path& path,

@@ -1,7 +1,10 @@
 // Small scenes of large work draw within their limits, end at smaller ones, and can be cancelled anywhere.
 
+#include <mien/debug_picture.h>
+#include <mien/error_map.h>
 #include <mien/piece_drawer.h>
 #include <mien/render.h>
+#include <mien/svg.h>
 
 #include <gtest/gtest.h>
 
@@ -12,9 +15,8 @@
 namespace mien::test {
 namespace {
 
-// Of what the documents promise, so that it takes seconds; but enough points for paths to have trees. Below 128 sides
-// they have none: a gradient on a tangle of 100 points takes more steps than are allowed here.
-constexpr double kSmall = 0.13;
+// Of what the documents promise, so that it takes seconds.
+constexpr double kSmall = 0.10;
 
 const View kView{.width = 64, .height = 64};
 
@@ -43,39 +45,90 @@ TEST(BoundedWork, SaysWhichLimitIsExceeded) {
   EXPECT_EQ(memory.error().what, "outlines and their order need more than 0 MiB (limit `memory`)");
 }
 
-/// [s] that cancelling takes, at worst, if every question but the first is answered by no.
-double slowest_end(const Scene& scene) {
-  using Clock = std::chrono::steady_clock;
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point then) {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+/// What draws a scene in any way: false if it was cancelled.
+using Way = std::function<bool(const Scene&, const Progress&)>;
+struct NamedWay {
+  std::string name;
+  Way way;
+};
+
+std::vector<NamedWay> ways() {
+  static const View kLarge{.width = 256, .height = 256};
+  std::vector<NamedWay> all{
+      {"render",
+       [](const Scene& scene, const Progress& progress) {
+         return bool(render(scene, kLarge, {.progress = progress}));
+       }},
+      {"svg",
+       [](const Scene& scene, const Progress& progress) {
+         return bool(svg_text(scene, {.width = 256, .height = 256, .progress = progress}));
+       }},
+      {"error map",
+       [](const Scene& scene, const Progress& progress) {
+         return bool(error_map(scene, kLarge, {.progress = progress}));
+       }},
+      {"pieces", [](const Scene& scene, const Progress& progress) {
+         return bool(PieceDrawer::of(scene, kLarge, Depth::u8, {}, [&] { return !progress(0); }));
+       }}};
+  for (const DebugPicture which : {DebugPicture::outlines, DebugPicture::regions,
+                                   DebugPicture::fragments, DebugPicture::distance})
+    all.push_back({"debug picture " + std::to_string(int(which)),
+                   [which](const Scene& scene, const Progress& progress) {
+                     return bool(debug_picture(scene, kLarge, which, {.progress = progress}));
+                   }});
+  return all;
+}
+
+/// Of other ways than render those that are not cut to areas, so that it takes less time.
+std::vector<HostileScene> scenes_for(const std::string& way) {
+  std::vector<HostileScene> scenes = hostile_scenes(1.0);
+  if (way != "render")
+    std::erase_if(scenes, [](const HostileScene& h) { return h.name.ends_with(", cut"); });
+  return scenes;
+}
+
+/// [s] that cancelling takes if the question of that number is answered by no, and all others.
+double slowest_end(const Way& way, const Scene& scene, int number) {
   Clock::time_point said_no{};
   int asked = 0;
-  const auto image = render(scene, {.width = 256, .height = 256}, {.progress = [&](double) {
-                              if (++asked < 2) return true;
-                              said_no = Clock::now();
-                              return false;
-                            }});
-  return image ? 0.0 : std::chrono::duration<double>(Clock::now() - said_no).count();
+  const bool drawn = way(scene, [&](double) {
+    if (++asked < number) return true;
+    if (asked == number) said_no = Clock::now();
+    return false;
+  });
+  return drawn ? 0.0 : since(said_no);
 }
 
 TEST(BoundedWork, EndsWithinHalfASecond) {
-  for (const HostileScene& hostile : hostile_scenes(1.0))
-    EXPECT_LT(slowest_end(hostile.scene), 0.5) << hostile.name;
+  for (const auto& [name, way] : ways())
+    for (const HostileScene& hostile : scenes_for(name))
+      for (const int number : {2, 8})
+        EXPECT_LT(slowest_end(way, hostile.scene, number), 0.5) << name << ": " << hostile.name;
 }
 
-TEST(BoundedWork, AsksWithinATenthOfASecond) {
-  for (const HostileScene& hostile : hostile_scenes(1.0)) {
-    using Clock = std::chrono::steady_clock;
-    const auto began = Clock::now();
-    auto last = began;
-    double longest = 0;
-    (void)render(hostile.scene, kView,
-                 {.threads = {.count = 1}, .progress = [&](double) {
-                    const auto now = Clock::now();
-                    longest = std::max(longest, std::chrono::duration<double>(now - last).count());
-                    last = now;
-                    return now - began < std::chrono::milliseconds(300);
-                  }});
-    EXPECT_LT(longest, 0.3) << hostile.name;
-  }
+/// [s] between two questions, at most, while it goes on for 0.15 s, and until it ends then.
+double longest_pause(const Way& way, const Scene& scene) {
+  const auto began = Clock::now();
+  auto last = began;
+  double longest = 0;
+  (void)way(scene, [&](double) {
+    longest = std::max(longest, since(last));
+    last = Clock::now();
+    return since(began) < 0.15;
+  });
+  return std::max(longest, since(last));
+}
+
+TEST(BoundedWork, AsksAllTheTime) {
+  for (const auto& [name, way] : ways())
+    for (const HostileScene& hostile : scenes_for(name))
+      EXPECT_LT(longest_pause(way, hostile.scene), 0.3) << name << ": " << hostile.name;
 }
 
 TEST(BoundedWork, OfPiecesEndsToo) {

@@ -85,15 +85,20 @@ Mixes ExactPaint::mixes(const Color& c, double opacity) const {
 }
 
 double ExactPaint::place(const Gradient& gradient, glm::dvec2 p) const {
+  constexpr double kBeyond = 1e300;  // all stops, where there is no extent
   if (const auto* g = std::get_if<LinearGradient>(&gradient.along))
-    return glm::dot(p - g->from, g->to - g->from) / glm::dot(g->to - g->from, g->to - g->from);
+    return g->from == g->to ? kBeyond
+                            : glm::dot(p - g->from, g->to - g->from) /
+                                  glm::dot(g->to - g->from, g->to - g->from);
   if (const auto* g = std::get_if<RadialGradient>(&gradient.along)) {
+    if (!(g->radii.x > 0 && g->radii.y > 0)) return kBeyond;
     const glm::dvec2 m = p - g->center;
     return std::hypot(glm::dot(m, g->axis) / g->radii.x,
                       (g->axis.x * m.y - g->axis.y * m.x) / g->radii.y);
   }
   const auto& g = std::get<DistanceGradient>(gradient.along);
-  return (scene_.distance(g.area, p) - g.from) / (g.to - g.from);
+  const double beyond = scene_.distance(g.area, p) - g.from;
+  return g.to != g.from ? beyond / (g.to - g.from) : beyond < 0 ? -kBeyond : kBeyond;
 }
 
 Mixes ExactPaint::unlit(int i, glm::dvec2 p) const {
@@ -102,6 +107,7 @@ Mixes ExactPaint::unlit(int i, glm::dvec2 p) const {
   const double first = g.stops.front().at, length = g.stops.back().at - first,
                opacity = layer(i).paint.color.a;
   double t = place(g, p);
+  if (std::abs(t) >= 1e300) return mixes((t < 0 ? g.stops.front() : g.stops.back()).color, opacity);
   if (g.extend == Extend::repeat) t -= length * std::floor((t - first) / length);
   if (g.extend == Extend::reflect) {
     t = std::fmod(std::abs(t - first), 2 * length);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -195,14 +196,59 @@ TEST_F(NewTest, TheWorstOfWhatIsWrongIsDrawn) {
   EXPECT_FALSE(std::filesystem::exists(file("n.png")));
 }
 
+/// The command that the warning offers, run as a shell does, writes the very person whose code was printed.
 TEST_F(NewTest, LongCodesAreOfferedAsFiles) {
-  const std::vector<std::string> words{"new", "--child-of", "A66CB-AA5S0-14", "A66CB-AA5S0-14"};
-  const Ran said = run_mien(words);
-  EXPECT_EQ(said.code, 0) << said.err;
-  EXPECT_EQ(said.err.find("-o FILE keeps the person in a file") != std::string::npos,
-            said.out.size() > 41)
-      << said.out << said.err;
+  const std::string a = printed({"new", "--seed", "a"}), b = printed({"new", "--seed", "b"});
+  const std::vector<std::string> many{"--hold", "hair=bob",    "--hold", "age=70",
+                                      "--hold", "glasses=sun", "--hold", "eyes=round",
+                                      "--hold", "mouth=full",  "--hold", "nose=snub"};
+  std::vector<std::vector<std::string>> all{{"new", "--child-of", a, b},
+                                            {"new", "--near", a, "--by", "0.5"},
+                                            {"new", "--between", a, b, "--at", "0.25"},
+                                            {"new", "--seed", "it's a b", "--style", "ink"}};
+  all.back().insert(all.back().end(), many.begin(), many.end());
+  for (const std::vector<std::string>& words : all) {
+    const Ran said = run_mien(words);
+    EXPECT_EQ(said.code, 0) << said.err;
+    const std::string code = said.out.substr(0, said.out.find('\n'));
+    ASSERT_GT(code.size(), 40u);
+    const std::size_t from = said.err.find("`mien new "), to = said.err.rfind('`');
+    ASSERT_LT(from, to) << said.err;
+    const std::string offered = said.err.substr(from + 5, to - from - 5);
+    const bool child = words[1] == "--child-of";
+    EXPECT_TRUE(offered.ends_with(child ? " -o child.face.json" : " -o mine.face.json"));
+    const std::string here = "cd '" + file("") + "' && " MIEN_COMMAND + offered + " >printed";
+    ASSERT_EQ(std::system(here.c_str()), 0) << here;
+    const std::string written = file(child ? "child.face.json" : "mine.face.json");
+    EXPECT_EQ(test::read_text(file("printed")), code + "\n") << here;
+    EXPECT_EQ(run_mien({"code", written}).out, code + "\n");
+  }
   EXPECT_EQ(run_mien({"new", "--seed", "ada"}).err, "");
+}
+
+/// So nobody copies a long code: what is kept in a file has kin, too.
+TEST_F(NewTest, FilesOfPeopleHaveRelatives) {
+  const std::string a = printed({"new", "--seed", "a"}), b = printed({"new", "--seed", "b"});
+  const std::string child =
+      printed({"new", "--child-of", a, b, "--seed", "1", "-o", file("c.face.json")});
+  const std::string c = file("c.face.json");
+  EXPECT_EQ(printed({"new", "--child-of", c, a, "--seed", "2"}),
+            printed({"new", "--child-of", child, a, "--seed", "2"}));
+  EXPECT_EQ(printed({"new", "--between", b, c}), printed({"new", "--between", b, child}));
+  EXPECT_EQ(printed({"new", "--near", c, "--seed", "2"}),
+            printed({"new", "--near", child, "--seed", "2"}));
+  EXPECT_EQ(printed({"new", "--code", c, "--hold", "hair=bob"}),
+            printed({"new", "--code", child, "--hold", "hair=bob"}));
+  std::ofstream(file("w.face.json"))
+      << R"({"format": "mien-face", "format_version": 2, "style": "ink"})";
+  EXPECT_NE(run_mien({"new", "--near", file("w.face.json")}).err.find("no code holds a style"),
+            std::string::npos);
+  std::ofstream(file("w.face.json")) << "{\n1}";
+  const Ran bad = run_mien({"new", "--near", file("w.face.json")});
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.err.find("--near " + file("w.face.json") + ":2:"), std::string::npos) << bad.err;
+  EXPECT_NE(run_mien({"new", "--child-of", a, "ada"}).err.find("`mien new --seed ada`"),
+            std::string::npos);
 }
 
 TEST_F(NewTest, BadUseIsASentence) {

@@ -134,12 +134,14 @@ def check_bad():
     cases = {"cut": whole[:-4], "long": whole + b"0", "no": b"hello"}
     for name, content in cases.items():
         (FOLDER / f"{name}.npy").write_bytes(content)
-    np.save(FOLDER / "int.npy", data.astype(np.int32))
+    np.save(FOLDER / "complex.npy", data.astype(np.complex64))
+    np.savez(FOLDER / "archive.npz", frames=data)
+    (FOLDER / "archive.npz").rename(FOLDER / "archive.npy")
     np.save(FOLDER / "flat.npy", data.ravel())
     data[2, 1, 0] = np.nan
     np.save(FOLDER / "nan.npy", data)
     np.save(FOLDER / "object.npy", np.array([{}, {}], dtype=object), allow_pickle=True)
-    for name in [*cases, "int", "flat", "nan", "object", "none"]:
+    for name in [*cases, "complex", "archive", "flat", "nan", "object", "none"]:
         said = mien("fit", FOLDER / f"{name}.npy", "-o", FOLDER / "bad.basis", "--components", 1, fails=True)
         assert said.count("\n") == 1 and f"{name}.npy: " in said, said
         assert not (FOLDER / "bad.basis").exists()
@@ -158,6 +160,11 @@ def main():
     check(data, 6, saved=data.astype(">f4"))
     check(data, 6, saved=np.asfortranarray(data.astype(">f4")))
     check(made(20, 30, 3, np.float64), 6, saved=made(20, 30, 3, np.float64).astype(">f8"))
+    whole = np.clip(np.rint(made(20, 30, 3, np.float64) * 10), -127, 127)
+    for dtype in (np.int8, np.int16, np.int32, np.int64, ">i2", ">i8", np.float16):
+        check(whole, 6, saved=whole.astype(dtype))
+    for dtype in (np.uint8, np.uint16, np.uint32, ">u8"):
+        check(np.abs(whole), 6, saved=np.abs(whole).astype(dtype))
     for dtype in (np.float32, np.float64):
         for bound in (2.0, 0.05):
             check_decoding(made(60, 40, 3, dtype), bound)

@@ -78,10 +78,19 @@ TEST(Progress, IsOfAllCommands) {
       test::run_mien({"pca", "fit", toon, "-o", basis, "--frames", "0-9", "--components", "2"})
           .code,
       0);
-  all.push_back({{"pca", "encode", basis, toon, "-o", (folder / "w.npy").string()}, {"encode"}});
+  all.push_back({{"pca", "fit", toon, "-o", basis, "--frames", "0-39", "--components", "2"},
+                 {"pose", "fit"}});
+  all.push_back(
+      {{"pca", "encode", basis, toon, "-o", (folder / "w.npy").string()}, {"pose", "encode"}});
+  all.push_back(
+      {{"pca", "compare", basis, toon, "-o", out, "--size", "32"}, {"pose", "encode", "compare"}});
+  all.push_back({{"pca", "sheet", basis, "--face", toon, "-o", out, "--size", "32"}, {"pictures"}});
+  const std::string arkit = file("f.json", R"({"jawOpen": 0.4, "mouthSmileLeft": 0.3})");
+  all.push_back({{"fit", code, arkit}, {"fit"}});
   all.push_back({{"pca", "decode", basis, "-o", (folder / "f.npy").string()}, {"decode"}});
   for (const auto& [words, phases] : all) EXPECT_EQ(phases_of_command(words), phases) << words[0];
-  for (const char* command : {"render", "check", "animate", "sheet", "chernoff", "stimuli", "mesh"})
+  for (const char* command :
+       {"render", "check", "animate", "sheet", "fit", "chernoff", "stimuli", "mesh"})
     EXPECT_NE(test::run_mien({command, "-h"}).out.find("--progress"), std::string::npos) << command;
 }
 

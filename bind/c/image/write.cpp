@@ -120,7 +120,7 @@ class DrawnPieces {
     mien_error* error = nullptr;
     said(mien_drawn_rect(&view, rect_, &error), error);
     if (rect_[2] < 1 || rect_[3] < 1) refuse("view.region", "has no pixel in the picture");
-    said(mien_pieces_new(scene, &view, depth, &pieces_, &error), error);
+    said(mien_pieces_new(scene, &view, depth, nullptr, &pieces_, &error), error);
   }
   DrawnPieces(const DrawnPieces&) = delete;
   ~DrawnPieces() { mien_pieces_free(pieces_); }

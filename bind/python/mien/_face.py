@@ -275,29 +275,32 @@ class Posed:
         return (renderer or Renderer())._render(self._drawn, seen, depth, threads, out, progress, self._effects(effects))
 
     def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
-              region: Optional[Sequence[int]] = None, threads: int = 0) -> numpy.typing.NDArray[Any]:
+              region: Optional[Sequence[int]] = None, threads: int = 0,
+              progress: Optional[Watch] = None) -> numpy.typing.NDArray[Any]:
         """A picture of how the face is drawn, "outlines", "regions", "fragments", "looks", "distance" or "normals", or of
         what moves it, "muscles", "points" or "morph", without names: as `mien render --debug`."""
         kind = choice(which, (*DRAWN, *MOVED), "which")
         seen = view(self.face.canvas.aspect, size, fit, background=background, region=region)
         if which in DRAWN:
-            return debug_picture(self._drawn, seen, kind, threads)
+            return debug_picture(self._drawn, seen, kind, threads, progress)
         with self._lock:
             scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
-        return Renderer()._render(scene.value, seen, "u8", threads, None, None)
+        return Renderer()._render(scene.value, seen, "u8", threads, None, progress)
 
     def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.01,
-            id_prefix: Optional[str] = None) -> Svg:
+            id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
         """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
 
         Colours are mixed as SVG viewers do, as with blend="srgb". `id_prefix` begins all ids, so that several pictures can
-        stand in one page; without one it is made of the picture, so that only equal pictures share ids.
+        stand in one page; without one it is made of the picture, so that only equal pictures share ids. `progress` is as
+        for `render`.
         """
         seen = view(self.face.canvas.aspect, size, fit, background=background)
         if not tolerance > 0:
             raise _library.Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
         prefix = (None, 0) if id_prefix is None else utf8(id_prefix)
-        file, *simplified = texts(lib.mien_svg, self._drawn, seen, float(tolerance), *prefix)
+        watched = Watched(progress)
+        file, *simplified = watched.run(texts, lib.mien_svg, self._drawn, seen, float(tolerance), *prefix, watched.options())
         return Svg(file, tuple(simplified))
 
     def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
@@ -321,7 +324,7 @@ class Posed:
         options.threads, options.memory = whole(threads, "threads"), min(max(memory, 0), 2**64 - 1)
         options.recipe, options.recipe_length = utf8(recipe)
         options.progress, options.dpi = watched.function, float(dpi)
-        watched.call(library.mien_write_picture, self._drawn, seen, *path_bytes(path), options)
+        watched.run(call, library.mien_write_picture, self._drawn, seen, *path_bytes(path), options)
 
     @property
     def layers(self) -> tuple[str, ...]:

@@ -14,7 +14,8 @@ ABI = 0  # of the interface that these prototypes are
 NUL_ENDED = c_size_t(-1).value
 OK, MISUSE, UNREADABLE, REFUSED, CANCELLED, NO_MEMORY, NOT_WRITTEN, UNEXPECTED = range(8)
 
-Progress = ctypes.CFUNCTYPE(c_int32, c_double, c_void_p)
+# mien_progress without its data, which comes last: in C's calling conventions callers clear away what nobody reads.
+Progress = ctypes.CFUNCTYPE(c_int32, c_double)
 
 
 class Error(ValueError):
@@ -133,7 +134,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_color_from_text": [*_TEXT, c_void_p],
     "mien_renderer_new": [_ERROR],
     "mien_render": [c_void_p, c_void_p, POINTER(View), POINTER(Pixels), POINTER(RenderOptions)],
-    "mien_svg": [c_void_p, POINTER(View), c_double, *_TEXT, _ERROR],
+    "mien_svg": [c_void_p, POINTER(View), c_double, *_TEXT, POINTER(RenderOptions), _ERROR],
     "mien_debug_picture": [c_void_p, POINTER(View), c_int32, POINTER(Pixels), POINTER(RenderOptions)],
     "mien_renderer_stats": [c_void_p, POINTER(RenderStats)],
     "mien_effects_new": [_ERROR],

@@ -5,7 +5,7 @@ import ctypes
 import struct
 import threading
 import zlib
-from typing import Any, Callable, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Generator, NamedTuple, Optional, Sequence, TypeVar, Union
 
 import numpy
 import numpy.typing
@@ -15,6 +15,7 @@ from ._library import Error, Handle, Pixels, Progress, RenderOptions, RenderStat
 Size = Union[int, "tuple[int, int]"]
 Color = Union[str, Sequence[float]]
 Watch = Callable[[float], Optional[bool]]
+_Made = TypeVar("_Made")
 
 DEPTHS: dict[str, tuple[int, Any]] = {"u8": (0, numpy.uint8), "u16": (1, numpy.uint16), "f32": (2, numpy.float32)}
 
@@ -84,23 +85,41 @@ class Watched:
 
     def __init__(self, watch: Optional[Watch]) -> None:
         self.raised: Optional[BaseException] = None
+        answers = self._answers(watch)
+        next(answers)
+        self.function = Progress(answers.send)
 
-        def asked(done: float, _: Any) -> int:
+    def _answers(self, watch: Optional[Watch]) -> Generator[int, float, None]:
+        """Whether to stop, by the share done. A generator waits within its try: there Python raises what a signal's
+        handler raises, such as KeyboardInterrupt. In a function it is raised before the first line, and is lost."""
+        stop = 0
+        while True:
             try:
-                return int(watch is not None and watch(done) is False)
-            except BaseException as raised:  # also KeyboardInterrupt
-                self.raised = raised
-                return 1
+                while True:
+                    done = yield stop
+                    stop = int(stop or watch is not None and watch(done) is False)
+            except GeneratorExit:
+                return
+            except BaseException as raised:
+                self.raised, stop = self.raised or raised, 1
 
-        self.function = Progress(asked)
+    def options(self, threads: int = 0) -> RenderOptions:
+        """Those of drawing that ask."""
+        options = RenderOptions()
+        lib.mien_render_options_init(options, ctypes.sizeof(RenderOptions))
+        options.threads, options.progress = whole(threads, "threads"), self.function
+        return options
 
-    def call(self, function: Callable[..., Any], *arguments: Any) -> None:
+    def run(self, work: Callable[..., _Made], *arguments: Any) -> _Made:
+        """What the work returns."""
         try:
-            call(function, *arguments)
+            made = work(*arguments)
+            if self.raised is None:
+                return made
         except Error:
-            if self.raised is not None:
-                raise self.raised from None
-            raise
+            if self.raised is None:
+                raise
+        raise self.raised from None
 
 
 def array_for(seen: View, depth: str, out: Optional[numpy.typing.NDArray[Any]]) -> numpy.typing.NDArray[Any]:
@@ -164,12 +183,10 @@ def pixels_of(array: numpy.typing.NDArray[Any], depth: str) -> Pixels:
     return pixels
 
 
-def debug_picture(scene: Any, seen: View, which: int, threads: int) -> numpy.typing.NDArray[Any]:
+def debug_picture(scene: Any, seen: View, which: int, threads: int, progress: Optional[Watch]) -> numpy.typing.NDArray[Any]:
     """How a scene is drawn, as a picture."""
-    array, options = array_for(seen, "u8", None), RenderOptions()
-    lib.mien_render_options_init(options, ctypes.sizeof(RenderOptions))
-    options.threads = whole(threads, "threads")
-    call(lib.mien_debug_picture, scene, seen, which, pixels_of(array, "u8"), options)
+    array, watched = array_for(seen, "u8", None), Watched(progress)
+    watched.run(call, lib.mien_debug_picture, scene, seen, which, pixels_of(array, "u8"), watched.options(threads))
     return array
 
 
@@ -202,14 +219,13 @@ class Renderer:
     def _render(self, scene: Any, seen: View, depth: str, threads: int, out: Optional[numpy.typing.NDArray[Any]],
                 progress: Optional[Watch], effects: Optional[Handle] = None) -> numpy.typing.NDArray[Any]:
         array = array_for(seen, depth, out)
-        pixels, options, watched = pixels_of(array, depth), RenderOptions(), Watched(progress)
-        lib.mien_render_options_init(options, ctypes.sizeof(RenderOptions))
-        options.threads, options.progress = whole(threads, "threads"), watched.function
+        pixels, watched = pixels_of(array, depth), Watched(progress)
+        options = watched.options(threads)
         with self._lock:
             if effects is None:
-                watched.call(lib.mien_render, self._handle.value, scene, seen, pixels, options)
+                watched.run(call, lib.mien_render, self._handle.value, scene, seen, pixels, options)
             else:
-                watched.call(lib.mien_render_with_effects, self._handle.value, scene, seen, effects.value, pixels, options)
+                watched.run(call, lib.mien_render_with_effects, self._handle.value, scene, seen, effects.value, pixels, options)
         return array
 
 

@@ -58,26 +58,26 @@ std::optional<std::vector<std::size_t>> shape_of(std::string_view text) {
   return shape;
 }
 
+/// As NumPy names them, without the byte order; by NpyType.
+constexpr std::string_view kKinds[] = {"f4", "f8", "u1", "f2", "i1", "i2",
+                                       "u2", "i4", "u4", "i8", "u8", "b1"};
+
 std::string wrong_type(std::string_view type) {
-  const bool integers = type.size() > 1 && (type[1] == 'i' || type[1] == 'u' || type[1] == 'b');
+  const bool longer = type.size() > 2 && type.substr(1) == "f16";
   return fmt::format(
-      "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type {}{}",
-      in_quotes(type), integers ? "; .astype('f4') makes it one of them" : "");
+      "expected reals or integers ('<f2' to '<f8', '<i1' to '<u8'), got the type {}{}",
+      in_quotes(type), longer ? "; .astype('f8') makes it one of them" : "");
 }
 
 Expected<Done> read_type(std::string_view text, NpyHeader& header) {
   if (text.size() >= 2) text = text.substr(1, text.size() - 2);  // the quotes
-  const std::string_view kind = text.empty() ? text : text.substr(1);
-  if (kind == "f2" || kind == "f4" || kind == "f8" || kind == "u1") {
-    header.type = kind == "f2"   ? NpyType::float16
-                  : kind == "f4" ? NpyType::float32
-                  : kind == "f8" ? NpyType::float64
-                                 : NpyType::uint8;
-    header.big_endian = text[0] == '>';
-    if (text[0] == '<' || text[0] == '>' || text[0] == '|') return Done{};
-    if (text[0] == '=') return Done{};
-  }
-  return Error{"", wrong_type(text)};
+  const std::string_view order = text.substr(0, 1), kind = text.substr(order.size());
+  const auto* known = std::find(std::begin(kKinds), std::end(kKinds), kind);
+  if (known == std::end(kKinds) || std::string_view("<>|=").find(order) == std::string_view::npos)
+    return Error{"", wrong_type(text)};
+  header.type = NpyType(known - kKinds);
+  header.big_endian = order == ">";
+  return Done{};
 }
 
 /// The size of the array in bytes; nothing if no file can be that large.
@@ -90,22 +90,14 @@ std::optional<std::size_t> bytes_needed(const NpyHeader& header) {
 
 template <class Bits>
 Bits swapped(Bits bits) {
-  if constexpr (sizeof(Bits) == 2)
+  if constexpr (sizeof(Bits) == 1)
+    return bits;
+  else if constexpr (sizeof(Bits) == 2)
     return __builtin_bswap16(bits);
   else if constexpr (sizeof(Bits) == 4)
     return __builtin_bswap32(bits);
   else
     return __builtin_bswap64(bits);
-}
-
-template <class Real, class Bits>
-void to_doubles(const std::byte* bytes, std::size_t count, bool swap, double* out,
-                std::size_t step) {
-  for (std::size_t i = 0; i < count; ++i, bytes += sizeof(Bits), out += step) {
-    Bits bits;
-    std::memcpy(&bits, bytes, sizeof bits);
-    *out = double(mien::bit_cast<Real>(swap ? swapped(bits) : bits));
-  }
 }
 
 /// IEEE 754's binary16: one bit of sign, five of exponent, ten of fraction.
@@ -117,24 +109,59 @@ double from_half(std::uint16_t bits) {
   return bits & 0x8000 ? -size : size;
 }
 
-void halves_to_doubles(const std::byte* bytes, std::size_t count, bool swap, double* out,
-                       std::size_t step) {
-  for (std::size_t i = 0; i < count; ++i, bytes += 2, out += step) {
-    std::uint16_t bits;
+/// The number that so many bits mean.
+template <class Number, class Bits>
+double meant(Bits bits) {
+  return double(mien::bit_cast<Number>(bits));
+}
+
+double is_set(std::uint8_t bits) {
+  return bits != 0;
+}
+
+/// Where numbers go: every `step`th place from `to` on.
+struct Doubles {
+  double* to;
+  std::size_t count, step;
+};
+
+template <class Bits>
+void to_doubles(const std::byte* bytes, const Doubles& out, bool swap, double (*meaning)(Bits)) {
+  for (std::size_t i = 0; i < out.count; ++i, bytes += sizeof(Bits)) {
+    Bits bits;
     std::memcpy(&bits, bytes, sizeof bits);
-    *out = from_half(swap ? swapped(bits) : bits);
+    out.to[i * out.step] = meaning(swap ? swapped(bits) : bits);
   }
 }
 
-void convert(const NpyHeader& header, const std::byte* bytes, std::size_t count, double* out,
-             std::size_t step) {
+void convert(const NpyHeader& header, const std::byte* bytes, const Doubles& out) {
   const bool swap = header.big_endian != (std::endian::native == std::endian::big);
-  if (header.type == NpyType::float16)
-    halves_to_doubles(bytes, count, swap, out, step);
-  else if (header.type == NpyType::float32)
-    to_doubles<float, std::uint32_t>(bytes, count, swap, out, step);
-  else
-    to_doubles<double, std::uint64_t>(bytes, count, swap, out, step);
+  switch (header.type) {
+    case NpyType::float16:
+      return to_doubles(bytes, out, swap, from_half);
+    case NpyType::float32:
+      return to_doubles(bytes, out, swap, meant<float, std::uint32_t>);
+    case NpyType::float64:
+      return to_doubles(bytes, out, swap, meant<double, std::uint64_t>);
+    case NpyType::boolean:
+      return to_doubles(bytes, out, swap, is_set);
+    case NpyType::int8:
+      return to_doubles(bytes, out, swap, meant<std::int8_t, std::uint8_t>);
+    case NpyType::uint8:
+      return to_doubles(bytes, out, swap, meant<std::uint8_t, std::uint8_t>);
+    case NpyType::int16:
+      return to_doubles(bytes, out, swap, meant<std::int16_t, std::uint16_t>);
+    case NpyType::uint16:
+      return to_doubles(bytes, out, swap, meant<std::uint16_t, std::uint16_t>);
+    case NpyType::int32:
+      return to_doubles(bytes, out, swap, meant<std::int32_t, std::uint32_t>);
+    case NpyType::uint32:
+      return to_doubles(bytes, out, swap, meant<std::uint32_t, std::uint32_t>);
+    case NpyType::int64:
+      return to_doubles(bytes, out, swap, meant<std::int64_t, std::uint64_t>);
+    case NpyType::uint64:
+      return to_doubles(bytes, out, swap, meant<std::uint64_t, std::uint64_t>);
+  }
 }
 
 }  // namespace
@@ -151,7 +178,9 @@ Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, 
   if (size < offset + 10 || !read(offset, 10, begin) ||
       std::string_view(reinterpret_cast<char*>(begin), 6) != kMagic) {
     if (std::string_view(reinterpret_cast<char*>(begin), 4) == std::string_view("PK\3\4", 4))
-      no_file.what += "; it looks like an .npz, an archive of them: save one of its arrays alone";
+      no_file.what +=
+          "; it looks like an .npz, an archive of them: np.save('a.npy', np.load(FILE)[NAME]) "
+          "makes a .npy of one";
     return no_file;
   }
   if (begin[6] < 1 || begin[6] > 3)
@@ -219,7 +248,6 @@ Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
   if (!header) return Error{frames.name_, header.error().what};
   frames.header_ = *header;
   const std::vector<std::size_t>& shape = frames.header_.shape;
-  if (frames.header_.type == NpyType::uint8) return Error{frames.name_, wrong_type("|u1")};
   if ((shape.size() != 2 && shape.size() != 3) || frames.header_.numbers() == 0)
     return Error{frames.name_,
                  fmt::format("expected the shape [frames, vertices, dimensions] or [frames, "
@@ -243,7 +271,7 @@ MatrixSource FrameFile::source() const {
     const auto run = [&](std::size_t first, std::size_t count, double* to, std::size_t step) {
       bytes.resize(count * size);
       if (!file->read(header.data + first * size, bytes.size(), bytes.data())) return false;
-      convert(header, bytes.data(), count, to, step);
+      convert(header, bytes.data(), {to, count, step});
       return true;
     };
     bool whole = true;
@@ -272,10 +300,9 @@ MatrixSource FrameFile::source() const {
 }
 
 std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
-  const char* const names[] = {"<f4", "<f8", "|u1", "<f2"};
-  std::string text =
-      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", names[int(type)],
-                  fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+  std::string text = fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}{}), }}",
+                                 bytes_of(type) == 1 ? '|' : '<', kKinds[int(type)],
+                                 fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
   while ((text.size() + 11) % 64 != 0) text += ' ';  // numbers begin at a multiple of 64
   text += '\n';
   std::string header(kMagic);
@@ -289,6 +316,8 @@ std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
 Expected<Done> write_npy(const ByteSink& sink, NpyType type, std::span<const std::size_t> shape,
                          const MatrixSource& source) {
   static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
+  if (type != NpyType::float32 && type != NpyType::float64)
+    return Error{"", "arrays are written as float32 or float64"};
   const std::string header = npy_header(type, shape);
   if (auto done = sink(header.data(), header.size()); !done) return done;
   const std::size_t step =

@@ -4,9 +4,10 @@
 //   const auto frames = FrameFile::open("head.npy");
 //   const auto fit = fit_pca(frames->source(), {.count = 7});
 //
-// Reading accepts float16, float32 and float64 in either byte order, C and Fortran order, and format versions 1
-// to 3, also as Python 2 wrote them. It reads in blocks, so a file may be larger than memory. Writing does what np.save does: C order,
-// little endian. Source: numpy.lib.format, the format's definition.
+// Reading accepts float16, float32, float64, truth values and integers of 8 to 64 bits, in either byte order, C and
+// Fortran order, and format versions 1 to 3, also as Python 2 wrote them. Integers beyond 2^53 become the nearest
+// double. It reads in blocks, so a file may be larger than memory. Writing does what np.save does: C order, little
+// endian. Source: numpy.lib.format, the format's definition.
 
 #include <mien/api.h>
 #include <mien/expected.h>
@@ -24,10 +25,23 @@
 
 namespace mien {
 
-enum class NpyType { float32, float64, uint8, float16 };
+enum class NpyType {
+  float32,
+  float64,
+  uint8,
+  float16,
+  int8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  boolean
+};
 
 inline std::size_t bytes_of(NpyType type) {
-  constexpr std::size_t kBytes[] = {4, 8, 1, 2};
+  constexpr std::size_t kBytes[] = {4, 8, 1, 2, 1, 2, 2, 4, 4, 8, 8, 1};
   return kBytes[int(type)];
 }
 
@@ -77,7 +91,8 @@ using ByteSink = std::function<Expected<Done>(const void* bytes, std::size_t siz
 /// The header that np.save would write.
 MIEN_API std::string npy_header(NpyType type, std::span<const std::size_t> shape);
 
-/// Writes an array of that shape; its numbers come from `source` row by row (rows · columns of them).
+/// Writes an array of that shape, of float32 or float64 (another type is an error); its numbers come from `source` row
+/// by row (rows · columns of them).
 MIEN_API Expected<Done> write_npy(const ByteSink& sink, NpyType type,
                                   std::span<const std::size_t> shape, const MatrixSource& source);
 

@@ -6,6 +6,7 @@
 #include "lib/file/json/json_text.h"
 #include "lib/file/json/read_bytes.h"
 #include "lib/parts/library/part_library.h"
+#include "lib/parts/recipe/part_guide.h"
 
 #include <fmt/format.h>
 
@@ -28,54 +29,69 @@ Error unknown_family(std::string_view name) {
   return {{}, unknown_name("family of parts", one_line(name, 60), names)};
 }
 
-/// A shipped part without numbers of its own, in the middle between the plainest and the richest: short enough to
-/// read, and with all that its family has.
+/// The shipped part to begin with: the family's plainest, or else the first without numbers of its own. Null: parts
+/// of this family draw nothing.
 const Part* model_of(const Family& family) {
-  std::vector<const Part*> parts;
-  for (const Part& part : family.parts) {
+  const auto serves = [](const Part& part) {
     const Reading& in = part.at.in();
-    const JsonNode* features = in.find(*part.at.node, "features");
-    if (!in.find(*part.at.node, "numbers") && features && features->count > 0)
-      parts.push_back(&part);
-  }
-  std::sort(parts.begin(), parts.end(), [](const Part* a, const Part* b) {
-    return a->at.file->text.size() < b->at.file->text.size();
-  });
-  return parts.empty() ? nullptr : parts[parts.size() / 2];
+    return in.find(*part.at.node, "features") && !in.find(*part.at.node, "numbers");
+  };
+  const Part* usual = family.find(family.usual);
+  if (usual && serves(*usual)) return usual;
+  const auto found = std::find_if(family.parts.begin(), family.parts.end(), serves);
+  return found == family.parts.end() ? nullptr : &*found;
 }
 
 std::string comment(std::string_view family, std::string_view begun_as) {
-  const std::array<std::string, 5> lines{
-      fmt::format("Begun as the family's \"{}\". docs/parts.md explains every word.", begun_as),
-      "Draw upwards with y and to the right with x. \"half\": true draws one half and its image.",
-      "[x, y, \"bend\"] is a smooth point, [x, y] a corner.",
-      "slot: between which features it is drawn. role: its colour, and how styles paint it.",
-      fmt::format("Look at it: mien sheet --parts FILE -o {}.png. Try it: mien parts check FILE.",
-                  family)};
-  std::string text;
-  for (const std::string& line : lines)
-    text += fmt::format("{}{}", text.empty() ? "[" : ",\n  ", json_string(line));
-  return text + "]";
+  std::string text = " \"comment\": [";
+  const auto add = [&](std::string_view line) {
+    text += fmt::format("{}\n  {}", text.ends_with('[') ? "" : ",", json_string(line));
+  };
+  add(fmt::format("Begun as the family's \"{}\". docs/parts.md explains every word.", begun_as));
+  add("Draw upwards with y and to the right with x. \"half\": true draws one half and its image.");
+  add("[x, y, \"bend\"] is a smooth point, [x, y] a corner.");
+  add("slot: between which features it is drawn. role: its colour, and how styles paint it.");
+  std::string_view guide = part_guide(family);
+  while (!guide.empty()) {
+    const std::size_t end = std::min(guide.find('\n'), guide.size());
+    add(guide.substr(0, end));
+    guide.remove_prefix(std::min(end + 1, guide.size()));
+  }
+  add(fmt::format("Look at it: mien sheet --parts FILE -o {}.png. Try it: mien parts check FILE.",
+                  family));
+  return text + "],\n";
 }
 
-/// JSON broken between its values into lines of at most kWidest bytes, as far as its words allow; before numbers, which
-/// belong together, only where there is nothing else.
+/// JSON broken between its values into lines of at most kWidest bytes, as far as its words allow: where the fewest
+/// brackets are open, and before numbers, which belong together, only where there is nothing else.
 std::string in_lines(std::string_view json) {
   constexpr std::size_t kWidest = 118;
+  constexpr int kBeforeNumber = 1000;
+  struct Place {
+    std::size_t at;
+    int open;
+  };
   std::string text;
-  std::size_t line = 0, good = 0, poor = 0;  // where the line begins, and places to break it
-  bool inside = false;                       // of a string
+  std::size_t line = 0;
+  std::vector<Place> places;  // to break this line
+  int open = 0;
+  bool inside = false;  // of a string
   for (const char c : json) {
-    const bool behind_comma = !inside && text.ends_with(", ");
-    if (behind_comma) (c == '[' || c == '{' || c == '"' ? good : poor) = text.size();
+    if (!inside && text.ends_with(", "))
+      places.push_back(
+          {text.size(), open + (c == '[' || c == '{' || c == '"' ? 0 : kBeforeNumber)});
     const bool escaped = inside && text.ends_with('\\') && !text.ends_with("\\\\");
     if (c == '"' && !escaped) inside = !inside;
+    if (!inside) open += int(c == '[' || c == '{') - int(c == ']' || c == '}');
     text += c;
-    if (c == '\n') line = good = poor = text.size();
-    const std::size_t at = good > line ? good : poor;
-    if (text.size() - line <= kWidest || at <= line) continue;
-    text.replace(at - 1, 1, "\n    ");
-    line = at, good = poor = at + 4;
+    if (c == '\n') line = text.size(), places.clear();
+    if (text.size() - line <= kWidest || places.empty()) continue;
+    const auto best = std::min_element(places.rbegin(), places.rend(),
+                                       [](Place a, Place b) { return a.open < b.open; });
+    line = best->at;
+    text.replace(line - 1, 1, "\n    ");
+    places.erase(places.begin(), best.base());
+    for (Place& later : places) later.at += 4;
   }
   return text;
 }
@@ -147,7 +163,7 @@ Expected<std::string> part_skeleton(std::string_view family_name, std::string_vi
   std::string text = fmt::format(
       "{{\"format\": \"mien-part\", \"format_version\": 1, \"family\": {}, \"name\": {},\n",
       json_string(family_name), json_string(name));
-  text += fmt::format(" \"comment\": {},\n", comment(family_name, model->name));
+  text += comment(family_name, model->name);
   in.for_each(*model->at.node, [&](const JsonNode& member, int) {
     if (std::find(kWrittenOrLeft.begin(), kWrittenOrLeft.end(), in.tree.key(member)) !=
         kWrittenOrLeft.end())

@@ -1,5 +1,6 @@
 #include "lib/rig/muscle/fit.h"
 
+#include "lib/base/watch.h"
 #include "lib/math/bounded_least_squares.h"
 #include "lib/rig/muscle/motion.h"
 
@@ -15,8 +16,9 @@ namespace {
 /// The differences between a face's points and their targets.
 class Residual {
  public:
-  Residual(const Face& face, std::span<const PointTarget> targets)
-      : face_(face), targets_(targets) {
+  Residual(const Face& face, std::span<const PointTarget> targets,
+           const std::function<void(double)>& told)
+      : face_(face), targets_(targets), told_(told) {
     const auto& points = face.model->muscles.points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       point_of_[points[i].slice] = i;
@@ -25,6 +27,7 @@ class Residual {
   }
 
   std::vector<double> at(std::span<const double> pulls) {
+    worked(kStepsAMuscle * std::int64_t(pulls.size()));
     muscle_still(*face_.model, face_.vector, pulls, shape_, law_);
     std::vector<double> left;
     for (const PointTarget& target : targets_) {
@@ -38,9 +41,19 @@ class Residual {
     return left;
   }
 
+  /// What is told from now on lies between these shares of the work.
+  void begin_part(double from, double to) { from_ = from, to_ = to; }
+  void tell(double share) const {
+    if (told_) told_(from_ + share * (to_ - from_));
+  }
+
  private:
+  static constexpr std::int64_t kStepsAMuscle = 1000;
+
   const Face& face_;
   std::span<const PointTarget> targets_;
+  const std::function<void(double)>& told_;
+  double from_ = 0, to_ = 1;
   std::map<int, std::size_t> point_of_;
   MuscleShape shape_;
   MusclePointLaw law_;
@@ -78,6 +91,7 @@ std::vector<double> fitted_from(Residual& residual, std::vector<double> pulls,
   double least = sum_of_squares(here), damping = 1e-3;
   constexpr int kMostSteps = 60;
   for (int step = 0; step < kMostSteps && damping < 1e12; ++step) {
+    residual.tell(double(step) / kMostSteps);
     BoundedLeastSquares problem{.columns = slopes(residual, pulls, here), .rows = here.size()};
     for (const double value : here) problem.right.push_back(-value);
     const double scale = std::max(sum_of_squares(problem.columns) / double(pulls.size()), 1e-300);
@@ -105,6 +119,9 @@ std::vector<double> fitted_from(Residual& residual, std::vector<double> pulls,
   return pulls;
 }
 
+/// The share of the work that is over when only muscles that need not pull are left.
+constexpr double kTwoFits = 0.4;
+
 /// The same fit, but for the last digits, with as few muscles as possible: antagonists can cancel each
 /// other at any strength, and a muscle that need not pull should not.
 std::vector<double> by_few(Residual& residual, std::vector<double> pulls, double most) {
@@ -113,8 +130,11 @@ std::vector<double> by_few(Residual& residual, std::vector<double> pulls, double
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return pulls[a] < pulls[b]; });
   std::vector<char> idle(pulls.size(), 0);
+  double done = 0;
   for (const std::size_t m : order) {
+    const double share = kTwoFits + (1 - kTwoFits) * done++ / double(order.size());
     if (pulls[m] == 0) continue;
+    residual.begin_part(share, share + (1 - kTwoFits) / double(order.size()));
     std::vector<double> fewer = pulls;
     fewer[m] = 0, idle[m] = 1;
     fewer = fitted_from(residual, std::move(fewer), idle);
@@ -140,9 +160,11 @@ std::vector<double> half_pulled(Residual& residual, std::size_t muscles) {
 
 }  // namespace
 
-MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets) {
+MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets,
+                      const std::function<void(double)>& told) {
   const std::size_t muscles = face.model->muscles.muscles.size();
-  Residual residual(face, targets);
+  Residual residual(face, targets, told);
+  residual.begin_part(0, kTwoFits / 2);
   const std::vector<char> none_idle(muscles, 0);
   MuscleFit best;
   best.pulls = fitted_from(residual, std::vector<double>(muscles, 0.0), none_idle);
@@ -150,6 +172,7 @@ MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets) {
   const double digit = 1e-9 * face.model->canvas.box.size().x,
                good = digit * digit * double(targets.size());
   if (least > good) {
+    residual.begin_part(kTwoFits / 2, kTwoFits);
     std::vector<double> pulls = fitted_from(residual, half_pulled(residual, muscles), none_idle);
     const double sum = sum_of_squares(residual.at(pulls));
     if (sum < (1 - 1e-9) * least) best.pulls = std::move(pulls), least = sum;
@@ -162,6 +185,7 @@ MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets) {
     if (const double off = std::hypot(left[2 * i], left[2 * i + 1]);
         best.farthest < 0 || off > best.largest)
       best.largest = off, best.farthest = targets[i].slice;
+  if (told) told(1);
   return best;
 }
 

@@ -9,6 +9,7 @@
 
 #include <mien/face_model.h>
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
@@ -28,7 +29,8 @@ struct MuscleFit {
   int farthest = -1;          ///< the slice of the point that far away
 };
 
-/// Targets that no muscle holds add to the residual and change nothing else.
-MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets);
+/// Targets that no muscle holds add to the residual and change nothing else. `told`: how far it is, from 0 to 1.
+MuscleFit fit_muscles(const Face& face, std::span<const PointTarget> targets,
+                      const std::function<void(double)>& told = {});
 
 }  // namespace mien

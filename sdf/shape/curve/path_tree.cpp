@@ -1,4 +1,5 @@
 #include "sdf/shape/curve/path_tree.h"
+#include "lib/base/watch.h"
 #include "sdf/shape/curve/path.h"
 
 #include "path_sides_private.h"
@@ -115,6 +116,7 @@ bool PathTree::halve(int index) {
     std::array<Part, 2> halves{whole, whole};
     halves[0].box.hi[axis] = halves[1].box.lo[axis] = at;
     const std::size_t begin = listed_.size();
+    worked(30 * std::int64_t(whole.count));
     for (Part& half : halves) {
       half.first = int(listed_.size()), half.child = -1, ++half.depth;
       for (int k = whole.first; k < whole.first + whole.count; ++k)
@@ -139,6 +141,7 @@ bool PathTree::halve(int index) {
 /// A place that is nobody's middle, and its winding number by the sides of the part around.
 void PathTree::set_mark(int index, int outer) {
   Part& part = parts_[std::size_t(index)];
+  worked(10 * std::int64_t(part.count));
   part.mark = part.box.lo + glm::dvec2{0.5358137, 0.4813579} * part.box.size();
   part.winding =
       outer < 0 ? winding_of_all(part.mark) : winding_in(parts_[std::size_t(outer)], part.mark);
@@ -148,6 +151,7 @@ void PathTree::set_mark(int index, int outer) {
 }
 
 int PathTree::winding_of_all(glm::dvec2 p) const {
+  worked(10 * std::int64_t(sides_.size()));
   int count = 0;
   for (const QuadBezier& side : sides_) count += passes(side, p);
   return count;
@@ -157,6 +161,7 @@ int PathTree::winding_of_all(glm::dvec2 p) const {
 int PathTree::winding_in(const Part& part, glm::dvec2 p) const {
   const glm::dvec2 corner{part.mark.x, p.y};
   const double near = 16.0 * slack_;
+  if (part.count > kFew) worked(10 * std::int64_t(part.count));
   int along_x = 0, beyond = 0;
   for (const int i : sides_of(part)) {
     const QuadBezier& side = sides_[std::size_t(i)];
@@ -205,6 +210,7 @@ double PathTree::distance(glm::dvec2 p) const {
     while (kRounded * least <= nearest) {
       const Part& part = parts_[std::size_t(at)];
       if (part.child < 0) {
+        if (part.count > kFew) worked(5 * std::int64_t(part.count));
         for (const int i : sides_of(part))
           if (kRounded * distance_to(boxes_[std::size_t(i)], p) <= nearest)
             nearest = std::min(nearest, distance_to_side(sides_[std::size_t(i)], p));

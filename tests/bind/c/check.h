@@ -37,6 +37,7 @@ void test_people(void);
 void test_poses(void);
 void test_scenes(void);
 void test_pictures(void);
+void test_cancelling(void);
 void test_morphs(void);
 void test_effects(void);
 void test_bases(const char* folder);

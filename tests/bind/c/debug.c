@@ -26,6 +26,7 @@ static void test_drawn(void) {
   mien_scene* scene = any_scene();
   mien_view view = small_view();
   mien_pixels pixels;
+  mien_render_options options;
   int i, j;
   for (i = 0; i < 6; ++i) {
     pixels = pixels_in(pictures[i], sizeof pictures[i]);
@@ -41,6 +42,9 @@ static void test_drawn(void) {
   FAILS(MIEN_MISUSE, "which", mien_debug_picture(scene, &view, -1, &pixels, NULL, &error));
   FAILS(MIEN_MISUSE, "scene", mien_debug_picture(NULL, &view, 0, &pixels, NULL, &error));
   FAILS(MIEN_MISUSE, "view", mien_debug_picture(scene, NULL, 0, &pixels, NULL, &error));
+  mien_render_options_init(&options, sizeof options);
+  options.most_steps = 1;
+  FAILS(MIEN_REFUSED, "steps", mien_debug_picture(scene, &view, 0, &pixels, &options, &error));
   pixels.depth = MIEN_F32, pixels.stride *= 4;
   FAILS(MIEN_MISUSE, "", mien_debug_picture(scene, &view, 0, &pixels, NULL, &error));
   mien_scene_free(scene);

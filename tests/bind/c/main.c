@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
   test_poses();
   test_scenes();
   test_pictures();
+  test_cancelling();
   test_morphs();
   test_effects();
   test_bases(argv[2]);

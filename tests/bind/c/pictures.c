@@ -225,10 +225,11 @@ static void test_pieces(const mien_scene* scene, const unsigned char* wanted) {
   mien_error* error = NULL;
   mien_view view = small_view();
   mien_pieces* pieces = NULL;
+  mien_render_options options;
   unsigned char* drawn = malloc(kBytes);
   int32_t piece[4] = {0, 0, 0, kHeight / 2}, i;
   mien_pixels pixels;
-  OK(mien_pieces_new(scene, &view, MIEN_U8, &pieces, &error));
+  OK(mien_pieces_new(scene, &view, MIEN_U8, NULL, &pieces, &error));
   for (i = 3; i >= 0; --i) { /* quarters, from the last to the first */
     piece[0] = i % 2 * (kWidth / 2), piece[1] = i / 2 * (kHeight / 2), piece[2] = kWidth / 2;
     pixels = pixels_in(drawn + piece[1] * kRow + piece[0] * 4, kRow * (kHeight / 2) - kRow / 2,
@@ -249,9 +250,14 @@ static void test_pieces(const mien_scene* scene, const unsigned char* wanted) {
   FAILS(MIEN_MISUSE, "pixels", mien_pieces_draw(pieces, piece, NULL, NULL, NULL, &error));
   FAILS(MIEN_MISUSE, "pieces", mien_pieces_draw(NULL, piece, &pixels, NULL, NULL, &error));
   mien_pieces_free(pieces), mien_pieces_free(NULL), free(drawn);
-  FAILS(MIEN_MISUSE, "depth", mien_pieces_new(scene, &view, 9, &pieces, &error));
-  FAILS(MIEN_MISUSE, "scene", mien_pieces_new(NULL, &view, MIEN_U8, &pieces, &error));
-  FAILS(MIEN_MISUSE, "view", mien_pieces_new(scene, NULL, MIEN_U8, &pieces, &error));
+  mien_render_options_init(&options, sizeof options);
+  options.most_steps = 1;
+  FAILS(MIEN_REFUSED, "steps", mien_pieces_new(scene, &view, MIEN_U8, &options, &pieces, &error));
+  options.most_steps = 0, options.most_memory = 1;
+  FAILS(MIEN_REFUSED, "memory", mien_pieces_new(scene, &view, MIEN_U8, &options, &pieces, &error));
+  FAILS(MIEN_MISUSE, "depth", mien_pieces_new(scene, &view, 9, NULL, &pieces, &error));
+  FAILS(MIEN_MISUSE, "scene", mien_pieces_new(NULL, &view, MIEN_U8, NULL, &pieces, &error));
+  FAILS(MIEN_MISUSE, "view", mien_pieces_new(scene, NULL, MIEN_U8, NULL, &pieces, &error));
 }
 
 void test_pictures(void) {

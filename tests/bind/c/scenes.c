@@ -51,24 +51,28 @@ static void test_svg(const mien_scene* scene) {
   mien_error* error = NULL;
   mien_texts* text = NULL;
   mien_view view;
+  mien_render_options options;
   mien_view_init(&view, sizeof view);
   view.width = 300, view.height = 200;
-  OK(mien_svg(scene, &view, 0, "a-", MIEN_NUL_ENDED, &text, &error));
+  OK(mien_svg(scene, &view, 0, "a-", MIEN_NUL_ENDED, NULL, &text, &error));
   CHECK(mien_texts_count(text) >= 1);
   CHECK(holds(mien_texts_at(text, 0), "viewBox=\"0 0 300 200\""));
   CHECK(holds(mien_texts_at(text, 0), "<path id=\"a-"));
   CHECK(holds(mien_texts_at(text, 0), "</svg>\n"));
   mien_texts_free(text);
-  FAILS(MIEN_MISUSE, "scene", mien_svg(NULL, &view, 0, "", 0, &text, &error));
-  FAILS(MIEN_MISUSE, "view", mien_svg(scene, NULL, 0, "", 0, &text, &error));
-  FAILS(MIEN_MISUSE, "id_prefix", mien_svg(scene, &view, 0, NULL, 1, &text, &error));
-  FAILS(MIEN_MISUSE, "out", mien_svg(scene, &view, 0, "", 0, NULL, &error));
-  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, NAN, "", 0, &text, &error));
-  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, -1, "", 0, &text, &error));
+  FAILS(MIEN_MISUSE, "scene", mien_svg(NULL, &view, 0, "", 0, NULL, &text, &error));
+  FAILS(MIEN_MISUSE, "view", mien_svg(scene, NULL, 0, "", 0, NULL, &text, &error));
+  FAILS(MIEN_MISUSE, "id_prefix", mien_svg(scene, &view, 0, NULL, 1, NULL, &text, &error));
+  FAILS(MIEN_MISUSE, "out", mien_svg(scene, &view, 0, "", 0, NULL, NULL, &error));
+  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, NAN, "", 0, NULL, &text, &error));
+  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, -1, "", 0, NULL, &text, &error));
+  mien_render_options_init(&options, sizeof options);
+  options.most_steps = 1;
+  FAILS(MIEN_REFUSED, "steps", mien_svg(scene, &view, 0, "", 0, &options, &text, &error));
   view.has_region = 1;
-  FAILS(MIEN_REFUSED, "view.region", mien_svg(scene, &view, 0, "", 0, &text, &error));
+  FAILS(MIEN_REFUSED, "view.region", mien_svg(scene, &view, 0, "", 0, NULL, &text, &error));
   view.has_region = 0, view.width = 0;
-  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, 0, "", 0, &text, &error));
+  FAILS(MIEN_REFUSED, "", mien_svg(scene, &view, 0, "", 0, NULL, &text, &error));
 }
 
 void test_scenes(void) {

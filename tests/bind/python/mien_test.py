@@ -9,11 +9,13 @@ import os
 import pathlib
 import pickle
 import re
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import tracemalloc
 import unittest
 import xml.dom.minidom
@@ -327,6 +329,32 @@ class Pictures(unittest.TestCase):
         self.assertRaises(KeyboardInterrupt, posed.render, SIZE, progress=interrupted)
         with self.assertRaises(ZeroDivisionError):
             posed.render(SIZE, progress=lambda _: 1 / 0)
+
+    def test_are_ended_by_ctrl_c(self):
+        """Wherever the drawing is, also between two questions of its progress, and by every signal with a handler."""
+
+        class Late(Exception):
+            pass
+
+        def late(*_):
+            raise Late
+
+        spikes = [[i * 7919 % 2000 / 1000 - 1, i * 104729 % 1999 / 1000 - 1] for i in range(20000)]
+        posed = mien.read_face_text(json.dumps({
+            "format": "mien-face", "format_version": 1, "name": "spikes", "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
+            "palette": {"a": "#204080", "b": "#fff7e0"}, "background": "b",
+            "features": [{"name": "p", "kind": "path", "paint": "a", "points": spikes}]})).pose()
+        before = signal.signal(signal.SIGALRM, late)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        for number, raised in ((signal.SIGINT, KeyboardInterrupt), (signal.SIGALRM, Late)):
+            for size, depth, threads, watch in ((64, "u8", 1, None), (256, "u16", 2, lambda _: None), (1024, "f32", 0, None)):
+                with self.subTest(signal=number, size=size, threads=threads):
+                    sent = []
+                    timer = threading.Timer(0.2, lambda: (sent.append(time.monotonic()), os.kill(os.getpid(), number)))
+                    timer.start()
+                    with self.assertRaises(raised):
+                        posed.render(size, depth=depth, threads=threads, progress=watch)
+                    self.assertLess(time.monotonic() - sent[0], 0.5)
 
     def test_show_themselves_in_notebooks(self):
         face = toon()

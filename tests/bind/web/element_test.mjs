@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import test, { after, afterEach } from 'node:test';
 import { browse } from './chromium.mjs';
 import { pngPixels } from './png_pixels.mjs';
+import { spikyFace } from './spiky_face.mjs';
 import { serve } from './static_server.mjs';
 
 const built = process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`;
@@ -13,7 +14,8 @@ const toon = readFileSync(new URL('../../../faces/compat/toon.face.json', import
 
 /** Counts what is told, in order, and whether the picture was there then. */
 const WATCH = `<script>
-  window.told = [], window.refused = [];
+  window.told = [], window.refused = [], window.workers = 0;
+  window.Worker = class extends Worker { constructor(...given) { super(...given), ++window.workers; } };
   let frame = 0;
   requestAnimationFrame(function next() { ++frame, requestAnimationFrame(next); });
   const { putImageData } = CanvasRenderingContext2D.prototype, puts = new WeakMap();  // in which frame each picture was put there
@@ -39,6 +41,8 @@ const pages = {
   '/talk.html': page(`<mien-face id="it" seed="ada" width="72" height="72"></mien-face><div id="crowd">${faces(120, 'clip="idle" playing')}</div>`),
   '/many.html': page('<div id="crowd"></div>'),
   '/early.html': `<!doctype html><meta charset="utf-8">${WATCH}<mien-face id="it" width="72" height="72"></mien-face><script>it.seed = 'ada', it.pose = { emotions: { joy: 1 } };</script><script type="module" src="element.js"></script>`,
+  '/spikes.html': page('<mien-face id="spikes" src="spikes.face.json" width="72" height="72" deadline="200"></mien-face><mien-face id="it" seed="ada" width="72" height="72"></mien-face>'), '/spikes.face.json': spikyFace(),
+  '/endless.html': page(['endless', 'it'].map((id) => `<mien-face id="${id}" seed="ada" width="72" height="72" deadline="300"></mien-face>`).join('')),
   '/file.html': one('src="toon.face.json" face-style="ink"'), '/toon.face.json': toon,
 };
 const server = await serve(built, pages);
@@ -262,6 +266,36 @@ test('a worker that cannot be started is refused, for each face once, and tried 
   await drawn(on);
   await shows(on, ada());
   await late.close();
+});
+
+test('a picture that takes longer than its deadline is refused, and the others are drawn', async () => {
+  const on = await open('spikes');
+  await drawn(on);
+  await shows(on, ada());
+  await on.until(() => window.refused.length > 0);
+  assert.deepEqual(await on.run(() => window.refused), [{ id: 'spikes', where: 'deadline', what: 'drawing took longer than 200 ms' }]);
+  assert.equal(await on.run(() => window.workers), 1, 'the worker ends the drawing itself');
+  await on.run(() => { refused.length = 0, it.setAttribute('deadline', 'soon'); });
+  assert.equal((await sentence(on)).what, 'expected milliseconds above 0');
+  await change(on, () => { it.deadline = null; });
+});
+
+test('a worker that does not end is replaced', async () => {
+  const worker = `import './its_worker.js';
+    const its = onmessage;
+    onmessage = (event) => { while (event.data.source?.seed === 'endless'); its(event); };`;
+  const its = await serve(built, { ...pages, '/worker.js': worker, '/its_worker.js': readFileSync(`${built}/worker.js`, 'utf8') });
+  const on = await browser.open(`${its.url}/endless.html`);
+  await drawn(on, 'endless');
+  await on.run(() => { endless.seed = 'endless'; });
+  await on.until(() => window.refused.length > 0);
+  assert.deepEqual(await on.run(() => window.refused), [{ id: 'endless', where: 'deadline', what: 'drawing took longer than 300 ms' }]);
+  await change(on, () => { it.blink = 1; });
+  await shows(on, ada({ set: { blink: 1 } }));
+  assert.equal(await on.run(() => window.workers), 2);
+  await on.run(() => { endless.seed = 'bob'; });
+  await shows(on, picture(mien.person(mien.code('bob'))), 'endless');
+  await its.close();
 });
 
 test('faces may go, come back and become others while they are drawn', async () => {

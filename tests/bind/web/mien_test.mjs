@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { pictureHashes } from './picture_hashes.mjs';
 import { pngPixels } from './png_pixels.mjs';
+import { spikyFace } from './spiky_face.mjs';
 
 const built = new URL(`file://${process.env.MIEN_WEB ?? `${process.cwd()}/build/web/bind/web/package`}/`);
 const { load, MienError, isSupported } = await import(new URL('mien.js', built));
@@ -130,6 +131,21 @@ test('faces at rest hold no drawing memory', async () => {
   assert.ok(each() < 800_000, `${each()} bytes a face, all that mien holds counted`);
   for (const face of faces) face.draw(72, 72, { emotions: { joy: 1 } });
   assert.ok(each() < 1_500_000, `${each()} bytes a face that has moved`);
+});
+
+test('a long drawing ends at its deadline and when its progress asks for it, and others go on', () => {
+  const spikes = mien.face(spikyFace()), ada = mien.person(mien.code('ada')), before = Buffer.from(ada.draw(72, 72)).toString('hex');
+  for (const [size, how, wanted, most] of [[64, { deadline: 100 }, /cancelled/, 100], [256, { deadline: 1 }, /cancelled/, 1], [1024, { progress: () => false }, /cancelled/, 0],
+    [256, { deadline: 1e6, progress() { throw new RangeError('enough'); } }, /enough/, 0]]) {
+    const begun = performance.now();
+    assert.throws(() => spikes.draw(size, size, {}, how), wanted);
+    assert.ok(performance.now() - begun < most + 500, `${size}: ${performance.now() - begun} ms`);
+  }
+  let shares = [];
+  ada.draw(300, 300, {}, { deadline: 1e5, progress: (done) => void shares.push(done) });
+  assert.deepEqual(shares, [...shares].sort((a, b) => a - b));
+  assert.equal(Buffer.from(ada.draw(72, 72)).toString('hex'), before);
+  spikes.free(), ada.free();
 });
 
 test('what a face says of its last picture does not change when others draw', () => {

@@ -27,17 +27,17 @@ Scene half_and_dome() {
 constexpr View kView{.width = 100, .height = 100};
 
 TEST(DebugPicture, ShowsEveryOutlineAndBrighterWhatIsSeenOfIt) {
-  const Image outlines = debug_picture(half_and_dome(), kView, DebugPicture::outlines);
+  const Image outlines = debug_picture(half_and_dome(), kView, DebugPicture::outlines).value();
   EXPECT_NE(pixel_of(outlines, 50, 80), pixel_of(outlines, 20, 80));  // the half plane's
   EXPECT_NE(pixel_of(outlines, 84, 25), pixel_of(outlines, 20, 80));  // the disc's
-  const Image fragments = debug_picture(half_and_dome(), kView, DebugPicture::fragments);
+  const Image fragments = debug_picture(half_and_dome(), kView, DebugPicture::fragments).value();
   EXPECT_GT(pixel_of(fragments, 50, 80)[0], 200);  // black on white
   EXPECT_EQ(pixel_of(fragments, 20, 80), pixel_of(outlines, 20, 80));
 }
 
 TEST(DebugPicture, ShowsRegionsAndWhatLooksAlike) {
-  const Image regions = debug_picture(half_and_dome(), kView, DebugPicture::regions);
-  const Image looks = debug_picture(half_and_dome(), kView, DebugPicture::looks);
+  const Image regions = debug_picture(half_and_dome(), kView, DebugPicture::regions).value();
+  const Image looks = debug_picture(half_and_dome(), kView, DebugPicture::looks).value();
   EXPECT_NE(pixel_of(regions, 20, 80), pixel_of(regions, 80, 80));
   EXPECT_NE(pixel_of(regions, 80, 80), pixel_of(regions, 75, 25));
   EXPECT_NE(pixel_of(looks, 21, 81), pixel_of(looks, 81, 81));
@@ -45,7 +45,7 @@ TEST(DebugPicture, ShowsRegionsAndWhatLooksAlike) {
 }
 
 TEST(DebugPicture, DrawsIsolinesOfTheNearestOutline) {
-  const Image distance = debug_picture(half_and_dome(), kView, DebugPicture::distance);
+  const Image distance = debug_picture(half_and_dome(), kView, DebugPicture::distance).value();
   EXPECT_EQ(pixel_of(distance, 50, 90), (Rgb{255, 255, 255}));
   const Rgb inside = pixel_of(distance, 45, 90), outside = pixel_of(distance, 55, 90),
             line = pixel_of(distance, 60, 90);
@@ -55,7 +55,7 @@ TEST(DebugPicture, DrawsIsolinesOfTheNearestOutline) {
 }
 
 TEST(DebugPicture, ShowsNormalsOfReliefs) {
-  const Image normals = debug_picture(half_and_dome(), kView, DebugPicture::normals);
+  const Image normals = debug_picture(half_and_dome(), kView, DebugPicture::normals).value();
   EXPECT_EQ(pixel_of(normals, 10, 90), (Rgb{128, 128, 255}));
   EXPECT_GT(pixel_of(normals, 79, 25)[0], 150);  // right of the dome's top
   EXPECT_LT(pixel_of(normals, 70, 25)[0], 106);

@@ -26,7 +26,7 @@ Scene disc(double radius) {
 }
 
 TEST(ErrorMap, IsZeroWhereNothingIsApproximated) {
-  const ErrorMap map = error_map(disc(0.7), {.width = 40, .height = 40});
+  const ErrorMap map = error_map(disc(0.7), {.width = 40, .height = 40}).value();
   EXPECT_EQ(map.levels[0], 0);
   EXPECT_EQ(map.levels[20 * 40 + 20], 0);
   EXPECT_GT(map.worst, 0);
@@ -35,8 +35,8 @@ TEST(ErrorMap, IsZeroWhereNothingIsApproximated) {
 
 TEST(ErrorMap, ProvesOutlinesToTwoThirdsOfALevelAndFinerAtSixteenBits) {
   const View view{.width = 300, .height = 300, .blend = Blend::srgb};
-  const float eight = error_map(disc(0.7), view).worst,
-              sixteen = error_map(disc(0.7), view, Depth::u16).worst;
+  const float eight = error_map(disc(0.7), view)->worst,
+              sixteen = error_map(disc(0.7), view, {.depth = Depth::u16})->worst;
   EXPECT_LT(eight, 0.67f);
   EXPECT_LE(sixteen, eight);
   EXPECT_LT(sixteen, 0.5f * eight);
@@ -44,9 +44,9 @@ TEST(ErrorMap, ProvesOutlinesToTwoThirdsOfALevelAndFinerAtSixteenBits) {
 
 TEST(ErrorMap, IsTheSameInARegionAndAsGrey) {
   View view{.width = 60, .height = 50};
-  const ErrorMap whole = error_map(disc(0.7), view);
+  const ErrorMap whole = error_map(disc(0.7), view).value();
   view.region = PixelRect{10, 5, 20, 30};
-  const ErrorMap part = error_map(disc(0.7), view);
+  const ErrorMap part = error_map(disc(0.7), view).value();
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 20; ++x)
       ASSERT_EQ(part.levels[std::size_t(20 * y + x)],
@@ -70,7 +70,7 @@ struct MapWord {
 void keep_word(const Scene& scene, int side, int every, MapWord& word) {
   constexpr double kTruth = 3e-4;  // levels of 255
   const View view{.width = side, .height = side, .dither = false};
-  const ErrorMap map = error_map(scene, view, Depth::f32);
+  const ErrorMap map = error_map(scene, view, {.depth = Depth::f32}).value();
   if (map.unproven) return;
   const Image image = test::rendered(scene, view, {.depth = Depth::f32});
   const test::ExactTruth truth(scene, view);

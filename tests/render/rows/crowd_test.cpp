@@ -121,7 +121,8 @@ TEST(Crowd, WhatIsLeftOutShowsLessThanItMay) {
     const double level = reinterpret_cast<const std::uint16_t*>(image.row(8))[0];
     const double off = std::abs(level - std::ldexp(65535.0, -above));
     EXPECT_LE(off, 32 * Crowd::kUnseen + 0.5) << above;
-    const double told = 257 * double(error_map(scene, view, Depth::u16).levels[8 * 16 + 8]);
+    const double told =
+        257 * double(error_map(scene, view, {.depth = Depth::u16})->levels[8 * 16 + 8]);
     EXPECT_LE(off, told + 0.51) << above;
     EXPECT_LE(told, 32 * Crowd::kUnseen + 0.01) << above;
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace mien {
 namespace {
 
@@ -27,19 +29,59 @@ TEST(PaintTable, MakesAnOutlineOfEveryStopThatThePictureShows) {
       RadialGradient{{1, 0.5}, {0.2, 0.1}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
   const VariedPaint& paint =
       varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
-  EXPECT_FALSE(paint.dense);
+  EXPECT_FALSE(paint.integral);
   EXPECT_EQ(paint.kinks.size(), 7u);  // the corner lies at t = 7.07; t = 0 has no outline
 }
 
-TEST(PaintTable, KnowsStopsThatAreTooManyToBeOutlines) {
+TEST(PaintTable, IntegratesRampsOfMoreStopsThanOutlinesAreMadeOf) {
   PaintTable table;
-  const Gradient gradient{
-      LinearGradient{{0, 0}, {0.001, 0}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
-  const VariedPaint& paint =
-      varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
-  EXPECT_TRUE(paint.dense);
-  EXPECT_TRUE(paint.kinks.empty());
-  EXPECT_GE(paint.lit, 0);
+  const std::vector<Stop> stops{{0, {}}, {1, {1, 1, 1, 1}}};
+  const Gradient across{LinearGradient{{0, 0}, {0.05, 0}}, stops, Extend::repeat},
+      around{RadialGradient{{1, 0.5}, {0.02, 0.01}}, stops, Extend::reflect};
+  for (const Gradient& gradient : {across, around}) {
+    const VariedPaint& paint =
+        varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
+    EXPECT_TRUE(paint.integral);
+    EXPECT_TRUE(paint.kinks.empty());
+    EXPECT_EQ(paint.rows.has_value(),
+              &gradient == &across || paint.paint.field.kind == PaintField::Kind::linear);
+  }
+}
+
+/// The one colour of a gradient that has no other.
+Mix one_color(const Gradient& gradient) {
+  SceneBuilder build({.box = {{0, 0}, {2, 1}}}, {1, 1, 1, 1});
+  build.shape(Disc{{1, 0.5}, 0.3});
+  build.layer("layer", build.everywhere(), {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
+  PaintTable table;
+  View view = kTableView;
+  view.blend = Blend::srgb;
+  table.make(std::move(build).finish(), view, Depth::u8);
+  EXPECT_TRUE(table.varied.empty());
+  EXPECT_EQ(table.layers.at(0).varied, -1);
+  return table.layers.at(0).mix;
+}
+
+TEST(PaintTable, GivesGradientsWithoutExtentTheirLastColour) {  // as SVG does
+  const std::vector<Stop> stops{{0.2, {1, 0, 0, 1}}, {0.8, {0, 0, 1, 1}}};
+  for (const Extend extend : {Extend::pad, Extend::repeat, Extend::reflect}) {
+    EXPECT_EQ(one_color({LinearGradient{{1, 1}, {1, 1}}, stops, extend}), (Mix{0, 0, 1, 1}));
+    EXPECT_EQ(one_color({RadialGradient{{1, 1}, {0, 1}}, stops, extend}), (Mix{0, 0, 1, 1}));
+    EXPECT_EQ(one_color({RadialGradient{{1, 1}, {1, 0}}, stops, extend}), (Mix{0, 0, 1, 1}));
+  }
+}
+
+TEST(PaintTable, GivesPeriodsThatNoPixelResolvesTheirMean) {
+  const std::vector<Stop> stops{
+      {0, {0, 0, 0, 1}}, {0.25, {0, 0, 0, 1}}, {0.25, {1, 1, 1, 1}}, {1, {1, 1, 1, 1}}};
+  for (const double length : {1e-12, 1e-9, 1e-300}) {
+    const Mix line = one_color({LinearGradient{{1, 1}, {1 + std::max(length, 1e-15), 1}}, stops,
+                                Extend::repeat}),
+              center =
+                  one_color({RadialGradient{{1, 1}, {length, length}}, stops, Extend::reflect}),
+              distance = one_color({DistanceGradient{Area{0}, 0, length}, stops, Extend::repeat});
+    for (const Mix& mix : {line, center, distance}) EXPECT_NEAR(mix.r, 0.75, 1e-12);
+  }
 }
 
 TEST(PaintTable, MakesOutlinesOfAReliefsStepsAndDomes) {

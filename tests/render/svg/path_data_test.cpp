@@ -52,6 +52,18 @@ TEST(PathData, RelativeStepsDoNotDrift) {
   EXPECT_NEAR(y, 0, 1e-9);
 }
 
+/// The least that encloses something: three lines, a line and a curve, two curves.
+TEST(PathData, TheLeastLoopsAreThere) {
+  const FragmentLoop triangle{{0, 0}, {line_to(2, 0), line_to(2, 2), line_to(0, 0)}},
+      segment{{0, 0}, {{{1, 2}, {2, 0}, false}, line_to(0, 0)}},
+      lens{{0, 0}, {{{1, 2}, {2, 0}, false}, {{1, -2}, {0, 0}, false}}};
+  EXPECT_EQ(path_data({&triangle, 1}, 0), "M0 0l2 0 0 2z");
+  EXPECT_EQ(path_data({&segment, 1}, 0), "M0 0q1 2 2 0z");
+  EXPECT_EQ(path_data({&lens, 1}, 0), "M0 0q1 2 2 0-1-2-2 0z");
+  const FragmentLoop all[] = {triangle, {{1, 1}, {line_to(9, 1), line_to(1, 1)}}, segment};
+  EXPECT_EQ(path_data(all, 0), "M0 0l2 0 0 2zM0 0q1 2 2 0z");
+}
+
 TEST(PathData, WhatRoundsToNothingIsLeftOut) {
   const FragmentLoop loops[] = {{{1, 1}, {line_to(1.01, 1), line_to(1.01, 1.01), line_to(1, 1)}},
                                 {{1, 1}, {line_to(9, 1), line_to(1, 1)}},

@@ -80,6 +80,20 @@ TEST(SvgGradient, OneWithoutExtentIsAColour) {
   EXPECT_EQ(svg_paint(RadialGradient{{std::nan(""), 1}, {1, 2}}, ramp, {}, "a").definition, "");
 }
 
+TEST(SvgGradient, OneThatViewersTakeForNoneLooksAsInPictures) {
+  const std::vector<Stop> stops{{0, {0, 0, 0, 1}}, {1, {1, 1, 1, 1}}};
+  const LinearGradient line{{1, 1}, {1 + 1e-12, 1}};
+  const RadialGradient dot{{1, 1}, {1e-12, 1e-13}};
+  for (const Extend extend : {Extend::repeat, Extend::reflect}) {
+    const Ramp ramp({line, stops, extend}, 1, Blend::srgb);
+    EXPECT_EQ(svg_paint(line, ramp, {}, "a").fill, " fill=\"#808080\"");
+    EXPECT_EQ(svg_paint(dot, ramp, {}, "a").fill, " fill=\"#808080\"");
+  }
+  const std::string step = svg_paint(line, Ramp({line, stops}, 1, Blend::srgb), {}, "a").definition;
+  EXPECT_NE(step.find("x1=\"1\""), step.npos) << step;
+  EXPECT_NE(step.find("x2=\"1.001\""), step.npos) << step;
+}
+
 TEST(SvgGradient, IsPlacedInPixels) {
   const Ramp ramp(Gradient{LinearGradient{}, {{0, {1, 1, 1}}, {2, {0, 0, 0}}}}, 1, Blend::srgb);
   const Map<GridSpace, FaceSpace> map{glm::dmat2{10, 0, 0, -10}, {50, 50}};

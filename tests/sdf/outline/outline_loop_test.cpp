@@ -65,6 +65,24 @@ TEST(OutlineLoop, DropsWhatEnclosesNothingHere) {
   EXPECT_TRUE(w.outlines.vertices.empty());
 }
 
+TEST(OutlineLoop, OfWaysThereAndBackKeepsOneLine) {
+  const glm::dvec2 from{5, 7}, way{0.3, 0.9};
+  for (const double bend : {0.0, 4.0}) {
+    Written w;
+    w.loop.begin(from);
+    for (int i = 1; i < 100; ++i) {
+      const glm::dvec2 to = from + double(i * 37 % 50) * way;
+      w.loop.quad(0.5 * (w.loop.at() + to) + bend * glm::dvec2{way.y, -way.x}, to);
+    }
+    w.loop.close();
+    w.loop.finish();
+    if (bend == 0.0)
+      EXPECT_LE(w.outlines.pieces.size(), 4u);
+    else
+      EXPECT_GE(w.outlines.pieces.size(), 100u);
+  }
+}
+
 TEST(OutlineLoop, CountsBackwards) {
   Written w;
   for (const bool backwards : {false, true}) {

@@ -334,9 +334,11 @@ void add_progress(CommandApp& made) {
         app.get_subcommand("pca")->get_subcommand("fit"),
         app.get_subcommand("pca")->get_subcommand("encode"),
         app.get_subcommand("pca")->get_subcommand("decode"),
-        app.get_subcommand("pca")->get_subcommand("compare"), app.get_subcommand("sheet"),
-        app.get_subcommand("parts"), app.get_subcommand("parts")->get_subcommand("check"),
-        app.get_subcommand("chernoff"), app.get_subcommand("stimuli")})
+        app.get_subcommand("pca")->get_subcommand("compare"),
+        app.get_subcommand("pca")->get_subcommand("sheet"), app.get_subcommand("fit"),
+        app.get_subcommand("sheet"), app.get_subcommand("parts"),
+        app.get_subcommand("parts")->get_subcommand("check"), app.get_subcommand("chernoff"),
+        app.get_subcommand("stimuli")})
     command
         ->add_option(
             "--progress", made.progress,

@@ -16,17 +16,18 @@ void add_new(CLI::App& app, NewArguments& to) {
   made->add_option("-o,--output", to.output, "Face file to write; - is standard output")
       ->type_name("FILE");
   add_seed(*made, to.seed, "The same word, the same face; default: another one each time");
-  made->add_option("--code", to.code, "The face of this code")->type_name("CODE");
-  made->add_option("--near", to.near, "Somebody like the person of this code")->type_name("CODE");
+  made->add_option("--code", to.code, "The person of this code or recipe file")->type_name("FACE");
+  made->add_option("--near", to.near, "Somebody like this person, a code or recipe file")
+      ->type_name("FACE");
   made->add_option("--by", to.by, "With --near: how far from them, 0 to 1; default 0.3")
       ->type_name("SHARE");
   made->add_option("--between", to.between, "Somebody between two people")
-      ->type_name("CODE CODE")
+      ->type_name("FACE FACE")
       ->expected(2);
   made->add_option("--at", to.at, "With --between: how far towards the second, 0 to 1; default 0.5")
       ->type_name("SHARE");
   made->add_option("--child-of", to.child_of, "A child of two people")
-      ->type_name("CODE CODE")
+      ->type_name("FACE FACE")
       ->expected(2);
   made->add_option("--hold", to.held,
                    "Hold a part or a number, whatever the seed chooses; repeatable; "

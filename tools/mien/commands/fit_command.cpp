@@ -7,6 +7,7 @@
 #include "lib/rig/pose/expression_setting.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
+#include "tools/mien/terminal/watched_work.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +77,8 @@ int fit_command(const FitArguments& arguments) {
   if (!frame) return complain(frame.error(), kFailed);
   const auto targets = targets_of(*face, *frame);
   if (!targets) return complain(targets.error(), kFailed);
-  const MuscleFit fit = fit_muscles(*face, *targets);
+  WatchedWork work("fit");
+  const MuscleFit fit = fit_muscles(*face, *targets, [&](double share) { work.at(share); });
   std::string text;
   for (std::size_t m = 0; m < fit.pulls.size(); ++m)
     if (fit.pulls[m] > 5e-7)

@@ -107,8 +107,15 @@ Expected<PictureStats> write_with_effects(const std::string& output, const Rende
   return stats;
 }
 
-/// Writes a debug picture instead of the face's own. A strip cannot be stopped half-way, so it has few rows
-/// where each pixel asks for distances.
+/// Only an interrupt ends it.
+RenderOptions unlimited(const RenderPlan& plan, const Progress& progress) {
+  return {.depth = plan.picture.depth.value_or(Depth::u8),
+          .threads = plan.picture.write.threads,
+          .progress = progress,
+          .limits = kWithoutLimits};
+}
+
+/// Writes a debug picture instead of the face's own.
 Expected<PictureStats> write_debug(const std::string& output, const RenderPlan& plan,
                                    const Scene& scene) {
   const bool slow = *plan.debug == DebugPicture::distance || *plan.debug == DebugPicture::normals;
@@ -116,9 +123,10 @@ Expected<PictureStats> write_debug(const std::string& output, const RenderPlan& 
   return write_strips(
       {frame_of(plan, Depth::u8, true), pixel * std::uint64_t(drawn_rect(plan.view).width),
        slow ? 4 : rows_of(1 << 20, drawn_rect(plan.view).width),
-       [&](int y, int rows, const Progress&) {
+       [&](int y, int rows, const Progress& progress) {
          return debug_picture(scene, strip_of(plan.view, y, rows), *plan.debug,
-                              plan.picture.write.threads);
+                              unlimited(plan, progress))
+             .value_or(Image{});
        }},
       output, plan.picture);
 }
@@ -158,11 +166,10 @@ class ErrorStrips {
 
   Image at(int y, int rows, const Progress& progress) {
     for (int from = 0; y == 0 && from < height_; from += rows) {
-      find(from, std::min(rows, height_ - from));
+      if (!find(from, std::min(rows, height_ - from), progress)) return {};
       worst_ = std::max(worst_, map_.worst);
-      if (!progress(0)) return {};
     }
-    find(y, rows);
+    if (!find(y, rows, progress)) return {};
     map_.worst = worst_;
     return map_.image();
   }
@@ -175,11 +182,13 @@ class ErrorStrips {
   }
 
  private:
-  void find(int y, int rows) {
-    if (y == y_ && rows == map_.height) return;
-    map_ = error_map(scene_, strip_of(plan_.view, y, rows), plan_.picture.depth.value_or(Depth::u8),
-                     plan_.picture.write.threads);
-    y_ = y;
+  /// False: cancelled.
+  bool find(int y, int rows, const Progress& progress) {
+    if (y == y_ && rows == map_.height) return true;
+    auto found = error_map(scene_, strip_of(plan_.view, y, rows), unlimited(plan_, progress));
+    if (!found) return false;
+    map_ = *std::move(found), y_ = y;
+    return true;
   }
 
   const RenderPlan& plan_;

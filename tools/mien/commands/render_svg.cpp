@@ -1,6 +1,7 @@
 #include "tools/mien/commands/render_svg.h"
 #include <mien/face_model.h>
 #include <mien/scene_from_face.h>
+#include "lib/base/watch.h"
 #include "render/image/file_type.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/commands/posed_face.h"
@@ -8,6 +9,7 @@
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/terminal/interrupt.h"
+#include "tools/mien/terminal/progress_display.h"
 
 namespace mien::command {
 namespace {
@@ -43,14 +45,18 @@ void tell_simplified(const std::string& output, const std::vector<Effect>& effec
 
 int write_scene(const RenderArguments& arguments, const View& view, const Scene& scene,
                 const std::vector<Effect>& effects) {
+  ProgressDisplay display;
   const SvgOptions options{.width = double(view.width),
                            .height = double(view.height),
                            .fit = view.fit,
                            .background = view.background,
                            .recipe = recipe(arguments, view),
-                           .id_prefix = arguments.id_prefix};
+                           .id_prefix = arguments.id_prefix,
+                           .progress = display.watch("render"),
+                           .limits = kWithoutLimits};
   watch_interrupts();
   const auto done = write_svg(scene, arguments.output, options);
+  if (!done && interrupted()) throw Stopped{Stopped::Why::cancelled};
   if (!done) return complain(done.error(), kFailed);
   tell_simplified(arguments.output, effects, *done);
   if (interrupted()) die_of_interrupt();

@@ -5,6 +5,9 @@
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/terminal/messages.h"
+#include "tools/mien/terminal/watched_work.h"
+
+#include <algorithm>
 
 namespace mien::command {
 namespace {
@@ -23,6 +26,23 @@ Expected<PcaFrames> of_file(const PcaArguments& arguments) {
   frames.groups = equal_vertices(frames.vertices, frames.dimensions);
   frames.source = file->source();
   return frames;
+}
+
+/// The vectors of a posed face, row after row.
+std::vector<double> posed_rows(const PcaFrames& frames, const Pose& pose) {
+  constexpr std::size_t kAtOnce = 16;
+  const auto count = std::size_t(frames.range.count());
+  WatchedWork work("pose");
+  std::vector<double> rows;
+  rows.reserve(count * frames.vertices);
+  for (std::size_t f = 0; f < count; f += kAtOnce) {
+    const std::size_t some = std::min(kAtOnce, count - f);
+    const auto next =
+        frames_of_face(*frames.face, pose, frames.range.first + long(f), some, frames.fps);
+    rows.insert(rows.end(), next.begin(), next.end());
+    work.at(double(f + some) / double(count));
+  }
+  return rows;
 }
 
 PcaFramesOrCode of_face(const PcaArguments& arguments) {
@@ -54,8 +74,7 @@ PcaFramesOrCode of_face(const PcaArguments& arguments) {
   const FaceModel& model = *frames.face->model;
   const glm::dvec2 canvas = model.canvas.box.size();
   frames.groups = face_vertices(model.layout, side > 0 ? side / std::max(canvas.x, canvas.y) : 1.0);
-  frames.rows = std::make_shared<std::vector<double>>(
-      frames_of_face(*frames.face, pose, range->first, count, *fps));
+  frames.rows = std::make_shared<std::vector<double>>(posed_rows(frames, pose));
   frames.source = matrix_in_memory(*frames.rows, count, frames.vertices);
   return {std::move(frames), kDone};
 }

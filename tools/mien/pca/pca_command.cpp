@@ -142,14 +142,12 @@ int info(const PcaArguments& arguments) {
 
 /// The same numbers, whose reading is watched. They are read block by block, mostly once.
 MatrixSource watched(const MatrixSource& source, const std::string& phase) {
-  watch_interrupts();
-  const auto display = std::make_shared<ProgressDisplay>();
+  const auto work = std::make_shared<WatchedWork>(phase);
   const double all = double(std::max<std::size_t>(source.rows * source.columns, 1));
-  const auto read = [=, show = display->watch(phase), done = 0.0](const MatrixBlock& block,
-                                                                  double* out) mutable {
+  const auto read = [=, done = 0.0](const MatrixBlock& block, double* out) mutable {
     auto got = source.read(block, out);
     done += double(block.rows * block.columns) / all;
-    if (display && !show(std::min(done, 1.0))) throw Stopped{Stopped::Why::cancelled};
+    work->at(std::min(done, 1.0));
     return got;
   };
   return {source.rows, source.columns, read};
@@ -262,7 +260,7 @@ int compare(const PcaArguments& arguments) {
   if (!read.frames) return read.code;
   const PcaFrames& frames = *read.frames;
   const PcaBasis& basis = file->fit.basis;
-  auto weights = encode_pca(basis, frames.source);
+  auto weights = encode_pca(basis, watched(frames.source, "encode"));
   if (!weights)
     return complain(weights.error().where.empty() ? Error{arguments.input, weights.error().what}
                                                   : weights.error(),
@@ -309,7 +307,8 @@ int sheet(const PcaArguments& arguments) {
                                 : fmt::format("{:.3g} sd", sign * spread));
     }
   std::vector<Image> pictures;
-  for (std::size_t i = 0; i < frames.size(); ++i)
+  WatchedWork work("pictures", frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i, work.step())
     pictures.push_back(captioned(painter->paint(frames[i]), words[i]));
   return save_picture(contact_sheet(pictures, 3, 8), arguments.output);
 }

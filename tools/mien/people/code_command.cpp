@@ -1,52 +1,24 @@
 // mien code: the code of a recipe, and the parts and numbers of a code.
 
 #include <mien/recipe.h>
-#include "lib/parts/code/code_fields.h"
 #include "lib/parts/code/edition.h"
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/posed_face.h"
+#include "tools/mien/people/code_of_person.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace mien::command {
 namespace {
 
-/// What of a recipe its code cannot hold: a style, parts of one's own, and where a number lies between two steps.
-std::vector<Error> left_out(const std::string& file, const Recipe& recipe, const Recipe& held) {
-  std::vector<Error> all;
-  if (recipe.style != held.style)
-    all.push_back(
-        {file, fmt::format("no code holds a style: say --style {} with it", recipe.style)});
-  for (const auto& [family, part] : recipe.parts)
-    if (recipe.own_parts.contains(part))
-      all.push_back({file, fmt::format("no code holds a part of one's own: {} is left out", part)});
-  for (const PartNumber& number : part_numbers()) {
-    const auto said = recipe.numbers.find(number.name);
-    if (said == recipe.numbers.end()) continue;
-    const double value = held.numbers.at(number.name), range = number.hi - number.lo;
-    constexpr double kSeen = 1e-6;  // of the range
-    if (std::abs(value - said->second) > kSeen * range)
-      all.push_back({file, fmt::format("a code holds steps of {:.6g}: {} is {:.6g}, not {:.6g}",
-                                       range / 1023, number.name, value, said->second)});
-  }
-  return all;
-}
-
 int print_code_of(const std::string& file) {
   std::vector<Error> warnings;
-  const auto recipe = read_given_recipe(file, &warnings);
+  const auto code = code_of_person(file, &warnings);
   warn(warnings);
-  if (!recipe) return complain(recipe.error(), kFailed);
-  const auto code = code_of_recipe(*recipe);
-  if (!code) return complain(code.error(), kFailed);
-  const auto held = recipe_from_code(*code);
-  if (!held) return complain(held.error(), kFailed);
-  warn(left_out(file, *recipe, *held));
-  return print(face_code_text(*code) + "\n");
+  return code ? print(face_code_text(*code) + "\n") : complain(code.error(), kFailed);
 }
 
 /// Every part and number, as --hold takes them; after each that the code holds against its seed, the seed's choice.

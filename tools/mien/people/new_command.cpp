@@ -10,12 +10,15 @@
 #include "render/image/file/written_file.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/posed_face.h"
 #include "tools/mien/output/letters.h"
+#include "tools/mien/people/code_of_person.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 
@@ -24,63 +27,100 @@ namespace {
 
 constexpr std::size_t kLongCode = 40;  ///< signs that people still copy
 
-/// A new seed at each call, from the time in nanoseconds.
-std::uint64_t new_seed() {
+/// Another word at each call, from the time in nanoseconds.
+std::string new_word() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return seed_from_word(
-      std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
+  return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
 }
 
-Expected<FaceCode> read_relative(const NewArguments& arguments, std::uint64_t seed) {
+/// The people that options name, each with its option.
+std::vector<std::pair<std::string, std::string>> named_people(const NewArguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> people;
+  if (arguments.code) people.emplace_back("--code", *arguments.code);
+  if (arguments.near) people.emplace_back("--near", *arguments.near);
+  for (const std::string& one : arguments.between) people.emplace_back("--between", one);
+  for (const std::string& one : arguments.child_of) people.emplace_back("--child-of", one);
+  return people;
+}
+
+/// Their codes. Warnings have been printed.
+Expected<std::vector<FaceCode>> codes_of(
+    const std::vector<std::pair<std::string, std::string>>& people) {
+  std::vector<FaceCode> codes;
+  for (const auto& [option, person] : people) {
+    std::vector<Error> warnings;
+    const auto code = code_of_person(person, &warnings);
+    warn(warnings);
+    if (!code) {
+      const bool of_file = !is_given_as_code(person) && !code.error().where.empty();
+      return Error{option + " " + (of_file ? code.error().where : one_line(person, 60)),
+                   code.error().what};
+    }
+    codes.push_back(*code);
+  }
+  return codes;
+}
+
+/// The code of the person asked for, before what is held.
+Expected<FaceCode> code_from(const NewArguments& arguments, const std::vector<FaceCode>& people,
+                             std::uint64_t seed) {
+  if (people.empty()) return FaceCode{.seed = seed, .held = {}};
+  if (arguments.code) return people[0];
   if (arguments.near) {
-    const auto code = read_face_code(*arguments.near);
-    if (!code) return code.error();
     const auto by = read_share("by", arguments.by.value_or("0.3"));
-    if (!by) return by.error();
-    return code_near(*code, *by, seed);
+    return by ? code_near(people[0], *by, seed) : by.error();
   }
-  const std::vector<std::string>& two =
-      arguments.between.empty() ? arguments.child_of : arguments.between;
-  const auto one = read_face_code(two[0]), other = read_face_code(two[1]);
-  if (!one) return one.error();
-  if (!other) return other.error();
-  if (arguments.between.empty()) return code_of_child(*one, *other, seed);
+  if (arguments.between.empty()) return code_of_child(people[0], people[1], seed);
   const auto at = read_share("at", arguments.at.value_or("0.5"));
-  if (!at) return at.error();
-  return code_between(*one, *other, *at);
+  return at ? code_between(people[0], people[1], *at) : at.error();
 }
 
-Expected<FaceCode> read_code(const NewArguments& arguments) {
-  FaceCode code{.seed = arguments.seed ? seed_from_word(*arguments.seed) : new_seed(), .held = {}};
-  if (arguments.code) {
-    auto given = read_face_code(*arguments.code);
-    if (!given) return Error{"--" + given.error().where, given.error().what};
-    code = *std::move(given);
-  } else if (arguments.near || !arguments.between.empty() || !arguments.child_of.empty()) {
-    auto relative = read_relative(arguments, code.seed);
-    if (!relative) return relative.error();
-    code = *std::move(relative);
-  }
+Expected<FaceCode> with_held(Expected<FaceCode> code, const NewArguments& arguments) {
+  if (!code) return code;
   for (const std::string& text : arguments.held) {
     const auto held = read_held_value(text, arguments.clamp);
     if (!held) return Error{"--hold " + held.error().where, held.error().what};
-    std::erase_if(code.held, [&](const HeldValue& one) { return one.field == held->field; });
-    code.held.push_back(*held);
+    std::erase_if(code->held, [&](const HeldValue& one) { return one.field == held->field; });
+    code->held.push_back(*held);
   }
   return code;
 }
 
-/// The first code that cannot be read: as in other commands, that is no wrong use.
-std::optional<Error> wrong_code(const NewArguments& arguments) {
-  std::vector<std::pair<std::string, std::string>> codes;
-  if (arguments.code) codes.emplace_back("--code", *arguments.code);
-  if (arguments.near) codes.emplace_back("--near", *arguments.near);
-  for (const std::string& one : arguments.between) codes.emplace_back("--between", one);
-  for (const std::string& one : arguments.child_of) codes.emplace_back("--child-of", one);
-  for (const auto& [option, text] : codes)
-    if (const auto read = read_face_code(text); !read)
-      return Error{option + " " + one_line(text, 60), read.error().what};
-  return {};
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("-_=./~,+@%").find(char(c)) != std::string::npos;
+  });
+  if (plain && text[0] != '~') return text;
+  std::string quoted(1, '\'');
+  for (const char c : text)
+    if (c == '\'')
+      quoted.append("'\\''");
+    else
+      quoted.push_back(c);
+  quoted.push_back('\'');
+  return quoted;
+}
+
+/// The command that writes the same person into a file.
+std::string command_with_file(const NewArguments& arguments, const std::string& seed) {
+  std::string text = "mien new";
+  const auto add = [&](const char* option, const std::optional<std::string>& value) {
+    if (value) text += fmt::format(" {} {}", option, shell_word(*value));
+  };
+  add("--code", arguments.code), add("--near", arguments.near), add("--by", arguments.by);
+  for (const auto* two : {&arguments.between, &arguments.child_of}) {
+    if (two->empty()) continue;
+    add(two == &arguments.between ? "--between" : "--child-of", two->front());
+    text += fmt::format(" {}", shell_word(two->back()));
+  }
+  add("--at", arguments.at);
+  if (!arguments.code && arguments.between.empty()) add("--seed", seed);
+  for (const std::string& held : arguments.held) add("--hold", held);
+  add("--style", arguments.style);
+  text += fmt::format("{}{}", arguments.clamp ? " --clamp" : "", arguments.flat ? " --flat" : "");
+  const bool child = !arguments.child_of.empty();
+  return text + (child ? " -o child.face.json" : " -o mine.face.json");
 }
 
 }  // namespace
@@ -95,8 +135,10 @@ int new_command(const NewArguments& arguments) {
   if (arguments.by && !arguments.near) return complain("--by is how far from --near", kUsedWrongly);
   if (arguments.at && arguments.between.empty())
     return complain("--at is where --between", kUsedWrongly);
-  if (const auto wrong = wrong_code(arguments)) return complain(*wrong, kFailed);
-  const auto code = read_code(arguments);
+  const auto people = codes_of(named_people(arguments));
+  if (!people) return complain(people.error(), kFailed);
+  const std::string word = arguments.seed.value_or(new_word());
+  const auto code = with_held(code_from(arguments, *people, seed_from_word(word)), arguments);
   if (!code) return complain(code.error(), kUsedWrongly);
   auto recipe = recipe_from_code(*code);
   if (!recipe) return complain(recipe.error(), kFailed);
@@ -106,8 +148,9 @@ int new_command(const NewArguments& arguments) {
   if (!arguments.flat) text = recipe_text(*recipe);
   const std::string said = face_code_text(*code);
   if (!arguments.output && said.size() > kLongCode)
-    warn({Error{"code",
-                fmt::format("of {} signs; -o FILE keeps the person in a file", said.size())}});
+    warn({Error{"code", fmt::format("it has {} signs; `{}` keeps the person in a file, which goes "
+                                    "wherever a code does",
+                                    said.size(), command_with_file(arguments, word))}});
   if (!arguments.output) return print(said + "\n");
   const auto done = write_file(*arguments.output, [&](const PutBytes& put) -> Expected<Done> {
     return put(text->data(), text->size());

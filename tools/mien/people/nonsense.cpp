@@ -1,5 +1,6 @@
 #include "tools/mien/people/nonsense.h"
 #include <mien/composed_face.h>
+#include <mien/limits.h>
 #include <mien/poser.h>
 
 #include "nonsense_sight_private.h"
@@ -126,6 +127,7 @@ std::vector<NonsenseFault> NonsenseTest::faults(const Face& face) const {
 
 void NonsenseTest::look(const RestSight& rest, const Face& posed, const NonsensePose& pose,
                         std::vector<NonsenseFault>& list) const {
+  end_if_stopped();
   NonsenseSight sight(rest, posed, pose, list);
   check_eyes(sight);
   if (pose.blink != 1) {  // lids alone have moved since the same pose with open eyes

@@ -12,8 +12,8 @@ WatchedWork::WatchedWork(const std::string& phase, std::size_t steps)
   watch_interrupts();
 }
 
-void WatchedWork::step() {
-  if (!progress_(double(++done_) / double(steps_))) throw Stopped{Stopped::Why::cancelled};
+void WatchedWork::at(double share) {
+  if (!progress_(share)) throw Stopped{Stopped::Why::cancelled};
 }
 
 void watched_for(const std::string& phase, int count, const Threads& threads,

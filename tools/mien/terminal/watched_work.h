@@ -10,12 +10,14 @@
 
 namespace mien::command {
 
-/// Work of so many steps, one after the other.
+/// Work of so many steps, one after the other, or told by its share.
 class WatchedWork {
  public:
-  WatchedWork(const std::string& phase, std::size_t steps);
+  explicit WatchedWork(const std::string& phase, std::size_t steps = 1);
   /// One more is done. Throws Stopped (lib/base/watch.h).
-  void step();
+  void step() { at(double(++done_) / double(steps_)); }
+  /// This share is done. Throws Stopped.
+  void at(double share);
 
  private:
   ProgressDisplay display_;

@@ -98,6 +98,31 @@ TEST(Npy, HalvesAndPython2) {
   EXPECT_FALSE(FrameFile::open(folder / "a.npy")->source().read({0, 1, 0, 1}, &number));
 }
 
+template <class Number>
+void expect_integers(const char* type, std::vector<Number> numbers) {
+  const ScratchFolder folder;
+  for (const bool big : {false, true}) {
+    const std::string name = (sizeof(Number) == 1 ? "|" : big ? ">" : "<") + std::string(type);
+    test::write_text(folder / "a.npy", header_of(dictionary(name.c_str(), "False", "(1, 4)")) +
+                                           bytes_of_numbers(numbers, big));
+    const auto file = FrameFile::open(folder / "a.npy");
+    ASSERT_TRUE(file) << sentence(file.error());
+    EXPECT_EQ(all_of(*file), std::vector<double>(numbers.begin(), numbers.end())) << name;
+  }
+}
+
+TEST(Npy, IntegersOfAllWidths) {
+  expect_integers<std::int8_t>("i1", {0, 1, -128, 127});
+  expect_integers<std::uint8_t>("u1", {0, 1, 128, 255});
+  expect_integers<std::int16_t>("i2", {0, 258, -32768, 32767});
+  expect_integers<std::uint16_t>("u2", {0, 258, 32768, 65535});
+  expect_integers<std::int32_t>("i4", {0, 0x1020304, INT32_MIN, INT32_MAX});
+  expect_integers<std::uint32_t>("u4", {0, 0x1020304, 0x80000000, UINT32_MAX});
+  expect_integers<std::int64_t>("i8", {0, 0x102030405060708, INT64_MIN, INT64_MAX});
+  expect_integers<std::uint64_t>("u8", {0, 0x102030405060708, 1ull << 63, UINT64_MAX});
+  expect_integers<char>("b1", {0, 1, 1, 0});
+}
+
 struct BadHeader {
   std::string bytes, what;
 };
@@ -112,15 +137,20 @@ TEST(Npy, BadFilesAreOneSentence) {
       {"hello, hello, hello", "is not a .npy file"},
       {header_of(dictionary("<f4", "False", "(2, 3)"), 9) + ones,
        "has .npy format version 9.0; known are 1 to 3"},
-      {"PK\3\4hello, hello", "is not a .npy file; it looks like an .npz"},
-      {header_of(dictionary("<i4", "False", "(2, 3)")) + ones,
-       "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type \"<i4\"; "
-       ".astype('f4') makes it one of them"},
+      {"PK\3\4hello, hello",
+       "is not a .npy file; it looks like an .npz, an archive of them: "
+       "np.save('a.npy', np.load(FILE)[NAME]) makes a .npy of one"},
       {header_of(dictionary("<c8", "False", "(2, 3)")) + ones,
-       "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type \"<c8\""},
-      {header_of(dictionary("|u1", "False", "(2, 3)")) + "123456",
-       "expected float16, float32 or float64 ('<f2', '<f4', '<f8'), got the type \"|u1\"; "
-       ".astype('f4') makes it one of them"},
+       "expected reals or integers ('<f2' to '<f8', '<i1' to '<u8'), got the type \"<c8\""},
+      {header_of(dictionary("<f16", "False", "(2, 3)")) + ones,
+       "expected reals or integers ('<f2' to '<f8', '<i1' to '<u8'), got the type \"<f16\"; "
+       ".astype('f8') makes it one of them"},
+      {header_of(dictionary("", "False", "(2, 3)")) + ones,
+       "expected reals or integers ('<f2' to '<f8', '<i1' to '<u8'), got the type \"\""},
+      {header_of(dictionary("xi4", "False", "(2, 3)")) + ones,
+       "expected reals or integers ('<f2' to '<f8', '<i1' to '<u8'), got the type \"xi4\""},
+      {header_of(dictionary("<i2", "False", "(2, 7)")) + ones,
+       "is cut off: its shape (2, 7) takes 28 bytes, and 24 are there"},
       {header_of(dictionary("<f4", "False", "(2L, 3LL)")) + ones, "has a header that is none"},
       {header_of(dictionary("<f4", "False", "(6,)")) + ones,
        "expected the shape [frames, vertices, dimensions] or [frames, numbers] with nothing 0, got "
@@ -155,6 +185,16 @@ TEST(Npy, BadFilesAreOneSentence) {
   const auto read = file->source().read({0, 2, 0, 3}, number);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().what, "frame 0, vertex 2: nan is not a finite number");
+}
+
+TEST(Npy, OnlyRealsAreWritten) {
+  const auto sink = [](const void*, std::size_t) -> Expected<Done> { return Done{}; };
+  const std::size_t shape[] = {1, 1};
+  const std::vector<double> one{1};
+  const auto done = write_npy(sink, NpyType::int16, shape, matrix_in_memory(one, 1, 1));
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().what, "arrays are written as float32 or float64");
+  EXPECT_NE(npy_header(NpyType::uint8, shape).find("'|u1'"), std::string::npos);
 }
 
 TEST(Npy, WhatIsWrittenReadsBack) {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lib/parts/recipe/part_guide.h"
 #include "tests/support/scratch_folder.h"
 
 namespace mien {
@@ -32,6 +33,7 @@ TEST(OwnPart, BegunOnesAreWornAsTheyAre) {
     if (!text) continue;
     std::istringstream lines(*text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
+    EXPECT_EQ(text->find(",\n    \"adds\""), std::string::npos) << "a point is in one piece";
     const auto path = folder / (family.name + ".part.json");
     std::ofstream(path) << *text;
     const auto part = read_part_file(path);
@@ -48,6 +50,23 @@ TEST(OwnPart, BegunOnesAreWornAsTheyAre) {
   ASSERT_TRUE(all);
   EXPECT_EQ(int(all->size()), families);
   EXPECT_TRUE(std::ranges::is_sorted(*all, {}, [](const FoundPart& one) { return one.part.path; }));
+}
+
+/// They begin with the plainest part and with what its names mean.
+TEST(OwnPart, BegunOnesAreExplained) {
+  const std::vector<std::pair<std::string, std::string>> wanted{
+      {"head", "oval"}, {"eyes", "almond"}, {"mouth", "soft"}, {"nose", "soft"}};
+  for (const auto& [family, part] : wanted) {
+    const auto text = part_skeleton(family, "mine");
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("Begun as the family's \\\"" + part), std::string::npos) << *text;
+    std::istringstream lines{std::string(part_guide(family))};
+    for (std::string line; std::getline(lines, line);) {
+      for (std::size_t at = 0; (at = line.find('"', at)) != std::string::npos; at += 2)
+        line.insert(at, 1, '\\');
+      EXPECT_NE(text->find("\"" + line + "\""), std::string::npos) << line;
+    }
+  }
 }
 
 TEST(OwnPart, WrongOnesAreToldAtTheirPlace) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include <cmath>
 #include <random>
 
 namespace mien {
@@ -56,6 +57,23 @@ TEST(Blink, LidsThatPosesCrossAreKeptFromCrossing) {
     EXPECT_LT(glm::length(at(gap + 1e-4).lower - at(gap).lower), 1e-3) << gap;
     EXPECT_GE(glm::dot(at(gap).upper - at(gap).lower, up), 0) << gap;
   }
+}
+
+/// Each lid gives way by its share: the lower one moves little where they meet near it, and the place where they would
+/// meet stays.
+TEST(Blink, LidsKeptFromSlidingGiveWayByTheirShares) {
+  const glm::dvec2 up{0.6, 0.8}, along{0.8, -0.6};
+  for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0})
+    for (const double slant : {-0.3, 0.3}) {
+      const LidPair slid{{0.1, 0.2}, glm::dvec2{0.1, 0.2} - 0.02 * up - slant * along};
+      const LidPair kept = uncrossed(slid, up, share);
+      const double given = std::abs(slant) - kMostSlant * 0.02;
+      EXPECT_NEAR(glm::length(kept.upper - slid.upper), share * given, 1e-15) << share;
+      EXPECT_NEAR(glm::length(kept.lower - slid.lower), (1 - share) * given, 1e-15) << share;
+      const glm::dvec2 gap = kept.upper - kept.lower;
+      EXPECT_NEAR(glm::dot(gap, up), 0.02, 1e-15);
+      EXPECT_NEAR(glm::dot(gap, along), std::copysign(kMostSlant * 0.02, slant), 1e-15);
+    }
 }
 
 }  // namespace

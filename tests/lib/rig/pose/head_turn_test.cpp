@@ -100,6 +100,25 @@ TEST(Turn, ForeshortensSizesAsItDoesWays_G4) {
       }
 }
 
+/// Near the edge, where the surface's own slope has no bound: nothing is smaller than where it is turned away, nothing
+/// larger than half as large again, on each of the four sides and beyond the head.
+TEST(Turn, ForeshorteningHasLimits) {
+  for (const bool y_up : {true, false})
+    for (const double way : {-1.0, 1.0}) {
+      const Turn yaw(kTurnedHead, 28 * way, 0, 0, y_up), pitch(kTurnedHead, 0, 28 * way, 0, y_up);
+      for (const double share : {0.99, 1.0, 2.0}) {
+        const double x = way * share * kTurnedHead.radii.x,
+                     y = (y_up ? way : -way) * share * kTurnedHead.radii.y;
+        EXPECT_EQ(yaw.foreshortening({x, 0}), glm::dvec2(0, 1)) << share;
+        EXPECT_EQ(yaw.foreshortening({-x, 0}), glm::dvec2(1.5, 1)) << share;
+        EXPECT_EQ(pitch.foreshortening({0, y}), glm::dvec2(1, 0)) << share;
+        EXPECT_EQ(pitch.foreshortening({0, -y}), glm::dvec2(1, 1.5)) << share;
+      }
+    }
+  // A plate that is turned away shows no back.
+  EXPECT_EQ(Turn(kTurnedHead, 120, 100, 0, true).plate_foreshortening(), glm::dvec2(0));
+}
+
 /// Three points of a plate stay as they were among each other: seen from the side, narrower, but in line, and two
 /// equal ways stay equal. On the head they would bend round it.
 TEST(Turn, APlateTurnsAsOneRigidBody) {

@@ -1,0 +1,59 @@
+#include "render/shade/ramp/mean.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/random.h"
+#include "tests/support/random_ramp.h"
+
+namespace mien::test {
+namespace {
+
+// Right of a chord across a pixel, where a ramp's place is a plane in any number of cells.
+TEST(RampMean, IsThatOfThePartInAnyNumberOfCells) {
+  Random r(1);
+  for (int i = 0; i < 40; ++i) {
+    const Ramp ramp = random_ramp(r);
+    RampIntegral integral;
+    integral.make(ramp);
+    const double a = r.between(0, 0.9), b = r.between(0, 0.9), turn = r.between(0, 6.3);
+    const RampPlane plane{r.between(-1, 1), std::cos(turn), std::sin(turn)};
+    Mix sum{0.0};
+    double area = 0;
+    constexpr int kSide = 700;
+    for (int j = 0; j < kSide; ++j)
+      for (int k = 0; k < kSide; ++k) {
+        const double shift = double((j * 7919 + k * 104729) % 997) / 997 - 0.5,
+                     x = (k + 0.5 + shift) / kSide, y = (j + 0.5 - shift) / kSide;
+        if (x < a + (b - a) * y) continue;
+        sum += ramp.color(plane.at(x - 0.5, y - 0.5)), area += 1;
+      }
+    const PartChord chord{float(a), 0, float(b), 1, 1};
+    for (const int side : {1, 2, 5, 8}) {
+      RampCells cells{side, {}};
+      for (int k = 0; k < side * side; ++k)
+        cells.planes.push_back(
+            integral.scaled({plane.at((k % side + 0.5) / side - 0.5, (k / side + 0.5) / side - 0.5),
+                             plane.gx, plane.gy}));
+      ASSERT_LT(largest(ramp_mean(integral, cells, {&chord, 1}) - sum / area), 2e-3)
+          << i << ' ' << side;
+    }
+  }
+}
+
+TEST(RampMean, OfAllOfAPixelIsThatOfItsBorder) {
+  Random r(2);
+  const Ramp ramp = random_ramp(r);
+  RampIntegral integral;
+  integral.make(ramp);
+  RampCells cells{1, {integral.scaled({0.2, 0.3, 0.4})}};
+  const PartEntry left = PartEntry::whole();
+  std::vector<PartChord> chords;
+  chords_of_form({left, {}}, chords);
+  ASSERT_EQ(chords.size(), 1u);
+  EXPECT_LT(largest(ramp_mean(integral, cells, chords) - ramp_mean(integral, cells)), 1e-7);
+}
+
+}  // namespace
+}  // namespace mien::test
