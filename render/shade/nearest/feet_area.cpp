@@ -7,6 +7,7 @@
 #include "sdf/shape/curve/path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -139,16 +140,19 @@ bool add_path(const Path& path, SpineList& made, Path& pieces) {
   return !to.empty();
 }
 
+/// At an angle; `by` radii from the centre.
+glm::dvec2 on_ellipse(const Ellipse& e, double by, double angle) {
+  const glm::dvec2 u = e.axis, v{-u.y, u.x};
+  return e.center + by * (e.radii.x * std::cos(angle) * u + e.radii.y * std::sin(angle) * v);
+}
+
 /// An ellipse's arc from angle a to angle b, as pieces. A piece of angle w is off by r w⁴ / 384 at most.
 void add_arc(const Ellipse& e, double a, double b, std::vector<QuadBezier>& to) {
   constexpr double kOff = 1e-4;  // [px]
-  const glm::dvec2 u = e.axis, v{-u.y, u.x};
   const double radius = std::max({e.radii.x, e.radii.y, 1e-9});
   const double widest = std::pow(384.0 * kOff / radius, 0.25);
   const int pieces = std::clamp(int(std::ceil((b - a) / std::min(widest, 0.8))), 1, 256);
-  const auto at = [&](double by, double w) {
-    return e.center + by * (e.radii.x * std::cos(w) * u + e.radii.y * std::sin(w) * v);
-  };
+  const auto at = [&](double by, double w) { return on_ellipse(e, by, w); };
   for (int i = 0; i < pieces; ++i) {
     const double from = a + (b - a) * i / pieces, until = a + (b - a) * (i + 1) / pieces;
     const double middle = 0.5 * (from + until);
@@ -169,7 +173,7 @@ QuadBezier piece_of(const ParabolaSide& side, double from, double to) {
 struct SpinesOfShape {
   ShapeSpines& made;
   Path& pieces;
-  std::vector<QuadBezier> sides = {};
+  std::vector<QuadBezier>& sides;  ///< scratch
 
   void add(const QuadBezier& spine, double a, double b, double c) {
     made.list.spines.push_back(spine_of(spine, {a, b, c}));
@@ -216,11 +220,11 @@ struct SpinesOfShape {
   }
   void operator()(const HalfPlane& s) {
     const glm::dvec2 along{-s.normal.y, s.normal.x}, foot = s.offset * s.normal;
-    sides = {straight(foot - kEndless * along, foot + kEndless * along)};
+    sides.push_back(straight(foot - kEndless * along, foot + kEndless * along));
     add_sides();
   }
   void operator()(const ParabolaSide& s) {
-    sides = {piece_of(s, -endless(s), endless(s))};
+    sides.push_back(piece_of(s, -endless(s), endless(s)));
     add_sides();
   }
   void operator()(const Band& s) {
@@ -232,18 +236,22 @@ struct SpinesOfShape {
   }
   /// What of a parabola lies in the other one.
   void add_band_side(const ParabolaSide& side, const ParabolaSide& other, const BandCorners& at) {
-    std::vector<double> cuts{-endless(side)};
+    std::array<double, 6> cuts;
     const glm::dvec2 along{side.axis.y, -side.axis.x};
-    for (int i = 0; i < at.count; ++i)
-      cuts.push_back(glm::dot(at.point[std::size_t(i)] - side.vertex, along));
-    std::sort(cuts.begin() + 1, cuts.end());
-    cuts.push_back(endless(side));
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const std::size_t count = std::size_t(at.count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t k = i + 1;
+      const double cut = glm::dot(at.point[i] - side.vertex, along);
+      for (; k > 1 && cuts[k - 1] > cut; --k) cuts[k] = cuts[k - 1];
+      cuts[k] = cut;
+    }
+    cuts[0] = -endless(side), cuts[count + 1] = endless(side);
+    for (std::size_t i = 0; i <= count; ++i) {
       const double far = 1.0 + std::abs(cuts[i == 0 ? 1 : i]);
-      const double middle = at.count == 0          ? 0.0
-                            : i == 0               ? cuts[1] - far
-                            : i + 2 == cuts.size() ? cuts[i] + far
-                                                   : 0.5 * (cuts[i] + cuts[i + 1]);
+      const double middle = count == 0   ? 0.0
+                            : i == 0     ? cuts[1] - far
+                            : i == count ? cuts[i] + far
+                                         : 0.5 * (cuts[i] + cuts[i + 1]);
       const QuadBezier at_middle = piece_of(side, middle, middle);
       if (distance(other, at_middle.p0) <= 0.0)
         sides.push_back(piece_of(side, cuts[i], cuts[i + 1]));
@@ -261,9 +269,7 @@ struct SpinesOfShape {
     add_sides();
   }
   void add_chord(const Ellipse& round, double from, double to) {
-    std::vector<QuadBezier> ends;
-    add_arc(round, from, from, ends), add_arc(round, to, to, ends);
-    sides.push_back(straight(ends[0].p0, ends[1].p0));
+    sides.push_back(straight(on_ellipse(round, 1.0, from), on_ellipse(round, 1.0, to)));
   }
   void operator()(const Ellipse& s) {
     add_arc(s, 0.0, 2.0 * glm::pi<double>(), sides);
@@ -296,11 +302,13 @@ struct SpinesOfShape {
   }
 };
 
-void make_spines(const Shape& shape, glm::dvec2 center, ShapeSpines& made, Path& pieces) {
+void make_spines(const Shape& shape, glm::dvec2 center, ShapeSpines& made, Path& pieces,
+                 std::vector<QuadBezier>& sides) {
+  sides.clear();
   made.list.stroke = true, made.slow = false;
   made.tree.reset();
   made.list.spines.clear(), made.list.next.clear();
-  std::visit(SpinesOfShape{made, pieces}, shape);
+  std::visit(SpinesOfShape{made, pieces, sides}, shape);
   for (Spine& s : made.list.spines) s.x0 += center.x, s.y0 += center.y;
   made.list.before.resize(made.list.next.size());
   for (std::size_t i = 0; i < made.list.next.size(); ++i) made.list.before[made.list.next[i]] = i;
@@ -313,7 +321,7 @@ void FeetArea::make(const AreaDistance& area, glm::dvec2 center) {
   shapes_.resize(area.shapes().size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     worked(500);
-    make_spines(area.shapes()[i], center, shapes_[i], pieces_);
+    make_spines(area.shapes()[i], center, shapes_[i], pieces_, sides_);
   }
 }
 

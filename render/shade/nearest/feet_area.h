@@ -37,6 +37,7 @@ class FeetArea {
   glm::dvec2 center_{0.0};
   std::vector<ShapeSpines> shapes_;
   Path pieces_;  ///< scratch
+  std::vector<QuadBezier> sides_;
 };
 
 }  // namespace mien
