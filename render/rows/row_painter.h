@@ -44,9 +44,7 @@ class RowPainter {
   }
 
   /// Adds the work of the rows since the last call.
-  void tell(RenderStats& stats) {
-    stats.distances += shader_.take_feet();
-  }
+  void tell(RenderStats& stats) { stats.distances += shader_.take_feet(); }
 
   /// Columns of that row whose colours vary too much for means by centroids: the caller resolves them by distances.
   std::span<const int> refused() const { return refused_; }

@@ -10,7 +10,6 @@
 #include "render/cover/part_form.h"
 #include "render/shade/light/lamp_lanes.h"
 #include "render/shade/nearest/near_area.h"
-#include "sdf/distance/feet/near_branches.h"
 
 #include <array>
 #include <cstdint>

@@ -146,11 +146,11 @@ glm::dvec2 on_ellipse(const Ellipse& e, double by, double angle) {
   return e.center + by * (e.radii.x * std::cos(angle) * u + e.radii.y * std::sin(angle) * v);
 }
 
-/// An ellipse's arc from angle a to angle b, as pieces. A piece of angle w is off by r w⁴ / 384 at most.
+/// An ellipse's arc from angle a to angle b, as pieces. A piece of angle w is off by r w⁴ / 128 at most.
 void add_arc(const Ellipse& e, double a, double b, std::vector<QuadBezier>& to) {
   constexpr double kOff = 1e-4;  // [px]
   const double radius = std::max({e.radii.x, e.radii.y, 1e-9});
-  const double widest = std::pow(384.0 * kOff / radius, 0.25);
+  const double widest = std::pow(128.0 * kOff / radius, 0.25);
   const int pieces = std::clamp(int(std::ceil((b - a) / std::min(widest, 0.8))), 1, 256);
   const auto at = [&](double by, double w) { return on_ellipse(e, by, w); };
   for (int i = 0; i < pieces; ++i) {

@@ -6,6 +6,7 @@
 #define MIEN_RENDER_SHADE_NEAR_AREA_INL_H_
 #endif
 
+#include "render/shade/nearest/combine_pairs.h"
 #include "render/shade/nearest/near_area.h"
 #include "sdf/distance/feet/feet-inl.h"
 

@@ -3,8 +3,7 @@
 // combine. near_area-inl.h asks it for many places at once.
 
 #include "render/shade/nearest/feet_area.h"
-#include "sdf/distance/feet/branch_pair.h"
-#include "sdf/distance/feet/near_branches.h"
+#include "sdf/distance/feet/branches.h"
 
 #include <span>
 #include <vector>

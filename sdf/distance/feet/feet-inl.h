@@ -11,9 +11,7 @@
 #define MIEN_SDF_DISTANCE_FEET_INL_H_
 #endif
 
-#include "sdf/distance/feet/branch_pair.h"
 #include "sdf/distance/feet/branches.h"
-#include "sdf/distance/feet/near_branches.h"
 #include "sdf/distance/lanes/fma-inl.h"
 
 #include <bit>

@@ -1,4 +1,4 @@
-#include "sdf/distance/feet/branch_pair.h"
+#include "render/shade/nearest/combine_pairs.h"
 
 #include <cmath>
 

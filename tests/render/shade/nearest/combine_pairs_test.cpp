@@ -1,4 +1,4 @@
-#include "sdf/distance/feet/branch_pair.h"
+#include "render/shade/nearest/combine_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ void expect_ridges(const BranchPair& pair, Op op) {
   }
 }
 
-TEST(BranchPair, OfCombinationsMeetOnTheirRidges) {
+TEST(CombinePairs, MeetOnTheirRidges) {
   test::Random random(3);
   for (int k = 0; k < 200; ++k) {
     const BranchPair a = random_pair(random), b = random_pair(random);
@@ -64,7 +64,7 @@ TEST(BranchPair, OfCombinationsMeetOnTheirRidges) {
   }
 }
 
-TEST(BranchPair, ANearerRidgeOfTheOtherOperandCounts) {
+TEST(CombinePairs, ANearerRidgeOfTheOtherOperandCounts) {
   BranchPair a{}, b{};
   for (int i = 0; i < BranchPair::kPlaces; ++i) {
     a.off[i] = b.off[i] = BranchPair::kFar;
