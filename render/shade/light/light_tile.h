@@ -34,6 +34,7 @@ struct LightTile {
   float shallow = 0, deep = 0;
   float tolerance = 0;  ///< of a mean, in what colours are counted in
   int channels = 3;     ///< how many of them vary
+  bool fine = false;    ///< of a picture of 16 bits and more: never left to 4 × 4 cells alone
 
   enum class State : std::uint8_t { unknown, smooth, divided };
   std::array<State, kSquares> state;

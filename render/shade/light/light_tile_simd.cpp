@@ -230,8 +230,6 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   // [of the tolerance] A clamp that begins in the pixel leaves a 90th of its change to 4 × 4 cells; ridges less than a
   // 400th of their jump.
   constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
-  // [of 1] Smaller tolerances are never left to 4 × 4 cells alone.
-  constexpr float kFine = 2e-4f;
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
   NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
                       *const near_ramp =
@@ -271,7 +269,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
       allowed = AllowedAt(tile, HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
       if (side < LeastSide(tile, form_area, allowed)) continue;
     }
-    const bool fine = allowed < kFine && side == least;
+    const bool fine = tile.fine && side == least;
     if (!fine && sum.kink * seen < kKink * finer * allowed &&
         sum.jump * seen < kJump * finer * allowed)
       return;

@@ -87,7 +87,8 @@ void LitPaint::make_tile(const LitPiece& piece, LightTile& t) const {
   // [of the side] Half a diagonal, and what parts beside the tile need.
   const double radius = 0.75 * t.side;
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * t.side;
-  t.channels = 3, t.rises = false, t.crowded = false;
+  constexpr double kFine = 0.1;  // [levels] of 8 bits it is 0.3
+  t.channels = 3, t.rises = false, t.crowded = false, t.fine = tolerance_ < kFine;
   t.shallow = -1e9f, t.deep = 1e9f, t.tolerance = float(tolerance_ / 255.0);
   if (piece.zone == kDistances) {
     t.lamp = {}, t.lamp.distance_alone = true;

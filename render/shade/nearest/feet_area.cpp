@@ -148,7 +148,8 @@ glm::dvec2 on_ellipse(const Ellipse& e, double by, double angle) {
 
 /// An ellipse's arc from angle a to angle b, as pieces. A piece of angle w is off by r w⁴ / 128 at most.
 void add_arc(const Ellipse& e, double a, double b, std::vector<QuadBezier>& to) {
-  constexpr double kOff = 1e-4;  // [px]
+  constexpr double kOff =
+      3e-4;  // [px] a hundredth of a level at most where light changes by 30 per px
   const double radius = std::max({e.radii.x, e.radii.y, 1e-9});
   const double widest = std::pow(128.0 * kOff / radius, 0.25);
   const int pieces = std::clamp(int(std::ceil((b - a) / std::min(widest, 0.8))), 1, 256);
@@ -272,6 +273,7 @@ struct SpinesOfShape {
     sides.push_back(straight(on_ellipse(round, 1.0, from), on_ellipse(round, 1.0, to)));
   }
   void operator()(const Ellipse& s) {
+    if (s.radii.x == s.radii.y) return (*this)(Disc{s.center, s.radii.x});
     add_arc(s, 0.0, 2.0 * glm::pi<double>(), sides);
     add_sides();
   }

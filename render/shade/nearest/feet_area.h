@@ -1,6 +1,6 @@
 #pragma once
 // An area as spines: what its distance is the least of. Every shape has them: arcs of ellipses as pieces of parabolas,
-// within 1e-4 px.
+// within 3e-4 px.
 
 #include "render/shade/nearest/area_distance.h"
 #include "sdf/distance/feet/branches.h"
