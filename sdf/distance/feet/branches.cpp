@@ -50,7 +50,7 @@ class Gathering {
       best_ = std::min({best_, keys_[2 * i], keys_[2 * i + 1]});
     }
     for (now_ = 0; now_ < count && !to_.crowded; ++now_) {
-      wide_ = widest(outline_.spines[now_]);
+      wide_ = widest(outline_.spines[now_]), turn_ = -1.0;
       cut(0.0, 1.0, keys_[2 * now_], keys_[2 * now_ + 1]);
     }
     fill_up();
@@ -84,8 +84,10 @@ class Gathering {
     const double bend2 = s.x2 * s.x2 + s.y2 * s.y2;
     const double vertex = bend2 > 0.0 ? -0.5 * (s.x1 * s.x2 + s.y1 * s.y2) / bend2 : from;
     const double margin = 0.02 * (to - from);
-    if (!single && length > kTurns && vertex > from + margin && vertex < to - margin)
+    if (!single && length > kTurns && vertex > from + margin && vertex < to - margin) {
+      turn_ = vertex;
       return cut_at(vertex, from, to, key_from, key_to);
+    }
     if (to_.count == Branches::kMost)
       to_.crowded = true;
     else
@@ -129,6 +131,8 @@ class Gathering {
                                              to < 1.0 ? 1.0 + kLap : 1.0,
                                              -from / by,
                                              (1.0 - from) / by,
+                                             from == turn_ ? -kLap : -from / by,
+                                             to == turn_ ? 1.0 + kLap : (1.0 - from) / by,
                                              s.side,
                                              s.begin_x,
                                              s.begin_y,
@@ -160,6 +164,8 @@ class Gathering {
   Branches& to_;
   std::size_t now_ = 0;
   double wide_ = 0, best_ = 0;
+  double turn_ = -1;  ///< where the spine was cut at its vertex
+
   std::vector<double>& keys_ = to_.keys;
 };
 

@@ -61,6 +61,8 @@ struct Branches {
     high,  // the stretch is 0 to 1; a little beyond joints
     first,
     last,  // the whole spine
+    least,
+    most,  // as far as feet may be looked for: to the spine's end, or where it turns
     side,
     begin_x,
     begin_y,

@@ -41,7 +41,7 @@ HWY_INLINE BranchLanes OneOf(const Branches& b, int k) {
   const auto at = [&](Branches::Row r) HWY_ATTR { return hn::Set(f, b.row(r)[k]); };
   return {at(Branches::x0), at(Branches::x1),    at(Branches::x2),  at(Branches::y0),
           at(Branches::y1), at(Branches::y2),    at(Branches::w0),  at(Branches::w1),
-          at(Branches::w2), at(Branches::first), at(Branches::last)};
+          at(Branches::w2), at(Branches::least), at(Branches::most)};
 }
 
 /// Where p − B(t) points and how fast B goes there.
@@ -157,7 +157,11 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     // Held at an end that is none of the outline's: the neighbour is nearer. Where feet are hard to tell both stay.
     const VF speed2 = hn::Mul(at.speed2, s.scale);
     const auto steady = hn::Gt(s.rise, hn::Mul(speed2, hn::Set(f, 0.35f)));
-    auto out = hn::And(steady, hn::Or(hn::AndNot(first, held_low), hn::AndNot(last, held_high)));
+    const auto turns_low = hn::Gt(at_row(Branches::least), at_row(Branches::first));
+    const auto turns_high = hn::Lt(at_row(Branches::most), at_row(Branches::last));
+    const auto joint_low = hn::AndNot(hn::Or(first, turns_low), held_low);
+    const auto joint_high = hn::AndNot(hn::Or(last, turns_high), held_high);
+    auto out = hn::And(steady, hn::Or(joint_low, joint_high));
     if (!kStroke) {
       // So is the next side at a corner, where both end firmly: seen from all over the square.
       const VF r2 = hn::Set(f, r * r);
@@ -240,12 +244,15 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
   const VF nx = hn::Mul(at.gy, over), ny = hn::Neg(hn::Mul(at.gx, over));
   const VF across = Fused(qx, nx, hn::Mul(qy, ny)), hand = hn::CopySign(one, across);
-  const auto inner = hn::And(hn::Gt(t, c.low), hn::Lt(t, c.high));
+  const VF first = set(b.row(Branches::first)[k]), last = set(b.row(Branches::last)[k]);
+  const auto inner = hn::And(hn::Gt(t, first), hn::Lt(t, last));
+  // Held where the spine turns, it is nearer on the other side.
+  const auto turns = hn::And(inner, hn::Or(hn::Le(t, c.low), hn::Ge(t, c.high)));
   const bool ends = !hn::AllTrue(f, inner);
   const VF r2 = Fused(qx, qx, Fused(qy, qy, set(1e-16f)));
   const VF step = hn::Sub(t, before);
   Sight s;
-  s.moved = hn::Mul(hn::Mul(step, step), at.speed2);
+  s.moved = hn::IfThenElse(turns, one, hn::Mul(hn::Mul(step, step), at.speed2));
   if (kStroke) {
     const VF lean = hn::Neg(hn::Mul(Fused(hn::Add(t, t), c.w2, c.w1), over));
     const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
@@ -269,7 +276,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   s.nx = hn::Mul(hand, nx), s.ny = hn::Mul(hand, ny);
   s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
   if (!ends) return s;
-  const auto end = hn::Ge(t, c.high);
+  const auto end = hn::Ge(t, last);
   const VF px = hn::IfThenElse(end, row(Branches::end_x), row(Branches::begin_x));
   const VF py = hn::IfThenElse(end, row(Branches::end_y), row(Branches::begin_y));
   const VF beside = hn::CopySign(one, Fused(qx, px, hn::Mul(qy, py)));

@@ -123,3 +123,22 @@ TEST(NearArea, KnowsWhatCombinationsMakeOfDistances) {
 
 }  // namespace
 }  // namespace mien
+namespace mien {
+namespace {
+/// Spines that all but turn back, in a few pixels.
+TEST(NearArea, KnowsHairpins) {
+  test::Random random(8);
+  for (int k = 0; k < 300; ++k) {
+    const glm::dvec2 a = random.point(14, 34), way = random.direction();
+    const double length = random.between(3, 30), aside = random.between(0, 0.15);
+    const glm::dvec2 tip = a + length * way;
+    const glm::dvec2 c = a + random.between(0, 0.4) * length * way + aside * length * glm::dvec2{way.y, -way.x};
+    SceneBuilder scene({}, {});
+    const double w = random.between(0.05, 2.5);
+    const Area area = k % 2 ? scene.shape(QuadStroke{{a, tip, c}, w})
+                            : scene.shape(TaperedStroke{{a, tip, c}, {w, random.between(0, 3), random.between(0, 3)}});
+    EXPECT_TRUE(expect_distances(distance_of(std::move(scene), area), "a hairpin")) << k;
+  }
+}
+}  // namespace
+}  // namespace mien
