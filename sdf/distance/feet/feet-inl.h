@@ -132,6 +132,25 @@ HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
   return std::uint64_t(bytes[0] | bytes[1] << 8) << k;
 }
 
+/// t, or an end or the middle of the stretch if that is nearer: a stretch that is not proven to have one foot may have a
+/// least distance at an end beside the one within.
+HWY_INLINE VF BestStart(const BranchLanes& c, VF x, VF y, VF t) {
+  const F f;
+  const auto key = [&](VF at) HWY_ATTR {
+    const VF ex = hn::Sub(Fused(at, Fused(at, c.x2, c.x1), c.x0), x);
+    const VF ey = hn::Sub(Fused(at, Fused(at, c.y2, c.y1), c.y0), y);
+    const VF away = hn::Sqrt(Fused(ex, ex, hn::Mul(ey, ey)));
+    return hn::Sub(away, Fused(at, Fused(at, c.w2, c.w1), c.w0));
+  };
+  VF least = key(t);
+  for (const VF start : {c.low, hn::Mul(hn::Set(f, 0.5f), hn::Add(c.low, c.high)), c.high}) {
+    const VF own = key(start);
+    const auto nearer = hn::Lt(own, least);
+    t = hn::IfThenElse(nearer, start, t), least = hn::Min(own, least);
+  }
+  return t;
+}
+
 /// Lets the branches in `from` go that are nowhere nearest within r of (cx, cy), and finds their feet there, to t.
 template <bool kStroke>
 HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx, float cy, float r,
@@ -149,6 +168,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     VF t = Fused(x, at_row(Branches::foot_x),
                  Fused(y, at_row(Branches::foot_y), at_row(Branches::foot)));
     t = hn::Min(hn::Max(t, c.low), c.high);
+    t = BestStart(c, x, y, t);
     for (int i = 0; i < 2; ++i) t = Stepped<kStroke>(c, x, y, t);
     const Reached at = ReachedAt(c, x, y, t);
     const Slope s = SlopeAt<kStroke>(c, at, t);
