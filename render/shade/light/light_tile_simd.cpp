@@ -266,7 +266,8 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
     if (side == PartCells::kMostSide) return;
     float allowed = tile.tolerance;
     if (tile.lamp.linear) {
-      allowed = AllowedAt(tile, HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
+      // What shows of a part lies in a pixel no darker than that.
+      allowed = AllowedAt(tile, seen * HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
       if (side < LeastSide(tile, form_area, allowed)) continue;
     }
     const bool fine = tile.fine && side == least;
