@@ -96,7 +96,7 @@ void AddToRows(const PartChord& c, int side, PartCells& to) {
              hn::Load(f, corners.top + k));
 }
 
-void CellsOfForm(const PartForm& form, int side, PartCells& to) {
+void CellsOfForm(const PartForm& form, int side, PartCells& to, bool coarse) {
   const F f;
   const float cell = 1.0f / float(side);
   const int rows = PartEntry::kRows / side;
@@ -113,7 +113,7 @@ void CellsOfForm(const PartForm& form, int side, PartCells& to) {
     std::fill_n(&to.x[row], side, 0.5f * cell * cell * height);
     std::fill_n(&to.y[row], side, cell * height_y);
   }
-  const float fine = side == 4 ? kCoarseChords : kFineChords;  // the coarsest cells ask for less
+  const float fine = coarse ? kCoarseChords : kFineChords;
   for (const PartStretch& s : form.stretches)
     for_each_chord(s, fine, [&](const PartChord& c) { AddToRows(c, side, to); });
   constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
@@ -145,8 +145,8 @@ namespace batch {
 HWY_EXPORT(CellsOfForm);
 }  // namespace batch
 
-void cells_of_form(const PartForm& form, int side, PartCells& to) {
-  MIEN_DISPATCH(CellsOfForm)(form, side, to);
+void cells_of_form(const PartForm& form, int side, PartCells& to, bool coarse) {
+  MIEN_DISPATCH(CellsOfForm)(form, side, to, coarse);
 }
 
 }  // namespace mien

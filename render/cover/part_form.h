@@ -57,7 +57,7 @@ struct PartCells {
 /// The whole pixel in side × side cells: 4, 8, 16 or 32.
 void whole_cells(int side, PartCells& to);
 
-/// The form's cells. Within 2e-4 px² each.
-void cells_of_form(const PartForm& form, int side, PartCells& to);
+/// The form's cells. Within 2e-4 px² each; if they may be coarse, within 1e-3 px².
+void cells_of_form(const PartForm& form, int side, PartCells& to, bool coarse = false);
 
 }  // namespace mien

@@ -241,7 +241,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   const int least = LeastSide(tile, form_area, tile.tolerance);
   for (int side = least;; side *= 2) {
     if (form)
-      cells_of_form(*form, side, tile.cells);
+      cells_of_form(*form, side, tile.cells, side == 4 && !tile.fine);
     else
       whole_cells(side, tile.cells);
     CellSum sum;
