@@ -66,25 +66,22 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
   const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
   const auto side = [&](VF ways, VF share, bool beyond) HWY_ATTR {
     const VF ux = hn::Mul(ways, ridge.ex), uy = hn::Mul(ways, ridge.ey);
-    const auto pick = [&](const BranchPair& pair, const float* of_best, const float* of_beyond,
-                          bool ramp) HWY_ATTR {
-      (void)pair;
+    const auto pick = [&](const float* of_best, const float* of_beyond, bool ramp) HWY_ATTR {
       if (!beyond) return load(of_best);
-      const auto turned = ramp ? ridge.of_ramp : hn::Not(ridge.of_ramp);
+      const auto turned = ramp ? ridge.of_ramp : ridge.of_relief;
       return hn::IfThenElse(turned, load(of_beyond), load(of_best));
     };
     VF d = zero, nx = zero, ny = zero, away = zero;
     if (tile.rises) {
       const BranchPair& r = at.relief;
-      d = pick(r, r.best.d, r.beyond.d, false);
-      nx = pick(r, r.best.nx, r.beyond.nx, false), ny = pick(r, r.best.ny, r.beyond.ny, false);
+      d = pick(r.best.d, r.beyond.d, false);
+      nx = pick(r.best.nx, r.beyond.nx, false), ny = pick(r.best.ny, r.beyond.ny, false);
       d = Fused(ux, nx, Fused(uy, ny, d));
     }
     if (tile.lamp.goes_by_distance()) {
       const BranchPair& r = at.ramp;
-      const VF rx = pick(r, r.best.nx, r.beyond.nx, true),
-               ry = pick(r, r.best.ny, r.beyond.ny, true);
-      away = Fused(ux, rx, Fused(uy, ry, pick(r, r.best.d, r.beyond.d, true)));
+      const VF rx = pick(r.best.nx, r.beyond.nx, true), ry = pick(r.best.ny, r.beyond.ny, true);
+      away = Fused(ux, rx, Fused(uy, ry, pick(r.best.d, r.beyond.d, true)));
     }
     const VF depth = HeldDepth(tile, d, hn::Mul(cell.variance, share));
     return ColorAt(tile, depth, nx, ny, hn::Add(cell.x, ux), hn::Add(cell.y, uy), away);

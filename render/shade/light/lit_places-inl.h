@@ -55,22 +55,26 @@ HWY_INLINE LitColor ColorAt(const LightTile& tile, VF depth, VF nx, VF ny, VF x,
   return LitAt(tile.lamp, depth, nx, ny, x, y, away);
 }
 
-/// The nearest ridge of both, as lanes.
+/// The nearest ridge of both, as lanes. A ramp along the relief's own distance has the same ridges.
 struct RidgeLanes {
   VF off, ex, ey;
-  hn::Mask<F> of_ramp;
+  hn::Mask<F> of_relief, of_ramp;
 };
 HWY_INLINE RidgeLanes RidgeAt(const LightTile& tile, const Seen& at, int k) {
+  constexpr float kSame = 0.01f;  // [px]
   const F f;
   const auto load = [&](const float* p) HWY_ATTR { return hn::Load(f, p + k); };
-  RidgeLanes r{Const(BranchPair::kFar), Const(1.0f), hn::Zero(f), hn::Lt(hn::Zero(f), hn::Zero(f))};
-  if (tile.rises) r.off = load(at.relief.off), r.ex = load(at.relief.ex), r.ey = load(at.relief.ey);
-  if (tile.lamp.goes_by_distance()) {
-    const VF off = load(at.ramp.off);
-    r.of_ramp = hn::Lt(off, r.off);
-    r.off = hn::IfThenElse(r.of_ramp, off, r.off);
-    r.ex = hn::IfThenElse(r.of_ramp, load(at.ramp.ex), r.ex);
-    r.ey = hn::IfThenElse(r.of_ramp, load(at.ramp.ey), r.ey);
+  const VF far = Const(BranchPair::kFar);
+  const VF relief = tile.rises ? load(at.relief.off) : far;
+  const VF ramp = tile.lamp.goes_by_distance() ? load(at.ramp.off) : far;
+  RidgeLanes r{hn::Min(relief, ramp), Const(1.0f), hn::Zero(f), hn::Lt(relief, far),
+               hn::Lt(ramp, far)};
+  const VF same = hn::Add(r.off, Const(kSame));
+  r.of_relief = hn::Le(relief, same), r.of_ramp = hn::Le(ramp, same);
+  if (tile.lamp.goes_by_distance()) r.ex = load(at.ramp.ex), r.ey = load(at.ramp.ey);
+  if (tile.rises) {
+    r.ex = hn::IfThenElse(r.of_relief, load(at.relief.ex), r.ex);
+    r.ey = hn::IfThenElse(r.of_relief, load(at.relief.ey), r.ey);
   }
   return r;
 }
