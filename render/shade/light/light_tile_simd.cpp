@@ -214,11 +214,11 @@ struct PixelNear {
 
 /// Into how many cells each way a part must be divided at least. Over a round profile's width w, or over a narrow dome
 /// or the highlight on one, colours make all their change, some 200 levels with a bend of 4 / w²: cells of side h leave
-/// 33 (h / w)² of its area, and a quarter of that at most by two depths.
+/// 33 (h / w)² of its area, and half of that at most by two depths.
 int LeastSide(const LightTile& tile, float area, float allowed) {
   float width = 2.0f * tile.lamp.finest;
   if (tile.rises && tile.lamp.is_round()) width = HWY_MIN(width, tile.lamp.width);
-  const float most = 0.033f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
+  const float most = 0.066f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
   int side = 4;
   while (side < PartCells::kMostSide && width * width * float(side * side) < most) side *= 2;
   return side;
@@ -270,11 +270,10 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
       allowed = AllowedAt(tile, seen * HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
       if (side < LeastSide(tile, form_area, allowed)) continue;
     }
-    const bool fine = tile.fine && side == least;
-    if (!fine && sum.kink * seen < kKink * finer * allowed &&
-        sum.jump * seen < kJump * finer * allowed)
-      return;
-    if (side > least && apart * seen < kAgree * allowed) return;
+    const bool bounded =
+        sum.kink * seen < kKink * finer * allowed && sum.jump * seen < kJump * finer * allowed;
+    const bool agrees = side > least && apart * seen < kAgree * allowed;
+    if (tile.fine ? bounded && agrees : bounded || agrees) return;
   }
 }
 
