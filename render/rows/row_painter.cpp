@@ -293,7 +293,7 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   for (const auto& [x, side] : rough_) {
     worked(30 * side * side);
     if (looks_->open(look)) refused_.push_back(x);
-    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side);
+    const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side, false);
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }
 }
@@ -325,7 +325,8 @@ glm::vec4 RowPainter::part(const Open& o, int column, int side) {
   for (const auto& [look, stretch] : formed_)
     if (look == o.look) stretches_.push_back(stretch);
   const PartForm form{o.left, stretches_};
-  if (side > 0) return shader_.by_cells(o.look, column, y_, &form, side);
+  if (side > 0)
+    return shader_.by_cells(o.look, column, y_, &form, side, format_->depth() == Depth::u8);
   return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area, &form);
 }
 

@@ -159,9 +159,10 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
   for (int i = 0; i < at.count; ++i) t[i] = float(field.at(middle + glm::dvec2{dx[i], dy[i]}, 0.0));
 }
 
-glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side) {
+glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side,
+                               bool coarse) {
   if (form)
-    cells_of_form(*form, side, cells_);
+    cells_of_form(*form, side, cells_, coarse);
   else
     whole_cells(side, cells_);
   // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.

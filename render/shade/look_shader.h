@@ -39,7 +39,8 @@ class LookShader {
   }
 
   /// The mean over a pixel or a part of one by side × side cells, which reduces what centroids neglect.
-  glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side);
+  /// `coarse`: within 1e-3 px² a cell, which 8 bits do not show.
+  glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side, bool coarse);
 
   /// The feet that were looked for since it was last taken.
   long long take_feet() { return lit_scratch_.take_feet(); }
