@@ -133,7 +133,7 @@ inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranch
   SeeFrom(tile, near, near_ramp, cx, cy, px, py, at);
   const bool steep = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow &&
                      MostOf16(at.relief.best.d) > -kSteep;
-  HWY_ALIGN Shades shades;
+  Shades shades;
   HWY_ALIGN float jumps[16];
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };

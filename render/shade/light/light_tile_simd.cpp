@@ -84,7 +84,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   const GaussTables& g = GaussTables::get();
   alignas(64) float x[16], y[16];
   for (int k = 0; k < 16; ++k) x[k] = cx + half * g.x[k], y[k] = cy + half * g.y[k];
-  HWY_ALIGN Seen at;
+  Seen at;
   const int me = square.index();
   SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
           tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr,
@@ -95,7 +95,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   if (tile.rises && tile.lamp.is_round() && MostOf16(at.relief.best.d) > -kSteep * side)
     return false;
   if (tile.lamp.goes_by_distance() && LeastOf16(at.ramp.off) < kBetween * half) return false;
-  HWY_ALIGN Shades shades;
+  Shades shades;
   ShadePlaces(tile, at, x, y, shades);
   LightTile::Bicubic made;
   for (int c = 0; c < tile.channels; ++c) std::copy_n(shades.c[c], 16, made.c[c]);
@@ -124,7 +124,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
     x[k] = cx + (k & 4 ? 0.5f : -0.5f) + (k & 1 ? kPlace : -kPlace);
     y[k] = cy + (k & 8 ? 0.5f : -0.5f) + (k & 2 ? kPlace : -kPlace);
   }
-  HWY_ALIGN Seen at;
+  Seen at;
   const int me = square.index();
   const bool ramp = tile.lamp.goes_by_distance();
   SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
@@ -144,7 +144,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
     }
   }
   if (!(fits[0] || fits[1] || fits[2] || fits[3])) return;
-  HWY_ALIGN Shades shades;
+  Shades shades;
   ShadePlaces(tile, at, x, y, shades);
   for (int p = 0; p < 4; ++p) {
     if (!fits[p]) continue;
@@ -338,8 +338,8 @@ void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
   alignas(64) float x[16], y[16];
   for (size_t k = 0; k < size_t(cells.count()); k += 16) {
     for (size_t q = 0; q < 16; ++q) x[q] = cx + cells.x[k + q], y[q] = cy + cells.y[k + q];
-    HWY_ALIGN Seen at;
-    HWY_ALIGN Shades shades;
+    Seen at;
+    Shades shades;
     SeeFrom(tile, near, near_ramp, cx, cy, x, y, at);
     ShadePlaces(tile, at, x, y, shades);
     for (size_t c = 0; c < 4; ++c) std::copy_n(shades.c[c], 16, to[c] + k);
