@@ -22,7 +22,8 @@ struct RenderStats {
   long long distances = 0;        ///< solved for light and for gradients along a distance
   long long steps = 0;            ///< of work, as RenderLimits counts them
   long long memory = 0;           ///< [bytes] that outlines, their order and regions held at most
-  double root_seconds = 0, distance_seconds = 0;  ///< time of these, with summing, over all threads
+  /// Time of these over all threads: of roots with summing, of distances with the means and light that ask for them.
+  double root_seconds = 0, distance_seconds = 0;
   bool cancelled = false;
 
   /// Adds the work of another part of the same picture. Outlines and regions are counted for the whole.

@@ -582,7 +582,7 @@ typedef struct mien_render_stats {
   int64_t roots;           /* solved, where visible pieces meet rows and columns of pixels */
   int64_t distances;       /* solved for light and for gradients along a distance */
   double root_seconds;     /* time of the roots, with summing, over all threads [s] */
-  double distance_seconds; /* time of the distances, over all threads [s] */
+  double distance_seconds; /* time of means by distances, light included, over all threads [s] */
   int64_t steps;           /* of work */
   int64_t memory;          /* [bytes] that outlines, their order and regions held at most */
 } mien_render_stats;

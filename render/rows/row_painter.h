@@ -44,7 +44,10 @@ class RowPainter {
   }
 
   /// Adds the work of the rows since the last call.
-  void tell(RenderStats& stats) { stats.distances += shader_.take_feet(); }
+  void tell(RenderStats& stats) {
+    const LitPaint::Scratch::Work work = shader_.take_work();
+    stats.distances += work.feet, stats.distance_seconds += work.seconds;
+  }
 
   /// Columns of that row whose colours vary too much for means by centroids: the caller resolves them by distances.
   std::span<const int> refused() const { return refused_; }

@@ -42,8 +42,8 @@ class LookShader {
   /// `coarse`: within 1e-3 px² a cell, which 8 bits do not show.
   glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side, bool coarse);
 
-  /// The feet that were looked for since it was last taken.
-  long long take_feet() { return lit_scratch_.take_feet(); }
+  /// The feet that were looked for since it was last taken, and the time of means with them.
+  LitPaint::Scratch::Work take_work() { return lit_scratch_.take_work(); }
 
  private:
   /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.

@@ -48,8 +48,7 @@ struct LightTile {
   std::array<std::uint16_t, kSquares> where;  ///< among those
   std::array<std::uint8_t, kPixels> known;
   std::array<std::array<float, kPixels>, kChannels> mean;
-  long long places = 0;  ///< that were looked at
-  PartCells cells;       ///< scratch
+  PartCells cells;  ///< scratch
 
   static constexpr int first_of(int level) {
     return level == 0 ? 0 : level == 1 ? 1 : level == 2 ? 5 : 21;

@@ -50,10 +50,11 @@ float LeastOf(const LightTile::Bicubic& square) {
 /// rise is 0, as on the spine of a stroke whose profile ends there, it goes on smoothly.
 bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
   if (tile.lamp.distance_alone) return true;
-  // [of the tolerance] A step in a square's middle leaves a third of itself to a mean.
-  constexpr float kJump = 10.0f;
+  // [of the tolerance] Light changes by some 0.4 of what the slope does, and a step in a square's middle leaves a third
+  // of itself to a mean.
+  constexpr float kStep = 3.0f;
   const LampLanes& lamp = tile.lamp;
-  const float most = kJump * tile.tolerance / (lamp.linear ? 12.92f : 1.0f);
+  const float most = kStep * tile.tolerance / (lamp.linear ? 12.92f : 1.0f);
   for (int k = 0; k < 16; ++k) {
     if (at.off[k] >= reach) continue;
     const float along = at.ex[k] * at.best.nx[k] + at.ey[k] * at.best.ny[k];
@@ -77,8 +78,8 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   constexpr float kSteep = 0.1f, kFoot = 0.14f;
   constexpr float kThird = 1.2f;  // of the tolerance
   const float side = float(tile.side >> square.level), half = 0.5f * side;
-  // [of the tolerance] A clamp that begins in a square's middle leaves to a pixel's mean a 60th of its change where the
-  // pixel is a quarter of the square, a 20th where less.
+  // [of the tolerance] A clamp that begins in a square's middle leaves to a pixel's mean 0.032 of its change where the
+  // pixel is a quarter of the square, 0.12 at most where less.
   const float kKink = side < 6.0f ? 12.0f : 4.0f;
   if (tile.lamp.finest < side) return false;
   const GaussTables& g = GaussTables::get();
@@ -113,7 +114,7 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
 void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
   constexpr float kBetween = 0.45f, kDeep = 1.0f;
-  // [of the tolerance] A clamp that begins in a pixel leaves a 60th of its change, and what varies so little no more.
+  // [of the tolerance] A clamp that begins in a pixel leaves a twelfth of its change; what varies so little bends less.
   constexpr float kKink = 10.0f, kRange = 80.0f;
   // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
   constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
@@ -208,10 +209,6 @@ Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
   return square;
 }
 
-struct PixelNear {
-  const NearBranches *relief, *ramp;
-};
-
 /// Into how many cells each way a part must be divided at least. Over a round profile's width w, or over a narrow dome
 /// or the highlight on one, colours make all their change, some 200 levels with a bend of 4 / w²: cells of side h leave
 /// 33 (h / w)² of its area, and half of that at most by two depths.
@@ -227,8 +224,8 @@ int LeastSide(const LightTile& tile, float area, float allowed) {
 /// Sees a part of a pixel, or all of it, by cells. What clamps and ridges leave is of second order in the cells' side.
 void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form,
              float form_area, float* to) {
-  // [of the tolerance] A clamp that begins in the pixel leaves a 90th of its change to 4 × 4 cells; ridges less than a
-  // 400th of their jump.
+  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells; ridges less than a
+  // thirtieth of their jump.
   constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
   NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),

@@ -1,4 +1,5 @@
 #include "render/shade/light/lit_paint.h"
+#include "lib/base/monotonic_seconds.h"
 #include "render/shade/light/light_tile.h"
 #include "render/shade/light/lit_mean.h"
 
@@ -29,6 +30,19 @@ struct LitPaint::Scratch::Kept {
   static constexpr std::size_t kTiles = 512;
   std::vector<std::unique_ptr<LightTile>> tiles{kTiles};
   long long feet = 0;
+  double seconds = 0;
+  unsigned asked = 0;
+
+  /// Does work that takes about as long as looking at the clock: one in so many is timed, for all of them.
+  template <class Work>
+  auto timed(const Work& work) {
+    constexpr unsigned kOneIn = 16;
+    if (asked++ % kOneIn != 0) return work();
+    const double begin = monotonic_seconds();
+    auto made = work();
+    seconds += kOneIn * (monotonic_seconds() - begin);
+    return made;
+  }
 };
 
 LitPaint::Scratch::Scratch() : kept_(std::make_unique<Kept>()) {}
@@ -36,13 +50,13 @@ LitPaint::Scratch::~Scratch() = default;
 LitPaint::Scratch::Scratch(Scratch&&) noexcept = default;
 LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 
-long long LitPaint::Scratch::take_feet() {
-  long long feet = std::exchange(kept_->feet, 0);
+LitPaint::Scratch::Work LitPaint::Scratch::take_work() {
+  Work work{std::exchange(kept_->feet, 0), std::exchange(kept_->seconds, 0.0)};
   for (const auto& tile : kept_->tiles) {
     if (!tile) continue;
-    feet += std::exchange(tile->area.feet, 0) + std::exchange(tile->gradient.feet, 0);
+    work.feet += std::exchange(tile->area.feet, 0) + std::exchange(tile->gradient.feet, 0);
   }
-  return feet;
+  return work;
 }
 
 void LitPaint::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
@@ -147,7 +161,8 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
       continue;
     }
     for (int k = 0; k < n; ++k)
-      if (!t->known[from + std::size_t(k)]) find_mean(*t, column + k, row);
+      if (!t->known[from + std::size_t(k)])
+        scratch.kept_->timed([&] { return find_mean(*t, column + k, row), 0; });
     for (int c = 0; c < t->channels; ++c) std::copy_n(&t->mean[std::size_t(c)][from], n, to[c] + i);
     if (t->channels < 4) std::fill_n(a + i, n, opacity_of(*t));
     i += n;
@@ -159,7 +174,8 @@ glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const LitPart& par
   LightTile* t = in_lanes(piece) ? tile(piece, x, y, scratch) : nullptr;
   if (!t) return slow_part(piece, x, y, *part.form);
   if (!t->lamp.varies()) return glm::vec4(surface_.paint().color);
-  const std::array<float, 4> mean = mean_of_part(*t, x - t->x, y - t->y, part);
+  const std::array<float, 4> mean =
+      scratch.kept_->timed([&] { return mean_of_part(*t, x - t->x, y - t->y, part); });
   return {mean[0], mean[1], mean[2], t->channels == 4 ? mean[3] : opacity_of(*t)};
 }
 

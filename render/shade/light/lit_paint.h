@@ -33,8 +33,12 @@ class LitPaint {
     Scratch(Scratch&&) noexcept;
     Scratch& operator=(Scratch&&) noexcept;
 
-    /// The feet that were looked for since it was last taken.
-    long long take_feet();
+    /// The feet that were looked for since it was last taken, and about the time that means took with them.
+    struct Work {
+      long long feet = 0;
+      double seconds = 0;
+    };
+    Work take_work();
 
    private:
     friend class LitPaint;

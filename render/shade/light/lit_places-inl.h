@@ -41,7 +41,6 @@ inline void Enter(LightTile& tile, const NearBranches* from, const NearBranches*
 
 inline void SeeFrom(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp,
                     float cx, float cy, const float* x, const float* y, Seen& to) {
-  tile.places += 16;
   if (tile.rises) LookAround(tile.area, near, cx, cy, x, y, to.relief);
   if (tile.lamp.goes_by_distance()) LookAround(tile.gradient, near_ramp, cx, cy, x, y, to.ramp);
 }

@@ -22,7 +22,7 @@ void NearArea::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
     Leaf& leaf = leaves_[count_++];
     const ShapeSpines& spines = area.shapes()[std::size_t(n.a)];
     worked(30 * std::int64_t(spines.list.spines.size()));
-    leaf.shape = std::size_t(n.a), leaf.tree = spines.tree ? &*spines.tree : nullptr;
+    leaf.tree = spines.tree ? &*spines.tree : nullptr;
     gather_branches(spines.list, middle, radius, leaf.branches);
     if (spines.slow) leaf.branches.crowded = true;
   }

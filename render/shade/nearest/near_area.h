@@ -13,7 +13,6 @@ namespace mien {
 class NearArea {
  public:
   struct Leaf {
-    std::size_t shape;  ///< of the area's
     const PathTree* tree;
     Branches branches;
     BranchFeet feet;

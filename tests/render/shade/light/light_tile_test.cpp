@@ -8,25 +8,12 @@
 
 #include "tests/support/every_instruction_set.h"
 #include "tests/support/lit_scene.h"
+#include "tests/support/tile_cells.h"
 
 namespace mien {
 namespace {
 
 constexpr glm::dvec2 kMiddle{24.0, 24.0};
-
-/// The colours at the centroids of 4 × 4 cells of pixel (i, j) of the tile from (16, 16) on.
-struct Seen {
-  std::array<std::array<float, PartCells::kMost>, 4> c;
-  PartCells cells;
-};
-void see(LightTile& tile, int i, int j, Seen& to) {
-  whole_cells(4, to.cells);
-  colors_of_cells(tile, i, j, to.cells,
-                  {to.c[0].data(), to.c[1].data(), to.c[2].data(), to.c[3].data()});
-}
-glm::dvec2 place(const Seen& seen, int i, int j, std::size_t k) {
-  return glm::dvec2{16.5 + i, 16.5 + j} + glm::dvec2{seen.cells.x[k], seen.cells.y[k]};
-}
 
 /// On ridges and close to evolutes a place may be seen by either branch, or late.
 TEST(LightTile, ColoursAreTheSurfacesOwn) {
@@ -57,11 +44,11 @@ TEST(LightTile, ColoursAreTheSurfacesOwn) {
       tile.area.narrow(area, kMiddle, 12);
       if (tile.area.crowded()) continue;
       tile.begin();
-      Seen seen;
+      test::SeenCells seen;
       for (int i = 0; i < 16; i += 3) {
-        see(tile, i, 15 - i, seen);
+        test::see(tile, i, 15 - i, seen);
         for (std::size_t q = 0; q < 16; ++q) {
-          const glm::dvec2 p = place(seen, i, 15 - i, q);
+          const glm::dvec2 p = test::place(seen, i, 15 - i, q);
           const Outward at = surface.outward(p);
           if (surface.zone_of(at.d) != zone) continue;
           const Mix want = surface.color(piece, p, at);

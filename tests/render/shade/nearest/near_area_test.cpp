@@ -11,25 +11,12 @@
 
 #include "tests/support/every_instruction_set.h"
 #include "tests/support/lit_scene.h"
+#include "tests/support/tile_cells.h"
 
 namespace mien {
 namespace {
 
 constexpr glm::dvec2 kMiddle{24.0, 24.0};
-
-/// The colours at the centroids of 4 × 4 cells of pixel (i, j) of the tile from (16, 16) on.
-struct Seen {
-  std::array<std::array<float, PartCells::kMost>, 4> c;
-  PartCells cells;
-};
-void see(LightTile& tile, int i, int j, Seen& to) {
-  whole_cells(4, to.cells);
-  colors_of_cells(tile, i, j, to.cells,
-                  {to.c[0].data(), to.c[1].data(), to.c[2].data(), to.c[3].data()});
-}
-glm::dvec2 place(const Seen& seen, int i, int j, std::size_t k) {
-  return glm::dvec2{16.5 + i, 16.5 + j} + glm::dvec2{seen.cells.x[k], seen.cells.y[k]};
-}
 
 void set_distance(const FeetArea& area, LightTile& tile) {
   tile.x = tile.y = 16, tile.rises = true, tile.channels = 1, tile.tolerance = 1e-3f;
@@ -44,12 +31,12 @@ bool expect_distances(const AreaDistance& area, const char* what) {
   LightTile tile;
   set_distance(feet, tile);
   if (tile.crowded) return false;  // smaller tiles are asked
-  Seen seen;
+  test::SeenCells seen;
   for (int k = 0; k < 256; k += 7) {
     const int i = k % 16, j = k / 16;
-    see(tile, i, j, seen);
+    test::see(tile, i, j, seen);
     for (std::size_t q = 0; q < 16; ++q)
-      EXPECT_NEAR(seen.c[0][q], area.at(place(seen, i, j, q)), 2e-3)
+      EXPECT_NEAR(seen.c[0][q], area.at(test::place(seen, i, j, q)), 2e-3)
           << what << " " << i << " " << j;
   }
   return true;
@@ -142,11 +129,11 @@ TEST(NearArea, KnowsHairpins) {
     LightTile tile;
     set_distance(feet, tile);
     ASSERT_FALSE(tile.crowded);
-    Seen seen;
+    test::SeenCells seen;
     for (int at = 0; at < 256; at += 7) {
-      see(tile, at % 16, at / 16, seen);
+      test::see(tile, at % 16, at / 16, seen);
       for (std::size_t q = 0; q < 16; ++q) {
-        const double own = distance.at(place(seen, at % 16, at / 16, q));
+        const double own = distance.at(test::place(seen, at % 16, at / 16, q));
         const double by = std::abs(double(seen.c[0][q]) - own);
         ++all, off += by > 2e-3;
         EXPECT_LT(by, 0.05);
