@@ -177,7 +177,7 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
         return step.mode != MixMode::normal || (step.kind == Kind::paint && fades());
       });
   LitPart part{nullptr, 0.0f, 0.0f, 1.0f};
-  if (form) part = part_of(*form);
+  if (form) part = part_of(*form, cells_);
   const glm::dvec2 middle{x + 0.5 + double(part.x), y + 0.5 + double(part.y)};
   const ColorRow& c = places(look, {middle, 0, cells_.count(), double(part.area), form, &cells_});
   glm::vec4 sum{0.0f};

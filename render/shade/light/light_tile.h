@@ -71,8 +71,8 @@ struct LitPart {
   float x, y, area;
 };
 
-/// Of a form alone: within what its cells leave.
-LitPart part_of(const PartForm& form);
+/// By its cells: within what they leave.
+LitPart part_of(const PartForm& form, const PartCells& cells);
 
 /// The mean over a part of it.
 std::array<float, 4> mean_of_part(LightTile& tile, int i, int j, const LitPart& part);

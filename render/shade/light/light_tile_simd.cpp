@@ -298,7 +298,7 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
   // A coefficient c bends by 12 c / side² per px²; centroids leave a part's variance, 1/12 at most, times half of that.
   if (kept.bend < 0.5f * side * side * tile.tolerance)
     return BicubicAt(kept, tile.channels, (u0 + part.x) * over, (v0 + part.y) * over, to);
-  cells_of_form(*part.form, 4, tile.cells);
+  cells_of_form(*part.form, 4, tile.cells, !tile.fine);
   float area = 0.0f;
   std::fill_n(to, LightTile::kChannels, 0.0f);
   for (size_t k = 0; k < 16; ++k) {
@@ -367,11 +367,9 @@ void find_mean(LightTile& tile, int i, int j) {
   MIEN_DISPATCH(FindMean)(tile, i, j);
 }
 
-LitPart part_of(const PartForm& form) {
-  PartCells cells;
-  cells_of_form(form, 4, cells);
+LitPart part_of(const PartForm& form, const PartCells& cells) {
   LitPart part{&form, 0.0f, 0.0f, 0.0f};
-  for (std::size_t k = 0; k < 16; ++k) {
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
     part.area += cells.area[k];
     part.x += cells.area[k] * cells.x[k], part.y += cells.area[k] * cells.y[k];
   }

@@ -32,6 +32,7 @@ struct LitPaint::Scratch::Kept {
   long long feet = 0;
   double seconds = 0;
   unsigned asked = 0;
+  bool used = false;  ///< whether any tile was asked for since the work was last taken
 
   /// Does work that takes about as long as looking at the clock: one in so many is timed, for all of them.
   template <class Work>
@@ -51,6 +52,7 @@ LitPaint::Scratch::Scratch(Scratch&&) noexcept = default;
 LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 
 LitPaint::Scratch::Work LitPaint::Scratch::take_work() {
+  if (!std::exchange(kept_->used, false)) return {};
   Work work{std::exchange(kept_->feet, 0), std::exchange(kept_->seconds, 0.0)};
   for (const auto& tile : kept_->tiles) {
     if (!tile) continue;
@@ -75,6 +77,7 @@ bool LitPaint::level(int zone) const {
 }
 
 LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch) const {
+  scratch.kept_->used = true;
   const std::uint64_t hash =
       (std::uint64_t(index_) * 8 + std::uint64_t(piece.zone + 1)) * 0x9E3779B97F4A7C15u;
   for (int side = LightTile::kSide; side > 1; side /= 2) {
