@@ -12,6 +12,7 @@
 
 #include "tools/accuracy/cubics.h"
 #include "tools/accuracy/export.h"
+#include "tools/accuracy/feet.h"
 #include "tools/accuracy/fields.h"
 #include "tools/accuracy/methods/published.h"
 #include "tools/accuracy/tally.h"
@@ -26,7 +27,7 @@ struct Options {
   std::vector<std::string> solvers, families, kernels;
   std::string csv, plot, exported;
   bool only_foreign = false, by_family = false, cubics = false, quick = false;
-  bool published = false, times = false, fields = false;
+  bool published = false, times = false, fields = false, feet = false;
 };
 
 bool write_file(const std::string& path, const std::string& text) {
@@ -100,6 +101,27 @@ int judge_fields(const Options& options) {
   return options.csv.empty() || write_file(options.csv, field_csv(tallies)) ? 0 : 1;
 }
 
+int judge_feet(const Options& options) {
+  require_names("family of feet", options.families, feet_families());
+  std::vector<FeetSolver> solvers;
+  if (!options.only_foreign) solvers = own_feet_solvers();
+  for (const std::string& path : options.solvers) solvers.push_back(foreign_feet_solver(path));
+  std::vector<FeetTally> tallies;
+  for (const FeetFamily& family : feet_families()) {
+    if (!wanted(options.families, family.name)) continue;
+    const auto rows = judge_feet(family, solvers, options.count, options.seed);
+    tallies.insert(tallies.end(), rows.begin(), rows.end());
+    fmt::print(stderr, "{}\n", family.name);
+  }
+  if (options.by_family) fmt::print("{}\n", feet_table(tallies));
+  fmt::print("{}", feet_table(over_feet_families(tallies)));
+  if (!options.csv.empty() && !write_file(options.csv, feet_csv(tallies))) return 1;
+  const auto own_passes = [](const FeetTally& t) {
+    return (t.solver != "scalar" && t.solver != "batch") || t.passes();
+  };
+  return std::all_of(tallies.begin(), tallies.end(), own_passes) ? 0 : 2;
+}
+
 int judge(const Options& options) {
   require_names("family", options.families, families());
   require_names("kernel", options.kernels, own_solvers());
@@ -155,6 +177,8 @@ int main(int argc, char** argv) {
                "Judge solve_cubic and solve_cubics, on families of their own, instead");
   app.add_flag("--fields", options.fields,
                "Judge the distance fields of FreeType's rasteriser instead (docs/solvers.md)");
+  app.add_flag("--feet", options.feet,
+               "Judge feet instead: nearest branch, runner-up, distance and normal");
   app.add_option("--csv", options.csv, "Write the table as comma-separated values");
   app.add_option("--plot", options.plot, "Draw the table as SVG");
   app.add_option("--export", options.exported, "Write the cases and their true distances instead");
@@ -162,6 +186,7 @@ int main(int argc, char** argv) {
   try {
     if (options.cubics) return judge_cubics(options);
     if (options.fields) return judge_fields(options);
+    if (options.feet) return judge_feet(options);
     return options.exported.empty() ? judge(options) : export_cases(options);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "mien-accuracy: {}\n", problem.what());

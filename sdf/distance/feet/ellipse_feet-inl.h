@@ -113,7 +113,7 @@ HWY_INLINE void EllipseFeet(const EllipseNumbers& f, Reals px, Reals py, RankedF
     if (!is_far) hand = found.hand;
     const Reals nx = hand * found.nx, ny = hand * found.ny;
     return RankedFeet{hand * found.r,          zero, zero, AngleOf(c, s), nx * ax - ny * ay,
-                      nx * ay + ny * ax, hand * found.bend};
+                      nx * ay + ny * ax, hand * found.bend, zero};
   };
   const Turning near = NearSideOf(e);
   doubt = Either(doubt, Without(AllAre(true), HasSettled(near)));

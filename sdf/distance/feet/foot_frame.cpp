@@ -36,7 +36,7 @@ bool powers_fit(const FootPiece& c) {
 }  // namespace
 
 FootFrame foot_frame(const FootPiece& c) {
-  FootFrame f{c, powers_fit(c)};
+  FootFrame f{c, powers_fit(c), norm(c.a2) + norm(c.b)};
   f.cells = set_knots(c, f.t);
   const auto speed_at = [&](double t) { return c.a2 + 2.0 * t * c.b; };
   for (int i = 0; i <= f.cells; ++i) {
@@ -56,6 +56,7 @@ FootFrame foot_frame(const FootPiece& c) {
     f.least[i] = v * w > 0.0 ? std::min(std::abs(v), std::abs(w)) : 0.0;
     f.widest[i] = std::max(std::abs(v), std::abs(w));
   }
+  f.fastest = std::sqrt(std::max(f.gg[0], f.gg[f.cells]));
   for (const int end : {0, 1}) {
     const int i = end * f.cells;
     const double length = norm(c.way[end]), sign = end ? 1.0 : -1.0;

@@ -11,6 +11,7 @@ namespace mien {
 struct FootPiece {
   glm::dvec2 p0, p2, a2, b;
   double w0, w1, w2;
+  double w_end;  ///< at t = 1, unrounded
   /// B' and w' at both ends; where both vanish, the way in which the piece sets out or arrives.
   glm::dvec2 way[2];
   double widening[2];
@@ -21,6 +22,7 @@ struct FootPiece {
   double start = 0.0;
   double wrap = 0.0;  ///< of the last piece of a closed chain: how far along its end lies behind its beginning
 
+  bool is_joined() const { return before >= 0 || !ends; }
   bool tapers() const { return w1 != 0.0 || w2 != 0.0; }
   double place(double t) const { return start + t - (t > 0.5 ? wrap : 0.0); }
 };
@@ -29,8 +31,9 @@ std::vector<FootPiece> foot_pieces(std::span<const QuadBezier> curves);
 std::vector<FootPiece> foot_pieces(std::span<const Line> lines);
 std::vector<FootPiece> foot_pieces(std::span<const TaperedStroke> strokes);
 
-/// Minima nearer than this along the list are one: the barrier between them is about the fourth power of that.
-inline constexpr double kOneFoot = 0x1p-20;
+/// Minima nearer than this along a piece are one: the barrier between them is about the fourth power of that. Beside a
+/// joint they are, if the joint is no barrier: higher than the higher one by at most this of |q| and the piece's size.
+inline constexpr double kOneFoot = 0x1p-20, kNoBarrier = 0x1p-48;
 
 /// Where the distance from p is least along a piece, ascending.
 struct FootParameters {
@@ -69,6 +72,7 @@ struct FootFrame {
   static constexpr int kMost = 24;
   FootPiece piece;
   bool fits;  ///< sizes whose powers stay in range, and both ends set out
+  double size, fastest;  ///< |a2| + |b|; the largest speed
   int cells;
   double t[kMost + 1], x[kMost + 1], y[kMost + 1];  ///< of B − p0
   double gx[kMost + 1], gy[kMost + 1], gg[kMost + 1], widening[kMost + 1];

@@ -15,7 +15,7 @@ namespace {
 struct SeenPiece {
   double scale = 1.0;  ///< lengths here are the piece's times this
   glm::dvec2 q0, q2, a2, b;
-  double w0, w1, w2;
+  double w0, w1, w2, w_end;
 
   SeenPiece(const FootPiece& c, glm::dvec2 p) : q0(c.p0 - p), q2(c.p2 - p) {
     const auto larger = [](glm::dvec2 v) { return larger_side(v); };
@@ -24,13 +24,13 @@ struct SeenPiece {
     if (size > 0.0 && !(size > 0x1p-200 && size < 0x1p200))
       scale = std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000));
     q0 *= scale, q2 *= scale, a2 = scale * c.a2, b = scale * c.b;
-    w0 = scale * c.w0, w1 = scale * c.w1, w2 = scale * c.w2;
+    w0 = scale * c.w0, w1 = scale * c.w1, w2 = scale * c.w2, w_end = scale * c.w_end;
   }
 
   /// B − p, exact at both ends.
   glm::dvec2 at(double t) const { return t == 1.0 ? q2 : q0 + t * (a2 + t * b); }
   glm::dvec2 speed(double t) const { return a2 + 2.0 * t * b; }
-  double width(double t) const { return w0 + t * (w1 + t * w2); }
+  double width(double t) const { return t == 1.0 ? w_end : w0 + t * (w1 + t * w2); }
   double widening(double t) const { return w1 + 2.0 * t * w2; }
 
   /// f = |q| times the slope of |q| − w, and f'.
@@ -57,7 +57,8 @@ class RisingZeros {
     if (going == Going::up || (is_leaf && going == Going::unknown)) {
       if (rises && to_.count < int(to_.t.size())) {
         const auto f = [&](double t) { return seen_.slope(t); };
-        to_.t[to_.count++] = f_lo < 0.0 ? unit_zero_between(f, lo, hi, f_lo, f_hi) : lo;
+        to_.t[to_.count++] =
+            f_lo < 0.0 ? settled(unit_zero_between(f, lo, hi, f_lo, f_hi), lo, hi) : lo;
       }
       return;
     }
@@ -67,6 +68,18 @@ class RisingZeros {
   }
 
  private:
+  /// Beside the spine |q| turns within |q| / |B'|: Newton's method goes on as long as it comes nearer.
+  double settled(double t, double lo, double hi) const {
+    ValueSlope at = seen_.slope(t);
+    for (int i = 0; i < 20; ++i) {
+      const double next = std::clamp(t - at.value / at.slope, lo, hi);
+      const ValueSlope then = seen_.slope(next);
+      if (!(std::abs(then.value) < std::abs(at.value))) break;
+      t = next, at = then;
+    }
+    return t;
+  }
+
   enum class Going { up, down, nowhere_zero, unknown };
 
   /// f'' is at most 3 |B'||B''| + 2 |w''||B'| + |w'| (|B'|²/|q| + |B''|).
@@ -105,10 +118,11 @@ double slope_at_end(const FootPiece& c, const SeenPiece& seen, int end) {
   return seen.scale * (glm::dot(q, c.way[end]) - c.widening[end] * norm(q));
 }
 
-/// A foot and what it is ranked by: |q| − w, and its place along the list.
+/// A foot and what it is ranked by: |q| − w, its place along the list, and how low a joint beside it is no barrier.
 struct RankedFoot {
   double key = std::numeric_limits<double>::infinity(), place = -1e300;
   Foot foot;
+  double joint = key;
 };
 
 RankedFoot foot_at(const FootPiece& c, const SeenPiece& seen, int index, double t, bool at_end) {
@@ -118,6 +132,12 @@ RankedFoot foot_at(const FootPiece& c, const SeenPiece& seen, int index, double 
   Foot& foot = found.foot;
   foot.distance = found.key, foot.normal = figures.normal;
   foot.bend = (at_end ? 1.0 / figures.r : figures.bend) * seen.scale;
+  if (c.is_joined()) {
+    const glm::dvec2 end = t > 0.5 ? seen.q2 : seen.q0;
+    const double width = t > 0.5 ? seen.w_end : seen.w0, away = norm(end);
+    const double size = away + (norm(seen.a2) + norm(seen.b));
+    found.joint = (away - width - kNoBarrier * size) / seen.scale;
+  }
   if (!at_end) return found;
   const glm::dvec2 out = (t == 0.0 ? -1.0 : 1.0) * c.way[t != 0.0];
   const double length = norm(out);
@@ -128,8 +148,14 @@ RankedFoot foot_at(const FootPiece& c, const SeenPiece& seen, int index, double 
   return found;
 }
 
+bool are_one(const RankedFoot& now, const RankedFoot& best) {
+  if (!(std::abs(now.place - best.place) < kOneFoot)) return false;
+  const bool at_joint = std::abs(now.foot.t - best.foot.t) > 0.5;
+  return !at_joint || !(std::max(now.key, best.key) < now.joint);
+}
+
 void rank(const RankedFoot& now, RankedFoot& best, RankedFoot& next) {
-  if (std::abs(now.place - best.place) < kOneFoot) {
+  if (are_one(now, best)) {
     if (now.key < best.key) best = now;
   } else if (now.key < best.key) {
     next = best, best = now;
@@ -144,12 +170,11 @@ std::vector<FootPiece> chained(std::span<const Figure> figures, Piece piece_of) 
   pieces.reserve(figures.size());
   int first = -1, last = -1;  // of the chain so far
   double place = 0.0;
-  const auto end_width = [](const FootPiece& c) { return c.w0 + (c.w1 + c.w2); };
   const auto is_point = [](const FootPiece& c) {
     return c.a2 == glm::dvec2{0.0} && c.b == glm::dvec2{0.0} && !c.tapers();
   };
   const auto meets = [&](int a, const FootPiece& c) {
-    return pieces[a].p2 == c.p0 && end_width(pieces[a]) == c.w0;
+    return pieces[a].p2 == c.p0 && pieces[a].w_end == c.w0;
   };
   const auto close = [&] {
     if (first < 0 || is_point(pieces[first]) || !meets(last, pieces[first])) return;
@@ -193,7 +218,7 @@ void set_ways(FootPiece& c) {
 FootPiece piece_along(const QuadBezier& c, double w0, double w1, double w2) {
   const glm::dvec2 a = c.p1 - c.p0, b = (c.p2 - c.p1) - a;
   const double wa = w1 - w0;
-  FootPiece piece{c.p0, c.p2, 2.0 * a, b, w0, 2.0 * wa, (w2 - w1) - wa};
+  FootPiece piece{c.p0, c.p2, 2.0 * a, b, w0, 2.0 * wa, (w2 - w1) - wa, w2};
   return set_ways(piece), piece;
 }
 
@@ -204,7 +229,8 @@ std::vector<FootPiece> foot_pieces(std::span<const QuadBezier> curves) {
 }
 std::vector<FootPiece> foot_pieces(std::span<const Line> lines) {
   return chained(lines, [](const Line& line) {
-    FootPiece piece{line.a, line.b, line.b - line.a, glm::dvec2{0.0}, line.half_width, 0.0, 0.0};
+    FootPiece piece{line.a, line.b, line.b - line.a, glm::dvec2{0.0}, line.half_width, 0.0, 0.0,
+                    line.half_width};
     return set_ways(piece), piece;
   });
 }

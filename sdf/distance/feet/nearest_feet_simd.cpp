@@ -40,7 +40,7 @@ struct FootRows {
 HWY_INLINE RankedFeet NoFeet() {
   const Reals zero = All(0.0);
   return {All(std::numeric_limits<double>::infinity()), All(-1e300), All(-1.0), zero, zero, zero,
-          zero};
+          zero, zero};
 }
 
 /// Walks over the places: kernel(x, y, best, next) tells the lanes that `exact` has to answer.

@@ -33,7 +33,7 @@ struct TwoMinima {
 
 /// What feet are ranked by, and their figures.
 struct RankedFeet {
-  Reals key, place, piece, t, nx, ny, bend;
+  Reals key, place, piece, t, nx, ny, bend, joint;
 };
 
 template <bool kTapers>
@@ -88,11 +88,12 @@ HWY_INLINE Truths InDoubt(const FootFrame& f, int i, const FootSlope& a, const F
 
 /// The zero of a stretch by Newton's method, halving where it leaves the stretch. Adds to `doubt` what has not settled.
 template <bool kTapers>
-HWY_INLINE Reals ZeroOn(const FootPiece& c, Reals ox, Reals oy, const RisingStretch& on,
-                        Truths& doubt) {
+HWY_INLINE Reals ZeroOn(const FootPiece& c, double speed, Reals ox, Reals oy,
+                        const RisingStretch& on, Truths& doubt) {
   constexpr int kSteps = 5;
-  constexpr double kSettled = 0x1p-30;
-  Reals lo = on.lo, hi = on.hi, step = All(0.0);
+  // What a step leaves is about its square, and beside the spine its square over |q| / |B'|.
+  constexpr double kSettled = 0x1p-30, kSettledBySpine = 0x1p-52;
+  Reals lo = on.lo, hi = on.hi, step = All(0.0), reach = All(0.0);
   const Reals share = Most(Least(on.f_lo / (on.f_lo - on.f_hi), All(0.9375)), All(0.0625));
   Reals t = lo + (hi - lo) * Choose(on.is_there, share, All(0.0));
   for (int i = 0; i < kSteps; ++i) {
@@ -102,9 +103,14 @@ HWY_INLINE Reals ZeroOn(const FootPiece& c, Reals ox, Reals oy, const RisingStre
     const Reals next = t - at.f / at.rise;
     const Truths within = Without(Without(AllAre(true), next < lo), next > hi);
     const Reals goes_on = Choose(within, next, All(0.5) * (lo + hi));
-    step = goes_on - t, t = goes_on;
+    step = goes_on - t, t = goes_on, reach = at.r;
   }
-  doubt = Either(doubt, Both(on.is_there, Without(AllAre(true), Size(step) < All(kSettled))));
+  Truths settles = Size(step) < All(kSettled);
+  if (kTapers) {
+    const Truths is_small = Without(AllAre(true), step * step * All(speed) > All(kSettledBySpine) * reach);
+    settles = Both(settles, is_small);
+  }
+  doubt = Either(doubt, Without(on.is_there, settles));
   return t;
 }
 
@@ -168,8 +174,8 @@ HWY_INLINE TwoMinima MinimaOf(const FootFrame& f, Reals x, Reals y, Truths befor
   TwoMinima found;
   found.at_end[0] = Without(AllAre(true), first.lo < first.hi);
   found.at_end[1] = Without(AllAre(true), second.lo < second.hi);
-  found.t[0] = ZeroOn<kTapers>(c, ox, oy, first, doubt), found.t[1] = zero;
-  if (Any(second.is_there)) found.t[1] = ZeroOn<kTapers>(c, ox, oy, second, doubt);
+  found.t[0] = ZeroOn<kTapers>(c, f.fastest, ox, oy, first, doubt), found.t[1] = zero;
+  if (Any(second.is_there)) found.t[1] = ZeroOn<kTapers>(c, f.fastest, ox, oy, second, doubt);
   found.is_there[0] = first.is_there, found.is_there[1] = second.is_there;
   found.falls = falls, found.doubt = doubt;
   return found;
@@ -229,9 +235,17 @@ HWY_INLINE RankedFeet FeetAt(const FootFrame& f, int index, Reals x, Reals y, Re
   const Reals twice = t + t, w1 = All(c.w1) + twice * All(c.w2);
   const FiguresOfFeet in =
       FiguresAt(qx, qy, ax + twice * bx, ay + twice * by, bx, by, w1, All(c.w2));
-  const Reals key = in.r - (All(c.w0) + t * (All(c.w1) + t * All(c.w2)));
+  const Reals width = Choose(last, All(c.w_end), All(c.w0) + t * (All(c.w1) + t * All(c.w2)));
+  const Reals key = in.r - width;
   const Reals place = All(c.start) + t - Choose(late, All(c.wrap), All(0.0));
-  RankedFeet found{key, place, All(double(index)), t, in.nx, in.ny, in.bend};
+  RankedFeet found{key,   place, All(double(index)), t, in.nx, in.ny, in.bend,
+                   All(0.0)};
+  if (c.is_joined()) {
+    const Reals ex = Choose(late, All(c.p2.x), All(c.p0.x)) - x;
+    const Reals ey = Choose(late, All(c.p2.y), All(c.p0.y)) - y, away = Root(ex * ex + ey * ey);
+    const Reals end_width = Choose(late, All(c.w_end), All(c.w0));
+    found.joint = away - end_width - All(kNoBarrier) * (away + All(f.size));
+  }
   if (!Any(at_end)) return found;
   const Reals over = one / in.r;  // infinite at the end itself
   const Truths away = in.r > All(0.0);
@@ -246,12 +260,15 @@ HWY_INLINE RankedFeet ChooseFeet(Truths m, const RankedFeet& yes, const RankedFe
   return {Choose(m, yes.key, no.key), Choose(m, yes.place, no.place),
           Choose(m, yes.piece, no.piece), Choose(m, yes.t, no.t),
           Choose(m, yes.nx, no.nx),       Choose(m, yes.ny, no.ny),
-          Choose(m, yes.bend, no.bend)};
+          Choose(m, yes.bend, no.bend),   Choose(m, yes.joint, no.joint)};
 }
 
 HWY_INLINE void RankFeet(const RankedFeet& now, Truths is_there, RankedFeet& best,
                          RankedFeet& next) {
-  const Truths same = Both(is_there, Size(now.place - best.place) < All(kOneFoot));
+  const Truths at_joint = Size(now.t - best.t) > All(0.5);
+  const Truths bars = Both(at_joint, Most(now.key, best.key) < now.joint);
+  const Truths close = Both(is_there, Size(now.place - best.place) < All(kOneFoot));
+  const Truths same = Without(close, bars);
   const Truths lower = Both(is_there, now.key < best.key), pushes = Without(lower, same);
   const Truths second = Without(Both(is_there, now.key < next.key), Either(lower, same));
   next = ChooseFeet(pushes, best, ChooseFeet(second, now, next));
