@@ -40,7 +40,7 @@ struct TrueFoot {
   Quad key;      ///< |q| − w; of an ellipse |q|
   Quad barrier;  ///< how far the distance rises before another minimum is reached
   Quad x, y;     ///< the way from the place to it
-  double reach, speed;  ///< |q|, |B'|
+  double reach, speed;  ///< |q|, √(B'² − w'²)
   glm::dvec2 mirrored;  ///< the normal on the curve's other side
 };
 

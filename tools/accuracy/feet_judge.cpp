@@ -109,7 +109,7 @@ class Judging {
   void run() {
     ++to_.cases;
     const double best = double(truth_.front().key);
-    if (!is_foot(found_.nearest) || !(key_of(k_, found_.nearest) - best <= kUndecided * unit_)) {
+    if (!is_foot(found_.nearest) || !(std::abs(key_of(k_, found_.nearest) - best) <= kUndecided * unit_)) {
       fail(to_.wrong);
       return;
     }

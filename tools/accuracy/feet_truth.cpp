@@ -55,6 +55,15 @@ struct Stretch {
     const Figures f = at(t);
     return f.qx * f.gx + f.qy * f.gy - f.w1 * f.r;
   }
+  /// Where the slope changes its sign between a and b: the polynomial's coefficients lose what is close to the spine.
+  Quad sign_change(Quad a, Quad b) const {
+    const bool rises = slope(b) > 0;
+    for (int i = 0; i < 120; ++i) {
+      const Quad middle = (a + b) / 2;
+      ((slope(middle) > 0) == rises ? b : a) = middle;
+    }
+    return (a + b) / 2;
+  }
   /// Every t within at which the slope may change its sign.
   std::vector<Quad> turns() const {
     // Along a rational curve the slope's numerator: (x over − …) leaves one factor.
@@ -63,7 +72,12 @@ struct Stretch {
     const Polynomial along = plus(times(x, dx), times(y, dy));
     if (w.size() < 2 || (w[1] == 0 && (w.size() < 3 || w[2] == 0))) return sign_changes(along, lo, hi);
     const Polynomial w1 = slope_of(w), square = plus(times(x, x), times(y, y));
-    return sign_changes(plus(times(along, along), times(times(w1, w1), square), -1), lo, hi);
+    std::vector<Quad> all = sign_changes(plus(times(along, along), times(times(w1, w1), square), -1), lo, hi);
+    // Close to the spine those vanish in rounding: its own foot is there, too. And a grid, to be sure.
+    for (const Quad t : sign_changes(along, lo, hi)) all.push_back(t);
+    for (int i = 1; i < 64; ++i) all.push_back(lo + (hi - lo) * Quad(i / 64.0));
+    std::sort(all.begin(), all.end());
+    return all;
   }
 };
 
@@ -171,10 +185,14 @@ std::vector<Turn> turns_of(const Chain& chain) {
     const Stretch& s = chain.stretches[i];
     std::vector<Quad> at = s.turns();
     at.insert(at.begin(), s.lo), at.push_back(s.hi);
+    Quad middle = s.lo;
     for (size_t j = 0; j + 1 < at.size(); ++j) {
       if (!(at[j + 1] > at[j])) continue;
-      const Quad f = s.slope((at[j] + at[j + 1]) / 2);
-      if (f != 0) all.push_back({i, at[j], f > 0 ? 1 : -1});
+      const Quad before = middle;
+      middle = (at[j] + at[j + 1]) / 2;
+      const Quad f = s.slope(middle);
+      const bool turns = !all.empty() && all.back().stretch == i && (all.back().sign > 0) != (f > 0);
+      if (f != 0) all.push_back({i, turns ? s.sign_change(before, middle) : at[j], f > 0 ? 1 : -1});
     }
   }
   std::vector<Turn> turns;
@@ -210,9 +228,9 @@ TrueFoot foot_of(const Chain& chain, const Turn& turn, const FeetFigure& figure,
   const Stretch::Figures f = s.at(turn.t);
   const Quad g2 = f.gx * f.gx + f.gy * f.gy, g = square_root(g2);
   const double sign = is_inside ? -1 : 1;
-  TrueFoot found{{s.piece, double(s.t_of(turn.t)), sign * double(turn.key)}, turn.key, 0, 0, 0, double(f.r), double(g), {}};
-  // On the curve itself the way there is no direction.
   const Quad lean = -f.w1 / g, rest = square_root(1 - lean * lean);
+  TrueFoot found{{s.piece, double(s.t_of(turn.t)), sign * double(turn.key)}, turn.key, 0, 0, 0, double(f.r), double(g * rest), {}};
+  // On the curve itself the way there is no direction.
   const bool is_left = f.qx * f.gy - f.qy * f.gx > 0, is_on = f.r <= Quad(0x1p-60L) * g && !turn.is_end;
   const Quad side = is_left ? -rest : rest;
   Quad nx = -f.qx / f.r, ny = -f.qy / f.r;

@@ -35,16 +35,22 @@ std::vector<FootPiece> foot_pieces(std::span<const TaperedStroke> strokes);
 /// joint they are, if the joint is no barrier: higher than the higher one by at most this of |q| and the piece's size.
 inline constexpr double kOneFoot = 0x1p-20, kNoBarrier = 0x1p-48;
 
+/// How the distance goes right beside the ends of a piece. Who asks decides, so that rounding loses no joint's foot
+/// between two pieces.
+struct FootEnds {
+  bool rises_at_begin, falls_at_end;
+};
+FootEnds foot_ends(const FootPiece& piece, glm::dvec2 p);
+
 /// Where the distance from p is least along a piece, ascending.
 struct FootParameters {
-  static constexpr int kMost = 5;
+  static constexpr int kMost = 6;
   int count = 0;
   double t[kMost];
   bool at_end[kMost];
-  bool falls;  ///< the distance still falls at t = 1
 };
 /// `falls`: the distance falls towards t = 0 along the piece before, or there is none.
-FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls);
+FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls, FootEnds ends);
 
 /// |p − B(t)| − w(t).
 double foot_depth(const FootPiece& piece, glm::dvec2 p, double t);

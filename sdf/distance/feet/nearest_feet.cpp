@@ -243,14 +243,15 @@ std::vector<FootPiece> foot_pieces(std::span<const TaperedStroke> strokes) {
 FootFigures foot_figures(glm::dvec2 q, glm::dvec2 g, glm::dvec2 b, double w1, double w2) {
   const double r = norm(q), speed = norm(g);
   FootFigures found{r, 1.0, {1.0, 0.0}, 0.0};
+  double across = 0.0;  // √(B'² − w'²)
   if (speed > 0.0) {
     // n · B' = −w': right on the curve, too, where the way to the foot is all rounding.
     const glm::dvec2 along = g / speed, right{along.y, -along.x};
     const double lean = -w1 / speed, rest = std::sqrt(std::max(0.0, (1.0 - lean) * (1.0 + lean)));
     found.hand = glm::dot(q, right) > 0.0 ? -1.0 : 1.0;
-    found.normal = lean * along + found.hand * rest * right;
+    found.normal = lean * along + found.hand * rest * right, across = speed * rest;
   }
-  if (r > speed) found.normal = -q / r;
+  if (r > across) found.normal = -q / r;
   const double m = 2.0 * (glm::dot(found.normal, b) + w2);
   const double steep = std::max((speed - w1) * (speed + w1) - r * m, 1e-300);
   if (m != 0.0) found.bend = -m / steep;
@@ -271,14 +272,20 @@ double angle_of(double c, double s) {
   return std::copysign(angle, s);
 }
 
-FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls) {
+FootEnds foot_ends(const FootPiece& piece, glm::dvec2 p) {
+  const SeenPiece seen(piece, p);
+  return {slope_at_end(piece, seen, 0) > 0.0, !(slope_at_end(piece, seen, 1) > 0.0)};
+}
+
+FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls, FootEnds ends) {
   const SeenPiece seen(piece, p);
   FootParameters found;
   const auto add = [&](double t, bool at_end) {
     found.at_end[found.count] = at_end, found.t[found.count++] = t;
   };
   const double begin = slope_at_end(piece, seen, 0), end = slope_at_end(piece, seen, 1);
-  if (falls && begin > 0.0) add(0.0, true);
+  if (falls && ends.rises_at_begin) add(0.0, true);
+  if (!ends.rises_at_begin && begin > 0.0) add(0.0, false);
   UnitZeros zeros;
   if (piece.tapers()) {
     const double at_once = seen.slope(0.0).value;
@@ -295,8 +302,8 @@ FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls)
     if (falls && begin == 0.0 && seen.slope(0.0).slope > 0.0) add(0.0, false);
   }
   for (int i = 0; i < zeros.count; ++i) add(zeros.t[i], false);
-  found.falls = !(end > 0.0);
-  if (found.falls && piece.ends) add(1.0, true);
+  if (!ends.falls_at_end && !(end > 0.0)) add(1.0, false);
+  if (ends.falls_at_end && piece.ends) add(1.0, true);
   return found;
 }
 
@@ -313,12 +320,12 @@ Feet nearest_feet(std::span<const FootPiece> pieces, glm::dvec2 p) {
     const FootPiece& c = pieces[i];
     if (!c.exists) continue;
     const SeenPiece seen(c, p);
-    const bool is_closed = c.before >= int(i);
-    if (is_closed) falls = !(slope_at_end(pieces[c.before], SeenPiece(pieces[c.before], p), 1) > 0.0);
-    const FootParameters at = foot_parameters(c, p, falls || c.before < 0);
+    if (c.before >= int(i)) falls = foot_ends(pieces[c.before], p).falls_at_end;
+    const FootEnds ends = foot_ends(c, p);
+    const FootParameters at = foot_parameters(c, p, falls || c.before < 0, ends);
     for (int k = 0; k < at.count; ++k)
       rank(foot_at(c, seen, int(i), at.t[k], at.at_end[k]), best, next);
-    falls = at.falls;
+    falls = ends.falls_at_end;
   }
   return {best.foot, next.foot};
 }

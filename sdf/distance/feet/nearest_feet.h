@@ -80,7 +80,7 @@ MIEN_API void nearest_feet(const Ellipse& ellipse, std::span<const double> x,
 /// radius), with the widest half-width.
 struct FeetContract {
   static constexpr double kDistance = 8.0;
-  /// Times |bend| + 1 / max(|p − foot|, speed), [1 / length]: what moving the place and the curve as far does.
+  /// Times |bend| + 1 / max(|p − B|, √(B'² − w'²)), [1 / length]: what moving the place and the curve as far does.
   static constexpr double kNormal = 16.0;
 };
 

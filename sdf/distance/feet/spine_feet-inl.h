@@ -25,10 +25,10 @@ struct RisingStretch {
   Truths is_there;
 };
 
-/// Two minima, and how the distance goes on beyond the piece.
+/// Two minima, and how the distance goes beside the ends.
 struct TwoMinima {
   Reals t[2];
-  Truths is_there[2], at_end[2], falls, doubt;
+  Truths is_there[2], at_end[2], rises, falls, doubt;
 };
 
 /// What feet are ranked by, and their figures.
@@ -63,11 +63,11 @@ HWY_INLINE FootSlope SlopeAt(const FootPiece& c, Reals ox, Reals oy, Reals t) {
 /// Whether more or fewer zeros than the ends tell may lie between two knots.
 template <bool kTapers>
 HWY_INLINE Truths InDoubt(const FootFrame& f, int i, const FootSlope& a, const FootSlope& b,
-                          Truths alike) {
+                          Truths alike, Truths rests) {
   const Reals h = All(f.h[i]), f_a = Size(a.f), f_b = Size(b.f), zero = All(0.0);
   if (!kTapers) {
     // f is a cubic without inflection there. Alike at both ends it dips at most once, above its tangents.
-    const Reals s_a = Signed(All(1.0), a.f) * a.rise, s_b = Signed(All(1.0), b.f) * b.rise;
+    const Reals sign = Choose(rests, All(1.0), All(-1.0)), s_a = sign * a.rise, s_b = sign * b.rise;
     const Truths dips = Both(s_a < zero, s_b > zero);
     const Truths clears = f_a * s_b - f_b * s_a > -(s_a * s_b) * h;
     return Without(Both(alike, dips), clears);
@@ -116,12 +116,14 @@ HWY_INLINE Reals ZeroOn(const FootPiece& c, double speed, Reals ox, Reals oy,
 
 /// One by one where lanes are in doubt.
 HWY_NOINLINE void AskScalar(const FootPiece& c, const double* x, const double* y,
-                            const double* before_falls, const double* doubt, double* lanes) {
+                            const double* before_falls, const double* doubt, const double* rises,
+                            const double* falls, double* lanes) {
   constexpr size_t kMost = hn::MaxLanes(Doubles());
   for (size_t k = 0; k < hn::Lanes(Doubles()); ++k) {
     if (!(doubt[k] > 0.5)) continue;
     const glm::dvec2 p{x[k], y[k]};
-    const FootParameters at = foot_parameters(c, p, before_falls[k] > 0.5);
+    const FootParameters at =
+        foot_parameters(c, p, before_falls[k] > 0.5, {rises[k] > 0.5, falls[k] > 0.5});
     int chosen[2] = {-1, -1};
     double depth[2] = {};
     for (int i = 0; i < at.count; ++i) {
@@ -136,7 +138,6 @@ HWY_NOINLINE void AskScalar(const FootPiece& c, const double* x, const double* y
       lanes[(2 + i) * kMost + k] = chosen[i] >= 0;
       lanes[(4 + i) * kMost + k] = chosen[i] >= 0 && at.at_end[chosen[i]];
     }
-    lanes[6 * kMost + k] = at.falls;
   }
 }
 
@@ -159,19 +160,19 @@ HWY_INLINE TwoMinima MinimaOf(const FootFrame& f, Reals x, Reals y, Truths befor
   };
   FootSlope last = SlopeAtKnot<kTapers>(f, 0, ox, oy);
   Truths rests_last = last.f > zero;
-  const Truths starts = Both(before_falls, rests_last);
-  put(starts, zero, zero, -one, one);
+  TwoMinima found;
+  found.rises = rests_last;
+  put(Both(before_falls, rests_last), zero, zero, -one, one);
   for (int i = 0; i < f.cells; ++i) {
     const FootSlope now = SlopeAtKnot<kTapers>(f, i + 1, ox, oy);
     const Truths rests = now.f > zero, rises = Without(rests, rests_last);
     const Truths alike = Without(AllAre(true), Either(rises, Without(rests_last, rests)));
-    doubt = Either(doubt, InDoubt<kTapers>(f, i, last, now, alike));
+    doubt = Either(doubt, InDoubt<kTapers>(f, i, last, now, alike, rests));
     if (Any(rises)) put(rises, All(f.t[i]), All(f.t[i + 1]), last.f, now.f);
     last = now, rests_last = rests;
   }
   const Truths falls = Without(AllAre(true), rests_last);
   if (c.ends) put(falls, one, one, -one, one);
-  TwoMinima found;
   found.at_end[0] = Without(AllAre(true), first.lo < first.hi);
   found.at_end[1] = Without(AllAre(true), second.lo < second.hi);
   found.t[0] = ZeroOn<kTapers>(c, f.fastest, ox, oy, first, doubt), found.t[1] = zero;
@@ -185,20 +186,19 @@ HWY_INLINE TwoMinima Checked(const FootPiece& c, Reals x, Reals y, Truths before
                              TwoMinima found) {
   if (HWY_LIKELY(!Any(found.doubt))) return found;
   constexpr size_t kMost = hn::MaxLanes(Doubles());
-  HWY_ALIGN double in[4][kMost], lanes[7][kMost];
+  HWY_ALIGN double in[6][kMost], lanes[6][kMost];
   StoreReals(x, in[0]), StoreReals(y, in[1]);
   StoreTruths(before_falls, in[2]), StoreTruths(found.doubt, in[3]);
   for (int i = 0; i < 2; ++i) {
     StoreReals(found.t[i], lanes[i]), StoreTruths(found.is_there[i], lanes[2 + i]);
     StoreTruths(found.at_end[i], lanes[4 + i]);
   }
-  StoreTruths(found.falls, lanes[6]);
-  AskScalar(c, in[0], in[1], in[2], in[3], lanes[0]);
+  StoreTruths(found.rises, in[4]), StoreTruths(found.falls, in[5]);
+  AskScalar(c, in[0], in[1], in[2], in[3], in[4], in[5], lanes[0]);
   for (int i = 0; i < 2; ++i) {
     found.t[i] = LoadReals(lanes[i]), found.is_there[i] = LoadTruths(lanes[2 + i]);
     found.at_end[i] = LoadTruths(lanes[4 + i]);
   }
-  found.falls = LoadTruths(lanes[6]);
   return found;
 }
 
@@ -214,7 +214,7 @@ HWY_INLINE FiguresOfFeet FiguresAt(Reals qx, Reals qy, Reals gx, Reals gy, Reals
   const Reals lean = -w1 * over, rest = Root(Most(zero, (one - lean) * (one + lean)));
   const Reals hand = Choose(qx * ay - qy * ax > zero, -one, one), side = hand * rest;
   const Reals over_r = -(one / Most(r, tiny));
-  const Truths far = r > speed;
+  const Truths far = r > speed * rest;
   Reals nx = Choose(far, qx * over_r, lean * ax + side * ay);
   Reals ny = Choose(far, qy * over_r, lean * ay - side * ax);
   const Truths still = Without(AllAre(true), Either(speed > zero, far));
