@@ -15,8 +15,8 @@
 namespace mien::accuracy {
 
 /// What feet are sought on.
-using FeetFigure = std::variant<std::vector<QuadBezier>, std::vector<Line>,
-                                std::vector<TaperedStroke>, Ellipse>;
+using FeetFigure =
+    std::variant<std::vector<QuadBezier>, std::vector<Line>, std::vector<TaperedStroke>, Ellipse>;
 
 struct FeetCase {
   FeetFigure figure;
@@ -36,10 +36,10 @@ std::vector<FeetCase> feet_cases_of(const FeetFamily& family, size_t count, uint
 
 /// A true minimum of the distance along the figure.
 struct TrueFoot {
-  Foot foot;     ///< rounded
-  Quad key;      ///< |q| − w; of an ellipse |q|
-  Quad barrier;  ///< how far the distance rises before another minimum is reached
-  Quad x, y;     ///< the way from the place to it
+  Foot foot;            ///< rounded
+  Quad key;             ///< |q| − w; of an ellipse |q|
+  Quad barrier;         ///< how far the distance rises before another minimum is reached
+  Quad x, y;            ///< the way from the place to it
   double reach, speed;  ///< |q|, √(B'² − w'²)
   glm::dvec2 mirrored;  ///< the normal on the curve's other side
 };

@@ -54,8 +54,9 @@ FeetCase joints(Random& r) {
 FeetCase closed_chain(Random& r) {
   const auto chain = some_chain(r, true);
   const size_t i = r.bits() % chain.size();
-  return {chain, r.chance(0.3) ? 2.0 * r.point() - 0.5
-                               : about_joint(r, chain[(i + chain.size() - 1) % chain.size()], chain[i])};
+  return {chain, r.chance(0.3)
+                     ? 2.0 * r.point() - 0.5
+                     : about_joint(r, chain[(i + chain.size() - 1) % chain.size()], chain[i])};
 }
 
 /// A curve and its mirror image, seen from about the mirror: two branches equally near.
@@ -71,7 +72,10 @@ FeetCase coincident(Random& r) {
   const double t = r.between(0.2, 1);
   const glm::dvec2 at = point(c, t);
   const QuadBezier part{c.p0, c.p0 + t * (c.p1 - c.p0), at};
-  return {std::vector<QuadBezier>{c, r.chance(0.3) ? c : r.chance(0.5) ? reversed(c) : part}, 2.0 * r.point() - 0.5};
+  return {std::vector<QuadBezier>{c, r.chance(0.3)   ? c
+                                     : r.chance(0.5) ? reversed(c)
+                                                     : part},
+          2.0 * r.point() - 0.5};
 }
 FeetCase many_curves(Random& r) {
   std::vector<QuadBezier> curves;
@@ -96,7 +100,8 @@ FeetCase polyline(Random& r) {
 /// Exactly axis-parallel squares and crosses, seen from their axes.
 FeetCase square(Random& r) {
   const double w = r.chance(0.5) ? 0 : 0.25;
-  const std::vector<Line> lines{{{0, 0}, {1, 0}, w}, {{1, 0}, {1, 1}, w}, {{1, 1}, {0, 1}, w}, {{0, 1}, {0, 0}, w}};
+  const std::vector<Line> lines{
+      {{0, 0}, {1, 0}, w}, {{1, 0}, {1, 1}, w}, {{1, 1}, {0, 1}, w}, {{0, 1}, {0, 0}, w}};
   const double x = std::floor(r.between(-8, 17)) / 8;
   return {lines, {x, r.chance(0.5) ? x : std::floor(r.between(-8, 17)) / 8}};
 }
@@ -138,8 +143,10 @@ FeetCase plain_stroke(Random& r) {
 FeetFamily alone(const Family& family) {
   return {family.name, [draw = family.draw](Random& r) -> FeetCase {
             const Case k = draw(r);
-            if (const auto* c = std::get_if<QuadBezier>(&k.figure)) return {std::vector<QuadBezier>{*c}, k.p};
-            if (const auto* s = std::get_if<TaperedStroke>(&k.figure)) return {std::vector<TaperedStroke>{*s}, k.p};
+            if (const auto* c = std::get_if<QuadBezier>(&k.figure))
+              return {std::vector<QuadBezier>{*c}, k.p};
+            if (const auto* s = std::get_if<TaperedStroke>(&k.figure))
+              return {std::vector<TaperedStroke>{*s}, k.p};
             return {std::get<Ellipse>(k.figure), k.p};
           }};
 }
@@ -151,14 +158,20 @@ const std::vector<FeetFamily>& feet_families() {
     std::vector<FeetFamily> list;
     for (const Family& family : families()) {
       const std::string& name = family.name;
-      const bool is_kept = name.find("parabola") != 0 && name.find("cubic") != 0 && name.find("(double)") == std::string::npos;
+      const bool is_kept = name.find("parabola") != 0 && name.find("cubic") != 0 &&
+                           name.find("(double)") == std::string::npos;
       if (is_kept) list.push_back(alone(family));
     }
-    const std::vector<FeetFamily> more{
-        {"joints", joints}, {"closed chain", closed_chain}, {"mirrored", mirrored},
-        {"coincident", coincident}, {"many curves", many_curves}, {"polyline", polyline},
-        {"square", square}, {"stroke, outrun", outrun}, {"stroke chain", stroke_chain},
-        {"plain stroke", plain_stroke}};
+    const std::vector<FeetFamily> more{{"joints", joints},
+                                       {"closed chain", closed_chain},
+                                       {"mirrored", mirrored},
+                                       {"coincident", coincident},
+                                       {"many curves", many_curves},
+                                       {"polyline", polyline},
+                                       {"square", square},
+                                       {"stroke, outrun", outrun},
+                                       {"stroke chain", stroke_chain},
+                                       {"plain stroke", plain_stroke}};
     list.insert(list.end(), more.begin(), more.end());
     return list;
   }();

@@ -20,10 +20,13 @@ Feet batch_of_one(const Figure& figure, glm::dvec2 p) {
   std::int32_t piece[2];
   double n[2][5];
   const auto spans = [&](int i) {
-    return FootSpans{{&piece[i], 1}, {&n[i][0], 1}, {&n[i][1], 1}, {&n[i][2], 1}, {&n[i][3], 1}, {&n[i][4], 1}};
+    return FootSpans{{&piece[i], 1}, {&n[i][0], 1}, {&n[i][1], 1},
+                     {&n[i][2], 1},  {&n[i][3], 1}, {&n[i][4], 1}};
   };
   nearest_feet(figure, std::span<const double>{&p.x, 1}, {&p.y, 1}, spans(0), spans(1));
-  const auto foot = [&](int i) { return Foot{piece[i], n[i][0], n[i][1], {n[i][2], n[i][3]}, n[i][4]}; };
+  const auto foot = [&](int i) {
+    return Foot{piece[i], n[i][0], n[i][1], {n[i][2], n[i][3]}, n[i][4]};
+  };
   return {foot(0), foot(1)};
 }
 
@@ -83,7 +86,7 @@ std::string text(const FeetCase& k) {
 
 /// What one foot is to the truth.
 struct Match {
-  int which = -1;  ///< of the true feet; −1: none of them is there
+  int which = -1;    ///< of the true feet; −1: none of them is there
   double apart = 0;  ///< along the outline
 };
 Match match_of(const FeetCase& k, const Foot& foot, const std::vector<TrueFoot>& truth) {
@@ -92,7 +95,8 @@ Match match_of(const FeetCase& k, const Foot& foot, const std::vector<TrueFoot>&
     // Feet at a joint are at the end of one piece or the beginning of another; coincident ones differ in t.
     const double apart = apart_from(k, foot.piece, foot.t, truth[i]);
     const double odd = truth[i].foot.piece == foot.piece ? std::abs(truth[i].foot.t - foot.t) : 1;
-    if (match.which < 0 || apart + 1e-200 * odd < match.apart) match = {int(i), apart + 1e-200 * odd};
+    if (match.which < 0 || apart + 1e-200 * odd < match.apart)
+      match = {int(i), apart + 1e-200 * odd};
   }
   return match;
 }
@@ -109,7 +113,8 @@ class Judging {
   void run() {
     ++to_.cases;
     const double best = double(truth_.front().key);
-    if (!is_foot(found_.nearest) || !(std::abs(key_of(k_, found_.nearest) - best) <= kUndecided * unit_)) {
+    if (!is_foot(found_.nearest) ||
+        !(std::abs(key_of(k_, found_.nearest) - best) <= kUndecided * unit_)) {
       fail(to_.wrong);
       return;
     }
@@ -183,13 +188,15 @@ double feet_unit(const FeetCase& k) {
 }
 
 std::vector<FeetSolver> own_feet_solvers() {
-  std::vector<FeetSolver> all{{"scalar", "", [](const FeetCase& k) {
-                                 return std::visit([&](const auto& f) { return nearest_feet(listed(f), k.p); }, k.figure);
-                               }}};
+  std::vector<FeetSolver> all{
+      {"scalar", "", [](const FeetCase& k) {
+         return std::visit([&](const auto& f) { return nearest_feet(listed(f), k.p); }, k.figure);
+       }}};
   for (const auto& set : batch::instruction_sets())
     all.push_back({"batch", set.name,
                    [](const FeetCase& k) {
-                     return std::visit([&](const auto& f) { return batch_of_one(listed(f), k.p); }, k.figure);
+                     return std::visit([&](const auto& f) { return batch_of_one(listed(f), k.p); },
+                                       k.figure);
                    },
                    false, [id = set.id] { batch::use_instruction_set(id); }});
   return all;
@@ -208,7 +215,8 @@ FeetSolver foreign_feet_solver(const std::string& path) {
     std::fill(std::begin(n), std::end(n), std::numeric_limits<double>::quiet_NaN());
     solve(curve, &k.p.x, &k.p.y, n, 1);
     const auto foot = [](const double* f) {
-      const bool is_there = f[1] < std::numeric_limits<double>::infinity() && f[0] >= 0 && f[0] <= 1;
+      const bool is_there =
+          f[1] < std::numeric_limits<double>::infinity() && f[0] >= 0 && f[0] <= 1;
       return is_there ? Foot{0, f[0], f[1], {f[2], f[3]}, f[4]} : Foot{};
     };
     return Feet{foot(n), foot(n + 5)};
@@ -229,7 +237,8 @@ std::vector<FeetTally> judge_feet(const FeetFamily& family, const std::vector<Fe
     solver.prepare();
     FeetTally tally{family.name, solver.name, solver.instruction_set};
     tally.worst_case = tally.wrong_case = cases.front();
-    for (size_t i = 0; i < cases.size(); ++i) Judging(cases[i], solver.solve(cases[i]), truths[i], tally).run();
+    for (size_t i = 0; i < cases.size(); ++i)
+      Judging(cases[i], solver.solve(cases[i]), truths[i], tally).run();
     tallies.push_back(tally);
   }
   return tallies;
@@ -238,34 +247,41 @@ std::vector<FeetTally> judge_feet(const FeetFamily& family, const std::vector<Fe
 std::vector<FeetTally> over_feet_families(const std::vector<FeetTally>& tallies) {
   std::vector<FeetTally> rows;
   for (const FeetTally& t : tallies) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const FeetTally& r) { return kernel_of(r) == kernel_of(t); });
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const FeetTally& r) { return kernel_of(r) == kernel_of(t); });
     if (row == rows.end()) {
       rows.push_back(t);
       continue;
     }
     if (row->wrong + row->wrong_next == 0) row->wrong_case = t.wrong_case;
-    row->cases += t.cases, row->wrong += t.wrong, row->wrong_next += t.wrong_next, row->with_next += t.with_next;
+    row->cases += t.cases, row->wrong += t.wrong, row->wrong_next += t.wrong_next,
+        row->with_next += t.with_next;
     if (t.normal > row->normal) row->family = t.family, row->worst_case = t.worst_case;
-    row->distance = std::max(row->distance, t.distance), row->normal = std::max(row->normal, t.normal);
+    row->distance = std::max(row->distance, t.distance),
+    row->normal = std::max(row->normal, t.normal);
   }
   return rows;
 }
 
 std::string feet_table(const std::vector<FeetTally>& tallies) {
-  std::string out = fmt::format("{:<26} {:<14} {:>9} {:>9} {:>7} {:>7} {:>10} {:>10}\n", "family", "solver", "cases",
-                                "with next", "wrong", "next", "distance", "normal");
+  std::string out =
+      fmt::format("{:<26} {:<14} {:>9} {:>9} {:>7} {:>7} {:>10} {:>10}\n", "family", "solver",
+                  "cases", "with next", "wrong", "next", "distance", "normal");
   for (const FeetTally& t : tallies)
-    out += fmt::format("{:<26} {:<14} {:>9} {:>9} {:>7} {:>7} {:>10.4g} {:>10.4g}{}\n", t.family, kernel_of(t), t.cases,
-                       t.with_next, t.wrong, t.wrong_next, t.distance, t.normal,
-                       t.passes() ? "" : "  MISSED at " + text(t.wrong + t.wrong_next ? t.wrong_case : t.worst_case));
+    out += fmt::format(
+        "{:<26} {:<14} {:>9} {:>9} {:>7} {:>7} {:>10.4g} {:>10.4g}{}\n", t.family, kernel_of(t),
+        t.cases, t.with_next, t.wrong, t.wrong_next, t.distance, t.normal,
+        t.passes() ? ""
+                   : "  MISSED at " + text(t.wrong + t.wrong_next ? t.wrong_case : t.worst_case));
   return out;
 }
 
 std::string feet_csv(const std::vector<FeetTally>& tallies) {
-  std::string out = "family,solver,instruction_set,cases,with_next,wrong,wrong_next,distance,normal\n";
+  std::string out =
+      "family,solver,instruction_set,cases,with_next,wrong,wrong_next,distance,normal\n";
   for (const FeetTally& t : tallies)
-    out += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.family, t.solver, t.instruction_set, t.cases, t.with_next, t.wrong,
-                       t.wrong_next, t.distance, t.normal);
+    out += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.family, t.solver, t.instruction_set,
+                       t.cases, t.with_next, t.wrong, t.wrong_next, t.distance, t.normal);
   return out;
 }
 

@@ -43,7 +43,12 @@ struct Stretch {
     const Quad gx = (value(slope_of(x), t) * o - vx * o1) / (o * o);
     const Quad gy = (value(slope_of(y), t) * o - vy * o1) / (o * o);
     const Quad qx = vx / o, qy = vy / o;
-    return {qx, qy, gx, gy, square_root(qx * qx + qy * qy), value(w, t),
+    return {qx,
+            qy,
+            gx,
+            gy,
+            square_root(qx * qx + qy * qy),
+            value(w, t),
             w.size() > 1 ? value(slope_of(w), t) : Quad(0)};
   }
   Quad key(Quad t) const {
@@ -70,9 +75,11 @@ struct Stretch {
     const Polynomial dx = plus(times(slope_of(x), over), times(x, slope_of(over)), -1);
     const Polynomial dy = plus(times(slope_of(y), over), times(y, slope_of(over)), -1);
     const Polynomial along = plus(times(x, dx), times(y, dy));
-    if (w.size() < 2 || (w[1] == 0 && (w.size() < 3 || w[2] == 0))) return sign_changes(along, lo, hi);
+    if (w.size() < 2 || (w[1] == 0 && (w.size() < 3 || w[2] == 0)))
+      return sign_changes(along, lo, hi);
     const Polynomial w1 = slope_of(w), square = plus(times(x, x), times(y, y));
-    std::vector<Quad> all = sign_changes(plus(times(along, along), times(times(w1, w1), square), -1), lo, hi);
+    std::vector<Quad> all =
+        sign_changes(plus(times(along, along), times(times(w1, w1), square), -1), lo, hi);
     // Close to the spine those vanish in rounding: its own foot is there, too. And a grid, to be sure.
     for (const Quad t : sign_changes(along, lo, hi)) all.push_back(t);
     for (int i = 1; i < 64; ++i) all.push_back(lo + (hi - lo) * Quad(i / 64.0));
@@ -90,15 +97,27 @@ Polynomial quadratic(double p0, double p1, double p2, double from) {
 }
 
 Stretch stretch_of(const QuadBezier& c, Polynomial w, int piece, glm::dvec2 p) {
-  return {piece, quadratic(c.p0.x, c.p1.x, c.p2.x, p.x), quadratic(c.p0.y, c.p1.y, c.p2.y, p.y),
-          {1, 0}, std::move(w), 0, 1, same};
+  return {piece,
+          quadratic(c.p0.x, c.p1.x, c.p2.x, p.x),
+          quadratic(c.p0.y, c.p1.y, c.p2.y, p.y),
+          {1, 0},
+          std::move(w),
+          0,
+          1,
+          same};
 }
 Stretch stretch_of(const QuadBezier& c, int piece, glm::dvec2 p) {
   return stretch_of(c, {0}, piece, p);
 }
 Stretch stretch_of(const Line& l, int piece, glm::dvec2 p) {
-  return {piece, {Quad(l.a.x) - p.x, Quad(l.b.x) - l.a.x}, {Quad(l.a.y) - p.y, Quad(l.b.y) - l.a.y},
-          {1, 0}, {l.half_width}, 0, 1, same};
+  return {piece,
+          {Quad(l.a.x) - p.x, Quad(l.b.x) - l.a.x},
+          {Quad(l.a.y) - p.y, Quad(l.b.y) - l.a.y},
+          {1, 0},
+          {l.half_width},
+          0,
+          1,
+          same};
 }
 Stretch stretch_of(const TaperedStroke& s, int piece, glm::dvec2 p) {
   const double* w = s.half_width;
@@ -157,8 +176,10 @@ std::vector<Chain> chains_of(const Ellipse& e, glm::dvec2 p) {
   const Quad a = e.radii.x, b = e.radii.y;
   const Polynomial over{1, 0, 1};
   Chain round{{}, true};
-  round.stretches.push_back({0, plus({a, 0, -a}, over, -x), plus({0, 2 * b}, over, -y), over, {0}, -1, 1, right_angle});
-  round.stretches.push_back({0, plus({-a, 0, a}, over, -x), plus({0, -2 * b}, over, -y), over, {0}, -1, 1, left_angle});
+  round.stretches.push_back(
+      {0, plus({a, 0, -a}, over, -x), plus({0, 2 * b}, over, -y), over, {0}, -1, 1, right_angle});
+  round.stretches.push_back(
+      {0, plus({-a, 0, a}, over, -x), plus({0, -2 * b}, over, -y), over, {0}, -1, 1, left_angle});
   return {round};
 }
 
@@ -191,7 +212,8 @@ std::vector<Turn> turns_of(const Chain& chain) {
       const Quad before = middle;
       middle = (at[j] + at[j + 1]) / 2;
       const Quad f = s.slope(middle);
-      const bool turns = !all.empty() && all.back().stretch == i && (all.back().sign > 0) != (f > 0);
+      const bool turns =
+          !all.empty() && all.back().stretch == i && (all.back().sign > 0) != (f > 0);
       if (f != 0) all.push_back({i, turns ? s.sign_change(before, middle) : at[j], f > 0 ? 1 : -1});
     }
   }
@@ -229,9 +251,17 @@ TrueFoot foot_of(const Chain& chain, const Turn& turn, const FeetFigure& figure,
   const Quad g2 = f.gx * f.gx + f.gy * f.gy, g = square_root(g2);
   const double sign = is_inside ? -1 : 1;
   const Quad lean = -f.w1 / g, rest = square_root(1 - lean * lean);
-  TrueFoot found{{s.piece, double(s.t_of(turn.t)), sign * double(turn.key)}, turn.key, 0, 0, 0, double(f.r), double(g * rest), {}};
+  TrueFoot found{{s.piece, double(s.t_of(turn.t)), sign * double(turn.key)},
+                 turn.key,
+                 0,
+                 0,
+                 0,
+                 double(f.r),
+                 double(g * rest),
+                 {}};
   // On the curve itself the way there is no direction.
-  const bool is_left = f.qx * f.gy - f.qy * f.gx > 0, is_on = f.r <= Quad(0x1p-60L) * g && !turn.is_end;
+  const bool is_left = f.qx * f.gy - f.qy * f.gx > 0,
+             is_on = f.r <= Quad(0x1p-60L) * g && !turn.is_end;
   const Quad side = is_left ? -rest : rest;
   Quad nx = -f.qx / f.r, ny = -f.qy / f.r;
   if (is_on || f.r == 0) nx = (lean * f.gx + side * f.gy) / g, ny = (lean * f.gy - side * f.gx) / g;
@@ -240,9 +270,12 @@ TrueFoot foot_of(const Chain& chain, const Turn& turn, const FeetFigure& figure,
   const Quad h = Quad(0x1p-30L);
   const auto speed = [&](Quad t) { return s.at(t); };
   const Stretch::Figures up = speed(turn.t + h), down = speed(turn.t - h);
-  const Quad bx = (up.gx - down.gx) / (2 * h), by = (up.gy - down.gy) / (2 * h), wb = (up.w1 - down.w1) / (2 * h);
+  const Quad bx = (up.gx - down.gx) / (2 * h), by = (up.gy - down.gy) / (2 * h),
+             wb = (up.w1 - down.w1) / (2 * h);
   const Quad m = nx * bx + ny * by + wb, steep = g2 - f.w1 * f.w1 - f.r * m;
-  found.foot.bend = sign * (turn.is_end && !is_ellipse ? double(1 / f.r) : m == 0 ? 0 : double(-m / steep));
+  found.foot.bend = sign * (turn.is_end && !is_ellipse ? double(1 / f.r)
+                            : m == 0                   ? 0
+                                                       : double(-m / steep));
   found.foot.normal = {sign * double(nx), sign * double(ny)};
   const Quad flip = 2 * (nx * f.gy - ny * f.gx) / g2;
   found.mirrored = {sign * double(nx - flip * f.gy), sign * double(ny + flip * f.gx)};
@@ -256,7 +289,8 @@ TrueFoot foot_of(const Chain& chain, const Turn& turn, const FeetFigure& figure,
 bool is_inside(const FeetFigure& figure, glm::dvec2 p) {
   const auto* e = std::get_if<Ellipse>(&figure);
   if (!e) return false;
-  const Quad dx = Quad(p.x) - e->center.x, dy = Quad(p.y) - e->center.y, ax = e->axis.x, ay = e->axis.y;
+  const Quad dx = Quad(p.x) - e->center.x, dy = Quad(p.y) - e->center.y, ax = e->axis.x,
+             ay = e->axis.y;
   const Quad x = (dx * ax + dy * ay) * e->radii.y, y = (dy * ax - dx * ay) * e->radii.x;
   const Quad ab = Quad(e->radii.x) * e->radii.y;
   return x * x + y * y < ab * ab * (ax * ax + ay * ay);
@@ -290,7 +324,8 @@ std::vector<TrueFoot> true_feet(const FeetCase& k) {
       feet.push_back(foot);
     }
   }
-  std::stable_sort(feet.begin(), feet.end(), [](const TrueFoot& a, const TrueFoot& b) { return a.key < b.key; });
+  std::stable_sort(feet.begin(), feet.end(),
+                   [](const TrueFoot& a, const TrueFoot& b) { return a.key < b.key; });
   return feet;
 }
 

@@ -57,7 +57,7 @@ HWY_INLINE Turning NearSideOf(const QuadrantPlace& e) {
     v = Most(v + (Root(n2) - one) * n2 / (c * c * over_f + s * s * over), least);
   }
   Reals c = ax / (v + focal), s = by / v;
-  const Truths on_axis = Without(ax < focal, by > All(0.0));
+  const Truths on_axis = Without(ax<focal, by> All(0.0));
   s = Choose(on_axis, Root(Most(one - c * c, All(0.0))), s);
   const Reals over = one / Root(Most(c * c + s * s, All(1e-290)));
   Turning at = TurnedTo(e, c * over, s * over, 3);
@@ -71,10 +71,12 @@ HWY_INLINE Turning FarSideOf(const QuadrantPlace& e, Truths& is_there, Truths& d
   const Reals f2 = focal * focal, rest = f2 - ax * ax - by * by, cube = rest * rest * rest;
   const Reals product = ax * by, square = All(27.0) * f2 * (product * product);
   is_there = Both(rest > All(0.0), cube > square);
-  doubt = Either(doubt, Both(rest > -All(1e-5) * f2, Size(cube - square) < All(1e-5) * (f2 * f2 * f2)));
+  doubt =
+      Either(doubt, Both(rest > -All(1e-5) * f2, Size(cube - square) < All(1e-5) * (f2 * f2 * f2)));
+  if (!Any(is_there)) return {one, one, one, one};
   const Reals sine = Least(ax / Most(focal - by, All(1e-290)), one);
   const Turning at = TurnedTo(e, sine, -Root(one - sine * sine), 6);
-  const Truths fits = Both(HasSettled(at), Both(at.s < All(0.0), at.c > -All(0x1p-40)));
+  const Truths fits = Both(HasSettled(at), Both(at.s<All(0.0), at.c> - All(0x1p-40)));
   doubt = Either(doubt, Without(is_there, fits));
   return {Most(at.c, All(0.0)), at.s, at.turn, at.rise};
 }
@@ -102,25 +104,27 @@ HWY_INLINE void EllipseFeet(const EllipseNumbers& f, Reals px, Reals py, RankedF
   const Reals x = dx * ax + dy * ay, y = ax * dy - ay * dx, one = All(1.0), rx = All(f.rx),
               ry = All(f.ry);
   const bool tall = f.rx < f.ry;
-  const QuadrantPlace e = tall ? QuadrantPlace{ry, rx, Size(y), Size(x)}
-                               : QuadrantPlace{rx, ry, Size(x), Size(y)};
+  const QuadrantPlace e =
+      tall ? QuadrantPlace{ry, rx, Size(y), Size(x)} : QuadrantPlace{rx, ry, Size(x), Size(y)};
   Reals hand = one;
   const auto foot_on = [&](const Turning& at, bool is_far) HWY_ATTR {
-    const Reals c = Signed(one, x) * (tall ? at.s : at.c), s = Signed(one, y) * (tall ? at.c : at.s);
+    const Reals c = Signed(one, x) * (tall ? at.s : at.c),
+                s = Signed(one, y) * (tall ? at.c : at.s);
     const Reals ex = rx * c, ey = ry * s, half = All(-0.5), zero = All(0.0);
     const FiguresOfFeet found =
         FiguresAt(ex - x, ey - y, -(rx * s), ry * c, half * ex, half * ey, zero, zero);
     if (!is_far) hand = found.hand;
     const Reals nx = hand * found.nx, ny = hand * found.ny;
-    return RankedFeet{hand * found.r,          zero, zero, AngleOf(c, s), nx * ax - ny * ay,
-                      nx * ay + ny * ax, hand * found.bend, zero};
+    return RankedFeet{
+        hand * found.r,    zero, zero, AngleOf(c, s), nx * ax - ny * ay, nx * ay + ny * ax,
+        hand * found.bend, zero};
   };
   const Turning near = NearSideOf(e);
   doubt = Either(doubt, Without(AllAre(true), HasSettled(near)));
   best = foot_on(near, false);
   Truths is_there = AllAre(false);
   const Turning far = FarSideOf(e, is_there, doubt);
-  next = ChooseFeet(is_there, foot_on(far, true), next);
+  if (Any(is_there)) next = ChooseFeet(is_there, foot_on(far, true), next);
 }
 
 }  // namespace HWY_NAMESPACE

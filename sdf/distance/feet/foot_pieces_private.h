@@ -20,7 +20,8 @@ struct FootPiece {
   bool exists = true;  ///< a joint's point, or what has a NaN or infinite coordinate, does not
   /// Where t = 0 lies along the list: joined pieces share the places of their joints, and no others do.
   double start = 0.0;
-  double wrap = 0.0;  ///< of the last piece of a closed chain: how far along its end lies behind its beginning
+  double wrap =
+      0.0;  ///< of the last piece of a closed chain: how far along its end lies behind its beginning
 
   bool is_joined() const { return before >= 0 || !ends; }
   bool tapers() const { return w1 != 0.0 || w2 != 0.0; }
@@ -59,7 +60,7 @@ Feet nearest_feet(std::span<const FootPiece> pieces, glm::dvec2 p);
 
 /// What a foot within a curve says: q = B − p, B', B''/2, w', w''/2 there.
 struct FootFigures {
-  double r;  ///< |q|
+  double r;     ///< |q|
   double hand;  ///< 1 to the right of the curve or on it, −1 to its left
   glm::dvec2 normal;
   double bend;
@@ -76,15 +77,20 @@ double angle_of(double c, double s);
 /// A piece made ready for many places: how it goes at knots, its vertex among them, and between two of them.
 struct FootFrame {
   static constexpr int kMost = 24;
+  struct Knot {
+    double t, x, y;               ///< of B − p0
+    double gx, gy, gg, widening;  ///< B', its square, w'
+    double h, slow, fast;         ///< as far as the next knot: t, the least and the largest speed
+    double least, widest;         ///< and |w'|
+  };
   FootPiece piece;
-  bool fits;  ///< sizes whose powers stay in range, and both ends set out
+  bool fits;             ///< sizes whose powers stay in range, and both ends set out
   double size, fastest;  ///< |a2| + |b|; the largest speed
+  Box2 box;              ///< of the control points
+  double reach;          ///< the widest half-width, and some rounding
+  glm::dvec2 out[2];     ///< unit, out of either end
   int cells;
-  double t[kMost + 1], x[kMost + 1], y[kMost + 1];  ///< of B − p0
-  double gx[kMost + 1], gy[kMost + 1], gg[kMost + 1], widening[kMost + 1];
-  // Between a knot and the next: its length; the least and largest speed, the least and largest |w'|.
-  double h[kMost], slow[kMost], fast[kMost], least[kMost], widest[kMost];
-  glm::dvec2 out[2];  ///< unit, out of either end
+  Knot knots[kMost + 1];
 };
 FootFrame foot_frame(const FootPiece& piece);
 

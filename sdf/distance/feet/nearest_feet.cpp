@@ -19,8 +19,8 @@ struct SeenPiece {
 
   SeenPiece(const FootPiece& c, glm::dvec2 p) : q0(c.p0 - p), q2(c.p2 - p) {
     const auto larger = [](glm::dvec2 v) { return larger_side(v); };
-    const double size = std::max({larger(q0), larger(q2), larger(c.a2), larger(c.b),
-                                  std::abs(c.w0), std::abs(c.w1), std::abs(c.w2)});
+    const double size = std::max({larger(q0), larger(q2), larger(c.a2), larger(c.b), std::abs(c.w0),
+                                  std::abs(c.w1), std::abs(c.w2)});
     if (size > 0.0 && !(size > 0x1p-200 && size < 0x1p200))
       scale = std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000));
     q0 *= scale, q2 *= scale, a2 = scale * c.a2, b = scale * c.b;
@@ -98,8 +98,8 @@ class RisingZeros {
     const bool alike = (f_lo > 0.0) == (f_hi > 0.0);
     if (alike && least > fast) return Going::nowhere_zero;  // the width outruns the spine
     if (!(r_least > 0.0)) return Going::unknown;
-    const double most = 3.0 * fast * bend + 2.0 * widens * fast +
-                        widest * (fast * fast / r_least + bend);
+    const double most =
+        3.0 * fast * bend + 2.0 * widens * fast + widest * (fast * fast / r_least + bend);
     const double s_lo = seen_.slope(lo).slope, s_hi = seen_.slope(hi).slope;
     if (s_lo + s_hi > most * h) return Going::up;
     if (-s_lo - s_hi > most * h) return Going::down;
@@ -184,8 +184,8 @@ std::vector<FootPiece> chained(std::span<const Figure> figures, Piece piece_of) 
   for (const Figure& figure : figures) {
     FootPiece c = piece_of(figure);
     const int now = int(pieces.size());
-    const double sum = c.p0.x + c.p0.y + c.p2.x + c.p2.y + c.a2.x + c.a2.y + c.b.x + c.b.y +
-                       (c.w0 + c.w1 + c.w2);
+    const double sum =
+        c.p0.x + c.p0.y + c.p2.x + c.p2.y + c.a2.x + c.a2.y + c.b.x + c.b.y + (c.w0 + c.w1 + c.w2);
     c.exists = std::isfinite(sum);
     if (c.exists && last >= 0 && meets(last, c)) {
       c.exists = !is_point(c);
@@ -229,8 +229,8 @@ std::vector<FootPiece> foot_pieces(std::span<const QuadBezier> curves) {
 }
 std::vector<FootPiece> foot_pieces(std::span<const Line> lines) {
   return chained(lines, [](const Line& line) {
-    FootPiece piece{line.a, line.b, line.b - line.a, glm::dvec2{0.0}, line.half_width, 0.0, 0.0,
-                    line.half_width};
+    FootPiece piece{line.a, line.b, line.b - line.a, glm::dvec2{0.0}, line.half_width,
+                    0.0,    0.0,    line.half_width};
     return set_ways(piece), piece;
   });
 }
@@ -263,8 +263,7 @@ double angle_of(double c, double s) {
   const double u = std::min(x, y) / std::max(x, y);
   const double v = u / (1.0 + std::sqrt(1.0 + u * u)), w = v / (1.0 + std::sqrt(1.0 + v * v));
   double series = 0.0;
-  for (int i = AngleSeries::kTerms - 1; i >= 0; --i)
-    series = 1.0 / (2 * i + 1) - w * w * series;
+  for (int i = AngleSeries::kTerms - 1; i >= 0; --i) series = 1.0 / (2 * i + 1) - w * w * series;
   constexpr double kPi = 3.14159265358979323846;
   double angle = 4.0 * w * series;
   if (y > x) angle = 0.5 * kPi - angle;

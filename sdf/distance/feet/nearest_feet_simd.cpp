@@ -28,8 +28,7 @@ struct FootRows {
     for (int i = 0; i < 6; ++i) rows[i][k] = all[i];
   }
   void copy(const FootSpans& to, size_t from, size_t count) const {
-    const std::span<double> spans[6] = {to.distance, {},          to.t,
-                                        to.normal_x, to.normal_y, to.bend};
+    const std::span<double> spans[6] = {to.distance, {}, to.t, to.normal_x, to.normal_y, to.bend};
     for (int i = 0; i < 6; ++i)
       if (!spans[i].empty()) std::copy_n(rows[i], count, spans[i].data() + from);
     if (to.piece.empty()) return;
@@ -39,8 +38,14 @@ struct FootRows {
 
 HWY_INLINE RankedFeet NoFeet() {
   const Reals zero = All(0.0);
-  return {All(std::numeric_limits<double>::infinity()), All(-1e300), All(-1.0), zero, zero, zero,
-          zero, zero};
+  return {All(std::numeric_limits<double>::infinity()),
+          All(-1e300),
+          All(-1.0),
+          zero,
+          zero,
+          zero,
+          zero,
+          zero};
 }
 
 /// Walks over the places: kernel(x, y, best, next) tells the lanes that `exact` has to answer.
@@ -80,32 +85,28 @@ void FeetOnPieces(std::span<const FootFrame> frames, std::span<const FootPiece> 
                   const FootSpans& next) {
   const auto kernel = [&](Reals px, Reals py, RankedFeet& best, RankedFeet& second,
                           Truths&) HWY_ATTR {
-    Truths falls = AllAre(true);
     for (size_t i = 0; i < frames.size(); ++i) {
       const FootFrame& f = frames[i];
       const FootPiece& c = f.piece;
-      if (!c.exists) continue;
-      if (c.before < 0) falls = AllAre(true);
-      if (c.before >= int(i)) falls = FallsAtEnd(frames[c.before], px, py);
-      const TwoMinima at = Checked(c, px, py, falls,
-                                   c.tapers() ? MinimaOf<true>(f, px, py, falls)
-                                              : MinimaOf<false>(f, px, py, falls));
+      if (!c.exists || !Any(Without(AllAre(true), IsFarther(f, px, py, second.key)))) continue;
+      const Truths falls = c.before < 0 ? AllAre(true) : FallsAtEnd(frames[c.before], px, py);
+      const TwoMinima at = Checked(
+          c, px, py, falls,
+          c.tapers() ? MinimaOf<true>(f, px, py, falls) : MinimaOf<false>(f, px, py, falls));
       for (int k = 0; k < 2; ++k)
         if (Any(at.is_there[k]))
           RankFeet(FeetAt(f, int(i), px, py, at.t[k], at.at_end[k]), at.is_there[k], best, second);
-      falls = at.falls;
     }
   };
-  ForPlaces(x, y, nearest, next, kernel,
-            [&](glm::dvec2 p) { return nearest_feet(pieces, p); });
+  ForPlaces(x, y, nearest, next, kernel, [&](glm::dvec2 p) { return nearest_feet(pieces, p); });
 }
 
 void FeetOnEllipse(const Ellipse& ellipse, std::span<const double> x, std::span<const double> y,
                    const FootSpans& nearest, const FootSpans& next) {
   const EllipseNumbers frame{ellipse.center.x, ellipse.center.y, ellipse.axis.x,
-                            ellipse.axis.y,   ellipse.radii.x,  ellipse.radii.y};
-  const auto kernel = [&](Reals px, Reals py, RankedFeet& best, RankedFeet& second,
-                          Truths& ask) HWY_ATTR { EllipseFeet(frame, px, py, best, second, ask); };
+                             ellipse.axis.y,   ellipse.radii.x,  ellipse.radii.y};
+  const auto kernel = [&](Reals px, Reals py, RankedFeet& best, RankedFeet& second, Truths& ask)
+                          HWY_ATTR { EllipseFeet(frame, px, py, best, second, ask); };
   ForPlaces(x, y, nearest, next, kernel, [&](glm::dvec2 p) { return nearest_feet(ellipse, p); });
 }
 
@@ -193,8 +194,8 @@ void nearest_feet(const Ellipse& ellipse, std::span<const double> x, std::span<c
   const double far = std::max(std::abs(ellipse.center.x), std::abs(ellipse.center.y));
   // Powers up to the twelfth of what lanes see stay in range.
   constexpr double kLargest = 0x1p60, kSmallest = 0x1p-60, kThinnest = 1e-3;
-  const bool fits = longer < kLargest && far < kLargest && longer > kSmallest &&
-                    shorter >= kThinnest * longer;
+  const bool fits =
+      longer < kLargest && far < kLargest && longer > kSmallest && shorter >= kThinnest * longer;
   if (!fits)
     return batch::feet_one_by_one(x, y, nearest, next,
                                   [&](glm::dvec2 p) { return nearest_feet(ellipse, p); });

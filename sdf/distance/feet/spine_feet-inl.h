@@ -48,8 +48,9 @@ HWY_INLINE FootSlope SlopeFrom(const FootPiece& c, Reals qx, Reals qy, Reals gx,
 
 template <bool kTapers>
 HWY_INLINE FootSlope SlopeAtKnot(const FootFrame& f, int i, Reals ox, Reals oy) {
-  return SlopeFrom<kTapers>(f.piece, ox + All(f.x[i]), oy + All(f.y[i]), All(f.gx[i]),
-                            All(f.gy[i]), All(f.gg[i]), All(f.widening[i]));
+  const FootFrame::Knot& k = f.knots[i];
+  return SlopeFrom<kTapers>(f.piece, ox + All(k.x), oy + All(k.y), All(k.gx), All(k.gy), All(k.gg),
+                            All(k.widening));
 }
 
 template <bool kTapers>
@@ -64,54 +65,57 @@ HWY_INLINE FootSlope SlopeAt(const FootPiece& c, Reals ox, Reals oy, Reals t) {
 template <bool kTapers>
 HWY_INLINE Truths InDoubt(const FootFrame& f, int i, const FootSlope& a, const FootSlope& b,
                           Truths alike, Truths rests) {
-  const Reals h = All(f.h[i]), f_a = Size(a.f), f_b = Size(b.f), zero = All(0.0);
+  const FootFrame::Knot& k = f.knots[i];
+  const Reals h = All(k.h), f_a = Size(a.f), f_b = Size(b.f), zero = All(0.0);
   if (!kTapers) {
     // f is a cubic without inflection there. Alike at both ends it dips at most once, above its tangents.
     const Reals sign = Choose(rests, All(1.0), All(-1.0)), s_a = sign * a.rise, s_b = sign * b.rise;
-    const Truths dips = Both(s_a < zero, s_b > zero);
+    const Truths dips = Both(alike, Both(s_a<zero, s_b> zero));
+    if (!Any(dips)) return dips;
     const Truths clears = f_a * s_b - f_b * s_a > -(s_a * s_b) * h;
-    return Without(Both(alike, dips), clears);
+    return Without(dips, clears);
   }
   const double bends = 2.0 * std::sqrt(f.piece.b.x * f.piece.b.x + f.piece.b.y * f.piece.b.y);
-  const double widens = 2.0 * std::abs(f.piece.w2), fast = f.fast[i], widest = f.widest[i];
-  const Reals r = a.r + b.r, way = All(fast * f.h[i]), half = All(0.5);
+  const double widens = 2.0 * std::abs(f.piece.w2), fast = k.fast, widest = k.widest;
+  const Reals r = a.r + b.r, way = All(fast * k.h), half = All(0.5);
   const Reals r_least = half * (r - way), r_most = half * (r + way);
-  const Truths up = All(f.slow[i] * f.slow[i] - widest * fast) > r_most * All(bends + widens);
+  const Truths up = All(k.slow * k.slow - widest * fast) > r_most * All(bends + widens);
   const Reals of_all = All(3.0 * fast * bends + 2.0 * widens * fast + widest * bends);
   const Reals most = of_all + All(widest * fast * fast) / Most(r_least, All(1e-290));
   const Truths steady = Size(a.rise + b.rise) > most * h;
   const Truths clear = Both(alike, Least(f_a, f_b) > All(0.125) * most * h * h);
   Truths sure = Either(up, Both(r_least > zero, Either(steady, clear)));
-  if (f.least[i] > fast) sure = Either(sure, alike);  // the width outruns the spine
+  if (k.least > fast) sure = Either(sure, alike);  // the width outruns the spine
   return Without(AllAre(true), sure);
 }
 
-/// The zero of a stretch by Newton's method, halving where it leaves the stretch. Adds to `doubt` what has not settled.
+/// A search for the zero of a stretch. Each lane stops by itself, so that none depends on its neighbours.
+struct ZeroSearch {
+  Reals lo, hi, t;
+  Truths goes_on;
+};
+
+HWY_INLINE ZeroSearch SearchOn(const RisingStretch& on) {
+  const Reals share = Most(Least(on.f_lo / (on.f_lo - on.f_hi), All(0.9375)), All(0.0625));
+  const Reals t = on.lo + (on.hi - on.lo) * Choose(on.is_there, share, All(0.0));
+  return {on.lo, on.hi, t, on.is_there};
+}
+
+/// A step of Newton's method, or to the middle where that leaves the stretch.
 template <bool kTapers>
-HWY_INLINE Reals ZeroOn(const FootPiece& c, double speed, Reals ox, Reals oy,
-                        const RisingStretch& on, Truths& doubt) {
-  constexpr int kSteps = 5;
+HWY_INLINE void StepOn(const FootFrame& f, Reals ox, Reals oy, ZeroSearch& s) {
   // What a step leaves is about its square, and beside the spine its square over |q| / |B'|.
   constexpr double kSettled = 0x1p-30, kSettledBySpine = 0x1p-52;
-  Reals lo = on.lo, hi = on.hi, step = All(0.0), reach = All(0.0);
-  const Reals share = Most(Least(on.f_lo / (on.f_lo - on.f_hi), All(0.9375)), All(0.0625));
-  Reals t = lo + (hi - lo) * Choose(on.is_there, share, All(0.0));
-  for (int i = 0; i < kSteps; ++i) {
-    const FootSlope at = SlopeAt<kTapers>(c, ox, oy, t);
-    const Truths rests = at.f > All(0.0);
-    lo = Choose(rests, lo, t), hi = Choose(rests, t, hi);
-    const Reals next = t - at.f / at.rise;
-    const Truths within = Without(Without(AllAre(true), next < lo), next > hi);
-    const Reals goes_on = Choose(within, next, All(0.5) * (lo + hi));
-    step = goes_on - t, t = goes_on, reach = at.r;
-  }
+  const FootSlope at = SlopeAt<kTapers>(f.piece, ox, oy, s.t);
+  const Truths rests = at.f > All(0.0);
+  s.lo = Choose(rests, s.lo, s.t), s.hi = Choose(rests, s.t, s.hi);
+  const Reals next = s.t - at.f / at.rise;
+  const Truths within = Without(Without(AllAre(true), next < s.lo), next > s.hi);
+  const Reals now = Choose(within, next, All(0.5) * (s.lo + s.hi)), step = now - s.t;
   Truths settles = Size(step) < All(kSettled);
-  if (kTapers) {
-    const Truths is_small = Without(AllAre(true), step * step * All(speed) > All(kSettledBySpine) * reach);
-    settles = Both(settles, is_small);
-  }
-  doubt = Either(doubt, Without(on.is_there, settles));
-  return t;
+  if (kTapers)
+    settles = Without(settles, step * step * All(f.fastest) > All(kSettledBySpine) * at.r);
+  s.t = Choose(s.goes_on, now, s.t), s.goes_on = Without(s.goes_on, settles);
 }
 
 /// One by one where lanes are in doubt.
@@ -145,7 +149,7 @@ HWY_NOINLINE void AskScalar(const FootPiece& c, const double* x, const double* y
 template <bool kTapers>
 HWY_INLINE TwoMinima MinimaOf(const FootFrame& f, Reals x, Reals y, Truths before_falls) {
   const FootPiece& c = f.piece;
-  const Reals ox = All(c.p0.x) - x, oy = All(c.p0.y) - y, zero = All(0.0), one = All(1.0);
+  const Reals ox = All(c.p0.x) - x, oy = All(c.p0.y) - y, zero = All(0.0), unit = All(1.0);
   const Truths none = AllAre(false);
   RisingStretch first{zero, zero, zero, zero, none}, second = first;
   Truths doubt = none;
@@ -162,21 +166,25 @@ HWY_INLINE TwoMinima MinimaOf(const FootFrame& f, Reals x, Reals y, Truths befor
   Truths rests_last = last.f > zero;
   TwoMinima found;
   found.rises = rests_last;
-  put(Both(before_falls, rests_last), zero, zero, -one, one);
+  put(Both(before_falls, rests_last), zero, zero, -unit, unit);
   for (int i = 0; i < f.cells; ++i) {
     const FootSlope now = SlopeAtKnot<kTapers>(f, i + 1, ox, oy);
     const Truths rests = now.f > zero, rises = Without(rests, rests_last);
     const Truths alike = Without(AllAre(true), Either(rises, Without(rests_last, rests)));
     doubt = Either(doubt, InDoubt<kTapers>(f, i, last, now, alike, rests));
-    if (Any(rises)) put(rises, All(f.t[i]), All(f.t[i + 1]), last.f, now.f);
+    if (Any(rises)) put(rises, All(f.knots[i].t), All(f.knots[i + 1].t), last.f, now.f);
     last = now, rests_last = rests;
   }
   const Truths falls = Without(AllAre(true), rests_last);
-  if (c.ends) put(falls, one, one, -one, one);
+  if (c.ends) put(falls, unit, unit, -unit, unit);
   found.at_end[0] = Without(AllAre(true), first.lo < first.hi);
   found.at_end[1] = Without(AllAre(true), second.lo < second.hi);
-  found.t[0] = ZeroOn<kTapers>(c, f.fastest, ox, oy, first, doubt), found.t[1] = zero;
-  if (Any(second.is_there)) found.t[1] = ZeroOn<kTapers>(c, f.fastest, ox, oy, second, doubt);
+  constexpr int kSteps = 8;
+  ZeroSearch one = SearchOn(first), two = SearchOn(second);
+  for (int i = 0; i < kSteps && Any(Either(one.goes_on, two.goes_on)); ++i)
+    StepOn<kTapers>(f, ox, oy, one), StepOn<kTapers>(f, ox, oy, two);
+  doubt = Either(doubt, Either(one.goes_on, two.goes_on));
+  found.t[0] = one.t, found.t[1] = two.t;
   found.is_there[0] = first.is_there, found.is_there[1] = second.is_there;
   found.falls = falls, found.doubt = doubt;
   return found;
@@ -221,7 +229,7 @@ HWY_INLINE FiguresOfFeet FiguresAt(Reals qx, Reals qy, Reals gx, Reals gy, Reals
   nx = Choose(still, one, nx), ny = Choose(still, zero, ny);
   const Reals m = All(2.0) * (nx * bx + ny * by + w2);
   const Reals steep = Most((speed - w1) * (speed + w1) - r * m, tiny);
-  const Reals bend = Choose(Either(m < zero, m > zero), -m / steep, zero);
+  const Reals bend = Choose(Either(m<zero, m> zero), -m / steep, zero);
   return {r, hand, nx, ny, bend};
 }
 
@@ -238,8 +246,7 @@ HWY_INLINE RankedFeet FeetAt(const FootFrame& f, int index, Reals x, Reals y, Re
   const Reals width = Choose(last, All(c.w_end), All(c.w0) + t * (All(c.w1) + t * All(c.w2)));
   const Reals key = in.r - width;
   const Reals place = All(c.start) + t - Choose(late, All(c.wrap), All(0.0));
-  RankedFeet found{key,   place, All(double(index)), t, in.nx, in.ny, in.bend,
-                   All(0.0)};
+  RankedFeet found{key, place, All(double(index)), t, in.nx, in.ny, in.bend, All(0.0)};
   if (c.is_joined()) {
     const Reals ex = Choose(late, All(c.p2.x), All(c.p0.x)) - x;
     const Reals ey = Choose(late, All(c.p2.y), All(c.p0.y)) - y, away = Root(ex * ex + ey * ey);
@@ -257,7 +264,7 @@ HWY_INLINE RankedFeet FeetAt(const FootFrame& f, int index, Reals x, Reals y, Re
 }
 
 HWY_INLINE RankedFeet ChooseFeet(Truths m, const RankedFeet& yes, const RankedFeet& no) {
-  return {Choose(m, yes.key, no.key), Choose(m, yes.place, no.place),
+  return {Choose(m, yes.key, no.key),     Choose(m, yes.place, no.place),
           Choose(m, yes.piece, no.piece), Choose(m, yes.t, no.t),
           Choose(m, yes.nx, no.nx),       Choose(m, yes.ny, no.ny),
           Choose(m, yes.bend, no.bend),   Choose(m, yes.joint, no.joint)};
@@ -273,6 +280,14 @@ HWY_INLINE void RankFeet(const RankedFeet& now, Truths is_there, RankedFeet& bes
   const Truths second = Without(Both(is_there, now.key < next.key), Either(lower, same));
   next = ChooseFeet(pushes, best, ChooseFeet(second, now, next));
   best = ChooseFeet(lower, now, best);
+}
+
+/// Whether the whole piece is farther than `key`.
+HWY_INLINE Truths IsFarther(const FootFrame& f, Reals x, Reals y, Reals key) {
+  const Reals zero = All(0.0);
+  const Reals dx = Most(zero, Most(All(f.box.lo.x) - x, x - All(f.box.hi.x)));
+  const Reals dy = Most(zero, Most(All(f.box.lo.y) - y, y - All(f.box.hi.y)));
+  return Root(dx * dx + dy * dy) * All(1.0 - 0x1p-40) - All(f.reach) > key;
 }
 
 HWY_INLINE Truths FallsAtEnd(const FootFrame& f, Reals x, Reals y) {
