@@ -41,6 +41,7 @@ struct TrueFoot {
   Quad barrier;         ///< how far the distance rises before another minimum is reached
   Quad x, y;            ///< the way from the place to it
   double reach, speed;  ///< |q|, √(B'² − w'²)
+  double from_end;      ///< how far an end or a joint is: there the bend jumps
   glm::dvec2 mirrored;  ///< the normal on the curve's other side
 };
 

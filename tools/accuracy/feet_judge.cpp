@@ -156,7 +156,9 @@ class Judging {
   void measure(const Foot& foot, const Match& match) {
     const TrueFoot& truth = truth_[match.which];
     const double off = std::abs(key_of(k_, foot) - double(truth.key)) / unit_;
-    const double slack = std::abs(truth.foot.bend) + 1 / std::max(truth.reach, truth.speed);
+    const bool may_be_end = truth.from_end < kUndecided * unit_;
+    const double bend = std::max(std::abs(truth.foot.bend), may_be_end ? 1 / truth.reach : 0);
+    const double slack = bend + 1 / std::max(truth.reach, truth.speed);
     // Where moving the place by a few units turns the normal by more than that nothing can be asked.
     constexpr double kLevel = 0x1p-16;
     double turned = glm::length(foot.normal - truth.foot.normal);

@@ -258,6 +258,7 @@ TrueFoot foot_of(const Chain& chain, const Turn& turn, const FeetFigure& figure,
                  0,
                  double(f.r),
                  double(g * rest),
+                 0,
                  {}};
   // On the curve itself the way there is no direction.
   const bool is_left = f.qx * f.gy - f.qy * f.gx > 0,
@@ -280,6 +281,12 @@ TrueFoot foot_of(const Chain& chain, const Turn& turn, const FeetFigure& figure,
   const Quad flip = 2 * (nx * f.gy - ny * f.gx) / g2;
   found.mirrored = {sign * double(nx - flip * f.gy), sign * double(ny + flip * f.gx)};
   found.x = f.qx, found.y = f.qy;
+  const auto apart = [&](Quad t) {
+    const Stretch::Figures end = s.at(t);
+    return double(
+        square_root((end.qx - f.qx) * (end.qx - f.qx) + (end.qy - f.qy) * (end.qy - f.qy)));
+  };
+  found.from_end = is_ellipse ? 1e300 : std::min(apart(s.lo), apart(s.hi));
   if (const auto* e = std::get_if<Ellipse>(&figure))
     for (glm::dvec2* n : {&found.foot.normal, &found.mirrored})
       *n = n->x * e->axis + n->y * glm::dvec2(-e->axis.y, e->axis.x);

@@ -62,7 +62,11 @@ FootFrame foot_frame(const FootPiece& c) {
     knot.least = v * w > 0.0 ? std::min(std::abs(v), std::abs(w)) : 0.0;
     knot.widest = std::max(std::abs(v), std::abs(w));
   }
-  f.fastest = std::sqrt(std::max(f.knots[0].gg, f.knots[f.cells].gg));
+  const double fastest2 = std::max(f.knots[0].gg, f.knots[f.cells].gg);
+  const double widens = std::max(std::abs(c.w1), std::abs(c.w1 + 2.0 * c.w2));
+  f.bends = 6.0 * std::sqrt(bb * fastest2) + 4.0 * std::abs(c.w2) * std::sqrt(fastest2) +
+            2.0 * widens * std::sqrt(bb);
+  f.kinks = widens * fastest2;
   for (const int end : {0, 1}) {
     FootFrame::Knot& knot = f.knots[end * f.cells];
     const double length = norm(c.way[end]), sign = end ? 1.0 : -1.0;

@@ -84,11 +84,12 @@ struct FootFrame {
     double least, widest;         ///< and |w'|
   };
   FootPiece piece;
-  bool fits;             ///< sizes whose powers stay in range, and both ends set out
-  double size, fastest;  ///< |a2| + |b|; the largest speed
-  Box2 box;              ///< of the control points
-  double reach;          ///< the widest half-width, and some rounding
-  glm::dvec2 out[2];     ///< unit, out of either end
+  bool fits;            ///< sizes whose powers stay in range, and both ends set out
+  double size;          ///< |a2| + |b|
+  double bends, kinks;  ///< the most that f'' is, and what the width adds to it, times |q|
+  Box2 box;             ///< of the control points
+  double reach;         ///< the widest half-width, and some rounding
+  glm::dvec2 out[2];    ///< unit, out of either end
   int cells;
   Knot knots[kMost + 1];
 };

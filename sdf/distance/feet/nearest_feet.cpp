@@ -57,8 +57,7 @@ class RisingZeros {
     if (going == Going::up || (is_leaf && going == Going::unknown)) {
       if (rises && to_.count < int(to_.t.size())) {
         const auto f = [&](double t) { return seen_.slope(t); };
-        to_.t[to_.count++] =
-            f_lo < 0.0 ? settled(unit_zero_between(f, lo, hi, f_lo, f_hi), lo, hi) : lo;
+        to_.t[to_.count++] = f_lo < 0.0 ? unit_zero_between(f, lo, hi, f_lo, f_hi) : lo;
       }
       return;
     }
@@ -68,18 +67,6 @@ class RisingZeros {
   }
 
  private:
-  /// Beside the spine |q| turns within |q| / |B'|: Newton's method goes on as long as it comes nearer.
-  double settled(double t, double lo, double hi) const {
-    ValueSlope at = seen_.slope(t);
-    for (int i = 0; i < 20; ++i) {
-      const double next = std::clamp(t - at.value / at.slope, lo, hi);
-      const ValueSlope then = seen_.slope(next);
-      if (!(std::abs(then.value) < std::abs(at.value))) break;
-      t = next, at = then;
-    }
-    return t;
-  }
-
   enum class Going { up, down, nowhere_zero, unknown };
 
   /// f'' is at most 3 |B'||B''| + 2 |w''||B'| + |w'| (|B'|²/|q| + |B''|).
@@ -111,6 +98,19 @@ class RisingZeros {
   UnitZeros& to_;
   int cells_ = 0;
 };
+
+/// Newton's method from a zero that is nearly one, as long as it comes nearer: beside a centre of curvature f' is small,
+/// beside the spine of a stroke |q| turns within |q| / |B'|.
+double settled(const SeenPiece& seen, double t) {
+  ValueSlope at = seen.slope(t);
+  for (int i = 0; i < 20; ++i) {
+    const double next = std::clamp(t - at.value / at.slope, 0.0, 1.0);
+    const ValueSlope then = seen.slope(next);
+    if (!(std::abs(then.value) < std::abs(at.value))) break;
+    t = next, at = then;
+  }
+  return t;
+}
 
 /// The sign of the distance's slope right beside an end.
 double slope_at_end(const FootPiece& c, const SeenPiece& seen, int end) {
@@ -300,7 +300,7 @@ FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls,
                                       half_slope);
     if (falls && begin == 0.0 && seen.slope(0.0).slope > 0.0) add(0.0, false);
   }
-  for (int i = 0; i < zeros.count; ++i) add(zeros.t[i], false);
+  for (int i = 0; i < zeros.count; ++i) add(settled(seen, zeros.t[i]), false);
   if (!ends.falls_at_end && !(end > 0.0)) add(1.0, false);
   if (ends.falls_at_end && piece.ends) add(1.0, true);
   return found;

@@ -45,6 +45,9 @@ HWY_INLINE Truths operator<(Reals a, Reals b) {
 HWY_INLINE Truths operator>(Reals a, Reals b) {
   return hn::Gt(a.v, b.v);
 }
+HWY_INLINE Truths AtMost(Reals a, Reals b) {
+  return hn::Le(a.v, b.v);
+}
 HWY_INLINE Reals Root(Reals a) {
   return {hn::Sqrt(a.v)};
 }

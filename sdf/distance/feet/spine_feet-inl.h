@@ -104,17 +104,19 @@ HWY_INLINE ZeroSearch SearchOn(const RisingStretch& on) {
 /// A step of Newton's method, or to the middle where that leaves the stretch.
 template <bool kTapers>
 HWY_INLINE void StepOn(const FootFrame& f, Reals ox, Reals oy, ZeroSearch& s) {
-  // What a step leaves is about its square, and beside the spine its square over |q| / |B'|.
-  constexpr double kSettled = 0x1p-30, kSettledBySpine = 0x1p-52;
+  // What a step leaves is its square times half of f'' / f', which the width adds |w'| |B'|² / |q| to.
+  constexpr double kSettled = 0x1p-52;
   const FootSlope at = SlopeAt<kTapers>(f.piece, ox, oy, s.t);
   const Truths rests = at.f > All(0.0);
   s.lo = Choose(rests, s.lo, s.t), s.hi = Choose(rests, s.t, s.hi);
   const Reals next = s.t - at.f / at.rise;
-  const Truths within = Without(Without(AllAre(true), next < s.lo), next > s.hi);
+  const Truths within = Both(AtMost(s.lo, next), AtMost(next, s.hi));
   const Reals now = Choose(within, next, All(0.5) * (s.lo + s.hi)), step = now - s.t;
-  Truths settles = Size(step) < All(kSettled);
-  if (kTapers)
-    settles = Without(settles, step * step * All(f.fastest) > All(kSettledBySpine) * at.r);
+  const Reals left = step * step * All(f.bends), may = All(kSettled) * at.rise;
+  const Truths is_left_little =
+      kTapers ? left * at.r + step * step * All(f.kinks) < may * at.r : left < may;
+  const Truths moves = Size(step) > All(0.0);
+  const Truths settles = Either(Both(within, is_left_little), Without(AllAre(true), moves));
   s.t = Choose(s.goes_on, now, s.t), s.goes_on = Without(s.goes_on, settles);
 }
 
