@@ -1,56 +1,13 @@
 // Distances of many points.
 
 #include <mien/distance.h>
-#include "bind/c/door_private.h"
+#include "bind/c/figures_private.h"
 
-#include <cmath>
 #include <vector>
 
 using namespace mien::c;
 
 namespace {
-
-mien::QuadBezier quad_of(const double* p) {
-  need(p, "curve");
-  return {{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}};
-}
-
-mien::CubicBezier cubic_of(const double* p) {
-  need(p, "curve");
-  return {{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}};
-}
-
-double not_negative(double length, const char* what) {
-  if (length < 0) refuse(what, "expected no negative number, got " + std::to_string(length));
-  return length;
-}
-
-mien::Ellipse ellipse_of(const double* p) {
-  need(p, "ellipse");
-  const double length = std::hypot(p[4], p[5]);
-  if (!(length > 0) || !std::isfinite(length)) refuse("ellipse", "its direction has no length");
-  return {{p[0], p[1]},
-          {not_negative(p[2], "ellipse"), not_negative(p[3], "ellipse")},
-          {p[4] / length, p[5] / length}};
-}
-
-mien::ParabolaSide parabola_of(const double* p) {
-  need(p, "side");
-  const double length = std::hypot(p[2], p[3]);
-  if (!(length > 0) || !std::isfinite(length)) refuse("side", "its axis has no length");
-  return {{p[0], p[1]}, {p[2] / length, p[3] / length}, p[4]};
-}
-
-mien::TaperedStroke tapered_of(const double* p) {
-  need(p, "stroke");
-  return {
-      quad_of(p),
-      {not_negative(p[6], "stroke"), not_negative(p[7], "stroke"), not_negative(p[8], "stroke")}};
-}
-
-void need_memory_for(std::size_t count, std::size_t bytes_each, const char* argument) {
-  if (count > std::size_t(PTRDIFF_MAX) / bytes_each) misuse(argument, "is more than memory holds");
-}
 
 template <class Number, class Figure>
 mien_status measure(const char* function, Figure figure, const double* numbers, const Number* x,

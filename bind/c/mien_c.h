@@ -730,6 +730,43 @@ MIEN_C_API mien_status mien_distances_quad_on_grid_f32(const double curve[6], do
                                                        double step, size_t columns, size_t rows,
                                                        float* d, mien_error** error);
 
+/* Feet: where on curves the nearest point lies, in which direction, and the runner-up; <mien/feet.h> says what each
+ * figure is. Each array has `count` numbers; what is NULL is not written. Set by mien_feet_init, with the struct's size. */
+typedef struct mien_feet {
+  uint32_t size;    /* sizeof(mien_feet) */
+  int32_t reserved; /* 0 */
+  int32_t* piece;   /* the curve's index; -1: there is none, and the distance is +infinity */
+  double* t;        /* 0 to 1 along it; of an ellipse the angle of the parameter [rad] */
+  double* distance; /* as mien_distances_... have it */
+  double *normal_x, *normal_y; /* the gradient of the distance, of length 1 */
+  double* bend;                /* the curvature of the level line there */
+} mien_feet;
+MIEN_C_API void mien_feet_init(mien_feet* feet, size_t size);
+
+/* From (x[i], y[i]) the nearest foot and the next one, in SIMD, with the same bytes on every machine. Either may be NULL.
+ * A curve that begins exactly where the one before ends continues it. Results may not overlap x, y or each other.
+ *
+ *   quads    curves of six numbers each, as above
+ *   lines    x0, y0, x1, y1, half-width
+ *   tapered  strokes of nine numbers each, as above
+ *   ellipse  as above
+ */
+MIEN_C_API mien_status mien_feet_quads_f64(const double* curves, size_t curve_count,
+                                           const double* x, const double* y, size_t count,
+                                           const mien_feet* nearest, const mien_feet* next,
+                                           mien_error** error);
+MIEN_C_API mien_status mien_feet_lines_f64(const double* lines, size_t line_count, const double* x,
+                                           const double* y, size_t count, const mien_feet* nearest,
+                                           const mien_feet* next, mien_error** error);
+MIEN_C_API mien_status mien_feet_tapered_f64(const double* strokes, size_t stroke_count,
+                                             const double* x, const double* y, size_t count,
+                                             const mien_feet* nearest, const mien_feet* next,
+                                             mien_error** error);
+MIEN_C_API mien_status mien_feet_ellipse_f64(const double ellipse[6], const double* x,
+                                             const double* y, size_t count,
+                                             const mien_feet* nearest, const mien_feet* next,
+                                             mien_error** error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -151,7 +151,9 @@ class Judging {
     const bool is_same = std::abs(found_.next.t - found_.nearest.t) < 0x1p-30;
     if (match.which == near && found_.next.piece == found_.nearest.piece && is_same)
       return fail(to_.wrong_next);
-    if (match.which != near) measure(found_.next, match);
+    // What is nearly a foot has no true one to be measured by.
+    const double off = std::abs(key - double(truth_[match.which].key));
+    if (match.which != near && off <= kUndecided * unit_) measure(found_.next, match);
   }
   void measure(const Foot& foot, const Match& match) {
     const TrueFoot& truth = truth_[match.which];

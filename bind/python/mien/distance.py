@@ -6,6 +6,7 @@ array([2.        , 2.06155281])
 
 x and y broadcast against each other, as in NumPy. Where both are float32 the distances are, too; everything else is float64.
 `out` takes the distances; it may be x or y. A NaN or infinite coordinate gives infinity. Error bounds: docs/numerics.md.
+`mien.distance.feet` has the nearest points, their normals and the runners-up.
 """
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ import numpy.typing
 
 from ._library import Error, call, lib
 
-__all__ = ["cubic", "ellipse", "parabola", "quad", "quad_on_grid", "quads", "tapered"]
+__all__ = ["cubic", "ellipse", "feet", "parabola", "quad", "quad_on_grid", "quads", "tapered"]
 
 Reals = numpy.typing.NDArray[Any]
 
@@ -162,3 +163,6 @@ def _place(out: Optional[Reals], shape: tuple[int, ...], dtype: "numpy.dtype[Any
                for one in (xs, ys)):
             return out
     return numpy.empty(shape, dtype)
+
+
+from . import _feet as feet  # noqa: E402  (it stands on what is above)

@@ -99,7 +99,7 @@ Feet nearest_feet(const Ellipse& ellipse, glm::dvec2 p) {
         foot_figures(rim - k * local, {-radii.x * s, radii.y * c}, -0.5 * rim, 0.0, 0.0);
     if (!is_far) hand = found.hand;
     const glm::dvec2 n = hand * found.normal, across{-axis.y, axis.x};
-    return Foot{0, angle_of(c, s), hand * found.r / k, n.x * axis + n.y * across,
+    return Foot{0, angle_of(c, s), hand * found.r / k, n.x * axis + n.y * across + 0.0,
                 hand * found.bend * k};
   };
   Feet feet{foot_on(near_side(seen), false), {}};

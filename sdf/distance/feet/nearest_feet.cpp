@@ -130,7 +130,7 @@ RankedFoot foot_at(const FootPiece& c, const SeenPiece& seen, int index, double 
   const FootFigures figures = foot_figures(q, seen.speed(t), seen.b, seen.widening(t), seen.w2);
   RankedFoot found{(figures.r - seen.width(t)) / seen.scale, c.place(t), {index, t}};
   Foot& foot = found.foot;
-  foot.distance = found.key, foot.normal = figures.normal;
+  foot.distance = found.key, foot.normal = figures.normal + 0.0;  // no −0
   foot.bend = (at_end ? 1.0 / figures.r : figures.bend) * seen.scale;
   if (c.is_joined()) {
     const glm::dvec2 end = t > 0.5 ? seen.q2 : seen.q0;
@@ -145,6 +145,7 @@ RankedFoot foot_at(const FootPiece& c, const SeenPiece& seen, int index, double 
     foot.normal = -q / figures.r;
   else
     foot.normal = length > 0.0 ? out / length : glm::dvec2{1.0, 0.0};
+  foot.normal += 0.0;
   return found;
 }
 
@@ -279,8 +280,13 @@ FootEnds foot_ends(const FootPiece& piece, glm::dvec2 p) {
 FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls, FootEnds ends) {
   const SeenPiece seen(piece, p);
   FootParameters found;
+  const auto depth = [&](double t) { return norm(seen.at(t)) - seen.width(t); };
   const auto add = [&](double t, bool at_end) {
-    found.at_end[found.count] = at_end, found.t[found.count++] = t;
+    int& n = found.count;
+    const bool is_known = n > 0 && std::abs(t - found.t[n - 1]) < kOneFoot;
+    if (is_known && !(depth(t) < depth(found.t[n - 1]))) return;
+    n += !is_known;
+    found.at_end[n - 1] = at_end, found.t[n - 1] = t;
   };
   const double begin = slope_at_end(piece, seen, 0), end = slope_at_end(piece, seen, 1);
   if (falls && ends.rises_at_begin) add(0.0, true);
@@ -300,7 +306,11 @@ FootParameters foot_parameters(const FootPiece& piece, glm::dvec2 p, bool falls,
                                       half_slope);
     if (falls && begin == 0.0 && seen.slope(0.0).slope > 0.0) add(0.0, false);
   }
-  for (int i = 0; i < zeros.count; ++i) add(settled(seen, zeros.t[i]), false);
+  for (int i = 0; i < zeros.count; ++i) {
+    const double t = settled(seen, zeros.t[i]);
+    // Right at an end it is for the ends to say.
+    if (!(t <= 0.0 && ends.rises_at_begin) && !(t >= 1.0 && ends.falls_at_end)) add(t, false);
+  }
   if (!ends.falls_at_end && !(end > 0.0)) add(1.0, false);
   if (ends.falls_at_end && piece.ends) add(1.0, true);
   return found;

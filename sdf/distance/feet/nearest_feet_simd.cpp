@@ -20,7 +20,9 @@ struct FootRows {
 
   void store(const RankedFeet& feet) {
     StoreReals(feet.key, rows[0]), StoreReals(feet.piece, rows[1]), StoreReals(feet.t, rows[2]);
-    StoreReals(feet.nx, rows[3]), StoreReals(feet.ny, rows[4]), StoreReals(feet.bend, rows[5]);
+    const Reals no_sign = All(0.0);  // of a 0
+    StoreReals(feet.nx + no_sign, rows[3]), StoreReals(feet.ny + no_sign, rows[4]);
+    StoreReals(feet.bend, rows[5]);
   }
   void put(const Foot& foot, size_t k) {
     const double all[6] = {foot.distance, double(foot.piece), foot.t,
