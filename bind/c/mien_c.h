@@ -738,8 +738,9 @@ typedef struct mien_feet {
   int32_t* piece;   /* the curve's index; -1: there is none, and the distance is +infinity */
   double* t;        /* 0 to 1 along it; of an ellipse the angle of the parameter [rad] */
   double* distance; /* as mien_distances_... have it */
-  double *normal_x, *normal_y; /* the gradient of the distance, of length 1 */
-  double* bend;                /* the curvature of the level line there */
+  double* normal_x; /* the gradient of the distance, of length 1 */
+  double* normal_y;
+  double* bend; /* the curvature of the level line there */
 } mien_feet;
 MIEN_C_API void mien_feet_init(mien_feet* feet, size_t size);
 

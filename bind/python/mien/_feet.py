@@ -28,7 +28,8 @@ import numpy
 import numpy.typing
 
 from . import distance as _distance
-from ._library import Error, FeetArrays, call, lib
+from ._library import Error, call, lib
+from ._library import Feet as _Arrays
 
 __all__ = ["Feet", "Foot", "ellipse", "line", "lines", "quad", "quads", "tapered", "tapereds"]
 
@@ -140,7 +141,7 @@ def _feet(figures: str, numbers: list[Reals], each: Any, x: ArrayLike, y: ArrayL
     figure = numpy.ascontiguousarray(numpy.concatenate(numbers))
     count = ready[0].size
     rows, pieces = numpy.empty((2, 5, count)), numpy.empty((2, count), numpy.int32)
-    arrays = [FeetArrays(ctypes.sizeof(FeetArrays), 0, pieces[i].ctypes.data, *(row.ctypes.data for row in rows[i])) for i in (0, 1)]
+    arrays = [_Arrays(ctypes.sizeof(_Arrays), 0, pieces[i].ctypes.data, *(row.ctypes.data for row in rows[i])) for i in (0, 1)]
     call(getattr(lib, f"mien_feet_{figures}_f64"), figure.ctypes.data, *([] if each is None else [figure.size // each]),
          ready[0].ctypes.data, ready[1].ctypes.data, count, *map(ctypes.byref, arrays))
     return Feet(*(_foot(pieces[i], rows[i], shape) for i in (0, 1)))

@@ -66,7 +66,7 @@ class RenderStats(Structure):
                 ("steps", c_int64), ("memory", c_int64)]
 
 
-class FeetArrays(Structure):
+class Feet(Structure):
     _fields_ = [("size", c_uint32), ("reserved", c_int32), *((name, c_void_p) for name in (
         "piece", "t", "distance", "normal_x", "normal_y", "bend"))]
 
@@ -153,9 +153,9 @@ _STATUS: dict[str, list[Any]] = {
     "mien_distances_quad_accurate_f32": [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t],
     "mien_distances_quads_f32": [c_void_p, c_size_t, c_void_p, c_void_p, c_void_p, c_size_t],
     "mien_distances_quad_on_grid_f32": [c_void_p, c_double, c_double, c_double, c_size_t, c_size_t, c_void_p],
-    **{f"mien_feet_{figures}_f64": [c_void_p, c_size_t, c_void_p, c_void_p, c_size_t, POINTER(FeetArrays), POINTER(FeetArrays)]
+    **{f"mien_feet_{figures}_f64": [c_void_p, c_size_t, c_void_p, c_void_p, c_size_t, POINTER(Feet), POINTER(Feet)]
        for figures in ("quads", "lines", "tapered")},
-    "mien_feet_ellipse_f64": [c_void_p, c_void_p, c_void_p, c_size_t, POINTER(FeetArrays), POINTER(FeetArrays)],
+    "mien_feet_ellipse_f64": [c_void_p, c_void_p, c_void_p, c_size_t, POINTER(Feet), POINTER(Feet)],
 }
 _PLAIN: dict[str, tuple[Any, list[Any]]] = {
     "mien_version_text": (c_char_p, []),

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   test_bases(argv[2]);
   test_debug();
   test_distances();
+  test_feet();
 #ifdef MIEN_IMAGE
   test_files(argv[2]);
 #endif

@@ -503,6 +503,56 @@ class Distances(unittest.TestCase):
                 call()
 
 
+class Feet(unittest.TestCase):
+    def test_agree_with_distances_and_differences(self):
+        x, y = numpy.random.default_rng(5).random((2, 40, 25)) * 3 - 1
+        widths, step = (0.1, 0.2, 0.05), 1e-6
+        for feet, of in ((lambda x, y: distance.feet.quad(QUAD, x, y), lambda x, y: distance.quad(QUAD, x, y)),
+                         (lambda x, y: distance.feet.tapered(QUAD, widths, x, y), lambda x, y: distance.tapered(QUAD, widths, x, y)),
+                         (lambda x, y: distance.feet.ellipse((0.5, 0.5), (1, 2), x, y, axis=(1, 1)),
+                          lambda x, y: distance.ellipse((0.5, 0.5), (1, 2), x, y, axis=(1, 1)))):
+            nearest, following = feet(x, y)
+            self.assertEqual((nearest.t.shape, nearest.normal.shape, nearest.piece.dtype), ((40, 25), (40, 25, 2), numpy.int32))
+            numpy.testing.assert_allclose(nearest.distance, of(x, y), atol=1e-14)
+            numpy.testing.assert_allclose(numpy.hypot(*numpy.moveaxis(nearest.normal, -1, 0)), 1, atol=1e-14)
+            gradient = numpy.stack([of(x + step, y) - of(x - step, y), of(x, y + step) - of(x, y - step)], -1) / (2 * step)
+            close = numpy.abs(gradient - nearest.normal).max(-1) < 1e-5
+            self.assertGreater(close.mean(), 0.99)  # but for ridges
+            there = following.piece >= 0
+            self.assertTrue(there.any() and not there.all())
+            self.assertTrue((numpy.abs(following.distance[there]) >= numpy.abs(nearest.distance[there])).all())
+            self.assertTrue(numpy.isposinf(following.distance[~there]).all() and not following.normal[~there].any())
+
+    def test_of_lists_tell_the_piece(self):
+        square = [[(0, 0), (2, 0)], [(2, 0), (2, 2)], [(2, 2), (0, 2)], [(0, 2), (0, 0)]]
+        x, y = numpy.linspace(0.1, 0.9, 5), 1.0
+        nearest, following = distance.feet.lines(square, x, y)
+        self.assertEqual(nearest.piece.tolist(), [3] * 5)
+        numpy.testing.assert_allclose(nearest.distance, x)
+        self.assertEqual(distance.feet.lines(square, -1, -1).next.piece, -1)  # the corner is one foot
+        self.assertEqual(distance.feet.lines(square, 1, 1, half_width=0.25).nearest.distance, 0.75)
+        quads = [QUAD, [[0, 3], [1, 4], [2, 3]]]
+        self.assertEqual(distance.feet.quads(quads, 1, 3).nearest.piece, 1)
+        self.assertEqual(distance.feet.tapereds(quads, [[0.1] * 3] * 2, 1, 3).nearest.piece, 1)
+        self.assertEqual(distance.feet.quads([], [1, 2], 3).nearest.piece.tolist(), [-1, -1])
+        self.assertEqual(numpy.shape(distance.feet.quad(QUAD, 1, 2).nearest.distance), ())
+        self.assertEqual(distance.feet.quad(QUAD, [], []).nearest.normal.shape, (0, 2))
+        self.assertEqual(distance.feet.quad(QUAD, numpy.float32([1, 2]), 3).nearest.distance.dtype, numpy.float64)
+
+    def test_refuse_in_a_sentence(self):
+        for call, error, words in (
+                (lambda: distance.feet.quad(QUAD[:2], 1, 1), mien.Error, "expected 6 numbers, got 4"),
+                (lambda: distance.feet.quads([[1, 2]], 1, 1), mien.Error, "curves: expected an array"),
+                (lambda: distance.feet.lines([[[1, 2, 3]]], 1, 1), mien.Error, "segments"),
+                (lambda: distance.feet.tapereds([QUAD], [[1, 1, 1]] * 2, 1, 1), mien.Error, "half_widths"),
+                (lambda: distance.feet.quad(QUAD, [1, 2], [1, 2, 3]), mien.Error, "broadcast"),
+                (lambda: distance.feet.line((0, 0), (1, 1), 1, 1, half_width=-1), mien.Error, "negative"),
+                (lambda: distance.feet.ellipse((0, 0), (1, 1), 1, 1, axis=(0, 0)), mien.Error, "direction"),
+                (lambda: distance.feet.quad("curve", 1, 1), TypeError, "points")):
+            with self.assertRaisesRegex(error, words):
+                call()
+
+
 class Package(unittest.TestCase):
     def test_has_the_version_of_the_library(self):
         said = subprocess.run([MIEN, "--version"], capture_output=True, text=True, check=True).stdout
@@ -533,7 +583,7 @@ class Package(unittest.TestCase):
             self.assertIn("ImportError: mien needs libmien_c.so.0; MIEN_LIBRARY", said.stderr)
 
     def test_examples_in_its_documentation_run(self):
-        for module in (mien, distance, people):
+        for module in (mien, distance, distance.feet, people):
             failed, tried = doctest.testmod(module)
             self.assertFalse(failed)
         page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
