@@ -70,6 +70,18 @@ int export_cases(const Options& options) {
   return 0;
 }
 
+int export_feet(const Options& options) {
+  require_names("family of feet", options.families, feet_families());
+  std::ofstream file(options.exported, std::ios::binary);
+  write_feet_header(file, options.seed);
+  for (const FeetFamily& family : feet_families())
+    if (wanted(options.families, family.name))
+      write_feet(file, family, options.count, options.seed);
+  file.close();
+  if (!file) return fmt::print(stderr, "{}: cannot be written\n", options.exported), 1;
+  return 0;
+}
+
 int judge_cubics(const Options& options) {
   require_names("family of cubics", options.families, cubic_families());
   require_names("kernel for cubics", options.kernels, own_cubic_solvers());
@@ -186,7 +198,7 @@ int main(int argc, char** argv) {
   try {
     if (options.cubics) return judge_cubics(options);
     if (options.fields) return judge_fields(options);
-    if (options.feet) return judge_feet(options);
+    if (options.feet) return options.exported.empty() ? judge_feet(options) : export_feet(options);
     return options.exported.empty() ? judge(options) : export_cases(options);
   } catch (const std::exception& problem) {
     fmt::print(stderr, "mien-accuracy: {}\n", problem.what());

@@ -45,6 +45,26 @@ class Lab(unittest.TestCase):
         nothing = mien.lab.check(lambda points, x, y: numpy.nan * x, count=3, program=PROGRAM)
         self.assertTrue(all(row.nan == 3 for row in nothing))
 
+    def test_judges_feet(self):
+        table = mien.lab.check_feet(distance.feet.quad, count=20, program=PROGRAM)
+        self.assertGreater(len(table), 10)
+        for row in table:
+            self.assertEqual((row.cases, row.wrong, row.wrong_next), (20, 0, 0), row.family)
+            self.assertLessEqual(row.distance, 8)  # FeetContract::kDistance
+            self.assertLess(row.normal, 1e-10)
+
+        def spoiled(change):
+            def solver(points, x, y):
+                return change(*distance.feet.quad(points, x, y))
+            table = mien.lab.check_feet(solver, count=20, program=PROGRAM)
+            return sum(row.wrong for row in table), sum(row.wrong_next for row in table), max(row.normal for row in table)
+        nothing = distance.feet.quad([[0, 0], [0, 0], [0, 0]], 0, 0).next
+        self.assertGreater(spoiled(lambda nearest, following: (nearest, nothing))[1], 50)
+        self.assertGreater(spoiled(lambda nearest, following: (nearest, nearest))[1], 100)
+        self.assertGreater(spoiled(lambda nearest, following: (following, nearest))[0], 100)
+        self.assertGreater(spoiled(lambda nearest, following: (nearest._replace(normal=-nearest.normal), following))[2], 1)
+        self.assertIn("0 of", str(table))
+
     def test_says_what_is_missing(self):
         with self.assertRaisesRegex(mien.Error, "cannot be run"):
             mien.lab.check(sampled, program="no-such-laboratory")
