@@ -58,30 +58,31 @@ double reach_of(const std::vector<F>& all, glm::dvec2 p) {
   return most;
 }
 
-std::string text(glm::dvec2 p) {
+std::string numbers_of(glm::dvec2 p) {
   return fmt::format("{{{}, {}}}", p.x, p.y);
 }
-std::string text(const QuadBezier& c) {
-  return fmt::format("{{{}, {}, {}}}", text(c.p0), text(c.p1), text(c.p2));
+std::string numbers_of(const QuadBezier& c) {
+  return fmt::format("{{{}, {}, {}}}", numbers_of(c.p0), numbers_of(c.p1), numbers_of(c.p2));
 }
-std::string text(const Line& l) {
-  return fmt::format("{{{}, {}, {}}}", text(l.a), text(l.b), l.half_width);
+std::string numbers_of(const Line& l) {
+  return fmt::format("{{{}, {}, {}}}", numbers_of(l.a), numbers_of(l.b), l.half_width);
 }
-std::string text(const TaperedStroke& s) {
+std::string numbers_of(const TaperedStroke& s) {
   const double* w = s.half_width;
-  return fmt::format("{{{}, {{{}, {}, {}}}}}", text(s.spine), w[0], w[1], w[2]);
+  return fmt::format("{{{}, {{{}, {}, {}}}}}", numbers_of(s.spine), w[0], w[1], w[2]);
 }
-std::string text(const Ellipse& e) {
-  return fmt::format("{{{}, {}, {}}}", text(e.center), text(e.radii), text(e.axis));
+std::string numbers_of(const Ellipse& e) {
+  return fmt::format("{{{}, {}, {}}}", numbers_of(e.center), numbers_of(e.radii),
+                     numbers_of(e.axis));
 }
 template <class F>
-std::string text(const std::vector<F>& all) {
+std::string numbers_of(const std::vector<F>& all) {
   std::string out = "{";
-  for (const F& one : all) out += (out.size() > 1 ? ", " : "") + text(one);
+  for (const F& one : all) out += (out.size() > 1 ? ", " : "") + numbers_of(one);
   return out + "}";
 }
-std::string text(const FeetCase& k) {
-  return std::visit([](const auto& f) { return text(f); }, k.figure) + ", " + text(k.p);
+std::string numbers_of(const FeetCase& k) {
+  return std::visit([](const auto& f) { return numbers_of(f); }, k.figure) + ", " + numbers_of(k.p);
 }
 
 /// What one foot is to the truth.
@@ -181,7 +182,7 @@ class Judging {
   const double unit_;
 };
 
-std::string kernel_of(const FeetTally& t) {
+std::string feet_kernel_of(const FeetTally& t) {
   return t.instruction_set.empty() ? t.solver : t.solver + " " + t.instruction_set;
 }
 
@@ -251,8 +252,9 @@ std::vector<FeetTally> judge_feet(const FeetFamily& family, const std::vector<Fe
 std::vector<FeetTally> over_feet_families(const std::vector<FeetTally>& tallies) {
   std::vector<FeetTally> rows;
   for (const FeetTally& t : tallies) {
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const FeetTally& r) { return kernel_of(r) == kernel_of(t); });
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const FeetTally& r) {
+      return feet_kernel_of(r) == feet_kernel_of(t);
+    });
     if (row == rows.end()) {
       rows.push_back(t);
       continue;
@@ -273,10 +275,11 @@ std::string feet_table(const std::vector<FeetTally>& tallies) {
                   "cases", "with next", "wrong", "next", "distance", "normal");
   for (const FeetTally& t : tallies)
     out += fmt::format(
-        "{:<26} {:<14} {:>9} {:>9} {:>7} {:>7} {:>10.4g} {:>10.4g}{}\n", t.family, kernel_of(t),
-        t.cases, t.with_next, t.wrong, t.wrong_next, t.distance, t.normal,
-        t.passes() ? ""
-                   : "  MISSED at " + text(t.wrong + t.wrong_next ? t.wrong_case : t.worst_case));
+        "{:<26} {:<14} {:>9} {:>9} {:>7} {:>7} {:>10.4g} {:>10.4g}{}\n", t.family,
+        feet_kernel_of(t), t.cases, t.with_next, t.wrong, t.wrong_next, t.distance, t.normal,
+        t.passes()
+            ? ""
+            : "  MISSED at " + numbers_of(t.wrong + t.wrong_next ? t.wrong_case : t.worst_case));
   return out;
 }
 

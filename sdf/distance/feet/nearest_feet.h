@@ -81,7 +81,7 @@ MIEN_API void nearest_feet(const Ellipse& ellipse, std::span<const double> x,
 struct FeetContract {
   static constexpr double kDistance = 8.0;
   /// Times |bend| + 1 / max(|p − B|, √(B'² − w'²)), [1 / length]: what moving the place and the curve as far does.
-  static constexpr double kNormal = 16.0;
+  static constexpr double kNormal = 32.0;
 };
 
 }  // namespace mien

@@ -66,13 +66,13 @@ Turn polished(Turn e, double a, double b, double x, double y) {
   return glm::dot(then, then) <= glm::dot(off, off) ? next : e;
 }
 
-struct Foot {
+struct QuadrantFoot {
   double distance;  ///< signed
   glm::dvec2 on;
 };
 
 /// a >= b >= 0, x >= 0, y >= 0, the largest of a, x, y about 1.
-Foot foot_in_quadrant(double a, double b, double x, double y) {
+QuadrantFoot foot_in_quadrant(double a, double b, double x, double y) {
   if (a == b) {
     const double n = norm({x, y});
     return {n - a, n > 0.0 ? (a / n) * glm::dvec2(x, y) : glm::dvec2(a, 0.0)};
@@ -103,8 +103,8 @@ NearestOnEllipse nearest(const Ellipse& ellipse, glm::dvec2 p) {
   if (size == 0.0) return {0.0, ellipse.center};
   const double k = std::ldexp(1.0, std::clamp(std::ilogb(size), -1000, 1000));
   const bool tall = r.x < r.y;
-  Foot foot = tall ? foot_in_quadrant(r.y / k, r.x / k, far.y / k, far.x / k)
-                   : foot_in_quadrant(r.x / k, r.y / k, far.x / k, far.y / k);
+  QuadrantFoot foot = tall ? foot_in_quadrant(r.y / k, r.x / k, far.y / k, far.x / k)
+                           : foot_in_quadrant(r.x / k, r.y / k, far.x / k, far.y / k);
   if (tall) std::swap(foot.on.x, foot.on.y);
   const double x = k * std::copysign(foot.on.x, local.x), y = k * std::copysign(foot.on.y, local.y);
   return {

@@ -12,7 +12,7 @@ namespace mien::accuracy {
 template <class T>
 T bisection(const QuadBezier& curve, T x, T y) {
   constexpr int kSamples = 32;
-  const Foot<T> f(curve, x, y);
+  const FootEquation<T> f(curve, x, y);
   T best = std::min(f.square(0), f.square(1));
   for (int i = 0; i < kSamples; ++i) {
     T lo = T(i) / kSamples, hi = T(i + 1) / kSamples;

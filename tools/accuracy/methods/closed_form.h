@@ -14,7 +14,7 @@ namespace mien::accuracy {
 
 template <class T>
 T closed_form(const QuadBezier& curve, T x, T y) {
-  const Foot<T> f(curve, x, y);
+  const FootEquation<T> f(curve, x, y);
   const T a = f.c2 / f.c3, b = f.c1 / f.c3, c = f.c0 / f.c3, third = a / 3;
   const T p = b - a * third, q = (2 * third * third - b) * third + c;
   const T disc = q * q / 4 + p * p * p / 27;

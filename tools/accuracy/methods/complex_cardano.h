@@ -14,7 +14,7 @@ namespace mien::accuracy {
 template <class T>
 T complex_cardano(const QuadBezier& curve, T x, T y) {
   using C = std::complex<T>;
-  const Foot<T> f(curve, x, y);
+  const FootEquation<T> f(curve, x, y);
   const T a2 = f.c2 / f.c3, a1 = f.c1 / f.c3, a0 = f.c0 / f.c3;
   const T q = a1 / 3 - a2 * a2 / 9, r = (a1 * a2 - 3 * a0) / 6 - a2 * a2 * a2 / 27;
   const C root = std::sqrt(C(q * q * q + r * r));

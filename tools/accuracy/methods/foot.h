@@ -11,11 +11,11 @@ namespace mien::accuracy {
 /// The curve about the point, p0 − p + 2 a t + b t², in the arithmetic T, and the equation
 ///   f(t) = b·b t³ + 3 a·b t² + (2 a·a + q·b) t + q·a = 0,  q = p0 − p.
 template <class T>
-struct Foot {
+struct FootEquation {
   T qx, qy, ax, ay, bx, by;
   T c3, c2, c1, c0;
 
-  Foot(const QuadBezier& c, T x, T y)
+  FootEquation(const QuadBezier& c, T x, T y)
       : qx(T(c.p0.x) - x),
         qy(T(c.p0.y) - y),
         ax(T(c.p1.x) - T(c.p0.x)),

@@ -11,7 +11,7 @@ namespace mien::accuracy {
 template <class T>
 T newton_from_samples(const QuadBezier& curve, T x, T y) {
   constexpr int kSamples = 16, kSteps = 8;
-  const Foot<T> f(curve, x, y);
+  const FootEquation<T> f(curve, x, y);
   T best = f.square(0), t = 0;
   for (int i = 1; i <= kSamples; ++i) {
     const T at = T(i) / kSamples, square = f.square(at);

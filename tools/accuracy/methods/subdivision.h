@@ -15,7 +15,7 @@ namespace mien::accuracy {
 template <class T>
 class Subdivision {
  public:
-  explicit Subdivision(const Foot<T>& foot)
+  explicit Subdivision(const FootEquation<T>& foot)
       : foot_(foot), best_(std::min(foot.square(0), foot.square(1))) {
     const T d = foot.c0, c = foot.c1 / 3, b = foot.c2 / 3;
     search({d, d + c, d + 2 * c + b, d + foot.c1 + foot.c2 + foot.c3}, 0, 1, 0);
@@ -52,13 +52,13 @@ class Subdivision {
 
   void take(T t) { best_ = std::min(best_, foot_.square(t)); }
 
-  const Foot<T>& foot_;
+  const FootEquation<T>& foot_;
   T best_;
 };
 
 template <class T>
 T subdivision(const QuadBezier& curve, T x, T y) {
-  const Foot<T> foot(curve, x, y);
+  const FootEquation<T> foot(curve, x, y);
   return Subdivision<T>(foot).distance();
 }
 
