@@ -74,4 +74,8 @@ inline std::uint64_t feet_hash(int count) {
   return hash;
 }
 
+/// What it is everywhere.
+inline constexpr int kHashedFeet = 500;
+inline constexpr std::uint64_t kFeetHash = 0xcc5a21cee51c4cf0u;
+
 }  // namespace mien::test
