@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kBytesOfPiece =
     sizeof(SweepPiece) + sizeof(OutlinePiece) + sizeof(OutlineVertex);
 
-std::uint64_t sides_of(const Shape& shape) {
+std::uint64_t path_sides(const Shape& shape) {
   std::uint64_t sides = 0;
   if (const Path* path = std::get_if<Path>(&shape))
     for (const Path::Loop& loop : path->loops) sides += loop.sides.size();
@@ -42,13 +42,13 @@ std::uint64_t least_bytes(const AreaPrograms& programs, std::span<const OutlineS
 void foresee(const AreaPrograms& programs, std::span<const OutlineSource> sources,
              const OutlineFrame& frame) {
   std::uint64_t sides = 0;
-  for (const OutlineSource& source : sources) sides += sides_of(programs.shape(source));
+  for (const OutlineSource& source : sources) sides += path_sides(programs.shape(source));
   if (may_be_too_much(sides)) foresees(least_bytes(programs, sources, frame));
 }
 
 void foresee(const Scene& scene, const OutlineFrame& frame) {
   std::uint64_t sides = 0;
-  for (const Shape& shape : scene.shapes()) sides += sides_of(shape);
+  for (const Shape& shape : scene.shapes()) sides += path_sides(shape);
   if (!may_be_too_much(sides)) return;
   AreaPrograms programs;
   programs.begin(scene);

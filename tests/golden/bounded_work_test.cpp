@@ -42,10 +42,10 @@ TEST(BoundedWork, SaysWhichLimitIsExceeded) {
   ASSERT_FALSE(steps);
   EXPECT_EQ(steps.error().what, "drawing takes more than 100000 steps of work (limit `steps`)");
   EXPECT_FALSE(stats.cancelled);
-  const auto memory = render(scenes[0].scene, kView, {.limits = {.memory = 1000}});
+  const auto memory = render(scenes.back().scene, kView, {.limits = {.memory = 1000}});
   ASSERT_FALSE(memory);
   EXPECT_EQ(memory.error().what,
-            "outlines and their order need more than 1e+03 bytes (limit `memory`)");
+            "outlines and their order need more than 0.977 KiB (limit `memory`)");
 }
 
 /// A path that crosses itself a million times or so.
@@ -81,7 +81,7 @@ TEST(BoundedWork, RefusesWhatCertainlyNeedsTooMuchBeforeItBegins) {
   for (const auto& [way, error] : errors) {
     ASSERT_TRUE(error) << way;
     EXPECT_EQ(error->what,
-              "outlines and their order need at least 83.5 MiB, more than the 16 MiB allowed "
+              "outlines and their order need at least 80.1 MiB, more than the 16 MiB allowed "
               "(limit `memory`)")
         << way;
   }
