@@ -1,7 +1,6 @@
 #include "sdf/arrange/foreseen.h"
 #include "lib/base/watch.h"
 #include "sdf/arrange/sweep_piece.h"
-#include "sdf/outline/curve/boundary_private.h"
 #include "sdf/outline/curve/piece_count.h"
 
 #include <variant>
@@ -30,12 +29,11 @@ bool may_be_too_much(std::uint64_t sides) {
 
 std::uint64_t least_bytes(const AreaPrograms& programs, std::span<const OutlineSource> sources,
                           const OutlineFrame& frame) {
-  PieceCount count(frame.window);
-  const BoundaryWriter write{count, frame.grid_from_face, frame.grid_from_face.scale()};
+  PieceCount count(frame);
   for (const OutlineSource& source : sources)
     if (const Path* path = std::get_if<Path>(&programs.shape(source));
         path && source.amount == 0.0 && !source.rim)
-      write(*path);
+      count.add(*path);
   return count.pieces() * kBytesOfPiece;
 }
 

@@ -1,6 +1,8 @@
 #include "sdf/outline/curve/piece_count.h"
 #include "lib/base/watch.h"
 
+#include "boundary_private.h"
+
 namespace mien {
 namespace {
 
@@ -11,10 +13,14 @@ constexpr std::size_t kAddedBySide = 16;
 
 }  // namespace
 
-PieceCount::PieceCount(const Box2& window) {
-  loop_.frame(window, 1.0, held_);
+PieceCount::PieceCount(const OutlineFrame& frame) : map_(frame.grid_from_face) {
+  loop_.frame(frame.window, frame.tolerance, held_);
   loop_.outline(FillRule::nonzero);
   window_ = loop_.window();
+}
+
+void PieceCount::add(const Path& path) {
+  BoundaryWriter{*this, map_, map_.scale()}(path);
 }
 
 void PieceCount::begin(glm::dvec2 p) {

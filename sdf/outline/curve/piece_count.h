@@ -2,6 +2,7 @@
 // A pen that only counts: how many pieces an outline is certain to have. It holds the last few of them and no more.
 
 #include "sdf/outline/outline_loop.h"
+#include "sdf/outline/outline_maker.h"
 
 #include <cstddef>
 
@@ -9,7 +10,10 @@ namespace mien {
 
 class PieceCount final : public CurvePen {
  public:
-  explicit PieceCount(const Box2& window);
+  explicit PieceCount(const OutlineFrame& frame);
+
+  /// The path's fill.
+  void add(const Path& path);
 
   void begin(glm::dvec2 p) override;
   void line(glm::dvec2 to) override;
@@ -23,6 +27,7 @@ class PieceCount final : public CurvePen {
  private:
   void forget();
 
+  Map<GridSpace, FaceSpace> map_;
   Outlines held_;  ///< the end of the loop at hand
   OutlineLoop loop_;
   std::size_t before_ = 0;  ///< pieces of that loop before those held

@@ -101,25 +101,6 @@ TEST(Foreseen, IsNeverMoreThanIsHeld) {
   EXPECT_GT(much, 20);  // and of use
 }
 
-TEST(Foreseen, KnowsEveryPieceOfAPathThatDoesNotRunBack) {
-  for (const int points : {3, 100, 2000}) {
-    Random r(2);
-    SceneBuilder build({.box = {{0, 0}, {kForeseenSide, kForeseenSide}}}, {1, 1, 1, 1});
-    build.layer("", build.shape(foreseen_path(r, points, 0)), {});
-    const Scene scene = std::move(build).finish();
-    AreaPrograms programs;
-    programs.begin(scene);
-    programs.add(scene.layers()[0].area);
-    Outlines outlines;
-    OutlineMaker maker;
-    maker.begin(kForeseenFrame, outlines);
-    maker.fill(scene.shapes()[0]);
-    EXPECT_EQ(least_bytes(programs, programs.outlines(), kForeseenFrame),
-              outlines.pieces.size() *
-                  (sizeof(SweepPiece) + sizeof(OutlinePiece) + sizeof(OutlineVertex)));
-  }
-}
-
 TEST(Foreseen, EndsWorkThatNeedsTooMuchBeforeItBegins) {
   Random r(3);
   SceneBuilder build({.box = {{0, 0}, {kForeseenSide, kForeseenSide}}}, {1, 1, 1, 1});
