@@ -116,6 +116,7 @@ TEST(Encode, TheSamePictureIsTheSameBytes) {
 }
 
 TEST(BytesText, HasThreeDigits) {
+  EXPECT_EQ(bytes_text(1), "1 byte");
   EXPECT_EQ(bytes_text(999), "999 bytes");
   EXPECT_EQ(bytes_text(4ull << 30), "4 GiB");
   EXPECT_EQ(bytes_text(1500ull << 20), "1.46 GiB");
