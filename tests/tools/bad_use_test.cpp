@@ -2,6 +2,8 @@
 // written.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <ostream>
@@ -349,20 +351,24 @@ TEST(BadFace, ANameWithControlCharactersStaysOneLine) {
   EXPECT_EQ(ran.err.find('\x1b'), std::string::npos);
 }
 
-TEST(BadFace, OfALinkThatLeadsNowhereOrInACircleTellsSo) {
+/// Plain words, which could be a person's, but something is called so.
+TEST(BadFace, ThatIsSomethingElseIsNotCalledMissing) {
   const ScratchFolder folder;
   std::filesystem::create_symlink("circle", folder / "circle");
   std::filesystem::create_symlink("nobody", folder / "nowhere");
-  const auto list = [&](const std::string& name) {
-    const Ran ran =
-        test::Process({"/bin/sh", "-c",
-                       "cd '" + folder.path().string() + "' && " MIEN_COMMAND " list " + name})
-            .wait();
+  std::filesystem::create_directory(folder / "folder");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const std::string there = "cd '" + folder.path().string() + "' && " MIEN_COMMAND " list ";
+  for (const auto& [name, what] :
+       {std::pair<std::string, std::string>{"circle",
+                                            "cannot be read: Too many levels of symbolic links"},
+        {"nowhere", "cannot be read: No such file or directory"},
+        {"folder", "is a directory"},
+        {"pipe", "is a pipe that nothing is written to"}}) {
+    const Ran ran = test::Process({"/bin/sh", "-c", there + name}).wait();
     EXPECT_EQ(ran.code, 1);
-    return ran.err;
-  };
-  EXPECT_EQ(list("circle"), "mien: circle: cannot be read: Too many levels of symbolic links\n");
-  EXPECT_EQ(list("nowhere"), "mien: nowhere: cannot be read: No such file or directory\n");
+    EXPECT_EQ(ran.err, "mien: " + name + ": " + what + "\n");
+  }
 }
 
 TEST(Check, SaysOkForTheGoodAndFailsForTheBad) {
