@@ -233,7 +233,7 @@ std::string stray(const CLI::App& app) {
     }
     return unknown_name("option", word.substr(0, word.find('=')), names_of(known));
   }
-  if (at == &app || at->get_require_subcommand_min() > 0) {
+  if (!visible_commands(*at).empty() && (at == &app || at->get_require_subcommand_min() > 0)) {
     std::vector<std::string> known;
     for (const CLI::App* command : visible_commands(*at)) known.push_back(command->get_name());
     const std::string near(nearest_name(word, names_of(known)));
