@@ -14,7 +14,7 @@ inline std::string bytes_text(std::uint64_t bytes) {
   double value = double(bytes);
   int unit = 0;
   for (; value >= 1000 && unit < 6; ++unit) value /= 1024;
-  return fmt::format("{:.3g} {}", value, kUnits[unit]);
+  return bytes == 1 ? "1 byte" : fmt::format("{:.3g} {}", value, kUnits[unit]);
 }
 
 }  // namespace mien

@@ -6,6 +6,7 @@ namespace mien {
 namespace {
 
 TEST(BytesText, HasThreeDigits) {
+  EXPECT_EQ(bytes_text(1), "1 byte");
   EXPECT_EQ(bytes_text(999), "999 bytes");
   EXPECT_EQ(bytes_text(39 << 10), "39 KiB");
   EXPECT_EQ(bytes_text(4ull << 30), "4 GiB");

@@ -23,7 +23,6 @@
 #include "tools/mien/terminal/progress_display.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -61,13 +60,6 @@ int print_stats(const std::string& text, const std::string& output) {
   if (output != "-") return print(text);
   std::fwrite(text.data(), 1, text.size(), stderr);
   return kDone;
-}
-
-Expected<Done> check_output(const std::string& output, const WriteOptions& write) {
-  if (output == "-" && ::isatty(STDOUT_FILENO)) {
-    return Error{"-o -", "will not write a picture to a terminal; redirect it or name a file"};
-  }
-  return check_output_path(output, write);
 }
 
 /// The rows of a strip of about so many pixels: a multiple of the renderer's own strips.
@@ -240,12 +232,6 @@ int render_command(const RenderArguments& arguments) {
     return complain(Error{"--id-prefix", "is for SVG files; pixels have no ids"}, kUsedWrongly);
   auto plan = plan_render(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
-  if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {
-    return complain(writable.error(), kFailed);
-  }
-  if (plan->error_map)
-    if (auto writable = check_output(*plan->error_map, plan->error_map_write); !writable)
-      return complain(writable.error(), kFailed);
   Times times;
   double began = monotonic_seconds();
   const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);

@@ -75,8 +75,6 @@ int render_svg(const RenderArguments& arguments) {
   if (auto fits = check_options(arguments); !fits) return complain(fits.error(), kUsedWrongly);
   auto plan = plan_frame(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
-  if (auto writable = check_output_path(arguments.output, {.type = FileType::png}); !writable)
-    return complain(writable.error(), kFailed);
   const auto posed = read_posed_face(arguments.posed);
   if (!posed.face) return posed.code;
   const auto drawn = arguments.debug ? read_scene(arguments.posed, arguments.debug)
