@@ -34,7 +34,7 @@ std::vector<FootPiece> foot_pieces(std::span<const TaperedStroke> strokes);
 
 /// Minima nearer than this along a piece are one: the barrier between them is about the fourth power of that. Beside a
 /// joint they are, if the joint is no barrier: higher than the higher one by at most this of |q| and the piece's size.
-inline constexpr double kOneFoot = 0x1p-20, kNoBarrier = 0x1p-48;
+inline constexpr double kOneFoot = 0x1p-20, kNoBarrier = 0x1p-50;
 
 /// How the distance goes right beside the ends of a piece. Who asks decides, so that rounding loses no joint's foot
 /// between two pieces.

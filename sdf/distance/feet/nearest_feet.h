@@ -22,7 +22,8 @@
 //               the circles round an end. Infinite at a centre of curvature.
 //   Absent.     piece −1, distance +infinity, all else 0: where there is no second foot, in an empty list, and for a
 //               place with a NaN or infinite coordinate. A piece with one is passed over.
-//   Ties.       The piece that comes first, then the smaller t. Minima less than 2⁻²⁰ of a piece apart are one.
+//   Ties.       The piece that comes first, then the smaller t. Minima less than 2⁻²⁰ of a piece apart are one, unless
+//               a corner is between them.
 //   Same bits.  A place's answer depends on it and the curves alone. On every machine and instruction set a batch has
 //               the same bytes: nothing is fused. The scalar form keeps the same bounds, by code of its own.
 //   Error.      FeetContract. Threads: re-entrant.
