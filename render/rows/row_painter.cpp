@@ -266,6 +266,10 @@ void RowPainter::run_of(int look, int from, int until) {
   const Palette::Entry& e = palette_->entries[std::size_t(look)];
   if (!e.varies) return fill(from, until, e.pixels);
   stats_->varied_pixels += until - from;
+  if (looks_->open(look)) {
+    for (int x = from; x < until; ++x) refused_.push_back(x);
+    return;
+  }
   while (from < until) {
     const int first = from & ~(LookShader::kBlock - 1);
     const int count = std::min(until, first + LookShader::kBlock) - from;
@@ -292,7 +296,6 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   }
   for (const auto& [x, side] : rough_) {
     worked(30 * side * side);
-    if (looks_->open(look)) refused_.push_back(x);
     const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side, false);
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }
@@ -344,18 +347,20 @@ void RowPainter::cell(int column) {
   if (column < x0_ || column >= x1_) return;
   ++stats_->edge_pixels;
   if (open_.empty()) return keep_cell(sum_, 0.5f, column);
+  const auto seen = [](const Open& o) { return std::abs(o.area) >= kUnseenArea; };
+  const auto is_open = [&](const Open& o) { return seen(o) && looks_->open(o.look); };
+  if (std::any_of(open_.begin(), open_.end(), is_open)) return refused_.push_back(column);
   Rgba mix = parts(column, 0);
   double neglected = 0.0;
-  bool varies = false, open = false;
+  bool varies = false;
   for (const Open& o : open_) {
-    if (std::abs(o.area) < kUnseenArea) continue;
+    if (!seen(o)) continue;
     neglected += double(std::abs(o.area)) *
                  (looks_->neglected(o.look) +
                   looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true, least_));
-    varies = true, open = open || looks_->open(o.look);
+    varies = true;
   }
   if (const int side = neglected > 0.0 ? cells_for(neglected, mix, column) : 0) {
-    if (open) refused_.push_back(column);
     mix = parts(column, side);
   }
   keep_cell(mix, varies ? threshold(column) : 0.5f, column);

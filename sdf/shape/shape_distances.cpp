@@ -42,7 +42,8 @@ Outward ShapeDistances::outward(std::size_t index, const Shape& shape, glm::dvec
     return {d, grows(d, [&](glm::dvec2 q) { return at(index, shape, q); })};
   }
   const double away = std::abs(found.distance);
-  const glm::dvec2 way = grows(away, [&](glm::dvec2 q) { return distance_to_side(*found.side, q); });
+  const glm::dvec2 way =
+      grows(away, [&](glm::dvec2 q) { return distance_to_side(*found.side, q); });
   return {found.distance, found.distance < 0.0 ? -way : way};
 }
 

@@ -207,6 +207,17 @@ struct CellMean {
 inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const CellList& list,
                        int count, int& next, SixteenCells& to, std::uint16_t* which) {
   int n = 0;
+  if (cells.side == 4) {  // all of them, be there some without area
+    const F f;
+    for (; n < 16 && next == 0; n += int(hn::Lanes(f))) {
+      hn::Store(hn::Add(hn::Load(f, &cells.x[size_t(n)]), hn::Set(f, pixel.cx)), f, to.x + n);
+      hn::Store(hn::Add(hn::Load(f, &cells.y[size_t(n)]), hn::Set(f, pixel.cy)), f, to.y + n);
+      hn::Store(hn::Load(f, &cells.area[size_t(n)]), f, to.area + n);
+    }
+    for (int k = 0; k < n; ++k) which[k] = std::uint16_t(k);
+    next = count;
+    return n;
+  }
   for (; next < count && n < 16; ++next) {
     const size_t k = list[size_t(next)];
     if (!(cells.area[k] > 0.0f)) continue;
@@ -246,6 +257,7 @@ inline void LookAtCells(const CellPixel& pixel, const PartCells& cells, const Ce
     }
     alignas(64) float of_open[16] = {}, of_closed[16] = {};
     for (int k = 0; k < n; ++k) {
+      if (!(now.area[k] > 0.0f)) continue;
       bool opens =
           tile.fine || now.jump[k] > least_jump || (jump > least_jump && now.away[k] < kNear);
       for (int b = 0; b < 3; ++b) opens = opens || std::abs(now.shades.bounds[b][k]) <= reach[b];

@@ -6,7 +6,7 @@
 
 namespace mien {
 
-/// The mean over the square with that corner and side, all of it treated as that piece. Divided, six times at most,
+/// The mean over the square with that corner and side, all of it treated as that piece. Divided, four times at most,
 /// until Gauss's four places and those of the four quarters agree within `tolerance` (of 1, in the blending space).
 Mix square_mean(const LitSurface& surface, const LitPiece& piece, glm::dvec2 corner, double side,
                 double tolerance);

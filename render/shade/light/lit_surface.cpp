@@ -58,7 +58,7 @@ Outward LitSurface::outward(glm::dvec2 p) const {
 
 Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
   if (!paint_->ramp) return paint_->color;
-  if (gradient_area_) d = gradient_area_->at(p - center_);
+  if (gradient_area_ && gradient_area_ != area_) d = gradient_area_->at(p - center_);
   const double t = paint_->field.at(p - center_, d);
   if (!piece.segment) return paint_->ramp->color(t);
   const RampSegment& s = *piece.segment;

@@ -340,7 +340,7 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
                        float cy, const float* px, const float* py, BranchPair& to) {
   const F f;
   const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
-  const VF alike = hn::Set(f, 4e-4f);    // [of |n − n'|²] one branch's
+  const VF alike = hn::Set(f, 4e-4f);  // [of |n − n'|²] one branch's
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
     Sight best{far, one, zero, one, far, one, zero, zero, zero}, next = best;
