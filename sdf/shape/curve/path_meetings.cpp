@@ -7,7 +7,6 @@
 #include <mien/quad_bezier_distance.h>
 
 #include "path_sides_private.h"
-#include "side_crossings_private.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,9 @@ namespace {
 /// Pairs of sides whose extents along x meet, and those whose boxes do, of a path and for each of its sides.
 constexpr std::size_t kPairs = 1 << 22, kPairsEach = 1024;
 constexpr std::size_t kNear = 1 << 19, kNearEach = 64;
+
+/// Fourth powers of coordinates are finite, and not 0.
+constexpr double kLeastTolerance = 1e-70, kMostTolerance = 1e50;
 
 double largest_coordinate(const Path& path) {
   double most = 1e-280;
@@ -97,36 +99,59 @@ void PathMeetings::cut(std::size_t side, double t, int place) {
   if (place != begin_of(side) && place != end_of(side)) cuts_.push_back({side, t, place});
 }
 
-/// Cuts a side where another one begins on it.
-void PathMeetings::end_on(std::size_t end, const Extent& on) {
-  const int place = begins_[end];
-  const glm::dvec2 p = places_[std::size_t(place)];
-  if (place == begin_of(on.side) || place == end_of(on.side) || !within(on.box, p)) return;
-  const NearestPoint foot = nearest(sides_[on.side], p);
-  if (foot.distance <= tolerance_) cut(on.side, foot.t, place);
+/// Cuts a side where an end of another one lies on it.
+void PathMeetings::end_on(const Extent& ending, const Extent& on, bool swapped) {
+  for (const double t : {0.0, 1.0}) {
+    const int place = t == 0.0 ? begin_of(ending.side) : end_of(ending.side);
+    double s = 0.0;
+    if (place == end_of(on.side)) s = 1.0;
+    if (place != begin_of(on.side) && place != end_of(on.side)) {
+      const glm::dvec2 p = places_[std::size_t(place)];
+      if (!within(on.box, p)) continue;
+      const NearestPoint foot = nearest(sides_[on.side], p);
+      if (!(foot.distance <= tolerance_)) continue;
+      cut(on.side, s = foot.t, place);
+    }
+    contacts_.push_back(swapped ? SideCrossing{s, t} : SideCrossing{t, s});
+  }
+}
+
+/// Whether two sides lie on each other between two places in which they meet: where they touch, several may be found.
+bool PathMeetings::alike_between(std::size_t i, std::size_t k, const SideCrossing& a,
+                                 const SideCrossing& b) const {
+  constexpr double kNear = 4.0, kShares[] = {0.37, 0.5};
+  return std::all_of(std::begin(kShares), std::end(kShares), [&](double share) {
+    const glm::dvec2 p = point(sides_[i], a.a + share * (b.a - a.a));
+    return nearest(sides_[k], p).distance <= kNear * tolerance_;
+  });
 }
 
 void PathMeetings::meet(const Extent& a, const Extent& b) {
   worked(200);
-  end_on(a.side, b), end_on(b.side, a);
+  contacts_.clear();
+  end_on(a, b, false), end_on(b, a, true);
   const std::size_t i = a.side, k = b.side;
   const SideCrossings found = side_crossings(sides_[i], sides_[k], tolerance_);
   for (int n = 0; n < found.count; ++n) {
     const SideCrossing& at = found.at[std::size_t(n)];
+    if (std::any_of(contacts_.begin(), contacts_.end(),
+                    [&](const SideCrossing& known) { return alike_between(i, k, at, known); }))
+      continue;
+    contacts_.push_back(at);
     const int place = place_at(point(sides_[i], at.a));
     cut(i, at.a, place), cut(k, at.b, place);
   }
 }
 
 bool PathMeetings::find() {
+  if (!(tolerance_ > kLeastTolerance && tolerance_ < kMostTolerance)) return false;
   std::vector<Extent> extents(sides_.size());
   for (std::size_t i = 0; i < sides_.size(); ++i)
     extents[i] = {grown(box_of(sides_[i]), tolerance_), i};
   std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
     return a.box.lo.x != b.box.lo.x ? a.box.lo.x < b.box.lo.x : a.side < b.side;
   });
-  std::size_t pairs = kPairs + kPairsEach * sides_.size(),
-              near = kNear + kNearEach * sides_.size();
+  std::size_t pairs = kPairs + kPairsEach * sides_.size(), near = kNear + kNearEach * sides_.size();
   for (std::size_t i = 0; i < extents.size(); ++i)
     for (std::size_t k = i + 1; k < extents.size(); ++k) {
       const Box2 &a = extents[i].box, &b = extents[k].box;

@@ -4,6 +4,8 @@
 #include <mien/box2.h>
 #include <mien/shape.h>
 
+#include "side_crossings_private.h"
+
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -45,7 +47,9 @@ class PathMeetings {
   void end_loop(std::size_t first);
   int place_at(glm::dvec2 p);
   void meet(const Extent& a, const Extent& b);
-  void end_on(std::size_t end, const Extent& on);
+  void end_on(const Extent& ending, const Extent& on, bool swapped);
+  bool alike_between(std::size_t i, std::size_t k, const SideCrossing& a,
+                     const SideCrossing& b) const;
   void cut(std::size_t side, double t, int place);
 
   double tolerance_;
@@ -54,8 +58,9 @@ class PathMeetings {
   std::vector<std::size_t> next_;  ///< by side, in its loop
   std::vector<int> begins_;        ///< by side: a place
   std::vector<SideCut> cuts_;
+  std::vector<SideCrossing> contacts_;  ///< of two sides
   std::vector<glm::dvec2> places_;
-  std::vector<int> others_;                      ///< by place: another one in its cell; −1: none
+  std::vector<int> others_;                       ///< by place: another one in its cell; −1: none
   std::unordered_map<std::uint64_t, int> cells_;  ///< one of the places in each
 };
 

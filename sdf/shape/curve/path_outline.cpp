@@ -18,13 +18,13 @@ namespace {
 struct SidePiece {
   QuadBezier curve;
   int from, to;  ///< places
+  bool backwards = false;
 };
 
 QuadBezier part_of(const QuadBezier& c, double s, double t, glm::dvec2 from, glm::dvec2 to) {
   if (is_straight(c)) return straight(from, to);
   if (s == 0.0 && t == 1.0) return {from, c.p1, to};
-  return {from,
-          (1.0 - s) * ((1.0 - t) * c.p0 + t * c.p1) + s * ((1.0 - t) * c.p1 + t * c.p2), to};
+  return {from, (1.0 - s) * ((1.0 - t) * c.p0 + t * c.p1) + s * ((1.0 - t) * c.p1 + t * c.p2), to};
 }
 
 /// Sides cut where they meet, and what is outline of them.
@@ -41,6 +41,7 @@ class CutPath {
  private:
   void add_pieces();
   int inside_beside(const QuadBezier& piece) const;
+  int inside_beside(const QuadBezier& piece, double t) const;
   bool inside(glm::dvec2 p) const {
     worked(tree_ ? 300 : 4 * std::int64_t(cut_.sides().size()));
     return (tree_ ? tree_->winding(p) : winding(path_, p)) != 0;
@@ -54,7 +55,7 @@ class CutPath {
   std::vector<SidePiece> pieces_;
   std::vector<std::size_t> loop_ends_;  ///< in `pieces_`
   std::vector<int> degree_;             ///< ends of pieces, by place
-  std::vector<SidePiece> outline_;          ///< the inside to the left
+  std::vector<SidePiece> outline_;      ///< the inside to the left
 };
 
 void CutPath::add_pieces() {
@@ -66,10 +67,9 @@ void CutPath::add_pieces() {
     double t = 0.0;
     const auto until = [&](double at, int place) {
       if (place == from) return;
-      pieces_.push_back(
-          {part_of(sides[i], t, at, cut_.places()[std::size_t(from)],
-                   cut_.places()[std::size_t(place)]),
-           from, place});
+      pieces_.push_back({part_of(sides[i], t, at, cut_.places()[std::size_t(from)],
+                                 cut_.places()[std::size_t(place)]),
+                         from, place});
       from = place, t = at;
     };
     for (; cut != cut_.cuts().end() && cut->side == i; ++cut) until(cut->t, cut->place);
@@ -81,20 +81,27 @@ void CutPath::add_pieces() {
     ++degree_[std::size_t(piece.from)], ++degree_[std::size_t(piece.to)];
 }
 
-/// 1 if the inside is to the left of a piece alone, −1 to the right alone; 0: on both hands or on none.
+/// 1 if the inside is to the left of a piece alone, −1 to the right alone; 0: on both hands or on none. At one place it
+/// may be wrong, as where the side turns back beside itself: two of three that say the same are believed.
 int CutPath::inside_beside(const QuadBezier& piece) const {
-  const glm::dvec2 way = is_straight(piece) ? piece.p2 - piece.p0 : tangent(piece, 0.5);
+  constexpr double kPlaces[] = {0.41, 0.66, 0.27};
+  const int a = inside_beside(piece, kPlaces[0]), b = inside_beside(piece, kPlaces[1]);
+  return a == b ? a : inside_beside(piece, kPlaces[2]);
+}
+
+int CutPath::inside_beside(const QuadBezier& piece, double t) const {
+  const glm::dvec2 way = is_straight(piece) ? piece.p2 - piece.p0 : tangent(piece, t);
   const double length = glm::length(way);
   if (!(length > 0.0)) return 0;
   const glm::dvec2 left = 4.0 * cut_.tolerance() / length * glm::dvec2{-way.y, way.x};
-  const glm::dvec2 p = point(piece, 0.5);
+  const glm::dvec2 p = point(piece, t);
   return int(inside(p + left)) - int(inside(p - left));
 }
 
 void CutPath::keep(std::size_t begin, std::size_t end, int hand) {
   for (std::size_t i = begin; i < end; ++i) {
     const SidePiece& p = pieces_[i];
-    outline_.push_back(hand > 0 ? p : SidePiece{reversed(p.curve), p.to, p.from});
+    outline_.push_back(hand > 0 ? p : SidePiece{reversed(p.curve), p.to, p.from, true});
   }
 }
 
@@ -201,6 +208,7 @@ void Joints::join(std::vector<std::size_t>& ending, std::vector<std::size_t>& be
   }
 }
 
+/// Each begins where the first of its pieces did.
 std::optional<Path> CutPath::loops() const {
   const Joints joints(outline_, cut_.places().size());
   if (!joints.close()) return {};
@@ -209,7 +217,8 @@ std::optional<Path> CutPath::loops() const {
   for (std::size_t first = 0; first < outline_.size(); ++first) {
     if (done[first]) continue;
     Path::Loop loop;
-    for (std::size_t i = first; !done[i]; i = joints.after(i)) {
+    for (std::size_t i = outline_[first].backwards ? joints.after(first) : first; !done[i];
+         i = joints.after(i)) {
       done[i] = 1;
       loop.sides.push_back(outline_[i].curve);
     }

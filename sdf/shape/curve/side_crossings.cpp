@@ -1,10 +1,12 @@
 #include "side_crossings_private.h"
 
+#include <mien/quad_bezier_distance.h>
 #include "path_sides_private.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -66,16 +68,17 @@ void halve(const Quartic& f, Quartic& left, Quartic& right) {
   }
 }
 
-bool one_sign(const Quartic& f) {
-  return std::all_of(f.begin(), f.end(), [](double v) { return v > 0.0; }) ||
-         std::all_of(f.begin(), f.end(), [](double v) { return v < 0.0; });
-}
-
-/// The parameter of a side's point that is nearest to p, if p lies on it but for a little.
-double parameter_of(const QuadBezier& c, glm::dvec2 p) {
-  const glm::dvec2 a = c.p1 - c.p0, b = (c.p2 - c.p1) - a;
-  if (is_straight(c)) return glm::dot(p - c.p0, a) / (2.0 * glm::dot(a, a));
-  return turn(p - c.p0, b) / (2.0 * turn(a, b));
+/// How often the coefficients change their sign, and once more for each end that is a root: at least as often as there
+/// are roots.
+int most_roots(const Quartic& f) {
+  int changes = int(f.front() == 0.0) + int(f.back() == 0.0);
+  double last = 0.0;
+  for (const double v : f) {
+    if (v == 0.0) continue;
+    changes += last != 0.0 && (v < 0.0) != (last < 0.0);
+    last = v;
+  }
+  return changes;
 }
 
 /// The point on both sides near those at parameters `at`, by Newton's method: false if there is none.
@@ -112,9 +115,9 @@ SideCrossings of_lines(const QuadBezier& a, const QuadBezier& b) {
   return made;
 }
 
-/// `b`, seen from `a`.
+/// `b`, seen from `a`. Intervals are halved until one root at most is left in each, unless roots are nearly one.
 SideCrossings of_parabolas(const QuadBezier& a, const QuadBezier& b, double tolerance) {
-  constexpr int kHalvings = 12, kMostWaiting = 64;
+  constexpr int kHalvings = 12, kMostHalvings = 26;
   struct Interval {
     Quartic f;
     double from, to;
@@ -123,40 +126,48 @@ SideCrossings of_parabolas(const QuadBezier& a, const QuadBezier& b, double tole
   const Form form =
       is_straight(a) ? seen_from_line(a, b, tolerance) : seen_from_parabola(a, b, tolerance);
   SideCrossings made;
-  if (one_sign(form.f) ||
-      std::all_of(form.f.begin(), form.f.end(),
+  if (std::all_of(form.f.begin(), form.f.end(),
                   [&](double v) { return std::abs(v) <= form.noise; }))
     return made;
-  std::array<Interval, kMostWaiting> waiting;
-  int count = 0;
-  waiting[std::size_t(count++)] = {form.f, 0.0, 1.0, 0};
+  std::array<Interval, kMostHalvings + 2> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {form.f, 0.0, 1.0, 0};
   while (count > 0) {
-    const Interval now = waiting[std::size_t(--count)];
-    if (one_sign(now.f)) continue;
+    const Interval now = waiting[--count];
+    const int roots = most_roots(now.f);
+    if (roots == 0) continue;
     const double middle = 0.5 * (now.from + now.to);
-    if (now.halvings == kHalvings) {
-      SideCrossing at{std::clamp(parameter_of(a, point(b, middle)), 0.0, 1.0), middle};
+    if (now.halvings >= (roots == 1 ? kHalvings : kMostHalvings)) {
+      SideCrossing at{nearest(a, point(b, middle)).t, middle};
       if (refine(a, b, tolerance, at)) add(made, at);
       continue;
     }
     Interval left{{}, now.from, middle, now.halvings + 1}, right{{}, middle, now.to, left.halvings};
     halve(now.f, left.f, right.f);
-    waiting[std::size_t(count++)] = right, waiting[std::size_t(count++)] = left;
+    waiting[count++] = right, waiting[count++] = left;
   }
   return made;
 }
 
+/// How far a side is from a line or from turning back on itself, whatever its size.
+double roundness(const QuadBezier& c) {
+  const glm::dvec2 a = c.p1 - c.p0, b = (c.p2 - c.p1) - a;
+  return std::abs(turn(a, b)) / (glm::dot(a, a) + glm::dot(b, b));
+}
+
 }  // namespace
 
+/// A line is a good place to see from; else the rounder one: on the other, which may turn back beside itself, parameters
+/// are told apart.
 SideCrossings side_crossings(const QuadBezier& a, const QuadBezier& b, double tolerance) {
-  if (is_straight(a) && is_straight(b)) return of_lines(a, b);
-  if (is_straight(b)) {
-    SideCrossings made = of_parabolas(b, a, tolerance);
-    for (int i = 0; i < made.count; ++i)
-      std::swap(made.at[std::size_t(i)].a, made.at[std::size_t(i)].b);
-    return made;
-  }
-  return of_parabolas(a, b, tolerance);
+  const bool line = is_straight(a);
+  if (line && is_straight(b)) return of_lines(a, b);
+  if (line || (!is_straight(b) && roundness(a) >= roundness(b)))
+    return of_parabolas(a, b, tolerance);
+  SideCrossings made = of_parabolas(b, a, tolerance);
+  for (int i = 0; i < made.count; ++i)
+    std::swap(made.at[std::size_t(i)].a, made.at[std::size_t(i)].b);
+  return made;
 }
 
 }  // namespace mien
