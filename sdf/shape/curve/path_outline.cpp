@@ -18,6 +18,8 @@ namespace {
 struct SidePiece {
   QuadBezier curve;
   int from, to;  ///< places
+  std::size_t side;
+  double s, t;  ///< of the side: its begin and end
   bool backwards = false;
 };
 
@@ -40,8 +42,8 @@ class CutPath {
 
  private:
   void add_pieces();
-  int inside_beside(const QuadBezier& piece) const;
-  int inside_beside(const QuadBezier& piece, double t) const;
+  int inside_beside(const SidePiece& piece) const;
+  int inside_beside(const SidePiece& piece, double share) const;
   bool inside(glm::dvec2 p) const {
     worked(tree_ ? 300 : 4 * std::int64_t(cut_.sides().size()));
     return (tree_ ? tree_->winding(p) : winding(path_, p)) != 0;
@@ -67,9 +69,9 @@ void CutPath::add_pieces() {
     double t = 0.0;
     const auto until = [&](double at, int place) {
       if (place == from) return;
-      pieces_.push_back({part_of(sides[i], t, at, cut_.places()[std::size_t(from)],
-                                 cut_.places()[std::size_t(place)]),
-                         from, place});
+      const QuadBezier curve = part_of(sides[i], t, at, cut_.places()[std::size_t(from)],
+                                       cut_.places()[std::size_t(place)]);
+      pieces_.push_back({curve, from, place, i, t, at});
       from = place, t = at;
     };
     for (; cut != cut_.cuts().end() && cut->side == i; ++cut) until(cut->t, cut->place);
@@ -83,25 +85,29 @@ void CutPath::add_pieces() {
 
 /// 1 if the inside is to the left of a piece alone, −1 to the right alone; 0: on both hands or on none. At one place it
 /// may be wrong, as where the side turns back beside itself: two of three that say the same are believed.
-int CutPath::inside_beside(const QuadBezier& piece) const {
+int CutPath::inside_beside(const SidePiece& piece) const {
   constexpr double kPlaces[] = {0.41, 0.66, 0.27};
   const int a = inside_beside(piece, kPlaces[0]), b = inside_beside(piece, kPlaces[1]);
   return a == b ? a : inside_beside(piece, kPlaces[2]);
 }
 
-int CutPath::inside_beside(const QuadBezier& piece, double t) const {
-  const glm::dvec2 way = is_straight(piece) ? piece.p2 - piece.p0 : tangent(piece, t);
+/// Asked beside the side itself, not its piece, which may be moved by a tolerance, and nearer than that.
+int CutPath::inside_beside(const SidePiece& piece, double share) const {
+  const QuadBezier& side = cut_.sides()[piece.side];
+  const double t = piece.s + share * (piece.t - piece.s);
+  const glm::dvec2 way = is_straight(side) ? side.p2 - side.p0 : tangent(side, t);
   const double length = glm::length(way);
   if (!(length > 0.0)) return 0;
-  const glm::dvec2 left = 4.0 * cut_.tolerance() / length * glm::dvec2{-way.y, way.x};
-  const glm::dvec2 p = point(piece, t);
+  const glm::dvec2 left = 0.25 * cut_.tolerance() / length * glm::dvec2{-way.y, way.x};
+  const glm::dvec2 p = point(side, t);
   return int(inside(p + left)) - int(inside(p - left));
 }
 
 void CutPath::keep(std::size_t begin, std::size_t end, int hand) {
   for (std::size_t i = begin; i < end; ++i) {
     const SidePiece& p = pieces_[i];
-    outline_.push_back(hand > 0 ? p : SidePiece{reversed(p.curve), p.to, p.from, true});
+    outline_.push_back(
+        hand > 0 ? p : SidePiece{reversed(p.curve), p.to, p.from, p.side, p.s, p.t, true});
   }
 }
 
@@ -117,7 +123,7 @@ bool CutPath::find_outline() {
       };
       for (next = begin + 1; next < end && degree_[std::size_t(pieces_[next].from)] == 2; ++next)
         if (length(next) > length(longest)) longest = next;
-      if (const int hand = inside_beside(pieces_[longest].curve)) keep(begin, next, hand);
+      if (const int hand = inside_beside(pieces_[longest])) keep(begin, next, hand);
     }
     first = end;
   }
