@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
 #include <new>
 
 namespace mien {
@@ -14,6 +16,9 @@ struct PieceDrawer::Parts {
   Drawing drawing;
   StripScratches scratches;
   RenderLimits limits;
+  /// What making the drawing took, for the first piece's figures: steps, and bytes held.
+  std::atomic<std::int64_t> steps{0};
+  std::uint64_t memory = 0;
 
   bool hold(const PixelRect& piece) const {
     return piece.x >= 0 && piece.y >= 0 && piece.width >= 1 && piece.height >= 1 &&
@@ -37,6 +42,8 @@ Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Dept
     View whole = view;
     whole.region.reset();
     parts->drawing.make(scene, whole, depth);
+    const Watch& watch = *Watching::current();
+    parts->steps = watch.steps(), parts->memory = watch.memory();
     return PieceDrawer(std::move(parts));
   };
   try {
@@ -56,7 +63,8 @@ Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
   RenderStats took;
   Watch watch([&] { return !stop || !stop(); }, parts_->limits);
   const auto tell = [&] {
-    took.steps = watch.steps(), took.memory = (long long)(watch.memory());
+    took.steps = watch.steps() + parts_->steps.exchange(0);
+    took.memory = (long long)(std::max(watch.memory(), parts_->memory));
     parts_->drawing.tell(took);
     if (stats) stats->add(took);
   };

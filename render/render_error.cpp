@@ -1,4 +1,5 @@
 #include "render/render_error.h"
+#include "lib/base/bytes_text.h"
 
 #include <fmt/format.h>
 
@@ -24,8 +25,12 @@ Error why_stopped(const Watch& watch, const RenderLimits& limits) {
   if (watch.why() == Stopped::Why::steps)
     return {"",
             fmt::format("drawing takes more than {} steps of work (limit `steps`)", limits.steps)};
-  return {"", fmt::format("outlines and their order need more than {} MiB (limit `memory`)",
-                          limits.memory >> 20)};
+  const bool foreseen = watch.why() == Stopped::Why::foreseen;
+  return {"", fmt::format("outlines and their order need {} (limit `memory`)",
+                          foreseen
+                              ? fmt::format("at least {}, more than the {} allowed",
+                                            bytes_text(watch.foreseen()), bytes_text(limits.memory))
+                              : "more than " + bytes_text(limits.memory))};
 }
 
 Error drawing_cancelled() {

@@ -80,7 +80,8 @@ TEST(WriteImage, ErrorsAreSentencesAndKeepTheOldFile) {
                 "format");
   EXPECT_EQ(sentence(write_image(sample_image(3, 2, Depth::u8, true), folder / "b.gif").error()),
             (folder / "b.gif").string() +
-                ": unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg");
+                ": unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg, and .svg "
+                "to `mien render` and write_svg");
   EXPECT_EQ(
       sentence(
           write_image(sample_image(3, 2, Depth::u8, true), "-", {.type = FileType::exr}).error()),
@@ -182,6 +183,13 @@ TEST(WriteImage, PipesAndDevicesAreWrittenStraightInto) {
   ASSERT_TRUE(done) << sentence(done.error());
   ASSERT_TRUE(write_image(sample_image(30, 20, Depth::u8, true), folder / "file.png"));
   EXPECT_TRUE(got == read_text(folder / "file.png"));
+}
+
+TEST(WriteImage, IntoAPipeThatNobodyReadsTellsSo) {
+  const ScratchFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  EXPECT_EQ(sentence(write_image(sample_image(3, 2, Depth::u8, true), folder / "pipe.png").error()),
+            (folder / "pipe.png").string() + ": is a pipe that nobody reads");
 }
 
 TEST(CheckTarget, SaysBeforehandWhatWouldFail) {

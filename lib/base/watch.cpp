@@ -33,8 +33,15 @@ void Watch::hold(std::uint64_t bytes) {
   std::uint64_t most = memory_.load(std::memory_order_relaxed);
   while (most < bytes && !memory_.compare_exchange_weak(most, bytes)) {
   }
-  if (bytes > limits_.memory) stop(Stopped::Why::memory);
+  if (!may_hold(bytes)) stop(Stopped::Why::memory);
   if (stopped()) throw Stopped{why()};
+}
+
+void Watch::foresee(std::uint64_t bytes) {
+  if (may_hold(bytes)) return;
+  foreseen_ = bytes;
+  stop(Stopped::Why::foreseen);
+  throw Stopped{why()};
 }
 
 Watching::Watching(Watch* watch) : before_(detail::pace.watch) {

@@ -20,7 +20,12 @@ namespace mien {
 
 /// Thrown through the work that a watch ends.
 struct Stopped {
-  enum class Why { cancelled, steps, memory } why;
+  enum class Why {
+    cancelled,
+    steps,
+    memory,
+    foreseen,  ///< more memory than it may hold, before it held any
+  } why;
 };
 
 class Watch {
@@ -37,6 +42,10 @@ class Watch {
   void look(std::int64_t steps);
   /// So much is held now, by one drawing. Throws Stopped.
   void hold(std::uint64_t bytes);
+  /// Whether one drawing may hold so much.
+  bool may_hold(std::uint64_t bytes) const { return bytes <= limits_.memory; }
+  /// One drawing is certain to hold so much, or more, if it goes on. Throws Stopped.
+  void foresee(std::uint64_t bytes);
   /// Ends the work as soon as its threads look here again.
   void stop(Stopped::Why why);
 
@@ -44,6 +53,8 @@ class Watch {
   Stopped::Why why() const { return why_.load(std::memory_order_relaxed); }
   std::int64_t steps() const { return steps_.load(std::memory_order_relaxed); }
   std::uint64_t memory() const { return memory_.load(std::memory_order_relaxed); }
+  /// What ended the work if that is Why::foreseen [bytes].
+  std::uint64_t foreseen() const { return foreseen_.load(std::memory_order_relaxed); }
 
  private:
   void ask();
@@ -52,7 +63,7 @@ class Watch {
   const RenderLimits limits_;
   Watch* const outer_;
   std::atomic<std::int64_t> steps_{0};
-  std::atomic<std::uint64_t> memory_{0};
+  std::atomic<std::uint64_t> memory_{0}, foreseen_{0};
   std::atomic<double> asked_;
   std::atomic<bool> stopped_{false};
   std::atomic<Stopped::Why> why_{Stopped::Why::cancelled};
@@ -95,6 +106,16 @@ inline void worked(std::int64_t steps) {
 /// What one drawing holds by now [bytes]. Throws Stopped.
 inline void holds(std::uint64_t bytes) {
   if (detail::pace.watch) detail::pace.watch->hold(bytes);
+}
+
+/// Whether one drawing may hold so much [bytes].
+inline bool may_hold(std::uint64_t bytes) {
+  return !detail::pace.watch || detail::pace.watch->may_hold(bytes);
+}
+
+/// What one drawing is certain to hold if it goes on [bytes]. Throws Stopped.
+inline void foresees(std::uint64_t bytes) {
+  if (detail::pace.watch) detail::pace.watch->foresee(bytes);
 }
 
 }  // namespace mien

@@ -1,7 +1,9 @@
 #include "lib/geom/polygon.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -15,6 +17,7 @@ double crossed(glm::dvec2 a, glm::dvec2 b) {
 }  // namespace
 
 int turns_around(const Polygon& outline, glm::dvec2 p) {
+  worked(2 * std::int64_t(outline.size()));
   int turns = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const glm::dvec2 a = outline[i], b = outline[i + 1 < outline.size() ? i + 1 : 0];
@@ -34,6 +37,7 @@ double way_to_side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p, double& share) {
 }
 
 double way_to_outline(const Polygon& outline, glm::dvec2 p) {
+  worked(4 * std::int64_t(outline.size()));
   double square = std::numeric_limits<double>::infinity();
   glm::dvec2 a = outline.empty() ? glm::dvec2{0} : outline.back();
   for (const glm::dvec2 b : outline) {  // as way_to_side does, but with a single square root

@@ -49,16 +49,29 @@ void chords_of_form(const PartForm& form, std::vector<PartChord>& to) {
     });
 }
 
-void whole_cells(int side, PartCells& to) {
-  to.side = side;
-  const float cell = 1.0f / float(side);
-  const auto middle = [&](int i) { return (float(i) + 0.5f) * cell - 0.5f; };
-  std::fill_n(to.area.begin(), side * side, cell * cell);
-  for (int j = 0; j < side; ++j) {
-    const std::size_t row = std::size_t(j * side);
-    for (int i = 0; i < side; ++i) to.x[row + std::size_t(i)] = middle(i);
-    std::fill_n(&to.y[row], side, middle(j));
+namespace {
+
+PartCells cells_of_whole(int side) {
+  PartCells made;
+  made.side = side;
+  const float cell = made.cell();
+  for (int k = 0; k < side * side; ++k) {
+    const auto at = std::size_t(k);
+    made.area[at] = cell * cell;
+    made.x[at] = (float(k % side) + 0.5f) * cell - 0.5f;
+    made.y[at] = (float(k / side) + 0.5f) * cell - 0.5f;
   }
+  return made;
+}
+
+}  // namespace
+
+const PartCells& whole_cells(int side) {
+  static const std::array<PartCells, 6> made{cells_of_whole(1), cells_of_whole(2),
+                                             cells_of_whole(4), cells_of_whole(8),
+                                             cells_of_whole(16), cells_of_whole(32)};
+  return *std::find_if(made.begin(), made.end(),
+                       [&](const PartCells& cells) { return cells.side == side; });
 }
 
 }  // namespace mien

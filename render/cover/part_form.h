@@ -54,8 +54,8 @@ struct PartCells {
   float cell() const { return 1.0f / float(side); }
 };
 
-/// The whole pixel in side × side cells: 4, 8, 16 or 32.
-void whole_cells(int side, PartCells& to);
+/// The whole pixel in side × side cells: 1, 2, 4, 8, 16 or 32.
+const PartCells& whole_cells(int side);
 
 /// The form's cells. Within 2e-4 px² each; if they may be coarse, within 1e-3 px².
 void cells_of_form(const PartForm& form, int side, PartCells& to, bool coarse = false);

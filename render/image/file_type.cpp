@@ -72,10 +72,12 @@ Expected<FileType> file_type(const std::filesystem::path& path) {
     if (std::find(format.extensions.begin(), format.extensions.end(), extension) !=
         format.extensions.end())
       return format.type;
-  const std::string known = "known are " + known_extensions();
+  const std::string known =
+      "known are " + known_extensions() + ", and .svg to `mien render` and write_svg";
   if (extension == ".svg")
     return Error{path.string(),
-                 "SVG holds no pixels, so only `mien render` and write_svg write it; " + known};
+                 "SVG holds no pixels, so only `mien render` and write_svg write it; known are " +
+                     known_extensions()};
   if (extension.empty())
     return Error{path.string(), "its name has no extension, which would tell the format; " + known};
   return Error{path.string(), fmt::format("unknown extension {}; {}", extension, known)};

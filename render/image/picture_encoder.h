@@ -67,9 +67,6 @@ struct EncoderRequest {
 using MadeEncoder = Expected<std::unique_ptr<PictureEncoder>>;
 using MakeEncoder = std::function<MadeEncoder(const EncoderRequest&)>;
 
-/// 1536 MiB, 4 GiB: at most three digits and a unit.
-std::string bytes_text(std::uint64_t bytes);
-
 /// "needs at least 3 MiB of memory, more than the 2 MiB allowed".
 Error too_little_memory(std::uint64_t needed, std::uint64_t allowed);
 

@@ -2,14 +2,12 @@
 #include "lib/base/monotonic_seconds.h"
 #include "render/image/file/atomic_file.h"
 #include "render/image/file/output_path.h"
-#include "render/image/file/system_error.h"
 #include "render/image/file_type.h"
 #include "render/image/ordered_pipeline.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <vector>
 
 namespace mien {
@@ -83,11 +81,11 @@ Expected<PieceTimes> write_into(const PiecesToWrite& what, FileType type, const 
 
 Expected<PieceTimes> write_device(const PiecesToWrite& what, FileType type, const WriteOptions& how,
                                   const MakeEncoder& make, const fs::path& path) {
-  const int descriptor = open_stream(path);
-  if (descriptor < 0) return Error{"", "cannot be written: " + system_error(errno)};
-  FileOutput out(descriptor, ::lseek(descriptor, 0, SEEK_CUR) < 0);
+  const auto descriptor = open_stream(path);
+  if (!descriptor) return descriptor.error();
+  FileOutput out(*descriptor, ::lseek(*descriptor, 0, SEEK_CUR) < 0);
   auto done = write_into(what, type, how, make, out);
-  ::close(descriptor);
+  ::close(*descriptor);
   return done;
 }
 

@@ -145,17 +145,10 @@ Rgb normal_at(const PaintTable& paints, const std::vector<AreaDistance>& layers,
     if (!(layers[i].at(p) <= 0.0)) continue;
     const int varied = paints.layers[i].varied;
     if (varied < 0 || paints.varied[std::size_t(varied)].lit < 0) break;
-    const auto& relief = *paints.varied[std::size_t(varied)].paint.relief;
-    double d = 0.0;
-    glm::dvec2 gradient{0.0};
-    if (relief.distance >= 0) {
-      const AreaDistance& area = paints.distances[std::size_t(relief.distance)];
-      constexpr double kStep = 1e-5;  // [px]
-      d = area.at(p);
-      gradient =
-          glm::dvec2{area.at({p.x + kStep, p.y}) - d, area.at({p.x, p.y + kStep}) - d} / kStep;
-    }
-    slope = relief.slope(p, d, gradient);
+    const VariedPaint& paint = paints.varied[std::size_t(varied)];
+    const LitSurface& surface = paints.lit[std::size_t(paint.lit)].surface();
+    const Outward outward = surface.outward(p);
+    slope = surface.slope(surface.zone_inside(outward.d), p, outward);
     break;
   }
   const double length = std::sqrt(1.0 + slope.x * slope.x + slope.y * slope.y);

@@ -193,28 +193,11 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
 Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   if (layer.varied < 0) return layer.mix;
   varies_ = true;
-  const GridPaint& paint = paints_.varied[std::size_t(layer.varied)].paint;
-  Mix mix = paint.color;
-  if (paint.ramp) {
-    const PaintField& f = paint.field;
-    const double d = f.kind == PaintField::Kind::distance
-                         ? paints_.distances[std::size_t(f.distance)].at(p)
-                         : 0.0;
-    mix = paint.ramp->color(f.at(p, d));
-  }
-  if (!paint.relief) return mix;
-  const GridRelief& relief = *paint.relief;
-  double d = 0.0;
-  glm::dvec2 gradient{0.0};
-  if (relief.distance >= 0) {
-    const AreaDistance& area = paints_.distances[std::size_t(relief.distance)];
-    constexpr double kSlopeStep = 1e-5;  // [px]
-    d = area.at(p);
-    gradient = {area.at({p.x + kSlopeStep, p.y}) - area.at({p.x - kSlopeStep, p.y}),
-                area.at({p.x, p.y + kSlopeStep}) - area.at({p.x, p.y - kSlopeStep})};
-    gradient /= 2.0 * kSlopeStep;
-  }
-  return relief.lamp.lit(mix, relief.slope(p, d, gradient), paints_.blend);
+  const VariedPaint& varied = paints_.varied[std::size_t(layer.varied)];
+  if (varied.lit < 0) return varied.paint.ramp->color(varied.paint.field.at(p, 0.0));
+  const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
+  const Outward outward = surface.outward(p);
+  return surface.color(surface.zone_inside(outward.d), p, outward);
 }
 
 /// Layers bottom to top; a group is composited by itself and then mixed with what was there.

@@ -2,6 +2,7 @@
 #include "lib/base/fingerprint.h"
 #include "lib/base/monotonic_seconds.h"
 #include "lib/base/watch.h"
+#include "sdf/arrange/foreseen.h"
 #include "sdf/scene/same_scene.h"
 
 #include <algorithm>
@@ -59,9 +60,13 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
   made_ = crowded_ = false;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
   scene_ = scene, view_ = view;
+  const Box2 window{{0.0, 0.0}, {view.width, view.height}};
+  tolerance_ = tolerance_of(depth, view.blend);
+  const OutlineFrame frame{grid_from_face(scene.canvas(), view), window, tolerance_};
+  foresee(scene, frame);
   paints_.make(scene, view, depth);
   format_ = PixelFormat(depth, view.blend);
-  make_outlines(scene, view, depth);
+  make_outlines(frame);
   arrange();
   made_ = true;
 }
@@ -75,10 +80,8 @@ void Drawing::arrange() {
   sort_into_strips();
 }
 
-void Drawing::make_outlines(const Scene& scene, const View& view, Depth depth) {
-  const Box2 window{{0.0, 0.0}, {view.width, view.height}};
-  tolerance_ = tolerance_of(depth, view.blend);
-  maker_.begin({grid_from_face(scene.canvas(), view), window, tolerance_}, outlines_);
+void Drawing::make_outlines(const OutlineFrame& frame) {
+  maker_.begin(frame, outlines_);
   for (const OutlineSource& source : paints_.programs.outlines()) {
     const Shape& shape = paints_.programs.shape(source);
     if (source.rim)

@@ -105,7 +105,7 @@ class Drawing {
   bool is_of(const Scene& scene, const View& view, Depth depth) const;
   friend class DrawingProbe;  // plants faults, in tests
   void arrange();
-  void make_outlines(const Scene& scene, const View& view, Depth depth);
+  void make_outlines(const OutlineFrame& frame);
   void sort_into_strips();
   /// How far neighbours may be out of order [px].
   double order() const { return std::min(kOrder, 0.5 * tolerance_); }

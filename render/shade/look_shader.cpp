@@ -161,10 +161,8 @@ void LookShader::along_cells(const VariedPaint& varied, const Places& at, float*
 
 glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side,
                                bool coarse) {
-  if (form)
-    cells_of_form(*form, side, cells_, coarse);
-  else
-    whole_cells(side, cells_);
+  if (form) cells_of_form(*form, side, cells_, coarse);
+  const PartCells& cells = form ? cells_ : whole_cells(side);
   // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.
   each_ = std::any_of(
       looks_->steps(look).begin(), looks_->steps(look).end(), [&](const LookStep& step) {
@@ -177,14 +175,14 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
         return step.mode != MixMode::normal || (step.kind == Kind::paint && fades());
       });
   LitPart part{nullptr, 0.0f, 0.0f, 1.0f};
-  if (form) part = part_of(*form, cells_);
+  if (form) part = part_of(*form, cells);
   const glm::dvec2 middle{x + 0.5 + double(part.x), y + 0.5 + double(part.y)};
-  const ColorRow& c = places(look, {middle, 0, cells_.count(), double(part.area), form, &cells_});
+  const ColorRow& c = places(look, {middle, 0, cells.count(), double(part.area), form, &cells});
   glm::vec4 sum{0.0f};
   float area = 0.0f;
-  for (std::size_t k = 0; k < std::size_t(cells_.count()); ++k) {
-    sum += cells_.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
-    area += cells_.area[k];
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+    sum += cells.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
+    area += cells.area[k];
   }
   return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
 }
@@ -233,7 +231,7 @@ void LookShader::ramp_means_of_cells(const VariedPaint& varied, const Places& at
   const PartCells& cells = *at.cells;
   const Mix mean = ramp_mean_of(varied, x, y, at.form);
   const RampCells& planes = planes_.of(varied, lit_of(varied), x, y, cells.side, lit_scratch_);
-  const PartCells& whole = planes_.places();
+  const PartCells& whole = whole_cells(planes.side);
   const int finer = planes.side / cells.side;
   Mix sum{0.0};
   double area = 0.0;

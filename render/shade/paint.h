@@ -57,11 +57,6 @@ struct GridRelief {
   std::vector<double> table;
   std::vector<GridDome> domes;
   Lamp lamp;
-
-  /// The profile's rise per pixel of distance inside.
-  double rise(double inside) const;
-  /// Rise per pixel at p: x right, y UP in the picture; d and its gradient as they are there.
-  glm::dvec2 slope(glm::dvec2 p, double d, glm::dvec2 gradient) const;
 };
 
 /// A gradient, a relief, or both.

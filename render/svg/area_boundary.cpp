@@ -1,4 +1,5 @@
 #include "render/svg/area_boundary.h"
+#include "sdf/arrange/foreseen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,12 +75,18 @@ int AreaBoundaries::local(int outline) {
 }
 
 AreaBoundary AreaBoundaries::of(std::span<const AreaLevel> all) {
-  maker_.begin({map_, window_, kOutlineShare * tolerance_}, outlines_);
+  const OutlineFrame frame{map_, window_, kOutlineShare * tolerance_};
+  const std::size_t known = programs_.outlines().size();
+  std::vector<AreaProgram> programs;
+  for (const AreaLevel& level : all) programs.push_back(programs_.add(level.area, level.level));
+  foresee(programs_, programs_.outlines().subspan(known), frame);
+  maker_.begin(frame, outlines_);
   for (const int outline : global_) local_[std::size_t(outline)] = -1;
   global_.clear(), steps_.clear();
   steps_.push_back({AreaStep::Kind::outline, maker_.fill(frame_)});
-  for (const AreaLevel& level : all) {
-    const AreaProgram program = programs_.add(level.area, level.level);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const AreaLevel& level = all[i];
+    const AreaProgram program = programs[i];
     for (AreaStep step : programs_.steps(program)) {
       if (step.kind == AreaStep::Kind::outline) step.outline = local(step.outline);
       steps_.push_back(step);

@@ -13,6 +13,12 @@ namespace mien {
 
 class PathTree;
 
+/// Signed distance to an area, and the unit vector in which it grows.
+struct Outward {
+  double d = 0;
+  glm::dvec2 normal{0.0};
+};
+
 /// What is kept about a list of shapes, by index. Several threads may ask at once.
 class ShapeDistances {
  public:
@@ -27,10 +33,14 @@ class ShapeDistances {
 
   /// distance(shape, p), of the shape at that index.
   double at(std::size_t index, const Shape& shape, glm::dvec2 p) const;
+  /// With its gradient: of a path with a tree that of the nearest side alone, by differences of less than a rounding's
+  /// root.
+  Outward outward(std::size_t index, const Shape& shape, glm::dvec2 p) const;
 
  private:
   struct Kept;
-  const PathTree* tree_of(std::size_t index, const Path& path, std::size_t sides) const;
+  /// Null: it has few sides, or was not asked often yet.
+  const PathTree* tree_of(std::size_t index, const Shape& shape) const;
 
   std::size_t shapes_;
   mutable std::mutex making_;

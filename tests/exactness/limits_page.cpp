@@ -75,6 +75,13 @@ std::string page() {
       "`most_memory` in C. What a progress cancels ends within 50 ms in mien's own work and within "
       "half a second while a file is\n"
       "compressed.\n\n"
+      "The sides of a scene's paths tell how much memory their outlines need at least, before one "
+      "of them is made. Where that\n"
+      "is more than `memory`, nothing is drawn, and the error tells how much it is: \"outlines and "
+      "their order need at least\n"
+      "80.1 MiB, more than the 16 MiB allowed (limit `memory`)\". What crossings and strokes need "
+      "is known only while it is\n"
+      "counted.\n\n"
       "## What is refused when a file is read\n\n"
       "`FaceLimits` (`<mien/face_limits.h>`):\n\n| limit | default | of |\n|---|---|---|\n";
   const auto limit = [&](const char* name, const std::string& most, const char* of) {

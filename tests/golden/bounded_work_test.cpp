@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <optional>
 
 #include "tests/support/hostile_scenes.h"
+#include "tests/support/random.h"
 
 namespace mien::test {
 namespace {
@@ -40,9 +42,60 @@ TEST(BoundedWork, SaysWhichLimitIsExceeded) {
   ASSERT_FALSE(steps);
   EXPECT_EQ(steps.error().what, "drawing takes more than 100000 steps of work (limit `steps`)");
   EXPECT_FALSE(stats.cancelled);
-  const auto memory = render(scenes[0].scene, kView, {.limits = {.memory = 1000}});
+  const auto memory = render(scenes.back().scene, kView, {.limits = {.memory = 1000}});
   ASSERT_FALSE(memory);
-  EXPECT_EQ(memory.error().what, "outlines and their order need more than 0 MiB (limit `memory`)");
+  EXPECT_EQ(memory.error().what,
+            "outlines and their order need more than 0.977 KiB (limit `memory`)");
+}
+
+/// A path that crosses itself a million times or so.
+Scene tangle(int points) {
+  Random r(4);
+  Path path{{Path::Loop{}}, FillRule::even_odd};
+  glm::dvec2 at{0, 0};
+  for (int i = 0; i < points; ++i) {
+    const glm::dvec2 to = i + 1 < points ? r.point(-0.9, 0.9) : glm::dvec2{0, 0};
+    path.loops[0].sides.push_back({at, 0.5 * (at + to), to});
+    at = to;
+  }
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  build.layer("tangle", build.shape(path), {{0, 0, 0, 1}});
+  return std::move(build).finish();
+}
+
+TEST(BoundedWork, RefusesWhatCertainlyNeedsTooMuchBeforeItBegins) {
+  const Scene scene = tangle(300'000);
+  const RenderLimits limits{.memory = 16 << 20};
+  std::vector<std::pair<std::string, std::optional<Error>>> errors;
+  const auto add = [&](const char* way, const auto& made) {
+    errors.emplace_back(way, made ? std::optional<Error>() : made.error());
+  };
+  RenderStats stats;
+  add("render", render(scene, kView, {.limits = limits}, &stats));
+  EXPECT_EQ(stats.memory, 0);
+  EXPECT_LT(stats.steps, 50'000'000);  // of a nanosecond
+  add("pieces", PieceDrawer::of(scene, kView, Depth::u8, limits));
+  add("svg", svg_text(scene, {.width = 64, .height = 64, .limits = limits}));
+  add("error map", error_map(scene, kView, {.limits = limits}));
+  add("debug picture", debug_picture(scene, kView, DebugPicture::outlines, {.limits = limits}));
+  for (const auto& [way, error] : errors) {
+    ASSERT_TRUE(error) << way;
+    EXPECT_EQ(error->what,
+              "outlines and their order need at least 80.1 MiB, more than the 16 MiB allowed "
+              "(limit `memory`)")
+        << way;
+  }
+}
+
+TEST(BoundedWork, DrawsInAsMuchMemoryAsItHolds) {
+  for (const HostileScene& hostile : hostile_scenes(kSmall)) {
+    if (!hostile.name.starts_with("lattice") && !hostile.name.starts_with("circle")) continue;
+    RenderStats stats;
+    ASSERT_TRUE(render(hostile.scene, kView, {}, &stats)) << hostile.name;
+    const auto held = std::uint64_t(stats.memory);
+    EXPECT_TRUE(render(hostile.scene, kView, {.limits = {.memory = held}})) << hostile.name;
+    EXPECT_FALSE(render(hostile.scene, kView, {.limits = {.memory = held - 1}})) << hostile.name;
+  }
 }
 
 using Clock = std::chrono::steady_clock;

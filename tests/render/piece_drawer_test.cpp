@@ -39,6 +39,10 @@ TEST(PieceDrawer, PiecesOnThreadsAreThePicture) {
   });
   EXPECT_TRUE(image.bytes == whole.bytes);
   EXPECT_EQ(sum.pixels, 300 * 230);
+  RenderStats at_once;
+  ASSERT_TRUE(render(discs(), view, {}, &at_once));
+  EXPECT_EQ(sum.memory, at_once.memory);  // making the outlines counts, and once
+  EXPECT_GE(sum.steps, at_once.steps / 2);
   EXPECT_GT(sum.pieces, 0);
 }
 

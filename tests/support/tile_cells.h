@@ -14,7 +14,7 @@ struct SeenCells {
   PartCells cells;
 };
 inline void see(LightTile& tile, int i, int j, SeenCells& to) {
-  whole_cells(4, to.cells);
+  to.cells = whole_cells(4);
   colors_of_cells(tile, i, j, to.cells,
                   {to.c[0].data(), to.c[1].data(), to.c[2].data(), to.c[3].data()});
 }

@@ -2,6 +2,8 @@
 // written.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <ostream>
@@ -36,7 +38,15 @@ const Wrong kWrongs[] = {
      "import, fit, sheet, new, code, parts, chernoff, stimuli, studio; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
-    {{"xyzzy"}, 2, "no command named \"xyzzy\""},
+    {{"xyzzy"}, 2, "no command named \"xyzzy\"; mien -h helps"},
+    {{"help"}, 2, "no command named \"help\"; mien -h helps"},
+    {{"pca", "xyzzy"}, 2, "no command named \"xyzzy\"; mien pca -h helps"},
+    {{"pca", "list", "FACE"}, 2, "no command named \"list\"; mien pca -h helps"},
+    {{"new", "list", "FACE"}, 2, "new: one argument too many: \"list\""},
+    {{"render", "FACE", "-o", "OUT", "list"}, 2, "render: one argument too many: \"list\""},
+    {{"parts", "list"}, 2, "no family named \"list\"; mien parts lists them"},
+    {{"parts", "chekc"}, 2, "no family named \"chekc\"; did you mean \"check\"?"},
+    {{"parts", "list", "FACE"}, 2, "parts: one argument too many: \"FACE\""},
     {{"--versoin"}, 2, "no option named \"--versoin\"; did you mean \"--version\"?"},
     {{"render"}, 2, "render: FACE is required"},
     {{"render", "FACE"}, 2, "render: --output is required"},
@@ -50,6 +60,7 @@ const Wrong kWrongs[] = {
      1,
      "Ada Lovelace: there is no such file; `mien new --seed \"Ada Lovelace\"` prints the code of a "
      "person for any word"},
+    {{"list", "-"}, 1, "-: faces are read from files; /dev/stdin is standard input's"},
     {{"code", "hello"},
      1,
      "hello: there is no such file; `mien new --seed hello` prints the code of a person for any "
@@ -169,12 +180,12 @@ const Wrong kWrongs[] = {
      "--region 2147483647,0,2147483647,5: is not inside the picture of 20 x 10 pixels"},
     {{"render", "FACE", "-o", "DIR/a.gif"},
      2,
-     "DIR/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg"},
+     "DIR/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg, and .svg "
+     "to `mien render` and write_svg"},
     {{"render", "FACE", "-o", "DIR"},
      2,
      "DIR: its name has no extension, which would tell the format; known are .png .tif .tiff .exr "
-     ".jpg "
-     ".jpeg"},
+     ".jpg .jpeg, and .svg to `mien render` and write_svg"},
     {{"render", "FACE", "-o", "DIR/none/a.png"},
      1,
      "DIR/none/a.png: its folder DIR/none: No such file or directory"},
@@ -265,7 +276,8 @@ const Wrong kWrongs[] = {
      "--components 0: expected a whole number from 1 to 1000000000"},
     {{"pca", "fit", "FACE", "-o", "DIR/b", "--components", "2", "--frames", "9-3"},
      2,
-     "--frames 9-3: expected FIRST-LAST, whole numbers from 0 to 9999999"},
+     "--frames 9-3: expected FIRST-LAST, whole numbers from 0 to 9999999, the first not above "
+     "the last"},
     {{"pca", "fit", "FACE", "-o", "DIR/b", "--components", "2", "--fps", "0"},
      2,
      "--fps 0: expected frames a second from 0.01 to 1000, perhaps as 30000/1001"},
@@ -341,6 +353,26 @@ TEST(BadFace, ANameWithControlCharactersStaysOneLine) {
   EXPECT_EQ(ran.err.find('\x1b'), std::string::npos);
 }
 
+/// Plain words, which could be a person's, but something is called so.
+TEST(BadFace, ThatIsSomethingElseIsNotCalledMissing) {
+  const ScratchFolder folder;
+  std::filesystem::create_symlink("circle", folder / "circle");
+  std::filesystem::create_symlink("nobody", folder / "nowhere");
+  std::filesystem::create_directory(folder / "folder");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const std::string there = "cd '" + folder.path().string() + "' && " MIEN_COMMAND " list ";
+  for (const auto& [name, what] :
+       {std::pair<std::string, std::string>{"circle",
+                                            "cannot be read: Too many levels of symbolic links"},
+        {"nowhere", "cannot be read: No such file or directory"},
+        {"folder", "is a directory"},
+        {"pipe", "is a pipe that nothing is written to"}}) {
+    const Ran ran = test::Process({"/bin/sh", "-c", there + name}).wait();
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_EQ(ran.err, "mien: " + name + ": " + what + "\n");
+  }
+}
+
 TEST(Check, SaysOkForTheGoodAndFailsForTheBad) {
   const Ran ran = run_mien({"check", face_path("seed0"), "/none.json", face_path("toon")});
   EXPECT_EQ(ran.code, 1);
@@ -356,6 +388,18 @@ TEST(Check, WarningsDoNotFail) {
   const Ran ran = run_mien({"check", (folder / "a.json").string()});
   EXPECT_EQ(ran.code, 0);
   EXPECT_EQ(ran.err.find("mien: warning: " + (folder / "a.json").string() + ":"), 0u) << ran.err;
+}
+
+TEST(StandardOutput, ThatNobodyReadsAnyMoreEndsTextInSilence) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  ::close(ends[0]);
+  const std::string into = ">&" + std::to_string(ends[1]);
+  const Ran list =
+      test::Process({"/bin/sh", "-c", MIEN_COMMAND " list " + face_path("seed0") + into}).wait();
+  ::close(ends[1]);
+  EXPECT_EQ(list.code, 1);
+  EXPECT_EQ(list.err, "");
 }
 
 TEST(StandardOutput, ThatIsFullIsAnError) {

@@ -79,6 +79,39 @@ TEST_F(FileRoles, NeverAreTwoOutputs) {
   EXPECT_FALSE(fs::exists(path("new.png")));
 }
 
+/// Pictures that no file could hold, and places where none could be: told before hours of drawing.
+TEST_F(FileRoles, AreToldOfBeforeTheWork) {
+  const std::string table = file("c.csv", "who,size\na,1\nb,2\n");
+  const std::string obj = file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string face = face_path("seed0");
+  const std::vector<std::vector<std::string>> commands{
+      {"render", face},
+      {"sheet", "--people", "100000"},
+      {"check", "--nonsense", "5000"},
+      {"parts", "mouth"},
+      {"parts", "check", "nobody.part.json"},
+      {"chernoff", table},
+      {"mesh", obj},
+      {"morph", "between", "nobody.json", "nobody.json"},
+      {"pca", "sheet", "nobody.npz"}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"-o", path("a.gif")});
+    const auto no_format = run_mien(words);
+    words.back() = path("none/a.png");
+    const auto no_folder = run_mien(words);
+    const std::string where = path("none/a.png") + ": its folder " + path("none");
+    EXPECT_NE(no_folder.err.find(where), std::string::npos) << no_folder.err;
+    EXPECT_EQ(no_folder.code, 1) << words[0];
+    if (words[1] == "between") continue;  // a GIF is a film
+    EXPECT_NE(no_format.err.find("unknown extension .gif"), std::string::npos) << no_format.err;
+    EXPECT_EQ(no_format.code, 2) << words[0];
+  }
+  const auto manifest =
+      run_mien({"chernoff", table, "-o", path("c.png"), "--manifest", path("none/m.csv")});
+  EXPECT_EQ(manifest.code, 1);
+  EXPECT_FALSE(fs::exists(path("c.png")));
+}
+
 /// mien set writes FACE itself: that is what it is for. Devices take everything.
 TEST_F(FileRoles, DoNotForbidWhatIsMeant) {
   const std::string face = file("f.json", text(face_path("seed0")));

@@ -157,8 +157,12 @@ TEST(Progress, QuickWorkShowsNothing) {
 
 TEST(Progress, APictureDoesNotGoToATerminal) {
   if (!terminals_can_be_made()) GTEST_SKIP() << "no terminals can be made here";
-  EXPECT_EQ(on_a_terminal({MIEN_COMMAND, "render", face_path("seed0"), "-o", "-"}, "never said"),
-            "mien: -o -: will not write a picture to a terminal; redirect it or name a file\r\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{MIEN_COMMAND, "render", face_path("seed0"), "-o", "-"},
+        {MIEN_COMMAND, "sheet", "--people", "3", "-o", "-"}})
+    EXPECT_EQ(
+        on_a_terminal(words, "never said"),
+        "mien: --output -: will not write a picture to a terminal; redirect it or name a file\r\n");
 }
 
 }  // namespace

@@ -47,8 +47,10 @@ int main(int count, char** words) {
   try {
     const mien::Watching here(&watch);
     const CommandLine line = read_command_line(count, words);
-    if (const auto safe = check_file_roles(file_roles(line)); !safe)
+    const FileRoles roles = file_roles(line);
+    if (const auto safe = check_file_roles(roles); !safe)
       return complain(safe.error(), kUsedWrongly);
+    if (const auto open = check_places(roles); !open) return complain(open.error(), kFailed);
     return std::visit(Run{}, line);
   } catch (const mien::Stopped&) {
     complain("interrupted", kFailed);

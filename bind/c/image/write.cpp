@@ -140,9 +140,10 @@ class DrawnPieces {
     const auto stop = [](void* asked) -> int32_t {
       return static_cast<mien::StopWatch*>(asked)->ask();
     };
-    const mien_status status = mien_pieces_draw(pieces_, where, &pixels, stop, &watch, nullptr);
-    if (status == MIEN_CANCELLED) return {};
-    if (status != MIEN_OK) throw std::bad_alloc();
+    mien_error* error = nullptr;
+    const mien_status status = mien_pieces_draw(pieces_, where, &pixels, stop, &watch, &error);
+    if (status == MIEN_CANCELLED) return mien_error_free(error), mien::PixelBuffer{};
+    said(status, error);
     return {pixels.data, pixels.stride, mien::Depth(depth_)};
   }
 

@@ -64,6 +64,12 @@ std::string too_deep(const FaceLimits& limits) {
                      limits.nesting);
 }
 
+constexpr char kNul[] = "a NUL character, which no text has";
+
+bool has_nul(std::string_view text) {
+  return text.find('\0') != std::string_view::npos;
+}
+
 /// Builds the tree from the parser's events; any handler that returns false stops the parser.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
@@ -83,8 +89,10 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool number_float(number_float_t value, const string_t&) override { return number(value); }
   bool string(string_t& value) override {
     JsonNode* node = add(JsonKind::string);
-    if (node) node->text = keep(value);
-    return node != nullptr;
+    if (!node) return false;
+    if (has_nul(value)) return refuse(*node, kNul);
+    node->text = keep(value);
+    return true;
   }
   bool binary(binary_t&) override { return false; }  // not in text
   bool start_object(std::size_t) override { return open(JsonKind::object); }
@@ -93,6 +101,10 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return keys_differ() && close(); }
   bool key(string_t& value) override {
     key_offset_ = walker_.step();
+    if (has_nul(value)) {
+      error = Error{tree_.where(key_offset_), kNul};
+      return false;
+    }
     key_ = keep(value);
     return true;
   }

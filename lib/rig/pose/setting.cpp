@@ -86,7 +86,7 @@ Expected<double> read_number(std::string_view text, const std::string& where) {
 Expected<std::vector<double>> read_values(const Target& target, std::string_view text,
                                           const std::string& where) {
   const bool color = target.slice && target.slice->kind == SliceKind::color && target.size == 4;
-  if (color && text.starts_with('#')) {
+  if (color && text.find_first_of("+-.0123456789") != 0) {
     const std::optional<Color> c = color_from_text(text);
     if (!c)
       return Error{where, fmt::format("expected a colour like #rrggbb, got {}", in_quotes(text))};

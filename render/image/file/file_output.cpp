@@ -1,6 +1,7 @@
 #include "render/image/file/file_output.h"
 #include <mien/limits.h>
 #include "lib/base/monotonic_seconds.h"
+#include "render/image/file/system_error.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -25,7 +26,7 @@ void wait_for(int descriptor) {
 
 }  // namespace
 
-int open_stream(const std::filesystem::path& path) {
+Expected<int> open_stream(const std::filesystem::path& path) {
   const double began = monotonic_seconds();
   int descriptor = -1;
   do {
@@ -34,7 +35,13 @@ int open_stream(const std::filesystem::path& path) {
     end_if_stopped();
     ::poll(nullptr, 0, 10);
   } while (monotonic_seconds() - began < kReaderComes);
-  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  if (descriptor < 0) {
+    const int failed = errno;
+    if (failed == ENXIO && std::filesystem::is_fifo(path))
+      return Error{"", "is a pipe that nobody reads"};
+    return Error{"", "cannot be written: " + system_error(failed)};
+  }
+  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   return descriptor;
 }
 

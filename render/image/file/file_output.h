@@ -1,13 +1,15 @@
 #pragma once
 // Bytes into an open file, in order.
 
+#include <mien/expected.h>
+
 #include <cstddef>
 #include <filesystem>
 
 namespace mien {
 
-/// Opens a pipe or a device to be written to; −1 and errno, also where nobody reads from the pipe.
-int open_stream(const std::filesystem::path& path);
+/// Opens a pipe or a device to be written to; an error without an address, also where nobody reads from the pipe.
+Expected<int> open_stream(const std::filesystem::path& path);
 
 /// Writes go to the descriptor at once, unbuffered, so that the first failure is known with its
 /// reason. The descriptor stays the caller's and stays open.

@@ -7,8 +7,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
-
 namespace mien {
 namespace fs = std::filesystem;
 
@@ -30,10 +28,10 @@ Expected<Done> write_to(const fs::path& path, const WriteBytes& write) {
   const auto target = find_output_path(path);
   if (!target) return target.error();
   if (target->stream) {
-    const int descriptor = open_stream(target->path);
-    if (descriptor < 0) return Error{"", "cannot be written: " + system_error(errno)};
-    auto done = write_into(descriptor, write);
-    ::close(descriptor);
+    const auto descriptor = open_stream(target->path);
+    if (!descriptor) return descriptor.error();
+    auto done = write_into(*descriptor, write);
+    ::close(*descriptor);
     return done;
   }
   auto file = AtomicFile::begin(target->path);

@@ -4,6 +4,8 @@
 // t = e · u − off and that share's centroid are second differences of max(t, 0)² / 2 and max(t, 0)³ / 6 over its
 // corners. Each side is shaded at its own centroid by its own branch. Under a round profile slopes grow as the root of
 // the depth, and cells at its outline are seen at two depths, one standard deviation apart from their mean.
+//
+// Where that may not suffice, cells that a ridge or a clamp runs through are divided, and only those.
 #if defined(MIEN_RENDER_SHADE_LIGHT_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIEN_RENDER_SHADE_LIGHT_CELLS_INL_H_
 #undef MIEN_RENDER_SHADE_LIGHT_CELLS_INL_H_
@@ -12,6 +14,8 @@
 #endif
 
 #include "render/shade/light/lit_places-inl.h"
+
+#include <numeric>
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -97,11 +101,36 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
   return mixed;
 }
 
+/// Colours times areas.
 struct CellSum {
   float c[LightTile::kChannels] = {};
   float area = 0;
-  float jump = 0;  ///< the most that a ridge changes colours by in a cell
-  float kink = 0;  ///< what a clamp of the law may change
+
+  /// In one order for all instruction sets.
+  void add(const Shades& shades, const float* areas, int channels) {
+    const auto total = [](const float* v, const float* by) {
+      float part[4] = {};
+      for (int i = 0; i < 16; ++i) part[i & 3] += v[i] * by[i];
+      return (part[0] + part[1]) + (part[2] + part[3]);
+    };
+    area += total(areas, kAll);
+    for (int k = 0; k < channels; ++k) c[k] += total(shades.c[k], areas);
+  }
+};
+
+/// A pixel whose cells are looked at, with what it sees: the square around (cx, cy).
+struct CellPixel {
+  LightTile& tile;
+  const NearBranches *near, *near_ramp;
+  float cx, cy;
+};
+
+/// Sixteen cells: where, how large, and what is seen of them.
+struct SixteenCells {
+  alignas(64) float x[16], y[16], area[16];
+  Shades shades;
+  alignas(64) float jump[16];  ///< what a ridge changes colours by within the cell
+  alignas(64) float away[16];  ///< [of the cell's side] how far the nearest ridge is
 };
 
 /// The colour of cells at a round profile's outline, by two depths.
@@ -122,22 +151,19 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
     color.c[c] = hn::Mul(Const(0.5f), hn::Add(color.c[c], other.c[c]));
 }
 
-/// Adds sixteen cells of a 1/side pixel each way.
-inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp,
-                     float cx, float cy, const float* px, const float* py, const float* areas,
-                     CellSum& sum) {
+/// Sees sixteen cells.
+inline void SeeCells(const CellPixel& pixel, SixteenCells& cells) {
   // [px] Profiles as narrow as that are steep where cells are two depths wide.
   constexpr float kNarrow = 12.0f, kSteep = 1.75f;
   const F f;
+  LightTile& tile = pixel.tile;
   Seen at;
-  SeeFrom(tile, near, near_ramp, cx, cy, px, py, at);
+  SeeFrom(tile, pixel.near, pixel.near_ramp, pixel.cx, pixel.cy, cells.x, cells.y, at);
   const bool steep = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow &&
                      MostOf16(at.relief.best.d) > -kSteep;
-  Shades shades;
-  HWY_ALIGN float jumps[16];
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
-    CellLanes cell{hn::LoadU(f, px + k), hn::LoadU(f, py + k), hn::LoadU(f, areas + k), {}, {}};
+    CellLanes cell{load(cells.x), load(cells.y), load(cells.area), {}, {}};
     const VF zero = hn::Zero(f);
     cell.side = hn::Sqrt(cell.area), cell.variance = hn::Mul(cell.area, Const(1.0f / 12));
     const auto there = hn::Gt(cell.area, zero);
@@ -160,19 +186,146 @@ inline void AddCells(LightTile& tile, const NearBranches* near, const NearBranch
         color.c[c] = hn::IfThenElse(cut, mixed.c[c], color.c[c]);
       jump = hn::IfThenElse(cut, mixed.jump, zero);
     }
-    hn::Store(jump, f, jumps + k);
-    PutColor(color, k, shades);
+    hn::Store(jump, f, cells.jump + k);
+    hn::Store(hn::Div(ridge.off, hn::Max(cell.side, Const(1e-6f))), f, cells.away + k);
+    PutColor(color, k, cells.shades);
   }
-  sum.kink = HWY_MAX(sum.kink, KinkAmong(tile, shades, areas, 0.1f));
-  sum.jump = HWY_MAX(sum.jump, MostOf16(jumps));
-  // In one order for all instruction sets.
-  const auto total = [](const float* v, const float* by) {
-    float part[4] = {};
-    for (int i = 0; i < 16; ++i) part[i & 3] += v[i] * by[i];
-    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+/// Which of a level's cells are looked at: of the grid of that many each way, in its order.
+using CellList = std::array<std::uint16_t, PartCells::kMost>;
+
+/// A mean by cells, as far as they were looked at.
+struct CellMean {
+  CellSum closed, open;  ///< open: cells that a ridge or a clamp may run through
+  float jump = 0;        ///< the most that a ridge changes colours by in a cell
+  float kink = 0;        ///< what a clamp of the law may change
+  int opens = 0;         ///< how many are open: the first of their list
+};
+
+/// The next sixteen listed cells of more than no area; returns how many there are.
+inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const CellList& list,
+                       int count, int& next, SixteenCells& to, std::uint16_t* which) {
+  int n = 0;
+  for (; next < count && n < 16; ++next) {
+    const size_t k = list[size_t(next)];
+    if (!(cells.area[k] > 0.0f)) continue;
+    to.x[n] = pixel.cx + cells.x[k], to.y[n] = pixel.cy + cells.y[k];
+    to.area[n] = cells.area[k], which[n++] = std::uint16_t(k);
+  }
+  for (int k = n; k < 16; ++k) to.x[k] = to.x[0], to.y[k] = to.y[0], to.area[k] = 0.0f;
+  return n;
+}
+
+/// Looks at the listed cells and lists the open ones in `open`: each of the others is a smooth stretch that is seen at
+/// its middle. `least_jump`, `least_kink`: less leaves a cell closed.
+inline void LookAtCells(const CellPixel& pixel, const PartCells& cells, const CellList& list,
+                        int count, float least_jump, float least_kink, CellMean& mean,
+                        CellList& open) {
+  // [of the range among sixteen] Half a diagonal of a cell, where the range is that of three of them or less.
+  constexpr float kHalf = 0.75f;
+  constexpr float kNear = 1.3f;  // [of a cell's side] a ridge that bends may run through it
+  LightTile& tile = pixel.tile;
+  SixteenCells now;
+  std::uint16_t which[16];
+  mean.jump = mean.kink = 0.0f, mean.opens = 0, mean.open = {};
+  for (int next = 0;;) {
+    const int n = TakeSixteen(pixel, cells, list, count, next, now, which);
+    if (n == 0) break;
+    SeeCells(pixel, now);
+    const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
+    mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
+    if (!tile.fine && kink <= least_kink && jump <= least_jump) {
+      mean.closed.add(now.shades, now.area, tile.channels);
+      continue;
+    }
+    float reach[3] = {-1.0f, -1.0f, -1.0f};
+    for (int b = 0; b < 3 && kink > least_kink; ++b) {
+      const Range range = RangeOf16(now.shades.bounds[b], now.area);
+      reach[b] = kHalf * (range.high - range.low);
+    }
+    alignas(64) float of_open[16] = {}, of_closed[16] = {};
+    for (int k = 0; k < n; ++k) {
+      bool opens =
+          tile.fine || now.jump[k] > least_jump || (jump > least_jump && now.away[k] < kNear);
+      for (int b = 0; b < 3; ++b) opens = opens || std::abs(now.shades.bounds[b][k]) <= reach[b];
+      (opens ? of_open : of_closed)[k] = now.area[k];
+      if (opens) open[size_t(mean.opens++)] = which[k];
+    }
+    mean.closed.add(now.shades, of_closed, tile.channels);
+    mean.open.add(now.shades, of_open, tile.channels);
+  }
+}
+
+/// Divides the listed cells of a grid of `side` each way.
+inline int DivideCells(int side, const CellList& cells, int count, CellList& to) {
+  int made = 0;
+  for (int k = 0; k < count; ++k) {
+    const int first = 2 * (cells[size_t(k)] / side) * 2 * side + 2 * (cells[size_t(k)] % side);
+    for (const int by : {0, 1, 2 * side, 2 * side + 1})
+      to[size_t(made++)] = std::uint16_t(first + by);
+  }
+  return made;
+}
+
+/// Into how many cells each way a part must be divided at least. Over a round profile's width w, or over a narrow dome
+/// or the highlight on one, colours make all their change, some 200 levels with a bend of 4 / w²: cells of side h leave
+/// 33 (h / w)² of its area, and half of that at most by two depths.
+inline int LeastSide(const LightTile& tile, float area, float allowed) {
+  float width = 2.0f * tile.lamp.finest;
+  if (tile.rises && tile.lamp.is_round()) width = HWY_MIN(width, tile.lamp.width);
+  const float most = 0.066f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
+  int side = 4;
+  while (side < PartCells::kMostSide && width * width * float(side * side) < most) side *= 2;
+  return side;
+}
+
+/// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
+/// they may be off, which is of second order in their side.
+inline void MeanByCells(const CellPixel& pixel, const PartForm* form, float form_area, float* to) {
+  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells; ridges less than a
+  // thirtieth of their jump.
+  constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
+  // Of what is permitted to any; and what this may shrink to in darker pixels before closed cells count again.
+  constexpr float kClosed = 0.3f, kStricter = 0.8f;
+  LightTile& tile = pixel.tile;
+  float before[LightTile::kChannels] = {}, allowed = tile.tolerance;
+  int side = LeastSide(tile, form_area, allowed), least = side, count = side * side;
+  CellList &list = tile.listed, &open = tile.open;
+  CellMean mean;
+  const auto begin = [&](int now) {
+    mean = {}, side = least = now, count = now * now;
+    std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
   };
-  sum.area += total(areas, kAll);
-  for (int c = 0; c < tile.channels; ++c) sum.c[c] += total(shades.c[c], areas);
+  begin(side);
+  for (;;) {
+    if (form) cells_of_form(*form, side, tile.cells, side == 4 && !tile.fine);
+    const PartCells& cells = form ? tile.cells : whole_cells(side);
+    const float finer = float(side * side) / 16.0f, seen = HWY_MAX(form_area, 0.05f);
+    const float most_jump = kJump * finer / seen, most_kink = kKink * finer / seen;
+    LookAtCells(pixel, cells, list, count, kClosed * most_jump * allowed,
+                kClosed * most_kink * allowed, mean, open);
+    const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
+    float apart = 0.0f;
+    for (int c = 0; c < tile.channels; ++c) {
+      to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
+      apart = HWY_MAX(apart, std::abs(to[c] - before[c])), before[c] = to[c];
+    }
+    if (side == PartCells::kMostSide) return;
+    const float before_that = allowed;
+    // What shows of a part lies in a pixel no darker than that.
+    if (tile.lamp.linear) allowed = AllowedAt(tile, seen * HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
+    const bool bounded = mean.kink < most_kink * allowed && mean.jump < most_jump * allowed;
+    const bool agrees = side > least && apart * seen < kAgree * allowed;
+    const int now = HWY_MAX(side, LeastSide(tile, form_area, allowed));
+    if (now == side && (tile.fine ? bounded && agrees : bounded || agrees)) return;
+    if (now > side || allowed < kStricter * before_that) {
+      begin(now);  // all of them again: too many were closed
+      continue;
+    }
+    if (mean.opens == 0) return;
+    count = DivideCells(side, open, mean.opens, list), side *= 2;
+  }
 }
 
 }  // namespace HWY_NAMESPACE

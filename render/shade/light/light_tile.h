@@ -48,7 +48,9 @@ struct LightTile {
   std::array<std::uint16_t, kSquares> where;  ///< among those
   std::array<std::uint8_t, kPixels> known;
   std::array<std::array<float, kPixels>, kChannels> mean;
-  PartCells cells;  ///< scratch
+  // Scratch.
+  PartCells cells;
+  std::array<std::uint16_t, PartCells::kMost> listed, open;  ///< of its cells
 
   static constexpr int first_of(int level) {
     return level == 0 ? 0 : level == 1 ? 1 : level == 2 ? 5 : 21;

@@ -32,14 +32,6 @@ NearBranches* NearOf(std::vector<NearBranches>& all, const NearArea& area, int s
   return all.data() + size_t(square) * area.leaf_count();
 }
 
-/// What means may be off by where the least value is that: dark values of linear light are encoded up to 12.92 times as
-/// steep.
-float AllowedAt(const LightTile& tile, float least) {
-  if (!tile.lamp.linear || tile.lamp.distance_alone) return tile.tolerance;
-  // 1.055 / 2.4 v^(−0.583) is less than 0.72 / √v.
-  return tile.tolerance / HWY_MAX(0.72f / std::sqrt(HWY_MAX(least, 0.0031f)), 0.6f);
-}
-
 float LeastOf(const LightTile::Bicubic& square) {
   float least = 1.0f;
   for (int c = 0; c < 3; ++c) least = HWY_MIN(least, LeastOf16(square.c[c]));
@@ -209,24 +201,9 @@ Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
   return square;
 }
 
-/// Into how many cells each way a part must be divided at least. Over a round profile's width w, or over a narrow dome
-/// or the highlight on one, colours make all their change, some 200 levels with a bend of 4 / w²: cells of side h leave
-/// 33 (h / w)² of its area, and half of that at most by two depths.
-int LeastSide(const LightTile& tile, float area, float allowed) {
-  float width = 2.0f * tile.lamp.finest;
-  if (tile.rises && tile.lamp.is_round()) width = HWY_MIN(width, tile.lamp.width);
-  const float most = 0.066f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
-  int side = 4;
-  while (side < PartCells::kMostSide && width * width * float(side * side) < most) side *= 2;
-  return side;
-}
-
-/// Sees a part of a pixel, or all of it, by cells. What clamps and ridges leave is of second order in the cells' side.
+/// A part of a pixel, or all of it, by cells.
 void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form,
              float form_area, float* to) {
-  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells; ridges less than a
-  // thirtieth of their jump.
-  constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
   NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
                       *const near_ramp =
@@ -234,44 +211,7 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
   const int from = around.index();
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
         cx, cy, 0.7072f, near, near_ramp);
-  float before[LightTile::kChannels] = {};
-  const int least = LeastSide(tile, form_area, tile.tolerance);
-  for (int side = least;; side *= 2) {
-    if (form)
-      cells_of_form(*form, side, tile.cells, side == 4 && !tile.fine);
-    else
-      whole_cells(side, tile.cells);
-    CellSum sum;
-    alignas(64) float x[16], y[16];
-    for (size_t k = 0; k < size_t(side * side); k += 16) {
-      const float* area = &tile.cells.area[k];
-      float any = 0.0f;
-      for (int q = 0; q < 16; ++q) {
-        x[q] = cx + tile.cells.x[k + size_t(q)], y[q] = cy + tile.cells.y[k + size_t(q)];
-        any += area[q];
-      }
-      if (any > 0.0f) AddCells(tile, near, near_ramp, cx, cy, x, y, area, sum);
-    }
-    const float over = sum.area > 0.0f ? 1.0f / sum.area : 0.0f;
-    float apart = 0.0f;
-    for (int c = 0; c < tile.channels; ++c) {
-      to[c] = sum.c[c] * over;
-      apart = HWY_MAX(apart, std::abs(to[c] - before[c])), before[c] = to[c];
-    }
-    // What a part is off by counts by its area.
-    const float seen = HWY_MAX(sum.area, 0.05f), finer = float(side * side) / 16.0f;
-    if (side == PartCells::kMostSide) return;
-    float allowed = tile.tolerance;
-    if (tile.lamp.linear) {
-      // What shows of a part lies in a pixel no darker than that.
-      allowed = AllowedAt(tile, seen * HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
-      if (side < LeastSide(tile, form_area, allowed)) continue;
-    }
-    const bool bounded =
-        sum.kink * seen < kKink * finer * allowed && sum.jump * seen < kJump * finer * allowed;
-    const bool agrees = side > least && apart * seen < kAgree * allowed;
-    if (tile.fine ? bounded && agrees : bounded || agrees) return;
-  }
+  MeanByCells({tile, near, near_ramp, cx, cy}, form, form_area, to);
 }
 
 void FindMean(LightTile& tile, int i, int j) {

@@ -217,11 +217,9 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
 
 /// By places, 16 × 16 in a pixel: where branches are too many.
 float LitPaint::slow_distance(int x, int y, const PartForm* form) const {
-  PartCells cells;
-  if (form)
-    cells_of_form(*form, 16, cells);
-  else
-    whole_cells(16, cells);
+  PartCells own;
+  if (form) cells_of_form(*form, 16, own);
+  const PartCells& cells = form ? own : whole_cells(16);
   double sum = 0.0, area = 0.0;
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
     if (!(cells.area[k] > 0.0f)) continue;

@@ -64,6 +64,9 @@ class LitPaint {
   /// zone.
   std::span<const double> levels() const { return surface_.levels(); }
 
+  /// What its means are means of.
+  const LitSurface& surface() const { return surface_; }
+
   /// Whether the surface is level in all of a zone: then it has its base colour there.
   bool level(int zone) const;
   /// The same but for its domes.

@@ -140,6 +140,14 @@ HWY_INLINE float SteepnessAt(const LightTile& tile, float least) {
   return HWY_MIN(0.44f / (x * std::sqrt(x)), 12.92f);
 }
 
+/// What means may be off by where the least value is that: dark values of linear light are encoded up to 12.92 times as
+/// steep.
+inline float AllowedAt(const LightTile& tile, float least) {
+  if (!tile.lamp.linear || tile.lamp.distance_alone) return tile.tolerance;
+  // 1.055 / 2.4 v^(−0.583) is less than 0.72 / √v.
+  return tile.tolerance / HWY_MAX(0.72f / std::sqrt(HWY_MAX(least, 0.0031f)), 0.6f);
+}
+
 /// By how much a clamp of the law that begins among places, or as close to them as `margin` of their range, changes
 /// colours there: what it takes or leaves, whichever is less; 0 if none begins. `there`: which places count.
 HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* there,

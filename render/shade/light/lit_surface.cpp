@@ -32,6 +32,11 @@ int LitSurface::zone_of(double d) const {
       std::count_if(levels_.begin(), levels_.end(), [&](double level) { return d <= level; }));
 }
 
+int LitSurface::zone_inside(double d) const {
+  constexpr double kOutline = 0.01;
+  return zone_of(d > 0.0 && d < kOutline ? 0.0 : d);
+}
+
 bool LitSurface::flat(int zone) const {
   if (zone <= 0 || zone >= zones() - 1) return true;
   return !rises_.empty() && rises_[std::size_t(zone) - 1] == 0.0;
@@ -48,13 +53,7 @@ double LitSurface::rise(int zone, double depth) const {
 }
 
 Outward LitSurface::outward(glm::dvec2 p) const {
-  if (!area_) return {};
-  constexpr double kStep = 1e-5;  // [px]: distances are good to 1e-12, and bend by less than 1 / px
-  const glm::dvec2 q = p - center_;
-  const double d = area_->at(q);
-  const glm::dvec2 grows{area_->at({q.x + kStep, q.y}) - d, area_->at({q.x, q.y + kStep}) - d};
-  const double length = glm::length(grows);
-  return {d, length > 0.0 ? grows / length : glm::dvec2{0.0}};
+  return area_ ? area_->outward(p - center_) : Outward{};
 }
 
 Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
@@ -66,15 +65,18 @@ Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
   return s.at + std::clamp(t, s.from, s.to) * s.slope;
 }
 
-Mix LitSurface::color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const {
-  const GridRelief& r = relief();
-  glm::dvec2 rises = -rise(piece.zone, -outward.d) * outward.normal;
-  for (const GridRelief::GridDome& dome : r.domes) {
+glm::dvec2 LitSurface::slope(int zone, glm::dvec2 p, const Outward& outward) const {
+  glm::dvec2 rises = -rise(zone, -outward.d) * outward.normal;
+  for (const GridRelief::GridDome& dome : relief().domes) {
     const glm::dvec2 q = dome.unit * (p - center_ - dome.center);
     const double in = 1.0 - glm::dot(q, q);
     if (in > 0.0) rises += -4.0 * dome.height * in * (glm::transpose(dome.unit) * q);
   }
-  return r.lamp.lit(base(piece, p, outward.d), {rises.x, -rises.y}, blend_);
+  return {rises.x, -rises.y};
+}
+
+Mix LitSurface::color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const {
+  return relief().lamp.lit(base(piece, p, outward.d), slope(piece.zone, p, outward), blend_);
 }
 
 }  // namespace mien

@@ -13,12 +13,6 @@
 
 namespace mien {
 
-/// Signed distance to the relief's area, and the unit vector in which it grows.
-struct Outward {
-  double d = 0;
-  glm::dvec2 normal{0.0};
-};
-
 /// Where a lit paint is smooth: in a zone of its profile and, if it has a ramp, between two kinks of that. Beyond
 /// them it goes on smoothly, so a square around a cell never sees what lies beyond a jump.
 struct LitPiece {
@@ -47,12 +41,17 @@ class LitSurface {
   int zones() const { return int(levels_.size()) + 1; }
   /// Zone 0 is outside, zone k between levels k − 1 and k, the last one beyond the last level.
   int zone_of(double d) const;
+  /// The same where what is painted is inside, and only a rounding of its distance says otherwise: a hundredth of a pixel
+  /// beyond the outline.
+  int zone_inside(double d) const;
   /// Whether the profile does not rise there.
   bool flat(int zone) const;
 
   Outward outward(glm::dvec2 p) const;
   /// The profile's rise per pixel.
   double rise(int zone, double depth) const;
+  /// Rise per pixel at p: x right, y UP in the picture.
+  glm::dvec2 slope(int zone, glm::dvec2 p, const Outward& outward) const;
   /// Premultiplied, in the blending space.
   Mix color(const LitPiece& piece, glm::dvec2 p, const Outward& outward) const;
 

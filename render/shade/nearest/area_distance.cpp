@@ -63,4 +63,28 @@ double AreaDistance::at(glm::dvec2 p) const {
   return tree_at(p, many.data());
 }
 
+Outward AreaDistance::outward(glm::dvec2 p) const {
+  std::array<Outward, 32> few;
+  std::vector<Outward> many(nodes_.size() <= few.size() ? 0 : nodes_.size());
+  Outward* const made = many.empty() ? few.data() : many.data();
+  worked(30 * std::int64_t(nodes_.size()));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& n = nodes_[i];
+    if (n.op == Op::shape) {
+      made[i] = asked_->outward(std::size_t(n.a), shapes_[std::size_t(n.a)], p);
+      continue;
+    }
+    const Outward &a = made[n.a], &b = made[n.b];
+    const double d = combine(n.op, a.d, b.d, n.amount);
+    // It grows as that of whose distance it is, or the opposite way.
+    const bool second = (n.op == Op::unite && b.d < a.d) || (n.op == Op::intersect && b.d > a.d) ||
+                        (n.op == Op::subtract && -b.d > a.d);
+    const bool turns = second ? n.op == Op::subtract
+                              : n.op == Op::complement || (n.op == Op::shell && a.d < 0.0);
+    const glm::dvec2 normal = second ? b.normal : a.normal;
+    made[i] = {d, turns ? -normal : normal};
+  }
+  return made[nodes_.size() - 1];
+}
+
 }  // namespace mien

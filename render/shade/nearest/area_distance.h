@@ -22,6 +22,8 @@ class AreaDistance {
 
   /// Negative inside; p in pixels, origin at the picture's centre.
   double at(glm::dvec2 p) const;
+  /// With its gradient: on a ridge that of one side.
+  Outward outward(glm::dvec2 p) const;
 
   /// The same of one of its shapes.
   double of_shape(std::size_t shape, glm::dvec2 p) const {

@@ -17,11 +17,11 @@ const RampCells& RampPlanes::of(const VariedPaint& varied, const LitPaint* lit, 
     return distance_cells(varied, {*lit, scratch, x, y}, side, allowed);
   const double bend = 0.1 * field.bend(middle);
   while (side < PartCells::kMostSide && bend > allowed * side * side) side *= 2;
-  whole_cells(side, whole_);
+  const PartCells& whole = whole_cells(side);
   cells_.side = side, cells_.planes.clear();
-  for (std::size_t k = 0; k < std::size_t(whole_.count()); ++k)
+  for (std::size_t k = 0; k < std::size_t(whole.count()); ++k)
     cells_.planes.push_back(varied.integral->scaled(
-        field.plane(middle + glm::dvec2{whole_.x[k], whole_.y[k]}, 1.0 / (12.0 * side * side))));
+        field.plane(middle + glm::dvec2{whole.x[k], whole.y[k]}, 1.0 / (12.0 * side * side))));
   return cells_;
 }
 
@@ -32,17 +32,17 @@ bool RampPlanes::smooth_distance(const VariedPaint& varied, const Distances& dis
   constexpr int kPlaces = 4;
   constexpr double kSquare = 5.0 / 36,
                    kSpread = 1.0 / 81;  // means of x² and of (x² − kSquare)² over them
-  whole_.side = kPlaces;
+  tried_.side = kPlaces;
   for (std::size_t k = 0; k < kPlaces * kPlaces; ++k)
-    whole_.x[k] = float(k % kPlaces) / 3 - 0.5f, whole_.y[k] = float(k / kPlaces) / 3 - 0.5f;
+    tried_.x[k] = float(k % kPlaces) / 3 - 0.5f, tried_.y[k] = float(k / kPlaces) / 3 - 0.5f;
   std::array<float, kPlaces * kPlaces + kColorSpare> d;
-  distances.at(whole_, d.data());
+  distances.at(tried_, d.data());
   using Terms = std::array<double, 6>;
   const auto terms = [&](double u, double v) {
     return Terms{1.0, u, v, u * u - kSquare, v * v - kSquare, u * v};
   };
   constexpr Terms kNorms{1.0, kSquare, kSquare, kSpread, kSpread, kSquare * kSquare};
-  const auto at = [&](std::size_t k) { return terms(double(whole_.x[k]), double(whole_.y[k])); };
+  const auto at = [&](std::size_t k) { return terms(double(tried_.x[k]), double(tried_.y[k])); };
   Terms c{};
   for (std::size_t k = 0; k < kPlaces * kPlaces; ++k)
     for (std::size_t i = 0; i < c.size(); ++i)
@@ -61,10 +61,10 @@ bool RampPlanes::smooth_distance(const VariedPaint& varied, const Distances& dis
   while (0.1 * std::abs(bend) > allowed * side * side) side *= 2;
   if (side > 4) return false;
   const PaintField& f = varied.paint.field;
-  whole_cells(side, whole_);
+  const PartCells& whole = whole_cells(side);
   cells_.side = side, cells_.planes.clear();
   for (std::size_t k = 0; k < std::size_t(side * side); ++k) {
-    const auto u = double(whole_.x[k]), v = double(whole_.y[k]), own = 1.0 / (12 * side * side);
+    const auto u = double(whole.x[k]), v = double(whole.y[k]), own = 1.0 / (12 * side * side);
     const Terms t = terms(u, v);
     double mean = own * (c[3] + c[4]);
     for (std::size_t i = 0; i < c.size(); ++i) mean += c[i] * t[i];
@@ -82,8 +82,7 @@ const RampCells& RampPlanes::distance_cells(const VariedPaint& varied, const Dis
   const PaintField& f = varied.paint.field;
   std::array<float, PartCells::kMost + kColorSpare> d;
   for (side = std::max(side, 8);; side *= 2) {
-    whole_cells(side, whole_);
-    distances.at(whole_, d.data());
+    distances.at(whole_cells(side), d.data());
     double bends = 0.0;
     cells_.side = side, cells_.planes.clear();
     const auto difference = [&](int k, int i, int step) {

@@ -12,8 +12,6 @@ class RampPlanes {
   /// Of pixel (x, y), scaled, in side × side cells or a multiple of that; a paint along a distance needs its LitPaint.
   const RampCells& of(const VariedPaint& varied, const LitPaint* lit, int x, int y, int side,
                       LitPaint::Scratch& scratch);
-  /// The middles of the cells of the last answer.
-  const PartCells& places() const { return whole_; }
 
  private:
   struct Distances {
@@ -30,7 +28,7 @@ class RampPlanes {
   const RampCells& distance_cells(const VariedPaint& varied, const Distances& distances, int side,
                                   double allowed);
 
-  PartCells whole_;
+  PartCells tried_;  ///< places, up to a pixel's border
   RampCells cells_;
 };
 

@@ -91,7 +91,7 @@ class Gathering {
     if (to_.count == Branches::kMost)
       to_.crowded = true;
     else
-      add(from, to, key_from, key_to);
+      add(from, to, key_from, key_to, single);
   }
   void cut_at(double t, double from, double to, double key_from, double key_to) {
     const double key = key_at(outline_.spines[now_], t, middle_);
@@ -99,7 +99,7 @@ class Gathering {
     cut(from, t, key_from, key), cut(t, to, key, key_to);
   }
 
-  void add(double from, double to, double key_from, double key_to) {
+  void add(double from, double to, double key_from, double key_to, bool single) {
     const Spine& s = outline_.spines[now_];
     // A foot right at a joint must be inside one of both.
     constexpr double kLap = 0.02;
@@ -142,6 +142,7 @@ class Gathering {
                                              next.y,
                                              before.x,
                                              before.y,
+                                             single ? 1.0 : 0.0,
                                              start,
                                              0.0,
                                              0.0};

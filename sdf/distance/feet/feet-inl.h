@@ -80,15 +80,36 @@ HWY_INLINE Slope SlopeAt(const BranchLanes& c, const Reached& at, VF t) {
   return {value, hn::Sub(hn::Mul(rise, r), less), r};
 }
 
-template <bool kStroke>
-HWY_INLINE VF Stepped(const BranchLanes& c, VF x, VF y, VF t) {
+/// Where f, as it is at t, says that the foot is.
+HWY_INLINE VF Stepped(const BranchLanes& c, const Reached& at, const Slope& s, VF t) {
   const F f;
-  const Reached at = ReachedAt(c, x, y, t);
-  const Slope s = SlopeAt<kStroke>(c, at, t);
   // Less than that is no minimum; the step stays short.
   const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.05f), hn::Set(f, 1e-20f)), s.scale);
   const VF to = hn::Sub(t, hn::Div(s.value, hn::Max(s.rise, least)));
   return hn::Min(hn::Max(to, c.low), c.high);
+}
+template <bool kStroke>
+HWY_INLINE VF Stepped(const BranchLanes& c, VF x, VF y, VF t) {
+  const Reached at = ReachedAt(c, x, y, t);
+  return Stepped(c, at, SlopeAt<kStroke>(c, at, t), t);
+}
+
+/// Whether a step may leave more than kLeft px. A step of δ px leaves δ² / 2 times f'' / f' per px. f' is ρ |B'|², and
+/// f'' at most thrice what spine and width bend and, near a stroke's spine, what |B − p| bends by 1 / |B − p| times w'.
+template <bool kStroke>
+HWY_INLINE hn::Mask<F> GoesOn(VF bend2, const BranchLanes& c, const Reached& at, const Slope& s,
+                              VF t, VF step) {
+  constexpr float kLeft = 5e-4f;
+  const F f;
+  const VF square = hn::Mul(step, step), speed4 = hn::Mul(at.speed2, at.speed2);
+  VF bends = hn::Mul(bend2, speed4);
+  if (kStroke) {
+    const VF rate = Fused(hn::Add(t, t), c.w2, c.w1);
+    bends = hn::Mul(bends, hn::Mul(s.scale, s.scale));
+    bends = Fused(hn::Mul(rate, rate), hn::Mul(speed4, at.speed2), bends);
+  }
+  const VF most = hn::Mul(hn::Set(f, kLeft * kLeft), hn::Mul(s.rise, s.rise));
+  return hn::Gt(hn::Mul(hn::Mul(square, square), bends), most);
 }
 
 /// How the foot moves with the place.
@@ -168,7 +189,8 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     VF t = Fused(x, at_row(Branches::foot_x),
                  Fused(y, at_row(Branches::foot_y), at_row(Branches::foot)));
     t = hn::Min(hn::Max(t, c.low), c.high);
-    t = BestStart(c, x, y, t);
+    const auto single = hn::Gt(at_row(Branches::single), zero);
+    if (!hn::AllTrue(f, single)) t = hn::IfThenElse(single, t, BestStart(c, x, y, t));
     for (int i = 0; i < 2; ++i) t = Stepped<kStroke>(c, x, y, t);
     const Reached at = ReachedAt(c, x, y, t);
     const Slope s = SlopeAt<kStroke>(c, at, t);
@@ -231,7 +253,7 @@ struct Sight {
   VF off, ex,
       ey;     ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
   VF across;  ///< of strokes: the gradient's share across the spine
-  VF moved;   ///< [px²] how far the last step went, squared
+  VF moves;   ///< 1: this is no foot yet, or none of the outline's
 };
 
 template <bool kStroke>
@@ -244,19 +266,16 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
-  // [px²] A step as short as that leaves to the next one its square, in radii of the spine's bend.
-  const VF short_step = set(1e-4f);
+  const VF bend2 = hn::Mul(set(9.0f), Fused(c.x2, c.x2, Fused(c.y2, c.y2, hn::Mul(c.w2, c.w2))));
   constexpr int kMostSteps = 8;
-  VF before = t;
-  auto goes =
-      hn::Ge(x, x);  // each place by itself, so that vectors of any width take the same steps
+  // Each place by itself, so that vectors of any width take the same steps.
+  auto goes = hn::Ge(x, x);
   for (int i = 0; i < kMostSteps; ++i) {
-    before = hn::IfThenElse(goes, t, before);
-    t = hn::IfThenElse(goes, Stepped<kStroke>(c, x, y, t), t);
-    const VF step = hn::Sub(t, before), square = hn::Mul(step, step);
-    const VF gx = Fused(hn::Add(t, t), c.x2, c.x1), gy = Fused(hn::Add(t, t), c.y2, c.y1);
-    const VF moved = hn::Mul(square, Fused(gx, gx, hn::Mul(gy, gy)));
-    goes = hn::And(goes, hn::Gt(moved, short_step));
+    const Reached from = ReachedAt(c, x, y, t);
+    const Slope slope = SlopeAt<kStroke>(c, from, t);
+    const VF next = hn::IfThenElse(goes, Stepped(c, from, slope, t), t);
+    goes = hn::And(goes, GoesOn<kStroke>(bend2, c, from, slope, t, hn::Sub(next, t)));
+    t = next;
     if (hn::AllFalse(f, goes)) break;
   }
   const Reached at = ReachedAt(c, x, y, t);
@@ -270,9 +289,8 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const auto turns = hn::And(inner, hn::Or(hn::Le(t, c.low), hn::Ge(t, c.high)));
   const bool ends = !hn::AllTrue(f, inner);
   const VF r2 = Fused(qx, qx, Fused(qy, qy, set(1e-16f)));
-  const VF step = hn::Sub(t, before);
   Sight s;
-  s.moved = hn::IfThenElse(turns, one, hn::Mul(hn::Mul(step, step), at.speed2));
+  s.moves = hn::IfThenElse(hn::Or(turns, goes), one, zero);
   if (kStroke) {
     const VF lean = hn::Neg(hn::Mul(Fused(hn::Add(t, t), c.w2, c.w1), over));
     const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
@@ -310,7 +328,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const VF back = Fused(qx, row(Branches::before_x), hn::Mul(qy, row(Branches::before_y)));
   const auto passes = hn::IfThenElse(end, on, hn::Neg(back));
   const auto goes_on = hn::AndNot(inner, hn::Gt(passes, zero));
-  s.moved = hn::IfThenElse(goes_on, one, s.moved);
+  s.moves = hn::IfThenElse(goes_on, one, s.moves);
   s.sign = hn::IfThenElse(inner, s.sign, beside);
   s.nx = hn::IfThenElse(inner, s.nx, ox), s.ny = hn::IfThenElse(inner, s.ny, oy);
   return s;
@@ -323,7 +341,6 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
   const F f;
   const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
   const VF alike = hn::Set(f, 4e-4f);    // [of |n − n'|²] one branch's
-  const VF settles = hn::Set(f, 1e-3f);  // [px²]
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
     Sight best{far, one, zero, one, far, one, zero, zero, zero}, next = best;
@@ -334,14 +351,14 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
       const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
       const VF lost_key = pick(best.key, now.key), lost_x = pick(best.nx, now.nx),
                lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign),
-               lost_moved = pick(best.moved, now.moved);
+               lost_moves = pick(best.moves, now.moves);
       best = {
           pick(now.key, best.key),   pick(now.nx, best.nx),         pick(now.ny, best.ny),
           pick(now.sign, best.sign), pick(now.off, best.off),       pick(now.ex, best.ex),
-          pick(now.ey, best.ey),     pick(now.across, best.across), pick(now.moved, best.moved)};
+          pick(now.ey, best.ey),     pick(now.across, best.across), pick(now.moves, best.moves)};
       const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
       // A foot that still moves may be on its way to the best one.
-      const auto settled = hn::Lt(lost_moved, settles);
+      const auto settled = hn::Eq(lost_moves, zero);
       const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), settled),
                                  hn::Lt(lost_key, next.key));
       next.key = hn::IfThenElse(other, lost_key, next.key);

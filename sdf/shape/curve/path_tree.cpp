@@ -161,7 +161,7 @@ int PathTree::winding_of_all(glm::dvec2 p) const {
 int PathTree::winding_in(const Part& part, glm::dvec2 p) const {
   const glm::dvec2 corner{part.mark.x, p.y};
   const double near = 16.0 * slack_;
-  if (part.count > kFew) worked(10 * std::int64_t(part.count));
+  worked(60 + 30 * std::int64_t(part.count));
   int along_x = 0, beyond = 0;
   for (const int i : sides_of(part)) {
     const QuadBezier& side = sides_[std::size_t(i)];
@@ -198,9 +198,10 @@ bool PathTree::inside(glm::dvec2 p) const {
 }
 
 /// Nearer halves first; parts farther than the nearest side so far are left out.
-double PathTree::distance(glm::dvec2 p) const {
+PathTree::Nearest PathTree::nearest(glm::dvec2 p) const {
   double nearest = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(p.x) || !std::isfinite(p.y) || parts_.empty()) return nearest;
+  int nearest_side = 0;
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || parts_.empty()) return {nearest, nullptr};
   constexpr double kRounded = 1.0 - 1e-14;
   std::array<std::pair<double, int>, kDeepest + 2> later;
   std::size_t waiting = 0;
@@ -210,10 +211,12 @@ double PathTree::distance(glm::dvec2 p) const {
     while (kRounded * least <= nearest) {
       const Part& part = parts_[std::size_t(at)];
       if (part.child < 0) {
-        if (part.count > kFew) worked(5 * std::int64_t(part.count));
-        for (const int i : sides_of(part))
-          if (kRounded * distance_to(boxes_[std::size_t(i)], p) <= nearest)
-            nearest = std::min(nearest, distance_to_side(sides_[std::size_t(i)], p));
+        worked(40 + 20 * std::int64_t(part.count));
+        for (const int i : sides_of(part)) {
+          if (kRounded * distance_to(boxes_[std::size_t(i)], p) > nearest) continue;
+          const double own = distance_to_side(sides_[std::size_t(i)], p);
+          if (own < nearest) nearest = own, nearest_side = i;
+        }
         break;
       }
       const std::size_t child = std::size_t(part.child);
@@ -224,7 +227,7 @@ double PathTree::distance(glm::dvec2 p) const {
       at = nearer, least = std::max(one, least);
     }
   }
-  return inside(p) ? -nearest : nearest;
+  return {inside(p) ? -nearest : nearest, &sides_[std::size_t(nearest_side)]};
 }
 
 }  // namespace mien

@@ -28,7 +28,13 @@ class PathTree {
   explicit PathTree(const Path& path);
 
   /// As of the path itself, up to a rounding.
-  double distance(glm::dvec2 p) const;
+  double distance(glm::dvec2 p) const { return nearest(p).distance; }
+  /// With the side that is nearest, unless p is infinite or there is none: then null.
+  struct Nearest {
+    double distance;  ///< signed
+    const QuadBezier* side;
+  };
+  Nearest nearest(glm::dvec2 p) const;
   int winding(glm::dvec2 p) const;
   bool inside(glm::dvec2 p) const;
 

@@ -63,6 +63,8 @@ class Wheel(unittest.TestCase):
             said = subprocess.run([sys.executable, SOURCE / "tools/wheel", empty], capture_output=True, text=True, env=OFFLINE)
             self.assertNotEqual(said.returncode, 0)
             self.assertRegex(said.stderr, "wheel: ")
+        bare = subprocess.run([sys.executable, "-S", SOURCE / "tools/wheel", BUILD], capture_output=True, text=True, env=OFFLINE)
+        self.assertRegex(bare.stderr, "^wheel: .* has no pip, setuptools, wheel: tools/setup --dev .*\n$")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ namespace mien {
 namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kEndlessRange = std::numeric_limits<double>::infinity();
 
 Layout sample() {
   Layout layout;
@@ -42,8 +42,8 @@ TEST(Rules, ClampWrapOrLeave) {
 TEST(Rules, MakeAnythingValid) {
   const Layout layout = sample();
   const FaceVector rest{3, 4, 1, 7, 0, 0, 0, 1};
-  FaceVector v{kNotANumber, kEndless,    -kEndless, kNotANumber,
-               kEndless,    kNotANumber, -kEndless, kNotANumber};
+  FaceVector v{kNotANumber,   kEndlessRange, -kEndlessRange, kNotANumber,
+               kEndlessRange, kNotANumber,   -kEndlessRange, kNotANumber};
   apply_rules(layout, rest, v);
   EXPECT_EQ(v, (FaceVector{3, 1e9, 0, 7, 1, 0, 0, 1}));
 }

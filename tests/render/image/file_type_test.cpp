@@ -19,15 +19,17 @@ TEST(FileType, IsByTheExtensionInAnyCase) {
 }
 
 TEST(FileType, UnknownOnesAreSentences) {
-  EXPECT_EQ(sentence(file_type("out/a.gif").error()),
-            "out/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg");
+  EXPECT_EQ(
+      sentence(file_type("out/a.gif").error()),
+      "out/a.gif: unknown extension .gif; known are .png .tif .tiff .exr .jpg .jpeg, and .svg "
+      "to `mien render` and write_svg");
   EXPECT_EQ(sentence(file_type("a.SVG").error()),
             "a.SVG: SVG holds no pixels, so only `mien render` and write_svg write it; known are "
             ".png .tif "
             ".tiff .exr .jpg .jpeg");
   EXPECT_EQ(sentence(file_type("png").error()),
             "png: its name has no extension, which would tell the format; known are .png .tif "
-            ".tiff .exr .jpg .jpeg");
+            ".tiff .exr .jpg .jpeg, and .svg to `mien render` and write_svg");
 }
 
 TEST(PictureFormats, AreInTheirTypesOrderAndWhatTheHeadersList) {

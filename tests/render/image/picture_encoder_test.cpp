@@ -115,12 +115,6 @@ TEST(Encode, TheSamePictureIsTheSameBytes) {
   }
 }
 
-TEST(BytesText, HasThreeDigits) {
-  EXPECT_EQ(bytes_text(999), "999 bytes");
-  EXPECT_EQ(bytes_text(4ull << 30), "4 GiB");
-  EXPECT_EQ(bytes_text(1500ull << 20), "1.46 GiB");
-}
-
 TEST(TooLittleMemory, SaysHowMuch) {
   EXPECT_EQ(too_little_memory(5 << 19, 1 << 20).what,
             "needs at least 2.5 MiB of memory, more than the 1 MiB allowed");

@@ -39,10 +39,6 @@ TEST(PaintField, IsTheGradientsPlaceInPixels) {  // y is down in pixels
   EXPECT_NEAR(place({DistanceGradient{Area{0}, -0.1, 0.3}, stops}, {60, 0}), 0.5, 1e-14);
 }
 
-GridRelief relief_of(const Relief& relief) {
-  return *table_of({.color = {1, 1, 1, 1}, .relief = shared(relief)})->varied.at(0).paint.relief;
-}
-
 TEST(PaintField, ItsMeanIsThatOfManyPlaces) {
   PaintField field{
       .kind = PaintField::Kind::radial, .center = {3, 4}, .unit = {0.2, 0.05, -0.1, 0.3}};
@@ -57,43 +53,6 @@ TEST(PaintField, ItsMeanIsThatOfManyPlaces) {
   }
   field.kind = PaintField::Kind::linear, field.across = {0.5, 0.25}, field.shift = 1.0;
   EXPECT_EQ(field.mean({2, 4}, 1.0 / 12), 3.0);
-}
-
-TEST(GridRelief, RisesAsItsProfileSays) {
-  const GridRelief bevel =
-      relief_of({.area = {0}, .profile = Profile::bevel, .width = 0.1, .height = 0.05});
-  EXPECT_NEAR(bevel.rise(5), 0.5, 1e-15);
-  EXPECT_EQ(bevel.rise(10.01), 0);
-  EXPECT_EQ(bevel.rise(-1), 0);
-  const GridRelief round =
-      relief_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
-  for (const double x : {0.5, 2.0, 9.0}) {  // the slope of its own height
-    const auto height = [](double inside) {
-      return std::sqrt(100 - (10 - inside) * (10 - inside));
-    };
-    EXPECT_NEAR(round.rise(x), (height(x + 1e-6) - height(x - 1e-6)) / 2e-6, 1e-6);
-  }
-  const GridRelief table = relief_of(
-      {.area = {0}, .profile = Profile::custom, .width = 0.1, .height = 0.1, .table = {0, 1, 0.5}});
-  EXPECT_NEAR(table.rise(2), 2, 1e-14);
-  EXPECT_NEAR(table.rise(7), -1, 1e-14);
-}
-
-TEST(GridRelief, AddsDomes) {  // C: the hook of the cornea's bulge
-  const GridRelief relief =
-      relief_of({.domes = {{.center = {0.1, 0.05}, .radii = {0.2, 0.1}, .height = 0.03}}});
-  const auto height = [](glm::dvec2 p) {  // in pixels, y down
-    const glm::dvec2 q = (p - glm::dvec2{110, 95}) / glm::dvec2{20, 10};
-    const double in = 1 - (q.x * q.x + q.y * q.y);
-    return in > 0 ? 3 * in * in : 0;
-  };
-  for (const glm::dvec2 p : {glm::dvec2{112, 93}, {125, 97}, {110, 95}, {131, 95}}) {
-    const glm::dvec2 slope = relief.slope(p, 0, {0, 0});
-    EXPECT_NEAR(slope.x, (height(p + glm::dvec2{1e-5, 0}) - height(p - glm::dvec2{1e-5, 0})) / 2e-5,
-                1e-8);
-    EXPECT_NEAR(slope.y,
-                -(height(p + glm::dvec2{0, 1e-5}) - height(p - glm::dvec2{0, 1e-5})) / 2e-5, 1e-8);
-  }
 }
 
 }  // namespace

@@ -233,10 +233,13 @@ std::string stray(const CLI::App& app) {
     }
     return unknown_name("option", word.substr(0, word.find('=')), names_of(known));
   }
-  if (!at->get_subcommands({}).empty()) {
+  if (!visible_commands(*at).empty() && (at == &app || at->get_require_subcommand_min() > 0)) {
     std::vector<std::string> known;
     for (const CLI::App* command : visible_commands(*at)) known.push_back(command->get_name());
-    return unknown_name("command", word, names_of(known));
+    const std::string near(nearest_name(word, names_of(known)));
+    const std::string inside = at == &app ? "" : " " + spoken_name(*at);
+    return unknown_name("command", word, names_of(known)) +
+           (near.empty() ? "; mien" + inside + " -h helps" : "");
   }
   return spoken_name(*at) + ": one argument too many: " + in_quotes(word);
 }
@@ -354,6 +357,7 @@ std::unique_ptr<CommandApp> command_app() {
   app.set_help_flag("-h,--help", "Show this help and exit");
   app.set_version_flag("--version", "mien " MIEN_VERSION_STRING, "Show the version and exit");
   app.get_formatter()->column_width(34);
+  app.require_subcommand(0, 1);  // what follows a command is its own, though it be a command's name
   // In the order in which help and the man page list them.
   add_render(app, made->render);
   add_check(app, made->check);

@@ -1,10 +1,13 @@
 #include "tools/mien/cli/file_roles.h"
 #include "lib/base/one_line.h"
 #include "render/image/file/output_path.h"
+#include "render/image/file_type.h"
 #include "tools/mien/cli/named_file.h"
+#include "tools/mien/film/film.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
@@ -23,12 +26,13 @@ class Roles {
   FileRoles operator()(const WrongUse&) { return {}; }
   FileRoles operator()(const RenderArguments& a) {
     read(a.posed);
-    return write("--output", a.output).write("--error-map", a.error_map).all_;
+    write("--output", a.output, lower_extension(a.output) == ".svg" ? Kind::data : Kind::picture);
+    return draw("--error-map", a.error_map).all_;
   }
   FileRoles operator()(const BenchArguments&) { return {}; }
   FileRoles operator()(const CheckArguments& a) {
     for (const std::string& face : a.faces) read("FACE", face);
-    return write("--output", a.output).all_;
+    return draw("--output", a.output).all_;
   }
   FileRoles operator()(const SceneArguments&) { return {}; }
   FileRoles operator()(const ListArguments&) { return {}; }
@@ -39,21 +43,24 @@ class Roles {
   FileRoles operator()(const PcaArguments& a) {
     read("FRAMES", a.input).read("BASIS", a.basis).read("WEIGHTS", a.weights);
     read("--face", a.face).read("--mesh", a.mesh);
-    return write("--output", a.output).write("--plot", a.plot).all_;
+    const bool drawn = a.verb == PcaArguments::Verb::compare || a.verb == PcaArguments::Verb::sheet;
+    write("--output", a.output, drawn ? Kind::picture : Kind::data);
+    return draw("--plot", a.plot).all_;
   }
   FileRoles operator()(const MorphArguments& a) {
     read("REST", a.rest).read("MAP", a.map).read("NEUTRAL", a.neutral);
     for (const std::string& person : a.people) read("PEOPLE", person);
     read_named(a.targets);
-    return write("--output", a.output).all_;
+    const bool drawn = !a.people.empty() && !film_type(a.output);
+    return write("--output", a.output, drawn ? Kind::picture : Kind::data).all_;
   }
   FileRoles operator()(const MeshArguments& a) {
     read("NEUTRAL", a.neutral).read_named(a.targets);
-    return write("--output", a.output).all_;
+    return draw("--output", a.output).all_;
   }
   FileRoles operator()(const AnimateArguments& a) {
     read(a.render.posed);
-    return write("--output", a.render.output).all_;
+    return write("--output", a.render.output, Kind::looked_after).all_;
   }
   FileRoles operator()(const ImportArguments& a) {
     for (const std::string& file : a.files) read("FILES", name_and_file(file).second);
@@ -61,7 +68,7 @@ class Roles {
   }
   FileRoles operator()(const SheetArguments& a) {
     read("FACE", a.face).read_named(a.pictures);
-    return write("--output", a.output).all_;
+    return draw("--output", a.output).all_;
   }
   FileRoles operator()(const NewArguments& a) {
     read("--code", a.code).read("--near", a.near);
@@ -71,27 +78,34 @@ class Roles {
   }
   FileRoles operator()(const PartsArguments& a) {
     for (const std::string& file : a.files) read("FILE", file);
-    return write("--output", a.output).all_;
+    const bool begun = a.verb == PartsArguments::Verb::begin;
+    return write("--output", a.output, begun ? Kind::data : Kind::picture).all_;
   }
   FileRoles operator()(const ChernoffArguments& a) {
     read("TABLE", a.table).read("--map", a.map);
-    write("--output", a.output).write("--legend", a.legend).write("--manifest", a.manifest);
+    draw("--output", a.output).draw("--legend", a.legend).write("--manifest", a.manifest);
     return all_;
   }
   FileRoles operator()(const StimuliArguments& a) {
     return read("PLAN", a.plan)
-        .write("--output", (fs::path(a.output) / "manifest.json").string())
+        .write("--output", (fs::path(a.output) / "manifest.json").string(), Kind::looked_after)
         .all_;
   }
 
  private:
+  using Kind = FileRole::Kind;
+
   Roles& read(const std::string& what, const std::optional<std::string>& path) {
     if (path && !path->empty()) all_.read.push_back({what, *path});
     return *this;
   }
-  Roles& write(const std::string& what, const std::optional<std::string>& path) {
-    if (path && !path->empty()) all_.written.push_back({what, *path});
+  Roles& write(const std::string& what, const std::optional<std::string>& path,
+               Kind kind = Kind::data) {
+    if (path && !path->empty()) all_.written.push_back({what, *path, kind});
     return *this;
+  }
+  Roles& draw(const std::string& what, const std::optional<std::string>& path) {
+    return write(what, path, Kind::picture);
   }
   Roles& read_named(const std::vector<std::string>& texts) {
     for (const std::string& text : texts) read("FILES", name_and_file(text).second);
@@ -142,6 +156,20 @@ Expected<Done> check_file_roles(const FileRoles& roles) {
     for (const auto& [other, role] : taken)
       if (other == *is) return Error{where, "would overwrite a file of this command: " + role};
     taken.emplace_back(*is, file.what + " writes it");
+  }
+  for (const FileRole& file : roles.written)
+    if (file.kind == FileRole::Kind::picture)
+      if (const auto type = file_type(file.path); !type) return type.error();
+  return Done{};
+}
+
+Expected<Done> check_places(const FileRoles& roles) {
+  for (const FileRole& file : roles.written) {
+    if (file.kind == FileRole::Kind::picture && file.path == "-" && ::isatty(STDOUT_FILENO))
+      return Error{file.what + " -",
+                   "will not write a picture to a terminal; redirect it or name a file"};
+    if (file.kind == FileRole::Kind::looked_after || file.path == "-") continue;
+    if (const auto place = find_output_path(file.path); !place) return place.error();
   }
   return Done{};
 }

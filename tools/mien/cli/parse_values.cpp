@@ -176,7 +176,9 @@ Expected<FrameRange> read_frames(std::string_view text) {
   if (first && last && *first >= 0 && *first <= *last && *last < kMostFrames)
     return FrameRange{*first, *last};
   return refuse("--frames", text,
-                fmt::format("expected FIRST-LAST, whole numbers from 0 to {}", kMostFrames - 1));
+                fmt::format("expected FIRST-LAST, whole numbers from 0 to {}, the first not above "
+                            "the last",
+                            kMostFrames - 1));
 }
 
 Expected<double> read_fps(std::string_view text) {

@@ -31,11 +31,16 @@ namespace mien::command {
 
 namespace {
 
+/// Whether something is called so: a link that leads nowhere, or back to itself, too.
+bool is_there(const std::string& name) {
+  std::error_code too_long;  // codes that hold much are longer than a file's name may be
+  return std::filesystem::exists(std::filesystem::symlink_status(name, too_long));
+}
+
 /// The error about a FACE that cannot be read. A word that is no file's name stands for a person elsewhere.
 Error with_word_explained(Error error, const std::string& text) {
-  std::error_code too_long;
-  if (text.find_first_of("./\\") != std::string::npos || std::filesystem::exists(text, too_long))
-    return error;
+  if (text == "-") return {text, "faces are read from files; /dev/stdin is standard input's"};
+  if (text.find_first_of("./\\") != std::string::npos || is_there(text)) return error;
   const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '-' || c == '_' || c >= 128;
   });
@@ -49,8 +54,7 @@ Error with_word_explained(Error error, const std::string& text) {
 }  // namespace
 
 bool is_given_as_code(const std::string& text) {
-  std::error_code too_long;  // codes that hold much are longer than a file's name may be
-  return looks_like_face_code(text) && !std::filesystem::exists(text, too_long);
+  return looks_like_face_code(text) && !is_there(text);
 }
 
 Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings) {

@@ -23,7 +23,6 @@
 #include "tools/mien/terminal/progress_display.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -63,13 +62,6 @@ int print_stats(const std::string& text, const std::string& output) {
   return kDone;
 }
 
-Expected<Done> check_output(const std::string& output, const WriteOptions& write) {
-  if (output == "-" && ::isatty(STDOUT_FILENO)) {
-    return Error{"-o -", "will not write a picture to a terminal; redirect it or name a file"};
-  }
-  return check_output_path(output, write);
-}
-
 /// The rows of a strip of about so many pixels: a multiple of the renderer's own strips.
 int rows_of(int pixels, int width) {
   return std::max(pixels / width / 16, 1) * 16;
@@ -92,7 +84,8 @@ Expected<PictureStats> write_with_effects(const std::string& output, const Rende
                                           const Scene& scene, const std::vector<Effect>& effects) {
   constexpr int kPixels = 1 << 22;
   const RenderOptions how{.depth = plan.picture.depth.value_or(Depth::u8),
-                          .threads = plan.picture.write.threads};
+                          .threads = plan.picture.write.threads,
+                          .limits = plan.picture.limits};
   const bool opaque = plan.view.background.value_or(scene.background()).a >= 1.0;
   std::optional<EffectedRows> rows;
   auto stats = write_strips(
@@ -107,12 +100,12 @@ Expected<PictureStats> write_with_effects(const std::string& output, const Rende
   return stats;
 }
 
-/// Only an interrupt ends it.
-RenderOptions unlimited(const RenderPlan& plan, const Progress& progress) {
+/// Only an interrupt ends it, and too much memory.
+RenderOptions patient(const RenderPlan& plan, const Progress& progress) {
   return {.depth = plan.picture.depth.value_or(Depth::u8),
           .threads = plan.picture.write.threads,
           .progress = progress,
-          .limits = kWithoutLimits};
+          .limits = {.steps = kWithoutLimits.steps, .memory = plan.picture.limits.memory}};
 }
 
 /// Writes a debug picture instead of the face's own.
@@ -125,8 +118,7 @@ Expected<PictureStats> write_debug(const std::string& output, const RenderPlan& 
        slow ? 4 : rows_of(1 << 20, drawn_rect(plan.view).width),
        [&](int y, int rows, const Progress& progress) {
          return debug_picture(scene, strip_of(plan.view, y, rows), *plan.debug,
-                              unlimited(plan, progress))
-             .value_or(Image{});
+                              patient(plan, progress));
        }},
       output, plan.picture);
 }
@@ -164,12 +156,13 @@ class ErrorStrips {
   ErrorStrips(const RenderPlan& plan, const Scene& scene)
       : plan_(plan), scene_(scene), height_(drawn_rect(plan.view).height) {}
 
-  Image at(int y, int rows, const Progress& progress) {
+  Expected<Image> at(int y, int rows, const Progress& progress) {
     for (int from = 0; y == 0 && from < height_; from += rows) {
-      if (!find(from, std::min(rows, height_ - from), progress)) return {};
+      if (auto done = find(from, std::min(rows, height_ - from), progress); !done)
+        return done.error();
       worst_ = std::max(worst_, map_.worst);
     }
-    if (!find(y, rows, progress)) return {};
+    if (auto done = find(y, rows, progress); !done) return done.error();
     map_.worst = worst_;
     return map_.image();
   }
@@ -182,13 +175,12 @@ class ErrorStrips {
   }
 
  private:
-  /// False: cancelled.
-  bool find(int y, int rows, const Progress& progress) {
-    if (y == y_ && rows == map_.height) return true;
-    auto found = error_map(scene_, strip_of(plan_.view, y, rows), unlimited(plan_, progress));
-    if (!found) return false;
+  Expected<Done> find(int y, int rows, const Progress& progress) {
+    if (y == y_ && rows == map_.height) return Done{};
+    auto found = error_map(scene_, strip_of(plan_.view, y, rows), patient(plan_, progress));
+    if (!found) return found.error();
     map_ = *std::move(found), y_ = y;
-    return true;
+    return Done{};
   }
 
   const RenderPlan& plan_;
@@ -240,12 +232,6 @@ int render_command(const RenderArguments& arguments) {
     return complain(Error{"--id-prefix", "is for SVG files; pixels have no ids"}, kUsedWrongly);
   auto plan = plan_render(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
-  if (auto writable = check_output(arguments.output, plan->picture.write); !writable) {
-    return complain(writable.error(), kFailed);
-  }
-  if (plan->error_map)
-    if (auto writable = check_output(*plan->error_map, plan->error_map_write); !writable)
-      return complain(writable.error(), kFailed);
   Times times;
   double began = monotonic_seconds();
   const bool face_debug = arguments.debug && is_face_debug(*arguments.debug);

@@ -43,17 +43,19 @@ void tell_simplified(const std::string& output, const std::vector<Effect>& effec
   warn(told);
 }
 
-int write_scene(const RenderArguments& arguments, const View& view, const Scene& scene,
+int write_scene(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene,
                 const std::vector<Effect>& effects) {
+  const View& view = plan.view;
   ProgressDisplay display;
-  const SvgOptions options{.width = double(view.width),
-                           .height = double(view.height),
-                           .fit = view.fit,
-                           .background = view.background,
-                           .recipe = recipe(arguments, view),
-                           .id_prefix = arguments.id_prefix,
-                           .progress = display.watch("render"),
-                           .limits = kWithoutLimits};
+  const SvgOptions options{
+      .width = double(view.width),
+      .height = double(view.height),
+      .fit = view.fit,
+      .background = view.background,
+      .recipe = recipe(arguments, view),
+      .id_prefix = arguments.id_prefix,
+      .progress = display.watch("render"),
+      .limits = {.steps = kWithoutLimits.steps, .memory = plan.picture.limits.memory}};
   watch_interrupts();
   const auto done = write_svg(scene, arguments.output, options);
   if (!done && interrupted()) throw Stopped{Stopped::Why::cancelled};
@@ -73,8 +75,6 @@ int render_svg(const RenderArguments& arguments) {
   if (auto fits = check_options(arguments); !fits) return complain(fits.error(), kUsedWrongly);
   auto plan = plan_frame(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
-  if (auto writable = check_output_path(arguments.output, {.type = FileType::png}); !writable)
-    return complain(writable.error(), kFailed);
   const auto posed = read_posed_face(arguments.posed);
   if (!posed.face) return posed.code;
   const auto drawn = arguments.debug ? read_scene(arguments.posed, arguments.debug)
@@ -84,7 +84,7 @@ int render_svg(const RenderArguments& arguments) {
     return complain(planned.error(), kUsedWrongly);
   const auto effects = read_effects(arguments, *posed.face, plan->view.width);
   if (!effects) return complain(effects.error(), kUsedWrongly);
-  return write_scene(arguments, plan->view, *drawn.scene, *effects);
+  return write_scene(arguments, *plan, *drawn.scene, *effects);
 }
 
 }  // namespace mien::command

@@ -56,11 +56,12 @@ Expected<Image> drawn_picture(const Scene& scene, const View& view, const Render
   const PixelRect rect = drawn_rect(view);
   try {
     constexpr int kStrip = 16;  // rows
-    Image image = EffectedRows(scene, view, how, effects, kStrip).next(rect.height, {});
-    if (image.height > 0) return image;
+    auto image = EffectedRows(scene, view, how, effects, kStrip).next(rect.height, {});
+    end_if_interrupted();
+    return image;
   } catch (const std::bad_alloc&) {
+    return out_of_memory(rect);
   }
-  return out_of_memory(rect);
 }
 
 }  // namespace mien::command

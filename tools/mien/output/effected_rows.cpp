@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <new>
 
 namespace mien::command {
 
@@ -15,17 +14,17 @@ EffectedRows::EffectedRows(const Scene& scene, const View& view, const RenderOpt
       strip_(strip),
       chain_(effects, view.width, view.height, [this](float* row) { return draw_row(row); }) {}
 
-Image EffectedRows::next(int rows, const Progress& progress) {
+Expected<Image> EffectedRows::next(int rows, const Progress& progress) {
   how_.progress = progress;
   const PixelRect rect = drawn_rect(view_);
   row_.resize(4 * std::size_t(view_.width));
   for (; given_ < rect.y; ++given_)
-    if (!chain_.next(row_.data())) return {};
+    if (!chain_.next(row_.data())) return error_;
   Image strip{.width = rect.width, .height = rows, .depth = Depth::f32};
   strip.opaque = view_.background.value_or(scene_.background()).a >= 1.0;
   strip.bytes.resize(strip.stride() * std::size_t(rows));
   for (int y = 0; y < rows; ++y, ++given_) {
-    if (!chain_.next(row_.data())) return {};
+    if (!chain_.next(row_.data())) return error_;
     std::memcpy(strip.bytes.data() + strip.stride() * std::size_t(y),
                 &row_[4 * std::size_t(rect.x)], strip.stride());
   }
@@ -57,7 +56,7 @@ bool EffectedRows::draw_strip() {
   if (const auto done = renderer_.render_into(
           {drawn_rows_.data(), stride * sizeof(float), Depth::f32}, scene_, part, how_, &took);
       !done) {
-    if (!took.cancelled) throw std::bad_alloc();  // the only other reason
+    error_ = done.error();
     return false;
   }
   stats_.add(took);

@@ -17,8 +17,8 @@ class EffectedRows {
                const std::vector<Effect>& effects, int strip);
   EffectedRows(const EffectedRows&) = delete;  // its chain asks it for rows
 
-  /// The region's next rows, at how.depth; empty: cancelled. Throws std::bad_alloc.
-  Image next(int rows, const Progress& progress);
+  /// The region's next rows, at how.depth. Errors as for render_into. Throws std::bad_alloc.
+  Expected<Image> next(int rows, const Progress& progress);
 
   const RenderStats& stats() const { return stats_; }
 
@@ -37,6 +37,7 @@ class EffectedRows {
   EffectChain chain_;
   Renderer renderer_;
   RenderStats stats_;
+  Error error_;                            ///< why a strip was not drawn
   int drawn_ = 0, taken_ = 0, given_ = 0;  ///< rows of the whole picture
   std::vector<float> drawn_rows_, row_;
 };

@@ -24,20 +24,23 @@ class Rows {
     held_.erase(held_.begin(), held_.begin() + bytes(piece.y - top_));
     top_ = piece.y;
     for (; end_ < piece.y + piece.height;) {
-      const Image strip = next([&](double) { return !watch.ask(); });
-      if (watch.ask() || strip.height == 0) return {};
-      held_.insert(held_.end(), strip.bytes.begin(), strip.bytes.end());
-      end_ += strip.height;
+      const auto strip = next([&](double) { return !watch.ask(); });
+      if (!strip) error_ = strip.error();
+      if (watch.ask() || !strip) return {};
+      held_.insert(held_.end(), strip->bytes.begin(), strip->bytes.end());
+      end_ += strip->height;
     }
     return {held_.data() + pixel * std::size_t(piece.x), stride, picture_.frame.depth};
   }
 
   double seconds() const { return seconds_; }
+  /// Why a strip was not made.
+  const std::optional<Error>& error() const { return error_; }
 
  private:
-  Image next(const Progress& progress) {
+  Expected<Image> next(const Progress& progress) {
     const auto began = std::chrono::steady_clock::now();
-    Image strip = picture_.strip(end_, std::min(strip_, picture_.frame.height - end_), progress);
+    auto strip = picture_.strip(end_, std::min(strip_, picture_.frame.height - end_), progress);
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return strip;
   }
@@ -46,6 +49,7 @@ class Rows {
   const int strip_;
   int top_ = 0, end_ = 0;
   std::vector<std::byte> held_;
+  std::optional<Error> error_;
   double seconds_ = 0;
 };
 
@@ -68,6 +72,7 @@ Expected<PictureStats> write_strips(const StripPicture& picture, const std::stri
          [&](const PixelRect& piece, int, StopWatch& watch) { return rows.piece(piece, watch); },
          how.memory - picture.row_bytes * std::uint64_t(strip)},
         output, write, load_encoder);
+    if (!took && rows.error()) return Error{output, rows.error()->what};
     if (!took) return took.error();
     return PictureStats{
         .render = {}, .draw = rows.seconds(), .encode = took->encode, .put = took->put};

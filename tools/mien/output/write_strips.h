@@ -13,9 +13,9 @@ struct StripPicture {
   PictureFrame frame;
   std::uint64_t row_bytes = 0;  ///< held for each row of a strip
   int rows = 1;                 ///< of a strip, where the memory allows
-  /// The picture's rows from y on, in the frame's depth; strips come in order. Empty: cancelled. If memory
+  /// The picture's rows from y on, in the frame's depth; strips come in order. Errors: cancelled; a limit. If memory
   /// is lacking, it throws std::bad_alloc.
-  std::function<Image(int y, int rows, const Progress& progress)> strip;
+  std::function<Expected<Image>(int y, int rows, const Progress& progress)> strip;
 };
 
 /// Writes the same file for any memory and threads. Filling `render` of the stats is left to the caller.

@@ -214,7 +214,10 @@ int parts_command(const PartsArguments& arguments) {
       for (const std::string& part : family.parts) text += family.name + "=" + part + "\n";
       return print(text + (family.optional ? family.name + "=none\n" : ""));
     }
-    return complain(unknown_name("family", one_line(*arguments.family, 60), names), kUsedWrongly);
+    for (const char* command : {"new", "check"}) names.push_back(command);
+    std::string what = unknown_name("family", one_line(*arguments.family, 60), names);
+    if (!what.ends_with('?')) what += "; mien parts lists them";
+    return complain(what, kUsedWrongly);
   }
   for (const PartFamily& family : families) {
     std::string line = fmt::format("{:14}{:3}  ", family.name, family.parts.size());

@@ -5,6 +5,7 @@
 #include <mien/pose.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
+#include "lib/base/watch.h"
 #include "lib/file/json/json_text.h"
 #include "lib/parts/recipe/own_part.h"
 #include "render/image/load_encoder.h"
@@ -17,6 +18,7 @@
 #include "tools/mien/output/letters.h"
 #include "tools/mien/people/nonsense.h"
 #include "tools/mien/people/parts_at_fault.h"
+#include "tools/mien/terminal/interrupt.h"
 #include "tools/mien/terminal/messages.h"
 #include "tools/mien/terminal/watched_work.h"
 
@@ -230,27 +232,35 @@ void try_face(const NonsenseTest& test, TriedFace& tried, std::size_t& poses) {
   tried.faults = test.faults(*face);
 }
 
+int try_and_tell(std::vector<TriedFace>& faces, const CheckArguments& arguments) {
+  const NonsenseTest test;
+  std::vector<std::size_t> poses(faces.size());
+  watched_for("faces", int(faces.size()), {},
+              [&](int i) { try_face(test, faces[std::size_t(i)], poses[std::size_t(i)]); });
+  std::size_t all = 0;
+  bool wrong = false;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (faces[i].failed) return complain(*faces[i].failed, kFailed);
+    all += poses[i], wrong = wrong || !faces[i].faults.empty();
+  }
+  const int printed = print(arguments.json ? as_json(faces, all) : as_table(faces, all));
+  if (arguments.output && printed == kDone)
+    if (const int drawn = draw_worst(faces, *arguments.output); drawn != kDone) return drawn;
+  return printed != kDone ? printed : wrong ? int(kFailed) : int(kDone);
+}
+
 }  // namespace
 
 int nonsense_command(const CheckArguments& arguments) {
   TriedOrCode tried = faces_to_try(arguments);
   if (tried.code != kDone) return tried.code;
-  const NonsenseTest test;
-  std::vector<std::size_t> poses(tried.faces.size());
-  watched_for("faces", int(tried.faces.size()), {},
-              [&](int i) { try_face(test, tried.faces[std::size_t(i)], poses[std::size_t(i)]); });
-  std::size_t all = 0;
-  bool wrong = false;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const TriedFace& face = tried.faces[i];
-    if (face.failed) return complain(*face.failed, kFailed);
-    all += poses[i], wrong = wrong || !face.faults.empty();
+  try {
+    return try_and_tell(tried.faces, arguments);
+  } catch (const Stopped&) {
+    // Here, since giving thousands of people back takes longer than anybody should wait.
+    complain("interrupted", kFailed);
+    die_of_interrupt();
   }
-  const int printed =
-      print(arguments.json ? as_json(tried.faces, all) : as_table(tried.faces, all));
-  if (arguments.output && printed == kDone)
-    if (const int drawn = draw_worst(tried.faces, *arguments.output); drawn != kDone) return drawn;
-  return printed != kDone ? printed : wrong ? int(kFailed) : int(kDone);
 }
 
 }  // namespace mien::command

@@ -1,5 +1,7 @@
 #include "tools/mien/people/parts_at_fault.h"
 
+#include <mien/limits.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -29,11 +31,13 @@ std::vector<PartAtFault> parts_at_fault(const std::vector<const Recipe*>& people
   std::vector<PartAtFault> found;
   while (found.size() < kMostParts) {
     std::map<std::pair<std::string, std::string>, std::pair<int, int>> counts;
-    for (std::size_t i = 0; i < people.size(); ++i)
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      end_if_stopped();
       for (const auto& part : people[i]->parts) {
         auto& [hits, tries] = counts[part];
         hits += open[i], ++tries;
       }
+    }
     double surest = usual;
     const decltype(counts)::value_type* best = nullptr;
     for (const auto& count : counts) {

@@ -36,6 +36,7 @@ void warn(const std::vector<Error>& warnings) {
 int print(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return kDone;
+  if (errno == EPIPE) return kFailed;  // who reads has seen enough: mien list FACE | head
   return complain(fmt::format("standard output: cannot be written: {}", std::strerror(errno)),
                   kFailed);
 }

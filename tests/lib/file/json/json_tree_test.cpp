@@ -66,6 +66,12 @@ TEST(JsonTree, StaysFastOnHostileText) {
             "a face");
 }
 
+/// C would end such a name early, and no file or picture could show it.
+TEST(JsonTree, RefusesTextsAndKeysWithANul) {
+  EXPECT_EQ(said("{\"name\": \"a\\u0000b\"}"), "f:1:10: /name: a NUL character, which no text has");
+  EXPECT_EQ(said("{\n  \"na\\u0000me\": 1}"), "f:2:3: a NUL character, which no text has");
+}
+
 /// What every text must give: a face whose numbers can all be posed, or one line about it.
 void expect_face_or_sentence(const std::string& text, long& faces) {
   const Expected<Face> face = read_face_text(text, "f");

@@ -91,6 +91,7 @@ TEST(ReadSetting, RefusesInASentence) {
       {"pupil.left/center=2e9,0",
        "pupil.left/center=2e9,0: \"pupil.left/center\" goes from -1000000000 to 1000000000, got "
        "2000000000"},
+      {"palette/skin=red", "palette/skin=red: expected a colour like #rrggbb, got \"red\""},
       {"palette/skin=#12345",
        "palette/skin=#12345: expected a colour like #rrggbb, got \"#12345\""},
       {"blink=#ffffff", "blink=#ffffff: expected a number, got \"#ffffff\""},

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 
+#include "render/shade/paint_table.h"
 #include "tests/support/lit_scene.h"
 
 namespace mien {
@@ -20,7 +22,7 @@ TEST(LitSurface, HasAZoneBetweenTwoKinksOfItsProfile) {
   const double depths[] = {-1, 1, 3, 5, 7};
   for (int zone = 0; zone < 5; ++zone) {
     EXPECT_EQ(surface.zone_of(-depths[zone]), zone);
-    EXPECT_NEAR(surface.rise(zone, depths[zone]), relief.rise(depths[zone]), 1e-12) << zone;
+    EXPECT_NEAR(surface.rise(zone, depths[zone]), zone == 1 ? 1.5 : zone == 3 ? -1.5 : 0.0, 1e-12);
   }
   EXPECT_TRUE(surface.flat(0) && surface.flat(2) && surface.flat(4));
   EXPECT_FALSE(surface.flat(1) || surface.flat(3));
@@ -38,20 +40,55 @@ TEST(LitSurface, KnowsTheGradientOfItsDistance) {
   }
 }
 
-TEST(LitSurface, IsLitAsTheReliefIs) {
-  test::Random random(5);
-  for (int k = 0; k < 60; ++k) {
-    const auto scene = test::random_lit(random, k % test::kLitShapes, 40, Profile(1 + k % 3),
-                                        k % 2 ? Blend::srgb : Blend::linear);
-    const Blend blend = k % 2 ? Blend::srgb : Blend::linear;
-    const LitSurface surface(scene.paint, scene.distances, blend, {0, 0});
-    const glm::dvec2 p = random.point(20, 44);
-    const Outward at = surface.outward(p);
-    if (std::abs(at.d) < 0.02) continue;  // where the relief's law allows for outlines' errors
-    const GridRelief& relief = *scene.paint.relief;
-    const Mix want = relief.lamp.lit(scene.paint.color, relief.slope(p, at.d, at.normal), blend);
-    const Mix got = surface.color(surface.zone_of(at.d), p, at);
-    for (int i = 0; i < 4; ++i) EXPECT_NEAR(got[i], want[i], 1e-9) << k;
+/// A table whose only layer has that relief, 100 px a unit.
+std::unique_ptr<PaintTable> table_of(const Relief& relief) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  build.shape(Disc{{0, 0}, 0.5});  // area 0
+  build.layer("layer", build.everywhere(), {.color = {1, 1, 1, 1}, .relief = shared(relief)});
+  auto table = std::make_unique<PaintTable>();
+  table->make(std::move(build).finish(), {.width = 200, .height = 200}, Depth::u8);
+  return table;
+}
+
+double rise_at(const PaintTable& table, double depth) {
+  const LitSurface& surface = table.lit.at(0).surface();
+  return surface.rise(surface.zone_inside(-depth), depth);
+}
+
+TEST(LitSurface, RisesAsItsProfileSays) {
+  const auto bevel =
+      table_of({.area = {0}, .profile = Profile::bevel, .width = 0.1, .height = 0.05});
+  EXPECT_NEAR(rise_at(*bevel, 5), 0.5, 1e-15);
+  EXPECT_EQ(rise_at(*bevel, 10.01), 0);
+  EXPECT_NEAR(rise_at(*bevel, -0.005), 0.5, 1e-15);  // a rounding beyond the outline
+  EXPECT_EQ(rise_at(*bevel, -1), 0);
+  const auto round = table_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
+  for (const double x : {0.5, 2.0, 9.0}) {  // the slope of its own height
+    const auto height = [](double inside) {
+      return std::sqrt(100 - (10 - inside) * (10 - inside));
+    };
+    EXPECT_NEAR(rise_at(*round, x), (height(x + 1e-6) - height(x - 1e-6)) / 2e-6, 1e-6);
+  }
+  const auto table = table_of(
+      {.area = {0}, .profile = Profile::custom, .width = 0.1, .height = 0.1, .table = {0, 1, 0.5}});
+  EXPECT_NEAR(rise_at(*table, 2), 2, 1e-14);
+  EXPECT_NEAR(rise_at(*table, 7), -1, 1e-14);
+}
+
+TEST(LitSurface, AddsDomes) {  // C: the hook of the cornea's bulge
+  const auto table =
+      table_of({.domes = {{.center = {0.1, 0.05}, .radii = {0.2, 0.1}, .height = 0.03}}});
+  const auto height = [](glm::dvec2 p) {  // in pixels, y down
+    const glm::dvec2 q = (p - glm::dvec2{110, 95}) / glm::dvec2{20, 10};
+    const double in = 1 - (q.x * q.x + q.y * q.y);
+    return in > 0 ? 3 * in * in : 0;
+  };
+  for (const glm::dvec2 p : {glm::dvec2{112, 93}, {125, 97}, {110, 95}, {131, 95}}) {
+    const glm::dvec2 slope = table->lit.at(0).surface().slope(0, p, {});
+    EXPECT_NEAR(slope.x, (height(p + glm::dvec2{1e-5, 0}) - height(p - glm::dvec2{1e-5, 0})) / 2e-5,
+                1e-8);
+    EXPECT_NEAR(slope.y,
+                -(height(p + glm::dvec2{0, 1e-5}) - height(p - glm::dvec2{0, 1e-5})) / 2e-5, 1e-8);
   }
 }
 
