@@ -21,6 +21,6 @@ namespace mien {
 std::optional<Path> visible_outline(const Path& path);
 
 /// Ends on sides and crossings of a path.
-inline constexpr std::size_t kMostMeetings = 1 << 16;
+inline constexpr std::size_t kMostMeetings = 1 << 12;
 
 }  // namespace mien
