@@ -2,6 +2,7 @@
 
 #include "lib/rig/eye/lid.h"
 #include "sdf/from_face/figure/shape_private.h"
+#include "sdf/shape/curve/path_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,11 @@ std::vector<QuadBezier> sides_of(const Ellipse& ellipse) {
 
 std::vector<std::vector<QuadBezier>> loops_of(const Figure& figure, const Face& face) {
   std::vector<std::vector<QuadBezier>> loops;
-  const Shape shape = shape_of(figure, face);
-  if (const auto* path = std::get_if<Path>(&shape))
+  Shape shape = shape_of(figure, face);
+  if (auto* path = std::get_if<Path>(&shape)) {
+    if (std::optional<Path> outline = visible_outline(*path)) *path = *std::move(outline);
     for (const Path::Loop& loop : path->loops) loops.push_back(loop.sides);
+  }
   if (const auto* disc = std::get_if<Disc>(&shape))
     loops.push_back(sides_of({.center = disc->center, .radii = glm::dvec2{disc->radius}}));
   if (const auto* ellipse = std::get_if<Ellipse>(&shape)) loops.push_back(sides_of(*ellipse));

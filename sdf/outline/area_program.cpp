@@ -81,7 +81,8 @@ int AreaPrograms::added(Shape shape) {
 
 const Shape& AreaPrograms::shape(const OutlineSource& of) const {
   const std::size_t own = scene_->shapes().size(), index = std::size_t(of.shape);
-  return index < own ? scene_->shapes()[index] : added_[index - own];
+  if (index >= own) return added_[index - own];
+  return of.rim ? scene_->outlined_shape(index) : scene_->shapes()[index];
 }
 
 /// The stack runs backwards: last pushed is done first.

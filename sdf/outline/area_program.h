@@ -48,7 +48,7 @@ class AreaPrograms {
   /// The program of a shape that is not the scene's, in its units.
   AreaProgram add(Shape shape);
 
-  /// The shape of an outline: the scene's, or one of those added.
+  /// The shape of an outline: the scene's, for rims Scene::outlined_shape, or one of those added.
   const Shape& shape(const OutlineSource& of) const;
 
   std::span<const AreaStep> steps() const { return steps_; }

@@ -1,6 +1,7 @@
 #include <mien/scene.h>
 #include "sdf/csg/combine.h"
 #include "sdf/shape/shape_distances.h"
+#include "sdf/shape/shape_outlines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,7 @@ void SceneBuilder::close_group() {
 Scene SceneBuilder::finish() && {
   Scene scene;
   data_.asked = std::make_shared<const ShapeDistances>(data_.shapes.size());
+  data_.outlines = std::make_shared<const ShapeOutlines>(data_.shapes.size());
   scene.data_ = std::make_shared<const Scene::Data>(std::move(data_));
   return scene;
 }
@@ -161,12 +163,16 @@ double Scene::distance(Area area, glm::dvec2 p) const {
 }
 
 double Scene::shape_distance(std::size_t shape, glm::dvec2 p) const {
-  return data_->asked->at(shape, data_->shapes[shape], p);
+  return data_->asked->at(shape, outlined_shape(shape), p);
+}
+
+const Shape& Scene::outlined_shape(std::size_t shape) const {
+  return data_->outlines->of(shape, data_->shapes[shape]);
 }
 
 Exactness Scene::exactness(Area area) const {
   return fold<Exactness>(
-      nodes(), area, [&](int i) { return mien::exactness(data_->shapes[std::size_t(i)]); },
+      nodes(), area, [&](int i) { return mien::exactness(outlined_shape(std::size_t(i))); },
       [](const Node& n, Exactness a, Exactness b) {
         return combine_exactness(n.op, a, b, n.amount);
       });

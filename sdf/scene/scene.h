@@ -55,6 +55,7 @@ struct Canvas {
 };
 
 class ShapeDistances;
+class ShapeOutlines;
 
 class MIEN_API Scene {
  public:
@@ -71,6 +72,9 @@ class MIEN_API Scene {
   /// The same of one of its shapes. Paths of many sides that are asked often answer in about log n.
   double shape_distance(std::size_t shape, glm::dvec2 p) const;
   Exactness exactness(Area area) const;
+  /// What distances to a shape are measured to: the shape itself or, if it is a path filled by the nonzero rule whose
+  /// loops overlap, its visible outline. Sides with the inside on both hands are none.
+  const Shape& outlined_shape(std::size_t shape) const;
   Box2 bounds(Area area) const;
 
   /// The scene as text: canvas, shapes, areas and layers, one per line, with numbers in the shortest
@@ -88,6 +92,7 @@ class MIEN_API Scene {
     std::vector<Group> groups;
     Light light;
     std::shared_ptr<const ShapeDistances> asked;
+    std::shared_ptr<const ShapeOutlines> outlines;
   };
   std::shared_ptr<const Data> data_ = std::make_shared<const Data>();
 };

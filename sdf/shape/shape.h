@@ -89,7 +89,9 @@ struct TaperedStroke {
 
 enum class FillRule { nonzero, even_odd };
 
-/// The area enclosed by closed loops of quadratic Béziers. A straight side has p1 halfway.
+/// The area enclosed by closed loops of quadratic Béziers. A straight side has p1 halfway. The distance is that to the
+/// nearest side; where loops overlap it is a bound inside, and scenes measure to the visible outline instead
+/// (Scene::outlined_shape).
 struct Path {
   struct Loop {
     std::vector<QuadBezier>

@@ -36,9 +36,10 @@ glm::dvec2 dome_slope(const Dome& dome, glm::dvec2 p) {
   return -4 * dome.height * rest * (u / dome.radii.x * dome.axis + v / dome.radii.y * across);
 }
 
-glm::dvec2 slope_from(const Scene& scene, Area area, glm::dvec2 p, double here, double step) {
-  const double right = scene.distance(area, p + glm::dvec2{step, 0}),
-               up = scene.distance(area, p + glm::dvec2{0, step});
+glm::dvec2 slope_from(const ExactDistance& distance, Area area, glm::dvec2 p, double here,
+                      double step) {
+  const double right = distance(area, p + glm::dvec2{step, 0}),
+               up = distance(area, p + glm::dvec2{0, step});
   return glm::dvec2{right - here, up - here} / step;
 }
 
@@ -69,16 +70,17 @@ glm::dvec3 unclamped(const glm::dvec3& color, const Terms& t) {
 
 }  // namespace
 
-glm::dvec2 distance_slope(const Scene& scene, Area area, glm::dvec2 p, double step) {
-  return slope_from(scene, area, p, scene.distance(area, p), step);
+glm::dvec2 distance_slope(const ExactDistance& distance, Area area, glm::dvec2 p, double step) {
+  return slope_from(distance, area, p, distance(area, p), step);
 }
 
-glm::dvec2 surface_slope(const Scene& scene, const Relief& relief, glm::dvec2 p, double step) {
+glm::dvec2 surface_slope(const ExactDistance& distance, const Relief& relief, glm::dvec2 p,
+                         double step) {
   glm::dvec2 slope{0.0};
   if (relief.area.node >= 0 && relief.profile != Profile::flat && relief.height != 0) {
-    const double d = scene.distance(relief.area, p),
+    const double d = distance(relief.area, p),
                  rise = relief.height / relief.width * profile_slope(relief, -d / relief.width);
-    if (rise != 0) slope -= rise * slope_from(scene, relief.area, p, d, step);
+    if (rise != 0) slope -= rise * slope_from(distance, relief.area, p, d, step);
   }
   for (const Dome& dome : relief.domes) slope += dome_slope(dome, p);
   return slope;

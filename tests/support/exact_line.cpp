@@ -25,7 +25,7 @@ std::vector<LineEnd> ExactTruth::outline_ends(const Square& square, const FaceLi
   for (const Seen& seen : square.seen) {
     if (seen.whole) continue;
     const Area area = scene_.layers()[std::size_t(seen.layer)].area;
-    find_roots([&](double u) { return scene_.distance(area, line(u)) / unit_; }, 1.0001, 0, 1,
+    find_roots([&](double u) { return distance_(area, line(u)) / unit_; }, 1.0001, 0, 1,
                tolerance_ > kFine ? ExactPaint::kShortest : kShortestFine, roots);
   }
   std::vector<LineEnd> ends{{0, 0}, {1, 0}};
@@ -39,8 +39,7 @@ std::vector<int> ExactTruth::stack_at(const Square& square, glm::dvec2 p) const 
   std::vector<int> stack;
   for (std::size_t i = square.seen.size(); i-- > 0;) {
     const int layer = square.seen[i].layer;
-    if (!square.seen[i].whole &&
-        !(scene_.distance(scene_.layers()[std::size_t(layer)].area, p) <= 0))
+    if (!square.seen[i].whole && !(distance_(scene_.layers()[std::size_t(layer)].area, p) <= 0))
       continue;
     stack.push_back(layer);
     if (paint_.hides(layer)) break;

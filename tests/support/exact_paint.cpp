@@ -30,8 +30,9 @@ double most_per_unit(const Gradient& gradient) {
 
 }  // namespace
 
-ExactPaint::ExactPaint(const Scene& scene, const View& view, double unit)
-    : scene_(scene), light_(scene.light()), unit_(unit) {
+ExactPaint::ExactPaint(const Scene& scene, const ExactDistance& distance, const View& view,
+                       double unit)
+    : scene_(scene), distance_(distance), light_(scene.light()), unit_(unit) {
   if (view.light) light_.direction = *view.light;
   background_ = mixes(view.background.value_or(scene.background()), 1);
   for (const Layer& layer : scene.layers()) {
@@ -58,7 +59,7 @@ bool ExactPaint::varies(int i, glm::dvec2 center, double radius) const {
     if (glm::distance(center, dome.center) < radius + std::max(dome.radii.x, dome.radii.y))
       return true;
   if (!rises(*paint.relief)) return false;
-  const double d = scene_.distance(paint.relief->area, center);
+  const double d = distance_(paint.relief->area, center);
   return d < radius && d > -paint.relief->width - radius;
 }
 
@@ -75,7 +76,7 @@ bool ExactPaint::upright(int i, glm::dvec2 p) const {
   constexpr double kAtTheOutline = 1e-6;  // [px]
   const auto& relief = layer(i).paint.relief;
   return relief && relief->profile == Profile::round && rises(*relief) &&
-         std::abs(scene_.distance(relief->area, p)) < kAtTheOutline * unit_;
+         std::abs(distance_(relief->area, p)) < kAtTheOutline * unit_;
 }
 
 Mixes ExactPaint::mixes(const Color& c, double opacity) const {
@@ -97,7 +98,7 @@ double ExactPaint::place(const Gradient& gradient, glm::dvec2 p) const {
                       (g->axis.x * m.y - g->axis.y * m.x) / g->radii.y);
   }
   const auto& g = std::get<DistanceGradient>(gradient.along);
-  const double beyond = scene_.distance(g.area, p) - g.from;
+  const double beyond = distance_(g.area, p) - g.from;
   return g.to != g.from ? beyond / (g.to - g.from) : beyond < 0 ? -kBeyond : kBeyond;
 }
 
@@ -123,7 +124,7 @@ Mixes ExactPaint::unlit(int i, glm::dvec2 p) const {
 }
 
 glm::dvec2 ExactPaint::slope_at(int i, glm::dvec2 p) const {
-  const glm::dvec2 slope = surface_slope(scene_, *layer(i).paint.relief, p, kSlopeStep * unit_);
+  const glm::dvec2 slope = surface_slope(distance_, *layer(i).paint.relief, p, kSlopeStep * unit_);
   return scene_.canvas().y_up ? slope : glm::dvec2{slope.x, -slope.y};
 }
 
@@ -203,8 +204,8 @@ void ExactPaint::relief_kinks(const Relief& relief, const FaceLine& line, double
   if (rises(relief)) {
     const std::vector<double> depths = edges_of(relief);
     for (std::size_t k = 0; k < depths.size(); ++k)
-      add([&](double u) { return (scene_.distance(relief.area, line(u)) + depths[k]) / unit_; },
-          1.0001, k);
+      add([&](double u) { return (distance_(relief.area, line(u)) + depths[k]) / unit_; }, 1.0001,
+          k);
   }
   for (std::size_t k = 0; k < relief.domes.size(); ++k) {
     const Dome& dome = relief.domes[k];
@@ -243,7 +244,7 @@ void ExactPaint::find_ridges(int i, const FaceLine& line, double a, double b,
   const auto& relief = layer(i).paint.relief;
   if (!relief || !rises(*relief) || b - a < 10 * kSlopeStep) return;
   const auto slope = [&](double u) {
-    return distance_slope(scene_, relief->area, line(u), kSlopeStep * unit_);
+    return distance_slope(distance_, relief->area, line(u), kSlopeStep * unit_);
   };
   const double from = a + 2 * kSlopeStep, to = b - 2 * kSlopeStep;
   ridges(slope, from, slope(from), to, slope(to), number(2 * std::size_t(i) + 1, 63), out);

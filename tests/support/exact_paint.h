@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "tests/support/exact_distance.h"
 #include "tests/support/exact_mix.h"
 
 namespace mien::test {
@@ -30,8 +31,8 @@ class ExactPaint {
  public:
   static constexpr double kShortest = 1e-3;  ///< [px] two kinks closer together may be missed
 
-  /// `unit`: face units per pixel. The scene must outlive this.
-  ExactPaint(const Scene& scene, const View& view, double unit);
+  /// `unit`: face units per pixel. The scene and its distances must outlive this.
+  ExactPaint(const Scene& scene, const ExactDistance& distance, const View& view, double unit);
 
   const Mixes& background() const { return background_; }
   /// Whether nothing below the layer is seen inside it.
@@ -73,6 +74,7 @@ class ExactPaint {
               const glm::dvec2& at_b, std::size_t what, std::vector<LineEnd>& out) const;
 
   const Scene& scene_;
+  const ExactDistance& distance_;
   Light light_;
   double unit_;
   Mixes background_;

@@ -27,10 +27,11 @@ double magnified(double v) {
 
 ExactTruth::ExactTruth(const Scene& scene, const View& view, double tolerance)
     : scene_(scene),
+      distance_(scene),
       view_(view),
       tolerance_(tolerance),
       unit_(unit_of(scene, view)),
-      paint_(scene, view, unit_) {
+      paint_(scene, distance_, view, unit_) {
   for (int i = 0; i < int(scene.layers().size()); ++i) all_.push_back({i, false, true});
 }
 
@@ -55,7 +56,7 @@ std::vector<ExactTruth::Seen> ExactTruth::seen_in(const PixelRect& r,
   std::vector<Seen> list;
   for (Seen seen : among) {
     const Area area = scene_.layers()[std::size_t(seen.layer)].area;
-    const double d = seen.whole ? -2 * radius : scene_.distance(area, center);
+    const double d = seen.whole ? -2 * radius : distance_(area, center);
     if (d > radius) continue;
     seen.whole = d < -radius;
     if (seen.whole && paint_.hides(seen.layer)) list.clear();
@@ -84,9 +85,9 @@ bool ExactTruth::crosses_upright(const Square& square) const {
   const glm::dvec2 center = face(square.corner.x + 0.5, square.corner.y + 0.5);
   glm::dvec2 sum{0.0};
   const auto add = [&](Area area, double depth) {
-    const double d = (scene_.distance(area, center) + depth) / unit_;
+    const double d = (distance_(area, center) + depth) / unit_;
     if (std::abs(d) > 0.70711) return;
-    const glm::dvec2 slope = distance_slope(scene_, area, center, kSlopeStep * unit_);
+    const glm::dvec2 slope = distance_slope(distance_, area, center, kSlopeStep * unit_);
     sum += (1 - std::abs(d)) * slope * slope;
   };
   for (const Seen& seen : square.seen) {

@@ -1,9 +1,9 @@
 #pragma once
 // The exact picture of any scene: what 8- and 16-bit pictures are judged by, in either blend.
 //
-// Along a line through a pixel every layer is a set of spans. Their ends are where Scene::distance
+// Along a line through a pixel every layer is a set of spans. Their ends are where the distance
 // changes sign: found by halving, missing none longer than ExactPaint::kShortest (3e-5 px to a fine
-// tolerance), since that
+// tolerance), since the
 // distance is 1-Lipschitz (a stretch shorter than twice |d| at its middle has no end). Between two
 // ends the visible colour is smooth, but for kinks of gradients and reliefs, which are found in the
 // same way, and for ridges of reliefs, where the slope of a distance jumps, which are found by
@@ -11,8 +11,8 @@
 // comes or goes: what is thinner than kThinnest and lies along the lines may fall between them.
 // Lines run across the steepest outline.
 //
-// It shares no code with the renderer but the scene's own distances, which have truths of their own
-// in tests/sdf.
+// It shares no code with the renderer but the distances of the scene's single shapes, which have truths of their own
+// in tests/sdf. Outlines of paths whose loops overlap are its own (exact_outline.h).
 
 #include <mien/scene.h>
 #include <mien/view.h>
@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/exact_distance.h"
 #include "tests/support/exact_mix.h"
 #include "tests/support/exact_paint.h"
 
@@ -117,6 +118,7 @@ class ExactTruth {
                      double to, const Mixes& coarse, int depth) const;
 
   const Scene& scene_;
+  ExactDistance distance_;
   View view_;
   double tolerance_, unit_;  ///< [face units] per pixel
   ExactPaint paint_;

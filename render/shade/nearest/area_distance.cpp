@@ -30,7 +30,7 @@ void AreaDistance::make(const Scene& scene, Area area, const Map<PixelSpace, Fac
     Node n = scene.nodes()[std::size_t(i)];
     if (n.op == Op::shape) {
       if (shapes == shapes_.size()) shapes_.emplace_back();
-      transform(map.linear, map.shift, scene.shapes()[std::size_t(n.a)], shapes_[shapes]);
+      transform(map.linear, map.shift, scene.outlined_shape(std::size_t(n.a)), shapes_[shapes]);
       n.a = int(shapes++);
     } else {
       n.a = place[std::size_t(n.a)];

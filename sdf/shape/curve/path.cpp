@@ -94,7 +94,7 @@ int winding(const Path& path, glm::dvec2 p) {
 
 // The nearest side, signed by the winding number. Outside it is the exact distance: the way to the
 // nearest side passes through no other. Inside under the nonzero rule a side may have inside on
-// both hands; then the distance is a bound.
+// both hands; then the distance is a bound (path_outline.h).
 double distance(const Path& path, glm::dvec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) return nearest;

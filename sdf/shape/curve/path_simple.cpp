@@ -22,6 +22,10 @@ constexpr std::size_t kMostCompared = 64;
 using Hull =
     std::array<glm::dvec2, 3>;  // of a side: its control points; of a straight one its ends
 
+bool is_line(const Hull& hull) {
+  return hull[0] == hull[1];
+}
+
 /// Whether some line keeps a strictly on its positive side, except for points it shares with b, and
 /// b on the line or its negative side: then the hulls meet in shared points only.
 /// Heights count from `joint`, so that one that both share has height 0 without rounding.
@@ -38,6 +42,7 @@ bool parts(glm::dvec2 normal, const Hull& a, const Hull& b, glm::dvec2 joint) {
 }
 
 bool apart(const Hull& a, const Hull& b) {
+  if (is_line(a) && is_line(b) && a[0] == b[2] && a[2] == b[0]) return false;  // there and back
   const glm::dvec2 joint = a[0] == b[0] || a[0] == b[2] ? a[0] : a[2];
   for (const Hull* hull : {&a, &b})
     for (int i = 0; i < 3; ++i) {
