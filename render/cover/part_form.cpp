@@ -67,8 +67,8 @@ PartCells cells_of_whole(int side) {
 }  // namespace
 
 const PartCells& whole_cells(int side) {
-  static const std::array<PartCells, 6> made{cells_of_whole(1), cells_of_whole(2),
-                                             cells_of_whole(4), cells_of_whole(8),
+  static const std::array<PartCells, 6> made{cells_of_whole(1),  cells_of_whole(2),
+                                             cells_of_whole(4),  cells_of_whole(8),
                                              cells_of_whole(16), cells_of_whole(32)};
   return *std::find_if(made.begin(), made.end(),
                        [&](const PartCells& cells) { return cells.side == side; });

@@ -2,11 +2,6 @@
 #include "lib/base/watch.h"
 #include "sdf/shape/curve/path_tree.h"
 
-#include "curve/path_sides_private.h"
-
-#include <cmath>
-#include <glm/geometric.hpp>
-
 namespace mien {
 
 struct ShapeDistances::Kept {
@@ -28,23 +23,9 @@ double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) c
 }
 
 Outward ShapeDistances::outward(std::size_t index, const Shape& shape, glm::dvec2 p) const {
-  // [of coordinates' unit] Distances are good to 1e-12 of it, and bend by less than 1 over themselves.
-  constexpr double kStep = 1e-5;
-  const auto grows = [&](double d, const auto& at) {
-    const glm::dvec2 by{at({p.x + kStep, p.y}) - d, at({p.x, p.y + kStep}) - d};
-    const double length = glm::length(by);
-    return length > 0.0 ? by / length : glm::dvec2{0.0};
-  };
-  const PathTree* const tree = tree_of(index, shape);
-  const PathTree::Nearest found = tree ? tree->nearest(p) : PathTree::Nearest{0.0, nullptr};
-  if (!found.side) {
-    const double d = at(index, shape, p);
-    return {d, grows(d, [&](glm::dvec2 q) { return at(index, shape, q); })};
-  }
-  const double away = std::abs(found.distance);
-  const glm::dvec2 way =
-      grows(away, [&](glm::dvec2 q) { return distance_to_side(*found.side, q); });
-  return {found.distance, found.distance < 0.0 ? -way : way};
+  if (const PathTree* const tree = tree_of(index, shape)) return tree->outward(p);
+  const double d = distance(shape, p);
+  return {d, way_of_growth(p, d, [&](glm::dvec2 q) { return distance(shape, q); })};
 }
 
 const PathTree* ShapeDistances::tree_of(std::size_t index, const Shape& shape) const {

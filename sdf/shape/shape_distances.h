@@ -3,6 +3,7 @@
 // to be one.
 
 #include <mien/shape.h>
+#include "sdf/shape/outward.h"
 
 #include <atomic>
 #include <cstddef>
@@ -12,12 +13,6 @@
 namespace mien {
 
 class PathTree;
-
-/// Signed distance to an area, and the unit vector in which it grows.
-struct Outward {
-  double d = 0;
-  glm::dvec2 normal{0.0};
-};
 
 /// What is kept about a list of shapes, by index. Several threads may ask at once.
 class ShapeDistances {
@@ -33,8 +28,7 @@ class ShapeDistances {
 
   /// distance(shape, p), of the shape at that index.
   double at(std::size_t index, const Shape& shape, glm::dvec2 p) const;
-  /// With its gradient: of a path with a tree that of the nearest side alone, by differences of less than a rounding's
-  /// root.
+  /// With its gradient: of a path with a tree that of the nearest side alone.
   Outward outward(std::size_t index, const Shape& shape, glm::dvec2 p) const;
 
  private:

@@ -79,8 +79,8 @@ Outward AreaDistance::outward(glm::dvec2 p) const {
     // It grows as that of whose distance it is, or the opposite way.
     const bool second = (n.op == Op::unite && b.d < a.d) || (n.op == Op::intersect && b.d > a.d) ||
                         (n.op == Op::subtract && -b.d > a.d);
-    const bool turns = second ? n.op == Op::subtract
-                              : n.op == Op::complement || (n.op == Op::shell && a.d < 0.0);
+    const bool turns =
+        second ? n.op == Op::subtract : n.op == Op::complement || (n.op == Op::shell && a.d < 0.0);
     const glm::dvec2 normal = second ? b.normal : a.normal;
     made[i] = {d, turns ? -normal : normal};
   }

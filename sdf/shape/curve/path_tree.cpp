@@ -201,7 +201,7 @@ bool PathTree::inside(glm::dvec2 p) const {
 PathTree::Nearest PathTree::nearest(glm::dvec2 p) const {
   double nearest = std::numeric_limits<double>::infinity();
   int nearest_side = 0;
-  if (!std::isfinite(p.x) || !std::isfinite(p.y) || parts_.empty()) return {nearest, nullptr};
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || parts_.empty()) return {nearest, -1};
   constexpr double kRounded = 1.0 - 1e-14;
   std::array<std::pair<double, int>, kDeepest + 2> later;
   std::size_t waiting = 0;
@@ -227,7 +227,21 @@ PathTree::Nearest PathTree::nearest(glm::dvec2 p) const {
       at = nearer, least = std::max(one, least);
     }
   }
-  return {inside(p) ? -nearest : nearest, &sides_[std::size_t(nearest_side)]};
+  return {nearest, nearest_side};
+}
+
+double PathTree::distance(glm::dvec2 p) const {
+  const Nearest found = nearest(p);
+  return found.side >= 0 && inside(p) ? -found.distance : found.distance;
+}
+
+Outward PathTree::outward(glm::dvec2 p) const {
+  const auto [away, index] = nearest(p);
+  if (index < 0) return {away, glm::dvec2{0.0}};
+  const QuadBezier& side = sides_[std::size_t(index)];
+  const glm::dvec2 way =
+      way_of_growth(p, away, [&](glm::dvec2 q) { return distance_to_side(side, q); });
+  return inside(p) ? Outward{-away, -way} : Outward{away, way};
 }
 
 }  // namespace mien

@@ -13,6 +13,7 @@
 #include <mien/box2.h>
 #include <mien/quad_bezier.h>
 #include <mien/shape.h>
+#include "sdf/shape/outward.h"
 
 #include <glm/vec2.hpp>
 #include <span>
@@ -28,13 +29,9 @@ class PathTree {
   explicit PathTree(const Path& path);
 
   /// As of the path itself, up to a rounding.
-  double distance(glm::dvec2 p) const { return nearest(p).distance; }
-  /// With the side that is nearest, unless p is infinite or there is none: then null.
-  struct Nearest {
-    double distance;  ///< signed
-    const QuadBezier* side;
-  };
-  Nearest nearest(glm::dvec2 p) const;
+  double distance(glm::dvec2 p) const;
+  /// With the gradient of the nearest side; infinite without one.
+  Outward outward(glm::dvec2 p) const;
   int winding(glm::dvec2 p) const;
   bool inside(glm::dvec2 p) const;
 
@@ -43,6 +40,11 @@ class PathTree {
   std::size_t bytes() const;
 
  private:
+  struct Nearest {
+    double distance;  ///< unsigned
+    int side;         ///< −1: there is none, or p is infinite
+  };
+  Nearest nearest(glm::dvec2 p) const;
   struct Part {
     Box2 box;
     int first = 0, count = 0;  ///< sides, in `listed_`

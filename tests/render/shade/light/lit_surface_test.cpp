@@ -62,7 +62,8 @@ TEST(LitSurface, RisesAsItsProfileSays) {
   EXPECT_EQ(rise_at(*bevel, 10.01), 0);
   EXPECT_NEAR(rise_at(*bevel, -0.005), 0.5, 1e-15);  // a rounding beyond the outline
   EXPECT_EQ(rise_at(*bevel, -1), 0);
-  const auto round = table_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
+  const auto round =
+      table_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
   for (const double x : {0.5, 2.0, 9.0}) {  // the slope of its own height
     const auto height = [](double inside) {
       return std::sqrt(100 - (10 - inside) * (10 - inside));
