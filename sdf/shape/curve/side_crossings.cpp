@@ -17,22 +17,22 @@ double turn(glm::dvec2 u, glm::dvec2 v) {
 
 /// Coefficients on [0, 1] in Bernstein's form.
 using Quadratic = std::array<double, 3>;
-using Quartic = std::array<double, 5>;
+using BernsteinQuartic = std::array<double, 5>;
 
-Quartic product(const Quadratic& u, const Quadratic& v) {
+BernsteinQuartic product(const Quadratic& u, const Quadratic& v) {
   return {u[0] * v[0], 0.5 * (u[0] * v[1] + u[1] * v[0]),
           (u[0] * v[2] + 4.0 * u[1] * v[1] + u[2] * v[0]) / 6.0, 0.5 * (u[1] * v[2] + u[2] * v[1]),
           u[2] * v[2]};
 }
 
 /// A quadratic as a quartic.
-Quartic raised(const Quadratic& u) {
+BernsteinQuartic raised(const Quadratic& u) {
   return product(u, {1.0, 1.0, 1.0});
 }
 
 /// How far a side is from another one, along itself, and what is only rounding or tolerance of that.
 struct Form {
-  Quartic f;
+  BernsteinQuartic f;
   double noise;
 };
 
@@ -51,7 +51,7 @@ Form seen_from_parabola(const QuadBezier& from, const QuadBezier& c, double tole
   int i = 0;
   for (const glm::dvec2 p : {c.p0, c.p1, c.p2})
     u[i] = turn(p - from.p0, b), v[i++] = turn(a, p - from.p0);
-  const Quartic squared = product(u, u), beside = raised(v);
+  const BernsteinQuartic squared = product(u, u), beside = raised(v);
   Form form{{}, 0.0};
   for (int k = 0; k < 5; ++k) form.f[k] = squared[k] - 4.0 * area * beside[k];
   const double most = std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
@@ -60,8 +60,8 @@ Form seen_from_parabola(const QuadBezier& from, const QuadBezier& c, double tole
 }
 
 /// Both halves of a polynomial, by de Casteljau's scheme.
-void halve(const Quartic& f, Quartic& left, Quartic& right) {
-  Quartic row = f;
+void halve(const BernsteinQuartic& f, BernsteinQuartic& left, BernsteinQuartic& right) {
+  BernsteinQuartic row = f;
   for (int k = 0; k < 5; ++k) {
     left[k] = row[0], right[4 - k] = row[4 - k];
     for (int i = 0; i + k < 4; ++i) row[i] = 0.5 * (row[i] + row[i + 1]);
@@ -70,7 +70,7 @@ void halve(const Quartic& f, Quartic& left, Quartic& right) {
 
 /// How often the coefficients change their sign, and once more for each end that is a root: at least as often as there
 /// are roots.
-int most_roots(const Quartic& f) {
+int most_roots(const BernsteinQuartic& f) {
   int changes = int(f.front() == 0.0) + int(f.back() == 0.0);
   double last = 0.0;
   for (const double v : f) {
@@ -119,7 +119,7 @@ SideCrossings of_lines(const QuadBezier& a, const QuadBezier& b) {
 SideCrossings of_parabolas(const QuadBezier& a, const QuadBezier& b, double tolerance) {
   constexpr int kHalvings = 12, kMostHalvings = 26;
   struct Interval {
-    Quartic f;
+    BernsteinQuartic f;
     double from, to;
     int halvings;
   };
