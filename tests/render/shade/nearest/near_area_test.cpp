@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "sdf/shape/curve/band.h"
 
@@ -55,8 +57,82 @@ TEST(NearArea, DistancesAreTheAreasOwn) {
   });
 }
 
+bool in_a_smooth_square(const LightTile& tile, int i, int j) {
+  for (int level = 0; level < LightTile::kLevels; ++level) {
+    const int side = LightTile::kSide >> level;
+    const auto square = std::size_t(LightTile::square(level, i / side, j / side));
+    if (tile.state[square] == LightTile::State::smooth) return true;
+  }
+  return false;
+}
+
+/// How far means over every fifth pixel are from those of many places, rising: in smooth squares, and in others.
+struct MeansOff {
+  std::vector<double> smooth, other;
+
+  void judge(const AreaDistance& area) {
+    const FeetArea feet(area, {0, 0});
+    LightTile tile;
+    set_distance(feet, tile);
+    for (int p = 0; p < 256 && !tile.crowded; p += 5) {
+      const int i = p % 16, j = p / 16;
+      find_mean(tile, i, j);
+      constexpr int kPlaces = 24;
+      double sum = 0.0;
+      for (int q = 0; q < kPlaces * kPlaces; ++q)
+        sum += area.at(glm::dvec2{16 + i, 16 + j} +
+                       (glm::dvec2{q % kPlaces, q / kPlaces} + 0.5) / double(kPlaces));
+      (in_a_smooth_square(tile, i, j) ? smooth : other)
+          .push_back(std::abs(double(tile.mean[0][std::size_t(p)]) - sum / (kPlaces * kPlaces)));
+    }
+  }
+  static double all_but(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values.at(std::size_t(double(values.size() - 1) * (1.0 - share)));
+  }
+};
+
+/// Squares keep what their bounds permit.
+TEST(NearArea, MeansOfDistancesAreTheAreasOwn) {
+  test::on_every_set([] {
+    test::Random random(12);
+    MeansOff off;
+    for (int k = 0; k < 48; ++k)
+      off.judge(test::random_area(random, k % test::kLitShapes, random.between(6, 60)));
+    EXPECT_LT(MeansOff::all_but(off.smooth, 0.01), 2e-4) << off.smooth.size();
+    EXPECT_LT(MeansOff::all_but(off.smooth, 0.0), 3e-3);
+    EXPECT_LT(MeansOff::all_but(off.other, 0.02), 2e-3) << off.other.size();
+    EXPECT_LT(MeansOff::all_but(off.other, 0.0), 0.015);
+  });
+}
+
 AreaDistance distance_of(SceneBuilder scene, Area area) {
   return AreaDistance(std::move(scene).finish(), area, {});
+}
+
+/// A ridge cuts a pixel where two sides are equally near, and each part is seen by its own side.
+TEST(NearArea, MeansOverRidgesBetweenSidesAreTheAreasOwn) {
+  test::on_every_set([] {
+    test::Random random(13);
+    MeansOff off;
+    for (int k = 0; k < 24; ++k) {
+      Path triangle{{Path::Loop{}}, FillRule::nonzero};
+      const double turn = random.between(0, 6);
+      const auto corner = [&](int i) {
+        const double at = turn + 2.0943951023931953 * (i % 3);
+        return kMiddle + 9.0 * glm::dvec2{std::cos(at), std::sin(at)};
+      };
+      for (int i = 0; i < 3; ++i)
+        triangle.loops[0].sides.push_back(
+            {corner(i), 0.5 * (corner(i) + corner(i + 1)), corner(i + 1)});
+      SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
+      const Area area = scene.shape(triangle);
+      off.judge(distance_of(std::move(scene), area));
+    }
+    EXPECT_GT(off.other.size(), 100u);
+    EXPECT_LT(MeansOff::all_but(off.other, 0.1), 4e-4);
+    EXPECT_LT(MeansOff::all_but(off.other, 0.03), 5e-4);
+  });
 }
 
 TEST(NearArea, KnowsEveryKindOfShape) {

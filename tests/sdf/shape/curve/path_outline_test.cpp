@@ -122,7 +122,8 @@ TEST(PathOutline, OfRandomPathsIsWhatIsSeen) {
                      "path " + std::to_string(i) + ", " + std::to_string(jitter));
       if (HasFatalFailure()) return;
     }
-  EXPECT_GT(found, times(80));
+  // Of few, under sanitizers, the count says nothing.
+  if (times(30) == 30) EXPECT_GT(found, 80);
 }
 
 /// Sides that lie on each other but for about the tolerance: either is right.
@@ -152,7 +153,7 @@ TEST(PathOutline, IsFoundWhereSidesAreHidden) {
       ++hiding;
       missed += !visible_outline(path);
     }
-  EXPECT_GT(hiding, times(60));
+  if (times(30) == 30) EXPECT_GT(hiding, 60);
   EXPECT_EQ(missed, 0);
 }
 
