@@ -123,7 +123,7 @@ TEST(PathOutline, OfRandomPathsIsWhatIsSeen) {
       if (HasFatalFailure()) return;
     }
   // Of few, under sanitizers, the count says nothing.
-  if (times(30) == 30) EXPECT_GT(found, 80);
+  EXPECT_TRUE(times(30) < 30 || found > 80) << found;
 }
 
 /// Sides that lie on each other but for about the tolerance: either is right.
@@ -153,7 +153,7 @@ TEST(PathOutline, IsFoundWhereSidesAreHidden) {
       ++hiding;
       missed += !visible_outline(path);
     }
-  if (times(30) == 30) EXPECT_GT(hiding, 60);
+  EXPECT_TRUE(times(30) < 30 || hiding > 60) << hiding;
   EXPECT_EQ(missed, 0);
 }
 
