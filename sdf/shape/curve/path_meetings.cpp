@@ -17,7 +17,7 @@ namespace {
 
 /// Pairs of sides whose extents along x meet, and those whose boxes do, of a path and for each of its sides.
 constexpr std::size_t kPairs = 1 << 22, kPairsEach = 1024;
-constexpr std::size_t kNear = 1 << 19, kNearEach = 64;
+constexpr std::size_t kMeeting = 1 << 19, kMeetingEach = 64;
 
 /// Fourth powers of coordinates are finite, and not 0.
 constexpr double kLeastTolerance = 1e-70, kMostTolerance = 1e50;
@@ -151,7 +151,7 @@ bool PathMeetings::find() {
   std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
     return a.box.lo.x != b.box.lo.x ? a.box.lo.x < b.box.lo.x : a.side < b.side;
   });
-  std::size_t pairs = kPairs + kPairsEach * sides_.size(), near = kNear + kNearEach * sides_.size();
+  std::size_t pairs = kPairs + kPairsEach * sides_.size(), near = kMeeting + kMeetingEach * sides_.size();
   for (std::size_t i = 0; i < extents.size(); ++i)
     for (std::size_t k = i + 1; k < extents.size(); ++k) {
       const Box2 &a = extents[i].box, &b = extents[k].box;
