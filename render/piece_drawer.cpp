@@ -47,7 +47,7 @@ Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Dept
     return PieceDrawer(std::move(parts));
   };
   try {
-    return watched(goes_on, limits, make, [] { return 0.0; });
+    return watched(goes_on, limits, 0, make, [] { return 0.0; });
   } catch (const std::bad_alloc&) {
     return out_of_memory({0, 0, view.width, view.height});
   }
@@ -61,7 +61,8 @@ Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
                              piece.y, piece.width, piece.height, parts_->width, parts_->height)};
   const int first = piece.y / Drawing::kRows, last = (piece.y + piece.height - 1) / Drawing::kRows;
   RenderStats took;
-  Watch watch([&] { return !stop || !stop(); }, parts_->limits);
+  Watch watch([&] { return !stop || !stop(); }, parts_->limits,
+              piece.width * std::int64_t(piece.height));
   const auto tell = [&] {
     took.steps = watch.steps() + parts_->steps.exchange(0);
     took.memory = (long long)(std::max(watch.memory(), parts_->memory));
@@ -81,7 +82,7 @@ Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
   } catch (const Stopped&) {
     took.cancelled = watch.why() == Stopped::Why::cancelled;
     tell();
-    return why_stopped(watch, parts_->limits);
+    return why_stopped(watch);
   } catch (const std::bad_alloc&) {
     return out_of_memory(piece);
   }

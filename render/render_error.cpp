@@ -20,17 +20,17 @@ Error out_of_memory(const PixelRect& rect) {
                           rect.height)};
 }
 
-Error why_stopped(const Watch& watch, const RenderLimits& limits) {
+Error why_stopped(const Watch& watch) {
   if (watch.why() == Stopped::Why::cancelled) return drawing_cancelled();
   if (watch.why() == Stopped::Why::steps)
-    return {"",
-            fmt::format("drawing takes more than {} steps of work (limit `steps`)", limits.steps)};
+    return {"", fmt::format("drawing takes more than {} steps of work (limit `steps`)",
+                            watch.limits().steps)};
   const bool foreseen = watch.why() == Stopped::Why::foreseen;
   return {"", fmt::format("outlines and their order need {} (limit `memory`)",
-                          foreseen
-                              ? fmt::format("at least {}, more than the {} allowed",
-                                            bytes_text(watch.foreseen()), bytes_text(limits.memory))
-                              : "more than " + bytes_text(limits.memory))};
+                          foreseen ? fmt::format("at least {}, more than the {} allowed",
+                                                 bytes_text(watch.foreseen()),
+                                                 bytes_text(watch.limits().memory))
+                                   : "more than " + bytes_text(watch.limits().memory))};
 }
 
 Error drawing_cancelled() {

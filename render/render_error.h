@@ -20,6 +20,6 @@ Error invalid_size(const View& view);
 Error out_of_memory(const PixelRect& rect);
 Error drawing_cancelled();
 /// What ended watched work.
-Error why_stopped(const Watch& watch, const RenderLimits& limits);
+Error why_stopped(const Watch& watch);
 
 }  // namespace mien

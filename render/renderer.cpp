@@ -121,7 +121,7 @@ Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene,
   const PixelRect rect = drawn_rect(view);
   DoneJobs done(how.progress);
   Watch watch(how.progress ? std::function<bool()>([&] { return done.ask(); }) : nullptr,
-              how.limits);
+              how.limits, rect.width * std::int64_t(rect.height));
   RenderStats took;
   const auto tell = [&] {
     took.steps = watch.steps(), took.memory = (long long)(watch.memory());
@@ -143,7 +143,7 @@ Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene,
     took = done.stats();
     took.cancelled = watch.why() == Stopped::Why::cancelled;
     tell();
-    return why_stopped(watch, how.limits);
+    return why_stopped(watch);
   } catch (const std::bad_alloc&) {
     scratch_.reset();
     return out_of_memory(rect);

@@ -543,7 +543,7 @@ typedef struct mien_render_options {
   void* progress_data;    /* for `progress` */
   mien_executor executor; /* draws on the caller's threads; `threads` does not count then; NULL */
   void* executor_data;    /* for `executor` */
-  /* Steps of work, each about a nanosecond; more are MIEN_REFUSED; 0: 100 000 000 000 */
+  /* Steps of work, each one or two nanoseconds; more are MIEN_REFUSED; 0: 8 000 000 000, and 1000 for each pixel */
   int64_t most_steps;
   uint64_t most_memory; /* [bytes] of outlines and their order; more are MIEN_REFUSED; 0: 1 GiB */
 } mien_render_options;

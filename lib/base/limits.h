@@ -11,11 +11,17 @@ namespace mien {
 /// docs/limits.md lists what draws within the defaults.
 struct RenderLimits {
   /// Steps of work: pairs of pieces of outline, crossings, distances, parts of pixels, each weighed by what it
-  /// costs. A step is about a nanosecond of one core.
-  std::int64_t steps = 100'000'000'000;
+  /// costs. A step is one or two nanoseconds of one core. 0: as many as `default_steps` of the picture's pixels.
+  std::int64_t steps = 0;
   /// [bytes] Held by outlines, their order and their regions, beside the pixels.
   std::uint64_t memory = std::uint64_t(1) << 30;
 };
+
+/// Steps that a picture of so many pixels may take if nothing else is asked: about eight seconds of one core, and one or
+/// two microseconds for a pixel.
+constexpr std::int64_t default_steps(std::int64_t pixels) {
+  return 8'000'000'000 + 1000 * pixels;
+}
 
 /// None but the machine's.
 inline constexpr RenderLimits kWithoutLimits{INT64_MAX, UINT64_MAX};

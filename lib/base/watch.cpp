@@ -5,9 +5,9 @@
 
 namespace mien {
 
-Watch::Watch(std::function<bool()> go_on, const RenderLimits& limits)
+Watch::Watch(std::function<bool()> go_on, const RenderLimits& limits, std::int64_t pixels)
     : go_on_(std::move(go_on)),
-      limits_(limits),
+      limits_{limits.steps ? limits.steps : default_steps(pixels), limits.memory},
       outer_(Watching::current()),
       asked_(monotonic_seconds()) {}
 

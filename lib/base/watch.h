@@ -32,7 +32,9 @@ class Watch {
  public:
   /// `go_on`: asked every kPause or so, by one thread at a time; none: always. Work inside of other watched work
   /// ends with that.
-  explicit Watch(std::function<bool()> go_on = {}, const RenderLimits& limits = {});
+  /// Drawing so many `pixels`, if it does.
+  explicit Watch(std::function<bool()> go_on = {}, const RenderLimits& limits = {},
+                 std::int64_t pixels = 0);
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
@@ -53,6 +55,7 @@ class Watch {
   Stopped::Why why() const { return why_.load(std::memory_order_relaxed); }
   std::int64_t steps() const { return steps_.load(std::memory_order_relaxed); }
   std::uint64_t memory() const { return memory_.load(std::memory_order_relaxed); }
+  const RenderLimits& limits() const { return limits_; }
   /// What ended the work if that is Why::foreseen [bytes].
   std::uint64_t foreseen() const { return foreseen_.load(std::memory_order_relaxed); }
 

@@ -214,8 +214,8 @@ Image picture_of(const Scene& scene, const View& view, DebugPicture which, const
 Expected<Image> debug_picture(const Scene& scene, const View& view, DebugPicture which,
                               const RenderOptions& how) {
   return watched(
-      how.progress, how.limits, [&] { return picture_of(scene, view, which, how.threads); },
-      [] { return 0.0; });
+      how.progress, how.limits, view.width * std::int64_t(view.height),
+      [&] { return picture_of(scene, view, which, how.threads); }, [] { return 0.0; });
 }
 
 }  // namespace mien

@@ -32,8 +32,8 @@ ErrorMap map_of(const Scene& scene, const View& view, Depth depth, const Threads
 
 Expected<ErrorMap> error_map(const Scene& scene, const View& view, const RenderOptions& how) {
   return watched(
-      how.progress, how.limits, [&] { return map_of(scene, view, how.depth, how.threads); },
-      [] { return 0.0; });
+      how.progress, how.limits, view.width * std::int64_t(view.height),
+      [&] { return map_of(scene, view, how.depth, how.threads); }, [] { return 0.0; });
 }
 
 Image ErrorMap::image() const {

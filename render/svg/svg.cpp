@@ -36,8 +36,8 @@ Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
     if (!named.id_prefix) named.id_prefix = prefix_of(scene, options);
     double done = 0.0;
     return watched(
-        options.progress, options.limits, [&] { return SvgWriter(scene, named).write(done); },
-        [&] { return done; });
+        options.progress, options.limits, std::int64_t(options.width * options.height),
+        [&] { return SvgWriter(scene, named).write(done); }, [&] { return done; });
   } catch (const std::bad_alloc&) {
     return Error{"",
                  fmt::format("{}: the scene has {} layers", kMemoryRanOut, scene.layers().size())};

@@ -17,14 +17,14 @@ std::size_t Sweep::bytes() const {
 
 /// What was done since it was told last, by what each costs.
 void Sweep::tell_work() {
-  constexpr int kSteps = 320, kPair = 15, kCrossing = 150, kForced = 60, kProof = 60;
+  constexpr int kSteps = 200, kPair = 8, kCrossing = 80, kForced = 30, kProof = 30;
   constexpr int kOften = 16;  // times between two counts of what is held
   const auto done = [&](long SweepStats::*what, int steps) {
     return std::int64_t(stats_.*what - std::exchange(told_.*what, stats_.*what)) * steps;
   };
   const int regions = regions_->count();
   // Slots are looked through, and moved, for every vertex.
-  worked(kSteps + 4 * count_ + done(&SweepStats::pairs, kPair) +
+  worked(kSteps + 2 * count_ + done(&SweepStats::pairs, kPair) +
          done(&SweepStats::crossings, kCrossing) + done(&SweepStats::forced, kForced) +
          done(&SweepStats::proofs, kProof) +
          std::int64_t(regions - std::exchange(told_regions_, regions)) * regions_->steps());

@@ -1,17 +1,22 @@
 // mien_limits_page: writes docs/limits.md from the limits as they are compiled in, or compares it.
 //
 //   mien_limits_page > docs/limits.md
+//   mien_limits_page --draw 256                 draws what it promises; ends with 1 if something is refused
 //   mien_limits_page --check docs/limits.md     ends with 1 if the page says anything else
 
 #include <mien/face_limits.h>
 #include <mien/limits.h>
 #include <mien/pattern.h>
+#include <mien/render.h>
 #include <mien/view.h>
 #include "render/rows/crowd.h"
+#include "tests/support/hostile_scenes.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -57,15 +62,18 @@ std::string page() {
       "Drawing counts its work while it runs, in *steps*. A pair of pieces of outline that are "
       "compared, a crossing of two,\n"
       "a proof of their order, a region, a distance, a part of a pixel: each is weighed by what it "
-      "costs, about a step for a\n"
-      "nanosecond. So lengths of strokes, points of paths, sides of pictures and crossings all "
+      "costs, a step for one or two\n"
+      "nanoseconds. So lengths of strokes, points of paths, sides of pictures and crossings all "
       "count by what they cost.\n"
       "`mien render --stats json` prints `steps` and `memory`. An error names the limit that was "
       "exceeded.\n\n"
       "| limit | default | of |\n|---|---|---|\n";
-  text +=
-      fmt::format("| `steps` | {} | steps of one picture, or of one of its pieces in a file |\n",
-                  number(std::uint64_t(render.steps)));
+  text += fmt::format(
+      "| `steps` | {}, and {} for each pixel | steps of one picture, or of one of its pieces in a "
+      "file; "
+      "what `--most-steps` gives, if it is given |\n",
+      number(std::uint64_t(default_steps(0))),
+      number(std::uint64_t(default_steps(1) - default_steps(0))));
   text += fmt::format(
       "| `memory` | {} MiB | bytes of outlines, their order and regions, beside the pixels; "
       "what `--memory` says, if it is given |\n",
@@ -103,6 +111,25 @@ std::string page() {
   return text;
 }
 
+/// Draws each of what is promised, and tells what it takes.
+int draw(int side) {
+  int refused = 0;
+  for (const HostileScene& hostile : hostile_scenes(1.0))
+    for (const Depth depth : {Depth::u8, Depth::u16}) {
+      RenderStats stats;
+      const std::clock_t began = std::clock();
+      const auto image = render(hostile.scene, {.width = side, .height = side},
+                                {.depth = depth, .threads = {.count = 1}}, &stats);
+      fmt::print("{:6.2f} s {:6.0f} million steps {:5} MiB  {}, {} bits{}\n",
+                 double(std::clock() - began) / CLOCKS_PER_SEC, double(stats.steps) / 1e6,
+                 stats.memory >> 20, hostile.name, depth == Depth::u8 ? 8 : 16,
+                 image ? "" : ": " + image.error().what);
+      std::fflush(stdout);
+      refused += !image;
+    }
+  return refused > 0;
+}
+
 int check(const char* path) {
   std::ifstream in(path, std::ios::binary);
   const std::string there{std::istreambuf_iterator<char>(in), {}};
@@ -116,6 +143,7 @@ int check(const char* path) {
 
 int main(int count, char** words) {
   if (count == 3 && std::string(words[1]) == "--check") return mien::test::check(words[2]);
+  if (count == 3 && std::string(words[1]) == "--draw") return mien::test::draw(std::atoi(words[2]));
   std::fputs(mien::test::page().c_str(), stdout);
   return 0;
 }

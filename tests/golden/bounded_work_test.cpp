@@ -38,9 +38,9 @@ TEST(BoundedWork, DrawsWhatIsPromised) {
 TEST(BoundedWork, SaysWhichLimitIsExceeded) {
   const auto scenes = hostile_scenes(kSmall);
   RenderStats stats;
-  const auto steps = render(scenes[0].scene, kView, {.limits = {.steps = 100'000}}, &stats);
+  const auto steps = render(scenes[0].scene, kView, {.limits = {.steps = 10'000}}, &stats);
   ASSERT_FALSE(steps);
-  EXPECT_EQ(steps.error().what, "drawing takes more than 100000 steps of work (limit `steps`)");
+  EXPECT_EQ(steps.error().what, "drawing takes more than 10000 steps of work (limit `steps`)");
   EXPECT_FALSE(stats.cancelled);
   const auto memory = render(scenes.back().scene, kView, {.limits = {.memory = 1000}});
   ASSERT_FALSE(memory);

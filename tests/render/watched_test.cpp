@@ -15,7 +15,7 @@ int work_on(std::int64_t steps) {
 
 TEST(Watched, GivesWhatWasMade) {
   const auto made = watched(
-      {}, {}, [] { return work_on(1000); }, [] { return 0.0; });
+      {}, {}, 0, [] { return work_on(1000); }, [] { return 0.0; });
   ASSERT_TRUE(made);
   EXPECT_EQ(*made, 7);
 }
@@ -28,7 +28,7 @@ TEST(Watched, TellsTheShareAndEndsWhenTold) {
         told = share, done = 0.5;
         return ++asked < 2;
       },
-      {}, [] { return work_on(kMuch); }, [&] { return done; });
+      kWithoutLimits, 0, [] { return work_on(kMuch); }, [&] { return done; });
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().what, "cancelled");
   EXPECT_EQ(told, 0.5);
@@ -37,7 +37,7 @@ TEST(Watched, TellsTheShareAndEndsWhenTold) {
 TEST(Watched, NamesTheLimitEvenOfTheLastSteps) {
   for (const std::int64_t steps : {std::int64_t(2000), kMuch}) {
     const auto made = watched(
-        {}, {.steps = 1000}, [&] { return work_on(steps); }, [] { return 0.0; });
+        {}, {.steps = 1000}, 0, [&] { return work_on(steps); }, [] { return 0.0; });
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().what, "drawing takes more than 1000 steps of work (limit `steps`)");
   }
@@ -47,7 +47,7 @@ TEST(Watched, LetsThroughWhatEndsTheWorkAround) {
   Watch around([] { return false; });
   const Watching here(&around);
   EXPECT_THROW((void)watched(
-                   {}, kWithoutLimits, [] { return work_on(kMuch); }, [] { return 0.0; }),
+                   {}, kWithoutLimits, 0, [] { return work_on(kMuch); }, [] { return 0.0; }),
                Stopped);
 }
 

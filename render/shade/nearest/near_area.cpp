@@ -85,7 +85,7 @@ void NearArea::prune(std::span<const Node> nodes, glm::dvec2 middle, double radi
 
 void NearArea::sign_by_windings(const PathTree& tree, const float* x, const float* y,
                                 BranchPair& pair) const {
-  worked(300 * BranchPair::kPlaces);
+  worked(30 * BranchPair::kPlaces);
   // No side lies within a place's distance of it, so places there have its winding number.
   glm::dvec2 known{0.0};
   double around = 0.0;

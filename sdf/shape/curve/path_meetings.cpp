@@ -151,7 +151,8 @@ bool PathMeetings::find() {
   std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
     return a.box.lo.x != b.box.lo.x ? a.box.lo.x < b.box.lo.x : a.side < b.side;
   });
-  std::size_t pairs = kPairs + kPairsEach * sides_.size(), near = kMeeting + kMeetingEach * sides_.size();
+  std::size_t pairs = kPairs + kPairsEach * sides_.size(),
+              near = kMeeting + kMeetingEach * sides_.size();
   for (std::size_t i = 0; i < extents.size(); ++i)
     for (std::size_t k = i + 1; k < extents.size(); ++k) {
       const Box2 &a = extents[i].box, &b = extents[k].box;

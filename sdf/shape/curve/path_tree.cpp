@@ -161,23 +161,24 @@ int PathTree::winding_of_all(glm::dvec2 p) const {
 int PathTree::winding_in(const Part& part, glm::dvec2 p) const {
   const glm::dvec2 corner{part.mark.x, p.y};
   const double near = 16.0 * slack_;
-  worked(60 + 30 * std::int64_t(part.count));
-  int along_x = 0, beyond = 0;
+  int along_x = 0, beyond = 0, passed = 0;
   for (const int i : sides_of(part)) {
     const QuadBezier& side = sides_[std::size_t(i)];
     const Box2& box = boxes_[std::size_t(i)];
     if (box.lo.y <= p.y && p.y <= box.hi.y) {
       if (box.hi.x > corner.x - near) {
+        ++passed;
         const int left = passes(side, {corner.x - near, corner.y});
         if (box.lo.x <= corner.x + near && left != passes(side, {corner.x + near, corner.y}))
           return winding_of_all(p);
         along_x -= left;
       }
-      if (box.hi.x > p.x) along_x += passes(side, p);
+      if (box.hi.x > p.x) ++passed, along_x += passes(side, p);
     }
     if (box.lo.x <= corner.x && corner.x <= box.hi.x && box.hi.y > corner.y)
-      beyond += passes(turned_[std::size_t(i)], {corner.y, corner.x});
+      ++passed, beyond += passes(turned_[std::size_t(i)], {corner.y, corner.x});
   }
+  worked(20 + 2 * std::int64_t(part.count) + 12 * passed);
   // A loop that turns from +x towards +y passes x upwards where it passes y downwards.
   return part.winding + (part.beyond - beyond) + along_x;
 }
@@ -211,12 +212,14 @@ PathTree::Nearest PathTree::nearest(glm::dvec2 p) const {
     while (kRounded * least <= nearest) {
       const Part& part = parts_[std::size_t(at)];
       if (part.child < 0) {
-        worked(40 + 20 * std::int64_t(part.count));
+        int cost = 20 + 4 * part.count;
         for (const int i : sides_of(part)) {
           if (kRounded * distance_to(boxes_[std::size_t(i)], p) > nearest) continue;
+          cost += is_bent(i) ? 250 : 40;
           const double own = distance_to_side(sides_[std::size_t(i)], p);
           if (own < nearest) nearest = own, nearest_side = i;
         }
+        worked(cost);
         break;
       }
       const std::size_t child = std::size_t(part.child);

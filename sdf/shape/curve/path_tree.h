@@ -61,6 +61,10 @@ class PathTree {
     QuadBezier curve;
   };
   void add_stretches(const QuadBezier& side);
+  bool is_bent(int side) const {
+    const auto i = std::size_t(side);
+    return first_stretch_[i + 1] - first_stretch_[i] > 1;
+  }
   bool meets(int side, const Box2& box) const;
   bool halve(int part);
   void set_mark(int part, int outer);

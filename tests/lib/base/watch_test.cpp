@@ -37,6 +37,13 @@ TEST(Watch, EndsWorkThatTakesTooManySteps) {
   EXPECT_LT(watch.steps(), 1'300'000);
 }
 
+TEST(Watch, AllowsMoreStepsForMorePixels) {
+  EXPECT_EQ(Watch().limits().steps, default_steps(0));
+  EXPECT_EQ(Watch({}, {}, 1'000'000).limits().steps, default_steps(1'000'000));
+  EXPECT_EQ(Watch({}, {.steps = 7}, 1'000'000).limits().steps, 7);
+  EXPECT_EQ(default_steps(1'000'000), default_steps(0) + 1'000'000'000);
+}
+
 TEST(Watch, EndsWorkThatHoldsTooMuch) {
   Watch watch({}, {.memory = 1000});
   const Watching here(&watch);

@@ -27,7 +27,8 @@ struct PosedFace {
 struct RenderArguments {
   PosedFace posed;
   std::string output;
-  std::optional<std::string> size, fit, region, background, blend, depth, threads, memory, stats;
+  std::optional<std::string> size, fit, region, background, blend, depth, threads, memory,
+      most_steps, stats;
   std::optional<std::string> light, dither, debug, error_map, id_prefix, dpi;
   std::vector<std::string> effects;
 };

@@ -125,6 +125,11 @@ void add_work(CLI::App* to, RenderArguments& render) {
                  "Most bytes that pieces of the picture hold, and that outlines hold, K M G T for "
                  "powers of 1024; default 256M, 1G")
       ->type_name("BYTES");
+  to->add_option(
+        "--most-steps", render.most_steps,
+        "Most steps of work, each one or two nanoseconds, for one piece of the picture; default "
+        "8000000000, and 1000 for each of its pixels")
+      ->type_name("COUNT");
   to->add_option("--stats", render.stats,
                  "Print what drawing took, on standard output (standard error with -o -)")
       ->type_name(std::string(kStats));

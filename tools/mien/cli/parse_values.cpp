@@ -144,6 +144,12 @@ Expected<std::uint64_t> read_memory(std::string_view text) {
   return refuse("--memory", text, "expected a number of bytes, perhaps with K, M, G or T: 6G");
 }
 
+Expected<std::int64_t> read_most_steps(std::string_view text) {
+  const auto value = number<std::int64_t>(text);
+  if (value && *value >= 1) return *value;
+  return refuse("--most-steps", text, "expected a whole number from 1 on");
+}
+
 Expected<int> read_choice(std::string_view option, std::string_view text,
                           std::string_view choices) {
   const auto words = split(choices, '|');

@@ -45,6 +45,9 @@ Expected<int> read_repeat(std::string_view text);
 /// A number of bytes, perhaps with K, M, G or T (powers of 1024).
 Expected<std::uint64_t> read_memory(std::string_view text);
 
+/// A number of steps of work.
+Expected<std::int64_t> read_most_steps(std::string_view text);
+
 /// The index of `text` among choices like "meet|slice".
 Expected<int> read_choice(std::string_view option, std::string_view text, std::string_view choices);
 

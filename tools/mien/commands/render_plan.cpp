@@ -101,6 +101,9 @@ Expected<Done> plan_values(RenderPlan& plan, const RenderArguments& arguments) {
   if (auto done = plan_value(plan.picture.memory, arguments.memory, read_memory); !done)
     return done;
   if (arguments.memory) plan.picture.limits.memory = plan.picture.memory;
+  if (auto done = plan_value(plan.picture.limits.steps, arguments.most_steps, read_most_steps);
+      !done)
+    return done;
   // Whether it is a size at all can be checked before the face is read.
   if (!arguments.size) return Done{};
   const auto size = read_size(*arguments.size, 1.0);
