@@ -44,21 +44,30 @@ void Watch::foresee(std::uint64_t bytes) {
   throw Stopped{why()};
 }
 
+namespace {
+
+/// Tells this thread's watch what was done since it was looked at. If the work must end, the next look finds it.
+void tell_rest() {
+  detail::Pace& pace = detail::pace;
+  const std::int64_t steps = detail::kStepsBetweenLooks - pace.left;
+  pace.left = detail::kStepsBetweenLooks;
+  if (!pace.watch || pace.watch->stopped()) return;
+  try {
+    pace.watch->look(steps);
+  } catch (const Stopped&) {
+  }
+}
+
+}  // namespace
+
 Watching::Watching(Watch* watch) : before_(detail::pace.watch) {
+  tell_rest();
   detail::pace.watch = watch;
-  detail::pace.left = detail::kStepsBetweenLooks;
 }
 
 Watching::~Watching() {
-  detail::Pace& pace = detail::pace;
-  if (pace.watch && !pace.watch->stopped()) {
-    try {
-      pace.watch->look(detail::kStepsBetweenLooks - pace.left);
-    } catch (const Stopped&) {  // the next look finds it
-    }
-  }
-  pace.watch = before_;
-  pace.left = detail::kStepsBetweenLooks;
+  tell_rest();
+  detail::pace.watch = before_;
 }
 
 Watch* Watching::current() {

@@ -44,6 +44,17 @@ TEST(Watch, AllowsMoreStepsForMorePixels) {
   EXPECT_EQ(default_steps(1'000'000), default_steps(0) + 1'000'000'000);
 }
 
+TEST(Watch, CountsFewStepsBeforeAndAfterWorkOfItsOwnInside) {
+  Watch watch;
+  {
+    const Watching here(&watch);
+    worked(3);
+    parallel_for(4, {.count = 1}, [](int) { worked(10); });
+    worked(5);
+  }
+  EXPECT_EQ(watch.steps(), 48);
+}
+
 TEST(Watch, EndsWorkThatHoldsTooMuch) {
   Watch watch({}, {.memory = 1000});
   const Watching here(&watch);
