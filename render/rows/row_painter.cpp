@@ -98,6 +98,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   else
     paint_varied(sums, row);
   put_cells();
+  refuse_crowded();
   shares_->clear();
   std::fill_n(sums.looks(row), sums.look_words(), 0);
 }
@@ -371,6 +372,16 @@ void RowPainter::keep_cell(const Rgba& mix, float carry, int column) {
   const auto k = std::size_t(kept_++);
   cells_.r[k] = mix.r, cells_.g[k] = mix.g, cells_.b[k] = mix.b, cells_.a[k] = mix.a;
   columns_[k] = column, carries_[k] = carry;
+}
+
+/// Pixels that shapes were too crowded in for light, and are asked about as often as they have parts.
+void RowPainter::refuse_crowded() {
+  std::vector<int>& crowded = shader_.crowded();
+  if (crowded.empty()) return;
+  refused_.insert(refused_.end(), crowded.begin(), crowded.end());
+  crowded.clear();
+  std::sort(refused_.begin(), refused_.end());
+  refused_.erase(std::unique(refused_.begin(), refused_.end()), refused_.end());
 }
 
 void RowPainter::put_cells() {

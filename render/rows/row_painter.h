@@ -49,7 +49,8 @@ class RowPainter {
     stats.distances += work.feet, stats.distance_seconds += work.seconds;
   }
 
-  /// Columns of that row whose colours vary too much for means by centroids: the caller resolves them by distances.
+  /// Columns of that row whose colours vary too much for means by centroids, or see too many branches: the caller
+  /// resolves them by distances.
   std::span<const int> refused() const { return refused_; }
 
   /// Whether the look of a run had to be searched for, and there are too many looks for that.
@@ -84,6 +85,7 @@ class RowPainter {
   void mend_run(int look, int from, int count, const ColorRow& colors);
   void keep_cell(const Rgba& mix, float carry, int column);
   void put_cells();
+  void refuse_crowded();
   void set_thresholds();
   void room_for(std::size_t cells);
   float threshold(int column) const { return thresholds_[std::size_t(column % kBlock)]; }

@@ -45,6 +45,9 @@ class LookShader {
   /// The feet that were looked for since it was last taken, and the time of means with them.
   LitPaint::Scratch::Work take_work() { return lit_scratch_.take_work(); }
 
+  /// Columns that want the reference, since the caller emptied it.
+  std::vector<int>& crowded() { return lit_scratch_.crowded(); }
+
  private:
   /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.
   struct Places {

@@ -120,10 +120,10 @@ int draw(int side) {
       const std::clock_t began = std::clock();
       const auto image = render(hostile.scene, {.width = side, .height = side},
                                 {.depth = depth, .threads = {.count = 1}}, &stats);
-      fmt::print("{:6.2f} s {:6.0f} million steps {:5} MiB  {}, {} bits{}\n",
+      fmt::print("{:6.2f} s {:6.0f} million steps {:5} MiB {:6} resolved  {}, {} bits{}\n",
                  double(std::clock() - began) / CLOCKS_PER_SEC, double(stats.steps) / 1e6,
-                 stats.memory >> 20, hostile.name, depth == Depth::u8 ? 8 : 16,
-                 image ? "" : ": " + image.error().what);
+                 stats.memory >> 20, stats.resolved_pixels, hostile.name,
+                 depth == Depth::u8 ? 8 : 16, image ? "" : ": " + image.error().what);
       std::fflush(stdout);
       refused += !image;
     }

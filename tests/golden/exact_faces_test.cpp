@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -216,6 +217,43 @@ TEST(ExactLitScenes, WhoseGroupsMixByEveryModeAreWithinALevel) {
     SCOPED_TRACE(fmt::format("seed {}:\n{}", seed, scene.text()));
     const int side = seed % 2 ? 9 : 24;
     expect_exact(scene, {.width = side, .height = side, .dither = false}, Pixels::all, 5 + side);
+  }
+}
+
+/// A path of so many wedges, whose tips meet in one pixel.
+Path fan(int wedges) {
+  const glm::dvec2 middle{0.03, 0.04};
+  const auto rim = [&](int i) {
+    const double turn = std::numbers::pi * i / wedges;
+    return middle + 0.8 * glm::dvec2{std::cos(turn), std::sin(turn)};
+  };
+  Path path{{Path::Loop{}}, FillRule::even_odd};
+  const auto side_to = [&](glm::dvec2 from, glm::dvec2 to) {
+    path.loops[0].sides.push_back({from, 0.5 * (from + to), to});
+  };
+  for (int i = 0; i < 2 * wedges; i += 2)
+    side_to(middle, rim(i)), side_to(rim(i), rim(i + 1)), side_to(rim(i + 1), middle);
+  return path;
+}
+
+TEST(ExactLitScenes, PixelsOfMoreBranchesThanATileHoldsAreWithinALevel) {
+  for (const bool lit : {true, false}) {
+    SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+    build.light({.direction = {-0.4, 0.5, 0.8}, .ambient = 0.3});
+    const Area area = build.shape(fan(40));
+    Paint paint{.color = {0.6, 0.4, 0.3, 1}};
+    if (lit)
+      paint.relief = shared({.area = area, .profile = Profile::bevel, .width = 0.2, .height = 0.1});
+    else
+      paint.gradient = shared({.along = DistanceGradient{area, -0.1, 0.0},
+                               .stops = {{0, {0.1, 0.2, 0.6, 1}}, {1, {0.8, 0.1, 0.1, 1}}}});
+    build.layer("fan", area, paint);
+    const Scene scene = std::move(build).finish();
+    const View view{.width = 9, .height = 9, .dither = false};
+    RenderStats stats;
+    ASSERT_TRUE(render(scene, view, {}, &stats));
+    EXPECT_GT(stats.resolved_pixels, 0);
+    expect_exact(scene, view, Pixels::all, 4);
   }
 }
 

@@ -182,7 +182,7 @@ State Look(LightTile& tile, const Square& square) {
         cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
         NearOf(tile.near_gradient, tile.gradient, me));
   if (side < 3.0f) {
-    LookAtPixels(tile, square, cx, cy);
+    if (side > 1.0f) LookAtPixels(tile, square, cx, cy);
     return state;
   }
   if (!Serves(tile, square, cx, cy)) return state;
@@ -190,10 +190,10 @@ State Look(LightTile& tile, const Square& square) {
   return state = State::smooth;
 }
 
-/// The smallest square around pixel (i, j), looked at; smooth, or it has 2 pixels.
+/// The smallest square around pixel (i, j), looked at; smooth, or it has 2 pixels, or is a tile of one.
 Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
   Square square{0, 0, 0};
-  for (int level = 0; tile.side >> level >= 2; ++level) {
+  for (int level = 0; level == 0 || tile.side >> level >= 2; ++level) {
     const int side = tile.side >> level;
     square = {level, i / side, j / side};
     if ((smooth = Look(tile, square) == State::smooth)) return square;

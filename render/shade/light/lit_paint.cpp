@@ -1,7 +1,6 @@
 #include "render/shade/light/lit_paint.h"
 #include "lib/base/monotonic_seconds.h"
 #include "render/shade/light/light_tile.h"
-#include "render/shade/light/lit_mean.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,6 +28,7 @@ double steepness(Blend blend) {
 struct LitPaint::Scratch::Kept {
   static constexpr std::size_t kTiles = 512;
   std::vector<std::unique_ptr<LightTile>> tiles{kTiles};
+  std::vector<int> crowded;
   long long feet = 0;
   double seconds = 0;
   unsigned asked = 0;
@@ -61,6 +61,10 @@ LitPaint::Scratch::Work LitPaint::Scratch::take_work() {
   return work;
 }
 
+std::vector<int>& LitPaint::Scratch::crowded() {
+  return kept_->crowded;
+}
+
 void LitPaint::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
                     glm::dvec2 center, double tolerance, int index) {
   surface_.make(paint, distances, blend, center);
@@ -80,7 +84,7 @@ LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch)
   scratch.kept_->used = true;
   const std::uint64_t hash =
       (std::uint64_t(index_) * 8 + std::uint64_t(piece.zone + 1)) * 0x9E3779B97F4A7C15u;
-  for (int side = LightTile::kSide; side > 1; side /= 2) {
+  for (int side = LightTile::kSide; side > 0; side /= 2) {
     const int left = x & ~(side - 1), top = y & ~(side - 1);
     const std::uint64_t column =
         std::uint64_t(left / LightTile::kSide) + 37u * std::uint64_t(16 - side);
@@ -97,6 +101,7 @@ LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch)
     }
     if (!t.crowded) return &t;
   }
+  scratch.kept_->crowded.push_back(x);
   return nullptr;
 }
 
@@ -126,16 +131,6 @@ void LitPaint::make_tile(const LitPiece& piece, LightTile& t) const {
   if (!t.crowded) t.begin();
 }
 
-Mix LitPaint::slow_pixel(const LitPiece& piece, int x, int y) const {
-  return square_mean(surface_, piece, {x, y}, 1.0,
-                     tolerance_ / 255.0 / steepness(surface_.blend()));
-}
-
-glm::vec4 LitPaint::slow_part(const LitPiece& piece, int x, int y, const PartForm& form) const {
-  const double tolerance = tolerance_ / 255.0 / steepness(surface_.blend());
-  return glm::vec4(part_mean(surface_, piece, {x, y}, form, tolerance));
-}
-
 namespace {
 
 /// The opacity where it does not vary.
@@ -149,10 +144,9 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
                       float* a, Scratch& scratch) const {
   float* const to[4] = {r, g, b, a};
   for (int i = 0; i < count;) {
-    LightTile* t = in_lanes(piece) ? tile(piece, x + i, y, scratch) : nullptr;
+    LightTile* t = tile(piece, x + i, y, scratch);
     if (!t) {
-      const Mix mean = slow_pixel(piece, x + i, y);
-      for (int c = 0; c < 4; ++c) to[c][i] = float(mean[c]);
+      for (int c = 0; c < 4; ++c) to[c][i] = 0.0f;
       ++i;
       continue;
     }
@@ -174,8 +168,8 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
 
 glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const LitPart& part,
                          Scratch& scratch) const {
-  LightTile* t = in_lanes(piece) ? tile(piece, x, y, scratch) : nullptr;
-  if (!t) return slow_part(piece, x, y, *part.form);
+  LightTile* t = tile(piece, x, y, scratch);
+  if (!t) return glm::vec4{0.0f};
   if (!t->lamp.varies()) return glm::vec4(surface_.paint().color);
   const std::array<float, 4> mean =
       scratch.kept_->timed([&] { return mean_of_part(*t, x - t->x, y - t->y, part); });
@@ -195,19 +189,13 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
   const std::array<float*, 4> to{r.data(), g.data(), b.data(), a.data()};
   for (std::size_t c = 0; c < 4; ++c) std::fill_n(to[c], count, mean[int(c)]);
   if (!each) return;
-  LightTile* t = in_lanes(piece) ? tile(piece, x, y, scratch) : nullptr;
-  if (t && !t->lamp.varies()) return;
-  if (t) mien::colors_of_cells(*t, x - t->x, y - t->y, cells, to);
+  LightTile* t = tile(piece, x, y, scratch);
+  if (!t || !t->lamp.varies()) return;
+  mien::colors_of_cells(*t, x - t->x, y - t->y, cells, to);
   glm::vec4 sum{0.0f};
   float area = 0.0f;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!t) {
-      const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{cells.x[k], cells.y[k]};
-      const Mix c = surface_.color(piece, p, surface_.outward(p));
-      for (std::size_t q = 0; q < 4; ++q) to[q][k] = float(c[int(q)]);
-    }
+  for (std::size_t k = 0; k < count; ++k)
     sum += cells.area[k] * glm::vec4{r[k], g[k], b[k], a[k]}, area += cells.area[k];
-  }
   if (!(area > 0.0f)) return;
   // Places give its variation, the form its mean.
   const glm::vec4 by = mean - sum / area;
@@ -215,47 +203,26 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
     for (std::size_t k = 0; k < count; ++k) to[c][k] += by[int(c)];
 }
 
-/// By places, 16 × 16 in a pixel: where branches are too many.
-float LitPaint::slow_distance(int x, int y, const PartForm* form) const {
-  PartCells own;
-  if (form) cells_of_form(*form, 16, own);
-  const PartCells& cells = form ? own : whole_cells(16);
-  double sum = 0.0, area = 0.0;
-  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
-    if (!(cells.area[k] > 0.0f)) continue;
-    const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{cells.x[k], cells.y[k]};
-    sum += double(cells.area[k]) * surface_.gradient_area()->at(p - surface_.center());
-    area += double(cells.area[k]);
-  }
-  return area > 0.0 ? float(sum / area) : 0.0f;
-}
-
 void LitPaint::distances(int x, int y, int count, float* d, Scratch& scratch) const {
   for (int i = 0; i < count; ++i) {
     LightTile* t = tile(kDistances, x + i, y, scratch);
     if (t) find_mean(*t, x + i - t->x, y - t->y);
-    d[i] = t ? t->mean[0][std::size_t((y - t->y) * LightTile::kSide + x + i - t->x)]
-             : slow_distance(x + i, y, nullptr);
+    d[i] = t ? t->mean[0][std::size_t((y - t->y) * LightTile::kSide + x + i - t->x)] : 0.0f;
   }
 }
 
 void LitPaint::distances_of_cells(int x, int y, const PartCells& cells, float* d,
                                   Scratch& scratch) const {
   LightTile* t = tile(kDistances, x, y, scratch);
-  if (t) {
-    std::array<std::array<float, PartCells::kMost>, 3> others;
-    return mien::colors_of_cells(*t, x - t->x, y - t->y, cells,
-                                 {d, others[0].data(), others[1].data(), others[2].data()});
-  }
-  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
-    const glm::dvec2 p = glm::dvec2{x + 0.5, y + 0.5} + glm::dvec2{cells.x[k], cells.y[k]};
-    d[k] = float(surface_.gradient_area()->at(p - surface_.center()));
-  }
+  if (!t) return void(std::fill_n(d, cells.count(), 0.0f));
+  std::array<std::array<float, PartCells::kMost>, 3> others;
+  mien::colors_of_cells(*t, x - t->x, y - t->y, cells,
+                        {d, others[0].data(), others[1].data(), others[2].data()});
 }
 
 float LitPaint::distance_of_part(int x, int y, const LitPart& part, Scratch& scratch) const {
   LightTile* t = tile(kDistances, x, y, scratch);
-  return t ? mean_of_part(*t, x - t->x, y - t->y, part)[0] : slow_distance(x, y, part.form);
+  return t ? mean_of_part(*t, x - t->x, y - t->y, part)[0] : 0.0f;
 }
 
 }  // namespace mien

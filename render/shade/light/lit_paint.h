@@ -17,6 +17,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace mien {
 
@@ -39,6 +40,10 @@ class LitPaint {
       double seconds = 0;
     };
     Work take_work();
+
+    /// Columns in which branches were too many for any tile, since the caller emptied it: what was answered there is
+    /// nothing, and the pixel wants the reference.
+    std::vector<int>& crowded();
 
    private:
     friend class LitPaint;
@@ -93,15 +98,9 @@ class LitPaint {
   void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
 
  private:
-  /// The tile that has pixel (x, y), made if it is not there; none where branches are too many for any.
+  /// The tile that has pixel (x, y), made if it is not there; none, and noted, where branches are too many for any.
   LightTile* tile(const LitPiece& piece, int x, int y, Scratch& scratch) const;
   void make_tile(const LitPiece& piece, LightTile& tile) const;
-  /// Whether lanes know its base: a ramp only between two kinks.
-  bool in_lanes(const LitPiece& piece) const { return !surface_.paint().ramp || piece.segment; }
-  Mix slow_pixel(const LitPiece& piece, int x, int y) const;
-  glm::vec4 slow_part(const LitPiece& piece, int x, int y, const PartForm& form) const;
-  float slow_distance(int x, int y, const PartForm* form) const;
-
   LitSurface surface_;
   FeetArea area_, gradient_area_;
   double tolerance_ = 0.3, distance_tolerance_ = 0;  ///< the latter in px

@@ -47,7 +47,7 @@ class Gathering {
     for (std::size_t i = 0; i < count; ++i) {
       keys_[2 * i] = key_at(outline_.spines[i], 0.0, middle_);
       keys_[2 * i + 1] = key_at(outline_.spines[i], 1.0, middle_);
-      best_ = std::min({best_, keys_[2 * i], keys_[2 * i + 1]});
+      best_ = std::min({best_, keys_[2 * i], keys_[2 * i + 1], near_chord(outline_.spines[i])});
     }
     for (now_ = 0; now_ < count && !to_.crowded; ++now_) {
       wide_ = widest(outline_.spines[now_]), turn_ = -1.0;
@@ -57,6 +57,14 @@ class Gathering {
   }
 
  private:
+  /// A key on the spine that is least if it is straight: what is far from the nearest is then never listed.
+  double near_chord(const Spine& s) const {
+    const glm::dvec2 begin = on_spine(s, 0.0), chord = on_spine(s, 1.0) - begin;
+    const double length2 = glm::dot(chord, chord);
+    if (!(length2 > 0.0)) return key_at(s, 0.0, middle_);
+    return key_at(s, std::clamp(glm::dot(middle_ - begin, chord) / length2, 0.0, 1.0), middle_);
+  }
+
   /// How fast key may change along the stretch: speeds and widenings are largest at its ends.
   double reach(double from, double to) const {
     const Spine& s = outline_.spines[now_];
