@@ -256,7 +256,7 @@ void PaintTable::make(const Scene& scene, const View& view, Depth depth) {
 /// What is left of them once nothing moves in memory any more: lit paints refer to the others.
 void PaintTable::make_lit(const Scene& scene, const View& view, Depth depth) {
   // [levels of 255] A mean may be off by so much: half of what a level's rounding leaves.
-  const double tolerance = depth == Depth::u8 ? 0.3 : 0.015;
+  const double tolerance = depth == Depth::u8 ? 0.3 : 0.02;
   const double scale = grid_from_face(scene.canvas(), view).scale();
   std::size_t made = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {

@@ -110,6 +110,18 @@ inline void SpreadMeans(LightTile& tile, int left, int top, int side,
     for (int k = 0; k < side; ++k) tile.known[size_t((top + q) * LightTile::kSide + left + k)] = 1;
 }
 
+/// The mean of a square of one pixel.
+inline void KnowPixel(LightTile& tile, int i, int j, const LightTile::Bicubic& square) {
+  const size_t to = size_t(j * LightTile::kSide + i);
+  for (int c = 0; c < tile.channels; ++c) {
+    double sum = 0.0;
+    for (int k = 0; k < 16; ++k)
+      sum += kGaussWeight[k & 3] * kGaussWeight[k >> 2] * double(square.c[c][k]);
+    tile.mean[size_t(c)][to] = float(sum);
+  }
+  tile.known[to] = 1;
+}
+
 /// The square's colour at (u, v) of half its side from its middle.
 inline void BicubicAt(const LightTile::Bicubic& square, int channels, float u, float v, float* to) {
   const auto& p = GaussTables::get().power;

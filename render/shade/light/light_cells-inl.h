@@ -203,7 +203,7 @@ struct CellMean {
   int opens = 0;         ///< how many are open: the first of their list
 };
 
-/// The next sixteen listed cells of more than no area; returns how many there are.
+/// The next sixteen listed cells of more than no area; returns how many there are. `which`: their places in the list.
 inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const CellList& list,
                        int count, int& next, SixteenCells& to, std::uint16_t* which) {
   int n = 0;
@@ -218,24 +218,86 @@ inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const Cel
     next = count;
     return n;
   }
+  const int together = pixel.tile.fine ? 4 : 1;  // the quarters of a cell
+  const auto unseen = [&](int first) {
+    for (int k = first; k < first + together; ++k)
+      if (cells.area[list[size_t(k)]] > 0.0f) return false;
+    return true;
+  };
   for (; next < count && n < 16; ++next) {
     const size_t k = list[size_t(next)];
-    if (!(cells.area[k] > 0.0f)) continue;
+    if (n % together == 0 && unseen(next)) {
+      next += together - 1;
+      continue;
+    }
     to.x[n] = pixel.cx + cells.x[k], to.y[n] = pixel.cy + cells.y[k];
-    to.area[n] = cells.area[k], which[n++] = std::uint16_t(k);
+    to.area[n] = cells.area[k], which[n++] = std::uint16_t(next);
   }
   for (int k = n; k < 16; ++k) to.x[k] = to.x[0], to.y[k] = to.y[0], to.area[k] = 0.0f;
   return n;
 }
 
+/// When cells stay open.
+struct OpenBy {
+  float jump, kink;  ///< more of these may be off
+  float apart,
+      few;        ///< for 16 bits: quarters that are more apart from their whole; times their area
+  bool quarters;  ///< the listed cells are those of cells that were open
+};
+
+// [of the range among cells] Half a diagonal of a cell, where the range is that of three of them or less.
+inline constexpr float kHalfCell = 0.75f;
+inline constexpr float kNearCell =
+    1.3f;  // [of a cell's side] a ridge that bends may run through it
+
+/// For 16 bits: opens cells but those that are quarters of a cell which nothing runs through and which they agree with.
+/// A cell seen at its middle is off by the fourfold of what its quarters are, but for terms of fourth degree.
+inline void OpenQuarters(LightTile& tile, const SixteenCells& now, const std::uint16_t* which,
+                         int count, const CellList& list, const OpenBy& by, CellMean& mean,
+                         CellList& open) {
+  for (size_t k = 0; k < size_t(count); k += 4) {
+    CellSum sum;
+    const float* area = now.area + k;
+    for (size_t q = 0; q < 4; ++q) {
+      sum.area += area[q];
+      for (size_t c = 0; c < size_t(tile.channels); ++c)
+        sum.c[c] += area[q] * now.shades.c[c][k + q];
+    }
+    if (!(sum.area > 0.0f)) continue;
+    bool opens = !by.quarters;
+    for (size_t q = k; q < k + 4; ++q)
+      opens = opens || now.jump[q] > by.jump || (mean.jump > by.jump && now.away[q] < kNearCell);
+    for (int b = 0; b < 3 && !opens && mean.kink > by.kink; ++b) {
+      const float* v = now.shades.bounds[b] + k;
+      const float low = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3])),
+                  high = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3]));
+      const float reach = kHalfCell * (high - low);
+      opens = low <= reach && high >= -reach;
+    }
+    float apart = 0.0f;
+    const auto whole = size_t(which[k] / 4);
+    for (size_t c = 0; c < size_t(tile.channels) && !opens; ++c)
+      apart = HWY_MAX(apart, std::abs(sum.c[c] / sum.area - tile.wholes[c][whole]));
+    opens = opens || (apart > by.apart && apart * sum.area > by.few);
+    CellSum& to = opens ? mean.open : mean.closed;
+    to.area += sum.area;
+    for (size_t c = 0; c < size_t(tile.channels); ++c)
+      to.c[c] +=
+          opens ? sum.c[c] : sum.c[c] + (sum.c[c] - sum.area * tile.wholes[c][whole]) * (1.0f / 3);
+    for (size_t q = 0; opens && q < 4; ++q) {
+      if (!(area[q] > 0.0f)) continue;
+      const auto at = size_t(mean.opens++);
+      open[at] = list[which[k + q]];
+      for (size_t c = 0; c < size_t(tile.channels); ++c)
+        tile.of_open[c][at] = now.shades.c[c][k + q];
+    }
+  }
+}
+
 /// Looks at the listed cells and lists the open ones in `open`: each of the others is a smooth stretch that is seen at
-/// its middle. `least_jump`, `least_kink`: less leaves a cell closed.
+/// its middle.
 inline void LookAtCells(const CellPixel& pixel, const PartCells& cells, const CellList& list,
-                        int count, float least_jump, float least_kink, CellMean& mean,
-                        CellList& open) {
-  // [of the range among sixteen] Half a diagonal of a cell, where the range is that of three of them or less.
-  constexpr float kHalf = 0.75f;
-  constexpr float kNear = 1.3f;  // [of a cell's side] a ridge that bends may run through it
+                        int count, const OpenBy& by, CellMean& mean, CellList& open) {
   LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
@@ -246,23 +308,26 @@ inline void LookAtCells(const CellPixel& pixel, const PartCells& cells, const Ce
     SeeCells(pixel, now);
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
     mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
-    if (!tile.fine && kink <= least_kink && jump <= least_jump) {
+    if (tile.fine) {
+      OpenQuarters(tile, now, which, n, list, by, mean, open);
+      continue;
+    }
+    if (kink <= by.kink && jump <= by.jump) {
       mean.closed.add(now.shades, now.area, tile.channels);
       continue;
     }
     float reach[3] = {-1.0f, -1.0f, -1.0f};
-    for (int b = 0; b < 3 && kink > least_kink; ++b) {
+    for (int b = 0; b < 3 && kink > by.kink; ++b) {
       const Range range = RangeOf16(now.shades.bounds[b], now.area);
-      reach[b] = kHalf * (range.high - range.low);
+      reach[b] = kHalfCell * (range.high - range.low);
     }
     alignas(64) float of_open[16] = {}, of_closed[16] = {};
     for (int k = 0; k < n; ++k) {
       if (!(now.area[k] > 0.0f)) continue;
-      bool opens =
-          tile.fine || now.jump[k] > least_jump || (jump > least_jump && now.away[k] < kNear);
+      bool opens = now.jump[k] > by.jump || (jump > by.jump && now.away[k] < kNearCell);
       for (int b = 0; b < 3; ++b) opens = opens || std::abs(now.shades.bounds[b][k]) <= reach[b];
       (opens ? of_open : of_closed)[k] = now.area[k];
-      if (opens) open[size_t(mean.opens++)] = which[k];
+      if (opens) open[size_t(mean.opens++)] = list[which[k]];
     }
     mean.closed.add(now.shades, of_closed, tile.channels);
     mean.open.add(now.shades, of_open, tile.channels);
@@ -300,13 +365,18 @@ inline void MeanByCells(const CellPixel& pixel, const PartForm* form, float form
   constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
   // Of what is permitted to any; and what this may shrink to in darker pixels before closed cells count again.
   constexpr float kClosed = 0.3f, kStricter = 0.8f;
+  // Of what is permitted to quarters: to all of them, and to each of a few along an outline.
+  constexpr float kApart = 1.0f, kFew = 0.04f;
   LightTile& tile = pixel.tile;
   float before[LightTile::kChannels] = {}, allowed = tile.tolerance;
-  int side = LeastSide(tile, form_area, allowed), least = side, count = side * side;
+  // Cells for 16 bits are divided where they need it, and begin as those for 8.
+  const float coarse = tile.fine ? 8.0f : 1.0f;
+  int side = LeastSide(tile, form_area, coarse * allowed), least = side, count = side * side;
   CellList &list = tile.listed, &open = tile.open;
   CellMean mean;
+  bool quarters = false;
   const auto begin = [&](int now) {
-    mean = {}, side = least = now, count = now * now;
+    mean = {}, side = least = now, count = now * now, quarters = false;
     std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
   };
   begin(side);
@@ -315,8 +385,10 @@ inline void MeanByCells(const CellPixel& pixel, const PartForm* form, float form
     const PartCells& cells = form ? tile.cells : whole_cells(side);
     const float finer = float(side * side) / 16.0f, seen = HWY_MAX(form_area, 0.05f);
     const float most_jump = kJump * finer / seen, most_kink = kKink * finer / seen;
-    LookAtCells(pixel, cells, list, count, kClosed * most_jump * allowed,
-                kClosed * most_kink * allowed, mean, open);
+    LookAtCells(pixel, cells, list, count,
+                {kClosed * most_jump * allowed, kClosed * most_kink * allowed,
+                 kApart * allowed / seen, kFew * allowed, quarters},
+                mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
     float apart = 0.0f;
     for (int c = 0; c < tile.channels; ++c) {
@@ -329,14 +401,16 @@ inline void MeanByCells(const CellPixel& pixel, const PartForm* form, float form
     if (tile.lamp.linear) allowed = AllowedAt(tile, seen * HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
     const bool bounded = mean.kink < most_kink * allowed && mean.jump < most_jump * allowed;
     const bool agrees = side > least && apart * seen < kAgree * allowed;
-    const int now = HWY_MAX(side, LeastSide(tile, form_area, allowed));
-    if (now == side && (tile.fine ? bounded && agrees : bounded || agrees)) return;
+    const int now = HWY_MAX(side, LeastSide(tile, form_area, coarse * allowed));
+    if (now == side && (tile.fine ? bounded && agrees && side > 2 * least : bounded || agrees))
+      return;
     if (now > side || allowed < kStricter * before_that) {
       begin(now);  // all of them again: too many were closed
       continue;
     }
     if (mean.opens == 0) return;
-    count = DivideCells(side, open, mean.opens, list), side *= 2;
+    count = DivideCells(side, open, mean.opens, list), side *= 2, quarters = true;
+    std::swap(tile.wholes, tile.of_open);
   }
 }
 

@@ -19,7 +19,7 @@ namespace mien {
 
 struct LightTile {
   static constexpr int kSide = 16, kPixels = kSide * kSide;
-  static constexpr int kLevels = 4, kSquares = 1 + 4 + 16 + 64;
+  static constexpr int kLevels = 5, kSquares = 1 + 4 + 16 + 64 + 256;
   static constexpr int kChannels = 4;
 
   // Whose it is.
@@ -34,7 +34,7 @@ struct LightTile {
   float shallow = 0, deep = 0;
   float tolerance = 0;  ///< of a mean, in what colours are counted in
   int channels = 3;     ///< how many of them vary
-  bool fine = false;    ///< of a picture of 16 bits and more: never left to 4 × 4 cells alone
+  bool fine = false;    ///< of a picture of 16 bits and more
 
   enum class State : std::uint8_t { unknown, smooth, divided };
   std::array<State, kSquares> state;
@@ -51,14 +51,18 @@ struct LightTile {
   // Scratch.
   PartCells cells;
   std::array<std::uint16_t, PartCells::kMost> listed, open;  ///< of its cells
+  /// For 16 bits: what the open cells saw, and those whose quarters are listed.
+  using CellColors = std::array<std::array<float, PartCells::kMost>, kChannels>;
+  CellColors of_open, wholes;
 
-  static constexpr int first_of(int level) {
-    return level == 0 ? 0 : level == 1 ? 1 : level == 2 ? 5 : 21;
-  }
+  static constexpr int first_of(int level) { return ((1 << 2 * level) - 1) / 3; }
   static constexpr int square(int level, int i, int j) {
     return first_of(level) + (j << level) + i;
   }
   float middle() const { return 0.5f * float(side); }
+  /// [px] Smaller ones are not looked at. For 16 bits four places do not do for a pixel.
+  int smallest() const { return fine ? 1 : 2; }
+  int squares() const { return fine ? kSquares : first_of(kLevels - 1); }
 
   /// Forgets what was known: of another place or piece.
   void begin();

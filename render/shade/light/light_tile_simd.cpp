@@ -68,7 +68,9 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   constexpr float kBetween = 0.55f;
   // [of the side] Depths under a round profile are no polynomials nearer to its outline; nor is a dome at its foot.
   constexpr float kSteep = 0.1f, kFoot = 0.14f;
-  constexpr float kThird = 1.2f;  // of the tolerance
+  // [of the tolerance] What a square's pixels and parts allow of the third degree. The mean of all of it is exact up to
+  // the seventh; the eighth is a 3^5-th of the third.
+  constexpr float kThird = 1.2f, kWhole = 40.0f;
   const float side = float(tile.side >> square.level), half = 0.5f * side;
   // [of the tolerance] A clamp that begins in a square's middle leaves to a pixel's mean 0.032 of its change where the
   // pixel is a quarter of the square, 0.12 at most where less.
@@ -95,8 +97,10 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   const float allowed = tile.lamp.linear ? AllowedAt(tile, LeastOf(made)) : tile.tolerance;
   if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * allowed) return false;
   if (LeastOf16(shades.foot) < kFoot * side) return false;
-  for (int c = 0; c < tile.channels; ++c)
-    if (MostOf(GaussTables::get().third, made.c[c]) > kThird * allowed) return false;
+  float third = 0.0f;
+  for (int c = 0; c < tile.channels; ++c) third = HWY_MAX(third, MostOf(g.third, made.c[c]));
+  if (side == 1.0f && third < kWhole * allowed) KnowPixel(tile, square.i, square.j, made);
+  if (third > kThird * allowed) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
   tile.kept.push_back(made);
   return true;
@@ -181,19 +185,19 @@ State Look(LightTile& tile, const Square& square) {
             : NearOf(tile.near_gradient, tile.gradient, outer),
         cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
         NearOf(tile.near_gradient, tile.gradient, me));
-  if (side < 3.0f) {
-    if (side > 1.0f) LookAtPixels(tile, square, cx, cy);
-    return state;
+  if ((side > 2.0f || tile.fine) && Serves(tile, square, cx, cy)) {
+    if (side > 1.0f)
+      SpreadMeans(tile, square.i * int(side), square.j * int(side), int(side), tile.kept.back());
+    return state = State::smooth;
   }
-  if (!Serves(tile, square, cx, cy)) return state;
-  SpreadMeans(tile, square.i * int(side), square.j * int(side), int(side), tile.kept.back());
-  return state = State::smooth;
+  if (side == 2.0f && !tile.fine) LookAtPixels(tile, square, cx, cy);
+  return state;
 }
 
-/// The smallest square around pixel (i, j), looked at; smooth, or it has 2 pixels, or is a tile of one.
+/// The smallest square around pixel (i, j), looked at; smooth, or there is no smaller one.
 Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
   Square square{0, 0, 0};
-  for (int level = 0; level == 0 || tile.side >> level >= 2; ++level) {
+  for (int level = 0; level == 0 || tile.side >> level >= tile.smallest(); ++level) {
     const int side = tile.side >> level;
     square = {level, i / side, j / side};
     if ((smooth = Look(tile, square) == State::smooth)) return square;
@@ -205,9 +209,8 @@ Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
 void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form,
              float form_area, float* to) {
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
-                      *const near_ramp =
-                          NearOf(tile.near_gradient, tile.gradient, LightTile::kSquares);
+  NearBranches *const near = NearOf(tile.near, tile.area, tile.squares()),
+                      *const near_ramp = NearOf(tile.near_gradient, tile.gradient, tile.squares());
   const int from = around.index();
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
         cx, cy, 0.7072f, near, near_ramp);
@@ -266,9 +269,8 @@ void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, smooth);
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  NearBranches *const near = NearOf(tile.near, tile.area, LightTile::kSquares),
-                      *const near_ramp =
-                          NearOf(tile.near_gradient, tile.gradient, LightTile::kSquares);
+  NearBranches *const near = NearOf(tile.near, tile.area, tile.squares()),
+                      *const near_ramp = NearOf(tile.near_gradient, tile.gradient, tile.squares());
   const int from = around.index();
   Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
         cx, cy, 0.7072f, near, near_ramp);
@@ -298,8 +300,8 @@ HWY_EXPORT(ColorsOfCells);
 
 void LightTile::begin() {
   state.fill(State::unknown), known.fill(0), kept.clear();
-  near.resize(std::size_t(kSquares + 1) * area.leaf_count());
-  near_gradient.resize(std::size_t(kSquares + 1) * gradient.leaf_count());
+  near.resize(std::size_t(squares() + 1) * area.leaf_count());
+  near_gradient.resize(std::size_t(squares() + 1) * gradient.leaf_count());
   MIEN_DISPATCH(BeginTile)(*this);
 }
 
