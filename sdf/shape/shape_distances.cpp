@@ -10,6 +10,26 @@ struct ShapeDistances::Kept {
   std::unique_ptr<const PathTree> own;
 };
 
+namespace {
+
+/// About what a distance takes [ns].
+std::int64_t cost_of(const Shape& shape) {
+  constexpr int kSimple = 30, kEllipse = 150, kCurve = 150, kTapered = 500;
+  if (const auto* path = std::get_if<Path>(&shape)) {
+    std::size_t sides = 0;
+    for (const Path::Loop& loop : path->loops) sides += loop.sides.size();
+    return kSimple + kCurve / 2 * std::int64_t(sides);
+  }
+  if (const auto* line = std::get_if<Polyline>(&shape))
+    return kSimple * std::int64_t(line->points.size());
+  return std::holds_alternative<TaperedStroke>(shape) ? kTapered
+         : std::holds_alternative<QuadStroke>(shape)  ? kCurve
+         : std::holds_alternative<Ellipse>(shape)     ? kEllipse
+                                                      : kSimple;
+}
+
+}  // namespace
+
 ShapeDistances::ShapeDistances(std::size_t shapes) : shapes_(shapes) {}
 ShapeDistances::~ShapeDistances() = default;
 
@@ -19,11 +39,14 @@ void ShapeDistances::begin(std::size_t shapes) {
 
 double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) const {
   const PathTree* const tree = tree_of(index, shape);
-  return tree ? tree->distance(p) : distance(shape, p);
+  if (tree) return tree->distance(p);
+  worked(cost_of(shape));
+  return distance(shape, p);
 }
 
 Outward ShapeDistances::outward(std::size_t index, const Shape& shape, glm::dvec2 p) const {
   if (const PathTree* const tree = tree_of(index, shape)) return tree->outward(p);
+  worked(3 * cost_of(shape));
   const double d = distance(shape, p);
   return {d, way_of_growth(p, d, [&](glm::dvec2 q) { return distance(shape, q); })};
 }
@@ -44,10 +67,8 @@ const PathTree* ShapeDistances::tree_of(std::size_t index, const Shape& shape) c
   if (const PathTree* tree = kept.tree.load(std::memory_order_acquire)) return tree;
   // One thread makes it; the others go on side by side.
   if (kept.asked.fetch_add(1, std::memory_order_relaxed) !=
-      (sides > 1000 ? kAskedOften / 16 : kAskedOften)) {
-    worked(4 * std::int64_t(sides));
+      (sides > 1000 ? kAskedOften / 16 : kAskedOften))
     return nullptr;
-  }
   kept.own = std::make_unique<const PathTree>(*path);
   kept.tree.store(kept.own.get(), std::memory_order_release);
   return kept.own.get();

@@ -51,7 +51,7 @@ inline void EnterSquare(NearArea& area, const NearBranches* from, float x, float
 inline void LookAtLeaf(NearArea& area, NearArea::Leaf& leaf, const NearBranches& which, float cx,
                        float cy, const float* x, const float* y, BranchPair& to) {
   area.feet += BranchPair::kPlaces * std::popcount(which.local);
-  worked(BranchPair::kPlaces * (4 + std::popcount(which.local)));
+  worked(BranchPair::kPlaces * (4 + 6 * std::popcount(which.local)));
   if (leaf.branches.stroke)
     LookAt<true>(leaf.branches, which.local, leaf.feet, cx, cy, x, y, to);
   else

@@ -1,4 +1,5 @@
 #include "render/shade/ramp/planes.h"
+#include "lib/base/watch.h"
 #include "render/shade/color_row.h"
 
 #include <algorithm>
@@ -82,6 +83,7 @@ const RampCells& RampPlanes::distance_cells(const VariedPaint& varied, const Dis
   const PaintField& f = varied.paint.field;
   std::array<float, PartCells::kMost + kColorSpare> d;
   for (side = std::max(side, 8);; side *= 2) {
+    worked(100 * side * side);
     distances.at(whole_cells(side), d.data());
     double bends = 0.0;
     cells_.side = side, cells_.planes.clear();
