@@ -59,7 +59,7 @@ bool literals_of(std::span<const AreaStep> program, std::vector<int>& to) {
 void Looks::begin(const PaintTable& paints) {
   paints_ = &paints;
   words_ = int(paints.layers.size() + 63) / 64;
-  looks_.clear(), steps_.clear(), bows_.clear();
+  looks_.clear(), steps_.clear();
   table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
   opaque_.assign(std::size_t(words_), 0);
   conjunctions_.clear(), literals_.clear();
@@ -374,20 +374,12 @@ int Looks::known_or_new(std::size_t first_step) {
   }
   const bool constant = steps_.size() == first_step + 1;
   table_[i] = int(looks_.size());
-  bool tip = false;
-  const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
   const auto steps = std::span(steps_).subspan(first_step);
-  const int first_bow = int(bows_.size()), bows = note_bows(steps);
   looks_.push_back({.mix = constant ? steps_[first_step].mix : Mix{0.0},
-                    .neglected = neglected,
-                    .tip = tip,
-                    .formed = neglected > 0.0 || formed_by(steps),
+                    .neglected = neglected_by(steps),
                     .open = open_by(steps),
-                    .plain = plain_by(steps),
                     .first = int(first_step),
                     .count = int(steps.size()),
-                    .first_bow = first_bow,
-                    .bows = bows,
                     .hash = hash});
   return table_[i];
 }

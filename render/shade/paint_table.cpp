@@ -131,7 +131,6 @@ class PaintMaker {
     PaintField& f = varied.paint.field;
     f.kind = PaintField::Kind::radial, f.center = map_(g.center);
     f.unit = unit(g.radii, g.axis);
-    f.narrow = std::min(g.radii.x, g.radii.y) / std::max({g.radii.x, g.radii.y, kLeast});
     f.per_pixel = 1.0 / (map_.scale() * std::max(std::min(g.radii.x, g.radii.y), kLeast));
     double most = 0.0;
     for (const double x : {0.0, double(view_.width)})

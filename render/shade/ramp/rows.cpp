@@ -53,11 +53,11 @@ RampRows::Piece RampRows::smeared(const RampIntegral& ramp, double middle, doubl
            0.5 * over * (a.value - b.value), over / 6.0 * (a.slope - b.slope)}};
 }
 
-void RampRows::lay(int x0, int y, int from, int count, ColorRow& to) const {
+void RampRows::means(int x0, int y, int from, int count, ColorRow& to) const {
   const double first = plane_.at(x0 + (level_ ? 0.5 : 0.0), y + 0.5) - offset_;
-  lay_ramp_row(index_, pieces_.data(),
-               {first, plane_.gx, from, count, level_, 1.0 / (level_ ? 1.0 : plane_.gx), mean_},
-               to);
+  means_of_ramp_row(
+      index_, pieces_.data(),
+      {first, plane_.gx, from, count, level_, 1.0 / (level_ ? 1.0 : plane_.gx), mean_}, to);
 }
 
 }  // namespace mien

@@ -12,9 +12,9 @@ class RampRows {
   /// `plane`: of the picture, scaled.
   void make(const RampIntegral& ramp, const RampPlane& plane);
 
-  /// Lays pixels of row y over what is there: `count` from x0 + from on, at most kMost. Counted from x0, so that a
-  /// pixel's bits depend on that alone. Writes whole vectors.
-  void lay(int x0, int y, int from, int count, ColorRow& to) const;
+  /// The means of pixels of row y: `count` from x0 + from on, at most kMost. Counted from x0, so that a pixel's bits
+  /// depend on that alone. Writes whole vectors.
+  void means(int x0, int y, int from, int count, ColorRow& to) const;
   static constexpr int kMost = 64;
 
   /// The second integral, smeared by how t varies down a pixel: c[0] + u (c[1] + u (c[2] + u c[3])). Of rows along
@@ -44,8 +44,8 @@ struct RampRowPlaces {
   Mix mean;
 };
 
-/// Lays pixels, their channels side by side; the same bits on every machine.
-void lay_ramp_row(const PieceIndex& index, const RampRows::Piece* pieces, const RampRowPlaces& at,
-                  ColorRow& to);
+/// The same bits on every machine.
+void means_of_ramp_row(const PieceIndex& index, const RampRows::Piece* pieces,
+                       const RampRowPlaces& at, ColorRow& to);
 
 }  // namespace mien

@@ -85,8 +85,8 @@ HWY_INLINE void MeansOfRow(const RampRows::Piece* pieces, const FoundPlaces& fou
   }
 }
 
-void LayRampRow(const PieceIndex& index, const RampRows::Piece* pieces, const RampRowPlaces& at,
-                ColorRow& to) {
+void RowMeans(const PieceIndex& index, const RampRows::Piece* pieces, const RampRowPlaces& at,
+              ColorRow& to) {
   const hn::CappedTag<float, 16> d;
   FoundPlaces found;
   HWY_ALIGN float means[4 * kPlaces];
@@ -95,11 +95,8 @@ void LayRampRow(const PieceIndex& index, const RampRows::Piece* pieces, const Ra
   for (size_t i = 0; i < size_t(at.count); i += hn::Lanes(d)) {
     hn::Vec<decltype(d)> r, g, b, a;
     hn::LoadInterleaved4(d, means + 4 * i, r, g, b, a);
-    const auto keep = hn::Sub(hn::Set(d, 1.0f), a);
-    const auto lay = [&](float* plane, auto own) HWY_ATTR {
-      hn::StoreU(Fused(hn::LoadU(d, plane + i), keep, own), d, plane + i);
-    };
-    lay(to.r.data(), r), lay(to.g.data(), g), lay(to.b.data(), b), lay(to.a.data(), a);
+    const auto put = [&](float* plane, auto v) HWY_ATTR { hn::StoreU(v, d, plane + i); };
+    put(to.r.data(), r), put(to.g.data(), g), put(to.b.data(), b), put(to.a.data(), a);
   }
 }
 
@@ -110,12 +107,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mien {
 namespace batch {
-HWY_EXPORT(LayRampRow);
+HWY_EXPORT(RowMeans);
 }  // namespace batch
 
-void lay_ramp_row(const PieceIndex& index, const RampRows::Piece* pieces, const RampRowPlaces& at,
-                  ColorRow& to) {
-  MIEN_DISPATCH(LayRampRow)(index, pieces, at, to);
+void means_of_ramp_row(const PieceIndex& index, const RampRows::Piece* pieces,
+                       const RampRowPlaces& at, ColorRow& to) {
+  MIEN_DISPATCH(RowMeans)(index, pieces, at, to);
 }
 
 }  // namespace mien
