@@ -83,13 +83,9 @@ class Looks final : public LookRule {
     Mix mix{0.0};         ///< of what is constant since
   };
   void note_outlines();
-  void note_outline(int outline, int layer);
   void make_segments();
-  struct Clauses;
-  void note_clauses(const AreaProgram& program);
-  bool hold(const Clauses& clauses, const std::uint64_t* inside) const;
+  void note_test(const AreaProgram& program);
   bool holds(const AreaProgram& program, const std::uint64_t* inside);
-  bool covers(int layer, const std::uint64_t* inside);
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
   void lay_over(const Mix& mix);
@@ -116,27 +112,19 @@ class Looks final : public LookRule {
   std::vector<std::uint64_t> opaque_;  ///< a bit per layer
   std::vector<int> first_segment_;     ///< by varied paint
   std::vector<RampSegment> segments_;
-  /// A program that is an and of outlines and their opposites: a mask test.
-  struct Conjunction {
-    int first = 0, count = 0;
-    bool simple = false;
-  };
-  /// A longer program as clauses, or its opposite.
-  struct Clauses {
-    int first = 0, count = 0;
-    bool opposite = false;
-  };
-  std::vector<Conjunction> conjunctions_;  ///< by layer
-  std::vector<int> literals_;              ///< outline, or ~outline
   /// Of a clause: outlines of one word, inside or outside of any of which it holds.
   struct ClauseWord {
     int word;
+    bool ends;  ///< the clause
     std::uint64_t inside, outside;
   };
+  /// A program as clauses, all of which hold, or its opposite. None: it has to be run.
+  struct Test {
+    int first = 0, end = 0;
+    bool opposite = false;
+  };
   AreaClauses reader_;
-  std::vector<int> clauses_at_;  ///< by a program's first step: which clauses are its own; −1: none
-  std::vector<Clauses> clauses_;
-  std::vector<int> first_word_;  ///< by clause
+  std::vector<Test> tests_;  ///< by a program's first step
   std::vector<ClauseWord> clause_words_;
 
   std::vector<std::uint64_t> nothing_;  ///< inside of no outline

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <vector>
 
 namespace mien {
@@ -58,8 +57,6 @@ class RampIntegral {
   Mix box_mean(const RampPlane& plane, double width) const;
   /// Whether there is no kink within `reach` of s, so that means are the colour at a mean place; what they are then.
   bool straight(double s, double reach, Mix& color) const;
-  /// The sum of those of many, in lanes: the same bits.
-  Mix sum_of_boxes(std::span<const RampPlane> planes, double width) const;
 
   /// Beginnings of pieces in the scaled place: kinks.
   const PieceIndex& index() const { return index_; }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "tests/support/every_instruction_set.h"
 #include "tests/support/random.h"
 #include "tests/support/random_ramp.h"
 
@@ -87,24 +86,6 @@ TEST(RampIntegral, KnowsThePeriodsMean) {
              far = integral.box_mean(integral.scaled({0.3 + 1e7, 0.4, 0.5}), 1.0);
   EXPECT_NEAR(near.r, far.r, 1e-7);
   EXPECT_GT(std::abs(near.r - 0.25), 0.01);
-}
-
-TEST(RampIntegral, IsTheSameInLanes) {
-  on_every_set([] {
-    Random r(4);
-    for (int i = 0; i < 200; ++i) {
-      const Ramp ramp = random_ramp(r);
-      RampIntegral integral;
-      integral.make(ramp);
-      std::vector<RampPlane> planes;
-      Mix sum{0.0};
-      for (int k = 0; k < 5; ++k) {
-        planes.push_back(integral.scaled(random_plane(r, ramp)));
-        sum += integral.box_mean(planes.back(), 0.5);
-      }
-      ASSERT_EQ(integral.sum_of_boxes(planes, 0.5), sum);
-    }
-  });
 }
 
 TEST(RampIntegral, OfStopsThatAreNoPlacesIsOfTheOthers) {
