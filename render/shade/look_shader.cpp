@@ -220,12 +220,15 @@ void LookShader::give_means(const LookStep& step, const Places& at, std::size_t 
                             ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   if (at.cells) return ramp_means_of_cells(varied, at, to);
-  if (varied.rows && !at.part) {
-    const int origin = at.x & ~(RampRows::kMost - 1);
-    return varied.rows->means(origin, at.y, at.x - origin, at.count, to);
-  }
+  const PaintField& field = varied.paint.field;
+  const bool row = !at.part && field.kind == PaintField::Kind::linear;
+  std::array<Mix, kBlock> means;
+  if (row)
+    varied.integral->row_means(varied.integral->scaled(field.plane({}, 0.0)), at.x, at.y,
+                               std::span(means).first(std::size_t(at.count)));
   for (int i = 0; i < at.count; ++i)
-    set_color(to, first + std::size_t(i), ramp_mean_of(varied, at.x + i, at.y, at.form()));
+    set_color(to, first + std::size_t(i),
+              row ? means[std::size_t(i)] : ramp_mean_of(varied, at.x + i, at.y, at.form()));
 }
 
 Mix LookShader::ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form) {

@@ -73,12 +73,6 @@ void RampIntegral::sum_up() {
   }
 }
 
-RampIntegral::Piece RampIntegral::from(double s) const {
-  const Piece& p = piece(s);
-  return {p.value + s * p.slope, p.slope, p.first + s * (p.value + 0.5 * s * p.slope),
-          p.second + s * (p.first + s * (0.5 * p.value + (1.0 / 6.0) * s * p.slope))};
-}
-
 Mix RampIntegral::value(double s) const {
   const Piece& p = piece(s);
   return p.value + s * p.slope;
@@ -133,6 +127,24 @@ bool RampIntegral::straight(double s, double reach, Mix& color) const {
 Mix RampIntegral::box_mean(const RampPlane& plane, double width) const {
   const double h = 0.5 * width;
   return mean_ + 1.0 / (width * width) * right_of(plane, -h, -h, -h, h, h);
+}
+
+void RampIntegral::row_means(const RampPlane& plane, int x, int y, std::span<Mix> to) const {
+  const double near = narrow(plane);
+  const auto box = [&](int i) {
+    return box_mean({plane.at(x + i + 0.5, y + 0.5), plane.gx, plane.gy}, 1.0);
+  };
+  const auto left_of = [&](int i) {
+    return mean_first(plane.at(x + i, y), plane.at(x + i, y + 1), near);
+  };
+  if (plane.gx == 0.0) return std::fill(to.begin(), to.end(), box(0));
+  const bool level = std::abs(plane.gx) <= near;
+  Mix left = left_of(0);
+  for (int i = 0; i < int(to.size()); ++i) {
+    const Mix right = left_of(i + 1);
+    to[std::size_t(i)] = level ? box(i) : mean_ + (right - left) / plane.gx;
+    left = right;
+  }
 }
 
 }  // namespace mien

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace mien {
@@ -58,18 +59,17 @@ class RampIntegral {
   /// Whether there is no kink within `reach` of s, so that means are the colour at a mean place; what they are then.
   bool straight(double s, double reach, Mix& color) const;
 
-  /// Beginnings of pieces in the scaled place: kinks.
-  const PieceIndex& index() const { return index_; }
-  /// At s from a piece's beginning: the colour less mean() is value + slope u, with the integrals so far.
+  /// The means over pixels of row y from x on, of a plane that counts from the picture's corner. Neighbours share a
+  /// side; a pixel's bits do not depend on the others.
+  void row_means(const RampPlane& plane, int x, int y, std::span<Mix> to) const;
+
+ private:
+  /// From a piece's beginning on: the colour less mean() is value + slope u, with the integrals so far.
   struct Piece {
     Mix value, slope, first, second;
   };
-  /// The ramp as it goes on from s.
-  Piece from(double s) const;
   /// The piece at s, which is seen from its beginning then.
   const Piece& piece(double& s) const { return pieces_[index_.find(s)]; }
-
- private:
   void add(std::vector<double>& begins, double begin, const Mix& value, const Mix& slope);
   void sum_up();
   Mix value(double s) const;
