@@ -85,7 +85,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   row_looks_ = {sums.looks(row), std::size_t(sums.look_words())};
   refused_.clear(), lost_ = false;
   room_for(std::size_t(x1 - x0));
-  open_.clear();
+  open_.clear(), taken_.clear(), parts_.clear();
   look_ = palette_->first;
   sum_ = palette_->entries[std::size_t(look_)].color;
   if (palette_->entries[std::size_t(look_)].varies) open_.push_back(whole(look_));
@@ -102,7 +102,6 @@ void RowPainter::paint_varied(RowSums& sums, int row) {
   if (dither_) set_thresholds();
   shares_ = sums.shares(row), stretches_ = sums.stretches(row);
   moments_.make(stretches_);
-  taken_.clear(), parts_.clear();
   Rgba* const cells = sums.sums(row);
   std::uint64_t* const marks = sums.marks(row);
   int* const shares = sums.first_shares(row);
