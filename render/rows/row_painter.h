@@ -141,9 +141,10 @@ class RowPainter {
   std::vector<Open> open_;
   std::vector<Part> parts_;  ///< cell by cell
   std::vector<std::pair<int, int>>
-      by_look_;  ///< where a look's parts begin, once sorted; by look: index into this
-  std::vector<int> index_of_look_, sorted_;
-  ColorRow places_, variances_;  ///< of sorted parts: column, area, x, y; xx, xy, yy
+      by_look_;                     ///< of sorted parts: where those of one begin, and how many
+  std::vector<int> index_of_look_;  ///< in that
+  std::vector<int> sorted_;         ///< parts
+  ColorRow places_, variances_;     ///< of sorted parts: column, x, y, area; xx, xy, yy
   PartForm form_;
   std::vector<PartStretch> in_pixel_;
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
