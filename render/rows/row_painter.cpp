@@ -82,31 +82,29 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   worked(50 + x1);
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
-  shares_ = &sums.shares(row);
   row_looks_ = {sums.looks(row), std::size_t(sums.look_words())};
   refused_.clear(), lost_ = false;
   room_for(std::size_t(x1 - x0));
-  std::sort(shares_->begin(), shares_->end(),
-            [](const LookShare& a, const LookShare& b) { return a.column < b.column; });
-  next_share_ = 0;
-  open_.clear(), formed_.clear();
+  open_.clear(), taken_.clear(), parts_.clear();
   look_ = palette_->first;
   sum_ = palette_->entries[std::size_t(look_)].color;
   if (palette_->entries[std::size_t(look_)].varies) open_.push_back(whole(look_));
-  if (open_.empty() && shares_->empty())
+  if (open_.empty() && sums.shares(row).empty())
     paint_flat(sums, row);
   else
     paint_varied(sums, row);
   put_cells();
   refuse_crowded();
-  shares_->clear();
   std::fill_n(sums.looks(row), sums.look_words(), 0);
 }
 
 void RowPainter::paint_varied(RowSums& sums, int row) {
   if (dither_) set_thresholds();
+  shares_ = sums.shares(row), stretches_ = sums.stretches(row);
+  moments_.make(stretches_);
   Rgba* const cells = sums.sums(row);
   std::uint64_t* const marks = sums.marks(row);
+  int* const shares = sums.first_shares(row);
   int at = 0;
   for (int w = 0; w < sums.mark_words(); ++w) {
     for (std::uint64_t bits = std::exchange(marks[w], 0); bits; bits &= bits - 1) {
@@ -114,15 +112,19 @@ void RowPainter::paint_varied(RowSums& sums, int row) {
       if (column < x1_) {
         if (column > at) run(at, column);
         sum_ = sum_ + cells[column];
-        take_shares(column);
-        cell(column);
+        const int before = int(taken_.size());
+        take_shares(shares[column]);
+        cell(column, before);
         at = column + 1;
         sum_ = sum_ + cells[at];  // what the pixel's outlines add to all pixels after it
       }
       cells[column] = cells[column + 1] = {};
+      shares[column] = -1;
     }
   }
   if (at < x1_) run(at, x1_);
+  if (!parts_.empty()) shade_parts();
+  sums.forget_shares(row);
 }
 
 /// The same where no look varies, with the sum in registers.
@@ -229,21 +231,12 @@ int RowPainter::nearest_look() {
   return best;
 }
 
-/// A look that fills the row from the left.
-RowPainter::Open RowPainter::whole(int look) {
-  return {look, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f, PartEntry::whole()};
-}
-
-/// What stretches did to this pixel they do to all pixels after it.
-void RowPainter::move_on() {
-  for (const auto& [look, stretch] : formed_)
-    for (Open& o : open_)
-      if (o.look == look) o.left.add(stretch);
-  formed_.clear();
+/// A look that fills the row from here on.
+RowPainter::Open RowPainter::whole(int look) const {
+  return {look, {int(taken_.size()), true}, 1.0f, 0.0f, 1.0f / 12, {}};
 }
 
 void RowPainter::run(int from, int until) {
-  if (!formed_.empty()) move_on();
   // A varied look that has nearly ended, or nearly filled the row, is taken to have done so.
   if (!open_.empty())
     std::erase_if(open_, [](const Open& o) { return std::abs(o.height) < kClosed; });
@@ -258,8 +251,8 @@ void RowPainter::run(int from, int until) {
   if (look >= 0) return run_of(look, from, until);
   // Several looks above each other: a level outline within the row, or rounding.
   for (int x = from; x < until; ++x) {
-    for (Open& o : open_) o.area = o.height, o.mx = 0.0f, o.my = o.height_y;
-    cell(x);
+    for (Open& o : open_) o.go_on();
+    cell(x, int(taken_.size()));
   }
 }
 
@@ -276,7 +269,7 @@ void RowPainter::run_of(int look, int from, int until) {
     const int count = std::min(until, first + LookShader::kBlock) - from;
     const ColorRow& c = shader_.pixels(look, from, y_, count);
     format_->put(c.planes(), &thresholds_[std::size_t(from - first)], count, at(from));
-    if (looks_->neglected(look) > 0.0 || looks_->has_tip(look)) mend_run(look, from, count, c);
+    mend_run(look, from, count, c);
     from += count;
   }
 }
@@ -284,15 +277,12 @@ void RowPainter::run_of(int look, int from, int until) {
 /// Where what is neglected would show in some pixels, these are divided into cells.
 void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   const double neglected = looks_->neglected(look);
-  const bool tip = looks_->has_tip(look) &&
-                   looks_->neglects_near(look, from + 0.5, from + count - 0.5, y_ + 0.5, least_);
-  if (!tip && neglected == 0.0 && !note_) return;
+  if (neglected + double(shader_.most_neglected()) <= least_) return;
   rough_.clear();
   for (int i = 0; i < count; ++i) {
     const auto k = std::size_t(i);
-    const double near =
-        tip ? looks_->neglected_near(look, {from + i + 0.5, y_ + 0.5}, false, least_) : 0.0;
-    if (const int side = cells_for(neglected + near, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i))
+    const double all = neglected + double(shader_.neglected()[k]);
+    if (const int side = cells_for(all, {c.r[k], c.g[k], c.b[k], c.a[k]}, from + i))
       rough_.push_back({from + i, side});
   }
   for (const auto& [x, side] : rough_) {
@@ -302,69 +292,17 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   }
 }
 
-/// Adds what varied looks take of the pixel, and of those after it.
-void RowPainter::take_shares(int column) {
-  move_on();
-  for (Open& o : open_) o.area = o.height, o.mx = 0.0f, o.my = o.height_y;
-  for (; next_share_ < shares_->size() && (*shares_)[next_share_].column <= column; ++next_share_) {
-    const LookShare& s = (*shares_)[next_share_];
-    auto found =
-        std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.look == s.look; });
-    if (found == open_.end()) found = open_.insert(found, {s.look, 0, 0, 0, 0, 0, {}});
-    found->area += s.area, found->mx += s.mx, found->my += s.my;
-    found->height += s.height, found->height_y += s.height_y;
-    if (looks_->formed(s.look)) formed_.push_back({s.look, s.stretch});
-  }
-}
-
-/// The mean colour over what a look takes of the pixel.
-glm::vec4 RowPainter::part(const Open& o, int column, int side) {
-  const float up = 1.0f / o.area;
-  const float x = std::clamp(o.mx * up, -0.4999f, 0.4999f),
-              y = std::clamp(o.my * up, -0.4999f, 0.4999f);
-  const double area = std::min(double(std::abs(o.area)), 1.0);
-  if (!looks_->formed(o.look) || (side == 0 && looks_->plain(o.look)))
-    return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area);
-  stretches_.clear();
-  for (const auto& [look, stretch] : formed_)
-    if (look == o.look) stretches_.push_back(stretch);
-  const PartForm form{o.left, stretches_};
-  if (side > 0)
-    return shader_.by_cells(o.look, column, y_, &form, side, format_->depth() == Depth::u8);
-  return shader_.part(o.look, column + 0.5 + double(x), y_ + 0.5 + double(y), area, &form);
-}
-
-Rgba RowPainter::parts(int column, int side) {
-  Rgba mix = sum_;
-  for (const Open& o : open_) {
-    if (std::abs(o.area) < kUnseenArea) continue;
-    const glm::vec4 c = part(o, column, side);
-    mix = mix + o.area * Rgba{c.r, c.g, c.b, c.a};
-  }
-  return mix;
-}
-
-void RowPainter::cell(int column) {
+void RowPainter::cell(int column, int before) {
   if (column < x0_ || column >= x1_) return;
   ++stats_->edge_pixels;
-  if (open_.empty()) return keep_cell(sum_, 0.5f, column);
-  const auto seen = [](const Open& o) { return std::abs(o.area) >= kUnseenArea; };
+  const auto seen = [](const Open& o) { return std::abs(o.here.area) >= kUnseenArea; };
   const auto is_open = [&](const Open& o) { return seen(o) && looks_->open(o.look); };
   if (std::any_of(open_.begin(), open_.end(), is_open)) return refused_.push_back(column);
-  Rgba mix = parts(column, 0);
-  double neglected = 0.0;
-  bool varies = false;
-  for (const Open& o : open_) {
-    if (!seen(o)) continue;
-    neglected += double(std::abs(o.area)) *
-                 (looks_->neglected(o.look) +
-                  looks_->neglected_near(o.look, {column + 0.5, y_ + 0.5}, true, least_));
-    varies = true;
-  }
-  if (const int side = neglected > 0.0 ? cells_for(neglected, mix, column) : 0) {
-    mix = parts(column, side);
-  }
-  keep_cell(mix, varies ? threshold(column) : 0.5f, column);
+  const std::size_t parts_before = parts_.size();
+  for (const Open& o : open_)
+    if (seen(o))
+      parts_.push_back({o.look, kept_, o.left, before, int(taken_.size()), o.here, {}, 0.0f});
+  keep_cell(sum_, parts_.size() > parts_before ? threshold(column) : 0.5f, column);
 }
 
 /// Keeps a colour to be written together with the row's others.

@@ -5,6 +5,7 @@
 // replaces the sum, so rounding errors end there.
 
 #include <mien/render_stats.h>
+#include "render/cover/part_moments.h"
 #include "render/rows/row_sums.h"
 #include "render/rows/stores.h"
 #include "render/shade/look_shader.h"
@@ -58,26 +59,50 @@ class RowPainter {
 
  private:
   static constexpr int kBlock = LookShader::kBlock;
+  /// Area and moments about a pixel's middle.
+  struct Moments {
+    float area = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  };
+  /// What bounds something from the left: shares from `since` on, as they were taken, and all of the row's border.
+  struct LeftBound {
+    int since;
+    bool whole;
+  };
   /// What a varied look takes of the pixels from here on, and of the current one.
   struct Open {
     int look;
-    float height, height_y;
-    float area, mx, my;
-    PartEntry left;  ///< its height before this pixel, where forms count
+    LeftBound left;
+    float height, height_y, height_yy;
+    Moments here;
+    /// As if no outline crossed the pixel.
+    void go_on() { here = {height, 0.0f, height_y, height / 12, 0.0f, height_yy}; }
   };
-  static Open whole(int look);
+  /// A look's part of a pixel.
+  struct Part {
+    int look, cell;  ///< the latter among those kept
+    LeftBound left;
+    int before, until;  ///< shares taken: before its pixel, and in it, too
+    Moments of;
+    Rgba color;
+    float neglected;
+  };
+  Open whole(int look) const;
   void paint_varied(RowSums& sums, int row);
   void paint_flat(RowSums& sums, int row);
   Rgba flat_run(int from, int until, const Rgba& sum);
   RunPattern pattern_of(const Rgba& mix) const;
   void fill(int first, int end, const RunPattern& pattern);
-  void move_on();
   void run(int from, int until);
   void run_of(int look, int from, int until);
-  void cell(int column);
-  void take_shares(int column);
-  Rgba parts(int column, int side);
-  glm::vec4 part(const Open& open, int column, int side);
+  void cell(int column, int before);
+  void take_shares(int first);
+  void take(int look, float sign, int share);
+  void sort_parts();
+  void shade_parts();
+  void shade_look(std::size_t first, std::size_t count);
+  void lay_parts();
+  Rgba parts_in_cells(std::size_t first, std::size_t end, int side);
+  const PartForm& form(const Part& part);
   int look_of_run(int column);
   int nearest_look();
   bool looks_like(int look) const;
@@ -109,15 +134,19 @@ class RowPainter {
   RenderStats* stats_ = nullptr;
   Rgba sum_;
   int look_ = 0;  ///< of the run before
-  std::vector<LookShare>* shares_ = nullptr;
-  std::size_t next_share_ = 0;
+  std::span<const LookShare> shares_;
+  std::span<const PartStretch> stretches_;
+  PartMoments moments_;     ///< of the stretches
+  std::vector<int> taken_;  ///< shares, in the order of columns
   std::vector<Open> open_;
-  struct Formed {
-    int look;
-    PartStretch stretch;
-  };
-  std::vector<Formed> formed_;              ///< stretches in the pixel at hand
-  std::vector<PartStretch> stretches_;      ///< those of one look
+  std::vector<Part> parts_;  ///< cell by cell
+  std::vector<std::pair<int, int>>
+      by_look_;                     ///< of sorted parts: where those of one begin, and how many
+  std::vector<int> index_of_look_;  ///< in that
+  std::vector<int> sorted_;         ///< parts
+  ColorRow places_, variances_;     ///< of sorted parts: column, x, y, area; xx, xy, yy
+  PartForm form_;
+  std::vector<PartStretch> in_pixel_;
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
   std::vector<int> refused_;
   bool lost_ = false;

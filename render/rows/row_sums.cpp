@@ -14,30 +14,6 @@ PartStretch stretch_of(const CellStretch& c) {
   return {x(c.xp), y(c.yp), x(c.xm), y(c.ym), x(c.xq), y(c.yq), 1.0f};
 }
 
-/// ∫ (1/2 − x)(1/2 + x)/2 dy and ∫ y (1/2 − x) dy down a stretch, seen from its cell's middle. Both are of the fifth
-/// degree in a parabola's parameter, so Gauss's three places are exact.
-struct StretchMoments {
-  double x = 0.0, y = 0.0;
-};
-
-StretchMoments moments_of(const CellStretch& c) {
-  constexpr double kPlaces[] = {0.1127016653792583, 0.5, 0.8872983346207417},
-                   kWeights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  const double x = c.column + 0.5, y = c.row + 0.5;
-  // Through both ends and the middle: p + u (slope + u · bend).
-  const auto slope = [](double p, double m, double q) { return 4.0 * m - 3.0 * p - q; };
-  const auto bend = [](double p, double m, double q) { return 2.0 * (p + q) - 4.0 * m; };
-  const double x1 = slope(c.xp, c.xm, c.xq), x2 = bend(c.xp, c.xm, c.xq);
-  const double y1 = slope(c.yp, c.ym, c.yq), y2 = bend(c.yp, c.ym, c.yq);
-  StretchMoments sum;
-  for (std::size_t i = 0; i < std::size(kPlaces); ++i) {
-    const double u = kPlaces[i], dy = kWeights[i] * (y1 + 2.0 * u * y2);
-    const double px = c.xp - x + u * (x1 + u * x2), py = c.yp - y + u * (y1 + u * y2);
-    sum.x += 0.5 * (0.25 - px * px) * dy, sum.y += py * (0.5 - px) * dy;
-  }
-  return sum;
-}
-
 }  // namespace
 
 void RowSums::begin(int rows, int width, int looks) {
@@ -52,26 +28,18 @@ void RowSums::begin(int rows, int width, int looks) {
     sums_.assign(stride * std::size_t(rows), {});
     marks_.assign(words * std::size_t(rows), 0);
     hints_.assign(stride * std::size_t(rows), 0);
-    shares_.resize(std::size_t(rows));
+    first_shares_.assign(stride * std::size_t(rows), -1);
+    shares_.resize(std::size_t(rows)), stretches_.resize(std::size_t(rows));
   }
 }
 
 void RowSums::share(int row, const CellStretch& c, int left_varied, int right_varied) {
-  const double h = c.yq - c.yp, middle = 0.5 * (c.yp + c.yq) - (c.row + 0.5);
-  LookShare s{std::max(c.column, 0), 0,        float(c.area),     0.0f,
-              float(h * middle),     float(h), float(h * middle), stretch_of(c)};
-  if (c.column >= 0) {
-    const StretchMoments m = moments_of(c);
-    s.mx = float(m.x), s.my = float(m.y);
-  }
-  std::vector<LookShare>& to = shares_[std::size_t(row)];
-  if (left_varied >= 0)
-    to.push_back({s.column, left_varied, -s.area, -s.mx, -s.my, -s.height, -s.height_y, s.stretch}),
-        to.back().stretch.sign = -1.0f;
-  if (right_varied >= 0) {
-    s.look = right_varied;
-    to.push_back(s);
-  }
+  int& first = first_shares(row)[std::max(c.column, 0)];
+  const float area = float(c.area);
+  std::vector<LookShare>& shares = shares_[std::size_t(row)];
+  shares.push_back({first, left_varied, right_varied, area, float(c.yq - c.yp)});
+  stretches_[std::size_t(row)].push_back(stretch_of(c));
+  first = int(shares.size()) - 1;
 }
 
 void RowSums::add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,

@@ -9,17 +9,16 @@
 #include "render/rows/pixel_format.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace mien {
 
-/// What a varied look takes of a pixel: area and first moments about the pixel's middle, what it takes of all
-/// pixels after it, and the stretch of outline that bounds it.
+/// What a stretch of outline beside a varied look leaves to its right: area of its pixel, and of every pixel after it.
 struct LookShare {
-  int column, look;
-  float area, mx, my;      ///< of the pixel
-  float height, height_y;  ///< of every pixel after it: area, and moment about the row's middle
-  PartStretch stretch;
+  int next;         ///< of the same pixel; −1: no more
+  int left, right;  ///< looks that vary; −1: it does not
+  float area, rest;
 };
 
 class RowSums {
@@ -42,7 +41,14 @@ class RowSums {
   std::uint64_t* looks(int row) { return looks_.data() + std::size_t(row) * look_words_; }
   int look_words() const { return int(look_words_); }
   static constexpr int kMostLooks = 1024;
-  std::vector<LookShare>& shares(int row) { return shares_[std::size_t(row)]; }
+  /// Of a row, in any order; and each one's stretch, of sign 1.
+  std::span<const LookShare> shares(int row) const { return shares_[std::size_t(row)]; }
+  std::span<const PartStretch> stretches(int row) const { return stretches_[std::size_t(row)]; }
+  /// By column: its first share; −1: none. The reader resets them.
+  int* first_shares(int row) { return first_shares_.data() + std::size_t(row) * stride_; }
+  void forget_shares(int row) {
+    shares_[std::size_t(row)].clear(), stretches_[std::size_t(row)].clear();
+  }
   int mark_words() const { return int(mark_words_); }
   long long cells() const { return cells_; }  ///< since it was made
 
@@ -55,7 +61,9 @@ class RowSums {
   std::vector<Rgba> sums_;
   std::vector<std::uint64_t> marks_, looks_;
   std::vector<std::uint16_t> hints_;  ///< the look that may follow a cell
+  std::vector<int> first_shares_;
   std::vector<std::vector<LookShare>> shares_;
+  std::vector<std::vector<PartStretch>> stretches_;
 };
 
 }  // namespace mien

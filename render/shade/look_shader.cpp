@@ -1,10 +1,9 @@
 #include "render/shade/look_shader.h"
 #include "render/shade/light/light_tile.h"
-#include "render/shade/radial_means.h"
-#include "render/shade/ramp_lanes.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace mien {
@@ -12,151 +11,124 @@ namespace {
 
 using Kind = LookStep::Kind;
 
-void fill(ColorRow& to, const Mix& mix, int count) {
-  to.room_for(std::size_t(count));
-  std::fill_n(to.r.begin(), count, float(mix.r));
-  std::fill_n(to.g.begin(), count, float(mix.g));
-  std::fill_n(to.b.begin(), count, float(mix.b));
-  std::fill_n(to.a.begin(), count, float(mix.a));
+std::array<float, 4> floats(const Mix& m) {
+  return {float(m.r), float(m.g), float(m.b), float(m.a)};
 }
 
-void lay_over(ColorRow& to, const Mix& mix, int count) {
-  const float r = float(mix.r), g = float(mix.g), b = float(mix.b), a = float(mix.a),
-              keep = float(1.0 - mix.a);
-  for (int i = 0; i < count; ++i) to.r[i] = to.r[i] * keep + r;
-  for (int i = 0; i < count; ++i) to.g[i] = to.g[i] * keep + g;
-  for (int i = 0; i < count; ++i) to.b[i] = to.b[i] * keep + b;
-  for (int i = 0; i < count; ++i) to.a[i] = to.a[i] * keep + a;
+void set_color(ColorRow& to, std::size_t k, const glm::vec4& c) {
+  to.r[k] = c.r, to.g[k] = c.g, to.b[k] = c.b, to.a[k] = c.a;
 }
 
-void multiply_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
-  for (int i = 0; i < count; ++i) {
-    const float r = opacity * group.r[i], g = opacity * group.g[i], b = opacity * group.b[i],
-                a = opacity * group.a[i], clear = 1.0f - to.a[i], keep = 1.0f - a;
-    to.r[i] = to.r[i] * (keep + r) + clear * r;
-    to.g[i] = to.g[i] * (keep + g) + clear * g;
-    to.b[i] = to.b[i] * (keep + b) + clear * b;
-    to.a[i] = to.a[i] * (keep + a) + clear * a;
-  }
+/// As many floats alike as there may be places.
+struct SameFloats {
+  std::array<float, PartCells::kMost + kColorSpare> all;
+  explicit SameFloats(float v) { all.fill(v); }
+};
+
+/// Whole squares of that side [px]: their variances.
+LanePlaces squares(int count, const float* column, const float* x, const float* y, int side) {
+  static const SameFloats none(0.0f),
+      variances[] = {SameFloats(1.0f / 12),       SameFloats(1.0f / 12 / 4),
+                     SameFloats(1.0f / 12 / 16),  SameFloats(1.0f / 12 / 64),
+                     SameFloats(1.0f / 12 / 256), SameFloats(1.0f / 12 / 1024)};
+  const float* const v = variances[std::size_t(std::countr_zero(unsigned(side)))].all.data();
+  const float* const zero = none.all.data();
+  return {count, column, x ? x : zero, y ? y : zero, v, zero, v};
 }
 
-void screen_group(ColorRow& to, const ColorRow& group, float opacity, int count) {
-  for (int i = 0; i < count; ++i) {
-    to.r[i] = to.r[i] * (1.0f - opacity * group.r[i]) + opacity * group.r[i];
-    to.g[i] = to.g[i] * (1.0f - opacity * group.g[i]) + opacity * group.g[i];
-    to.b[i] = to.b[i] * (1.0f - opacity * group.b[i]) + opacity * group.b[i];
-    to.a[i] = to.a[i] * (1.0f - opacity * group.a[i]) + opacity * group.a[i];
-  }
-}
-
-void lay_group(ColorRow& to, const ColorRow& group, MixMode mode, float opacity, int count) {
-  if (mode == MixMode::multiply) return multiply_group(to, group, opacity, count);
-  if (mode == MixMode::screen) return screen_group(to, group, opacity, count);
-  for (int i = 0; i < count; ++i) {
-    const float keep = 1.0f - opacity * group.a[i];
-    to.r[i] = to.r[i] * keep + opacity * group.r[i];
-    to.g[i] = to.g[i] * keep + opacity * group.g[i];
-    to.b[i] = to.b[i] * keep + opacity * group.b[i];
-    to.a[i] = to.a[i] * keep + opacity * group.a[i];
-  }
-}
-
-RampLanes ramp_lanes(const RampSegment& s) {
-  const auto& p = s.at;
-  const auto& q = s.slope;
-  return {{float(p.r), float(p.g), float(p.b), float(p.a)},
-          {float(q.r), float(q.g), float(q.b), float(q.a)},
-          float(s.from),
-          float(s.to)};
-}
-
-/// Mean t around (x + from + i, y).
-void along(const PaintField& field, double x, double y, int from, int count, double variance,
-           float* t) {
-  if (field.kind == PaintField::Kind::linear) {
-    const float first = float(field.at({x, y}, 0.0)), step = float(field.across.x);
-    for (int i = 0; i < count; ++i) t[i] = first + step * float(from + i);
-    return;
-  }
-  const glm::dmat2& u = field.unit;
-  const glm::dvec2 q = u * (glm::dvec2{x, y} - field.center);
-  const double trace = glm::dot(u[0], u[0]) + glm::dot(u[1], u[1]);
-  radial_places({.qx = float(q.x),
-                 .qy = float(q.y),
-                 .sx = float(u[0].x),
-                 .sy = float(u[0].y),
-                 .ax = float(u[0].x),
-                 .ay = float(u[0].y),
-                 .bx = float(u[1].x),
-                 .by = float(u[1].y),
-                 .trace = float(trace),
-                 .variance = float(variance),
-                 .from = from},
-                count, t);
+/// A column near `x`, where floats count from.
+float origin_near(double x) {
+  constexpr double kMost = 1 << 22;
+  return x == x ? float(std::floor(std::clamp(x, -kMost, kMost))) : 0.0f;
 }
 
 }  // namespace
 
-LitPart LookShader::Places::part(int x, int y) const {
-  return {form, float(first.x - x - 0.5), float(first.y - y - 0.5), float(area)};
+const PartForm* LookShader::Places::form() const {
+  return part ? part->form : nullptr;
 }
 
-void LookShader::lay(const LookStep& step, const Places& at, ColorRow& to) {
-  if (step.zone >= 0) return lay_lit(step, at, to);
-  if (step.segment < 0) return lay_integral(step, at, to);
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  const RampSegment& segment = looks_->segment(step);
-  const std::size_t count = std::size_t(at.count);
-  if (t_.size() < count + kColorSpare) t_.resize(count + kColorSpare);
-  if (at.cells)
-    along_cells(varied, at, t_.data());
-  else if (varied.paint.field.kind == PaintField::Kind::distance)
-    along_distance(varied, at, t_.data());
-  else
-    along(varied.paint.field, at.first.x, at.first.y, at.from, at.count, at.area / 12, t_.data());
-  lay_ramp(ramp_lanes(segment), t_.data(), at.count, to.r.data(), to.g.data(), to.b.data(),
-           to.a.data());
+/// Counted from where the ramp begins in this row, so that no digits are lost far from there.
+void LookShader::linear_step(const PaintField& field, double y, LaneStep& made) const {
+  const double from = double(made.from), row = field.at({0.5, y}, 0.0) - from;
+  made.kind = LaneStep::Kind::linear;
+  made.origin = origin_near(-row / field.across.x);
+  made.q = {float(row + double(made.origin) * field.across.x), 0.0f};
+  made.by_x = {float(field.across.x), 0.0f}, made.by_y = {float(field.across.y), 0.0f};
 }
 
-/// Mean t along a distance.
-void LookShader::along_distance(const VariedPaint& varied, const Places& at, float* t) {
-  const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
-  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
-  if (at.form)
-    t[0] = lit.distance_of_part(x, y, at.part(x, y), lit_scratch_);
-  else
-    lit.distances(x + at.from, y, at.count, t, lit_scratch_);
-  const float from = float(varied.paint.field.from), scale = float(varied.paint.field.scale);
-  for (int i = 0; i < at.count; ++i) t[i] = (t[i] - from) * scale;
+void LookShader::radial_step(const LookStep& step, double y, LaneStep& made) const {
+  const PaintField& field = looks_->paints().varied[std::size_t(step.varied)].paint.field;
+  const glm::dmat2& u = field.unit;
+  made.kind = LaneStep::Kind::radial;
+  made.origin = origin_near(field.center.x);
+  const glm::dvec2 q = u * (glm::dvec2{double(made.origin) + 0.5, y} - field.center);
+  made.q = {float(q.x), float(q.y)};
+  made.by_x = {float(u[0].x), float(u[0].y)}, made.by_y = {float(u[1].x), float(u[1].y)};
+  made.uxx = float(glm::dot(u[0], u[0])), made.uxy = float(glm::dot(u[0], u[1]));
+  made.uyy = float(glm::dot(u[1], u[1]));
+  const double slope = looks_->slope_of(step);
+  made.neglects = float(0.0075 * slope * field.per_pixel * field.per_pixel);
+  made.most = float(0.25 * slope);
 }
 
-/// t at the cells' centroids, and of a radial gradient how it bends within a cell.
-void LookShader::along_cells(const VariedPaint& varied, const Places& at, float* t) {
-  const PaintField& field = varied.paint.field;
-  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
-  if (field.kind == PaintField::Kind::distance) {
-    const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
-    lit.distances_of_cells(x, y, *at.cells, t, lit_scratch_);
-    // A ridge that runs through cells lowers their mean; the part's own mean is more exact.
-    float mean = 0.0f, sum = 0.0f, area = 0.0f;
-    if (at.form)
-      mean = lit.distance_of_part(x, y, at.part(x, y), lit_scratch_);
-    else
-      lit.distances(x, y, 1, &mean, lit_scratch_);
-    for (std::size_t k = 0; k < std::size_t(at.count); ++k)
-      sum += at.cells->area[k] * t[k], area += at.cells->area[k];
-    if (area > 0.0f)
-      for (int i = 0; i < at.count; ++i) t[i] += mean - sum / area;
-    for (int i = 0; i < at.count; ++i) t[i] = float(field.at({}, double(t[i])));
-    return;
+/// `y`: of the row's middle.
+LaneStep LookShader::ramp_step(const LookStep& step, double y) const {
+  const PaintField& field = looks_->paints().varied[std::size_t(step.varied)].paint.field;
+  const RampSegment& s = looks_->segment(step);
+  LaneStep made{.kind = LaneStep::Kind::along};
+  made.from = float(s.from), made.length = float(s.to - s.from);
+  made.color = floats(s.at + s.from * s.slope), made.slope = floats(s.slope);
+  if (field.kind == PaintField::Kind::linear) linear_step(field, y, made);
+  if (field.kind == PaintField::Kind::radial) radial_step(step, y, made);
+  return made;
+}
+
+/// Steps are made anew for every row and look; `give` fills the planes of those that lanes do not know.
+template <class Give>
+const ColorRow& LookShader::shade(int look, double y, const LanePlaces& at, const Give& give) {
+  steps_.clear();
+  if (given_.size() < looks_->steps(look).size()) given_.resize(looks_->steps(look).size());
+  for (const LookStep& step : looks_->steps(look)) {
+    if (step.kind != Kind::paint) {
+      steps_.push_back({.kind = step.kind == Kind::open   ? LaneStep::Kind::open
+                                : step.kind == Kind::over ? LaneStep::Kind::over
+                                                          : LaneStep::Kind::close,
+                        .mode = step.mode,
+                        .color = floats(step.mix)});
+      continue;
+    }
+    const bool ramp = step.zone < 0 && step.segment >= 0;
+    LaneStep made = ramp ? ramp_step(step, y) : LaneStep{.kind = LaneStep::Kind::given};
+    if (!ramp || made.kind == LaneStep::Kind::along) {
+      ColorRow& to = given_[steps_.size()];
+      to.room_for(std::size_t(at.count));
+      give(step, to);
+      made.given = {to.r.data(), to.g.data(), to.b.data(), to.a.data()};
+    }
+    steps_.push_back(made);
   }
-  const glm::dvec2 middle{x + 0.5, y + 0.5};
-  const float *const dx = at.cells->x.data(), *const dy = at.cells->y.data();
-  if (field.kind == PaintField::Kind::radial) {
-    const double variance = double(at.cells->cell() * at.cells->cell()) / 12;
-    return radial_means(field, middle, variance, dx, dy, at.count, t);
-  }
-  for (int i = 0; i < at.count; ++i) t[i] = float(field.at(middle + glm::dvec2{dx[i], dy[i]}, 0.0));
+  most_neglected_ = shade_lanes(steps_, at, stack_, colors_, neglected_);
+  return colors_;
+}
+
+const ColorRow& LookShader::pixels(int look, int x, int y, int count) {
+  columns_.resize(std::size_t(std::max(count, kBlock)) + kColorSpare);
+  for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i] = float(x + int(i));
+  const LanePlaces at = squares(count, columns_.data(), nullptr, nullptr, 1);
+  return shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
+    give(step, {x, y, count}, 0, to);
+  });
+}
+
+const ColorRow& LookShader::parts(int look, int y, const Parts& parts) {
+  const LanePlaces& at = parts.at;
+  return shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
+    for (int i = 0; i < at.count; ++i) {
+      const LitPart part{&parts.form(i), at.x[i], at.y[i], parts.area[i]};
+      give(step, {int(at.column[i]), y, 1, &part}, std::size_t(i), to);
+    }
+  });
 }
 
 glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side,
@@ -164,48 +136,100 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
   if (form) cells_of_form(*form, side, cells_, coarse);
   const PartCells& cells = form ? cells_ : whole_cells(side);
   // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.
-  each_ = std::any_of(
-      looks_->steps(look).begin(), looks_->steps(look).end(), [&](const LookStep& step) {
-        const auto fades = [&] {
-          const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-          if (varied.integral)
-            return varied.paint.ramp->least_opacity() < varied.paint.ramp->most_opacity();
-          return varied.paint.ramp && looks_->segment(step).slope.a != 0.0;
-        };
-        return step.mode != MixMode::normal || (step.kind == Kind::paint && fades());
-      });
+  const auto steps = looks_->steps(look);
+  each_ = std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
+    return step.mode != MixMode::normal || (step.kind == Kind::paint && fades(step));
+  });
   LitPart part{nullptr, 0.0f, 0.0f, 1.0f};
   if (form) part = part_of(*form, cells);
-  const glm::dvec2 middle{x + 0.5 + double(part.x), y + 0.5 + double(part.y)};
-  const ColorRow& c = places(look, {middle, 0, cells.count(), double(part.area), form, &cells});
+  const int count = cells.count();
+  columns_.assign(std::size_t(count) + kColorSpare, float(x));
+  const LanePlaces at = squares(count, columns_.data(), cells.x.data(), cells.y.data(), side);
+  const ColorRow& c = shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
+    give(step, {x, y, count, form ? &part : nullptr, &cells}, 0, to);
+  });
   glm::vec4 sum{0.0f};
   float area = 0.0f;
-  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+  for (std::size_t k = 0; k < std::size_t(count); ++k) {
     sum += cells.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
     area += cells.area[k];
   }
   return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
 }
 
-void LookShader::lay_lit(const LookStep& step, const Places& at, ColorRow& to) {
+/// Whether a paint's opacity varies.
+bool LookShader::fades(const LookStep& step) const {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  const LitPaint& lit = looks_->paints().lit[std::size_t(varied.lit)];
+  if (varied.integral)
+    return varied.paint.ramp->least_opacity() < varied.paint.ramp->most_opacity();
+  return varied.paint.ramp && looks_->segment(step).slope.a != 0.0;
+}
+
+/// Colours of a step that is no ramp between two kinks, or t of one along a distance, from the `first` place on.
+void LookShader::give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  if (step.zone >= 0) return give_light(step, at, first, to);
+  if (step.segment < 0) return give_means(step, at, first, to);
+  give_distances(varied, at, to.r.data() + first);
+}
+
+/// t along a distance.
+void LookShader::give_distances(const VariedPaint& varied, const Places& at, float* t) {
+  const LitPaint& lit = *lit_of(varied);
+  if (at.cells) {
+    lit.distances_of_cells(at.x, at.y, *at.cells, t, lit_scratch_);
+    shift_to_mean(lit, at, t);
+  } else if (at.part) {
+    t[0] = lit.distance_of_part(at.x, at.y, *at.part, lit_scratch_);
+  } else {
+    lit.distances(at.x, at.y, at.count, t, lit_scratch_);
+  }
+  const float from = float(varied.paint.field.from), scale = float(varied.paint.field.scale);
+  for (int i = 0; i < at.count; ++i) t[i] = (t[i] - from) * scale;
+}
+
+/// A ridge that runs through cells lowers their mean; the part's own mean is more exact.
+void LookShader::shift_to_mean(const LitPaint& lit, const Places& at, float* d) {
+  float mean = 0.0f, sum = 0.0f, area = 0.0f;
+  if (at.part)
+    mean = lit.distance_of_part(at.x, at.y, *at.part, lit_scratch_);
+  else
+    lit.distances(at.x, at.y, 1, &mean, lit_scratch_);
+  for (std::size_t k = 0; k < std::size_t(at.count); ++k)
+    sum += at.cells->area[k] * d[k], area += at.cells->area[k];
+  if (area > 0.0f)
+    for (int i = 0; i < at.count; ++i) d[i] += mean - sum / area;
+}
+
+void LookShader::give_light(const LookStep& step, const Places& at, std::size_t first,
+                            ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const LitPaint& lit = *lit_of(varied);
   const bool segmented = varied.paint.ramp && !varied.integral;
   const LitPiece piece{step.zone, segmented ? &looks_->segment(step) : nullptr};
-  lit_.room_for(std::size_t(at.count));
-  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
-  if (at.cells) {
-    const LitPart part = at.part(x, y);
-    lit.colors_of_cells(piece, x, y, *at.cells, at.form ? &part : nullptr, each_, lit_.r, lit_.g,
-                        lit_.b, lit_.a, lit_scratch_);
-  } else if (at.form) {
-    const glm::vec4 c = lit.part(piece, x, y, at.part(x, y), lit_scratch_);
-    lit_.r[0] = c.r, lit_.g[0] = c.g, lit_.b[0] = c.b, lit_.a[0] = c.a;
-  } else {
-    lit.pixels(piece, x + at.from, y, at.count, lit_.r.data(), lit_.g.data(), lit_.b.data(),
-               lit_.a.data(), lit_scratch_);
-  }
-  lay_group(to, lit_, MixMode::normal, 1.0f, at.count);
+  if (at.cells)
+    lit.colors_of_cells(piece, at.x, at.y, *at.cells, at.part, each_, to.r, to.g, to.b, to.a,
+                        lit_scratch_);
+  else if (at.part)
+    set_color(to, first, lit.part(piece, at.x, at.y, *at.part, lit_scratch_));
+  else
+    lit.pixels(piece, at.x, at.y, at.count, to.r.data(), to.g.data(), to.b.data(), to.a.data(),
+               lit_scratch_);
+}
+
+void LookShader::give_means(const LookStep& step, const Places& at, std::size_t first,
+                            ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  if (at.cells) return ramp_means_of_cells(varied, at, to);
+  const PaintField& field = varied.paint.field;
+  const bool row = !at.part && field.kind == PaintField::Kind::linear;
+  std::array<Mix, kBlock> means;
+  if (row)
+    varied.integral->row_means(varied.integral->scaled(field.plane({}, 0.0)), at.x, at.y,
+                               std::span(means).first(std::size_t(at.count)));
+  for (int i = 0; i < at.count; ++i)
+    set_color(to, first + std::size_t(i),
+              row ? means[std::size_t(i)] : ramp_mean_of(varied, at.x + i, at.y, at.form()));
 }
 
 Mix LookShader::ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form) {
@@ -226,11 +250,11 @@ Mix LookShader::ramp_mean_of(const VariedPaint& varied, int x, int y, const Part
 }
 
 /// Of each of a pixel's cells; their mean is that of the part.
-void LookShader::ramp_means_of_cells(const VariedPaint& varied, const Places& at) {
-  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
+void LookShader::ramp_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to) {
   const PartCells& cells = *at.cells;
-  const Mix mean = ramp_mean_of(varied, x, y, at.form);
-  const RampCells& planes = planes_.of(varied, lit_of(varied), x, y, cells.side, lit_scratch_);
+  const Mix mean = ramp_mean_of(varied, at.x, at.y, at.form());
+  const RampCells& planes =
+      planes_.of(varied, lit_of(varied), at.x, at.y, cells.side, lit_scratch_);
   const PartCells& whole = whole_cells(planes.side);
   const int finer = planes.side / cells.side;
   Mix sum{0.0};
@@ -242,80 +266,12 @@ void LookShader::ramp_means_of_cells(const VariedPaint& varied, const Places& at
     plane.t = plane.at(double(cells.x[k] - whole.x[std::size_t(column)]),
                        double(cells.y[k] - whole.y[std::size_t(row * planes.side)]));
     const Mix c = varied.integral->box_mean(plane, double(cells.cell()));
-    lit_.r[k] = float(c.r), lit_.g[k] = float(c.g), lit_.b[k] = float(c.b), lit_.a[k] = float(c.a);
+    set_color(to, k, c);
     sum += double(cells.area[k]) * c, area += double(cells.area[k]);
   }
   const glm::vec4 by{area > 0.0 ? mean - sum / area : Mix{0.0}};
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k)
-    lit_.r[k] += by.r, lit_.g[k] += by.g, lit_.b[k] += by.b, lit_.a[k] += by.a;
-}
-
-void LookShader::lay_integral(const LookStep& step, const Places& at, ColorRow& to) {
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  const int x = int(std::floor(at.first.x)), y = int(std::floor(at.first.y));
-  if (varied.rows && !at.form && !at.cells) return varied.rows->lay(x, y, at.from, at.count, to);
-  lit_.room_for(std::size_t(at.count));
-  if (at.cells)
-    ramp_means_of_cells(varied, at);
-  else
-    for (int i = 0; i < at.count; ++i) {
-      const Mix c = ramp_mean_of(varied, x + at.from + i, y, at.form);
-      const auto k = std::size_t(i);
-      lit_.r[k] = float(c.r), lit_.g[k] = float(c.g);
-      lit_.b[k] = float(c.b), lit_.a[k] = float(c.a);
-    }
-  lay_group(to, lit_, MixMode::normal, 1.0f, at.count);
-}
-
-/// What places() makes of one place, bit by bit, without its planes.
-glm::vec4 LookShader::plain_part(int look, double x, double y, double area) const {
-  constexpr std::size_t kLanes = 1 + kColorSpare;
-  std::array<float, kLanes> t{}, r{}, g{}, b{}, a{};
-  for (const LookStep& step : looks_->steps(look)) {
-    const Mix& mix = step.mix;
-    if (step.kind == Kind::open) {
-      r[0] = float(mix.r), g[0] = float(mix.g), b[0] = float(mix.b), a[0] = float(mix.a);
-    } else if (step.kind == Kind::over) {
-      const float keep = float(1.0 - mix.a);
-      r[0] = r[0] * keep + float(mix.r), g[0] = g[0] * keep + float(mix.g);
-      b[0] = b[0] * keep + float(mix.b), a[0] = a[0] * keep + float(mix.a);
-    } else {
-      const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-      along(varied.paint.field, x, y, 0, 1, area / 12, t.data());
-      lay_ramp(ramp_lanes(looks_->segment(step)), t.data(), 1, r.data(), g.data(), b.data(),
-               a.data());
-    }
-  }
-  return {r[0], g[0], b[0], a[0]};
-}
-
-const ColorRow& LookShader::places(int look, const Places& at) {
-  std::size_t open = 0;
-  for (const LookStep& step : looks_->steps(look)) {
-    switch (step.kind) {
-      case Kind::open:
-        if (levels_.size() == open) levels_.emplace_back();
-        fill(levels_[open++], step.mix, at.count);
-        break;
-      case Kind::over:
-        if (step.mode == MixMode::normal) {
-          lay_over(levels_[open - 1], step.mix, at.count);
-          break;
-        }
-        if (levels_.size() == open) levels_.emplace_back();
-        fill(levels_[open], step.mix, at.count);
-        lay_group(levels_[open - 1], levels_[open], step.mode, 1.0f, at.count);
-        break;
-      case Kind::paint:
-        lay(step, at, levels_[open - 1]);
-        break;
-      case Kind::close:
-        --open;
-        lay_group(levels_[open - 1], levels_[open], step.mode, float(step.mix.a), at.count);
-        break;
-    }
-  }
-  return levels_[0];
+    to.r[k] += by.r, to.g[k] += by.g, to.b[k] += by.b, to.a[k] += by.a;
 }
 
 }  // namespace mien

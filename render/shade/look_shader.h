@@ -1,20 +1,16 @@
 #pragma once
-// The mean colour of a look over whole pixels of a row, or over a part of one.
+// The mean colour of a look over whole pixels of a row, over parts of pixels, or over one in cells.
 //
-// A region has no kink inside it (paint_table.h), so over a part of a pixel a ramp along t is its value
-// at the part's mean t. For a linear gradient that is t at the centroid, exactly. For a radial one,
-// t = |q| with q = U (p − center), the second moments count:
-//
-//     mean of t  =  sqrt(t² + (tr UᵀU − |∇t|²) v) + O(v²),   v = 1/12 per axis for a whole pixel,
-//
-// since ½ v Δt = v (tr UᵀU − |∇t|²) / (2t); a part of area A is taken for one of v = A/12. Left out is
-// how t's own spread meets a translucent layer below that varies, too: a twelfth of the product of both
-// slopes per pixel.
+// A region has no kink inside it (paint_table.h), so over a part of a pixel a ramp along t is its value at the part's
+// mean t. For a linear gradient that is t at the centroid, exactly; for a radial one its variances count, too
+// (look_lanes.h). What goes by an integral, a distance or light is found one by one and asks for the part's form.
 
 #include "render/shade/color_row.h"
+#include "render/shade/look_lanes.h"
 #include "render/shade/looks.h"
 #include "render/shade/ramp/planes.h"
 
+#include <functional>
 #include <vector>
 
 namespace mien {
@@ -24,19 +20,20 @@ class LookShader {
  public:
   void begin(const Looks& looks) { looks_ = &looks; }
 
-  /// Whole pixels of row y, `count` from x on, none beyond the next multiple of kBlock: floats are
-  /// counted from there, so that a pixel does not depend on where a run begins.
-  const ColorRow& pixels(int look, int x, int y, int count) {
-    const int origin = x & ~(kBlock - 1);
-    return places(look, {{origin + 0.5, y + 0.5}, x - origin, count, 1.0, nullptr});
-  }
+  /// Parts of pixels in one row. A pixel's part does not depend on those beside it.
+  struct Parts {
+    LanePlaces at;
+    const float* area;
+    std::function<const PartForm&(int part)> form;
+  };
+
+  /// Whole pixels of row y, `count` from x on, none beyond the next multiple of kBlock.
+  const ColorRow& pixels(int look, int x, int y, int count);
   static constexpr int kBlock = 64;
-  /// A part of a pixel, by its centroid and area; of a look that asks for it, by its form.
-  glm::vec4 part(int look, double x, double y, double area, const PartForm* form = nullptr) {
-    if (looks_->plain(look)) return plain_part(look, x, y, area);
-    const ColorRow& c = places(look, {{x, y}, 0, 1, area, form});
-    return {c.r[0], c.g[0], c.b[0], c.a[0]};
-  }
+  const ColorRow& parts(int look, int y, const Parts& parts);
+  /// What the last answer neglects, place by place, as a bound; and no less than the largest of that.
+  std::span<const float> neglected() const { return neglected_; }
+  float most_neglected() const { return most_neglected_; }
 
   /// The mean over a pixel or a part of one by side × side cells, which reduces what centroids neglect.
   /// `coarse`: within 1e-3 px² a cell, which 8 bits do not show.
@@ -49,32 +46,36 @@ class LookShader {
   std::vector<int>& crowded() { return lit_scratch_.crowded(); }
 
  private:
-  /// Centroids first + (from + i, 0), of whole pixels or of one part of a pixel.
+  /// Pixels of a row, a part of one, or one in cells: of all of it or of a part.
   struct Places {
-    glm::dvec2 first;
-    int from, count;
-    double area;
-    const PartForm* form;
-    const PartCells* cells = nullptr;  ///< of the pixel around `first`, instead of all of it
-    LitPart part(int x, int y) const;  ///< of pixel (x, y)
+    int x, y, count;
+    const LitPart* part = nullptr;
+    const PartCells* cells = nullptr;
+    const PartForm* form() const;
   };
-  const ColorRow& places(int look, const Places& at);
-  glm::vec4 plain_part(int look, double x, double y, double area) const;
-  void lay(const LookStep& step, const Places& at, ColorRow& to);
-  void lay_lit(const LookStep& step, const Places& at, ColorRow& to);
-  void lay_integral(const LookStep& step, const Places& at, ColorRow& to);
+  template <class Give>
+  const ColorRow& shade(int look, double y, const LanePlaces& at, const Give& give);
+  LaneStep ramp_step(const LookStep& step, double y) const;
+  void linear_step(const PaintField& field, double y, LaneStep& made) const;
+  void radial_step(const LookStep& step, double y, LaneStep& made) const;
+  void give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
+  void give_light(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
+  void give_means(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
+  void give_distances(const VariedPaint& varied, const Places& at, float* t);
+  void shift_to_mean(const LitPaint& lit, const Places& at, float* d);
   const LitPaint* lit_of(const VariedPaint& varied) const {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
+  bool fades(const LookStep& step) const;
   Mix ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form);
-  void ramp_means_of_cells(const VariedPaint& varied, const Places& at);
-  void along_distance(const VariedPaint& varied, const Places& at, float* t);
-  void along_cells(const VariedPaint& varied, const Places& at, float* t);
+  void ramp_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
-  std::vector<ColorRow> levels_;
-  std::vector<float> t_;
-  ColorRow lit_;
+  std::vector<LaneStep> steps_;
+  std::vector<ColorRow> given_;  ///< by step
+  std::vector<float> stack_, neglected_, columns_;
+  float most_neglected_ = 0;
+  ColorRow colors_;
   PartCells cells_;
   RampPlanes planes_;
   std::vector<PartChord> chords_;

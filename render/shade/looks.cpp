@@ -28,86 +28,46 @@ bool same(const LookStep& a, const LookStep& b) {
          a.mode == b.mode && a.mix == b.mix;
 }
 
-constexpr int kLongProgram = 64;  // steps: shorter ones are run as fast
-
-/// The literals of a conjunction, written to `to`; false for any other program. In postfix order an `and` may only
-/// follow literals or conjunctions, so a program of outlines, nots of single outlines and ands is a conjunction.
-bool literals_of(std::span<const AreaStep> program, std::vector<int>& to) {
-  bool last_is_literal = false;
-  for (const AreaStep& step : program) {
-    switch (step.kind) {
-      case AreaStep::Kind::outline:
-        to.push_back(step.outline);
-        last_is_literal = true;
-        continue;
-      case AreaStep::Kind::not_:
-        if (!last_is_literal) return false;
-        to.back() = ~to.back();
-        continue;
-      case AreaStep::Kind::and_:
-        last_is_literal = false;
-        continue;
-      default:
-        return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 void Looks::begin(const PaintTable& paints) {
   paints_ = &paints;
   words_ = int(paints.layers.size() + 63) / 64;
-  looks_.clear(), steps_.clear(), bows_.clear();
+  looks_.clear(), steps_.clear();
   table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
   opaque_.assign(std::size_t(words_), 0);
-  conjunctions_.clear(), literals_.clear();
-  clause_words_.clear(), clauses_.clear(), first_word_.assign(1, 0);
-  clauses_at_.assign(paints.programs.steps().size(), -1);
+  clause_words_.clear();
+  tests_.assign(paints.programs.steps().size(), {});
   for (std::size_t i = 0; i < paints.layers.size(); ++i) {
     const PaintedLayer& layer = paints.layers[i];
     const double opacity = layer.varied < 0
                                ? layer.mix.a
                                : paints.varied[std::size_t(layer.varied)].paint.least_opacity();
     if (opacity >= 1.0 && layer.group < 0) opaque_[i / 64] |= std::uint64_t{1} << (i % 64);
-    Conjunction c{.first = int(literals_.size())};
-    c.simple = literals_of(paints.programs.steps(layer.program), literals_);
-    if (!c.simple) literals_.resize(std::size_t(c.first));
-    c.count = int(literals_.size()) - c.first;
-    conjunctions_.push_back(c);
   }
   note_outlines();
   make_segments();
 }
 
-/// Notes a long program that is a conjunction of clauses, each a disjunction of literals, or the opposite of one:
-/// unions, cut to areas, and their level lines.
-void Looks::note_clauses(const AreaProgram& program) {
-  if (program.count < kLongProgram || clauses_at_[std::size_t(program.first)] >= 0) return;
+/// Notes a program that is a conjunction of clauses, each a disjunction of literals, or the opposite of one: nearly all.
+void Looks::note_test(const AreaProgram& program) {
+  Test& test = tests_[std::size_t(program.first)];
+  if (test.end > 0) return;
   const auto steps = paints_->programs.steps(program);
-  Clauses made{.first = int(first_word_.size()) - 1};
-  if (!reader_.read(steps)) {
-    made.opposite = true;
-    if (!reader_.read(steps, true)) return;
-  }
+  test.opposite = !reader_.read(steps);
+  if (test.opposite && !reader_.read(steps, true)) return;
+  test.first = int(clause_words_.size());
   for (std::size_t i = 0; i < reader_.literals().size(); ++i) {
     const int literal = reader_.literals()[i], outline = literal < 0 ? ~literal : literal;
     const bool begins = reader_.begins(i);
-    if (begins && i > 0) first_word_.push_back(int(clause_words_.size()));
-    made.count += begins;
+    if (begins && i > 0) clause_words_.back().ends = true;
     if (begins || clause_words_.back().word != outline >> 6)
-      clause_words_.push_back({outline >> 6, 0, 0});
+      clause_words_.push_back({outline >> 6, false, 0, 0});
     ClauseWord& w = clause_words_.back();
     (literal < 0 ? w.outside : w.inside) |= std::uint64_t{1} << (outline & 63);
   }
-  first_word_.push_back(int(clause_words_.size()));
-  clauses_at_[std::size_t(program.first)] = int(clauses_.size());
-  clauses_.push_back(made);
-}
-
-void Looks::note_outline(int outline, int layer) {
-  reading_.emplace_back(outline, layer);
+  clause_words_.back().ends = true;
+  test.end = int(clause_words_.size());
 }
 
 void Looks::note_outlines() {
@@ -116,10 +76,10 @@ void Looks::note_outlines() {
   kink_.assign(outlines, 0);
   reading_.clear();
   const auto note = [&](const AreaProgram& program, int layer, bool kink) {
-    note_clauses(program);
+    note_test(program);
     for (const AreaStep& step : paints.programs.steps(program)) {
       if (step.kind != AreaStep::Kind::outline) continue;
-      note_outline(step.outline, layer);
+      reading_.emplace_back(step.outline, layer);
       if (kink) kink_[std::size_t(step.outline)] = 1;
     }
   };
@@ -167,37 +127,22 @@ void Looks::make_segments() {
   }
 }
 
-/// Whether of every clause one literal holds.
-bool Looks::hold(const Clauses& clauses, const std::uint64_t* inside) const {
-  for (int i = clauses.first; i < clauses.first + clauses.count; ++i) {
-    bool holds = false;
-    for (int k = first_word_[std::size_t(i)]; k < first_word_[std::size_t(i) + 1] && !holds; ++k) {
-      const ClauseWord& w = clause_words_[std::size_t(k)];
-      const std::uint64_t in = inside[w.word];
-      holds = ((in & w.inside) | (~in & w.outside)) != 0;
-    }
-    if (!holds) return clauses.opposite;
-  }
-  return !clauses.opposite;
-}
-
 bool Looks::holds(const AreaProgram& program, const std::uint64_t* inside) {
-  if (program.count >= kLongProgram) {
-    const int at = clauses_at_[std::size_t(program.first)];
-    if (at >= 0) return hold(clauses_[std::size_t(at)], inside);
+  const Test& test = tests_[std::size_t(program.first)];
+  if (test.end == 0) {
     worked(program.count);
+    return runs_true(paints_->programs.steps(program), inside, stack_);
   }
-  return runs_true(paints_->programs.steps(program), inside, stack_);
-}
-
-bool Looks::covers(int layer, const std::uint64_t* inside) {
-  const Conjunction& c = conjunctions_[std::size_t(layer)];
-  if (!c.simple) return holds(paints_->layers[std::size_t(layer)].program, inside);
-  for (int i = c.first; i < c.first + c.count; ++i) {
-    const int literal = literals_[std::size_t(i)], outline = literal < 0 ? ~literal : literal;
-    if ((inside[outline >> 6] >> (outline & 63) & 1) == std::uint64_t(literal < 0)) return false;
+  bool any = false;  // of the clause's literals holds
+  for (int i = test.first; i < test.end; ++i) {
+    const ClauseWord& w = clause_words_[std::size_t(i)];
+    const std::uint64_t in = inside[w.word];
+    any = any || ((in & w.inside) | (~in & w.outside)) != 0;
+    if (!w.ends) continue;
+    if (!any) return test.opposite;
+    any = false;
   }
-  return true;
+  return !test.opposite;
 }
 
 /// How many kinks lie before the region.
@@ -212,7 +157,8 @@ int Looks::first_look(std::uint64_t* state) {
   nothing_.assign(paints_->programs.outlines().size() / 64 + 1, 0);
   std::fill(state, state + words_, 0);
   for (std::size_t i = 0; i < paints_->layers.size(); ++i)
-    if (covers(int(i), nothing_.data())) state[i / 64] |= std::uint64_t{1} << (i % 64);
+    if (holds(paints_->layers[i].program, nothing_.data()))
+      state[i / 64] |= std::uint64_t{1} << (i % 64);
   return compose(nothing_.data(), state);
 }
 
@@ -223,7 +169,7 @@ int Looks::look(const std::uint64_t* inside, int outline, const std::uint64_t* b
   for (int i = first; i < end; ++i) {
     const int layer = readers_[std::size_t(i)];
     const std::uint64_t bit = std::uint64_t{1} << (layer & 63);
-    if (covers(layer, inside))
+    if (holds(paints_->layers[std::size_t(layer)].program, inside))
       state[layer >> 6] |= bit;
     else
       state[layer >> 6] &= ~bit;
@@ -374,20 +320,12 @@ int Looks::known_or_new(std::size_t first_step) {
   }
   const bool constant = steps_.size() == first_step + 1;
   table_[i] = int(looks_.size());
-  bool tip = false;
-  const double neglected = neglected_by(std::span(steps_).subspan(first_step), tip);
   const auto steps = std::span(steps_).subspan(first_step);
-  const int first_bow = int(bows_.size()), bows = note_bows(steps);
   looks_.push_back({.mix = constant ? steps_[first_step].mix : Mix{0.0},
-                    .neglected = neglected,
-                    .tip = tip,
-                    .formed = neglected > 0.0 || formed_by(steps),
+                    .neglected = neglected_by(steps),
                     .open = open_by(steps),
-                    .plain = plain_by(steps),
                     .first = int(first_step),
                     .count = int(steps.size()),
-                    .first_bow = first_bow,
-                    .bows = bows,
                     .hash = hash});
   return table_[i];
 }

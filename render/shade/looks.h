@@ -32,9 +32,6 @@ struct LookStep {
 
 class Looks final : public LookRule {
  public:
-  /// [px] A radial ramp's tip shows no farther from its centre.
-  static constexpr double kTipReach = 6;
-
   /// Begins anew; memory is kept. The table must outlive its use here.
   void begin(const PaintTable& paints);
 
@@ -59,39 +56,22 @@ class Looks final : public LookRule {
   }
   const PaintTable& paints() const { return *paints_; }
 
+  /// What a ramp between two kinks changes by per pixel.
+  double slope_of(const LookStep& step) const;
   /// A bound on the error of means by centroids, in the blending space. Of two ramps over each other the mean of
   /// the product differs from the product of the means, by a twelfth of the product of their changes per pixel.
   double neglected(int look) const { return looks_[std::size_t(look)].neglected; }
-  /// What to add where a radial ramp is seen: of slope s per pixel, r pixels from its centre, it bends by s / r.
-  /// The variance of a part is not that of a square (0.03 s / r), and a whole pixel neglects at most 0.02 s / r²,
-  /// the tip's own share at the centre included. [px] Less than `least` may be returned as 0.
-  double neglected_near(int look, glm::dvec2 p, bool part, double least) const;
-  /// Whether that is anything for any whole pixel of a row, with middles from `from` to `to`.
-  bool neglects_near(int look, double from, double to, double y, double least) const;
-  /// Whether its mean over a part of a pixel may need the part's form: it is lit, goes by a distance, has a ramp's
-  /// integral, or means by centroids neglect something.
-  bool formed(int look) const { return looks_[std::size_t(look)].formed; }
-  /// Whether it is nothing but linear and radial ramps, unlit, and colours over each other: without groups and modes.
-  bool plain(int look) const { return looks_[std::size_t(look)].plain; }
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }
-  /// Whether a radial ramp's centre may lie in it.
-  bool has_tip(int look) const { return looks_[std::size_t(look)].tip; }
 
  private:
   struct Look {
     Mix mix;
     double neglected;
-    bool tip, formed, open, plain;
+    bool open;
     int first, count;
-    int first_bow, bows;
     std::uint64_t hash;
-  };
-  /// A radial ramp, seen from afar: how its place bends.
-  struct Bow {
-    const PaintField* field;
-    double slope;  ///< what the ramp changes by per pixel
   };
   struct Lie {
     int zone = 0;
@@ -103,13 +83,9 @@ class Looks final : public LookRule {
     Mix mix{0.0};         ///< of what is constant since
   };
   void note_outlines();
-  void note_outline(int outline, int layer);
   void make_segments();
-  struct Clauses;
-  void note_clauses(const AreaProgram& program);
-  bool hold(const Clauses& clauses, const std::uint64_t* inside) const;
+  void note_test(const AreaProgram& program);
   bool holds(const AreaProgram& program, const std::uint64_t* inside);
-  bool covers(int layer, const std::uint64_t* inside);
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
   void lay_over(const Mix& mix);
@@ -120,18 +96,13 @@ class Looks final : public LookRule {
   void leave_groups(std::size_t depth);
   int known_or_new(std::size_t first_step);
   // looks_neglected.cpp
-  double slope_of(const LookStep& step) const;
-  int note_bows(std::span<const LookStep> steps);
-  double neglected_by(std::span<const LookStep> steps, bool& tip);
-  bool formed_by(std::span<const LookStep> steps) const;
+  double neglected_by(std::span<const LookStep> steps);
   bool open_by(std::span<const LookStep> steps) const;
-  bool plain_by(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;
   std::vector<Look> looks_;
   std::vector<LookStep> steps_;
-  std::vector<Bow> bows_;
   std::vector<int> table_;  ///< of looks by hash, open addressing
 
   // Layers of outlines: those whose program or paint reads them.
@@ -141,27 +112,19 @@ class Looks final : public LookRule {
   std::vector<std::uint64_t> opaque_;  ///< a bit per layer
   std::vector<int> first_segment_;     ///< by varied paint
   std::vector<RampSegment> segments_;
-  /// A program that is an and of outlines and their opposites: a mask test.
-  struct Conjunction {
-    int first = 0, count = 0;
-    bool simple = false;
-  };
-  /// A longer program as clauses, or its opposite.
-  struct Clauses {
-    int first = 0, count = 0;
-    bool opposite = false;
-  };
-  std::vector<Conjunction> conjunctions_;  ///< by layer
-  std::vector<int> literals_;              ///< outline, or ~outline
   /// Of a clause: outlines of one word, inside or outside of any of which it holds.
   struct ClauseWord {
     int word;
+    bool ends;  ///< the clause
     std::uint64_t inside, outside;
   };
+  /// A program as clauses, all of which hold, or its opposite. None: it has to be run.
+  struct Test {
+    int first = 0, end = 0;
+    bool opposite = false;
+  };
   AreaClauses reader_;
-  std::vector<int> clauses_at_;  ///< by a program's first step: which clauses are its own; −1: none
-  std::vector<Clauses> clauses_;
-  std::vector<int> first_word_;  ///< by clause
+  std::vector<Test> tests_;  ///< by a program's first step
   std::vector<ClauseWord> clause_words_;
 
   std::vector<std::uint64_t> nothing_;  ///< inside of no outline

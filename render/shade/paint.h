@@ -25,7 +25,6 @@ struct PaintField {
   int distance = -1;     ///< index into PaintTable::distances
   double from = 0, scale = 0;
   double per_pixel = 0;  ///< t changes by at most this much per pixel
-  double narrow = 1;     ///< of an ellipse: its smaller radius over the larger one
 
   /// t of a point; for Kind::distance give the distance there.
   double at(glm::dvec2 p, double d) const;

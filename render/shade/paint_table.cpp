@@ -79,7 +79,7 @@ class PaintMaker {
     VariedPaint& varied = to_.varied[varied_++];
     varied.paint.field = {};
     varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
-    varied.integral.reset(), varied.rows.reset();
+    varied.integral.reset();
     varied.lowest = varied.highest = 0, varied.lit = -1;
     return varied;
   }
@@ -94,9 +94,6 @@ class PaintMaker {
     varied.tolerance = tolerance_ / steepness(*varied.integral, view_.blend);
     if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
       one_color(varied, varied.integral->mean());
-    else if (varied.paint.field.kind == PaintField::Kind::linear)
-      varied.rows.emplace().make(*varied.integral,
-                                 varied.integral->scaled(varied.paint.field.plane({}, 0.0)));
     return to_.kinks_;
   }
 
@@ -131,7 +128,6 @@ class PaintMaker {
     PaintField& f = varied.paint.field;
     f.kind = PaintField::Kind::radial, f.center = map_(g.center);
     f.unit = unit(g.radii, g.axis);
-    f.narrow = std::min(g.radii.x, g.radii.y) / std::max({g.radii.x, g.radii.y, kLeast});
     f.per_pixel = 1.0 / (map_.scale() * std::max(std::min(g.radii.x, g.radii.y), kLeast));
     double most = 0.0;
     for (const double x : {0.0, double(view_.width)})

@@ -10,7 +10,7 @@
 #include <mien/view.h>
 #include "render/shade/light/lit_paint.h"
 #include "render/shade/paint.h"
-#include "render/shade/ramp/rows.h"
+#include "render/shade/ramp/integral.h"
 #include "sdf/outline/area_program.h"
 
 #include <vector>
@@ -29,7 +29,6 @@ struct VariedPaint {
   GridPaint paint;
   std::vector<PaintKink> kinks;          ///< of the ramp, rising; none where it has an integral
   std::optional<RampIntegral> integral;  ///< of a ramp with more kinks than outlines are made of
-  std::optional<RampRows> rows;          ///< of such a ramp along a line
   double tolerance = 0;                  ///< what a mean by that may be off by
   double lowest = 0, highest = 0;        ///< t in the picture
   /// Its means are LitPaint's: it is lit or goes by a distance. Index into PaintTable::lit; −1: a ramp is all of it.

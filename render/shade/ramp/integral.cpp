@@ -41,7 +41,7 @@ void RampIntegral::make(const Ramp& ramp) {
 void RampIntegral::add(std::vector<double>& begins, double begin, const Mix& value,
                        const Mix& slope) {
   begins.push_back(begin);
-  pieces_.push_back({value, slope, Mix{0.0}, Mix{0.0}});
+  pieces_.push_back({Mix{0.0}, Mix{0.0}, 0.5 * value, slope / 6.0});
 }
 
 /// The integrals at the beginnings of pieces. Over a period both are made to return to 0.
@@ -51,47 +51,24 @@ void RampIntegral::sum_up() {
     const double end = i + 1 < pieces_.size() ? index_.begin(i + 1) : period;
     return std::max(end - index_.begin(i), 0.0);
   };
-  mean_ = 0.5 * (pieces_.front().value + pieces_.back().value);
+  mean_ = 0.5 * (pieces_.front().value(0.0) + pieces_.back().value(0.0));
   if (period > 0.0) {
     mean_ = Mix{0.0};
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      mean_ += length(i) / period * (pieces_[i].value + 0.5 * length(i) * pieces_[i].slope);
+      mean_ += length(i) / period * pieces_[i].value(0.5 * length(i));
   }
-  for (Piece& p : pieces_) p.value -= mean_;
+  for (Piece& p : pieces_) p.c2 -= 0.5 * mean_;
   Mix begin{0.0};
   for (int round = 0; round < 2; ++round) {
     Mix first = begin, second{0.0};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       Piece& p = pieces_[i];
-      const double u = length(i);
-      p.first = first, p.second = second;
-      second += u * (first + u * (0.5 * p.value + u / 6.0 * p.slope));
-      first += u * (p.value + 0.5 * u * p.slope);
+      p.c0 = second, p.c1 = first;
+      second = p.second(length(i)), first = p.first(length(i));
     }
     if (!(period > 0.0)) return;
     begin = -second / period;
   }
-}
-
-RampIntegral::Piece RampIntegral::from(double s) const {
-  const Piece& p = piece(s);
-  return {p.value + s * p.slope, p.slope, p.first + s * (p.value + 0.5 * s * p.slope),
-          p.second + s * (p.first + s * (0.5 * p.value + (1.0 / 6.0) * s * p.slope))};
-}
-
-Mix RampIntegral::value(double s) const {
-  const Piece& p = piece(s);
-  return p.value + s * p.slope;
-}
-
-Mix RampIntegral::first(double s) const {
-  const Piece& p = piece(s);
-  return p.first + s * (p.value + 0.5 * s * p.slope);
-}
-
-Mix RampIntegral::second(double s) const {
-  const Piece& p = piece(s);
-  return p.second + s * (p.first + s * (0.5 * p.value + (1.0 / 6.0) * s * p.slope));
 }
 
 /// The mean of the first integral from s to t.
@@ -133,6 +110,24 @@ bool RampIntegral::straight(double s, double reach, Mix& color) const {
 Mix RampIntegral::box_mean(const RampPlane& plane, double width) const {
   const double h = 0.5 * width;
   return mean_ + 1.0 / (width * width) * right_of(plane, -h, -h, -h, h, h);
+}
+
+void RampIntegral::row_means(const RampPlane& plane, int x, int y, std::span<Mix> to) const {
+  const double near = narrow(plane);
+  const auto box = [&](int i) {
+    return box_mean({plane.at(x + i + 0.5, y + 0.5), plane.gx, plane.gy}, 1.0);
+  };
+  const auto left_of = [&](int i) {
+    return mean_first(plane.at(x + i, y), plane.at(x + i, y + 1), near);
+  };
+  if (plane.gx == 0.0) return std::fill(to.begin(), to.end(), box(0));
+  const bool level = std::abs(plane.gx) <= near;
+  Mix left = left_of(0);
+  for (int i = 0; i < int(to.size()); ++i) {
+    const Mix right = left_of(i + 1);
+    to[std::size_t(i)] = level ? box(i) : mean_ + (right - left) / plane.gx;
+    left = right;
+  }
 }
 
 }  // namespace mien

@@ -58,26 +58,27 @@ class RampIntegral {
   Mix box_mean(const RampPlane& plane, double width) const;
   /// Whether there is no kink within `reach` of s, so that means are the colour at a mean place; what they are then.
   bool straight(double s, double reach, Mix& color) const;
-  /// The sum of those of many, in lanes: the same bits.
-  Mix sum_of_boxes(std::span<const RampPlane> planes, double width) const;
 
-  /// Beginnings of pieces in the scaled place: kinks.
-  const PieceIndex& index() const { return index_; }
-  /// At s from a piece's beginning: the colour less mean() is value + slope u, with the integrals so far.
-  struct Piece {
-    Mix value, slope, first, second;
-  };
-  /// The ramp as it goes on from s.
-  Piece from(double s) const;
-  /// The piece at s, which is seen from its beginning then.
-  const Piece& piece(double& s) const { return pieces_[index_.find(s)]; }
+  /// The means over pixels of row y from x on, of a plane that counts from the picture's corner. Neighbours share a
+  /// side; a pixel's bits do not depend on the others.
+  void row_means(const RampPlane& plane, int x, int y, std::span<Mix> to) const;
 
  private:
+  /// From a piece's beginning on the second integral of the colour less mean() is c0 + u (c1 + u (c2 + u c3)).
+  struct Piece {
+    Mix c0, c1, c2, c3;
+
+    Mix second(double u) const { return c0 + u * (c1 + u * (c2 + u * c3)); }
+    Mix first(double u) const { return c1 + u * (2.0 * c2 + 3.0 * u * c3); }
+    Mix value(double u) const { return 2.0 * c2 + 6.0 * u * c3; }
+  };
   void add(std::vector<double>& begins, double begin, const Mix& value, const Mix& slope);
   void sum_up();
-  Mix value(double s) const;
-  Mix first(double s) const;
-  Mix second(double s) const;
+  /// The piece at s, which is seen from its beginning then.
+  const Piece& at(double& s) const { return pieces_[index_.find(s)]; }
+  Mix value(double s) const { return at(s).value(s); }
+  Mix first(double s) const { return at(s).first(s); }
+  Mix second(double s) const { return at(s).second(s); }
   Mix mean_first(double s, double t, double near) const;
 
   std::vector<Piece> pieces_;  ///< without a period: before the first stop, …, beyond the last one

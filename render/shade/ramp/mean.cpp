@@ -36,37 +36,26 @@ struct CellIntegral {
   }
 
   void add_in_row(int row, const CellChord& s, double sign) {
-    const double side = double(cells.side), least = std::min(s.xa, s.xb);
-    for (int i = std::clamp(int(least * side), 0, cells.side - 1); i < cells.side; ++i) {
-      const double left = i / side, right = i + 1 < cells.side ? (i + 1) / side : 1.0;
-      if (cells.side == 1 || (s.xa >= left && s.xb >= left && s.xa <= right && s.xb <= right))
-        add_in_cell(row, i, s, right, sign);
-      else
-        add_clipped(row, i, s, left, right, sign);
-    }
+    const double least = std::min(s.xa, s.xb);
+    for (int i = std::clamp(int(least * cells.side), 0, cells.side - 1); i < cells.side; ++i)
+      add_to_cell(row, i, s, sign);
   }
 
-  /// Of a chord that leaves the cell: all of the cell where it passes to the left, nothing where to the right.
-  void add_clipped(int row, int column, const CellChord& s, double left, double right,
-                   double sign) {
+  /// What passes left of the cell counts as at its left side, what passes right of it not at all.
+  void add_to_cell(int row, int column, const CellChord& s, double sign) {
+    const double left = column / double(cells.side), right = (column + 1) / double(cells.side);
     const auto y_at = [&](double x) {
-      return std::clamp(s.ya + (s.yb - s.ya) * (x - s.xa) / (s.xb - s.xa), s.ya, s.yb);
+      const double wide = s.xb - s.xa;
+      const double u = wide != 0.0 ? std::clamp((x - s.xa) / wide, 0.0, 1.0) : double(x > s.xa);
+      return s.ya + u * (s.yb - s.ya);
     };
-    if (std::max(s.xa, s.xb) <= left)
-      return add_in_cell(row, column, {left, s.ya, left, s.yb}, right, sign);
-    const double at_left = std::min(s.xa, s.xb) < left ? y_at(left)
-                           : s.xa < s.xb               ? s.ya
-                                                       : s.yb,
-                 at_right = std::max(s.xa, s.xb) > right ? y_at(right)
-                            : s.xa < s.xb                ? s.yb
-                                                         : s.ya;
-    if (s.xa < s.xb) {
-      add_in_cell(row, column, {left, s.ya, left, at_left}, right, sign);
-      add_in_cell(row, column, s.between(at_left, at_right), right, sign);
-    } else {
-      add_in_cell(row, column, s.between(at_right, at_left), right, sign);
-      add_in_cell(row, column, {left, at_left, left, s.yb}, right, sign);
-    }
+    const double at_left = y_at(left), at_right = y_at(right);
+    const bool rightwards = s.xb >= s.xa;
+    const double from = rightwards ? s.ya : at_left, to = rightwards ? at_left : s.yb;
+    add_in_cell(row, column, {left, from, left, to}, right, sign);
+    add_in_cell(row, column,
+                rightwards ? s.between(at_left, at_right) : s.between(at_right, at_left), right,
+                sign);
   }
 
   void add_in_cell(int row, int column, const CellChord& s, double right, double sign) {
@@ -81,7 +70,9 @@ struct CellIntegral {
 }  // namespace
 
 Mix ramp_mean(const RampIntegral& ramp, const RampCells& cells) {
-  return ramp.sum_of_boxes(cells.planes, 1.0 / cells.side) / double(cells.planes.size());
+  Mix sum{0.0};
+  for (const RampPlane& plane : cells.planes) sum += ramp.box_mean(plane, 1.0 / cells.side);
+  return sum / double(cells.planes.size());
 }
 
 Mix ramp_mean(const RampIntegral& ramp, const RampCells& cells, std::span<const PartChord> chords) {

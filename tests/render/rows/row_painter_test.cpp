@@ -51,5 +51,26 @@ TEST(RowPainter, DithersWhatVariesAndNothingElse) {
   EXPECT_GT(differ, 50);
 }
 
+/// Outlines that cross the first column, over stripes, whose parts need their forms: rows do not know each other.
+TEST(RowPainter, BeginsEveryRowAnew) {
+  SceneBuilder build({.box = {{0, 0}, {40, 16}}, .y_up = false}, {1, 1, 1, 1});
+  std::vector<Stop> stops;
+  for (int i = 0; i <= 160; ++i) stops.push_back({i / 160.0, {i % 2 * 1.0, 0.5, 0.2, 1}});
+  build.layer("stripes", build.everywhere(),
+              {.color = {0, 0, 0, 1},
+               .gradient = shared(Gradient{LinearGradient{{0, 0}, {40, 9}}, stops})});
+  build.layer("slope", build.shape(HalfPlane{glm::normalize(glm::dvec2{-1, 0.05}), 0.0}),
+              {{0.1, 0.2, 0.3, 1}});
+  build.layer("disc", build.shape(Disc{{20, 8}, 6}), {{0.1, 0.2, 0.3, 1}});
+  const Scene scene = std::move(build).finish();
+  const View view{.width = 40, .height = 16, .dither = false};
+  const Image whole = test::rendered(scene, view);
+  for (int y = 0; y < 16; ++y) {
+    View row = view;
+    row.region = PixelRect{0, y, 40, 1};
+    EXPECT_EQ(std::memcmp(test::rendered(scene, row).row(0), whole.row(y), 4 * 40), 0) << y;
+  }
+}
+
 }  // namespace
 }  // namespace mien

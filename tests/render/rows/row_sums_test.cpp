@@ -32,34 +32,30 @@ TEST(RowSums, CountWhatLiesLeftOfThePictureForAllOfIt) {
   EXPECT_FLOAT_EQ(sums.sums(0)[1].r, 0);
 }
 
-TEST(RowSums, GiveVariedLooksTheirAreaAndCentroid) {
+TEST(RowSums, KeepTheStretchesBesideVariedLooksByColumn) {
   RowSums sums;
   sums.begin(16, 10, 64);
   sums.add(straight({4.5, 3}, {4.5, 4}), 3, 3.5, 0, {}, 2, 5, 5);  // half the row's height
-  ASSERT_EQ(sums.shares(3).size(), 2u);
-  const LookShare& left = sums.shares(3)[0];
-  const LookShare& right = sums.shares(3)[1];
-  EXPECT_EQ(left.look, 2);
-  EXPECT_EQ(right.look, 5);
-  EXPECT_FLOAT_EQ(right.area, 0.25f);
-  EXPECT_FLOAT_EQ(right.mx / right.area, 0.25f);   // of the right half's middle
-  EXPECT_FLOAT_EQ(right.my / right.area, -0.25f);  // and the upper half's
-  EXPECT_FLOAT_EQ(left.area, -right.area);
-  EXPECT_FLOAT_EQ(right.height, 0.5f);
-  EXPECT_FLOAT_EQ(right.height_y, -0.125f);
-}
-
-TEST(RowSums, GiveTheMomentsOfTheArcNotOfItsChord) {
-  RowSums sums;
-  sums.begin(16, 10, 64);
-  // x = 4.75 − t (1 − t), y = 3 + t.
-  const OutlinePiece arc{4.75, 3, -0.5, 0.5, 1, 0, 4.75, 4, 0, 0, 0, 1};
-  sums.add(arc, 3, 4, 0, {}, -1, 5, 5);
-  ASSERT_EQ(sums.shares(3).size(), 1u);
-  const LookShare& right = sums.shares(3)[0];
-  EXPECT_FLOAT_EQ(right.area, 0.25f + 1.0f / 6);
-  EXPECT_FLOAT_EQ(right.mx, 0.11875f);  // of the chord 0.09375
-  EXPECT_NEAR(right.my, 0.0, 1e-7);
+  sums.add(straight({4.75, 3}, {4.75, 4}), 3.5, 4, 0, {}, -1, 2, 2);
+  sums.add(straight({-4, 3}, {-4, 4}), 3, 4, 0, {}, -1, 2, 2);
+  ASSERT_EQ(sums.shares(3).size(), 3u);
+  EXPECT_EQ(sums.first_shares(3)[3], -1);
+  const int latest = sums.first_shares(3)[4], first = sums.shares(3)[std::size_t(latest)].next;
+  EXPECT_EQ(sums.shares(3)[std::size_t(latest)].left, -1);
+  const LookShare& share = sums.shares(3)[std::size_t(first)];
+  EXPECT_EQ(share.next, -1);
+  EXPECT_EQ(share.left, 2);
+  EXPECT_EQ(share.right, 5);
+  EXPECT_FLOAT_EQ(share.area, 0.25f);
+  EXPECT_FLOAT_EQ(share.rest, 0.5f);
+  const PartStretch& stretch = sums.stretches(3)[std::size_t(first)];
+  EXPECT_FLOAT_EQ(stretch.xm, 0.5f);
+  EXPECT_FLOAT_EQ(stretch.yq, 0.5f);
+  const int before = sums.first_shares(3)[0];  // left of the picture
+  EXPECT_FLOAT_EQ(sums.shares(3)[std::size_t(before)].area, 1);
+  EXPECT_EQ(sums.stretches(3)[std::size_t(before)].xp, 0);
+  sums.forget_shares(3);
+  EXPECT_TRUE(sums.shares(3).empty());
 }
 
 }  // namespace

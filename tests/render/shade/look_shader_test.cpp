@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace mien {
@@ -14,15 +15,23 @@ struct Shaded {
   LookShader shader;
   int look = 0;
 
-  explicit Shaded(const Gradient& gradient, int inside) {
-    SceneBuilder build({.box = {{0, 0}, {128, 128}}, .y_up = false}, {1, 1, 1, 1});
+  explicit Shaded(const Gradient& gradient, int inside, int width = 128) {
+    SceneBuilder build({.box = {{0, 0}, {width, 128}}, .y_up = false}, {1, 1, 1, 1});
     build.layer("ramp", build.everywhere(), {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
-    paints.make(std::move(build).finish(), {.width = 128, .height = 128, .blend = Blend::linear},
+    paints.make(std::move(build).finish(), {.width = width, .height = 128, .blend = Blend::linear},
                 Depth::u8);
     looks.begin(paints);
     regions.begin(int(paints.programs.outlines().size()), looks);
     look = regions.look(regions.across(0, inside));
     shader.begin(looks);
+  }
+  /// Red of a part that is as good as its pixel, but for its centroid.
+  float part(int x, int y, glm::vec2 from_middle) {
+    using Plane = std::array<float, 1 + kColorSpare>;
+    const Plane column{float(x)}, dx{from_middle.x}, dy{from_middle.y}, v{1.0f / 12}, none{},
+        area{1};
+    const LanePlaces at{1, column.data(), dx.data(), dy.data(), v.data(), none.data(), v.data()};
+    return shader.parts(look, y, {at, area.data(), {}}).r[0];
   }
 };
 
@@ -31,7 +40,7 @@ const std::vector<Stop> kStops{{0, {0, 0, 0, 1}}, {1, {1, 0.5, 0, 1}}};
 TEST(LookShader, TakesALinearGradientAtTheCentroid) {
   Shaded s({LinearGradient{{-10, 0}, {200, 0}}, kStops}, 0);
   Shaded whole({LinearGradient{{10, 0}, {110, 0}}, kStops}, 1);
-  EXPECT_NEAR(whole.shader.part(whole.look, 60.25, 7.5, 0.3).r, 0.5025, 1e-6);
+  EXPECT_NEAR(whole.part(60, 7, {-0.25f, 0.0f}), 0.5025, 1e-6);
   const ColorRow& row = whole.shader.pixels(whole.look, 64, 3, 20);
   for (int i = 0; i < 20; ++i) EXPECT_NEAR(row.r[std::size_t(i)], (54.5 + i) / 100, 1e-6);
 }
@@ -55,19 +64,22 @@ TEST(LookShader, SaysTheSameOfAPixelWhereverARunBegins) {
   EXPECT_EQ(s.shader.pixels(s.look, 70, 60, 20).r[7], alone);
 }
 
-/// Floats are counted from the block's first pixel, whose middle is the place of this part.
-TEST(LookShader, APlainLooksPartHasTheBitsOfARow) {
+/// One that is all of its pixel, whatever lies beside it.
+TEST(LookShader, APartHasTheBitsOfARow) {
   const Gradient ramps[] = {{LinearGradient{{10, 5}, {110, 30}}, kStops},
                             {RadialGradient{{60.3, 61.7}, {50, 40}}, kStops}};
   for (const Gradient& ramp : ramps) {
     Shaded s(ramp, 1);
-    ASSERT_TRUE(s.looks.plain(s.look));
-    for (const int x : {0, LookShader::kBlock}) {
-      const ColorRow& row = s.shader.pixels(s.look, x, 60, 1);
-      const glm::vec4 alone = s.shader.part(s.look, x + 0.5, 60.5, 1.0);
-      EXPECT_EQ(alone, glm::vec4(row.r[0], row.g[0], row.b[0], row.a[0]));
-    }
+    for (const int x : {0, 37, 64})
+      EXPECT_EQ(s.part(x, 60, {0.0f, 0.0f}), s.shader.pixels(s.look, x, 60, 1).r[0]);
   }
+}
+
+/// Far from its beginning a steep ramp has as many digits as near it.
+TEST(LookShader, TakesASteepRampFarFromThePicturesCorner) {
+  Shaded s({LinearGradient{{16000, 0}, {16001, 5}}, kStops}, 1, 16384);
+  const float r = s.shader.pixels(s.look, 15994, 2, 20).r[6];
+  EXPECT_NEAR(r, (0.5 + 5 * 2.5) / 26, 1e-6);
 }
 
 }  // namespace

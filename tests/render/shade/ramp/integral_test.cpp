@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
-#include "tests/support/every_instruction_set.h"
 #include "tests/support/random.h"
 #include "tests/support/random_ramp.h"
 
@@ -89,24 +89,6 @@ TEST(RampIntegral, KnowsThePeriodsMean) {
   EXPECT_GT(std::abs(near.r - 0.25), 0.01);
 }
 
-TEST(RampIntegral, IsTheSameInLanes) {
-  on_every_set([] {
-    Random r(4);
-    for (int i = 0; i < 200; ++i) {
-      const Ramp ramp = random_ramp(r);
-      RampIntegral integral;
-      integral.make(ramp);
-      std::vector<RampPlane> planes;
-      Mix sum{0.0};
-      for (int k = 0; k < 5; ++k) {
-        planes.push_back(integral.scaled(random_plane(r, ramp)));
-        sum += integral.box_mean(planes.back(), 0.5);
-      }
-      ASSERT_EQ(integral.sum_of_boxes(planes, 0.5), sum);
-    }
-  });
-}
-
 TEST(RampIntegral, OfStopsThatAreNoPlacesIsOfTheOthers) {
   const Color black{0, 0, 0, 1}, white{1, 1, 1, 1};
   for (const double odd : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
@@ -123,6 +105,24 @@ TEST(RampIntegral, OfStopsThatAreNoPlacesIsOfTheOthers) {
       EXPECT_TRUE(std::isfinite(integral.box_mean(integral.scaled({t, 0.5, 0.2}), 1.0).r))
           << last << ' ' << t;
     EXPECT_NEAR(integral.box_mean(integral.scaled({0.0, 0.5, 0.2}), 1.0).r, 0.5, 1e-6);
+  }
+}
+
+TEST(RampIntegral, GivesARowTheMeansOfItsPixels) {
+  Random r(5);
+  for (int i = 0; i < 200; ++i) {
+    const Ramp ramp = random_ramp(r);
+    RampIntegral integral;
+    integral.make(ramp);
+    const RampPlane plane = integral.scaled(random_plane(r, ramp));
+    std::array<Mix, 20> row, part;
+    integral.row_means(plane, 64, 9, row);
+    integral.row_means(plane, 71, 9, std::span(part).first(5));
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const RampPlane own{plane.at(64.5 + double(k), 9.5), plane.gx, plane.gy};
+      ASSERT_NEAR(row[k].r, integral.box_mean(own, 1.0).r, 1e-5) << i << ' ' << k;
+    }
+    for (std::size_t k = 0; k < 5; ++k) ASSERT_EQ(part[k], row[7 + k]);  // wherever a run begins
   }
 }
 
