@@ -24,8 +24,8 @@ constexpr const char* kUse =
     "mien_fuzz_time [--first N] [--count N] [--minutes N] [--most SECONDS] [SEED …]\n"
     "Draws random small faces by their seeds at 16 to 256 px, at 8 and 16 bits, on one thread. "
     "Prints the ten\n"
-    "slowest. Ends with 1 if one takes longer than --most (10), or more than the limits of work "
-    "and memory.\n";
+    "slowest. Ends with 1 if one takes longer than --most (10), or is refused without a limit's "
+    "name.\n";
 
 using Text = std::string;
 
@@ -236,12 +236,14 @@ int run(const Asked& asked) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   std::vector<Drawn> slowest;
-  long count = 0;
+  long count = 0, limits = 0;
   bool all_well = true;
   const auto add = [&](long seed) {
     const Drawn drawn = draw(seed);
     ++count;
-    if (!drawn.error.empty() || drawn.seconds > asked.most) {
+    const bool limited = drawn.error.find("(limit `") != Text::npos;
+    limits += limited;
+    if ((!drawn.error.empty() && !limited) || drawn.seconds > asked.most) {
       all_well = false;
       fmt::print("seed {} at {} px: {:.1f} s {}\n", seed, drawn.side, drawn.seconds, drawn.error);
       std::fflush(stdout);
@@ -257,7 +259,7 @@ int run(const Asked& asked) {
   };
   if (asked.seeds.empty())
     for (long i = 0; i < asked.count && in_time(); ++i) add(asked.first + i);
-  fmt::print("{} faces; the slowest:\n", count);
+  fmt::print("{} faces, {} of them ended by a limit; the slowest:\n", count, limits);
   for (const Drawn& d : slowest)
     fmt::print("seed {:6} at {:3} px: {:6.2f} s, {:7.1f} million steps, {:4} MiB\n", d.seed, d.side,
                d.seconds, double(d.steps) * 1e-6, d.memory >> 20);
