@@ -53,7 +53,7 @@ std::string page() {
   row("points of a path on a lattice, crossing itself at will", number(1000));
   row("points of a path without crossings with a gradient along its distance, or a feather",
       number(1000));
-  row("points of a path that crosses itself at will, with such a gradient", number(500));
+  row("points of a path that crosses itself at will, with such a gradient", number(300));
   row("points of a path that crosses itself at will, with a feather", number(200));
   row("points of a path, with or without crossings, with a relief", number(300));
   row("layers", number(10'000));

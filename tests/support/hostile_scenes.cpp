@@ -118,7 +118,7 @@ std::vector<HostileScene> hostile_scenes(double size) {
   for (const bool lit : {true, false}) {
     const std::string name = lit ? "relief" : "gradient";
     const auto paint = [lit](Area area) { return lit ? relief(area) : along(area); };
-    const int points = scenes.count(lit ? 300 : 1000), tangled = scenes.count(lit ? 300 : 500);
+    const int points = scenes.count(lit ? 300 : 1000), tangled = scenes.count(300);
     scenes.add_path(name + " on a star", path_of(points, FillRule::nonzero, on_star(r, points)),
                     paint);
     scenes.add_path(name + " on a tangle", path_of(tangled, FillRule::nonzero, on_lattice(r, 0.1)),
