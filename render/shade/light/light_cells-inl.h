@@ -239,16 +239,18 @@ inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const Cel
 
 /// When cells stay open.
 struct OpenBy {
-  float jump, kink;  ///< more of these may be off
-  float apart,
-      few;        ///< for 16 bits: quarters that are more apart from their whole; times their area
-  bool quarters;  ///< the listed cells are those of cells that were open
+  /// More of these may be off.
+  float jump, kink;
+  /// For 16 bits: by how much quarters may be apart from their whole; and that times their area, of a few.
+  float apart, few;
+  /// Whether the listed cells are quarters of cells that were open.
+  bool quarters;
 };
 
-// [of the range among cells] Half a diagonal of a cell, where the range is that of three of them or less.
+/// [of the range among cells] Half a diagonal of a cell, where the range is that of three of them or less.
 inline constexpr float kHalfCell = 0.75f;
-inline constexpr float kNearCell =
-    1.3f;  // [of a cell's side] a ridge that bends may run through it
+/// [of a cell's side] A ridge that bends may run through it.
+inline constexpr float kNearCell = 1.3f;
 
 /// For 16 bits: opens cells but those that are quarters of a cell which nothing runs through and which they agree with.
 /// A cell seen at its middle is off by the fourfold of what its quarters are, but for terms of fourth degree.
