@@ -10,8 +10,10 @@ namespace {
 
 ErrorMap map_of(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
   const PixelRect rect = drawn_rect(view);
-  ErrorMap map{.width = rect.width, .height = rect.height, .levels = {}};
+  ErrorMap map{.width = rect.width, .height = rect.height, .levels = {}, .estimated = {}};
   map.levels.resize(std::size_t(rect.width) * std::size_t(rect.height));
+  map.estimated.resize(map.levels.size());
+  const ErrorNotes notes{rect, map.levels.data(), map.estimated.data()};
   Drawing drawing;
   drawing.make(scene, view, depth);
   const std::size_t stride = std::size_t(rect.width) * 4 * bytes_per_channel(depth);
@@ -21,9 +23,8 @@ ErrorMap map_of(const Scene& scene, const View& view, Depth depth, const Threads
             strips = (rect.y + rect.height + Drawing::kRows - 1) / Drawing::kRows - first;
   parallel_for(strips, threads, [&](int i) {
     StripScratch scratch;
-    drawing.draw_strip_with_errors(first + i, target, scratch, map.levels.data());
+    drawing.draw_strip_with_errors(first + i, target, scratch, notes);
   });
-  map.unproven = !drawing.paints().lit.empty();
   for (const float level : map.levels) map.worst = std::max(map.worst, level);
   return map;
 }
@@ -36,12 +37,17 @@ Expected<ErrorMap> error_map(const Scene& scene, const View& view, const RenderO
       [&] { return map_of(scene, view, how.depth, how.threads); }, [] { return 0.0; });
 }
 
+long long ErrorMap::estimated_pixels() const {
+  return std::count(estimated.begin(), estimated.end(), 1);
+}
+
 Image ErrorMap::image() const {
   Image image{.width = width, .height = height};
   image.bytes.resize(image.stride() * std::size_t(height));
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const auto grey = std::byte(worst > 0 ? level(double(levels[i] / worst), 255) : 0);
     std::fill_n(image.bytes.begin() + std::ptrdiff_t(4 * i), 3, grey);
+    if (estimated[i]) image.bytes[4 * i + 2] = std::byte(128 + std::to_integer<int>(grey) / 2);
     image.bytes[4 * i + 3] = std::byte{255};
   }
   return image;

@@ -7,6 +7,7 @@
 #include <mien/api.h>
 #include <mien/render.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace mien {
@@ -17,11 +18,14 @@ struct ErrorMap {
   /// from the top. They add the outlines' tolerance along their length and the possible error of their
   /// order, each times the change of colour, and what the means of gradients neglect.
   std::vector<float> levels;
-  bool unproven =
-      false;  ///< some means are only estimated: those of light and of gradients along a distance
+  /// 1 where light, or a gradient along a distance, takes part: what its mean is off by is measured, not proven, and not
+  /// in `levels`.
+  std::vector<std::uint8_t> estimated;
   float worst = 0;
 
-  /// The bounds as grey, from black for 0 to white for `worst`; all black if that is 0.
+  long long estimated_pixels() const;
+
+  /// The bounds as grey, from black for 0 to white for `worst`; all black if that is 0. What is estimated is half blue.
   Image image() const;
 };
 

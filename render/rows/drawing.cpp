@@ -167,7 +167,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
 }
 
 void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
-                           RenderStats& stats, float* map) const {
+                           RenderStats& stats, const ErrorNotes* notes) const {
   if (!scratch.window) scratch.window = std::make_unique<StripScratch::Window>();
   StripScratch::Window& own = *scratch.window;
   const PixelRect& all = target.rect;
@@ -180,16 +180,19 @@ void Drawing::draw_windows(int top, int bottom, const RowTarget& target, StripSc
     const RowTarget part{target.data + target.stride * above + format_.bytes() * before,
                          target.stride, seen};
     own.drawing.make_whole(window.scene, window.view, format_.depth());
-    if (!map) {
+    if (!notes) {
       own.drawing.draw_strip(0, part, own.strip, stats);
       return own.drawing.tell(stats);
     }
     std::vector<float> levels(std::size_t(seen.width) * std::size_t(seen.height));
-    own.drawing.draw_strip_with_errors(0, part, own.strip, levels.data());
+    std::vector<std::uint8_t> estimated(levels.size());
+    own.drawing.draw_strip_with_errors(0, part, own.strip, {seen, levels.data(), estimated.data()});
     for (float& level : levels) level += float(255.0 * window.left_out);
-    for (std::size_t row = 0; row < std::size_t(seen.height); ++row)
-      std::copy_n(&levels[row * std::size_t(seen.width)], seen.width,
-                  map + (above + row) * std::size_t(all.width) + before);
+    for (std::size_t row = 0; row < std::size_t(seen.height); ++row) {
+      const std::size_t from = row * std::size_t(seen.width), to = notes->at(x, y + int(row));
+      std::copy_n(&levels[from], seen.width, notes->levels + to);
+      std::copy_n(&estimated[from], seen.width, notes->estimated + to);
+    }
   });
 }
 
@@ -210,8 +213,7 @@ Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& s
   if (scratch.errors) {
     // Encoding is steepest at the darkest colour it may be.
     const double steep = format_.steepness(rgba_from_mix(found.mix - Mix(found.bound)));
-    scratch.errors[std::size_t(y - target.rect.y) * std::size_t(target.rect.width) +
-                   std::size_t(x - target.rect.x)] = float(255.0 * steep * found.bound);
+    scratch.errors->level(x, y) = float(255.0 * steep * found.bound);
   }
   ++stats.resolved_pixels;
   return found;
@@ -270,21 +272,18 @@ void Drawing::tell(RenderStats& stats) const {
 /// The bound adds up: for every piece, its jump times its tolerance along its length and order() along its height;
 /// what means by centroids neglect; and the own bound of what was resolved.
 void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
-                                     float* map) const {
+                                     const ErrorNotes& notes) const {
   const int top = strip * kRows, bottom = std::min(top + kRows, height_);
   const PixelRect& rect = target.rect;
   const int first = std::max(top, rect.y), end = std::min(bottom, rect.y + rect.height);
   if (first >= end) return;
-  const auto row_of = [&](int y) {
-    return map + std::size_t(y - rect.y) * std::size_t(rect.width);
-  };
   RenderStats stats;
-  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, map);
-  scratch.painter.note_errors([&](int x, int y, float e) { row_of(y)[x - rect.x] = e; });
-  scratch.errors = map;
+  if (crowded_) return draw_windows(top, bottom, target, scratch, stats, &notes);
+  scratch.painter.note_errors(&notes);
+  scratch.errors = &notes;
   draw_strip(strip, target, scratch, stats);
   scratch.errors = nullptr;
-  scratch.painter.note_errors({});
+  scratch.painter.note_errors(nullptr);
   for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
        ++k) {
     const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
@@ -303,7 +302,7 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
     cells_of(sweep_.pieces()[std::size_t(f.piece)], from, to, width_, [&](const CellStretch& c) {
       if (c.column < rect.x || c.column >= rect.x + rect.width) return;
       const double length = std::hypot(c.xq - c.xp, c.yq - c.yp);
-      row_of(c.row)[c.column - rect.x] +=
+      notes.level(c.column, c.row) +=
           float(255.0 * steep * jump * (tolerance_ * length + order() * (c.yq - c.yp)));
     });
   }

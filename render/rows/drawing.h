@@ -37,7 +37,7 @@ struct StripScratch {
   std::vector<char> resolved;              ///< pixels of the strip's target that doubts have met
   std::uint32_t odd_rows = 0;  ///< a bit for each of the strip drawn last that its fingerprint does
                                ///< not tell all of
-  float* errors = nullptr;  ///< a map of the target, for the bounds of pixels resolved by distances
+  const ErrorNotes* errors = nullptr;  ///< for the bounds of pixels resolved by distances
   struct Window;
   std::unique_ptr<Window> window;  ///< of a crowd
 };
@@ -75,10 +75,10 @@ class Drawing {
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
                   RenderStats& stats) const;
 
-  /// Bounds on the errors of a strip's pixels, in levels of 255, written to a map of the target's rectangle; the
-  /// pixels are drawn to `target` on the way.
+  /// Bounds on the errors of a strip's pixels, noted for the target's rectangle; the pixels are drawn to `target` on
+  /// the way.
   void draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
-                              float* map) const;
+                              const ErrorNotes& notes) const;
 
   /// Those of the picture's rows; null for a crowd.
   const RowFingerprints* fingerprints();
@@ -97,7 +97,7 @@ class Drawing {
  private:
   void sum_fragments(int strip, int first, int end, RowSums& sums) const;
   void draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
-                    RenderStats& stats, float* map) const;
+                    RenderStats& stats, const ErrorNotes* notes) const;
   void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
                       RenderStats& stats) const;
   Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,

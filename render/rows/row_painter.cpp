@@ -47,16 +47,17 @@ void RowPainter::begin(const Palette& palette, const Looks& looks, const PixelFo
   shader_.begin(looks);
   allowed_ = format.depth() == Depth::u8 ? 0.2 / 255 : 4.0 / 65535;
   // A twentieth of what is permitted, where colours are encoded most steeply.
-  least_ = note_ ? 0.0 : 0.05 * allowed_ / (format.blend() == Blend::linear ? 12.92 : 1.0);
+  least_ = notes_ ? 0.0 : 0.05 * allowed_ / (format.blend() == Blend::linear ? 12.92 : 1.0);
   thresholds_.fill(0.5f);
 }
 
 /// Into how many cells each way a pixel must be divided so that what is neglected does not show; 0: into none. What
 /// is neglected counts by how steeply the colour is encoded, and falls with the square of the cells' side.
 int RowPainter::cells_for(double neglected, const Rgba& mix, int column) const {
-  if (!note_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed_) return 0;
+  if (!notes_ && neglected * (format_->blend() == Blend::linear ? 12.92 : 1.0) <= allowed_)
+    return 0;
   const double off = neglected * format_->steepness(mix);
-  if (note_) note_(column, y_, float(255.0 * std::min(off, allowed_)));
+  if (notes_) notes_->level(column, y_) = float(255.0 * std::min(off, allowed_));
   if (off <= allowed_) return 0;
   const double share = format_->depth() == Depth::u8 ? 0.5 : 0.2;  // of what is permitted
   const int most = format_->depth() == Depth::u8 ? 16 : 32;
@@ -277,6 +278,8 @@ void RowPainter::run_of(int look, int from, int until) {
 /// Where what is neglected would show in some pixels, these are divided into cells.
 void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
   const double neglected = looks_->neglected(look);
+  if (notes_ && looks_->estimated(look))
+    for (int i = 0; i < count; ++i) notes_->estimate(from + i, y_);
   if (neglected + double(shader_.most_neglected()) <= least_) return;
   rough_.clear();
   for (int i = 0; i < count; ++i) {

@@ -6,12 +6,12 @@
 
 #include <mien/render_stats.h>
 #include "render/cover/part_moments.h"
+#include "render/rows/error_notes.h"
 #include "render/rows/row_sums.h"
 #include "render/rows/stores.h"
 #include "render/shade/look_shader.h"
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -39,10 +39,8 @@ class RowPainter {
   /// Columns x0 to x1 of the picture's row y; `to` is where x0 goes. Resets the sums to zero.
   void paint(int y, RowSums& sums, int row, int x0, int x1, std::byte* to, RenderStats& stats);
 
-  /// Is called with what means by centroids neglect of a pixel, in levels of 255; empty: nobody asks.
-  void note_errors(std::function<void(int x, int y, float levels)> note) {
-    note_ = std::move(note);
-  }
+  /// Where to write what means by centroids neglect of a pixel, and which are estimated; null: nobody asks.
+  void note_errors(const ErrorNotes* notes) { notes_ = notes; }
 
   /// Adds the work of the rows since the last call.
   void tell(RenderStats& stats) {
@@ -156,7 +154,7 @@ class RowPainter {
   std::vector<float> carries_;
   std::vector<std::byte> made_;
   std::array<float, kBlock + kColorSpare> thresholds_;  ///< of the row's dither
-  std::function<void(int, int, float)> note_;
+  const ErrorNotes* notes_ = nullptr;
 };
 
 }  // namespace mien

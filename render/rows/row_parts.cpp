@@ -92,6 +92,7 @@ void RowPainter::lay_parts() {
     for (end = i; end < parts_.size() && parts_[end].cell == parts_[i].cell; ++end) {
       const Part& part = parts_[end];
       mix = mix + part.of.area * part.color;
+      if (notes_ && looks_->estimated(part.look)) notes_->estimate(columns_[k], y_);
       neglected +=
           double(std::abs(part.of.area)) * (looks_->neglected(part.look) + double(part.neglected));
     }

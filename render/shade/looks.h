@@ -61,6 +61,8 @@ class Looks final : public LookRule {
   /// A bound on the error of means by centroids, in the blending space. Of two ramps over each other the mean of
   /// the product differs from the product of the means, by a twelfth of the product of their changes per pixel.
   double neglected(int look) const { return looks_[std::size_t(look)].neglected; }
+  /// Whether its means are LitPaint's, in part, whose error has no proven bound.
+  bool estimated(int look) const;
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }

@@ -17,6 +17,13 @@ double Looks::slope_of(const LookStep& step) const {
          std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b), std::abs(along.a)});
 }
 
+bool Looks::estimated(int look) const {
+  const std::span<const LookStep> all = steps(look);
+  return std::any_of(all.begin(), all.end(), [&](const LookStep& step) {
+    return step.kind == Kind::paint && paints_->varied[std::size_t(step.varied)].lit >= 0;
+  });
+}
+
 /// Two paints over each other: the mean of the upper one's opacity times the lower one's colour differs from the
 /// product of their means, by a twelfth of the product of both slopes. A mode other than normal has three products.
 double Looks::neglected_by(std::span<const LookStep> steps) {

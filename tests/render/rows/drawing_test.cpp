@@ -39,11 +39,13 @@ class DrawingProbe {
   std::vector<float> errors() const {
     std::vector<std::byte> pixels(std::size_t(8 * view_.width * view_.height));
     std::vector<float> levels(pixels.size() / 8);
+    std::vector<std::uint8_t> estimated(levels.size());
     const RowTarget target{
         pixels.data(), std::size_t(8 * view_.width), {0, 0, view_.width, view_.height}};
     StripScratch scratch;
     for (int strip = 0; strip * Drawing::kRows < view_.height; ++strip)
-      drawing_.draw_strip_with_errors(strip, target, scratch, levels.data());
+      drawing_.draw_strip_with_errors(strip, target, scratch,
+                                      {target.rect, levels.data(), estimated.data()});
     return levels;
   }
 

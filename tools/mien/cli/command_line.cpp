@@ -115,8 +115,8 @@ void add_insight(CLI::App* to, RenderArguments& render) {
       ->type_name(std::string(kDebugs));
   to->add_option(
         "--error-map", render.error_map,
-        "Also write a bound of every pixel's error, as grey, and print the largest; for lit "
-        "faces it is an estimate")
+        "Also write a bound of every pixel's error, as grey, and print the largest; pixels "
+        "whose light is not proven are half blue, and counted")
       ->type_name("FILE");
 }
 

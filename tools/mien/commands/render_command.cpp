@@ -160,7 +160,7 @@ class ErrorStrips {
     for (int from = 0; y == 0 && from < height_; from += rows) {
       if (auto done = find(from, std::min(rows, height_ - from), progress); !done)
         return done.error();
-      worst_ = std::max(worst_, map_.worst);
+      worst_ = std::max(worst_, map_.worst), estimated_ += map_.estimated_pixels();
     }
     if (auto done = find(y, rows, progress); !done) return done.error();
     map_.worst = worst_;
@@ -169,9 +169,14 @@ class ErrorStrips {
 
   /// To be asked once all strips have been looked through.
   std::string verdict() const {
-    return fmt::format(
-        "no channel is off by more than {:.3f} of 255, rounding left out{}\n", worst_,
-        map_.unproven ? "; light and gradients along a distance are estimated, not proven" : "");
+    const std::string light =
+        estimated_ > 0
+            ? fmt::format(
+                  "; {} pixels are lit, or shaded along a distance: their means are not proven",
+                  estimated_)
+            : "";
+    return fmt::format("no channel is off by more than {:.3f} of 255, rounding left out{}\n",
+                       worst_, light);
   }
 
  private:
@@ -188,6 +193,7 @@ class ErrorStrips {
   const int height_;
   int y_ = -1;
   ErrorMap map_;
+  long long estimated_ = 0;
   float worst_ = 0;
 };
 
