@@ -202,7 +202,7 @@ std::int64_t steps_of_nose(bool feather, bool relief) {
 
 TEST(BoundedWork, AFeatherWithAReliefTakesWhatEachTakesAlone) {
   EXPECT_LT(double(steps_of_nose(true, true)),
-            1.5 * double(steps_of_nose(true, false) + steps_of_nose(false, true)));
+            1.1 * double(steps_of_nose(true, false) + steps_of_nose(false, true)));
 }
 
 TEST(BoundedWork, OfPiecesEndsToo) {
