@@ -83,7 +83,7 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
       d = Fused(ux, nx, Fused(uy, ny, d));
     }
     if (tile.lamp.goes_by_distance()) {
-      const BranchPair& r = at.ramp;
+      const BranchPair& r = *at.ramp;
       const VF rx = pick(r.best.nx, r.beyond.nx, true), ry = pick(r.best.ny, r.beyond.ny, true);
       away = Fused(ux, rx, Fused(uy, ry, pick(r.best.d, r.beyond.d, true)));
     }
@@ -121,7 +121,7 @@ struct CellSum {
 /// A pixel whose cells are looked at, with what it sees: the square around (cx, cy).
 struct CellPixel {
   LightTile& tile;
-  const NearBranches *near, *near_ramp;
+  Near near;
   float cx, cy;
 };
 
@@ -139,7 +139,7 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
   const F f;
   const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
   const VF d = load(at.relief.best.d), nx = load(at.relief.best.nx), ny = load(at.relief.best.ny);
-  const VF away = tile.lamp.goes_by_distance() ? load(at.ramp.best.d) : hn::Zero(f);
+  const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : hn::Zero(f);
   const VF mean = hn::Min(hn::Max(hn::Neg(d), Const(tile.shallow)), Const(tile.deep));
   // No farther than the shallow end: a uniform depth from there on has that deviation.
   const VF most = hn::Mul(Const(0.577350269f), hn::Sub(mean, Const(tile.shallow)));
@@ -158,7 +158,7 @@ inline void SeeCells(const CellPixel& pixel, SixteenCells& cells) {
   const F f;
   LightTile& tile = pixel.tile;
   Seen at;
-  SeeFrom(tile, pixel.near, pixel.near_ramp, pixel.cx, pixel.cy, cells.x, cells.y, at);
+  SeeFrom(tile, pixel.near, pixel.cx, pixel.cy, cells.x, cells.y, at);
   const bool steep = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow &&
                      MostOf16(at.relief.best.d) > -kSteep;
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
@@ -174,7 +174,7 @@ inline void SeeCells(const CellPixel& pixel, SixteenCells& cells) {
     } else {
       const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
       const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
-      const VF away = tile.lamp.goes_by_distance() ? load(at.ramp.best.d) : zero;
+      const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
       color = ColorAt(tile, HeldDepth(tile, d, cell.variance), nx, ny, cell.x, cell.y, away);
     }
     const RidgeLanes ridge = RidgeAt(tile, at, k);

@@ -17,9 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using State = LightTile::State;
 
-void BeginTile(LightTile& tile) {
-  if (tile.rises) FindFeetOf(tile.area);
-  if (tile.lamp.goes_by_distance()) FindFeetOf(tile.gradient);
+void BeginGround(const LightTile& tile) {
+  if (tile.rises) FindFeetOf(tile.ground->area);
+  if (tile.apart) FindFeetOf(tile.ground->gradient);
 }
 
 struct Square {
@@ -28,8 +28,11 @@ struct Square {
   Square outer() const { return {level - 1, i / 2, j / 2}; }
 };
 
-NearBranches* NearOf(std::vector<NearBranches>& all, const NearArea& area, int square) {
-  return all.data() + size_t(square) * area.leaf_count();
+/// The branches near a square, of both areas.
+Near NearOf(const LightTile& tile, int square) {
+  LightGround& g = *tile.ground;
+  return {g.near.data() + size_t(square) * g.area.leaf_count(),
+          g.near_gradient.data() + size_t(square) * g.gradient.leaf_count()};
 }
 
 float LeastOf(const LightTile::Bicubic& square) {
@@ -81,15 +84,16 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   for (int k = 0; k < 16; ++k) x[k] = cx + half * g.x[k], y[k] = cy + half * g.y[k];
   Seen at;
   const int me = square.index();
-  SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
-          tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr,
-          cx, cy, x, y, at);
+  SeeFrom(tile, NearOf(tile, me), cx, cy, x, y, at);
+  LightGround::State& ground = tile.ground->state[size_t(me)];
+  ground = LightGround::State::broken;
   if (tile.rises && LeastOf16(at.relief.off) < kBetween * half &&
       RidgeShows(tile, at.relief, kBetween * half))
     return false;
   if (tile.rises && tile.lamp.is_round() && MostOf16(at.relief.best.d) > -kSteep * side)
     return false;
-  if (tile.lamp.goes_by_distance() && LeastOf16(at.ramp.off) < kBetween * half) return false;
+  if (tile.lamp.goes_by_distance() && LeastOf16(at.ramp->off) < kBetween * half) return false;
+  ground = LightGround::State::entered;
   Shades shades;
   ShadePlaces(tile, at, x, y, shades);
   LightTile::Bicubic made;
@@ -124,14 +128,13 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   Seen at;
   const int me = square.index();
   const bool ramp = tile.lamp.goes_by_distance();
-  SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
-          ramp ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx, cy, x, y, at);
+  SeeFrom(tile, NearOf(tile, me), cx, cy, x, y, at);
   bool fits[4] = {true, true, true, true};
   const bool round = tile.rises && tile.lamp.is_round();
   for (int k = 0; k < 16; ++k) {
     bool& fit = fits[k / 4];
     if (tile.rises) fit = fit && at.relief.off[k] > kBetween;
-    if (ramp) fit = fit && at.ramp.off[k] > kBetween;
+    if (ramp) fit = fit && at.ramp->off[k] > kBetween;
     if (round) fit = fit && at.relief.best.d[k] < -kDeep;
     if (tile.rises && k % 4 != 0) {
       const int first = k & ~3;
@@ -167,40 +170,40 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   }
 }
 
-/// Looks at a square, if it was not yet.
-State Look(LightTile& tile, const Square& square) {
+/// Looks at a square, if it was not yet; `whole`: and at its pixels, if there are no smaller squares.
+State Look(LightTile& tile, const Square& square, bool whole) {
   const int me = square.index();
   State& state = tile.state[size_t(me)];
-  if (state != State::unknown) return state;
-  state = State::divided;
   const bool outermost = square.level == 0;
   const float side = float(tile.side >> square.level), middle = tile.middle();
+  const bool pixels = whole && side == 2.0f && !tile.fine;
+  if (state != State::unknown && !(pixels && state == State::divided)) return state;
+  state = pixels ? State::pixels : State::divided;
   const float cx = (float(square.i) + 0.5f) * side - middle,
               cy = (float(square.j) + 0.5f) * side - middle;
-  const int outer = outermost ? 0 : square.outer().index();
+  LightGround::State& ground = tile.ground->state[size_t(me)];
+  const bool serves = (side > 2.0f || tile.fine) && ground != LightGround::State::broken;
   constexpr float kDiagonal = 0.7072f;
-  Enter(tile, outermost || !tile.rises ? nullptr : NearOf(tile.near, tile.area, outer),
-        outermost || !tile.lamp.goes_by_distance()
-            ? nullptr
-            : NearOf(tile.near_gradient, tile.gradient, outer),
-        cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
-        NearOf(tile.near_gradient, tile.gradient, me));
-  if ((side > 2.0f || tile.fine) && Serves(tile, square, cx, cy)) {
+  if (pixels || serves || ground == LightGround::State::unknown)
+    Enter(tile, outermost ? Near{} : NearOf(tile, square.outer().index()), cx, cy, kDiagonal * side,
+          NearOf(tile, me));
+  if (ground == LightGround::State::unknown) ground = LightGround::State::entered;
+  if (serves && Serves(tile, square, cx, cy)) {
     if (side > 1.0f)
       SpreadMeans(tile, square.i * int(side), square.j * int(side), int(side), tile.kept.back());
     return state = State::smooth;
   }
-  if (side == 2.0f && !tile.fine) LookAtPixels(tile, square, cx, cy);
+  if (pixels) LookAtPixels(tile, square, cx, cy);
   return state;
 }
 
 /// The smallest square around pixel (i, j), looked at; smooth, or there is no smaller one.
-Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
+Square SquareAround(LightTile& tile, int i, int j, bool whole, bool& smooth) {
   Square square{0, 0, 0};
   for (int level = 0; level == 0 || tile.side >> level >= tile.smallest(); ++level) {
     const int side = tile.side >> level;
     square = {level, i / side, j / side};
-    if ((smooth = Look(tile, square) == State::smooth)) return square;
+    if ((smooth = Look(tile, square, whole) == State::smooth)) return square;
   }
   return square;
 }
@@ -209,19 +212,16 @@ Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
 void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form,
              float form_area, float* to) {
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  NearBranches *const near = NearOf(tile.near, tile.area, tile.squares()),
-                      *const near_ramp = NearOf(tile.near_gradient, tile.gradient, tile.squares());
-  const int from = around.index();
-  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
-        cx, cy, 0.7072f, near, near_ramp);
-  MeanByCells({tile, near, near_ramp, cx, cy}, form, form_area, to);
+  const Near near = NearOf(tile, tile.squares());
+  Enter(tile, NearOf(tile, around.index()), cx, cy, 0.7072f, near);
+  MeanByCells({tile, near, cx, cy}, form, form_area, to);
 }
 
 void FindMean(LightTile& tile, int i, int j) {
   const size_t p = size_t(j * LightTile::kSide + i);
   if (tile.known[p]) return;
   bool smooth = false;
-  const Square around = SquareAround(tile, i, j, smooth);
+  const Square around = SquareAround(tile, i, j, true, smooth);
   if (tile.known[p]) return;
   float c[LightTile::kChannels] = {};
   ByCells(tile, around, i, j, nullptr, 1.0f, c);
@@ -257,7 +257,7 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
 
 void MeanOfPart(LightTile& tile, int i, int j, const LitPart& part, float* to) {
   bool smooth = false;
-  const Square around = SquareAround(tile, i, j, smooth);
+  const Square around = SquareAround(tile, i, j, false, smooth);
   if (smooth)
     BySquare(tile, around, i, j, part, to);
   else
@@ -267,19 +267,16 @@ void MeanOfPart(LightTile& tile, int i, int j, const LitPart& part, float* to) {
 void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
                    const std::array<float*, 4>& to) {
   bool smooth = false;
-  const Square around = SquareAround(tile, i, j, smooth);
+  const Square around = SquareAround(tile, i, j, false, smooth);
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  NearBranches *const near = NearOf(tile.near, tile.area, tile.squares()),
-                      *const near_ramp = NearOf(tile.near_gradient, tile.gradient, tile.squares());
-  const int from = around.index();
-  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
-        cx, cy, 0.7072f, near, near_ramp);
+  const Near near = NearOf(tile, tile.squares());
+  Enter(tile, NearOf(tile, around.index()), cx, cy, 0.7072f, near);
   alignas(64) float x[16], y[16];
   for (size_t k = 0; k < size_t(cells.count()); k += 16) {
     for (size_t q = 0; q < 16; ++q) x[q] = cx + cells.x[k + q], y[q] = cy + cells.y[k + q];
     Seen at;
     Shades shades;
-    SeeFrom(tile, near, near_ramp, cx, cy, x, y, at);
+    SeeFrom(tile, near, cx, cy, x, y, at);
     ShadePlaces(tile, at, x, y, shades);
     for (size_t c = 0; c < 4; ++c) std::copy_n(shades.c[c], 16, to[c] + k);
   }
@@ -292,7 +289,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mien {
 namespace batch {
-HWY_EXPORT(BeginTile);
+HWY_EXPORT(BeginGround);
 HWY_EXPORT(FindMean);
 HWY_EXPORT(MeanOfPart);
 HWY_EXPORT(ColorsOfCells);
@@ -300,9 +297,14 @@ HWY_EXPORT(ColorsOfCells);
 
 void LightTile::begin() {
   state.fill(State::unknown), known.fill(0), kept.clear();
-  near.resize(std::size_t(squares() + 1) * area.leaf_count());
-  near_gradient.resize(std::size_t(squares() + 1) * gradient.leaf_count());
-  MIEN_DISPATCH(BeginTile)(*this);
+}
+
+void LightTile::begin_ground() {
+  LightGround& g = *ground;
+  g.state.fill(LightGround::State::unknown);
+  g.near.resize(std::size_t(squares() + 1) * g.area.leaf_count());
+  g.near_gradient.resize(std::size_t(squares() + 1) * g.gradient.leaf_count());
+  MIEN_DISPATCH(BeginGround)(*this);
 }
 
 void find_mean(LightTile& tile, int i, int j) {
