@@ -73,9 +73,12 @@ struct LightTile {
   // Scratch.
   PartCells cells;
   std::array<std::uint16_t, PartCells::kMost> listed, open;  ///< of its cells
-  /// For 16 bits: what the open cells saw, and those whose quarters are listed.
+  /// What the open cells saw, and those whose quarters are listed: one and the other in turns.
   using CellColors = std::array<std::array<float, PartCells::kMost>, kChannels>;
-  CellColors of_open, wholes;
+  std::array<CellColors, 2> cell_colors;
+  bool turned = false;
+  CellColors& of_open() { return cell_colors[turned]; }
+  CellColors& wholes() { return cell_colors[!turned]; }
 
   static constexpr int first_of(int level) { return ((1 << 2 * level) - 1) / 3; }
   static constexpr int square(int level, int i, int j) {

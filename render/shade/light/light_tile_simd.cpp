@@ -35,10 +35,14 @@ Near NearOf(const LightTile& tile, int square) {
           g.near_gradient.data() + size_t(square) * g.gradient.leaf_count()};
 }
 
-float LeastOf(const LightTile::Bicubic& square) {
-  float least = 1.0f;
-  for (int c = 0; c < 3; ++c) least = HWY_MIN(least, LeastOf16(square.c[c]));
-  return least;
+/// The most that a square's colours have of a degree, by its table.
+float MostOf(const LightTile& tile, const float (&degree)[4], const LightTile::Bicubic& square) {
+  float least[LightTile::kChannels] = {}, most = 0.0f;
+  for (int c = 0; c < 3; ++c) least[c] = LeastOf16(square.c[c]);
+  const Encoding encoding = EncodingAt(tile, least);
+  for (int c = 0; c < tile.channels; ++c)
+    most = HWY_MAX(most, MostOf(degree, square.c[c]) * encoding.by[c]);
+  return most;
 }
 
 /// Whether colours jump at a ridge within reach. Light changes by no more than the surface's normal does, and where the
@@ -49,7 +53,7 @@ bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
   // of itself to a mean.
   constexpr float kStep = 3.0f;
   const LampLanes& lamp = tile.lamp;
-  const float most = kStep * tile.tolerance / (lamp.linear ? 12.92f : 1.0f);
+  const float most = kStep * tile.tolerance;
   for (int k = 0; k < 16; ++k) {
     if (at.off[k] >= reach) continue;
     const float along = at.ex[k] * at.best.nx[k] + at.ey[k] * at.best.ny[k];
@@ -98,13 +102,11 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   ShadePlaces(tile, at, x, y, shades);
   LightTile::Bicubic made;
   for (int c = 0; c < tile.channels; ++c) std::copy_n(shades.c[c], 16, made.c[c]);
-  const float allowed = tile.lamp.linear ? AllowedAt(tile, LeastOf(made)) : tile.tolerance;
-  if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * allowed) return false;
+  if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * tile.tolerance) return false;
   if (LeastOf16(shades.foot) < kFoot * side) return false;
-  float third = 0.0f;
-  for (int c = 0; c < tile.channels; ++c) third = HWY_MAX(third, MostOf(g.third, made.c[c]));
-  if (side == 1.0f && third < kWhole * allowed) KnowPixel(tile, square.i, square.j, made);
-  if (third > kThird * allowed) return false;
+  const float third = MostOf(tile, g.third, made);
+  if (side == 1.0f && third < kWhole * tile.tolerance) KnowPixel(tile, square.i, square.j, made);
+  if (third > kThird * tile.tolerance) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
   tile.kept.push_back(made);
   return true;
@@ -115,7 +117,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
   constexpr float kBetween = 0.45f, kDeep = 1.0f;
   // [of the tolerance] A clamp that begins in a pixel leaves a twelfth of its change; what varies so little bends less.
-  constexpr float kKink = 10.0f, kRange = 80.0f;
+  constexpr float kKink = 10.0f, kRange = 64.0f;
   // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
   constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
   if (tile.lamp.finest < 3.0f) return;
@@ -149,20 +151,21 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   for (int p = 0; p < 4; ++p) {
     if (!fits[p]) continue;
     alignas(64) float counts[16] = {};
-    float mean[LightTile::kChannels], wide = 0.0f, least = 1.0f;
+    float mean[LightTile::kChannels], high[LightTile::kChannels], low[LightTile::kChannels] = {};
     for (int q = 0; q < 4; ++q) counts[4 * p + q] = 1.0f;
     for (int c = 0; c < tile.channels; ++c) {
       const float* v = shades.c[c] + 4 * p;
       mean[c] = 0.25f * ((v[0] + v[3]) + (v[1] + v[2]));
-      const float high = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3])),
-                  low = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
-      wide = HWY_MAX(wide, high - low), least = HWY_MIN(least, low);
+      high[c] = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3]));
+      low[c] = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
     }
-    const float allowed = AllowedAt(tile, least);
-    float foot = 1e9f;
+    const Encoding encoding = EncodingAt(tile, low);
+    float foot = 1e9f, wide = 0.0f;
+    for (int c = 0; c < tile.channels; ++c)
+      wide = HWY_MAX(wide, (high[c] - low[c]) * encoding.by[c]);
     for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * p + q]);
-    if (wide > kRange * allowed || foot < 0.5f) continue;
-    if (KinkAmong(tile, shades, counts, 0.5f) > kKink * allowed) continue;
+    if (wide > kRange * tile.tolerance || foot < 0.5f) continue;
+    if (KinkAmong(tile, shades, counts, 0.5f) > kKink * tile.tolerance) continue;
     const int side = 2, i = square.i * side + (p & 1), j = square.j * side + (p >> 1);
     const size_t to = size_t(j * LightTile::kSide + i);
     for (int c = 0; c < tile.channels; ++c) tile.mean[size_t(c)][to] = mean[c];
@@ -235,9 +238,7 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
   const float side = float(tile.side >> square.level), over = 2.0f / side;
   const float u0 = float(i) + 0.5f - (float(square.i) + 0.5f) * side,
               v0 = float(j) + 0.5f - (float(square.j) + 0.5f) * side;
-  if (kept.bend < 0.0f)
-    for (int c = 0; c < tile.channels; ++c)
-      kept.bend = HWY_MAX(kept.bend, MostOf(GaussTables::get().second, kept.c[c]));
+  if (kept.bend < 0.0f) kept.bend = MostOf(tile, GaussTables::get().second, kept);
   // A coefficient c bends by 12 c / side² per px²; centroids leave a part's variance, 1/12 at most, times half of that.
   if (kept.bend < 0.5f * side * side * tile.tolerance)
     return BicubicAt(kept, tile.channels, (u0 + part.x) * over, (v0 + part.y) * over, to);

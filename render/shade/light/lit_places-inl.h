@@ -140,20 +140,27 @@ HWY_INLINE Range RangeOf16(const float* v, const float* there) {
   return {hn::GetLane(hn::MinOfLanes(f, low)), hn::GetLane(hn::MaxOfLanes(f, high))};
 }
 
-/// How steep the transfer function is where the least value is that: of the blending space per linear light.
-HWY_INLINE float SteepnessAt(const LightTile& tile, float least) {
-  if (tile.lamp.linear) return 1.0f;
+/// How steeply linear light is encoded where it has that value of the blending space, or a little more.
+HWY_INLINE float SteepnessAt(const LightTile& tile, float v) {
+  // 1.055 / 2.4 v^(−7/12) is less than 0.72 / √v.
+  if (tile.lamp.linear) return HWY_MAX(0.72f / std::sqrt(HWY_MAX(v, 0.0031f)), 0.6f);
   // 1.055 / 2.4 x^(−1.4) with x = (v + 0.055) / 1.055, by a power that is no less.
-  const float x = (HWY_MAX(least, 0.0f) + 0.055f) / 1.055f;
+  const float x = (HWY_MAX(v, 0.0f) + 0.055f) / 1.055f;
   return HWY_MIN(0.44f / (x * std::sqrt(x)), 12.92f);
 }
 
-/// What means may be off by where the least value is that: dark values of linear light are encoded up to 12.92 times as
-/// steep.
-inline float AllowedAt(const LightTile& tile, float least) {
-  if (!tile.lamp.linear || tile.lamp.distance_alone) return tile.tolerance;
-  // 1.055 / 2.4 v^(−0.583) is less than 0.72 / √v.
-  return tile.tolerance / HWY_MAX(0.72f / std::sqrt(HWY_MAX(least, 0.0031f)), 0.6f);
+/// What differences of each channel are encoded as, where the channels have these values or more: all tolerances are of
+/// encoded values.
+struct Encoding {
+  float by[LightTile::kChannels];
+};
+inline Encoding EncodingAt(const LightTile& tile, const float* v) {
+  Encoding to{{1.0f, 1.0f, 1.0f, 1.0f}};
+  if (!tile.lamp.linear || tile.lamp.distance_alone) return to;
+  for (int c = 0; c < 3; ++c) to.by[c] = SteepnessAt(tile, v[c]);
+  // Opacity shows in all of them.
+  to.by[3] = HWY_MAX(HWY_MAX(to.by[0], to.by[1]), to.by[2]);
+  return to;
 }
 
 /// By how much a clamp of the law that begins among places, or as close to them as `margin` of their range, changes
