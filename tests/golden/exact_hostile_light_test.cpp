@@ -44,7 +44,8 @@ struct HostileLight {
 };
 
 /// Some pixels of the exact picture are judged, in both blends and depths, and the work is bounded.
-void expect_lit_right(const Scene& scene, const std::string& name, int every = 3) {
+void expect_lit_right(const Scene& scene, const std::string& name, int every = 3,
+                      const Wanted& wanted = kAllStorages) {
   SCOPED_TRACE(name);
   const View view{.width = kHostileSide, .height = kHostileSide, .dither = false};
   RenderStats stats;
@@ -52,7 +53,7 @@ void expect_lit_right(const Scene& scene, const std::string& name, int every = 3
   const ExactTruth truth(scene, view, ExactTruth::kLit);
   Tallies tallies;
   judge_window(
-      scene, view, {0, 0, kHostileSide, kHostileSide}, truth, kAllStorages,
+      scene, view, {0, 0, kHostileSide, kHostileSide}, truth, wanted,
       [&](int x, int y) { return (3 * x + 5 * y) % every == 0; }, tallies);
   for (std::size_t i = 0; i < tallies.size(); ++i)
     EXPECT_EQ(tallies[i].over, 0) << kStorages[i].name << ": " << tallies[i].where;
@@ -82,6 +83,8 @@ TEST(ExactHostileLight, StrokesWiderThanTheirSpinesAreLongAreRight) {
   expect_lit_right(lit.over_shape(QuadStroke{{{5, 8}, {9, 8}, {6, 8}}, 3}), "turns back");
   expect_lit_right(lit.over_shape(TaperedStroke{{{5, 8}, {9, 8}, {6, 8}}, {1, 3, 3}}),
                    "turns and widens");
+  expect_lit_right(lit.over_shape(TaperedStroke{{{5, 8}, {9, 8}, {5, 8}}, {1, 3, 1}}),
+                   "turns where it is widest", 3, {true, false, true, false});
 }
 
 TEST(ExactHostileLight, BranchesThatCoincideAreRight) {
