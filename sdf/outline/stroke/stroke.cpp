@@ -76,12 +76,12 @@ void write_open(OutlineLoop& loop, const Pen& pen, double t0, double t1) {
   const Rim right0 = rim_at(pen, -1.0, t0), right1 = rim_at(pen, -1.0, t1);
   const Rim left0 = rim_at(pen, 1.0, t0), left1 = rim_at(pen, 1.0, t1);
   loop.begin(right0.point);
-  write_rim(loop, pen, -1.0, t0, t1);
+  write_rim(loop, pen, -1.0, right0, right1);
   if (t1 == 1.0 && pen.width(1.0) > kThinStroke)
     write_cap(loop, pen, 1.0, right1.normal, left1.point);
   if (t1 < 1.0) write_tip(loop, pen, t1, 1.0, right1.normal, left1.point);
   loop.line(left1.point);
-  write_rim(loop, pen, 1.0, t1, t0);
+  write_rim(loop, pen, 1.0, left1, left0);
   if (t0 == 0.0 && pen.w > kThinStroke) write_cap(loop, pen, 0.0, left0.normal, right0.point);
   if (t0 > 0.0) write_tip(loop, pen, t0, -1.0, left0.normal, right0.point);
   loop.close();
