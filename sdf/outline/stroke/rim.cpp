@@ -88,6 +88,11 @@ class RimWriter {
   /// each part is asked again.
   void write(const Rim& a, const Rim& b, int halvings) {
     constexpr int kMost = 8;
+    // As flat as an arc of one piece.
+    const glm::dvec2 chord = b.point - a.point, turn = b.way - a.way;
+    const double turned2 = glm::dot(turn, turn), arc = 128.0 * loop_.tolerance();
+    if (glm::dot(chord, chord) * (turned2 * turned2 * turned2) <= arc * arc)
+      return fit(a, b, halvings);
     // Pieces wanted up to x: a parabola for their density through three places.
     const double dt = b.t - a.t, f0 = density(a), f2 = density(b),
                  f1 = density(rim_at(pen_, toward_, a.t + 0.5 * dt));
@@ -190,10 +195,10 @@ class RimWriter {
     const double h1 = glm::dot(d, q.b) + 2.0 * glm::dot(da, q.a) + q.w * q.wb + 2.0 * q.wa * q.wa;
     const double h3 = glm::dot(db, q.b) + q.wb * q.wb;
     const double h = std::max(std::abs(h1), std::abs(h1 - h3));
-    // Half the second derivative, and by how much it changes.
+    // Half the second derivative, and by how much it changes: at the ends it is the rim's speed.
     const double ab = glm::dot(q.a, q.b) - q.wa * q.wb, bb = glm::dot(q.b, q.b) - q.wb * q.wb;
-    const Bow k{4.0 * (glm::dot(q.a, q.a) - q.wa * q.wa) - 2.0 * (glm::dot(d, q.b) + q.w * q.wb),
-                4.0 * ab - 2.0 * (glm::dot(da, q.b) + q.wa * q.wb), 4.0 * bb - 2.0 * h3};
+    const double dt = end.t - begin.t, k0 = dt * dt * begin.speed, kk = 4.0 * bb - 2.0 * h3;
+    const Bow k{k0, 0.5 * (dt * dt * end.speed - k0 - kk), kk};
     const double change = 12.0 * std::max(std::abs(ab), std::abs(ab + bb));
     const double least = k.least(0.0, 1.0);
     // All the way to the foot half of it is kept.
