@@ -36,10 +36,18 @@ struct OutlineMaker::Filler : BoundaryWriter {
     const double w = s.half_width;
     (*this)(TaperedStroke{s.spine, {w, w, w}});
   }
-  void operator()(const TaperedStroke& s) const {
-    const QuadBezier spine{map(s.spine.p0), map(s.spine.p1), map(s.spine.p2)};
+  void operator()(const TaperedStroke& s) const { write_stroke(maker.loop_, pen(s, 0.0)); }
+
+  Pen pen(const QuadStroke& s, double amount) const {
+    const double w = s.half_width;
+    return pen(TaperedStroke{s.spine, {w, w, w}}, amount);
+  }
+  Pen pen(const TaperedStroke& s, double amount) const {
     const double* w = s.half_width;
-    write_stroke(maker.loop_, Pen(spine, scale * w[0], scale * w[1], scale * w[2]));
+    return {{map(s.spine.p0), map(s.spine.p1), map(s.spine.p2)},
+            scale * (w[0] + amount),
+            scale * (w[1] + amount),
+            scale * (w[2] + amount)};
   }
 };
 
@@ -61,6 +69,25 @@ int OutlineMaker::fill(const Shape& shape) {
   const int index = loop_.outline(rule_of(shape));
   loop_.set_may_run_back(std::holds_alternative<Path>(shape));
   std::visit(Filler(*this), shape);
+  return index;
+}
+
+int OutlineMaker::add(const AreaPrograms& programs, const OutlineSource& source) {
+  const Shape& shape = programs.shape(source);
+  if (source.rim) return rim(shape, source.amount);
+  if (source.count == 1)
+    return source.amount == 0.0 ? fill(shape) : fill(*offset_shape(shape, source.amount));
+  const int index = loop_.outline(FillRule::nonzero);
+  loop_.set_may_run_back(false);
+  StrokeRow row(loop_);
+  for (int i = 0; i < source.count; ++i) {
+    const Shape& stroke = programs.shape({source.shape + i, 0.0, false});
+    const auto* even = std::get_if<QuadStroke>(&stroke);
+    const Filler filler(*this);
+    row.add(even ? filler.pen(*even, source.amount)
+                 : filler.pen(std::get<TaperedStroke>(stroke), source.amount));
+  }
+  row.end();
   return index;
 }
 

@@ -11,6 +11,7 @@
 
 #include <mien/box2.h>
 #include <mien/map.h>
+#include "sdf/outline/area_program.h"
 #include "sdf/outline/curve/side_list.h"
 #include "sdf/outline/outline_loop.h"
 #include "sdf/outline/outlines.h"
@@ -36,6 +37,9 @@ class OutlineMaker {
   /// The outline of {distance(shape) <= 0}; its index. Shapes without area give an outline without
   /// pieces.
   int fill(const Shape& shape);
+
+  /// What programs ask for: fills of shapes or of their offsets, of rows of strokes, or rims; its index.
+  int add(const AreaPrograms& programs, const OutlineSource& source);
 
   /// The outline of {|distance(shape)| <= half_width} [face units, > 0], the ribbon along the shape's
   /// own outline; its index. A stroke that overlaps itself has no such outline: ask for its wider
