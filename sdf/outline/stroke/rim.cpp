@@ -87,7 +87,7 @@ class RimWriter {
   /// In as many pieces as the estimate asks for, at equal shares of it. Where that is more than a few, or no number,
   /// each part is asked again.
   void write(const Rim& a, const Rim& b, int halvings) {
-    constexpr int kMost = 8;
+    constexpr int kMost = 32, kParts = 8;
     // As flat as an arc of one piece.
     const glm::dvec2 chord = b.point - a.point, turn = b.way - a.way;
     const double turned2 = glm::dot(turn, turn), arc = 128.0 * loop_.tolerance();
@@ -101,7 +101,7 @@ class RimWriter {
     const auto wanted = [&](double x) { return scale * x * (f0 + x * (c1 / 2.0 + x * c2 / 3.0)); };
     const double all = wanted(1.0);
     if (!(all > 1.0 && std::max(f0, f2) < 8.0 * f1)) return fit(a, b, halvings);
-    const int n = all < kMost ? int(all) + 1 : kMost;
+    const int n = all < kMost ? int(all) + 1 : kParts;
     Rim from = a;
     double x = 0.0;
     for (int i = 1; i <= n; ++i) {
