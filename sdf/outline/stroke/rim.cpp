@@ -202,11 +202,11 @@ class RimWriter {
     const double change = 12.0 * std::max(std::abs(ab), std::abs(ab + bb));
     const double least = k.least(0.0, 1.0);
     // All the way to the foot half of it is kept.
-    const double kept = 1.0 - (change + 6.0 * bb * h / least) * h / (least * least);
+    const double kept = 1.0 - (change + 6.0 * std::abs(bb) * h / least) * h / (least * least);
     if (!(least > 0.0 && kept >= 0.5)) return std::numeric_limits<double>::infinity();
     // At the foot φ is s² (1 − s)² times m/k, and what its third and fourth derivatives add.
     const double way = h / (least * kept),
-                 added = (2.0 / 3.0 * change + bb * way) * way * way * way;
+                 added = (2.0 / 3.0 * change + std::abs(bb) * way) * way * way * way;
     const Bow m{c * k.c0 - 4.0 * h1 * h1, c * k.c1 + 4.0 * h1 * h3, c * k.c2 - 4.0 * h3 * h3};
     const Bow width{q.w, q.wa, q.wb};
     const double mid = 2.0 * (q.w + q.wa), last = q.w + 2.0 * q.wa + q.wb;
