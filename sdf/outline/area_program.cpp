@@ -17,13 +17,7 @@ constexpr std::size_t kFirstOutlines = 256;
 
 /// Whether both are strokes, and the second begins as the first ends.
 bool meet(const Shape& first, const Shape& second) {
-  const auto pen = [](const Shape& shape) -> std::optional<TaperedStroke> {
-    if (const auto* even = std::get_if<QuadStroke>(&shape))
-      return TaperedStroke{even->spine, {even->half_width, even->half_width, even->half_width}};
-    if (const auto* tapered = std::get_if<TaperedStroke>(&shape)) return *tapered;
-    return {};
-  };
-  const auto a = pen(first), b = pen(second);
+  const auto a = tapered(first), b = tapered(second);
   return a && b && a->spine.p2 == b->spine.p0 && a->half_width[2] == b->half_width[0];
 }
 

@@ -32,22 +32,12 @@ struct OutlineMaker::Filler : BoundaryWriter {
     for (const glm::dvec2 p : s.points) maker.points_.push_back(map(p));
     write_polyline(maker.loop_, maker.points_, scale * s.half_width, maker.sides_);
   }
-  void operator()(const QuadStroke& s) const {
-    const double w = s.half_width;
-    (*this)(TaperedStroke{s.spine, {w, w, w}});
-  }
-  void operator()(const TaperedStroke& s) const { write_stroke(maker.loop_, pen(s, 0.0)); }
+  void operator()(const QuadStroke& s) const { (*this)(*tapered(s)); }
+  void operator()(const TaperedStroke& s) const { write_stroke(maker.loop_, pen(s)); }
 
-  Pen pen(const QuadStroke& s, double amount) const {
-    const double w = s.half_width;
-    return pen(TaperedStroke{s.spine, {w, w, w}}, amount);
-  }
-  Pen pen(const TaperedStroke& s, double amount) const {
-    const double* w = s.half_width;
-    return {{map(s.spine.p0), map(s.spine.p1), map(s.spine.p2)},
-            scale * (w[0] + amount),
-            scale * (w[1] + amount),
-            scale * (w[2] + amount)};
+  Pen pen(const TaperedStroke& s) const {
+    const QuadBezier spine{map(s.spine.p0), map(s.spine.p1), map(s.spine.p2)};
+    return {spine, scale * s.half_width[0], scale * s.half_width[1], scale * s.half_width[2]};
   }
 };
 
@@ -81,11 +71,9 @@ int OutlineMaker::add(const AreaPrograms& programs, const OutlineSource& source)
   loop_.set_may_run_back(false);
   StrokeRow row(loop_);
   for (int i = 0; i < source.count; ++i) {
-    const Shape& stroke = programs.shape({source.shape + i, 0.0, false});
-    const auto* even = std::get_if<QuadStroke>(&stroke);
-    const Filler filler(*this);
-    row.add(even ? filler.pen(*even, source.amount)
-                 : filler.pen(std::get<TaperedStroke>(stroke), source.amount));
+    TaperedStroke stroke = *tapered(programs.shape({source.shape + i, 0.0, false}));
+    for (double& w : stroke.half_width) w += source.amount;
+    row.add(Filler(*this).pen(stroke));
   }
   row.end();
   return index;

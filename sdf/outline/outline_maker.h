@@ -67,4 +67,7 @@ class OutlineMaker {
 /// half-width, or less the rim where `amount` < 0.
 std::optional<Shape> offset_shape(const Shape& shape, double amount);
 
+/// A stroke as a tapered one. None of another shape.
+std::optional<TaperedStroke> tapered(const Shape& shape);
+
 }  // namespace mien
