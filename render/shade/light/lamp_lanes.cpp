@@ -63,6 +63,8 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
   to.shine = float(r.lamp.specular() / (1.0 - r.lamp.level_shine()));
   if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
   to.domes.clear(), to.finest = 1e9f;
+  // Over a round profile's width colours make all their change, some 100 levels with a bend of 4 / width².
+  to.bend = !flat && round ? float(1.6 / (r.width * r.width)) : 0.0f;
   for (const GridRelief::GridDome& dome : r.domes) {
     const glm::dvec2 at = surface.center() + dome.center - middle;
     if (glm::length(at) > dome.max_radius + radius) continue;
