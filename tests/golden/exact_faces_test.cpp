@@ -210,8 +210,8 @@ TEST(ExactLitScenes, OfEveryProfileDomeAndPaintAreWithinALevel) {
   }
 }
 
-/// Highlights that are narrow at the foot of a dome, and ramps along a distance on bevels: cells were taken for small,
-/// and the reference looked at such pixels in too few places.
+/// Highlights that are narrow at the foot of a dome, steep ramps under light, thin lines under wide round profiles: cells
+/// were taken for small, and the reference looked at such pixels in too few places.
 TEST(ExactLitScenes, ThatWereWrongOnceAreRight) {
   struct Place {
     std::uint64_t seed;
@@ -219,6 +219,9 @@ TEST(ExactLitScenes, ThatWereWrongOnceAreRight) {
   };
   for (const Place& p : {Place{500030, 39, 29},
                          {500043, 1, 6},
+                         {500131, 0, 3},
+                         {500131, 1, 7},
+                         {500169, 5, 7},
                          {500169, 6, 5},
                          {500182, 5, 7},
                          {500246, 1, 30},

@@ -216,7 +216,7 @@ inline int SideFor(float bend, float area, float allowed) {
 inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   // [px] Profiles are steep where cells are two depths wide. [levels · px] Seen at one depth, a row of 4 × 4 cells along
   // an outline is off by a fifth of that over the profile's width: 12 px do for 8 bits.
-  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255;
+  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255, kThin = 0.15f;
   const F f;
   LightTile& tile = pixel.tile;
   Seen at;
@@ -267,6 +267,10 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   constexpr float kTurn = 1.5f * 255 / 4;
   const float turn = MostTurn(at.relief, cells.away);
   pixel.bends = turn * turn > kTurn * tile.tolerance;
+  // Thinner than cells: depths are not spread from the outline on where a ridge ends them.
+  for (size_t k = 0; k < 16 && upright; ++k)
+    pixel.bends =
+        pixel.bends || (cells.area[k] > 0.0f && at.relief.off[k] - at.relief.best.d[k] < kThin);
 }
 
 /// Which of a level's cells are looked at: of the grid of that many each way, in its order.
