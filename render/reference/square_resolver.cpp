@@ -130,6 +130,15 @@ bool SquareResolver::varied(const Scope& scope) const {
   });
 }
 
+/// Whether light falls in the square, or a ramp goes by a distance.
+bool SquareResolver::lit(const Scope& scope) const {
+  const auto live = logic_.live(scope);
+  return std::any_of(live.begin(), live.end(), [&](const LiveLayer& l) {
+    const int index = paints_.layers[std::size_t(l.layer)].varied;
+    return index >= 0 && paints_.varied[std::size_t(index)].lit >= 0;
+  });
+}
+
 /// Whether a gradient seen in the square may have a stop there, or even one at which it jumps.
 SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, const Scope& scope) {
   Kink worst = Kink::none;
@@ -154,7 +163,8 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
 /// A square in which only whole layers are seen: by three rules of four places (and the middle), each exact for
 /// polynomials of degree three. A ridge is missed only if it lies so that all three see the same of it. Stops of
 /// gradients are known; where the colour changes little, so does its kink. A jump may be missed by all places, so
-/// squares with one are divided to the end.
+/// squares with one are divided to the end. Highlights and steps of profiles may be narrow, too: light is looked at in
+/// small squares.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
   const Mix middle = color(center, scope);
   if (!varied(scope)) return {middle, 0.0};
@@ -171,7 +181,7 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
   const Mix mean = mean_of_four({kGauss * half, kGauss * half});
   if (depth == 0) return {mean, largest(mean - middle)};
   const Kink kink = kink_in(center, half, scope);
-  if (kink != Kink::jump) {
+  if (kink != Kink::jump && !(lit(scope) && half > kLitHalf)) {
     const Mix edges = (middle + 2.0 * mean_of_four({half, 0.0})) / 3.0;
     double off = largest(mean - edges);
     if (off <= tolerance_) off = std::max(off, largest(mean - mean_of_four({kRing * half, 0.0})));

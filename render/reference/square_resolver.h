@@ -45,6 +45,8 @@ class SquareResolver {
 
  private:
   using Scope = LayerLogic::Scope;
+  static constexpr double kLitHalf =
+      1.0 / 16;                        ///< [px] half the side of squares that light is looked at in
   static constexpr int kUnits = 2048;  ///< of a pixel, in which squares are placed
   /// A square of the pixel at hand, by its middle and half its side.
   struct Square {
@@ -75,6 +77,7 @@ class SquareResolver {
   Resolved covered(glm::dvec2 center, double half, const Scope& scope, int depth);
   Kink kink_in(glm::dvec2 center, double half, const Scope& scope);
   bool varied(const Scope& scope) const;
+  bool lit(const Scope& scope) const;
   Mix color(glm::dvec2 p, const Scope& scope);
   Mix paint(const PaintedLayer& layer, glm::dvec2 p);
   double distance(int shape, glm::dvec2 p);

@@ -222,14 +222,13 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
 
 void FindMean(LightTile& tile, int i, int j) {
   const size_t p = size_t(j * LightTile::kSide + i);
-  if (tile.known[p]) return;
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, true, smooth);
   if (tile.known[p]) return;
   float c[LightTile::kChannels] = {};
   ByCells(tile, around, i, j, nullptr, 1.0f, c);
   for (int k = 0; k < tile.channels; ++k) tile.mean[size_t(k)][p] = c[k];
-  tile.known[p] = 1;
+  tile.known[p] = !tile.refused;
 }
 
 /// A smooth square's colour over a part: at its centroid where it bends little, else by cells.

@@ -41,8 +41,8 @@ class LitPaint {
     };
     Work take_work();
 
-    /// Columns in which branches were too many for any tile, since the caller emptied it: what was answered there is
-    /// nothing, and the pixel wants the reference.
+    /// Columns in which branches were too many for any tile, or colours too unlike within a cell, since the caller
+    /// emptied it: what was answered there is nothing, or not exact, and the pixel wants the reference.
     std::vector<int>& crowded();
 
    private:
