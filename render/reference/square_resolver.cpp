@@ -139,13 +139,20 @@ bool SquareResolver::lit(const Scope& scope) const {
   });
 }
 
-/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps.
+/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps; or a profile a kink.
 SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, const Scope& scope) {
   Kink worst = Kink::none;
   for (const LiveLayer& live : logic_.live(scope)) {
     const int index = paints_.layers[std::size_t(live.layer)].varied;
     if (index < 0) continue;
-    const GridPaint& paint = paints_.varied[std::size_t(index)].paint;
+    const VariedPaint& varied = paints_.varied[std::size_t(index)];
+    const GridPaint& paint = varied.paint;
+    if (varied.lit >= 0) {
+      const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
+      const double depth = surface.area() ? surface.area()->at(center) : 0.0;
+      for (const double level : surface.levels())
+        if (std::abs(depth - level) <= kSqrt2 * half) worst = Kink::stop;
+    }
     if (!paint.ramp) continue;
     const PaintField& f = paint.field;
     const double d = f.kind == PaintField::Kind::distance
@@ -161,30 +168,44 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
 }
 
 /// A square in which only whole layers are seen: by three rules of four places (and the middle), each exact for
-/// polynomials of degree three. A ridge is missed only if it lies so that all three see the same of it. Stops of
-/// gradients are known; where the colour changes little, so does its kink. A jump may be missed by all places, so
-/// squares with one are divided to the end. Highlights and steps of profiles may be narrow, too: light is looked at in
-/// small squares.
+/// polynomials of degree three. A straight ridge through the square parts a corner from the others, so corners must be
+/// as the other places tell. Stops of gradients and kinks of profiles are known; where the colour changes little, so do
+/// they. A jump of a gradient may be missed by all places, so squares with one are divided to the end. Highlights may be
+/// narrow, too: light is looked at in small squares.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
   const Mix middle = color(center, scope);
   if (!varied(scope)) return {middle, 0.0};
   Mix least = middle, most = middle;
-  const auto mean_of_four = [&](glm::dvec2 p) {
-    Mix sum{0.0};
-    for (int i = 0; i < 4; ++i, p = {-p.y, p.x}) {
-      const Mix c = color(center + p, scope);
-      sum += c, least = glm::min(least, c), most = glm::max(most, c);
+  const auto four = [&](glm::dvec2 p) {
+    std::array<Mix, 4> seen;
+    for (Mix& c : seen) {
+      c = color(center + p, scope), p = {-p.y, p.x};
+      least = glm::min(least, c), most = glm::max(most, c);
     }
-    return 0.25 * sum;
+    return seen;
+  };
+  const auto mean_of = [](const std::array<Mix, 4>& c) {
+    return 0.25 * ((c[0] + c[1]) + (c[2] + c[3]));
   };
   constexpr double kGauss = 0.57735026918962576, kRing = 0.81649658092772603;
-  const Mix mean = mean_of_four({kGauss * half, kGauss * half});
+  const std::array<Mix, 4> gauss = four({kGauss * half, kGauss * half});
+  const Mix mean = mean_of(gauss);
   if (depth == 0) return {mean, largest(mean - middle)};
   const Kink kink = kink_in(center, half, scope);
   if (kink != Kink::jump && !(lit(scope) && half > kLitHalf)) {
-    const Mix edges = (middle + 2.0 * mean_of_four({half, 0.0})) / 3.0;
-    double off = largest(mean - edges);
-    if (off <= tolerance_) off = std::max(off, largest(mean - mean_of_four({kRing * half, 0.0})));
+    const std::array<Mix, 4> edges = four({half, 0.0});
+    double off = largest(mean - (middle + 2.0 * mean_of(edges)) / 3.0);
+    if (off <= tolerance_) off = std::max(off, largest(mean - mean_of(four({kRing * half, 0.0}))));
+    if (off <= tolerance_) {
+      // Of the square: what a line past the nearest places cuts off, at most.
+      constexpr double kCorner = 0.09;
+      const std::array<Mix, 4> corners = four({half, half});
+      const Mix twist = 0.75 * ((gauss[0] - gauss[1]) + (gauss[2] - gauss[3]));
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Mix told = edges[i] + edges[(i + 1) % 4] - middle + (i % 2 ? -twist : twist);
+        off = std::max(off, kCorner * largest(corners[i] - told));
+      }
+    }
     const double change = largest(most - least);
     if (off <= tolerance_ && (kink == Kink::none || change <= 24.0 * tolerance_))
       return {mean, std::max({tolerance_, off, kink == Kink::none ? 0.0 : 0.05 * change})};
