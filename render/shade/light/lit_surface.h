@@ -42,7 +42,7 @@ class LitSurface {
   /// Zone 0 is outside, zone k between levels k − 1 and k, the last one beyond the last level.
   int zone_of(double d) const;
   /// The same where what is painted is inside, and only a rounding of its distance says otherwise: a hundredth of a pixel
-  /// beyond the outline.
+  /// beyond the layer's own outline, a hundredth of that beyond another, where colours change.
   int zone_inside(double d) const;
   /// Whether the profile does not rise there.
   bool flat(int zone) const;
