@@ -438,8 +438,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // cells may be off by at first.
   constexpr float kApart = 1.0f, kFew = 0.04f, kFirst = 8.0f;
   // Of what the smallest cells are apart from theirs, in all or from mean to mean: what may be left. And how much of
-  // that is borne [of the tolerance], as a pixel may be off by six of these for 16 bits.
-  constexpr float kLeft = 0.25f, kFine = 4.0f, kCoarse = 1.5f;
+  // that a pixel bears [of the tolerance], beside rounding: it may be off by six of these for 16 bits.
+  constexpr float kLeft = 0.8f, kFine = 4.0f, kCoarse = 1.2f;
   LightTile& tile = pixel.tile;
   const float allowed = tile.tolerance;
   float before[LightTile::kChannels] = {};
@@ -470,9 +470,12 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       apart = HWY_MAX(apart, std::abs(to[c] - before[c]) * pixel.encoding.by[c]), before[c] = to[c];
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
-    const float left = kLeft * HWY_MAX(mean.apart, apart * pixel.seen);
-    if (last && left > (tile.fine ? kFine : kCoarse) * allowed) tile.refused = true;
-    if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) return;
+    if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) {
+      if (side > first)
+        tile.off += kLeft * HWY_MAX(mean.apart, apart * pixel.seen) /
+                    ((tile.fine ? kFine : kCoarse) * allowed);
+      return;
+    }
     count = DivideCells(side, open, mean.opens, list), tile.turned = !tile.turned;
   }
 }

@@ -228,7 +228,7 @@ void FindMean(LightTile& tile, int i, int j) {
   float c[LightTile::kChannels] = {};
   ByCells(tile, around, i, j, nullptr, 1.0f, c);
   for (int k = 0; k < tile.channels; ++k) tile.mean[size_t(k)][p] = c[k];
-  tile.known[p] = !tile.refused;
+  tile.known[p] = !(tile.off > 0.0f);
 }
 
 /// A smooth square's colour over a part: at its centroid where it bends little, else by cells.
