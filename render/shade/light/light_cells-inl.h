@@ -437,16 +437,20 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
   // cells may be off by at first.
   constexpr float kApart = 1.0f, kFew = 0.04f, kFirst = 8.0f;
-  // Of what the smallest cells are apart from theirs, in all or from mean to mean: what may be left. And how much of
-  // that a pixel bears [of the tolerance], beside rounding: it may be off by six of these for 16 bits.
-  constexpr float kLeft = 0.8f, kFine = 4.0f, kCoarse = 1.2f;
+  // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
+  // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
+  // tolerance], beside rounding: it may be off by six of these for 16 bits.
+  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
+  const float last_left = pixel.tile.fine ? 0.8f : 0.5f;
+  constexpr float kAgain = 0.5f;  // of that: cells that were closed with more left were closed too soon
   LightTile& tile = pixel.tile;
   const float allowed = tile.tolerance;
   float before[LightTile::kChannels] = {};
   pixel.seen = HWY_MAX(form_area, 0.05f);
   const float bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
-  const int first = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8),
-            least = SideFor(bend, form_area, allowed);
+  const int begun = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8);
+  int first = begun;
+  const int least = SideFor(bend, form_area, allowed);
   pixel.bends = tile.fine;
   CellList &list = tile.listed, &open = tile.open;
   CellMean mean;
@@ -463,18 +467,24 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
                  last ? 1e9f : kApart * allowed / pixel.seen, kFew * allowed, side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
-    float apart = 0.0f;
+    float apart = 0.0f, change[LightTile::kChannels];
     for (int c = 0; c < tile.channels; ++c) to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
     pixel.shows(to);
-    for (int c = 0; c < tile.channels; ++c)
-      apart = HWY_MAX(apart, std::abs(to[c] - before[c]) * pixel.encoding.by[c]), before[c] = to[c];
+    for (int c = 0; c < tile.channels; ++c) {
+      change[c] = to[c] - before[c], before[c] = to[c];
+      apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
+    }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
     if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) {
-      if (side > first)
-        tile.off += kLeft * HWY_MAX(mean.apart, apart * pixel.seen) /
-                    ((tile.fine ? kFine : kCoarse) * allowed);
-      return;
+      if (side == begun) return;
+      const float left = (last ? last_left : kSettled) * HWY_MAX(mean.apart, apart * pixel.seen),
+                  off = left / ((tile.fine ? kFine : kCoarse) * allowed);
+      for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
+      if (last || off < kAgain) return void(tile.off += off);
+      first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
+      std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
+      continue;
     }
     count = DivideCells(side, open, mean.opens, list), tile.turned = !tile.turned;
   }
