@@ -28,8 +28,8 @@ class LitPaint {
  public:
   /// What an answer may be off by, of what a pixel may be; 1 and more where branches were too many for any tile.
   struct Doubt {
-    int column;
-    float off;
+    int column = 0;
+    float off = 0;
   };
 
   /// What is kept between questions, of all paints. One per thread.
