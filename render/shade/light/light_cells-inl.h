@@ -441,7 +441,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
-  const float last_left = pixel.tile.fine ? 0.8f : 0.27f;
+  const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
   constexpr float kAgain =
       0.5f;  // of that: cells that were closed with more left were closed too soon
   LightTile& tile = pixel.tile;
