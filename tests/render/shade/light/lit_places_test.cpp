@@ -1,7 +1,7 @@
 // What sixteen places see, on every instruction set: distance, gradient, and the ridge where another branch takes over.
-// Mirrors render/shade/nearest/near_area-inl.h.
+// Mirrors render/shade/light/lit_places-inl.h, whose places see by render/shade/nearest/near_area-inl.h.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/render/shade/nearest/ridges_test.cpp"
+#define HWY_TARGET_INCLUDE "tests/render/shade/light/lit_places_test.cpp"
 #include <hwy/foreach_target.h>
 #include "render/shade/nearest/near_area-inl.h"
 
@@ -82,7 +82,7 @@ AreaDistance random_triangle(test::Random& random) {
 
 constexpr std::array kHalves{0.5, 2.0, 8.0};
 
-TEST(Ridges, NearestBranchesAreTheAreasOwn) {
+TEST(LitPlaces, NearestBranchesAreTheAreasOwn) {
   test::on_every_set([] {
     test::Random random(31);
     int looked = 0;
@@ -108,7 +108,7 @@ TEST(Ridges, NearestBranchesAreTheAreasOwn) {
 }
 
 /// Both branches are equally far on the ridge, to first order, and the area's distance goes on by the other one.
-TEST(Ridges, LieWhereBothBranchesAreEquallyFar) {
+TEST(LitPlaces, RidgesLieWhereBothBranchesAreEquallyFar) {
   test::on_every_set([] {
     test::Random random(32);
     int ridges = 0, off = 0;
