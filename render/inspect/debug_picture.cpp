@@ -97,10 +97,16 @@ void draw_piece(const OutlinePiece& piece, double top, double bottom, int width,
 }
 
 void draw_outlines(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
-  for (const OutlinePiece& p : drawing.outlines().pieces)
-    draw_piece(p, p.y0, p.y1, width, rect, color_of(p.outline), image);
-  for (const OutlineVertex& v : drawing.outlines().vertices)
-    put(image, int(std::floor(v.x)) - rect.x, int(std::floor(v.y)) - rect.y, {255, 255, 255});
+  const auto& pieces = drawing.outlines().pieces;
+  for (const OutlineChain& c : drawing.outlines().chains)
+    for (int i = c.first; i <= c.last; ++i) {
+      const OutlinePiece& p = pieces[std::size_t(i)];
+      draw_piece(p, p.y0, p.y1, width, rect, color_of(c.outline), image);
+    }
+  const auto vertex = [&](double x, double y) {
+    put(image, int(std::floor(x)) - rect.x, int(std::floor(y)) - rect.y, {255, 255, 255});
+  };
+  for (const OutlinePiece& p : pieces) vertex(p.x0, p.y0), vertex(p.x1, p.y1);
 }
 
 void draw_fragments(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {

@@ -97,8 +97,6 @@ AreaBoundary AreaBoundaries::of(std::span<const AreaLevel> all) {
     steps_.push_back({AreaStep::Kind::and_});
   }
   maker_.finish();
-  // Loops are to be whole: the sides where outlines were cut are pieces like any others.
-  outlines_.left = -HUGE_VAL, outlines_.right = HUGE_VAL;
   Inside inside(steps_);
   regions_.begin(int(outlines_.rules.size()), inside);
   sweep_.run(outlines_, window_.lo.y - kAround, window_.hi.y + kAround, regions_,

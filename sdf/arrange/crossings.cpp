@@ -154,8 +154,9 @@ double gap_at_end(const SweepPiece& left, const SweepPiece& right) {
 
 }  // namespace
 
-SweepPiece sweep_piece(const OutlinePiece& piece) {
+SweepPiece sweep_piece(const OutlinePiece& piece, int outline, int turn) {
   SweepPiece made{piece};
+  made.outline = outline, made.turn = turn;
   const double wide = piece.x1 - piece.x0, high = piece.y1 - piece.y0;
   constexpr double kFloat = 0x1p-23;  // more than a rounding, relative to what is rounded
   const double lowest = std::min(piece.x0, piece.x1), highest = std::max(piece.x0, piece.x1);

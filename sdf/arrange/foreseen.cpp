@@ -8,9 +8,8 @@
 namespace mien {
 namespace {
 
-/// As many vertices as pieces are tied to loops, and the sweep has a piece of its own for each.
-constexpr std::uint64_t kBytesOfPiece =
-    sizeof(SweepPiece) + sizeof(OutlinePiece) + sizeof(OutlineVertex);
+/// The sweep has a piece of its own for each.
+constexpr std::uint64_t kBytesOfPiece = sizeof(SweepPiece) + sizeof(OutlinePiece);
 
 std::uint64_t path_sides(const Shape& shape) {
   std::uint64_t sides = 0;

@@ -31,17 +31,18 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   fragments_.clear(), doubts_.clear(), events_.clear(), again_.clear(), pieces_.clear();
   stats_ = told_ = {}, count_ = 0, found_ = 0, told_regions_ = 0, since_held_ = since_told_ = 0;
   pieces_.reserve(outlines.pieces.size() + 1);
-  for (const OutlinePiece& p : outlines.pieces) pieces_.push_back(sweep_piece(p));
+  for (const OutlineChain& c : outlines.chains)
+    for (int i = c.first; i <= c.last; ++i)
+      pieces_.push_back(sweep_piece(outlines.pieces[std::size_t(i)], c.outline, c.turn));
   again_left_ = kAgainFirst + 4 * long(pieces_.size());
   room_for(0);
   holds(bytes());
   worked(50 * std::int64_t(pieces_.size()));
   sort_vertices();
   begin_at_top();
-  for (const int i : order_) {
-    const OutlineVertex& v = outlines.vertices[std::size_t(i)];
+  for (const Vertex& v : vertices_) {
     events_until(v.y, v.x);
-    vertex(i);
+    vertex(v);
     step();
   }
   events_until(bottom_, HUGE_VAL);
@@ -54,35 +55,27 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   const double x =
       outlines.left;  // the side itself, which what is shown left of the picture ends at
   pieces_.push_back(
-      sweep_piece({x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom, -1, -1, -1, 1}));
+      sweep_piece({x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom}));
   stats_.regions = regions.count();
 }
 
-/// Vertices between top and bottom, by height and then from the left: sorted into buckets by height, then within
-/// each.
+/// Vertices between top and bottom, by height and then from the left.
 void Sweep::sort_vertices() {
-  const auto& all = outlines_->vertices;
-  const std::size_t buckets = std::clamp<std::size_t>(all.size(), 1, 1024);
-  double lo = HUGE_VAL, hi = -HUGE_VAL;
-  const auto counts = [&](const OutlineVertex& v) { return v.y > top_ && v.y < bottom_; };
-  for (const OutlineVertex& v : all)
-    if (counts(v)) lo = std::min(lo, v.y), hi = std::max(hi, v.y);
-  const double scale = hi > lo ? double(buckets - 1) / (hi - lo) : 0.0;
-  buckets_.assign(buckets + 1, 0);
-  const auto bucket = [&](const OutlineVertex& v) { return std::size_t((v.y - lo) * scale); };
-  for (const OutlineVertex& v : all)
-    if (counts(v)) ++buckets_[bucket(v) + 1];
-  for (std::size_t i = 0; i < buckets; ++i) buckets_[i + 1] += buckets_[i];
-  order_.resize(std::size_t(buckets_.back()));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (counts(all[i])) order_[std::size_t(buckets_[bucket(all[i])]++)] = int(i);
-  const auto first = [&](int i, int j) {
-    const OutlineVertex &a = all[std::size_t(i)], &b = all[std::size_t(j)];
-    return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : i < j;
+  vertices_.clear();
+  const auto add = [&](const Vertex& v) {
+    if (v.y > top_ && v.y < bottom_) vertices_.push_back(v);
   };
-  for (std::size_t i = 0, from = 0; i < buckets; from = std::size_t(buckets_[i++]))
-    if (buckets_[i] - int(from) > 1)
-      std::sort(order_.begin() + std::ptrdiff_t(from), order_.begin() + buckets_[i], first);
+  for (const OutlineChain& c : outlines_->chains)
+    for (int i = c.first + 1; i <= c.last; ++i)
+      add({piece(i).y0, piece(i).x0, i - 1, i, -1});
+  for (std::size_t i = 0; i < outlines_->ends.size(); ++i)
+    add({outlines_->ends[i].y, outlines_->ends[i].x, -1, -1, int(i)});
+  std::sort(vertices_.begin(), vertices_.end(), [](const Vertex& a, const Vertex& b) {
+    return a.y != b.y       ? a.y < b.y
+           : a.x != b.x     ? a.x < b.x
+           : a.end != b.end ? a.end < b.end
+                            : a.above < b.above;
+  });
 }
 
 void Sweep::room_for(int more) {
@@ -109,11 +102,12 @@ void Sweep::begin_at_top() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const SweepPiece& p = pieces_[i];
     if (p.y0 > top_ || p.y1 <= top_) continue;
-    if (!beside(int(i)))
-      first[std::size_t(count_++)] = int(i);
-    else if (p.x0 == outlines_->left)
-      windings_[std::size_t(p.outline)] += p.turn;
+    first[std::size_t(count_++)] = int(i);
   }
+  for (const OutlineEnd& e : outlines_->ends)
+    if (const OutlineChain& c = outlines_->chains[std::size_t(e.chain)];
+        e.other < 0 && e.y <= top_ && e.x == outlines_->left)
+      windings_[std::size_t(c.outline)] += e.begins ? -c.turn : c.turn;
   for (std::size_t i = 0; i < windings_.size(); ++i)
     if (inside(int(i), windings_[i])) left_ = regions_->across(left_, int(i));
   left_look_ = regions_->look(left_);
@@ -163,18 +157,11 @@ void Sweep::finish(int slot, double y) {
   p.shown_from = y;
 }
 
-void Sweep::vertex(int index) {
-  const OutlineVertex& v = outlines_->vertices[std::size_t(index)];
-  if (beside(v.in) || beside(v.out)) return at_side(index);
-  const bool in_ends = piece(v.in).bottom == index, out_ends = piece(v.out).bottom == index;
-  if (in_ends && out_ends)
-    end(v.in, v.out, v);
-  else if (in_ends)
-    go_on(v.in, v.out, v.y);
-  else if (out_ends)
-    go_on(v.out, v.in, v.y);
+void Sweep::vertex(const Vertex& v) {
+  if (v.end < 0)
+    go_on(v.above, v.below, v.y);
   else
-    start(v.in, v.out, v);
+    end_or_begin(outlines_->ends[std::size_t(v.end)]);
 }
 
 int Sweep::winding_left_of(int slot, int outline) {
@@ -215,7 +202,7 @@ void Sweep::go_on(int old, int now, double y) {
   meet_others(slot, y, 0);
 }
 
-void Sweep::start(int a, int b, const OutlineVertex& v) {
+void Sweep::start(int a, int b, const OutlineEnd& v) {
   int slot = 0;
   for (int end = count_; slot < end;) {
     const int middle = (slot + end) / 2;
@@ -252,7 +239,7 @@ void Sweep::start(int a, int b, const OutlineVertex& v) {
   meet_others(slot + 1, v.y, 0, slot);
 }
 
-void Sweep::end(int a, int b, const OutlineVertex& v) {
+void Sweep::end(int a, int b, const OutlineEnd& v) {
   int slot = std::min(piece(a).slot, piece(b).slot), last = std::max(piece(a).slot, piece(b).slot);
   for (; last > slot + 1; --last) {  // whatever is between them still is out of order
     ++stats_.forced;

@@ -65,15 +65,20 @@ class Sweep {
 
   void sort_vertices();
   void begin_at_top();
-  void vertex(int index);
-  bool beside(int i) const;
-  void at_side(int index);
+  /// Where pieces end, begin, or follow each other.
+  struct Vertex {
+    double y, x;
+    int above, below;  ///< pieces; −1: none
+    int end;           ///< of the outlines; −1: it is within a chain
+  };
+  void vertex(const Vertex& v);
+  void end_or_begin(const OutlineEnd& e);
   void leave(int i, bool left, double y);
   void come(int i, bool left, double y);
   void show_left(double y);
   void go_on(int old, int now, double y);
-  void start(int a, int b, const OutlineVertex& v);
-  void end(int a, int b, const OutlineVertex& v);
+  void start(int a, int b, const OutlineEnd& v);
+  void end(int a, int b, const OutlineEnd& v);
   void events_until(double y, double x);
   void swap(int slot, double y, bool one_way = false);
   void swap_past(const Event& event, int from, int to);
@@ -126,7 +131,7 @@ class Sweep {
   int found_ = 0;
   std::vector<std::pair<int, int>> again_;  ///< to be compared again
   long again_left_ = 0;
-  std::vector<int> order_, buckets_;  ///< vertices from the top down
+  std::vector<Vertex> vertices_;  ///< from the top down
   std::vector<int> windings_;         ///< by outline, left of the picture
   int left_ = 0;                      ///< the region there
   int left_look_ = 0;

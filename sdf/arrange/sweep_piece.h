@@ -17,6 +17,7 @@
 namespace mien {
 
 struct SweepPiece : OutlinePiece {
+  int outline, turn;               ///< of its chain
   float lowest_x, highest_x;       ///< rounded outwards
   double lean;                     ///< of its chord, dx / dy
   double left_bulge, right_bulge;  ///< how far it leaves its chord along x [px], upper bounds
@@ -108,6 +109,6 @@ inline bool coincide(const OutlinePiece& a, const OutlinePiece& b) {
          a.ay == b.ay && a.bx == b.bx && a.by == b.by;
 }
 
-SweepPiece sweep_piece(const OutlinePiece& piece);
+SweepPiece sweep_piece(const OutlinePiece& piece, int outline = 0, int turn = 1);
 
 }  // namespace mien

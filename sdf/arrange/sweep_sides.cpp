@@ -6,27 +6,21 @@
 
 namespace mien {
 
-bool Sweep::beside(int i) const {
-  const SweepPiece& p = pieces_[std::size_t(i)];
-  return p.x0 == p.x1 && (p.x0 == outlines_->left || p.x0 == outlines_->right);
-}
-
-/// A loop comes from a side, or goes there.
-void Sweep::at_side(int index) {
-  const OutlineVertex& v = outlines_->vertices[std::size_t(index)];
-  const bool left = v.x == outlines_->left;
-  for (const int i : {v.in, v.out})
-    if (left && beside(i))
-      windings_[std::size_t(piece(i).outline)] +=
-          piece(i).top == index ? piece(i).turn : -piece(i).turn;
-  for (const int i : {v.in, v.out}) {
-    if (beside(i)) continue;
-    if (piece(i).bottom == index)
-      leave(i, left, v.y);
-    else
-      come(i, left, v.y);
-  }
-  show_left(v.y);
+void Sweep::end_or_begin(const OutlineEnd& e) {
+  const auto piece_of = [&](int chain) {
+    const OutlineChain& c = outlines_->chains[std::size_t(chain)];
+    return e.begins ? c.first : c.last;
+  };
+  const int own = piece_of(e.chain);
+  if (e.other >= 0) return (this->*(e.begins ? &Sweep::start : &Sweep::end))(own, piece_of(e.other), e);
+  const bool left = e.x == outlines_->left;
+  if (left)
+    windings_[std::size_t(piece(own).outline)] += e.begins ? -piece(own).turn : piece(own).turn;
+  if (e.begins)
+    come(own, left, e.y);
+  else
+    leave(own, left, e.y);
+  show_left(e.y);
 }
 
 void Sweep::leave(int i, bool left, double y) {

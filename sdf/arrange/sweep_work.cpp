@@ -12,7 +12,7 @@ std::size_t Sweep::bytes() const {
          doubts_.capacity() * sizeof(Doubt) + events_.capacity() * sizeof(Event) +
          again_.capacity() * sizeof(again_[0]) +
          outlines_->pieces.capacity() * sizeof(OutlinePiece) +
-         outlines_->vertices.capacity() * sizeof(OutlineVertex) + regions_->bytes();
+         vertices_.capacity() * sizeof(Vertex) + regions_->bytes();
 }
 
 /// What was done since it was told last, by what each costs.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/support/degenerate_scene.h"
+#include "tests/support/outline_sight.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/rendered.h"
 
@@ -110,11 +111,11 @@ TEST(Drawing, IsWhatTheReferenceSays) {
   EXPECT_EQ(stats.resolved_pixels, 0);
 }
 
-/// A side that jumps over another one, unknown to the vertices: so the order is wrong for most of its way.
+/// A side that jumps over another one, unknown to its neighbours: so the order is wrong for most of its way.
 TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
   DrawingProbe probe(two_squares(), kDrawnView);
   for (OutlinePiece& p : probe.outlines().pieces)
-    if (p.outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
+    if (test::chain_of(probe.outlines(), p).outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
   probe.arrange();
   RenderStats stats;
   EXPECT_LT(probe.off(stats), kAllowed);
@@ -155,7 +156,7 @@ TEST(Drawing, FaultsInWindingsAndJumpsAreSeen) {
   const auto off_with = [](auto fault) {
     DrawingProbe probe(two_squares(), kDrawnView);
     for (OutlinePiece& p : probe.outlines().pieces)
-      if (p.outline == 0 && p.x0 == 10) fault(p);
+      if (test::chain_of(probe.outlines(), p).outline == 0 && p.x0 == 10) fault(p);
     probe.arrange();
     RenderStats stats;
     return probe.off(stats);

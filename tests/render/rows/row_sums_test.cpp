@@ -7,7 +7,7 @@ namespace {
 
 OutlinePiece straight(glm::dvec2 from, glm::dvec2 to) {
   const glm::dvec2 a = 0.5 * (to - from);
-  return {from.x, from.y, a.x, a.y, 0, 0, to.x, to.y, 0, 0, 0, 1};
+  return {from.x, from.y, a.x, a.y, 0, 0, to.x, to.y};
 }
 
 TEST(RowSums, AddUpAlongARowToTheAreaOfEveryPixel) {

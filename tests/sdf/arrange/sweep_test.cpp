@@ -222,7 +222,7 @@ TEST(Sweep, APartOfThePictureHasTheLooksOfTheWhole) {
 }
 
 /// A square from x = 2 to 10, and one from x = 12 to 20 whose left side is made to jump over the right
-/// side of the first, unknown to the vertices: from (5, 6) it runs back to (12, 12).
+/// side of the first, unknown to its neighbours: from (5, 6) it runs back to (12, 12).
 Outlines with_a_jump() {
   const auto square = [](double left, double right, double middle) {
     Path path;
@@ -234,7 +234,7 @@ Outlines with_a_jump() {
   const Shape shapes[] = {square(2, 10, 16), square(12, 20, 6)};
   Outlines o = outlines_of(shapes, kWindow);
   for (OutlinePiece& p : o.pieces)
-    if (p.outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
+    if (chain_of(o, p).outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
   return o;
 }
 
