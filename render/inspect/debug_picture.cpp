@@ -60,7 +60,7 @@ void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image
     changes.clear();
     for (const Fragment& f : sweep.fragments())
       if (f.top <= middle && middle < f.bottom)
-        changes.push_back({x_at(sweep.pieces()[std::size_t(f.piece)], middle), f.left, f.right});
+        changes.push_back({x_at(sweep.piece(f.piece), middle), f.left, f.right});
     std::sort(changes.begin(), changes.end(),
               [](const Change& a, const Change& b) { return a.x < b.x; });
     // Those at one place follow each other as their looks do.
@@ -118,7 +118,7 @@ void draw_fragments(const Drawing& drawing, int width, const PixelRect& rect, Im
     const bool varies = !looks.constant(f.left) || !looks.constant(f.right);
     const double size = std::max({std::abs(jump.r), std::abs(jump.g), std::abs(jump.b)});
     const int light = 90 + int(165.0 * std::clamp(size, 0.0, 1.0));
-    draw_piece(drawing.sweep().pieces()[std::size_t(f.piece)], f.top, f.bottom, width, rect,
+    draw_piece(drawing.sweep().piece(f.piece), f.top, f.bottom, width, rect,
                varies ? Rgb{190, 120, 240} : Rgb{light, light, light / 2}, image);
   }
 }

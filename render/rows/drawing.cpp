@@ -129,7 +129,7 @@ void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const 
     const Fragment& f = sweep_.fragments()[i];
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (from < to)
-      sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, strip * kRows, jumps_[i],
+      sums.add(sweep_.piece(f.piece), from, to, strip * kRows, jumps_[i],
                varied(f.left), varied(f.right), f.right);
   }
 }
@@ -299,7 +299,7 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
     // A mixed colour is encoded no more steeply than the darker one of the two.
     const double steep = std::max(format_.steepness(palette_.entries[std::size_t(f.left)].color),
                                   format_.steepness(palette_.entries[std::size_t(f.right)].color));
-    cells_of(sweep_.pieces()[std::size_t(f.piece)], from, to, width_, [&](const CellStretch& c) {
+    cells_of(sweep_.piece(f.piece), from, to, width_, [&](const CellStretch& c) {
       if (c.column < rect.x || c.column >= rect.x + rect.width) return;
       const double length = std::hypot(c.xq - c.xp, c.yq - c.yp);
       notes.level(c.column, c.row) +=

@@ -13,7 +13,7 @@ void RowFingerprints::make(std::uint64_t seed, const Scene& scene, const Looks& 
   Fingerprint empty(seed);
   empty.add(looks_[std::size_t(first_look)]);
   rows_.assign(std::size_t(rows), empty.value());
-  for (const Fragment& f : sweep.fragments()) add(f, sweep.pieces()[std::size_t(f.piece)]);
+  for (const Fragment& f : sweep.fragments()) add(f, sweep.piece(f.piece));
   for (const Doubt& d : sweep.doubts()) doubt(d);
   // Rows know looks by 16 bits (RowSums::hints).
   if (looks.count() > std::numeric_limits<std::uint16_t>::max())

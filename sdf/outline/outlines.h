@@ -19,6 +19,7 @@ namespace mien {
 /// bx = by = 0 exactly. Ends are multiples of 2⁻²⁰ px.
 struct OutlinePiece {
   double x0, y0, ax, ay, bx, by, x1, y1;
+  bool operator==(const OutlinePiece&) const = default;
 };
 
 /// Pieces one below the other: each begins where the one before ends.

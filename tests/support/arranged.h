@@ -83,7 +83,7 @@ struct Arranged {
     std::vector<Crossed> found;
     for (const Fragment& f : sweep.fragments())
       if (f.top <= y && y < f.bottom)
-        found.push_back({mien::x_at(sweep.pieces()[std::size_t(f.piece)], y), f.left, f.right});
+        found.push_back({mien::x_at(sweep.piece(f.piece), y), f.left, f.right});
     std::stable_sort(found.begin(), found.end(),
                      [](const Crossed& a, const Crossed& b) { return a.x < b.x; });
     return found;

@@ -1,7 +1,7 @@
 #pragma once
 // Monotone pieces of outline, by dice.
 
-#include "sdf/arrange/sweep_piece.h"
+#include "sdf/arrange/piece_place.h"
 
 #include <glm/vec2.hpp>
 

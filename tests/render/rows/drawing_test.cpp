@@ -15,6 +15,7 @@
 #include "tests/support/outline_sight.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/rendered.h"
+#include "tests/support/sweep_probe.h"
 
 namespace mien {
 
@@ -28,6 +29,11 @@ class DrawingProbe {
   Outlines& outlines() { return drawing_.outlines_; }
   /// Arranges the outlines as they are now.
   void arrange() { drawing_.arrange(); }
+  /// The same in steps that are never halved, so that more is in doubt.
+  void arrange_coarsely() {
+    SweepProbe::never_halve(drawing_.sweep_);
+    arrange();
+  }
   /// The fragments' two sides changed for each other.
   void turn_jumps() {
     for (Rgba& jump : drawing_.jumps_) jump = Rgba{} - jump;
@@ -111,16 +117,35 @@ TEST(Drawing, IsWhatTheReferenceSays) {
   EXPECT_EQ(stats.resolved_pixels, 0);
 }
 
-/// A side that jumps over another one, unknown to its neighbours: so the order is wrong for most of its way.
-TEST(Drawing, AWrongOrderIsDoubtedAndDrawnByDistances) {
-  DrawingProbe probe(two_squares(), kDrawnView);
-  for (OutlinePiece& p : probe.outlines().pieces)
-    if (test::chain_of(probe.outlines(), p).outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
-  probe.arrange();
+/// A side with a bulge in most rows, over a straight one.
+Scene bulges_over_a_line() {
+  SceneBuilder build({.box = {{0, 0}, {32, 32}}, .y_up = false}, {0, 0, 0, 1});
+  const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+  std::vector<QuadBezier> sides{side({3, 2}, {15.8, 2})};
+  for (double y = 4; y < 28; ++y) {
+    sides.push_back(side(sides.back().p2, {15.8, y + 0.1}));
+    sides.push_back({sides.back().p2, {16.8, y + 0.5}, {15.8, y + 0.9}});
+  }
+  for (const glm::dvec2 to : {glm::dvec2{15.8, 30}, {3, 30}, {3, 2}})
+    sides.push_back(side(sides.back().p2, to));
+  build.layer("bulging", build.shape(Path{{{sides}}}), {{1, 0.2, 0.1, 0.6}});
+  const QuadBezier box[] = {side({16, 2}, {28, 2}), side({28, 2}, {28, 30}),
+                            side({28, 30}, {16, 30}), side({16, 30}, {16, 2})};
+  build.layer("right", build.shape(Path{{{{box[0], box[1], box[2], box[3]}}}}),
+              {{0.1, 0.3, 1, 0.6}});
+  return std::move(build).finish();
+}
+
+TEST(Drawing, AnOrderThatIsNotProvenIsDoubtedAndDrawnByDistances) {
+  DrawingProbe probe(bulges_over_a_line(), kDrawnView);
+  RenderStats exact;
+  EXPECT_LT(probe.off(exact), kAllowed);
+  EXPECT_EQ(exact.doubts, 0);
+  probe.arrange_coarsely();
   RenderStats stats;
   EXPECT_LT(probe.off(stats), kAllowed);
   EXPECT_GT(stats.doubts, 0);
-  EXPECT_GT(stats.resolved_pixels, 50);
+  EXPECT_GE(stats.resolved_pixels, 24);
   int doubted = 0;
   for (int y = 0; y < kDrawnView.height; ++y) {
     const bool doubt = std::ranges::any_of(
@@ -137,8 +162,9 @@ TEST(Drawing, TheBoundOfAResolvedPixelIsTheReferences) {
   constexpr double kLeastSteep = 1.055 / 2.4;  // of encoding, in white
   const View view{.width = 24, .height = 24, .dither = false};
   double most = 0;
-  for (const auto& [seed, jitter] : {std::pair{285, 1e-3}, {299, 1e-6}}) {
-    const DrawingProbe probe(test::degenerate_scene(std::uint64_t(seed), jitter), view);
+  for (const auto& [seed, jitter] : {std::pair{21, 1e-3}, {1, 1e-6}}) {
+    DrawingProbe probe(test::degenerate_scene(std::uint64_t(seed), jitter), view);
+    probe.arrange_coarsely();
     const std::vector<float> levels = probe.errors();
     for (const Doubt& d : probe.doubts())
       for (int y = int(d.top); y < std::min(view.height, int(std::ceil(d.bottom))); ++y)

@@ -10,11 +10,11 @@ namespace {
 /// A fragment over the height of a piece of its own.
 struct Drawn {
   std::vector<Fragment> fragments;
-  std::vector<SweepPiece> pieces;
+  std::vector<OutlinePiece> pieces;
 
   void add(OutlinePiece p, bool inside_right, double top, double bottom) {
     fragments.push_back({int(pieces.size()), !inside_right, inside_right, top, bottom});
-    pieces.push_back(sweep_piece(p));
+    pieces.push_back(p);
   }
   void line(glm::dvec2 a, glm::dvec2 b, bool inside_right) {
     const glm::dvec2 half = 0.5 * (b - a);

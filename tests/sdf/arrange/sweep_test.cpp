@@ -4,6 +4,7 @@
 
 #include "tests/support/arranged.h"
 #include "tests/support/effort.h"
+#include "tests/support/sweep_probe.h"
 
 namespace mien::test {
 namespace {
@@ -116,7 +117,7 @@ TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
     constexpr int kRows = 6400;
     std::map<int, double> green, rows;
     for (const Fragment& f : a.sweep.fragments()) {
-      const OutlinePiece& p = a.sweep.pieces()[std::size_t(f.piece)];
+      const OutlinePiece& p = a.sweep.piece(f.piece);
       constexpr int kParts = 64;
       double area = 0.0;  // between the piece and x = kSide + 100
       const double h = (f.bottom - f.top) / kParts;
@@ -152,7 +153,7 @@ TEST(Sweep, OrdersNothingAlongTheSides) {
       shapes.push_back(box);
     }
   Arranged a = arranged(shapes);
-  EXPECT_EQ(a.sweep.stats().pairs, 0);
+  EXPECT_EQ(a.sweep.stats().crossings + a.sweep.stats().forced, 0);
   for (const double x : {0.5, 4.5, 9.5, 15.5, 20.5})
     EXPECT_EQ(a.shown({x, 12.0}), a.look_at({x, 12.0})) << x;
 }
@@ -238,28 +239,54 @@ Outlines with_a_jump() {
   return o;
 }
 
-TEST(Sweep, AWrongOrderIsDoubted) {
-  const Arranged a(with_a_jump(), 0, kSide);
-  ASSERT_FALSE(a.sweep.doubts().empty());
-  // Wrong is what lies between x = 10 and the side that jumped: from (5, 6) to where it is at 10.
-  for (double y = 6.01; y < 23; y += 0.5)
-    for (double x = 5 + 7 * (y - 6) / 24 + 0.01; x < 9.99; x += 0.5)
-      ASSERT_TRUE(doubted(a, {x, y}, kOrder)) << x << ", " << y;
-  for (const Doubt& d : a.sweep.doubts()) {
-    EXPECT_GE(d.left, 5);
-    EXPECT_LE(d.right, 12);
-    EXPECT_GE(d.top, 6);
-  }
+TEST(Sweep, AWrongOrderIsPutRightAtOnce) {
+  Arranged a(with_a_jump(), 0, kSide);
+  EXPECT_GT(a.sweep.stats().forced, 0);
+  for (double y = 3.01; y < kSide; y += 0.5)
+    for (double x = 0.25; x < kSide; x += 0.5)
+      ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
 }
 
-TEST(Sweep, AWrongOrderEndsWhereItsPieceEnds) {
-  Arranged a(with_a_jump(), 0, kSide);
-  for (const double y : {3.0, 5.5}) {
-    const auto row = a.row(y);
-    ASSERT_EQ(row.size(), 4u);
-    for (std::size_t k = 1; k < row.size(); ++k) EXPECT_EQ(row[k].left, row[k - 1].right);
+/// A side with a bulge in most rows, over a straight one.
+std::vector<Shape> bulges_over_a_line() {
+  const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+  const auto box = [&](double left, double right) {
+    Path path;
+    const glm::dvec2 a{left, 2}, b{right, 2}, c{right, 30}, d{left, 30};
+    path.loops.push_back({{side(a, b), side(b, c), side(c, d), side(d, a)}});
+    return path;
+  };
+  Path bulging = box(3, 15.8);
+  std::vector<QuadBezier>& sides = bulging.loops[0].sides;
+  std::vector<QuadBezier> right;
+  glm::dvec2 at = sides[1].p0;
+  for (double y = 4; y < 28; ++y) {
+    const glm::dvec2 from{15.8, y + 0.1}, to{15.8, y + 0.9};
+    right.push_back(side(at, from));
+    right.push_back({from, {16.8, y + 0.5}, to});
+    at = to;
   }
-  for (double y = 0.5; y < kSide; ++y) EXPECT_EQ(a.shown({1e6, y}), 0) << y;
+  right.push_back(side(at, sides[1].p2));
+  sides.erase(sides.begin() + 1);
+  sides.insert(sides.begin() + 1, right.begin(), right.end());
+  return {bulging, box(16, 28)};
+}
+
+TEST(Sweep, WhatIsNotProvenIsDoubted) {
+  const std::vector<Shape> shapes = bulges_over_a_line();
+  Arranged a = arranged(shapes);
+  EXPECT_TRUE(a.sweep.doubts().empty());
+  EXPECT_EQ(a.sweep.stats().crossings, 48);
+  SweepProbe::never_halve(a.sweep);
+  a.sweep.run(a.outlines, 0, kSide, a.regions);
+  const auto doubts = a.sweep.doubts();
+  ASSERT_EQ(doubts.size(), 24u);
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    EXPECT_EQ(doubts[i].top, double(i) + 4);
+    EXPECT_EQ(doubts[i].bottom, double(i) + 5);
+    EXPECT_NEAR(doubts[i].left, 15.8, 1e-6);
+    EXPECT_NEAR(doubts[i].right, 16.3, 1e-6);
+  }
 }
 
 TEST(Sweep, SweepingAnewForgetsAll) {
