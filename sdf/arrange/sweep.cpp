@@ -22,7 +22,7 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   const double x = outlines.left;
   side_ = {x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom};
   fragments_.clear(), doubts_.clear(), order_.clear(), region_.clear(), free_.clear();
-  lanes_.count = 0, active_.clear();
+  lanes_.count = 0, active_.clear(), slopes_.clear();
   stats_ = told_ = {}, told_regions_ = 0, since_held_ = 0;
   stats_.pieces = long(outlines.pieces.size());
   halvings_left_ = kHalvingsFirst + 4 * stats_.pieces;

@@ -77,10 +77,11 @@ class Sweep {
     double y;
     int number;  ///< in which it was found
     int slot;
-    bool unseen;  ///< which of the two is left shows nowhere in this step
+    bool proven;  ///< that these two are in order before, and the other way round afterwards
   };
   struct Slopes {
     double least, most;  ///< dx/dy
+    long step;           ///< of which
   };
 
   void begin_at(double y);
@@ -95,7 +96,6 @@ class Sweep {
   void show_left(double y);
   void go_to(double y);
   void step(double y, int depth);
-  void give_way();
   void pass_pieces(double y);
   void stray(int lane, double y);
   bool in_order_until(double y);
@@ -105,8 +105,8 @@ class Sweep {
   bool stays(int slot, double from, double to, double y);
   bool cheap(int left, int right) const;
   bool hidden(int slot) const;
-  Slopes slopes(int lane) const;
-  bool gap_goes_one_way(int left, int right) const;
+  const Slopes& slopes(int lane);
+  bool gap_goes_one_way(int left, int right);
   void sort_at_border();
   bool belongs_after(int a, int b) const;
   void swap(int slot, double y);
@@ -136,6 +136,7 @@ class Sweep {
 
   SweepLanes lanes_;
   std::vector<Active> active_;  ///< by lane
+  std::vector<Slopes> slopes_;  ///< by lane, if they were asked for
   std::vector<int> free_;       ///< lanes
   // By slot, from left to right.
   std::vector<int> order_;   ///< lanes

@@ -33,7 +33,7 @@ int Sweep::enter(int slot, int chain, int piece, double x, double y) {
   int lane = int(lanes_.count);
   if (free_.empty()) {
     lanes_.room_for(++lanes_.count);
-    active_.emplace_back();
+    active_.emplace_back(), slopes_.emplace_back();
   } else {
     lane = free_.back();
     free_.pop_back();

@@ -15,7 +15,6 @@ constexpr double kUntouched = -HUGE_VAL;
 
 void Sweep::step(double y, int depth) {
   ++stats_.steps;
-  give_way();
   pass_pieces(y);
   place(lanes_, y_, y);
   for (const int lane : passed_) stray(lane, y);
@@ -39,38 +38,31 @@ void Sweep::step(double y, int depth) {
   lanes_.x.swap(lanes_.next_x), lanes_.t.swap(lanes_.next_t);
 }
 
-/// Pieces that end at the upper height give way to the next; a level one between them moves its chain at once.
-void Sweep::give_way() {
+/// Pieces that end at the upper height give way to the next; a level one between them moves its chain at once. Then to
+/// the pieces at the lower height.
+void Sweep::pass_pieces(double y) {
   const auto& pieces = outlines_->pieces;
   bool moved = false;
+  passed_.clear();
   for (std::size_t lane = 0; lane < lanes_.count; ++lane) {
-    if (lanes_.bottom[lane] > y_) continue;
+    if (!(lanes_.bottom[lane] < y)) continue;
     Active& c = active_[lane];
     if (c.piece == c.last) continue;
-    while (pieces[std::size_t(c.piece)].y1 <= y_ && c.piece < c.last) ++c.piece;
+    if (lanes_.bottom[lane] <= y_) {
+      while (pieces[std::size_t(c.piece)].y1 <= y_ && c.piece < c.last) ++c.piece;
+      const double x = pieces[std::size_t(c.piece)].x0;
+      moved = moved || std::abs(x - lanes_.x[lane]) > kTouch;
+      lanes_.x[lane] = x, lanes_.t[lane] = 0.0;
+    }
     c.above = c.piece;
-    const OutlinePiece& p = pieces[std::size_t(c.piece)];
-    lanes_.load(lane, p);
-    moved = moved || std::abs(p.x0 - lanes_.x[lane]) > kTouch;
-    lanes_.x[lane] = p.x0, lanes_.t[lane] = 0.0;
+    while (pieces[std::size_t(c.piece)].y1 < y && c.piece < c.last) ++c.piece;
+    lanes_.load(lane, pieces[std::size_t(c.piece)]);
+    if (c.above != c.piece) passed_.push_back(int(lane));
   }
   if (!moved) return;
   const auto x = [&](int slot) { return lanes_.x[std::size_t(order_[std::size_t(slot)])]; };
   for (int slot = 1; slot < count(); ++slot)
     for (int i = slot; i > 0 && x(i - 1) > x(i) + kTouch; --i) ++stats_.forced, swap(i - 1, y_);
-}
-
-/// To the pieces at the lower height.
-void Sweep::pass_pieces(double y) {
-  const auto& pieces = outlines_->pieces;
-  passed_.clear();
-  for (std::size_t lane = 0; lane < lanes_.count; ++lane) {
-    if (!(lanes_.bottom[lane] < y)) continue;
-    Active& c = active_[lane];
-    while (pieces[std::size_t(c.piece)].y1 < y && c.piece < c.last) ++c.piece;
-    lanes_.load(lane, pieces[std::size_t(c.piece)]);
-    passed_.push_back(int(lane));
-  }
 }
 
 /// How far a chain of several pieces strays: to where they meet, and by their own bulges.
@@ -172,8 +164,11 @@ void Sweep::plan_run(int first, int last, double y) {
     std::pop_heap(heap_.begin(), heap_.end(), later);
     heap_.pop_back();
     if (met_[std::size_t(slot)] != height) continue;  // others are neighbours there by now
-    swaps_.push_back({height, int(swaps_.size()), slot, false});
-    std::swap(planned_[std::size_t(slot)], planned_[std::size_t(slot) + 1]);
+    int &a = planned_[std::size_t(slot)], &b = planned_[std::size_t(slot) + 1];
+    const bool falls = gap_goes_one_way(a, b) &&
+                       lanes_.x[std::size_t(a)] <= lanes_.x[std::size_t(b)] + may_differ_;
+    swaps_.push_back({height, int(swaps_.size()), slot, falls});
+    std::swap(a, b);
     met_[std::size_t(slot)] = HUGE_VAL;
     if (slot > first) meet(slot - 1, height);
     if (slot + 1 < last) meet(slot + 1, height);
@@ -182,7 +177,7 @@ void Sweep::plan_run(int first, int last, double y) {
 
 /// Whoever are neighbours, from when to when they are, with the planned swaps.
 void Sweep::prove_swaps(double y) {
-  const auto end_of = [&](int slot, double height) {
+  const auto end_of = [&](int slot, double height) {  // as neighbours
     double& since = since_[std::size_t(slot)];
     if (!stays(slot, std::max(since, y_), height, y) && may_halve_) return false;
     since = height;
@@ -190,9 +185,11 @@ void Sweep::prove_swaps(double y) {
   };
   for (const Swap& s : swaps_) {
     for (int slot = std::max(s.slot - 1, 0); slot <= s.slot + 1 && slot + 1 < count(); ++slot)
-      if (!end_of(slot, s.y)) return;
+      if (s.proven && slot == s.slot)
+        since_[std::size_t(slot)] = y;
+      else if (!end_of(slot, s.y))
+        return;
     std::swap(planned_[std::size_t(s.slot)], planned_[std::size_t(s.slot) + 1]);
-    if (s.unseen) since_[std::size_t(s.slot)] = y;
   }
   for (const Swap& s : swaps_)
     for (int slot = std::max(s.slot - 1, 0); slot <= s.slot + 1 && slot + 1 < count(); ++slot)
@@ -238,11 +235,13 @@ bool Sweep::hidden(int slot) const {
   return (first || cheap(order_[s - 1], order_[s + 1])) && (last || cheap(order_[s], order_[s + 2]));
 }
 
-/// The directions that a chain takes.
-Sweep::Slopes Sweep::slopes(int lane) const {
+/// The directions that a chain takes in the step.
+const Sweep::Slopes& Sweep::slopes(int lane) {
   const auto i = std::size_t(lane);
+  Slopes& all = slopes_[i];
+  if (all.step == stats_.steps) return all;
   const Active& c = active_[i];
-  Slopes all{HUGE_VAL, -HUGE_VAL};
+  all = {HUGE_VAL, -HUGE_VAL, stats_.steps};
   const auto add = [&](const OutlinePiece& p, double t) {
     const double x = p.ax + t * p.bx, y = p.ay + t * p.by;
     const double slope = y > 0.0 ? x / y : x > 0.0 ? HUGE_VAL : x < 0.0 ? -HUGE_VAL : 0.0;
@@ -255,8 +254,8 @@ Sweep::Slopes Sweep::slopes(int lane) const {
   return all;
 }
 
-bool Sweep::gap_goes_one_way(int left, int right) const {
-  const Slopes l = slopes(left), r = slopes(right);
+bool Sweep::gap_goes_one_way(int left, int right) {
+  const Slopes &l = slopes(left), &r = slopes(right);
   return l.most <= r.least || r.most <= l.least;
 }
 
