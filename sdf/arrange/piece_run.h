@@ -1,6 +1,7 @@
 #pragma once
 // Pieces one below the other, as a chain has them between two heights; two such runs at once.
 
+#include "lib/base/watch.h"
 #include "sdf/arrange/meeting.h"
 #include "sdf/arrange/order_proof.h"
 
@@ -24,6 +25,7 @@ struct PieceRun {
 template <class Each>
 void each_stretch(PieceRun l, PieceRun r, double from, double to, Each&& each) {
   for (double y = from, next = to; y < to; y = next) {
+    worked(20);
     l.first = &l.at(y), r.first = &r.at(y), next = to;
     for (const PieceRun* run : {&l, &r})
       if (run->first < run->last) next = std::min(next, run->first->y1);

@@ -23,7 +23,7 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   side_ = {x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom};
   fragments_.clear(), doubts_.clear(), order_.clear(), region_.clear(), free_.clear();
   lanes_.count = 0, active_.clear(), slopes_.clear();
-  stats_ = told_ = {}, told_regions_ = 0, since_held_ = 0;
+  stats_ = {};
   stats_.pieces = long(outlines.pieces.size());
   halvings_left_ = kHalvingsFirst + 4 * stats_.pieces;
   holds(bytes());
@@ -90,8 +90,7 @@ void Sweep::sort_at_border() {
   for (int slot = 1; slot < count(); ++slot)
     for (int i = slot; i > 0 && belongs_after(order_[std::size_t(i) - 1], order_[std::size_t(i)]);
          --i)
-      swap(i - 1, y_);
-  tell_work();
+      force(i - 1, y_);
 }
 
 void Sweep::go_to(double y) {
@@ -104,6 +103,13 @@ int Sweep::winding_left_of(int slot, int outline) const {
   while (slot-- > 0)
     if (const Active& f = at(slot); f.outline == outline) return f.winding + f.turn;
   return windings_[std::size_t(outline)];
+}
+
+/// Two that are where they are by more than a crossing.
+void Sweep::force(int slot, double y) {
+  worked(60);
+  ++stats_.forced;
+  swap(slot, y);
 }
 
 void Sweep::swap(int slot, double y) {
@@ -155,21 +161,6 @@ std::size_t Sweep::bytes() const {
          outlines_->pieces.capacity() * sizeof(OutlinePiece) +
          outlines_->chains.capacity() * sizeof(OutlineChain) +
          outlines_->ends.capacity() * sizeof(OutlineEnd) + regions_->bytes();
-}
-
-/// What was done since it was told last, by what each costs.
-void Sweep::tell_work() {
-  constexpr int kStep = 30, kChain = 6, kCrossing = 150, kForced = 60, kProof = 60;
-  constexpr int kOften = 16;  // times between two counts of what is held
-  const auto done = [&](long SweepStats::*what, int steps) {
-    return std::int64_t(stats_.*what - std::exchange(told_.*what, stats_.*what)) * steps;
-  };
-  const int regions = regions_->count();
-  worked(done(&SweepStats::steps, kStep + kChain * count()) +
-         done(&SweepStats::crossings, kCrossing) + done(&SweepStats::forced, kForced) +
-         done(&SweepStats::proofs, kProof) +
-         std::int64_t(regions - std::exchange(told_regions_, regions)) * regions_->steps());
-  if (++since_held_ % kOften == 0) holds(bytes());
 }
 
 }  // namespace mien

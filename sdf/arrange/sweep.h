@@ -110,6 +110,7 @@ class Sweep {
   void sort_at_border();
   bool belongs_after(int a, int b) const;
   void swap(int slot, double y);
+  void force(int slot, double y);
   void show(int slot, double y);
   void finish(int lane, double y);
   bool inside(int outline, int winding) const;
@@ -121,7 +122,6 @@ class Sweep {
   double x_of_lane(int lane, double at, double y) const;
   int count() const { return int(order_.size()); }
   std::size_t bytes() const;
-  void tell_work();
 
   const Outlines* outlines_ = nullptr;
   Regions* regions_ = nullptr;
@@ -130,9 +130,6 @@ class Sweep {
   std::vector<Fragment> fragments_;
   std::vector<Doubt> doubts_;
   SweepStats stats_;
-  SweepStats told_;       ///< what the watch knows
-  int told_regions_ = 0;  ///< likewise
-  int since_held_ = 0;    ///< times since it was told what is held
 
   SweepLanes lanes_;
   std::vector<Active> active_;  ///< by lane

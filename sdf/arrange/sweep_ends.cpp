@@ -2,6 +2,7 @@
 // through a side leaves the order, one that comes back enters it. Beyond the left side there are winding numbers and
 // one region; what the right side cuts off changes no pixel.
 
+#include "lib/base/watch.h"
 #include "sdf/arrange/sweep.h"
 
 #include <algorithm>
@@ -9,12 +10,10 @@
 namespace mien {
 
 void Sweep::end_or_begin(const OutlineEnd& e) {
+  worked(200 + 2 * count());  // slots are looked through, and moved
   if (e.other >= 0) {
-    if (e.begins)
-      start(e);
-    else
-      end(e);
-    return tell_work();
+    (this->*(e.begins ? &Sweep::start : &Sweep::end))(e);
+    return;
   }
   const bool left = e.x == outlines_->left;
   const OutlineChain& c = outlines_->chains[std::size_t(e.chain)];
@@ -24,7 +23,6 @@ void Sweep::end_or_begin(const OutlineEnd& e) {
   else
     leave(e, left);
   show_left(e.y);
-  tell_work();
 }
 
 /// A chain into a slot of its own; its looks are not known yet. Returns its lane.
@@ -97,7 +95,7 @@ void Sweep::end(const OutlineEnd& e) {
   int slot = slot_of(e.chain), last = slot_of(e.other);
   if (slot > last) std::swap(slot, last);
   for (; last > slot + 1; --last)  // whatever is between them still is out of order
-    ++stats_.forced, swap(last - 1, e.y);
+    force(last - 1, e.y);
   finish(order_[std::size_t(slot)], e.y);
   leave_slot(slot + 1, e.y);
   leave_slot(slot, e.y);
@@ -105,8 +103,8 @@ void Sweep::end(const OutlineEnd& e) {
 
 void Sweep::leave(const OutlineEnd& e, bool left) {
   int slot = slot_of(e.chain);
-  for (; left && slot > 0; --slot) ++stats_.forced, swap(slot - 1, e.y);
-  for (; !left && slot + 1 < count(); ++slot) ++stats_.forced, swap(slot, e.y);
+  for (; left && slot > 0; --slot) force(slot - 1, e.y);
+  for (; !left && slot + 1 < count(); ++slot) force(slot, e.y);
   if (left) left_ = region_[0];
   leave_slot(slot, e.y);
 }

@@ -1,5 +1,6 @@
 // One step of the sweep: all active chains from one height to the next.
 
+#include "lib/base/watch.h"
 #include "sdf/arrange/sweep.h"
 
 #include <algorithm>
@@ -14,7 +15,9 @@ constexpr double kUntouched = -HUGE_VAL;
 }  // namespace
 
 void Sweep::step(double y, int depth) {
-  ++stats_.steps;
+  constexpr int kOften = 64;  // steps between two counts of what is held
+  if (++stats_.steps % kOften == 0) holds(bytes());
+  worked(30 + 10 * std::int64_t(order_.size()));
   pass_pieces(y);
   place(lanes_, y_, y);
   for (const int lane : passed_) stray(lane, y);
@@ -62,7 +65,7 @@ void Sweep::pass_pieces(double y) {
   if (!moved) return;
   const auto x = [&](int slot) { return lanes_.x[std::size_t(order_[std::size_t(slot)])]; };
   for (int slot = 1; slot < count(); ++slot)
-    for (int i = slot; i > 0 && x(i - 1) > x(i) + kTouch; --i) ++stats_.forced, swap(i - 1, y_);
+    for (int i = slot; i > 0 && x(i - 1) > x(i) + kTouch; --i) force(i - 1, y_);
 }
 
 /// How far a chain of several pieces strays: to where they meet, and by their own bulges.
@@ -163,6 +166,7 @@ void Sweep::plan_run(int first, int last, double y) {
     const auto [height, slot] = heap_.front();
     std::pop_heap(heap_.begin(), heap_.end(), later);
     heap_.pop_back();
+    worked(200);
     if (met_[std::size_t(slot)] != height) continue;  // others are neighbours there by now
     int &a = planned_[std::size_t(slot)], &b = planned_[std::size_t(slot) + 1];
     const bool falls = gap_goes_one_way(a, b) &&
@@ -208,6 +212,7 @@ bool Sweep::stays(int slot, double from, double to, double y) {
     return true;
   if (hidden(slot)) return true;
   ++stats_.proofs;
+  worked(100);
   const std::optional<double> fails = disorder(run_of(a), run_of(b), from, to, may_differ_);
   if (!fails) return true;
   fails_at_ = *fails;
