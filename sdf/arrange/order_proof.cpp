@@ -73,7 +73,8 @@ std::optional<double> OrderProof::fails(const PairLevel& a, const PairLevel& b,
 
 std::optional<double> disorder(const OutlinePiece& left, const OutlinePiece& right,
                                const PairLevel& from, const PairLevel& to, double order) {
-  if (left == right) return {};  // of abutting shapes, or of a shape's copies, of which there may be thousands
+  if (left == right)
+    return {};  // of abutting shapes, or of a shape's copies, of which there may be thousands
   return OrderProof(left, right, order).fails(from, to, kHalvings);
 }
 

@@ -48,13 +48,13 @@ inline std::optional<double> disorder(PieceRun left, PieceRun right, double from
 /// Where a gap that is < 0 at the height `to` becomes so.
 inline double meeting(PieceRun left, PieceRun right, double from, double to) {
   double found = to;
-  each_stretch(left, right, from, to,
-               [&](const OutlinePiece& l, const OutlinePiece& r, const PairLevel& a,
-                   const PairLevel& b) {
-                 if (b.y < to && b.gap() >= -kTouch) return true;
-                 found = meeting(l, r, a, b);
-                 return false;
-               });
+  each_stretch(
+      left, right, from, to,
+      [&](const OutlinePiece& l, const OutlinePiece& r, const PairLevel& a, const PairLevel& b) {
+        if (b.y < to && b.gap() >= -kTouch) return true;
+        found = meeting(l, r, a, b);
+        return false;
+      });
   return found;
 }
 

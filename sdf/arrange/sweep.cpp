@@ -30,7 +30,7 @@ void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& re
   begin_at(top);
   double border = std::floor(top) + 1.0;  // of rows, the next one
   for (auto e = std::lower_bound(outlines.ends.begin(), outlines.ends.end(), top,
-                                 [](const OutlineEnd& end, double y) { return end.y < y; });
+                                 [](const OutlineEnd&end, double y) { return end.y < y; });
        e != outlines.ends.end() && e->y < bottom; ++e) {
     for (; border <= e->y; border += 1.0) go_to(border), sort_at_border();
     go_to(e->y);

@@ -66,12 +66,13 @@ class Sweep {
   /// A chain that is active, by lane.
   struct Active {
     int chain, outline, turn;
-    int above, piece, last;  ///< pieces at the upper and the lower height of a step; the chain's last one
+    int above, piece,
+        last;  ///< pieces at the upper and the lower height of a step; the chain's last one
     int left_look, right_look;
-    int winding;         ///< of its outline, to the left
-    bool flips;          ///< whether its outline's inside changes across it
-    int shown_piece;     ///< at that height:
-    double shown_from;   ///< from what height the looks are as they are
+    int winding;        ///< of its outline, to the left
+    bool flips;         ///< whether its outline's inside changes across it
+    int shown_piece;    ///< at that height:
+    double shown_from;  ///< from what height the looks are as they are
   };
   struct Swap {  ///< of a slot and the next
     double y;
@@ -140,14 +141,14 @@ class Sweep {
   std::vector<int> region_;  ///< to the right of each
 
   // Of a step.
-  std::vector<int> passed_;      ///< lanes that go on to another piece within it
-  std::vector<int> unproven_;    ///< slots of neighbours whose extents and chords do not tell
-  std::vector<int> planned_;     ///< the order as it will be
-  std::vector<Swap> swaps_;      ///< from the top down
-  std::vector<double> since_;    ///< by slot: since when it and the next will have been neighbours
-  std::vector<char> in_run_;     ///< by slot: whether it takes part in a crossing
-  std::vector<std::pair<int, int>> runs_;  ///< their first and last slots
-  std::vector<double> least_;    ///< by slot: of the places from there on
+  std::vector<int> passed_;    ///< lanes that go on to another piece within it
+  std::vector<int> unproven_;  ///< slots of neighbours whose extents and chords do not tell
+  std::vector<int> planned_;   ///< the order as it will be
+  std::vector<Swap> swaps_;    ///< from the top down
+  std::vector<double> since_;  ///< by slot: since when it and the next will have been neighbours
+  std::vector<char> in_run_;   ///< by slot: whether it takes part in a crossing
+  std::vector<std::pair<int, int>> runs_;     ///< their first and last slots
+  std::vector<double> least_;                 ///< by slot: of the places from there on
   std::vector<std::pair<double, int>> heap_;  ///< crossings of a run
   std::vector<double> met_;                   ///< by slot: where it crosses with the next
   std::vector<Doubt> unsure_;

@@ -20,7 +20,8 @@ struct SweepLanes {
   /// right.
   std::vector<double> next_x, next_t, low, high, sag_left, sag_right;
 
-  static constexpr std::size_t kSpare = 8;  ///< numbers beyond the last lane that may be read and written
+  static constexpr std::size_t kSpare =
+      8;  ///< numbers beyond the last lane that may be read and written
   void room_for(std::size_t lanes);
   void load(std::size_t lane, const OutlinePiece& piece);
   std::size_t bytes() const { return 16 * x.capacity() * sizeof(double); }

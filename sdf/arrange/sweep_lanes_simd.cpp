@@ -23,13 +23,11 @@ void Place(SweepLanes& s, double from, double to) {
   for (size_t i = 0; i < s.count; i += hn::Lanes(d)) {
     const auto at = [&](const std::vector<double>& of) HWY_ATTR { return hn::LoadU(d, &of[i]); };
     const auto down = hn::Sub(y, at(s.y0)), ay = at(s.ay), ax = at(s.ax), x = at(s.x);
-    const auto root = hn::Sqrt(
-        hn::Max(zero, hn::Add(hn::Mul(ay, ay), hn::Mul(at(s.by), down))));
+    const auto root = hn::Sqrt(hn::Max(zero, hn::Add(hn::Mul(ay, ay), hn::Mul(at(s.by), down))));
     const auto divisor = hn::Add(ay, root);
     const auto share = hn::IfThenElseZero(hn::Gt(divisor, zero), hn::Div(down, divisor));
     const auto t = hn::Min(hn::Max(zero, share), one);
-    const auto next = hn::Add(
-        at(s.x0), hn::Mul(t, hn::Add(hn::Add(ax, ax), hn::Mul(t, at(s.bx)))));
+    const auto next = hn::Add(at(s.x0), hn::Mul(t, hn::Add(hn::Add(ax, ax), hn::Mul(t, at(s.bx)))));
     const auto h = hn::Sub(t, at(s.t));
     const auto sag = hn::Mul(hn::Mul(at(s.turning), half), hn::Mul(h, hn::Mul(h, h)));
     hn::StoreU(next, d, &s.next_x[i]);

@@ -37,7 +37,8 @@ void Sweep::step(double y, int depth) {
   }
   doubts_.insert(doubts_.end(), unsure_.begin(), unsure_.end());
   for (const Swap& s : swaps_) ++stats_.crossings, swap(s.slot, s.y);
-  for (const int lane : passed_) active_[std::size_t(lane)].above = active_[std::size_t(lane)].piece;
+  for (const int lane : passed_)
+    active_[std::size_t(lane)].above = active_[std::size_t(lane)].piece;
   lanes_.x.swap(lanes_.next_x), lanes_.t.swap(lanes_.next_t);
 }
 
@@ -147,7 +148,8 @@ void Sweep::plan_runs(double y) {
 
 /// Each time the highest crossing of two that are neighbours by then: a chain may come from afar before.
 void Sweep::plan_run(int first, int last, double y) {
-  if (last == first + 1 && hidden(first)) return swaps_.push_back({y_, int(swaps_.size()), first, true});
+  if (last == first + 1 && hidden(first))
+    return swaps_.push_back({y_, int(swaps_.size()), first, true});
   using Met = std::pair<double, int>;
   const auto later = [](const Met& a, const Met& b) { return a > b; };
   met_.assign(order_.size(), HUGE_VAL);
@@ -208,8 +210,7 @@ bool Sweep::stays(int slot, double from, double to, double y) {
   const int a = planned_[std::size_t(slot)], b = planned_[std::size_t(slot) + 1];
   if (!(to > from) || cheap(a, b)) return true;
   const auto gap = [&](double at) { return x_of_lane(b, at, y) - x_of_lane(a, at, y); };
-  if (gap_goes_one_way(a, b) && gap(from) >= -may_differ_ && gap(to) >= -may_differ_)
-    return true;
+  if (gap_goes_one_way(a, b) && gap(from) >= -may_differ_ && gap(to) >= -may_differ_) return true;
   if (hidden(slot)) return true;
   ++stats_.proofs;
   worked(100);
@@ -217,8 +218,8 @@ bool Sweep::stays(int slot, double from, double to, double y) {
   if (!fails) return true;
   fails_at_ = *fails;
   const auto i = std::size_t(a), k = std::size_t(b);
-  unsure_.push_back({std::min(lanes_.low[i], lanes_.low[k]),
-                     std::max(lanes_.high[i], lanes_.high[k]), from, to});
+  unsure_.push_back(
+      {std::min(lanes_.low[i], lanes_.low[k]), std::max(lanes_.high[i], lanes_.high[k]), from, to});
   return false;
 }
 
@@ -232,12 +233,13 @@ bool Sweep::hidden(int slot) const {
             r = regions_->look(region_[s + 1]);
   if (l != m && m != r) return false;
   const Active &p = at(slot), &q = at(slot + 1);
-  const bool flips = p.outline == q.outline ? inside(q.outline, p.winding) !=
-                                                  inside(q.outline, p.winding + q.turn)
-                                            : q.flips;
+  const bool flips = p.outline == q.outline
+                         ? inside(q.outline, p.winding) != inside(q.outline, p.winding + q.turn)
+                         : q.flips;
   const int other = flips ? regions_->look(regions_->across(left, q.outline)) : l;
   if (!((l == m && other == r) || (m == r && l == other))) return false;
-  return (first || cheap(order_[s - 1], order_[s + 1])) && (last || cheap(order_[s], order_[s + 2]));
+  return (first || cheap(order_[s - 1], order_[s + 1])) &&
+         (last || cheap(order_[s], order_[s + 2]));
 }
 
 /// The directions that a chain takes in the step.

@@ -259,12 +259,10 @@ void OutlineLoop::write_piece(std::size_t i, bool down) {
   const Side& s = sides_[i];
   const glm::dvec2 top = down ? from(i) : s.to, bottom = down ? s.to : from(i),
                    chord = bottom - top;
-  const glm::dvec2 a =
-      glm::clamp(s.control, glm::min(top, bottom), glm::max(top, bottom)) - top;
+  const glm::dvec2 a = glm::clamp(s.control, glm::min(top, bottom), glm::max(top, bottom)) - top;
   const bool bends = !s.straight && std::abs(cross(chord, a)) >
                                         2.0 * kStraight * std::max(std::abs(chord.x), chord.y);
-  const glm::dvec2 way = bends ? a : 0.5 * chord,
-                   bend = bends ? (chord - a) - a : glm::dvec2{0.0};
+  const glm::dvec2 way = bends ? a : 0.5 * chord, bend = bends ? (chord - a) - a : glm::dvec2{0.0};
   to_->pieces.push_back({top.x, top.y, way.x, way.y, bend.x, bend.y, bottom.x, bottom.y});
 }
 

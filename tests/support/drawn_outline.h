@@ -106,7 +106,8 @@ inline void expect_in_order(const Outlines& o) {
   std::vector<int> begun(o.chains.size(), 0), ended(o.chains.size(), 0);
   for (std::size_t i = 0; i < o.ends.size(); ++i) {
     const OutlineEnd& e = o.ends[i];
-    EXPECT_TRUE(i == 0 || o.ends[i - 1].y < e.y || (o.ends[i - 1].y == e.y && o.ends[i - 1].x <= e.x));
+    EXPECT_TRUE(i == 0 || o.ends[i - 1].y < e.y ||
+                (o.ends[i - 1].y == e.y && o.ends[i - 1].x <= e.x));
     EXPECT_TRUE(e.other >= 0 || e.x == o.left || e.x == o.right);
     for (const int chain : {e.chain, e.other}) {
       if (chain < 0) continue;

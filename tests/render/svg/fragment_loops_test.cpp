@@ -23,8 +23,7 @@ struct Drawn {
   void quad(glm::dvec2 a, glm::dvec2 c, glm::dvec2 b, bool inside_right, double top,
             double bottom) {
     const glm::dvec2 first = c - a, bend = b - c - first;
-    add({a.x, a.y, first.x, first.y, bend.x, bend.y, b.x, b.y}, inside_right, top,
-        bottom);
+    add({a.x, a.y, first.x, first.y, bend.x, bend.y, b.x, b.y}, inside_right, top, bottom);
   }
   std::vector<FragmentLoop> loops(double tolerance = 1e-3) const {
     return fragment_loops(fragments, pieces, tolerance);
