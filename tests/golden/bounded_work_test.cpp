@@ -4,6 +4,7 @@
 #include <mien/error_map.h>
 #include <mien/piece_drawer.h>
 #include <mien/render.h>
+#include <mien/scene_effects.h>
 #include <mien/svg.h>
 
 #include <gtest/gtest.h>
@@ -182,6 +183,26 @@ TEST(BoundedWork, AsksAllTheTime) {
   for (const auto& [name, way] : ways())
     for (const HostileScene& hostile : scenes_for(name))
       EXPECT_LT(longest_pause(way, hostile.scene), 0.3) << name << ": " << hostile.name;
+}
+
+/// What drawing takes of a nose, with a feather or a relief or both.
+std::int64_t steps_of_nose(bool feather, bool relief) {
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  const Area nose = build.shape(Ellipse{{0, 0}, {0.09, 0.08}});
+  Paint paint{.color = {0.8, 0.5, 0.3, 1}};
+  if (feather) paint = falling(nose, paint.color, -0.05, 0);
+  if (relief)
+    paint.relief = std::make_shared<Relief>(Relief{
+        .area = nose, .profile = Profile::round, .width = 0.085, .height = 0.06, .specular = 0.25});
+  build.layer("nose", nose, paint);
+  RenderStats stats;
+  EXPECT_TRUE(render(std::move(build).finish(), {.width = 96, .height = 96}, {}, &stats));
+  return stats.steps;
+}
+
+TEST(BoundedWork, AFeatherWithAReliefTakesWhatEachTakesAlone) {
+  EXPECT_LT(double(steps_of_nose(true, true)),
+            1.1 * double(steps_of_nose(true, false) + steps_of_nose(false, true)));
 }
 
 TEST(BoundedWork, OfPiecesEndsToo) {
