@@ -75,9 +75,9 @@ void Drawing::arrange() {
   fingerprinted_ = false;
   looks_.begin(paints_);
   regions_.begin(int(paints_.programs.outlines().size()), looks_);
-  sweep_.run(outlines_, 0.0, height_, regions_, order());
+  sweep_.run_in_bands(outlines_, 0, height_, regions_, order());
   palette_.make(looks_, format_, regions_.look(0));
-  sort_into_strips();
+  find_jumps();
 }
 
 void Drawing::make_outlines(const OutlineFrame& frame) {
@@ -94,27 +94,11 @@ void Drawing::make_outlines(const OutlineFrame& frame) {
   maker_.finish();
 }
 
-/// Lists the fragments of every strip.
-void Drawing::sort_into_strips() {
-  const int strips = (height_ + kRows - 1) / kRows;
-  const auto fragments = sweep_.fragments();
-  first_of_strip_.assign(std::size_t(strips) + 2, 0);
+void Drawing::find_jumps() {
   jumps_.clear();
-  const auto first = [](const Fragment& f) { return int(f.top) / kRows; };
-  const auto last = [&](const Fragment& f) {
-    return std::max((int(std::ceil(f.bottom)) - 1) / kRows, first(f));
-  };
-  for (const Fragment& f : fragments) {
+  for (const Fragment& f : sweep_.fragments())
     jumps_.push_back(palette_.entries[std::size_t(f.right)].color -
                      palette_.entries[std::size_t(f.left)].color);
-    for (int s = first(f); s <= last(f); ++s) ++first_of_strip_[std::size_t(s) + 2];
-  }
-  for (std::size_t s = 2; s < first_of_strip_.size(); ++s)
-    first_of_strip_[s] += first_of_strip_[s - 1];
-  in_strip_.resize(std::size_t(first_of_strip_.back()));
-  for (std::size_t i = 0; i < fragments.size(); ++i)
-    for (int s = first(fragments[i]); s <= last(fragments[i]); ++s)
-      in_strip_[std::size_t(first_of_strip_[std::size_t(s) + 1]++)] = int(i);
 }
 
 /// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
@@ -123,14 +107,12 @@ void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const 
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
   };
-  for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
-       ++k) {
-    const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
-    const Fragment& f = sweep_.fragments()[i];
+  for (const Fragment& f : sweep_.of_band(strip)) {
+    const Rgba& j = jumps_[std::size_t(&f - sweep_.fragments().data())];
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (from < to)
-      sums.add(sweep_.piece(f.piece), from, to, strip * kRows, jumps_[i],
-               varied(f.left), varied(f.right), f.right);
+      sums.add(sweep_.piece(f.piece), from, to, strip * kRows, j, varied(f.left), varied(f.right),
+               f.right);
   }
 }
 
@@ -284,13 +266,10 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
   draw_strip(strip, target, scratch, stats);
   scratch.errors = nullptr;
   scratch.painter.note_errors(nullptr);
-  for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
-       ++k) {
-    const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
-    const Fragment& f = sweep_.fragments()[i];
+  for (const Fragment& f : sweep_.of_band(strip)) {
+    const Rgba& j = jumps_[std::size_t(&f - sweep_.fragments().data())];
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (!(from < to)) continue;
-    const Rgba& j = jumps_[i];
     const bool varies = palette_.entries[std::size_t(f.left)].varies ||
                         palette_.entries[std::size_t(f.right)].varies;
     const double jump =

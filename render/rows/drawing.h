@@ -70,8 +70,8 @@ class Drawing {
   /// The same with all outlines at once, even a crowd's.
   void make_whole(const Scene& scene, const View& view, Depth depth);
 
-  /// Strips of kRows rows. Draws those rows of a strip that show some of the target.
-  static constexpr int kRows = 16;
+  /// Strips of kRows rows, the sweep's bands. Draws those rows of a strip that show some of the target.
+  static constexpr int kRows = Sweep::kBandRows;
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
                   RenderStats& stats) const;
 
@@ -106,7 +106,7 @@ class Drawing {
   friend class DrawingProbe;  // plants faults, in tests
   void arrange();
   void make_outlines(const OutlineFrame& frame);
-  void sort_into_strips();
+  void find_jumps();
   /// How far neighbours may be out of order [px].
   double order() const { return std::min(kOrder, 0.5 * tolerance_); }
 
@@ -126,7 +126,6 @@ class Drawing {
   PixelFormat format_{Depth::u8, Blend::srgb};
   Palette palette_;
   std::vector<Rgba> jumps_;  ///< by fragment
-  std::vector<int> first_of_strip_, in_strip_;
   RowFingerprints fingerprints_;
 };
 

@@ -18,29 +18,53 @@ bool Sweep::inside(int outline, int winding) const {
 
 void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& regions,
                 double order) {
+  in_bands_ = false;
+  sweep(outlines, top, bottom, regions, order);
+}
+
+void Sweep::run_in_bands(const Outlines& outlines, int top, int bottom, Regions& regions,
+                         double order) {
+  in_bands_ = true;
+  sweep(outlines, top, bottom, regions, order);
+}
+
+void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& regions,
+                  double order) {
   outlines_ = &outlines, regions_ = &regions, bottom_ = bottom, may_differ_ = order;
   const double x = outlines.left;
   side_ = {x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom};
   fragments_.clear(), doubts_.clear(), order_.clear(), region_.clear(), free_.clear();
+  first_in_band_.assign(1, 0);
   lanes_.count = 0, active_.clear(), slopes_.clear();
   stats_ = {};
   stats_.pieces = long(outlines.pieces.size());
   halvings_left_ = kHalvingsFirst + 4 * stats_.pieces;
   holds(bytes());
   begin_at(top);
-  double border = std::floor(top) + 1.0;  // of rows, the next one
+  double border = std::floor(top / kBandRows) * kBandRows + kBandRows;  // the next one
   for (auto e = std::lower_bound(outlines.ends.begin(), outlines.ends.end(), top,
                                  [](const OutlineEnd&end, double y) { return end.y < y; });
        e != outlines.ends.end() && e->y < bottom; ++e) {
-    for (; border <= e->y; border += 1.0) go_to(border), sort_at_border();
+    for (; border <= e->y; border += kBandRows) cross_border(border);
     go_to(e->y);
     end_or_begin(*e);
   }
-  for (; border < bottom; border += 1.0) go_to(border), sort_at_border();
+  for (; border < bottom; border += kBandRows) cross_border(border);
   go_to(bottom);
   for (const int lane : order_) finish(lane, bottom);
-  show_left(bottom);
+  finish_left(bottom);
+  first_in_band_.push_back(int(fragments_.size()));
   stats_.regions = regions.count();
+}
+
+void Sweep::cross_border(double y) {
+  go_to(y);
+  if (in_bands_) {
+    for (const int lane : order_) finish(lane, y);
+    finish_left(y);
+    first_in_band_.push_back(int(fragments_.size()));
+  }
+  sort_at_border();
 }
 
 /// The order from nothing: the chains that come from above, as they are seen from there.
@@ -77,7 +101,7 @@ void Sweep::begin_at(double y) {
   }
 }
 
-/// At a border of rows: by place, to less than shows, and of those at one place by number.
+/// At a border of bands: by place, to less than shows, and of those at one place by number.
 bool Sweep::belongs_after(int a, int b) const {
   constexpr double kCells = 0x1p20;
   const double x = lanes_.x[std::size_t(a)], u = lanes_.x[std::size_t(b)];

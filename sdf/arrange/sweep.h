@@ -7,13 +7,14 @@
 // come from the order, so along any row their differences telescope by construction and no rounding
 // can travel along a row.
 //
-// The sweep goes in steps, to the next border of rows or the next height at which chains begin or end. All active
+// The sweep goes in steps, to the next border of bands or the next height at which chains begin or end. All active
 // chains are placed at the lower height at once. Neighbours are proven to be in order over the whole height at which
 // they are neighbours, to a tolerance, most of them by their extents alone. Those that are in the other order at the
 // lower height cross. Where a proof fails, the step is halved; where that does not help, the place is reported as a
 // doubt, and its pixels are resolved by distances.
 //
-// At a row's top the order is by places alone, whatever it was above: rows do not depend on each other.
+// At the top of a band of 16 rows the order is by places alone, whatever it was above: bands do not depend on each
+// other.
 //
 // Outlines that are cut off at the picture's sides have no order: left of the picture there is one region, right of
 // it nothing.
@@ -48,12 +49,21 @@ struct SweepStats {
 /// Sweeps one arrangement after another; keeps its scratch.
 class Sweep {
  public:
+  static constexpr int kBandRows = 16;
+
   /// The arrangement between two heights. `regions` has begun with the number of outlines. `order`: how far
   /// neighbours may be out of order [px]. The outlines are referred to.
   void run(const Outlines& outlines, double top, double bottom, Regions& regions,
            double order = kOrder);
+  /// The same from a band's top, with fragments that end where their band does.
+  void run_in_bands(const Outlines& outlines, int top, int bottom, Regions& regions, double order);
 
   std::span<const Fragment> fragments() const { return fragments_; }
+  /// Those of a band, the first one's number being 0, after run_in_bands().
+  std::span<const Fragment> of_band(int band) const {
+    const auto first = std::size_t(first_in_band_[std::size_t(band)]);
+    return fragments().subspan(first, std::size_t(first_in_band_[std::size_t(band) + 1]) - first);
+  }
   /// Of a fragment: one of the outlines', or the picture's left side.
   const OutlinePiece& piece(int i) const {
     return std::size_t(i) < outlines_->pieces.size() ? outlines_->pieces[std::size_t(i)] : side_;
@@ -85,7 +95,9 @@ class Sweep {
     long step;           ///< of which
   };
 
+  void sweep(const Outlines& outlines, double top, double bottom, Regions& regions, double order);
   void begin_at(double y);
+  void cross_border(double y);
   void end_or_begin(const OutlineEnd& e);
   void start(const OutlineEnd& e);
   void end(const OutlineEnd& e);
@@ -95,6 +107,7 @@ class Sweep {
   void leave_slot(int slot, double y);
   int slot_of(int chain) const;
   void show_left(double y);
+  void finish_left(double y);
   void go_to(double y);
   void step(double y, int depth);
   void pass_pieces(double y);
@@ -128,7 +141,9 @@ class Sweep {
   Regions* regions_ = nullptr;
   double y_ = 0, bottom_ = 0, may_differ_ = kOrder;
   OutlinePiece side_{};
+  bool in_bands_ = false;
   std::vector<Fragment> fragments_;
+  std::vector<int> first_in_band_;
   std::vector<Doubt> doubts_;
   SweepStats stats_;
 

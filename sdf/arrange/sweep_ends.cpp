@@ -123,13 +123,20 @@ void Sweep::come(const OutlineEnd& e, bool left) {
   c.right_look = regions_->look(region_[std::size_t(slot)]);
 }
 
-/// What lies left of the picture may look different now: what was shown so far becomes a fragment of its side.
+/// What lies left of the picture may look different now.
 void Sweep::show_left(double y) {
-  const int look = regions_->look(left_), none = regions_->look(0);
-  if (look == left_look_ && y < bottom_) return;
+  const int look = regions_->look(left_);
+  if (look == left_look_) return;
+  finish_left(y);
+  left_look_ = look;
+}
+
+/// What was shown there so far becomes a fragment of its side.
+void Sweep::finish_left(double y) {
+  const int none = regions_->look(0);
   if (left_look_ != none && y > left_from_)
     fragments_.push_back({int(outlines_->pieces.size()), none, left_look_, left_from_, y});
-  left_look_ = look, left_from_ = y;
+  left_from_ = y;
 }
 
 }  // namespace mien

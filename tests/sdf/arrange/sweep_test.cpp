@@ -241,7 +241,7 @@ Outlines with_a_jump() {
 
 TEST(Sweep, AWrongOrderIsPutRightAtOnce) {
   Arranged a(with_a_jump(), 0, kSide);
-  EXPECT_GT(a.sweep.stats().forced, 0);
+  EXPECT_GT(a.sweep.stats().forced + a.sweep.stats().crossings, 0);
   for (double y = 3.01; y < kSide; y += 0.5)
     for (double x = 0.25; x < kSide; x += 0.5)
       ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
@@ -280,13 +280,74 @@ TEST(Sweep, WhatIsNotProvenIsDoubted) {
   SweepProbe::never_halve(a.sweep);
   a.sweep.run(a.outlines, 0, kSide, a.regions);
   const auto doubts = a.sweep.doubts();
-  ASSERT_EQ(doubts.size(), 24u);
-  for (std::size_t i = 0; i < doubts.size(); ++i) {
-    EXPECT_EQ(doubts[i].top, double(i) + 4);
-    EXPECT_EQ(doubts[i].bottom, double(i) + 5);
-    EXPECT_NEAR(doubts[i].left, 15.8, 1e-6);
-    EXPECT_NEAR(doubts[i].right, 16.3, 1e-6);
+  ASSERT_EQ(doubts.size(), 2u);  // in each band
+  EXPECT_EQ(doubts[0].top, 2);
+  EXPECT_EQ(doubts[0].bottom, 16);
+  EXPECT_EQ(doubts[1].bottom, 30);
+  for (const Doubt& d : doubts) {
+    EXPECT_NEAR(d.left, 15.8, 1e-6);
+    EXPECT_NEAR(d.right, 16.3, 1e-6);
   }
+}
+
+/// Every band alone, the lowest first, has the fragments that it has in the whole.
+TEST_P(EverySweep, BeginsAtAnyBandWithTheSameFragments) {
+  over_random_arrangements(200, [](Arranged& a, Random&) {
+    constexpr int kBands = 2;
+    static_assert(kBands * Sweep::kBandRows == int(kSide));
+    a.sweep.run_in_bands(a.outlines, 0, int(kSide), a.regions, kOrder);
+    for (int band = kBands - 1; band >= 0; --band) {
+      Sweep alone;
+      alone.run_in_bands(a.outlines, band * Sweep::kBandRows, (band + 1) * Sweep::kBandRows,
+                         a.regions, kOrder);
+      const auto own = alone.of_band(0), all = a.sweep.of_band(band);
+      ASSERT_EQ(own.size(), all.size()) << band;
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        ASSERT_EQ(own[i].piece, all[i].piece);
+        ASSERT_EQ(own[i].left, all[i].left);
+        ASSERT_EQ(own[i].right, all[i].right);
+        ASSERT_EQ(own[i].top, all[i].top);
+        ASSERT_EQ(own[i].bottom, all[i].bottom);
+      }
+    }
+  });
+}
+
+TEST(Sweep, BandsThatBeginAtVerticesBeginAsFromAbove) {
+  // Steps of a stair whose corners lie on the border of bands, level and vertical sides on it, copies, and fans.
+  const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
+  const auto polygon = [&](std::vector<glm::dvec2> at) {
+    Path path{{Path::Loop{}}};
+    for (std::size_t i = 0; i < at.size(); ++i)
+      path.loops[0].sides.push_back(side(at[i], at[(i + 1) % at.size()]));
+    return Shape(path);
+  };
+  const std::vector<Shape> shapes{
+      polygon({{2, 8}, {10, 8}, {10, 16}, {20, 16}, {20, 28}, {2, 28}}),
+      polygon({{4, 16}, {28, 16}, {28, 24}, {4, 24}}),
+      polygon({{4, 4}, {28, 4}, {28, 16}, {4, 16}}),
+      polygon({{4, 4}, {28, 4}, {28, 16}, {4, 16}}),
+      polygon({{16, 16}, {10, 2}, {12, 2}}),
+      polygon({{16, 16}, {20, 2}, {22, 2}}),
+      polygon({{16, 16}, {10, 30}, {12, 30}}),
+      polygon({{16, 16}, {20, 30}, {22, 30}}),
+  };
+  Arranged a = arranged(shapes);
+  a.sweep.run_in_bands(a.outlines, 0, int(kSide), a.regions, kOrder);
+  Sweep below;
+  below.run_in_bands(a.outlines, 16, int(kSide), a.regions, kOrder);
+  const auto own = below.of_band(0), all = a.sweep.of_band(1);
+  ASSERT_EQ(own.size(), all.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(own[i].piece, all[i].piece);
+    EXPECT_EQ(own[i].left, all[i].left);
+    EXPECT_EQ(own[i].right, all[i].right);
+  }
+  for (double y = 16.25; y < kSide; y += 0.5)
+    for (double x = 0.3; x < kSide; x += 0.5)
+      if (nearest_crossing(a.outlines, {x, y}) > 2 * kOrder) {
+        ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+      }
 }
 
 TEST(Sweep, SweepingAnewForgetsAll) {
