@@ -400,9 +400,9 @@ inline int LeastSide(const LightTile& tile, float area, float allowed) {
 /// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
 /// they may be off, which is of second order in their side; the others as far as they need it.
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
-  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells; ridges less than a
-  // thirtieth of their jump.
-  constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
+  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells, twice that where
+  // it bends; ridges less than a thirtieth of their jump.
+  constexpr float kKink = 24.0f, kJump = 10.0f, kAgree = 0.7f;
   // Of what is permitted to any: what closed cells may be off by.
   constexpr float kClosed = 0.3f;
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
