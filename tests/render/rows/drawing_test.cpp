@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "tests/support/degenerate_scene.h"
+#include "tests/support/effort.h"
 #include "tests/support/outline_sight.h"
+#include "tests/support/random_plain_scene.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/rendered.h"
 #include "tests/support/sweep_probe.h"
@@ -155,6 +157,22 @@ TEST(Drawing, AnOrderThatIsNotProvenIsDoubtedAndDrawnByDistances) {
   }
   EXPECT_GT(doubted, 5);
   EXPECT_LT(doubted, kDrawnView.height);
+}
+
+/// Generic ones, and those whose points lie on a lattice, or nearly so.
+TEST(Drawing, OfRandomScenesIsWhatTheReferenceSays) {
+  constexpr double kGeneric = -1;
+  RenderStats stats;
+  for (int seed = 0; seed < test::times(10); ++seed)
+    for (const double jitter : {kGeneric, 0.0, 1e-3, 1e-6, 1e-9, 1e-13}) {
+      const std::uint64_t s = std::uint64_t(seed) + 2000;
+      const Scene scene =
+          jitter == kGeneric ? test::random_plain_scene(s) : test::degenerate_scene(s, jitter);
+      const int side = 24 + 3 * seed;
+      const View view{.width = side, .height = side, .blend = Blend::srgb, .dither = false};
+      EXPECT_LT(DrawingProbe(scene, view).off(stats), kAllowed) << "seed " << s << ' ' << jitter;
+    }
+  EXPECT_LT(stats.resolved_pixels, stats.edge_pixels / 100);
 }
 
 /// What distances prove of a pixel may be much less than what its outlines would.
