@@ -164,11 +164,11 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
 
 // [of a cell's side] A ridge that bends may run through it.
 inline constexpr float kNearCell = 1.3f;
-/// The most that the outward normal turns by from a cell to the next in the list, but at ridges.
-inline float MostTurn(const BranchPair& at, const float* away) {
+/// The most that the outward normal turns by from a cell to the next in the list, but nearer to a ridge than that.
+inline float MostTurn(const BranchPair& at, const float* away, float least) {
   float most = 0.0f;
   for (int k = 0; k < 15; ++k) {
-    if (HWY_MIN(away[k], away[k + 1]) < kNearCell) continue;
+    if (HWY_MIN(away[k], away[k + 1]) < least) continue;
     most = HWY_MAX(most, std::abs(at.best.nx[k + 1] - at.best.nx[k]) +
                              std::abs(at.best.ny[k + 1] - at.best.ny[k]));
   }
@@ -225,13 +225,24 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
       hn::Store(hn::IfThenElse(cut, mixed.c[c], load(cells.shades.c[c])), f, cells.shades.c[c] + k);
     hn::Store(hn::IfThenElse(cut, mixed.jump, zero), f, cells.jump + k);
   }
-  if (first && tile.rises) {
-    // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn²,
-    // for 16 bits one and a half tolerances at most.
-    constexpr float kTurn = 1.5f * 255 / 4;
-    const float turn = MostTurn(at.relief, cells.away);
+  if (!first) return;
+  // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn². A
+  // distance, or a ramp along one, leaves a 24th of its change over a cell, a fourth of that over the pixel, times the
+  // turn; at ridges, too, behind which a corner may bend. For 16 bits that is one and a half tolerances at most.
+  constexpr float kTurn = 1.5f * 255 / 4, kRampTurn = 1.5f * 96;
+  const bool distance = tile.lamp.distance_alone || tile.lamp.goes_by_distance();
+  if (tile.rises && !tile.lamp.distance_alone) {
+    const float turn = MostTurn(at.relief, cells.away, kNearCell);
     pixel.turns = turn * turn > kTurn * tile.tolerance;
   }
+  if (!distance || pixel.turns) return;
+  float change = 0.0f;
+  for (int c = 0; c < tile.channels; ++c) {
+    const Range range = RangeOf16(cells.shades.c[c], cells.area);
+    change = HWY_MAX(change, (range.high - range.low) * pixel.encoding.by[c]);
+  }
+  const BranchPair& of = tile.lamp.distance_alone ? at.relief : *at.ramp;
+  pixel.turns = change * MostTurn(of, cells.away, 0.0f) > kRampTurn * tile.tolerance;
 }
 
 /// Which of a level's cells are looked at: of the grid of that many each way, in its order.
