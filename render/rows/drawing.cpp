@@ -82,8 +82,15 @@ void Drawing::arrange() {
 
 void Drawing::make_outlines(const OutlineFrame& frame) {
   maker_.begin(frame, outlines_);
-  for (const OutlineSource& source : paints_.programs.outlines())
-    maker_.add(paints_.programs, source);
+  for (const OutlineSource& source : paints_.programs.outlines()) {
+    const Shape& shape = paints_.programs.shape(source);
+    if (source.rim)
+      maker_.rim(shape, source.amount);
+    else if (source.amount == 0.0)
+      maker_.fill(shape);
+    else
+      maker_.fill(*offset_shape(shape, source.amount));
+  }
   maker_.finish();
 }
 
