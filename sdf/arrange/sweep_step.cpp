@@ -224,7 +224,7 @@ bool Sweep::stays(int slot, double from, double to, double y) {
 }
 
 /// Whether it shows nowhere in this step which of a slot and the next is left: one of the two is seen neither left nor
-/// right of the other, and both keep to their side of all others.
+/// right of the other, and both keep to their side of all others, wherever in the step they cross.
 bool Sweep::hidden(int slot) const {
   const auto s = std::size_t(slot);
   const bool first = slot == 0, last = slot + 2 == count();
@@ -238,8 +238,10 @@ bool Sweep::hidden(int slot) const {
                          : q.flips;
   const int other = flips ? regions_->look(regions_->across(left, q.outline)) : l;
   if (!((l == m && other == r) || (m == r && l == other))) return false;
-  return (first || cheap(order_[s - 1], order_[s + 1])) &&
-         (last || cheap(order_[s], order_[s + 2]));
+  const int a = order_[s], b = order_[s + 1];
+  const auto after = [&](std::size_t i) { return cheap(order_[i], a) && cheap(order_[i], b); };
+  return (first || after(s - 1)) && (slot < 2 || cheap(order_[s - 2], b)) &&
+         (last || (cheap(a, order_[s + 2]) && cheap(b, order_[s + 2])));
 }
 
 /// The directions that a chain takes in the step.
