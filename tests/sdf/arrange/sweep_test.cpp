@@ -56,7 +56,8 @@ Arranged arranged(std::span<const Shape> shapes) {
   return {outlines_of(shapes, kWindow), 0.0, kSide};
 }
 
-bool doubted(const Arranged& a, glm::dvec2 p, double margin) {
+template <class Rule>
+bool doubted(const ArrangedBy<Rule>& a, glm::dvec2 p, double margin) {
   for (const Doubt& d : a.sweep.doubts())
     if (p.x >= d.left - margin && p.x <= d.right + margin && p.y >= d.top - margin &&
         p.y <= d.bottom + margin)
@@ -111,6 +112,17 @@ TEST_P(EverySweep, EveryPlaceHasTheLookOfItsOutlines) {
   });
 }
 
+TEST_P(EverySweep, EveryPlaceHasTheLookOfItsTopmostLayer) {
+  over_random_arrangements(400, [](Arranged& all, Random& r) {
+    ArrangedLayers a(all.outlines, 0.0, kSide);
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec2 p = r.point(0, kSide);
+      if (nearest_crossing(a.outlines, p) < 2 * kOrder || doubted(a, p, 0.0)) continue;
+      ASSERT_EQ(a.shown(p), a.look_at(p)) << p.x << ", " << p.y;
+    }
+  });
+}
+
 /// Green: the sum of the fragments' own areas to the right, per look, is the look's area.
 TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
   over_random_arrangements(60, [](Arranged& a, Random&) {
@@ -141,16 +153,76 @@ TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
   });
 }
 
+QuadBezier side(glm::dvec2 p, glm::dvec2 q) {
+  return {p, 0.5 * (p + q), q};
+}
+
+Shape polygon(std::vector<glm::dvec2> at) {
+  Path path{{Path::Loop{}}};
+  for (std::size_t i = 0; i < at.size(); ++i)
+    path.loops[0].sides.push_back(side(at[i], at[(i + 1) % at.size()]));
+  return path;
+}
+
+void expect_topmost(ArrangedLayers& a) {
+  EXPECT_TRUE(a.sweep.doubts().empty());
+  for (double y = 1.01; y < kSide; y += 0.25)
+    for (double x = 0.13; x < kSide; x += 0.25)
+      if (nearest_crossing(a.outlines, {x, y}) > 2 * kOrder) {
+        ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+      }
+}
+
+/// A layer beneath a cover, and on it two whose sides cross there and back. One of these crosses the hidden side too,
+/// farther down in the same step.
+TEST(Sweep, ASideThatCrossesAHiddenOneIsProvenBesideItsOtherNeighbour) {
+  for (const bool mirrored : {false, true}) {
+    const auto at = [&](double x, double y) { return glm::dvec2{mirrored ? 32 - x : x, y}; };
+    const std::vector<Shape> shapes{
+        polygon({at(16, 1), at(30, 1), at(30, 15), at(16, 15)}),
+        polygon({at(1, 1), at(31, 1), at(31, 15), at(1, 15)}),
+        polygon({at(2, 1), at(10, 1), at(10, 15), at(2, 15)}),
+        polygon({at(11, 1), at(28, 1), at(28, 15), at(18, 15), at(9, 7)}),
+    };
+    ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+    expect_topmost(a);
+  }
+}
+
+/// Hidden sides that may be in any order, next to each other.
+TEST(Sweep, HiddenSidesBesideHiddenOnesAreProvenApart) {
+  const std::vector<Shape> shapes{
+      polygon({{12, 1}, {30, 1}, {30, 15}, {14, 15}, {20, 8}}),
+      polygon({{16, 1}, {29, 1}, {29, 15}, {16, 15}, {11, 8}}),
+      polygon({{1, 1}, {31, 1}, {31, 15}, {1, 15}}),
+      polygon({{3, 1}, {14, 1}, {12, 8}, {15, 15}, {3, 15}}),
+      polygon({{13, 1}, {28, 1}, {28, 15}, {13, 15}, {15, 8}}),
+  };
+  ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+  expect_topmost(a);
+}
+
+/// A fan so slender that of any two neighbours it does not show which is left: of the first and the last it does.
+TEST(Sweep, ManySlightCrossingsAreCrossings) {
+  constexpr int kBlades = 60;
+  std::vector<Shape> shapes;
+  for (int i = 0; i < kBlades; ++i) {
+    const double top = 10 + 0.9 * kOrder * i, bottom = 10 + 0.9 * kOrder * (kBlades - i);
+    shapes.push_back(polygon({{top, 1}, {30, 1}, {30, 15}, {bottom, 15}}));
+  }
+  ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+  const auto row = a.row(14.5);  // the last one covers all others
+  ASSERT_FALSE(row.empty());
+  EXPECT_EQ(row[0].right, kBlades);
+  EXPECT_LT(row[0].x, 10 + 3 * kOrder);
+}
+
 TEST(Sweep, OrdersNothingAlongTheSides) {
   std::vector<Shape> shapes;
   for (const double middle : {0.0, 2 * kSide})  // cut at the left side, and at the right one
     for (int i = 0; i < 12; ++i) {
       const double l = middle - 4 - i, r = middle + 4 + i;
-      const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
-      Path box;
-      box.loops.push_back({{side({l, -9}, {r, -9}), side({r, -9}, {r, 99}), side({r, 99}, {l, 99}),
-                            side({l, 99}, {l, -9})}});
-      shapes.push_back(box);
+      shapes.push_back(polygon({{l, -9}, {r, -9}, {r, 99}, {l, 99}}));
     }
   Arranged a = arranged(shapes);
   EXPECT_EQ(a.sweep.stats().crossings + a.sweep.stats().forced, 0);
@@ -226,11 +298,7 @@ TEST(Sweep, APartOfThePictureHasTheLooksOfTheWhole) {
 /// side of the first, unknown to its neighbours: from (5, 6) it runs back to (12, 12).
 Outlines with_a_jump() {
   const auto square = [](double left, double right, double middle) {
-    Path path;
-    const glm::dvec2 a{left, 2}, b{right, 2}, c{right, 30}, d{left, 30}, m{left, middle};
-    const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
-    path.loops.push_back({{side(a, b), side(b, c), side(c, d), side(d, m), side(m, a)}});
-    return Shape(path);
+    return polygon({{left, 2}, {right, 2}, {right, 30}, {left, 30}, {left, middle}});
   };
   const Shape shapes[] = {square(2, 10, 16), square(12, 20, 6)};
   Outlines o = outlines_of(shapes, kWindow);
@@ -249,14 +317,10 @@ TEST(Sweep, AWrongOrderIsPutRightAtOnce) {
 
 /// A side with a bulge in most rows, over a straight one.
 std::vector<Shape> bulges_over_a_line() {
-  const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
-  const auto box = [&](double left, double right) {
-    Path path;
-    const glm::dvec2 a{left, 2}, b{right, 2}, c{right, 30}, d{left, 30};
-    path.loops.push_back({{side(a, b), side(b, c), side(c, d), side(d, a)}});
-    return path;
+  const auto box = [](double left, double right) {
+    return polygon({{left, 2}, {right, 2}, {right, 30}, {left, 30}});
   };
-  Path bulging = box(3, 15.8);
+  Path bulging = std::get<Path>(box(3, 15.8));
   std::vector<QuadBezier>& sides = bulging.loops[0].sides;
   std::vector<QuadBezier> right;
   glm::dvec2 at = sides[1].p0;
@@ -315,13 +379,6 @@ TEST_P(EverySweep, BeginsAtAnyBandWithTheSameFragments) {
 
 TEST(Sweep, BandsThatBeginAtVerticesBeginAsFromAbove) {
   // Steps of a stair whose corners lie on the border of bands, level and vertical sides on it, copies, and fans.
-  const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
-  const auto polygon = [&](std::vector<glm::dvec2> at) {
-    Path path{{Path::Loop{}}};
-    for (std::size_t i = 0; i < at.size(); ++i)
-      path.loops[0].sides.push_back(side(at[i], at[(i + 1) % at.size()]));
-    return Shape(path);
-  };
   const std::vector<Shape> shapes{
       polygon({{2, 8}, {10, 8}, {10, 16}, {20, 16}, {20, 28}, {2, 28}}),
       polygon({{4, 16}, {28, 16}, {28, 24}, {4, 24}}),
