@@ -65,14 +65,11 @@ void Sweep::start(const OutlineEnd& e) {
   const auto piece_of = [&](int chain) -> const OutlinePiece& {
     return outlines_->pieces[std::size_t(outlines_->chains[std::size_t(chain)].first)];
   };
-  // Which is left? Their directions decide, or their places a little farther down.
+  // Which is left? Their places a little farther down decide.
   const OutlinePiece &p = piece_of(e.chain), &q = piece_of(e.other);
-  double side = p.ax * q.ay - q.ax * p.ay;
-  if (std::abs(side) <= 1e-12 * (std::abs(p.ax) + p.ay) * (std::abs(q.ax) + q.ay)) {
-    const double y = std::min(p.y1, q.y1), m = 0.5 * (e.y + y);
-    side = x_at(p, m) - x_at(q, m);
-    if (side == 0.0) side = x_at(p, y) - x_at(q, y);
-  }
+  const double y = std::min(p.y1, q.y1), middle = 0.5 * (e.y + y);
+  double side = x_at(p, middle) - x_at(q, middle);
+  if (side == 0.0) side = x_at(p, y) - x_at(q, y);
   const int left = side < 0.0 ? e.chain : e.other, right = side < 0.0 ? e.other : e.chain;
   const auto place = std::lower_bound(order_.begin(), order_.end(), e.x, [&](int lane, double x) {
     return lanes_.x[std::size_t(lane)] < x;

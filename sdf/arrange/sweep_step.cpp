@@ -84,7 +84,6 @@ void Sweep::stray(int lane, double y) {
       lanes_.high[i] = std::max(lanes_.high[i], p.x1);
     }
     const double turns = turning(p), high = p.y1 - p.y0, wide = std::abs(p.x1 - p.x0);
-    if (!(high > 0.0)) left = right = HUGE_VAL;  // it leaves its chord at once
     double& bulge = turns > 0.0 ? bulge_right : bulge_left;
     if (high > 0.0) bulge = std::max(bulge, std::min(0.5 * std::abs(turns) / high, wide));
   }

@@ -173,30 +173,31 @@ void expect_topmost(ArrangedLayers& a) {
       }
 }
 
-/// A layer beneath a cover, and on it two whose sides cross there and back. One of these crosses the hidden side too,
-/// farther down in the same step.
-TEST(Sweep, ASideThatCrossesAHiddenOneIsProvenBesideItsOtherNeighbour) {
-  for (const bool mirrored : {false, true}) {
-    const auto at = [&](double x, double y) { return glm::dvec2{mirrored ? 32 - x : x, y}; };
-    const std::vector<Shape> shapes{
-        polygon({at(16, 1), at(30, 1), at(30, 15), at(16, 15)}),
-        polygon({at(1, 1), at(31, 1), at(31, 15), at(1, 15)}),
-        polygon({at(2, 1), at(10, 1), at(10, 15), at(2, 15)}),
-        polygon({at(11, 1), at(28, 1), at(28, 15), at(18, 15), at(9, 7)}),
-    };
-    ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
-    expect_topmost(a);
-  }
+/// A layer beneath a cover, its left side hidden, and on the cover two whose sides cross there and back. One of these
+/// crosses the hidden side too: once, farther down in the same step, or there and back.
+TEST(Sweep, SidesThatCrossAHiddenOneAreProvenBesideItsOtherNeighbour) {
+  for (const double bottom : {18.0, 14.0})
+    for (const bool mirrored : {false, true}) {
+      const double top = bottom == 14 ? 14 : 11, hidden = bottom == 14 ? 12 : 16;
+      const auto at = [&](double x, double y) { return glm::dvec2{mirrored ? 32 - x : x, y}; };
+      const std::vector<Shape> shapes{
+          polygon({at(hidden, 1), at(30, 1), at(30, 15), at(hidden, 15)}),
+          polygon({at(1, 1), at(31, 1), at(31, 15), at(1, 15)}),
+          polygon({at(2, 1), at(10, 1), at(10, 15), at(2, 15)}),
+          polygon({at(top, 1), at(28, 1), at(28, 15), at(bottom, 15), at(9, 7)}),
+      };
+      ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+      expect_topmost(a);
+    }
 }
 
-/// Hidden sides that may be in any order, next to each other.
-TEST(Sweep, HiddenSidesBesideHiddenOnesAreProvenApart) {
+/// Two hidden sides, and two that cross each other there and back between them.
+TEST(Sweep, SidesThatCrossHiddenOnesFromBothSidesAreProvenApart) {
   const std::vector<Shape> shapes{
-      polygon({{12, 1}, {30, 1}, {30, 15}, {14, 15}, {20, 8}}),
-      polygon({{16, 1}, {29, 1}, {29, 15}, {16, 15}, {11, 8}}),
+      polygon({{10, 1}, {20, 1}, {20, 15}, {10, 15}}),
       polygon({{1, 1}, {31, 1}, {31, 15}, {1, 15}}),
-      polygon({{3, 1}, {14, 1}, {12, 8}, {15, 15}, {3, 15}}),
-      polygon({{13, 1}, {28, 1}, {28, 15}, {13, 15}, {15, 8}}),
+      polygon({{2, 1}, {8, 1}, {16, 8}, {8, 15}, {2, 15}}),
+      polygon({{22, 1}, {30, 1}, {30, 15}, {22, 15}, {14, 8}}),
   };
   ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
   expect_topmost(a);
@@ -213,6 +214,7 @@ TEST(Sweep, ManySlightCrossingsAreCrossings) {
   ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
   const auto row = a.row(14.5);  // the last one covers all others
   ASSERT_FALSE(row.empty());
+  EXPECT_EQ(row[0].left, 0);
   EXPECT_EQ(row[0].right, kBlades);
   EXPECT_LT(row[0].x, 10 + 3 * kOrder);
 }
@@ -254,6 +256,28 @@ TEST(Sweep, ADiscIsItsOutline) {
   const Arranged a = arranged(shapes);
   EXPECT_EQ(a.sweep.fragments().size(), a.outlines.pieces.size());
   EXPECT_EQ(a.regions.count(), 2);
+}
+
+TEST(Sweep, WhatCrossesNothingIsInOrderFromItsBeginning) {
+  const Shape shapes[] = {Disc{{8, 16}, 7}, Disc{{24, 16}, 7},
+                          polygon({{16, 3}, {16, 30}, {15.5, 16}}),
+                          polygon({{2, 1}, {20, 1}, {20, 2}, {2, 2}}), Disc{{24, 16}, 3}};
+  const Arranged a = arranged(shapes);
+  EXPECT_EQ(a.sweep.stats().crossings + a.sweep.stats().forced, 0);
+}
+
+TEST(Sweep, CopiesLeaveThroughASideAndComeBack) {
+  const auto zigzag = [](double x, double out) {
+    return polygon({{x, 1}, {out, 6}, {x, 11}, {out, 16}, {x, 21}, {out, 26}, {x, 31}, {16, 16}});
+  };
+  const Shape shapes[] = {zigzag(4, -9),  zigzag(4, -9),  zigzag(4, -9),
+                          zigzag(28, 41), zigzag(28, 41), zigzag(28, 41)};
+  Arranged a = arranged(shapes);
+  for (double y = 0.3; y < kSide; y += 0.5)
+    for (double x = 0.25; x < kSide; x += 0.5)
+      if (nearest_crossing(a.outlines, {x, y}) > 2 * kOrder) {
+        ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+      }
 }
 
 TEST(Sweep, OutlinesThatCoincideCancelTheirWidth) {
@@ -313,6 +337,16 @@ TEST(Sweep, AWrongOrderIsPutRightAtOnce) {
   for (double y = 3.01; y < kSide; y += 0.5)
     for (double x = 0.25; x < kSide; x += 0.5)
       ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+}
+
+/// A step of a stair jumps over a side that it crosses back farther down: moved at once, not found by shorter steps.
+TEST(Sweep, LevelPiecesMoveTheirChainAtTheTopOfAStep) {
+  const std::vector<Shape> shapes{polygon({{2, 1}, {8, 1}, {8, 5}, {14, 5}, {6, 15}, {2, 15}}),
+                                  polygon({{10, 5}, {28, 5}, {28, 15}, {10, 15}})};
+  ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+  expect_topmost(a);
+  EXPECT_EQ(a.sweep.stats().halvings, 0);
+  EXPECT_GT(a.sweep.stats().forced, 0);
 }
 
 /// A side with a bulge in most rows, over a straight one.
