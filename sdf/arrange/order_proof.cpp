@@ -17,19 +17,6 @@ class OrderProof {
   std::optional<double> fails(const PairLevel& a, const PairLevel& b, int halvings) const;
 
  private:
-  /// x'' at a parameter.
-  static double bend(const OutlinePiece& p, double t) {
-    const double bends = turning(p), v = std::max(0.0, p.ay + t * p.by);
-    return bends == 0.0 ? 0.0 : -0.5 * bends / (v * v * v);
-  }
-
-  /// The least of a (1 − s) + b s − 4 dip s (1 − s) for s in [0, 1].
-  static double lowest(double a, double b, double dip) {
-    const double rise = b - a;
-    if (std::abs(rise) >= 4.0 * dip) return std::min(a, b);
-    return 0.5 * (a + b) - dip - rise * rise / (16.0 * dip);
-  }
-
   bool gap_goes_one_way(const PairLevel& a, const PairLevel& b) const;
 
   const OutlinePiece &l_, &r_;
@@ -59,10 +46,6 @@ std::optional<double> OrderProof::fails(const PairLevel& a, const PairLevel& b,
   };
   const double sags = sag(r_, b.r - a.r) + sag(l_, b.l - a.l);
   if (sags <= slack || sags * height <= unseen) return {};
-  const double bends =
-                   std::max(bend(r_, a.r), bend(r_, b.r)) - std::min(bend(l_, a.l), bend(l_, b.l)),
-               dip = 0.125 * height * height * bends;
-  if (lowest(a.gap(), b.gap(), dip) >= -tolerance_ || dip * height <= unseen) return {};
   const PairLevel middle = pair_at(l_, r_, 0.5 * (a.y + b.y));
   if (halvings == 0) return middle.y;
   const auto above = fails(a, middle, halvings - 1);
