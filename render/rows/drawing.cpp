@@ -103,7 +103,7 @@ void Drawing::find_jumps() {
 
 /// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
 void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const {
-  sums.begin(kRows, width_, looks_.count());
+  sums.begin(kRows, width_);
   const auto varied = [&](int look) {
     return palette_.entries[std::size_t(look)].varies ? look : -1;
   };
@@ -140,8 +140,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
                           target.data + target.stride * std::size_t(y - rect.y), stats);
     for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
-    if (scratch.painter.lost() || !scratch.painter.refused().empty())
-      scratch.odd_rows |= std::uint32_t{1} << (y - top);
+    if (!scratch.painter.refused().empty()) scratch.odd_rows |= std::uint32_t{1} << (y - top);
   }
   scratch.painter.tell(stats);
   resolve_doubts(first, end, target, scratch, stats);
