@@ -15,16 +15,9 @@ inline constexpr double kOrder = 1.0 / 2560;
 /// whose area is too small to show (a quarter of it). Where that is not known: a height near which it is not.
 ///
 /// Derivation. Let g be the gap, g0 and g1 its values at the ends, H the height between them. g falls below its
-/// chord, which is at least min(g0, g1), by no more than either of
-///
-///   the sag of the right piece to the left of its chord plus that of the left piece to the right, where they sag
-///   that way: |turning| h³ / (2H) each, h its parameter length, half of what its control point is off;
-///   H²/8 times the greatest g'' = x''(right) − x''(left), where x'' = −turning / (2 v³) with v the speed down. v
-///   is linear in the parameter, so x'' is greatest and least at the ends. A parabola of that bend below the chord,
-///   which may slope, gives the bound.
-///
-/// The first is good for long stretches and where v is 0, the second for similar pieces, which bend alike at both
-/// ends. If neither is enough, the height is halved.
+/// chord, which is at least min(g0, g1), by no more than the right piece sags to the left of its chord and the left
+/// piece to the right of its own: |turning| h³ / (2H) where it sags that way, h its parameter length, which is half of
+/// what its control point is off. If that is too much, the height is halved.
 /// Cheaper tests come first: the ends alone, since pieces are monotone; and the ends of the gap where it only grows or
 /// only falls: a piece's directions lie between those at its ends, and a cross product is linear in both.
 std::optional<double> disorder(const OutlinePiece& left, const OutlinePiece& right,
