@@ -44,8 +44,8 @@ bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
          same_color(view.background, view_.background) && same_scene(scene, scene_);
 }
 
-void Drawing::make(const Scene& scene, const View& view, Depth depth) {
-  if (!Crowd::is_one(scene)) return make_whole(scene, view, depth);
+void Drawing::make(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
+  if (!Crowd::is_one(scene)) return make_whole(scene, view, depth, threads);
   if (crowded_ && is_of(scene, view, depth)) return;
   made_ = false, crowded_ = true;
   width_ = view.width, height_ = view.height;
@@ -55,7 +55,8 @@ void Drawing::make(const Scene& scene, const View& view, Depth depth) {
   made_ = true;
 }
 
-void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
+void Drawing::make_whole(const Scene& scene, const View& view, Depth depth,
+                         const Threads& threads) {
   if (!crowded_ && is_of(scene, view, depth)) return;
   made_ = crowded_ = false;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
@@ -67,17 +68,36 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
   paints_.make(scene, view, depth);
   format_ = PixelFormat(depth, view.blend);
   make_outlines(frame);
-  arrange();
+  arrange(threads);
   made_ = true;
 }
 
-void Drawing::arrange() {
+/// In as many parts as are worth their beginnings, whatever the threads: limits and figures do not depend on those.
+void Drawing::arrange(const Threads& threads) {
   fingerprinted_ = false;
-  looks_.begin(paints_);
-  regions_.begin(int(paints_.programs.outlines().size()), looks_);
-  sweep_.run_in_bands(outlines_, 0, height_, regions_, order());
-  palette_.make(looks_, format_, regions_.look(0));
-  find_jumps();
+  const int bands = (height_ + kRows - 1) / kRows, parts = std::max(height_ / rows_in_part_, 1);
+  bands_in_part_ = (bands + parts - 1) / parts;
+  part_count_ = (bands + bands_in_part_ - 1) / bands_in_part_;
+  if (parts_.size() < std::size_t(part_count_)) parts_.resize(std::size_t(part_count_));
+  for (int i = 0; i < part_count_; ++i) {
+    PicturePart& part = parts_[std::size_t(i)];
+    part.first_band = i * bands_in_part_, part.top = part.first_band * kRows;
+    part.bottom = std::min(part.top + bands_in_part_ * kRows, height_);
+  }
+  if (part_count_ == 1) return arrange(parts_[0]);
+  const auto job = [&](int i) { arrange(parts_[std::size_t(i)]); };
+  parallel_for(part_count_, threads, std::ref(job));
+}
+
+void Drawing::arrange(PicturePart& part) const {
+  part.looks.begin(paints_);
+  part.regions.begin(int(paints_.programs.outlines().size()), part.looks);
+  part.sweep.run_in_bands(outlines_, part.top, part.bottom, part.regions, order());
+  part.palette.make(part.looks, format_, part.regions.look(0));
+  part.jumps.clear();
+  for (const Fragment& f : part.sweep.fragments())
+    part.jumps.push_back(part.palette.entries[std::size_t(f.right)].color -
+                         part.palette.entries[std::size_t(f.left)].color);
 }
 
 void Drawing::make_outlines(const OutlineFrame& frame) {
@@ -94,25 +114,18 @@ void Drawing::make_outlines(const OutlineFrame& frame) {
   maker_.finish();
 }
 
-void Drawing::find_jumps() {
-  jumps_.clear();
-  for (const Fragment& f : sweep_.fragments())
-    jumps_.push_back(palette_.entries[std::size_t(f.right)].color -
-                     palette_.entries[std::size_t(f.left)].color);
-}
-
 /// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
 void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const {
   sums.begin(kRows, width_);
+  const PicturePart& part = part_of(strip);
   const auto varied = [&](int look) {
-    return palette_.entries[std::size_t(look)].varies ? look : -1;
+    return part.palette.entries[std::size_t(look)].varies ? look : -1;
   };
-  for (const Fragment& f : sweep_.of_band(strip)) {
-    const Rgba& j = jumps_[std::size_t(&f - sweep_.fragments().data())];
+  for (const Fragment& f : part.of_band(strip)) {
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (from < to)
-      sums.add(sweep_.piece(f.piece), from, to, strip * kRows, j, varied(f.left), varied(f.right),
-               f.right);
+      sums.add(part.sweep.piece(f.piece), from, to, strip * kRows, part.jump(f), varied(f.left),
+               varied(f.right), f.right);
   }
 }
 
@@ -132,7 +145,8 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   // A picture that fits the caches is worth keeping there.
   constexpr std::size_t kCaches = std::size_t{8} << 20;
   const bool large = target.stride * std::size_t(rect.height) > kCaches;
-  scratch.painter.begin(palette_, looks_, format_, dither_,
+  const PicturePart& part = part_of(strip);
+  scratch.painter.begin(part.palette, part.looks, format_, dither_,
                         large ? Stores::streamed : Stores::ordinary);
   scratch.resolver.reset();
   scratch.odd_rows = 0;
@@ -143,7 +157,7 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     if (!scratch.painter.refused().empty()) scratch.odd_rows |= std::uint32_t{1} << (y - top);
   }
   scratch.painter.tell(stats);
-  resolve_doubts(first, end, target, scratch, stats);
+  resolve_doubts(part.sweep.doubts(), first, end, target, scratch, stats);
   if (large) finish_streams();
 }
 
@@ -201,11 +215,12 @@ Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& s
 }
 
 /// Pixels between outlines whose order is not proven.
-void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
+void Drawing::resolve_doubts(std::span<const Doubt> doubts, int first, int end,
+                             const RowTarget& target, StripScratch& scratch,
                              RenderStats& stats) const {
   const PixelRect& rect = target.rect;
   scratch.resolved.clear();  // doubts lie over each other, and a pixel is resolved once
-  for (const Doubt& doubt : sweep_.doubts()) {
+  for (const Doubt& doubt : doubts) {
     worked(4);
     const int top = std::max(first, int(std::floor(doubt.top))),
               bottom = std::min(end, int(std::ceil(doubt.bottom)));
@@ -235,7 +250,9 @@ const RowFingerprints* Drawing::fingerprints() {
   for (const double v :
        {box.lo.x, box.lo.y, box.hi.x, box.hi.y, lamp.x, lamp.y, lamp.z, scene_.light().ambient})
     all.add(v);
-  fingerprints_.make(all.value(), scene_, looks_, palette_.first, sweep_, height_);
+  fingerprints_.begin(all.value(), scene_, paints_, height_);
+  for (const PicturePart& part : parts())
+    fingerprints_.add(part.looks, part.palette.first, part.sweep, part.top, part.bottom);
   fingerprinted_ = true;
   return &fingerprints_;
 }
@@ -243,10 +260,12 @@ const RowFingerprints* Drawing::fingerprints() {
 void Drawing::tell(RenderStats& stats) const {
   if (crowded_) return;  // its windows have reported
   RenderStats own;
-  own.pieces = sweep_.stats().pieces;
-  own.crossings = sweep_.stats().crossings;
-  own.regions = sweep_.stats().regions;
-  own.doubts = (long long)sweep_.doubts().size();
+  own.pieces = (long long)outlines_.pieces.size();
+  for (const PicturePart& part : parts()) {
+    own.crossings += part.sweep.stats().crossings;
+    own.regions += part.sweep.stats().regions;
+    own.doubts += (long long)part.sweep.doubts().size();
+  }
   stats.add(own);
 }
 
@@ -265,19 +284,22 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
   draw_strip(strip, target, scratch, stats);
   scratch.errors = nullptr;
   scratch.painter.note_errors(nullptr);
-  for (const Fragment& f : sweep_.of_band(strip)) {
-    const Rgba& j = jumps_[std::size_t(&f - sweep_.fragments().data())];
+  const PicturePart& part = part_of(strip);
+  const auto entry = [&](int look) -> const Palette::Entry& {
+    return part.palette.entries[std::size_t(look)];
+  };
+  for (const Fragment& f : part.of_band(strip)) {
+    const Rgba& j = part.jump(f);
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (!(from < to)) continue;
-    const bool varies = palette_.entries[std::size_t(f.left)].varies ||
-                        palette_.entries[std::size_t(f.right)].varies;
+    const bool varies = entry(f.left).varies || entry(f.right).varies;
     const double jump =
         varies ? 1.0
                : double(std::max({std::abs(j.r), std::abs(j.g), std::abs(j.b), std::abs(j.a)}));
     // A mixed colour is encoded no more steeply than the darker one of the two.
-    const double steep = std::max(format_.steepness(palette_.entries[std::size_t(f.left)].color),
-                                  format_.steepness(palette_.entries[std::size_t(f.right)].color));
-    cells_of(sweep_.piece(f.piece), from, to, width_, [&](const CellStretch& c) {
+    const double steep =
+        std::max(format_.steepness(entry(f.left).color), format_.steepness(entry(f.right).color));
+    cells_of(part.sweep.piece(f.piece), from, to, width_, [&](const CellStretch& c) {
       if (c.column < rect.x || c.column >= rect.x + rect.width) return;
       const double length = std::hypot(c.xq - c.xp, c.yq - c.yp);
       notes.level(c.column, c.row) +=

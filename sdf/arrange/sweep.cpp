@@ -31,8 +31,8 @@ void Sweep::run_in_bands(const Outlines& outlines, int top, int bottom, Regions&
 void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& regions,
                   double order) {
   outlines_ = &outlines, regions_ = &regions, bottom_ = bottom, may_differ_ = order;
-  const double x = outlines.left;
-  side_ = {x, top, 0.0, 0.5 * (bottom - top), 0.0, 0.0, x, bottom};
+  constexpr double kFar = 0x1p30;  // the same side whatever is swept
+  side_ = {outlines.left, -kFar, 0.0, kFar, 0.0, 0.0, outlines.left, kFar};
   fragments_.clear(), doubts_.clear(), order_.clear(), region_.clear(), free_.clear();
   first_in_band_.assign(1, 0);
   lanes_.count = 0, active_.clear(), slopes_.clear();

@@ -30,19 +30,24 @@ class DrawingProbe {
 
   Outlines& outlines() { return drawing_.outlines_; }
   /// Arranges the outlines as they are now.
-  void arrange() { drawing_.arrange(); }
+  void arrange() { drawing_.arrange({1}); }
+  void arrange_in_parts(int rows) {
+    drawing_.rows_in_part_ = rows;
+    arrange();
+  }
+  std::size_t parts() const { return drawing_.parts().size(); }
   /// The same in steps that are never halved, so that more is in doubt.
   void arrange_coarsely() {
-    SweepProbe::never_halve(drawing_.sweep_);
+    SweepProbe::never_halve(drawing_.parts_[0].sweep);
     arrange();
   }
   /// The fragments' two sides changed for each other.
   void turn_jumps() {
-    for (Rgba& jump : drawing_.jumps_) jump = Rgba{} - jump;
+    for (Rgba& jump : drawing_.parts_[0].jumps) jump = Rgba{} - jump;
   }
 
   const RowFingerprints& fingerprints() { return *drawing_.fingerprints(); }
-  std::span<const Doubt> doubts() const { return drawing_.sweep().doubts(); }
+  std::span<const Doubt> doubts() const { return drawing_.parts()[0].sweep.doubts(); }
 
   /// What the pixels may be off by, in levels of 255.
   std::vector<float> errors() const {
@@ -63,8 +68,7 @@ class DrawingProbe {
     return SquareResolver(drawing_.scene_, view_, drawing_.paints(), 0x1p-14).pixel(x, y).bound;
   }
 
-  /// The most that a channel of a pixel is off by beside the reference, of 1.
-  double off(RenderStats& stats) {
+  std::vector<std::uint16_t> drawn(RenderStats& stats) const {
     std::vector<std::uint16_t> pixels(std::size_t(4 * view_.width * view_.height));
     const RowTarget target{reinterpret_cast<std::byte*>(pixels.data()),
                            std::size_t(8 * view_.width),
@@ -73,6 +77,12 @@ class DrawingProbe {
     for (int strip = 0; strip * Drawing::kRows < view_.height; ++strip)
       drawing_.draw_strip(strip, target, scratch, stats);
     drawing_.tell(stats);
+    return pixels;
+  }
+
+  /// The most that a channel of a pixel is off by beside the reference, of 1.
+  double off(RenderStats& stats) {
+    const std::vector<std::uint16_t> pixels = drawn(stats);
     SquareResolver resolver(drawing_.scene_, view_, drawing_.paints(), 0x1p-15);
     double most = 0;
     for (int y = 0; y < view_.height; ++y)
@@ -136,6 +146,26 @@ Scene bulges_over_a_line() {
   build.layer("right", build.shape(Path{{{{box[0], box[1], box[2], box[3]}}}}),
               {{0.1, 0.3, 1, 0.6}});
   return std::move(build).finish();
+}
+
+TEST(Drawing, HasTheSameRowsInAnyParts) {
+  for (int seed = 0; seed < test::times(20); ++seed) {
+    const Scene scene = seed % 2 ? test::degenerate_scene(std::uint64_t(seed), 0)
+                                 : test::random_painted_scene(std::uint64_t(seed));
+    DrawingProbe probe(scene, {.width = 40, .height = 200});
+    ASSERT_EQ(probe.parts(), 1u);
+    RenderStats stats;
+    const auto whole = probe.drawn(stats);
+    std::vector<std::uint64_t> prints;
+    for (int y = 0; y < 200; ++y) prints.push_back(probe.fingerprints()[y]);
+    for (const int rows : {16, 48, 100}) {
+      probe.arrange_in_parts(rows);
+      EXPECT_EQ(probe.parts(), rows == 16 ? 7u : rows == 48 ? 4u : 2u);
+      EXPECT_EQ(probe.drawn(stats), whole) << seed << ", " << rows;
+      for (int y = 0; y < 200; ++y)
+        ASSERT_EQ(probe.fingerprints()[y], prints[std::size_t(y)]) << seed << ", " << y;
+    }
+  }
 }
 
 TEST(Drawing, AnOrderThatIsNotProvenIsDoubtedAndDrawnByDistances) {
