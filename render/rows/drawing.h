@@ -2,8 +2,8 @@
 // A scene on its way to pixels: the outlines, arrangement and looks of a whole picture, made once; then its rows,
 // in strips at absolute places.
 
+#include <mien/parallel.h>
 #include <mien/render_stats.h>
-#include "lib/base/parallel.h"
 #include "render/reference/square_resolver.h"
 #include "render/rows/crowd.h"
 #include "render/rows/row_fingerprints.h"
