@@ -67,7 +67,7 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth,
   foresee(scene, frame);
   paints_.make(scene, view, depth);
   format_ = PixelFormat(depth, view.blend);
-  make_outlines(frame);
+  make_outlines(frame, threads);
   arrange(threads);
   made_ = true;
 }
@@ -100,18 +100,33 @@ void Drawing::arrange(PicturePart& part) const {
                          part.palette.entries[std::size_t(f.left)].color);
 }
 
-void Drawing::make_outlines(const OutlineFrame& frame) {
-  maker_.begin(frame, outlines_);
-  for (const OutlineSource& source : paints_.programs.outlines()) {
-    const Shape& shape = paints_.programs.shape(source);
-    if (source.rim)
-      maker_.rim(shape, source.amount);
-    else if (source.amount == 0.0)
-      maker_.fill(shape);
-    else
-      maker_.fill(*offset_shape(shape, source.amount));
-  }
-  maker_.finish();
+/// Those of large pictures in groups, on several threads: the same outlines.
+void Drawing::make_outlines(const OutlineFrame& frame, const Threads& threads) {
+  constexpr int kGroups = 8;
+  const auto sources = paints_.programs.outlines();
+  const int groups = threads.count == 1 || height_ < 2 * rows_in_part_ ? 1 : kGroups;
+  if (groups_.size() < std::size_t(groups)) groups_.resize(std::size_t(groups));
+  const auto job = [&](int i) {
+    OutlineGroup& group = groups_[std::size_t(i)];
+    group.maker.begin(frame, i == 0 ? outlines_ : group.made);
+    for (std::size_t k = sources.size() * i / groups, end = sources.size() * (i + 1) / groups;
+         k < end; ++k) {
+      const OutlineSource& source = sources[k];
+      const Shape& shape = paints_.programs.shape(source);
+      if (source.rim)
+        group.maker.rim(shape, source.amount);
+      else if (source.amount == 0.0)
+        group.maker.fill(shape);
+      else
+        group.maker.fill(*offset_shape(shape, source.amount));
+    }
+  };
+  if (groups == 1)
+    job(0);
+  else
+    parallel_for(groups, threads, std::ref(job));
+  for (int i = 1; i < groups; ++i) outlines_.add(groups_[std::size_t(i)].made);
+  groups_[0].maker.finish();
 }
 
 /// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.

@@ -126,7 +126,7 @@ class Drawing {
   const PicturePart& part_of(int strip) const {
     return parts_[std::size_t(strip / bands_in_part_)];
   }
-  void make_outlines(const OutlineFrame& frame);
+  void make_outlines(const OutlineFrame& frame, const Threads& threads);
   /// How far neighbours may be out of order [px].
   double order() const { return std::min(kOrder, 0.5 * tolerance_); }
 
@@ -139,7 +139,11 @@ class Drawing {
   View view_;
   PaintTable paints_;
   Outlines outlines_;
-  OutlineMaker maker_;
+  struct OutlineGroup {
+    OutlineMaker maker;
+    Outlines made;  ///< but for the first, which are the picture's
+  };
+  std::vector<OutlineGroup> groups_;
   PixelFormat format_{Depth::u8, Blend::srgb};
   std::vector<PicturePart> parts_;  ///< the first of them; others are kept for their memory
   int part_count_ = 0, bands_in_part_ = 1;

@@ -48,6 +48,18 @@ struct Outlines {
   double left = -HUGE_VAL, right = HUGE_VAL;
 
   void clear() { pieces.clear(), chains.clear(), ends.clear(), rules.clear(); }
+  /// Others after these, whose ends are to be sorted.
+  void add(const Outlines& other);
 };
+
+inline void Outlines::add(const Outlines& other) {
+  const int piece = int(pieces.size()), chain = int(chains.size()), outline = int(rules.size());
+  pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
+  for (const OutlineChain& c : other.chains)
+    chains.push_back({c.first + piece, c.last + piece, c.outline + outline, c.turn});
+  for (const OutlineEnd& e : other.ends)
+    ends.push_back({e.y, e.x, e.chain + chain, e.other < 0 ? -1 : e.other + chain, e.begins});
+  rules.insert(rules.end(), other.rules.begin(), other.rules.end());
+}
 
 }  // namespace mien

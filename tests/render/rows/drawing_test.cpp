@@ -168,6 +168,31 @@ TEST(Drawing, HasTheSameRowsInAnyParts) {
   }
 }
 
+TEST(Drawing, HasTheSameOutlinesOfAnyNumberOfThreads) {
+  for (int seed = 0; seed < test::times(20); ++seed) {
+    const Scene scene = test::random_painted_scene(std::uint64_t(seed));
+    Drawing one, three;
+    const View view{.width = 40, .height = 320};
+    one.make(scene, view, Depth::u8), three.make(scene, view, Depth::u8, {3});
+    const Outlines &a = one.outlines(), &b = three.outlines();
+    EXPECT_EQ(a.pieces, b.pieces);
+    EXPECT_EQ(a.rules, b.rules);
+    ASSERT_EQ(a.chains.size(), b.chains.size());
+    for (std::size_t i = 0; i < a.chains.size(); ++i) {
+      EXPECT_EQ(a.chains[i].first, b.chains[i].first);
+      EXPECT_EQ(a.chains[i].last, b.chains[i].last);
+      EXPECT_EQ(a.chains[i].outline, b.chains[i].outline);
+      EXPECT_EQ(a.chains[i].turn, b.chains[i].turn);
+    }
+    ASSERT_EQ(a.ends.size(), b.ends.size());
+    for (std::size_t i = 0; i < a.ends.size(); ++i) {
+      EXPECT_EQ(a.ends[i].chain, b.ends[i].chain);
+      EXPECT_EQ(a.ends[i].other, b.ends[i].other);
+      EXPECT_EQ(a.ends[i].begins, b.ends[i].begins);
+    }
+  }
+}
+
 TEST(Drawing, AnOrderThatIsNotProvenIsDoubtedAndDrawnByDistances) {
   DrawingProbe probe(bulges_over_a_line(), kDrawnView);
   RenderStats exact;
