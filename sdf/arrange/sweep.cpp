@@ -16,18 +16,6 @@ bool Sweep::inside(int outline, int winding) const {
   return outlines_->rules[std::size_t(outline)] == FillRule::even_odd ? winding & 1 : winding != 0;
 }
 
-void Sweep::run(const Outlines& outlines, double top, double bottom, Regions& regions,
-                double order) {
-  in_bands_ = false;
-  sweep(outlines, top, bottom, regions, order);
-}
-
-void Sweep::run_in_bands(const Outlines& outlines, int top, int bottom, Regions& regions,
-                         double order) {
-  in_bands_ = true;
-  sweep(outlines, top, bottom, regions, order);
-}
-
 void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& regions,
                   double order) {
   outlines_ = &outlines, regions_ = &regions, bottom_ = bottom, may_differ_ = order;

@@ -43,7 +43,7 @@ struct Doubt {
 };
 
 struct SweepStats {
-  long pieces = 0, steps = 0, halvings = 0, crossings = 0, forced = 0, proofs = 0, regions = 0;
+  long pieces = 0, steps = 0, halvings = 0, crossings = 0, forced = 0, regions = 0;
 };
 
 /// Sweeps one arrangement after another; keeps its scratch.
@@ -54,9 +54,15 @@ class Sweep {
   /// The arrangement between two heights. `regions` has begun with the number of outlines. `order`: how far
   /// neighbours may be out of order [px]. The outlines are referred to.
   void run(const Outlines& outlines, double top, double bottom, Regions& regions,
-           double order = kOrder);
+           double order = kOrder) {
+    in_bands_ = false;
+    sweep(outlines, top, bottom, regions, order);
+  }
   /// The same from a band's top, with fragments that end where their band does.
-  void run_in_bands(const Outlines& outlines, int top, int bottom, Regions& regions, double order);
+  void run_in_bands(const Outlines& outlines, int top, int bottom, Regions& regions, double order) {
+    in_bands_ = true;
+    sweep(outlines, top, bottom, regions, order);
+  }
 
   std::span<const Fragment> fragments() const { return fragments_; }
   /// Those of a band, the first one's number being 0, after run_in_bands().

@@ -62,11 +62,10 @@ int Sweep::slot_of(int chain) const {
 }
 
 void Sweep::start(const OutlineEnd& e) {
-  const auto piece_of = [&](int chain) -> const OutlinePiece& {
-    return outlines_->pieces[std::size_t(outlines_->chains[std::size_t(chain)].first)];
-  };
+  const auto first = [&](int chain) { return outlines_->chains[std::size_t(chain)].first; };
   // Which is left? Their places a little farther down decide.
-  const OutlinePiece &p = piece_of(e.chain), &q = piece_of(e.other);
+  const OutlinePiece &p = outlines_->pieces[std::size_t(first(e.chain))],
+                     &q = outlines_->pieces[std::size_t(first(e.other))];
   const double y = std::min(p.y1, q.y1), middle = 0.5 * (e.y + y);
   double side = x_at(p, middle) - x_at(q, middle);
   if (side == 0.0) side = x_at(p, y) - x_at(q, y);
@@ -75,7 +74,6 @@ void Sweep::start(const OutlineEnd& e) {
     return lanes_.x[std::size_t(lane)] < x;
   });
   const int slot = int(place - order_.begin());
-  const auto first = [&](int chain) { return outlines_->chains[std::size_t(chain)].first; };
   enter(slot, right, first(right), e.x, e.y);
   enter(slot, left, first(left), e.x, e.y);
   Active &l = at(slot), &r = at(slot + 1);

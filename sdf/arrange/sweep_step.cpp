@@ -217,7 +217,6 @@ bool Sweep::stays(int slot, double from, double to, double y) {
   const auto gap = [&](double at) { return x_of_lane(b, at, y) - x_of_lane(a, at, y); };
   if (gap_goes_one_way(a, b) && gap(from) >= -may_differ_ && gap(to) >= -may_differ_) return true;
   if (hidden(slot)) return true;
-  ++stats_.proofs;
   worked(100);
   const std::optional<double> fails = disorder(run_of(a), run_of(b), from, to, may_differ_);
   if (!fails) return true;
