@@ -176,7 +176,11 @@ void add_list(CLI::App& app, CommandApp& command) {
   CLI::App* list = app.add_subcommand(
       "list",
       "Print every name that --set takes, with unit, range and value; then poses and clips");
-  list->add_option("FACE", command.list.face, "Face file")->required()->type_name("");
+  CLI::Option* face = list->add_option("FACE", command.list.face, "Face file")->type_name("");
+  list->add_option("--moves", command.list.moves,
+                   "Print what a standard name must do instead: of ARKit, FACS, VRM, visemes, Azure")
+      ->type_name("NAME")
+      ->excludes(face);
 }
 
 void add_set(CLI::App& app, SetArguments& to) {
