@@ -106,8 +106,7 @@ struct MouthRider {
   };
   int slice;
   std::vector<With> with;
-  bool stiff =
-      false;  ///< follows corners that go in or down by less than half, as a moustache does
+  bool stiff = false;  ///< follows corners that go in or down by a third, as a moustache does
 };
 
 struct MouthTongue {

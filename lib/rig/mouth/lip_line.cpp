@@ -86,7 +86,8 @@ class LipShaping {
       wide_[s] = (1 - kNarrow * n_.jaw) * (1 - kPuckerIn * n_.pucker) *
                  (1 - kFunnelIn * n_.funnel) * (1 + kStretchOut * n_.stretch[s]) *
                  (1 + kDimpleOut * n_.dimple[s]);
-      corner.x = middle + (corner.x - middle) * wide_[s] + shift() + aside(kCornerAside);
+      if (wide_[s] != 1) corner.x = middle + (corner.x - middle) * wide_[s];
+      corner.x += shift() + aside(kCornerAside);
       corner.y += (kDimpleUp * n_.dimple[s] - kStretchDown * n_.stretch[s]) * width_ -
                   measures_.seam * drop_;
     }
@@ -103,10 +104,13 @@ class LipShaping {
     for (std::size_t s = 0; s < 2; ++s) {
       glm::dvec2& handle = edge[handle_of(s)];
       const double own = aside(upper ? kUpperHandleAside : 1) - aside(upper ? kUpperAside : 1);
-      const double x = middle.x + (handle.x - before + own) * wide_[s];
+      if (wide_[s] == 1)
+        handle.x += middle.x - before + own;
+      else
+        handle.x = middle.x + (handle.x - before + own) * wide_[s];
       const double rounded =
           middle.x + (upper ? kRoundUpper : kRoundLower) * (line_.corners[s].x - middle.x);
-      handle.x = (1 - round_) * x + round_ * rounded;
+      if (round_ != 0) handle.x = (1 - round_) * handle.x + round_ * rounded;
       handle.y += lift - share * drop_;
     }
   }

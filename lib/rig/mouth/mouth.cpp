@@ -18,7 +18,7 @@ constexpr double kMostThick = 1.35;      // of the thickness at rest
 constexpr double kPress = 0.45, kRoll = 0.9, kRollCorner = 0.6, kBitten = 0.6;
 constexpr double kFunnelThick = 0.12, kPartThin = 0.25, kShrugThick = 0.3, kThrustThick = 0.22;
 constexpr double kDimpleThin = 0.12;
-constexpr double kStiff = 0.55;  // of a corner's way in or down a moustache does not go along
+constexpr double kStiff = 2.0 / 3;  // of a corner's way in or down a moustache does not go along
 
 double jaw_pull(const Mouth& mouth, const FaceModel& model, const FaceVector& vector) {
   return mouth.open < 0 ? 0 : vector[std::size_t(model.layout[mouth.open].begin)];
@@ -112,8 +112,9 @@ class MouthAtWork {
     for (const LipPoint& point : mouth_.lip_points) {
       const auto bend = std::size_t(point.bend);
       const double by = bend == 1 ? mean(point.upper) : thick[!point.upper][bend == 0 ? 0 : 1];
-      const glm::dvec2 beside = to_.get(point.slice) - edge_of(was_, point.upper)[bend];
-      to_.put(point.slice, edge_of(open_, point.upper)[bend] + by * beside);
+      const glm::dvec2 was = edge_of(was_, point.upper)[bend];
+      const glm::dvec2 beside = to_.get(point.slice) - was;
+      to_.add(point.slice, edge_of(open_, point.upper)[bend] - was + (by - 1) * beside);
     }
     for (const LipWidth& width : mouth_.lip_widths) {
       double* w = to_.numbers(width.slice);

@@ -1,5 +1,7 @@
 // Checks of a mouth that is a system: lips that close, teeth that are touched, a chin that goes with the jaw.
 
+#include <mien/pose.h>
+
 #include "nonsense_sight_private.h"
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string_view>
 
 namespace mien {
 namespace {
@@ -67,13 +70,26 @@ double chin_below(AreaCache& areas, const Face& face, const Mouth& mouth, int he
   return glm::dot(point_at(face, mouth.teeth_edge[1]), up) - low;
 }
 
+/// The same pose with the jaw shut, in emotions too.
+Pose without_jaw(const FaceModel& model, Pose pose) {
+  std::erase_if(pose.settings, [&](const Setting& setting) {
+    if (!setting.control) return false;
+    const std::string_view name = model.controls[std::size_t(setting.index)].name;
+    return name == "arkit.jawOpen" || name == "arkit.mouthClose";
+  });
+  for (std::size_t c = 0; c < model.controls.size(); ++c)
+    if (model.controls[c].name == "muscle.jaw") pose.settings.push_back({true, int(c), {0}});
+  return pose;
+}
+
 void check_chin_follows(NonsenseSight& sight, const Mouth& mouth) {
-  constexpr double kLeast = 0.4;  // of the jaw's drop
+  constexpr double kLeast = 0.5;  // of the jaw's drop
   if (mouth.teeth_edge[0] < 0 || sight.known.head < 0 || sight.pose.turned) return;
-  AreaCache rest(sight.rest.face);
-  const double up = sight.rest.face.model->canvas.y_up ? 1 : -1;
+  const Face& rest = sight.rest.face;
+  const Face shut = pose_face(rest, without_jaw(*rest.model, sight.pose.pose));
+  AreaCache areas(shut);
   const double moved = chin_below(sight.areas, sight.posed, mouth, sight.known.head, sight.up) -
-                       chin_below(rest, sight.rest.face, mouth, sight.known.head, {0, up});
+                       chin_below(areas, shut, mouth, sight.known.head, sight.up);
   sight.at_least("chin_follows", moved / (mouth.drop * sight.pose.jaw), kLeast);
 }
 

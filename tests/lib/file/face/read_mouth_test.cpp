@@ -67,9 +67,8 @@ TEST(ReadMouth, LetsPointsGoWithTheJawAndRide) {
 TEST(ReadMouth, NamesWhatIsWrong) {
   EXPECT_EQ(mouth_said(R"("corners": ["lip/spine/2"])"),
             "/mouth/corners: expected two corners, left and right, got 1");
-  EXPECT_EQ(
-      mouth_said(R"("corners": ["lip/spine/2", "lop/spine/0"])"),
-      "/mouth/corners/1: no point or number named \"lop/spine/0\"; did you mean \"lip/spine/0\"?");
+  EXPECT_EQ(mouth_said(R"("corners": ["lip/spine/2", "lop/spine/0"])"),
+            "/mouth/corners/1: no number named \"lop/spine/0\"; did you mean \"lip/spine/0\"?");
   const std::string corners = R"("corners": ["lip/spine/2", "lip/spine/0"], )";
   EXPECT_EQ(
       mouth_said(corners + R"("upper": ["lip/spine/1", "lip/spine/1"])"),
