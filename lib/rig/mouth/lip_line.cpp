@@ -141,9 +141,12 @@ double length_of(const QuadBezier& curve) {
 }  // namespace
 
 double TeethEdge::y(double x) const {
+  // u from −1 to 1, and a sum that commutes: mirrored places have the same height, bit for bit.
   const glm::dvec2 from = 0.5 * (a + b), to = 0.5 * (b + c);
-  const double t = from.x == to.x ? 0.5 : std::clamp((x - from.x) / (to.x - from.x), 0.0, 1.0);
-  return (1 - t) * (1 - t) * from.y + 2 * t * (1 - t) * b.y + t * t * to.y;
+  const double middle = 0.5 * (from.x + to.x), half = 0.5 * (to.x - from.x);
+  const double u = half == 0 ? 0 : std::clamp((x - middle) / half, -1.0, 1.0);
+  const double ends = (1 - u) * (1 - u) * from.y + (1 + u) * (1 + u) * to.y;
+  return 0.25 * ends + 0.5 * (1 - u * u) * b.y;
 }
 
 void shape_lips(const MouthNumbers& n, const MouthMeasures& measures,

@@ -151,7 +151,7 @@ TEST(StandardMoves, AreNotThoseOfOtherNames) {
       row.name = "arkit.mouthSmileRight";
       EXPECT_NE(wrong(row, poser, face), "");
       row.name = "arkit.eyeBlinkLeft", row.ways.clear();
-      EXPECT_EQ(wrong(row, poser, face), "lid.upper.left does not stay");
+      EXPECT_TRUE(wrong(row, poser, face).starts_with("lid.")) << wrong(row, poser, face);
     }
 }
 
