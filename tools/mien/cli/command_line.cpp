@@ -177,8 +177,9 @@ void add_list(CLI::App& app, CommandApp& command) {
       "list",
       "Print every name that --set takes, with unit, range and value; then poses and clips");
   CLI::Option* face = list->add_option("FACE", command.list.face, "Face file")->type_name("");
-  list->add_option("--moves", command.list.moves,
-                   "Print what a standard name must do instead: of ARKit, FACS, VRM, visemes, Azure")
+  list->add_option(
+          "--moves", command.list.moves,
+          "Print what a standard name must do instead: of ARKit, FACS, VRM, visemes, Azure")
       ->type_name("NAME")
       ->excludes(face);
 }

@@ -76,7 +76,8 @@ std::string clip_line(const FaceModel& model, Index<Clip> index) {
 
 int list_command(const ListArguments& arguments) {
   if (arguments.moves) return list_moves(*arguments.moves);
-  if (arguments.face.empty()) return complain("list: a FACE is needed, or --moves NAME", kUsedWrongly);
+  if (arguments.face.empty())
+    return complain("list: a FACE is needed, or --moves NAME", kUsedWrongly);
   const auto face = read_face_or_report(arguments.face);
   if (!face) return kFailed;
   const std::vector<SettableName> names = settable_names(*face);
