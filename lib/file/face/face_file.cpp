@@ -100,10 +100,10 @@ Face read_root(Reading& in, const Origin& origin, const Letters& letters, SliceP
   const JsonNode* version = in.find(root, "format_version");
   if (!version || version->kind != JsonKind::number || version->number != 2)
     in.expect_object(
-        root, {"$schema",    "format",  "format_version", "name",    "credit",   "canvas",
-               "background", "palette", "light",          "groups",  "features", "controls",
-               "poses",      "eyes",    "mouth", "turn",           "muscles", "emotions", "expressions",
-               "mood",       "clips",   "default_clip",   "effects"});
+        root, {"$schema",     "format",  "format_version", "name",         "credit",   "canvas",
+               "background",  "palette", "light",          "groups",       "features", "controls",
+               "poses",       "eyes",    "mouth",          "turn",         "muscles",  "emotions",
+               "expressions", "mood",    "clips",          "default_clip", "effects"});
   if (check_format(in, root) == 2)
     return read_composed(read_recipe(in, root, origin.folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
