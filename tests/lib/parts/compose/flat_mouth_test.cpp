@@ -13,7 +13,7 @@
 namespace mien {
 namespace {
 
-Face wearing(const std::string& family, const std::string& part) {
+Face face_wearing(const std::string& family, const std::string& part) {
   Recipe recipe;
   recipe.parts[family] = part;
   return face_from_recipe(recipe).value();
@@ -34,7 +34,7 @@ double share_of(const Face& face, const MouthRider& rider, const std::string& ot
 }
 
 TEST(FlatMouth, LetsAMoustacheRideOnItsOwnSideStiffly) {
-  const Face face = wearing("moustache", "walrus");
+  const Face face = face_wearing("moustache", "walrus");
   for (const std::string side : {"left", "right"}) {
     const MouthRider* rider = rider_named(face, "moustache." + side + "/spine/1");
     ASSERT_TRUE(rider);
@@ -45,11 +45,13 @@ TEST(FlatMouth, LetsAMoustacheRideOnItsOwnSideStiffly) {
 }
 
 TEST(FlatMouth, LetsABeardRideOnBothHalvesOfTheJaw) {
-  const Face face = wearing("beard", "full");
+  const Face face = face_wearing("beard", "full");
   double left = 0, right = 0;
   for (const MouthRider& rider : face.model->mouth->riders) {
     left += share_of(face, rider, "head/points/4"), right += share_of(face, rider, "head/points/7");
-    if (face.model->layout[rider.slice].name.starts_with("beard_line")) EXPECT_FALSE(rider.stiff);
+    if (face.model->layout[rider.slice].name.starts_with("beard_line")) {
+      EXPECT_FALSE(rider.stiff);
+    }
   }
   EXPECT_GT(left, 1);
   EXPECT_DOUBLE_EQ(left, right);
