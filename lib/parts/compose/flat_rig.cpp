@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <set>
 
 namespace mien {
@@ -165,7 +166,7 @@ class Placing {
     else if (key == "$value")
       to_.number(short_number(geometry.scalar(in_, *first, "")));
     else if (key == "$rise")
-      to_.number(short_number(rise(*first) * in_.number(in_.need(at, "times"))));
+      to_.number(short_number(least_rise(*first)));
     else if (key == "$still")
       write_still(*first, in_.need(at, "slots"));
     else
@@ -176,11 +177,16 @@ class Placing {
   }
 
  private:
-  double rise(const JsonNode& ends) const {
-    const auto y = [&](std::string_view key) {
-      return place_.geometry.point(in_, in_.need(ends, key), {}, "").at.y;
-    };
-    return y("to") - y("from");
+  /// Of [{"from": POINT, "to": POINT, "times": k}, …].
+  double least_rise(const JsonNode& ways) const {
+    double least = std::numeric_limits<double>::infinity();
+    in_.for_each(ways, [&](const JsonNode& way, int) {
+      const auto y = [&](std::string_view key) {
+        return place_.geometry.point(in_, in_.need(way, key), {}, "").at.y;
+      };
+      least = std::min(least, (y("to") - y("from")) * in_.number(in_.need(way, "times")));
+    });
+    return least;
   }
 
   void write_still(const JsonNode& offset, const JsonNode& slots) const {

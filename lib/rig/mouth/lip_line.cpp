@@ -33,10 +33,10 @@ constexpr double kBeside = 0.07;                           // where a handle is 
 constexpr double kClearBetween = 0.036, kClearUp = 0.026;  // below the teeth where a tongue shows
 
 double lift_of(const MouthNumbers& n, bool upper) {
-  const double parted = upper ? 0.030 : -0.036, funnelled = upper ? 0.010 : -0.030;
+  const double parted = upper ? 0.030 : -0.036, funnelled = upper ? 0.004 : -0.036;
   const double puckered = upper ? -0.030 : -0.022, thrust = upper ? 0.006 : 0.012;
   return parted * n.part + funnelled * n.funnel + puckered * n.pucker + thrust * n.forward +
-         0.014 * n.shrug[0] + 0.020 * n.shrug[1];
+         0.006 * n.shrug[0] + 0.020 * n.shrug[1];
 }
 
 class LipShaping {

@@ -14,10 +14,13 @@ namespace {
 constexpr double kRecede =
     0.034;  // puckered lips come forward: the teeth are seen farther back, so higher
 constexpr double kTeethForward = 0.012;  // of the jaw's teeth
-constexpr double kMostThick = 1.35;      // of the thickness at rest
+// Of the thickness at rest: of shut lips, and of lips that are not.
+constexpr double kMostThick = 1.35, kMostThickOpen = 1.18;
 constexpr double kPress = 0.45, kRoll = 0.9, kRollCorner = 0.6, kBitten = 0.6;
-constexpr double kFunnelThick = 0.12, kPartThin = 0.25, kShrugThick = 0.3, kThrustThick = 0.22;
+constexpr double kPuckerThin = 0.1, kPartThin = 0.25, kShrugThick = 0.2, kThrustThick = 0.22;
 constexpr double kDimpleThin = 0.12;
+// So much of what muscles pull the lower lip down an open jaw takes away.
+constexpr double kStretched = 0.5;
 constexpr double kStiff = 2.0 / 3;  // of a corner's way in or down a moustache does not go along
 
 double jaw_pull(const Mouth& mouth, const FaceModel& model, const FaceVector& vector) {
@@ -52,7 +55,7 @@ class MouthAtWork {
     for (const int slice : mouth_.skull_teeth)
       to_.add(slice, {0, kRecede * mouth_.width * n_.pucker});
     const std::optional<TeethEdge> teeth = teeth_edge();
-    open_ = was_;
+    open_ = was_, ease_lower_lip();
     shape_lips(n_, {mouth_.drop, mouth_.width, mouth_.seam}, teeth, open_);
     shut_ = closed(open_, n_.close, mouth_.seam);
     place_lips();
@@ -68,6 +71,14 @@ class MouthAtWork {
     if (a < 0) return {};
     // Where they were drawn: a puckered mouth is measured with the teeth at their place.
     return TeethEdge{to_.get(before_, a), to_.get(before_, b), to_.get(before_, c)};
+  }
+
+  /// Muscles pull a lip that the jaw has stretched less far down.
+  void ease_lower_lip() {
+    for (std::size_t bend = 0; bend < 3; ++bend) {
+      const double pulled = was_.lower[bend].y - drawn_.lower[bend].y;
+      open_.lower[bend].y -= kStretched * n_.jaw * std::min(pulled, 0.0);
+    }
   }
 
   void carry_by_jaw() {
@@ -93,10 +104,11 @@ class MouthAtWork {
     const double kept =
         length > 0 ? power_of_keeping(edge_length(drawn_, upper, side) / length) : kMostThick;
     const double roll = upper ? n_.roll[0] : std::max(n_.roll[1], kBitten * n_.bite);
-    return std::min(kept, kMostThick) * (1 - kPress * n_.press[side]) * (1 - kRoll * roll) *
-           (1 + kFunnelThick * n_.funnel) * (1 - kPartThin * n_.part) *
-           (1 + kShrugThick * n_.shrug[lip]) * (1 + (upper ? 0 : kThrustThick * n_.forward)) *
-           (1 - kDimpleThin * n_.dimple[side]);
+    const double most = kMostThickOpen + (kMostThick - kMostThickOpen) * n_.close;
+    return std::min(kept, most) * (1 - kPress * n_.press[side]) * (1 - kRoll * roll) *
+           (1 - (upper ? 0 : kPuckerThin * std::max(n_.pucker, n_.funnel))) *
+           (1 - kPartThin * n_.part) * (1 + kShrugThick * n_.shrug[lip]) *
+           (1 + (upper ? 0 : kThrustThick * n_.forward)) * (1 - kDimpleThin * n_.dimple[side]);
   }
 
   static const std::array<glm::dvec2, 3>& edge_of(const LipLine& line, bool upper) {

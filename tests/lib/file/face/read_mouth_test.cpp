@@ -75,8 +75,6 @@ TEST(ReadMouth, NamesWhatIsWrong) {
       "/mouth/upper: an edge has one bend, or a left handle, a middle and a right handle, got 2");
   EXPECT_EQ(mouth_said(corners + R"("upper": ["lip/half_width"])"),
             "/mouth/upper/0: \"lip/half_width\" is no point");
-  EXPECT_EQ(mouth_said(corners + R"("upper": [["lip/spine/1", "lip/spine/2"]])"),
-            "/mouth/upper/0: two slices of one point must have the same place");
   EXPECT_EQ(mouth_said(kPlainMouth + R"(, "seam": 2)"),
             "/mouth/seam: lips meet from 0, the upper lip, to 1, the lower, got 2");
   EXPECT_EQ(mouth_said(kPlainMouth + R"(, "tongue": {"out": "tongue"})"),
@@ -100,6 +98,22 @@ TEST(ReadMouth, DividesAnAmountByAnotherExpression) {
       "/expressions/own/shut/mouth.close/per: no own name named \"opan\"; did you mean \"open\"?");
   EXPECT_EQ(of(R"("open": {"jaw.open": 1.5})"),
             "/expressions/own/open/jaw.open: a share goes from 0 to 1, got 1.5");
+}
+
+/// Slices that are one point may be set one by one; whoever reads the file hears of it.
+TEST(ReadMouth, WarnsOfTwoPlacesOfOnePoint) {
+  std::string mouth = kPlainMouth;
+  mouth.replace(mouth.find("\"lip/spine/1\""), 13, "[\"lip/spine/1\", \"head/center\"]");
+  std::vector<Error> warnings;
+  const Expected<Face> face = read_face_text(mouth_face(mouth), "f", {}, &warnings);
+  ASSERT_TRUE(face) << sentence(face.error());
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(sentence(warnings[0])
+                  .ends_with("/mouth/upper/0: the two slices of one point have different places"))
+      << sentence(warnings[0]);
+  const Face shut = test::face_at(*face, {"mouth.close=1"});
+  EXPECT_EQ(test::point_of(shut, "lip/spine/1"), test::point_of(shut, "head/center"));
+  EXPECT_EQ(test::point_of(shut, "lip/spine/1"), test::point_of(shut, "lower/spine/1"));
 }
 
 }  // namespace
