@@ -105,8 +105,9 @@ TEST_F(Nonsense, FindsAMouthThatDoesNotSpeak) {
   move_points(posed, "lower_edge.left/spine/1", by(0, -1e-9));
   EXPECT_EQ(found(posed, shut), std::set<std::string>{"lips_close"});
   posed = pose_face(face_, shut.pose);
-  copy_slice(posed, "lip_light/half_width", "lip_lower.left/half_width");
-  EXPECT_TRUE(found(posed, shut).contains("lips_close")) << "a line for a lip";
+  for (const char* lip : {"lip_lower.left", "lip_lower.right", "lip_upper.left", "lip_upper.right"})
+    copy_slice(posed, "lip_light/half_width", std::string(lip) + "/half_width");
+  EXPECT_TRUE(found(posed, shut).contains("lips_close")) << "lines for lips";
   posed = pose_face(face_, shut.pose);
   for (const char* point : {"head/points/4", "head/points/5", "head/points/6", "head/points/7"})
     move_points(posed, point, by(0, 0.08));
