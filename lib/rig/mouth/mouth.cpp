@@ -59,7 +59,7 @@ class MouthAtWork {
     shape_lips(n_, {mouth_.drop, mouth_.width, mouth_.seam}, teeth, open_);
     shut_ = closed(open_, n_.close, mouth_.seam);
     place_lips();
-    move_tongue(n_, mouth_, teeth, open_, lip_bottom(), to_);
+    move_tongue(n_, mouth_, teeth, open_, tongue_share(), lip_bottom(), to_);
     to_.put(mouth_, shut_), shift_lips(open_, shut_);
     for (const MouthRider& rider : mouth_.riders) ride(rider);
     shift_lips(shut_, open_), to_.put(mouth_, open_);
@@ -141,6 +141,13 @@ class MouthAtWork {
       const auto bend = std::size_t(point.bend);
       to_.add(point.slice, edge_of(to, point.upper)[bend] - edge_of(from, point.upper)[bend]);
     }
+  }
+
+  /// Of the mouth's half width, at rest.
+  double tongue_share() const {
+    const double half = 0.5 * std::abs(drawn_.corners[0].x - drawn_.corners[1].x);
+    if (mouth_.tongue.radii < 0 || half == 0) return 0;
+    return rest_[std::size_t(model_.layout[mouth_.tongue.radii].begin)] / half;
   }
 
   double lip_bottom() const {

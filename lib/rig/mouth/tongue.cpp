@@ -24,15 +24,15 @@ class TongueAtWork {
     half_ *= sign_;
   }
 
-  void body(double teeth) {
+  void body(double teeth, double share) {
     if (tongue_.center < 0) return;
     glm::dvec2 at = to_.get(tongue_.center);
     double* radii = to_.numbers(tongue_.radii);
     const double raised = std::max(at.y, teeth + kBodyUp * width_ - radii[1]);
     at.y = (1 - n_.tongue_up) * at.y + n_.tongue_up * raised - kBodyBack * width_ * n_.tongue_back;
     to_.put(tongue_.center, at);
-    radii[0] = std::min(radii[0], kMostOfMouth * half_) * (1 + kBackWider * n_.tongue_back) *
-               (1 + kWider * n_.tongue_wide);
+    radii[0] = std::min(radii[0], std::max(kMostOfMouth, share) * half_) *
+               (1 + kBackWider * n_.tongue_back) * (1 + kWider * n_.tongue_wide);
   }
 
   void tip(double teeth) {
@@ -84,10 +84,10 @@ class TongueAtWork {
 }  // namespace
 
 void move_tongue(const MouthNumbers& n, const Mouth& mouth, const std::optional<TeethEdge>& teeth,
-                 const LipLine& line, double lip_bottom, MouthVector& to) {
+                 const LipLine& line, double share, double lip_bottom, MouthVector& to) {
   TongueAtWork tongue(n, mouth, line, to);
   const double edge = teeth ? teeth->y(teeth->b.x) : line.upper[1].y;
-  tongue.body(edge), tongue.tip(edge), tongue.out(edge, lip_bottom);
+  tongue.body(edge, share), tongue.tip(edge), tongue.out(edge, lip_bottom);
 }
 
 }  // namespace mien

@@ -102,6 +102,21 @@ TEST(Mouth, ClosesContinuously) {
         }
 }
 
+/// Noise of a capture moves nothing that is seen, tongue and teeth included.
+TEST(Mouth, HardlyMovesByNoise) {
+  for (const Face& face : mouths())
+    for (const char* emotion : {"emotion.joy=0", "emotion.joy=1"}) {
+      const Face still = face_at(face, {emotion}),
+                 noisy = face_at(face, {emotion, "arkit.mouthClose=0.001"});
+      for (const Slice& slice : face.model->layout.slices())
+        if (slice.kind == SliceKind::point || slice.kind == SliceKind::length)
+          for (int i = 0; i < slice.size; ++i) {
+            const auto at = std::size_t(slice.begin + i);
+            ASSERT_NEAR(still.vector[at], noisy.vector[at], 0.003) << slice.name << emotion;
+          }
+    }
+}
+
 TEST(Mouth, CarriesTheChin) {
   for (const Face& face : mouths())
     for (const char* close : {"0", "1"}) {
