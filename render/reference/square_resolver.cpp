@@ -42,6 +42,7 @@ SquareResolver::SquareResolver(const Scene& scene, const View& view, const Paint
       tolerance_(tolerance),
       depth_(depth_for(tolerance)),
       logic_(scene, opaque(paints)),
+      near_(paints.lit.size()),
       inside_(logic_.sets().size()) {}
 
 Resolved SquareResolver::pixel(int x, int y) {
@@ -149,9 +150,10 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
     const GridPaint& paint = varied.paint;
     if (varied.lit >= 0) {
       const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
-      const double depth = surface.area() ? surface.area()->at(center) : 0.0;
+      const double depth = outward(varied.lit, center).d;
       for (const double level : surface.levels())
-        if (std::abs(depth - level) <= kSqrt2 * half) worst = Kink::stop;
+        if (std::abs(depth - level) <= kSqrt2 * half)
+          worst = std::max(worst, surface.levels().size() <= 2 ? Kink::line : Kink::stop);
     }
     if (!paint.ramp) continue;
     const PaintField& f = paint.field;
@@ -162,7 +164,7 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
     constexpr int kFew = 8;
     if (paint.ramp->kinks(t - reach, t + reach, kFew, kinks_) && kinks_.empty()) continue;
     if (paint.ramp->jumps()) return Kink::jump;
-    worst = Kink::stop;
+    worst = std::max(worst, Kink::stop);
   }
   return worst;
 }
@@ -170,7 +172,7 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
 /// A square in which only whole layers are seen: by three rules of four places (and the middle), each exact for
 /// polynomials of degree three. A straight ridge through the square parts a corner from the others, so corners must be
 /// as the other places tell. Stops of gradients and kinks of profiles are known; where the colour changes little, so do
-/// they. A jump of a gradient may be missed by all places, so squares with one are divided to the end. Highlights may be
+/// they: along a profile's two kinks squares of side s lie in a line, so each may be off by 1 / s tolerances. A jump of a gradient may be missed by all places, so squares with one are divided to the end. Highlights may be
 /// narrow, too: light is looked at in small squares.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
   const Mix middle = color(center, scope);
@@ -194,9 +196,10 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
   const Kink kink = kink_in(center, half, scope);
   if (kink != Kink::jump && !(lit(scope) && half > kLitHalf)) {
     const std::array<Mix, 4> edges = four({half, 0.0});
+    const double allowed = kink == Kink::line ? tolerance_ / (2.0 * half) : tolerance_;
     double off = largest(mean - (middle + 2.0 * mean_of(edges)) / 3.0);
-    if (off <= tolerance_) off = std::max(off, largest(mean - mean_of(four({kRing * half, 0.0}))));
-    if (off <= tolerance_) {
+    if (off <= allowed) off = std::max(off, largest(mean - mean_of(four({kRing * half, 0.0}))));
+    if (off <= allowed) {
       // Of the square: what a line past the nearest places cuts off, at most.
       constexpr double kCorner = 0.09;
       const std::array<Mix, 4> corners = four({half, half});
@@ -207,7 +210,7 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
       }
     }
     const double change = largest(most - least);
-    if (off <= tolerance_ && (kink == Kink::none || change <= 24.0 * tolerance_))
+    if (off <= allowed && (kink == Kink::none || change <= 24.0 * allowed))
       return {mean, std::max({tolerance_, off, kink == Kink::none ? 0.0 : 0.05 * change})};
   }
   Resolved found;
@@ -221,14 +224,27 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
   return found;
 }
 
+/// How far the area that a relief rises from is, by what of it decides in this pixel.
+Outward SquareResolver::outward(int lit, glm::dvec2 p) {
+  const LitSurface& surface = paints_.lit[std::size_t(lit)].surface();
+  if (!surface.area()) return {};
+  NearPixel& near = near_[std::size_t(lit)];
+  if (near.nodes.empty() || near.corner != corner_) {
+    constexpr double kHalf = 0.5;
+    near.corner = corner_;
+    surface.area()->narrow(corner_ + kHalf - surface.center(), kSqrt2 * kHalf, near.nodes);
+  }
+  return surface.outward(p, near.nodes);
+}
+
 Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   if (layer.varied < 0) return layer.mix;
   varies_ = true;
   const VariedPaint& varied = paints_.varied[std::size_t(layer.varied)];
   if (varied.lit < 0) return varied.paint.ramp->color(varied.paint.field.at(p, 0.0));
   const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
-  const Outward outward = surface.outward(p);
-  return surface.color(surface.zone_inside(outward.d), p, outward);
+  const Outward at = outward(varied.lit, p);
+  return surface.color(surface.zone_inside(at.d), p, at);
 }
 
 /// Layers bottom to top; a group is composited by itself and then mixed with what was there.

@@ -56,6 +56,10 @@ Outward LitSurface::outward(glm::dvec2 p) const {
   return area_ ? area_->outward(p - center_) : Outward{};
 }
 
+Outward LitSurface::outward(glm::dvec2 p, std::span<const Node> nodes) const {
+  return area_ ? area_->outward(p - center_, nodes) : Outward{};
+}
+
 Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {
   if (!paint_->ramp) return paint_->color;
   if (gradient_area_ && gradient_area_ != area_) d = gradient_area_->at(p - center_);

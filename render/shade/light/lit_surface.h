@@ -48,6 +48,8 @@ class LitSurface {
   bool flat(int zone) const;
 
   Outward outward(glm::dvec2 p) const;
+  /// By what of the area's tree decides near p.
+  Outward outward(glm::dvec2 p, std::span<const Node> nodes) const;
   /// The profile's rise per pixel.
   double rise(int zone, double depth) const;
   /// Rise per pixel at p: x right, y UP in the picture.
