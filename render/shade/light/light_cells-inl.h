@@ -441,7 +441,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
-  constexpr float kInTurn = 0.12f;
+  // Where means come in turn, each at such a rate after the one before, they go on at that rate, and leave little.
+  constexpr float kInTurn = 0.12f, kRates[2] = {0.1f, 0.6f};
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
   constexpr float kAgain =
       0.5f;  // of that: cells that were closed with more left were closed too soon
@@ -469,25 +470,29 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
                  last ? 1e9f : kApart * allowed / pixel.seen, kFew * allowed, side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
-    float apart = 0.0f, goes_on[LightTile::kChannels];
-    const bool in_turn = last && side >= 4 * first;
+    float apart = 0.0f, on = kOn;
+    bool in_turn = false;
     for (int c = 0; c < tile.channels; ++c) to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
     pixel.shows(to);
     for (int c = 0; c < tile.channels; ++c) {
-      const float now = to[c] - before[c], rate = std::abs(change[c]) > 1e-12f ? now / change[c] : 0.0f;
-      const float held = HWY_MIN(HWY_MAX(rate, 0.2f), 0.5f);
-      goes_on[c] = (in_turn ? held / (1.0f - held) : kOn) * now;
-      change[c] = now, before[c] = to[c];
-      apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
+      const float was = change[c];
+      change[c] = to[c] - before[c], before[c] = to[c];
+      const float by = std::abs(change[c]) * pixel.encoding.by[c];
+      if (by <= apart) continue;
+      apart = by;
+      const float rate = change[c] / was;
+      in_turn = last && side >= 4 * first && rate > kRates[0] && rate < kRates[1];
+      on = in_turn ? rate / (1.0f - rate) : kOn;
     }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
     if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) {
       if (side == begun) return;
       const float share = in_turn ? kInTurn : last ? last_left : kSettled;
-      const float left = HWY_MAX((last ? last_left : kSettled) * mean.apart, share * apart * pixel.seen),
+      const float left = HWY_MAX((last ? last_left : kSettled) * mean.apart,
+                                 share * apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
-      for (int c = 0; c < tile.channels && last; ++c) to[c] += goes_on[c];
+      for (int c = 0; c < tile.channels && last; ++c) to[c] += on * change[c];
       if (last || off < kAgain) return void(tile.off += off);
       first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
       std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
