@@ -442,7 +442,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
   // Where means come in turn, each at such a rate after the one before, they go on at that rate, and leave little.
-  constexpr float kInTurn = 0.12f, kRates[2] = {0.1f, 0.6f};
+  constexpr float kInTurn = 0.2f, kRates[2] = {0.15f, 0.45f}, kMostOn = 0.55f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
   constexpr float kAgain =
       0.5f;  // of that: cells that were closed with more left were closed too soon
@@ -482,7 +482,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       apart = by;
       const float rate = change[c] / was;
       in_turn = last && side >= 4 * first && rate > kRates[0] && rate < kRates[1];
-      on = in_turn ? rate / (1.0f - rate) : kOn;
+      on = in_turn ? HWY_MIN(rate / (1.0f - rate), kMostOn) : kOn;
     }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
