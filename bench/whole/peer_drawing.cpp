@@ -1,7 +1,7 @@
 #include "bench/whole/peer_drawing.h"
 
 #include "lib/picture/srgb.h"
-#include "sdf/outline/outline_maker.h"
+#include "render/shade/paint_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,13 +126,16 @@ PathSteps ellipse_path(const Ellipse& s) {
   return path;
 }
 
-/// Its outline as fitted by mien, to 1/100 px. Nothing where it has no width.
+/// [px] How far outlines that mien fits for a peer may be off.
+constexpr double kFitted = 0.01;
+
+/// Its outline as fitted by mien. Nothing where it has no width.
 PathSteps tapered_path(const TaperedStroke& s) {
   PathSteps path;
   constexpr double kFar = 1e6;  // [px] nothing is cut
   Outlines outlines;
   OutlineMaker maker;
-  maker.begin({{}, {{-kFar, -kFar}, {kFar, kFar}}, 0.01}, outlines);
+  maker.begin({{}, {{-kFar, -kFar}, {kFar, kFar}}, kFitted}, outlines);
   maker.fill(s);
   maker.finish();
   std::vector<char> taken(outlines.pieces.size(), 0);
@@ -291,6 +294,14 @@ std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, st
     why = refusal.why;
     return {};
   }
+}
+
+void GivenOutlines::fit(const Scene& scene, const View& view) {
+  const Box2 window{{0.0, 0.0}, {view.width, view.height}};
+  maker_.begin({grid_from_face(scene.canvas(), view), window, kFitted}, outlines_);
+  for (const Shape& shape : scene.shapes())
+    if (std::holds_alternative<TaperedStroke>(shape)) maker_.fill(shape);
+  maker_.finish();
 }
 
 }  // namespace mien::bench

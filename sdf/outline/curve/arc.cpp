@@ -146,8 +146,24 @@ void write_arc(CurvePen& pen, glm::dvec2 center, double radius, glm::dvec2 from,
                glm::dvec2 to) {
   if (pen.beyond({center - radius, center + radius})) return pen.beyond_to(to);
   if (std::abs(radius * turn * turn) <= 8.0 * kFlat * pen.tolerance()) return pen.line(to);
-  const int n = pieces_for(radius, turn, pen.tolerance(), kShareByEnds);
-  write_turning(pen, Turning(center, radius * from, radius * turned(from), n, turn, 2), to);
+  // From each turn of x or y to the next.
+  constexpr double kQuarter = 0.25 * kCircle, kNear = 1e-6;
+  const double way = turn < 0.0 ? -1.0 : 1.0;
+  const glm::dvec2 ahead = way * turned(from);
+  glm::dvec2 axis = from.y * ahead.y > 0.0 || ahead.x == 0.0
+                        ? glm::dvec2{0.0, std::copysign(1.0, ahead.y)}
+                        : glm::dvec2{std::copysign(1.0, ahead.x), 0.0};
+  double next = std::atan2(std::abs(cross(from, axis)), glm::dot(from, axis));
+  for (double left = std::abs(turn); left > 0.0;) {
+    const bool last = left <= next + kNear;
+    const double part = last ? left : next;
+    const int n = pieces_for(radius, part, pen.tolerance(), kShareByEnds);
+    const glm::dvec2 stop = last ? to : center + radius * axis;
+    if (part > kNear)
+      write_turning(pen, Turning(center, radius * from, radius * way * turned(from), n, part, 2),
+                    stop);
+    from = axis, axis = way * turned(axis), next = kQuarter, left = last ? 0.0 : left - part;
+  }
 }
 
 }  // namespace mien
