@@ -22,9 +22,8 @@ constexpr double kEighth = kCircle / 8.0;
 /// A bow flatter than this share of the tolerance is drawn straight.
 constexpr double kFlat = 0.25;
 
-/// (c + 1/c)/2 − 1, c = cos x.
-double excess(double x) {
-  const double c = std::cos(x);
+/// (c + 1/c)/2 − 1, c the cosine of half a piece's angle.
+double excess(double c) {
   return 0.5 * (1.0 - c) * (1.0 - c) / c;
 }
 
@@ -37,7 +36,7 @@ int pieces_for(double radius, double turn, double tolerance, double share) {
   const double most = tolerance / (share * radius);
   const double h = std::min(std::sqrt(std::sqrt(128.0 * most)), kMostTurn);
   double n = std::ceil(std::abs(turn) / h);
-  if (h > 0.5 && excess(0.5 * turn / n) > most) n += 1.0;  // beyond the leading term
+  if (h > 0.5 && excess(std::cos(0.5 * turn / n)) > most) n += 1.0;  // beyond the leading term
   return n > 1.0 ? static_cast<int>(std::min(n, double(kMostPieces))) : 1;
 }
 
@@ -53,7 +52,7 @@ struct Turning {
   Turning(glm::dvec2 c, glm::dvec2 u_, glm::dvec2 v_, int n_, double turn, int fixed_)
       : center(c), u(u_), v(v_), n(n_), h(turn / n_), fixed(fixed_) {
     ch = std::cos(0.5 * h), sh = std::sin(0.5 * h);
-    pull = kShare * excess(0.5 * h);
+    pull = kShare * excess(ch);
   }
   glm::dvec2 at(double radius, double c, double s) const {
     return center + (radius * c) * u + (radius * s) * v;
@@ -146,24 +145,27 @@ void write_arc(CurvePen& pen, glm::dvec2 center, double radius, glm::dvec2 from,
                glm::dvec2 to) {
   if (pen.beyond({center - radius, center + radius})) return pen.beyond_to(to);
   if (std::abs(radius * turn * turn) <= 8.0 * kFlat * pen.tolerance()) return pen.line(to);
-  // From each turn of x or y to the next.
   constexpr double kQuarter = 0.25 * kCircle, kNear = 1e-6;
   const double way = turn < 0.0 ? -1.0 : 1.0;
-  const glm::dvec2 ahead = way * turned(from);
-  glm::dvec2 axis = from.y * ahead.y > 0.0 || ahead.x == 0.0
-                        ? glm::dvec2{0.0, std::copysign(1.0, ahead.y)}
-                        : glm::dvec2{std::copysign(1.0, ahead.x), 0.0};
-  double next = std::atan2(std::abs(cross(from, axis)), glm::dot(from, axis));
-  for (double left = std::abs(turn); left > 0.0;) {
-    const bool last = left <= next + kNear;
-    const double part = last ? left : next;
-    const int n = pieces_for(radius, part, pen.tolerance(), kShareByEnds);
-    const glm::dvec2 stop = last ? to : center + radius * axis;
+  glm::dvec2 ahead = way * turned(from);
+  const auto write = [&](double part, int n, glm::dvec2 stop) {
+    write_turning(pen, Turning(center, radius * from, radius * ahead, n, part, 2), stop);
+  };
+  // From each turn of x or y to the next; often there is none.
+  double left = std::abs(turn);
+  const glm::dvec2 last = to - center;
+  if (left < kQuarter && from.x * last.x >= 0.0 && from.y * last.y >= 0.0)
+    return write(left, pieces_for(radius, left, pen.tolerance(), kShareByEnds), to);
+  const glm::dvec2 axis = from.y * ahead.y > 0.0 || ahead.x == 0.0
+                              ? glm::dvec2{0.0, std::copysign(1.0, ahead.y)}
+                              : glm::dvec2{std::copysign(1.0, ahead.x), 0.0};
+  double part = std::atan2(std::abs(cross(from, axis)), glm::dot(from, axis));
+  for (glm::dvec2 next = axis; left > part + kNear; next = ahead, part = kQuarter) {
     if (part > kNear)
-      write_turning(pen, Turning(center, radius * from, radius * way * turned(from), n, part, 2),
-                    stop);
-    from = axis, axis = way * turned(axis), next = kQuarter, left = last ? 0.0 : left - part;
+      write(part, pieces_for(radius, part, pen.tolerance(), kShareByEnds), center + radius * next);
+    from = next, ahead = way * turned(next), left -= part;
   }
+  write(left, pieces_for(radius, left, pen.tolerance(), kShareByEnds), to);
 }
 
 }  // namespace mien
