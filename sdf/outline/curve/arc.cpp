@@ -22,8 +22,9 @@ constexpr double kEighth = kCircle / 8.0;
 /// A bow flatter than this share of the tolerance is drawn straight.
 constexpr double kFlat = 0.25;
 
-/// (c + 1/c)/2 − 1, c the cosine of half a piece's angle.
-double excess(double c) {
+/// (c + 1/c)/2 − 1, c = cos x.
+double excess(double x) {
+  const double c = std::cos(x);
   return 0.5 * (1.0 - c) * (1.0 - c) / c;
 }
 
@@ -36,7 +37,7 @@ int pieces_for(double radius, double turn, double tolerance, double share) {
   const double most = tolerance / (share * radius);
   const double h = std::min(std::sqrt(std::sqrt(128.0 * most)), kMostTurn);
   double n = std::ceil(std::abs(turn) / h);
-  if (h > 0.5 && excess(std::cos(0.5 * turn / n)) > most) n += 1.0;  // beyond the leading term
+  if (h > 0.5 && excess(0.5 * turn / n) > most) n += 1.0;  // beyond the leading term
   return n > 1.0 ? static_cast<int>(std::min(n, double(kMostPieces))) : 1;
 }
 
@@ -52,7 +53,7 @@ struct Turning {
   Turning(glm::dvec2 c, glm::dvec2 u_, glm::dvec2 v_, int n_, double turn, int fixed_)
       : center(c), u(u_), v(v_), n(n_), h(turn / n_), fixed(fixed_) {
     ch = std::cos(0.5 * h), sh = std::sin(0.5 * h);
-    pull = kShare * excess(ch);
+    pull = kShare * excess(0.5 * h);
   }
   glm::dvec2 at(double radius, double c, double s) const {
     return center + (radius * c) * u + (radius * s) * v;
@@ -145,27 +146,8 @@ void write_arc(CurvePen& pen, glm::dvec2 center, double radius, glm::dvec2 from,
                glm::dvec2 to) {
   if (pen.beyond({center - radius, center + radius})) return pen.beyond_to(to);
   if (std::abs(radius * turn * turn) <= 8.0 * kFlat * pen.tolerance()) return pen.line(to);
-  constexpr double kQuarter = 0.25 * kCircle, kNear = 1e-6;
-  const double way = turn < 0.0 ? -1.0 : 1.0;
-  glm::dvec2 ahead = way * turned(from);
-  const auto write = [&](double part, int n, glm::dvec2 stop) {
-    write_turning(pen, Turning(center, radius * from, radius * ahead, n, part, 2), stop);
-  };
-  // From each turn of x or y to the next; often there is none.
-  double left = std::abs(turn);
-  const glm::dvec2 last = to - center;
-  if (left < kQuarter && from.x * last.x >= 0.0 && from.y * last.y >= 0.0)
-    return write(left, pieces_for(radius, left, pen.tolerance(), kShareByEnds), to);
-  const glm::dvec2 axis = from.y * ahead.y > 0.0 || ahead.x == 0.0
-                              ? glm::dvec2{0.0, std::copysign(1.0, ahead.y)}
-                              : glm::dvec2{std::copysign(1.0, ahead.x), 0.0};
-  double part = std::atan2(std::abs(cross(from, axis)), glm::dot(from, axis));
-  for (glm::dvec2 next = axis; left > part + kNear; next = ahead, part = kQuarter) {
-    if (part > kNear)
-      write(part, pieces_for(radius, part, pen.tolerance(), kShareByEnds), center + radius * next);
-    from = next, ahead = way * turned(next), left -= part;
-  }
-  write(left, pieces_for(radius, left, pen.tolerance(), kShareByEnds), to);
+  const int n = pieces_for(radius, turn, pen.tolerance(), kShareByEnds);
+  write_turning(pen, Turning(center, radius * from, radius * turned(from), n, turn, 2), to);
 }
 
 }  // namespace mien
