@@ -29,9 +29,7 @@ void Sweep::step(double y, int depth) {
       c.piece = c.above;
       lanes_.load(std::size_t(lane), outlines_->pieces[std::size_t(c.piece)]);
     }
-    // Often both meet again a little above the step's lower end; but not all steps may shrink by so little.
-    const double least = (y - y_) * (depth < 3 ? 0x1p-10 : 0x1p-6),
-                 inside = std::clamp(fails_at_, y_, y),
+    const double least = (y - y_) * 0x1p-6, inside = std::clamp(fails_at_, y_, y),
                  middle = inside - y_ > least && y - inside > least ? inside : 0.5 * (y_ + y);
     step(middle, depth + 1);
     y_ = middle;
