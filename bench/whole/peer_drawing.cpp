@@ -138,20 +138,32 @@ PathSteps tapered_path(const TaperedStroke& s) {
   maker.begin({{}, {{-kFar, -kFar}, {kFar, kFar}}, kFitted}, outlines);
   maker.fill(s);
   maker.finish();
-  std::vector<char> taken(outlines.pieces.size(), 0);
-  for (std::size_t first = 0; first < outlines.vertices.size(); ++first) {
-    std::size_t at = first;
-    if (taken[std::size_t(outlines.vertices[at].out)]) continue;
-    move(path, {outlines.vertices[at].x, outlines.vertices[at].y});
-    do {
-      const int next = outlines.vertices[at].out;
-      const OutlinePiece& piece = outlines.pieces[std::size_t(next)];
-      taken[std::size_t(next)] = 1;
-      const std::size_t to = std::size_t(std::size_t(piece.top) == at ? piece.bottom : piece.top);
-      const OutlineVertex &a = outlines.vertices[at], &b = outlines.vertices[to];
-      quad(path, {{a.x, a.y}, {piece.x0 + piece.ax, piece.y0 + piece.ay}, {b.x, b.y}});
-      at = to;
-    } while (at != first);
+  // Down one chain, up the one that ends where it does, and down the one that begins where that does.
+  std::vector<int> above(outlines.chains.size()), below = above;
+  for (const OutlineEnd& e : outlines.ends) {
+    std::vector<int>& with = e.begins ? above : below;
+    with[std::size_t(e.chain)] = e.other, with[std::size_t(e.other)] = e.chain;
+  }
+  std::vector<char> taken(outlines.chains.size(), 0);
+  for (std::size_t first = 0; first < outlines.chains.size(); ++first) {
+    if (taken[first] || outlines.chains[first].turn < 0) continue;
+    const OutlinePiece& begin = outlines.pieces[std::size_t(outlines.chains[first].first)];
+    move(path, {begin.x0, begin.y0});
+    for (std::size_t down = first; !taken[down];) {
+      taken[down] = 1;
+      const OutlineChain& there = outlines.chains[down];
+      for (int i = there.first; i <= there.last; ++i) {
+        const OutlinePiece& p = outlines.pieces[std::size_t(i)];
+        quad(path, {{p.x0, p.y0}, {p.x0 + p.ax, p.y0 + p.ay}, {p.x1, p.y1}});
+      }
+      const std::size_t up = std::size_t(below[down]);
+      const OutlineChain& back = outlines.chains[up];
+      for (int i = back.last; i >= back.first; --i) {
+        const OutlinePiece& p = outlines.pieces[std::size_t(i)];
+        quad(path, {{p.x1, p.y1}, {p.x0 + p.ax, p.y0 + p.ay}, {p.x0, p.y0}});
+      }
+      down = std::size_t(above[up]);
+    }
     close(path);
   }
   return path;
