@@ -112,10 +112,9 @@ HWY_INLINE hn::Mask<F> GoesOn(VF bend2, const BranchLanes& c, const Reached& at,
   return hn::Gt(hn::Mul(hn::Mul(square, square), bends), most);
 }
 
-/// Where the foot is, and how it moves with the place. Held at an end it lies beyond by as much as it is held: seen from
-/// other places the end may let it go, or hold it still.
+/// How the foot moves with the place.
 struct Moves {
-  VF t, x, y;
+  VF x, y;
 };
 template <bool kStroke>
 HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s, VF t) {
@@ -127,7 +126,7 @@ HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s
   }
   const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.3f), hn::Set(f, 1e-20f)), s.scale);
   const VF over = hn::Div(hn::Set(f, 1.0f), hn::Max(s.rise, least));
-  return {FusedFrom(s.value, over, t), hn::Mul(mx, over), hn::Mul(my, over)};
+  return {hn::Mul(mx, over), hn::Mul(my, over)};
 }
 
 /// The feet seen from the disc's middle, and how they move with the place.
@@ -141,7 +140,7 @@ HWY_INLINE void FindMiddleFeet(Branches& b) {
     for (int i = 0; i < 4; ++i) t = Stepped<kStroke>(c, zero, zero, t);
     const Reached at = ReachedAt(c, zero, zero, t);
     const Moves moves = MovesAt<kStroke>(c, at, SlopeAt<kStroke>(c, at, t), t);
-    hn::StoreU(moves.t, f, b.row(Branches::foot) + k);
+    hn::StoreU(t, f, b.row(Branches::foot) + k);
     hn::StoreU(moves.x, f, b.row(Branches::foot_x) + k);
     hn::StoreU(moves.y, f, b.row(Branches::foot_y) + k);
   }
@@ -230,7 +229,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const VF away = hn::Sqrt(Fused(at.ex, at.ex, hn::Mul(at.ey, at.ey)));
     const VF key = hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
     const Moves moves = MovesAt<kStroke>(c, at, s, t);
-    hn::StoreU(moves.t, f, feet.t + k), hn::StoreU(key, f, keys + k);
+    hn::StoreU(t, f, feet.t + k), hn::StoreU(key, f, keys + k);
     hn::StoreU(moves.x, f, feet.x + k), hn::StoreU(moves.y, f, feet.y + k);
   }
   NearBranches found;
@@ -274,6 +273,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
+  if (!(b.row(Branches::single)[k] > 0.0f)) t = BestStart(c, x, y, t);
   const VF bend2 = hn::Mul(set(9.0f), Fused(c.x2, c.x2, Fused(c.y2, c.y2, hn::Mul(c.w2, c.w2))));
   constexpr int kMostSteps = 8;
   // Each place by itself, so that vectors of any width take the same steps.
