@@ -1,4 +1,4 @@
-import type { Pose } from './mien.js';
+import type { Frame, Pose } from './mien.js';
 
 /** What `refused` tells: a place and a sentence. */
 export interface Refused {
@@ -53,6 +53,8 @@ export class MienFace extends HTMLElement {
   /** A pose of more than attributes can say; attributes come on top. */
   get pose(): Pose;
   set pose(pose: Pose | null | undefined);
+  speak(track: string | null, time?: number): void;
+  follow(frame: Frame | null): void;
   redraw(): void;
 }
 

@@ -10,6 +10,8 @@
 //   blend     "linear" (default) or "srgb"     background  "#rrggbb", "#rrggbbaa"; none: the face's own
 //   label     what a screen reader says        deadline  the most milliseconds that a picture may take (10000)
 //
+// It talks and follows a camera: face.speak(textOfATrack, audio.currentTime), face.follow(resultOfMediaPipe).
+//
 // Each is a property, too: `face.emotion = 'joy=1'` or `{ joy: 1 }`, `face.lookAt = [0, 0, 9]`, `face.faceStyle = 'ink'`; null
 // takes it away. Events: `drawn` (detail.ms), once the picture is on the screen, and `refused` (detail.where, detail.what: an
 // error's place and sentence). The old picture stays; where there is none yet, the sentence stands in its place.
@@ -87,7 +89,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = ATTRIBUTES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
   number = 0; inView = false; isNear = false;
-  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {};
+  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {}; #live = {};
 
   constructor() {
     super();
@@ -123,6 +125,12 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   /** A pose of more than attributes can say, as Face.draw takes it (mien.js); attributes come on top. */
   set pose(pose) { this.#extra = pose ?? {}, this.redraw(); }
   get pose() { return this.#extra; }
+
+  /** The face at a moment of a track of speech or of a take [s]. `track` is the text of its file, of any kind that mien reads; a
+   *  page asks again for every moment, such as its audio's currentTime. null: no longer. */
+  speak(track, time) { this.#live = track === null ? {} : { motions: [track], time }, this.redraw(); }
+  /** The face as a camera saw an actor's: { jawOpen: 0.4 }, or a result of MediaPipe's FaceLandmarker. null: no longer. */
+  follow(frame) { this.#live = frame === null ? {} : { frame: JSON.stringify(frame) }, this.redraw(); }
 
   /** Draws once more. However often it is asked for, the next picture is that of the newest pose. */
   redraw() {
@@ -229,7 +237,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     if (clips.length) pose.clips = [...(pose.clips ?? []), ...clips];
     if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
     else if (said('time') !== null) pose.time = Number(said('time') || NaN);
-    return pose;
+    return { ...pose, ...this.#live };
   }
   #show({ pixels, width, height, ms }) {
     this.#canvas.hidden = false, this.#said.textContent = '', this.#drawn = true;

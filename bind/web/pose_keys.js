@@ -23,6 +23,8 @@ const SHAPES = {
   seed: { is: (value) => typeof value === 'string' || Number.isFinite(value), like: 'a word' },
   liveliness: { is: Number.isFinite, like: 'a number, 0 to 2' },
   clips: { is: Array.isArray, like: "a list, such as ['idle']" },
+  motions: { is: Array.isArray, like: 'a list of motions, such as [mien.motion(text)]' },
+  frame: { is: (value) => typeof value === 'string' || typeof value === 'object', like: "shapes by name, such as { jawOpen: 0.5 }, or a result of MediaPipe" },
   lookAt: { is: (value) => value.length === 3 && [...value].every(Number.isFinite), like: '3 numbers, such as [0, 0, 9]' },
   blend: oneOf('linear', 'srgb'),
   fit: oneOf('meet', 'slice'),

@@ -1,7 +1,8 @@
 #include "lib/face/standard_names.h"
 
-#include <algorithm>
 #include <iterator>
+#include <unordered_map>
+#include <utility>
 
 namespace mien {
 namespace {
@@ -46,18 +47,68 @@ std::span<const std::string_view> standard_names(std::string_view set) {
   return {};
 }
 
-std::string standard_spelling(std::string_view set, std::string_view name) {
-  const std::size_t dot = name.rfind('.') == std::string_view::npos ? 0 : name.rfind('.') + 1;
-  std::string_view unit = name.substr(dot);
-  const bool named =
-      unit.size() > 2 && (unit[0] == 'A' || unit[0] == 'a') && (unit[1] == 'U' || unit[1] == 'u');
-  if (set != "facs" || !named) return std::string(name);
-  unit.remove_prefix(2);
+namespace {
+
+/// Names in lower-case letters and digits alone, and what they stand for.
+using Spellings = std::unordered_map<std::string, std::string_view>;
+
+std::string folded(std::string_view name) {
+  std::string letters;
+  for (const char c : name)
+    if (c >= 'A' && c <= 'Z')
+      letters += char(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+      letters += c;
+  return letters;
+}
+
+Spellings spellings_of(std::string_view set) {
+  Spellings known;
+  for (const std::string_view name : standard_names(set)) known.emplace(folded(name), name);
+  const std::pair<const char*, std::string_view> kViseme1[] = {
+      {"ih", "I"}, {"oh", "O"}, {"ou", "U"}, {"eh", "E"}, {"ah", "aa"}, {"silence", "sil"}};
+  const std::pair<const char*, std::string_view> kVrm0[] = {
+      {"joy", "happy"}, {"sorrow", "sad"}, {"fun", "relaxed"}, {"a", "aa"},
+      {"i", "ih"},      {"u", "ou"},       {"e", "ee"},        {"o", "oh"}};
+  if (set == "viseme") known.insert(std::begin(kViseme1), std::end(kViseme1));
+  if (set == "vrm") known.insert(std::begin(kVrm0), std::end(kVrm0));
+  return known;
+}
+
+const Spellings& spellings(std::string_view set) {
+  static const Spellings arkit = spellings_of("arkit"), facs = spellings_of("facs"),
+                         vrm = spellings_of("vrm"), viseme = spellings_of("viseme");
+  return set == "arkit" ? arkit : set == "facs" ? facs : set == "vrm" ? vrm : viseme;
+}
+
+/// "AU01_r" without what OpenFace adds and FACS does not.
+std::string plain_unit(std::string_view unit) {
   if (unit.ends_with("_r") || unit.ends_with("_c")) unit.remove_suffix(2);
-  while (unit.size() > 1 && unit.front() == '0') unit.remove_prefix(1);
-  const std::string spelt = "AU" + std::string(unit);
-  const bool known = std::find(std::begin(kFacs), std::end(kFacs), spelt) != std::end(kFacs);
-  return known ? std::string(name.substr(0, dot)) + spelt : std::string(name);
+  std::string letters = folded(unit);
+  while (letters.size() > 3 && letters.starts_with("au0")) letters.erase(2, 1);
+  return letters;
+}
+
+/// The name of a set that is meant; empty: none.
+std::string_view meant(std::string_view set, std::string_view name) {
+  const Spellings& known = spellings(set);
+  std::string letters = set == "facs" ? plain_unit(name) : folded(name);
+  if (set == "viseme" && letters.starts_with("viseme")) letters.erase(0, 6);
+  if (const auto found = known.find(letters); found != known.end()) return found->second;
+  if (letters.ends_with('l')) letters += "eft";
+  if (letters.ends_with('r')) letters += "ight";
+  const auto found = known.find(letters);
+  return found == known.end() ? std::string_view{} : found->second;
+}
+
+}  // namespace
+
+std::string standard_spelling(std::string_view set, std::string_view name) {
+  if (standard_names(set).empty()) return std::string(name);
+  const bool sided = name.starts_with("left.") || name.starts_with("right.");
+  const std::size_t begin = sided ? name.find('.') + 1 : 0;
+  const std::string_view known = meant(set, name.substr(begin));
+  return known.empty() ? std::string(name) : std::string(name.substr(0, begin)).append(known);
 }
 
 bool names_have_sides(std::string_view set) {

@@ -16,8 +16,9 @@ namespace mien {
 /// The names of a set; empty: no set of the four.
 std::span<const std::string_view> standard_names(std::string_view set);
 
-/// The standard spelling of a name, which may stand behind "left." or "right.": of action units "AU1" for "AU01", "au1"
-/// and "AU01_r", as OpenFace has them. Other names stay as they are.
+/// The standard spelling of a name, whatever program wrote it: "EyeBlinkLeft", "eyeBlink_L" and "eye_blink.l" are
+/// "eyeBlinkLeft"; "AU01" and OpenFace's "AU01_r" are "AU1"; of visemes "ih", "oh", "ou" (OpenXR, Oculus) and "viseme_I"
+/// are "I", "O", "U"; VRM 0's "joy" is "happy". It may stand behind "left." or "right.". Other names stay as they are.
 std::string standard_spelling(std::string_view set, std::string_view name);
 
 /// Whether the names of a set say themselves which side they mean, so that each is one number. Those

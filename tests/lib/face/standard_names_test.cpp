@@ -27,6 +27,30 @@ TEST(StandardNames, OfActionUnitsAreSpeltInManyWays) {
   EXPECT_EQ(standard_spelling("arkit", "AU01"), "AU01");
 }
 
+TEST(StandardNames, HaveManySpellingsOfCaseAndSide) {
+  const auto spelt = [](const char* set, const char* name) { return standard_spelling(set, name); };
+  for (const char* name : {"eyeBlinkLeft", "EyeBlinkLeft", "eyeBlink_L", "eyeBlink.l",
+                           "EYEBLINK_LEFT", "eye_blink_left"})
+    EXPECT_EQ(spelt("arkit", name), "eyeBlinkLeft") << name;
+  EXPECT_EQ(spelt("arkit", "MouthSmile_R"), "mouthSmileRight");
+  EXPECT_EQ(spelt("arkit", "jaw_L"), "jawLeft");
+  EXPECT_EQ(spelt("arkit", "JawOpen"), "jawOpen");
+  EXPECT_EQ(spelt("arkit", "eyeBlink"), "eyeBlink") << "of no side";
+  EXPECT_EQ(spelt("viseme", "ih"), "I");
+  EXPECT_EQ(spelt("viseme", "oh"), "O");
+  EXPECT_EQ(spelt("viseme", "ou"), "U");
+  EXPECT_EQ(spelt("viseme", "viseme_PP"), "PP");
+  EXPECT_EQ(spelt("viseme", "sil"), "sil");
+  EXPECT_EQ(spelt("vrm", "Joy"), "happy");
+  EXPECT_EQ(spelt("vrm", "blink_l"), "blinkLeft");
+  EXPECT_EQ(spelt("vrm", "lookup"), "lookUp");
+  EXPECT_EQ(spelt("emotion", "JOY"), "JOY") << "a face's own names stay";
+  // No two names of a set are one.
+  for (const char* set : {"arkit", "facs", "vrm", "viseme"})
+    for (const std::string_view name : standard_names(set))
+      EXPECT_EQ(standard_spelling(set, name), name);
+}
+
 TEST(StandardNames, SayTheirSideOrHaveHalves) {
   EXPECT_TRUE(names_have_sides("arkit"));
   EXPECT_FALSE(names_have_sides("facs"));

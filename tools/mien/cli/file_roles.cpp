@@ -112,7 +112,11 @@ class Roles {
     return *this;
   }
   void read(const PosedFace& posed) {
-    read("FACE", posed.face).read("--arkit", posed.arkit).read("--basis", posed.basis);
+    read("FACE", posed.face)
+        .read("--arkit", posed.arkit)
+        .read("--motion", posed.motion)
+        .read("--speech", posed.speech)
+        .read("--basis", posed.basis);
     for (const std::string& file : posed.morphs) read("--morphs", file);
   }
 

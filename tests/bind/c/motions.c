@@ -1,0 +1,81 @@
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/bind/c/check.h"
+
+static const char* const take_text =
+    "time,HeadYaw,tongueOut,jawOpen\n0,0,0,0\n1,-0.2,0.5,1.5\n";
+
+static mien_motion* take(void) {
+  mien_error* error = NULL;
+  mien_motion* motion = NULL;
+  OK(mien_motion_read_text(take_text, END, "take.csv", END, &motion, &error));
+  return motion;
+}
+
+static void test_read(void) {
+  mien_error* error = NULL;
+  mien_motion* motion = take();
+  mien_texts* texts = NULL;
+  int32_t i, yaw = -1;
+  CHECK(mien_motion_length(motion) == 1);
+  CHECK(mien_motion_channel_count(motion) == 3);
+  for (i = 0; i < 3; ++i)
+    if (!strcmp(mien_motion_channel_name(motion, i), "yaw")) yaw = i;
+  CHECK(yaw >= 0 && fabs(mien_motion_value(motion, yaw, 0.5) - 5.7296) < 1e-3);
+  CHECK(mien_motion_value(motion, 9, 0) == 0 && !strcmp(mien_motion_channel_name(motion, -1), ""));
+  OK(mien_motion_told(motion, &texts, &error));
+  CHECK(mien_texts_count(texts) == 1 && holds(mien_texts_at(texts, 0), "arkit.jawOpen"));
+  mien_texts_free(texts);
+  mien_motion_free(motion);
+  FAILS(MIEN_UNREADABLE, "nowhere.csv", mien_motion_read("nowhere.csv", END, &motion, &error));
+  FAILS(MIEN_UNREADABLE, "a:1", mien_motion_read_text("x", 1, "a", END, &motion, &error));
+  FAILS(MIEN_MISUSE, "out", mien_motion_read_text("x", 1, NULL, 0, NULL, &error));
+  FAILS(MIEN_MISUSE, "motion", mien_motion_told(NULL, &texts, &error));
+  CHECK(mien_motion_length(NULL) == 0 && mien_motion_channel_count(NULL) == 0);
+  mien_motion_free(NULL);
+}
+
+/* The posed numbers; the caller frees them. */
+static double* numbers(const mien_face* face, mien_pose* pose) {
+  mien_error* error = NULL;
+  const int32_t count = mien_face_vector_size(face);
+  double* values = malloc(sizeof *values * (size_t)count);
+  OK(mien_pose_vector(pose, values, count, &error));
+  return values;
+}
+
+static void test_played(void) {
+  mien_error* error = NULL;
+  mien_face* face = any_face();
+  mien_motion* motion = take();
+  mien_pose* pose = NULL;
+  mien_texts* texts = NULL;
+  const size_t bytes = sizeof(double) * (size_t)mien_face_vector_size(face);
+  double *rest, *moved, *followed;
+  OK(mien_motion_unfollowed(motion, face, &texts, &error));
+  CHECK(mien_texts_count(texts) > 0);
+  mien_texts_free(texts);
+  OK(mien_pose_new(face, &pose, &error));
+  rest = numbers(face, pose);
+  OK(mien_pose_motion(pose, motion, 1, 0, &error));
+  OK(mien_pose_time(pose, 1, &error));
+  moved = numbers(face, pose);
+  CHECK(memcmp(rest, moved, bytes) != 0);
+  OK(mien_pose_clear(pose, &error));
+  OK(mien_pose_follow(pose, "{\"headYaw\": -0.2, \"jawOpen\": 1}", END, &error));
+  followed = numbers(face, pose);
+  CHECK(memcmp(rest, followed, bytes) != 0);
+  FAILS(MIEN_REFUSED, "frame:1", mien_pose_follow(pose, "{\"jawOpen\": }", END, &error));
+  FAILS(MIEN_MISUSE, "motion", mien_pose_motion(pose, NULL, 1, 0, &error));
+  FAILS(MIEN_MISUSE, "weight", mien_pose_motion(pose, motion, NAN, 0, &error));
+  FAILS(MIEN_MISUSE, "pose", mien_pose_follow(NULL, "{}", END, &error));
+  free(rest), free(moved), free(followed);
+  mien_pose_free(pose), mien_motion_free(motion), mien_face_free(face);
+}
+
+void test_motions(void) {
+  test_read();
+  test_played();
+}
