@@ -87,9 +87,9 @@ bool is_turn_of_head_or_eye(std::string_view name) {
 }
 
 bool is_beside_the_face(std::string_view name) {
-  constexpr std::string_view kKnown[] = {"blendshapecount", "frame",    "frameindex", "index",
-                                         "framenumber",     "faceid",   "confidence", "neutral",
-                                         "comment",         "headname", "headindex"};
+  constexpr std::string_view kKnown[] = {"blendshapecount", "frame",   "frameindex", "index",
+                                         "framenumber",     "faceid",  "confidence", "neutral",
+                                         "comment",         "success", "headname",   "headindex"};
   const std::string letters = letters_of(name);
   return std::find(std::begin(kKnown), std::end(kKnown), letters) != std::end(kKnown) ||
          is_turn_of_head_or_eye(name);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -18,8 +17,8 @@ constexpr double kShortGap = 0.03;  ///< [s] between sounds that hang together
 /// Dominances α: how much a shape insists, among lips and in the jaw. Order of Viseme.
 constexpr double kLipsDominance[kVisemes] = {0.5, 1.2, 1.2, 0.9, 0.7, 0.35, 1.1, 1,
                                              0.7, 0.9, 1,   1,   1,   1,    1};
-constexpr double kJawDominance[kVisemes] = {1,   0.8, 0.6, 0.5, 0.45, 0.35, 1, 1,
-                                            0.4, 0.5, 1,   1,   1,    1,    1};
+constexpr double kJawDominance[kVisemes] = {0.6, 0.6, 0.5, 0.5, 0.4, 0.3, 0.8, 0.8,
+                                            0.4, 0.5, 1,   1,   1,   1,   1};
 
 using Weights = std::array<double, kVisemes>;
 
@@ -54,9 +53,9 @@ std::vector<Pull> pulls_of(SpeechTrack& track) {
     Phone& phone = track[i];
     if (!last) phone.end = std::min(phone.end, track[i + 1].begin);
     const double gap = last ? 0 : track[i + 1].begin - phone.end;
-    if (gap <= kShortGap) phone.end += gap;
-    pulls.push_back({phone.begin, phone.end, int(phone.viseme), phone.strength});
-    if (gap > kShortGap) pulls.push_back({phone.end, phone.end + gap, int(Viseme::sil), 1});
+    const double end = gap <= kShortGap ? phone.end + gap : phone.end;
+    pulls.push_back({phone.begin, end, int(phone.viseme), phone.strength});
+    if (gap > kShortGap) pulls.push_back({end, end + gap, int(Viseme::sil), 1});
   }
   pulls.push_back({pulls.back().end, kEver, -1, 0});
   return pulls;
@@ -70,16 +69,31 @@ void add_moments(double border, std::vector<double>& moments) {
     if (moments.empty() || n * kStep > moments.back()) moments.push_back(n * kStep);
 }
 
+using Span = std::pair<double, double>;
+
+/// When a shape is in contact: spans that do not touch each other, in order.
+std::vector<Span> contacts_of(const SpeechTrack& track, Viseme viseme) {
+  std::vector<Span> spans;
+  for (const Phone& phone : track)
+    if (phone.viseme == viseme) spans.push_back(contact_of(phone));
+  std::sort(spans.begin(), spans.end());
+  std::vector<Span> joined;
+  for (const Span& span : spans)
+    if (!joined.empty() && span.first <= joined.back().second)
+      joined.back().second = std::max(joined.back().second, span.second);
+    else
+      joined.push_back(span);
+  return joined;
+}
+
 std::vector<double> moments_of(const std::vector<Pull>& pulls, const SpeechTrack& track) {
   std::vector<double> moments;
   for (const Pull& pull : pulls)
     if (std::isfinite(pull.end)) add_moments(pull.end, moments);
-  for (const Phone& phone : track)
-    if (is_contact(phone.viseme)) {
-      const auto [begin, end] = contact_of(phone);
+  for (const Viseme viseme : {Viseme::PP, Viseme::FF})
+    for (const auto& [begin, end] : contacts_of(track, viseme))
       for (const double t : {begin - kContactRamp, begin, end, end + kContactRamp})
         moments.push_back(t);
-    }
   std::sort(moments.begin(), moments.end());
   moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
   return moments;
@@ -105,34 +119,23 @@ void add_shares(const std::vector<Pull>& pulls, std::size_t& first, double time,
   for (std::size_t v = 0; v < kVisemes; ++v) weights[v] += shares[v] / sum;
 }
 
-/// How far a contact has come, 0 … 1.
-double contact_at(const Phone& phone, double time) {
-  const auto [begin, end] = contact_of(phone);
-  const double away = std::max({begin - time, time - end, 0.0});
-  return std::max(1 - away / kContactRamp, 0.0);
-}
-
-/// Lets contacts outrank shares. `first` goes along with rising times; contacts last about as long as their sounds, so
-/// their ends rise too.
+/// Lets the contacts of one shape outrank its shares, at rising times.
 class Contacts {
  public:
-  explicit Contacts(const SpeechTrack& track) {
-    std::copy_if(track.begin(), track.end(), std::back_inserter(phones_),
-                 [](const Phone& phone) { return is_contact(phone.viseme); });
-  }
+  Contacts(const SpeechTrack& track, Viseme viseme)
+      : spans_(contacts_of(track, viseme)), viseme_(std::size_t(viseme)) {}
 
   void outrank(double time, Weights& weights) {
-    const double reach = kContactRamp + kLeastContact;
-    while (first_ < phones_.size() && phones_[first_].end + reach < time) ++first_;
-    for (std::size_t i = first_; i < phones_.size() && phones_[i].begin - reach <= time; ++i) {
-      double& weight = weights[std::size_t(phones_[i].viseme)];
-      weight = std::max(weight, contact_at(phones_[i], time));
+    while (next_ < spans_.size() && spans_[next_].second < time) ++next_;
+    for (std::size_t i = next_ > 0 ? next_ - 1 : 0; i < std::min(next_ + 1, spans_.size()); ++i) {
+      const double away = std::max({spans_[i].first - time, time - spans_[i].second, 0.0});
+      weights[viseme_] = std::max(weights[viseme_], 1 - away / kContactRamp);
     }
   }
 
  private:
-  std::vector<Phone> phones_;
-  std::size_t first_ = 0;
+  std::vector<Span> spans_;
+  std::size_t viseme_, next_ = 0;
 };
 
 }  // namespace
@@ -155,14 +158,15 @@ Motion coarticulated(SpeechTrack track, std::string name) {
   table->times = moments_of(pulls, track);
   if (table->times.empty()) table->times.push_back(0);
   table->values.reserve(table->times.size() * kVisemes);
-  Contacts contacts(track);
+  Contacts lips_meet(track, Viseme::PP), lip_and_teeth(track, Viseme::FF);
   std::size_t lips = 0, jaw = 0;
   for (const double time : table->times) {
     Weights weights{};
     if (!pulls.empty()) {
       add_shares(pulls, lips, time, false, weights);
       add_shares(pulls, jaw, time, true, weights);
-      contacts.outrank(time, weights);
+      lips_meet.outrank(time, weights);
+      lip_and_teeth.outrank(time, weights);
     }
     for (const double weight : weights) table->values.push_back(float(std::min(weight, 1.0)));
   }

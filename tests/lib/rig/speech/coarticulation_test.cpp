@@ -101,7 +101,7 @@ TEST(Coarticulation, LetsTheJawGoOnWhileLipsAreShut) {
   EXPECT_LT(least, 0.65);
   EXPECT_GT(most - least, 0.02) << "it moves";
   EXPECT_LT(weight(motion, Viseme::PP, 0.1), 0.1);
-  EXPECT_GT(weight(motion, Viseme::aa, 0.1), 0.9);
+  EXPECT_GT(weight(motion, Viseme::aa, 0.1), 0.75);
 }
 
 TEST(Coarticulation, RestsBeforeAndAfterAndClosesInGaps) {
@@ -121,6 +121,16 @@ TEST(Coarticulation, TakesTracksThatOverlapOrAreEmpty) {
   EXPECT_EQ(weight(motion, Viseme::PP, 1), 1);
   EXPECT_GT(weight(motion, Viseme::aa, 0.5), 0.99);
   EXPECT_LT(weight(motion, Viseme::aa, 1.6), 0.01) << "a sound ends where the next begins";
+}
+
+/// What a file may hold, whoever wrote it: work grows with its sounds and with its length, not with their product.
+TEST(Coarticulation, TakesManySoundsAtOneMoment) {
+  SpeechTrack track;
+  for (int i = 0; i < 50'000; ++i)
+    track.push_back({i * 1e-6, 3600, i % 2 ? Viseme::PP : Viseme::aa});
+  const Motion motion = coarticulated(track, "t");
+  EXPECT_EQ(weight(motion, Viseme::PP, 0.02), 1);
+  EXPECT_LT(table(motion).times.size(), 200u);
 }
 
 TEST(Coarticulation, IsAFunctionOfTime) {
