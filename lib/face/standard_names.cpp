@@ -90,7 +90,7 @@ std::string plain_unit(std::string_view unit) {
 }
 
 /// The name of a set that is meant; empty: none.
-std::string_view meant(std::string_view set, std::string_view name) {
+std::string_view meant_name(std::string_view set, std::string_view name) {
   const Spellings& known = spellings(set);
   std::string letters = set == "facs" ? plain_unit(name) : folded(name);
   if (set == "viseme" && letters.starts_with("viseme")) letters.erase(0, 6);
@@ -107,7 +107,7 @@ std::string standard_spelling(std::string_view set, std::string_view name) {
   if (standard_names(set).empty()) return std::string(name);
   const bool sided = name.starts_with("left.") || name.starts_with("right.");
   const std::size_t begin = sided ? name.find('.') + 1 : 0;
-  const std::string_view known = meant(set, name.substr(begin));
+  const std::string_view known = meant_name(set, name.substr(begin));
   return known.empty() ? std::string(name) : std::string(name.substr(0, begin)).append(known);
 }
 

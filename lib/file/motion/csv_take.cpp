@@ -22,7 +22,7 @@ constexpr char kSeparators[] = {',', ';', '\t', '|'};
 constexpr std::size_t kMostCells = 10'000;
 
 /// The cells of a line, without the quotes around them.
-void split(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+void cut_cells(std::string_view line, char separator, std::vector<std::string_view>& cells) {
   cells.clear();
   while (cells.size() < kMostCells) {
     std::size_t from = 0;
@@ -95,10 +95,10 @@ class CsvTakeReader final : public MotionReader {
   explicit CsvTakeReader(const MotionSource& source)
       : source_(source), take_(source.name, source.limits) {}
 
-  Expected<Done> take(const Line& line) override {
+  Expected<Done> take(const FileLine& line) override {
     if (headings_.empty()) return take_heading(line);
     if (without_blanks(line.text).empty()) return Done{};
-    split(line.text, separator_, cells_);
+    cut_cells(line.text, separator_, cells_);
     if (cells_.size() == headings_.size() + 1 && cells_.back().empty()) cells_.pop_back();
     if (cells_.size() != headings_.size())
       return Error{source_.at(line.number),
@@ -123,9 +123,9 @@ class CsvTakeReader final : public MotionReader {
     std::vector<std::pair<std::size_t, TakeTarget>> to;  ///< columns of the take
   };
 
-  Expected<Done> take_heading(const Line& line) {
+  Expected<Done> take_heading(const FileLine& line) {
     separator_ = separator_of(line.text);
-    split(line.text, separator_, cells_);
+    cut_cells(line.text, separator_, cells_);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const std::string heading(cells_[i]);
       if (!heading.empty() &&
@@ -174,7 +174,7 @@ class CsvTakeReader final : public MotionReader {
       std::erase_if(use.to, [&](const auto& to) { return to.first == column; });
   }
 
-  Expected<Done> take_row(const Line& line) {
+  Expected<Done> take_row(const FileLine& line) {
     if (face_ && !is_first_face()) return Done{};
     const auto time = time_of(line);
     if (!time) return time.error();
@@ -200,7 +200,7 @@ class CsvTakeReader final : public MotionReader {
   }
 
   /// Times of day go on after midnight.
-  Expected<double> time_of(const Line& line) {
+  Expected<double> time_of(const FileLine& line) {
     const std::string_view cell = cells_[*time_cell_];
     if (time_ != TimeColumn::code) {
       const auto time = number(cell);
@@ -228,7 +228,7 @@ class CsvTakeReader final : public MotionReader {
     return value;
   }
 
-  Error no_number(const Line& line, std::size_t cell) const {
+  Error no_number(const FileLine& line, std::size_t cell) const {
     const std::string_view text = cells_[cell];
     const std::string heading = one_line(headings_[cell], 60);
     return {source_.at(line, text),
@@ -281,7 +281,7 @@ class CsvTakeReader final : public MotionReader {
 
 bool is_take_heading(std::string_view line) {
   std::vector<std::string_view> cells;
-  split(line, separator_of(line), cells);
+  cut_cells(line, separator_of(line), cells);
   return cells.size() > 1 && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
            return time_column(cell) != TimeColumn::none;
          });

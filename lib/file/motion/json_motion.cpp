@@ -59,7 +59,7 @@ class JsonMotionReader final : public MotionReader {
         speech_(source.name, source.limits) {}
 
   /// A first line that is a whole value, with others after it, is one of many; else the file is one value.
-  Expected<Done> take(const Line& line) override {
+  Expected<Done> take(const FileLine& line) override {
     if (lines_) {
       if (without_blanks(line.text).empty()) return Done{};
       return take_text(line.text, line.number);

@@ -162,7 +162,7 @@ class MotionLines {
 
   bool give(std::string_view text) {
     if (text.ends_with('\r')) text.remove_suffix(1);
-    const Line line{text, number_++};
+    const FileLine line{text, number_++};
     if (!reader_) {
       if (without_blanks(text).empty() || without_blanks(text).starts_with('#')) return true;
       reader_ = reader_for(text, source_);

@@ -15,7 +15,7 @@
 namespace mien {
 
 /// A place in a file, counted from 1.
-struct Line {
+struct FileLine {
   std::string_view text;  ///< without its end
   std::size_t number = 1;
 };
@@ -27,7 +27,7 @@ struct MotionSource {
 
   std::string at(std::size_t line) const { return fmt::format("{}:{}", name, line); }
   /// The place of a part of a line; columns count characters.
-  std::string at(const Line& line, std::string_view part) const {
+  std::string at(const FileLine& line, std::string_view part) const {
     std::size_t column = 1;
     for (const char* c = line.text.data(); c < part.data(); ++c)
       column += (static_cast<unsigned char>(*c) & 0xC0) != 0x80;
@@ -38,7 +38,7 @@ struct MotionSource {
 class MotionReader {
  public:
   virtual ~MotionReader() = default;
-  virtual Expected<Done> take(const Line& line) = 0;
+  virtual Expected<Done> take(const FileLine& line) = 0;
   /// After the last line. What was odd goes to `told`.
   virtual Expected<Motion> finish(std::vector<Error>& told) = 0;
 };

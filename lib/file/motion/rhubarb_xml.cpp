@@ -14,7 +14,7 @@ class RhubarbXmlReader final : public MotionReader {
     speech_.alphabet = PhoneAlphabet::rhubarb;
   }
 
-  Expected<Done> take(const Line& line) override {
+  Expected<Done> take(const FileLine& line) override {
     last_ = line.number;
     closed_ |= line.text.find("</rhubarbResult>") != std::string_view::npos;
     std::string_view left = line.text;
@@ -35,7 +35,7 @@ class RhubarbXmlReader final : public MotionReader {
   static constexpr std::string_view kElement = "<mouthCue ";
 
   /// Reads the cue at the front of `left`, and goes past it.
-  Expected<Done> take_cue(const Line& line, std::string_view& left) {
+  Expected<Done> take_cue(const FileLine& line, std::string_view& left) {
     const std::size_t end = left.find('>');
     const std::size_t close = left.find("</mouthCue>");
     if (end == std::string_view::npos || close == std::string_view::npos || close < end)
@@ -50,7 +50,7 @@ class RhubarbXmlReader final : public MotionReader {
     return speech_.add(*begin, *until, name, [&] { return source_.at(line, cue); });
   }
 
-  Expected<double> attribute(const Line& line, std::string_view tag, const char* name) const {
+  Expected<double> attribute(const FileLine& line, std::string_view tag, const char* name) const {
     for (const char quote : {'"', '\''}) {
       const std::string key = fmt::format(" {}={}", name, quote);
       const std::size_t at = tag.find(key);

@@ -24,7 +24,7 @@ float single(double number) {
 }
 
 /// A number's range, by its unit.
-std::pair<float, float> range_of(TakeUnit unit) {
+std::pair<float, float> unit_range(TakeUnit unit) {
   if (unit == TakeUnit::degrees) return {-180.0f, 180.0f};
   return {0.0f, 1.0f};
 }
@@ -122,7 +122,7 @@ void TakeBuilder::clamp(std::vector<Error>& told) {
   std::size_t count = 0, worst = 0;
   float farthest = 0;
   for (std::size_t i = 0; i < table.values.size(); ++i) {
-    const auto [lo, hi] = range_of(targets_[i % table.columns].unit);
+    const auto [lo, hi] = unit_range(targets_[i % table.columns].unit);
     const float value = table.values[i], held = std::clamp(value, lo, hi);
     if (held == value) continue;
     ++count;
@@ -131,14 +131,14 @@ void TakeBuilder::clamp(std::vector<Error>& told) {
   }
   if (count == 0) return;
   const TakeTarget& target = targets_[worst % table.columns];
-  const auto [lo, hi] = range_of(target.unit);
+  const auto [lo, hi] = unit_range(target.unit);
   told.push_back(
       {name_, fmt::format("{} of {} values lay out of range and were clamped, the farthest {} = {} "
                           "at {:.3f} s, which goes from {} to {}",
                           count, table.values.size(), target.channel, table.values[worst],
                           table.times[worst / table.columns], lo, hi)});
   for (std::size_t i = 0; i < table.values.size(); ++i) {
-    const auto [least, most] = range_of(targets_[i % table.columns].unit);
+    const auto [least, most] = unit_range(targets_[i % table.columns].unit);
     table.values[i] = std::clamp(table.values[i], least, most);
   }
 }
@@ -147,6 +147,8 @@ Expected<Motion> TakeBuilder::finish(std::vector<Error>& told) {
   if (table_->times.empty())
     return Error{name_,
                  bridged_ > 0 ? "no face is seen in it: all rows are without one" : "has no rows"};
+  if (targets_.empty())
+    return Error{name_, "holds nothing that moves a face: expected names like \"jawOpen\""};
   tell_time_units(told);
   scale_percent(told);
   clamp(told);

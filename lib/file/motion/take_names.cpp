@@ -18,11 +18,11 @@ constexpr double kFullGaze = 0.5;
 /// there, eyes that look to the subject's left and up (EyeLookOutLeft, EyeLookUpLeft) have a negative LeftEyeYaw and
 /// LeftEyePitch. In OpenFace the axes go to the right of the picture, down, and away from the camera, and turns are
 /// right-handed.
-struct Turn {
+struct NamedTurn {
   std::string_view name, channel;
 };
-constexpr Turn kTurns[] = {{"headyaw", "yaw"}, {"headpitch", "pitch"}, {"headroll", "roll"},
-                           {"posery", "yaw"},  {"poserx", "pitch"},    {"poserz", "roll"}};
+constexpr NamedTurn kTurns[] = {{"headyaw", "yaw"}, {"headpitch", "pitch"}, {"headroll", "roll"},
+                                {"posery", "yaw"},  {"poserx", "pitch"},    {"poserz", "roll"}};
 
 constexpr std::string_view kEyeTurns[] = {"lefteyeyaw",  "lefteyepitch",  "lefteyeroll",
                                           "righteyeyaw", "righteyepitch", "righteyeroll"};
@@ -60,7 +60,7 @@ std::vector<TakeTarget> gaze_targets(std::string_view more, std::string_view les
 
 std::vector<TakeTarget> take_targets(std::string_view name) {
   const std::string letters = letters_of(name);
-  for (const Turn& turn : kTurns)
+  for (const NamedTurn& turn : kTurns)
     if (letters == turn.name)
       return {{std::string(turn.channel), TakeUnit::degrees, -kDegrees, false, true}};
   // Of the gaze, positive angles are the subject's left, and down.

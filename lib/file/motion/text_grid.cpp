@@ -23,7 +23,7 @@ class GridTokens {
  public:
   /// Calls each(token) for what the line holds.
   template <class Each>
-  Expected<Done> cut(const Line& line, Each&& each) {
+  Expected<Done> cut(const FileLine& line, Each&& each) {
     std::string_view left = line.text;
     if (open_) {
       text_.text += '\n';
@@ -103,7 +103,7 @@ class TextGridReader final : public MotionReader {
  public:
   explicit TextGridReader(const MotionSource& source) : source_(source) {}
 
-  Expected<Done> take(const Line& line) override {
+  Expected<Done> take(const FileLine& line) override {
     return tokens_.cut(line, [&](const GridToken& token) { return step(token); });
   }
 

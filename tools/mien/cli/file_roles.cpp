@@ -60,6 +60,7 @@ class Roles {
   }
   FileRoles operator()(const AnimateArguments& a) {
     read(a.render.posed);
+    read("--sound", a.sound);
     return write("--output", a.render.output, Kind::looked_after).all_;
   }
   FileRoles operator()(const ImportArguments& a) {

@@ -66,10 +66,11 @@ Words ffmpeg_words(const std::string& to, FilmType type, int width, int height, 
     add_words(fmt::format("-ss {:.6f} -i", sound->from), words);
     words.push_back("file:" + sound->path);
     // Padded without end, then cut: it lasts as long as the pictures, to a sample.
-    add_words(fmt::format("-map 0:v:0 -map 1:a:0 -af apad,atrim=end={:.6f} -flags:a +bitexact {}",
-                          sound->length,
-                          type == FilmType::mp4 ? "-c:a aac -b:a 160k" : "-c:a libopus -b:a 128k"),
-              words);
+    add_words(
+        fmt::format(
+            "-map 0:v:0 -map 1:a:0 -af apad,atrim=end={:.6f} -ar 48000 -flags:a +bitexact {}",
+            sound->length, type == FilmType::mp4 ? "-c:a aac -b:a 160k" : "-c:a libopus -b:a 128k"),
+        words);
   }
   add_words("-fflags +bitexact -flags:v +bitexact " + codec_options(type, transparent), words);
   words.push_back(to);

@@ -43,15 +43,15 @@ TEST(BoundMotion, PosesAsItsNumbersSay) {
 
 TEST(BoundMotion, SaysWhatAFaceDoesNotFollow) {
   EXPECT_EQ(
-      bind_motion(take(), sample_face("compat/seed0")).unfollowed,
+      bind_motion(take(), sample_face("seed0")).unfollowed,
       (std::vector<std::string>{"arkit.jawOpen", "arkit.eyeBlinkLeft", "arkit.mouthPucker", "yaw"}))
       << "what stays at 0 is not missed";
-  const BoundMotion male = bind_motion(take(), sample_face("compat/male"));
+  const BoundMotion male = bind_motion(take(), sample_face("male"));
   EXPECT_EQ(male.unfollowed, (std::vector<std::string>{"arkit.eyeBlinkLeft", "yaw"}));
 }
 
 TEST(BoundMotion, OfAnotherFaceDoesNothingBad) {
-  const Face toon = sample_face("toon"), seed0 = sample_face("compat/seed0");
+  const Face toon = sample_face("toon"), seed0 = sample_face("seed0");
   const BoundMotion bound = bind_motion(take(), toon);
   const Face posed = pose_face(seed0, {.time = 0.5, .motions = {{.motion = bound.motion}}});
   EXPECT_EQ(posed.vector.size(), seed0.vector.size());
