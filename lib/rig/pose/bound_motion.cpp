@@ -40,6 +40,11 @@ bool shows(const FaceModel& model, const Control& control) {
   return false;
 }
 
+/// Shapes that mean rest: a face that shows nothing by them shows them.
+bool means_rest(std::string_view name) {
+  return name == "viseme.sil" || name == "vrm.neutral";
+}
+
 }  // namespace
 
 BoundMotion bind_motion(Motion motion, const Face& face) {
@@ -53,7 +58,7 @@ BoundMotion bind_motion(Motion motion, const Face& face) {
     const auto found = known.find(channel.name);
     const bool there = found != known.end();
     const bool shown = there && shows(model, model.controls[std::size_t(found->second)]);
-    if (!shown && !stays_at_zero(channel)) bound.unfollowed.push_back(channel.name);
+    if (!shown && !means_rest(channel.name) && !stays_at_zero(channel)) bound.unfollowed.push_back(channel.name);
     if (!there) continue;
     channel.control = {found->second};
     channels.push_back(std::move(channel));

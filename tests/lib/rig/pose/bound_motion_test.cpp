@@ -50,6 +50,11 @@ TEST(BoundMotion, SaysWhatAFaceDoesNotFollow) {
   EXPECT_EQ(male.unfollowed, (std::vector<std::string>{"arkit.eyeBlinkLeft", "yaw"}));
 }
 
+TEST(BoundMotion, MissesNoSilence) {
+  const Motion quiet = *read_motion_text("time,sil,PP\n0,1,0\n1,0,0\n");
+  EXPECT_TRUE(bind_motion(quiet, sample_face("seed0")).unfollowed.empty());
+}
+
 TEST(BoundMotion, OfAnotherFaceDoesNothingBad) {
   const Face toon = sample_face("toon"), seed0 = sample_face("seed0");
   const BoundMotion bound = bind_motion(take(), toon);
