@@ -58,7 +58,8 @@ BoundMotion bind_motion(Motion motion, const Face& face) {
     const auto found = known.find(channel.name);
     const bool there = found != known.end();
     const bool shown = there && shows(model, model.controls[std::size_t(found->second)]);
-    if (!shown && !means_rest(channel.name) && !stays_at_zero(channel)) bound.unfollowed.push_back(channel.name);
+    if (!shown && !means_rest(channel.name) && !stays_at_zero(channel))
+      bound.unfollowed.push_back(channel.name);
     if (!there) continue;
     channel.control = {found->second};
     channels.push_back(std::move(channel));

@@ -4,8 +4,7 @@
 
 #include "tests/bind/c/check.h"
 
-static const char* const take_text =
-    "time,HeadYaw,tongueOut,jawOpen\n0,0,0,0\n1,-0.2,0.5,1.5\n";
+static const char* const take_text = "time,HeadYaw,tongueOut,jawOpen\n0,0,0,0\n1,-0.2,0.5,1.5\n";
 
 static mien_motion* take(void) {
   mien_error* error = NULL;
