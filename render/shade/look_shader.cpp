@@ -220,56 +220,56 @@ void LookShader::give_light(const LookStep& step, const Places& at, std::size_t 
 void LookShader::give_means(const LookStep& step, const Places& at, std::size_t first,
                             ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  if (at.cells) return ramp_means_of_cells(varied, at, to);
   const PaintField& field = varied.paint.field;
-  const bool row = !at.part && field.kind == PaintField::Kind::linear;
-  std::array<Mix, kBlock> means;
-  if (row)
-    varied.integral->row_means(varied.integral->scaled(field.plane({}, 0.0)), at.x, at.y,
-                               std::span(means).first(std::size_t(at.count)));
+  const RampIntegral& ramp = *varied.integral;
+  if (at.cells) return give_means_of_cells(varied, at, to);
+  if (at.part) return set_color(to, first, glm::vec4(ramp_mean_of_part(varied, at)));
+  if (field.kind == PaintField::Kind::linear)
+    return ramp_rows_.means(ramp, ramp.scaled(field.plane({})), at.x, at.y, at.count, to);
+  if (field.kind == PaintField::Kind::radial)
+    return planes_.radial_row(varied, at.x, at.y, at.count, to);
+  boxes_.clear();
   for (int i = 0; i < at.count; ++i)
-    set_color(to, first + std::size_t(i),
-              row ? means[std::size_t(i)] : ramp_mean_of(varied, at.x + i, at.y, at.form()));
+    boxes_.close(
+        1.0 / planes_.add(varied, lit_of(varied), at.x + i, at.y, 1, lit_scratch_, boxes_.planes));
+  ramp_means(ramp, boxes_, to, 0);
 }
 
-Mix LookShader::ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form) {
-  const PaintField& field = varied.paint.field;
-  constexpr double kReach = 0.70711,
-                   kGentle = 0.1;  // [px, 1/px] far enough from a centre for a mean to second order
-  if (!form && field.kind != PaintField::Kind::distance &&
-      field.bend({x + 0.5, y + 0.5}) < kGentle) {
-    const RampPlane plane =
-        varied.integral->scaled({field.mean({x + 0.5, y + 0.5}, 1.0 / 12), field.per_pixel, 0.0});
-    Mix color;
-    if (varied.integral->straight(plane.t, kReach * plane.gx, color)) return color;
-  }
-  const RampCells& cells = planes_.of(varied, lit_of(varied), x, y, 1, lit_scratch_);
-  if (!form) return ramp_mean(*varied.integral, cells);
-  chords_of_form(*form, chords_);
-  return ramp_mean(*varied.integral, cells, chords_);
+Mix LookShader::ramp_mean_of_part(const VariedPaint& varied, const Places& at) {
+  boxes_.clear();
+  const int side = planes_.add(varied, lit_of(varied), at.x, at.y, 1, lit_scratch_, boxes_.planes);
+  chords_of_form(*at.form(), chords_);
+  return part_mean_.of(*varied.integral, boxes_.planes, side, chords_);
 }
 
-/// Of each of a pixel's cells; their mean is that of the part.
-void LookShader::ramp_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to) {
+/// Of each of a pixel's cells, seen about their centroids; a part's are shifted to have its mean.
+void LookShader::give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to) {
   const PartCells& cells = *at.cells;
-  const Mix mean = ramp_mean_of(varied, at.x, at.y, at.form());
-  const RampCells& planes =
-      planes_.of(varied, lit_of(varied), at.x, at.y, cells.side, lit_scratch_);
-  const PartCells& whole = whole_cells(planes.side);
-  const int finer = planes.side / cells.side;
-  Mix sum{0.0};
-  double area = 0.0;
+  const glm::vec4 mean{at.part ? ramp_mean_of_part(varied, at) : Mix{0.0}};
+  boxes_.clear(), cell_planes_.clear();
+  const int side = planes_.add(varied, lit_of(varied), at.x, at.y, cells.side, lit_scratch_,
+                               cell_planes_),
+            finer = side / cells.side;
+  const PartCells& whole = whole_cells(cells.side);
+  glm::vec4 sum{0.0f};
+  float area = 0.0f;
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
-    const int column = int(k) % cells.side * finer + finer / 2,
-              row = int(k) / cells.side * finer + finer / 2;
-    RampPlane plane = planes.planes[std::size_t(row * planes.side + column)];
-    plane.t = plane.at(double(cells.x[k] - whole.x[std::size_t(column)]),
-                       double(cells.y[k] - whole.y[std::size_t(row * planes.side)]));
-    const Mix c = varied.integral->box_mean(plane, double(cells.cell()));
-    set_color(to, k, c);
-    sum += double(cells.area[k]) * c, area += double(cells.area[k]);
+    const int row = int(k) / cells.side * finer, column = int(k) % cells.side * finer;
+    const auto dx = double(cells.x[k] - whole.x[k]), dy = double(cells.y[k] - whole.y[k]);
+    for (int i = 0; i < finer * finer; ++i) {
+      RampPlane p = cell_planes_[std::size_t((row + i / finer) * side + column + i % finer)];
+      p.t = p.at(dx, dy);
+      boxes_.planes.push_back(p);
+    }
+    boxes_.close(1.0 / side);
   }
-  const glm::vec4 by{area > 0.0 ? mean - sum / area : Mix{0.0}};
+  ramp_means(*varied.integral, boxes_, to, 0);
+  if (!at.part) return;
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+    sum += cells.area[k] * glm::vec4{to.r[k], to.g[k], to.b[k], to.a[k]};
+    area += cells.area[k];
+  }
+  const glm::vec4 by = area > 0.0f ? mean - sum / area : glm::vec4{0.0f};
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k)
     to.r[k] += by.r, to.g[k] += by.g, to.b[k] += by.b, to.a[k] += by.a;
 }

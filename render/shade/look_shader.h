@@ -8,6 +8,7 @@
 #include "render/shade/color_row.h"
 #include "render/shade/look_lanes.h"
 #include "render/shade/looks.h"
+#include "render/shade/ramp/mean.h"
 #include "render/shade/ramp/planes.h"
 
 #include <functional>
@@ -18,7 +19,7 @@ namespace mien {
 /// Keeps its scratch; one per thread.
 class LookShader {
  public:
-  void begin(const Looks& looks) { looks_ = &looks; }
+  void begin(const Looks& looks) { looks_ = &looks, ramp_rows_.clear(); }
 
   /// Parts of pixels in one row. A pixel's part does not depend on those beside it.
   struct Parts {
@@ -67,8 +68,8 @@ class LookShader {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
   bool fades(const LookStep& step) const;
-  Mix ramp_mean_of(const VariedPaint& varied, int x, int y, const PartForm* form);
-  void ramp_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to);
+  Mix ramp_mean_of_part(const VariedPaint& varied, const Places& at);
+  void give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
   std::vector<LaneStep> steps_;
@@ -78,6 +79,10 @@ class LookShader {
   ColorRow colors_;
   PartCells cells_;
   RampPlanes planes_;
+  RampRows ramp_rows_;
+  RampBoxes boxes_;
+  std::vector<RampPlane> cell_planes_;
+  RampPartMean part_mean_;
   std::vector<PartChord> chords_;
   bool each_ = false;  ///< cells of lit paints are looked at one by one
   LitPaint::Scratch lit_scratch_;

@@ -28,12 +28,8 @@ struct PaintField {
 
   /// t of a point; for Kind::distance give the distance there.
   double at(glm::dvec2 p, double d) const;
-  /// Its mean over something of that variance along both axes around p; of linear and radial ones, to second order.
-  double mean(glm::dvec2 p, double variance) const;
-  /// How t varies around p over something of that variance; of linear and radial ones.
-  RampPlane plane(glm::dvec2 p, double variance) const;
-  /// [1/px] How much level lines bend at p; of linear and radial ones.
-  double bend(glm::dvec2 p) const;
+  /// How t varies around p along a line.
+  RampPlane plane(glm::dvec2 p) const { return {at(p, 0.0), across.x, across.y}; }
 };
 
 /// A ramp between two kinks: at + slope · t, for t from `from` to `to`.

@@ -13,14 +13,6 @@ constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden 
 constexpr int kMostStraight = 8, kMostBent = 40, kMostLit = 96;
 constexpr double kEven = 1e4;  // periods across a pixel, whose mean then is theirs to within 1e-4
 
-/// How much more steeply than 1 the darkest colours of a ramp may be encoded.
-double steepness(const RampIntegral& ramp, Blend blend) {
-  constexpr double kMost = 6.0, kDarkest = 0.01;
-  const Mix& least = ramp.least();
-  const double dark = std::max(std::min({least.r, least.g, least.b}), kDarkest);
-  return blend == Blend::linear ? std::clamp(0.44 * std::pow(dark, -0.583), 1.0, kMost) : 1.0;
-}
-
 }  // namespace
 
 /// Makes paints, each in the place of one of the picture before: its memory is kept.
@@ -30,7 +22,7 @@ class PaintMaker {
       : scene_(scene),
         view_(view),
         map_(grid_from_face(scene.canvas(), view)),
-        tolerance_(depth == Depth::u8 ? 0.3 / 255 : 0.03 / 255),
+        tolerance_(depth == Depth::u8 ? 0.3 / 255 : 0.06 / 255),
         to_(to) {}
 
   PaintedLayer layer(const Layer& layer) {
@@ -91,7 +83,7 @@ class PaintMaker {
     varied.lowest = lo, varied.highest = hi;
     if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
     varied.integral.emplace().make(ramp);
-    varied.tolerance = tolerance_ / steepness(*varied.integral, view_.blend);
+    varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
       one_color(varied, varied.integral->mean());
     return to_.kinks_;

@@ -148,7 +148,8 @@ TEST(ExactLitFaces, ThatWereWrongOnceAreRight) {
                          {"faces/clay", "turn_right", 48, 20, 17},
                          {"faces/clay", "rest", 97, 41, 52},
                          {"faces/clay", "joy", 333, 180, 144},
-                         {"faces/clay", "anger", 640, 319, 280}}) {
+                         {"faces/clay", "anger", 640, 319, 280},
+                         {"faces/clay", "rest", 1920, 956, 813}}) {
     const Face face = test::face_named(p.face);
     const std::vector<test::NamedPose> poses = test::sample_poses(face);
     const auto pose = std::ranges::find(poses, p.pose, &test::NamedPose::name);

@@ -45,8 +45,8 @@ struct CutColor {
 };
 
 /// The colour of cells that a ridge runs through.
-inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeLanes& ridge, int k,
-                             const CellLanes& cell) {
+inline CutColor MixedAtRidge(const LightTile& tile, const Encoding& encoding, const Seen& at,
+                             const RidgeLanes& ridge, int k, const CellLanes& cell) {
   const F f;
   const VF zero = hn::Zero(f), one = Const(1.0f), half = Const(0.5f);
   const VF ax = hn::Mul(cell.side, hn::Abs(ridge.ex)), ay = hn::Mul(cell.side, hn::Abs(ridge.ey));
@@ -83,7 +83,7 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
       d = Fused(ux, nx, Fused(uy, ny, d));
     }
     if (tile.lamp.goes_by_distance()) {
-      const BranchPair& r = at.ramp;
+      const BranchPair& r = *at.ramp;
       const VF rx = pick(r.best.nx, r.beyond.nx, true), ry = pick(r.best.ny, r.beyond.ny, true);
       away = Fused(ux, rx, Fused(uy, ry, pick(r.best.d, r.beyond.d, true)));
     }
@@ -96,8 +96,9 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Seen& at, const RidgeL
   for (int c = 0; c < LightTile::kChannels; ++c) {
     const VF apart = hn::Sub(beyond.c[c], near.c[c]);
     mixed.c[c] = Fused(far, apart, near.c[c]);
-    mixed.jump = hn::Max(mixed.jump, hn::IfThenElse(hn::Gt(far, zero), hn::Abs(apart), zero));
+    mixed.jump = hn::Max(mixed.jump, hn::Mul(hn::Abs(apart), Const(encoding.by[c])));
   }
+  mixed.jump = hn::IfThenElse(hn::Gt(far, zero), mixed.jump, zero);
   return mixed;
 }
 
@@ -121,8 +122,18 @@ struct CellSum {
 /// A pixel whose cells are looked at, with what it sees: the square around (cx, cy).
 struct CellPixel {
   LightTile& tile;
-  const NearBranches *near, *near_ramp;
+  Near near;
   float cx, cy;
+  float seen = 1.0f;       ///< how much of it is looked at, or little
+  Encoding encoding = {};  ///< of what is known of it
+  bool turns = false;      ///< its outline bends so much that cells are not small
+
+  /// What shows of a part lies in a pixel no darker than that.
+  void shows(const float* mean) {
+    float v[3];
+    for (int c = 0; c < 3; ++c) v[c] = seen * mean[c];
+    encoding = EncodingAt(tile, v);
+  }
 };
 
 /// Sixteen cells: where, how large, and what is seen of them.
@@ -139,7 +150,7 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
   const F f;
   const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
   const VF d = load(at.relief.best.d), nx = load(at.relief.best.nx), ny = load(at.relief.best.ny);
-  const VF away = tile.lamp.goes_by_distance() ? load(at.ramp.best.d) : hn::Zero(f);
+  const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : hn::Zero(f);
   const VF mean = hn::Min(hn::Max(hn::Neg(d), Const(tile.shallow)), Const(tile.deep));
   // No farther than the shallow end: a uniform depth from there on has that deviation.
   const VF most = hn::Mul(Const(0.577350269f), hn::Sub(mean, Const(tile.shallow)));
@@ -151,22 +162,36 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
     color.c[c] = hn::Mul(Const(0.5f), hn::Add(color.c[c], other.c[c]));
 }
 
-/// Sees sixteen cells.
-inline void SeeCells(const CellPixel& pixel, SixteenCells& cells) {
-  // [px] Profiles as narrow as that are steep where cells are two depths wide.
-  constexpr float kNarrow = 12.0f, kSteep = 1.75f;
+// [of a cell's side] A ridge that bends may run through it.
+inline constexpr float kNearCell = 1.3f;
+/// The most that the outward normal turns by from a cell to the next in the list, but nearer to a ridge than that.
+inline float MostTurn(const BranchPair& at, const float* away, float least) {
+  float most = 0.0f;
+  for (int k = 0; k < 15; ++k) {
+    if (HWY_MIN(away[k], away[k + 1]) < least) continue;
+    most = HWY_MAX(most, std::abs(at.best.nx[k + 1] - at.best.nx[k]) +
+                             std::abs(at.best.ny[k + 1] - at.best.ny[k]));
+  }
+  return most;
+}
+
+/// Sees sixteen cells; the first of them tell how the pixel is encoded.
+inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
+  // [px] Profiles are steep where cells are two depths wide. [levels · px] Seen at one depth, a row of 4 × 4 cells along
+  // an outline is off by a fifth of that over the profile's width: 12 px do for 8 bits.
+  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255;
   const F f;
   LightTile& tile = pixel.tile;
   Seen at;
-  SeeFrom(tile, pixel.near, pixel.near_ramp, pixel.cx, pixel.cy, cells.x, cells.y, at);
-  const bool steep = tile.rises && tile.lamp.is_round() && tile.lamp.width < kNarrow &&
+  SeeFrom(tile, pixel.near, pixel.cx, pixel.cy, cells.x, cells.y, at);
+  const bool steep = tile.rises && tile.lamp.is_round() &&
+                     tile.lamp.width * tile.tolerance < kByOneDepth &&
                      MostOf16(at.relief.best.d) > -kSteep;
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
     CellLanes cell{load(cells.x), load(cells.y), load(cells.area), {}, {}};
     const VF zero = hn::Zero(f);
     cell.side = hn::Sqrt(cell.area), cell.variance = hn::Mul(cell.area, Const(1.0f / 12));
-    const auto there = hn::Gt(cell.area, zero);
     LitColor color;
     const VF d = tile.rises ? load(at.relief.best.d) : zero;
     if (steep) {
@@ -174,38 +199,76 @@ inline void SeeCells(const CellPixel& pixel, SixteenCells& cells) {
     } else {
       const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
       const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
-      const VF away = tile.lamp.goes_by_distance() ? load(at.ramp.best.d) : zero;
+      const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
       color = ColorAt(tile, HeldDepth(tile, d, cell.variance), nx, ny, cell.x, cell.y, away);
     }
-    const RidgeLanes ridge = RidgeAt(tile, at, k);
-    const auto cut = hn::And(there, hn::Lt(ridge.off, hn::Mul(Const(0.75f), cell.side)));
-    VF jump = zero;
-    if (!hn::AllFalse(f, cut)) {
-      const CutColor mixed = MixedAtRidge(tile, at, ridge, k, cell);
-      for (int c = 0; c < LightTile::kChannels; ++c)
-        color.c[c] = hn::IfThenElse(cut, mixed.c[c], color.c[c]);
-      jump = hn::IfThenElse(cut, mixed.jump, zero);
-    }
-    hn::Store(jump, f, cells.jump + k);
-    hn::Store(hn::Div(ridge.off, hn::Max(cell.side, Const(1e-6f))), f, cells.away + k);
     PutColor(color, k, cells.shades);
   }
+  if (first) {
+    CellSum sum;
+    sum.add(cells.shades, cells.area, 3);
+    for (float& c : sum.c) c /= sum.area;
+    pixel.shows(sum.c);
+  }
+  for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
+    const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
+    const VF area = load(cells.area), side = hn::Sqrt(area), zero = hn::Zero(f);
+    const RidgeLanes ridge = RidgeAt(tile, at, k);
+    hn::Store(hn::Div(ridge.off, hn::Max(side, Const(1e-6f))), f, cells.away + k);
+    hn::Store(zero, f, cells.jump + k);
+    // Nothing is less than no side.
+    const auto cut = hn::Lt(ridge.off, hn::Mul(Const(0.75f), side));
+    if (hn::AllFalse(f, cut)) continue;
+    const CellLanes cell{load(cells.x), load(cells.y), area, side, hn::Mul(area, Const(1.0f / 12))};
+    const CutColor mixed = MixedAtRidge(tile, pixel.encoding, at, ridge, k, cell);
+    for (int c = 0; c < LightTile::kChannels; ++c)
+      hn::Store(hn::IfThenElse(cut, mixed.c[c], load(cells.shades.c[c])), f, cells.shades.c[c] + k);
+    hn::Store(hn::IfThenElse(cut, mixed.jump, zero), f, cells.jump + k);
+  }
+  if (!first) return;
+  // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn². A
+  // distance, or a ramp along one, leaves a 24th of its change over a cell, a fourth of that over the pixel, times the
+  // turn; at ridges, too, behind which a corner may bend. For 16 bits that is one and a half tolerances at most.
+  constexpr float kTurn = 1.5f * 255 / 4, kRampTurn = 1.5f * 96;
+  const bool distance = tile.lamp.distance_alone || tile.lamp.goes_by_distance();
+  if (tile.rises && !tile.lamp.distance_alone) {
+    const float turn = MostTurn(at.relief, cells.away, kNearCell);
+    pixel.turns = turn * turn > kTurn * tile.tolerance;
+  }
+  if (!distance || pixel.turns) return;
+  float change = 0.0f;
+  for (int c = 0; c < tile.channels; ++c) {
+    const Range range = RangeOf16(cells.shades.c[c], cells.area);
+    change = HWY_MAX(change, (range.high - range.low) * pixel.encoding.by[c]);
+  }
+  const BranchPair& of = tile.lamp.distance_alone ? at.relief : *at.ramp;
+  pixel.turns = change * MostTurn(of, cells.away, 0.0f) > kRampTurn * tile.tolerance;
 }
 
 /// Which of a level's cells are looked at: of the grid of that many each way, in its order.
 using CellList = std::array<std::uint16_t, PartCells::kMost>;
 
+/// When cells stay open.
+struct OpenBy {
+  float jump, kink;  ///< more of these may be off
+  float apart,
+      few;  ///< by how much quarters may be apart from their whole; and that times their area, of a few
+  bool quarters;  ///< whether the listed cells are quarters of cells that were open
+  bool small;     ///< whether nothing but ridges and clamps can matter within a cell
+};
+
 /// A mean by cells, as far as they were looked at.
 struct CellMean {
-  CellSum closed, open;  ///< open: cells that a ridge or a clamp may run through
-  float jump = 0;        ///< the most that a ridge changes colours by in a cell
-  float kink = 0;        ///< what a clamp of the law may change
-  int opens = 0;         ///< how many are open: the first of their list
+  CellSum closed, open;
+  float jump = 0;  ///< the most that a ridge changes colours by in a cell
+  float kink = 0;  ///< what a clamp of the law may change
+  int opens = 0;   ///< how many are open: the first of their list
 };
 
 /// The next sixteen listed cells of more than no area; returns how many there are. `which`: their places in the list.
 inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const CellList& list,
-                       int count, int& next, SixteenCells& to, std::uint16_t* which) {
+                       int count, bool quarters, int& next, SixteenCells& to,
+                       std::uint16_t* which) {
   int n = 0;
   if (cells.side == 4) {  // all of them, be there some without area
     const F f;
@@ -218,7 +281,7 @@ inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const Cel
     next = count;
     return n;
   }
-  const int together = pixel.tile.fine ? 4 : 1;  // the quarters of a cell
+  const int together = quarters ? 4 : 1;  // those of a cell
   const auto unseen = [&](int first) {
     for (int k = first; k < first + together; ++k)
       if (cells.area[list[size_t(k)]] > 0.0f) return false;
@@ -237,102 +300,88 @@ inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const Cel
   return n;
 }
 
-/// When cells stay open.
-struct OpenBy {
-  /// More of these may be off.
-  float jump, kink;
-  /// For 16 bits: by how much quarters may be apart from their whole; and that times their area, of a few.
-  float apart, few;
-  /// Whether the listed cells are quarters of cells that were open.
-  bool quarters;
-};
-
-/// [of the range among cells] Half a diagonal of a cell, where the range is that of three of them or less.
-inline constexpr float kHalfCell = 0.75f;
-/// [of a cell's side] A ridge that bends may run through it.
-inline constexpr float kNearCell = 1.3f;
-
-/// For 16 bits: opens cells but those that are quarters of a cell which nothing runs through and which they agree with.
-/// A cell seen at its middle is off by the fourfold of what its quarters are, but for terms of fourth degree.
-inline void OpenQuarters(LightTile& tile, const SixteenCells& now, const std::uint16_t* which,
-                         int count, const CellList& list, const OpenBy& by, CellMean& mean,
-                         CellList& open) {
+/// Closes cells but those that a ridge or a clamp may run through and, while cells are not small, those that are not
+/// quarters which agree with their whole: a cell seen at its middle is off by the fourfold of what its quarters are, but
+/// for terms of fourth degree.
+inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std::uint16_t* which,
+                      int count, const CellList& list, const OpenBy& by, CellMean& mean,
+                      CellList& open) {
+  // [of the range among cells] Half a diagonal of a cell, where the range is that of three of them or less.
+  constexpr float kHalfCell = 0.75f;
+  LightTile& tile = pixel.tile;
+  float low[3], high[3];
+  const auto range = [&](size_t first, size_t end) {
+    for (int b = 0; b < 3; ++b) {
+      const float* v = now.shades.bounds[b];
+      low[b] = *std::min_element(v + first, v + end),
+      high[b] = *std::max_element(v + first, v + end);
+    }
+  };
+  const bool kinks = mean.kink > by.kink, jumps = mean.jump > by.jump;
+  if (kinks && !by.quarters) range(0, size_t(count));
+  alignas(64) float of_open[16] = {}, of_closed[16] = {};
   for (size_t k = 0; k < size_t(count); k += 4) {
-    CellSum sum;
-    const float* area = now.area + k;
-    for (size_t q = 0; q < 4; ++q) {
-      sum.area += area[q];
-      for (size_t c = 0; c < size_t(tile.channels); ++c)
-        sum.c[c] += area[q] * now.shades.c[c][k + q];
+    if (kinks && by.quarters) range(k, k + 4);
+    const size_t end = HWY_MIN(k + 4, size_t(count));
+    bool opens[4], any = false;
+    for (size_t q = k; q < end; ++q) {
+      bool& o = opens[q - k] = jumps && (now.jump[q] > by.jump || now.away[q] < kNearCell);
+      for (int b = 0; b < 3 && kinks; ++b)
+        o = o || std::abs(now.shades.bounds[b][q]) <= kHalfCell * (high[b] - low[b]);
+      any = any || o;
     }
-    if (!(sum.area > 0.0f)) continue;
-    bool opens = !by.quarters;
-    for (size_t q = k; q < k + 4; ++q)
-      opens = opens || now.jump[q] > by.jump || (mean.jump > by.jump && now.away[q] < kNearCell);
-    for (int b = 0; b < 3 && !opens && mean.kink > by.kink; ++b) {
-      const float* v = now.shades.bounds[b] + k;
-      const float low = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3])),
-                  high = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3]));
-      const float reach = kHalfCell * (high - low);
-      opens = low <= reach && high >= -reach;
+    if (!by.small) {
+      bool all = any || !by.quarters;
+      if (!all) {
+        const auto whole = size_t(which[k] / 4);
+        const float* const a = now.area + k;
+        const float area = (a[0] + a[1]) + (a[2] + a[3]);
+        float more[LightTile::kChannels], most = 0.0f;
+        for (size_t c = 0; c < size_t(tile.channels); ++c) {
+          const float* v = now.shades.c[c] + k;
+          more[c] = (a[0] * v[0] + a[1] * v[1]) + (a[2] * v[2] + a[3] * v[3]) -
+                    area * tile.wholes()[c][whole];
+          most = HWY_MAX(most, std::abs(more[c]) * pixel.encoding.by[c]);
+        }
+        all = most > by.apart * area && most > by.few;
+        for (size_t c = 0; c < size_t(tile.channels) && !all; ++c)
+          mean.closed.c[c] += more[c] * (1.0f / 3);
+      }
+      std::fill_n(opens, 4, all);
     }
-    float apart = 0.0f;
-    const auto whole = size_t(which[k] / 4);
-    for (size_t c = 0; c < size_t(tile.channels) && !opens; ++c)
-      apart = HWY_MAX(apart, std::abs(sum.c[c] / sum.area - tile.wholes[c][whole]));
-    opens = opens || (apart > by.apart && apart * sum.area > by.few);
-    CellSum& to = opens ? mean.open : mean.closed;
-    to.area += sum.area;
-    for (size_t c = 0; c < size_t(tile.channels); ++c)
-      to.c[c] +=
-          opens ? sum.c[c] : sum.c[c] + (sum.c[c] - sum.area * tile.wholes[c][whole]) * (1.0f / 3);
-    for (size_t q = 0; opens && q < 4; ++q) {
-      if (!(area[q] > 0.0f)) continue;
+    for (size_t q = k; q < end; ++q) {
+      if (!(now.area[q] > 0.0f)) continue;
+      (opens[q - k] ? of_open : of_closed)[q] = now.area[q];
+      if (!opens[q - k]) continue;
       const auto at = size_t(mean.opens++);
-      open[at] = list[which[k + q]];
-      for (size_t c = 0; c < size_t(tile.channels); ++c)
-        tile.of_open[c][at] = now.shades.c[c][k + q];
+      open[at] = list[which[q]];
+      for (size_t c = 0; c < size_t(tile.channels) && !by.small; ++c)
+        tile.of_open()[c][at] = now.shades.c[c][q];
     }
   }
+  mean.closed.add(now.shades, of_closed, tile.channels);
+  mean.open.add(now.shades, of_open, tile.channels);
 }
 
 /// Looks at the listed cells and lists the open ones in `open`: each of the others is a smooth stretch that is seen at
 /// its middle.
-inline void LookAtCells(const CellPixel& pixel, const PartCells& cells, const CellList& list,
-                        int count, const OpenBy& by, CellMean& mean, CellList& open) {
-  LightTile& tile = pixel.tile;
+inline void LookAtCells(CellPixel& pixel, const PartCells& cells, const CellList& list, int count,
+                        OpenBy by, CellMean& mean, CellList& open) {
+  const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
   mean.jump = mean.kink = 0.0f, mean.opens = 0, mean.open = {};
-  for (int next = 0;;) {
-    const int n = TakeSixteen(pixel, cells, list, count, next, now, which);
+  for (int next = 0, looks = 0;; ++looks) {
+    const int n = TakeSixteen(pixel, cells, list, count, by.quarters, next, now, which);
     if (n == 0) break;
-    SeeCells(pixel, now);
+    SeeCells(pixel, !by.quarters && looks == 0, now);
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
     mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
-    if (tile.fine) {
-      OpenQuarters(tile, now, which, n, list, by, mean, open);
-      continue;
-    }
-    if (kink <= by.kink && jump <= by.jump) {
+    if (pixel.turns) by.small = false;
+    if (by.small && kink <= by.kink && jump <= by.jump)
       mean.closed.add(now.shades, now.area, tile.channels);
-      continue;
-    }
-    float reach[3] = {-1.0f, -1.0f, -1.0f};
-    for (int b = 0; b < 3 && kink > by.kink; ++b) {
-      const Range range = RangeOf16(now.shades.bounds[b], now.area);
-      reach[b] = kHalfCell * (range.high - range.low);
-    }
-    alignas(64) float of_open[16] = {}, of_closed[16] = {};
-    for (int k = 0; k < n; ++k) {
-      if (!(now.area[k] > 0.0f)) continue;
-      bool opens = now.jump[k] > by.jump || (jump > by.jump && now.away[k] < kNearCell);
-      for (int b = 0; b < 3; ++b) opens = opens || std::abs(now.shades.bounds[b][k]) <= reach[b];
-      (opens ? of_open : of_closed)[k] = now.area[k];
-      if (opens) open[size_t(mean.opens++)] = list[which[k]];
-    }
-    mean.closed.add(now.shades, of_closed, tile.channels);
-    mean.open.add(now.shades, of_open, tile.channels);
+    else
+      OpenCells(pixel, now, which, n, list, by, mean, open);
   }
 }
 
@@ -360,59 +409,47 @@ inline int LeastSide(const LightTile& tile, float area, float allowed) {
 }
 
 /// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
-/// they may be off, which is of second order in their side.
-inline void MeanByCells(const CellPixel& pixel, const PartForm* form, float form_area, float* to) {
-  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells; ridges less than a
-  // thirtieth of their jump.
-  constexpr float kKink = 45.0f, kJump = 10.0f, kAgree = 0.7f;
-  // Of what is permitted to any; and what this may shrink to in darker pixels before closed cells count again.
-  constexpr float kClosed = 0.3f, kStricter = 0.8f;
-  // Of what is permitted to quarters: to all of them, and to each of a few along an outline.
-  constexpr float kApart = 1.0f, kFew = 0.04f;
+/// they may be off, which is of second order in their side; the others as far as they need it.
+inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
+  // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells, twice that where
+  // it bends; ridges less than a thirtieth of their jump.
+  constexpr float kKink = 24.0f, kJump = 10.0f, kAgree = 0.7f;
+  // Of what is permitted to any: what closed cells may be off by.
+  constexpr float kClosed = 0.3f;
+  // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
+  // cells may be off by at first.
+  constexpr float kApart = 1.0f, kFew = 0.04f, kFirst = 8.0f;
   LightTile& tile = pixel.tile;
-  float before[LightTile::kChannels] = {}, allowed = tile.tolerance;
-  // Cells for 16 bits are divided where they need it, and begin as those for 8.
-  const float coarse = tile.fine ? 8.0f : 1.0f;
-  int side = LeastSide(tile, form_area, coarse * allowed), least = side, count = side * side;
+  const float allowed = tile.tolerance;
+  float before[LightTile::kChannels] = {};
+  const int first = LeastSide(tile, form_area, kFirst * allowed),
+            least = LeastSide(tile, form_area, allowed);
+  pixel.seen = HWY_MAX(form_area, 0.05f);
   CellList &list = tile.listed, &open = tile.open;
   CellMean mean;
-  bool quarters = false;
-  const auto begin = [&](int now) {
-    mean = {}, side = least = now, count = now * now, quarters = false;
-    std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
-  };
-  begin(side);
-  for (;;) {
+  int count = first * first;
+  std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
+  for (int side = first;; side *= 2) {
+    const bool small = side >= least;
     if (form) cells_of_form(*form, side, tile.cells, side == 4 && !tile.fine);
     const PartCells& cells = form ? tile.cells : whole_cells(side);
-    const float finer = float(side * side) / 16.0f, seen = HWY_MAX(form_area, 0.05f);
-    const float most_jump = kJump * finer / seen, most_kink = kKink * finer / seen;
+    const float each = allowed * float(side * side) / (16.0f * pixel.seen);
     LookAtCells(pixel, cells, list, count,
-                {kClosed * most_jump * allowed, kClosed * most_kink * allowed,
-                 kApart * allowed / seen, kFew * allowed, quarters},
+                {kClosed * kJump * each, kClosed * kKink * each, kApart * allowed / pixel.seen,
+                 kFew * allowed, side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
     float apart = 0.0f;
-    for (int c = 0; c < tile.channels; ++c) {
-      to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
-      apart = HWY_MAX(apart, std::abs(to[c] - before[c])), before[c] = to[c];
-    }
-    if (side == PartCells::kMostSide) return;
-    const float before_that = allowed;
-    // What shows of a part lies in a pixel no darker than that.
-    if (tile.lamp.linear) allowed = AllowedAt(tile, seen * HWY_MIN(to[0], HWY_MIN(to[1], to[2])));
-    const bool bounded = mean.kink < most_kink * allowed && mean.jump < most_jump * allowed;
-    const bool agrees = side > least && apart * seen < kAgree * allowed;
-    const int now = HWY_MAX(side, LeastSide(tile, form_area, coarse * allowed));
-    if (now == side && (tile.fine ? bounded && agrees && side > 2 * least : bounded || agrees))
+    for (int c = 0; c < tile.channels; ++c) to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
+    pixel.shows(to);
+    for (int c = 0; c < tile.channels; ++c)
+      apart = HWY_MAX(apart, std::abs(to[c] - before[c]) * pixel.encoding.by[c]), before[c] = to[c];
+    const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
+    const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
+    if (side == PartCells::kMostSide || mean.opens == 0 ||
+        (small && !pixel.turns && (bounded || agrees)))
       return;
-    if (now > side || allowed < kStricter * before_that) {
-      begin(now);  // all of them again: too many were closed
-      continue;
-    }
-    if (mean.opens == 0) return;
-    count = DivideCells(side, open, mean.opens, list), side *= 2, quarters = true;
-    std::swap(tile.wholes, tile.of_open);
+    count = DivideCells(side, open, mean.opens, list), tile.turned = !tile.turned;
   }
 }
 

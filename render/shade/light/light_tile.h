@@ -13,32 +13,54 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace mien {
 
+/// The branches around a tile, and what of its squares is the same for all segments of a ramp: their tiles share it.
+struct LightGround {
+  static constexpr int kSquares = 1 + 4 + 16 + 64 + 256;
+
+  struct Whose {
+    std::uint64_t paint;
+    int zone, x, y, side;
+    bool operator==(const Whose&) const = default;
+  };
+  Whose whose{};
+  std::uint64_t made = 0;  ///< how often
+  bool crowded = false;    ///< too many branches: nothing here is of use
+  NearArea area, gradient;
+  std::vector<NearBranches> near, near_gradient;  ///< by square and leaf, and those of a pixel
+  /// Broken: entered, and a ridge or a steep outline breaks means over it.
+  enum class State : std::uint8_t { unknown, entered, broken };
+  std::array<State, kSquares> state;
+
+  /// The feet that were looked for since they were last taken.
+  long long take_feet() { return std::exchange(area.feet, 0) + std::exchange(gradient.feet, 0); }
+};
+
 struct LightTile {
   static constexpr int kSide = 16, kPixels = kSide * kSide;
-  static constexpr int kLevels = 5, kSquares = 1 + 4 + 16 + 64 + 256;
+  static constexpr int kLevels = 5, kSquares = LightGround::kSquares;
   static constexpr int kChannels = 4;
 
-  // Whose it is.
-  std::uint64_t paint = 0;
-  int zone = 0, x = 0, y = 0, side = kSide;  ///< its first pixel, and how many it has each way
+  LightGround* ground = nullptr;
+  std::uint64_t of_ground = 0;     ///< its `made` when this was
+  int x = 0, y = 0, side = kSide;  ///< its first pixel, and how many it has each way
   const RampSegment* segment = nullptr;
 
   LampLanes lamp;
-  bool rises = false;       ///< the profile does: `area` counts
-  bool crowded = false;     ///< too many branches: the tile says nothing
-  NearArea area, gradient;  ///< the latter where the ramp goes by a distance
+  bool rises = false;  ///< the profile does: `area` counts
+  bool apart = false;  ///< the ramp goes by a distance that is not the relief's: `gradient` counts
   float shallow = 0, deep = 0;
   float tolerance = 0;  ///< of a mean, in what colours are counted in
   int channels = 3;     ///< how many of them vary
   bool fine = false;    ///< of a picture of 16 bits and more
 
-  enum class State : std::uint8_t { unknown, smooth, divided };
+  /// Pixels: divided, and its own pixels were looked at.
+  enum class State : std::uint8_t { unknown, smooth, divided, pixels };
   std::array<State, kSquares> state;
-  std::vector<NearBranches> near, near_gradient;  ///< by square and leaf, and those of a pixel
   struct Bicubic {
     alignas(64) float c[kChannels][16];  ///< at Gauss's places
     float bend =
@@ -51,9 +73,12 @@ struct LightTile {
   // Scratch.
   PartCells cells;
   std::array<std::uint16_t, PartCells::kMost> listed, open;  ///< of its cells
-  /// For 16 bits: what the open cells saw, and those whose quarters are listed.
+  /// What the open cells saw, and those whose quarters are listed: one and the other in turns.
   using CellColors = std::array<std::array<float, PartCells::kMost>, kChannels>;
-  CellColors of_open, wholes;
+  std::array<CellColors, 2> cell_colors;
+  bool turned = false;
+  CellColors& of_open() { return cell_colors[turned]; }
+  CellColors& wholes() { return cell_colors[!turned]; }
 
   static constexpr int first_of(int level) { return ((1 << 2 * level) - 1) / 3; }
   static constexpr int square(int level, int i, int j) {
@@ -66,6 +91,8 @@ struct LightTile {
 
   /// Forgets what was known: of another place or piece.
   void begin();
+  /// Forgets what was known of its ground, whose areas are new.
+  void begin_ground();
 };
 
 /// Makes the mean of pixel (i, j) of the tile known.

@@ -17,9 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using State = LightTile::State;
 
-void BeginTile(LightTile& tile) {
-  if (tile.rises) FindFeetOf(tile.area);
-  if (tile.lamp.goes_by_distance()) FindFeetOf(tile.gradient);
+void BeginGround(const LightTile& tile) {
+  if (tile.rises) FindFeetOf(tile.ground->area);
+  if (tile.apart) FindFeetOf(tile.ground->gradient);
 }
 
 struct Square {
@@ -28,14 +28,21 @@ struct Square {
   Square outer() const { return {level - 1, i / 2, j / 2}; }
 };
 
-NearBranches* NearOf(std::vector<NearBranches>& all, const NearArea& area, int square) {
-  return all.data() + size_t(square) * area.leaf_count();
+/// The branches near a square, of both areas.
+Near NearOf(const LightTile& tile, int square) {
+  LightGround& g = *tile.ground;
+  return {g.near.data() + size_t(square) * g.area.leaf_count(),
+          g.near_gradient.data() + size_t(square) * g.gradient.leaf_count()};
 }
 
-float LeastOf(const LightTile::Bicubic& square) {
-  float least = 1.0f;
-  for (int c = 0; c < 3; ++c) least = HWY_MIN(least, LeastOf16(square.c[c]));
-  return least;
+/// The most that a square's colours have of a degree, by its table.
+float MostOf(const LightTile& tile, const float (&degree)[4], const LightTile::Bicubic& square) {
+  float least[LightTile::kChannels] = {}, most = 0.0f;
+  for (int c = 0; c < 3; ++c) least[c] = LeastOf16(square.c[c]);
+  const Encoding encoding = EncodingAt(tile, least);
+  for (int c = 0; c < tile.channels; ++c)
+    most = HWY_MAX(most, MostOf(degree, square.c[c]) * encoding.by[c]);
+  return most;
 }
 
 /// Whether colours jump at a ridge within reach. Light changes by no more than the surface's normal does, and where the
@@ -46,7 +53,7 @@ bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
   // of itself to a mean.
   constexpr float kStep = 3.0f;
   const LampLanes& lamp = tile.lamp;
-  const float most = kStep * tile.tolerance / (lamp.linear ? 12.92f : 1.0f);
+  const float most = kStep * tile.tolerance;
   for (int k = 0; k < 16; ++k) {
     if (at.off[k] >= reach) continue;
     const float along = at.ex[k] * at.best.nx[k] + at.ey[k] * at.best.ny[k];
@@ -81,26 +88,25 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   for (int k = 0; k < 16; ++k) x[k] = cx + half * g.x[k], y[k] = cy + half * g.y[k];
   Seen at;
   const int me = square.index();
-  SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
-          tile.lamp.goes_by_distance() ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr,
-          cx, cy, x, y, at);
+  SeeFrom(tile, NearOf(tile, me), cx, cy, x, y, at);
+  LightGround::State& ground = tile.ground->state[size_t(me)];
+  ground = LightGround::State::broken;
   if (tile.rises && LeastOf16(at.relief.off) < kBetween * half &&
       RidgeShows(tile, at.relief, kBetween * half))
     return false;
   if (tile.rises && tile.lamp.is_round() && MostOf16(at.relief.best.d) > -kSteep * side)
     return false;
-  if (tile.lamp.goes_by_distance() && LeastOf16(at.ramp.off) < kBetween * half) return false;
+  if (tile.lamp.goes_by_distance() && LeastOf16(at.ramp->off) < kBetween * half) return false;
+  ground = LightGround::State::entered;
   Shades shades;
   ShadePlaces(tile, at, x, y, shades);
   LightTile::Bicubic made;
   for (int c = 0; c < tile.channels; ++c) std::copy_n(shades.c[c], 16, made.c[c]);
-  const float allowed = tile.lamp.linear ? AllowedAt(tile, LeastOf(made)) : tile.tolerance;
-  if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * allowed) return false;
+  if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * tile.tolerance) return false;
   if (LeastOf16(shades.foot) < kFoot * side) return false;
-  float third = 0.0f;
-  for (int c = 0; c < tile.channels; ++c) third = HWY_MAX(third, MostOf(g.third, made.c[c]));
-  if (side == 1.0f && third < kWhole * allowed) KnowPixel(tile, square.i, square.j, made);
-  if (third > kThird * allowed) return false;
+  const float third = MostOf(tile, g.third, made);
+  if (side == 1.0f && third < kWhole * tile.tolerance) KnowPixel(tile, square.i, square.j, made);
+  if (third > kThird * tile.tolerance) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
   tile.kept.push_back(made);
   return true;
@@ -111,7 +117,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
   constexpr float kBetween = 0.45f, kDeep = 1.0f;
   // [of the tolerance] A clamp that begins in a pixel leaves a twelfth of its change; what varies so little bends less.
-  constexpr float kKink = 10.0f, kRange = 80.0f;
+  constexpr float kKink = 10.0f, kRange = 64.0f;
   // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
   constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
   if (tile.lamp.finest < 3.0f) return;
@@ -124,14 +130,13 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   Seen at;
   const int me = square.index();
   const bool ramp = tile.lamp.goes_by_distance();
-  SeeFrom(tile, tile.rises ? NearOf(tile.near, tile.area, me) : nullptr,
-          ramp ? NearOf(tile.near_gradient, tile.gradient, me) : nullptr, cx, cy, x, y, at);
+  SeeFrom(tile, NearOf(tile, me), cx, cy, x, y, at);
   bool fits[4] = {true, true, true, true};
   const bool round = tile.rises && tile.lamp.is_round();
   for (int k = 0; k < 16; ++k) {
     bool& fit = fits[k / 4];
     if (tile.rises) fit = fit && at.relief.off[k] > kBetween;
-    if (ramp) fit = fit && at.ramp.off[k] > kBetween;
+    if (ramp) fit = fit && at.ramp->off[k] > kBetween;
     if (round) fit = fit && at.relief.best.d[k] < -kDeep;
     if (tile.rises && k % 4 != 0) {
       const int first = k & ~3;
@@ -146,20 +151,21 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   for (int p = 0; p < 4; ++p) {
     if (!fits[p]) continue;
     alignas(64) float counts[16] = {};
-    float mean[LightTile::kChannels], wide = 0.0f, least = 1.0f;
+    float mean[LightTile::kChannels], high[LightTile::kChannels], low[LightTile::kChannels] = {};
     for (int q = 0; q < 4; ++q) counts[4 * p + q] = 1.0f;
     for (int c = 0; c < tile.channels; ++c) {
       const float* v = shades.c[c] + 4 * p;
       mean[c] = 0.25f * ((v[0] + v[3]) + (v[1] + v[2]));
-      const float high = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3])),
-                  low = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
-      wide = HWY_MAX(wide, high - low), least = HWY_MIN(least, low);
+      high[c] = HWY_MAX(HWY_MAX(v[0], v[1]), HWY_MAX(v[2], v[3]));
+      low[c] = HWY_MIN(HWY_MIN(v[0], v[1]), HWY_MIN(v[2], v[3]));
     }
-    const float allowed = AllowedAt(tile, least);
-    float foot = 1e9f;
+    const Encoding encoding = EncodingAt(tile, low);
+    float foot = 1e9f, wide = 0.0f;
+    for (int c = 0; c < tile.channels; ++c)
+      wide = HWY_MAX(wide, (high[c] - low[c]) * encoding.by[c]);
     for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * p + q]);
-    if (wide > kRange * allowed || foot < 0.5f) continue;
-    if (KinkAmong(tile, shades, counts, 0.5f) > kKink * allowed) continue;
+    if (wide > kRange * tile.tolerance || foot < 0.5f) continue;
+    if (KinkAmong(tile, shades, counts, 0.5f) > kKink * tile.tolerance) continue;
     const int side = 2, i = square.i * side + (p & 1), j = square.j * side + (p >> 1);
     const size_t to = size_t(j * LightTile::kSide + i);
     for (int c = 0; c < tile.channels; ++c) tile.mean[size_t(c)][to] = mean[c];
@@ -167,40 +173,40 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   }
 }
 
-/// Looks at a square, if it was not yet.
-State Look(LightTile& tile, const Square& square) {
+/// Looks at a square, if it was not yet; `whole`: and at its pixels, if there are no smaller squares.
+State Look(LightTile& tile, const Square& square, bool whole) {
   const int me = square.index();
   State& state = tile.state[size_t(me)];
-  if (state != State::unknown) return state;
-  state = State::divided;
   const bool outermost = square.level == 0;
   const float side = float(tile.side >> square.level), middle = tile.middle();
+  const bool pixels = whole && side == 2.0f && !tile.fine;
+  if (state != State::unknown && !(pixels && state == State::divided)) return state;
+  state = pixels ? State::pixels : State::divided;
   const float cx = (float(square.i) + 0.5f) * side - middle,
               cy = (float(square.j) + 0.5f) * side - middle;
-  const int outer = outermost ? 0 : square.outer().index();
+  LightGround::State& ground = tile.ground->state[size_t(me)];
+  const bool serves = (side > 2.0f || tile.fine) && ground != LightGround::State::broken;
   constexpr float kDiagonal = 0.7072f;
-  Enter(tile, outermost || !tile.rises ? nullptr : NearOf(tile.near, tile.area, outer),
-        outermost || !tile.lamp.goes_by_distance()
-            ? nullptr
-            : NearOf(tile.near_gradient, tile.gradient, outer),
-        cx, cy, kDiagonal * side, NearOf(tile.near, tile.area, me),
-        NearOf(tile.near_gradient, tile.gradient, me));
-  if ((side > 2.0f || tile.fine) && Serves(tile, square, cx, cy)) {
+  if (pixels || serves || ground == LightGround::State::unknown)
+    Enter(tile, outermost ? Near{} : NearOf(tile, square.outer().index()), cx, cy, kDiagonal * side,
+          NearOf(tile, me));
+  if (ground == LightGround::State::unknown) ground = LightGround::State::entered;
+  if (serves && Serves(tile, square, cx, cy)) {
     if (side > 1.0f)
       SpreadMeans(tile, square.i * int(side), square.j * int(side), int(side), tile.kept.back());
     return state = State::smooth;
   }
-  if (side == 2.0f && !tile.fine) LookAtPixels(tile, square, cx, cy);
+  if (pixels) LookAtPixels(tile, square, cx, cy);
   return state;
 }
 
 /// The smallest square around pixel (i, j), looked at; smooth, or there is no smaller one.
-Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
+Square SquareAround(LightTile& tile, int i, int j, bool whole, bool& smooth) {
   Square square{0, 0, 0};
   for (int level = 0; level == 0 || tile.side >> level >= tile.smallest(); ++level) {
     const int side = tile.side >> level;
     square = {level, i / side, j / side};
-    if ((smooth = Look(tile, square) == State::smooth)) return square;
+    if ((smooth = Look(tile, square, whole) == State::smooth)) return square;
   }
   return square;
 }
@@ -209,19 +215,16 @@ Square SquareAround(LightTile& tile, int i, int j, bool& smooth) {
 void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm* form,
              float form_area, float* to) {
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  NearBranches *const near = NearOf(tile.near, tile.area, tile.squares()),
-                      *const near_ramp = NearOf(tile.near_gradient, tile.gradient, tile.squares());
-  const int from = around.index();
-  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
-        cx, cy, 0.7072f, near, near_ramp);
-  MeanByCells({tile, near, near_ramp, cx, cy}, form, form_area, to);
+  const Near near = NearOf(tile, tile.squares());
+  Enter(tile, NearOf(tile, around.index()), cx, cy, 0.7072f, near);
+  MeanByCells({tile, near, cx, cy}, form, form_area, to);
 }
 
 void FindMean(LightTile& tile, int i, int j) {
   const size_t p = size_t(j * LightTile::kSide + i);
   if (tile.known[p]) return;
   bool smooth = false;
-  const Square around = SquareAround(tile, i, j, smooth);
+  const Square around = SquareAround(tile, i, j, true, smooth);
   if (tile.known[p]) return;
   float c[LightTile::kChannels] = {};
   ByCells(tile, around, i, j, nullptr, 1.0f, c);
@@ -235,9 +238,7 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
   const float side = float(tile.side >> square.level), over = 2.0f / side;
   const float u0 = float(i) + 0.5f - (float(square.i) + 0.5f) * side,
               v0 = float(j) + 0.5f - (float(square.j) + 0.5f) * side;
-  if (kept.bend < 0.0f)
-    for (int c = 0; c < tile.channels; ++c)
-      kept.bend = HWY_MAX(kept.bend, MostOf(GaussTables::get().second, kept.c[c]));
+  if (kept.bend < 0.0f) kept.bend = MostOf(tile, GaussTables::get().second, kept);
   // A coefficient c bends by 12 c / side² per px²; centroids leave a part's variance, 1/12 at most, times half of that.
   if (kept.bend < 0.5f * side * side * tile.tolerance)
     return BicubicAt(kept, tile.channels, (u0 + part.x) * over, (v0 + part.y) * over, to);
@@ -257,7 +258,7 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
 
 void MeanOfPart(LightTile& tile, int i, int j, const LitPart& part, float* to) {
   bool smooth = false;
-  const Square around = SquareAround(tile, i, j, smooth);
+  const Square around = SquareAround(tile, i, j, false, smooth);
   if (smooth)
     BySquare(tile, around, i, j, part, to);
   else
@@ -267,19 +268,16 @@ void MeanOfPart(LightTile& tile, int i, int j, const LitPart& part, float* to) {
 void ColorsOfCells(LightTile& tile, int i, int j, const PartCells& cells,
                    const std::array<float*, 4>& to) {
   bool smooth = false;
-  const Square around = SquareAround(tile, i, j, smooth);
+  const Square around = SquareAround(tile, i, j, false, smooth);
   const float cx = float(i) + 0.5f - tile.middle(), cy = float(j) + 0.5f - tile.middle();
-  NearBranches *const near = NearOf(tile.near, tile.area, tile.squares()),
-                      *const near_ramp = NearOf(tile.near_gradient, tile.gradient, tile.squares());
-  const int from = around.index();
-  Enter(tile, NearOf(tile.near, tile.area, from), NearOf(tile.near_gradient, tile.gradient, from),
-        cx, cy, 0.7072f, near, near_ramp);
+  const Near near = NearOf(tile, tile.squares());
+  Enter(tile, NearOf(tile, around.index()), cx, cy, 0.7072f, near);
   alignas(64) float x[16], y[16];
   for (size_t k = 0; k < size_t(cells.count()); k += 16) {
     for (size_t q = 0; q < 16; ++q) x[q] = cx + cells.x[k + q], y[q] = cy + cells.y[k + q];
     Seen at;
     Shades shades;
-    SeeFrom(tile, near, near_ramp, cx, cy, x, y, at);
+    SeeFrom(tile, near, cx, cy, x, y, at);
     ShadePlaces(tile, at, x, y, shades);
     for (size_t c = 0; c < 4; ++c) std::copy_n(shades.c[c], 16, to[c] + k);
   }
@@ -292,7 +290,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mien {
 namespace batch {
-HWY_EXPORT(BeginTile);
+HWY_EXPORT(BeginGround);
 HWY_EXPORT(FindMean);
 HWY_EXPORT(MeanOfPart);
 HWY_EXPORT(ColorsOfCells);
@@ -300,9 +298,14 @@ HWY_EXPORT(ColorsOfCells);
 
 void LightTile::begin() {
   state.fill(State::unknown), known.fill(0), kept.clear();
-  near.resize(std::size_t(squares() + 1) * area.leaf_count());
-  near_gradient.resize(std::size_t(squares() + 1) * gradient.leaf_count());
-  MIEN_DISPATCH(BeginTile)(*this);
+}
+
+void LightTile::begin_ground() {
+  LightGround& g = *ground;
+  g.state.fill(LightGround::State::unknown);
+  g.near.resize(std::size_t(squares() + 1) * g.area.leaf_count());
+  g.near_gradient.resize(std::size_t(squares() + 1) * g.gradient.leaf_count());
+  MIEN_DISPATCH(BeginGround)(*this);
 }
 
 void find_mean(LightTile& tile, int i, int j) {

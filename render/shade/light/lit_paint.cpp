@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace mien {
@@ -24,10 +26,11 @@ double steepness(Blend blend) {
 
 }  // namespace
 
-/// Tiles by paint, piece and column: those of the row of tiles that was asked for last.
+/// Tiles by paint, piece and column, and their grounds: those of the row of tiles that was asked for last.
 struct LitPaint::Scratch::Kept {
   static constexpr std::size_t kTiles = 512;
   std::vector<std::unique_ptr<LightTile>> tiles{kTiles};
+  std::vector<std::unique_ptr<LightGround>> grounds{kTiles};
   std::vector<int> crowded;
   long long feet = 0;
   double seconds = 0;
@@ -54,10 +57,8 @@ LitPaint::Scratch& LitPaint::Scratch::operator=(Scratch&&) noexcept = default;
 LitPaint::Scratch::Work LitPaint::Scratch::take_work() {
   if (!std::exchange(kept_->used, false)) return {};
   Work work{std::exchange(kept_->feet, 0), std::exchange(kept_->seconds, 0.0)};
-  for (const auto& tile : kept_->tiles) {
-    if (!tile) continue;
-    work.feet += std::exchange(tile->area.feet, 0) + std::exchange(tile->gradient.feet, 0);
-  }
+  for (const auto& g : kept_->grounds)
+    if (g) work.feet += g->take_feet();
   return work;
 }
 
@@ -81,41 +82,45 @@ bool LitPaint::level(int zone) const {
 }
 
 LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch) const {
-  scratch.kept_->used = true;
+  Scratch::Kept& kept = *scratch.kept_;
+  kept.used = true;
   const std::uint64_t hash =
       (std::uint64_t(index_) * 8 + std::uint64_t(piece.zone + 1)) * 0x9E3779B97F4A7C15u;
+  const std::size_t segment = piece.segment ? std::hash<double>()(piece.segment->from) : 0;
   for (int side = LightTile::kSide; side > 0; side /= 2) {
     const int left = x & ~(side - 1), top = y & ~(side - 1);
     const std::uint64_t column =
-        std::uint64_t(left / LightTile::kSide) + 37u * std::uint64_t(16 - side);
-    auto& slot = scratch.kept_->tiles[std::size_t((column + (hash >> 40)) % Scratch::Kept::kTiles)];
+        std::uint64_t(left / LightTile::kSide) + 37u * std::uint64_t(16 - side) + (hash >> 40);
+    auto& ground = kept.grounds[std::size_t(column % Scratch::Kept::kTiles)];
+    if (!ground) ground = std::make_unique<LightGround>();
+    auto& slot = kept.tiles[std::size_t((column + segment) % Scratch::Kept::kTiles)];
     if (!slot) slot = std::make_unique<LightTile>();
     LightTile& t = *slot;
-    const bool known = t.paint == id_ && t.zone == piece.zone && t.segment == piece.segment &&
-                       t.x == left && t.y == top && t.side == side;
-    if (!known) {
-      scratch.kept_->feet += std::exchange(t.area.feet, 0) + std::exchange(t.gradient.feet, 0);
-      t.paint = id_, t.zone = piece.zone, t.segment = piece.segment, t.x = left, t.y = top;
-      t.side = side;
-      make_tile(piece, t);
+    const LightGround::Whose whose{id_, piece.zone, left, top, side};
+    const bool known = ground->whose == whose;
+    if (!known) kept.feet += ground->take_feet(), ground->whose = whose, ++ground->made;
+    if (!known || t.ground != ground.get() || t.of_ground != ground->made ||
+        t.segment != piece.segment) {
+      t.ground = ground.get(), t.of_ground = ground->made, t.segment = piece.segment;
+      t.x = left, t.y = top, t.side = side;
+      make_tile(piece, t, !known);
     }
-    if (!t.crowded) return &t;
+    if (!ground->crowded) return &t;
   }
   scratch.kept_->crowded.push_back(x);
   return nullptr;
 }
 
-void LitPaint::make_tile(const LitPiece& piece, LightTile& t) const {
+void LitPaint::make_tile(const LitPiece& piece, LightTile& t, bool on_new_ground) const {
   // [of the side] Half a diagonal, and what parts beside the tile need.
   const double radius = 0.75 * t.side;
   const glm::dvec2 middle = glm::dvec2{t.x, t.y} + 0.5 * t.side;
   constexpr double kFine = 0.1;  // [levels] of 8 bits it is 0.3
-  t.channels = 3, t.rises = false, t.crowded = false, t.fine = tolerance_ < kFine;
+  t.channels = 3, t.rises = t.apart = false, t.fine = tolerance_ < kFine;
   t.shallow = -1e9f, t.deep = 1e9f, t.tolerance = float(tolerance_ / 255.0);
   if (piece.zone == kDistances) {
     t.lamp = {}, t.lamp.distance_alone = true;
     t.rises = true, t.channels = 1, t.tolerance = float(distance_tolerance_);
-    t.area.narrow(gradient_area_, middle, radius);
   } else {
     set_lamp(surface_, piece, middle, radius, t.lamp);
     t.rises = !surface_.flat(piece.zone);
@@ -124,11 +129,18 @@ void LitPaint::make_tile(const LitPiece& piece, LightTile& t) const {
     if (zone > 0) t.shallow = float(-levels[zone - 1]);
     if (zone < levels.size()) t.deep = float(-levels[zone]);
     if (piece.segment && piece.segment->slope.a != 0.0) t.channels = 4;
-    if (t.rises) t.area.narrow(area_, middle, radius);
-    if (t.lamp.goes_by_distance()) t.gradient.narrow(gradient_area_, middle, radius);
+    t.apart =
+        t.lamp.goes_by_distance() && !(t.rises && surface_.area() == surface_.gradient_area());
   }
-  t.crowded = (t.rises && t.area.crowded()) || (t.lamp.goes_by_distance() && t.gradient.crowded());
-  if (!t.crowded) t.begin();
+  LightGround& g = *t.ground;
+  if (on_new_ground) {
+    if (t.rises) g.area.narrow(piece.zone == kDistances ? gradient_area_ : area_, middle, radius);
+    if (t.apart) g.gradient.narrow(gradient_area_, middle, radius);
+    g.crowded = (t.rises && g.area.crowded()) || (t.apart && g.gradient.crowded());
+  }
+  if (g.crowded) return;
+  if (on_new_ground) t.begin_ground();
+  t.begin();
 }
 
 namespace {

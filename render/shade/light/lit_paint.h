@@ -100,7 +100,7 @@ class LitPaint {
  private:
   /// The tile that has pixel (x, y), made if it is not there; none, and noted, where branches are too many for any.
   LightTile* tile(const LitPiece& piece, int x, int y, Scratch& scratch) const;
-  void make_tile(const LitPiece& piece, LightTile& tile) const;
+  void make_tile(const LitPiece& piece, LightTile& tile, bool on_new_ground) const;
   LitSurface surface_;
   FeetArea area_, gradient_area_;
   double tolerance_ = 0.3, distance_tolerance_ = 0;  ///< the latter in px

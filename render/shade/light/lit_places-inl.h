@@ -18,9 +18,15 @@ namespace mien::batch {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What places see of the relief, and of the distance that the ramp goes by.
+/// What places see of the relief, and of the distance that the ramp goes by: the relief's own or another.
 struct Seen {
-  BranchPair relief, ramp;
+  BranchPair relief, other;
+  const BranchPair* ramp = &relief;
+};
+
+/// The branches near a square, by leaf; none: all.
+struct Near {
+  NearBranches *relief = nullptr, *other = nullptr;
 };
 
 struct Shades {
@@ -33,16 +39,18 @@ struct Shades {
 alignas(64) inline constexpr float kAll[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
 /// Enters a square around (cx, cy), of half a diagonal r.
-inline void Enter(LightTile& tile, const NearBranches* from, const NearBranches* from_ramp,
-                  float cx, float cy, float r, NearBranches* to, NearBranches* to_ramp) {
-  if (tile.rises) EnterSquare(tile.area, from, cx, cy, r, to);
-  if (tile.lamp.goes_by_distance()) EnterSquare(tile.gradient, from_ramp, cx, cy, r, to_ramp);
+inline void Enter(const LightTile& tile, const Near& from, float cx, float cy, float r,
+                  const Near& to) {
+  if (tile.rises) EnterSquare(tile.ground->area, from.relief, cx, cy, r, to.relief);
+  if (tile.apart) EnterSquare(tile.ground->gradient, from.other, cx, cy, r, to.other);
 }
 
-inline void SeeFrom(LightTile& tile, const NearBranches* near, const NearBranches* near_ramp,
-                    float cx, float cy, const float* x, const float* y, Seen& to) {
-  if (tile.rises) LookAround(tile.area, near, cx, cy, x, y, to.relief);
-  if (tile.lamp.goes_by_distance()) LookAround(tile.gradient, near_ramp, cx, cy, x, y, to.ramp);
+inline void SeeFrom(const LightTile& tile, const Near& near, float cx, float cy, const float* x,
+                    const float* y, Seen& to) {
+  if (tile.rises) LookAround(tile.ground->area, near.relief, cx, cy, x, y, to.relief);
+  if (!tile.apart) return;
+  LookAround(tile.ground->gradient, near.other, cx, cy, x, y, to.other);
+  to.ramp = &to.other;
 }
 
 /// The colour at a depth, or the distance alone.
@@ -54,7 +62,7 @@ HWY_INLINE LitColor ColorAt(const LightTile& tile, VF depth, VF nx, VF ny, VF x,
   return LitAt(tile.lamp, depth, nx, ny, x, y, away);
 }
 
-/// The nearest ridge of both, as lanes. A ramp along the relief's own distance has the same ridges.
+/// The nearest ridge of both, as lanes.
 struct RidgeLanes {
   VF off, ex, ey;
   hn::Mask<F> of_relief, of_ramp;
@@ -65,12 +73,12 @@ HWY_INLINE RidgeLanes RidgeAt(const LightTile& tile, const Seen& at, int k) {
   const auto load = [&](const float* p) HWY_ATTR { return hn::Load(f, p + k); };
   const VF far = Const(BranchPair::kFar);
   const VF relief = tile.rises ? load(at.relief.off) : far;
-  const VF ramp = tile.lamp.goes_by_distance() ? load(at.ramp.off) : far;
+  const VF ramp = tile.lamp.goes_by_distance() ? load(at.ramp->off) : far;
   RidgeLanes r{hn::Min(relief, ramp), Const(1.0f), hn::Zero(f), hn::Lt(relief, far),
                hn::Lt(ramp, far)};
   const VF same = hn::Add(r.off, Const(kSame));
   r.of_relief = hn::Le(relief, same), r.of_ramp = hn::Le(ramp, same);
-  if (tile.lamp.goes_by_distance()) r.ex = load(at.ramp.ex), r.ey = load(at.ramp.ey);
+  if (tile.lamp.goes_by_distance()) r.ex = load(at.ramp->ex), r.ey = load(at.ramp->ey);
   if (tile.rises) {
     r.ex = hn::IfThenElse(r.of_relief, load(at.relief.ex), r.ex);
     r.ey = hn::IfThenElse(r.of_relief, load(at.relief.ey), r.ey);
@@ -95,7 +103,7 @@ inline void ShadePlaces(const LightTile& tile, const Seen& at, const float* px, 
     const VF depth = tile.rises ? hn::Neg(load(at.relief.best.d)) : zero;
     const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
     const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
-    const VF away = tile.lamp.goes_by_distance() ? load(at.ramp.best.d) : zero;
+    const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
     PutColor(ColorAt(tile, depth, nx, ny, hn::LoadU(f, px + k), hn::LoadU(f, py + k), away), k, to);
   }
 }
@@ -132,20 +140,27 @@ HWY_INLINE Range RangeOf16(const float* v, const float* there) {
   return {hn::GetLane(hn::MinOfLanes(f, low)), hn::GetLane(hn::MaxOfLanes(f, high))};
 }
 
-/// How steep the transfer function is where the least value is that: of the blending space per linear light.
-HWY_INLINE float SteepnessAt(const LightTile& tile, float least) {
-  if (tile.lamp.linear) return 1.0f;
+/// How steeply linear light is encoded where it has that value of the blending space, or a little more.
+HWY_INLINE float SteepnessAt(const LightTile& tile, float v) {
+  // 1.055 / 2.4 v^(−7/12) is less than 0.72 / √v.
+  if (tile.lamp.linear) return HWY_MAX(0.72f / std::sqrt(HWY_MAX(v, 0.0031f)), 0.6f);
   // 1.055 / 2.4 x^(−1.4) with x = (v + 0.055) / 1.055, by a power that is no less.
-  const float x = (HWY_MAX(least, 0.0f) + 0.055f) / 1.055f;
+  const float x = (HWY_MAX(v, 0.0f) + 0.055f) / 1.055f;
   return HWY_MIN(0.44f / (x * std::sqrt(x)), 12.92f);
 }
 
-/// What means may be off by where the least value is that: dark values of linear light are encoded up to 12.92 times as
-/// steep.
-inline float AllowedAt(const LightTile& tile, float least) {
-  if (!tile.lamp.linear || tile.lamp.distance_alone) return tile.tolerance;
-  // 1.055 / 2.4 v^(−0.583) is less than 0.72 / √v.
-  return tile.tolerance / HWY_MAX(0.72f / std::sqrt(HWY_MAX(least, 0.0031f)), 0.6f);
+/// What differences of each channel are encoded as, where the channels have these values or more: all tolerances are of
+/// encoded values.
+struct Encoding {
+  float by[LightTile::kChannels];
+};
+inline Encoding EncodingAt(const LightTile& tile, const float* v) {
+  Encoding to{{1.0f, 1.0f, 1.0f, 1.0f}};
+  if (!tile.lamp.linear || tile.lamp.distance_alone) return to;
+  for (int c = 0; c < 3; ++c) to.by[c] = SteepnessAt(tile, v[c]);
+  // Opacity shows in all of them.
+  to.by[3] = HWY_MAX(HWY_MAX(to.by[0], to.by[1]), to.by[2]);
+  return to;
 }
 
 /// By how much a clamp of the law that begins among places, or as close to them as `margin` of their range, changes

@@ -47,6 +47,15 @@ QuadBezier straight(glm::dvec2 a, glm::dvec2 b) {
   return {a, 0.5 * (a + b), b};
 }
 
+/// A curve along a line, which turns back on it, as the straight one over the same places.
+QuadBezier unfolded(const QuadBezier& c) {
+  const glm::dvec2 a = c.p1 - c.p0, b = (c.p2 - c.p1) - a;
+  const double bend2 = glm::dot(b, b), turn = bend2 > 0.0 ? -glm::dot(a, b) / bend2 : 0.0;
+  if (!(turn > 0.0 && turn < 1.0) || std::abs(a.x * b.y - a.y * b.x) > 1e-12 * bend2) return c;
+  const glm::dvec2 tip = c.p0 + turn * (2.0 * a + turn * b);
+  return straight(glm::distance(tip, c.p0) > glm::distance(tip, c.p2) ? c.p0 : c.p2, tip);
+}
+
 /// B' at an end; where it is 0, the way to the other end.
 glm::dvec2 way_along(const Spine& s, double t) {
   const glm::dvec2 speed = along_spine(s, t);
@@ -184,7 +193,7 @@ struct SpinesOfShape {
   void operator()(const TaperedStroke& s) {
     add(s.spine, s.half_width[0], s.half_width[1], s.half_width[2]);
   }
-  void operator()(const QuadStroke& s) { add(s.spine, s.half_width); }
+  void operator()(const QuadStroke& s) { add(unfolded(s.spine), s.half_width); }
   void operator()(const Line& s) { add(straight(s.a, s.b), s.half_width); }
   void operator()(const Polyline& s) {
     for (std::size_t i = 1; i < s.points.size(); ++i)

@@ -46,88 +46,38 @@ void RampIntegral::add(std::vector<double>& begins, double begin, const Mix& val
 
 /// The integrals at the beginnings of pieces. Over a period both are made to return to 0.
 void RampIntegral::sum_up() {
-  const double period = index_.period();
+  const double period = index_.period;
   const auto length = [&](std::size_t i) {
-    const double end = i + 1 < pieces_.size() ? index_.begin(i + 1) : period;
-    return std::max(end - index_.begin(i), 0.0);
+    const double end = i + 1 < pieces_.size() ? index_.begins[i + 1] : period;
+    return std::max(end - index_.begins[i], 0.0);
   };
-  mean_ = 0.5 * (pieces_.front().value(0.0) + pieces_.back().value(0.0));
+  mean_ = pieces_.front().c2 + pieces_.back().c2;
   if (period > 0.0) {
     mean_ = Mix{0.0};
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      mean_ += length(i) / period * pieces_[i].value(0.5 * length(i));
+      mean_ += length(i) / period * (2.0 * pieces_[i].c2 + 3.0 * length(i) * pieces_[i].c3);
   }
+  longest_ = period > 0.0 ? 0.0 : HUGE_VAL;  // the ends hold
+  for (std::size_t i = 0; i < pieces_.size(); ++i) longest_ = std::max(longest_, length(i));
   for (Piece& p : pieces_) p.c2 -= 0.5 * mean_;
   Mix begin{0.0};
   for (int round = 0; round < 2; ++round) {
     Mix first = begin, second{0.0};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       Piece& p = pieces_[i];
+      const double u = length(i);
       p.c0 = second, p.c1 = first;
-      second = p.second(length(i)), first = p.first(length(i));
+      second = p.c0 + u * (p.c1 + u * (p.c2 + u * p.c3));
+      first = p.c1 + u * (2.0 * p.c2 + 3.0 * u * p.c3);
     }
     if (!(period > 0.0)) return;
     begin = -second / period;
   }
 }
 
-/// The mean of the first integral from s to t.
-Mix RampIntegral::mean_first(double s, double t, double near) const {
-  if (std::abs(t - s) > near) return 1.0 / (t - s) * (second(t) - second(s));
-  return (first(s) + 4.0 * first(0.5 * (s + t)) + first(t)) / 6.0;
-}
-
 RampPlane RampIntegral::scaled(const RampPlane& plane) const {
   const double by = 0.25 * scale_;
   return {(0.25 * plane.t - from_) * scale_, by * plane.gx, by * plane.gy};
-}
-
-Mix RampIntegral::right_of(const RampPlane& plane, double xa, double ya, double xb, double yb,
-                           double right) const {
-  const double high = yb - ya;
-  const double near = narrow(plane);
-  if (std::abs(plane.gx) > near)
-    return high / plane.gx *
-           (mean_first(plane.at(right, ya), plane.at(right, yb), near) -
-            mean_first(plane.at(xa, ya), plane.at(xb, yb), near));
-  // Level lines run along rows: each row has the place of its middle.
-  const double wa = right - xa, wb = right - xb;
-  const double s = plane.at(0.5 * (right + xa), ya), t = plane.at(0.5 * (right + xb), yb),
-               by = t - s;
-  if (std::abs(by) > near)
-    return high / by * (wb * first(t) - wa * first(s) - (wb - wa) / by * (second(t) - second(s)));
-  if (std::abs(by) > kNarrow * near) return 0.5 * high * (wa + wb) / by * (first(t) - first(s));
-  return 0.5 * high * (wa + wb) * value(0.5 * (s + t));
-}
-
-bool RampIntegral::straight(double s, double reach, Mix& color) const {
-  double low = s - reach, high = s + reach;
-  if (index_.find(low) != index_.find(high) || !(high - low > reach)) return false;
-  color = mean_ + value(s);
-  return true;
-}
-
-Mix RampIntegral::box_mean(const RampPlane& plane, double width) const {
-  const double h = 0.5 * width;
-  return mean_ + 1.0 / (width * width) * right_of(plane, -h, -h, -h, h, h);
-}
-
-void RampIntegral::row_means(const RampPlane& plane, int x, int y, std::span<Mix> to) const {
-  const double near = narrow(plane);
-  const auto box = [&](int i) {
-    return box_mean({plane.at(x + i + 0.5, y + 0.5), plane.gx, plane.gy}, 1.0);
-  };
-  const auto left_of = [&](int i) {
-    return mean_first(plane.at(x + i, y), plane.at(x + i, y + 1), near);
-  };
-  if (plane.gx == 0.0) return std::fill(to.begin(), to.end(), box(0));
-  const bool level = std::abs(plane.gx) <= near;
-  Mix left = left_of(0);
-  for (int i = 0; i < int(to.size()); ++i) {
-    const Mix right = left_of(i + 1);
-    to[std::size_t(i)] = level ? box(i) : mean_ + (right - left) / plane.gx;
-    left = right;
-  }
 }
 
 }  // namespace mien

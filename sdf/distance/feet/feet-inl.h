@@ -299,11 +299,15 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     s.key = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
     s.nx = FusedFrom(lean, ny, hn::Mul(side, nx)), s.ny = Fused(lean, nx, hn::Mul(side, ny));
     s.off = hn::Abs(across);
-    if (ends) {
+    // Where the spine comes to a halt and turns back B' gives no normal, but the way from the foot does.
+    const VF along = Fused(s.nx, qx, hn::Mul(s.ny, qy));
+    const auto halts = hn::And(hn::Lt(along, hn::Mul(set(0.9f), r)), hn::Gt(r, set(1e-3f)));
+    const auto beside = hn::AndNot(halts, inner);
+    if (!hn::AllTrue(f, beside)) {
       const VF over_r = hn::Div(one, r);
-      s.nx = hn::IfThenElse(inner, s.nx, hn::Mul(qx, over_r));
-      s.ny = hn::IfThenElse(inner, s.ny, hn::Mul(qy, over_r));
-      s.off = hn::IfThenElse(inner, s.off, set(BranchPair::kFar));
+      s.nx = hn::IfThenElse(beside, s.nx, hn::Mul(qx, over_r));
+      s.ny = hn::IfThenElse(beside, s.ny, hn::Mul(qy, over_r));
+      s.off = hn::IfThenElse(beside, s.off, set(BranchPair::kFar));
     }
     s.ex = hn::Neg(hn::Mul(hand, nx)), s.ey = hn::Neg(hn::Mul(hand, ny)), s.across = turned;
     return s;

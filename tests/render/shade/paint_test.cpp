@@ -39,21 +39,5 @@ TEST(PaintField, IsTheGradientsPlaceInPixels) {  // y is down in pixels
   EXPECT_NEAR(place({DistanceGradient{Area{0}, -0.1, 0.3}, stops}, {60, 0}), 0.5, 1e-14);
 }
 
-TEST(PaintField, ItsMeanIsThatOfManyPlaces) {
-  PaintField field{
-      .kind = PaintField::Kind::radial, .center = {3, 4}, .unit = {0.2, 0.05, -0.1, 0.3}};
-  for (const glm::dvec2 p : {glm::dvec2{8, 9}, {-2, 4}, {3, 12}}) {
-    double sum = 0.0;
-    constexpr int kSide = 50;  // places over a pixel
-    for (int i = 0; i < kSide * kSide; ++i)
-      sum += field.at(p + (glm::dvec2{i % kSide, i / kSide} + 0.5) / double(kSide) - 0.5, 0.0);
-    EXPECT_NEAR(field.mean(p, 1.0 / 12), sum / (kSide * kSide), 1e-4);
-    EXPECT_GT(std::abs(field.at(p, 0.0) - sum / (kSide * kSide)),
-              2e-4);  // the middle is not enough
-  }
-  field.kind = PaintField::Kind::linear, field.across = {0.5, 0.25}, field.shift = 1.0;
-  EXPECT_EQ(field.mean({2, 4}, 1.0 / 12), 3.0);
-}
-
 }  // namespace
 }  // namespace mien

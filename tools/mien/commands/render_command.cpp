@@ -52,7 +52,9 @@ std::string stats_text(const PictureStats& stats, const PixelRect& drawn, const 
       stats.render.roots, stats.render.distances, stats.render.steps, stats.render.memory,
       times.read, times.scene, times.picture, stats.draw, stats.encode, stats.render.root_seconds,
       stats.render.distance_seconds, stats.put,
-      (stats.render.root_seconds + stats.render.distance_seconds) / std::max(stats.draw, 1e-9));
+      std::min(
+          (stats.render.root_seconds + stats.render.distance_seconds) / std::max(stats.draw, 1e-9),
+          1.0));
 }
 
 /// Prints to standard output, unless a picture goes there.

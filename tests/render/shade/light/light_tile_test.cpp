@@ -38,12 +38,14 @@ TEST(LightTile, ColoursAreTheSurfacesOwn) {
       if (surface.flat(zone)) continue;
       const LitPiece piece(zone, ramp ? &segment : nullptr);
       const FeetArea area(*surface.area(), {0, 0});
+      LightGround ground;
       LightTile tile;
+      tile.ground = &ground;
       tile.x = tile.y = 16, tile.rises = true, tile.channels = 4, tile.tolerance = 1e-3f;
       set_lamp(surface, piece, kMiddle, 12, tile.lamp);
-      tile.area.narrow(area, kMiddle, 12);
-      if (tile.area.crowded()) continue;
-      tile.begin();
+      ground.area.narrow(area, kMiddle, 12);
+      if (ground.area.crowded()) continue;
+      tile.begin_ground(), tile.begin();
       test::SeenCells seen;
       for (int i = 0; i < 16; i += 3) {
         test::see(tile, i, 15 - i, seen);

@@ -31,12 +31,12 @@ TEST(RampMean, IsThatOfThePartInAnyNumberOfCells) {
       }
     const PartChord chord{float(a), 0, float(b), 1, 1};
     for (const int side : {1, 2, 5, 8}) {
-      RampCells cells{side, {}};
+      std::vector<RampPlane> cells;
       for (int k = 0; k < side * side; ++k)
-        cells.planes.push_back(
+        cells.push_back(
             integral.scaled({plane.at((k % side + 0.5) / side - 0.5, (k / side + 0.5) / side - 0.5),
                              plane.gx, plane.gy}));
-      ASSERT_LT(largest(ramp_mean(integral, cells, {&chord, 1}) - sum / area), 2e-3)
+      ASSERT_LT(largest(RampPartMean().of(integral, cells, side, {&chord, 1}) - sum / area), 2e-3)
           << i << ' ' << side;
     }
   }
@@ -47,12 +47,14 @@ TEST(RampMean, OfAllOfAPixelIsThatOfItsBorder) {
   const Ramp ramp = random_ramp(r);
   RampIntegral integral;
   integral.make(ramp);
-  RampCells cells{1, {integral.scaled({0.2, 0.3, 0.4})}};
+  const RampBoxes cells{{integral.scaled({0.2, 0.3, 0.4})}, {{1, 1.0}}};
+  ColorRow whole;
+  ramp_means(integral, cells, whole, 0);
   const PartEntry left = PartEntry::whole();
   std::vector<PartChord> chords;
   chords_of_form({left, {}}, chords);
   ASSERT_EQ(chords.size(), 1u);
-  EXPECT_LT(largest(ramp_mean(integral, cells, chords) - ramp_mean(integral, cells)), 1e-7);
+  EXPECT_NEAR(RampPartMean().of(integral, cells.planes, 1, chords).r, whole.r[0], 1e-7);
 }
 
 }  // namespace
