@@ -301,7 +301,7 @@ export class Face {
   /** Draws; pixels stay valid until anything else is asked of mien: copy them to keep them.
    *    pose.time      seconds, at which clips run; none: no clip runs
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
-   *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes
+   *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes, azure
    *    pose.clips     ['idle', 'feelings=0.5']
    *    pose.motions   [mien.motion(text)] or [text]: takes and speech, or { motion, weight, begin }, on top of clips, at
    *                   pose.time

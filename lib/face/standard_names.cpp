@@ -1,8 +1,7 @@
 #include "lib/face/standard_names.h"
 
+#include <algorithm>
 #include <iterator>
-#include <unordered_map>
-#include <utility>
 
 namespace mien {
 namespace {
@@ -24,10 +23,11 @@ constexpr std::string_view kArkit[] = {
 static_assert(std::size(kArkit) == 52);
 
 constexpr std::string_view kFacs[] = {
-    "AU1",  "AU2",  "AU4",  "AU5",  "AU6",  "AU7",  "AU9",  "AU10", "AU11", "AU12", "AU13",
-    "AU14", "AU15", "AU16", "AU17", "AU18", "AU20", "AU22", "AU23", "AU24", "AU25", "AU26",
-    "AU27", "AU28", "AU41", "AU42", "AU43", "AU44", "AU45", "AU46", "AU51", "AU52", "AU53",
-    "AU54", "AU55", "AU56", "AU57", "AU58", "AU61", "AU62", "AU63", "AU64"};
+    "AU1",  "AU2",  "AU4",  "AU5",  "AU6",  "AU7",  "AU9",  "AU10", "AU11", "AU12", "AU13", "AU14",
+    "AU15", "AU16", "AU17", "AU18", "AU19", "AU20", "AU22", "AU23", "AU24", "AU25", "AU26", "AU27",
+    "AU28", "AU29", "AU30", "AU34", "AU41", "AU42", "AU43", "AU44", "AU45", "AU46", "AU51", "AU52",
+    "AU53", "AU54", "AU55", "AU56", "AU57", "AU58", "AU61", "AU62", "AU63", "AU64"};
+static_assert(std::size(kFacs) == 46);
 
 constexpr std::string_view kVrm[] = {"happy",    "angry",    "sad",       "relaxed",    "surprised",
                                      "neutral",  "aa",       "ih",        "ou",         "ee",
@@ -37,6 +37,73 @@ constexpr std::string_view kVrm[] = {"happy",    "angry",    "sad",       "relax
 constexpr std::string_view kViseme[] = {"sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS",
                                         "nn",  "RR", "aa", "E",  "I",  "O",  "U"};
 
+constexpr std::string_view kAzure[] = {"0",  "1",  "2",  "3",  "4",  "5",  "6",  "7",
+                                       "8",  "9",  "10", "11", "12", "13", "14", "15",
+                                       "16", "17", "18", "19", "20", "21"};
+
+/// Other spellings that no rule gives, in lower case.
+struct OtherName {
+  std::string_view set, other, name;
+};
+constexpr OtherName kOtherNames[] = {
+    {"vrm", "joy", "happy"}, {"vrm", "sorrow", "sad"},     {"vrm", "fun", "relaxed"},
+    {"vrm", "a", "aa"},      {"vrm", "i", "ih"},           {"vrm", "u", "ou"},
+    {"vrm", "e", "ee"},      {"vrm", "o", "oh"},           {"viseme", "ih", "I"},
+    {"viseme", "oh", "O"},   {"viseme", "ou", "U"},        {"viseme", "eh", "E"},
+    {"viseme", "ah", "aa"},  {"viseme", "silence", "sil"},
+};
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+/// Without case and separators; a last "_l", ".l", "-l" is "left".
+std::string plain(std::string_view name) {
+  std::string bare;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool parts = name[i] == '_' || name[i] == '.' || name[i] == '-' || name[i] == ' ';
+    const char side = i + 2 == name.size() ? lower(name[i + 1]) : '\0';
+    if (parts && (side == 'l' || side == 'r')) return bare + (side == 'l' ? "left" : "right");
+    if (!parts) bare += lower(name[i]);
+  }
+  return bare;
+}
+
+/// "12" of "AU12", "au12", "AU012_r", "AU12_c"; nothing of others.
+std::string_view unit_number(std::string_view name) {
+  if (name.size() < 3 || lower(name[0]) != 'a' || lower(name[1]) != 'u') return {};
+  name.remove_prefix(2);
+  if (name.ends_with("_r") || name.ends_with("_c")) name.remove_suffix(2);
+  while (name.size() > 1 && name.front() == '0') name.remove_prefix(1);
+  return name;
+}
+
+/// OpenXR's and others' words around a viseme's name.
+std::string_view without_words(std::string_view set, std::string_view name) {
+  if (set != "viseme") return name;
+  for (const std::string_view before : {"xrfacetrackingviseme", "viseme"})
+    if (name.starts_with(before) && name.size() > before.size()) name.remove_prefix(before.size());
+  for (const std::string_view after : {"meta", "fb"})
+    if (name.ends_with(after) && name.size() > after.size()) name.remove_suffix(after.size());
+  return name;
+}
+
+std::string spelling(std::string_view set, std::string_view name) {
+  const auto names = standard_names(set);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return std::string(name);
+  if (set == "facs") {
+    const std::string unit = "AU" + std::string(unit_number(name));
+    return std::find(names.begin(), names.end(), unit) != names.end() ? unit : std::string(name);
+  }
+  const std::string bare = plain(name);
+  const std::string_view wanted = without_words(set, bare);
+  for (const std::string_view standard : names)
+    if (plain(standard) == wanted) return std::string(standard);
+  for (const OtherName& other : kOtherNames)
+    if (other.set == set && other.other == wanted) return std::string(other.name);
+  return std::string(name);
+}
+
 }  // namespace
 
 std::span<const std::string_view> standard_names(std::string_view set) {
@@ -44,75 +111,21 @@ std::span<const std::string_view> standard_names(std::string_view set) {
   if (set == "facs") return kFacs;
   if (set == "vrm") return kVrm;
   if (set == "viseme") return kViseme;
+  if (set == "azure") return kAzure;
   return {};
 }
 
-namespace {
-
-/// Names in lower-case letters and digits alone, and what they stand for.
-using Spellings = std::unordered_map<std::string, std::string_view>;
-
-std::string folded(std::string_view name) {
-  std::string letters;
-  for (const char c : name)
-    if (c >= 'A' && c <= 'Z')
-      letters += char(c - 'A' + 'a');
-    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-      letters += c;
-  return letters;
-}
-
-Spellings spellings_of(std::string_view set) {
-  Spellings known;
-  for (const std::string_view name : standard_names(set)) known.emplace(folded(name), name);
-  const std::pair<const char*, std::string_view> kViseme1[] = {
-      {"ih", "I"}, {"oh", "O"}, {"ou", "U"}, {"eh", "E"}, {"ah", "aa"}, {"silence", "sil"}};
-  const std::pair<const char*, std::string_view> kVrm0[] = {
-      {"joy", "happy"}, {"sorrow", "sad"}, {"fun", "relaxed"}, {"a", "aa"},
-      {"i", "ih"},      {"u", "ou"},       {"e", "ee"},        {"o", "oh"}};
-  if (set == "viseme") known.insert(std::begin(kViseme1), std::end(kViseme1));
-  if (set == "vrm") known.insert(std::begin(kVrm0), std::end(kVrm0));
-  return known;
-}
-
-const Spellings& spellings(std::string_view set) {
-  static const Spellings arkit = spellings_of("arkit"), facs = spellings_of("facs"),
-                         vrm = spellings_of("vrm"), viseme = spellings_of("viseme");
-  return set == "arkit" ? arkit : set == "facs" ? facs : set == "vrm" ? vrm : viseme;
-}
-
-/// "AU01_r" without what OpenFace adds and FACS does not.
-std::string plain_unit(std::string_view unit) {
-  if (unit.ends_with("_r") || unit.ends_with("_c")) unit.remove_suffix(2);
-  std::string letters = folded(unit);
-  while (letters.size() > 3 && letters.starts_with("au0")) letters.erase(2, 1);
-  return letters;
-}
-
-/// The name of a set that is meant; empty: none.
-std::string_view meant_name(std::string_view set, std::string_view name) {
-  const Spellings& known = spellings(set);
-  std::string letters = set == "facs" ? plain_unit(name) : folded(name);
-  if (set == "viseme" && letters.starts_with("viseme")) letters.erase(0, 6);
-  if (const auto found = known.find(letters); found != known.end()) return found->second;
-  if (letters.ends_with('l')) letters += "eft";
-  if (letters.ends_with('r')) letters += "ight";
-  const auto found = known.find(letters);
-  return found == known.end() ? std::string_view{} : found->second;
-}
-
-}  // namespace
-
 std::string standard_spelling(std::string_view set, std::string_view name) {
   if (standard_names(set).empty()) return std::string(name);
-  const bool sided = name.starts_with("left.") || name.starts_with("right.");
-  const std::size_t begin = sided ? name.find('.') + 1 : 0;
-  const std::string_view known = meant_name(set, name.substr(begin));
-  return known.empty() ? std::string(name) : std::string(name.substr(0, begin)).append(known);
+  if (!names_have_sides(set))
+    for (const std::string_view side : {"left.", "right."})
+      if (name.starts_with(side))
+        return std::string(side) + spelling(set, name.substr(side.size()));
+  return spelling(set, name);
 }
 
 bool names_have_sides(std::string_view set) {
-  return set == "arkit" || set == "vrm" || set == "viseme";
+  return set == "arkit" || set == "vrm" || set == "viseme" || set == "azure";
 }
 
 }  // namespace mien

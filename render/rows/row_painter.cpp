@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <tuple>
 
 namespace mien {
 namespace {
@@ -83,8 +82,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   worked(50 + x1);
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
-  row_looks_ = {sums.looks(row), std::size_t(sums.look_words())};
-  refused_.clear(), lost_ = false;
+  refused_.clear();
   room_for(std::size_t(x1 - x0));
   open_.clear(), taken_.clear(), parts_.clear();
   look_ = palette_->first;
@@ -96,7 +94,6 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
     paint_varied(sums, row);
   put_cells();
   refuse_crowded();
-  std::fill_n(sums.looks(row), sums.look_words(), 0);
 }
 
 void RowPainter::paint_varied(RowSums& sums, int row) {
@@ -204,32 +201,11 @@ bool RowPainter::looks_like(int look) const {
   return open_.size() == 1 && open_[0].look == look && std::abs(open_[0].height - 1.0f) < kFilled;
 }
 
-/// The look of the run that begins at a column; −1 if no candidate agrees with the sum.
+/// The look of the run that begins at a column; −1 if none that may be agrees with the sum.
 int RowPainter::look_of_run(int column) {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
-  if (!open_.empty()) return looks_like(open_[0].look) ? open_[0].look : -1;  // no other agrees
-  return nearest_look();
-}
-
-/// Of the looks right of the row's fragments that agree, the one of the nearest colour; of two as near, the darker
-/// one. Their numbers do not count, so a row is the same whatever else is in the picture.
-int RowPainter::nearest_look() {
-  const auto off = [&](const Rgba& c) {
-    return std::abs(c.r - sum_.r) + std::abs(c.g - sum_.g) + std::abs(c.b - sum_.b) +
-           std::abs(c.a - sum_.a);
-  };
-  const auto rank = [&](const Rgba& c) { return std::tuple{off(c), c.r, c.g, c.b, c.a}; };
-  int best = -1;
-  for (std::size_t w = 0; w < row_looks_.size(); ++w)
-    for (std::uint64_t bits = row_looks_[w]; bits; bits &= bits - 1) {
-      const int i = int(64 * w) + std::countr_zero(bits);
-      if (!looks_like(i)) continue;
-      const auto color = [&](int look) { return palette_->entries[std::size_t(look)].color; };
-      if (best < 0 || rank(color(i)) < rank(color(best))) best = i;
-    }
-  lost_ = lost_ || palette_->entries.size() > std::size_t(RowSums::kMostLooks);
-  return best;
+  return !open_.empty() && looks_like(open_[0].look) ? open_[0].look : -1;
 }
 
 /// A look that fills the row from here on.
@@ -250,6 +226,7 @@ void RowPainter::run(int from, int until) {
   from = std::max(from, x0_), until = std::min(until, x1_);
   if (from >= until) return;
   if (look >= 0) return run_of(look, from, until);
+  if (open_.empty()) return fill(from, until, pattern_of(sum_));
   // Several looks above each other: a level outline within the row, or rounding.
   for (int x = from; x < until; ++x) {
     for (Open& o : open_) o.go_on();

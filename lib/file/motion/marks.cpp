@@ -10,7 +10,7 @@ namespace mien {
 namespace {
 
 /// The first word of a text, which it loses with the blanks after it.
-std::string_view next_word(std::string_view& text) {
+std::string_view next_mark_word(std::string_view& text) {
   text = without_blanks(text);
   const std::size_t end = text.find_first_of(" \t");
   const std::string_view word = text.substr(0, end);
@@ -25,7 +25,7 @@ class MarksReader final : public MotionReader {
 
   Expected<Done> take(const FileLine& line) override {
     std::string_view left = line.text;
-    const std::string_view word = next_word(left);
+    const std::string_view word = next_mark_word(left);
     if (word.empty() || word.starts_with('#')) return Done{};
     const auto time = number_in(word);
     if (!time)
@@ -34,7 +34,7 @@ class MarksReader final : public MotionReader {
           fmt::format("expected SECONDS and the name of a sound, got {}", in_quotes(word))};
     // A file of intervals has their ends, too.
     const std::string_view rest = left;
-    const std::string_view second = next_word(left);
+    const std::string_view second = next_mark_word(left);
     const auto end = left.empty() ? std::nullopt : number_in(second);
     return speech_.add(*time, end, end ? left : rest, [&] { return source_.at(line, word); });
   }
@@ -55,9 +55,9 @@ class PhoReader final : public MotionReader {
 
   Expected<Done> take(const FileLine& line) override {
     std::string_view left = line.text;
-    const std::string_view name = next_word(left);
+    const std::string_view name = next_mark_word(left);
     if (name.empty() || name.starts_with(';') || name.starts_with('#')) return Done{};
-    const std::string_view word = next_word(left);
+    const std::string_view word = next_mark_word(left);
     const auto length = number_in(word);
     if (!length || *length < 0)
       return Error{source_.at(line, word.empty() ? name : word),
@@ -79,14 +79,14 @@ class PhoReader final : public MotionReader {
 }  // namespace
 
 bool is_mark(std::string_view line) {
-  const std::string_view word = next_word(line);
+  const std::string_view word = next_mark_word(line);
   return number_in(word).has_value() && line.find_first_of(",;|") == std::string_view::npos;
 }
 
 bool is_pho(std::string_view line) {
-  const std::string_view name = next_word(line);
+  const std::string_view name = next_mark_word(line);
   if (name.starts_with(';')) return true;
-  return !name.empty() && number_in(next_word(line)).has_value();
+  return !name.empty() && number_in(next_mark_word(line)).has_value();
 }
 
 std::unique_ptr<MotionReader> marks_reader(const MotionSource& source) {

@@ -25,12 +25,13 @@ struct Target {
 };
 
 std::optional<Target> find_target(const FaceModel& model, std::string_view given) {
-  const std::size_t dot = given.find('.');
+  const std::size_t dot = std::min(given.find('.'), given.size());
   const std::string_view set = given.substr(0, dot);
-  const bool standard = dot != std::string_view::npos && !standard_names(set).empty();
   const std::string spelt =
-      standard ? fmt::format("{}.{}", set, standard_spelling(set, given.substr(dot + 1)))
-               : std::string(given);
+      standard_names(set).empty()
+          ? std::string(given)
+          : std::string(set) + "." +
+                standard_spelling(set, given.substr(std::min(dot + 1, given.size())));
   const std::string_view name = spelt;
   for (std::size_t c = 0; c < model.controls.size(); ++c)
     if (model.controls[c].name == name) return Target{true, int(c), 1, nullptr};

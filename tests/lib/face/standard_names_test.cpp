@@ -7,9 +7,9 @@
 namespace mien {
 namespace {
 
-TEST(StandardNames, AreFourSetsWithoutDoubles) {
+TEST(StandardNames, AreFiveSetsWithoutDoubles) {
   const std::pair<std::string_view, std::size_t> sets[] = {
-      {"arkit", 52}, {"facs", 42}, {"vrm", 18}, {"viseme", 15}};
+      {"arkit", 52}, {"facs", 46}, {"vrm", 18}, {"viseme", 15}, {"azure", 22}};
   for (const auto& [set, count] : sets) {
     const auto names = standard_names(set);
     EXPECT_EQ(names.size(), count) << set;
@@ -27,28 +27,32 @@ TEST(StandardNames, OfActionUnitsAreSpeltInManyWays) {
   EXPECT_EQ(standard_spelling("arkit", "AU01"), "AU01");
 }
 
-TEST(StandardNames, HaveManySpellingsOfCaseAndSide) {
-  const auto spelt = [](const char* set, const char* name) { return standard_spelling(set, name); };
-  for (const char* name : {"eyeBlinkLeft", "EyeBlinkLeft", "eyeBlink_L", "eyeBlink.l",
-                           "EYEBLINK_LEFT", "eye_blink_left"})
-    EXPECT_EQ(spelt("arkit", name), "eyeBlinkLeft") << name;
-  EXPECT_EQ(spelt("arkit", "MouthSmile_R"), "mouthSmileRight");
-  EXPECT_EQ(spelt("arkit", "jaw_L"), "jawLeft");
-  EXPECT_EQ(spelt("arkit", "JawOpen"), "jawOpen");
-  EXPECT_EQ(spelt("arkit", "eyeBlink"), "eyeBlink") << "of no side";
-  EXPECT_EQ(spelt("viseme", "ih"), "I");
-  EXPECT_EQ(spelt("viseme", "oh"), "O");
-  EXPECT_EQ(spelt("viseme", "ou"), "U");
-  EXPECT_EQ(spelt("viseme", "viseme_PP"), "PP");
-  EXPECT_EQ(spelt("viseme", "sil"), "sil");
-  EXPECT_EQ(spelt("vrm", "Joy"), "happy");
-  EXPECT_EQ(spelt("vrm", "blink_l"), "blinkLeft");
-  EXPECT_EQ(spelt("vrm", "lookup"), "lookUp");
-  EXPECT_EQ(spelt("emotion", "JOY"), "JOY") << "a face's own names stay";
-  // No two names of a set are one.
-  for (const char* set : {"arkit", "facs", "vrm", "viseme"})
-    for (const std::string_view name : standard_names(set))
-      EXPECT_EQ(standard_spelling(set, name), name);
+TEST(StandardNames, AreFreeOfCaseAndOfSpellingsOfSides) {
+  for (const char* name : {"eyeBlinkLeft", "EyeBlinkLeft", "eyeBlink_L", "eyeBlink.L",
+                           "EYE_BLINK_LEFT", "eye blink left", "eyeblink-l"})
+    EXPECT_EQ(standard_spelling("arkit", name), "eyeBlinkLeft") << name;
+  EXPECT_EQ(standard_spelling("arkit", "JawOpen"), "jawOpen");
+  EXPECT_EQ(standard_spelling("arkit", "mouth_r"), "mouthRight");
+  for (const char* name : {"_neutral", "jawOpenLeft", "", "_l", "l"})
+    EXPECT_EQ(standard_spelling("arkit", name), name);
+  EXPECT_EQ(standard_spelling("emotion", "Joy"), "Joy");
+}
+
+TEST(StandardNames, OfVrmAndVisemesHaveOthers) {
+  const std::pair<const char*, const char*> vrm[] = {
+      {"joy", "happy"}, {"sorrow", "sad"},        {"Fun", "relaxed"},        {"a", "aa"},
+      {"O", "oh"},      {"blink_l", "blinkLeft"}, {"Blink_R", "blinkRight"}, {"lookup", "lookUp"}};
+  for (const auto& [other, name] : vrm) EXPECT_EQ(standard_spelling("vrm", other), name) << other;
+  const std::pair<const char*, const char*> visemes[] = {
+      {"ih", "I"},
+      {"oh", "O"},
+      {"OU", "U"},
+      {"KK", "kk"},
+      {"viseme_PP", "PP"},
+      {"XR_FACE_TRACKING_VISEME_SIL_META", "sil"},
+      {"XR_FACE_TRACKING_VISEME_E_META", "E"}};
+  for (const auto& [other, name] : visemes)
+    EXPECT_EQ(standard_spelling("viseme", other), name) << other;
 }
 
 TEST(StandardNames, SayTheirSideOrHaveHalves) {
