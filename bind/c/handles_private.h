@@ -8,6 +8,7 @@
 #include <mien/poser.h>
 #include <mien/renderer.h>
 #include <mien/scene.h>
+#include <mien/steady_frames.h>
 #include "bind/c/mien_c.h"
 
 #include <atomic>
@@ -82,6 +83,10 @@ struct mien_pose {
 struct mien_motion {
   std::shared_ptr<const mien::Motion> motion;
   std::vector<std::string> told;
+};
+
+struct mien_steadier {
+  mien::SteadyFrames frames;
 };
 
 struct mien_scene {

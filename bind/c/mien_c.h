@@ -102,6 +102,7 @@ typedef struct mien_pieces mien_pieces;   /* one picture that is drawn piece by 
 typedef struct mien_effects mien_effects; /* what is done to a finished picture */
 typedef struct mien_basis mien_basis;     /* the principal components of an animation */
 typedef struct mien_motion mien_motion;   /* a take of an actor or a track of speech */
+typedef struct mien_steadier mien_steadier; /* a filter for frames that come live */
 
 /* ---- Version ---------------------------------------------------------------------------------- */
 
@@ -437,6 +438,16 @@ MIEN_C_API mien_status mien_pose_motion(mien_pose* pose, const mien_motion* moti
  * is out of range is clamped; what the face does not have is left out. No time is needed. */
 MIEN_C_API mien_status mien_pose_follow(mien_pose* pose, const char* frame, size_t length,
                                         mien_error** error);
+
+/* The same for frames that come live, one face's after the other at their moments [s], so that it does not tremble: each
+ * number goes through a 1-euro filter (docs/motion.md). `cutoff` [Hz] is above 0, lower is quieter; `beta` is 0 or above,
+ * higher is less late where much moves; 1 and 2 are a beginning. After a second without frames it begins again. */
+MIEN_C_API mien_status mien_steadier_new(double cutoff, double beta, mien_steadier** out,
+                                         mien_error** error);
+MIEN_C_API void mien_steadier_free(mien_steadier* steadier);
+MIEN_C_API mien_status mien_pose_follow_steadily(mien_pose* pose, mien_steadier* steadier,
+                                                 double seconds, const char* frame, size_t length,
+                                                 mien_error** error);
 
 /* A word instead of the face's own code, recipe or text, for what clips draw by personal chance: the same word, the same
  * blinks and glances. An empty word is refused. */

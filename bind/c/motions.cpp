@@ -7,6 +7,8 @@
 #include "bind/c/handles_private.h"
 #include "lib/rig/pose/curve.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,18 @@ mien_motion* new_motion(mien::Expected<mien::Motion> read, std::vector<mien::Err
   made->motion = std::make_shared<const mien::Motion>(must(std::move(read), MIEN_UNREADABLE));
   for (const mien::Error& one : told) made->told.push_back(mien::sentence(one));
   return made.release();
+}
+
+/// What a frame holds a face at.
+std::vector<mien::Setting> frame_of(const mien_pose& pose, const char* frame, size_t length) {
+  auto motion =
+      must(mien::read_motion_text(text_of(frame, length, "frame"), "frame"), MIEN_REFUSED);
+  return mien::settings_at(*mien::bind_motion(std::move(motion), pose.face).motion, 0);
+}
+
+double need_at_least(double number, double least, std::string_view argument) {
+  if (need_finite(number, argument) >= least) return number;
+  misuse(argument, fmt::format("expected {} or above, got {}", least, number));
 }
 
 }  // namespace
@@ -101,10 +115,32 @@ mien_status mien_pose_follow(mien_pose* pose, const char* frame, size_t length,
                              mien_error** error) {
   return pass("mien_pose_follow", error, [&] {
     mien_pose& changed = need(pose, "pose");
-    auto motion =
-        must(mien::read_motion_text(text_of(frame, length, "frame"), "frame"), MIEN_REFUSED);
-    const auto bound = mien::bind_motion(std::move(motion), changed.face);
-    for (mien::Setting& setting : mien::settings_at(*bound.motion, 0))
+    for (mien::Setting& setting : frame_of(changed, frame, length))
+      changed.hold(std::move(setting));
+  });
+}
+
+mien_status mien_steadier_new(double cutoff, double beta, mien_steadier** out, mien_error** error) {
+  return pass("mien_steadier_new", error, [&] {
+    mien_steadier*& made = place(out);
+    const mien::Steadiness wished{.cutoff = need_at_least(cutoff, 1e-6, "cutoff"),
+                                  .beta = need_at_least(beta, 0, "beta")};
+    made = new mien_steadier{mien::SteadyFrames(wished)};
+  });
+}
+
+void mien_steadier_free(mien_steadier* steadier) {
+  delete steadier;
+}
+
+mien_status mien_pose_follow_steadily(mien_pose* pose, mien_steadier* steadier, double seconds,
+                                      const char* frame, size_t length, mien_error** error) {
+  return pass("mien_pose_follow_steadily", error, [&] {
+    mien_pose& changed = need(pose, "pose");
+    mien_steadier& filter = need(steadier, "steadier");
+    const double moment = need_finite(seconds, "seconds");
+    auto settings = frame_of(changed, frame, length);
+    for (mien::Setting& setting : filter.frames.steadied(changed.face, std::move(settings), moment))
       changed.hold(std::move(setting));
   });
 }

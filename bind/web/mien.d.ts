@@ -17,6 +17,7 @@ export interface Pose {
   clips?: string[];
   motions?: (Motion | string | { motion: Motion | string; weight?: number; begin?: number })[];
   frame?: Frame;
+  steady?: { at: number; cutoff?: number; beta?: number };
   seed?: string | number;
   liveliness?: number;
   lookAt?: [number, number, number];

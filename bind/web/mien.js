@@ -238,7 +238,7 @@ export class Motion {
 
 /** A face, its pose, and how it was seen last. */
 export class Face {
-  #mien; #m; #face; #pose; #view; #pixels; #drew = false; #seen = false;
+  #mien; #m; #face; #pose; #view; #pixels; #drew = false; #seen = false; #steady = null;
   constructor(mien, memory, face) {
     this.#mien = mien, this.#m = memory, this.#face = face;
     this.#pose = mien.made('mien_pose_new', face);
@@ -306,6 +306,7 @@ export class Face {
    *    pose.motions   [mien.motion(text)] or [text]: takes and speech, or { motion, weight, begin }, on top of clips, at
    *                   pose.time
    *    pose.frame     what a camera saw: { jawOpen: 0.4 }, a result of MediaPipe's FaceLandmarker, or its JSON
+   *    pose.steady    { at }, the frame's moment in seconds: frames that come live, kept quiet; { at, cutoff: 1, beta: 2 } (docs/motion.md)
    *    pose.seed      a word instead of the face's own code, recipe or text, for blinks and glances by chance
    *    pose.liveliness  0 to 2: how far clips move the face; 1 (default) as they say, 0 not at all
    *    pose.lookAt    [x, y, z]
@@ -403,6 +404,8 @@ export class Face {
   free() {
     const { exports } = this.#m;
     this.#mien.leave(this);
+    exports.mien_steadier_free(this.#steady?.handle ?? 0);
+    this.#steady = null;
     exports.mien_pose_free(this.#pose), exports.mien_face_free(this.#face);
     for (const at of [this.#view, this.#pixels]) exports.free(at);
     this.#pose = this.#face = this.#view = this.#pixels = 0;
@@ -420,7 +423,7 @@ export class Face {
       const of = typeof motion === 'string' ? this.#mien.motionSaid(motion) : motion;
       this.#mien.done('mien_pose_motion', this.#pose, of.handle, weight, begin);
     }
-    if (pose.frame != null) this.#say('mien_pose_follow', typeof pose.frame === 'string' ? pose.frame : JSON.stringify(pose.frame));
+    if (pose.frame != null) this.#follow(typeof pose.frame === 'string' ? pose.frame : JSON.stringify(pose.frame), pose.steady);
     if (pose.seed != null) this.#say('mien_pose_seed', String(pose.seed));
     if (pose.liveliness != null) this.#mien.done('mien_pose_liveliness', this.#pose, pose.liveliness);
     if (pose.lookAt) this.#mien.done('mien_pose_look_at', this.#pose, ...pose.lookAt);
@@ -428,6 +431,16 @@ export class Face {
       for (const [name, weight] of Object.entries(pose[key] ?? {}))
         this.#m.withText(set, (s, k) => this.#m.withText(`${name}=${weight}`, (t, n) => this.#mien.done('mien_pose_express', this.#pose, s, k, t, n, 0)));
     for (const [name, value] of Object.entries(pose.set ?? {})) this.#say('mien_pose_set', `${name}=${[value].flat().join(',')}`);
+  }
+  #follow(frame, steady) {
+    if (steady == null) return this.#say('mien_pose_follow', frame);
+    const { at, cutoff = 1, beta = 2 } = steady;
+    if (this.#steady?.cutoff !== cutoff || this.#steady.beta !== beta) {
+      const handle = this.#mien.made('mien_steadier_new', cutoff, beta);
+      this.#m.exports.mien_steadier_free(this.#steady?.handle ?? 0);
+      this.#steady = { handle, cutoff, beta };
+    }
+    this.#m.withText(frame, (t, n) => this.#mien.done('mien_pose_follow_steadily', this.#pose, this.#steady.handle, at, t, n));
   }
   #look(width, height, pose) {
     for (const [name, side] of Object.entries({ width, height })) if (!Number.isInteger(side)) throw new MienError(name, `expected whole pixels, got ${said(side)}`);

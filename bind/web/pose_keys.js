@@ -25,6 +25,7 @@ const SHAPES = {
   clips: { is: Array.isArray, like: "a list, such as ['idle']" },
   motions: { is: Array.isArray, like: 'a list of motions, such as [mien.motion(text)]' },
   frame: { is: (value) => typeof value === 'string' || typeof value === 'object', like: "shapes by name, such as { jawOpen: 0.5 }, or a result of MediaPipe" },
+  steady: { is: (value) => isTable(value) && ['at', 'cutoff', 'beta'].every((key) => Number.isFinite(value[key] ?? (key === 'at' ? NaN : 0))), like: "a frame's moment, such as { at: 1.25 }" },
   lookAt: { is: (value) => value.length === 3 && [...value].every(Number.isFinite), like: '3 numbers, such as [0, 0, 9]' },
   blend: oneOf('linear', 'srgb'),
   fit: oneOf('meet', 'slice'),

@@ -14,7 +14,7 @@ import numpy.typing
 from . import _library
 from ._library import Handle, NameRecord, WriteOptions, call, hinted, lib, path_bytes, text, texts, utf8
 from ._basis import Basis, wish
-from ._motion import Motion
+from ._motion import Motion, Steady
 from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, png, view, whole
 
 Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
@@ -135,7 +135,8 @@ class Face:
              clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
              seed: Union[str, int, None] = None, liveliness: float = 1,
              motions: Sequence[MotionLike] = (),
-             frame: Union[str, Mapping[str, Any], Sequence[Any], None] = None) -> Posed:
+             frame: Union[str, Mapping[str, Any], Sequence[Any], None] = None,
+             steady: Optional[tuple[Steady, float]] = None) -> Posed:
         """The face at that pose.
 
         time         [s] at which clips are taken; without one none runs
@@ -151,6 +152,7 @@ class Face:
         liveliness   0 to 2: how far clips move the face; 1 as they say, 0 not at all
         motions      takes and speech (`read_motion`), or (motion, weight), or (motion, weight, begin [s]), on top of clips
         frame        what a camera saw: ARKit's shapes by name, a result of MediaPipe, or its JSON; it beats motions
+        steady       of frames that come live: what keeps them quiet, and the frame's moment [s]
         """
         made = Handle(lib.mien_pose_free, lib.mien_pose_new, self._handle.value)
         pose = made.value
@@ -162,7 +164,11 @@ class Face:
             of, weight, begin = _motion_layer(motion)
             call(lib.mien_pose_motion, pose, of._handle.value, weight, begin)
         if frame is not None:
-            call(lib.mien_pose_follow, pose, *utf8(frame if isinstance(frame, str) else json.dumps(frame)))
+            seen = utf8(frame if isinstance(frame, str) else json.dumps(frame))
+            if steady is None:
+                call(lib.mien_pose_follow, pose, *seen)
+            else:
+                call(lib.mien_pose_follow_steadily, pose, steady[0]._handle.value, float(steady[1]), *seen)
         if seed is not None:
             call(lib.mien_pose_seed, pose, *utf8(str(seed)))
         if liveliness != 1:
@@ -192,7 +198,8 @@ class Face:
         return self.pose(time=time, clips=clips, motions=[track], **pose)
 
     def follow(self, frame: Union[str, Mapping[str, Any], Sequence[Any]], **pose: Any) -> Posed:
-        """The face as a camera saw an actor's: ARKit's shapes by name, a result of MediaPipe, or its JSON."""
+        """The face as a camera saw an actor's: ARKit's shapes by name, a result of MediaPipe, or its JSON. `steady` is
+        (Steady(), the frame's moment [s]) for frames that come live."""
         return self.pose(frame=frame, **pose)
 
     def unfollowed(self, motion: Motion) -> tuple[str, ...]:

@@ -38,6 +38,14 @@ class Motion:
         return f"<mien.Motion: {len(self._index)} channels, {self.length:.2f} s>"
 
 
+class Steady:
+    """Keeps a face quiet that follows frames as they come live: the 1€ filter of Casiez, Roussel and Vogel. One face each."""
+
+    def __init__(self, cutoff: float = 1, beta: float = 2) -> None:
+        """`cutoff` [Hz] is above 0, lower is quieter; `beta` is 0 or above, higher is less late where much moves."""
+        self._handle = Handle(lib.mien_steadier_free, lib.mien_steadier_new, float(cutoff), float(beta))
+
+
 def read_motion(path: "str | os.PathLike[str]") -> Motion:
     """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column."""
     return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read, *path_bytes(path)))

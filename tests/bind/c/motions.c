@@ -74,7 +74,42 @@ static void test_played(void) {
   mien_pose_free(pose), mien_motion_free(motion), mien_face_free(face);
 }
 
+/* A frame between two that a filter has seen: it goes a part of the way. */
+static void test_steadied(void) {
+  mien_error* error = NULL;
+  mien_face* face = any_face();
+  mien_pose *pose = NULL, *plain = NULL;
+  mien_steadier* steadier = NULL;
+  const size_t bytes = sizeof(double) * (size_t)mien_face_vector_size(face);
+  double *first, *second, *whole;
+  OK(mien_pose_new(face, &pose, &error) || mien_pose_new(face, &plain, &error));
+  OK(mien_steadier_new(1, 0, &steadier, &error));
+  OK(mien_pose_follow_steadily(pose, steadier, 5, "{\"headYaw\": 0}", END, &error));
+  first = numbers(face, pose);
+  OK(mien_pose_follow_steadily(pose, steadier, 5.03, "{\"headYaw\": -0.2}", END, &error));
+  second = numbers(face, pose);
+  OK(mien_pose_follow(plain, "{\"headYaw\": -0.2}", END, &error));
+  whole = numbers(face, plain);
+  CHECK(memcmp(first, second, bytes) != 0 && memcmp(second, whole, bytes) != 0);
+  free(second);
+  OK(mien_pose_follow_steadily(pose, steadier, 9, "{\"headYaw\": -0.2}", END, &error));
+  second = numbers(face, pose);
+  CHECK(memcmp(second, whole, bytes) == 0); /* after a pause */
+  FAILS(MIEN_REFUSED, "frame:1",
+        mien_pose_follow_steadily(pose, steadier, 9, "{\"jawOpen\": }", END, &error));
+  FAILS(MIEN_MISUSE, "steadier", mien_pose_follow_steadily(pose, NULL, 9, "{}", END, &error));
+  FAILS(MIEN_MISUSE, "seconds", mien_pose_follow_steadily(pose, steadier, NAN, "{}", END, &error));
+  mien_steadier_free(steadier);
+  FAILS(MIEN_MISUSE, "cutoff", mien_steadier_new(0, 0, &steadier, &error));
+  FAILS(MIEN_MISUSE, "beta", mien_steadier_new(1, -1, &steadier, &error));
+  FAILS(MIEN_MISUSE, "out", mien_steadier_new(1, 1, NULL, &error));
+  mien_steadier_free(NULL);
+  free(first), free(second), free(whole);
+  mien_pose_free(pose), mien_pose_free(plain), mien_face_free(face);
+}
+
 void test_motions(void) {
   test_read();
   test_played();
+  test_steadied();
 }

@@ -195,6 +195,16 @@ class Motions(unittest.TestCase):
         frame = {"faceBlendshapes": [{"categories": [{"categoryName": "jawOpen", "score": 0.5}]}]}
         self.assertTrue(numpy.array_equal(person.follow(frame).vector, person.pose(expressions={"arkit": {"jawOpen": 0.5}}).vector))
 
+    def test_are_steadied_where_they_come_live(self):
+        person, steady = mien.from_code(people.code("ada")), mien.Steady(cutoff=1, beta=0)
+        at = lambda jaw, seconds: person.follow({"jawOpen": jaw}, steady=(steady, seconds)).vector
+        self.assertTrue(numpy.array_equal(at(0, 7), person.follow({"jawOpen": 0}).vector))
+        share = 1 / (1 + 1 / (2 * math.pi / 30))
+        numpy.testing.assert_allclose(at(1, 7 + 1 / 30), person.follow({"jawOpen": share}).vector, atol=1e-9)
+        self.assertTrue(numpy.array_equal(at(1, 9), person.follow({"jawOpen": 1}).vector))
+        with self.assertRaises(mien.Error):
+            mien.Steady(cutoff=0)
+
     def test_say_what_is_wrong(self):
         with self.assertRaises(mien.Error) as wrong:
             mien.read_motion_text("time,jawOpen\n0,0\n1,nan\n", "take.csv")

@@ -216,6 +216,12 @@ test('faces speak and follow', () => {
   const result = { faceBlendshapes: [{ categories: [{ categoryName: '_neutral', score: 0.1 }, { categoryName: 'jawOpen', score: 0.5 }] }] };
   const followed = face.follow(32, 32, result).slice();
   assert.deepEqual(face.draw(32, 32, { arkit: { jawOpen: 0.5 } }), followed);
+  const steady = (jaw, at, more) => face.follow(32, 32, { jawOpen: jaw }, { steady: { at, ...more } }).slice();
+  assert.deepEqual(steady(0.5, 7), followed);
+  assert.notDeepEqual(steady(0, 7.03), face.follow(32, 32, { jawOpen: 0 }).slice());
+  assert.deepEqual(steady(0.5, 7.06, { cutoff: 3 }), followed, 'another filter begins again');
+  assert.throws(() => steady(0, 8, { cutoff: -1 }), /cutoff/);
+  assert.throws(() => face.draw(32, 32, { frame: {}, steady: {} }), /pose\.steady: expected a frame/);
   assert.throws(() => mien.motion('hello'), /motion:1: is no take/);
   assert.throws(() => face.draw(32, 32, { motions: 'a' }), /pose\.motions: expected a list/);
   track.free(), face.free();
