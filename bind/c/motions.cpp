@@ -34,7 +34,7 @@ std::vector<mien::Setting> frame_of(const mien_pose& pose, const char* frame, si
 
 double need_at_least(double number, double least, std::string_view argument) {
   if (need_finite(number, argument) >= least) return number;
-  misuse(argument, fmt::format("expected {} or above, got {}", least, number));
+  refuse(std::string(argument), fmt::format("expected {} or above, got {}", least, number));
 }
 
 }  // namespace

@@ -626,7 +626,8 @@ class Package(unittest.TestCase):
         self.assertTrue(blocks)
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
-            os.symlink(ROOT / "faces", pathlib.Path(folder, "faces"))
+            for name in ("faces", "examples"):
+                os.symlink(ROOT / name, pathlib.Path(folder, name))
             os.chdir(folder)
             try:
                 names = {}
