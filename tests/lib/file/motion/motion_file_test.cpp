@@ -321,6 +321,48 @@ TEST(MotionFile, ReadsTablesAsTheyCome) {
             "f:1: a line longer than 10 bytes (limit: bytes)");
 }
 
+TEST(MotionFile, SaysWhichOfManyLinesIsBroken) {
+  std::string text;
+  for (int i = 1; i <= 100'000; ++i)
+    text += i == 70'000
+                ? "{\"timestamp\": 1, \"jawOpen\": 0.5,\n"
+                : fmt::format("{{\"timestamp\": {:.3f}, \"jawOpen\": 0.{}}}\n", i / 60.0, i % 10);
+  EXPECT_TRUE(read(text).error.starts_with("f:70000:33: malformed JSON")) << read(text).error;
+}
+
+TEST(MotionFile, ReadsSoundsOfAnyLength) {
+  const ReadMotion hour = read("a 3600000\nm 0\na 0\nm 0\na 1000\n");
+  ASSERT_TRUE(hour.motion) << hour.error;
+  EXPECT_GT(hour.at("viseme.aa", 1800), 0.99);
+  for (const double time : {3599.97, 3600.0, 3600.03}) EXPECT_EQ(hour.at("viseme.PP", time), 1);
+  EXPECT_GT(hour.at("viseme.aa", 3600.6), 0.9);
+  const ReadMotion over = read(
+      R"({"mouthCues": [{"start": 0, "end": 3600, "value": "D"}, {"start": 1, "end": 1, "value": "A"},
+                        {"start": 1, "end": 5, "value": "B"}]})");
+  ASSERT_TRUE(over.motion) << over.error;
+  EXPECT_EQ(over.at("viseme.PP", 1), 1);
+  EXPECT_LT(over.at("viseme.aa", 3), 0.01) << "a sound ends where the next begins";
+  EXPECT_EQ(read("a 1e15\n").error, "f:1:1: 1000000000000 is no moment of speech");
+}
+
+/// Ten megabytes: work grows with a grid's intervals, not with their square.
+TEST(MotionFile, ReadsLongGrids) {
+  constexpr int kSounds = 100'000;
+  std::string text = fmt::format(
+      "\"ooTextFile\"\n\"TextGrid\"\nxmin = 0\nxmax = {0}\ntiers? <exists>\nsize = 1\n"
+      "class = \"IntervalTier\"\nname = \"phones\"\nxmin = 0\nxmax = {0}\nintervals: size = {1}\n",
+      kSounds / 10, kSounds);
+  for (int i = 0; i < kSounds; ++i)
+    text += fmt::format(
+        "        intervals [{}]:\n            xmin = {:.1f}\n            xmax = {:.1f}\n"
+        "            text = \"{}\"\n",
+        i + 1, i / 10.0, (i + 1) / 10.0, i % 2 ? "AA1" : "M");
+  const ReadMotion grid = read(text);
+  ASSERT_TRUE(grid.motion) << grid.error;
+  EXPECT_EQ(grid.at("viseme.PP", 9000.05), 1);
+  EXPECT_LT(grid.at("viseme.PP", 9000.15), 0.5);
+}
+
 TEST(MotionFile, SurvivesDamage) {
   std::string text = kLongGrid;
   for (std::size_t length = 0; length < text.size(); length += 3) {
