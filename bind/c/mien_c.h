@@ -704,7 +704,8 @@ MIEN_C_API int32_t mien_effects_count(const mien_effects* effects);
 
 /* mien_render, and then the effects, before colours are rounded to the pixels' depth. A region has the bytes of
  * the whole picture with effects, which is drawn down to the region's last row, in strips. MIEN_REFUSED: more
- * tiles or cells than pixels across, lines wider than cells. */
+ * tiles or cells than pixels across, lines wider than cells. Without effects that change the picture it is
+ * mien_render's. */
 MIEN_C_API mien_status mien_render_with_effects(mien_renderer* renderer, const mien_scene* scene,
                                                 const mien_view* view, const mien_effects* effects,
                                                 const mien_pixels* pixels,

@@ -93,7 +93,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   else
     paint_varied(sums, row);
   put_cells();
-  refuse_crowded();
+  refuse_doubtful();
 }
 
 void RowPainter::paint_varied(RowSums& sums, int row) {
@@ -292,12 +292,20 @@ void RowPainter::keep_cell(const Rgba& mix, float carry, int column) {
   columns_[k] = column, carries_[k] = carry;
 }
 
-/// Pixels that shapes were too crowded in for light, and are asked about as often as they have parts.
-void RowPainter::refuse_crowded() {
-  std::vector<int>& crowded = shader_.crowded();
-  if (crowded.empty()) return;
-  refused_.insert(refused_.end(), crowded.begin(), crowded.end());
-  crowded.clear();
+/// Pixels whose light may be off by more than is permitted, in all their parts.
+void RowPainter::refuse_doubtful() {
+  std::vector<LitPaint::Doubt>& doubts = shader_.doubts();
+  if (doubts.empty()) return;
+  std::sort(doubts.begin(), doubts.end(), [](const LitPaint::Doubt& a, const LitPaint::Doubt& b) {
+    return std::tie(a.column, a.off) < std::tie(b.column, b.off);
+  });
+  for (std::size_t k = 0; k < doubts.size();) {
+    const int column = doubts[k].column;
+    float off = 0.0f;
+    for (; k < doubts.size() && doubts[k].column == column; ++k) off += doubts[k].off;
+    if (off >= 1.0f) refused_.push_back(column);
+  }
+  doubts.clear();
   std::sort(refused_.begin(), refused_.end());
   refused_.erase(std::unique(refused_.begin(), refused_.end()), refused_.end());
 }

@@ -104,7 +104,7 @@ class RowPainter {
   void mend_run(int look, int from, int count, const ColorRow& colors);
   void keep_cell(const Rgba& mix, float carry, int column);
   void put_cells();
-  void refuse_crowded();
+  void refuse_doubtful();
   void set_thresholds();
   void room_for(std::size_t cells);
   float threshold(int column) const { return thresholds_[std::size_t(column % kBlock)]; }

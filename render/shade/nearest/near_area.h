@@ -40,7 +40,6 @@ class NearArea {
  private:
   /// Trees of fewer nodes are not pruned.
   static constexpr std::size_t kLargeTree = 32;
-  void prune(std::span<const Node> nodes, glm::dvec2 middle, double radius, std::vector<Node>& to);
 
   const FeetArea* area_ = nullptr;
   glm::dvec2 middle_{0.0};
@@ -48,8 +47,6 @@ class NearArea {
   std::vector<Leaf> leaves_;  ///< more than `count_`: memory is kept
   std::size_t count_ = 0;
   std::vector<BranchPair> pairs_;
-  std::vector<double> values_;
-  std::vector<int> place_;
 };
 
 }  // namespace mien

@@ -197,7 +197,8 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const Slope s = SlopeAt<kStroke>(c, at, t);
     const auto held_low = hn::Le(t, c.low), held_high = hn::Ge(t, c.high);
     const auto first = hn::Le(t, at_row(Branches::first)), last = hn::Ge(t, at_row(Branches::last));
-    // Held at an end that is none of the outline's: the neighbour is nearer. Where feet are hard to tell both stay.
+    // Held at an end that is none of the outline's: the neighbour is nearer. Where feet are hard to tell both stay, and
+    // on a stretch whose width changes and which may have another foot somewhere in the square.
     const VF speed2 = hn::Mul(at.speed2, s.scale);
     const auto steady = hn::Gt(s.rise, hn::Mul(speed2, hn::Set(f, 0.35f)));
     const auto turns_low = hn::Gt(at_row(Branches::least), at_row(Branches::first));
@@ -205,6 +206,12 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const auto joint_low = hn::AndNot(hn::Or(first, turns_low), held_low);
     const auto joint_high = hn::AndNot(hn::Or(last, turns_high), held_high);
     auto out = hn::And(steady, hn::Or(joint_low, joint_high));
+    if (kStroke) {
+      const VF bend2 = Fused(c.x2, c.x2, hn::Mul(c.y2, c.y2));
+      const VF turn = hn::Mul(hn::Mul(hn::Set(f, 2.0f * r), hn::Sqrt(bend2)), s.scale);
+      const auto keeps = hn::Gt(s.rise, Fused(speed2, hn::Set(f, 0.35f), turn));
+      out = hn::And(out, hn::Or(keeps, hn::Ge(at_row(Branches::single), zero)));
+    }
     if (!kStroke) {
       // So is the next side at a corner, where both end firmly: seen from all over the square.
       const VF r2 = hn::Set(f, r * r);
