@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kMostLines = 8;  // across one square: more are fewer in its quarters
 constexpr std::size_t kMostCorners = 4 + kMostLines;
 constexpr double kShort = 0.01;  // of half a square: chords that cut off nothing to speak of
-constexpr double kForm = 0.02;   // of half a square: what nine distances may leave their form by
 
 /// Twice a polygon's area, and six times its first moments about its first corner.
 struct Moments {
