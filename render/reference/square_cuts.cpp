@@ -39,7 +39,7 @@ bool SquareResolver::cuts(const Square& s, const Scope& scope, Resolved& to) {
   if (varies_here_ && side > kSmall) {
     const Kink kink = kink_in(place(s.x, s.y), half, scope);
     if (half > kLitHalf && lit(scope)) return false;
-    if (kink == Kink::jump || side > (kink != Kink::none ? 1.0 / 32 : 1.0 / 4)) return false;
+    if (kink == Kink::jump || side > (kink == Kink::stop ? 1.0 / 32 : 1.0 / 4)) return false;
   }
   lines_.clear(), cuts_.clear(), off_ = 0.0;
   for (const int set : logic_.open_sets(scope))

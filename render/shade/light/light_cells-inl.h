@@ -442,8 +442,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  constexpr float kAgain =
-      0.5f;  // of that: cells that were closed with more left were closed too soon
+  // Of that: cells that were closed with more left were closed too soon.
+  constexpr float kAgain = 0.5f;
   LightTile& tile = pixel.tile;
   const float allowed = tile.tolerance;
   float before[LightTile::kChannels] = {};

@@ -176,16 +176,6 @@ std::vector<Face> speakers() {
   return all;
 }
 
-std::vector<double> inner_edge(const Face& face, const std::string& which) {
-  std::vector<double> all;
-  for (const char* side : {"left", "right"})
-    for (const char* bend : {"0", "1"})
-      for (const double x :
-           test::slice_of(face, fmt::format("{}_edge.{}/spine/{}", which, side, bend)))
-        all.push_back(x);
-  return all;
-}
-
 double edge_of_teeth(const Face& face) {
   return 0.5 * point_of(face, "teeth/points/2").y +
          0.25 * (point_of(face, "teeth/points/1").y + point_of(face, "teeth/points/3").y);
@@ -223,7 +213,7 @@ TEST(SpokenCoarticulation, ShutsForEveryClosingSoundWhileTheChinGoesOn) {
     for (int i = 0; i <= kMoments; ++i) {
       pose.time = begin + (end - begin) * i / kMoments;
       const Face& posed = poser.pose(pose);
-      ASSERT_EQ(inner_edge(posed, "upper"), inner_edge(posed, "lower")) << what;
+      ASSERT_EQ(test::inner_edge_of(posed, "upper"), test::inner_edge_of(posed, "lower")) << what;
       lowest = std::min(lowest, chin(posed)), highest = std::max(highest, chin(posed));
     }
     const bool between_vowels = begin > 0.1 && begin < 1.3;
