@@ -98,7 +98,6 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Encoding& encoding, co
     mixed.c[c] = Fused(far, apart, near.c[c]);
     mixed.jump = hn::Max(mixed.jump, hn::Mul(hn::Abs(apart), Const(encoding.by[c])));
   }
-  mixed.jump = hn::IfThenElse(hn::Gt(far, zero), mixed.jump, zero);
   return mixed;
 }
 
@@ -148,20 +147,33 @@ struct SixteenCells {
 
 /// The colour of cells at a round profile's outline, by two depths.
 HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const CellLanes& cell,
-                          LitColor& color) {
+                          Shades& to) {
   const F f;
   const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
   const VF d = load(at.relief.best.d), nx = load(at.relief.best.nx), ny = load(at.relief.best.ny);
   const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : hn::Zero(f);
-  const VF mean = hn::Min(hn::Max(hn::Neg(d), Const(tile.shallow)), Const(tile.deep));
-  // No farther than the shallow end: a uniform depth from there on has that deviation.
-  const VF most = hn::Mul(Const(0.577350269f), hn::Sub(mean, Const(tile.shallow)));
-  const VF apart = hn::Min(hn::Sqrt(cell.variance), most);
-  const VF up = hn::Sub(mean, apart), down = hn::Min(hn::Add(mean, apart), Const(tile.deep));
-  color = ColorAt(tile, up, nx, ny, cell.x, cell.y, away);
-  const LitColor other = ColorAt(tile, down, nx, ny, cell.x, cell.y, away);
+  // Light goes by the root of the depth, and depths are spread evenly over the cell: by Gauss's two places of the root,
+  // each of which counts by itself, as depth = root². Exact up to the root's second degree.
+  const VF zero = hn::Zero(f), shallow = Const(HWY_MAX(tile.shallow, 0.0f));
+  const VF mean = hn::Min(hn::Max(hn::Neg(d), shallow), Const(tile.deep));
+  const VF half = hn::Min(hn::Mul(Const(0.5f), cell.side), hn::Sub(mean, shallow));
+  const VF first = hn::Sqrt(hn::Max(hn::Sub(mean, half), zero)),
+           last = hn::Sqrt(hn::Add(mean, half));
+  const VF middle = hn::Mul(Const(0.5f), hn::Add(first, last));
+  const VF apart = hn::Mul(Const(0.288675135f), hn::Sub(last, first));
+  const VF up = hn::Sub(middle, apart), down = hn::Add(middle, apart);
+  const auto depth = [&](VF root)
+                         HWY_ATTR { return hn::Min(hn::Mul(root, root), Const(tile.deep)); };
+  LitColor color = ColorAt(tile, depth(up), nx, ny, cell.x, cell.y, away);
+  const LitColor other = ColorAt(tile, depth(down), nx, ny, cell.x, cell.y, away);
+  const VF share = hn::Div(down, hn::Max(hn::Add(up, down), Const(1e-9f)));
   for (int c = 0; c < LightTile::kChannels; ++c)
-    color.c[c] = hn::Mul(Const(0.5f), hn::Add(color.c[c], other.c[c]));
+    color.c[c] = Fused(share, hn::Sub(other.c[c], color.c[c]), color.c[c]);
+  PutColor(color, k, to);
+  for (int b = 0; b < 3; ++b) {
+    hn::Store(hn::Min(color.bounds[b], other.bounds[b]), f, to.bounds[b] + k);
+    hn::Store(hn::Max(color.bounds[b], other.bounds[b]), f, to.upper[b] + k);
+  }
 }
 
 // [of a cell's side] A ridge that bends may run through it.
@@ -229,17 +241,16 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     CellLanes cell{load(cells.x), load(cells.y), load(cells.area), {}, {}};
     const VF zero = hn::Zero(f);
     cell.side = hn::Sqrt(cell.area), cell.variance = hn::Mul(cell.area, Const(1.0f / 12));
-    LitColor color;
-    const VF d = tile.rises ? load(at.relief.best.d) : zero;
     if (upright) {
-      TwoDepths(tile, at, k, cell, color);
-    } else {
-      const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
-      const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
-      const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
-      color = ColorAt(tile, HeldDepth(tile, d, cell.variance), nx, ny, cell.x, cell.y, away);
+      TwoDepths(tile, at, k, cell, cells.shades);
+      continue;
     }
-    PutColor(color, k, cells.shades);
+    const VF d = tile.rises ? load(at.relief.best.d) : zero;
+    const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
+    const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
+    const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
+    const VF depth = HeldDepth(tile, d, cell.variance);
+    PutColor(ColorAt(tile, depth, nx, ny, cell.x, cell.y, away), k, cells.shades);
   }
   if (first) {
     CellSum sum;
@@ -255,12 +266,13 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     hn::Store(zero, f, cells.jump + k);
     // Nothing is less than no side.
     const auto cut = hn::Lt(ridge.off, hn::Mul(Const(0.75f), side));
-    if (hn::AllFalse(f, cut)) continue;
+    const auto close = hn::Lt(ridge.off, hn::Mul(Const(tile.fine ? kNearCell : 0.75f), side));
+    if (hn::AllFalse(f, close)) continue;
     const CellLanes cell{load(cells.x), load(cells.y), area, side, hn::Mul(area, Const(1.0f / 12))};
     const CutColor mixed = MixedAtRidge(tile, pixel.encoding, at, ridge, k, cell);
     for (int c = 0; c < LightTile::kChannels; ++c)
       hn::Store(hn::IfThenElse(cut, mixed.c[c], load(cells.shades.c[c])), f, cells.shades.c[c] + k);
-    hn::Store(hn::IfThenElse(cut, mixed.jump, zero), f, cells.jump + k);
+    hn::Store(hn::IfThenElse(close, mixed.jump, zero), f, cells.jump + k);
   }
   if (!first || tile.fine || !tile.rises) return;
   // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn².
@@ -274,7 +286,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
 }
 
 /// Which of a level's cells are looked at: of the grid of that many each way, in its order.
-using CellList = std::array<std::uint16_t, PartCells::kMost>;
+using CellList = std::array<std::uint16_t, CellScratch::kMost>;
 
 /// When cells stay open.
 struct OpenBy {
@@ -283,6 +295,15 @@ struct OpenBy {
       few;  ///< by how much quarters may be apart from their whole; and that times their area, of a few
   bool quarters;  ///< whether the listed cells are quarters of cells that were open
   bool small;     ///< whether nothing but ridges and clamps can matter within a cell
+};
+
+/// A level's cells: of a form, or of all of the pixel.
+struct CellGrid {
+  int side;
+  const PartForm* form;
+  const PartCells* cells;  ///< none: they are smaller, and looked for one by one
+
+  bool is_empty(size_t k) const { return cells && !(cells->area[k] > 0.0f); }
 };
 
 /// A mean by cells, as far as they were looked at.
@@ -294,12 +315,32 @@ struct CellMean {
   int opens = 0;    ///< how many are open: the first of their list
 };
 
+/// Where cells of less than a thirty-second are, and what the form has of them.
+inline void PlaceSmall(const CellPixel& pixel, const CellGrid& grid, const CellList& list,
+                       const std::uint16_t* which, int count, SixteenCells& to) {
+  PartSquares squares;
+  squares.side = 1.0f / float(grid.side);
+  for (size_t k = 0; k < PartSquares::kCount; ++k) {
+    const int cell = list[which[k < size_t(count) ? k : 0]];
+    squares.left[k] = float(cell % grid.side) * squares.side;
+    squares.top[k] = float(cell / grid.side) * squares.side;
+    squares.x[k] = squares.left[k] + 0.5f * squares.side - 0.5f;
+    squares.y[k] = squares.top[k] + 0.5f * squares.side - 0.5f;
+    squares.area[k] = squares.side * squares.side;
+  }
+  if (grid.form) squares_of_form(*grid.form, squares);
+  for (size_t k = 0; k < size_t(count); ++k)
+    to.x[k] = pixel.cx + squares.x[k], to.y[k] = pixel.cy + squares.y[k],
+    to.area[k] = squares.area[k];
+}
+
 /// The next sixteen listed cells of more than no area; returns how many there are. `which`: their places in the list.
-inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const CellList& list,
+inline int TakeSixteen(const CellPixel& pixel, const CellGrid& grid, const CellList& list,
                        int count, bool quarters, int& next, SixteenCells& to,
                        std::uint16_t* which) {
   int n = 0;
-  if (cells.side == 4) {  // all of them, be there some without area
+  if (grid.side == 4) {  // all of them, be there some without area
+    const PartCells& cells = *grid.cells;
     const F f;
     for (; n < 16 && next == 0; n += int(hn::Lanes(f))) {
       hn::Store(hn::Add(hn::Load(f, &cells.x[size_t(n)]), hn::Set(f, pixel.cx)), f, to.x + n);
@@ -313,7 +354,7 @@ inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const Cel
   const int together = quarters ? 4 : 1;  // those of a cell
   const auto unseen = [&](int first) {
     for (int k = first; k < first + together; ++k)
-      if (cells.area[list[size_t(k)]] > 0.0f) return false;
+      if (!grid.is_empty(list[size_t(k)])) return false;
     return true;
   };
   for (; next < count && n < 16; ++next) {
@@ -322,9 +363,12 @@ inline int TakeSixteen(const CellPixel& pixel, const PartCells& cells, const Cel
       next += together - 1;
       continue;
     }
-    to.x[n] = pixel.cx + cells.x[k], to.y[n] = pixel.cy + cells.y[k];
-    to.area[n] = cells.area[k], which[n++] = std::uint16_t(next);
+    which[n++] = std::uint16_t(next);
+    if (!grid.cells) continue;
+    to.x[n - 1] = pixel.cx + grid.cells->x[k], to.y[n - 1] = pixel.cy + grid.cells->y[k];
+    to.area[n - 1] = grid.cells->area[k];
   }
+  if (!grid.cells && n > 0) PlaceSmall(pixel, grid, list, which, n, to);
   for (int k = n; k < 16; ++k) to.x[k] = to.x[0], to.y[k] = to.y[0], to.area[k] = 0.0f;
   return n;
 }
@@ -341,9 +385,9 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
   float low[3], high[3];
   const auto range = [&](size_t first, size_t end) {
     for (int b = 0; b < 3; ++b) {
-      const float* v = now.shades.bounds[b];
-      low[b] = *std::min_element(v + first, v + end),
-      high[b] = *std::max_element(v + first, v + end);
+      const float *v = now.shades.bounds[b], *u = now.shades.upper[b];
+      low[b] = *std::min_element(v + first, v + end);
+      high[b] = *std::max_element(u + first, u + end);
     }
   };
   const bool kinks = mean.kink > by.kink, jumps = mean.jump > by.jump;
@@ -356,7 +400,8 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
     for (size_t q = k; q < end; ++q) {
       bool& o = opens[q - k] = jumps && (now.jump[q] > by.jump || now.away[q] < kNearCell);
       for (int b = 0; b < 3 && kinks; ++b)
-        o = o || std::abs(now.shades.bounds[b][q]) <= kHalfCell * (high[b] - low[b]);
+        o = o || HWY_MAX(now.shades.bounds[b][q], -now.shades.upper[b][q]) <=
+                     kHalfCell * (high[b] - low[b]);
       any = any || o;
     }
     if (!by.small) {
@@ -369,7 +414,7 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
         for (size_t c = 0; c < size_t(tile.channels); ++c) {
           const float* v = now.shades.c[c] + k;
           more[c] = (a[0] * v[0] + a[1] * v[1]) + (a[2] * v[2] + a[3] * v[3]) -
-                    area * tile.wholes()[c][whole];
+                    area * tile.scratch->wholes()[c][whole];
           most = HWY_MAX(most, std::abs(more[c]) * pixel.encoding.by[c]);
         }
         mean.apart += most;
@@ -386,7 +431,7 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
       const auto at = size_t(mean.opens++);
       open[at] = list[which[q]];
       for (size_t c = 0; c < size_t(tile.channels) && !by.small; ++c)
-        tile.of_open()[c][at] = now.shades.c[c][q];
+        tile.scratch->of_open()[c][at] = now.shades.c[c][q];
     }
   }
   mean.closed.add(now.shades, of_closed, tile.channels);
@@ -395,14 +440,14 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
 
 /// Looks at the listed cells and lists the open ones in `open`: each of the others is a smooth stretch that is seen at
 /// its middle.
-inline void LookAtCells(CellPixel& pixel, const PartCells& cells, const CellList& list, int count,
+inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& list, int count,
                         OpenBy by, CellMean& mean, CellList& open) {
   const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
   mean.jump = mean.kink = mean.apart = 0.0f, mean.opens = 0, mean.open = {};
   for (int next = 0, looks = 0;; ++looks) {
-    const int n = TakeSixteen(pixel, cells, list, count, by.quarters, next, now, which);
+    const int n = TakeSixteen(pixel, grid, list, count, by.quarters, next, now, which);
     if (n == 0) break;
     SeeCells(pixel, !by.quarters && looks == 0, now);
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
@@ -436,7 +481,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   constexpr float kClosed = 0.3f;
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
   // cells may be off by at first.
-  constexpr float kApart = 1.0f, kFew = 0.04f, kFirst = 8.0f;
+  constexpr float kApart = 2.5f, kFew = 0.1f, kFirst = 8.0f;
   // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
   // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
@@ -445,6 +490,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // Of that: cells that were closed with more left were closed too soon.
   constexpr float kAgain = 0.5f;
   LightTile& tile = pixel.tile;
+  const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
   const float allowed = tile.tolerance;
   float before[LightTile::kChannels] = {};
   pixel.seen = HWY_MAX(form_area, 0.05f);
@@ -453,17 +499,19 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   int first = begun;
   const int least = SideFor(bend, form_area, allowed);
   pixel.bends = tile.fine;
-  CellList &list = tile.listed, &open = tile.open;
+  CellScratch& scratch = *tile.scratch;
+  CellList &list = scratch.listed, &open = scratch.open;
   CellMean mean;
   int count = first * first;
   std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
   for (int side = first;; side *= 2) {
-    if (form) cells_of_form(*form, side, tile.cells, side == 4 && !tile.fine);
-    const PartCells& cells = form ? tile.cells : whole_cells(side);
+    const bool finer = side > PartCells::kMostSide;
+    if (form && !finer) cells_of_form(*form, side, scratch.of_form, side == 4 && !tile.fine);
+    const CellGrid grid{side, form, finer ? nullptr : form ? &scratch.of_form : &whole_cells(side)};
     const bool small = !pixel.bends && side >= least;
-    const bool last = side == PartCells::kMostSide;
+    const bool last = side == finest;
     const float each = allowed * float(side * side) / (16.0f * pixel.seen);
-    LookAtCells(pixel, cells, list, count,
+    LookAtCells(pixel, grid, list, count,
                 {kClosed * kJump * each, kClosed * kKink * each,
                  last ? 1e9f : kApart * allowed / pixel.seen, kFew * allowed, side > first, small},
                 mean, open);
@@ -477,17 +525,22 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
-    if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) {
+    const bool full = 4 * mean.opens > CellScratch::kMost;
+    const bool settled =
+        tile.fine && side > first && HWY_MAX(apart * pixel.seen, mean.apart) < 2.0f * allowed;
+    if (last || full || settled || mean.opens == 0 ||
+        (small && !pixel.bends && (bounded || agrees))) {
       if (side == begun) return;
-      const float left = (last ? last_left : kSettled) * HWY_MAX(mean.apart, apart * pixel.seen),
+      const bool at_end = side >= PartCells::kMostSide;
+      const float left = (at_end ? last_left : kSettled) * HWY_MAX(mean.apart, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
-      if (last || off < kAgain) return void(tile.off += off);
+      if (at_end || off < kAgain) return void(tile.off += off);
       first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
       std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
       continue;
     }
-    count = DivideCells(side, open, mean.opens, list), tile.turned = !tile.turned;
+    count = DivideCells(side, open, mean.opens, list), scratch.turned = !scratch.turned;
   }
 }
 

@@ -274,14 +274,15 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
   // A coefficient c bends by 12 c / side² per px²; centroids leave a part's variance, 1/12 at most, times half of that.
   if (kept.bend < 0.5f * side * side * tile.tolerance)
     return BicubicAt(kept, tile.channels, (u0 + part.x) * over, (v0 + part.y) * over, to);
-  cells_of_form(*part.form, 4, tile.cells, !tile.fine);
+  PartCells& cells = tile.scratch->of_form;
+  cells_of_form(*part.form, 4, cells, !tile.fine);
   float area = 0.0f;
   std::fill_n(to, LightTile::kChannels, 0.0f);
   for (size_t k = 0; k < 16; ++k) {
-    const float a = tile.cells.area[k];
+    const float a = cells.area[k];
     if (!(a > 0.0f)) continue;
     float c[LightTile::kChannels];
-    BicubicAt(kept, tile.channels, (u0 + tile.cells.x[k]) * over, (v0 + tile.cells.y[k]) * over, c);
+    BicubicAt(kept, tile.channels, (u0 + cells.x[k]) * over, (v0 + cells.y[k]) * over, c);
     for (int q = 0; q < tile.channels; ++q) to[q] += a * c[q];
     area += a;
   }

@@ -84,18 +84,20 @@ class Gathering {
     // [radii] Floats place what is as long as that to within 1e-4 px.
     constexpr double kLong = 64.0;
     const bool single = has_one_foot(s, from, to, far);
-    if (length > kLong * radius_ ||
-        (!single && length > std::max(kShort * radius_, kShortFar * far)))
-      return cut_at(0.5 * (from + to), from, to, key_from, key_to);
-    // Cut at its vertex a parabola has one least distance within each half.
+    // Cut at its vertex a parabola has one least distance within each half. A stretch that is cut at all is cut there,
+    // or a middle could happen to be the vertex and be taken for a mere joint.
     constexpr double kTurns = 0.05;  // [px]
     const double bend2 = s.x2 * s.x2 + s.y2 * s.y2;
     const double vertex = bend2 > 0.0 ? -0.5 * (s.x1 * s.x2 + s.y1 * s.y2) / bend2 : from;
     const double margin = 0.02 * (to - from);
-    if (!single && length > kTurns && vertex > from + margin && vertex < to - margin) {
+    const bool turns = vertex > from + margin && vertex < to - margin;
+    const bool is_long = length > kLong * radius_ ||
+                         (!single && length > std::max(kShort * radius_, kShortFar * far));
+    if (turns && (is_long || (!single && length > kTurns))) {
       turn_ = vertex;
       return cut_at(vertex, from, to, key_from, key_to);
     }
+    if (is_long) return cut_at(0.5 * (from + to), from, to, key_from, key_to);
     if (to_.count == Branches::kMost)
       to_.crowded = true;
     else

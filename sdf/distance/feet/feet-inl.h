@@ -266,10 +266,16 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   return found;
 }
 
+/// [px] By so much less than another a side that ends is nearest.
+inline constexpr float kTie = 1e-5f;
+/// The cosine of half the angle that a joint is no corner up to.
+inline constexpr float kSmoothJoint = 0.9998f;
+
 /// What one vector of places sees of a spine's branch.
 struct Sight {
   VF key, nx, ny;  ///< k and its gradient
-  VF sign;         ///< −1 inside a path
+  VF beyond;  ///< k where it is nearest, seen from here: of a side that ends before, its line's
+  VF sign;    ///< −1 inside a path
   VF off, ex,
       ey;     ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
   VF across;  ///< of strokes: the gradient's share across the spine
@@ -317,7 +323,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
     const VF side = hn::Mul(hand, turned);
     const VF r = hn::Sqrt(r2);
-    s.key = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
+    s.key = s.beyond = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
     s.nx = FusedFrom(lean, ny, hn::Mul(side, nx)), s.ny = Fused(lean, nx, hn::Mul(side, ny));
     s.off = hn::Abs(across);
     // Where the spine comes to a halt and turns back B' gives no normal, but the way from the foot does.
@@ -335,7 +341,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   }
   const auto row = [&](Branches::Row which) HWY_ATTR { return set(b.row(which)[k]); };
   const VF r = hn::Sqrt(r2);  // no less than the least, wherever the foot is
-  s.key = r, s.sign = hn::Mul(hand, row(Branches::side));
+  s.key = s.beyond = r, s.sign = hn::Mul(hand, row(Branches::side));
   s.nx = hn::Mul(hand, nx), s.ny = hn::Mul(hand, ny);
   s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
   if (!ends) return s;
@@ -353,9 +359,15 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const VF back = Fused(qx, row(Branches::before_x), hn::Mul(qy, row(Branches::before_y)));
   const auto passes = hn::IfThenElse(end, on, hn::Neg(back));
   const auto goes_on = hn::AndNot(inner, hn::Gt(passes, zero));
-  s.moves = hn::IfThenElse(goes_on, one, s.moves);
+  // But beyond a corner's bisector it is. Of a smooth joint the own normal is next to that between the two.
+  const auto turns_on = hn::Lt(hn::Abs(Fused(nx, px, hn::Mul(ny, py))), set(kSmoothJoint));
+  const auto corner = hn::And(goes_on, turns_on);
+  s.moves = hn::IfThenElse(hn::AndNot(corner, goes_on), one, s.moves);
+  s.key = hn::IfThenElse(corner, hn::Add(s.key, set(kTie)), s.key);
+  s.beyond = hn::IfThenElse(corner, hn::Abs(across), s.beyond);
   s.sign = hn::IfThenElse(inner, s.sign, beside);
-  s.nx = hn::IfThenElse(inner, s.nx, ox), s.ny = hn::IfThenElse(inner, s.ny, oy);
+  const auto own = hn::Or(inner, corner);
+  s.nx = hn::IfThenElse(own, s.nx, ox), s.ny = hn::IfThenElse(own, s.ny, oy);
   return s;
 }
 
@@ -368,23 +380,26 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
   const VF alike = hn::Set(f, 4e-4f);  // [of |n − n'|²] one branch's
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
-    Sight best{far, one, zero, one, far, one, zero, zero, zero}, next = best;
+    Sight best{far, one, zero, far, one, far, one, zero, zero, zero}, next = best;
     for (std::uint64_t rest = which; rest; rest &= rest - 1) {
       const int i = std::countr_zero(rest);
       const Sight now = SightOf<kStroke>(b, i, feet, cx, cy, x, y);
       const auto nearer = hn::Lt(now.key, best.key);
       const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
-      const VF lost_key = pick(best.key, now.key), lost_x = pick(best.nx, now.nx),
+      const VF lost_key = pick(best.beyond, now.beyond), lost_x = pick(best.nx, now.nx),
                lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign),
                lost_moves = pick(best.moves, now.moves);
-      best = {
-          pick(now.key, best.key),   pick(now.nx, best.nx),         pick(now.ny, best.ny),
-          pick(now.sign, best.sign), pick(now.off, best.off),       pick(now.ex, best.ex),
-          pick(now.ey, best.ey),     pick(now.across, best.across), pick(now.moves, best.moves)};
+      best = {pick(now.key, best.key),       pick(now.nx, best.nx),
+              pick(now.ny, best.ny),         pick(now.beyond, best.beyond),
+              pick(now.sign, best.sign),     pick(now.off, best.off),
+              pick(now.ex, best.ex),         pick(now.ey, best.ey),
+              pick(now.across, best.across), pick(now.moves, best.moves)};
       const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
       // A foot that still moves may be on its way to the best one.
       const auto settled = hn::Eq(lost_moves, zero);
-      const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), settled),
+      // Where a line comes nearer than the best foot, its side is not seen from here at all.
+      const auto seen = hn::And(settled, hn::Ge(lost_key, best.key));
+      const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), seen),
                                  hn::Lt(lost_key, next.key));
       next.key = hn::IfThenElse(other, lost_key, next.key);
       next.nx = hn::IfThenElse(other, lost_x, next.nx);
