@@ -12,6 +12,7 @@
 #endif
 
 #include "sdf/distance/feet/branches.h"
+#include "sdf/distance/lanes/depressed_cubic-inl.h"
 #include "sdf/distance/lanes/fma-inl.h"
 
 #include <bit>
@@ -153,6 +154,30 @@ HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
   return std::uint64_t(bytes[0] | bytes[1] << 8) << k;
 }
 
+/// The foot on that half of a parabola, by the roots of its cubic: with τ = t − the vertex's, f = 2 |x₂|² (τ³ + 3 P τ − S).
+/// On the place's own half it is the largest root. On the other one it is the least distance that a place beyond the
+/// centre of curvature has there, which the rest of the cubic gives; if that has no roots, the vertex.
+HWY_INLINE VF FootOnHalf(const BranchLanes& c, VF x, VF y) {
+  const F f;
+  const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f);
+  const VF bend2 = hn::Max(Fused(c.x2, c.x2, hn::Mul(c.y2, c.y2)), hn::Set(f, 1e-20f));
+  const VF over = hn::Div(half, bend2);
+  const VF vertex = hn::Neg(hn::Mul(over, Fused(c.x1, c.x2, hn::Mul(c.y1, c.y2))));
+  const Reached at = ReachedAt(c, x, y, vertex);
+  const VF hand = hn::CopySign(hn::Set(f, 1.0f), hn::Sub(half, vertex));
+  const VF bends = Fused(at.ex, c.x2, hn::Mul(at.ey, c.y2));
+  const VF p =
+      hn::Mul(hn::Mul(over, hn::Set(f, 1.0f / 3)), Fused(hn::Set(f, 2.0f), bends, at.speed2));
+  const VF s = hn::Neg(hn::Mul(hn::Mul(hand, at.along), over)), away = hn::Abs(s);
+  // Four times the same: compilers see that.
+  const VF root = LargestRoot(f, Pack<VF>{p, p, p, p}, Pack<VF>{away, away, away, away}).a;
+  const VF rest = Fused(hn::Set(f, -3.0f), hn::Mul(root, root), hn::Mul(hn::Set(f, -12.0f), p));
+  const VF other = hn::Mul(half, hn::Add(root, hn::Sqrt(hn::Max(rest, zero))));
+  const VF beyond = hn::IfThenElse(hn::Gt(rest, zero), other, zero);
+  const VF t = Fused(hand, hn::IfThenElse(hn::Ge(s, zero), root, beyond), vertex);
+  return hn::Min(hn::Max(t, c.low), c.high);
+}
+
 /// |p − B| − w.
 HWY_INLINE VF KeyAt(const BranchLanes& c, VF x, VF y, VF t) {
   const VF ex = hn::Sub(Fused(t, Fused(t, c.x2, c.x1), c.x0), x);
@@ -203,7 +228,11 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
                  Fused(y, at_row(Branches::foot_y), at_row(Branches::foot)));
     t = hn::Min(hn::Max(t, c.low), c.high);
     const auto single = hn::Gt(at_row(Branches::single), zero);
-    if (!hn::AllTrue(f, single)) t = hn::IfThenElse(single, t, BestStart(c, x, y, t));
+    if (!hn::AllTrue(f, single)) {
+      const VF start = FootOnHalf(c, x, y);
+      const auto tapers = hn::Lt(at_row(Branches::single), zero);
+      t = hn::IfThenElse(single, t, hn::IfThenElse(tapers, BestStart(c, x, y, t), start));
+    }
     for (int i = 0; i < 2; ++i) t = Stepped<kStroke>(c, x, y, t);
     const Reached at = ReachedAt(c, x, y, t);
     const Slope s = SlopeAt<kStroke>(c, at, t);
@@ -268,6 +297,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
 
 /// [px] By so much less than another a side that ends is nearest.
 inline constexpr float kTie = 1e-5f;
+inline constexpr float kEndsAtCorner = 0.5f;
 /// The cosine of half the angle that a joint is no corner up to.
 inline constexpr float kSmoothJoint = 0.9998f;
 
@@ -279,7 +309,7 @@ struct Sight {
   VF off, ex,
       ey;     ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
   VF across;  ///< of strokes: the gradient's share across the spine
-  VF moves;   ///< 1: this is no foot yet, or none of the outline's
+  VF moves;  ///< 1: this is no foot yet, or none of the outline's; less: its side ends at a corner before
 };
 
 template <bool kStroke>
@@ -292,6 +322,8 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
+  const float single = b.row(Branches::single)[k];
+  if (single == 0.0f) t = FootOnHalf(c, x, y);
   const VF bend2 = hn::Mul(set(9.0f), Fused(c.x2, c.x2, Fused(c.y2, c.y2, hn::Mul(c.w2, c.w2))));
   constexpr int kMostSteps = 8;
   // Each place by itself, so that vectors of any width take the same steps.
@@ -304,7 +336,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     t = next;
     if (hn::AllFalse(f, goes)) break;
   }
-  if (!(b.row(Branches::single)[k] > 0.0f)) t = NearerFoot<kStroke>(c, x, y, t);
+  if (single < 0.0f) t = NearerFoot<kStroke>(c, x, y, t);
   const Reached at = ReachedAt(c, x, y, t);
   const VF qx = hn::Neg(at.ex), qy = hn::Neg(at.ey);
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
@@ -362,11 +394,12 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   // But beyond a corner's bisector it is. Of a smooth joint the own normal is next to that between the two.
   const auto turns_on = hn::Lt(hn::Abs(Fused(nx, px, hn::Mul(ny, py))), set(kSmoothJoint));
   const auto corner = hn::And(goes_on, turns_on);
-  s.moves = hn::IfThenElse(hn::AndNot(corner, goes_on), one, s.moves);
+  s.moves = hn::IfThenElse(
+      goes_on, hn::IfThenElse(corner, hn::Max(s.moves, set(kEndsAtCorner)), one), s.moves);
   s.key = hn::IfThenElse(corner, hn::Add(s.key, set(kTie)), s.key);
   s.beyond = hn::IfThenElse(corner, hn::Abs(across), s.beyond);
-  s.sign = hn::IfThenElse(inner, s.sign, beside);
   const auto own = hn::Or(inner, corner);
+  s.sign = hn::IfThenElse(own, s.sign, beside);
   s.nx = hn::IfThenElse(own, s.nx, ox), s.ny = hn::IfThenElse(own, s.ny, oy);
   return s;
 }
@@ -397,8 +430,10 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
       const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
       // A foot that still moves may be on its way to the best one.
       const auto settled = hn::Eq(lost_moves, zero);
-      // Where a line comes nearer than the best foot, its side is not seen from here at all.
-      const auto seen = hn::And(settled, hn::Ge(lost_key, best.key));
+      // What sees the place from the other side, or comes nearer than the best foot, has its corner turned away.
+      const auto faces = hn::And(hn::Eq(lost_sign, best.sign), hn::Ge(lost_key, best.key));
+      const auto seen =
+          hn::Or(settled, hn::And(faces, hn::Eq(lost_moves, hn::Set(f, kEndsAtCorner))));
       const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), seen),
                                  hn::Lt(lost_key, next.key));
       next.key = hn::IfThenElse(other, lost_key, next.key);
