@@ -312,6 +312,7 @@ struct CellMean {
   float jump = 0;   ///< the most that a ridge changes colours by in a cell
   float kink = 0;   ///< what a clamp of the law may change
   float apart = 0;  ///< what quarters were apart from their wholes, times areas
+  float torn = 0;   ///< likewise where a ridge or a clamp may run through them
   int opens = 0;    ///< how many are open: the first of their list
 };
 
@@ -406,7 +407,7 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
     }
     if (!by.small) {
       bool all = any || !by.quarters;
-      if (!all) {
+      if (by.quarters) {
         const auto whole = size_t(which[k] / 4);
         const float* const a = now.area + k;
         const float area = (a[0] + a[1]) + (a[2] + a[3]);
@@ -417,8 +418,8 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
                     area * tile.scratch->wholes()[c][whole];
           most = HWY_MAX(most, std::abs(more[c]) * pixel.encoding.by[c]);
         }
-        mean.apart += most;
-        all = most > by.apart * area && most > by.few;
+        (any ? mean.torn : mean.apart) += most;
+        all = any || (most > by.apart * area && most > by.few);
         for (size_t c = 0; c < size_t(tile.channels) && !all; ++c)
           mean.closed.c[c] += more[c] * (1.0f / 3);
       }
@@ -445,7 +446,7 @@ inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& 
   const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
-  mean.jump = mean.kink = mean.apart = 0.0f, mean.opens = 0, mean.open = {};
+  mean.jump = mean.kink = mean.apart = mean.torn = 0.0f, mean.opens = 0, mean.open = {};
   for (int next = 0, looks = 0;; ++looks) {
     const int n = TakeSixteen(pixel, grid, list, count, by.quarters, next, now, which);
     if (n == 0) break;
@@ -526,8 +527,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
     const bool full = 4 * mean.opens > CellScratch::kMost;
-    const bool settled =
-        tile.fine && side > first && HWY_MAX(apart * pixel.seen, mean.apart) < 2.0f * allowed;
+    const bool settled = tile.fine && side > first &&
+                         HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) < 2.0f * allowed;
     if (last || full || settled || mean.opens == 0 ||
         (small && !pixel.bends && (bounded || agrees))) {
       if (side == begun) return;

@@ -128,36 +128,37 @@ class Gathering {
                                   : along_spine(outline_.spines[outline_.before[now_]], 1.0);
     const double by = to - from;
     const glm::dvec2 begin = on_spine(s, from) - middle_, way = by * along_spine(s, from);
-    const double figures[Branches::kRows] = {begin.x,
-                                             way.x,
-                                             by * by * s.x2,
-                                             begin.y,
-                                             way.y,
-                                             by * by * s.y2,
-                                             width_on_spine(s, from),
-                                             by * (s.w1 + 2.0 * from * s.w2),
-                                             by * by * s.w2,
-                                             from > 0.0 ? -kLap : 0.0,
-                                             to < 1.0 ? 1.0 + kLap : 1.0,
-                                             -from / by,
-                                             (1.0 - from) / by,
-                                             from == turn_ ? -kLap : -from / by,
-                                             to == turn_ ? 1.0 + kLap : (1.0 - from) / by,
-                                             s.side,
-                                             s.begin_x,
-                                             s.begin_y,
-                                             s.end_x,
-                                             s.end_y,
-                                             next.x,
-                                             next.y,
-                                             before.x,
-                                             before.y,
-                                             single                       ? 1.0
-                                             : s.w1 == 0.0 && s.w2 == 0.0 ? 0.0
-                                                                          : -1.0,
-                                             start,
-                                             0.0,
-                                             0.0};
+    const double figures[Branches::kRows] = {
+        begin.x,
+        way.x,
+        by * by * s.x2,
+        begin.y,
+        way.y,
+        by * by * s.y2,
+        width_on_spine(s, from),
+        by * (s.w1 + 2.0 * from * s.w2),
+        by * by * s.w2,
+        from > 0.0 ? -kLap : 0.0,
+        to < 1.0 ? 1.0 + kLap : 1.0,
+        -from / by,
+        (1.0 - from) / by,
+        turn_ >= 0.0 && from >= turn_ ? (turn_ - from) / by - kLap : -from / by,
+        turn_ >= 0.0 && to <= turn_ ? (turn_ - from) / by + kLap : (1.0 - from) / by,
+        s.side,
+        s.begin_x,
+        s.begin_y,
+        s.end_x,
+        s.end_y,
+        next.x,
+        next.y,
+        before.x,
+        before.y,
+        single                       ? 1.0
+        : s.w1 == 0.0 && s.w2 == 0.0 ? 0.0
+                                     : -1.0,
+        start,
+        0.0,
+        0.0};
     float* column = to_.figures.data() + to_.count++;
     for (int r = 0; r < Branches::kRows; ++r) column[r * Branches::kStride] = float(figures[r]);
   }

@@ -242,8 +242,8 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     // on a stretch whose width changes and which may have another foot somewhere in the square.
     const VF speed2 = hn::Mul(at.speed2, s.scale);
     const auto steady = hn::Gt(s.rise, hn::Mul(speed2, hn::Set(f, 0.35f)));
-    const auto turns_low = hn::Gt(at_row(Branches::least), at_row(Branches::first));
-    const auto turns_high = hn::Lt(at_row(Branches::most), at_row(Branches::last));
+    const auto turns_low = hn::Ge(at_row(Branches::least), c.low);
+    const auto turns_high = hn::Le(at_row(Branches::most), c.high);
     const auto joint_low = hn::AndNot(hn::Or(first, turns_low), held_low);
     const auto joint_high = hn::AndNot(hn::Or(last, turns_high), held_high);
     auto out = hn::And(steady, hn::Or(joint_low, joint_high));
