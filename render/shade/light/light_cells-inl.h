@@ -493,7 +493,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   LightTile& tile = pixel.tile;
   const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
   const float allowed = tile.tolerance;
-  float before[LightTile::kChannels] = {};
+  float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f;
   pixel.seen = HWY_MAX(form_area, 0.05f);
   const float bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
   const int begun = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8);
@@ -527,7 +527,11 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
     const bool full = 4 * mean.opens > CellScratch::kMost;
-    const bool settled = tile.fine && side > first &&
+    // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
+    const bool new_breaks =
+        mean.jump > 2.0f * last_jump + kJump * each || mean.kink > 2.0f * last_kink + kKink * each;
+    last_jump = mean.jump, last_kink = mean.kink;
+    const bool settled = tile.fine && side > first && !new_breaks &&
                          HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) < 2.0f * allowed;
     if (last || full || settled || mean.opens == 0 ||
         (small && !pixel.bends && (bounded || agrees))) {
