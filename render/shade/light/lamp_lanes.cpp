@@ -70,6 +70,7 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
   to.ambient = float(r.lamp.ambient());
   to.diffuse = float((1.0 - r.lamp.ambient()) / r.lamp.to_lamp().z);
   to.level_shine = float(r.lamp.level_shine()), to.shininess = float(r.lamp.shininess());
+  to.level_power = std::max(std::log2(to.level_shine), -126.0f);
   to.shine = float(r.lamp.specular() / (1.0 - r.lamp.level_shine()));
   if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
   to.domes.clear(), to.finest = 1e9f;

@@ -175,7 +175,9 @@ HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* 
   for (int b = 0; b < 3; ++b) {
     const Range range{RangeOf16(s.bounds[b], there).low, RangeOf16(s.upper[b], there).high};
     const float beyond = margin * (range.high - range.low);
-    less[b] = HWY_MAX(HWY_MIN(range.high + beyond, beyond - range.low), 0.0f);
+    const float up = HWY_MAX(range.high + beyond, 0.0f), down = HWY_MAX(beyond - range.low, 0.0f);
+    less[b] = b == 1 ? lamp.level_shine * HWY_MIN(std::exp2(up) - 1.0f, 1.0f - std::exp2(-down))
+                     : HWY_MIN(up, down);
     most = HWY_MAX(most, less[b]);
   }
   // Beyond a ramp's segment its colours are held: no place of it has them. Floats of places within are off by less.

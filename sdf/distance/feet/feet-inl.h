@@ -434,8 +434,13 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
       const auto faces = hn::And(hn::Eq(lost_sign, best.sign), hn::Ge(lost_key, best.key));
       const auto seen =
           hn::Or(settled, hn::And(faces, hn::Eq(lost_moves, hn::Set(f, kEndsAtCorner))));
-      const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), seen),
-                                 hn::Lt(lost_key, next.key));
+      // The runner-up is not who comes next, but whose ridge is nearest: (d' − d)² / |n' − n|² is least.
+      const VF gx = hn::Sub(best.nx, next.nx), gy = hn::Sub(best.ny, next.ny);
+      const VF apart = hn::Sub(lost_key, best.key), gap = hn::Sub(next.key, best.key);
+      const VF turn2 = Fused(dx, dx, hn::Mul(dy, dy)), next2 = Fused(gx, gx, hn::Mul(gy, gy));
+      const auto sooner =
+          hn::Lt(hn::Mul(hn::Mul(apart, apart), next2), hn::Mul(hn::Mul(gap, gap), turn2));
+      const auto other = hn::And(hn::And(hn::Gt(turn2, alike), seen), sooner);
       next.key = hn::IfThenElse(other, lost_key, next.key);
       next.nx = hn::IfThenElse(other, lost_x, next.nx);
       next.ny = hn::IfThenElse(other, lost_y, next.ny);
