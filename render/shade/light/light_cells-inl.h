@@ -224,6 +224,19 @@ inline int SideFor(float bend, float area, float allowed) {
   return side;
 }
 
+/// Whether 4 × 4 cells may be off because encoded colours go by a root of light: e = L^(1/2.4) bends by 1.4 e'² / e.
+inline bool BendsInTheDark(const LightTile& tile, const SixteenCells& cells) {
+  if (tile.lamp.linear || tile.lamp.distance_alone) return false;
+  constexpr float kRoot = 1.4f, kOffset = 0.055f, kCells = 1.0f / (16 * 24);
+  float most = 0.0f;
+  for (int c = 0; c < 3; ++c) {
+    const Range range = RangeOf16(cells.shades.c[c], cells.area);
+    const float wide = range.high - range.low;
+    most = HWY_MAX(most, kRoot * wide * wide / (HWY_MAX(range.low, 0.0f) + kOffset));
+  }
+  return most * kCells > tile.tolerance;
+}
+
 /// Sees sixteen cells; the first of them tell how the pixel is encoded, and whether cells are small.
 inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   // [px] Profiles are steep where cells are two depths wide. [levels · px] Seen at one depth, a row of 4 × 4 cells along
@@ -274,11 +287,13 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
       hn::Store(hn::IfThenElse(cut, mixed.c[c], load(cells.shades.c[c])), f, cells.shades.c[c] + k);
     hn::Store(hn::IfThenElse(close, mixed.jump, zero), f, cells.jump + k);
   }
-  if (!first || tile.fine || !tile.rises) return;
+  if (!first || tile.fine) return;
+  pixel.bends = BendsInTheDark(tile, cells);
+  if (!tile.rises) return;
   // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn².
   constexpr float kTurn = 1.5f * 255 / 4;
   const float turn = MostTurn(at.relief, cells.away);
-  pixel.bends = turn * turn > kTurn * tile.tolerance;
+  pixel.bends = pixel.bends || turn * turn > kTurn * tile.tolerance;
   // Thinner than cells: depths are not spread from the outline on where a ridge ends them.
   for (size_t k = 0; k < 16 && upright; ++k)
     pixel.bends =
@@ -405,33 +420,31 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
                      kHalfCell * (high[b] - low[b]);
       any = any || o;
     }
-    if (!by.small) {
-      bool all = any || !by.quarters;
-      if (by.quarters) {
-        const auto whole = size_t(which[k] / 4);
-        const float* const a = now.area + k;
-        const float area = (a[0] + a[1]) + (a[2] + a[3]);
-        float more[LightTile::kChannels], most = 0.0f;
-        for (size_t c = 0; c < size_t(tile.channels); ++c) {
-          const float* v = now.shades.c[c] + k;
-          more[c] = (a[0] * v[0] + a[1] * v[1]) + (a[2] * v[2] + a[3] * v[3]) -
-                    area * tile.scratch->wholes()[c][whole];
-          most = HWY_MAX(most, std::abs(more[c]) * pixel.encoding.by[c]);
-        }
-        (any ? mean.torn : mean.apart) += most;
-        all = any || (most > by.apart * area && most > by.few);
-        for (size_t c = 0; c < size_t(tile.channels) && !all; ++c)
-          mean.closed.c[c] += more[c] * (1.0f / 3);
+    bool all = any || !by.quarters;
+    if (by.quarters) {
+      const auto whole = size_t(which[k] / 4);
+      const float* const a = now.area + k;
+      const float area = (a[0] + a[1]) + (a[2] + a[3]);
+      float more[LightTile::kChannels], most = 0.0f;
+      for (size_t c = 0; c < size_t(tile.channels); ++c) {
+        const float* v = now.shades.c[c] + k;
+        more[c] = (a[0] * v[0] + a[1] * v[1]) + (a[2] * v[2] + a[3] * v[3]) -
+                  area * tile.scratch->wholes()[c][whole];
+        most = HWY_MAX(most, std::abs(more[c]) * pixel.encoding.by[c]);
       }
-      std::fill_n(opens, 4, all);
+      (any ? mean.torn : mean.apart) += most;
+      all = any || (most > by.apart * area && most > by.few);
+      for (size_t c = 0; c < size_t(tile.channels) && !all && !by.small; ++c)
+        mean.closed.c[c] += more[c] * (1.0f / 3);
     }
+    if (!by.small) std::fill_n(opens, 4, all);
     for (size_t q = k; q < end; ++q) {
       if (!(now.area[q] > 0.0f)) continue;
       (opens[q - k] ? of_open : of_closed)[q] = now.area[q];
       if (!opens[q - k]) continue;
       const auto at = size_t(mean.opens++);
       open[at] = list[which[q]];
-      for (size_t c = 0; c < size_t(tile.channels) && !by.small; ++c)
+      for (size_t c = 0; c < size_t(tile.channels); ++c)
         tile.scratch->of_open()[c][at] = now.shades.c[c][q];
     }
   }
@@ -477,7 +490,7 @@ inline int DivideCells(int side, const CellList& cells, int count, CellList& to)
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
   // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells, twice that where
   // it bends; ridges less than a thirtieth of their jump.
-  constexpr float kKink = 24.0f, kJump = 10.0f, kAgree = 0.7f;
+  constexpr float kKink = 24.0f, kJump = 10.0f, kAgree = 0.7f, kTorn = 3.0f;
   // Of what is permitted to any: what closed cells may be off by.
   constexpr float kClosed = 0.3f;
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
@@ -525,7 +538,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
     }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
-    const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
+    const bool agrees =
+        side > first && apart * pixel.seen < kAgree * allowed && mean.torn < kTorn * allowed;
     const bool full = 4 * mean.opens > CellScratch::kMost;
     // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
     const bool new_breaks =
