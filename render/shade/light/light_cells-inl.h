@@ -228,10 +228,14 @@ inline int SideFor(float bend, float area, float allowed) {
 inline bool BendsInTheDark(const LightTile& tile, const SixteenCells& cells) {
   if (tile.lamp.linear || tile.lamp.distance_alone) return false;
   constexpr float kRoot = 1.4f, kOffset = 0.055f, kCells = 1.0f / (16 * 24);
+  // [px] At a dome's foot light begins to change as the distance does, and a dark colour as its root.
+  constexpr float kFoot = 0.3f, kDark = 0.25f;
+  const bool at_foot = RangeOf16(cells.shades.foot, cells.area).low < kFoot;
   float most = 0.0f;
   for (int c = 0; c < 3; ++c) {
     const Range range = RangeOf16(cells.shades.c[c], cells.area);
     const float wide = range.high - range.low;
+    if (at_foot && range.low < kDark) return true;
     most = HWY_MAX(most, kRoot * wide * wide / (HWY_MAX(range.low, 0.0f) + kOffset));
   }
   return most * kCells > tile.tolerance;
@@ -288,7 +292,11 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     hn::Store(hn::IfThenElse(close, mixed.jump, zero), f, cells.jump + k);
   }
   if (!first || tile.fine) return;
-  pixel.bends = BendsInTheDark(tile, cells);
+  // In linear light dark colours are encoded steeply, and what domes bend them by with them.
+  const Encoding& by = pixel.encoding;
+  const float steep = HWY_MAX(by.by[0], HWY_MAX(by.by[1], by.by[2]));
+  pixel.bends = BendsInTheDark(tile, cells) || SideFor((pixel.bend - tile.lamp.bend) * steep,
+                                                       pixel.seen, tile.tolerance) > pixel.side;
   if (!tile.rises) return;
   // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn².
   constexpr float kTurn = 1.5f * 255 / 4;
@@ -508,10 +516,11 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   const float allowed = tile.tolerance;
   float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f;
   pixel.seen = HWY_MAX(form_area, 0.05f);
-  const float bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
-  const int begun = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8);
+  pixel.bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
+  const int begun = HWY_MIN(SideFor(pixel.bend, form_area, kFirst * allowed), 8);
   int first = begun;
-  const int least = SideFor(bend, form_area, allowed);
+  const int least = SideFor(pixel.bend, form_area, allowed);
+  pixel.side = HWY_MAX(begun, least);
   pixel.bends = tile.fine;
   CellScratch& scratch = *tile.scratch;
   CellList &list = scratch.listed, &open = scratch.open;
