@@ -498,7 +498,7 @@ inline int DivideCells(int side, const CellList& cells, int count, CellList& to)
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
   // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells, twice that where
   // it bends; ridges less than a thirtieth of their jump.
-  constexpr float kKink = 24.0f, kJump = 10.0f, kAgree = 0.7f, kTorn = 3.0f;
+  constexpr float kKink = 24.0f, kJump = 10.0f, kAgree = 0.7f, kTorn = 3.0f, kUnseen = 0.25f;
   // Of what is permitted to any: what closed cells may be off by.
   constexpr float kClosed = 0.3f;
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
@@ -553,8 +553,11 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
     const bool new_breaks =
         mean.jump > 2.0f * last_jump + kJump * each || mean.kink > 2.0f * last_kink + kKink * each;
+    // One that no cell has crossed yet may cut off the corner of a cell.
+    const bool unseen = mean.torn < kUnseen * allowed &&
+                        HWY_MAX(mean.kink, mean.jump) > allowed * float(side * side);
     last_jump = mean.jump, last_kink = mean.kink;
-    const bool settled = tile.fine && side > first && !new_breaks &&
+    const bool settled = tile.fine && side > first && !new_breaks && !unseen &&
                          HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) < 2.0f * allowed;
     if (last || full || settled || mean.opens == 0 ||
         (small && !pixel.bends && (bounded || agrees))) {
