@@ -404,6 +404,17 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   return s;
 }
 
+/// What may be the runner-up, once the best is known.
+struct Candidate {
+  alignas(64) float beyond[16], nx[16], ny[16], sign[16], moves[16];
+
+  HWY_INLINE void put(const Sight& s) {
+    const F f;
+    hn::Store(s.beyond, f, beyond), hn::Store(s.nx, f, nx), hn::Store(s.ny, f, ny);
+    hn::Store(s.sign, f, sign), hn::Store(s.moves, f, moves);
+  }
+};
+
 /// The pair that sixteen places see of these branches, from their feet at (cx, cy).
 template <bool kStroke>
 HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet& feet, float cx,
@@ -411,40 +422,41 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
   const F f;
   const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
   const VF alike = hn::Set(f, 4e-4f);  // [of |n − n'|²] one branch's
+  Candidate seen[Branches::kMost];
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
     Sight best{far, one, zero, far, one, far, one, zero, zero, zero}, next = best;
+    int count = 0;
     for (std::uint64_t rest = which; rest; rest &= rest - 1) {
-      const int i = std::countr_zero(rest);
-      const Sight now = SightOf<kStroke>(b, i, feet, cx, cy, x, y);
+      const Sight now = SightOf<kStroke>(b, std::countr_zero(rest), feet, cx, cy, x, y);
+      seen[count++].put(now);
       const auto nearer = hn::Lt(now.key, best.key);
       const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
-      const VF lost_key = pick(best.beyond, now.beyond), lost_x = pick(best.nx, now.nx),
-               lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign),
-               lost_moves = pick(best.moves, now.moves);
       best = {pick(now.key, best.key),       pick(now.nx, best.nx),
               pick(now.ny, best.ny),         pick(now.beyond, best.beyond),
               pick(now.sign, best.sign),     pick(now.off, best.off),
               pick(now.ex, best.ex),         pick(now.ey, best.ey),
               pick(now.across, best.across), pick(now.moves, best.moves)};
-      const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
-      // A foot that still moves may be on its way to the best one.
-      const auto settled = hn::Eq(lost_moves, zero);
-      // What sees the place from the other side, or comes nearer than the best foot, has its corner turned away.
-      const auto faces = hn::And(hn::Eq(lost_sign, best.sign), hn::Ge(lost_key, best.key));
-      const auto seen =
-          hn::Or(settled, hn::And(faces, hn::Eq(lost_moves, hn::Set(f, kEndsAtCorner))));
-      // The runner-up is not who comes next, but whose ridge is nearest: (d' − d)² / |n' − n|² is least.
-      const VF gx = hn::Sub(best.nx, next.nx), gy = hn::Sub(best.ny, next.ny);
-      const VF apart = hn::Sub(lost_key, best.key), gap = hn::Sub(next.key, best.key);
-      const VF turn2 = Fused(dx, dx, hn::Mul(dy, dy)), next2 = Fused(gx, gx, hn::Mul(gy, gy));
-      const auto sooner =
-          hn::Lt(hn::Mul(hn::Mul(apart, apart), next2), hn::Mul(hn::Mul(gap, gap), turn2));
-      const auto other = hn::And(hn::And(hn::Gt(turn2, alike), seen), sooner);
-      next.key = hn::IfThenElse(other, lost_key, next.key);
-      next.nx = hn::IfThenElse(other, lost_x, next.nx);
-      next.ny = hn::IfThenElse(other, lost_y, next.ny);
-      next.sign = hn::IfThenElse(other, lost_sign, next.sign);
+    }
+    // The runner-up is not who comes next, but whose ridge is nearest: (d' − d)² / |n' − n|² is least.
+    VF gap2 = hn::Mul(far, far), turn2 = one;
+    for (int i = 0; i < count && count > 1; ++i) {
+      const Candidate& c = seen[i];
+      const VF key = hn::Load(f, c.beyond), nx = hn::Load(f, c.nx), ny = hn::Load(f, c.ny),
+               sign = hn::Load(f, c.sign), moves = hn::Load(f, c.moves);
+      const VF dx = hn::Sub(best.nx, nx), dy = hn::Sub(best.ny, ny), gap = hn::Sub(key, best.key);
+      const VF own_gap2 = hn::Mul(gap, gap), own_turn2 = Fused(dx, dx, hn::Mul(dy, dy));
+      // What sees the place from the other side, or comes nearer than the best foot, has its corner turned away. A foot
+      // that still moves may be on its way to the best one.
+      const auto corner = hn::And(hn::Eq(moves, hn::Set(f, kEndsAtCorner)),
+                                  hn::And(hn::Eq(sign, best.sign), hn::Ge(gap, zero)));
+      const auto sooner = hn::Lt(hn::Mul(own_gap2, turn2), hn::Mul(gap2, own_turn2));
+      const auto other =
+          hn::And(hn::And(hn::Gt(own_turn2, alike), sooner), hn::Or(hn::Eq(moves, zero), corner));
+      const auto take = [&](VF a, VF of_next)
+                            HWY_ATTR { return hn::IfThenElse(other, a, of_next); };
+      gap2 = take(own_gap2, gap2), turn2 = take(own_turn2, turn2), next.key = take(key, next.key);
+      next.nx = take(nx, next.nx), next.ny = take(ny, next.ny), next.sign = take(sign, next.sign);
     }
     const VF dx = hn::Sub(best.nx, next.nx), dy = hn::Sub(best.ny, next.ny);
     const VF over = hn::Div(one, hn::Sqrt(Fused(dx, dx, Fused(dy, dy, hn::Set(f, 1e-12f)))));
