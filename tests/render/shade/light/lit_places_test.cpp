@@ -193,9 +193,13 @@ TEST(LitPlaces, HalvesOfAParabolaHaveFeetOfTheirOwn) {
       if (!at.look(thin.area, random)) continue;
       for (std::size_t i = 0; i < 16; ++i) {
         EXPECT_NEAR(at.seen.best.d[i], thin.area.at(at.place(i)), 2e-3) << k << " " << i;
-        // The other half is as far from the axis, unless that begins beside the place.
+        // The other half is as far from the axis.
         const glm::dvec2 from = at.place(i) - thin.tip;
-        if (at.seen.best.d[i] > 0.0f || glm::dot(from, thin.way) < 1.0) continue;
+        const double along = glm::dot(from, thin.way);
+        const glm::dvec2 on_axis = thin.tip + along * thin.way - kAround - at.middle;
+        if (at.seen.best.d[i] > 0.0f || along < 1.0 ||
+            std::max(std::abs(on_axis.x), std::abs(on_axis.y)) > at.half)
+          continue;
         ++inside;
         const double axis = std::abs(from.x * thin.way.y - from.y * thin.way.x);
         EXPECT_NEAR(at.seen.off[i], axis, 0.02 + 0.1 * axis) << k << " " << i;
