@@ -534,9 +534,13 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     const bool small = !pixel.bends && side >= least;
     const bool last = side == finest;
     const float each = allowed * float(side * side) / (16.0f * pixel.seen);
+    // Cells at a part's tips see too little of it to agree on.
+    constexpr int kClosesFrom = 16;
+    const float closes = tile.fine && form && side < kClosesFrom ? -1.0f : 1.0f;
     LookAtCells(pixel, grid, list, count,
                 {kClosed * kJump * each, kClosed * kKink * each,
-                 last ? 1e9f : kApart * allowed / pixel.seen, kFew * allowed, side > first, small},
+                 last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * kFew * allowed,
+                 side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
     float apart = 0.0f, change[LightTile::kChannels];
@@ -563,7 +567,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
         (small && !pixel.bends && (bounded || agrees))) {
       if (side == begun) return;
       const bool at_end = side >= PartCells::kMostSide;
-      const float left = (at_end ? last_left : kSettled) * HWY_MAX(mean.apart, apart * pixel.seen),
+      const float left = (at_end ? last_left : kSettled) *
+                         HWY_MAX(mean.apart + (tile.fine ? mean.torn : 0.0f), apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
       if (at_end || off < kAgain) return void(tile.off += off);
