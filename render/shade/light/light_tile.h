@@ -5,7 +5,7 @@
 // A square of 16, 8 or 4 pixels is looked at by Gauss's 4 × 4 places. Where nothing breaks it (a ridge, a clamp of
 // the law, the steep outline of a round profile) and its terms of third degree are small, the means of its pixels and of
 // parts of them are those of the bicubic through these places, exactly. Else it is quartered. Pixels that are left are
-// looked at by 4 × 4 cells, cut by ridges; by 8 × 8 to 32 × 32 where those do not suffice (docs/derivations/light.md).
+// looked at by 4 × 4 cells, cut by ridges; by 8 × 8 to 128 × 128 where those do not suffice (docs/derivations/light.md).
 
 #include "render/cover/part_form.h"
 #include "render/shade/light/lamp_lanes.h"

@@ -20,7 +20,8 @@ namespace {
 
 constexpr glm::dvec2 kMiddle{24.0, 24.0};
 
-void set_distance(const FeetArea& area, LightGround& ground, CellScratch& scratch, LightTile& tile) {
+void set_distance(const FeetArea& area, LightGround& ground, CellScratch& scratch,
+                  LightTile& tile) {
   tile.x = tile.y = 16, tile.rises = true, tile.channels = 1, tile.tolerance = 1e-3f;
   tile.lamp.distance_alone = true;
   ground.area.narrow(area, kMiddle, 12.0);
@@ -66,7 +67,7 @@ struct MeansOff {
   void judge(const AreaDistance& area) {
     const FeetArea feet(area, {0, 0});
     CellScratch scratch;
-  LightGround ground;
+    LightGround ground;
     LightTile tile;
     set_distance(feet, ground, scratch, tile);
     for (int p = 0; p < 256 && !ground.crowded; p += 5) {
@@ -198,7 +199,7 @@ TEST(NearArea, KnowsHairpins) {
     const AreaDistance distance = distance_of(std::move(scene), area);
     const FeetArea feet(distance, {0, 0});
     CellScratch scratch;
-  LightGround ground;
+    LightGround ground;
     LightTile tile;
     set_distance(feet, ground, scratch, tile);
     ASSERT_FALSE(ground.crowded);
