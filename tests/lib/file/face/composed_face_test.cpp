@@ -176,7 +176,7 @@ TEST(ComposedFace, IsIdleWithinBounds) {
     }
     return most - least;
   };
-  EXPECT_NEAR(range("neck/points/1"), 0.008, 0.001) << "breath";
+  EXPECT_NEAR(range("neck/points/1"), 0.008, 0.0017) << "breath";
   const double chin = range("head/points/5");
   EXPECT_GT(chin, 0.005);
   EXPECT_LT(chin, 0.06);
