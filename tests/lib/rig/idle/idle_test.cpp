@@ -57,8 +57,11 @@ TEST(Idle, IsSmallerAndBlinksLessWithLessLiveliness) {
     const IdleNumbers one = idle_at(5, t), less = idle_at(5, t, 0.25), none = idle_at(5, t, 0);
     for (std::size_t i = 0; i < kIdleParts; ++i) {
       EXPECT_EQ(none[i], 0);
-      if (IdlePart(i) != IdlePart::blink_left && IdlePart(i) != IdlePart::blink_right)
+      const bool blinks =
+          IdlePart(i) == IdlePart::blink_left || IdlePart(i) == IdlePart::blink_right;
+      if (!blinks) {
         EXPECT_NEAR(less[i], 0.25 * one[i], 1e-15);
+      }
     }
   }
 }
