@@ -106,7 +106,8 @@ LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch)
     if (!known) kept.feet += ground->take_feet(), ground->whose = whose, ++ground->made;
     if (!known || t.ground != ground.get() || t.of_ground != ground->made ||
         t.segment != piece.segment) {
-      t.ground = ground.get(), t.of_ground = ground->made, t.segment = piece.segment, t.scratch = &kept.cells;
+      t.ground = ground.get(), t.of_ground = ground->made, t.segment = piece.segment,
+      t.scratch = &kept.cells;
       t.x = left, t.y = top, t.side = side;
       make_tile(piece, t, !known);
     }
