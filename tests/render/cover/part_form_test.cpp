@@ -49,8 +49,8 @@ TEST(PartForm, GivesCellsTheirAreasAndCentroids) {
   }
 }
 
-/// Squares of a 64th and a 128th, one by one, have together what the cell of a thirty-second has: areas and moments, of what
-/// enters from the left, too.
+/// Squares of a 64th and a 128th, one by one, have together what the cell of a thirty-second has: areas and moments, of
+/// what enters from the left, too.
 TEST(PartForm, GivesSmallSquaresWhatTheirCellHas) {
   test::Random random(6);
   for (int k = 0; k < 200; ++k) {
