@@ -19,7 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct LitColor {
   VF c[4];
   /// What the law clamps, minus the bound: colours have a kink where one of these is 0. In order: facing the lamp,
-  /// the highlight (its power of 2, which varies evenly where the highlight does not), the brightest channel; the other channels follow where that one is beyond 0.
+  /// the highlight (its power of 2, which varies evenly where the highlight does not), the brightest channel; the
+  /// other channels follow where that one is beyond 0.
   VF bounds[3];
   /// How far inside the ramp's colours are; less than 0 beyond its segment, where they are held.
   VF inside;

@@ -73,9 +73,10 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
   if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
   // Over a round profile's width colours make all their change, some 100 levels with a bend of 4 / width²; or a
   // highlight its own, of which as much counts as on domes.
-  constexpr float kDiffuse = 1.6f, kUsual = 0.35f;
+  constexpr float kDiffuse = 1.6f;
   if (!flat && round)
-    to.bend += std::max(kDiffuse, kUsual * to.shine * to.shininess) / float(r.width * r.width);
+    to.bend += std::max(kDiffuse, LampLanes::kUsualBend * to.shine * to.shininess) /
+               float(r.width * r.width);
   to.domes.clear(), to.finest = 1e9f;
   for (const GridRelief::GridDome& dome : r.domes) {
     const glm::dvec2 at = surface.center() + dome.center - middle;

@@ -42,6 +42,8 @@ struct LampLanes {
   std::vector<LampDome> domes;  ///< that reach the tile
   float finest =
       1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one
+  /// Of the most that a highlight's bends in both directions and its peak can be at once.
+  static constexpr float kUsualBend = 0.35f;
   /// [1/px²] What colours bend by over a round profile and along a ramp: second derivatives, white being 1.
   float bend = 0;
   LampRamp ramp;  ///< instead of `light`

@@ -154,8 +154,8 @@ HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
   return std::uint64_t(bytes[0] | bytes[1] << 8) << k;
 }
 
-/// The foot on that half of a parabola, by the roots of its cubic: with τ = t − the vertex's, f = 2 |x₂|² (τ³ + 3 P τ − S).
-/// On the place's own half it is the largest root. On the other one it is the least distance that a place beyond the
+/// The foot on that half of a parabola, by the roots of its cubic, to 1.2e-5 of τ (depressed_cubic-inl.h): with τ = t −
+/// the vertex's, f = 2 |x₂|² (τ³ + 3 P τ − S). On the place's own half it is the largest root. On the other one it is the least distance that a place beyond the
 /// centre of curvature has there, which the rest of the cubic gives; if that has no roots, the vertex.
 HWY_INLINE VF FootOnHalf(const BranchLanes& c, VF x, VF y) {
   const F f;
@@ -297,6 +297,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
 
 /// [px] By so much less than another a side that ends is nearest.
 inline constexpr float kTie = 1e-5f;
+/// `moves` of a side that ends at a corner before the place comes to it.
 inline constexpr float kEndsAtCorner = 0.5f;
 /// The cosine of half the angle that a joint is no corner up to.
 inline constexpr float kSmoothJoint = 0.9998f;
