@@ -185,6 +185,22 @@ inline float MostTurn(const BranchPair& at, const float* away) {
   return most;
 }
 
+/// [1/px²] What a radial ramp bends by in a pixel around (x, y): across the way from its centre, as one by how far it is.
+inline float RampBendAt(const LampRamp& ramp, float x, float y) {
+  constexpr float kReach = 0.7072f, kCentre = 0.1f;  // [px]
+  if (ramp.kind != LampRamp::Kind::radial) return 0.0f;
+  const float px = x - ramp.x, py = y - ramp.y;
+  const float u = px * ramp.xx + py * ramp.xy, v = px * ramp.yx + py * ramp.yy;
+  const float t = std::sqrt(u * u + v * v);
+  const float n = ramp.xx * ramp.xx + ramp.xy * ramp.xy + ramp.yx * ramp.yx + ramp.yy * ramp.yy;
+  const float ax = u * ramp.yx - v * ramp.xx, ay = u * ramp.yy - v * ramp.xy, step = std::sqrt(n);
+  // Farther than a pixel from the centre the way hardly turns within it.
+  const float across2 = t > step ? (ax * ax + ay * ay) / (t * t) : n;
+  float slope = 0.0f;
+  for (const float by : ramp.slope) slope = HWY_MAX(slope, std::abs(by));
+  return slope * across2 / HWY_MAX(t - kReach * step, kCentre * step);
+}
+
 /// [1/px²] What light bends by in a pixel around (x, y). A dome's slope changes by 8 height / radius² at its foot, twice
 /// as fast as at its top, and that by 24 height / radius³; a highlight is a bell of 1 / √shininess in slope.
 inline float BendAt(const LampLanes& lamp, float x, float y) {
@@ -203,9 +219,8 @@ inline float BendAt(const LampLanes& lamp, float x, float y) {
     turn += std::abs(dome.height) * ((1.0f - near * near) * n + 2.0f * steep);
     turns_by += 6.0f * std::abs(dome.height) * far * n * std::sqrt(n);
   }
-  if (turn == 0.0f) return lamp.bend;
   const float s = lamp.shininess;
-  return lamp.bend +
+  return lamp.bend + RampBendAt(lamp.ramp, x, y) +
          LampLanes::kUsualBend * ((lamp.shine * s + lamp.diffuse) * turn * turn +
                                   (0.6f * lamp.shine * std::sqrt(s) + lamp.diffuse) * turns_by);
 }
