@@ -237,8 +237,6 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.3f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  // Quarters that a kink runs through are off one way and the other: for 8 bits half of that counts.
-  const float torn_counts = pixel.tile.fine ? 1.0f : 0.5f;
   // Of that: cells that were closed with more left were closed too soon.
   constexpr float kAgain = 0.5f;
   LightTile& tile = pixel.tile;
@@ -304,7 +302,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       if (side == begun) return;
       const bool at_end = side >= PartCells::kMostSide;
       const float left = (at_end ? last_left : kSettled) *
-                         HWY_MAX(mean.apart + torn_counts * mean.torn, apart * pixel.seen),
+                         HWY_MAX(mean.apart + mean.torn, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
       if (at_end || off < kAgain) return void(tile.off += off);

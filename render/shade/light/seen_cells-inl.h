@@ -303,6 +303,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     hn::Store(hn::IfThenElse(close, mixed.jump, zero), f, cells.jump + k);
   }
   if (!first || tile.fine) return;
+  constexpr float kBell = 32.0f;  // [of the tolerance] a highlight that shows
   // In linear light dark colours are encoded steeply, and what domes bend them by with them.
   const Encoding& by = pixel.encoding;
   const float steep = HWY_MAX(by.by[0], HWY_MAX(by.by[1], by.by[2]));
@@ -313,10 +314,18 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   constexpr float kTurn = 1.5f * 255 / 4;
   const float turn = MostTurn(at.relief, cells.away);
   pixel.bends = pixel.bends || turn * turn > kTurn * tile.tolerance;
-  // Thinner than cells: depths are not spread from the outline on where a ridge ends them.
-  for (size_t k = 0; k < 16 && upright; ++k)
-    pixel.bends =
-        pixel.bends || (cells.area[k] > 0.0f && at.relief.off[k] - at.relief.best.d[k] < kThin);
+  if (!upright) return;
+  // Thinner than cells: depths are not spread from the outline on where a ridge ends them. And a highlight that rises by
+  // more than this power of 2 between two depths may be a bell between them.
+  constexpr float kRises = 6.0f;
+  for (size_t k = 0; k < 16; ++k) {
+    if (!(cells.area[k] > 0.0f)) continue;
+    const float power = cells.shades.upper[1][k] + tile.lamp.level_power;
+    const bool bell =
+        cells.shades.upper[1][k] - cells.shades.bounds[1][k] > kRises &&
+        tile.lamp.shine * std::exp2(power) * steep * pixel.seen > kBell * tile.tolerance;
+    pixel.bends = pixel.bends || bell || at.relief.off[k] - at.relief.best.d[k] < kThin;
+  }
 }
 
 }  // namespace HWY_NAMESPACE
