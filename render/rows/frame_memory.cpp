@@ -1,5 +1,4 @@
 #include "render/rows/frame_memory.h"
-#include "render/rows/row_fingerprints.h"
 
 #include <algorithm>
 #include <cstring>
@@ -29,29 +28,29 @@ bool FrameMemory::begin(const Frame& frame) {
   const std::size_t bytes = row_bytes * std::size_t(frame.rows);
   if (!like_before || rest_ > 0 || kInCommon * frame.in_common < frame.shapes || bytes > kMost) {
     filled_ = false;
-    std::fill(fingerprints_.begin(), fingerprints_.end(), RowFingerprints::kNone);
+    std::fill(held_.begin(), held_.end(), 0);
     return false;
   }
-  if (row_bytes_ != row_bytes || fingerprints_.size() != std::size_t(frame.rows)) {
+  if (row_bytes_ != row_bytes || held_.size() != std::size_t(frame.rows)) {
     filled_ = false;
     row_bytes_ = row_bytes;
     rows_.resize(bytes);
-    fingerprints_.assign(std::size_t(frame.rows), RowFingerprints::kNone);
+    held_.assign(std::size_t(frame.rows), 0);
   }
   return true;
 }
 
-bool FrameMemory::recall(int y, std::uint64_t fingerprint, std::byte* to) {
-  if (fingerprint == RowFingerprints::kNone || fingerprints_[std::size_t(y)] != fingerprint)
-    return false;
-  std::memcpy(to, &rows_[row_bytes_ * std::size_t(y)], row_bytes_);
-  return true;
+void FrameMemory::forget(int top, int bottom) {
+  std::fill(held_.begin() + top, held_.begin() + bottom, 0);
 }
 
-void FrameMemory::keep(int y, std::uint64_t fingerprint, const std::byte* from) {
-  fingerprints_[std::size_t(y)] = fingerprint;
-  if (fingerprint != RowFingerprints::kNone)
-    std::memcpy(&rows_[row_bytes_ * std::size_t(y)], from, row_bytes_);
+void FrameMemory::recall(int y, std::byte* to) const {
+  std::memcpy(to, &rows_[row_bytes_ * std::size_t(y)], row_bytes_);
+}
+
+void FrameMemory::keep(int y, const std::byte* from) {
+  std::memcpy(&rows_[row_bytes_ * std::size_t(y)], from, row_bytes_);
+  held_[std::size_t(y)] = 1;
 }
 
 void FrameMemory::end(int rows, int recalled) {

@@ -123,7 +123,7 @@ class RowPainter {
   // The row at hand.
   int y_ = 0, x0_ = 0, x1_ = 0;
   std::byte* to_ = nullptr;
-  const std::uint16_t* hints_ = nullptr;
+  const int* hints_ = nullptr;
   RenderStats* stats_ = nullptr;
   Rgba sum_;
   int look_ = 0;  ///< of the run before

@@ -46,7 +46,7 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
     to[0] = to[0] + part.area * jump;
     to[1] = to[1] + part.rest * jump;
     marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
-    hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
+    hints_[std::size_t(row) * stride_ + column] = right_look;
     ++cells_;
   };
   const auto add_row = [&](const RowStretch& s) {

@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-constexpr long kHalvingsFirst = 10'000;  // of steps: enough for any face, and an end
+constexpr long kHalvingsOfBand = 10'000;  // of a band's steps: enough for any face, and an end
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& 
   lanes_.count = 0, active_.clear(), slopes_.clear();
   stats_ = {};
   stats_.pieces = long(outlines.pieces.size());
-  halvings_left_ = kHalvingsFirst + 4 * stats_.pieces;
+  halvings_left_ = kHalvingsOfBand;
   holds(bytes());
   begin_at(top);
   double border = std::floor(top / kBandRows) * kBandRows + kBandRows;  // the next one
@@ -53,6 +53,7 @@ void Sweep::cross_border(double y) {
     first_in_band_.push_back(int(fragments_.size()));
   }
   sort_at_border();
+  halvings_left_ = kHalvingsOfBand;
 }
 
 /// The order from nothing: the chains that come from above, as they are seen from there.

@@ -50,23 +50,24 @@ TEST(FrameMemory, IsNotForPicturesLargerThanItSays) {
   EXPECT_FALSE(memory.begin(wide(1)));
 }
 
-TEST(FrameMemory, RecallsWhatIsMadeFromTheSame) {
+TEST(FrameMemory, RecallsRowsUntilTheyAreForgotten) {
   FrameMemory memory;
   memory.begin(kFrame);
   memory.begin(kFrame);
-  std::vector<std::byte> row(kRowBytes, std::byte{7}), to(kRowBytes);
-  EXPECT_FALSE(memory.recall(2, 5, to.data()));
-  memory.keep(2, 5, row.data());
-  EXPECT_FALSE(memory.recall(2, 6, to.data()));
-  EXPECT_FALSE(memory.recall(1, 5, to.data()));
-  ASSERT_TRUE(memory.recall(2, 5, to.data()));
+  const std::vector<std::byte> row(kRowBytes, std::byte{7});
+  std::vector<std::byte> to(kRowBytes);
+  EXPECT_FALSE(memory.holds(2));
+  for (const int y : {1, 2, 3}) memory.keep(y, row.data());
+  memory.begin(kFrame);
+  ASSERT_TRUE(memory.holds(2));
+  memory.recall(2, to.data());
   EXPECT_EQ(to, row);
-  memory.keep(2, 0, row.data());
-  EXPECT_FALSE(memory.recall(2, 0, to.data())) << "made from more than its fingerprint says";
-  memory.keep(3, 9, row.data());
+  memory.forget(1, 3);
+  EXPECT_FALSE(memory.holds(1) || memory.holds(2));
+  EXPECT_TRUE(memory.holds(3));
   memory.begin(with([](auto& f) { f.rect.x = 1; }));
   memory.begin(with([](auto& f) { f.rect.x = 1; }));
-  EXPECT_FALSE(memory.recall(3, 9, to.data())) << "of other columns";
+  EXPECT_FALSE(memory.holds(3)) << "of other columns";
 }
 
 TEST(FrameMemory, RestsWhereItIsOfNoUse) {
