@@ -55,16 +55,19 @@ struct Renderer::Scratch {
   void make(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
     const PixelRect r = drawn_rect(view);
     drawing.prepare(scene, view, depth, threads);
-    keeps = memory.begin({view.height, r, depth, int(scene.shapes().size()),
-                          drawing.crowded() ? 0 : drawing.shapes_in_common()});
-    const auto rows = [&](int band) {
-      return std::pair{band * Drawing::kRows, std::min((band + 1) * Drawing::kRows, view.height)};
-    };
+    const auto top_of = [](int band) { return band * Drawing::kRows; };
+    int same = 0;
+    for (int band = 0; band < drawing.bands(); ++band)
+      if (!drawing.changed(band))
+        same +=
+            std::max(std::min(top_of(band + 1), r.y + r.height) - std::max(top_of(band), r.y), 0);
+    keeps = memory.begin({view.height, r, depth, same});
     for (int band = 0; keeps && band < drawing.bands(); ++band)
-      if (const auto [top, bottom] = rows(band); drawing.changed(band)) memory.forget(top, bottom);
+      if (drawing.changed(band))
+        memory.forget(top_of(band), std::min(top_of(band + 1), view.height));
     const auto is_wanted = [&](int band) {
-      auto [y, bottom] = rows(band);
-      y = std::max(y, r.y), bottom = std::min(bottom, r.y + r.height);
+      int y = std::max(top_of(band), r.y);
+      const int bottom = std::min(top_of(band + 1), r.y + r.height);
       while (keeps && y < bottom && memory.holds(y)) ++y;
       return y < bottom;
     };
@@ -117,7 +120,6 @@ struct Renderer::Scratch {
     parallel_for(jobs, how.threads, std::ref(job));  // by reference: a copy would be allocated
     RenderStats stats = done.stats();
     stats.pixels = (long long)r.width * r.height;
-    if (keeps) memory.end(r.height, int(stats.recalled_pixels / r.width));
     drawing.tell(stats);
     return stats;
   }

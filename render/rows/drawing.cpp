@@ -54,40 +54,32 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth,
   arrange_all(threads);
 }
 
-/// Of a scene that shares few shapes with the one before everything is made.
 void Drawing::prepare(const Scene& scene, const View& view, Depth depth, bool crowded,
                       const Threads& threads) {
-  constexpr int kInCommon = 4;  // one shape in so many
   const bool like_before = crowded == crowded_ && is_of(view, depth);
-  if (like_before && same_scene(scene, now().scene)) {
-    common_.find(now().scene, now().scene);
-    return changed_.begin(bands(), false);
-  }
+  if (like_before && same_scene(scene, now().scene)) return changed_.begin(bands(), crowded);
   made_ = false, crowded_ = crowded;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
   view_ = view;
   format_ = PixelFormat(depth, view.blend);
   now_ = 1 - now_;
   now().scene = scene;
-  common_.find(prepared_[1 - now_].scene, now().scene);
   changed_.begin(bands(), true);
   forget_order();
   if (crowded_)
     crowd_.make(scene, view, depth);
   else
-    prepare_outlines(like_before && common_.frame() &&
-                         kInCommon * common_.shapes() >= int(scene.shapes().size()),
-                     threads);
-  made_ = true;
+    prepare_outlines(like_before, threads);
 }
 
 void Drawing::prepare_outlines(bool like_before, const Threads& threads) {
+  const PreparedScene& before = prepared_[1 - now_];
+  like_before = like_before && common_.find(before.scene, now().scene);
   const Box2 window{{0.0, 0.0}, {width_, height_}};
   tolerance_ = tolerance_of(format_.depth(), view_.blend);
   const OutlineFrame frame{grid_from_face(scene().canvas(), view_), window, tolerance_};
   foresee(scene(), frame);
   now().paints.make(scene(), view_, format_.depth());
-  const PreparedScene& before = prepared_[1 - now_];
   if (like_before)
     paints().programs.find_same(before.paints.programs, same_as_);
   else
@@ -98,18 +90,22 @@ void Drawing::prepare_outlines(bool like_before, const Threads& threads) {
   changed_.find(before, now(), common_, same_as_);
 }
 
+/// It counts as made when it is done: what ended early is made anew.
 void Drawing::arrange(const std::function<bool(int)>& wanted, const Threads& threads) {
-  if (crowded_) return;
+  made_ = false;
   const auto open = [&](int band) { return part_of_[std::size_t(band)] < 0 && wanted(band); };
   const int before = part_count_;
-  for (int band = 0; band < bands(); ++band) {
+  for (int band = 0; !crowded_ && band < bands(); ++band) {
     const int first = band;
     while (band < bands() && open(band)) ++band;
     if (band > first) part_bands(first, band);
   }
   const auto job = [&](int i) { arrange(parts_[std::size_t(before + i)]); };
-  if (part_count_ - before == 1) return job(0);
-  parallel_for(part_count_ - before, threads, std::ref(job));
+  if (part_count_ - before == 1)
+    job(0);
+  else
+    parallel_for(part_count_ - before, threads, std::ref(job));
+  made_ = true;
 }
 
 /// Into as many parts as are worth their beginnings, whatever the threads: limits and figures do not depend on those.

@@ -96,11 +96,8 @@ class Drawing {
   /// … then the bands that are to be drawn.
   void arrange(const std::function<bool(int band)>& wanted, const Threads& threads);
   int bands() const { return (height_ + kRows - 1) / kRows; }
-  /// Whether a band differs from that of the scene and view prepared before; true unless that is proven.
+  /// Whether a band differs from that of the scene and view prepared before; true unless that is proven, and in crowds.
   bool changed(int band) const { return changed_[band]; }
-  /// The shapes that this scene has in common with that one.
-  int shapes_in_common() const { return common_.shapes(); }
-  bool crowded() const { return crowded_; }
 
   /// Strips of kRows rows, the sweep's bands. Draws those rows of a strip that show some of the target.
   static constexpr int kRows = Sweep::kBandRows;

@@ -48,7 +48,8 @@ class RowSums {
   long long cells() const { return cells_; }  ///< since it was made
 
  private:
-  void share(int row, const CellStretch& cell, int left_varied, int right_varied);
+  void share(int row, int column, const CellPart& part, const PartStretch& stretch, int left_varied,
+             int right_varied);
 
   long long cells_ = 0;
   int width_ = 0;

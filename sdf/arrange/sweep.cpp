@@ -8,7 +8,8 @@
 namespace mien {
 namespace {
 
-constexpr long kHalvingsOfBand = 10'000;  // of a band's steps: enough for any face, and an end
+// Of a band's steps, and more for each piece and end that it passes: enough for any face, and an end.
+constexpr long kHalvingsOfBand = 2000;
 
 }  // namespace
 
@@ -36,6 +37,7 @@ void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& 
     for (; border <= e->y; border += kBandRows) cross_border(border);
     go_to(e->y);
     end_or_begin(*e);
+    halvings_left_ += kHalvingsOfPiece;
   }
   for (; border < bottom; border += kBandRows) cross_border(border);
   go_to(bottom);

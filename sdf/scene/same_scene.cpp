@@ -87,12 +87,10 @@ bool same_scene(const Scene& a, const Scene& b) {
          std::equal(a.layers().begin(), a.layers().end(), b.layers().begin(), same_layer);
 }
 
-void InCommon::find(const Scene& a, const Scene& b) {
-  a_ = &a, b_ = &b, shapes_ = 0;
-  frame_ = same_frame(a, b);
+bool InCommon::find(const Scene& a, const Scene& b) {
+  if (!same_frame(a, b)) return false;
+  a_ = &a, b_ = &b;
   same_.assign(std::min(a.nodes().size(), b.nodes().size()), 0);
-  for (std::size_t i = 0, end = std::min(a.shapes().size(), b.shapes().size()); i < end; ++i)
-    shapes_ += same_shape(a.shapes()[i], b.shapes()[i]);
   for (std::size_t i = 0; i < same_.size(); ++i) {
     const Node& n = a.nodes()[i];
     const auto same = [&](int operand) { return operand < 0 || same_[std::size_t(operand)]; };
@@ -101,6 +99,7 @@ void InCommon::find(const Scene& a, const Scene& b) {
         (n.op == Op::shape ? same_shape(a.shapes()[std::size_t(n.a)], b.shapes()[std::size_t(n.a)])
                            : same(n.a) && same(n.b));
   }
+  return true;
 }
 
 bool InCommon::layer(std::size_t i) const {

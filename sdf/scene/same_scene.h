@@ -14,12 +14,10 @@ bool same_scene(const Scene& a, const Scene& b);
 /// What two scenes have in common at the same places of their lists.
 class InCommon {
  public:
-  /// They are referred to.
-  void find(const Scene& a, const Scene& b);
+  /// They are referred to. Whether all is the same but for shapes, areas and layers, and there are equally many of
+  /// these; if not, no more is found.
+  bool find(const Scene& a, const Scene& b);
 
-  int shapes() const { return shapes_; }
-  /// Whether all is the same but for shapes, areas and layers, and there are equally many of these.
-  bool frame() const { return frame_; }
   /// Whether a layer has the same area's number, group and paint, and the areas that its paint reads are the same.
   bool layer(std::size_t i) const;
 
@@ -27,8 +25,6 @@ class InCommon {
   bool area(Area a) const { return a.node < 0 || same_[std::size_t(a.node)]; }
 
   const Scene *a_ = nullptr, *b_ = nullptr;
-  int shapes_ = 0;
-  bool frame_ = false;
   std::vector<char> same_;  ///< by node
 };
 

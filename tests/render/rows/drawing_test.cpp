@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -135,6 +137,31 @@ TEST(Drawing, IsWhatTheReferenceSays) {
   EXPECT_LT(DrawingProbe(two_squares(), kDrawnView).off(stats), kAllowed);
   EXPECT_EQ(stats.doubts, 0);
   EXPECT_EQ(stats.resolved_pixels, 0);
+}
+
+TEST(Drawing, WhatEndedEarlyIsMadeAnew) {
+  constexpr int kBands = 4;
+  const View view{.width = 32, .height = kBands * Drawing::kRows};
+  const auto drawn = [&](const Drawing& drawing) {
+    std::vector<std::byte> pixels(std::size_t(4 * view.width * view.height));
+    StripScratch scratch;
+    RenderStats stats;
+    for (int band = 0; band < kBands; ++band)
+      drawing.draw_strip(band,
+                         {pixels.data(), std::size_t(4 * view.width), {0, 0, 32, view.height}},
+                         scratch, stats);
+    return pixels;
+  };
+  Drawing drawing, fresh;
+  const Scene scene = two_squares();
+  drawing.prepare(scene, view, Depth::u8, {1});
+  const std::function<bool(int)> wanted = [](int band) {
+    return band < 2 ? band == 0 : throw std::string("the end");
+  };
+  EXPECT_THROW(drawing.arrange(wanted, {1}), std::string);
+  drawing.make(scene, view, Depth::u8);
+  fresh.make(scene, view, Depth::u8);
+  EXPECT_EQ(drawn(drawing), drawn(fresh));
 }
 
 /// A side with a bulge in most rows, over a straight one.

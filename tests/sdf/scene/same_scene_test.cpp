@@ -67,22 +67,6 @@ TEST(SameScene, IsNumberForNumberAndNamesDoNotCount) {
   }
 }
 
-InCommon in_common(const Scene& a, const Scene& b) {
-  InCommon common;
-  common.find(a, b);
-  return common;
-}
-
-TEST(InCommon, CountsShapes) {
-  const Scene scene = Numbers().scene();
-  Numbers changed;
-  changed.disc.radius = 1;
-  const Scene other = changed.scene();
-  EXPECT_EQ(in_common(scene, scene).shapes(), 2);
-  EXPECT_EQ(in_common(scene, other).shapes(), 1);
-  EXPECT_EQ(in_common(scene, Scene()).shapes(), 0);
-}
-
 /// Which layers change: those whose paint or an area that it reads does, not those whose own area moves.
 TEST(InCommon, KnowsWhichLayersReadWhatChanged) {
   const std::pair<std::size_t, std::vector<std::size_t>> cases[] = {
@@ -93,8 +77,8 @@ TEST(InCommon, KnowsWhichLayersReadWhatChanged) {
     Numbers changed;
     kChanges[change](changed);
     const Scene other = changed.scene();
-    const InCommon common = in_common(scene, other);
-    EXPECT_TRUE(common.frame());
+    InCommon common;
+    ASSERT_TRUE(common.find(scene, other));
     for (std::size_t i = 0; i < 3; ++i)
       EXPECT_EQ(!common.layer(i), std::count(layers.begin(), layers.end(), i) > 0)
           << change << ' ' << i;
@@ -102,9 +86,9 @@ TEST(InCommon, KnowsWhichLayersReadWhatChanged) {
   for (const std::size_t change : {0, 1, 2, 6, 13, 14}) {
     Numbers changed;
     kChanges[change](changed);
-    EXPECT_FALSE(in_common(scene, changed.scene()).frame()) << change;
+    EXPECT_FALSE(InCommon().find(scene, changed.scene())) << change;
   }
-  EXPECT_FALSE(in_common(scene, Scene()).frame());
+  EXPECT_FALSE(InCommon().find(scene, Scene()));
 }
 
 }  // namespace
