@@ -62,6 +62,13 @@ class RowPainter {
   struct LeftBound {
     int since;
     bool whole;
+    bool operator==(const LeftBound&) const = default;
+  };
+  /// What enters pixels of a look from the left, up to a share.
+  struct Entered {
+    int look;
+    LeftBound left;
+    int until;
   };
   /// What a varied look takes of the pixels from here on, and of the current one.
   struct Open {
@@ -139,6 +146,7 @@ class RowPainter {
   std::vector<int> sorted_;         ///< parts
   ColorRow places_, variances_;     ///< of sorted parts: column, x, y, area; xx, xy, yy
   PartForm form_;
+  Entered entered_{};  ///< what `form_.left` holds
   std::vector<PartStretch> in_pixel_;
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
   std::vector<int> refused_;
