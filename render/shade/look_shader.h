@@ -19,7 +19,7 @@ namespace mien {
 /// Keeps its scratch; one per thread.
 class LookShader {
  public:
-  void begin(const Looks& looks) { looks_ = &looks, ramp_rows_.clear(); }
+  void begin(const Looks& looks) { looks_ = &looks, ramp_rows_.clear(), planes_.begin(); }
 
   /// Parts of pixels in one row. A pixel's part does not depend on those beside it.
   struct Parts {
@@ -41,7 +41,11 @@ class LookShader {
   glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side, bool coarse);
 
   /// The feet that were looked for since it was last taken, and the time of means with them.
-  LitPaint::Scratch::Work take_work() { return lit_scratch_.take_work(); }
+  LitPaint::Scratch::Work take_work() {
+    LitPaint::Scratch::Work work = lit_scratch_.take_work();
+    work.feet += planes_.take_feet();
+    return work;
+  }
 
   /// Columns that want the reference, since the caller emptied it.
   std::vector<int>& crowded() { return lit_scratch_.crowded(); }

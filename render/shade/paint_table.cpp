@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden changes
 // Of one ramp in a picture: means by its integral cost less than more outlines than that. They cost next to nothing
 // along a line, more where level lines bend, and most under light.
-constexpr int kMostStraight = 8, kMostBent = 40, kMostLit = 96;
+constexpr int kMostStraight = 8, kMostBent = 40, kMostAlong = 3, kMostLit = 96;
 constexpr double kEven = 1e4;  // periods across a pixel, whose mean then is theirs to within 1e-4
 
 }  // namespace
@@ -38,7 +38,8 @@ class PaintMaker {
       else
         varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
       const bool straight = std::holds_alternative<LinearGradient>(paint.gradient->along);
-      most_ = paint.relief ? kMostLit : straight ? kMostStraight : kMostBent;
+      const bool around = std::holds_alternative<DistanceGradient>(paint.gradient->along);
+      most_ = paint.relief ? kMostLit : straight ? kMostStraight : around ? kMostAlong : kMostBent;
       std::visit([&](const auto& along) { field(along, varied); }, paint.gradient->along);
     }
     if (!paint.gradient) varied.paint.ramp.reset();
@@ -86,6 +87,10 @@ class PaintMaker {
     varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
       one_color(varied, varied.integral->mean());
+    // [px] Ends that outlines do not keep apart are none.
+    constexpr double kApart = 0x1p-16;
+    if (to_.kinks_.size() == 2 && to_.kinks_[1] - to_.kinks_[0] < kApart * per_pixel)
+      to_.kinks_.clear();
     return to_.kinks_;
   }
 

@@ -27,7 +27,7 @@ struct PaintKink {
 /// A colour that varies from place to place.
 struct VariedPaint {
   GridPaint paint;
-  std::vector<PaintKink> kinks;          ///< of the ramp, rising; none where it has an integral
+  std::vector<PaintKink> kinks;          ///< of the ramp, rising; with an integral its ends alone
   std::optional<RampIntegral> integral;  ///< of a ramp with more kinks than outlines are made of
   double tolerance = 0;                  ///< what a mean by that may be off by, encoded
   bool linear = false;                   ///< it is in linear light

@@ -77,6 +77,9 @@ class LitPaint {
   /// The same but for its domes.
   bool flat(int zone) const { return surface_.flat(zone); }
 
+  /// What the paint's gradient goes by, if that is a distance.
+  const FeetArea& gradient_area() const { return gradient_area_; }
+
   /// Means of `count` whole pixels of row y from x on, all of that piece: premultiplied, in the
   /// blending space, to four planes.
   void pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,

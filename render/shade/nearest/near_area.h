@@ -38,8 +38,6 @@ class NearArea {
   long long feet = 0;
 
  private:
-  /// Trees of fewer nodes are not pruned.
-  static constexpr std::size_t kLargeTree = 32;
   void prune(std::span<const Node> nodes, glm::dvec2 middle, double radius, std::vector<Node>& to);
 
   const FeetArea* area_ = nullptr;
