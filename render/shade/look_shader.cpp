@@ -205,7 +205,8 @@ void LookShader::give_light(const LookStep& step, const Places& at, std::size_t 
                             ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const LitPaint& lit = *lit_of(varied);
-  const LitPiece piece{step.zone, varied.paint.ramp && step.segment >= 0 ? &looks_->segment(step) : nullptr};
+  const LitPiece piece{step.zone,
+                       varied.paint.ramp && step.segment >= 0 ? &looks_->segment(step) : nullptr};
   if (at.cells)
     lit.colors_of_cells(piece, at.x, at.y, *at.cells, at.part, each_, to.r, to.g, to.b, to.a,
                         lit_scratch_);

@@ -24,9 +24,8 @@ void TakeLeast(const BranchPair& a, const BranchPair& b, float sign, BranchPair&
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
     const auto ad = load(a.best.d), bd = load(b.best.d);
     const auto second = hn::Lt(times_sign(bd), times_sign(ad));
-    const auto won = [&](const float* of_a, const float* of_b) HWY_ATTR {
-      return hn::IfThenElse(second, load(of_b), load(of_a));
-    };
+    const auto won = [&](const float* of_a, const float* of_b)
+                         HWY_ATTR { return hn::IfThenElse(second, load(of_b), load(of_a)); };
     const auto d = won(a.best.d, b.best.d), other = won(b.best.d, a.best.d);
     const auto nx = won(a.best.nx, b.best.nx), ox = won(b.best.nx, a.best.nx);
     const auto ny = won(a.best.ny, b.best.ny), oy = won(b.best.ny, a.best.ny);

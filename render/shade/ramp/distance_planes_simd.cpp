@@ -31,7 +31,9 @@ struct DistancePlanes::Tile {
   NearBranches* branches_of(int square) {
     return branches.data() + std::size_t(square) * near.leaf_count();
   }
-  int block(int px, int py) const { return (py - y) / kBlock * (kSide / kBlock) + (px - x) / kBlock; }
+  int block(int px, int py) const {
+    return (py - y) / kBlock * (kSide / kBlock) + (px - x) / kBlock;
+  }
   /// From the tile's middle.
   glm::vec2 from_middle(double px, double py) const {
     return {float(px - x - 0.5 * side), float(py - y - 0.5 * side)};
@@ -144,8 +146,8 @@ DistancePlanes::Tile& DistancePlanes::tile(const FeetArea& area, int x, int y, i
   constexpr std::size_t kTiles = 512;
   tiles_.resize(kTiles);
   const int left = x & ~(side - 1), top = y & ~(side - 1);
-  const std::size_t place =
-      std::size_t(left / side) + 37 * std::size_t(Tile::kSide - side) + std::hash<const void*>()(&area) / 64;
+  const std::size_t place = std::size_t(left / side) + 37 * std::size_t(Tile::kSide - side) +
+                            std::hash<const void*>()(&area) / 64;
   auto& slot = tiles_[place % kTiles];
   if (!slot) slot = std::make_unique<Tile>();
   Tile& t = *slot;
@@ -169,8 +171,7 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, double allo
   const int b = t->block(x, y);
   BranchPair& at = t->seen[std::size_t(b)];
   constexpr int kBlock = Tile::kBlock;
-  if (!std::exchange(t->known[std::size_t(b)], true))
-    MIEN_DISPATCH(SeeSquare)
+  if (!std::exchange(t->known[std::size_t(b)], true)) MIEN_DISPATCH(SeeSquare)
   (t->near, t->branches.data(), t->branches_of(1 + b),
    t->from_middle((x & ~(kBlock - 1)) + 0.5 * kBlock, (y & ~(kBlock - 1)) + 0.5 * kBlock),
    float(kBlock), whole_cells(kBlock), &at);
@@ -186,8 +187,8 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, double allo
   };
   const int left = k - (i > 0), right = k + (i < kBlock - 1), up = j > 0 ? k - kBlock : k,
             down = j < kBlock - 1 ? k + kBlock : k;
-  bowl.bend = -bowl.ny * turn(left, right, -bowl.ny, bowl.nx) +
-              bowl.nx * turn(up, down, -bowl.ny, bowl.nx);
+  bowl.bend =
+      -bowl.ny * turn(left, right, -bowl.ny, bowl.nx) + bowl.nx * turn(up, down, -bowl.ny, bowl.nx);
   // [1/px] Of level lines that bend more, terms of third degree count.
   constexpr double kBowl = 0.3;
   int finer = side;
