@@ -52,9 +52,9 @@ struct Renderer::Scratch {
   const RowFingerprints* fingerprints = nullptr;  ///< none: nothing is kept
   StripScratches scratches;
 
-  void make(const Scene& scene, const View& view, Depth depth) {
+  void make(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
     const int in_common = shapes_in_common(scene, drawing.scene());
-    drawing.make(scene, view, depth);
+    drawing.make(scene, view, depth, threads);
     const bool keeps =
         memory.begin({view.height, drawn_rect(view), depth, int(scene.shapes().size()), in_common});
     fingerprints = keeps ? drawing.fingerprints() : nullptr;
@@ -131,7 +131,7 @@ Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene,
     {
       const Watching here(&watch);
       if (!scratch_) scratch_ = std::make_unique<Scratch>();
-      scratch_->make(scene, view, out.depth);
+      scratch_->make(scene, view, out.depth, how.threads);
       took =
           scratch_->draw({static_cast<std::byte*>(out.data), out.stride, rect}, how, watch, done);
     }

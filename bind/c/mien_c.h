@@ -415,8 +415,8 @@ MIEN_C_API mien_status mien_pose_set(mien_pose* pose, const char* text, size_t l
 MIEN_C_API mien_status mien_pose_set_at(mien_pose* pose, int32_t index, const double* values,
                                         int32_t count, mien_error** error);
 
-/* Adds an expression of a set, "emotion", "muscle", "arkit", "facs", "vrm" or "viseme": "joy=0.8",
- * "left.surprise=0.3". `clamp`: a strength out of 0 ... 1 becomes the nearer end instead of an error. */
+/* Adds an expression of a set, "emotion", "muscle", "arkit", "facs", "vrm", "viseme" or "azure":
+ * "joy=0.8", "left.surprise=0.3". `clamp`: a strength out of 0 ... 1 becomes the nearer end instead of an error. */
 MIEN_C_API mien_status mien_pose_express(mien_pose* pose, const char* set, size_t set_length,
                                          const char* text, size_t length, int32_t clamp,
                                          mien_error** error);

@@ -13,6 +13,7 @@ export interface Pose {
   facs?: Record<string, number | string>;
   vrm?: Record<string, number | string>;
   visemes?: Record<string, number | string>;
+  azure?: Record<string, number | string>;
   clips?: string[];
   seed?: string | number;
   liveliness?: number;

@@ -265,7 +265,7 @@ export class Face {
   /** Draws; pixels stay valid until anything else is asked of mien: copy them to keep them.
    *    pose.time      seconds, at which clips run; none: no clip runs
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
-   *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes
+   *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes, azure
    *    pose.clips     ['idle', 'feelings=0.5']
    *    pose.seed      a word instead of the face's own code, recipe or text, for blinks and glances by chance
    *    pose.liveliness  0 to 2: how far clips move the face; 1 (default) as they say, 0 not at all

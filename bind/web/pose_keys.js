@@ -11,7 +11,7 @@ export class MienError extends Error {
 }
 
 /** What a pose says of each set of expressions, and the set's name. */
-export const SETS = { emotions: 'emotion', muscles: 'muscle', arkit: 'arkit', facs: 'facs', vrm: 'vrm', visemes: 'viseme' };
+export const SETS = { emotions: 'emotion', muscles: 'muscle', arkit: 'arkit', facs: 'facs', vrm: 'vrm', visemes: 'viseme', azure: 'azure' };
 export const isTable = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 const isWeights = { is: isTable, like: 'weights by name, such as { joy: 0.8 }' };
 const oneOf = (...names) => ({ is: (value) => names.includes(value), like: names.map((name) => `'${name}'`).join(' or ') });

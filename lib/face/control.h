@@ -42,9 +42,10 @@ struct Coupling {
 /// One number that drives slices: a control, or a control's left or right half.
 struct Channel {
   double rest = 0;
-  double lo = 0, hi = 1;            ///< finite; values outside act like the nearer end
-  std::vector<Drive> drives;        ///< act in this order
-  bool pose = false;                ///< whether it is the weight of a pose; those act first
+  double lo = 0, hi = 1;      ///< finite; values outside act like the nearer end
+  std::vector<Drive> drives;  ///< act in this order
+  bool joins = false;  ///< expressions move it as they pull muscles: v = 1 − Π (1 − amount)
+  bool pose = false;   ///< whether it is the weight of a pose; those act first
   std::vector<Coupling> couplings;  ///< of a pose
 };
 

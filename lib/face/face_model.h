@@ -12,9 +12,11 @@
 #include <mien/head_turn.h>
 #include <mien/index.h>
 #include <mien/layout.h>
+#include <mien/mouth.h>
 #include <mien/muscle.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ struct FaceModel {
   FaceVector mood_shift;
   std::vector<Clip> clips;
   std::vector<Eye> eyes;
+  std::optional<Mouth> mouth;
   HeadTurn turn;
   std::vector<Effect> effects;  ///< applied to the finished picture, in this order
   Index<Clip> default_clip;     ///< the clip that runs when a time is given

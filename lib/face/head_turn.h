@@ -23,6 +23,7 @@ enum class TurnKind : unsigned char {
   shift,    ///< x, y of an offset on the surface: foreshortened and rolled
   plate_width,  ///< radii on a plate
   plate_size,   ///< a radius on a plate: foreshortened by the geometric mean of both
+  length,       ///< lengths that no turn changes: they grow as a head comes nearer
   angle         ///< an angle of something on the head: rolled
 };
 
@@ -41,6 +42,7 @@ struct HeadTurn {
   glm::dvec2 center{0};             ///< of the ellipsoid, in the picture
   glm::dvec3 radii{1};              ///< > 0
   Index<Channel> yaw, pitch, roll;  ///< [degrees]
+  Index<Channel> nearer;            ///< how much larger the head is seen, a ratio
   std::vector<TurnedSlice> slices;
 };
 

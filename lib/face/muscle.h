@@ -8,6 +8,7 @@
 #include <mien/index.h>
 #include <mien/side.h>
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>
@@ -65,14 +66,26 @@ struct ExpressionPart {
   Index<T> index;
   double amount;
   Side side = Side::none;
+  /// Of another expression: the amount is divided by its strength, by 0.1 at least, and is 1 at most; none: it is not.
+  Index<Channel> per{};
 };
+
+/// What VRM calls procedural expressions: those that others can override.
+enum class ExpressionGroup : unsigned char { none, blink, look, mouth };
+inline constexpr std::size_t kExpressionGroups = 4;
+
+/// What an expression does to those of a group: nothing, takes its own strength from theirs, or stops them.
+enum class Override : unsigned char { none, blend, block };
 
 /// An emotion, or an expression of a standard set: a number from 0 to 1 that pulls muscles and moves controls.
 struct Expression {
   std::string name;            ///< "emotion.joy", "arkit.jawOpen"
   Index<Channel> left, right;  ///< the strength of each half; the same if it has none
-  std::vector<ExpressionPart<Muscle>> pulls;   ///< 0 … 1
-  std::vector<ExpressionPart<Channel>> moves;  ///< in the channels' own units
+  bool binary = false;         ///< its strength is 1 above a half, and else 0
+  ExpressionGroup group = ExpressionGroup::none;
+  std::array<Override, kExpressionGroups> overrides{};  ///< by group
+  std::vector<ExpressionPart<Muscle>> pulls;            ///< 0 … 1
+  std::vector<ExpressionPart<Channel>> moves;           ///< in the channels' own units
 };
 
 }  // namespace mien

@@ -34,7 +34,7 @@ struct RowRoots {
 
 /// RowRoots::kRows rows at most. With d = y − y0:
 ///
-///     t = d / (a.y + sqrt(a.y² + b.y d)),   as in sdf/arrange/sweep_piece.h.
+///     t = d / (a.y + sqrt(a.y² + b.y d)),   as in sdf/arrange/piece_place.h.
 void row_roots(const OutlinePiece& piece, const RowRange& range, RowRoots& to);
 
 }  // namespace mien

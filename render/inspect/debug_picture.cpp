@@ -46,21 +46,21 @@ class EachItsOwn final : public LookRule {
 };
 
 /// The look at the middle of each pixel of each row: a fragment changes it from its column on. Columns are those of
-/// the image.
-void draw_looks(const Sweep& sweep, int first_look, const PixelRect& rect, Image& image, bool dots,
-                const Looks* looks) {
+/// the image. Of the picture's rows from `top` to `bottom`.
+void draw_looks(const Sweep& sweep, int top, int bottom, int first_look, const PixelRect& rect,
+                Image& image, bool dots, const Looks* looks) {
   struct Change {
     double x;
     int left, right;
   };
   std::vector<Change> changes;
-  for (int y = 0; y < rect.height; ++y) {
+  for (int y = std::max(top - rect.y, 0); y < std::min(bottom - rect.y, rect.height); ++y) {
     const double middle = rect.y + y + 0.5;
     worked(2 * std::int64_t(sweep.fragments().size()) + 5 * rect.width);
     changes.clear();
     for (const Fragment& f : sweep.fragments())
       if (f.top <= middle && middle < f.bottom)
-        changes.push_back({x_at(sweep.pieces()[std::size_t(f.piece)], middle), f.left, f.right});
+        changes.push_back({x_at(sweep.piece(f.piece), middle), f.left, f.right});
     std::sort(changes.begin(), changes.end(),
               [](const Change& a, const Change& b) { return a.x < b.x; });
     // Those at one place follow each other as their looks do.
@@ -97,24 +97,30 @@ void draw_piece(const OutlinePiece& piece, double top, double bottom, int width,
 }
 
 void draw_outlines(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
-  for (const OutlinePiece& p : drawing.outlines().pieces)
-    draw_piece(p, p.y0, p.y1, width, rect, color_of(p.outline), image);
-  for (const OutlineVertex& v : drawing.outlines().vertices)
-    put(image, int(std::floor(v.x)) - rect.x, int(std::floor(v.y)) - rect.y, {255, 255, 255});
+  const auto& pieces = drawing.outlines().pieces;
+  for (const OutlineChain& c : drawing.outlines().chains)
+    for (int i = c.first; i <= c.last; ++i) {
+      const OutlinePiece& p = pieces[std::size_t(i)];
+      draw_piece(p, p.y0, p.y1, width, rect, color_of(c.outline), image);
+    }
+  const auto vertex = [&](double x, double y) {
+    put(image, int(std::floor(x)) - rect.x, int(std::floor(y)) - rect.y, {255, 255, 255});
+  };
+  for (const OutlinePiece& p : pieces) vertex(p.x0, p.y0), vertex(p.x1, p.y1);
 }
 
 void draw_fragments(const Drawing& drawing, int width, const PixelRect& rect, Image& image) {
   for (const OutlinePiece& p : drawing.outlines().pieces)
     draw_piece(p, p.y0, p.y1, width, rect, {35, 45, 70}, image);
-  const Looks& looks = drawing.looks();
-  for (const Fragment& f : drawing.sweep().fragments()) {
-    const Mix jump = looks.mix(f.right) - looks.mix(f.left);
-    const bool varies = !looks.constant(f.left) || !looks.constant(f.right);
-    const double size = std::max({std::abs(jump.r), std::abs(jump.g), std::abs(jump.b)});
-    const int light = 90 + int(165.0 * std::clamp(size, 0.0, 1.0));
-    draw_piece(drawing.sweep().pieces()[std::size_t(f.piece)], f.top, f.bottom, width, rect,
-               varies ? Rgb{190, 120, 240} : Rgb{light, light, light / 2}, image);
-  }
+  for (const PicturePart& part : drawing.parts())
+    for (const Fragment& f : part.sweep.fragments()) {
+      const Mix jump = part.looks.mix(f.right) - part.looks.mix(f.left);
+      const bool varies = !part.looks.constant(f.left) || !part.looks.constant(f.right);
+      const double size = std::max({std::abs(jump.r), std::abs(jump.g), std::abs(jump.b)});
+      const int light = 90 + int(165.0 * std::clamp(size, 0.0, 1.0));
+      draw_piece(part.sweep.piece(f.piece), f.top, f.bottom, width, rect,
+                 varies ? Rgb{190, 120, 240} : Rgb{light, light, light / 2}, image);
+    }
 }
 
 Rgb isoline_color(double d) {
@@ -190,7 +196,9 @@ Image picture_of(const Scene& scene, const View& view, DebugPicture which, const
       draw_fragments(drawing, view.width, rect, image);
       break;
     case DebugPicture::looks:
-      draw_looks(drawing.sweep(), drawing.first_look(), rect, image, true, &drawing.looks());
+      for (const PicturePart& part : drawing.parts())
+        draw_looks(part.sweep, part.top, part.bottom, part.palette.first, rect, image, true,
+                   &part.looks);
       break;
     case DebugPicture::regions: {
       EachItsOwn rule;
@@ -198,7 +206,7 @@ Image picture_of(const Scene& scene, const View& view, DebugPicture which, const
       regions.begin(int(drawing.outlines().rules.size()), rule);
       Sweep sweep;
       sweep.run(drawing.outlines(), 0.0, view.height, regions);
-      draw_looks(sweep, 0, rect, image, false, nullptr);
+      draw_looks(sweep, 0, view.height, 0, rect, image, false, nullptr);
       break;
     }
     case DebugPicture::distance:

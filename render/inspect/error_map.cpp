@@ -15,7 +15,7 @@ ErrorMap map_of(const Scene& scene, const View& view, Depth depth, const Threads
   map.estimated.resize(map.levels.size());
   const ErrorNotes notes{rect, map.levels.data(), map.estimated.data()};
   Drawing drawing;
-  drawing.make(scene, view, depth);
+  drawing.make(scene, view, depth, threads);
   const std::size_t stride = std::size_t(rect.width) * 4 * bytes_per_channel(depth);
   std::vector<std::byte> pixels(stride * std::size_t(rect.height));
   const RowTarget target{pixels.data(), stride, rect};

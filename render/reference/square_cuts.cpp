@@ -39,7 +39,8 @@ bool SquareResolver::cuts(const Square& s, const Scope& scope, Resolved& to) {
   varies_here_ = varied(scope);
   if (varies_here_ && side > kSmall) {
     const Kink kink = kink_in(place(s.x, s.y), half, scope);
-    if (kink == Kink::jump || side > (kink == Kink::stop ? 1.0 / 32 : 1.0 / 4)) return false;
+    if (half > kLitHalf && lit(scope)) return false;
+    if (kink == Kink::jump || side > (kink != Kink::none ? 1.0 / 32 : 1.0 / 4)) return false;
   }
   lines_.clear(), cuts_.clear(), off_ = 0.0;
   for (const int set : logic_.open_sets(scope))
@@ -198,18 +199,28 @@ double SquareResolver::crossings(double half) const {
 }
 
 /// Adds a polygon in which paints vary, by triangles with three places in each, exact for polynomials of degree
-/// two. By how much the colour at the centroid differs is the estimated error.
+/// two. By how much the colour at the centroid differs is the estimated error, or by how much corners differ from what
+/// both tell: a ridge past all of them cuts one off.
 void SquareResolver::add_varied(glm::dvec2 center, const Scope& scope,
                                 std::span<const glm::dvec2> corners) {
+  // Of the way to the middle: a corner may be on an outline. And what such a ridge cuts off at most, of the area.
+  constexpr double kIn = 0.05, kCorner = 0.15;
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const glm::dvec2 t[] = {corners[0], corners[i - 1], corners[i]};
     const glm::dvec2 a = t[1] - t[0], b = t[2] - t[0], middle = (t[0] + t[1] + t[2]) / 3.0;
     const double area = 0.5 * (a.x * b.y - a.y * b.x);
     if (!(area > 0.0)) continue;
+    const Mix inmost = color(center + middle, scope);
     Mix mean{0.0};
-    for (const glm::dvec2 p : t) mean += color(center + 0.5 * (p + middle), scope) / 3.0;
+    double off = 0.0;
+    for (const glm::dvec2 p : t) {
+      const Mix half = color(center + 0.5 * (p + middle), scope);
+      const Mix told = inmost + 2.0 * (1.0 - kIn) * (half - inmost);
+      off = std::max(off, kCorner * largest(color(center + p + kIn * (middle - p), scope) - told));
+      mean += half / 3.0;
+    }
     sum_ += area * mean;
-    bent_ += area * largest(mean - color(center + middle, scope));
+    bent_ += area * std::max(off, largest(mean - inmost));
   }
 }
 

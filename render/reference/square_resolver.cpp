@@ -42,6 +42,7 @@ SquareResolver::SquareResolver(const Scene& scene, const View& view, const Paint
       tolerance_(tolerance),
       depth_(depth_for(tolerance)),
       logic_(scene, opaque(paints)),
+      near_(paints.lit.size()),
       inside_(logic_.sets().size()) {}
 
 Resolved SquareResolver::pixel(int x, int y) {
@@ -130,13 +131,30 @@ bool SquareResolver::varied(const Scope& scope) const {
   });
 }
 
-/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps.
+/// Whether light falls in the square, or a ramp goes by a distance.
+bool SquareResolver::lit(const Scope& scope) const {
+  const auto live = logic_.live(scope);
+  return std::any_of(live.begin(), live.end(), [&](const LiveLayer& l) {
+    const int index = paints_.layers[std::size_t(l.layer)].varied;
+    return index >= 0 && paints_.varied[std::size_t(index)].lit >= 0;
+  });
+}
+
+/// Whether a gradient seen in the square may have a stop there, or even one at which it jumps; or a profile a kink.
 SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, const Scope& scope) {
   Kink worst = Kink::none;
   for (const LiveLayer& live : logic_.live(scope)) {
     const int index = paints_.layers[std::size_t(live.layer)].varied;
     if (index < 0) continue;
-    const GridPaint& paint = paints_.varied[std::size_t(index)].paint;
+    const VariedPaint& varied = paints_.varied[std::size_t(index)];
+    const GridPaint& paint = varied.paint;
+    if (varied.lit >= 0) {
+      const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
+      const double depth = outward(varied.lit, center).d;
+      for (const double level : surface.levels())
+        if (std::abs(depth - level) <= kSqrt2 * half)
+          worst = std::max(worst, surface.levels().size() <= 2 ? Kink::line : Kink::stop);
+    }
     if (!paint.ramp) continue;
     const PaintField& f = paint.field;
     const double d = f.kind == PaintField::Kind::distance
@@ -146,37 +164,53 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
     constexpr int kFew = 8;
     if (paint.ramp->kinks(t - reach, t + reach, kFew, kinks_) && kinks_.empty()) continue;
     if (paint.ramp->jumps()) return Kink::jump;
-    worst = Kink::stop;
+    worst = std::max(worst, Kink::stop);
   }
   return worst;
 }
 
 /// A square in which only whole layers are seen: by three rules of four places (and the middle), each exact for
-/// polynomials of degree three. A ridge is missed only if it lies so that all three see the same of it. Stops of
-/// gradients are known; where the colour changes little, so does its kink. A jump may be missed by all places, so
-/// squares with one are divided to the end.
+/// polynomials of degree three. A straight ridge through the square parts a corner from the others, so corners must be
+/// as the other places tell. Stops of gradients and kinks of profiles are known; where the colour changes little, so do
+/// they: along a profile's two kinks squares of side s lie in a line, so each may be off by 1 / s tolerances. A jump of a gradient may be missed by all places, so squares with one are divided to the end. Highlights may be
+/// narrow, too: light is looked at in small squares.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
   const Mix middle = color(center, scope);
   if (!varied(scope)) return {middle, 0.0};
   Mix least = middle, most = middle;
-  const auto mean_of_four = [&](glm::dvec2 p) {
-    Mix sum{0.0};
-    for (int i = 0; i < 4; ++i, p = {-p.y, p.x}) {
-      const Mix c = color(center + p, scope);
-      sum += c, least = glm::min(least, c), most = glm::max(most, c);
+  const auto four = [&](glm::dvec2 p) {
+    std::array<Mix, 4> seen;
+    for (Mix& c : seen) {
+      c = color(center + p, scope), p = {-p.y, p.x};
+      least = glm::min(least, c), most = glm::max(most, c);
     }
-    return 0.25 * sum;
+    return seen;
+  };
+  const auto mean_of = [](const std::array<Mix, 4>& c) {
+    return 0.25 * ((c[0] + c[1]) + (c[2] + c[3]));
   };
   constexpr double kGauss = 0.57735026918962576, kRing = 0.81649658092772603;
-  const Mix mean = mean_of_four({kGauss * half, kGauss * half});
+  const std::array<Mix, 4> gauss = four({kGauss * half, kGauss * half});
+  const Mix mean = mean_of(gauss);
   if (depth == 0) return {mean, largest(mean - middle)};
   const Kink kink = kink_in(center, half, scope);
-  if (kink != Kink::jump) {
-    const Mix edges = (middle + 2.0 * mean_of_four({half, 0.0})) / 3.0;
-    double off = largest(mean - edges);
-    if (off <= tolerance_) off = std::max(off, largest(mean - mean_of_four({kRing * half, 0.0})));
+  if (kink != Kink::jump && !(lit(scope) && half > kLitHalf)) {
+    const std::array<Mix, 4> edges = four({half, 0.0});
+    const double allowed = kink == Kink::line ? tolerance_ / (2.0 * half) : tolerance_;
+    double off = largest(mean - (middle + 2.0 * mean_of(edges)) / 3.0);
+    if (off <= allowed) off = std::max(off, largest(mean - mean_of(four({kRing * half, 0.0}))));
+    if (off <= allowed) {
+      // Of the square: what a line past the nearest places cuts off, at most.
+      constexpr double kCorner = 0.09;
+      const std::array<Mix, 4> corners = four({half, half});
+      const Mix twist = 0.75 * ((gauss[0] - gauss[1]) + (gauss[2] - gauss[3]));
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Mix told = edges[i] + edges[(i + 1) % 4] - middle + (i % 2 ? -twist : twist);
+        off = std::max(off, kCorner * largest(corners[i] - told));
+      }
+    }
     const double change = largest(most - least);
-    if (off <= tolerance_ && (kink == Kink::none || change <= 24.0 * tolerance_))
+    if (off <= allowed && (kink == Kink::none || change <= 24.0 * allowed))
       return {mean, std::max({tolerance_, off, kink == Kink::none ? 0.0 : 0.05 * change})};
   }
   Resolved found;
@@ -190,14 +224,27 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
   return found;
 }
 
+/// How far the area that a relief rises from is, by what of it decides in this pixel.
+Outward SquareResolver::outward(int lit, glm::dvec2 p) {
+  const LitSurface& surface = paints_.lit[std::size_t(lit)].surface();
+  if (!surface.area()) return {};
+  NearPixel& near = near_[std::size_t(lit)];
+  if (near.nodes.empty() || near.corner != corner_) {
+    constexpr double kHalf = 0.5;
+    near.corner = corner_;
+    surface.area()->narrow(corner_ + kHalf - surface.center(), kSqrt2 * kHalf, near.nodes);
+  }
+  return surface.outward(p, near.nodes);
+}
+
 Mix SquareResolver::paint(const PaintedLayer& layer, glm::dvec2 p) {
   if (layer.varied < 0) return layer.mix;
   varies_ = true;
   const VariedPaint& varied = paints_.varied[std::size_t(layer.varied)];
   if (varied.lit < 0) return varied.paint.ramp->color(varied.paint.field.at(p, 0.0));
   const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
-  const Outward outward = surface.outward(p);
-  return surface.color(surface.zone_inside(outward.d), p, outward);
+  const Outward at = outward(varied.lit, p);
+  return surface.color(surface.zone_inside(at.d), p, at);
 }
 
 /// Layers bottom to top; a group is composited by itself and then mixed with what was there.

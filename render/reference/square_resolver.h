@@ -45,6 +45,8 @@ class SquareResolver {
 
  private:
   using Scope = LayerLogic::Scope;
+  static constexpr double kLitHalf =
+      1.0 / 16;                        ///< [px] half the side of squares that light is looked at in
   static constexpr int kUnits = 2048;  ///< of a pixel, in which squares are placed
   /// A square of the pixel at hand, by its middle and half its side.
   struct Square {
@@ -66,7 +68,8 @@ class SquareResolver {
   };
   enum class Side : unsigned char { crosses, inside, outside, unknown };
 
-  enum class Kink : unsigned char { none, stop, jump };
+  /// Where a profile begins and ends, at stops of gradients or in tables, or where colours jump.
+  enum class Kink : unsigned char { none, line, stop, jump };
 
   // square_resolver.cpp: squares
   void enter_blocks(int x, int y);
@@ -75,8 +78,10 @@ class SquareResolver {
   Resolved covered(glm::dvec2 center, double half, const Scope& scope, int depth);
   Kink kink_in(glm::dvec2 center, double half, const Scope& scope);
   bool varied(const Scope& scope) const;
+  bool lit(const Scope& scope) const;
   Mix color(glm::dvec2 p, const Scope& scope);
   Mix paint(const PaintedLayer& layer, glm::dvec2 p);
+  Outward outward(int lit, glm::dvec2 p);
   double distance(int shape, glm::dvec2 p);
   double distance(int shape, int x, int y);
   glm::dvec2 place(int x, int y) const;
@@ -120,6 +125,12 @@ class SquareResolver {
   DistanceTable table_;
   bool varies_ = false;
   std::vector<double> kinks_;
+  /// What of a relief's area decides in a pixel.
+  struct NearPixel {
+    glm::dvec2 corner{0.0};
+    std::vector<Node> nodes;
+  };
+  std::vector<NearPixel> near_;  ///< by lit paint
 
   std::vector<Line> lines_;
   std::vector<Cut> cuts_;

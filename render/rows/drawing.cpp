@@ -44,8 +44,8 @@ bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
          same_color(view.background, view_.background) && same_scene(scene, scene_);
 }
 
-void Drawing::make(const Scene& scene, const View& view, Depth depth) {
-  if (!Crowd::is_one(scene)) return make_whole(scene, view, depth);
+void Drawing::make(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
+  if (!Crowd::is_one(scene)) return make_whole(scene, view, depth, threads);
   if (crowded_ && is_of(scene, view, depth)) return;
   made_ = false, crowded_ = true;
   width_ = view.width, height_ = view.height;
@@ -55,7 +55,8 @@ void Drawing::make(const Scene& scene, const View& view, Depth depth) {
   made_ = true;
 }
 
-void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
+void Drawing::make_whole(const Scene& scene, const View& view, Depth depth,
+                         const Threads& threads) {
   if (!crowded_ && is_of(scene, view, depth)) return;
   made_ = crowded_ = false;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
@@ -66,71 +67,80 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth) {
   foresee(scene, frame);
   paints_.make(scene, view, depth);
   format_ = PixelFormat(depth, view.blend);
-  make_outlines(frame);
-  arrange();
+  make_outlines(frame, threads);
+  arrange(threads);
   made_ = true;
 }
 
-void Drawing::arrange() {
+/// In as many parts as are worth their beginnings, whatever the threads: limits and figures do not depend on those.
+void Drawing::arrange(const Threads& threads) {
   fingerprinted_ = false;
-  looks_.begin(paints_);
-  regions_.begin(int(paints_.programs.outlines().size()), looks_);
-  sweep_.run(outlines_, 0.0, height_, regions_, order());
-  palette_.make(looks_, format_, regions_.look(0));
-  sort_into_strips();
-}
-
-void Drawing::make_outlines(const OutlineFrame& frame) {
-  maker_.begin(frame, outlines_);
-  for (const OutlineSource& source : paints_.programs.outlines()) {
-    const Shape& shape = paints_.programs.shape(source);
-    if (source.rim)
-      maker_.rim(shape, source.amount);
-    else if (source.amount == 0.0)
-      maker_.fill(shape);
-    else
-      maker_.fill(*offset_shape(shape, source.amount));
+  const int bands = (height_ + kRows - 1) / kRows, parts = std::max(height_ / rows_in_part_, 1);
+  bands_in_part_ = (bands + parts - 1) / parts;
+  part_count_ = (bands + bands_in_part_ - 1) / bands_in_part_;
+  if (parts_.size() < std::size_t(part_count_)) parts_.resize(std::size_t(part_count_));
+  for (int i = 0; i < part_count_; ++i) {
+    PicturePart& part = parts_[std::size_t(i)];
+    part.first_band = i * bands_in_part_, part.top = part.first_band * kRows;
+    part.bottom = std::min(part.top + bands_in_part_ * kRows, height_);
   }
-  maker_.finish();
+  if (part_count_ == 1) return arrange(parts_[0]);
+  const auto job = [&](int i) { arrange(parts_[std::size_t(i)]); };
+  parallel_for(part_count_, threads, std::ref(job));
 }
 
-/// Lists the fragments of every strip.
-void Drawing::sort_into_strips() {
-  const int strips = (height_ + kRows - 1) / kRows;
-  const auto fragments = sweep_.fragments();
-  first_of_strip_.assign(std::size_t(strips) + 2, 0);
-  jumps_.clear();
-  const auto first = [](const Fragment& f) { return int(f.top) / kRows; };
-  const auto last = [&](const Fragment& f) {
-    return std::max((int(std::ceil(f.bottom)) - 1) / kRows, first(f));
+void Drawing::arrange(PicturePart& part) const {
+  part.looks.begin(paints_);
+  part.regions.begin(int(paints_.programs.outlines().size()), part.looks);
+  part.sweep.run_in_bands(outlines_, part.top, part.bottom, part.regions, order());
+  part.palette.make(part.looks, format_, part.regions.look(0));
+  part.jumps.clear();
+  for (const Fragment& f : part.sweep.fragments())
+    part.jumps.push_back(part.palette.entries[std::size_t(f.right)].color -
+                         part.palette.entries[std::size_t(f.left)].color);
+}
+
+/// Those of large pictures in groups, on several threads: the same outlines.
+void Drawing::make_outlines(const OutlineFrame& frame, const Threads& threads) {
+  constexpr int kGroups = 8;
+  const auto sources = paints_.programs.outlines();
+  const int groups = threads.count == 1 || height_ < 2 * rows_in_part_ ? 1 : kGroups;
+  if (groups_.size() < std::size_t(groups)) groups_.resize(std::size_t(groups));
+  const auto job = [&](int i) {
+    OutlineGroup& group = groups_[std::size_t(i)];
+    group.maker.begin(frame, i == 0 ? outlines_ : group.made);
+    for (std::size_t k = sources.size() * i / groups, end = sources.size() * (i + 1) / groups;
+         k < end; ++k) {
+      const OutlineSource& source = sources[k];
+      const Shape& shape = paints_.programs.shape(source);
+      if (source.rim)
+        group.maker.rim(shape, source.amount);
+      else if (source.amount == 0.0)
+        group.maker.fill(shape);
+      else
+        group.maker.fill(*offset_shape(shape, source.amount));
+    }
   };
-  for (const Fragment& f : fragments) {
-    jumps_.push_back(palette_.entries[std::size_t(f.right)].color -
-                     palette_.entries[std::size_t(f.left)].color);
-    for (int s = first(f); s <= last(f); ++s) ++first_of_strip_[std::size_t(s) + 2];
-  }
-  for (std::size_t s = 2; s < first_of_strip_.size(); ++s)
-    first_of_strip_[s] += first_of_strip_[s - 1];
-  in_strip_.resize(std::size_t(first_of_strip_.back()));
-  for (std::size_t i = 0; i < fragments.size(); ++i)
-    for (int s = first(fragments[i]); s <= last(fragments[i]); ++s)
-      in_strip_[std::size_t(first_of_strip_[std::size_t(s) + 1]++)] = int(i);
+  if (groups == 1)
+    job(0);
+  else
+    parallel_for(groups, threads, std::ref(job));
+  for (int i = 1; i < groups; ++i) outlines_.add(groups_[std::size_t(i)].made);
+  groups_[0].maker.finish();
 }
 
 /// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
 void Drawing::sum_fragments(int strip, int first, int end, RowSums& sums) const {
-  sums.begin(kRows, width_, looks_.count());
+  sums.begin(kRows, width_);
+  const PicturePart& part = part_of(strip);
   const auto varied = [&](int look) {
-    return palette_.entries[std::size_t(look)].varies ? look : -1;
+    return part.palette.entries[std::size_t(look)].varies ? look : -1;
   };
-  for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
-       ++k) {
-    const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
-    const Fragment& f = sweep_.fragments()[i];
+  for (const Fragment& f : part.of_band(strip)) {
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (from < to)
-      sums.add(sweep_.pieces()[std::size_t(f.piece)], from, to, strip * kRows, jumps_[i],
-               varied(f.left), varied(f.right), f.right);
+      sums.add(part.sweep.piece(f.piece), from, to, strip * kRows, part.jump(f), varied(f.left),
+               varied(f.right), f.right);
   }
 }
 
@@ -150,7 +160,8 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
   // A picture that fits the caches is worth keeping there.
   constexpr std::size_t kCaches = std::size_t{8} << 20;
   const bool large = target.stride * std::size_t(rect.height) > kCaches;
-  scratch.painter.begin(palette_, looks_, format_, dither_,
+  const PicturePart& part = part_of(strip);
+  scratch.painter.begin(part.palette, part.looks, format_, dither_,
                         large ? Stores::streamed : Stores::ordinary);
   scratch.resolver.reset();
   scratch.odd_rows = 0;
@@ -158,11 +169,10 @@ void Drawing::draw_strip(int strip, const RowTarget& target, StripScratch& scrat
     scratch.painter.paint(y, scratch.sums, y - top, rect.x, rect.x + rect.width,
                           target.data + target.stride * std::size_t(y - rect.y), stats);
     for (const int x : scratch.painter.refused()) resolve(x, y, target, scratch, stats);
-    if (scratch.painter.lost() || !scratch.painter.refused().empty())
-      scratch.odd_rows |= std::uint32_t{1} << (y - top);
+    if (!scratch.painter.refused().empty()) scratch.odd_rows |= std::uint32_t{1} << (y - top);
   }
   scratch.painter.tell(stats);
-  resolve_doubts(first, end, target, scratch, stats);
+  resolve_doubts(part.sweep.doubts(), first, end, target, scratch, stats);
   if (large) finish_streams();
 }
 
@@ -220,11 +230,12 @@ Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& s
 }
 
 /// Pixels between outlines whose order is not proven.
-void Drawing::resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
+void Drawing::resolve_doubts(std::span<const Doubt> doubts, int first, int end,
+                             const RowTarget& target, StripScratch& scratch,
                              RenderStats& stats) const {
   const PixelRect& rect = target.rect;
   scratch.resolved.clear();  // doubts lie over each other, and a pixel is resolved once
-  for (const Doubt& doubt : sweep_.doubts()) {
+  for (const Doubt& doubt : doubts) {
     worked(4);
     const int top = std::max(first, int(std::floor(doubt.top))),
               bottom = std::min(end, int(std::ceil(doubt.bottom)));
@@ -254,7 +265,9 @@ const RowFingerprints* Drawing::fingerprints() {
   for (const double v :
        {box.lo.x, box.lo.y, box.hi.x, box.hi.y, lamp.x, lamp.y, lamp.z, scene_.light().ambient})
     all.add(v);
-  fingerprints_.make(all.value(), scene_, looks_, palette_.first, sweep_, height_);
+  fingerprints_.begin(all.value(), scene_, paints_, height_);
+  for (const PicturePart& part : parts())
+    fingerprints_.add(part.looks, part.palette.first, part.sweep, part.top, part.bottom);
   fingerprinted_ = true;
   return &fingerprints_;
 }
@@ -262,10 +275,12 @@ const RowFingerprints* Drawing::fingerprints() {
 void Drawing::tell(RenderStats& stats) const {
   if (crowded_) return;  // its windows have reported
   RenderStats own;
-  own.pieces = sweep_.stats().pieces;
-  own.crossings = sweep_.stats().crossings;
-  own.regions = sweep_.stats().regions;
-  own.doubts = (long long)sweep_.doubts().size();
+  own.pieces = (long long)outlines_.pieces.size();
+  for (const PicturePart& part : parts()) {
+    own.crossings += part.sweep.stats().crossings;
+    own.regions += part.sweep.stats().regions;
+    own.doubts += (long long)part.sweep.doubts().size();
+  }
   stats.add(own);
 }
 
@@ -284,22 +299,22 @@ void Drawing::draw_strip_with_errors(int strip, const RowTarget& target, StripSc
   draw_strip(strip, target, scratch, stats);
   scratch.errors = nullptr;
   scratch.painter.note_errors(nullptr);
-  for (int k = first_of_strip_[std::size_t(strip)]; k < first_of_strip_[std::size_t(strip) + 1];
-       ++k) {
-    const std::size_t i = std::size_t(in_strip_[std::size_t(k)]);
-    const Fragment& f = sweep_.fragments()[i];
+  const PicturePart& part = part_of(strip);
+  const auto entry = [&](int look) -> const Palette::Entry& {
+    return part.palette.entries[std::size_t(look)];
+  };
+  for (const Fragment& f : part.of_band(strip)) {
+    const Rgba& j = part.jump(f);
     const double from = std::max(f.top, double(first)), to = std::min(f.bottom, double(end));
     if (!(from < to)) continue;
-    const Rgba& j = jumps_[i];
-    const bool varies = palette_.entries[std::size_t(f.left)].varies ||
-                        palette_.entries[std::size_t(f.right)].varies;
+    const bool varies = entry(f.left).varies || entry(f.right).varies;
     const double jump =
         varies ? 1.0
                : double(std::max({std::abs(j.r), std::abs(j.g), std::abs(j.b), std::abs(j.a)}));
     // A mixed colour is encoded no more steeply than the darker one of the two.
-    const double steep = std::max(format_.steepness(palette_.entries[std::size_t(f.left)].color),
-                                  format_.steepness(palette_.entries[std::size_t(f.right)].color));
-    cells_of(sweep_.pieces()[std::size_t(f.piece)], from, to, width_, [&](const CellStretch& c) {
+    const double steep =
+        std::max(format_.steepness(entry(f.left).color), format_.steepness(entry(f.right).color));
+    cells_of(part.sweep.piece(f.piece), from, to, width_, [&](const CellStretch& c) {
       if (c.column < rect.x || c.column >= rect.x + rect.width) return;
       const double length = std::hypot(c.xq - c.xp, c.yq - c.yp);
       notes.level(c.column, c.row) +=

@@ -2,6 +2,7 @@
 // A scene on its way to pixels: the outlines, arrangement and looks of a whole picture, made once; then its rows,
 // in strips at absolute places.
 
+#include <mien/parallel.h>
 #include <mien/render_stats.h>
 #include "render/reference/square_resolver.h"
 #include "render/rows/crowd.h"
@@ -62,16 +63,33 @@ class StripScratches {
   std::vector<std::unique_ptr<StripScratch>> idle_;
 };
 
+/// Some of a picture's bands, arranged by themselves: parts are arranged in threads, and bands do not depend on how
+/// they are parted.
+struct PicturePart {
+  int first_band = 0;
+  int top = 0, bottom = 0;  ///< rows
+  Looks looks;
+  Regions regions;
+  Sweep sweep;
+  Palette palette;
+  std::vector<Rgba> jumps;  ///< by fragment
+
+  std::span<const Fragment> of_band(int band) const { return sweep.of_band(band - first_band); }
+  const Rgba& jump(const Fragment& f) const {
+    return jumps[std::size_t(&f - sweep.fragments().data())];
+  }
+};
+
 class Drawing {
  public:
   /// Does nothing if all but the view's region is as it was, number for number, so the pieces of one picture share
   /// it. A crowd's outlines are left to its windows.
-  void make(const Scene& scene, const View& view, Depth depth);
+  void make(const Scene& scene, const View& view, Depth depth, const Threads& threads = {1});
   /// The same with all outlines at once, even a crowd's.
-  void make_whole(const Scene& scene, const View& view, Depth depth);
+  void make_whole(const Scene& scene, const View& view, Depth depth, const Threads& threads = {1});
 
-  /// Strips of kRows rows. Draws those rows of a strip that show some of the target.
-  static constexpr int kRows = 16;
+  /// Strips of kRows rows, the sweep's bands. Draws those rows of a strip that show some of the target.
+  static constexpr int kRows = Sweep::kBandRows;
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
                   RenderStats& stats) const;
 
@@ -90,23 +108,25 @@ class Drawing {
   const Scene& scene() const { return scene_; }
   const Outlines& outlines() const { return outlines_; }
   const PaintTable& paints() const { return paints_; }
-  const Sweep& sweep() const { return sweep_; }
-  int first_look() const { return palette_.first; }
-  const Looks& looks() const { return looks_; }
+  /// From the top down.
+  std::span<const PicturePart> parts() const { return {parts_.data(), std::size_t(part_count_)}; }
 
  private:
   void sum_fragments(int strip, int first, int end, RowSums& sums) const;
   void draw_windows(int top, int bottom, const RowTarget& target, StripScratch& scratch,
                     RenderStats& stats, const ErrorNotes* notes) const;
-  void resolve_doubts(int first, int end, const RowTarget& target, StripScratch& scratch,
-                      RenderStats& stats) const;
+  void resolve_doubts(std::span<const Doubt> doubts, int first, int end, const RowTarget& target,
+                      StripScratch& scratch, RenderStats& stats) const;
   Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
                    RenderStats& stats) const;
   bool is_of(const Scene& scene, const View& view, Depth depth) const;
   friend class DrawingProbe;  // plants faults, in tests
-  void arrange();
-  void make_outlines(const OutlineFrame& frame);
-  void sort_into_strips();
+  void arrange(const Threads& threads);
+  void arrange(PicturePart& part) const;
+  const PicturePart& part_of(int strip) const {
+    return parts_[std::size_t(strip / bands_in_part_)];
+  }
+  void make_outlines(const OutlineFrame& frame, const Threads& threads);
   /// How far neighbours may be out of order [px].
   double order() const { return std::min(kOrder, 0.5 * tolerance_); }
 
@@ -119,14 +139,15 @@ class Drawing {
   View view_;
   PaintTable paints_;
   Outlines outlines_;
-  OutlineMaker maker_;
-  Looks looks_;
-  Regions regions_;
-  Sweep sweep_;
+  struct OutlineGroup {
+    OutlineMaker maker;
+    Outlines made;  ///< but for the first, which are the picture's
+  };
+  std::vector<OutlineGroup> groups_;
   PixelFormat format_{Depth::u8, Blend::srgb};
-  Palette palette_;
-  std::vector<Rgba> jumps_;  ///< by fragment
-  std::vector<int> first_of_strip_, in_strip_;
+  std::vector<PicturePart> parts_;  ///< the first of them; others are kept for their memory
+  int part_count_ = 0, bands_in_part_ = 1;
+  int rows_in_part_ = 160;  ///< at least, so that its beginning costs little beside it
   RowFingerprints fingerprints_;
 };
 

@@ -7,33 +7,38 @@
 
 namespace mien {
 
-void RowFingerprints::make(std::uint64_t seed, const Scene& scene, const Looks& looks,
-                           int first_look, const Sweep& sweep, int rows) {
-  look_at_looks(seed, scene, looks);
-  Fingerprint empty(seed);
-  empty.add(looks_[std::size_t(first_look)]);
-  rows_.assign(std::size_t(rows), empty.value());
-  for (const Fragment& f : sweep.fragments()) add(f, sweep.pieces()[std::size_t(f.piece)]);
-  for (const Doubt& d : sweep.doubts()) doubt(d);
-  // Rows know looks by 16 bits (RowSums::hints).
-  if (looks.count() > std::numeric_limits<std::uint16_t>::max())
-    std::fill(rows_.begin(), rows_.end(), kNone);
+void RowFingerprints::begin(std::uint64_t seed, const Scene& scene, const PaintTable& paints,
+                            int rows) {
+  seed_ = seed;
+  layers_.make(scene, seed);
+  paints_.assign(paints.varied.size(), 0);
+  for (std::size_t i = 0; i < paints.layers.size(); ++i)
+    if (const int varied = paints.layers[i].varied; varied >= 0)
+      paints_[std::size_t(varied)] = layers_.of_layer(i);
+  rows_.assign(std::size_t(rows), kNone);
 }
 
-void RowFingerprints::look_at_looks(std::uint64_t seed, const Scene& scene, const Looks& looks) {
-  layers_.make(scene, seed);
-  paints_.assign(looks.paints().varied.size(), 0);
-  const auto& layers = looks.paints().layers;
-  for (std::size_t i = 0; i < layers.size(); ++i)
-    if (layers[i].varied >= 0) paints_[std::size_t(layers[i].varied)] = layers_.of_layer(i);
+void RowFingerprints::add(const Looks& looks, int first_look, const Sweep& sweep, int top,
+                          int bottom) {
+  // Rows know looks by 16 bits (RowSums::hints).
+  if (looks.count() > std::numeric_limits<std::uint16_t>::max()) return;
+  look_at_looks(looks);
+  Fingerprint empty(seed_);
+  empty.add(looks_[std::size_t(first_look)]);
+  std::fill(rows_.begin() + top, rows_.begin() + bottom, empty.value());
+  for (const Fragment& f : sweep.fragments()) add(f, sweep.piece(f.piece));
+  for (const Doubt& d : sweep.doubts()) doubt(d);
+}
+
+void RowFingerprints::look_at_looks(const Looks& looks) {
   looks_.clear();
   for (int i = 0; i < looks.count(); ++i) {
-    Fingerprint look(seed);
+    Fingerprint look(seed_);
     for (const LookStep& step : looks.steps(i)) {
       look.add(int(step.kind)), look.add(step.segment), look.add(step.zone);
       look.add(int(step.mode));
       if (step.varied >= 0) look.add(paints_[std::size_t(step.varied)]);
-      for (int k = 0; k < 4; ++k) look.add(step.mix[k]);
+      for (int k = 0; k < 4; ++k) look.add(step.mix[k] + 0.0);  // −0 is 0, as for Looks
     }
     looks_.push_back(look.value());
   }

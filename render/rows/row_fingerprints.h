@@ -21,16 +21,18 @@ class RowFingerprints {
   static constexpr std::uint64_t kNone = 0;
 
   /// `seed` stands for the view, and for everything else that a whole picture shares.
-  void make(std::uint64_t seed, const Scene& scene, const Looks& looks, int first_look,
-            const Sweep& sweep, int rows);
+  void begin(std::uint64_t seed, const Scene& scene, const PaintTable& paints, int rows);
+  /// Rows from `top` to `bottom`.
+  void add(const Looks& looks, int first_look, const Sweep& sweep, int top, int bottom);
 
   std::uint64_t operator[](int row) const { return rows_[std::size_t(row)]; }
 
  private:
-  void look_at_looks(std::uint64_t seed, const Scene& scene, const Looks& looks);
+  void look_at_looks(const Looks& looks);
   void add(const Fragment& fragment, const OutlinePiece& piece);
   void doubt(const Doubt& doubt);
 
+  std::uint64_t seed_ = 0;
   PaintFingerprints layers_;
   std::vector<std::uint64_t> paints_;  ///< by varied paint
   std::vector<std::uint64_t> looks_;

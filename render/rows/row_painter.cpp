@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <tuple>
 
 namespace mien {
 namespace {
@@ -83,8 +82,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   worked(50 + x1);
   y_ = y, x0_ = x0, x1_ = x1, to_ = to, stats_ = &stats;
   hints_ = sums.hints(row);
-  row_looks_ = {sums.looks(row), std::size_t(sums.look_words())};
-  refused_.clear(), lost_ = false;
+  refused_.clear();
   room_for(std::size_t(x1 - x0));
   open_.clear(), taken_.clear(), parts_.clear();
   look_ = palette_->first;
@@ -95,8 +93,7 @@ void RowPainter::paint(int y, RowSums& sums, int row, int x0, int x1, std::byte*
   else
     paint_varied(sums, row);
   put_cells();
-  refuse_crowded();
-  std::fill_n(sums.looks(row), sums.look_words(), 0);
+  refuse_doubtful();
 }
 
 void RowPainter::paint_varied(RowSums& sums, int row) {
@@ -204,32 +201,11 @@ bool RowPainter::looks_like(int look) const {
   return open_.size() == 1 && open_[0].look == look && std::abs(open_[0].height - 1.0f) < kFilled;
 }
 
-/// The look of the run that begins at a column; −1 if no candidate agrees with the sum.
+/// The look of the run that begins at a column; −1 if none that may be agrees with the sum.
 int RowPainter::look_of_run(int column) {
   if (column > 0 && looks_like(hints_[column - 1])) return hints_[column - 1];
   if (looks_like(look_)) return look_;
-  if (!open_.empty()) return looks_like(open_[0].look) ? open_[0].look : -1;  // no other agrees
-  return nearest_look();
-}
-
-/// Of the looks right of the row's fragments that agree, the one of the nearest colour; of two as near, the darker
-/// one. Their numbers do not count, so a row is the same whatever else is in the picture.
-int RowPainter::nearest_look() {
-  const auto off = [&](const Rgba& c) {
-    return std::abs(c.r - sum_.r) + std::abs(c.g - sum_.g) + std::abs(c.b - sum_.b) +
-           std::abs(c.a - sum_.a);
-  };
-  const auto rank = [&](const Rgba& c) { return std::tuple{off(c), c.r, c.g, c.b, c.a}; };
-  int best = -1;
-  for (std::size_t w = 0; w < row_looks_.size(); ++w)
-    for (std::uint64_t bits = row_looks_[w]; bits; bits &= bits - 1) {
-      const int i = int(64 * w) + std::countr_zero(bits);
-      if (!looks_like(i)) continue;
-      const auto color = [&](int look) { return palette_->entries[std::size_t(look)].color; };
-      if (best < 0 || rank(color(i)) < rank(color(best))) best = i;
-    }
-  lost_ = lost_ || palette_->entries.size() > std::size_t(RowSums::kMostLooks);
-  return best;
+  return !open_.empty() && looks_like(open_[0].look) ? open_[0].look : -1;
 }
 
 /// A look that fills the row from here on.
@@ -250,6 +226,7 @@ void RowPainter::run(int from, int until) {
   from = std::max(from, x0_), until = std::min(until, x1_);
   if (from >= until) return;
   if (look >= 0) return run_of(look, from, until);
+  if (open_.empty()) return fill(from, until, pattern_of(sum_));
   // Several looks above each other: a level outline within the row, or rounding.
   for (int x = from; x < until; ++x) {
     for (Open& o : open_) o.go_on();
@@ -315,12 +292,20 @@ void RowPainter::keep_cell(const Rgba& mix, float carry, int column) {
   columns_[k] = column, carries_[k] = carry;
 }
 
-/// Pixels that shapes were too crowded in for light, and are asked about as often as they have parts.
-void RowPainter::refuse_crowded() {
-  std::vector<int>& crowded = shader_.crowded();
-  if (crowded.empty()) return;
-  refused_.insert(refused_.end(), crowded.begin(), crowded.end());
-  crowded.clear();
+/// Pixels whose light may be off by more than is permitted, in all their parts.
+void RowPainter::refuse_doubtful() {
+  std::vector<LitPaint::Doubt>& doubts = shader_.doubts();
+  if (doubts.empty()) return;
+  std::sort(doubts.begin(), doubts.end(), [](const LitPaint::Doubt& a, const LitPaint::Doubt& b) {
+    return std::tie(a.column, a.off) < std::tie(b.column, b.off);
+  });
+  for (std::size_t k = 0; k < doubts.size();) {
+    const int column = doubts[k].column;
+    float off = 0.0f;
+    for (; k < doubts.size() && doubts[k].column == column; ++k) off += doubts[k].off;
+    if (off >= 1.0f) refused_.push_back(column);
+  }
+  doubts.clear();
   std::sort(refused_.begin(), refused_.end());
   refused_.erase(std::unique(refused_.begin(), refused_.end()), refused_.end());
 }

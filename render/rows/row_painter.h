@@ -52,9 +52,6 @@ class RowPainter {
   /// resolves them by distances.
   std::span<const int> refused() const { return refused_; }
 
-  /// Whether the look of a run had to be searched for, and there are too many looks for that.
-  bool lost() const { return lost_; }
-
  private:
   static constexpr int kBlock = LookShader::kBlock;
   /// Area and moments about a pixel's middle.
@@ -102,13 +99,12 @@ class RowPainter {
   Rgba parts_in_cells(std::size_t first, std::size_t end, int side);
   const PartForm& form(const Part& part);
   int look_of_run(int column);
-  int nearest_look();
   bool looks_like(int look) const;
   std::byte* at(int column) const { return to_ + std::size_t(column - x0_) * bytes_; }
   void mend_run(int look, int from, int count, const ColorRow& colors);
   void keep_cell(const Rgba& mix, float carry, int column);
   void put_cells();
-  void refuse_crowded();
+  void refuse_doubtful();
   void set_thresholds();
   void room_for(std::size_t cells);
   float threshold(int column) const { return thresholds_[std::size_t(column % kBlock)]; }
@@ -128,7 +124,6 @@ class RowPainter {
   int y_ = 0, x0_ = 0, x1_ = 0;
   std::byte* to_ = nullptr;
   const std::uint16_t* hints_ = nullptr;
-  std::span<const std::uint64_t> row_looks_;  ///< a bit for each that may be a run's
   RenderStats* stats_ = nullptr;
   Rgba sum_;
   int look_ = 0;  ///< of the run before
@@ -147,7 +142,6 @@ class RowPainter {
   std::vector<PartStretch> in_pixel_;
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
   std::vector<int> refused_;
-  bool lost_ = false;
   ColorRow cells_;  ///< mixed, to be put together, after the runs
   std::vector<int> columns_;
   int kept_ = 0;

@@ -16,12 +16,7 @@ PartStretch stretch_of(const CellStretch& c) {
 
 }  // namespace
 
-void RowSums::begin(int rows, int width, int looks) {
-  const std::size_t look_words = std::size_t(std::min(looks, kMostLooks) + 63) / 64;
-  if (look_words != look_words_ || looks_.size() < look_words * std::size_t(rows)) {
-    look_words_ = look_words;
-    looks_.assign(look_words * std::size_t(rows), 0);
-  }
+void RowSums::begin(int rows, int width) {
   const std::size_t stride = std::size_t(width) + 2, words = (std::size_t(width) + 65) / 64;
   if (stride != stride_ || sums_.size() < stride * std::size_t(rows)) {
     width_ = width, stride_ = stride, mark_words_ = words;
@@ -45,9 +40,6 @@ void RowSums::share(int row, const CellStretch& c, int left_varied, int right_va
 void RowSums::add(const OutlinePiece& piece, double top, double bottom, int first, const Rgba& jump,
                   int left_varied, int right_varied, int right_look) {
   const bool varied = left_varied >= 0 || right_varied >= 0;
-  const std::size_t word = std::size_t(right_look) >> 6;
-  const std::uint64_t look_bit = std::uint64_t{1} << (right_look & 63);
-  const bool look_fits = word < look_words_;
   const auto add_cell = [&, jump](int row, int at, const CellPart& part) {
     const std::size_t column = std::size_t(std::max(at, 0));
     Rgba* const to = sums(row) + column;
@@ -55,7 +47,6 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
     to[1] = to[1] + part.rest * jump;
     marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
     hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
-    if (look_fits) looks(row)[word] |= look_bit;
     ++cells_;
   };
   const auto add_row = [&](const RowStretch& s) {

@@ -23,8 +23,8 @@ struct LookShare {
 
 class RowSums {
  public:
-  /// Empty rows of so many pixels, in a picture of so many looks.
-  void begin(int rows, int width, int looks);
+  /// Empty rows of so many pixels.
+  void begin(int rows, int width);
 
   /// A fragment's cells; `first` is the row of the picture that is row 0 here, heights lie within the
   /// rows. `jump`: right colour minus left; looks that vary are −1 or an index.
@@ -36,11 +36,6 @@ class RowSums {
   Rgba* sums(int row) { return sums_.data() + std::size_t(row) * stride_; }
   std::uint64_t* marks(int row) { return marks_.data() + std::size_t(row) * mark_words_; }
   const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
-  /// A bit for each look right of one of the row's fragments, except looks beyond kMostLooks. The reader resets
-  /// these, too.
-  std::uint64_t* looks(int row) { return looks_.data() + std::size_t(row) * look_words_; }
-  int look_words() const { return int(look_words_); }
-  static constexpr int kMostLooks = 1024;
   /// Of a row, in any order; and each one's stretch, of sign 1.
   std::span<const LookShare> shares(int row) const { return shares_[std::size_t(row)]; }
   std::span<const PartStretch> stretches(int row) const { return stretches_[std::size_t(row)]; }
@@ -57,9 +52,9 @@ class RowSums {
 
   long long cells_ = 0;
   int width_ = 0;
-  std::size_t stride_ = 0, mark_words_ = 0, look_words_ = 0;
+  std::size_t stride_ = 0, mark_words_ = 0;
   std::vector<Rgba> sums_;
-  std::vector<std::uint64_t> marks_, looks_;
+  std::vector<std::uint64_t> marks_;
   std::vector<std::uint16_t> hints_;  ///< the look that may follow a cell
   std::vector<int> first_shares_;
   std::vector<std::vector<LookShare>> shares_;

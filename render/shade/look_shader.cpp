@@ -145,9 +145,11 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
   const int count = cells.count();
   columns_.assign(std::size_t(count) + kColorSpare, float(x));
   const LanePlaces at = squares(count, columns_.data(), cells.x.data(), cells.y.data(), side);
+  const std::size_t doubts = this->doubts().size();
   const ColorRow& c = shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
     give(step, {x, y, count, form ? &part : nullptr, &cells}, 0, to);
   });
+  this->doubts().resize(doubts);  // they were told when the mean was asked for
   glm::vec4 sum{0.0f};
   float area = 0.0f;
   for (std::size_t k = 0; k < std::size_t(count); ++k) {

@@ -48,7 +48,7 @@ class LookShader {
   }
 
   /// Columns that want the reference, since the caller emptied it.
-  std::vector<int>& crowded() { return lit_scratch_.crowded(); }
+  std::vector<LitPaint::Doubt>& doubts() { return lit_scratch_.doubts(); }
 
  private:
   /// Pixels of a row, a part of one, or one in cells: of all of it or of a part.

@@ -47,6 +47,7 @@ struct GridRelief {
     double max_radius;  ///< [px]
   };
   int distance = -1;  ///< index into PaintTable::distances; −1: none
+  bool own = true;    ///< that distance is the layer's own area's
   Profile profile = Profile::flat;
   double width = 1, height = 0;  ///< [px]
   std::vector<double> table;

@@ -48,7 +48,7 @@ class PaintMaker {
     const bool by_distance =
         varied.paint.ramp && varied.paint.field.kind == PaintField::Kind::distance;
     if (paint.relief)
-      relief(*paint.relief, varied);
+      relief(*paint.relief, layer.area, varied);
     else if (by_distance)
       varied.paint.relief.emplace(GridRelief{.lamp = Lamp(light(), 0.0, 1.0)});  // a level one
     else
@@ -167,11 +167,12 @@ class PaintMaker {
     return glm::dmat2{u.x / a, v.x / b, u.y / a, v.y / b};  // columns
   }
 
-  void relief(const Relief& r, VariedPaint& varied) {
+  void relief(const Relief& r, Area layer, VariedPaint& varied) {
     const Lamp lamp(light(), r.specular, r.shininess);
     if (!varied.paint.relief) varied.paint.relief.emplace(GridRelief{.lamp = lamp});
     GridRelief& made = *varied.paint.relief;
     made.lamp = lamp, made.profile = r.profile, made.distance = -1;
+    made.own = r.area.node == layer.node;
     if (r.area.node >= 0 && r.profile != Profile::flat) made.distance = distance(r.area);
     if (r.profile == Profile::custom && r.table.size() < 2) made.profile = Profile::flat;
     made.width = std::max(r.width * map_.scale(), kLeast);

@@ -97,14 +97,12 @@ AreaBoundary AreaBoundaries::of(std::span<const AreaLevel> all) {
     steps_.push_back({AreaStep::Kind::and_});
   }
   maker_.finish();
-  // Loops are to be whole: the sides where outlines were cut are pieces like any others.
-  outlines_.left = -HUGE_VAL, outlines_.right = HUGE_VAL;
   Inside inside(steps_);
   regions_.begin(int(outlines_.rules.size()), inside);
   sweep_.run(outlines_, window_.lo.y - kAround, window_.hi.y + kAround, regions_,
              std::min(kOrder, kOrderShare * tolerance_));
   AreaBoundary made;
-  made.loops = fragment_loops(sweep_.fragments(), sweep_.pieces(), kJoinShare * tolerance_);
+  made.loops = fragment_loops(sweep_.fragments(), outlines_.pieces, kJoinShare * tolerance_);
   made.doubts = int(sweep_.doubts().size());
   const glm::dvec2 size = window_.size();
   made.whole = made.loops.size() == 1 && made.loops[0].sides.size() == 4 &&

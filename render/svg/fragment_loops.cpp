@@ -28,7 +28,7 @@ bool runs_down(const Fragment& f) {
   return f.right == 1;
 }
 
-FragmentCurve curve_of(const Fragment& f, const SweepPiece& p) {
+FragmentCurve curve_of(const Fragment& f, const OutlinePiece& p) {
   const double t = parameter_at(p, f.top), u = parameter_at(p, f.bottom);
   const glm::dvec2 a{p.ax, p.ay}, b{p.bx, p.by}, top{x_at(p, f.top), f.top},
       bottom{x_at(p, f.bottom), f.bottom};
@@ -116,7 +116,7 @@ void join_ends(FragmentLoop& loop, double tolerance) {
 }  // namespace
 
 std::vector<FragmentLoop> fragment_loops(std::span<const Fragment> fragments,
-                                         std::span<const SweepPiece> pieces, double tolerance) {
+                                         std::span<const OutlinePiece> pieces, double tolerance) {
   std::vector<FragmentCurve> curves;
   for (const Fragment& f : fragments) {
     worked(100);

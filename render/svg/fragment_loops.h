@@ -29,6 +29,6 @@ struct FragmentLoop {
 /// Look 1 is inside, look 0 outside; there are no others. Sides that are parts of one parabola or line again become
 /// one where that moves nothing by more than `tolerance` [px], and level sides shorter than that vanish.
 std::vector<FragmentLoop> fragment_loops(std::span<const Fragment> fragments,
-                                         std::span<const SweepPiece> pieces, double tolerance);
+                                         std::span<const OutlinePiece> pieces, double tolerance);
 
 }  // namespace mien

@@ -1,6 +1,5 @@
 #include "sdf/arrange/foreseen.h"
 #include "lib/base/watch.h"
-#include "sdf/arrange/sweep_piece.h"
 #include "sdf/outline/curve/piece_count.h"
 
 #include <variant>
@@ -8,9 +7,7 @@
 namespace mien {
 namespace {
 
-/// As many vertices as pieces are tied to loops, and the sweep has a piece of its own for each.
-constexpr std::uint64_t kBytesOfPiece =
-    sizeof(SweepPiece) + sizeof(OutlinePiece) + sizeof(OutlineVertex);
+constexpr std::uint64_t kBytesOfPiece = sizeof(OutlinePiece);
 
 std::uint64_t path_sides(const Shape& shape) {
   std::uint64_t sides = 0;

@@ -1,4 +1,5 @@
 #include "sdf/arrange/regions.h"
+#include "lib/base/watch.h"
 
 #include <algorithm>
 
@@ -36,6 +37,7 @@ int Regions::across(int region, int outline) {
   const std::size_t mask = table_.size() - 1;
   for (std::size_t i = hash & mask; table_[i] >= 0; i = (i + 1) & mask)
     if (hashes_[std::size_t(table_[i])] == hash) return table_[i];
+  worked(100 + 2 * stride_);
   const int made = add(hash);
   std::uint64_t* const to = words_.data() + std::size_t(made) * std::size_t(stride_);
   const std::uint64_t* const from = words(region);

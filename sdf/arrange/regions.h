@@ -41,8 +41,6 @@ class Regions {
     return words_.capacity() * sizeof(words_[0]) + hashes_.capacity() * sizeof(hashes_[0]) +
            (looks_.capacity() + table_.capacity()) * sizeof(int) + (rule_ ? rule_->bytes() : 0);
   }
-  /// What a new one costs, in steps.
-  int steps() const { return 100 + 2 * stride_; }
   bool inside(int region, int outline) const {
     return words(region)[outline >> 6] >> (outline & 63) & 1;
   }

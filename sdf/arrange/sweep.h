@@ -2,22 +2,28 @@
 // Outlines → order, regions and visible fragments: one sweep from the top, as if the picture were
 // tilted a little (of two things at one height the left one comes first).
 //
-// The state is the list of active pieces from left to right, the region right of each, and every
-// piece's own winding number. THE PERMUTATION IS THE TRUTH: an event swaps two neighbours, and looks
+// The state is the list of active chains from left to right, the region right of each, and every
+// chain's own winding number. THE PERMUTATION IS THE TRUTH: a crossing swaps two neighbours, and looks
 // come from the order, so along any row their differences telescope by construction and no rounding
-// can travel along a row. A wrong order heals when its pieces are next compared.
+// can travel along a row.
 //
-// Neighbours are proven to be in order over the whole height at which they are neighbours, to a tolerance. Where
-// the proof fails, the place is reported as a doubt, and its pixels are resolved by distances.
+// The sweep goes in steps, to the next border of bands or the next height at which chains begin or end. All active
+// chains are placed at the lower height at once. Neighbours are proven to be in order over the whole height at which
+// they are neighbours, to a tolerance, most of them by their extents alone. Those that are in the other order at the
+// lower height cross. Where a proof fails, the step is halved; where that does not help, the place is reported as a
+// doubt, and its pixels are resolved by distances.
+//
+// At the top of a band of 16 rows the order is by places alone, whatever it was above: bands do not depend on each
+// other.
 //
 // Outlines that are cut off at the picture's sides have no order: left of the picture there is one region, right of
 // it nothing.
 //
 // No colours here: the sweep only asks whether two regions look alike (regions.h).
 
-#include "sdf/arrange/crossings.h"
-#include "sdf/arrange/order_proof.h"
+#include "sdf/arrange/piece_run.h"
 #include "sdf/arrange/regions.h"
+#include "sdf/arrange/sweep_lanes.h"
 
 #include <span>
 #include <vector>
@@ -37,98 +43,143 @@ struct Doubt {
 };
 
 struct SweepStats {
-  long pieces = 0, pairs = 0, crossings = 0, forced = 0, proofs = 0, regions = 0;
+  long pieces = 0, steps = 0, halvings = 0, crossings = 0, forced = 0, regions = 0;
 };
 
 /// Sweeps one arrangement after another; keeps its scratch.
 class Sweep {
  public:
-  /// The arrangement between two heights. `regions` has begun with the number of outlines. `order`: how far
-  /// neighbours may be out of order [px].
-  void run(const Outlines& outlines, double top, double bottom, Regions& regions,
-           double order = kOrder);
+  static constexpr int kBandRows = 16;
 
-  /// Ordered by their ends.
+  /// The arrangement between two heights. `regions` has begun with the number of outlines. `order`: how far
+  /// neighbours may be out of order [px]. The outlines are referred to.
+  void run(const Outlines& outlines, double top, double bottom, Regions& regions,
+           double order = kOrder) {
+    in_bands_ = false;
+    sweep(outlines, top, bottom, regions, order);
+  }
+  /// The same from a band's top, with fragments that end where their band does.
+  void run_in_bands(const Outlines& outlines, int top, int bottom, Regions& regions, double order) {
+    in_bands_ = true;
+    sweep(outlines, top, bottom, regions, order);
+  }
+
   std::span<const Fragment> fragments() const { return fragments_; }
-  std::span<const SweepPiece> pieces() const { return pieces_; }
+  /// Those of a band, the first one's number being 0, after run_in_bands().
+  std::span<const Fragment> of_band(int band) const {
+    const auto first = std::size_t(first_in_band_[std::size_t(band)]);
+    return fragments().subspan(first, std::size_t(first_in_band_[std::size_t(band) + 1]) - first);
+  }
+  /// Of a fragment: one of the outlines', or the picture's left side.
+  const OutlinePiece& piece(int i) const {
+    return std::size_t(i) < outlines_->pieces.size() ? outlines_->pieces[std::size_t(i)] : side_;
+  }
   std::span<const Doubt> doubts() const { return doubts_; }
   const SweepStats& stats() const { return stats_; }
 
  private:
-  struct Event {  ///< `left` swaps with `right`
-    double y, x;
-    int left, right;
-    int order;     ///< in which events were found
-    bool one_way;  ///< proven: they are in order before, and the other way round afterwards
+  friend class SweepProbe;  // plants faults, in tests
+  /// A chain that is active, by lane.
+  struct Active {
+    int chain, outline, turn;
+    int above, piece,
+        last;  ///< pieces at the upper and the lower height of a step; the chain's last one
+    int left_look, right_look;
+    int winding;        ///< of its outline, to the left
+    bool flips;         ///< whether its outline's inside changes across it
+    int shown_piece;    ///< at that height:
+    double shown_from;  ///< from what height the looks are as they are
   };
-  static bool later(const Event& a, const Event& b);
+  struct Swap {  ///< of a slot and the next
+    double y;
+    int number;  ///< in which it was found
+    int slot;
+    bool proven;  ///< that these two are in order before, and the other way round afterwards
+  };
+  struct Slopes {
+    double least, most;  ///< dx/dy
+    long step;           ///< of which
+  };
 
-  void sort_vertices();
-  void begin_at_top();
-  void vertex(int index);
-  bool beside(int i) const;
-  void at_side(int index);
-  void leave(int i, bool left, double y);
-  void come(int i, bool left, double y);
+  void sweep(const Outlines& outlines, double top, double bottom, Regions& regions, double order);
+  void begin_at(double y);
+  void cross_border(double y);
+  void end_or_begin(const OutlineEnd& e);
+  void start(const OutlineEnd& e);
+  void end(const OutlineEnd& e);
+  void come(const OutlineEnd& e, bool left);
+  void leave(const OutlineEnd& e, bool left);
+  int enter(int slot, int chain, int piece, double x, double y);
+  void leave_slot(int slot, double y);
+  int slot_of(int chain) const;
   void show_left(double y);
-  void go_on(int old, int now, double y);
-  void start(int a, int b, const OutlineVertex& v);
-  void end(int a, int b, const OutlineVertex& v);
-  void events_until(double y, double x);
-  void swap(int slot, double y, bool one_way = false);
-  void swap_past(const Event& event, int from, int to);
-  void meet_others(int slot, double y, int first_slot, int met = -1);
-  void meet(int left, int right, double y);
-  void compare(int a, int b, double y);
-  void schedule(double y, int left, int right, bool one_way);
-  void put(int slot, int piece);
-  void enter(int slot, double y);
+  void finish_left(double y);
+  void go_to(double y);
+  void step(double y, int depth);
+  void pass_pieces(double y);
+  void stray(int lane, double y);
+  bool in_order_until(double y);
+  void plan_runs(double y);
+  void plan_run(int first, int last, double y);
+  void prove_swaps(double y);
+  bool stays(int slot, double from, double to, double y);
+  bool cheap(int left, int right) const;
+  bool hidden(int slot) const;
+  const Slopes& slopes(int lane);
+  bool gap_goes_one_way(int left, int right);
+  void sort_at_border();
+  bool belongs_after(int a, int b) const;
+  void swap(int slot, double y);
+  void force(int slot, double y);
   void show(int slot, double y);
-  void finish(int slot, double y);
+  void finish(int lane, double y);
   bool inside(int outline, int winding) const;
-  std::size_t bytes() const;
-  void tell_work();
-  /// Tells it now and then.
-  void step() {
-    constexpr int kOften = 16;
-    if (++since_told_ % kOften == 0) tell_work();
-  }
+  int winding_left_of(int slot, int outline) const;
   int region_left_of(int slot) const { return slot ? region_[std::size_t(slot) - 1] : left_; }
-  int winding_left_of(int slot, int outline);
-  void open_slots(int slot, int more);
-  void close_slots(int slot, int fewer);
-  SweepPiece& piece(int i) { return pieces_[std::size_t(i)]; }
-  SweepPiece& at(int slot) { return pieces_[std::size_t(active_[std::size_t(slot)])]; }
-  void room_for(int slots);
-  void parted(int slot, double y);
+  Active& at(int slot) { return active_[std::size_t(order_[std::size_t(slot)])]; }
+  const Active& at(int slot) const { return active_[std::size_t(order_[std::size_t(slot)])]; }
+  PieceRun run_of(int lane) const;
+  double x_of_lane(int lane, double at, double y) const;
+  int count() const { return int(order_.size()); }
+  std::size_t bytes() const;
 
   const Outlines* outlines_ = nullptr;
   Regions* regions_ = nullptr;
-  double top_ = 0, bottom_ = 0, may_differ_ = kOrder;
-  std::vector<SweepPiece> pieces_;
+  double y_ = 0, bottom_ = 0, may_differ_ = kOrder;
+  OutlinePiece side_{};
+  bool in_bands_ = false;
   std::vector<Fragment> fragments_;
+  std::vector<int> first_in_band_;
   std::vector<Doubt> doubts_;
   SweepStats stats_;
-  SweepStats told_;       ///< what the watch knows
-  int told_regions_ = 0;  ///< likewise
-  int since_told_ = 0;    ///< steps of the sweep
-  int since_held_ = 0;    ///< times since it was told what is held
 
+  SweepLanes lanes_;
+  std::vector<Active> active_;  ///< by lane
+  std::vector<Slopes> slopes_;  ///< by lane, if they were asked for
+  std::vector<int> free_;       ///< lanes
   // By slot, from left to right.
-  int count_ = 0;
-  std::vector<int> active_;              ///< pieces
-  std::vector<int> region_;              ///< to the right of each
-  std::vector<float> lowest_, highest_;  ///< their reach along x
-  std::vector<double> together_;    ///< the height since which it and the next have been neighbours
-  std::vector<std::uint64_t> met_;  ///< a bit by slot, scratch
+  std::vector<int> order_;   ///< lanes
+  std::vector<int> region_;  ///< to the right of each
 
-  std::vector<Event> events_;  ///< a heap, the first on top
-  int found_ = 0;
-  std::vector<std::pair<int, int>> again_;  ///< to be compared again
-  long again_left_ = 0;
-  std::vector<int> order_, buckets_;  ///< vertices from the top down
-  std::vector<int> windings_;         ///< by outline, left of the picture
-  int left_ = 0;                      ///< the region there
+  // Of a step.
+  std::vector<int> passed_;    ///< lanes that go on to another piece within it
+  std::vector<int> unproven_;  ///< slots of neighbours whose extents and chords do not tell
+  std::vector<int> planned_;   ///< the order as it will be
+  std::vector<Swap> swaps_;    ///< from the top down
+  std::vector<double> since_;  ///< by slot: since when it and the next will have been neighbours
+  std::vector<char> in_run_;   ///< by slot: whether it takes part in a crossing
+  std::vector<std::pair<int, int>> runs_;     ///< their first and last slots
+  std::vector<double> least_;                 ///< by slot: of the places from there on
+  std::vector<std::pair<double, int>> heap_;  ///< crossings of a run
+  std::vector<double> met_;                   ///< by slot: where it crosses with the next
+  std::vector<Doubt> unsure_;
+  double fails_at_ = 0;     ///< a height near which a proof failed
+  bool may_halve_ = false;  ///< so that nothing need be doubted yet
+  long halvings_left_ = 0;
+  int most_halvings_ = 16;  ///< of a step
+
+  std::vector<int> windings_;  ///< by outline, left of the picture
+  int left_ = 0;               ///< the region there
   int left_look_ = 0;
   double left_from_ = 0;  ///< the height since which it has looked so
 };

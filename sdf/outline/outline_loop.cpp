@@ -27,9 +27,9 @@ constexpr double kStraight = 0x1p-21;
 constexpr double kThinnest = 0x1p-19;
 
 /// To multiples of 2⁻²⁰, for |v| < 2³¹.
-double snapped(double v) {
+glm::dvec2 snapped(glm::dvec2 v) {
   constexpr double kShift = 0x1.8p32;
-  return (v + kShift) - kShift;
+  return {(v.x + kShift) - kShift, (v.y + kShift) - kShift};
 }
 
 glm::dvec2 clamped(glm::dvec2 p, const Box2& box) {
@@ -81,21 +81,19 @@ bool OutlineLoop::is_number(glm::dvec2 p) {
 }
 
 void OutlineLoop::begin(glm::dvec2 p) {
-  first_vertex_ = static_cast<int>(to_->vertices.size());
-  first_piece_ = static_cast<int>(to_->pieces.size());
+  sides_.clear();
   bad_ = false;
   if (!is_number(p)) return;
   start_ = at_ = p;
-  const glm::dvec2 q = clamped(p, window_);
-  to_->vertices.push_back({snapped(q.x), snapped(q.y), -1, -1});
+  first_ = snapped(clamped(p, window_));
 }
 
 void OutlineLoop::line(glm::dvec2 to) {
   if (!is_number(to)) return;
   if (window_.contains(at_) && window_.contains(to)) {
-    piece(to, to, true);
+    side(to, to, true);
   } else if (beyond({glm::min(at_, to), glm::max(at_, to)})) {
-    piece(to, clamped(to, window_), true);
+    side(to, clamped(to, window_), true);
   } else {
     cut(0.5 * (at_ + to), to, true);
   }
@@ -108,7 +106,7 @@ void OutlineLoop::quad(glm::dvec2 control, glm::dvec2 to) {
   if (window_.contains(box.lo) && window_.contains(box.hi)) {
     cut(control, to, false);
   } else if (beyond(box)) {
-    piece(to, clamped(to, window_), true);
+    side(to, clamped(to, window_), true);
   } else {
     cut(control, to, true);
   }
@@ -119,7 +117,7 @@ void OutlineLoop::quad(glm::dvec2 control, glm::dvec2 to) {
 /// in one of the nine fields around and in the window.
 void OutlineLoop::cut(glm::dvec2 control, glm::dvec2 to, bool clip) {
   const glm::dvec2 p = at_, a = control - p, c = to - control, b = c - a;
-  if (!clip && a.x * c.x >= 0.0 && a.y * c.y >= 0.0) return piece(control, to, false);
+  if (!clip && a.x * c.x >= 0.0 && a.y * c.y >= 0.0) return side(control, to, false);
   Cuts cuts;
   cuts.add(-a.x / b.x, kNearEnd);
   cuts.add(-a.y / b.y, kNearEnd);
@@ -132,25 +130,23 @@ void OutlineLoop::cut(glm::dvec2 control, glm::dvec2 to, bool clip) {
     const double w = i < cuts.count ? cuts.t[i] : 1.0, middle = 0.5 * (u + w);
     const glm::dvec2 end = i < cuts.count ? p + w * (2.0 * a + w * b) : to;
     const bool inside = !clip || window_.contains(p + middle * (2.0 * a + middle * b));
-    piece(p + ((u + w) * a + (u * w) * b), clip ? clamped(end, window_) : end, !inside);
+    side(p + ((u + w) * a + (u * w) * b), clip ? clamped(end, window_) : end, !inside);
     u = w;
   }
 }
 
-/// Whether the piece that ends at `vertex` and the one from there to `to` run along one line of the border.
-bool OutlineLoop::runs_along_border(int vertex, glm::dvec2 to) const {
-  const OutlineVertex &a = to_->vertices[vertex - 1], &b = to_->vertices[vertex];
+/// Whether the last side and the one from there to `to` run along one line of the border.
+bool OutlineLoop::runs_along_border(glm::dvec2 to) const {
+  const glm::dvec2 a = from(sides_.size() - 1), b = sides_.back().to;
   return (a.x == b.x && b.x == to.x && (b.x == window_.lo.x || b.x == window_.hi.x)) ||
          (a.y == b.y && b.y == to.y && (b.y == window_.lo.y || b.y == window_.hi.y));
 }
 
-/// Whether `to` lies back along the last piece's chord, and on its line. Then the way there encloses nothing, and the end
-/// of that piece may as well be `to`, if both ways are flat: paths that run to and fro without area are so no more than
+/// Whether `to` lies back along the last side's chord, and on its line. Then the way there encloses nothing, and the end
+/// of that side may as well be `to`, if both ways are flat: paths that run to and fro without area are so no more than
 /// a line.
 bool OutlineLoop::runs_back(glm::dvec2 to) const {
-  const OutlineVertex* const end = &to_->vertices.back();
-  const glm::dvec2 way{end[0].x - end[-1].x, end[0].y - end[-1].y},
-      back{to.x - end[0].x, to.y - end[0].y};
+  const glm::dvec2 end = sides_.back().to, way = end - from(sides_.size() - 1), back = to - end;
   const double longest =
       std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
   // Corners often turn back and seldom on the line: as one condition this is foreseen by the processor.
@@ -159,90 +155,121 @@ bool OutlineLoop::runs_back(glm::dvec2 to) const {
   return turns & on_line;
 }
 
-/// Whether the last piece and the way by `control` to `to`, of which `runs_back` is true, leave their line by nothing.
+/// Whether the last side and the way by `control` to `to`, of which `runs_back` is true, leave their line by nothing.
 bool OutlineLoop::are_flat(glm::dvec2 control, glm::dvec2 to, bool straight) const {
-  const OutlinePiece& p = to_->pieces.back();
-  const OutlineVertex &a = to_->vertices[p.top], &b = to_->vertices[p.bottom];
-  const glm::dvec2 end{b.x, b.y}, way = end - glm::dvec2{a.x, a.y}, back = to - end;
+  const Side& last = sides_.back();
+  const glm::dvec2 end = last.to, way = end - from(sides_.size() - 1), back = to - end;
   const double longest =
       std::max(std::abs(way.x) + std::abs(way.y), std::abs(back.x) + std::abs(back.y));
-  return (p.turn == 0 ||
-          std::abs(cross(way, glm::dvec2{p.ax, p.ay} - end)) <= kThinnest * longest) &&
+  return (last.straight || std::abs(cross(way, last.control - end)) <= kThinnest * longest) &&
          (straight || std::abs(cross(back, control - end)) <= kThinnest * glm::length(back));
 }
 
-/// Until `finish` a piece keeps its control point in (ax, ay), its vertices in the loop's order, whether it may
-/// bend in `turn`, and its direction around the loop in bx.
-void OutlineLoop::piece(glm::dvec2 control, glm::dvec2 to, bool straight) {
-  const glm::dvec2 end{snapped(to.x), snapped(to.y)};
-  const int last = static_cast<int>(to_->vertices.size()) - 1;
-  OutlineVertex& from = to_->vertices[last];
-  if (from.x == end.x && from.y == end.y) return;
-  if (straight && last > first_vertex_ && runs_along_border(last, end)) {
-    from.x = end.x, from.y = end.y;
-    const OutlineVertex& before = to_->vertices[last - 1];
-    if (before.x == end.x && before.y == end.y) to_->vertices.pop_back(), to_->pieces.pop_back();
+void OutlineLoop::side(glm::dvec2 control, glm::dvec2 to, bool straight) {
+  const glm::dvec2 end = snapped(to);
+  if (from(sides_.size()) == end) return;
+  if (straight && !sides_.empty() && runs_along_border(end)) {
+    sides_.back().to = end;
+    if (from(sides_.size() - 1) == end) sides_.pop_back();
     return;
   }
-  if (may_run_back_ && last > first_vertex_ && runs_back(end) && are_flat(control, end, straight)) {
-    to_->vertices.pop_back();
-    to_->pieces.pop_back();
-    return piece(to, to, true);
+  if (may_run_back_ && !sides_.empty() && runs_back(end) && are_flat(control, end, straight)) {
+    sides_.pop_back();
+    return side(to, to, true);
   }
-  OutlinePiece& p = to_->pieces.emplace_back();
-  p.ax = control.x, p.ay = control.y;
-  p.top = last, p.bottom = last + 1;
-  p.outline = static_cast<int>(to_->rules.size()) - 1;
-  p.turn = straight ? 0 : 1;
-  p.bx = backwards_ ? -1.0 : 1.0;
-  to_->vertices.push_back({end.x, end.y, -1, -1});
+  sides_.push_back({control, end, straight});
 }
 
-void OutlineLoop::drop() {
-  to_->vertices.resize(first_vertex_);
-  to_->pieces.resize(first_piece_);
+std::size_t OutlineLoop::forget_sides(std::size_t count) {
+  std::size_t pieces = 0;
+  for (std::size_t i = 0; i < count; ++i) pieces += !lies_beyond(i);
+  first_ = sides_[count - 1].to;
+  sides_.erase(sides_.begin(), sides_.begin() + std::ptrdiff_t(count));
+  return pieces;
 }
 
 /// All on one line of the border: there and back.
 bool OutlineLoop::encloses_nothing() const {
   Box2 box;
-  for (std::size_t i = first_vertex_; i < to_->vertices.size(); ++i)
-    box = around(box, {to_->vertices[i].x, to_->vertices[i].y});
+  for (const Side& s : sides_) box = around(box, s.to);
   return beyond(box);
 }
 
 void OutlineLoop::close() {
-  if (bad_) return drop();
+  if (bad_) return sides_.clear();
   line(start_);
-  const auto count = static_cast<int>(to_->pieces.size()) - first_piece_;
-  worked(40 * count);
-  if (count < 2 || encloses_nothing()) return drop();
-  // The last vertex is the first: both are the same point, snapped.
-  to_->vertices.pop_back();
-  to_->pieces.back().bottom = first_vertex_;
+  worked(40 * std::int64_t(sides_.size()));
+  if (sides_.size() >= 2 && !encloses_nothing()) write_chains();
+}
+
+bool OutlineLoop::runs_down(std::size_t i) const {
+  const glm::dvec2 p = from(i), q = sides_[i].to;
+  return p.y != q.y ? p.y < q.y : p.x < q.x;
+}
+
+/// Whether it runs along the picture's left or right side.
+bool OutlineLoop::lies_beyond(std::size_t i) const {
+  const glm::dvec2 p = from(i), q = sides_[i].to;
+  return p.x == q.x && (p.x == window_.lo.x || p.x == window_.hi.x);
+}
+
+/// The closed loop's runs of sides that go up or down, from where the first of them begins.
+void OutlineLoop::write_chains() {
+  const std::size_t n = sides_.size();
+  const auto follows = [&](std::size_t i, std::size_t next) {  // in one chain
+    return !lies_beyond(i) && !lies_beyond(next) && runs_down(i) == runs_down(next);
+  };
+  std::size_t start = 0;
+  while (start < n && follows((start + n - 1) % n, start)) ++start;
+  int first = -1, before = -1;  // chains; −1: the loop lies beyond a side
+  const auto turn = [&](int arrives, int leaves, std::size_t at) {
+    const glm::dvec2 p = from(at);
+    const bool down = leaves >= 0 ? runs_down(at) : !runs_down((at + n - 1) % n);
+    if (arrives >= 0 && leaves >= 0)
+      to_->ends.push_back({p.y, p.x, arrives, leaves, down});
+    else if (arrives >= 0 || leaves >= 0)
+      to_->ends.push_back({p.y, p.x, std::max(arrives, leaves), -1, down});
+  };
+  for (std::size_t done = 0; done < n;) {
+    const std::size_t begin = (start + done) % n;
+    std::size_t count = 1;
+    while (done + count < n && follows((begin + count - 1) % n, (begin + count) % n)) ++count;
+    const int chain = lies_beyond(begin) ? -1 : write_chain(begin, count);
+    if (done == 0)
+      first = chain;
+    else
+      turn(before, chain, begin);
+    before = chain, done += count;
+  }
+  turn(before, first, start % n);
+}
+
+int OutlineLoop::write_chain(std::size_t first, std::size_t count) {
+  const std::size_t n = sides_.size();
+  const bool down = runs_down(first);
+  const int begin = int(to_->pieces.size());
+  for (std::size_t i = 0; i < count; ++i)
+    write_piece((first + (down ? i : count - 1 - i)) % n, down);
+  to_->chains.push_back({begin, int(to_->pieces.size()) - 1, int(to_->rules.size()) - 1,
+                         down != backwards_ ? 1 : -1});
+  return int(to_->chains.size()) - 1;
+}
+
+void OutlineLoop::write_piece(std::size_t i, bool down) {
+  const Side& s = sides_[i];
+  const glm::dvec2 top = down ? from(i) : s.to, bottom = down ? s.to : from(i),
+                   chord = bottom - top;
+  const glm::dvec2 a = glm::clamp(s.control, glm::min(top, bottom), glm::max(top, bottom)) - top;
+  const bool bends = !s.straight && std::abs(cross(chord, a)) >
+                                        2.0 * kStraight * std::max(std::abs(chord.x), chord.y);
+  const glm::dvec2 way = bends ? a : 0.5 * chord, bend = bends ? (chord - a) - a : glm::dvec2{0.0};
+  to_->pieces.push_back({top.x, top.y, way.x, way.y, bend.x, bend.y, bottom.x, bottom.y});
 }
 
 void OutlineLoop::finish() {
-  auto& vertices = to_->vertices;
-  for (std::size_t i = 0; i < to_->pieces.size(); ++i) {
-    OutlinePiece& p = to_->pieces[i];
-    if (p.bx < 0.0) std::swap(p.top, p.bottom);
-    OutlineVertex &from = vertices[p.top], &into = vertices[p.bottom];
-    from.out = into.in = static_cast<int>(i);
-    const bool down = from.y != into.y ? from.y < into.y : from.x < into.x;
-    const bool may_bend = p.turn != 0;
-    p.turn = down ? 1 : -1;
-    if (!down) std::swap(p.top, p.bottom);
-    const OutlineVertex &top = vertices[p.top], &bottom = vertices[p.bottom];
-    p.x0 = top.x, p.y0 = top.y, p.x1 = bottom.x, p.y1 = bottom.y;
-    const glm::dvec2 chord{p.x1 - p.x0, p.y1 - p.y0};
-    const glm::dvec2 a{std::clamp(p.ax, std::min(p.x0, p.x1), std::max(p.x0, p.x1)) - p.x0,
-                       std::clamp(p.ay, p.y0, p.y1) - p.y0};
-    const bool bends = may_bend && std::abs(cross(chord, a)) >
-                                       2.0 * kStraight * std::max(std::abs(chord.x), chord.y);
-    p.ax = bends ? a.x : 0.5 * chord.x, p.ay = bends ? a.y : 0.5 * chord.y;
-    p.bx = bends ? (chord.x - a.x) - a.x : 0.0, p.by = bends ? (chord.y - a.y) - a.y : 0.0;
-  }
+  std::sort(to_->ends.begin(), to_->ends.end(), [](const OutlineEnd& a, const OutlineEnd& b) {
+    return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.chain < b.chain;
+  });
 }
 
 }  // namespace mien

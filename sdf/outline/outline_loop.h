@@ -1,5 +1,5 @@
 #pragma once
-// A pen that writes closed loops as pieces: cut where x or y turns, cut to the window, snapped.
+// A pen that writes closed loops as chains of pieces: cut where x or y turns, cut to the window, snapped.
 //
 //   OutlineLoop loop;
 //   loop.frame(window, 1.0 / 800, outlines);
@@ -34,22 +34,37 @@ class OutlineLoop final : public CurvePen {
   void quad(glm::dvec2 control, glm::dvec2 to) override;
   /// A loop vanishes if it encloses nothing in the window or has a coordinate that is no number.
   void close() override;
-  /// Ties pieces to vertices and turns them to run down.
+  /// Sorts the chains' ends. Nothing is added afterwards.
   void finish();
 
+  /// Sides of the loop at hand: monotone, in the loop's order.
+  std::size_t sides() const { return sides_.size(); }
+  /// Forgets the first ones, as if the loop had begun after them; returns how many of them would have been pieces.
+  std::size_t forget_sides(std::size_t count);
+
  private:
+  struct Side {
+    glm::dvec2 control, to;
+    bool straight;
+  };
   void cut(glm::dvec2 control, glm::dvec2 to, bool clip);
-  void piece(glm::dvec2 control, glm::dvec2 to, bool straight);
-  bool runs_along_border(int vertex, glm::dvec2 to) const;
+  void side(glm::dvec2 control, glm::dvec2 to, bool straight);
+  bool runs_along_border(glm::dvec2 to) const;
   bool runs_back(glm::dvec2 to) const;
   bool are_flat(glm::dvec2 control, glm::dvec2 to, bool straight) const;
   bool encloses_nothing() const;
-  void drop();
   bool is_number(glm::dvec2 p);
+  /// Where a side begins; past the last one: where the loop is.
+  glm::dvec2 from(std::size_t side) const { return side ? sides_[side - 1].to : first_; }
+  bool runs_down(std::size_t side) const;
+  bool lies_beyond(std::size_t side) const;
+  void write_chains();
+  int write_chain(std::size_t first, std::size_t count);
+  void write_piece(std::size_t side, bool down);
 
   Outlines* to_ = nullptr;
-  glm::dvec2 start_{0.0};
-  int first_vertex_ = 0, first_piece_ = 0;
+  glm::dvec2 start_{0.0}, first_{0.0};  ///< as given; and snapped
+  std::vector<Side> sides_;
   bool bad_ = false;  ///< the loop has a coordinate that is no number
   bool backwards_ = false, may_run_back_ = true;
 };

@@ -42,7 +42,7 @@ class OutlineMaker {
   /// fill without its narrower one (offset_shape). A band without common points has no outline.
   int rim(const Shape& shape, double half_width);
 
-  /// Ties pieces to vertices and turns them to run down. Nothing is added afterwards.
+  /// Sorts the chains' ends. Nothing is added afterwards.
   void finish();
 
  private:

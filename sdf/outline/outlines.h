@@ -1,9 +1,9 @@
 #pragma once
-// Outlines as pieces: closed loops of quadratic curves, each monotone in x and in y, on the grid of
-// the whole picture's pixels (y down).
+// Outlines as chains: closed loops cut where they turn up or down, each chain a run of quadratic pieces that goes down
+// the picture (y down), each piece monotone in x and in y, on the grid of the whole picture's pixels.
 //
 // An outline is what one winding number counts: it is inside where the sum over its loops is not 0,
-// or odd (see FillRule). Neighbouring pieces share their vertex bit for bit, so loops are closed
+// or odd (see FillRule). Neighbouring pieces share their ends bit for bit, so loops are closed
 // exactly and no rounding can open them.
 
 #include <mien/shape.h>
@@ -13,32 +13,53 @@
 
 namespace mien {
 
-/// Where two pieces of a loop meet. Coordinates are multiples of 2⁻²⁰ px.
-struct OutlineVertex {
-  double x, y;
-  int in, out;  ///< the pieces that arrive and leave along the loop
-};
-
 /// The curve (x, y)(t) = (x0, y0) + t (2 (ax, ay) + t (bx, by)), t in [0, 1], from (x0, y0) to
 /// (x1, y1). It runs down the picture: y0 <= y1, x0 < x1 where y0 == y1; its control point
 /// (x0 + ax, y0 + ay) lies in the box of its ends, so x and y are monotone. A straight piece has
-/// bx = by = 0 exactly.
+/// bx = by = 0 exactly. Ends are multiples of 2⁻²⁰ px.
 struct OutlinePiece {
   double x0, y0, ax, ay, bx, by, x1, y1;
-  int top, bottom;  ///< vertices: (x0, y0) and (x1, y1)
+  bool operator==(const OutlinePiece&) const = default;
+};
+
+/// Pieces one below the other: each begins where the one before ends.
+struct OutlineChain {
+  int first, last;  ///< pieces, from the top down
   int outline;      ///< whose winding number it changes
   int turn;         ///< winding number to its right minus that to its left: +1 or −1
 };
 
-/// Every vertex belongs to exactly two pieces (`in` and `out`), every piece to one loop.
+/// Where chains of a loop begin or end: two at a turn of the loop, or one where the loop comes from beyond a side of
+/// the picture or leaves through it.
+struct OutlineEnd {
+  double y, x;
+  int chain;
+  int other;    ///< the second chain; −1: the loop passes through the side at x
+  bool begins;  ///< they begin here and lie below
+};
+
+/// Every chain begins at one of the ends and ends at another one.
 struct Outlines {
-  std::vector<OutlineVertex> vertices;
   std::vector<OutlinePiece> pieces;
-  std::vector<FillRule> rules;  ///< by outline
-  /// [px] Where outlines are cut. Except for level pieces, what runs along these sides stands for what lies beyond.
+  std::vector<OutlineChain> chains;
+  std::vector<OutlineEnd> ends;  ///< from the top down, those of one height from the left
+  std::vector<FillRule> rules;   ///< by outline
+  /// [px] The picture's sides, where outlines are cut. What runs along them is no part of a chain.
   double left = -HUGE_VAL, right = HUGE_VAL;
 
-  void clear() { vertices.clear(), pieces.clear(), rules.clear(); }
+  void clear() { pieces.clear(), chains.clear(), ends.clear(), rules.clear(); }
+  /// Others after these, whose ends are to be sorted.
+  void add(const Outlines& other);
 };
+
+inline void Outlines::add(const Outlines& other) {
+  const int piece = int(pieces.size()), chain = int(chains.size()), outline = int(rules.size());
+  pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
+  for (const OutlineChain& c : other.chains)
+    chains.push_back({c.first + piece, c.last + piece, c.outline + outline, c.turn});
+  for (const OutlineEnd& e : other.ends)
+    ends.push_back({e.y, e.x, e.chain + chain, e.other < 0 ? -1 : e.other + chain, e.begins});
+  rules.insert(rules.end(), other.rules.begin(), other.rules.end());
+}
 
 }  // namespace mien

@@ -38,25 +38,28 @@ void ShapeDistances::begin(std::size_t shapes) {
 }
 
 double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) const {
-  const PathTree* const tree = tree_of(index, shape);
+  const PathTree* const tree = tree_of(index, shape, PathTree::kFewSides);
   if (tree) return tree->distance(p);
   worked(cost_of(shape));
   return distance(shape, p);
 }
 
 Outward ShapeDistances::outward(std::size_t index, const Shape& shape, glm::dvec2 p) const {
-  if (const PathTree* const tree = tree_of(index, shape)) return tree->outward(p);
+  // It knows the nearest side's own gradient, where side by side takes three distances.
+  constexpr std::size_t kFewSides = 4;
+  if (const PathTree* const tree = tree_of(index, shape, kFewSides)) return tree->outward(p);
   worked(3 * cost_of(shape));
   const double d = distance(shape, p);
   return {d, way_of_growth(p, d, [&](glm::dvec2 q) { return distance(shape, q); })};
 }
 
-const PathTree* ShapeDistances::tree_of(std::size_t index, const Shape& shape) const {
+const PathTree* ShapeDistances::tree_of(std::size_t index, const Shape& shape,
+                                        std::size_t few) const {
   const Path* const path = std::get_if<Path>(&shape);
   if (!path) return nullptr;
   std::size_t sides = 0;
   for (const Path::Loop& loop : path->loops) sides += loop.sides.size();
-  if (sides < PathTree::kFewSides) return nullptr;
+  if (sides < few) return nullptr;
   Kept* of = of_.load(std::memory_order_acquire);
   if (!of) {
     const std::lock_guard lock(making_);

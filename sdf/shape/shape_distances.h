@@ -33,8 +33,8 @@ class ShapeDistances {
 
  private:
   struct Kept;
-  /// Null: it has few sides, or was not asked often yet.
-  const PathTree* tree_of(std::size_t index, const Shape& shape) const;
+  /// Null: it has fewer sides than `few`, or was not asked often yet.
+  const PathTree* tree_of(std::size_t index, const Shape& shape, std::size_t few) const;
 
   std::size_t shapes_;
   mutable std::mutex making_;

@@ -84,7 +84,7 @@ TEST(BoundedWork, RefusesWhatCertainlyNeedsTooMuchBeforeItBegins) {
   for (const auto& [way, error] : errors) {
     ASSERT_TRUE(error) << way;
     EXPECT_EQ(error->what,
-              "outlines and their order need at least 80.1 MiB, more than the 16 MiB allowed "
+              "outlines and their order need at least 18.3 MiB, more than the 16 MiB allowed "
               "(limit `memory`)")
         << way;
   }

@@ -211,6 +211,31 @@ TEST(ExactLitScenes, OfEveryProfileDomeAndPaintAreWithinALevel) {
   }
 }
 
+/// Highlights that are narrow at the foot of a dome, steep ramps under light, thin lines under wide round profiles: cells
+/// were taken for small, and the reference looked at such pixels in too few places. A side that ends in a square's
+/// corner, a tapered stroke that turns back, a relief of another area than the layer's.
+TEST(ExactLitScenes, ThatWereWrongOnceAreRight) {
+  struct Place {
+    std::uint64_t seed;
+    int x, y;
+  };
+  for (const Place& p :
+       {Place{500030, 39, 29}, {500043, 1, 6},   {500043, 2, 6},  {500082, 5, 7}, {500102, 13, 31},
+        {500131, 0, 3},        {500131, 1, 7},   {500158, 12, 7}, {500169, 5, 7}, {500169, 6, 5},
+        {500182, 5, 7},        {500188, 10, 11}, {500197, 5, 7},  {500197, 6, 9}, {500246, 1, 30},
+        {500246, 21, 11},      {500266, 2, 15},  {600001, 14, 3}, {600012, 0, 1}, {600012, 5, 1}}) {
+    const Scene scene = test::random_lit_scene(p.seed);
+    const int side = p.seed % 3 == 0 ? 9 : p.seed % 3 == 1 ? 17 : 40;
+    const View view{.width = side, .height = side, .dither = false};
+    Tallies tallies;
+    test::judge_window(
+        scene, view, {p.x, p.y, 1, 1}, ExactTruth(scene, view, ExactTruth::kLit),
+        test::kAllStorages, [](int, int) { return true; }, tallies);
+    SCOPED_TRACE(fmt::format("seed {}", p.seed));
+    expect_exact(tallies);
+  }
+}
+
 TEST(ExactLitScenes, WhoseGroupsMixByEveryModeAreWithinALevel) {
   for (int seed = 1; seed <= test::asked_of("MIEN_RANDOM_SCENES", 6); ++seed) {
     const auto word = std::uint64_t(seed);

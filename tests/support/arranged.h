@@ -1,6 +1,7 @@
 #pragma once
 // Outlines arranged with a look for every set of them: two regions look alike only if they are inside
-// of the same outlines, so that no fault of an arrangement can hide behind a colour.
+// of the same outlines, so that no fault of an arrangement can hide behind a colour. Or as opaque layers, of which
+// most crossings are hidden.
 
 #include "sdf/arrange/sweep.h"
 #include "sdf/outline/outline_maker.h"
@@ -53,14 +54,36 @@ class SetRule final : public LookRule {
   std::map<std::vector<std::uint64_t>, int> numbers_;
 };
 
-struct Arranged {
+/// The look of a set is its last outline: layers on top of each other.
+class TopmostRule final : public LookRule {
+ public:
+  explicit TopmostRule(int) {}
+
+  int state_words() const override { return 0; }
+  int first_look(std::uint64_t*) override { return 0; }
+  int look(const std::uint64_t* inside, int outline, const std::uint64_t*, int look_before,
+           std::uint64_t*) override {
+    if (outline + 1 < look_before) return look_before;
+    int top = std::max(outline + 1, look_before);
+    while (top > 0 && !(inside[(top - 1) >> 6] >> ((top - 1) & 63) & 1)) --top;
+    return top;
+  }
+  int look_of(const std::vector<std::uint64_t>& set) const {
+    for (std::size_t w = set.size(); w-- > 0;)
+      if (set[w]) return int(64 * w) + int(std::bit_width(set[w]));
+    return 0;
+  }
+};
+
+template <class Rule>
+struct ArrangedBy {
   Outlines outlines;
   double top, bottom;
-  SetRule rule;
+  Rule rule;
   Regions regions;
   Sweep sweep;
 
-  Arranged(Outlines o, double from, double to)
+  ArrangedBy(Outlines o, double from, double to)
       : outlines(std::move(o)), top(from), bottom(to), rule(int(outlines.rules.size())) {
     regions.begin(int(outlines.rules.size()), rule);
     sweep.run(outlines, top, bottom, regions);
@@ -83,7 +106,7 @@ struct Arranged {
     std::vector<Crossed> found;
     for (const Fragment& f : sweep.fragments())
       if (f.top <= y && y < f.bottom)
-        found.push_back({mien::x_at(sweep.pieces()[std::size_t(f.piece)], y), f.left, f.right});
+        found.push_back({mien::x_at(sweep.piece(f.piece), y), f.left, f.right});
     std::stable_sort(found.begin(), found.end(),
                      [](const Crossed& a, const Crossed& b) { return a.x < b.x; });
     return found;
@@ -105,6 +128,9 @@ struct Arranged {
     return look;
   }
 };
+
+using Arranged = ArrangedBy<SetRule>;
+using ArrangedLayers = ArrangedBy<TopmostRule>;
 
 /// The outlines of shapes whose units are pixels.
 inline Outlines outlines_of(std::span<const Shape> shapes, const Box2& window,

@@ -79,21 +79,9 @@ inline bool overlaps_itself(const DrawnOutline& d, Random& r) {
 
 inline void expect_in_order(const Outlines& o) {
   const auto on_grid = [](double v) { return std::ldexp(v, 20) == std::round(std::ldexp(v, 20)); };
-  for (std::size_t i = 0; i < o.vertices.size(); ++i) {
-    const OutlineVertex& v = o.vertices[i];
-    EXPECT_TRUE(on_grid(v.x) && on_grid(v.y));
-    ASSERT_TRUE(v.in >= 0 && v.out >= 0 && v.in != v.out);
-    const OutlinePiece &in = o.pieces[v.in], &out = o.pieces[v.out];
-    EXPECT_EQ(in.turn > 0 ? in.bottom : in.top, int(i));
-    EXPECT_EQ(out.turn > 0 ? out.top : out.bottom, int(i));
-    EXPECT_EQ(in.outline, out.outline);
-  }
-  ASSERT_EQ(o.vertices.size(), o.pieces.size());
   for (const OutlinePiece& p : o.pieces) {
-    const OutlineVertex &top = o.vertices[p.top], &bottom = o.vertices[p.bottom];
-    EXPECT_TRUE(p.x0 == top.x && p.y0 == top.y && p.x1 == bottom.x && p.y1 == bottom.y);
+    EXPECT_TRUE(on_grid(p.x0) && on_grid(p.y0) && on_grid(p.x1) && on_grid(p.y1));
     EXPECT_TRUE(p.y0 < p.y1 || (p.y0 == p.y1 && p.x0 < p.x1));
-    EXPECT_TRUE(p.turn == 1 || p.turn == -1);
     const double x = p.x0 + p.ax, y = p.y0 + p.ay;
     EXPECT_TRUE(std::min(p.x0, p.x1) <= x && x <= std::max(p.x0, p.x1) && p.y0 <= y && y <= p.y1);
     EXPECT_NEAR(point(p, 1).x, p.x1, 1e-9);
@@ -103,6 +91,38 @@ inline void expect_in_order(const Outlines& o) {
       EXPECT_EQ(p.x0 + 2 * p.ax, p.x1);
     }
   }
+  int pieces = 0;
+  for (const OutlineChain& c : o.chains) {
+    ASSERT_EQ(c.first, pieces);
+    ASSERT_LE(c.first, c.last);
+    pieces = c.last + 1;
+    EXPECT_TRUE(c.turn == 1 || c.turn == -1);
+    for (int i = c.first; i < c.last; ++i) {
+      const OutlinePiece &p = o.pieces[std::size_t(i)], &q = o.pieces[std::size_t(i) + 1];
+      EXPECT_TRUE(p.x1 == q.x0 && p.y1 == q.y0);
+    }
+  }
+  EXPECT_EQ(std::size_t(pieces), o.pieces.size());
+  std::vector<int> begun(o.chains.size(), 0), ended(o.chains.size(), 0);
+  for (std::size_t i = 0; i < o.ends.size(); ++i) {
+    const OutlineEnd& e = o.ends[i];
+    EXPECT_TRUE(i == 0 || o.ends[i - 1].y < e.y ||
+                (o.ends[i - 1].y == e.y && o.ends[i - 1].x <= e.x));
+    EXPECT_TRUE(e.other >= 0 || e.x == o.left || e.x == o.right);
+    for (const int chain : {e.chain, e.other}) {
+      if (chain < 0) continue;
+      const OutlineChain& c = o.chains[std::size_t(chain)];
+      const OutlinePiece &first = o.pieces[std::size_t(c.first)],
+                         &last = o.pieces[std::size_t(c.last)];
+      EXPECT_TRUE(e.begins ? e.x == first.x0 && e.y == first.y0 : e.x == last.x1 && e.y == last.y1);
+      ++(e.begins ? begun : ended)[std::size_t(chain)];
+    }
+    if (e.other < 0) continue;
+    const OutlineChain &c = o.chains[std::size_t(e.chain)], &d = o.chains[std::size_t(e.other)];
+    EXPECT_EQ(c.outline, d.outline);
+    EXPECT_EQ(c.turn, -d.turn);
+  }
+  for (std::size_t i = 0; i < o.chains.size(); ++i) EXPECT_TRUE(begun[i] == 1 && ended[i] == 1);
 }
 
 /// Every shape that has an outline.

@@ -1,7 +1,7 @@
 #pragma once
 // Monotone pieces of outline, by dice.
 
-#include "sdf/arrange/sweep_piece.h"
+#include "sdf/arrange/piece_place.h"
 
 #include <glm/vec2.hpp>
 
@@ -18,7 +18,6 @@ inline OutlinePiece piece_between(glm::dvec2 top, glm::dvec2 bottom, double s = 
   p.ax = s * way.x, p.ay = t * way.y;
   p.bx = s == 0.5 && t == 0.5 ? 0.0 : way.x - 2.0 * p.ax;
   p.by = s == 0.5 && t == 0.5 ? 0.0 : way.y - 2.0 * p.ay;
-  p.turn = 1;
   return p;
 }
 

@@ -23,4 +23,14 @@ inline glm::dvec2 place(const SeenCells& seen, int i, int j, std::size_t k) {
   return glm::dvec2{16.5 + i, 16.5 + j} + glm::dvec2{seen.cells.x[k], seen.cells.y[k]};
 }
 
+/// A square around pixel (i, j) has a bicubic that serves it.
+inline bool in_a_smooth_square(const LightTile& tile, int i, int j) {
+  for (int level = 0; level < LightTile::kLevels; ++level) {
+    const int side = LightTile::kSide >> level;
+    const auto square = std::size_t(LightTile::square(level, i / side, j / side));
+    if (tile.state[square] == LightTile::State::smooth) return true;
+  }
+  return false;
+}
+
 }  // namespace mien::test

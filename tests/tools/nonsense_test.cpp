@@ -96,6 +96,27 @@ TEST_F(Nonsense, FindsLidsThatDoNotMeet) {
   EXPECT_TRUE(found(posed, shut).contains("lids_meet"));
 }
 
+TEST_F(Nonsense, FindsAMouthThatDoesNotSpeak) {
+  const NonsensePose shut = named(face_, "emotion.joy=1 arkit.jawOpen=0.6 arkit.mouthClose=0.6");
+  const NonsensePose bitten = named(face_, "emotion.anger=1 viseme.FF=1");
+  EXPECT_EQ(found(pose_face(face_, shut.pose), shut), std::set<std::string>{});
+  EXPECT_EQ(found(pose_face(face_, bitten.pose), bitten), std::set<std::string>{});
+  Face posed = pose_face(face_, shut.pose);
+  move_points(posed, "lower_edge.left/spine/1", by(0, -1e-9));
+  EXPECT_EQ(found(posed, shut), std::set<std::string>{"lips_close"});
+  posed = pose_face(face_, shut.pose);
+  for (const char* lip : {"lip_lower.left", "lip_lower.right", "lip_upper.left", "lip_upper.right"})
+    copy_slice(posed, "lip_light/half_width", std::string(lip) + "/half_width");
+  EXPECT_TRUE(found(posed, shut).contains("lips_close")) << "lines for lips";
+  posed = pose_face(face_, shut.pose);
+  for (const char* point : {"head/points/4", "head/points/5", "head/points/6", "head/points/7"})
+    move_points(posed, point, by(0, 0.08));
+  EXPECT_TRUE(found(posed, shut).contains("chin_follows"));
+  posed = pose_face(face_, bitten.pose);
+  move_points(posed, "lower_edge", by(0, -0.03));
+  EXPECT_EQ(found(posed, bitten), std::set<std::string>{"teeth_touch"});
+}
+
 TEST_F(Nonsense, FindsFeaturesOutOfPlace) {
   EXPECT_TRUE(after("limbus.left/center", by(0.3, 0)).contains("pupil_in_opening"));
   EXPECT_TRUE(after("opening.left/outer", by(0.25, 0)).contains("eye_in_head"));

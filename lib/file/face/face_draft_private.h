@@ -138,6 +138,7 @@ void read_controls(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_poses(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_turn(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_eyes(Reading& in, const JsonNode& node, FaceDraft& face);
+void read_mouth(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_clips(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_muscles(Reading& in, const JsonNode& node, FaceDraft& face);
 void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face);

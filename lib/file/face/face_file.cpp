@@ -100,10 +100,10 @@ Face read_root(Reading& in, const Origin& origin, const Letters& letters, SliceP
   const JsonNode* version = in.find(root, "format_version");
   if (!version || version->kind != JsonKind::number || version->number != 2)
     in.expect_object(
-        root, {"$schema",    "format",  "format_version", "name",    "credit",   "canvas",
-               "background", "palette", "light",          "groups",  "features", "controls",
-               "poses",      "eyes",    "turn",           "muscles", "emotions", "expressions",
-               "mood",       "clips",   "default_clip",   "effects"});
+        root, {"$schema",     "format",  "format_version", "name",         "credit",   "canvas",
+               "background",  "palette", "light",          "groups",       "features", "controls",
+               "poses",       "eyes",    "mouth",          "turn",         "muscles",  "emotions",
+               "expressions", "mood",    "clips",          "default_clip", "effects"});
   if (check_format(in, root) == 2)
     return read_composed(read_recipe(in, root, origin.folder), in.limits, in.warnings(), letters);
   FaceDraft draft;
@@ -123,6 +123,7 @@ Face read_root(Reading& in, const Origin& origin, const Letters& letters, SliceP
   if (groups) read_group_clips(in, *groups, draft);
   if (const JsonNode* controls = in.find(root, "controls")) read_controls(in, *controls, draft);
   if (const JsonNode* eyes = in.find(root, "eyes")) read_eyes(in, *eyes, draft);
+  if (const JsonNode* mouth = in.find(root, "mouth")) read_mouth(in, *mouth, draft);
   if (const JsonNode* turn = in.find(root, "turn")) read_turn(in, *turn, draft);
   if (const JsonNode* poses = in.find(root, "poses")) read_poses(in, *poses, draft);
   if (const JsonNode* muscles = in.find(root, "muscles")) read_muscles(in, *muscles, draft);

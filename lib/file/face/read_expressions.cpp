@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ class ExpressionReader {
       read_expression(child, fmt::format("{}.{}", set, name), names_have_sides(set));
       given.push_back(name);
     });
+    resolve(set);
     // Programs send every name of a set: what this face cannot show exists and does nothing.
     for (const std::string_view name : standard)
       if (std::find(given.begin(), given.end(), name) == given.end())
@@ -51,10 +53,40 @@ class ExpressionReader {
   void read_expression(const JsonNode& node, const std::string& name, bool one_number) {
     in_.expect(node, JsonKind::object);
     Expression expression{.name = name};
+    if (name.starts_with("vrm.")) expression.group = group_of(name);
     in_.for_each(node, [&](const JsonNode& child, int) {
-      if (in_.tree.key(child) != "comment") read_part(child, expression);
+      const std::string_view key = in_.tree.key(child);
+      if (key == "comment" || (name.starts_with("vrm.") && read_vrm_key(child, key, expression)))
+        return;
+      read_part(child, expression);
     });
     add_expression(node, std::move(expression), one_number);
+  }
+
+  static ExpressionGroup group_of(std::string_view name) {
+    name.remove_prefix(std::string_view("vrm.").size());
+    if (name.starts_with("blink")) return ExpressionGroup::blink;
+    if (name.starts_with("look")) return ExpressionGroup::look;
+    for (const std::string_view sound : {"aa", "ih", "ou", "ee", "oh"})
+      if (name == sound) return ExpressionGroup::mouth;
+    return ExpressionGroup::none;
+  }
+
+  /// The keys that VRM 1.0 has beside what an expression moves.
+  bool read_vrm_key(const JsonNode& node, std::string_view key, Expression& expression) const {
+    constexpr std::array<std::string_view, 3> kOverrides{"none", "blend", "block"};
+    if (key == "isBinary") {
+      expression.binary = in_.boolean(node);
+      return true;
+    }
+    for (const auto& [name, group] : {std::pair{"overrideBlink", ExpressionGroup::blink},
+                                      {"overrideLookAt", ExpressionGroup::look},
+                                      {"overrideMouth", ExpressionGroup::mouth}})
+      if (key == name) {
+        expression.overrides[std::size_t(group)] = Override(in_.word(node, "override", kOverrides));
+        return true;
+      }
+    return false;
   }
 
   void add_expression(const JsonNode& node, Expression expression, bool one_number) {
@@ -72,17 +104,53 @@ class ExpressionReader {
 
   void read_part(const JsonNode& node, Expression& expression) {
     const std::string_view name = in_.tree.key(node);
-    const double amount = in_.number(node);
+    const JsonNode* per = nullptr;
+    if (node.kind == JsonKind::object) {
+      in_.expect_object(node, {"amount", "per"}, "share");
+      per = in_.find(node, "per");
+    }
+    const double amount =
+        in_.number(node.kind == JsonKind::object ? in_.need(node, "amount") : node);
     Side side = Side::none;
     std::string_view bare = name;
     for (const Side s : {Side::left, Side::right})
       if (name.starts_with(side_name(s)) && name.size() > side_name(s).size() &&
           name[side_name(s).size()] == '.')
         side = s, bare = name.substr(side_name(s).size() + 1);
+    if (per) return add_quotient(node, name, amount, *per, expression);
     if (add_muscles(node, bare, side, amount, expression)) return;
     if (add_emotion(node, bare, side, amount, expression)) return;
-    if (add_control_move(name, amount, expression)) return;
+    if (add_control_move(node, name, amount, expression)) return;
     in_.refuse(node, unknown(name));
+  }
+
+  /// A move by this expression's strength over another's, which may come later in the set.
+  void add_quotient(const JsonNode& node, std::string_view name, double amount, const JsonNode& per,
+                    Expression& expression) {
+    const std::size_t first = expression.moves.size();
+    if (!add_control_move(node, name, amount, expression)) in_.refuse(node, unknown(name));
+    for (std::size_t i = first; i < expression.moves.size(); ++i)
+      quotients_.push_back({face_.model.expressions.size(), i, &per});
+  }
+
+  /// Finds the expressions that quotients of a set are of.
+  void resolve(std::string_view set) {
+    for (const Quotient& quotient : quotients_) {
+      const std::string_view wanted = in_.string(*quotient.per);
+      const std::string full = fmt::format("{}.{}", set, wanted);
+      const auto found =
+          std::find_if(face_.model.expressions.begin(), face_.model.expressions.end(),
+                       [&](const Expression& e) { return e.name == full; });
+      if (found == face_.model.expressions.end()) {
+        std::vector<std::string_view> known;
+        for (const Expression& e : face_.model.expressions)
+          if (e.name.starts_with(std::string(set) + "."))
+            known.push_back(std::string_view(e.name).substr(set.size() + 1));
+        in_.refuse(*quotient.per, unknown_name(fmt::format("{} name", set), wanted, known));
+      }
+      face_.model.expressions[quotient.expression].moves[quotient.move].per = found->left;
+    }
+    quotients_.clear();
   }
 
   void check_share(const JsonNode& node, double amount) const {
@@ -128,12 +196,15 @@ class ExpressionReader {
     }
   }
 
-  bool add_control_move(std::string_view name, double amount, Expression& expression) const {
+  bool add_control_move(const JsonNode& node, std::string_view name, double amount,
+                        Expression& expression) const {
     const auto found = face_.control_by_name.find(std::string{name});
     if (found == face_.control_by_name.end()) return false;
     const Control& control = found->second.in(face_.model.controls);
-    for (const Index<Channel> channel : control.channels)
+    for (const Index<Channel> channel : control.channels) {
+      if (channel.in(face_.model.channels).joins) check_share(node, amount);
       expression.moves.push_back({channel, amount, side_of(channel)});
+    }
     return true;
   }
 
@@ -153,6 +224,11 @@ class ExpressionReader {
   Reading& in_;
   FaceDraft& face_;
   std::vector<std::pair<std::string_view, int>> muscles_;  ///< by name, then by index
+  struct Quotient {
+    std::size_t expression, move;
+    const JsonNode* per;
+  };
+  std::vector<Quotient> quotients_;  ///< of the set that is read
 };
 
 }  // namespace

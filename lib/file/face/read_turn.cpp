@@ -18,11 +18,12 @@ class TurnReader {
       : in_(in), node_(node), face_(face), turn_(face.model.turn) {}
 
   void read() {
-    in_.expect_object(
-        node_,
-        {"yaw", "pitch", "roll", "pivot", "center", "radii", "still", "flat", "raised", "plate"},
-        "turn");
+    in_.expect_object(node_,
+                      {"yaw", "pitch", "roll", "nearer", "pivot", "center", "radii", "still",
+                       "flat", "raised", "plate"},
+                      "turn");
     turn_.yaw = channel("yaw"), turn_.pitch = channel("pitch"), turn_.roll = channel("roll");
+    turn_.nearer = channel("nearer");
     const std::vector<double> pivot = in_.numbers(in_.need(node_, "pivot"), 3, 3);
     turn_.pivot = {pivot[0], pivot[1], pivot[2]};
     const std::vector<double> center = in_.numbers(in_.need(node_, "center"), 2, 2);
@@ -128,6 +129,14 @@ class TurnReader {
       if (where.kind != TurnKind::still) add({text->tilt, TurnKind::angle});
     if (foreshortened(where)) add_sizes(feature.figure, where.kind == TurnKind::plate);
     if (feature.gradient) add_gradient(feature.gradient.in(face_.model.gradients), where);
+    if (turn_.nearer && where.kind != TurnKind::still) add_lengths(feature.figure);
+  }
+
+  /// What keeps its size as the head turns, and grows as it comes nearer.
+  void add_lengths(const Figure& figure) {
+    for_each_slice(figure, [&](std::string_view, int slice) {
+      if (face_.model.layout[slice].kind == SliceKind::length) add({slice, TurnKind::length});
+    });
   }
 
   static bool foreshortened(const Place& where) {
@@ -168,6 +177,7 @@ class TurnReader {
       add({linear->to, where.kind, where.depth});
     } else if (const auto* radial = std::get_if<RadialPaint>(&gradient.along)) {
       add({radial->center, where.kind, where.depth});
+      if (turn_.nearer && where.kind == TurnKind::flat) add({radial->radii, TurnKind::length});
       if (!foreshortened(where)) return;
       add({radial->radii, where.kind == TurnKind::plate ? TurnKind::plate_width : TurnKind::width,
            0, radial->center});

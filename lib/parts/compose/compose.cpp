@@ -3,6 +3,7 @@
 #include "lib/file/json/json_text.h"
 #include "lib/parts/compose/composed_text.h"
 #include "lib/parts/compose/flat_feature.h"
+#include "lib/parts/compose/flat_mouth.h"
 #include "lib/parts/compose/flat_rig.h"
 #include "lib/parts/compose/part_palette.h"
 #include "lib/parts/compose/part_style.h"
@@ -90,6 +91,7 @@ class Composition {
       rig("light");
     out_.key("palette"), write_palette(parts_, geometry_, style_, out_);
     for (const char* key : {"controls", "eyes"}) rig(key);
+    out_.key("mouth"), write_mouth(in, need("mouth"), place, out_);
     out_.key("turn"), write_turn(in, need("turn"), place, out_);
     out_.key("muscles"), write_muscles(in, need("muscles"), geometry_, features_, out_);
     for (const char* key : {"emotions", "expressions", "mood", "clips", "default_clip"})

@@ -46,7 +46,7 @@ std::string composed_text(const JsonTree& face) {
   };
   add("{", "format"), add(", ", "format_version"), add(",\n", "name"), add(", ", "credit");
   for (const char* key :
-       {"canvas", "background", "light", "palette", "features", "controls", "eyes", "turn",
+       {"canvas", "background", "light", "palette", "features", "controls", "eyes", "mouth", "turn",
         "muscles", "emotions", "expressions", "mood", "clips", "default_clip"})
     if (face.member(face.root(), key)) add(",\n", key);  // not every topology has a mood
   return text + "}\n";

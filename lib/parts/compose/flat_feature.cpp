@@ -46,6 +46,7 @@ class Flattening {
     if (!to_.names.insert(name_).second)
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
     to_.features.push_back({slot(), out_.next(), name_});
+    if (sided_) to_.sided.insert(name_);
     out_.stems_from(in_.tree, node_);
     out_.object();
     out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
@@ -282,7 +283,7 @@ class Flattening {
     if (found.depth) to_.flat.emplace_back(slice, *found.depth);
     const int side = sided_ || std::abs(found.at.x) < kAxis ? 0 : found.at.x > 0.0 ? 1 : -1;
     for (const auto& [other, weight] : found.rides)
-      to_.rides[std::string(other)].push_back({slice, weight, side});
+      to_.rides[std::string(other)].push_back({slice, weight, side, found.at});
   }
 
   const Reading& in_;

@@ -17,7 +17,8 @@ namespace mien {
 struct Ride {
   std::string slice;
   double weight;
-  int side;  ///< 1 left, −1 right: the muscle of that side only; 0: as it is
+  int side;       ///< 1 left, −1 right: the muscle of that side only; 0: as it is
+  glm::dvec2 at;  ///< its place
 };
 
 /// What parts drew, bottom to top after sorting, and what moves with what.
@@ -31,6 +32,7 @@ struct FlatFeatures {
   std::set<std::string, std::less<>> names;
   std::vector<std::pair<std::string, double>> flat, raised, plates;  ///< depths for the head's turn
   std::vector<std::string> still;
+  std::set<std::string, std::less<>> sided;                     ///< features on both sides
   std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
 };
 

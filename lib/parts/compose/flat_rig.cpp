@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <set>
 
 namespace mien {
 namespace {
 
-constexpr double kFarOrigin = 20;  // farther than this a muscle's origin is a direction
+constexpr std::string_view kJaw = "jaw/open";  // the mouth's own, a ratio
+constexpr double kFarOrigin = 20;              // farther than this a muscle's origin is a direction
 
 /// "brow" of "brow/spine/0", "upper_edge" of "upper_edge.left/spine/2".
 std::string_view feature_of(std::string_view slice) {
@@ -98,12 +100,14 @@ class Muscles {
     std::map<std::string_view, Held> held;
     in_.for_each(in_.need(node, "attach"), [&](const JsonNode& one, int) {
       const std::string_view key = in_.tree.key(one);
-      if (!features_.names.contains(feature_of(key))) return;
+      const bool of_jaw = key == kJaw;
+      if (!of_jaw && !features_.names.contains(feature_of(key))) return;
       if (one.kind == JsonKind::number)
         held[key] = {in_.number(one), {}};
       else
         held[key] = {in_.number(in_.need(one, "weight")),
-                     frame.length(in_.number(in_.need(one, "stroke")))};
+                     of_jaw ? in_.number(in_.need(one, "stroke"))
+                            : frame.length(in_.number(in_.need(one, "stroke")))};
     });
     std::map<std::string_view, double> rides;
     const bool sided = in_.find(node, "side") != nullptr;
@@ -161,15 +165,30 @@ class Placing {
       to_.number(short_number(in_.number(*first) * frame().scale.x));
     else if (key == "$value")
       to_.number(short_number(geometry.scalar(in_, *first, "")));
+    else if (key == "$rise")
+      to_.number(short_number(least_rise(*first)));
     else if (key == "$still")
       write_still(*first, in_.need(at, "slots"));
     else
-      in_.refuse(*first, unknown_name("way to put it in a frame", key,
-                                      {"$point", "$vector", "$length", "$value", "$still"}));
+      in_.refuse(*first,
+                 unknown_name("way to put it in a frame", key,
+                              {"$point", "$vector", "$length", "$value", "$rise", "$still"}));
     return true;
   }
 
  private:
+  /// Of [{"from": POINT, "to": POINT, "times": k}, …].
+  double least_rise(const JsonNode& ways) const {
+    double least = std::numeric_limits<double>::infinity();
+    in_.for_each(ways, [&](const JsonNode& way, int) {
+      const auto y = [&](std::string_view key) {
+        return place_.geometry.point(in_, in_.need(way, key), {}, "").at.y;
+      };
+      least = std::min(least, (y("to") - y("from")) * in_.number(in_.need(way, "times")));
+    });
+    return least;
+  }
+
   void write_still(const JsonNode& offset, const JsonNode& slots) const {
     std::set<std::size_t> wanted;
     in_.for_each(slots, [&](const JsonNode& slot, int) {

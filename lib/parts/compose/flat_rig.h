@@ -13,7 +13,7 @@ struct RigPlace {
 };
 
 /// Writes a node of the topology; {"$point": [x, y], "in": FRAME}, {"$vector": …}, {"$length": …} and {"$value": …}
-/// are put in the frame. {"$still": OFFSET, "slots": […]} becomes {"FEATURE/*": OFFSET, …}, of the features in those slots
+/// are put in the frame. {"$rise": {"from": POINT, "to": POINT}, "times": k} is k times the height of one over the other. {"$still": OFFSET, "slots": […]} becomes {"FEATURE/*": OFFSET, …}, of the features in those slots
 /// that stand still while the head turns.
 void write_rig(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to);
 

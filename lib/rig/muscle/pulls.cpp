@@ -19,6 +19,18 @@ struct Strengths {
   }
 };
 
+double amount_of(const ExpressionPart<Channel>& part, const Strengths& strength,
+                 std::span<const double> values) {
+  const double amount = part.amount * strength.of(part.side);
+  if (!part.per) return amount;
+  constexpr double kLeast = 0.1;  // below it, noise of the other would count
+  return std::min(1.0, amount / std::max(values[std::size_t(part.per.at)], kLeast));
+}
+
+void move(const Channel& channel, double amount, double& value) {
+  value = channel.joins ? 1 - (1 - value) * (1 - amount) : value + amount;
+}
+
 }  // namespace
 
 void muscle_pulls(const FaceModel& model, std::span<const double> values,
@@ -35,11 +47,32 @@ void muscle_pulls(const FaceModel& model, std::span<const double> values,
   }
 }
 
+void settle_expressions(const FaceModel& model, std::span<double> values) {
+  std::array<double, kExpressionGroups> left;
+  left.fill(1);
+  bool any = false;
+  for (const Expression& one : model.expressions) {
+    double& value = values[std::size_t(one.left.at)];
+    if (one.binary) value = value > 0.5 ? 1 : 0;
+    if (value == 0) continue;
+    for (std::size_t g = 0; g < kExpressionGroups; ++g) {
+      if (one.overrides[g] == Override::none || ExpressionGroup(g) == one.group) continue;
+      left[g] = one.overrides[g] == Override::block ? 0 : std::max(left[g] - value, 0.0);
+      any = true;
+    }
+  }
+  if (!any) return;
+  for (const Expression& one : model.expressions)
+    if (one.group != ExpressionGroup::none)
+      values[std::size_t(one.left.at)] *= left[std::size_t(one.group)];
+}
+
 void move_channels(const FaceModel& model, std::span<double> values) {
   for (const Expression& expression : model.expressions)
     if (const Strengths strength(expression, values); strength.act())
       for (const ExpressionPart<Channel>& part : expression.moves)
-        values[std::size_t(part.index.at)] += part.amount * strength.of(part.side);
+        move(part.index.in(model.channels), amount_of(part, strength, values),
+             values[std::size_t(part.index.at)]);
 }
 
 }  // namespace mien

@@ -18,7 +18,13 @@ namespace mien {
 void muscle_pulls(const FaceModel& model, std::span<const double> values,
                   std::span<const char> held, std::vector<double>& pulls);
 
-/// Adds what expressions do to other channels: value += amount · strength.
+/// Applies what expressions do to each other: binary ones are 0 or 1, and some override those of a group, by the laws of
+/// VRM 1.0. An expression does not override its own group.
+void settle_expressions(const FaceModel& model, std::span<double> values);
+
+/// Adds what expressions do to other channels: value += amount · strength; of channels that join, value = 1 − (1 − value)
+/// (1 − amount · strength). An amount per another expression is divided by that one's strength, by 0.1 at least, and is 1 at
+/// most.
 void move_channels(const FaceModel& model, std::span<double> values);
 
 }  // namespace mien

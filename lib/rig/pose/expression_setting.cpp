@@ -24,7 +24,8 @@ std::string none_of(const std::vector<Control>& controls, std::string_view set) 
   if (!standard_names(set).empty()) return fmt::format("this face has no table of {} names", set);
   std::vector<std::string_view> sets;
   for (const Control& control : controls)
-    for (const std::string_view known : {"emotion", "muscle", "arkit", "facs", "vrm", "viseme"})
+    for (const std::string_view known :
+         {"emotion", "muscle", "arkit", "facs", "vrm", "viseme", "azure"})
       if (control.name.starts_with(std::string(known) + ".")) sets.push_back(known);
   return unknown_name("set", set, sets);
 }

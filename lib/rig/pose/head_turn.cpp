@@ -8,10 +8,11 @@
 
 namespace mien {
 
-Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up)
+Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up, double nearer)
     : head_(head),
       up_(y_up ? 1 : -1),
       roll_degrees_(roll),
+      growth_(1 + nearer),
       yaw_(direction_at(yaw)),
       pitch_(direction_at(pitch)),
       roll_(direction_at(roll)) {}
@@ -46,18 +47,18 @@ glm::dvec2 Turn::surface(glm::dvec2 p, double depth) const {
 glm::dvec2 Turn::plate(glm::dvec2 p, double depth) const {
   const glm::dvec2 pivot{head_.pivot.x, head_.pivot.y};
   const glm::dvec2 q = turned({p.x - pivot.x, up_ * (p.y - pivot.y), depth - head_.pivot.z});
-  return {pivot.x + q.x, pivot.y + up_ * q.y};
+  return {pivot.x + growth_ * q.x, pivot.y + growth_ * up_ * q.y};
 }
 
 glm::dvec2 Turn::plate_foreshortening() const {
-  return {std::max(yaw_.x, 0.0), std::max(pitch_.x, 0.0)};
+  return growth_ * glm::dvec2{std::max(yaw_.x, 0.0), std::max(pitch_.x, 0.0)};
 }
 
 glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
   const double z = depth - head_.pivot.z;
   const glm::dvec2 q = rolled_up(
       {p.x - head_.pivot.x + z * yaw_.y, up_ * (p.y - head_.pivot.y) + z * yaw_.x * pitch_.y});
-  return {head_.pivot.x + q.x, head_.pivot.y + up_ * q.y};
+  return {head_.pivot.x + growth_ * q.x, head_.pivot.y + growth_ * up_ * q.y};
 }
 
 /// The slopes of the turned surface along x and y, by its normal: the height's own slopes are
@@ -69,7 +70,7 @@ glm::dvec2 Turn::foreshortening(glm::dvec2 p) const {
   const double slope_x = -(r.z / r.x) * (r.z / r.x) * (p.x - head_.center.x) / h;
   const double slope_y = -(r.z / r.y) * (r.z / r.y) * up_ * (p.y - head_.center.y) / h;
   const double x = yaw_.x + slope_x * yaw_.y, y = pitch_.x + slope_y * yaw_.x * pitch_.y;
-  return {std::clamp(x, 0.0, 1.5), std::clamp(y, 0.0, 1.5)};
+  return growth_ * glm::dvec2{std::clamp(x, 0.0, 1.5), std::clamp(y, 0.0, 1.5)};
 }
 
 namespace {
@@ -92,6 +93,10 @@ class Turning {
     return kind == TurnKind::surface || kind == TurnKind::flat || kind == TurnKind::plate;
   }
   double* at(int slice) { return &now_[std::size_t(model_.layout[slice].begin)]; }
+  void scale(int slice, double by) {
+    if (by == 1) return;
+    for (int i = 0; i < model_.layout[slice].size; ++i) at(slice)[i] *= by;
+  }
   glm::dvec2 point(int slice) { return {at(slice)[0], at(slice)[1]}; }
 
   glm::dvec2 turned(glm::dvec2 p, const TurnedSlice& slice) const {
@@ -111,14 +116,12 @@ class Turning {
       v[0] = p.x, v[1] = p.y;
       return;
     }
+    if (slice.kind == TurnKind::length) return scale(slice.slice, turn_.growth());
     const bool level = slice.kind == TurnKind::plate_width || slice.kind == TurnKind::plate_size;
     const glm::dvec2 smaller =
         level ? turn_.plate_foreshortening() : turn_.foreshortening(point(slice.at));
-    if (slice.kind == TurnKind::size || slice.kind == TurnKind::plate_size) {
-      const double share = std::sqrt(smaller.x * smaller.y);
-      for (int i = 0; i < model_.layout[slice.slice].size; ++i) v[i] *= share;
-      return;
-    }
+    if (slice.kind == TurnKind::size || slice.kind == TurnKind::plate_size)
+      return scale(slice.slice, std::sqrt(smaller.x * smaller.y));
     v[0] *= smaller.x, v[1] *= smaller.y;
     if (slice.kind == TurnKind::shift) {
       const glm::dvec2 way = turn_.rolled({v[0], v[1]});
@@ -135,12 +138,13 @@ class Turning {
 
 void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector) {
   const HeadTurn& head = model.turn;
-  const auto angle = [&](Index<Channel> channel) {
+  const auto value = [&](Index<Channel> channel) {
     return channel ? values[std::size_t(channel.at)] : 0;
   };
-  const double yaw = angle(head.yaw), pitch = angle(head.pitch), roll = angle(head.roll);
-  if (yaw == 0 && pitch == 0 && roll == 0) return;
-  Turning(model, Turn(head, yaw, pitch, roll, model.canvas.y_up), vector).all();
+  const double yaw = value(head.yaw), pitch = value(head.pitch), roll = value(head.roll);
+  const double nearer = value(head.nearer);
+  if (yaw == 0 && pitch == 0 && roll == 0 && nearer == 0) return;
+  Turning(model, Turn(head, yaw, pitch, roll, model.canvas.y_up, nearer), vector).all();
 }
 
 }  // namespace mien

@@ -9,6 +9,8 @@
 // straight. Sizes are foreshortened as the surface at their place is. Meant for up to about 30°; beyond that, features slide
 // round the edge.
 //
+// A head that comes nearer is seen larger, about the same pivot: places, sizes and lengths grow alike.
+//
 // Positive yaw turns the face to the picture's right (the subject's left), positive pitch upwards,
 // positive roll tilts it from +x towards up. ±yaw are mirror images, bit for bit, on a canvas
 // symmetric about x = 0.
@@ -28,8 +30,8 @@ namespace mien {
 /// A turn, ready to be applied to points.
 class Turn {
  public:
-  /// Angles in degrees; `y_up`: larger y is higher.
-  Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up);
+  /// Angles in degrees; `y_up`: larger y is higher; `nearer`: how much larger the head is seen.
+  Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_up, double nearer = 0);
 
   /// Where a point `depth` above the surface is seen.
   glm::dvec2 surface(glm::dvec2 p, double depth) const;
@@ -37,13 +39,15 @@ class Turn {
   glm::dvec2 flat(glm::dvec2 p, double depth) const;
   /// Where a point of a plate, at `depth` from the head's middle, is seen.
   glm::dvec2 plate(glm::dvec2 p, double depth) const;
-  /// The foreshortening of a plate, sideways and upwards, before the roll.
+  /// The foreshortening of a plate, sideways and upwards, before the roll, times the growth.
   glm::dvec2 plate_foreshortening() const;
-  /// The foreshortening of the surface at a point, sideways and upwards, before the roll; 0 where it is
-  /// turned away.
+  /// The foreshortening of the surface at a point, sideways and upwards, before the roll, times the growth; 0
+  /// where it is turned away.
   glm::dvec2 foreshortening(glm::dvec2 p) const;
   /// An offset in the picture, rolled.
   glm::dvec2 rolled(glm::dvec2 way) const;
+  /// What lengths are multiplied with that no turn changes.
+  double growth() const { return growth_; }
   /// How far angles turn, from +x towards +y [degrees].
   double tilt() const { return up_ * roll_degrees_; }
 
@@ -53,11 +57,11 @@ class Turn {
   double height(glm::dvec2 p) const;
 
   const HeadTurn& head_;
-  double up_, roll_degrees_;
+  double up_, roll_degrees_, growth_;
   glm::dvec2 yaw_, pitch_, roll_;  ///< cosine and sine
 };
 
-/// Lets the model's head turn act on `vector`. With all angles 0 it changes nothing.
+/// Lets the model's head turn act on `vector`. At rest it changes nothing.
 void turn_head(const FaceModel& model, std::span<const double> values, FaceVector& vector);
 
 }  // namespace mien

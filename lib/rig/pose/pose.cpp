@@ -3,6 +3,7 @@
 #include <mien/face_model.h>
 #include <mien/poser.h>
 #include "lib/rig/eye/eye.h"
+#include "lib/rig/mouth/mouth.h"
 #include "lib/rig/muscle/muscle_poser.h"
 #include "lib/rig/muscle/pulls.h"
 #include "lib/rig/pose/curve.h"
@@ -122,6 +123,7 @@ void set_channels(const Face& rest, const Pose& pose, Values& values) {
   play_clips(model, pose, values);
   if (pose.look_at) look(rest, *pose.look_at, values);
   override_channels(model, pose, true, values);
+  settle_expressions(model, values);
   fade_mood(model, values);
   move_channels(model, values);
   clamp(model, true, values);
@@ -157,10 +159,13 @@ void put_numbers(const Setting& setting, FaceVector& vector) {
       vector[std::size_t(setting.index) + i] = setting.values[i];
 }
 
-/// Settings of an eyeball apply before the eyes' laws, which read it: a bulge held at 0 must not push.
-void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector) {
+/// Settings of an eyeball apply before the eyes' laws, which read it: a bulge held at 0 must not push. So do those of the
+/// jaw that muscles open.
+void hold_bodies(const FaceModel& model, const Pose& pose, FaceVector& vector) {
   for (const Setting& setting : pose.settings) {
     if (setting.control) continue;
+    if (model.mouth && setting.index == model.layout[model.mouth->open].begin)
+      put_numbers(setting, vector);
     for (const Eye& eye : model.eyes)
       for (const int slice : {eye.center, eye.radius, eye.cornea, eye.bulge}) {
         if (slice < 0) continue;
@@ -176,6 +181,7 @@ void hold_eyeballs(const FaceModel& model, const Pose& pose, FaceVector& vector)
 struct Poser::Scratch {
   Face rest, neutral, posed;
   std::vector<double> values, drive;
+  FaceVector before;  ///< the mouth's laws
   MusclePoser muscles;
   std::optional<UnwrapChart> chart;  ///< made when first needed
 
@@ -205,7 +211,7 @@ std::span<const double> Poser::pulls() const {
 }
 
 const Face& Poser::pose(const Pose& pose) {
-  auto& [rest, neutral, posed, values, drive, muscles, chart] = *scratch_;
+  auto& [rest, neutral, posed, values, drive, before, muscles, chart] = *scratch_;
   const FaceModel& model = *rest.model;
   posed.vector = rest.vector;
   const bool by_basis = pose.basis && pose.basis->basis.columns == rest.vector.size();
@@ -219,13 +225,15 @@ const Face& Poser::pose(const Pose& pose) {
     scratch_->drive_channels(true);
     muscles.act(neutral, pose, values, set_channels, posed.vector);
     scratch_->drive_channels(false);
-    hold_eyeballs(model, pose, posed.vector);
-    // A basis gives vectors that the eyes' laws have acted on already. They act only on what is moved on top.
-    if (!by_basis)
-      pose_eyes(model, neutral.vector, values, posed.vector);
-    else if (!still)
-      pose_eyes(model, begin, values, posed.vector);
+    hold_bodies(model, pose, posed.vector);
+    // A basis gives vectors that the laws of eyes and mouth have acted on already. They act only on what is moved on top.
+    if (!by_basis || !still) {
+      const FaceVector& drawn = by_basis ? begin : neutral.vector;
+      pose_mouth(model, drawn, values, before, posed.vector);
+      pose_eyes(model, drawn, values, posed.vector);
+    }
     turn_head(model, values, posed.vector);
+    close_lips(model, values, posed.vector);
   }
   if (pose.unwrap > 0) {
     if (!chart) chart.emplace(rest);

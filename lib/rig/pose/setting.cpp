@@ -25,9 +25,13 @@ struct Target {
 };
 
 std::optional<Target> find_target(const FaceModel& model, std::string_view given) {
-  const bool unit = given.starts_with("facs.");
+  const std::size_t dot = std::min(given.find('.'), given.size());
+  const std::string_view set = given.substr(0, dot);
   const std::string spelt =
-      unit ? "facs." + standard_spelling("facs", given.substr(5)) : std::string(given);
+      standard_names(set).empty()
+          ? std::string(given)
+          : std::string(set) + "." +
+                standard_spelling(set, given.substr(std::min(dot + 1, given.size())));
   const std::string_view name = spelt;
   for (std::size_t c = 0; c < model.controls.size(); ++c)
     if (model.controls[c].name == name) return Target{true, int(c), 1, nullptr};

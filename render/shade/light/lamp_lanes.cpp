@@ -46,6 +46,8 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
                  : round ? LampLanes::Rise::round
                          : LampLanes::Rise::constant;
   to.rise = float(flat ? 0.0 : round ? r.height / r.width : surface.rise(zone, 0.0));
+  // Over a round profile's width colours make all their change, some 100 levels with a bend of 4 / width².
+  to.bend = !flat && round ? float(1.6 / (r.width * r.width)) : 0.0f;
   to.width = float(r.width), to.one_over_width = float(1.0 / r.width);
   to.linear = surface.blend() == Blend::linear;
   const Mix& c = surface.paint().color;
@@ -56,6 +58,14 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
   to.alpha = float(c.a);
   to.distance_alone = false;
   set_ramp(surface.paint(), piece.segment, middle - surface.center(), to.ramp);
+  // Where the picture is not in linear light a ramp is decoded, lit and encoded: it bends by up to the square of its
+  // slope and half of that.
+  if (to.ramp.kind != LampRamp::Kind::none && !to.linear) {
+    const Mix& along = piece.segment->slope;
+    const double slope = surface.paint().field.per_pixel *
+                         std::max({std::abs(along.r), std::abs(along.g), std::abs(along.b)});
+    to.bend += float(1.5 * slope * slope);
+  }
   to.to_lamp = flipped(r.lamp.to_lamp()), to.halfway = flipped(r.lamp.halfway());
   to.ambient = float(r.lamp.ambient());
   to.diffuse = float((1.0 - r.lamp.ambient()) / r.lamp.to_lamp().z);

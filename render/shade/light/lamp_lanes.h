@@ -41,6 +41,8 @@ struct LampLanes {
   std::vector<LampDome> domes;  ///< that reach the tile
   float finest =
       1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one
+  /// [1/px²] What colours bend by over a round profile and along a ramp: second derivatives, white being 1.
+  float bend = 0;
   LampRamp ramp;  ///< instead of `light`
 
   /// Instead of all that: the red channel is the signed distance.

@@ -125,8 +125,10 @@ struct CellPixel {
   Near near;
   float cx, cy;
   float seen = 1.0f;       ///< how much of it is looked at, or little
+  int side = 4;            ///< how many cells each way are looked at first
   Encoding encoding = {};  ///< of what is known of it
-  bool turns = false;      ///< its outline bends so much that cells are not small
+  float bend = 0;          ///< [1/px²] what colours bend by
+  bool bends = false;      ///< colours may bend so much that cells of no side are taken for small
 
   /// What shows of a part lies in a pixel no darker than that.
   void shows(const float* mean) {
@@ -164,29 +166,64 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
 
 // [of a cell's side] A ridge that bends may run through it.
 inline constexpr float kNearCell = 1.3f;
-/// The most that the outward normal turns by from a cell to the next in the list, but nearer to a ridge than that.
-inline float MostTurn(const BranchPair& at, const float* away, float least) {
+/// The most that the outward normal turns by from a cell to the next in the list, but at ridges.
+inline float MostTurn(const BranchPair& at, const float* away) {
   float most = 0.0f;
   for (int k = 0; k < 15; ++k) {
-    if (HWY_MIN(away[k], away[k + 1]) < least) continue;
+    if (HWY_MIN(away[k], away[k + 1]) < kNearCell) continue;
     most = HWY_MAX(most, std::abs(at.best.nx[k + 1] - at.best.nx[k]) +
                              std::abs(at.best.ny[k + 1] - at.best.ny[k]));
   }
   return most;
 }
 
-/// Sees sixteen cells; the first of them tell how the pixel is encoded.
+/// [1/px²] What light bends by in a pixel around (x, y). A dome's slope changes by 8 height / radius² at its foot, twice
+/// as fast as at its top, and that by 24 height / radius³; a highlight is a bell of 1 / √shininess in slope.
+inline float BendAt(const LampLanes& lamp, float x, float y) {
+  constexpr float kReach = 0.7072f;  // [px]
+  float turn = 0.0f, turns_by = 0.0f;
+  for (const LampDome& dome : lamp.domes) {
+    const float px = x - dome.x, py = y - dome.y;
+    const float u = px * dome.xx + py * dome.xy, v = px * dome.yx + py * dome.yy;
+    const float n = dome.xx * dome.xx + dome.xy * dome.xy + dome.yx * dome.yx + dome.yy * dome.yy;
+    const float reach = kReach * std::sqrt(n), out = std::sqrt(u * u + v * v);
+    if (out > 1.0f + reach) continue;
+    const float gx = u * dome.xx + v * dome.yx, gy = u * dome.xy + v * dome.yy;
+    const float far = HWY_MIN(out + reach, 1.0f), near = HWY_MAX(out - reach, 0.0f);
+    const float grows = near > 0.0f ? far / out : 0.0f;
+    const float steep = near > 0.0f ? (gx * gx + gy * gy) * grows * grows : n * far * far;
+    turn += std::abs(dome.height) * ((1.0f - near * near) * n + 2.0f * steep);
+    turns_by += 6.0f * std::abs(dome.height) * far * n * std::sqrt(n);
+  }
+  if (turn == 0.0f) return lamp.bend;
+  // Of the most that all of this can be at once.
+  constexpr float kUsual = 0.35f;
+  const float s = lamp.shininess;
+  return lamp.bend + kUsual * ((lamp.shine * s + lamp.diffuse) * turn * turn +
+                               (0.6f * lamp.shine * std::sqrt(s) + lamp.diffuse) * turns_by);
+}
+
+/// Into how many cells each way a part must be divided so that what colours bend by leaves no more than allowed: cells
+/// of side h leave h² / 24 of that.
+inline int SideFor(float bend, float area, float allowed) {
+  const float most = bend * area / (24.0f * HWY_MAX(allowed, 1e-9f));
+  int side = 4;
+  while (side < PartCells::kMostSide && float(side * side) < most) side *= 2;
+  return side;
+}
+
+/// Sees sixteen cells; the first of them tell how the pixel is encoded, and whether cells are small.
 inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   // [px] Profiles are steep where cells are two depths wide. [levels · px] Seen at one depth, a row of 4 × 4 cells along
   // an outline is off by a fifth of that over the profile's width: 12 px do for 8 bits.
-  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255;
+  constexpr float kSteep = 1.75f, kByOneDepth = 3.6f / 255, kThin = 0.15f;
   const F f;
   LightTile& tile = pixel.tile;
   Seen at;
   SeeFrom(tile, pixel.near, pixel.cx, pixel.cy, cells.x, cells.y, at);
-  const bool steep = tile.rises && tile.lamp.is_round() &&
-                     tile.lamp.width * tile.tolerance < kByOneDepth &&
-                     MostOf16(at.relief.best.d) > -kSteep;
+  const bool upright = tile.rises && tile.lamp.is_round() &&
+                       tile.lamp.width * tile.tolerance < kByOneDepth &&
+                       MostOf16(at.relief.best.d) > -kSteep;
   for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
     const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
     CellLanes cell{load(cells.x), load(cells.y), load(cells.area), {}, {}};
@@ -194,7 +231,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     cell.side = hn::Sqrt(cell.area), cell.variance = hn::Mul(cell.area, Const(1.0f / 12));
     LitColor color;
     const VF d = tile.rises ? load(at.relief.best.d) : zero;
-    if (steep) {
+    if (upright) {
       TwoDepths(tile, at, k, cell, color);
     } else {
       const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
@@ -225,24 +262,15 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
       hn::Store(hn::IfThenElse(cut, mixed.c[c], load(cells.shades.c[c])), f, cells.shades.c[c] + k);
     hn::Store(hn::IfThenElse(cut, mixed.jump, zero), f, cells.jump + k);
   }
-  if (!first) return;
-  // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn². A
-  // distance, or a ramp along one, leaves a 24th of its change over a cell, a fourth of that over the pixel, times the
-  // turn; at ridges, too, behind which a corner may bend. For 16 bits that is one and a half tolerances at most.
-  constexpr float kTurn = 1.5f * 255 / 4, kRampTurn = 1.5f * 96;
-  const bool distance = tile.lamp.distance_alone || tile.lamp.goes_by_distance();
-  if (tile.rises && !tile.lamp.distance_alone) {
-    const float turn = MostTurn(at.relief, cells.away, kNearCell);
-    pixel.turns = turn * turn > kTurn * tile.tolerance;
-  }
-  if (!distance || pixel.turns) return;
-  float change = 0.0f;
-  for (int c = 0; c < tile.channels; ++c) {
-    const Range range = RangeOf16(cells.shades.c[c], cells.area);
-    change = HWY_MAX(change, (range.high - range.low) * pixel.encoding.by[c]);
-  }
-  const BranchPair& of = tile.lamp.distance_alone ? at.relief : *at.ramp;
-  pixel.turns = change * MostTurn(of, cells.away, 0.0f) > kRampTurn * tile.tolerance;
+  if (!first || tile.fine || !tile.rises) return;
+  // Light changes by some 100 levels with a normal that turns by one radian: a cell leaves 4 levels times the turn².
+  constexpr float kTurn = 1.5f * 255 / 4;
+  const float turn = MostTurn(at.relief, cells.away);
+  pixel.bends = turn * turn > kTurn * tile.tolerance;
+  // Thinner than cells: depths are not spread from the outline on where a ridge ends them.
+  for (size_t k = 0; k < 16 && upright; ++k)
+    pixel.bends =
+        pixel.bends || (cells.area[k] > 0.0f && at.relief.off[k] - at.relief.best.d[k] < kThin);
 }
 
 /// Which of a level's cells are looked at: of the grid of that many each way, in its order.
@@ -260,9 +288,10 @@ struct OpenBy {
 /// A mean by cells, as far as they were looked at.
 struct CellMean {
   CellSum closed, open;
-  float jump = 0;  ///< the most that a ridge changes colours by in a cell
-  float kink = 0;  ///< what a clamp of the law may change
-  int opens = 0;   ///< how many are open: the first of their list
+  float jump = 0;   ///< the most that a ridge changes colours by in a cell
+  float kink = 0;   ///< what a clamp of the law may change
+  float apart = 0;  ///< what quarters were apart from their wholes, times areas
+  int opens = 0;    ///< how many are open: the first of their list
 };
 
 /// The next sixteen listed cells of more than no area; returns how many there are. `which`: their places in the list.
@@ -343,6 +372,7 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
                     area * tile.wholes()[c][whole];
           most = HWY_MAX(most, std::abs(more[c]) * pixel.encoding.by[c]);
         }
+        mean.apart += most;
         all = most > by.apart * area && most > by.few;
         for (size_t c = 0; c < size_t(tile.channels) && !all; ++c)
           mean.closed.c[c] += more[c] * (1.0f / 3);
@@ -370,14 +400,14 @@ inline void LookAtCells(CellPixel& pixel, const PartCells& cells, const CellList
   const LightTile& tile = pixel.tile;
   SixteenCells now;
   std::uint16_t which[16];
-  mean.jump = mean.kink = 0.0f, mean.opens = 0, mean.open = {};
+  mean.jump = mean.kink = mean.apart = 0.0f, mean.opens = 0, mean.open = {};
   for (int next = 0, looks = 0;; ++looks) {
     const int n = TakeSixteen(pixel, cells, list, count, by.quarters, next, now, which);
     if (n == 0) break;
     SeeCells(pixel, !by.quarters && looks == 0, now);
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
     mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
-    if (pixel.turns) by.small = false;
+    if (pixel.bends) by.small = false;
     if (by.small && kink <= by.kink && jump <= by.jump)
       mean.closed.add(now.shades, now.area, tile.channels);
     else
@@ -396,18 +426,6 @@ inline int DivideCells(int side, const CellList& cells, int count, CellList& to)
   return made;
 }
 
-/// Into how many cells each way a part must be divided at least. Over a round profile's width w, or over a narrow dome
-/// or the highlight on one, colours make all their change, some 200 levels with a bend of 4 / w²: cells of side h leave
-/// 33 (h / w)² of its area, and half of that at most by two depths.
-inline int LeastSide(const LightTile& tile, float area, float allowed) {
-  float width = 2.0f * tile.lamp.finest;
-  if (tile.rises && tile.lamp.is_round()) width = HWY_MIN(width, tile.lamp.width);
-  const float most = 0.066f * area / HWY_MAX(allowed, 1e-9f);  // of (w / h)²
-  int side = 4;
-  while (side < PartCells::kMostSide && width * width * float(side * side) < most) side *= 2;
-  return side;
-}
-
 /// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
 /// they may be off, which is of second order in their side; the others as far as they need it.
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
@@ -419,36 +437,67 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
   // cells may be off by at first.
   constexpr float kApart = 1.0f, kFew = 0.04f, kFirst = 8.0f;
+  // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
+  // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
+  // tolerance], beside rounding: it may be off by six of these for 16 bits.
+  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
+  // Where means come in turn, each at such a rate after the one before, they go on at that rate, and leave little.
+  constexpr float kInTurn = 0.12f, kRates[2] = {0.1f, 0.6f};
+  const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
+  constexpr float kAgain =
+      0.5f;  // of that: cells that were closed with more left were closed too soon
   LightTile& tile = pixel.tile;
   const float allowed = tile.tolerance;
-  float before[LightTile::kChannels] = {};
-  const int first = LeastSide(tile, form_area, kFirst * allowed),
-            least = LeastSide(tile, form_area, allowed);
+  float before[LightTile::kChannels] = {}, change[LightTile::kChannels] = {};
   pixel.seen = HWY_MAX(form_area, 0.05f);
+  const float bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
+  const int begun = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8);
+  int first = begun;
+  const int least = SideFor(bend, form_area, allowed);
+  pixel.bends = tile.fine;
   CellList &list = tile.listed, &open = tile.open;
   CellMean mean;
   int count = first * first;
   std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
   for (int side = first;; side *= 2) {
-    const bool small = side >= least;
     if (form) cells_of_form(*form, side, tile.cells, side == 4 && !tile.fine);
     const PartCells& cells = form ? tile.cells : whole_cells(side);
+    const bool small = !pixel.bends && side >= least;
+    const bool last = side == PartCells::kMostSide;
     const float each = allowed * float(side * side) / (16.0f * pixel.seen);
     LookAtCells(pixel, cells, list, count,
-                {kClosed * kJump * each, kClosed * kKink * each, kApart * allowed / pixel.seen,
-                 kFew * allowed, side > first, small},
+                {kClosed * kJump * each, kClosed * kKink * each,
+                 last ? 1e9f : kApart * allowed / pixel.seen, kFew * allowed, side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
-    float apart = 0.0f;
+    float apart = 0.0f, on = kOn;
+    bool in_turn = false;
     for (int c = 0; c < tile.channels; ++c) to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
     pixel.shows(to);
-    for (int c = 0; c < tile.channels; ++c)
-      apart = HWY_MAX(apart, std::abs(to[c] - before[c]) * pixel.encoding.by[c]), before[c] = to[c];
+    for (int c = 0; c < tile.channels; ++c) {
+      const float was = change[c];
+      change[c] = to[c] - before[c], before[c] = to[c];
+      const float by = std::abs(change[c]) * pixel.encoding.by[c];
+      if (by <= apart) continue;
+      apart = by;
+      const float rate = change[c] / was;
+      in_turn = last && side >= 4 * first && rate > kRates[0] && rate < kRates[1];
+      on = in_turn ? rate / (1.0f - rate) : kOn;
+    }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
-    if (side == PartCells::kMostSide || mean.opens == 0 ||
-        (small && !pixel.turns && (bounded || agrees)))
-      return;
+    if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) {
+      if (side == begun) return;
+      const float share = in_turn ? kInTurn : last ? last_left : kSettled;
+      const float left = HWY_MAX((last ? last_left : kSettled) * mean.apart,
+                                 share * apart * pixel.seen),
+                  off = left / ((tile.fine ? kFine : kCoarse) * allowed);
+      for (int c = 0; c < tile.channels && last; ++c) to[c] += on * change[c];
+      if (last || off < kAgain) return void(tile.off += off);
+      first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
+      std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
+      continue;
+    }
     count = DivideCells(side, open, mean.opens, list), tile.turned = !tile.turned;
   }
 }

@@ -70,6 +70,7 @@ struct LightTile {
   std::array<std::uint16_t, kSquares> where;  ///< among those
   std::array<std::uint8_t, kPixels> known;
   std::array<std::array<float, kPixels>, kChannels> mean;
+  float off = 0;  ///< what the answers since it was last 0 may be off by, of what a pixel may be
   // Scratch.
   PartCells cells;
   std::array<std::uint16_t, PartCells::kMost> listed, open;  ///< of its cells

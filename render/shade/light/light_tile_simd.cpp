@@ -69,6 +69,34 @@ bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
   return false;
 }
 
+/// The most that the bicubic is off by along the square's border: beyond its places a side may end, or a curve meet
+/// another, where the gradient goes on smoothly but its bend does not.
+float OffAtBorder(const LightTile& tile, const Near& near, float cx, float cy, float half,
+                  const LightTile::Bicubic& square) {
+  constexpr float kCorner[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+  alignas(64) float x[16], y[16];
+  float u[16], v[16];
+  for (int k = 0; k < 16; ++k) {
+    const float *a = kCorner[k / 4], *b = kCorner[k / 4 + 1], t = 0.25f * float(k % 4);
+    u[k] = a[0] + t * (b[0] - a[0]), v[k] = a[1] + t * (b[1] - a[1]);
+    x[k] = cx + half * u[k], y[k] = cy + half * v[k];
+  }
+  Seen at;
+  Shades shades;
+  SeeFrom(tile, near, cx, cy, x, y, at);
+  ShadePlaces(tile, at, x, y, shades);
+  float least[LightTile::kChannels] = {}, most = 0.0f;
+  for (int c = 0; c < 3; ++c) least[c] = LeastOf16(square.c[c]);
+  const Encoding encoding = EncodingAt(tile, least);
+  for (int k = 0; k < 16; ++k) {
+    float told[LightTile::kChannels];
+    BicubicAt(square, tile.channels, u[k], v[k], told);
+    for (int c = 0; c < tile.channels; ++c)
+      most = HWY_MAX(most, std::abs(told[c] - shades.c[c][k]) * encoding.by[c]);
+  }
+  return most;
+}
+
 /// Whether the bicubic through a square's places serves; then it is kept.
 bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   // [of half the side] Places lie no farther from any other: nearer ridges may run between them.
@@ -79,6 +107,8 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   // the seventh; the eighth is a 3^5-th of the third.
   constexpr float kThird = 1.2f, kWhole = 40.0f;
   const float side = float(tile.side >> square.level), half = 0.5f * side;
+  // [of the tolerance] What the bicubic may be off by at the border, most of which is its fourth degree there.
+  constexpr float kBorder = 3.0f;
   // [of the tolerance] A clamp that begins in a square's middle leaves to a pixel's mean 0.032 of its change where the
   // pixel is a quarter of the square, 0.12 at most where less.
   const float kKink = side < 6.0f ? 12.0f : 4.0f;
@@ -105,6 +135,9 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * tile.tolerance) return false;
   if (LeastOf16(shades.foot) < kFoot * side) return false;
   const float third = MostOf(tile, g.third, made);
+  if (tile.fine && third < kWhole * tile.tolerance &&
+      OffAtBorder(tile, NearOf(tile, me), cx, cy, half, made) > kBorder * tile.tolerance)
+    return false;
   if (side == 1.0f && third < kWhole * tile.tolerance) KnowPixel(tile, square.i, square.j, made);
   if (third > kThird * tile.tolerance) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
@@ -222,14 +255,13 @@ void ByCells(LightTile& tile, const Square& around, int i, int j, const PartForm
 
 void FindMean(LightTile& tile, int i, int j) {
   const size_t p = size_t(j * LightTile::kSide + i);
-  if (tile.known[p]) return;
   bool smooth = false;
   const Square around = SquareAround(tile, i, j, true, smooth);
   if (tile.known[p]) return;
   float c[LightTile::kChannels] = {};
   ByCells(tile, around, i, j, nullptr, 1.0f, c);
   for (int k = 0; k < tile.channels; ++k) tile.mean[size_t(k)][p] = c[k];
-  tile.known[p] = 1;
+  tile.known[p] = !(tile.off > 0.0f);
 }
 
 /// A smooth square's colour over a part: at its centroid where it bends little, else by cells.

@@ -31,11 +31,15 @@ struct LitPaint::Scratch::Kept {
   static constexpr std::size_t kTiles = 512;
   std::vector<std::unique_ptr<LightTile>> tiles{kTiles};
   std::vector<std::unique_ptr<LightGround>> grounds{kTiles};
-  std::vector<int> crowded;
+  std::vector<Doubt> doubts;
   long long feet = 0;
   double seconds = 0;
   unsigned asked = 0;
   bool used = false;  ///< whether any tile was asked for since the work was last taken
+
+  void note_doubt(LightTile& tile, int x) {
+    if (tile.off > 0.0f) doubts.push_back({x, std::exchange(tile.off, 0.0f)});
+  }
 
   /// Does work that takes about as long as looking at the clock: one in so many is timed, for all of them.
   template <class Work>
@@ -62,8 +66,8 @@ LitPaint::Scratch::Work LitPaint::Scratch::take_work() {
   return work;
 }
 
-std::vector<int>& LitPaint::Scratch::crowded() {
-  return kept_->crowded;
+std::vector<LitPaint::Doubt>& LitPaint::Scratch::doubts() {
+  return kept_->doubts;
 }
 
 void LitPaint::make(const GridPaint& paint, std::span<const AreaDistance> distances, Blend blend,
@@ -107,7 +111,7 @@ LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch)
     }
     if (!ground->crowded) return &t;
   }
-  scratch.kept_->crowded.push_back(x);
+  scratch.kept_->doubts.push_back({x, 1.0f});
   return nullptr;
 }
 
@@ -170,8 +174,10 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
       continue;
     }
     for (int k = 0; k < n; ++k)
-      if (!t->known[from + std::size_t(k)])
+      if (!t->known[from + std::size_t(k)]) {
         scratch.kept_->timed([&] { return find_mean(*t, column + k, row), 0; });
+        scratch.kept_->note_doubt(*t, x + i + k);
+      }
     for (int c = 0; c < t->channels; ++c) std::copy_n(&t->mean[std::size_t(c)][from], n, to[c] + i);
     if (t->channels < 4) std::fill_n(a + i, n, opacity_of(*t));
     i += n;
@@ -185,6 +191,7 @@ glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const LitPart& par
   if (!t->lamp.varies()) return glm::vec4(surface_.paint().color);
   const std::array<float, 4> mean =
       scratch.kept_->timed([&] { return mean_of_part(*t, x - t->x, y - t->y, part); });
+  scratch.kept_->note_doubt(*t, x);
   return {mean[0], mean[1], mean[2], t->channels == 4 ? mean[3] : opacity_of(*t)};
 }
 
@@ -218,7 +225,7 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
 void LitPaint::distances(int x, int y, int count, float* d, Scratch& scratch) const {
   for (int i = 0; i < count; ++i) {
     LightTile* t = tile(kDistances, x + i, y, scratch);
-    if (t) find_mean(*t, x + i - t->x, y - t->y);
+    if (t) find_mean(*t, x + i - t->x, y - t->y), scratch.kept_->note_doubt(*t, x + i);
     d[i] = t ? t->mean[0][std::size_t((y - t->y) * LightTile::kSide + x + i - t->x)] : 0.0f;
   }
 }
@@ -234,7 +241,10 @@ void LitPaint::distances_of_cells(int x, int y, const PartCells& cells, float* d
 
 float LitPaint::distance_of_part(int x, int y, const LitPart& part, Scratch& scratch) const {
   LightTile* t = tile(kDistances, x, y, scratch);
-  return t ? mean_of_part(*t, x - t->x, y - t->y, part)[0] : 0.0f;
+  if (!t) return 0.0f;
+  const float mean = mean_of_part(*t, x - t->x, y - t->y, part)[0];
+  scratch.kept_->note_doubt(*t, x);
+  return mean;
 }
 
 }  // namespace mien

@@ -26,6 +26,12 @@ struct LitPart;
 
 class LitPaint {
  public:
+  /// What an answer may be off by, of what a pixel may be; 1 and more where branches were too many for any tile.
+  struct Doubt {
+    int column = 0;
+    float off = 0;
+  };
+
   /// What is kept between questions, of all paints. One per thread.
   class Scratch {
    public:
@@ -41,9 +47,9 @@ class LitPaint {
     };
     Work take_work();
 
-    /// Columns in which branches were too many for any tile, since the caller emptied it: what was answered there is
-    /// nothing, and the pixel wants the reference.
-    std::vector<int>& crowded();
+    /// What answers since the caller emptied it may be off by. All in a column add up: where that is more than a
+    /// pixel may be off by, it wants the reference.
+    std::vector<Doubt>& doubts();
 
    private:
     friend class LitPaint;

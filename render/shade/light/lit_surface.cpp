@@ -33,8 +33,8 @@ int LitSurface::zone_of(double d) const {
 }
 
 int LitSurface::zone_inside(double d) const {
-  constexpr double kOutline = 0.01;
-  return zone_of(d > 0.0 && d < kOutline ? 0.0 : d);
+  const double outline = relief().own ? 1e-2 : 1e-4;
+  return zone_of(d > 0.0 && d < outline ? 0.0 : d);
 }
 
 bool LitSurface::flat(int zone) const {
@@ -54,6 +54,10 @@ double LitSurface::rise(int zone, double depth) const {
 
 Outward LitSurface::outward(glm::dvec2 p) const {
   return area_ ? area_->outward(p - center_) : Outward{};
+}
+
+Outward LitSurface::outward(glm::dvec2 p, std::span<const Node> nodes) const {
+  return area_ ? area_->outward(p - center_, nodes) : Outward{};
 }
 
 Mix LitSurface::base(const LitPiece& piece, glm::dvec2 p, double d) const {

@@ -42,12 +42,14 @@ class LitSurface {
   /// Zone 0 is outside, zone k between levels k − 1 and k, the last one beyond the last level.
   int zone_of(double d) const;
   /// The same where what is painted is inside, and only a rounding of its distance says otherwise: a hundredth of a pixel
-  /// beyond the outline.
+  /// beyond the layer's own outline, a hundredth of that beyond another, where colours change.
   int zone_inside(double d) const;
   /// Whether the profile does not rise there.
   bool flat(int zone) const;
 
   Outward outward(glm::dvec2 p) const;
+  /// By what of the area's tree decides near p.
+  Outward outward(glm::dvec2 p, std::span<const Node> nodes) const;
   /// The profile's rise per pixel.
   double rise(int zone, double depth) const;
   /// Rise per pixel at p: x right, y UP in the picture.

@@ -45,46 +45,86 @@ void AreaDistance::make(const Scene& scene, Area area, const Map<PixelSpace, Fac
   asked_->begin(shapes);
 }
 
-double AreaDistance::tree_at(glm::dvec2 p, double* values) const {
-  worked(30 * std::int64_t(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Node& n = nodes_[i];
+double AreaDistance::tree_at(glm::dvec2 p, std::span<const Node> nodes, double* values) const {
+  worked(30 * std::int64_t(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& n = nodes[i];
     values[i] = n.op == Op::shape ? of_shape(std::size_t(n.a), p)
                                   : combine(n.op, values[n.a], values[n.b], n.amount);
   }
-  return values[nodes_.size() - 1];
+  return values[nodes.size() - 1];
 }
 
 double AreaDistance::at(glm::dvec2 p) const {
   if (nodes_.size() == 1) return of_shape(0, p);
   std::array<double, 32> few;
-  if (nodes_.size() <= few.size()) return tree_at(p, few.data());
+  if (nodes_.size() <= few.size()) return tree_at(p, nodes_, few.data());
   std::vector<double> many(nodes_.size());
-  return tree_at(p, many.data());
+  return tree_at(p, nodes_, many.data());
 }
 
-Outward AreaDistance::outward(glm::dvec2 p) const {
-  std::array<Outward, 32> few;
-  std::vector<Outward> many(nodes_.size() <= few.size() ? 0 : nodes_.size());
-  Outward* const made = many.empty() ? few.data() : many.data();
-  worked(30 * std::int64_t(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+void AreaDistance::narrow(glm::dvec2 middle, double radius, std::vector<Node>& to) const {
+  constexpr int kUnused = -4, kNeeded = -3, kOnlyA = -2, kOnlyB = -1;
+  const std::size_t count = nodes_.size();
+  worked(60 * std::int64_t(count));
+  const double change = 2.0 * radius + 1e-3;
+  std::vector<double> values(count);
+  tree_at(middle, nodes_, values.data());
+  std::vector<int> place(count, kUnused);
+  place[count - 1] = kNeeded;
+  for (std::size_t i = count; i-- > 0;) {
     const Node& n = nodes_[i];
-    if (n.op == Op::shape) {
-      made[i] = asked_->outward(std::size_t(n.a), shapes_[std::size_t(n.a)], p);
-      continue;
-    }
-    const Outward &a = made[n.a], &b = made[n.b];
-    const double d = combine(n.op, a.d, b.d, n.amount);
-    // It grows as that of whose distance it is, or the opposite way.
-    const bool second = (n.op == Op::unite && b.d < a.d) || (n.op == Op::intersect && b.d > a.d) ||
-                        (n.op == Op::subtract && -b.d > a.d);
-    const bool turns =
-        second ? n.op == Op::subtract : n.op == Op::complement || (n.op == Op::shell && a.d < 0.0);
-    const glm::dvec2 normal = second ? b.normal : a.normal;
-    made[i] = {d, turns ? -normal : normal};
+    if (place[i] == kUnused || n.op == Op::shape) continue;
+    const bool binary = n.op == Op::unite || n.op == Op::intersect || n.op == Op::subtract;
+    const double sign = n.op == Op::unite ? -1.0 : 1.0;  // the larger one counts
+    const double a = sign * values[std::size_t(n.a)], b = n.op == Op::subtract
+                                                              ? -values[std::size_t(n.b)]
+                                                              : sign * values[std::size_t(n.b)];
+    place[i] = binary && a > b + change ? kOnlyA : binary && b > a + change ? kOnlyB : kNeeded;
+    if (place[i] != kOnlyB) place[std::size_t(n.a)] = kNeeded;
+    if (binary && place[i] != kOnlyA) place[std::size_t(n.b)] = kNeeded;
   }
-  return made[nodes_.size() - 1];
+  to.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    Node n = nodes_[i];
+    const int how = place[i];
+    if (how == kUnused) continue;
+    if (n.op != Op::shape) {
+      const int a = place[std::size_t(n.a)], b = place[std::size_t(n.b)];
+      const int only = how == kOnlyA ? a : how == kOnlyB ? b : -1;
+      if (only >= 0 && !(how == kOnlyB && n.op == Op::subtract)) {
+        place[i] = only;
+        continue;
+      }
+      n.a = only >= 0 ? only : a, n.b = only >= 0 ? only : b;
+      if (only >= 0) n.op = Op::complement;
+    }
+    place[i] = int(to.size());
+    to.push_back(n);
+  }
+}
+
+/// It grows as the shape's whose distance it is, or the opposite way.
+Outward AreaDistance::outward(glm::dvec2 p, std::span<const Node> nodes) const {
+  std::array<double, 32> few;
+  std::vector<double> many(nodes.size() <= few.size() ? 0 : nodes.size());
+  double* const values = many.empty() ? few.data() : many.data();
+  const double d = nodes.size() > 1 ? tree_at(p, nodes, values) : 0.0;
+  std::size_t at = nodes.size() - 1;
+  double sign = 1.0;
+  while (nodes[at].op != Op::shape) {
+    const Node& n = nodes[at];
+    const double a = values[n.a], b = values[n.b];
+    const bool second = (n.op == Op::unite && b < a) || (n.op == Op::intersect && b > a) ||
+                        (n.op == Op::subtract && -b > a);
+    const bool turns =
+        second ? n.op == Op::subtract : n.op == Op::complement || (n.op == Op::shell && a < 0.0);
+    if (turns) sign = -sign;
+    at = std::size_t(second ? n.b : n.a);
+  }
+  const auto shape = std::size_t(nodes[at].a);
+  const Outward own = asked_->outward(shape, shapes_[shape], p);
+  return {nodes.size() > 1 ? d : own.d, sign * own.normal};
 }
 
 }  // namespace mien

@@ -6,6 +6,7 @@
 #include "sdf/shape/shape_distances.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace mien {
@@ -23,7 +24,13 @@ class AreaDistance {
   /// Negative inside; p in pixels, origin at the picture's centre.
   double at(glm::dvec2 p) const;
   /// With its gradient: on a ridge that of one side.
-  Outward outward(glm::dvec2 p) const;
+  Outward outward(glm::dvec2 p) const { return outward(p, nodes_); }
+
+  /// What of the tree decides somewhere in the disc: of two operands one alone, where the other is farther by more than
+  /// both can change.
+  void narrow(glm::dvec2 middle, double radius, std::vector<Node>& to) const;
+  /// The same by what of the tree decides there.
+  Outward outward(glm::dvec2 p, std::span<const Node> nodes) const;
 
   /// The same of one of its shapes.
   double of_shape(std::size_t shape, glm::dvec2 p) const {
@@ -35,7 +42,7 @@ class AreaDistance {
   const std::vector<Node>& nodes() const { return nodes_; }
 
  private:
-  double tree_at(glm::dvec2 p, double* values) const;
+  double tree_at(glm::dvec2 p, std::span<const Node> nodes, double* values) const;
 
   std::vector<Shape> shapes_;
   std::unique_ptr<ShapeDistances> asked_;

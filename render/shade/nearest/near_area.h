@@ -38,16 +38,12 @@ class NearArea {
   long long feet = 0;
 
  private:
-  void prune(std::span<const Node> nodes, glm::dvec2 middle, double radius, std::vector<Node>& to);
-
   const FeetArea* area_ = nullptr;
   glm::dvec2 middle_{0.0};
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;  ///< more than `count_`: memory is kept
   std::size_t count_ = 0;
   std::vector<BranchPair> pairs_;
-  std::vector<double> values_;
-  std::vector<int> place_;
 };
 
 }  // namespace mien

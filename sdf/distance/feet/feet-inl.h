@@ -112,9 +112,10 @@ HWY_INLINE hn::Mask<F> GoesOn(VF bend2, const BranchLanes& c, const Reached& at,
   return hn::Gt(hn::Mul(hn::Mul(square, square), bends), most);
 }
 
-/// How the foot moves with the place.
+/// Where the foot is, and how it moves with the place. Held at an end it lies beyond by as much as it is held: seen from
+/// other places the end may let it go, or hold it still.
 struct Moves {
-  VF x, y;
+  VF t, x, y;
 };
 template <bool kStroke>
 HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s, VF t) {
@@ -126,7 +127,7 @@ HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s
   }
   const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.3f), hn::Set(f, 1e-20f)), s.scale);
   const VF over = hn::Div(hn::Set(f, 1.0f), hn::Max(s.rise, least));
-  return {hn::Mul(mx, over), hn::Mul(my, over)};
+  return {FusedFrom(s.value, over, t), hn::Mul(mx, over), hn::Mul(my, over)};
 }
 
 /// The feet seen from the disc's middle, and how they move with the place.
@@ -140,7 +141,7 @@ HWY_INLINE void FindMiddleFeet(Branches& b) {
     for (int i = 0; i < 4; ++i) t = Stepped<kStroke>(c, zero, zero, t);
     const Reached at = ReachedAt(c, zero, zero, t);
     const Moves moves = MovesAt<kStroke>(c, at, SlopeAt<kStroke>(c, at, t), t);
-    hn::StoreU(t, f, b.row(Branches::foot) + k);
+    hn::StoreU(moves.t, f, b.row(Branches::foot) + k);
     hn::StoreU(moves.x, f, b.row(Branches::foot_x) + k);
     hn::StoreU(moves.y, f, b.row(Branches::foot_y) + k);
   }
@@ -196,7 +197,8 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const Slope s = SlopeAt<kStroke>(c, at, t);
     const auto held_low = hn::Le(t, c.low), held_high = hn::Ge(t, c.high);
     const auto first = hn::Le(t, at_row(Branches::first)), last = hn::Ge(t, at_row(Branches::last));
-    // Held at an end that is none of the outline's: the neighbour is nearer. Where feet are hard to tell both stay.
+    // Held at an end that is none of the outline's: the neighbour is nearer. Where feet are hard to tell both stay, and
+    // on a stretch whose width changes and which may have another foot somewhere in the square.
     const VF speed2 = hn::Mul(at.speed2, s.scale);
     const auto steady = hn::Gt(s.rise, hn::Mul(speed2, hn::Set(f, 0.35f)));
     const auto turns_low = hn::Gt(at_row(Branches::least), at_row(Branches::first));
@@ -204,6 +206,12 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const auto joint_low = hn::AndNot(hn::Or(first, turns_low), held_low);
     const auto joint_high = hn::AndNot(hn::Or(last, turns_high), held_high);
     auto out = hn::And(steady, hn::Or(joint_low, joint_high));
+    if (kStroke) {
+      const VF bend2 = Fused(c.x2, c.x2, hn::Mul(c.y2, c.y2));
+      const VF turn = hn::Mul(hn::Mul(hn::Set(f, 2.0f * r), hn::Sqrt(bend2)), s.scale);
+      const auto keeps = hn::Gt(s.rise, Fused(speed2, hn::Set(f, 0.35f), turn));
+      out = hn::And(out, hn::Or(keeps, hn::Ge(at_row(Branches::single), zero)));
+    }
     if (!kStroke) {
       // So is the next side at a corner, where both end firmly: seen from all over the square.
       const VF r2 = hn::Set(f, r * r);
@@ -222,7 +230,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const VF away = hn::Sqrt(Fused(at.ex, at.ex, hn::Mul(at.ey, at.ey)));
     const VF key = hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
     const Moves moves = MovesAt<kStroke>(c, at, s, t);
-    hn::StoreU(t, f, feet.t + k), hn::StoreU(key, f, keys + k);
+    hn::StoreU(moves.t, f, feet.t + k), hn::StoreU(key, f, keys + k);
     hn::StoreU(moves.x, f, feet.x + k), hn::StoreU(moves.y, f, feet.y + k);
   }
   NearBranches found;

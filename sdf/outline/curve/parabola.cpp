@@ -14,8 +14,8 @@
 namespace mien {
 namespace {
 
-/// [1/px] A parabola bent more than this is a ray in any picture.
-constexpr double kMostBend = 1e12;
+/// [1/px] A parabola bent more than this is a ray in any picture: 10⁹ px from its vertex it is 6·10⁻⁵ px wide.
+constexpr double kMostBend = 1e18;
 
 /// Coordinates of p in a side's frame: u along its outline, v towards its inside.
 glm::dvec2 in_frame(const ParabolaSide& side, glm::dvec2 p) {

@@ -24,7 +24,7 @@ void PieceCount::add(const Path& path) {
 }
 
 void PieceCount::begin(glm::dvec2 p) {
-  held_.vertices.clear(), held_.pieces.clear();
+  held_.pieces.clear(), held_.chains.clear(), held_.ends.clear();
   before_ = 0, lost_ = false;
   loop_.begin(p);
   at_ = p;
@@ -50,14 +50,11 @@ void PieceCount::close() {
 }
 
 void PieceCount::forget() {
-  const std::size_t held = held_.pieces.size();
+  const std::size_t held = loop_.sides();
   if (before_ > 0 && held <= kAddedBySide) lost_ = true;
   if (held < 2 * kHeldPieces) return;
-  const auto gone = std::ptrdiff_t(held - kHeldPieces);
-  held_.pieces.erase(held_.pieces.begin(), held_.pieces.begin() + gone);
-  held_.vertices.erase(held_.vertices.begin(), held_.vertices.begin() + gone);
-  for (OutlinePiece& p : held_.pieces) p.top -= int(gone), p.bottom -= int(gone);
-  before_ += std::size_t(gone);
+  const std::size_t gone = held - kHeldPieces;
+  before_ += loop_.forget_sides(gone);
   worked(40 * std::int64_t(gone));
 }
 

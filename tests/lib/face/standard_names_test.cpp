@@ -7,9 +7,9 @@
 namespace mien {
 namespace {
 
-TEST(StandardNames, AreFourSetsWithoutDoubles) {
+TEST(StandardNames, AreFiveSetsWithoutDoubles) {
   const std::pair<std::string_view, std::size_t> sets[] = {
-      {"arkit", 52}, {"facs", 42}, {"vrm", 18}, {"viseme", 15}};
+      {"arkit", 52}, {"facs", 46}, {"vrm", 18}, {"viseme", 15}, {"azure", 22}};
   for (const auto& [set, count] : sets) {
     const auto names = standard_names(set);
     EXPECT_EQ(names.size(), count) << set;
@@ -25,6 +25,34 @@ TEST(StandardNames, OfActionUnitsAreSpeltInManyWays) {
   for (const char* name : {"AU3", "AU0", "AU", "AUx", "AU1_x", "", "1", "jawOpen"})
     EXPECT_EQ(standard_spelling("facs", name), name);
   EXPECT_EQ(standard_spelling("arkit", "AU01"), "AU01");
+}
+
+TEST(StandardNames, AreFreeOfCaseAndOfSpellingsOfSides) {
+  for (const char* name : {"eyeBlinkLeft", "EyeBlinkLeft", "eyeBlink_L", "eyeBlink.L",
+                           "EYE_BLINK_LEFT", "eye blink left", "eyeblink-l"})
+    EXPECT_EQ(standard_spelling("arkit", name), "eyeBlinkLeft") << name;
+  EXPECT_EQ(standard_spelling("arkit", "JawOpen"), "jawOpen");
+  EXPECT_EQ(standard_spelling("arkit", "mouth_r"), "mouthRight");
+  for (const char* name : {"_neutral", "jawOpenLeft", "", "_l", "l"})
+    EXPECT_EQ(standard_spelling("arkit", name), name);
+  EXPECT_EQ(standard_spelling("emotion", "Joy"), "Joy");
+}
+
+TEST(StandardNames, OfVrmAndVisemesHaveOthers) {
+  const std::pair<const char*, const char*> vrm[] = {
+      {"joy", "happy"}, {"sorrow", "sad"},        {"Fun", "relaxed"},        {"a", "aa"},
+      {"O", "oh"},      {"blink_l", "blinkLeft"}, {"Blink_R", "blinkRight"}, {"lookup", "lookUp"}};
+  for (const auto& [other, name] : vrm) EXPECT_EQ(standard_spelling("vrm", other), name) << other;
+  const std::pair<const char*, const char*> visemes[] = {
+      {"ih", "I"},
+      {"oh", "O"},
+      {"OU", "U"},
+      {"KK", "kk"},
+      {"viseme_PP", "PP"},
+      {"XR_FACE_TRACKING_VISEME_SIL_META", "sil"},
+      {"XR_FACE_TRACKING_VISEME_E_META", "E"}};
+  for (const auto& [other, name] : visemes)
+    EXPECT_EQ(standard_spelling("viseme", other), name) << other;
 }
 
 TEST(StandardNames, SayTheirSideOrHaveHalves) {

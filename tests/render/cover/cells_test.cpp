@@ -1,5 +1,5 @@
 #include "render/cover/cells.h"
-#include "sdf/arrange/sweep_piece.h"
+#include "sdf/arrange/piece_place.h"
 
 #include <gtest/gtest.h>
 

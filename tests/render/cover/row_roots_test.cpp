@@ -1,6 +1,6 @@
 #include "render/cover/row_roots.h"
 #include "render/cover/cells.h"
-#include "sdf/arrange/sweep_piece.h"
+#include "sdf/arrange/piece_place.h"
 
 #include <gtest/gtest.h>
 

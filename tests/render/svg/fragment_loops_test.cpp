@@ -10,21 +10,20 @@ namespace {
 /// A fragment over the height of a piece of its own.
 struct Drawn {
   std::vector<Fragment> fragments;
-  std::vector<SweepPiece> pieces;
+  std::vector<OutlinePiece> pieces;
 
   void add(OutlinePiece p, bool inside_right, double top, double bottom) {
     fragments.push_back({int(pieces.size()), !inside_right, inside_right, top, bottom});
-    pieces.push_back(sweep_piece(p));
+    pieces.push_back(p);
   }
   void line(glm::dvec2 a, glm::dvec2 b, bool inside_right) {
     const glm::dvec2 half = 0.5 * (b - a);
-    add({a.x, a.y, half.x, half.y, 0, 0, b.x, b.y, -1, -1, 0, 1}, inside_right, a.y, b.y);
+    add({a.x, a.y, half.x, half.y, 0, 0, b.x, b.y}, inside_right, a.y, b.y);
   }
   void quad(glm::dvec2 a, glm::dvec2 c, glm::dvec2 b, bool inside_right, double top,
             double bottom) {
     const glm::dvec2 first = c - a, bend = b - c - first;
-    add({a.x, a.y, first.x, first.y, bend.x, bend.y, b.x, b.y, -1, -1, 0, 1}, inside_right, top,
-        bottom);
+    add({a.x, a.y, first.x, first.y, bend.x, bend.y, b.x, b.y}, inside_right, top, bottom);
   }
   std::vector<FragmentLoop> loops(double tolerance = 1e-3) const {
     return fragment_loops(fragments, pieces, tolerance);

@@ -50,7 +50,7 @@ TEST(Svg, IsAsShortAsThis) {
             "viewBox=\"0 0 100 100\" fill-rule=\"evenodd\" clip-rule=\"evenodd\">\n"
             "<rect x=\"-1\" y=\"-1\" width=\"102\" height=\"102\" fill=\"#ffffff\"/>\n"
             "<path id=\"square\" fill=\"#ff0000\" d=\"M25 25l0 50 50 0 0-50z\"/>\n"
-            "<path id=\"cut\" fill=\"#000000\" fill-opacity=\".5\" d=\"M50 25l0 50 25 0 0-50z\"/>\n"
+            "<path id=\"cut\" fill=\"#000000\" fill-opacity=\".5\" d=\"M75 75l0-50-25 0 0 50z\"/>\n"
             "</svg>\n");
 }
 

@@ -16,6 +16,11 @@ Between heights_of(const OutlinePiece& a, const OutlinePiece& b) {
   return {std::max(a.y0, b.y0), std::min(a.y1, b.y1)};
 }
 
+bool in_order(const OutlinePiece& left, const OutlinePiece& right, double from, double to,
+              double order = kOrder) {
+  return !disorder(left, right, pair_at(left, right, from), pair_at(left, right, to), order);
+}
+
 /// What `left` is right of `right` by: the area, and the least gap.
 struct Wrong {
   double area = 0, gap = HUGE_VAL;
@@ -37,15 +42,15 @@ TEST(OrderProof, WhatIsProvenIsTrue) {
   int held = 0, refused = 0;
   for (int i = 0; i < 3000; ++i) {
     const double side = r.size(-1, 3);
-    const SweepPiece a = sweep_piece(random_piece(r, side));
-    OutlinePiece moved = r.chance(0.5) ? OutlinePiece(a) : random_piece(r, side);
+    const OutlinePiece a = random_piece(r, side);
+    OutlinePiece moved = r.chance(0.5) ? a : random_piece(r, side);
     if (r.chance(0.5)) {  // about as far as it can touch
       const Between y = heights_of(a, moved);
       if (!(y.to > y.from)) continue;
       const double shift = r.between(-2 * kOrder, 2 * kOrder) - wrong(a, moved, y).gap;
       moved.x0 += shift, moved.x1 += shift;
     }
-    const SweepPiece b = sweep_piece(moved);
+    const OutlinePiece b = moved;
     const Between y = heights_of(a, b);
     if (!(y.to > y.from)) continue;
     const Wrong w = wrong(a, b, y);
@@ -65,13 +70,13 @@ TEST(OrderProof, NearlyAllThatTouchesInOrderIsProven) {  // the rest goes to the
   int pairs = 0, proven = 0;
   for (int i = 0; i < 3000; ++i) {
     const double side = r.size(-1, 3);
-    const SweepPiece a = sweep_piece(random_piece(r, side));
-    OutlinePiece moved = r.chance(0.5) ? OutlinePiece(a) : random_piece(r, side);
+    const OutlinePiece a = random_piece(r, side);
+    OutlinePiece moved = r.chance(0.5) ? a : random_piece(r, side);
     Between y = heights_of(a, moved);
     if (!(y.to > y.from)) continue;
     const double shift = -wrong(a, moved, y).gap;
     moved.x0 += shift, moved.x1 += shift;
-    const SweepPiece b = sweep_piece(moved);
+    const OutlinePiece b = moved;
     ++pairs;
     proven += in_order(a, b, y.from, y.to);
   }
@@ -82,35 +87,15 @@ TEST(OrderProof, NearlyAllThatTouchesInOrderIsProven) {  // the rest goes to the
 TEST(OrderProof, CoincidentPiecesAreInEitherOrder) {
   Random r(3);
   for (int i = 0; i < 500; ++i) {
-    const SweepPiece a = sweep_piece(random_piece(r, 100));
+    const OutlinePiece a = random_piece(r, 100);
     EXPECT_TRUE(in_order(a, a, a.y0, a.y1));
   }
 }
 
-TEST(OrderProof, WhereTheTrendIsKnownTheGapOnlyGrowsOrFalls) {
-  Random r(4);
-  int grows = 0, falls = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const SweepPiece a = sweep_piece(random_piece(r, 100)), b = sweep_piece(random_piece(r, 100));
-    const Between y = heights_of(a, b);
-    if (!(y.to > y.from)) continue;
-    const int sense = trend(a, b, pair_at(a, b, y.from), pair_at(a, b, y.to));
-    ++(sense > 0 ? grows : falls);
-    double before = pair_at(a, b, y.from).gap();
-    for (int k = 1; k <= 50 && sense != 0; ++k) {
-      const double gap = pair_at(a, b, y.from + (y.to - y.from) * k / 50).gap();
-      ASSERT_GE(sense * (gap - before), -1e-9) << i;
-      before = gap;
-    }
-  }
-  EXPECT_GT(grows, 200);
-  EXPECT_GT(falls, 200);
-}
-
 TEST(OrderProof, PiecesThatStartLevelAreProven) {
   // Both leave one vertex level, one bends down later.
-  const SweepPiece left = sweep_piece(piece_between({10, 0}, {20, 10}, 0.5, 0.0));
-  const SweepPiece right = sweep_piece(piece_between({10, 0}, {22, 10}, 0.7, 0.0));
+  const OutlinePiece left = piece_between({10, 0}, {20, 10}, 0.5, 0.0);
+  const OutlinePiece right = piece_between({10, 0}, {22, 10}, 0.7, 0.0);
   EXPECT_TRUE(in_order(left, right, 0, 10));
   EXPECT_FALSE(in_order(right, left, 0, 10));
 }

@@ -4,6 +4,7 @@
 
 #include "tests/support/arranged.h"
 #include "tests/support/effort.h"
+#include "tests/support/sweep_probe.h"
 
 namespace mien::test {
 namespace {
@@ -55,7 +56,8 @@ Arranged arranged(std::span<const Shape> shapes) {
   return {outlines_of(shapes, kWindow), 0.0, kSide};
 }
 
-bool doubted(const Arranged& a, glm::dvec2 p, double margin) {
+template <class Rule>
+bool doubted(const ArrangedBy<Rule>& a, glm::dvec2 p, double margin) {
   for (const Doubt& d : a.sweep.doubts())
     if (p.x >= d.left - margin && p.x <= d.right + margin && p.y >= d.top - margin &&
         p.y <= d.bottom + margin)
@@ -110,13 +112,24 @@ TEST_P(EverySweep, EveryPlaceHasTheLookOfItsOutlines) {
   });
 }
 
+TEST_P(EverySweep, EveryPlaceHasTheLookOfItsTopmostLayer) {
+  over_random_arrangements(400, [](Arranged& all, Random& r) {
+    ArrangedLayers a(all.outlines, 0.0, kSide);
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec2 p = r.point(0, kSide);
+      if (nearest_crossing(a.outlines, p) < 2 * kOrder || doubted(a, p, 0.0)) continue;
+      ASSERT_EQ(a.shown(p), a.look_at(p)) << p.x << ", " << p.y;
+    }
+  });
+}
+
 /// Green: the sum of the fragments' own areas to the right, per look, is the look's area.
 TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
   over_random_arrangements(60, [](Arranged& a, Random&) {
     constexpr int kRows = 6400;
     std::map<int, double> green, rows;
     for (const Fragment& f : a.sweep.fragments()) {
-      const OutlinePiece& p = a.sweep.pieces()[std::size_t(f.piece)];
+      const OutlinePiece& p = a.sweep.piece(f.piece);
       constexpr int kParts = 64;
       double area = 0.0;  // between the piece and x = kSide + 100
       const double h = (f.bottom - f.top) / kParts;
@@ -140,19 +153,81 @@ TEST_P(EverySweep, AreasByGreenAreThoseOfSampledRows) {
   });
 }
 
+QuadBezier side(glm::dvec2 p, glm::dvec2 q) {
+  return {p, 0.5 * (p + q), q};
+}
+
+Shape polygon(std::vector<glm::dvec2> at) {
+  Path path{{Path::Loop{}}};
+  for (std::size_t i = 0; i < at.size(); ++i)
+    path.loops[0].sides.push_back(side(at[i], at[(i + 1) % at.size()]));
+  return path;
+}
+
+void expect_topmost(ArrangedLayers& a) {
+  EXPECT_TRUE(a.sweep.doubts().empty());
+  for (double y = 1.01; y < kSide; y += 0.25)
+    for (double x = 0.13; x < kSide; x += 0.25)
+      if (nearest_crossing(a.outlines, {x, y}) > 2 * kOrder) {
+        ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+      }
+}
+
+/// A layer beneath a cover, its left side hidden, and on the cover two whose sides cross there and back. One of these
+/// crosses the hidden side too: once, farther down in the same step, or there and back.
+TEST(Sweep, SidesThatCrossAHiddenOneAreProvenBesideItsOtherNeighbour) {
+  for (const double bottom : {18.0, 14.0})
+    for (const bool mirrored : {false, true}) {
+      const double top = bottom == 14 ? 14 : 11, hidden = bottom == 14 ? 12 : 16;
+      const auto at = [&](double x, double y) { return glm::dvec2{mirrored ? 32 - x : x, y}; };
+      const std::vector<Shape> shapes{
+          polygon({at(hidden, 1), at(30, 1), at(30, 15), at(hidden, 15)}),
+          polygon({at(1, 1), at(31, 1), at(31, 15), at(1, 15)}),
+          polygon({at(2, 1), at(10, 1), at(10, 15), at(2, 15)}),
+          polygon({at(top, 1), at(28, 1), at(28, 15), at(bottom, 15), at(9, 7)}),
+      };
+      ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+      expect_topmost(a);
+    }
+}
+
+/// Two hidden sides, and two that cross each other there and back between them.
+TEST(Sweep, SidesThatCrossHiddenOnesFromBothSidesAreProvenApart) {
+  const std::vector<Shape> shapes{
+      polygon({{10, 1}, {20, 1}, {20, 15}, {10, 15}}),
+      polygon({{1, 1}, {31, 1}, {31, 15}, {1, 15}}),
+      polygon({{2, 1}, {8, 1}, {16, 8}, {8, 15}, {2, 15}}),
+      polygon({{22, 1}, {30, 1}, {30, 15}, {22, 15}, {14, 8}}),
+  };
+  ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+  expect_topmost(a);
+}
+
+/// A fan so slender that of any two neighbours it does not show which is left: of the first and the last it does.
+TEST(Sweep, ManySlightCrossingsAreCrossings) {
+  constexpr int kBlades = 60;
+  std::vector<Shape> shapes;
+  for (int i = 0; i < kBlades; ++i) {
+    const double top = 10 + 0.9 * kOrder * i, bottom = 10 + 0.9 * kOrder * (kBlades - i);
+    shapes.push_back(polygon({{top, 1}, {30, 1}, {30, 15}, {bottom, 15}}));
+  }
+  ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+  const auto row = a.row(14.5);  // the last one covers all others
+  ASSERT_FALSE(row.empty());
+  EXPECT_EQ(row[0].left, 0);
+  EXPECT_EQ(row[0].right, kBlades);
+  EXPECT_LT(row[0].x, 10 + 3 * kOrder);
+}
+
 TEST(Sweep, OrdersNothingAlongTheSides) {
   std::vector<Shape> shapes;
   for (const double middle : {0.0, 2 * kSide})  // cut at the left side, and at the right one
     for (int i = 0; i < 12; ++i) {
       const double l = middle - 4 - i, r = middle + 4 + i;
-      const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
-      Path box;
-      box.loops.push_back({{side({l, -9}, {r, -9}), side({r, -9}, {r, 99}), side({r, 99}, {l, 99}),
-                            side({l, 99}, {l, -9})}});
-      shapes.push_back(box);
+      shapes.push_back(polygon({{l, -9}, {r, -9}, {r, 99}, {l, 99}}));
     }
   Arranged a = arranged(shapes);
-  EXPECT_EQ(a.sweep.stats().pairs, 0);
+  EXPECT_EQ(a.sweep.stats().crossings + a.sweep.stats().forced, 0);
   for (const double x : {0.5, 4.5, 9.5, 15.5, 20.5})
     EXPECT_EQ(a.shown({x, 12.0}), a.look_at({x, 12.0})) << x;
 }
@@ -181,6 +256,28 @@ TEST(Sweep, ADiscIsItsOutline) {
   const Arranged a = arranged(shapes);
   EXPECT_EQ(a.sweep.fragments().size(), a.outlines.pieces.size());
   EXPECT_EQ(a.regions.count(), 2);
+}
+
+TEST(Sweep, WhatCrossesNothingIsInOrderFromItsBeginning) {
+  const Shape shapes[] = {Disc{{8, 16}, 7}, Disc{{24, 16}, 7},
+                          polygon({{16, 3}, {16, 30}, {15.5, 16}}),
+                          polygon({{2, 1}, {20, 1}, {20, 2}, {2, 2}}), Disc{{24, 16}, 3}};
+  const Arranged a = arranged(shapes);
+  EXPECT_EQ(a.sweep.stats().crossings + a.sweep.stats().forced, 0);
+}
+
+TEST(Sweep, CopiesLeaveThroughASideAndComeBack) {
+  const auto zigzag = [](double x, double out) {
+    return polygon({{x, 1}, {out, 6}, {x, 11}, {out, 16}, {x, 21}, {out, 26}, {x, 31}, {16, 16}});
+  };
+  const Shape shapes[] = {zigzag(4, -9),  zigzag(4, -9),  zigzag(4, -9),
+                          zigzag(28, 41), zigzag(28, 41), zigzag(28, 41)};
+  Arranged a = arranged(shapes);
+  for (double y = 0.3; y < kSide; y += 0.5)
+    for (double x = 0.25; x < kSide; x += 0.5)
+      if (nearest_crossing(a.outlines, {x, y}) > 2 * kOrder) {
+        ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+      }
 }
 
 TEST(Sweep, OutlinesThatCoincideCancelTheirWidth) {
@@ -222,44 +319,126 @@ TEST(Sweep, APartOfThePictureHasTheLooksOfTheWhole) {
 }
 
 /// A square from x = 2 to 10, and one from x = 12 to 20 whose left side is made to jump over the right
-/// side of the first, unknown to the vertices: from (5, 6) it runs back to (12, 12).
+/// side of the first, unknown to its neighbours: from (5, 6) it runs back to (12, 12).
 Outlines with_a_jump() {
   const auto square = [](double left, double right, double middle) {
-    Path path;
-    const glm::dvec2 a{left, 2}, b{right, 2}, c{right, 30}, d{left, 30}, m{left, middle};
-    const auto side = [](glm::dvec2 p, glm::dvec2 q) { return QuadBezier{p, 0.5 * (p + q), q}; };
-    path.loops.push_back({{side(a, b), side(b, c), side(c, d), side(d, m), side(m, a)}});
-    return Shape(path);
+    return polygon({{left, 2}, {right, 2}, {right, 30}, {left, 30}, {left, middle}});
   };
   const Shape shapes[] = {square(2, 10, 16), square(12, 20, 6)};
   Outlines o = outlines_of(shapes, kWindow);
   for (OutlinePiece& p : o.pieces)
-    if (p.outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
+    if (chain_of(o, p).outline == 1 && p.x0 == 12 && p.y0 == 6) p.x0 = 5, p.ax = 3.5;
   return o;
 }
 
-TEST(Sweep, AWrongOrderIsDoubted) {
-  const Arranged a(with_a_jump(), 0, kSide);
-  ASSERT_FALSE(a.sweep.doubts().empty());
-  // Wrong is what lies between x = 10 and the side that jumped: from (5, 6) to where it is at 10.
-  for (double y = 6.01; y < 23; y += 0.5)
-    for (double x = 5 + 7 * (y - 6) / 24 + 0.01; x < 9.99; x += 0.5)
-      ASSERT_TRUE(doubted(a, {x, y}, kOrder)) << x << ", " << y;
-  for (const Doubt& d : a.sweep.doubts()) {
-    EXPECT_GE(d.left, 5);
-    EXPECT_LE(d.right, 12);
-    EXPECT_GE(d.top, 6);
+TEST(Sweep, AWrongOrderIsPutRightAtOnce) {
+  Arranged a(with_a_jump(), 0, kSide);
+  EXPECT_GT(a.sweep.stats().forced + a.sweep.stats().crossings, 0);
+  for (double y = 3.01; y < kSide; y += 0.5)
+    for (double x = 0.25; x < kSide; x += 0.5)
+      ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+}
+
+/// A step of a stair jumps over a side that it crosses back farther down: moved at once, not found by shorter steps.
+TEST(Sweep, LevelPiecesMoveTheirChainAtTheTopOfAStep) {
+  const std::vector<Shape> shapes{polygon({{2, 1}, {8, 1}, {8, 5}, {14, 5}, {6, 15}, {2, 15}}),
+                                  polygon({{10, 5}, {28, 5}, {28, 15}, {10, 15}})};
+  ArrangedLayers a(outlines_of(shapes, kWindow), 0, kSide);
+  expect_topmost(a);
+  EXPECT_EQ(a.sweep.stats().halvings, 0);
+  EXPECT_GT(a.sweep.stats().forced, 0);
+}
+
+/// A side with a bulge in most rows, over a straight one.
+std::vector<Shape> bulges_over_a_line() {
+  const auto box = [](double left, double right) {
+    return polygon({{left, 2}, {right, 2}, {right, 30}, {left, 30}});
+  };
+  Path bulging = std::get<Path>(box(3, 15.8));
+  std::vector<QuadBezier>& sides = bulging.loops[0].sides;
+  std::vector<QuadBezier> right;
+  glm::dvec2 at = sides[1].p0;
+  for (double y = 4; y < 28; ++y) {
+    const glm::dvec2 from{15.8, y + 0.1}, to{15.8, y + 0.9};
+    right.push_back(side(at, from));
+    right.push_back({from, {16.8, y + 0.5}, to});
+    at = to;
+  }
+  right.push_back(side(at, sides[1].p2));
+  sides.erase(sides.begin() + 1);
+  sides.insert(sides.begin() + 1, right.begin(), right.end());
+  return {bulging, box(16, 28)};
+}
+
+TEST(Sweep, WhatIsNotProvenIsDoubted) {
+  const std::vector<Shape> shapes = bulges_over_a_line();
+  Arranged a = arranged(shapes);
+  EXPECT_TRUE(a.sweep.doubts().empty());
+  EXPECT_EQ(a.sweep.stats().crossings, 48);
+  SweepProbe::never_halve(a.sweep);
+  a.sweep.run(a.outlines, 0, kSide, a.regions);
+  const auto doubts = a.sweep.doubts();
+  ASSERT_EQ(doubts.size(), 2u);  // in each band
+  EXPECT_EQ(doubts[0].top, 2);
+  EXPECT_EQ(doubts[0].bottom, 16);
+  EXPECT_EQ(doubts[1].bottom, 30);
+  for (const Doubt& d : doubts) {
+    EXPECT_NEAR(d.left, 15.8, 1e-6);
+    EXPECT_NEAR(d.right, 16.3, 1e-6);
   }
 }
 
-TEST(Sweep, AWrongOrderEndsWhereItsPieceEnds) {
-  Arranged a(with_a_jump(), 0, kSide);
-  for (const double y : {3.0, 5.5}) {
-    const auto row = a.row(y);
-    ASSERT_EQ(row.size(), 4u);
-    for (std::size_t k = 1; k < row.size(); ++k) EXPECT_EQ(row[k].left, row[k - 1].right);
+/// Every band alone, the lowest first, has the fragments that it has in the whole.
+TEST_P(EverySweep, BeginsAtAnyBandWithTheSameFragments) {
+  over_random_arrangements(200, [](Arranged& a, Random&) {
+    constexpr int kBands = 2;
+    static_assert(kBands * Sweep::kBandRows == int(kSide));
+    a.sweep.run_in_bands(a.outlines, 0, int(kSide), a.regions, kOrder);
+    for (int band = kBands - 1; band >= 0; --band) {
+      Sweep alone;
+      alone.run_in_bands(a.outlines, band * Sweep::kBandRows, (band + 1) * Sweep::kBandRows,
+                         a.regions, kOrder);
+      const auto own = alone.of_band(0), all = a.sweep.of_band(band);
+      ASSERT_EQ(own.size(), all.size()) << band;
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        ASSERT_EQ(own[i].piece, all[i].piece);
+        ASSERT_EQ(own[i].left, all[i].left);
+        ASSERT_EQ(own[i].right, all[i].right);
+        ASSERT_EQ(own[i].top, all[i].top);
+        ASSERT_EQ(own[i].bottom, all[i].bottom);
+      }
+    }
+  });
+}
+
+TEST(Sweep, BandsThatBeginAtVerticesBeginAsFromAbove) {
+  // Steps of a stair whose corners lie on the border of bands, level and vertical sides on it, copies, and fans.
+  const std::vector<Shape> shapes{
+      polygon({{2, 8}, {10, 8}, {10, 16}, {20, 16}, {20, 28}, {2, 28}}),
+      polygon({{4, 16}, {28, 16}, {28, 24}, {4, 24}}),
+      polygon({{4, 4}, {28, 4}, {28, 16}, {4, 16}}),
+      polygon({{4, 4}, {28, 4}, {28, 16}, {4, 16}}),
+      polygon({{16, 16}, {10, 2}, {12, 2}}),
+      polygon({{16, 16}, {20, 2}, {22, 2}}),
+      polygon({{16, 16}, {10, 30}, {12, 30}}),
+      polygon({{16, 16}, {20, 30}, {22, 30}}),
+  };
+  Arranged a = arranged(shapes);
+  a.sweep.run_in_bands(a.outlines, 0, int(kSide), a.regions, kOrder);
+  Sweep below;
+  below.run_in_bands(a.outlines, 16, int(kSide), a.regions, kOrder);
+  const auto own = below.of_band(0), all = a.sweep.of_band(1);
+  ASSERT_EQ(own.size(), all.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(own[i].piece, all[i].piece);
+    EXPECT_EQ(own[i].left, all[i].left);
+    EXPECT_EQ(own[i].right, all[i].right);
   }
-  for (double y = 0.5; y < kSide; ++y) EXPECT_EQ(a.shown({1e6, y}), 0) << y;
+  for (double y = 16.25; y < kSide; y += 0.5)
+    for (double x = 0.3; x < kSide; x += 0.5)
+      if (nearest_crossing(a.outlines, {x, y}) > 2 * kOrder) {
+        ASSERT_EQ(a.shown({x, y}), a.look_at({x, y})) << x << ", " << y;
+      }
 }
 
 TEST(Sweep, SweepingAnewForgetsAll) {

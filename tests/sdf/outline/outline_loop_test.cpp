@@ -24,8 +24,9 @@ TEST(OutlineLoop, CutsWhereXOrYTurns) {
   w.loop.close();
   w.loop.finish();
   EXPECT_EQ(w.outlines.pieces.size(), 3u);
-  EXPECT_EQ(w.outlines.vertices.size(), 3u);
-  EXPECT_EQ(w.outlines.vertices[1].y, 30);
+  ASSERT_EQ(w.outlines.chains.size(), 2u);  // the level side and half the curve, and its other half
+  EXPECT_EQ(w.outlines.pieces[std::size_t(w.outlines.chains[0].last)].y1, 30);
+  EXPECT_EQ(w.outlines.ends.size(), 2u);
   EXPECT_EQ(std::abs(winding(w.outlines, 0, {30, 20})), 1);
   EXPECT_EQ(winding(w.outlines, 0, {30, 31}), 0);
 }
@@ -42,8 +43,9 @@ TEST(OutlineLoop, KeepsWindingsWhereItCuts) {
     EXPECT_LT(w.outlines.pieces.size(), 12u);
     EXPECT_EQ(std::abs(winding(w.outlines, 0, {32, 49})), 1);
     EXPECT_EQ(winding(w.outlines, 0, {32, 51}), 0);
-    for (const OutlineVertex& v : w.outlines.vertices)
-      EXPECT_TRUE(v.x >= -2 && v.x <= 66 && v.y >= -2 && v.y <= 66);
+    for (const OutlinePiece& p : w.outlines.pieces)
+      for (const glm::dvec2 v : {glm::dvec2{p.x0, p.y0}, {p.x1, p.y1}})
+        EXPECT_TRUE(v.x >= -2 && v.x <= 66 && v.y >= -2 && v.y <= 66);
   }
 }
 
@@ -62,7 +64,8 @@ TEST(OutlineLoop, DropsWhatEnclosesNothingHere) {
   w.loop.close();
   w.loop.finish();
   EXPECT_TRUE(w.outlines.pieces.empty());
-  EXPECT_TRUE(w.outlines.vertices.empty());
+  EXPECT_TRUE(w.outlines.chains.empty());
+  EXPECT_TRUE(w.outlines.ends.empty());
 }
 
 TEST(OutlineLoop, OfWaysThereAndBackKeepsOneLine) {

@@ -21,11 +21,13 @@ namespace {
 /// The area that the loops wind around, by Green: exact for quadratic pieces.
 double area(const Outlines& o) {
   double sum = 0;
+  for (const OutlineEnd& e : o.ends)  // where the loop runs along a side
+    if (e.other < 0) sum += e.x * e.y * (e.begins ? -1 : 1) * o.chains[std::size_t(e.chain)].turn;
   for (const OutlinePiece& p : o.pieces) {
     // ∫ x dy = Σ over x = x0 + 2 ax t + bx t², dy = (2 ay + 2 by t) dt.
     const double along =
         p.x0 * (p.y1 - p.y0) + 2 * p.ax * (p.ay + 2 * p.by / 3) + 2 * p.bx * (p.ay / 3 + p.by / 4);
-    sum -= p.turn * along;
+    sum -= chain_of(o, p).turn * along;
   }
   return std::abs(sum);
 }

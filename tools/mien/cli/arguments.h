@@ -118,7 +118,8 @@ struct SetArguments {
 };
 
 struct ListArguments {
-  std::string face;
+  std::string face;                  ///< empty: none, only with `moves`
+  std::optional<std::string> moves;  ///< a standard name
 };
 
 }  // namespace mien::command

@@ -46,6 +46,11 @@ std::unique_ptr<CommandApp> command_app();
 /// Adds --seed WORD. An empty word is refused: it is mostly a shell's variable that was never set.
 void add_seed(CLI::App& command, std::optional<std::string>& to, const std::string& help);
 
+/// The command that was typed: "fit" of `mien pca fit`.
+const CLI::App& innermost_command(const CLI::App& app);
+/// Names of its commands, after commas.
+std::string command_list(const CLI::App& app);
+
 /// What was wrong with words that `app` could not read, in one sentence.
 std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong);
 

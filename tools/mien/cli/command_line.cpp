@@ -1,7 +1,5 @@
 #include "tools/mien/cli/command_line.h"
 #include <mien/version.h>
-#include "lib/base/nearest_name.h"
-#include "lib/base/one_line.h"
 #include "render/image/file_type.h"
 #include "tools/mien/cli/data_options.h"
 #include "tools/mien/cli/motion_options.h"
@@ -135,17 +133,6 @@ void add_work(CLI::App* to, RenderArguments& render) {
       ->type_name(std::string(kStats));
 }
 
-std::vector<std::string_view> names_of(const std::vector<std::string>& words) {
-  return {words.begin(), words.end()};
-}
-
-std::string command_list(const CLI::App& app) {
-  std::string text;
-  for (const CLI::App* command : visible_commands(app))
-    text += (text.empty() ? "" : ", ") + command->get_name();
-  return text;
-}
-
 void add_render(CLI::App& app, RenderArguments& to) {
   CLI::App* render = app.add_subcommand("render", "Draw a face into a picture");
   add_pose(render, to.posed);
@@ -176,7 +163,12 @@ void add_list(CLI::App& app, CommandApp& command) {
   CLI::App* list = app.add_subcommand(
       "list",
       "Print every name that --set takes, with unit, range and value; then poses and clips");
-  list->add_option("FACE", command.list.face, "Face file")->required()->type_name("");
+  CLI::Option* face = list->add_option("FACE", command.list.face, "Face file")->type_name("");
+  list->add_option(
+          "--moves", command.list.moves,
+          "Print what a standard name must do instead: of ARKit, FACS, VRM, visemes, Azure")
+      ->type_name("NAME")
+      ->excludes(face);
 }
 
 void add_set(CLI::App& app, SetArguments& to) {
@@ -206,47 +198,10 @@ void add_bench(CLI::App& app, CommandApp& command) {
   bench->add_flag("--json", command.bench.json, "Print JSON instead of a table");
 }
 
-/// The command that was typed: "fit" of `mien pca fit`.
-const CLI::App& innermost(const CLI::App& app) {
-  const CLI::App* at = &app;
-  while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
-  return *at;
-}
-
 /// What stands before a command's own name: "mien pca".
 std::string prefix_of(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
   return parent->get_parent() ? "mien " + parent->get_name() : "mien";
-}
-
-/// What `words` could not place, in one sentence: an unknown option or command, or one argument too
-/// many.
-std::string stray(const CLI::App& app) {
-  const CLI::App* at = &app;
-  for (bool deeper = true; deeper;) {
-    deeper = false;
-    for (const CLI::App* command : at->get_subcommands({}))
-      if (command->parsed()) at = command, deeper = true;
-  }
-  const std::vector<std::string> left = app.remaining(true);
-  if (left.empty()) return "arguments that mean nothing";
-  const std::string& word = left.front();
-  if (word.size() > 1 && word[0] == '-') {
-    std::vector<std::string> known;
-    for (const CLI::Option* option : visible_options(*at)) {
-      for (const std::string& name : option_words(*option)) known.push_back(name);
-    }
-    return unknown_name("option", word.substr(0, word.find('=')), names_of(known));
-  }
-  if (!visible_commands(*at).empty() && (at == &app || at->get_require_subcommand_min() > 0)) {
-    std::vector<std::string> known;
-    for (const CLI::App* command : visible_commands(*at)) known.push_back(command->get_name());
-    const std::string near(nearest_name(word, names_of(known)));
-    const std::string inside = at == &app ? "" : " " + spoken_name(*at);
-    return unknown_name("command", word, names_of(known)) +
-           (near.empty() ? "; mien" + inside + " -h helps" : "");
-  }
-  return spoken_name(*at) + ": one argument too many: " + in_quotes(word);
 }
 
 CommandLine chosen(CommandApp& command) {
@@ -277,20 +232,6 @@ CommandLine chosen(CommandApp& command) {
     return Help{completion(app, command.shell)};
   }
   return WrongUse{"a command is needed: " + command_list(app) + "; mien -h helps"};
-}
-
-/// CLI11's own messages in this command's style: after the name of the command they are about, in lower
-/// case.
-std::string retold(const CLI::App& app, const CLI::ParseError& wrong) {
-  std::string text = wrong.what();
-  const std::string option = text.substr(0, text.find(':'));
-  if (text.find("subcommand is required") != std::string::npos)
-    text = "one of its commands is needed: " + command_list(innermost(app));
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong)) {
-    text = option + (text.find("At Most") == std::string::npos ? " needs a value"
-                                                               : " may be given only once");
-  }
-  return app.get_subcommands().empty() ? text : spoken_name(innermost(app)) + ": " + text;
 }
 
 }  // namespace
@@ -324,11 +265,6 @@ std::vector<std::string> option_words(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) words.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) words.push_back("--" + name);
   return words;
-}
-
-std::string wrong_use(const CLI::App& app, const CLI::ParseError& wrong) {
-  // A mistyped option explains more than the argument that is missing because of it.
-  return app.remaining_size(true) > 0 ? stray(app) : retold(app, wrong);
 }
 
 namespace {
@@ -399,7 +335,8 @@ CommandLine read_command_line(int count, const char* const* words) {
     app.parse(count, words);
   } catch (const CLI::CallForHelp&) {
     const auto used = app.get_subcommands();
-    return Help{used.empty() ? app.help() : innermost(app).help(prefix_of(innermost(app)))};
+    return Help{used.empty() ? app.help()
+                             : innermost_command(app).help(prefix_of(innermost_command(app)))};
   } catch (const CLI::CallForVersion&) {
     return Help{"mien " MIEN_VERSION_STRING "\n"};
   } catch (const CLI::ParseError& wrong) {

@@ -5,6 +5,7 @@
 #include <mien/face_model.h>
 #include <mien/pose.h>
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/commands/list_moves.h"
 #include "tools/mien/commands/posed_face.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,9 @@ std::string clip_line(const FaceModel& model, Index<Clip> index) {
 }  // namespace
 
 int list_command(const ListArguments& arguments) {
+  if (arguments.moves) return list_moves(*arguments.moves);
+  if (arguments.face.empty())
+    return complain("list: a FACE is needed, or --moves NAME", kUsedWrongly);
   const auto face = read_face_or_report(arguments.face);
   if (!face) return kFailed;
   const std::vector<SettableName> names = settable_names(*face);

@@ -12,12 +12,15 @@
 namespace mien {
 namespace {
 
-constexpr std::array<NonsenseCheck, 19> kNonsenseChecks{{
+constexpr std::array<NonsenseCheck, 22> kNonsenseChecks{{
     {"lids_meet", "shut lids leave no opening"},
     {"pupil_in_opening", "a quarter of the pupil is seen at least, unless lids are nearly shut"},
     {"eye_in_head", "the opening of an eye is within the head"},
     {"eyes_apart", "there is room for a nose between the eyes"},
     {"mouth_in_head", "the lips are within the head"},
+    {"lips_close", "shut lips are one curve on any jaw and keep about the area they have at rest"},
+    {"teeth_touch", "of F and V the lower lip touches the upper teeth"},
+    {"chin_follows", "the chin goes down with the jaw"},
     {"lip_below_nose", "the upper lip is below the nose"},
     {"brow_above_lid", "brows do not lie on the lids, but for anger and disgust"},
     {"brow_seen", "two thirds of a brow are seen at least, not under hair or cloth"},
@@ -132,6 +135,7 @@ void NonsenseTest::look(const RestSight& rest, const Face& posed, const Nonsense
   check_eyes(sight);
   if (pose.blink != 1) {  // lids alone have moved since the same pose with open eyes
     check_mouth(sight);
+    check_speech(sight);
     check_brows(sight);
     check_glasses(sight);
     check_beard(sight);

@@ -23,6 +23,7 @@ struct Looked {
   PoseWords words;
   int directions;  ///< of the head beside the front: 8, 4, 2
   bool half_shut;
+  bool speaks = false;  ///< looked at from the front alone, with open eyes
 };
 
 class PoseList {
@@ -38,6 +39,7 @@ class PoseList {
   std::vector<NonsensePose> all() {
     for (const Looked& look : looks()) {
       add(look.words, 0, 0, 0);
+      if (look.speaks) continue;
       if (look.half_shut) add(look.words, 0.5, 0, 0);
       add(look.words, 1, 0, 0);
       for (const int yaw : {-1, 0, 1})
@@ -82,7 +84,23 @@ class PoseList {
     for (const Expression& expression : model_.expressions)
       if (expression.name.starts_with("arkit.") || expression.name.starts_with("viseme."))
         looks.push_back({{{expression.name, 1.0}}, 2, false});
+    add_speech(looks);
     return looks;
+  }
+
+  /// Lips that shut on an open jaw, and the sounds that need lips: alone and in every mood.
+  static void add_speech(std::vector<Looked>& looks) {
+    for (const std::string_view mood :
+         {"", "joy", "sadness", "anger", "disgust", "fear", "surprise"}) {
+      const auto look = [&](PoseWords words) {
+        if (!mood.empty()) words.insert(words.begin(), {fmt::format("emotion.{}", mood), 1.0});
+        looks.push_back({std::move(words), 0, false, true});
+      };
+      for (const double jaw : {0.2, 0.6, 1.0})
+        look({{"arkit.jawOpen", jaw}, {"arkit.mouthClose", jaw}});
+      for (const char* sound : {"viseme.PP", "viseme.FF"})
+        if (!mood.empty()) look({{sound, 1.0}});
+    }
   }
 
   void add(PoseWords words, double blink, double yaw, double pitch) {
@@ -97,6 +115,10 @@ class PoseList {
     for (const PoseWord& word : words) {
       if (word.control.starts_with("arkit.") || word.control.starts_with("viseme."))
         pose.moves_head = false;
+      pose.lips_shut =
+          pose.lips_shut || word.control == "arkit.mouthClose" || word.control == "viseme.PP";
+      pose.bites = pose.bites || word.control == "viseme.FF";
+      if (word.control == "arkit.jawOpen") pose.jaw = word.value;
       const int control = find(word.control);
       if (control < 0) return;
       pose.pose.settings.push_back({true, control, {word.value}});

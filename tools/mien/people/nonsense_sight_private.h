@@ -103,6 +103,7 @@ inline constexpr std::array<std::string_view, 2> kSideNames{"left", "right"};
 
 void check_eyes(NonsenseSight& sight);
 void check_mouth(NonsenseSight& sight);
+void check_speech(NonsenseSight& sight);  // lips that close, teeth, the chin
 void check_brows(NonsenseSight& sight);
 void check_hair(NonsenseSight& sight);
 void check_ears(NonsenseSight& sight);

@@ -1,8 +1,13 @@
 #include "lib/rig/muscle/pulls.h"
 
+#include <mien/face_file.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <stdexcept>
 
 #include "tests/support/faces.h"
 
@@ -80,6 +85,64 @@ TEST(MusclePulls, ComeFromStandardNamesToo) {
   EXPECT_DOUBLE_EQ(face.pull("zygomaticus", Side::right), 0.5);
   face.set("vrm.happy", 1);
   EXPECT_EQ(face.pull("zygomaticus", Side::right), 1);
+}
+
+/// A face with two controls and these expressions of VRM.
+Face vrm_face(const std::string& expressions) {
+  return read_face_text(
+             R"({"format": "mien-face", "format_version": 1, "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"},
+"palette": {"skin": "#f7db9c"}, "background": "skin", "features": [],
+"controls": [{"name": "a", "range": [0, 9], "rest": 0}, {"name": "b", "range": [0, 9], "rest": 0}],
+"expressions": {"vrm": {)" +
+             expressions + "}}}")
+      .value();
+}
+
+/// What expressions make of the controls a and b.
+std::array<double, 2> moved(const Face& face,
+                            const std::vector<std::pair<std::string, double>>& strengths) {
+  std::vector<double> values(face.model->channels.size());
+  const auto channel = [&](const std::string& name) -> double& {
+    for (const Control& c : face.model->controls)
+      if (c.name == name) return values[std::size_t(c.channels[0].at)];
+    throw std::runtime_error(name);
+  };
+  for (const auto& [name, value] : strengths) channel("vrm." + name) = value;
+  settle_expressions(*face.model, values);
+  move_channels(*face.model, values);
+  return {channel("a"), channel("b")};
+}
+
+using Pair = std::array<double, 2>;
+
+TEST(MoveChannels, IsBinaryWhereAFileSaysSo) {
+  const Face face = vrm_face(R"("happy": {"a": 2, "isBinary": true}, "sad": {"b": 1})");
+  EXPECT_EQ(moved(face, {{"happy", 0.5}, {"sad", 0.5}}), (Pair{0, 0.5}));
+  EXPECT_EQ(moved(face, {{"happy", 0.51}}), (Pair{2, 0}));
+}
+
+TEST(MoveChannels, OverridesByTheLawsOfVrm) {
+  const Face face = vrm_face(
+      R"("happy": {"overrideMouth": "blend"}, "sad": {"overrideBlink": "block"}, "angry": {"overrideMouth": "none"},
+         "aa": {"a": 1, "overrideMouth": "block"}, "blink": {"b": 1})");
+  EXPECT_EQ(moved(face, {{"aa", 1}, {"blink", 1}, {"angry", 1}}), (Pair{1, 1}));
+  EXPECT_EQ(moved(face, {{"aa", 1}, {"blink", 1}, {"happy", 0.25}}), (Pair{0.75, 1}));
+  EXPECT_EQ(moved(face, {{"aa", 1}, {"blink", 1}, {"sad", 0.1}}), (Pair{1, 0}));
+}
+
+TEST(MoveChannels, DividesByAnotherExpression) {
+  const Face face = vrm_face(R"("happy": {"a": {"amount": 1, "per": "sad"}}, "sad": {"b": 1})");
+  EXPECT_EQ(moved(face, {{"happy", 0.25}, {"sad", 0.5}}), (Pair{0.5, 0.5}));
+  EXPECT_EQ(moved(face, {{"happy", 0.75}, {"sad", 0.5}}), (Pair{1, 0.5}));
+  EXPECT_DOUBLE_EQ(moved(face, {{"happy", 0.001}})[0], 0.01);
+}
+
+TEST(MoveChannels, JoinsWhatAMouthDoes) {
+  Face face = vrm_face(R"("happy": {"a": 0.5}, "sad": {"a": 0.5})");
+  EXPECT_EQ(moved(face, {{"happy", 1}, {"sad", 1}})[0], 1);
+  auto model = std::make_shared<FaceModel>(*face.model);
+  model->channels[0].joins = true;
+  EXPECT_EQ(moved({model, face.vector}, {{"happy", 1}, {"sad", 1}})[0], 0.75);
 }
 
 }  // namespace

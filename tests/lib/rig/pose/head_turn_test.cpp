@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "tests/support/posing.h"
@@ -133,6 +135,32 @@ TEST(Turn, APlateTurnsAsOneRigidBody) {
     EXPECT_GT(glm::length(d + f - 2.0 * e), 0.02);
     EXPECT_NEAR(turn.plate_foreshortening().x, std::cos(yaw * 3.14159265358979 / 180), 1e-12);
   }
+}
+
+/// Everything but clothes and neck grows about the pivot by the same share, lengths too, on a turned head as well.
+TEST(Turn, AHeadThatComesNearerGrows) {
+  const Face face = sample_face("faces/toon");
+  for (const char* yaw : {"yaw=0", "yaw=-20"})
+    for (const double nearer : {0.1, -0.08}) {
+      const Face before = face_at(face, {yaw}),
+                 after = face_at(face, {yaw, fmt::format("nearer={}", nearer)});
+      const glm::dvec2 pivot{face.model->turn.pivot};
+      int points = 0, lengths = 0;
+      for (const TurnedSlice& turned : face.model->turn.slices) {
+        const Slice& slice = face.model->layout[turned.slice];
+        const std::vector<double> a = slice_of(before, slice.name), b = slice_of(after, slice.name);
+        const bool point = slice.kind == SliceKind::point;
+        if (!point && slice.kind != SliceKind::length) continue;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+          const double zero = point ? pivot[int(i)] : 0;
+          ASSERT_NEAR(b[i] - zero, (1 + nearer) * (a[i] - zero), 1e-12) << slice.name;
+        }
+        ++(point ? points : lengths);
+      }
+      EXPECT_GT(points, 200);
+      EXPECT_GT(lengths, 40);
+      EXPECT_EQ(point_of(after, "neck/points/0"), point_of(before, "neck/points/0"));
+    }
 }
 
 TEST(Turn, ReadsPlates) {

@@ -40,11 +40,12 @@ TEST(LitSurface, KnowsTheGradientOfItsDistance) {
   }
 }
 
-/// A table whose only layer has that relief, 100 px a unit.
-std::unique_ptr<PaintTable> table_of(const Relief& relief) {
+/// A table whose only layer has that relief, 100 px a unit; the layer is its area, or everywhere.
+std::unique_ptr<PaintTable> table_of(const Relief& relief, bool own = true) {
   SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
-  build.shape(Disc{{0, 0}, 0.5});  // area 0
-  build.layer("layer", build.everywhere(), {.color = {1, 1, 1, 1}, .relief = shared(relief)});
+  const Area disc = build.shape(Disc{{0, 0}, 0.5});  // area 0
+  build.layer("layer", own ? disc : build.everywhere(),
+              {.color = {1, 1, 1, 1}, .relief = shared(relief)});
   auto table = std::make_unique<PaintTable>();
   table->make(std::move(build).finish(), {.width = 200, .height = 200}, Depth::u8);
   return table;
@@ -62,6 +63,9 @@ TEST(LitSurface, RisesAsItsProfileSays) {
   EXPECT_EQ(rise_at(*bevel, 10.01), 0);
   EXPECT_NEAR(rise_at(*bevel, -0.005), 0.5, 1e-15);  // a rounding beyond the outline
   EXPECT_EQ(rise_at(*bevel, -1), 0);
+  const auto beside =
+      table_of({.area = {0}, .profile = Profile::bevel, .width = 0.1, .height = 0.05}, false);
+  EXPECT_EQ(rise_at(*beside, -0.005), 0);  // the layer goes on there
   const auto round =
       table_of({.area = {0}, .profile = Profile::round, .width = 0.1, .height = 0.1});
   for (const double x : {0.5, 2.0, 9.0}) {  // the slope of its own height

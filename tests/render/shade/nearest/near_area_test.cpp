@@ -58,15 +58,6 @@ TEST(NearArea, DistancesAreTheAreasOwn) {
   });
 }
 
-bool in_a_smooth_square(const LightTile& tile, int i, int j) {
-  for (int level = 0; level < LightTile::kLevels; ++level) {
-    const int side = LightTile::kSide >> level;
-    const auto square = std::size_t(LightTile::square(level, i / side, j / side));
-    if (tile.state[square] == LightTile::State::smooth) return true;
-  }
-  return false;
-}
-
 /// How far means over every fifth pixel are from those of many places, rising: in smooth squares, and in others.
 struct MeansOff {
   std::vector<double> smooth, other;
@@ -84,7 +75,7 @@ struct MeansOff {
       for (int q = 0; q < kPlaces * kPlaces; ++q)
         sum += area.at(glm::dvec2{16 + i, 16 + j} +
                        (glm::dvec2{q % kPlaces, q / kPlaces} + 0.5) / double(kPlaces));
-      (in_a_smooth_square(tile, i, j) ? smooth : other)
+      (test::in_a_smooth_square(tile, i, j) ? smooth : other)
           .push_back(std::abs(double(tile.mean[0][std::size_t(p)]) - sum / (kPlaces * kPlaces)));
     }
   }
