@@ -25,8 +25,17 @@ struct DistancePlanes::Tile {
   bool crowded = false;
   NearArea near;
   std::vector<NearBranches> branches;  ///< by leaf: of the tile, of each block, of a pixel
-  std::array<bool, kBlocks> known{};
-  std::array<BranchPair, kBlocks> seen;
+  /// The distances and gradients at its pixels' middles, row by row, and then at their 5 × 5 corners.
+  struct Block {
+    static constexpr int kCorners = kBlock * kBlock, kPlaces = 48;
+    bool known = false;
+    BranchPair::Values seen[kPlaces / BranchPair::kPlaces];
+
+    double d(int k) const { return double(seen[k / 16].d[k % 16]); }
+    double nx(int k) const { return double(seen[k / 16].nx[k % 16]); }
+    double ny(int k) const { return double(seen[k / 16].ny[k % 16]); }
+  };
+  std::array<Block, kBlocks> blocks;
 
   NearBranches* branches_of(int square) {
     return branches.data() + std::size_t(square) * near.leaf_count();
@@ -54,6 +63,24 @@ void EnterDistanceTile(NearArea& near, float side, NearBranches* to) {
   EnterSquare(near, nullptr, 0.0f, 0.0f, kHalfDiagonal * side, to);
 }
 
+/// A block of 4 × 4 pixels around (x, y).
+void SeeBlock(NearArea& near, const NearBranches* from, NearBranches* own, glm::vec2 middle,
+              BranchPair::Values* to) {
+  constexpr float kWidth = 4.0f;
+  EnterSquare(near, from, middle.x, middle.y, kHalfDiagonal * kWidth, own);
+  BranchPair pair;
+  alignas(64) float x[16], y[16];
+  for (int k = 0; k < 48; k += 16) {
+    for (int i = 0; i < 16; ++i) {
+      const int n = HWY_MIN(k + i - 16, 24);  // the last corner fills up the last sixteen
+      x[i] = middle.x + (k == 0 ? float(i % 4) - 1.5f : float(n % 5) - 2.0f);
+      y[i] = middle.y + (k == 0 ? float(i / 4) - 1.5f : float(n / 5) - 2.0f);
+    }
+    LookAround(near, own, middle.x, middle.y, x, y, pair);
+    *to++ = pair.best;
+  }
+}
+
 /// Places of a square of so many cells each way, seen from its middle at (cx, cy), sixteen at a time.
 void SeeSquare(NearArea& near, const NearBranches* from, NearBranches* own, glm::vec2 middle,
                float width, const PartCells& cells, BranchPair* to) {
@@ -74,6 +101,7 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(EnterDistanceTile);
+HWY_EXPORT(SeeBlock);
 HWY_EXPORT(SeeSquare);
 }  // namespace batch
 
@@ -112,15 +140,43 @@ RampPlane plane_of(const BranchPair& at, std::size_t k, double side, double& jum
   return plane;
 }
 
+/// What a cell sees from its middle.
+struct Cell {
+  const BranchPair& pair;
+  int k;
+
+  double d() const { return double(pair.best.d[k]); }
+  double nx() const { return double(pair.best.nx[k]); }
+  double ny() const { return double(pair.best.ny[k]); }
+
+  /// By how much the gradient turns along the level line from there to another; 0 where a ridge is near.
+  double turn(const Cell& to, double side) const {
+    if (double(std::min(pair.off[k], to.pair.off[to.k])) < side) return 0.0;
+    return nx() * (to.ny() - ny()) - ny() * (to.nx() - nx());
+  }
+
+  /// The distance at another place: beyond the ridge by the branch that takes over there.
+  double foretold(double dx, double dy, double bend) const {
+    if (double(pair.ex[k]) * dx + double(pair.ey[k]) * dy > double(pair.off[k]))
+      return double(pair.beyond.d[k]) + double(pair.beyond.nx[k]) * dx +
+             double(pair.beyond.ny[k]) * dy;
+    const double along = nx() * dy - ny() * dx;
+    return d() + nx() * dx + ny() * dy + 0.5 * bend * along * along;
+  }
+};
+
 /// The quadratic around a pixel's middle.
 struct Bowl {
-  double d, nx, ny, bend;
+  double d, nx, ny, xx = 0, xy = 0, yy = 0;
 
-  RampPlane cell(double x, double y, double side) const {
-    const double along = bend * (nx * y - ny * x);
-    return {d + nx * x + ny * y + 0.5 * along * (nx * y - ny * x) + bend * side * side / 24.0,
-            nx - along * ny, ny + along * nx};
+  double at(double x, double y) const {
+    return d + x * (nx + 0.5 * xx * x) + y * (ny + 0.5 * yy * y) + xy * x * y;
   }
+  RampPlane cell(double x, double y, double side) const {
+    return {at(x, y) + (xx + yy) * side * side / 24.0, nx + xx * x + xy * y, ny + xy * x + yy * y};
+  }
+  /// By how much level lines bend.
+  double bend() const { return ny * (xx * ny - xy * nx) + nx * (yy * nx - xy * ny); }
 };
 
 }  // namespace
@@ -157,7 +213,7 @@ DistancePlanes::Tile& DistancePlanes::tile(const FeetArea& area, int x, int y, i
   t.near.narrow(area, glm::dvec2{left, top} + 0.5 * side, 0.75 * side);
   t.crowded = t.near.crowded();
   if (t.crowded) return t;
-  t.known.fill(false);
+  for (Tile::Block& block : t.blocks) block.known = false;
   t.branches.resize((Tile::kBlocks + 2) * t.near.leaf_count());
   MIEN_DISPATCH(EnterDistanceTile)(t.near, float(side), t.branches.data());
   return t;
@@ -169,43 +225,45 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, double allo
   if (t->crowded) t = &tile(area, x, y, Tile::kBlock);
   if (t->crowded) return 0;
   const int b = t->block(x, y);
-  BranchPair& at = t->seen[std::size_t(b)];
+  Tile::Block& block = t->blocks[std::size_t(b)];
   constexpr int kBlock = Tile::kBlock;
-  if (!std::exchange(t->known[std::size_t(b)], true)) MIEN_DISPATCH(SeeSquare)
+  if (!std::exchange(block.known, true)) MIEN_DISPATCH(SeeBlock)
   (t->near, t->branches.data(), t->branches_of(1 + b),
    t->from_middle((x & ~(kBlock - 1)) + 0.5 * kBlock, (y & ~(kBlock - 1)) + 0.5 * kBlock),
-   float(kBlock), whole_cells(kBlock), &at);
-  // [px] Pixels beside a nearer ridge are not on one side of it, or those beside them are not.
-  constexpr double kBeside = 1.1;
+   block.seen);
   const int i = x & (kBlock - 1), j = y & (kBlock - 1), k = j * kBlock + i;
-  if (!(double(at.off[k]) > kBeside)) return cells(*t, x, y, side, allowed, to);
-  Bowl bowl{double(at.best.d[k]), double(at.best.nx[k]), double(at.best.ny[k]), 0.0};
-  const auto turn = [&](int low, int high, double along_x, double along_y) {
-    return (along_x * double(at.best.nx[high] - at.best.nx[low]) +
-            along_y * double(at.best.ny[high] - at.best.ny[low])) /
-           (high - low < kBlock ? high - low : (high - low) / kBlock);
+  Bowl bowl{block.d(k), block.nx(k), block.ny(k)};
+  const auto corner = [&](int right, int below) {
+    return Tile::Block::kCorners + (j + below) * (kBlock + 1) + i + right;
   };
-  const int left = k - (i > 0), right = k + (i < kBlock - 1), up = j > 0 ? k - kBlock : k,
-            down = j < kBlock - 1 ? k + kBlock : k;
-  bowl.bend =
-      -bowl.ny * turn(left, right, -bowl.ny, bowl.nx) + bowl.nx * turn(up, down, -bowl.ny, bowl.nx);
-  // [1/px] Of level lines that bend more, terms of third degree count.
-  constexpr double kBowl = 0.3;
+  for (int n = 0; n < 4; ++n) {
+    const int c = corner(n % 2, n / 2);
+    const double right = n % 2 ? 0.5 : -0.5, below = n / 2 ? 0.5 : -0.5;
+    bowl.xx += right * block.nx(c), bowl.yy += below * block.ny(c);
+    bowl.xy += 0.5 * (right * block.ny(c) + below * block.nx(c));
+  }
+  // A ridge anywhere in the pixel has a place beyond it, as corners are places.
+  constexpr double kRidge = 0.3;  // of what is allowed
+  double off = 0.0;
+  for (int n = 0; n < 4; ++n)
+    off =
+        std::max(off, std::abs(bowl.at(n % 2 - 0.5, n / 2 - 0.5) - block.d(corner(n % 2, n / 2))));
   int finer = side;
-  while (0.05 * std::abs(bowl.bend) > allowed * finer * finer) finer *= 2;
-  if (std::abs(bowl.bend) > kBowl || finer > 4 * side) return cells(*t, x, y, side, allowed, to);
+  while (0.1 * std::abs(bowl.bend()) > allowed * finer * finer) finer *= 2;
+  if (!(off <= kRidge * allowed) || finer > std::max(4, side))
+    return cells(*t, x, y, side, allowed, to);
   const PartCells& whole = whole_cells(finer);
   for (std::size_t n = 0; n < std::size_t(whole.count()); ++n)
     to.push_back(bowl.cell(double(whole.x[n]), double(whole.y[n]), 1.0 / finer));
   return finer;
 }
 
-/// In cells so small that what they neglect does not show: of a gradient that turns or jumps within a cell no more than
-/// the mean distance is known.
+/// In cells so small that what they neglect does not show: each foretells its neighbours' distances, and what that is
+/// off by is neglected; of a gradient that turns or jumps within a cell no more than the mean distance is known.
 int DistancePlanes::cells(Tile& t, int x, int y, int side, double allowed,
                           std::vector<RampPlane>& to) {
-  // [px] Of a cell, by its side: what turns leave of soft ramps, and of sudden ones; what jumps leave.
-  constexpr double kTurn = 0.02, kBend = 0.1, kJump = 0.03;
+  // [px] Of a cell, by its side: what turns and jumps leave; of what its neighbours were foretold to be.
+  constexpr double kBend = 0.1, kJump = 0.03, kForetold = 0.3;
   const std::size_t before = to.size();
   for (side = std::max(side, 4);; side *= 2) {
     const double cell = 1.0 / side;
@@ -215,25 +273,29 @@ int DistancePlanes::cells(Tile& t, int x, int y, int side, double allowed,
      t.from_middle(x + 0.5, y + 0.5), 1.0f, whole_cells(side), seen_.data());
     to.resize(before);
     double off = 0.0;
-    // By how much the gradient turns along the level line from one cell to another; 0 where a ridge is near.
-    const auto turn = [&](int k, int n) {
-      const BranchPair &a = seen_[std::size_t(k / 16)], &b = seen_[std::size_t(n / 16)];
-      if (double(std::min(a.off[k % 16], b.off[n % 16])) < cell) return 0.0;
-      const BranchPair::Values &u = a.best, &v = b.best;
-      return double(u.nx[k % 16] * (v.ny[n % 16] - u.ny[k % 16]) -
-                    u.ny[k % 16] * (v.nx[n % 16] - u.nx[k % 16]));
-    };
     for (int k = 0; k < side * side; ++k) {
+      const Cell at{seen_[std::size_t(k / 16)], k % 16};
       double jump = 0.0;
-      RampPlane p = plane_of(seen_[std::size_t(k / 16)], std::size_t(k % 16), cell, jump);
-      const int by_x = k % side > 0 ? -1 : 1, by_y = k >= side ? -side : side;
-      const double bend = p.gx * turn(k, k + by_y) * (by_y > 0 ? 1.0 : -1.0) -
-                          p.gy * turn(k, k + by_x) * by_x;  // times the cell's side
-      p.t += bend * cell / 24.0;
+      RampPlane p = plane_of(at.pair, std::size_t(at.k), cell, jump);
+      const auto cell_at = [&](int n) { return Cell{seen_[std::size_t(n / 16)], n % 16}; };
+      const int column = k % side, row = k / side;
+      const int by_x = column > 0 ? -1 : 1, by_y = row > 0 ? -1 : 1;
+      const double bend = (at.nx() * at.turn(cell_at(k + by_y * side), cell) * by_y -
+                           at.ny() * at.turn(cell_at(k + by_x), cell) * by_x) /
+                          cell;
+      p.t += bend * cell * cell / 24.0;
       to.push_back(p);
-      off += std::abs(bend) * (kTurn * std::abs(bend) + kBend * cell) + kJump * jump * jump;
+      double wrong = 0.0;
+      const auto foretell = [&](int n, double dx, double dy) {
+        wrong = std::max(wrong, std::abs(at.foretold(dx, dy, bend) - cell_at(n).d()));
+      };
+      if (column > 0) foretell(k - 1, -cell, 0.0);
+      if (column + 1 < side) foretell(k + 1, cell, 0.0);
+      if (row > 0) foretell(k - side, 0.0, -cell);
+      if (row + 1 < side) foretell(k + side, 0.0, cell);
+      off += kForetold * wrong + kBend * std::abs(bend) * cell * cell + kJump * jump * jump * cell;
     }
-    if (side == PartCells::kMostSide || off * cell * cell * cell <= allowed) return side;
+    if (side == PartCells::kMostSide || off * cell * cell <= allowed) return side;
   }
 }
 

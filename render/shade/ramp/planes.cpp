@@ -52,7 +52,7 @@ int RampPlanes::add(const VariedPaint& varied, const LitPaint* lit, int x, int y
   if (field.kind == PaintField::Kind::distance) {
     const std::size_t before = to.size();
     const int made = distances_.of(lit->gradient_area(), x, y, side, allowed(varied), to);
-    if (made == 0) scratch.crowded().push_back(x), to.resize(before + std::size_t(side * side));
+    if (made == 0) scratch.doubts().push_back({x, 1.0f}), to.resize(before + std::size_t(side * side));
     for (std::size_t k = before; k < to.size(); ++k)
       to[k] = ramp.scaled({field.at({}, to[k].t), field.scale * to[k].gx, field.scale * to[k].gy});
     return std::max(made, side);
