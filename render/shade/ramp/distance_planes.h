@@ -1,10 +1,10 @@
 #pragma once
-// How a distance varies over a pixel: what 4 × 4 pixels see at their middles at once. Where no ridge is near, distance,
-// gradient and bend there tell planes for as many cells as are asked for; elsewhere a pixel is looked at in cells, each
-// with the mean that a ridge through it leaves.
+// How a distance varies over a pixel: what 4 × 4 pixels see at their middles and corners at once. Where a pixel's
+// quadratic holds at its corners, it tells planes for as many cells as are asked for; elsewhere a pixel is looked at in
+// cells, each with the mean that a ridge through it leaves.
 
 #include "render/shade/nearest/near_area.h"
-#include "render/shade/ramp/integral.h"
+#include "render/shade/ramp/softness.h"
 
 #include <memory>
 #include <vector>
@@ -23,8 +23,9 @@ class DistancePlanes {
   void begin();
 
   /// Writes the planes of a pixel, row by row, in side × side cells or a multiple of that; returns the side. A cell's t
-  /// is the distance's mean over it, within `allowed` px of what shows. 0: there are too many branches.
-  int of(const FeetArea& area, int x, int y, int side, double allowed, std::vector<RampPlane>& to);
+  /// is the distance's mean over it, as exact as the ramp wants it. 0: there are too many branches.
+  int of(const FeetArea& area, int x, int y, int side, const RampSoftness& ramp,
+         std::vector<RampPlane>& to);
 
   /// The feet that were looked for since they were last taken.
   long long take_feet();
@@ -32,7 +33,8 @@ class DistancePlanes {
  private:
   struct Tile;
   Tile& tile(const FeetArea& area, int x, int y, int side);
-  int cells(Tile& tile, int x, int y, int side, double allowed, std::vector<RampPlane>& to);
+  int cells(Tile& tile, int x, int y, int side, const RampSoftness& ramp,
+            std::vector<RampPlane>& to);
 
   std::vector<std::unique_ptr<Tile>> tiles_;  ///< by place and area
   std::vector<BranchPair> seen_;              ///< by sixteen cells

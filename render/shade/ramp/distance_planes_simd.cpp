@@ -140,6 +140,22 @@ RampPlane plane_of(const BranchPair& at, std::size_t k, double side, double& jum
   return plane;
 }
 
+/// [px, of a cell a pixel wide] What a level line that bends by 1/px leaves, where the ramp's slope turns by so much.
+/// All around a mean that is right: 0.1 of a jump, and 0.03 of what slopes turn by.
+double bend_share(double turns) {
+  return std::min(0.1, 0.03 * turns);
+}
+
+/// [px, of a cell a pixel wide] What a jump of the gradient leaves: a plane between both slopes has another spread about
+/// the mean. Where level lines run along the ridge it has none at all, and a kink there is off by jump / 32; else by the
+/// difference of variances, jump² / 384, over how steep both are along the ridge. Half as much again is for slanting
+/// cells.
+double jump_share(double jump, double turns) {
+  if (jump == 0.0) return 0.0;
+  const double along = std::sqrt(std::max(1.0 - 0.25 * jump * jump, 0.0)), own = std::abs(jump);
+  return std::min(0.047, 0.004 * own / std::max(along, 1e-3)) * own * turns;
+}
+
 /// What a cell sees from its middle.
 struct Cell {
   const BranchPair& pair;
@@ -219,7 +235,7 @@ DistancePlanes::Tile& DistancePlanes::tile(const FeetArea& area, int x, int y, i
   return t;
 }
 
-int DistancePlanes::of(const FeetArea& area, int x, int y, int side, double allowed,
+int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampSoftness& ramp,
                        std::vector<RampPlane>& to) {
   Tile* t = &tile(area, x, y, Tile::kSide);
   if (t->crowded) t = &tile(area, x, y, Tile::kBlock);
@@ -249,9 +265,10 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, double allo
     off =
         std::max(off, std::abs(bowl.at(n % 2 - 0.5, n / 2 - 0.5) - block.d(corner(n % 2, n / 2))));
   int finer = side;
-  while (0.1 * std::abs(bowl.bend()) > allowed * finer * finer) finer *= 2;
-  if (!(off <= kRidge * allowed) || finer > std::max(4, side))
-    return cells(*t, x, y, side, allowed, to);
+  const double bends = bend_share(ramp.turns(bowl.d, 0.75)) * std::abs(bowl.bend());
+  while (bends > ramp.allowed() * finer * finer) finer *= 2;
+  if (!(off <= kRidge * ramp.allowed()) || finer > std::max(4, side))
+    return cells(*t, x, y, side, ramp, to);
   const PartCells& whole = whole_cells(finer);
   for (std::size_t n = 0; n < std::size_t(whole.count()); ++n)
     to.push_back(bowl.cell(double(whole.x[n]), double(whole.y[n]), 1.0 / finer));
@@ -260,10 +277,10 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, double allo
 
 /// In cells so small that what they neglect does not show: each foretells its neighbours' distances, and what that is
 /// off by is neglected; of a gradient that turns or jumps within a cell no more than the mean distance is known.
-int DistancePlanes::cells(Tile& t, int x, int y, int side, double allowed,
+int DistancePlanes::cells(Tile& t, int x, int y, int side, const RampSoftness& ramp,
                           std::vector<RampPlane>& to) {
-  // [px] Of a cell, by its side: what turns and jumps leave; of what its neighbours were foretold to be.
-  constexpr double kBend = 0.1, kJump = 0.03, kForetold = 0.3;
+  constexpr double kForetold =
+      0.3;  // of what its neighbours are not as foretold, a cell's mean is off
   const std::size_t before = to.size();
   for (side = std::max(side, 4);; side *= 2) {
     const double cell = 1.0 / side;
@@ -293,9 +310,12 @@ int DistancePlanes::cells(Tile& t, int x, int y, int side, double allowed,
       if (column + 1 < side) foretell(k + 1, cell, 0.0);
       if (row > 0) foretell(k - side, 0.0, -cell);
       if (row + 1 < side) foretell(k + side, 0.0, cell);
-      off += kForetold * wrong + kBend * std::abs(bend) * cell * cell + kJump * jump * jump * cell;
+      off += kForetold * wrong;
+      if (bend == 0.0 && jump == 0.0) continue;
+      const double turns = ramp.turns(p.t, 0.75 * cell);
+      off += bend_share(turns) * std::abs(bend) * cell * cell + jump_share(jump, turns) * cell;
     }
-    if (side == PartCells::kMostSide || off * cell * cell <= allowed) return side;
+    if (side == PartCells::kMostSide || off * cell * cell <= ramp.allowed()) return side;
   }
 }
 

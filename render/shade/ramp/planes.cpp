@@ -35,13 +35,11 @@ float RampPlanes::excess_of(const VariedPaint& varied) {
   return excesses_[0];
 }
 
-/// [px] What distances may be off by: that shifts the ramp, which may be soft.
-double RampPlanes::allowed(const VariedPaint& varied) {
-  if (std::exchange(allowed_of_, &varied) == &varied) return allowed_;
-  const RampIntegral& ramp = *varied.integral;
+const RampSoftness& RampPlanes::softness(const VariedPaint& varied) {
+  if (std::exchange(softness_of_, &varied) == &varied) return softness_;
   bends_.assign(1, 1.0f);
-  const double soft = std::min(1.0, ramp.steepest() * varied.paint.field.per_pixel / ramp.range());
-  return allowed_ = BendRule::kLeft / std::sqrt(double(excess_of(varied))) / std::max(soft, 1e-6);
+  softness_.make(varied, BendRule::kLeft / std::sqrt(double(excess_of(varied))));
+  return softness_;
 }
 
 /// By as few cells as keep what level lines bend below the tolerance, whatever colour there is.
@@ -51,8 +49,9 @@ int RampPlanes::add(const VariedPaint& varied, const LitPaint* lit, int x, int y
   const RampIntegral& ramp = *varied.integral;
   if (field.kind == PaintField::Kind::distance) {
     const std::size_t before = to.size();
-    const int made = distances_.of(lit->gradient_area(), x, y, side, allowed(varied), to);
-    if (made == 0) scratch.doubts().push_back({x, 1.0f}), to.resize(before + std::size_t(side * side));
+    const int made = distances_.of(lit->gradient_area(), x, y, side, softness(varied), to);
+    if (made == 0)
+      scratch.doubts().push_back({x, 1.0f}), to.resize(before + std::size_t(side * side));
     for (std::size_t k = before; k < to.size(); ++k)
       to[k] = ramp.scaled({field.at({}, to[k].t), field.scale * to[k].gx, field.scale * to[k].gy});
     return std::max(made, side);

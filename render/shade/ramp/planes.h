@@ -12,7 +12,7 @@ namespace mien {
 class RampPlanes {
  public:
   /// Forgets what it knows of a picture.
-  void begin() { distances_.begin(), allowed_of_ = nullptr; }
+  void begin() { distances_.begin(), softness_of_ = nullptr; }
 
   /// The feet of distances that were looked for since they were last taken.
   long long take_feet() { return distances_.take_feet(); }
@@ -27,11 +27,11 @@ class RampPlanes {
 
  private:
   float excess_of(const VariedPaint& varied);
-  double allowed(const VariedPaint& varied);
+  const RampSoftness& softness(const VariedPaint& varied);
 
   DistancePlanes distances_;
-  const VariedPaint* allowed_of_ = nullptr;
-  double allowed_ = 0;
+  const VariedPaint* softness_of_ = nullptr;
+  RampSoftness softness_;
   RampBoxes boxes_;
   RadialPlaces places_;
   std::vector<RampPlane> cells_;
