@@ -11,8 +11,8 @@ constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden 
 // Of one ramp in a picture: means by its integral cost less than more outlines than that. They cost next to nothing
 // along a line, more where level lines bend, and most under light.
 constexpr int kMostStraight = 8, kMostBent = 40, kMostAlong = 3, kMostLit = 96;
-constexpr double kSoft =
-    0.9;  // [1/px] steeper ramps along a distance have outlines, as cells would not do for two
+// [1/px] Steeper ramps along a distance have outlines, as cells would not do for two.
+constexpr double kSoft = 0.9;
 constexpr double kEven = 1e4;  // periods across a pixel, whose mean then is theirs to within 1e-4
 
 }  // namespace

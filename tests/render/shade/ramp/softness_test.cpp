@@ -15,7 +15,7 @@ RampSoftness soft(Extend extend, const std::vector<Stop>& stops) {
               {.color = {0, 0, 0, 1},
                .gradient = shared(Gradient{DistanceGradient{line, 0, 2}, stops, extend})});
   PaintTable table;
-  table.make(std::move(build).finish(), {.width = 20, .height = 20, .blend = Blend::srgb},
+  table.make(std::move(build).finish(), {.width = 20, .height = 20, .blend = Blend::linear},
              Depth::u8);
   VariedPaint varied = table.varied.at(0);
   varied.integral.emplace().make(*varied.paint.ramp);
