@@ -2,8 +2,10 @@
 //
 // A frame of mien is pose, scene and draw into a warm RGBA8 buffer, mixed as encoded, as Cairo
 // mixes; a frame of Cairo is clear and every figure, paths built anew, into a warm surface of the
-// same kind of memory. The floor is the faster of filling that buffer with ordinary and with
-// streaming stores. Every round takes each once; medians of the rounds are told, and their ratios.
+// same kind of memory. That Cairo has ready what mien's frame makes, the posed scene and the
+// outlines of tapered strokes, is told: "equal work" adds mien's time for these to Cairo's. The
+// floor is the faster of filling that buffer with ordinary and with streaming stores. Every round
+// takes each once; medians of the rounds are told, and their ratios.
 // Frames are cold: two faces in a row have no point or length in common (Subject::face). Cairo
 // remembers nothing, so it draws the same scene each time. Exit 1 if the pictures are not of the
 // same thing.

@@ -19,6 +19,10 @@ constexpr std::string_view kHelp =
 Whole frames beside Cairo and beside the floor, in turns in one process: medians and ratios.
 Scenes: A seed0, B male, C toon, D bruno, E clay, F bruno without reliefs, all of faces/compat/.
 
+Cairo is given two things that mien's frame makes: the posed scene, and the outlines of tapered
+strokes, fitted by mien to 1/100 px. "given" is the time in which mien makes them, and "equal work"
+is the frame beside Cairo's time and that one; "frame/Cairo" leaves it out.
+
 Frames are cold: each is of a face whose points and lengths are all a hundred-thousandth smaller
 than in the frame before, so nothing made for one is of use for the next, and the renderer keeps no
 rows. `mien bench` does so, too. --reuse alone looks at what a renderer keeps.

@@ -1,7 +1,7 @@
 #include "bench/whole/peer_drawing.h"
 
 #include "lib/picture/srgb.h"
-#include "sdf/outline/outline_maker.h"
+#include "render/shade/paint_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,29 +126,44 @@ PathSteps ellipse_path(const Ellipse& s) {
   return path;
 }
 
-/// Its outline as fitted by mien, to 1/100 px. Nothing where it has no width.
+/// [px] How far outlines that mien fits for a peer may be off.
+constexpr double kFitted = 0.01;
+
+/// Its outline as fitted by mien. Nothing where it has no width.
 PathSteps tapered_path(const TaperedStroke& s) {
   PathSteps path;
   constexpr double kFar = 1e6;  // [px] nothing is cut
   Outlines outlines;
   OutlineMaker maker;
-  maker.begin({{}, {{-kFar, -kFar}, {kFar, kFar}}, 0.01}, outlines);
+  maker.begin({{}, {{-kFar, -kFar}, {kFar, kFar}}, kFitted}, outlines);
   maker.fill(s);
   maker.finish();
-  std::vector<char> taken(outlines.pieces.size(), 0);
-  for (std::size_t first = 0; first < outlines.vertices.size(); ++first) {
-    std::size_t at = first;
-    if (taken[std::size_t(outlines.vertices[at].out)]) continue;
-    move(path, {outlines.vertices[at].x, outlines.vertices[at].y});
-    do {
-      const int next = outlines.vertices[at].out;
-      const OutlinePiece& piece = outlines.pieces[std::size_t(next)];
-      taken[std::size_t(next)] = 1;
-      const std::size_t to = std::size_t(std::size_t(piece.top) == at ? piece.bottom : piece.top);
-      const OutlineVertex &a = outlines.vertices[at], &b = outlines.vertices[to];
-      quad(path, {{a.x, a.y}, {piece.x0 + piece.ax, piece.y0 + piece.ay}, {b.x, b.y}});
-      at = to;
-    } while (at != first);
+  // Down one chain, up the one that ends where it does, and down the one that begins where that does.
+  std::vector<int> above(outlines.chains.size()), below = above;
+  for (const OutlineEnd& e : outlines.ends) {
+    std::vector<int>& with = e.begins ? above : below;
+    with[std::size_t(e.chain)] = e.other, with[std::size_t(e.other)] = e.chain;
+  }
+  std::vector<char> taken(outlines.chains.size(), 0);
+  for (std::size_t first = 0; first < outlines.chains.size(); ++first) {
+    if (taken[first] || outlines.chains[first].turn < 0) continue;
+    const OutlinePiece& begin = outlines.pieces[std::size_t(outlines.chains[first].first)];
+    move(path, {begin.x0, begin.y0});
+    for (std::size_t down = first; !taken[down];) {
+      taken[down] = 1;
+      const OutlineChain& there = outlines.chains[down];
+      for (int i = there.first; i <= there.last; ++i) {
+        const OutlinePiece& p = outlines.pieces[std::size_t(i)];
+        quad(path, {{p.x0, p.y0}, {p.x0 + p.ax, p.y0 + p.ay}, {p.x1, p.y1}});
+      }
+      const std::size_t up = std::size_t(below[down]);
+      const OutlineChain& back = outlines.chains[up];
+      for (int i = back.last; i >= back.first; --i) {
+        const OutlinePiece& p = outlines.pieces[std::size_t(i)];
+        quad(path, {{p.x1, p.y1}, {p.x0 + p.ax, p.y0 + p.ay}, {p.x0, p.y0}});
+      }
+      down = std::size_t(above[up]);
+    }
     close(path);
   }
   return path;
@@ -291,6 +306,14 @@ std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, st
     why = refusal.why;
     return {};
   }
+}
+
+void GivenOutlines::fit(const Scene& scene, const View& view) {
+  const Box2 window{{0.0, 0.0}, {view.width, view.height}};
+  maker_.begin({grid_from_face(scene.canvas(), view), window, kFitted}, outlines_);
+  for (const Shape& shape : scene.shapes())
+    if (std::holds_alternative<TaperedStroke>(shape)) maker_.fill(shape);
+  maker_.finish();
 }
 
 }  // namespace mien::bench

@@ -4,6 +4,7 @@
 
 #include <mien/scene.h>
 #include <mien/view.h>
+#include "sdf/outline/outline_maker.h"
 
 #include <cstdint>
 #include <optional>
@@ -50,5 +51,16 @@ struct PeerDrawing {
 /// Nothing if the scene has something that fills and strokes of paths cannot say; `why` says what.
 /// Domes (a lid's bulge) are left out: the peer draws no light.
 std::optional<PeerDrawing> peer_drawing(const Scene& scene, const View& view, std::string& why);
+
+/// What a peer has for nothing besides the posed scene: the outlines of its tapered strokes, as near as peer_drawing has
+/// them. Keeps its scratch.
+class GivenOutlines {
+ public:
+  void fit(const Scene& scene, const View& view);
+
+ private:
+  Outlines outlines_;
+  OutlineMaker maker_;
+};
 
 }  // namespace mien::bench

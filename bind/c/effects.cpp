@@ -118,12 +118,19 @@ mien_status mien_render_with_effects(mien_renderer* renderer, const mien_scene* 
                                      mien_error** error) {
   return pass("mien_render_with_effects", error, [&] {
     need(renderer, "renderer"), need(scene, "scene");
-    const auto& all = need(effects, "effects").all;
+    const auto& asked = need(effects, "effects").all;
     const mien::View seen = view_of(view);
     const mien::PixelRect rect = mien::drawn_rect(seen);
     const mien::PixelBuffer buffer = buffer_of(pixels, rect.width, rect.height);
-    check_possible(all, seen.width);
-    renderer->last = {};
+    check_possible(asked, seen.width);
+    const auto all = mien::acting_effects(asked, seen.width);
+    mien::RenderStats& stats = renderer->last = {};
+    if (all.empty()) {
+      const auto done =
+          renderer->renderer.render_into(buffer, scene->scene, seen, options_of(options), &stats);
+      if (!done) fail(done.error(), stats.cancelled);
+      return;
+    }
     DrawnRows rows(*renderer, scene->scene, seen, options_of(options), rect.y + rect.height);
     mien::EffectChain chain(all, seen.width, seen.height,
                             [&](float* row) { return rows.next(row); });

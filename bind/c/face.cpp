@@ -1,9 +1,9 @@
 // Faces, their names and numbers.
 
-#include <mien/clip_length.h>
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
+#include <mien/motion_length.h>
 #include <mien/version.h>
 #include "bind/c/door_private.h"
 #include "bind/c/handles_private.h"
@@ -136,7 +136,7 @@ const char* mien_face_clip_name(const mien_face* face, int32_t index) {
 
 double mien_face_clip_length(const mien_face* face, int32_t index) {
   if (index < 0 || index >= mien_face_clip_count(face)) return 0;
-  return mien::clip_length(face->face.model->clips[std::size_t(index)]);
+  return mien::motion_length(face->face.model->clips[std::size_t(index)]);
 }
 
 int32_t mien_face_vector_size(const mien_face* face) {

@@ -1,15 +1,18 @@
 #pragma once
 // What the handles of the C interface hold.
 
+#include <mien/bound_motion.h>
 #include <mien/effect.h>
 #include <mien/npy_basis.h>
 #include <mien/piece_drawer.h>
 #include <mien/poser.h>
 #include <mien/renderer.h>
 #include <mien/scene.h>
+#include <mien/steady_frames.h>
 #include "bind/c/mien_c.h"
 
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -58,11 +61,32 @@ struct mien_pose {
     return poser_->pose(pose);
   }
 
+  /// A motion for this face. The few that were asked for last are kept, since animations ask again for every frame.
+  std::shared_ptr<const mien::Motion> bound(const std::shared_ptr<const mien::Motion>& motion) {
+    for (const auto& [of, done] : bound_)
+      if (of == motion) return done;
+    constexpr std::size_t kMostBound = 4;
+    if (bound_.size() == kMostBound) bound_.erase(bound_.begin());
+    bound_.emplace_back(motion, mien::bind_motion(*motion, face).motion);
+    return bound_.back().second;
+  }
+
   /// What the muscles pull after posed().
   std::span<const double> pulls() const { return poser_->pulls(); }
 
  private:
   std::optional<mien::Poser> poser_;
+  using Shared = std::shared_ptr<const mien::Motion>;
+  std::vector<std::pair<Shared, Shared>> bound_;
+};
+
+struct mien_motion {
+  std::shared_ptr<const mien::Motion> motion;
+  std::vector<std::string> told;
+};
+
+struct mien_steadier {
+  mien::SteadyFrames frames;
 };
 
 struct mien_scene {

@@ -101,6 +101,8 @@ typedef struct mien_renderer
 typedef struct mien_pieces mien_pieces;   /* one picture that is drawn piece by piece */
 typedef struct mien_effects mien_effects; /* what is done to a finished picture */
 typedef struct mien_basis mien_basis;     /* the principal components of an animation */
+typedef struct mien_motion mien_motion;   /* a take of an actor or a track of speech */
+typedef struct mien_steadier mien_steadier; /* a filter for frames that come live */
 
 /* ---- Version ---------------------------------------------------------------------------------- */
 
@@ -426,6 +428,27 @@ MIEN_C_API mien_status mien_pose_express(mien_pose* pose, const char* set, size_
 MIEN_C_API mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t length,
                                       mien_error** error);
 
+/* Plays a motion, on top of clips and motions before it: `weight` of the way to its values, its own time 0 at `begin` [s]. As
+ * with clips, nothing runs without a time, and the face's default clip runs only where nothing else does. Talking is
+ * mien_pose_time and this, for every picture. The motion may be freed afterwards. */
+MIEN_C_API mien_status mien_pose_motion(mien_pose* pose, const mien_motion* motion, double weight,
+                                        double begin, mien_error** error);
+
+/* Holds what a camera saw in one frame: JSON of ARKit's shapes, or a result of MediaPipe, as for mien_motion_read_text. What
+ * is out of range is clamped; what the face does not have is left out. No time is needed. */
+MIEN_C_API mien_status mien_pose_follow(mien_pose* pose, const char* frame, size_t length,
+                                        mien_error** error);
+
+/* The same for frames that come live, one face's after the other at their moments [s], so that it does not tremble: each
+ * number goes through a 1-euro filter (docs/motion.md). `cutoff` [Hz] is above 0, lower is quieter; `beta` is 0 or above,
+ * higher is less late where much moves; 1 and 2 are a beginning. After a second without frames it begins again. */
+MIEN_C_API mien_status mien_steadier_new(double cutoff, double beta, mien_steadier** out,
+                                         mien_error** error);
+MIEN_C_API void mien_steadier_free(mien_steadier* steadier);
+MIEN_C_API mien_status mien_pose_follow_steadily(mien_pose* pose, mien_steadier* steadier,
+                                                 double seconds, const char* frame, size_t length,
+                                                 mien_error** error);
+
 /* A word instead of the face's own code, recipe or text, for what clips draw by personal chance: the same word, the same
  * blinks and glances. An empty word is refused. */
 MIEN_C_API mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t length,
@@ -446,6 +469,32 @@ MIEN_C_API mien_status mien_pose_unwrap(mien_pose* pose, double share, int32_t m
 /* The posed face's numbers. `count` is mien_face_vector_size. */
 MIEN_C_API mien_status mien_pose_vector(mien_pose* pose, double* values, int32_t count,
                                         mien_error** error);
+
+/* ---- Motions ----------------------------------------------------------------------------------- */
+
+/* Reads a take of an actor or a track of speech, whatever program wrote it (docs/motion.md). */
+MIEN_C_API mien_status mien_motion_read(const char* path, size_t path_length, mien_motion** out,
+                                        mien_error** error);
+MIEN_C_API mien_status mien_motion_read_text(const char* text, size_t length, const char* name,
+                                             size_t name_length, mien_motion** out,
+                                             mien_error** error);
+MIEN_C_API void mien_motion_free(mien_motion* motion);
+
+/* [s] Until its last moment. */
+MIEN_C_API double mien_motion_length(const mien_motion* motion);
+
+/* The controls that it moves, by name ("arkit.jawOpen", "viseme.aa", "yaw"), and their values at a moment [s]. */
+MIEN_C_API int32_t mien_motion_channel_count(const mien_motion* motion);
+MIEN_C_API const char* mien_motion_channel_name(const mien_motion* motion, int32_t index);
+MIEN_C_API double mien_motion_value(const mien_motion* motion, int32_t index, double seconds);
+
+/* What was odd in its file: values that were clamped, rows without a face, names that mean nothing. */
+MIEN_C_API mien_status mien_motion_told(const mien_motion* motion, mien_texts** out,
+                                        mien_error** error);
+
+/* The names of what moves in it and not in the face. */
+MIEN_C_API mien_status mien_motion_unfollowed(const mien_motion* motion, const mien_face* face,
+                                              mien_texts** out, mien_error** error);
 
 /* ---- Scenes ------------------------------------------------------------------------------------ */
 
@@ -655,7 +704,8 @@ MIEN_C_API int32_t mien_effects_count(const mien_effects* effects);
 
 /* mien_render, and then the effects, before colours are rounded to the pixels' depth. A region has the bytes of
  * the whole picture with effects, which is drawn down to the region's last row, in strips. MIEN_REFUSED: more
- * tiles or cells than pixels across, lines wider than cells. */
+ * tiles or cells than pixels across, lines wider than cells. Without effects that change the picture it is
+ * mien_render's. */
 MIEN_C_API mien_status mien_render_with_effects(mien_renderer* renderer, const mien_scene* scene,
                                                 const mien_view* view, const mien_effects* effects,
                                                 const mien_pixels* pixels,

@@ -86,7 +86,7 @@ mien_status mien_pose_express(mien_pose* pose, const char* set, size_t set_lengt
 mien_status mien_pose_clip(mien_pose* pose, const char* text, size_t length, mien_error** error) {
   return pass("mien_pose_clip", error, [&] {
     const mien::Face& face = need(pose, "pose").face;
-    pose->pose.clips.push_back(
+    pose->pose.motions.push_back(
         must(mien::read_clip_layer(face, text_of(text, length, "text")), MIEN_REFUSED));
   });
 }

@@ -1,4 +1,4 @@
-import type { Pose } from './mien.js';
+import type { Frame, Pose } from './mien.js';
 
 /** What `refused` tells: a place and a sentence. */
 export interface Refused {
@@ -38,6 +38,14 @@ export class MienFace extends HTMLElement {
   set lookAt(point: string | [number, number, number] | null | undefined);
   get clip(): string | null;
   set clip(clips: string | string[] | null | undefined);
+  get viseme(): string | null;
+  set viseme(weights: string | Record<string, number> | null | undefined);
+  get speech(): string | null;
+  set speech(address: string | null | undefined);
+  get sound(): string | null;
+  set sound(id: string | null | undefined);
+  get steady(): string | null;
+  set steady(filter: string | [number, number] | true | null | undefined);
   get time(): string | null;
   set time(seconds: number | string | null | undefined);
   get playing(): boolean;
@@ -53,6 +61,8 @@ export class MienFace extends HTMLElement {
   /** A pose of more than attributes can say; attributes come on top. */
   get pose(): Pose;
   set pose(pose: Pose | null | undefined);
+  speak(track: string | null, time?: number): void;
+  follow(frame: Frame | null): void;
   redraw(): void;
 }
 

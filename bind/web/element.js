@@ -6,9 +6,14 @@
 //   emotion   "joy=0.8, left.surprise=0.3"     set       "gaze.x=0.04; palette/skin=#ffd94a"
 //   muscle    "jaw=0.3, left.zygomaticus=1"    blink     0 to 1; without a number 1
 //   look-at   "0.5, 0.3, 9": a point           clip      "idle" (several: "idle, feelings=0.5")
+//   viseme    "aa=0.7": a mouth's shape        speech    the address of a track of speech or of a take: the face says it
+//   sound     the id of the <audio> or <video> whose moment `speech` follows; none: it follows `time`, or as it plays
+//   steady    frames of follow() do not tremble; "1, 2": the filter's cutoff [Hz] and beta
 //   playing   clips run; without it the face is at rest, or at `time` seconds
 //   blend     "linear" (default) or "srgb"     background  "#rrggbb", "#rrggbbaa"; none: the face's own
 //   label     what a screen reader says        deadline  the most milliseconds that a picture may take (10000)
+//
+// It talks and follows a camera by methods, too: face.speak(textOfATrack, audio.currentTime), face.follow(resultOfMediaPipe).
 //
 // Each is a property, too: `face.emotion = 'joy=1'` or `{ joy: 1 }`, `face.lookAt = [0, 0, 9]`, `face.faceStyle = 'ink'`; null
 // takes it away. Events: `drawn` (detail.ms), once the picture is on the screen, and `refused` (detail.where, detail.what: an
@@ -16,14 +21,16 @@
 //
 // Drawn is what is seen: first pictures of faces in view, then those of faces less than half a view away from it. Nothing is
 // drawn farther away, in a hidden element or in a page in the background. Clips run only in view, and not at all for people
-// who want less motion (prefers-reduced-motion): they see the face at rest, or at `time`.
+// who want less motion (prefers-reduced-motion): they see the face at rest, or at `time`. With a sound it speaks to everybody.
 
 import { forget, leave, wait } from './drawing_queue.js';
 
-const ATTRIBUTES = ['src', 'code', 'seed', 'face-style', 'width', 'height', 'emotion', 'muscle', 'set', 'blink', 'look-at', 'clip', 'time', 'playing', 'blend', 'background', 'label', 'deadline'];
+const ATTRIBUTES = ['src', 'code', 'seed', 'face-style', 'width', 'height', 'emotion', 'muscle', 'set', 'blink', 'look-at', 'clip', 'viseme', 'speech', 'sound', 'steady', 'time', 'playing', 'blend', 'background', 'label', 'deadline'];
 const SOURCES = ['src', 'code', 'seed', 'face-style'];
 const STYLE = `:host { display: inline-block } :host([hidden]) { display: none } canvas { display: block; max-width: 100% } canvas[hidden] { display: none }
   p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
+/** When a sound has another moment. */
+const MOMENTS = ['play', 'pause', 'seeked', 'ended'];
 const INSIDE = '<canvas part="canvas" role="img"></canvas><p part="refused" role="status"></p>';
 
 /** What is there only in pages; servers import this file, too. */
@@ -87,7 +94,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = ATTRIBUTES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
   number = 0; inView = false; isNear = false;
-  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {};
+  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
     super();
@@ -101,6 +108,8 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     this.#upgrade();
     this.#describe();
     this.#open();
+    this.#hear();
+    this.#learn();
     for (const seen of [page.inView, page.near]) seen.observe(this);
     page.stillness.addEventListener('change', this.#redrawn);
   }
@@ -111,18 +120,27 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
       page.stillness.removeEventListener('change', this.#redrawn);
       forget(this);
       this.number = 0, this.inView = this.isNear = false, this.#lane = this.#worker = this.#asked = null;
+      this.#hear();
     });
   }
   // Attributes are told before an element is connected: until then there is nothing to draw on.
   attributeChangedCallback(name) {
     if (!this.number) return;
     if (name === 'label') return this.#describe();
+    if (name === 'sound') return this.#hear();
+    if (name === 'speech') return void this.#learn();
     SOURCES.includes(name) ? this.#open() : this.redraw();
   }
 
   /** A pose of more than attributes can say, as Face.draw takes it (mien.js); attributes come on top. */
   set pose(pose) { this.#extra = pose ?? {}, this.redraw(); }
   get pose() { return this.#extra; }
+
+  /** The face at a moment of a track of speech or of a take [s]. `track` is the text of its file, of any kind that mien reads; a
+   *  page asks again for every moment, such as its audio's currentTime. null: no longer. */
+  speak(track, time) { this.#live = track === null ? {} : { motions: [track], time }, this.redraw(); }
+  /** The face as a camera saw an actor's: { jawOpen: 0.4 }, or a result of MediaPipe's FaceLandmarker. null: no longer. */
+  follow(frame) { this.#live = frame === null ? {} : { frame: JSON.stringify(frame), at: performance.now() / 1000 }, this.redraw(); }
 
   /** Draws once more. However often it is asked for, the next picture is that of the newest pose. */
   redraw() {
@@ -200,6 +218,27 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     }
     if (source === this.#source && this.number) this.queue();
   }
+  /** The track of `speech`, from its file. */
+  async #learn() {
+    const src = this.getAttribute('speech'), track = src === null ? null : { src };
+    this.#track = track;
+    if (!track) return this.redraw();
+    try {
+      track.text = await textOf(src);
+      if (track === this.#track) this.redraw();
+    } catch (error) {
+      if (track === this.#track && this.number) this.#refuse(src, error.message);
+    }
+  }
+  /** Follows the sound of `sound`, and no other. */
+  #hear() {
+    for (const moment of MOMENTS) this.#sound?.removeEventListener(moment, this.#redrawn);
+    const id = this.number ? this.getAttribute('sound') : null;
+    this.#sound = id === null ? null : this.getRootNode().getElementById?.(id) ?? null;
+    for (const moment of MOMENTS) this.#sound?.addEventListener(moment, this.#redrawn);
+    if (id !== null && !this.#sound) this.#refuse('sound', `nothing here has the id "${id}"`);
+    this.redraw();
+  }
   #size() {
     const dots = globalThis.devicePixelRatio || 1, [width, height] = ['width', 'height'].map((name) => Number.parseFloat(this.getAttribute(name) ?? 320));
     this.#canvas.style.width = `${width}px`;
@@ -208,14 +247,15 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     if (!this.#drawn) Object.assign(this.#canvas, size);  // a picture of another size stays until the next is there
     return size;
   }
+  get #speaks() { return this.number !== 0 && this.#track?.text !== undefined && this.#sound?.paused === false; }
   get #plays() { return this.number !== 0 && this.hasAttribute('playing') && !page.stillness.matches; }
-  /** The next frame of clips that run. */
+  /** The next frame of what runs. */
   #play() {
-    if (this.#framed || !this.#plays) return;
+    if (this.#framed || !(this.#plays || this.#speaks)) return;
     this.#framed = true;
     requestAnimationFrame(() => {
       this.#framed = false;
-      if (this.#plays && !this.#lane && !this.#asked) this.#lane = 'playing', this.queue();
+      if ((this.#plays || this.#speaks) && !this.#lane && !this.#asked) this.#lane = 'playing', this.queue();
     });
   }
   #pose() {
@@ -223,13 +263,20 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     for (const name of ['blend', 'background']) if (said(name) !== null) pose[name] = said(name);
     if (said('look-at') !== null) pose.lookAt = said('look-at').split(',').map((one) => (one.trim() ? Number(one) : NaN));
     const blink = said('blink') === null ? {} : { blink: said('blink') || '1' };
-    for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])
+    for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['visemes', pairs(said('viseme'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])
       if (Object.keys(more).length) pose[key] = { ...pose[key], ...more };
     const clips = words(said('clip'));
     if (clips.length) pose.clips = [...(pose.clips ?? []), ...clips];
-    if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
+    if (this.#track?.text !== undefined) pose.motions = [...(pose.motions ?? []), this.#track.text];
+    if (this.#track?.text !== undefined && this.#sound) pose.time = this.#sound.currentTime;
+    else if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
     else if (said('time') !== null) pose.time = Number(said('time') || NaN);
-    return pose;
+    const { at, ...live } = this.#live;
+    if (at !== undefined && said('steady') !== null) {
+      const [cutoff, beta] = words(said('steady')).map(Number);
+      live.steady = { at, cutoff, beta };
+    }
+    return { ...pose, ...live };
   }
   #show({ pixels, width, height, ms }) {
     this.#canvas.hidden = false, this.#said.textContent = '', this.#drawn = true;

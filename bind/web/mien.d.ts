@@ -15,12 +15,27 @@ export interface Pose {
   visemes?: Record<string, number | string>;
   azure?: Record<string, number | string>;
   clips?: string[];
+  motions?: (Motion | string | { motion: Motion | string; weight?: number; begin?: number })[];
+  frame?: Frame;
+  steady?: { at: number; cutoff?: number; beta?: number };
   seed?: string | number;
   liveliness?: number;
   lookAt?: [number, number, number];
   blend?: 'linear' | 'srgb';
   fit?: 'meet' | 'slice';
   background?: string | [number, number, number, number];
+}
+
+/** What a camera saw: shapes by name, a result of MediaPipe's FaceLandmarker, or JSON of either. */
+export type Frame = string | object;
+
+export class Motion {
+  private constructor();
+  readonly length: number;
+  readonly channels: string[];
+  readonly told: string[];
+  value(channel: string, time: number): number;
+  free(): void;
 }
 
 export interface Name {
@@ -60,6 +75,9 @@ export class Face {
   strips(width: number, height: number, pose?: Pose, most?: number): Generator<{ y: number; rows: number; pixels: Uint8ClampedArray }>;
   svg(width: number, height: number, pose?: Pose, how?: { tolerance?: number; idPrefix?: string; deadline?: number; progress?: (done: number) => boolean | void }): { text: string; simplified: string[] };
   vector(pose?: Pose): number[];
+  speak(width: number, height: number, track: Motion | string, time: number, pose?: Pose): Uint8ClampedArray;
+  follow(width: number, height: number, frame: Frame, pose?: Pose): Uint8ClampedArray;
+  unfollowed(motion: Motion): string[];
   featureAt(x: number, y: number): string | null;
   fromPixel(x: number, y: number): [number, number];
   toPixel(x: number, y: number): [number, number];
@@ -70,6 +88,7 @@ export class Mien {
   private constructor();
   readonly version: string;
   face(text: string, name?: string): Face;
+  motion(text: string, name?: string): Motion;
   textWith(text: string, set: NonNullable<Pose['set']>, name?: string): { text: string; left: string[] };
   inFull(text: string, name?: string): string;
   pointers(text: string, name?: string): Record<string, string>;

@@ -20,6 +20,7 @@ const PIXELS = { bytes: 20, data: 8, size: 12, stride: 16 };
 const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, begin: 16, name: 24, unit: 28, lo: 32, hi: 40 };
 const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
 const MOST_DESKS = 8;
+const MOST_MOTIONS = 8;
 const NODE_FILES = 'node:fs/promises';  // under a name, so that bundlers for pages do not look for it
 
 /** Whether this system runs mien: WebAssembly with 128-bit lanes. */
@@ -45,7 +46,7 @@ export async function load(source = new URL('./mien.wasm', import.meta.url)) {
 }
 
 export class Mien {
-  #m; #slot; #desks = new Map();
+  #m; #slot; #desks = new Map(); #motions = new Map();
   constructor(memory) { this.#m = memory, this.#slot = memory.take(16); }
 
   /** Refuses keys that are not among the names, in a sentence with the nearest; `what` they are. */
@@ -115,6 +116,17 @@ export class Mien {
     this.#m.withText(word, (t, n) => this.done('mien_seed_from_word', t, n, this.#slot));
     const seed = this.#m.view.getBigUint64(this.#slot, true);
     return this.#m.withText(code, (t, n) => this.texts('mien_code_near', t, n, by, seed)[0]);
+  }
+  /** A take or a track of speech from the text of its file, whatever program wrote it. */
+  motion(text, name = 'motion') {
+    return new Motion(this, this.#m, this.#m.withText(text, (t, n) => this.#m.withText(name, (w, k) => this.made('mien_motion_read_text', t, n, w, k))));
+  }
+  /** The motion of a text that poses say again and again; those said last stay read. For this file. */
+  motionSaid(text) {
+    const known = this.#motions.get(text) ?? this.motion(text);
+    this.#motions.delete(text), this.#motions.set(text, known);
+    for (const [old, motion] of this.#motions) if (this.#motions.size > MOST_MOTIONS) motion.free(), this.#motions.delete(old);
+    return known;
   }
   /** What recipes choose from: { families: [{ name, parts }], numbers: [{ name,
    *  lo, hi, rest }], styles }. "none" is first among the parts of families that a face may do without. */
@@ -200,9 +212,33 @@ class Desk {
   }
 }
 
+/** A take of an actor, or a track of speech: numbers by name over time. */
+export class Motion {
+  #mien; #m;
+  /** For this file. */
+  handle;
+  constructor(mien, memory, handle) { this.#mien = mien, this.#m = memory, this.handle = handle; }
+  /** [s] Until its last moment. */
+  get length() { return this.#m.exports.mien_motion_length(this.handle); }
+  /** The controls that it moves: 'arkit.jawOpen', 'viseme.aa', 'yaw'. */
+  get channels() {
+    const { exports } = this.#m;
+    return Array.from({ length: exports.mien_motion_channel_count(this.handle) }, (_, i) => this.#m.text(exports.mien_motion_channel_name(this.handle, i)));
+  }
+  /** What was odd in its text, a sentence each. */
+  get told() { return this.#mien.texts('mien_motion_told', this.handle); }
+  /** The value of a channel at a moment [s]. */
+  value(channel, time) { return this.#m.exports.mien_motion_value(this.handle, this.channels.indexOf(channel), time); }
+  /** Gives back its memory; nothing is asked of it afterwards. */
+  free() {
+    this.#m.exports.mien_motion_free(this.handle);
+    this.handle = 0;
+  }
+}
+
 /** A face, its pose, and how it was seen last. */
 export class Face {
-  #mien; #m; #face; #pose; #view; #pixels; #drew = false; #seen = false;
+  #mien; #m; #face; #pose; #view; #pixels; #drew = false; #seen = false; #steady = null;
   constructor(mien, memory, face) {
     this.#mien = mien, this.#m = memory, this.#face = face;
     this.#pose = mien.made('mien_pose_new', face);
@@ -267,6 +303,10 @@ export class Face {
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
    *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes, azure
    *    pose.clips     ['idle', 'feelings=0.5']
+   *    pose.motions   [mien.motion(text)] or [text]: takes and speech, or { motion, weight, begin }, on top of clips, at
+   *                   pose.time
+   *    pose.frame     what a camera saw: { jawOpen: 0.4 }, a result of MediaPipe's FaceLandmarker, or its JSON
+   *    pose.steady    { at }, the frame's moment in seconds: frames that come live, kept quiet; { at, cutoff: 1, beta: 2 } (docs/motion.md)
    *    pose.seed      a word instead of the face's own code, recipe or text, for blinks and glances by chance
    *    pose.liveliness  0 to 2: how far clips move the face; 1 (default) as they say, 0 not at all
    *    pose.lookAt    [x, y, z]
@@ -351,10 +391,21 @@ export class Face {
     } finally { this.#m.exports.free(at); }
   }
 
+  /** The face at a moment of a track of speech or of a take, [s], such as an audio's currentTime; `pose` as for draw. */
+  speak(width, height, track, time, pose = {}) {
+    return this.draw(width, height, { clips: this.clips.slice(0, 1), ...pose, time, motions: [track] });
+  }
+  /** The face as a camera saw an actor's: ARKit's shapes by name, or a result of MediaPipe's FaceLandmarker. */
+  follow(width, height, frame, pose = {}) { return this.draw(width, height, { ...pose, frame }); }
+  /** The names of what moves in a motion and not in this face. */
+  unfollowed(motion) { return this.#mien.texts('mien_motion_unfollowed', motion.handle, this.#face); }
+
   /** Gives back the face's memory; nothing is asked of it afterwards. */
   free() {
     const { exports } = this.#m;
     this.#mien.leave(this);
+    exports.mien_steadier_free(this.#steady?.handle ?? 0);
+    this.#steady = null;
     exports.mien_pose_free(this.#pose), exports.mien_face_free(this.#face);
     for (const at of [this.#view, this.#pixels]) exports.free(at);
     this.#pose = this.#face = this.#view = this.#pixels = 0;
@@ -367,6 +418,12 @@ export class Face {
     this.#mien.done('mien_pose_clear', this.#pose);
     if (pose.time !== undefined && pose.time !== null) this.#mien.done('mien_pose_time', this.#pose, pose.time);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
+    for (const one of pose.motions ?? []) {
+      const { motion, weight = 1, begin = 0 } = one.motion === undefined ? { motion: one } : one;
+      const of = typeof motion === 'string' ? this.#mien.motionSaid(motion) : motion;
+      this.#mien.done('mien_pose_motion', this.#pose, of.handle, weight, begin);
+    }
+    if (pose.frame != null) this.#follow(typeof pose.frame === 'string' ? pose.frame : JSON.stringify(pose.frame), pose.steady);
     if (pose.seed != null) this.#say('mien_pose_seed', String(pose.seed));
     if (pose.liveliness != null) this.#mien.done('mien_pose_liveliness', this.#pose, pose.liveliness);
     if (pose.lookAt) this.#mien.done('mien_pose_look_at', this.#pose, ...pose.lookAt);
@@ -374,6 +431,16 @@ export class Face {
       for (const [name, weight] of Object.entries(pose[key] ?? {}))
         this.#m.withText(set, (s, k) => this.#m.withText(`${name}=${weight}`, (t, n) => this.#mien.done('mien_pose_express', this.#pose, s, k, t, n, 0)));
     for (const [name, value] of Object.entries(pose.set ?? {})) this.#say('mien_pose_set', `${name}=${[value].flat().join(',')}`);
+  }
+  #follow(frame, steady) {
+    if (steady == null) return this.#say('mien_pose_follow', frame);
+    const { at, cutoff = 1, beta = 2 } = steady;
+    if (this.#steady?.cutoff !== cutoff || this.#steady.beta !== beta) {
+      const handle = this.#mien.made('mien_steadier_new', cutoff, beta);
+      this.#m.exports.mien_steadier_free(this.#steady?.handle ?? 0);
+      this.#steady = { handle, cutoff, beta };
+    }
+    this.#m.withText(frame, (t, n) => this.#mien.done('mien_pose_follow_steadily', this.#pose, this.#steady.handle, at, t, n));
   }
   #look(width, height, pose) {
     for (const [name, side] of Object.entries({ width, height })) if (!Number.isInteger(side)) throw new MienError(name, `expected whole pixels, got ${said(side)}`);

@@ -2,7 +2,7 @@
 // The position of something in the list of its kind. The type names the list, so that a feature's index
 // cannot be taken for a gradient's.
 //
-//   const Index<Clip> clip = …;
+//   const Index<Motion> clip = …;
 //   if (clip) play(clip.in(model.clips));
 
 #include <cstddef>

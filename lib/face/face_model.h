@@ -3,7 +3,6 @@
 // them.
 
 #include <mien/canvas.h>
-#include <mien/clip.h>
 #include <mien/control.h>
 #include <mien/effect.h>
 #include <mien/eye.h>
@@ -12,6 +11,7 @@
 #include <mien/head_turn.h>
 #include <mien/index.h>
 #include <mien/layout.h>
+#include <mien/motion.h>
 #include <mien/mouth.h>
 #include <mien/muscle.h>
 
@@ -42,12 +42,12 @@ struct FaceModel {
   std::vector<Expression> expressions;  ///< emotions first; one at rest above 0 is the face's mood
   /// The face at rest minus its numbers in the file, which are without the mood: empty if it has none.
   FaceVector mood_shift;
-  std::vector<Clip> clips;
+  std::vector<Motion> clips;
   std::vector<Eye> eyes;
   std::optional<Mouth> mouth;
   HeadTurn turn;
   std::vector<Effect> effects;  ///< applied to the finished picture, in this order
-  Index<Clip> default_clip;     ///< the clip that runs when a time is given
+  Index<Motion> default_clip;   ///< the clip that runs when a time is given
   /// What clips' personal chance draws from: seed_from_word of the code that the face was made from; without one, of its
   /// recipe or of its file's text.
   std::uint64_t seed = 0;

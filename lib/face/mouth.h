@@ -138,6 +138,7 @@ struct Mouth {
   std::vector<MouthRider> riders;
   /// The channels of each act: both halves, or twice the same.
   std::array<std::array<Index<Channel>, 2>, kMouthActs> channels;
+  std::vector<Index<Channel>> speech;  ///< the strengths of visemes
 };
 
 }  // namespace mien

@@ -46,10 +46,11 @@ struct OtherName {
   std::string_view set, other, name;
 };
 constexpr OtherName kOtherNames[] = {
-    {"vrm", "joy", "happy"}, {"vrm", "sorrow", "sad"}, {"vrm", "fun", "relaxed"},
-    {"vrm", "a", "aa"},      {"vrm", "i", "ih"},       {"vrm", "u", "ou"},
-    {"vrm", "e", "ee"},      {"vrm", "o", "oh"},       {"viseme", "ih", "I"},
-    {"viseme", "oh", "O"},   {"viseme", "ou", "U"},    {"viseme", "silence", "sil"},
+    {"vrm", "joy", "happy"}, {"vrm", "sorrow", "sad"},     {"vrm", "fun", "relaxed"},
+    {"vrm", "a", "aa"},      {"vrm", "i", "ih"},           {"vrm", "u", "ou"},
+    {"vrm", "e", "ee"},      {"vrm", "o", "oh"},           {"viseme", "ih", "I"},
+    {"viseme", "oh", "O"},   {"viseme", "ou", "U"},        {"viseme", "eh", "E"},
+    {"viseme", "ah", "aa"},  {"viseme", "silence", "sil"},
 };
 
 char lower(char c) {

@@ -23,6 +23,18 @@ Expected<Done> check_effect(const Effect& effect, int width) {
   return Done{};
 }
 
+std::vector<Effect> acting_effects(const std::vector<Effect>& effects, int width) {
+  std::vector<Effect> acting;
+  for (const Effect& effect : effects) {
+    const auto* mosaic = std::get_if<MosaicEffect>(&effect);
+    const auto* grid = std::get_if<GridEffect>(&effect);
+    const bool idle = (mosaic && mosaic->tiles == width && mosaic->border == 0) ||
+                      (grid && (grid->width == 0 || grid->color.a == 0));
+    if (!idle) acting.push_back(effect);
+  }
+  return acting;
+}
+
 EffectChain::EffectChain(const std::vector<Effect>& effects, int width, int height, NextRow in)
     : in_(std::move(in)) {
   for (const Effect& effect : effects)

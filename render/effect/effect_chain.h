@@ -22,6 +22,10 @@ namespace mien {
 /// than cells.
 MIEN_API Expected<Done> check_effect(const Effect& effect, int width);
 
+/// Those that change pictures of this width: as many tiles as pixels without a border do not, nor lines without width
+/// or colour. A picture without any is the picture itself, byte for byte at every depth.
+MIEN_API std::vector<Effect> acting_effects(const std::vector<Effect>& effects, int width);
+
 /// Gives the next row, in order from the top. False if there is none, or it could not be made.
 using NextRow = std::function<bool(float* row)>;
 

@@ -46,15 +46,21 @@ class EachItsOwn final : public LookRule {
 };
 
 /// The look at the middle of each pixel of each row: a fragment changes it from its column on. Columns are those of
-/// the image. Of the picture's rows from `top` to `bottom`.
-void draw_looks(const Sweep& sweep, int top, int bottom, int first_look, const PixelRect& rect,
-                Image& image, bool dots, const Looks* looks) {
+/// the image. `looks`, if given, are the rule, and those that vary get dots. The whole picture is one arrangement:
+/// parts number their looks each for itself.
+void draw_looks(const Drawing& drawing, LookRule& rule, int height, const PixelRect& rect,
+                Image& image, const Looks* looks) {
+  Regions regions;
+  regions.begin(int(drawing.outlines().rules.size()), rule);
+  Sweep sweep;
+  sweep.run(drawing.outlines(), 0.0, height, regions);
+  const int first_look = regions.look(0);
   struct Change {
     double x;
     int left, right;
   };
   std::vector<Change> changes;
-  for (int y = std::max(top - rect.y, 0); y < std::min(bottom - rect.y, rect.height); ++y) {
+  for (int y = 0; y < rect.height; ++y) {
     const double middle = rect.y + y + 0.5;
     worked(2 * std::int64_t(sweep.fragments().size()) + 5 * rect.width);
     changes.clear();
@@ -78,7 +84,7 @@ void draw_looks(const Sweep& sweep, int top, int bottom, int first_look, const P
       for (; next < changes.size() && changes[next].x < rect.x + x + 0.5; ++next)
         look = changes[next].right;
       const bool dot =
-          dots && !looks->constant(look) && (rect.x + x) % 4 == 0 && (rect.y + y) % 4 == 0;
+          looks && !looks->constant(look) && (rect.x + x) % 4 == 0 && (rect.y + y) % 4 == 0;
       put(image, x, y, dot ? Rgb{255, 255, 255} : color_of(look));
     }
   }
@@ -195,18 +201,15 @@ Image picture_of(const Scene& scene, const View& view, DebugPicture which, const
     case DebugPicture::fragments:
       draw_fragments(drawing, view.width, rect, image);
       break;
-    case DebugPicture::looks:
-      for (const PicturePart& part : drawing.parts())
-        draw_looks(part.sweep, part.top, part.bottom, part.palette.first, rect, image, true,
-                   &part.looks);
+    case DebugPicture::looks: {
+      Looks looks;
+      looks.begin(drawing.paints());
+      draw_looks(drawing, looks, view.height, rect, image, &looks);
       break;
+    }
     case DebugPicture::regions: {
       EachItsOwn rule;
-      Regions regions;
-      regions.begin(int(drawing.outlines().rules.size()), rule);
-      Sweep sweep;
-      sweep.run(drawing.outlines(), 0.0, view.height, regions);
-      draw_looks(sweep, 0, view.height, 0, rect, image, false, nullptr);
+      draw_looks(drawing, rule, view.height, rect, image, nullptr);
       break;
     }
     case DebugPicture::distance:

@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kMostLines = 8;  // across one square: more are fewer in its quarters
 constexpr std::size_t kMostCorners = 4 + kMostLines;
 constexpr double kShort = 0.01;  // of half a square: chords that cut off nothing to speak of
-constexpr double kForm = 0.02;   // of half a square: what nine distances may leave their form by
 
 /// Twice a polygon's area, and six times its first moments about its first corner.
 struct Moments {
@@ -40,7 +39,7 @@ bool SquareResolver::cuts(const Square& s, const Scope& scope, Resolved& to) {
   if (varies_here_ && side > kSmall) {
     const Kink kink = kink_in(place(s.x, s.y), half, scope);
     if (half > kLitHalf && lit(scope)) return false;
-    if (kink == Kink::jump || side > (kink != Kink::none ? 1.0 / 32 : 1.0 / 4)) return false;
+    if (kink == Kink::jump || side > (kink == Kink::stop ? 1.0 / 32 : 1.0 / 4)) return false;
   }
   lines_.clear(), cuts_.clear(), off_ = 0.0;
   for (const int set : logic_.open_sets(scope))

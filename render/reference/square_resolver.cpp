@@ -152,8 +152,7 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
       const LitSurface& surface = paints_.lit[std::size_t(varied.lit)].surface();
       const double depth = outward(varied.lit, center).d;
       for (const double level : surface.levels())
-        if (std::abs(depth - level) <= kSqrt2 * half)
-          worst = std::max(worst, surface.levels().size() <= 2 ? Kink::line : Kink::stop);
+        if (std::abs(depth - level) <= kSqrt2 * half) worst = Kink::stop;
     }
     if (!paint.ramp) continue;
     const PaintField& f = paint.field;
@@ -164,7 +163,7 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
     constexpr int kFew = 8;
     if (paint.ramp->kinks(t - reach, t + reach, kFew, kinks_) && kinks_.empty()) continue;
     if (paint.ramp->jumps()) return Kink::jump;
-    worst = std::max(worst, Kink::stop);
+    worst = Kink::stop;
   }
   return worst;
 }
@@ -172,7 +171,7 @@ SquareResolver::Kink SquareResolver::kink_in(glm::dvec2 center, double half, con
 /// A square in which only whole layers are seen: by three rules of four places (and the middle), each exact for
 /// polynomials of degree three. A straight ridge through the square parts a corner from the others, so corners must be
 /// as the other places tell. Stops of gradients and kinks of profiles are known; where the colour changes little, so do
-/// they: along a profile's two kinks squares of side s lie in a line, so each may be off by 1 / s tolerances. A jump of a gradient may be missed by all places, so squares with one are divided to the end. Highlights may be
+/// they. A jump of a gradient may be missed by all places, so squares with one are divided to the end. Highlights may be
 /// narrow, too: light is looked at in small squares.
 Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& scope, int depth) {
   const Mix middle = color(center, scope);
@@ -196,10 +195,9 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
   const Kink kink = kink_in(center, half, scope);
   if (kink != Kink::jump && !(lit(scope) && half > kLitHalf)) {
     const std::array<Mix, 4> edges = four({half, 0.0});
-    const double allowed = kink == Kink::line ? tolerance_ / (2.0 * half) : tolerance_;
     double off = largest(mean - (middle + 2.0 * mean_of(edges)) / 3.0);
-    if (off <= allowed) off = std::max(off, largest(mean - mean_of(four({kRing * half, 0.0}))));
-    if (off <= allowed) {
+    if (off <= tolerance_) off = std::max(off, largest(mean - mean_of(four({kRing * half, 0.0}))));
+    if (off <= tolerance_) {
       // Of the square: what a line past the nearest places cuts off, at most.
       constexpr double kCorner = 0.09;
       const std::array<Mix, 4> corners = four({half, half});
@@ -210,7 +208,7 @@ Resolved SquareResolver::covered(glm::dvec2 center, double half, const Scope& sc
       }
     }
     const double change = largest(most - least);
-    if (off <= allowed && (kink == Kink::none || change <= 24.0 * allowed))
+    if (off <= tolerance_ && (kink == Kink::none || change <= 24.0 * tolerance_))
       return {mean, std::max({tolerance_, off, kink == Kink::none ? 0.0 : 0.05 * change})};
   }
   Resolved found;

@@ -68,8 +68,7 @@ class SquareResolver {
   };
   enum class Side : unsigned char { crosses, inside, outside, unknown };
 
-  /// Where a profile begins and ends, at stops of gradients or in tables, or where colours jump.
-  enum class Kink : unsigned char { none, line, stop, jump };
+  enum class Kink : unsigned char { none, stop, jump };
 
   // square_resolver.cpp: squares
   void enter_blocks(int x, int y);

@@ -110,16 +110,8 @@ void Drawing::make_outlines(const OutlineFrame& frame, const Threads& threads) {
     OutlineGroup& group = groups_[std::size_t(i)];
     group.maker.begin(frame, i == 0 ? outlines_ : group.made);
     for (std::size_t k = sources.size() * i / groups, end = sources.size() * (i + 1) / groups;
-         k < end; ++k) {
-      const OutlineSource& source = sources[k];
-      const Shape& shape = paints_.programs.shape(source);
-      if (source.rim)
-        group.maker.rim(shape, source.amount);
-      else if (source.amount == 0.0)
-        group.maker.fill(shape);
-      else
-        group.maker.fill(*offset_shape(shape, source.amount));
-    }
+         k < end; ++k)
+      group.maker.add(paints_.programs, sources[k]);
   };
   if (groups == 1)
     job(0);

@@ -56,19 +56,12 @@ AreaBoundaries::AreaBoundaries(const Scene& scene, const Map<GridSpace, FaceSpac
   programs_.begin(scene);
 }
 
-int AreaBoundaries::outline_of(const OutlineSource& source) {
-  const Shape& shape = programs_.shape(source);
-  if (source.rim) return maker_.rim(shape, source.amount);
-  return source.amount == 0.0 ? maker_.fill(shape)
-                              : maker_.fill(*offset_shape(shape, source.amount));
-}
-
 /// The outline's own index in this arrangement.
 int AreaBoundaries::local(int outline) {
   if (std::size_t(outline) >= local_.size()) local_.resize(std::size_t(outline) + 1, -1);
   int& index = local_[std::size_t(outline)];
   if (index < 0) {
-    index = outline_of(programs_.outlines()[std::size_t(outline)]);
+    index = maker_.add(programs_, programs_.outlines()[std::size_t(outline)]);
     global_.push_back(outline);
   }
   return index;

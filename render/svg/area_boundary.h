@@ -49,7 +49,6 @@ class AreaBoundaries {
  private:
   class Inside;
   int local(int outline);
-  int outline_of(const OutlineSource& source);
 
   Map<GridSpace, FaceSpace> map_;
   Box2 window_;

@@ -15,9 +15,16 @@ namespace {
 
 constexpr std::size_t kFirstOutlines = 256;
 
+/// Whether both are strokes, and the second begins as the first ends.
+bool meet(const Shape& first, const Shape& second) {
+  const auto a = tapered(first), b = tapered(second);
+  return a && b && a->spine.p2 == b->spine.p0 && a->half_width[2] == b->half_width[0];
+}
+
 std::uint64_t hash_of(const OutlineSource& source) {
   std::uint64_t h = mien::bit_cast<std::uint64_t>(source.amount) + std::uint64_t(source.rim);
-  h = (h ^ (std::uint64_t(source.shape) << 32)) * 0x9e3779b97f4a7c15ull;
+  h = (h ^ (std::uint64_t(source.shape) << 32) ^ std::uint64_t(source.count)) *
+      0x9e3779b97f4a7c15ull;
   return h ^ (h >> 29);
 }
 
@@ -58,10 +65,12 @@ AreaProgram AreaPrograms::add(Area area, double level) {
   while (!todo_.empty()) {
     const Task task = todo_.back();
     todo_.pop_back();
-    if (task.node < 0)
-      step(task.kind);
+    if (task.node >= 0)
+      expand(task.node, task.level);
+    else if (task.count > 0)
+      outline(task.row, task.level, false, task.count);
     else
-      expand(scene_->nodes()[std::size_t(task.node)], task.level);
+      step(task.kind);
   }
   made.count = int(steps_.size()) - made.first;
   return made;
@@ -86,13 +95,16 @@ const Shape& AreaPrograms::shape(const OutlineSource& of) const {
 }
 
 /// The stack runs backwards: last pushed is done first.
-void AreaPrograms::expand(const Node& n, double level) {
-  const auto visit_next = [&](int node, double v) { todo_.push_back({.node = node, .level = v}); };
+void AreaPrograms::expand(int node, double level) {
+  const Node& n = scene_->nodes()[std::size_t(node)];
+  const auto visit_next = [&](int at, double v) { todo_.push_back({.node = at, .level = v}); };
   const auto write_after = [&](Kind kind) { todo_.push_back({.kind = kind}); };
   switch (n.op) {
     case Op::shape:
       return leaf(n.a, level);
     case Op::unite:
+      if (row(node, level)) return;
+      [[fallthrough]];
     case Op::intersect:
       write_after(n.op == Op::unite ? Kind::or_ : Kind::and_);
       visit_next(n.b, level);
@@ -118,11 +130,40 @@ void AreaPrograms::expand(const Node& n, double level) {
   }
 }
 
-void AreaPrograms::outline(int shape, double amount, bool rim) {
-  int& known = amount == 0.0 ? filled_[std::size_t(shape)] : at_level({shape, amount, rim});
+/// Whether the node unites a row of strokes, last and topmost in it, with what is before.
+bool AreaPrograms::row(int node, double level) {
+  const auto nodes = scene_->nodes();
+  const auto stroke = [&](int at) {
+    return nodes[std::size_t(at)].op == Op::shape ? nodes[std::size_t(at)].a : -1;
+  };
+  int first = stroke(nodes[std::size_t(node)].b), count = 1;
+  if (first < 0 || !std::isfinite(level)) return false;
+  int rest = nodes[std::size_t(node)].a;
+  const auto goes_on = [&](int before) {
+    return before == first - 1 && before >= 0 &&
+           meet(scene_->shapes()[std::size_t(before)], scene_->shapes()[std::size_t(first)]);
+  };
+  for (; rest >= 0; ++count, --first) {
+    const Node& before = nodes[std::size_t(rest)];
+    if (!goes_on(before.op == Op::unite ? stroke(before.b) : stroke(rest))) break;
+    rest = before.op == Op::unite ? before.a : -1;
+  }
+  if (count == 1) return false;
+  int like = alike_[std::size_t(first)];
+  for (int i = 1; i < count; ++i)
+    if (alike_[std::size_t(first + i)] != like + i) like = first;
+  if (rest >= 0) todo_.push_back({.kind = Kind::or_});
+  todo_.push_back({.level = level, .row = like, .count = count});
+  if (rest >= 0) todo_.push_back({.node = rest, .level = level});
+  return true;
+}
+
+void AreaPrograms::outline(int shape, double amount, bool rim, int count) {
+  int& known = amount == 0.0 && count == 1 ? filled_[std::size_t(shape)]
+                                           : at_level({shape, amount, rim, count});
   if (known < 0) {
     known = int(outlines_.size());
-    outlines_.push_back({shape, amount, rim});
+    outlines_.push_back({shape, amount, rim, count});
   }
   steps_.push_back({Kind::outline, known});
 }
@@ -133,12 +174,13 @@ int& AreaPrograms::at_level(const OutlineSource& source) {
     at_levels_.assign(2 * at_levels_.size(), -1);
     leveled_ = 1;
     for (std::size_t i = 0; i < outlines_.size(); ++i)
-      if (outlines_[i].amount != 0.0) at_level(outlines_[i]) = int(i);
+      if (outlines_[i].amount != 0.0 || outlines_[i].count > 1) at_level(outlines_[i]) = int(i);
   }
   std::size_t i = hash_of(source) & (at_levels_.size() - 1);
   for (; at_levels_[i] >= 0; i = (i + 1) & (at_levels_.size() - 1)) {
     const OutlineSource& other = outlines_[std::size_t(at_levels_[i])];
-    if (other.shape == source.shape && other.amount == source.amount && other.rim == source.rim) {
+    if (other.shape == source.shape && other.amount == source.amount && other.rim == source.rim &&
+        other.count == source.count) {
       --leveled_;
       break;
     }

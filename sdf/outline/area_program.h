@@ -33,10 +33,11 @@ struct OutlineSource {
   int shape;      ///< index into Scene::shapes; beyond them, of the shapes added
   double amount;  ///< [face units]
   bool rim;       ///< OutlineMaker::rim of that half-width
+  int count = 1;  ///< of a row of strokes: `shape` and those that follow it
 };
 
 /// The programs of a scene's areas. A shape at one level is one outline, even if it stands in the scene several
-/// times.
+/// times; so is a row of united strokes, each of which begins where the one before ends and is as wide there.
 class AreaPrograms {
  public:
   /// Begins again; memory is kept. The scene must outlive its use here.
@@ -48,7 +49,7 @@ class AreaPrograms {
   /// The program of a shape that is not the scene's, in its units.
   AreaProgram add(Shape shape);
 
-  /// The shape of an outline: the scene's, for rims Scene::outlined_shape, or one of those added.
+  /// The shape of an outline, of a row the first: the scene's, for rims Scene::outlined_shape, or one of those added.
   const Shape& shape(const OutlineSource& of) const;
 
   std::span<const AreaStep> steps() const { return steps_; }
@@ -62,11 +63,13 @@ class AreaPrograms {
     int node = -1;
     double level = 0.0;
     AreaStep::Kind kind{};
+    int row = 0, count = 0;  ///< or a row: its first shape, how many
   };
   void find_alike();
-  void expand(const Node& node, double level);
+  void expand(int node, double level);
+  bool row(int node, double level);
   void leaf(int index, double level);
-  void outline(int shape, double amount, bool rim);
+  void outline(int shape, double amount, bool rim, int count = 1);
   int& at_level(const OutlineSource& source);
   int added(Shape shape);
   void step(AreaStep::Kind kind) { steps_.push_back({kind}); }

@@ -52,4 +52,11 @@ std::optional<Shape> offset_shape(const Shape& shape, double amount) {
   return std::visit([&](const auto& s) { return offset(s, amount); }, shape);
 }
 
+std::optional<TaperedStroke> tapered(const Shape& shape) {
+  if (const auto* even = std::get_if<QuadStroke>(&shape))
+    return TaperedStroke{even->spine, {even->half_width, even->half_width, even->half_width}};
+  const auto* stroke = std::get_if<TaperedStroke>(&shape);
+  return stroke ? std::optional(*stroke) : std::nullopt;
+}
+
 }  // namespace mien

@@ -32,14 +32,12 @@ struct OutlineMaker::Filler : BoundaryWriter {
     for (const glm::dvec2 p : s.points) maker.points_.push_back(map(p));
     write_polyline(maker.loop_, maker.points_, scale * s.half_width, maker.sides_);
   }
-  void operator()(const QuadStroke& s) const {
-    const double w = s.half_width;
-    (*this)(TaperedStroke{s.spine, {w, w, w}});
-  }
-  void operator()(const TaperedStroke& s) const {
+  void operator()(const QuadStroke& s) const { (*this)(*tapered(s)); }
+  void operator()(const TaperedStroke& s) const { write_stroke(maker.loop_, pen(s)); }
+
+  Pen pen(const TaperedStroke& s) const {
     const QuadBezier spine{map(s.spine.p0), map(s.spine.p1), map(s.spine.p2)};
-    const double* w = s.half_width;
-    write_stroke(maker.loop_, Pen(spine, scale * w[0], scale * w[1], scale * w[2]));
+    return {spine, scale * s.half_width[0], scale * s.half_width[1], scale * s.half_width[2]};
   }
 };
 
@@ -61,6 +59,23 @@ int OutlineMaker::fill(const Shape& shape) {
   const int index = loop_.outline(rule_of(shape));
   loop_.set_may_run_back(std::holds_alternative<Path>(shape));
   std::visit(Filler(*this), shape);
+  return index;
+}
+
+int OutlineMaker::add(const AreaPrograms& programs, const OutlineSource& source) {
+  const Shape& shape = programs.shape(source);
+  if (source.rim) return rim(shape, source.amount);
+  if (source.count == 1)
+    return source.amount == 0.0 ? fill(shape) : fill(*offset_shape(shape, source.amount));
+  const int index = loop_.outline(FillRule::nonzero);
+  loop_.set_may_run_back(false);
+  StrokeRow row(loop_);
+  for (int i = 0; i < source.count; ++i) {
+    TaperedStroke stroke = *tapered(programs.shape({source.shape + i, 0.0, false}));
+    for (double& w : stroke.half_width) w += source.amount;
+    row.add(Filler(*this).pen(stroke));
+  }
+  row.end();
   return index;
 }
 

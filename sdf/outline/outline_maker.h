@@ -11,6 +11,7 @@
 
 #include <mien/box2.h>
 #include <mien/map.h>
+#include "sdf/outline/area_program.h"
 #include "sdf/outline/curve/side_list.h"
 #include "sdf/outline/outline_loop.h"
 #include "sdf/outline/outlines.h"
@@ -37,6 +38,9 @@ class OutlineMaker {
   /// pieces.
   int fill(const Shape& shape);
 
+  /// What programs ask for: fills of shapes or of their offsets, of rows of strokes, or rims; its index.
+  int add(const AreaPrograms& programs, const OutlineSource& source);
+
   /// The outline of {|distance(shape)| <= half_width} [face units, > 0], the ribbon along the shape's
   /// own outline; its index. A stroke that overlaps itself has no such outline: ask for its wider
   /// fill without its narrower one (offset_shape). A band without common points has no outline.
@@ -62,5 +66,8 @@ class OutlineMaker {
 /// much. None where there is not (paths, ellipses, parabolas, …): then it is the fill united with the rim of that
 /// half-width, or less the rim where `amount` < 0.
 std::optional<Shape> offset_shape(const Shape& shape, double amount);
+
+/// A stroke as a tapered one. None of another shape.
+std::optional<TaperedStroke> tapered(const Shape& shape);
 
 }  // namespace mien

@@ -46,8 +46,8 @@ double ShapeDistances::at(std::size_t index, const Shape& shape, glm::dvec2 p) c
 
 Outward ShapeDistances::outward(std::size_t index, const Shape& shape, glm::dvec2 p) const {
   // It knows the nearest side's own gradient, where side by side takes three distances.
-  constexpr std::size_t kFewSides = 4;
-  if (const PathTree* const tree = tree_of(index, shape, kFewSides)) return tree->outward(p);
+  constexpr std::size_t kLeastSides = 4;
+  if (const PathTree* const tree = tree_of(index, shape, kLeastSides)) return tree->outward(p);
   worked(3 * cost_of(shape));
   const double d = distance(shape, p);
   return {d, way_of_growth(p, d, [&](glm::dvec2 q) { return distance(shape, q); })};

@@ -13,8 +13,8 @@ namespace mien::test {
 namespace {
 
 constexpr const char* kUse =
-    "mien_fuzz_pictures [--kind lattice|jittered|generic|huge|painted] [--first N] [--count N]\n"
-    "                   [--seconds N] [--each all|one]\n"
+    "mien_fuzz_pictures [--kind lattice|jittered|generic|huge|strokes|painted] [--first N]\n"
+    "                   [--count N] [--seconds N] [--each all|one]\n"
     "Draws scenes by their seeds at 24 and 32 px, 8 and 16 bits, in both blends (--each one:\n"
     "in a size and a blend that follow from the seed): no pixel may be off by more than 1 of 255\n"
     "or 32 of 65535. Names each scene in which one is; a run goes on\n"

@@ -149,6 +149,9 @@ TEST(ExactLitFaces, ThatWereWrongOnceAreRight) {
                          {"faces/clay", "rest", 97, 41, 52},
                          {"faces/clay", "joy", 333, 180, 144},
                          {"faces/clay", "anger", 640, 319, 280},
+                         {"faces/clay", "rest", 64, 24, 17},
+                         {"faces/clay", "rest", 333, 255, 162},
+                         {"faces/clay", "rest", 333, 319, 330},
                          {"faces/clay", "rest", 1920, 956, 813}}) {
     const Face face = test::face_named(p.face);
     const std::vector<test::NamedPose> poses = test::sample_poses(face);

@@ -32,7 +32,8 @@ TEST_P(ManyFuzzedPictures, AreRightInEveryPixel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ManyFuzzedPictures,
-                         testing::Values("lattice", "jittered", "generic", "huge", "mixed"),
+                         testing::Values("lattice", "jittered", "generic", "huge", "strokes",
+                                         "mixed"),
                          [](const auto& kind) { return std::string(kind.param); });
 
 /// Scenes that once were wrong: strokes whose spine all but turns back; slivers; caps whose moments went by their chords;
@@ -70,7 +71,7 @@ TEST(FuzzedPictures, ThatWereWrongOnceAreRight) {
 
 TEST(FuzzedScene, KnowsItsKinds) {
   Scene scene;
-  for (const char* kind : {"lattice", "jittered", "generic", "huge", "painted", "mixed"})
+  for (const char* kind : {"lattice", "jittered", "generic", "huge", "strokes", "painted", "mixed"})
     EXPECT_TRUE(fuzzed_scene(kind, 1, scene));
   EXPECT_FALSE(fuzzed_scene("other", 1, scene));
 }

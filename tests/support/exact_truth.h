@@ -41,6 +41,8 @@ class ExactTruth {
 
   /// The means over pixel (x, y) in both blending spaces.
   Mixes means(int x, int y) const;
+  /// The same to a fine tolerance, whatever this one's is: much slower.
+  Mixes fine_means(int x, int y) const { return ExactTruth(scene_, view_).means(x, y); }
   /// That of the view's blend: premultiplied, in the blending space.
   glm::dvec4 pixel(int x, int y) const { return means(x, y).in(view_.blend); }
   /// The same in levels of `top`: encoded, straight, not rounded.

@@ -18,9 +18,7 @@ class Window {
  public:
   Window(const Scene& scene, View view, const PixelRect& rect, const ExactTruth& truth,
          const Wanted& wanted, const Choice& choice, Tallies& tallies)
-      : scene_(scene),
-        view_(view),
-        rect_(rect),
+      : rect_(rect),
         spread_(view.dither ? 1 : 0),
         truth_(truth),
         choice_(choice),
@@ -65,7 +63,7 @@ class Window {
     for (std::size_t i = 0; i < std::size(kStorages); ++i) {
       if (images_[i].bytes.empty() || off(i, x, y, exact) <= kStorages[i].allowed + spread_)
         continue;
-      exact = ExactTruth(scene_, view_).means(x, y);
+      exact = truth_.fine_means(x, y);
       break;
     }
     for (std::size_t i = 0; i < std::size(kStorages); ++i) {
@@ -85,8 +83,6 @@ class Window {
     }
   }
 
-  const Scene& scene_;
-  View view_;
   PixelRect rect_;
   double spread_;  ///< of a dither [levels]
   const ExactTruth& truth_;

@@ -12,6 +12,7 @@
 #include "tests/support/huge_scene.h"
 #include "tests/support/random_plain_scene.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/stroke_scene.h"
 
 namespace mien::test {
 namespace {
@@ -76,6 +77,8 @@ bool fuzzed_scene(std::string_view kind, std::uint64_t seed, Scene& scene) {
     scene = random_plain_scene(seed);
   else if (kind == "huge")
     scene = huge_scene(seed);
+  else if (kind == "strokes")
+    scene = stroke_scene(seed);
   else if (kind == "painted")
     scene = random_painted_scene(seed);
   else if (kind == "mixed")

@@ -12,7 +12,7 @@
 
 namespace mien::test {
 
-/// lattice, jittered (the same shaken by 1e-13, 1e-6 and 1e-3 in turn), generic, huge, painted;
+/// lattice, jittered (the same shaken by 1e-13, 1e-6 and 1e-3 in turn), generic, huge, strokes, painted;
 /// false where there is no such kind.
 bool fuzzed_scene(std::string_view kind, std::uint64_t seed, Scene& scene);
 

@@ -37,6 +37,16 @@ inline std::vector<double> slice_of(const Face& face, std::string_view name) {
   return {first, first + face.model->layout[slice].size};
 }
 
+/// The inner edge of a lip, "upper" or "lower": its bends, left and right.
+inline std::vector<double> inner_edge_of(const Face& face, const std::string& which) {
+  std::vector<double> all;
+  for (const char* side : {"left", "right"})
+    for (const char* bend : {"0", "1"})
+      for (const double x : slice_of(face, which + "_edge." + side + "/spine/" + bend))
+        all.push_back(x);
+  return all;
+}
+
 inline glm::dvec2 point_of(const Face& face, std::string_view name) {
   const std::vector<double> xy = slice_of(face, name);
   return {xy[0], xy[1]};

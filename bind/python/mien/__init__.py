@@ -14,11 +14,12 @@ from . import distance, lab, people
 from ._basis import Basis, fit_basis, read_basis
 from ._face import Canvas, EditedText, Face, Name, Posed, Svg, face_pointers, face_text_with, from_code, read_face, read_face_text
 from ._library import Cancelled, Error
+from ._motion import Motion, Steady, read_motion, read_motion_text
 from ._library import lib as _lib
 from ._library import text as _text
 from ._picture import Renderer, Stats
 from .people import crowd
 
 __version__: str = _text(_lib.mien_version_text())
-__all__ = ["Basis", "Cancelled", "Canvas", "EditedText", "Error", "Face", "Name", "Posed", "Renderer", "Stats", "Svg", "crowd", "distance", "face_pointers", "face_text_with", "fit_basis", "from_code",
-           "lab", "people", "read_basis", "read_face", "read_face_text"]
+__all__ = ["Basis", "Cancelled", "Canvas", "EditedText", "Error", "Face", "Motion", "Name", "Posed", "Renderer", "Stats", "Steady", "Svg", "crowd", "distance", "face_pointers", "face_text_with", "fit_basis", "from_code",
+           "lab", "people", "read_basis", "read_face", "read_face_text", "read_motion", "read_motion_text"]

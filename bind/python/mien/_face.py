@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import os
 import threading
 from types import MappingProxyType
@@ -13,10 +14,12 @@ import numpy.typing
 from . import _library
 from ._library import Handle, NameRecord, WriteOptions, call, hinted, lib, path_bytes, text, texts, utf8
 from ._basis import Basis, wish
+from ._motion import Motion, Steady
 from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, png, view, whole
 
 Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
 ClipLike = Union[str, "tuple[str, float]", "tuple[str, float, float]"]
+MotionLike = Union[Motion, "tuple[Motion, float]", "tuple[Motion, float, float]"]
 DRAWN = ("outlines", "regions", "fragments", "looks", "distance", "normals")  # pictures of how a face is drawn
 MOVED = ("muscles", "points", "morph")                                        # and of what moves it
 UNWRAP_MODES = ("linear", "delayed", "sine")
@@ -130,7 +133,10 @@ class Face:
              expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
              look_at: Optional[Sequence[float]] = None, unwrap: float = 0, unwrap_mode: str = "linear",
              clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
-             seed: Union[str, int, None] = None, liveliness: float = 1) -> Posed:
+             seed: Union[str, int, None] = None, liveliness: float = 1,
+             motions: Sequence[MotionLike] = (),
+             frame: Union[str, Mapping[str, Any], Sequence[Any], None] = None,
+             steady: Optional[tuple[Steady, float]] = None) -> Posed:
         """The face at that pose.
 
         time         [s] at which clips are taken; without one none runs
@@ -144,6 +150,9 @@ class Face:
         basis        whose vector replaces that at rest: of its `weights`, or without any of those at `time`
         seed         a word instead of the face's own code, recipe or text, for blinks and glances by chance
         liveliness   0 to 2: how far clips move the face; 1 as they say, 0 not at all
+        motions      takes and speech (`read_motion`), or (motion, weight), or (motion, weight, begin [s]), on top of clips
+        frame        what a camera saw: ARKit's shapes by name, a result of MediaPipe, or its JSON; it beats motions
+        steady       of frames that come live: what keeps them quiet, and the frame's moment [s]
         """
         made = Handle(lib.mien_pose_free, lib.mien_pose_new, self._handle.value)
         pose = made.value
@@ -151,6 +160,15 @@ class Face:
             call(lib.mien_pose_time, pose, float(time))
         for clip in clips:
             call(lib.mien_pose_clip, pose, *utf8(_clip_text(clip)))
+        for motion in motions:
+            of, weight, begin = _motion_layer(motion)
+            call(lib.mien_pose_motion, pose, of._handle.value, weight, begin)
+        if frame is not None:
+            seen = utf8(frame if isinstance(frame, str) else json.dumps(frame))
+            if steady is None:
+                call(lib.mien_pose_follow, pose, *seen)
+            else:
+                call(lib.mien_pose_follow_steadily, pose, steady[0]._handle.value, float(steady[1]), *seen)
         if seed is not None:
             call(lib.mien_pose_seed, pose, *utf8(str(seed)))
         if liveliness != 1:
@@ -172,6 +190,21 @@ class Face:
         elif weights is not None:
             raise _library.Error("weights", "are those of a basis")
         return Posed(self, made)
+
+    def speak(self, track: Motion, time: float, **pose: Any) -> Posed:
+        """The face at a moment of a track of speech, or of a take [s]: what sounds then. `pose` has further arguments of
+        `Face.pose`; without `clips` the face's first one runs below."""
+        clips = pose.pop("clips", self.clips[:1])
+        return self.pose(time=time, clips=clips, motions=[track], **pose)
+
+    def follow(self, frame: Union[str, Mapping[str, Any], Sequence[Any]], **pose: Any) -> Posed:
+        """The face as a camera saw an actor's: ARKit's shapes by name, a result of MediaPipe, or its JSON. `steady` is
+        (Steady(), the frame's moment [s]) for frames that come live."""
+        return self.pose(frame=frame, **pose)
+
+    def unfollowed(self, motion: Motion) -> tuple[str, ...]:
+        """The names of what moves in a motion and not in this face."""
+        return tuple(texts(lib.mien_motion_unfollowed, motion._handle.value, self._handle.value))
 
     def fit_basis(self, count: int, *, fps: float = 30, first: int = 0, components: Optional[int] = None,
                   variance: Optional[float] = None, max_error: Optional[float] = None, **pose: Any) -> Basis:
@@ -418,6 +451,16 @@ def _value_text(value: Value) -> str:
         return value
     numbers = numpy.asarray(value, dtype=numpy.float64).ravel()
     return ",".join(repr(float(one)) for one in numbers)
+
+
+def _motion_layer(layer: MotionLike) -> tuple[Motion, float, float]:
+    """The motion, its weight and when it begins."""
+    if isinstance(layer, Motion):
+        return layer, 1.0, 0.0
+    parts: tuple[Any, ...] = tuple(layer)
+    if not 2 <= len(parts) <= 3 or not isinstance(parts[0], Motion):
+        raise _library.Error("motions", f"expected a motion, (motion, weight) or (motion, weight, begin), got {layer!r}")
+    return parts[0], float(parts[1]), float(parts[2]) if len(parts) == 3 else 0.0
 
 
 def _clip_text(clip: ClipLike) -> str:

@@ -48,9 +48,9 @@ void read_effects(Reading& in, const JsonNode& node, FaceModel& model) {
   });
 }
 
-Index<Clip> clip_named(const Reading& in, const JsonNode& node, const FaceModel& model) {
+Index<Motion> clip_named(const Reading& in, const JsonNode& node, const FaceModel& model) {
   std::vector<std::string_view> known;
-  for (const Clip& clip : model.clips) known.push_back(clip.name);
+  for (const Motion& clip : model.clips) known.push_back(clip.name);
   return {int(in.word(node, "clip", known))};
 }
 

@@ -169,9 +169,9 @@ std::vector<Curve> read_curves(Reading& in, const JsonNode& node) {
 }
 
 /// {CONTROL: CURVE, …}, or {"tracks": {CONTROL: CURVE, …}, "additive": true}.
-Clip read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
+Motion read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
   in.expect(node, JsonKind::object);
-  Clip clip{.name = in.name(node, in.tree.key(node)), .tracks = {}};
+  Motion clip{.name = in.name(node, in.tree.key(node)), .channels = {}};
   const JsonNode* tracks = in.find(node, "tracks");
   if (tracks) {
     in.expect_object(node, {"tracks", "additive"}, "clip");
@@ -181,7 +181,8 @@ Clip read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
   in.for_each(tracks ? *tracks : node, [&](const JsonNode& track, int) {
     const std::string_view name = in.tree.key(track);
     if (name == "comment") return;
-    clip.tracks.push_back({face.control_named(in, track, name), read_curves(in, track)});
+    const Index<Control> control = face.control_named(in, track, name);
+    clip.channels.push_back({std::string(name), read_curves(in, track), control});
   });
   return clip;
 }

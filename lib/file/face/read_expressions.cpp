@@ -247,6 +247,10 @@ void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face) {
       in.refuse(set, fmt::format("no set of expressions may be called {}", in_quotes(name)));
     reader.read_set(set, in.name(set, name));
   });
+  if (face.model.mouth)
+    for (const Expression& one : face.model.expressions)
+      if (one.name.starts_with("viseme.") || one.name.starts_with("azure."))
+        face.model.mouth->speech.push_back(one.left);
 }
 
 bool read_mood(Reading& in, const JsonNode* node, FaceDraft& face) {

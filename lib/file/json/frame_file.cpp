@@ -1,8 +1,8 @@
 #include "lib/file/json/frame_file.h"
 
 #include "lib/base/one_line.h"
+#include "lib/file/json/frame_members.h"
 #include "lib/file/json/read_bytes.h"
-#include "lib/file/json/reading.h"
 
 #include <fmt/format.h>
 
@@ -14,19 +14,19 @@
 namespace mien {
 namespace {
 
-/// The numbers of a frame, and the place in the file that was read: what stands beside it is said.
+/// The members of a frame: what stands beside it is said.
 class FrameReader {
  public:
-  explicit FrameReader(const Reading& in) : in_(in) {}
+  FrameReader(const Reading& in, std::vector<FrameMember>* beside) : in_(in), beside_(beside) {}
 
-  std::vector<FrameNumber> read() {
-    const JsonNode* frame = &in_.tree.root();
+  std::vector<FrameMember> read(const JsonNode& node) {
+    const JsonNode* frame = &node;
     while (const JsonNode* inside = wrapped(*frame)) frame = inside;
     if (frame->kind == JsonKind::array && frame->count > 0)
       read_categories(*frame);
     else
       read_members(*frame);
-    return std::move(numbers_);
+    return std::move(members_);
   }
 
  private:
@@ -36,19 +36,24 @@ class FrameReader {
     if (node.kind == JsonKind::array) return only_face(node);
     if (node.kind != JsonKind::object) return nullptr;
     const JsonNode* found = nullptr;
-    for (const std::string_view key :
-         {"blendShapes", "points", "faceBlendshapes", "face_blendshapes", "categories"})
+    for (const std::string_view key : {"blendShapes", "blendshapes", "points", "faceBlendshapes",
+                                       "face_blendshapes", "categories", "visemes"})
       if (const JsonNode* one = in_.find(node, key)) {
         if (found) refuse_beside(*one, *found);
         found = one;
       }
     if (!found) return nullptr;
     in_.for_each(node, [&](const JsonNode& child, int) {
-      if (&child != found && !is_about_frames(in_.tree.key(child))) refuse_beside(child, *found);
+      if (&child != found && !is_about_frames(in_.tree.key(child))) stands_beside(child, *found);
     });
     if (found->kind != JsonKind::object && found->kind != JsonKind::array)
       in_.expect(*found, JsonKind::object);
     return found;
+  }
+
+  void stands_beside(const JsonNode& child, const JsonNode& found) const {
+    if (!beside_) refuse_beside(child, found);
+    beside_->push_back({in_.tree.key(child), &child});
   }
 
   [[noreturn]] void refuse_beside(const JsonNode& child, const JsonNode& found) const {
@@ -58,21 +63,14 @@ class FrameReader {
   }
 
   static bool is_about_frames(std::string_view key) {
-    constexpr std::string_view kKnown[] = {"comment",
-                                           "headIndex",
-                                           "headName",
-                                           "head_index",
-                                           "head_name",
-                                           "timestamp",
-                                           "time",
-                                           "timestampMs",
-                                           "timestamp_ms",
-                                           "faceLandmarks",
-                                           "face_landmarks",
-                                           "facialTransformationMatrixes",
-                                           "facial_transformation_matrixes",
-                                           "frame",
-                                           "index"};
+    constexpr std::string_view kKnown[] = {
+        "comment",    "headIndex",     "headName",
+        "head_index", "head_name",     "timestamp",
+        "time",       "timestampMs",   "timestamp_ms",
+        "timecode",   "faceLandmarks", "face_landmarks",
+        "frame",      "index",         "facialTransformationMatrixes",
+        "frameIndex", "frame_index",   "facial_transformation_matrixes",
+        "isTracked",  "is_tracked",    "success"};
     return std::find(std::begin(kKnown), std::end(kKnown), key) != std::end(kKnown);
   }
 
@@ -106,15 +104,20 @@ class FrameReader {
 
   void take(std::string_view name, const JsonNode& value) {
     // MediaPipe's share of "none of them" moves nothing.
-    if (name == "comment" || name == "_neutral" || name == "timestamp" || name == "time") return;
-    numbers_.push_back({std::string{name}, in_.numbers(value, 1, 4), in_.tree.where(value)});
+    if (name != "_neutral" && !is_about_frames(name)) members_.push_back({name, &value});
   }
 
   const Reading& in_;
-  std::vector<FrameNumber> numbers_;
+  std::vector<FrameMember>* beside_;
+  std::vector<FrameMember> members_;
 };
 
 }  // namespace
+
+std::vector<FrameMember> frame_members(const Reading& in, const JsonNode& node,
+                                       std::vector<FrameMember>* beside) {
+  return FrameReader(in, beside).read(node);
+}
 
 Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text, std::string_view name,
                                                    const FaceLimits& limits) {
@@ -124,7 +127,10 @@ Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text, std::s
     const Expected<JsonTree> tree = JsonTree::read(text, name, limits);
     if (!tree) return tree.error();
     const Reading in(*tree, limits, nullptr);
-    return FrameReader(in).read();
+    std::vector<FrameNumber> numbers;
+    for (const auto& [member, value] : frame_members(in, tree->root()))
+      numbers.push_back({std::string(member), in.numbers(*value, 1, 4), tree->where(*value)});
+    return numbers;
   } catch (const Refusal& refusal) {
     return refusal.error;
   } catch (const std::exception& e) {

@@ -216,8 +216,9 @@ std::string escaped(std::string_view key) {
 }  // namespace
 
 Expected<JsonTree> JsonTree::read(std::string_view text, std::string_view name,
-                                  const FaceLimits& limits) {
+                                  const FaceLimits& limits, std::size_t first_line) {
   JsonTree tree(text, one_line(name));
+  tree.first_line_ = first_line;
   Builder builder(tree, text, limits);
   if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return *builder.error;
   return tree;
@@ -247,7 +248,7 @@ std::optional<Error> JsonTree::beyond(const FaceLimits& limits) const {
 
 std::string JsonTree::where(std::size_t offset) const {
   if (!has_text_) return name_;
-  std::size_t line = 1, column = 1;
+  std::size_t line = first_line_, column = 1;
   for (std::size_t i = 0; i < std::min(offset, text_.size()); ++i) {
     if (text_[i] == '\n')
       ++line, column = 1;

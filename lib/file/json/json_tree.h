@@ -46,10 +46,10 @@ inline std::uint32_t key_sign(std::string_view key) {
 
 class JsonTree {
  public:
-  /// Reads `text`, which must outlive the tree. The error's `where` is "NAME:LINE:COLUMN:
+  /// Reads `text`, which must outlive the tree and begins on that line of its file. The error's `where` is "NAME:LINE:COLUMN:
   /// /pointer".
   static Expected<JsonTree> read(std::string_view text, std::string_view name,
-                                 const FaceLimits& limits);
+                                 const FaceLimits& limits, std::size_t first_line = 1);
 
   /// A tree without nodes, for other readers of such trees.
   JsonTree(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
@@ -115,6 +115,7 @@ class JsonTree {
   std::deque<std::string> kept_;
   std::string_view text_;
   std::string name_;
+  std::size_t first_line_ = 1;
   bool has_text_ = true;
 };
 

@@ -32,7 +32,8 @@ Error unreadable(const std::string& name) {
 
 }  // namespace
 
-Expected<std::string> read_bytes(const std::filesystem::path& path, std::size_t most) {
+Expected<Done> read_in_blocks(const std::filesystem::path& path,
+                              const std::function<bool(std::string_view)>& take) {
   const std::string name = one_line(path.string());
   // Opening a pipe would wait for its writer for ever.
   const OpenFile file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
@@ -40,26 +41,37 @@ Expected<std::string> read_bytes(const std::filesystem::path& path, std::size_t 
   if (file.descriptor < 0 || ::fstat(file.descriptor, &info) != 0) return unreadable(name);
   if (S_ISDIR(info.st_mode)) return Error{name, "is a directory"};
   const double opened = monotonic_seconds();
-  std::string bytes;
+  bool any = false;
   char block[1 << 16];
   for (;;) {
     const ssize_t got = ::read(file.descriptor, block, sizeof block);
     if (got > 0) {
-      bytes.append(block, std::size_t(got));
-      if (bytes.size() > most)
-        return Error{name, fmt::format("longer than {} bytes (limit: bytes)", most)};
+      any = true;
+      if (!take({block, std::size_t(got)})) return Done{};
     } else if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
       pollfd waits{file.descriptor, POLLIN, 0};
       ::poll(&waits, 1, -1);  // there is a writer: until it writes or ends
     } else if (got < 0 && errno != EINTR) {
       return unreadable(name);
     } else if (got == 0) {
-      if (!S_ISFIFO(info.st_mode) || !bytes.empty()) return bytes;
+      if (!S_ISFIFO(info.st_mode) || any) return Done{};
       if (monotonic_seconds() - opened > kWriterComes)
         return Error{name, "is a pipe that nothing is written to"};
       ::poll(nullptr, 0, 10);
     }
   }
+}
+
+Expected<std::string> read_bytes(const std::filesystem::path& path, std::size_t most) {
+  std::string bytes;
+  const auto read = read_in_blocks(path, [&](std::string_view block) {
+    bytes += block;
+    return bytes.size() <= most;
+  });
+  if (!read) return read.error();
+  if (bytes.size() > most)
+    return Error{one_line(path.string()), fmt::format("longer than {} bytes (limit: bytes)", most)};
+  return bytes;
 }
 
 }  // namespace mien

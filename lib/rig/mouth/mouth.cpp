@@ -52,8 +52,9 @@ class MouthAtWork {
     if (n_ == MouthNumbers{} && was_ == drawn_) return;
     before_ = now_;
     carry_by_jaw();
-    for (const int slice : mouth_.skull_teeth)
-      to_.add(slice, {0, kRecede * mouth_.width * n_.pucker});
+    // A lip that touches the teeth holds them where they were measured.
+    const double recede = kRecede * mouth_.width * n_.pucker * (1 - n_.bite);
+    for (const int slice : mouth_.skull_teeth) to_.add(slice, {0, recede});
     const std::optional<TeethEdge> teeth = teeth_edge();
     open_ = was_, ease_lower_lip();
     shape_lips(n_, {mouth_.drop, mouth_.width, mouth_.seam}, teeth, open_);

@@ -20,7 +20,8 @@ struct MouthNumbers {
 };
 
 /// `values` are those of all channels, `pulled` how far muscles open the jaw. Both open it as pulls do: j = 1 − (1 −
-/// control)(1 − pulled). A tongue that is out wins over the lips: they close by 1 − out at most, and the jaw opens a
+/// control)(1 − pulled). Speech has the jaw nearly for itself: pulled counts by 1 − 0.8 s, where s is the sum of all
+/// visemes, 1 at most, so a surprised mouth opens and shuts as it speaks. A tongue that is out wins over the lips: they close by 1 − out at most, and the jaw opens a
 /// little.
 MouthNumbers mouth_numbers(const Mouth& mouth, std::span<const double> values, double pulled);
 

@@ -18,7 +18,7 @@ constexpr double kOutUnderTeeth = 0.006, kOutUnderLip = 0.02, kGroove = 0.6;
 class TongueAtWork {
  public:
   TongueAtWork(const MouthNumbers& n, const Mouth& mouth, const LipLine& line, MouthVector& to)
-      : n_(n), mouth_(mouth), tongue_(mouth.tongue), width_(mouth.width), line_(line), to_(to) {
+      : n_(n), tongue_(mouth.tongue), width_(mouth.width), line_(line), to_(to) {
     half_ = 0.5 * (line.corners[0].x - line.corners[1].x);
     sign_ = half_ < 0 ? -1 : 1;
     half_ *= sign_;
@@ -73,7 +73,6 @@ class TongueAtWork {
 
  private:
   const MouthNumbers& n_;
-  const Mouth& mouth_;
   const MouthTongue& tongue_;
   const double width_;
   const LipLine& line_;

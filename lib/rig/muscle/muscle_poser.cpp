@@ -2,6 +2,7 @@
 
 #include <mien/face_model.h>
 #include "lib/rig/muscle/pulls.h"
+#include "lib/rig/pose/running_motions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,13 @@ bool is_control(const FaceModel& model, const Setting& setting) {
          !setting.values.empty() && !std::isnan(setting.values[0]);
 }
 
-/// Calls each(clip) for the clips that run.
+/// Calls each(motion, channel, control) for what motions move.
 template <class Each>
-void for_each_clip(const FaceModel& model, const Pose& pose, Each&& each) {
-  if (!clips_run(pose)) return;
-  if (pose.clips.empty() && model.default_clip) each(model.default_clip.in(model.clips));
-  for (const ClipLayer& layer : pose.clips)
-    if (layer.clip && layer.clip.at < int(model.clips.size())) each(layer.clip.in(model.clips));
+void for_each_moved(const FaceModel& model, const Pose& pose, Each&& each) {
+  for_each_motion(model, pose, [&](const Motion& motion, double, double) {
+    for (const MotionChannel& channel : motion.channels)
+      if (moves(channel, model)) each(motion, channel.control.in(model.controls));
+  });
 }
 
 bool same_settings(const std::vector<Setting>& a, const std::vector<Setting>& b) {
@@ -33,9 +34,10 @@ bool same_settings(const std::vector<Setting>& a, const std::vector<Setting>& b)
 bool same_course(const Pose& a, const Pose& b) {
   return same_settings(a.settings, b.settings) && a.look_at == b.look_at && a.seed == b.seed &&
          a.liveliness == b.liveliness &&
-         std::equal(a.clips.begin(), a.clips.end(), b.clips.begin(), b.clips.end(),
-                    [](const ClipLayer& x, const ClipLayer& y) {
-                      return x.clip == y.clip && x.weight == y.weight && x.begin == y.begin;
+         std::equal(a.motions.begin(), a.motions.end(), b.motions.begin(), b.motions.end(),
+                    [](const MotionLayer& x, const MotionLayer& y) {
+                      return x.clip == y.clip && x.motion == y.motion && x.weight == y.weight &&
+                             x.begin == y.begin;
                     });
 }
 
@@ -45,18 +47,12 @@ bool same_face(const Face& a, const Face& b) {
 
 }  // namespace
 
-bool clips_run(const Pose& pose) {
-  return pose.time && std::isfinite(*pose.time) && pose.liveliness > 0;
-}
-
 void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held) {
   held.assign(model.channels.size(), 0);
   const auto hold = [&](const Control& control) {
     for (const Index<Channel> c : control.channels) held[std::size_t(c.at)] = 1;
   };
-  for_each_clip(model, pose, [&](const Clip& clip) {
-    for (const ClipTrack& track : clip.tracks) hold(track.control.in(model.controls));
-  });
+  for_each_moved(model, pose, [&](const Motion&, const Control& control) { hold(control); });
   for (const Setting& setting : pose.settings)
     if (is_control(model, setting)) hold(model.controls[std::size_t(setting.index)]);
 }
@@ -71,13 +67,12 @@ bool muscles_in_motion(const FaceModel& model, const Pose& pose) {
                                 (expression.left == channel || expression.right == channel);
                        });
   };
-  bool found = false;
-  for_each_clip(model, pose, [&](const Clip& clip) {
-    for (const ClipTrack& track : clip.tracks)
-      for (const Index<Channel> c : track.control.in(model.controls).channels)
-        found = found || feeds_muscles(c);
+  bool found = false, settled = false;
+  for_each_moved(model, pose, [&](const Motion& motion, const Control& control) {
+    for (const Index<Channel> c : control.channels)
+      if (feeds_muscles(c)) (motion.settled ? settled : found) = true;
   });
-  return found;
+  return found && !settled;
 }
 
 void lay_on(const FaceModel& model, const FaceVector& rest, const MuscleShape& shape,

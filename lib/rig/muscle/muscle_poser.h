@@ -3,7 +3,8 @@
 // whatever else poses the face.
 //
 // Without a clip that drives muscles, the face is in the equilibrium of its pulls. While one runs, it has
-// been in motion (motion.h) since time 0.
+// been in motion (motion.h) since time 0. Under a motion that is settled, such as a take of an actor, muscles are in
+// equilibrium at every moment: the actor's had their law already.
 
 #include <mien/pose.h>
 #include "lib/rig/muscle/motion.h"
@@ -19,13 +20,10 @@ namespace mien {
 using ChannelsAt =
     std::function<void(const Face& rest, const Pose& pose, std::vector<double>& values)>;
 
-/// Whether clips act at a pose: at a moment, and with some liveliness.
-bool clips_run(const Pose& pose);
-
-/// For each channel, whether a setting or a running clip holds it.
+/// For each channel, whether a setting or a running motion holds it.
 void held_channels(const FaceModel& model, const Pose& pose, std::vector<char>& held);
 
-/// Whether a clip that runs at this pose drives muscles or expressions.
+/// Whether motions that run at this pose drive muscles or expressions, and none of these is settled.
 bool muscles_in_motion(const FaceModel& model, const Pose& pose);
 
 /// Adds what the muscles of a shape do to a vector: each point moves by as much as it has moved from

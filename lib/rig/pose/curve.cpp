@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace mien {
@@ -108,6 +109,31 @@ double value_of(const WanderCurve& curve, double time, const Temper& temper) {
   const double to = resting_place(curve, draw, moment.count);
   if (moment.time >= begin + curve.move) return to;
   return from + eased(curve.ease, (moment.time - begin) / curve.move) * (to - from);
+}
+
+/// The last row that is not later than `time`, which lies between the first and the last. Rows mostly come at equal steps,
+/// so it is near the one that they would give.
+std::size_t row_at(const std::vector<double>& times, double time) {
+  const std::size_t last = times.size() - 1;
+  const double share = (time - times[0]) / (times[last] - times[0]);
+  std::size_t lo = std::min(std::size_t(share * double(last)), last), step = 1;
+  std::size_t hi = lo;
+  for (; lo > 0 && times[lo] > time; step *= 2) hi = lo, lo -= std::min(step, lo);
+  for (step = 1, hi = std::max(hi, lo); hi < last && times[hi] <= time; step *= 2)
+    lo = hi, hi += std::min(step, last - hi);
+  const auto begin = times.begin();
+  const auto after = std::upper_bound(begin + std::ptrdiff_t(lo), begin + std::ptrdiff_t(hi), time);
+  return std::size_t(after - begin) - 1;
+}
+
+double value_of(const SampledCurve& curve, double time, const Temper&) {
+  const SampleTable& table = *curve.table;
+  const std::vector<double>& times = table.times;
+  if (!(time > times.front())) return double(table.at(0, curve.column));
+  if (time >= times.back()) return double(table.at(times.size() - 1, curve.column));
+  const std::size_t row = row_at(times, time);
+  const double a = double(table.at(row, curve.column)), b = double(table.at(row + 1, curve.column));
+  return a == b ? a : a + (time - times[row]) / (times[row + 1] - times[row]) * (b - a);
 }
 
 }  // namespace

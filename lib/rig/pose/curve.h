@@ -1,7 +1,7 @@
 #pragma once
 // The value of a curve in time at a moment.
 
-#include <mien/clip.h>
+#include <mien/motion.h>
 
 #include <cstdint>
 

@@ -9,6 +9,7 @@
 #include "lib/rig/pose/curve.h"
 #include "lib/rig/pose/drive.h"
 #include "lib/rig/pose/head_turn.h"
+#include "lib/rig/pose/running_motions.h"
 #include "lib/rig/pose/unwrap.h"
 
 #include <algorithm>
@@ -21,11 +22,11 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// A track's value for a control that rests there. With a liveliness of 1 a single curve's value is kept bit for bit.
-double value_of(const ClipTrack& track, double rest, double time, const Temper& temper) {
+/// A channel's value for a control that rests there. With a liveliness of 1 a single curve's value is kept bit for bit.
+double value_of(const MotionChannel& channel, double rest, double time, const Temper& temper) {
   double value = rest;
-  for (std::size_t i = 0; i < track.curves.size(); ++i) {
-    const Curve& curve = track.curves[i];
+  for (std::size_t i = 0; i < channel.curves.size(); ++i) {
+    const Curve& curve = channel.curves[i];
     double own = value_at(curve, time, temper);
     if (temper.liveliness != 1 && !is_played_by_chance(curve))
       own = rest + temper.liveliness * (own - rest);
@@ -34,17 +35,18 @@ double value_of(const ClipTrack& track, double rest, double time, const Temper& 
   return value;
 }
 
-/// Lays one clip over what is below it.
-void play(const FaceModel& model, const Clip& clip, double time, double weight,
+/// Lays one motion over what is below it.
+void play(const FaceModel& model, const Motion& motion, double time, double weight,
           const Temper& temper, Values& values) {
-  for (const ClipTrack& track : clip.tracks) {
-    const std::vector<Index<Channel>>& channels = track.control.in(model.controls).channels;
+  for (const MotionChannel& channel : motion.channels) {
+    if (!moves(channel, model)) continue;
+    const std::vector<Index<Channel>>& channels = channel.control.in(model.controls).channels;
     const double rest = channels[0].in(model.channels).rest;  // the halves of a control rest alike
-    const double value = value_of(track, rest, time, temper);
+    const double value = value_of(channel, rest, time, temper);
     if (!std::isfinite(value)) continue;
     for (const Index<Channel> c : channels) {
       double& now = values[std::size_t(c.at)];
-      if (clip.additive)
+      if (motion.additive)
         now += weight * (value - rest);
       else
         now = weight == 1 ? value : now + weight * (value - now);
@@ -52,16 +54,13 @@ void play(const FaceModel& model, const Clip& clip, double time, double weight,
   }
 }
 
-void play_clips(const FaceModel& model, const Pose& pose, Values& values) {
-  if (!clips_run(pose)) return;
-  const Temper temper{pose.seed.value_or(model.seed), std::min(pose.liveliness, kMostLively)};
-  if (pose.clips.empty() && model.default_clip && !pose.basis)
-    play(model, model.default_clip.in(model.clips), *pose.time, 1, temper, values);
-  for (const ClipLayer& layer : pose.clips)
-    if (layer.clip && layer.clip.at < int(model.clips.size()) && std::isfinite(layer.weight) &&
-        std::isfinite(layer.begin))
-      play(model, layer.clip.in(model.clips), *pose.time - layer.begin, layer.weight, temper,
-           values);
+void play_motions(const FaceModel& model, const Pose& pose, Values& values) {
+  const Temper lively{pose.seed.value_or(model.seed), std::min(pose.liveliness, kMostLively)};
+  const Temper as_seen{lively.seed, 1};
+  for_each_motion(model, pose, [&](const Motion& motion, double weight, double begin) {
+    if (&motion == default_clip_of(model, pose) && pose.basis) return;
+    play(model, motion, *pose.time - begin, weight, motion.settled ? as_seen : lively, values);
+  });
 }
 
 void look(const Face& rest, glm::dvec3 target, Values& values) {
@@ -114,13 +113,13 @@ void fade_mood(const FaceModel& model, Values& values) {
       if (is_mood(c)) at(c) *= std::max(1 - 2 * others, 0.0);
 }
 
-/// The value of every channel: at rest, then by the clips, the gaze, settings, expressions, and poses'
+/// The value of every channel: at rest, then by the motions, the gaze, settings, expressions, and poses'
 /// couplings; settings of controls beat what expressions and poses do to them.
 void set_channels(const Face& rest, const Pose& pose, Values& values) {
   const FaceModel& model = *rest.model;
   values.clear();
   for (const Channel& channel : model.channels) values.push_back(channel.rest);
-  play_clips(model, pose, values);
+  play_motions(model, pose, values);
   if (pose.look_at) look(rest, *pose.look_at, values);
   override_channels(model, pose, true, values);
   settle_expressions(model, values);

@@ -19,7 +19,7 @@
 
 namespace mien {
 
-struct Clip;
+struct Motion;
 
 /// Holds a named number, or a slice of numbers, at a value. The name is a control ("gaze.x",
 /// "blink.left") or a slice of the face vector ("brow.left/spine/1"). read_setting makes it, for faces
@@ -36,17 +36,18 @@ struct Setting {
 /// out of range; too few or too many numbers. The error's `where` is the text itself.
 MIEN_API Expected<Setting> read_setting(const Face& face, std::string_view text);
 
-/// One clip of a mix. It acts on the result of the clips before it: the controls that it moves go
-/// `weight` of the way to its values. An additive clip adds `weight` times its difference from rest.
-struct ClipLayer {
-  Index<Clip> clip{0};  ///< of the model
+/// One motion of a mix. It acts on the result of those before it: the controls that it moves go `weight` of the way to its
+/// values. An additive one adds `weight` times its difference from rest.
+struct MotionLayer {
+  Index<Motion> clip = {};                    ///< of the model; none: `motion`
+  std::shared_ptr<const Motion> motion = {};  ///< bound to a face of the model (bound_motion.h)
   double weight = 1;
-  double begin = 0;  ///< [s] when the clip's own time is 0
+  double begin = 0;  ///< [s] when the motion's own time is 0
 };
 
 /// Reads "NAME", "NAME=WEIGHT" or "NAME=WEIGHT@BEGIN" with the name of one of the face's clips. Errors as
 /// for read_setting.
-MIEN_API Expected<ClipLayer> read_clip_layer(const Face& face, std::string_view text);
+MIEN_API Expected<MotionLayer> read_clip_layer(const Face& face, std::string_view text);
 
 /// Reads "NAME=WEIGHT", or "NAME" for a weight of 1, with the name of one of the face's poses. Errors as
 /// for read_setting.
@@ -59,13 +60,13 @@ MIEN_API Expected<glm::dvec3> read_look_at(const Face& face, std::string_view te
 inline constexpr double kMostLively = 2;
 
 struct Pose {
-  std::optional<double> time = {};     ///< [s]; without one no clip runs
-  std::vector<Setting> settings = {};  ///< beat clips and gaze; later ones beat earlier ones
-  std::vector<ClipLayer> clips = {};   ///< bottom to top; none: the face's default clip
+  std::optional<double> time = {};        ///< [s]; without one no motion runs
+  std::vector<Setting> settings = {};     ///< beat clips and gaze; later ones beat earlier ones
+  std::vector<MotionLayer> motions = {};  ///< bottom to top; none: the face's default clip
   /// What clips' personal chance draws from; none: the face's own (FaceModel::seed). seed_from_word makes one.
   std::optional<std::uint64_t> seed = {};
   /// 0 … kMostLively: how far clips move the face from rest, and how often curves with a share
-  /// of their periods play. 1: as the clips have it; 0: no clip runs.
+  /// of their periods play. 1: as the clips have it; 0: no clip runs. Takes and speech go as far as they go.
   double liveliness = 1;
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
   double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)

@@ -151,15 +151,15 @@ Expected<Setting> read_pose(const Face& face, std::string_view text) {
   return read_setting(face, name == text ? std::string(text) + "=1" : std::string(text));
 }
 
-Expected<ClipLayer> read_clip_layer(const Face& face, std::string_view text) {
-  const std::vector<Clip>& clips = face.model->clips;
+Expected<MotionLayer> read_clip_layer(const Face& face, std::string_view text) {
+  const std::vector<Motion>& clips = face.model->clips;
   const std::string where = one_line(text, 80);
   const std::string_view name = text.substr(0, text.find('='));
   std::vector<std::string_view> known;
-  for (const Clip& clip : clips) known.push_back(clip.name);
+  for (const Motion& clip : clips) known.push_back(clip.name);
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) return Error{where, unknown_name("clip", name, known)};
-  ClipLayer layer{.clip = {int(found - known.begin())}};
+  MotionLayer layer{.clip = {int(found - known.begin())}};
   if (name == text) return layer;
   const std::string_view numbers = text.substr(name.size() + 1);
   const auto weight = read_number(numbers.substr(0, numbers.find('@')), where);

@@ -21,20 +21,23 @@ struct LitColor {
   /// What the law clamps, minus the bound: colours have a kink where one of these is 0. In order: facing the lamp,
   /// the highlight, the brightest channel; the other channels follow where that one is beyond 0.
   VF bounds[3];
+  /// How far inside the ramp's colours are; less than 0 beyond its segment, where they are held.
+  VF inside;
   /// How far the foot of a dome is that shows [px].
   VF foot;
 };
 
-/// A base colour, straight, in linear light, and its opacity.
+/// A base colour, straight, in linear light, and its opacity; and how far inside of what there is they are.
 struct LitBase {
-  VF r, g, b, a;
+  VF r, g, b, a, inside;
 };
 
 /// `away`: the distance that the ramp goes by.
 HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y, VF away) {
   const LampRamp& ramp = lamp.ramp;
   if (ramp.kind == LampRamp::Kind::none)
-    return {Const(lamp.light[0]), Const(lamp.light[1]), Const(lamp.light[2]), Const(lamp.alpha)};
+    return {Const(lamp.light[0]), Const(lamp.light[1]), Const(lamp.light[2]), Const(lamp.alpha),
+            Const(1.0f)};
   VF t = Fused(x, Const(ramp.xx), Fused(y, Const(ramp.xy), Const(ramp.x)));
   if (ramp.kind == LampRamp::Kind::distance) t = Fused(away, Const(ramp.xx), Const(ramp.x));
   if (ramp.kind == LampRamp::Kind::radial) {
@@ -46,13 +49,16 @@ HWY_INLINE LitBase BaseAt(const LampLanes& lamp, VF x, VF y, VF away) {
   const VF zero = hn::Zero(F()), one = Const(1.0f);
   const auto channel = [&](size_t c)
                            HWY_ATTR { return Fused(t, Const(ramp.slope[c]), Const(ramp.at[c])); };
-  const VF alpha = hn::Min(hn::Max(channel(3), zero), one);
+  const VF opacity = channel(3), alpha = hn::Min(hn::Max(opacity, zero), one);
+  VF inside = hn::Min(opacity, hn::Sub(one, opacity));
   const VF up = hn::Div(one, hn::Max(alpha, Const(1e-5f)));  // less shows nowhere
   const auto light = [&](VF v) HWY_ATTR {
+    inside = hn::Min(inside, hn::Min(v, hn::Sub(opacity, v)));
     const VF straight = hn::Min(hn::Max(hn::Mul(up, v), zero), one);
     return lamp.linear ? straight : LightOf(straight);
   };
-  return {light(channel(0)), light(channel(1)), light(channel(2)), alpha};
+  const VF r = light(channel(0)), g = light(channel(1)), b = light(channel(2));
+  return {r, g, b, alpha, inside};
 }
 
 /// The profile's rise per pixel at a depth inside its zone, or not far beyond.
@@ -110,7 +116,7 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
   const VF brightest = hn::Max(base.r, hn::Max(base.g, base.b));
   color.bounds[2] = hn::Sub(Fused(brightest, diffuse, shine), Const(1.0f));
   color.c[0] = channel(base.r), color.c[1] = channel(base.g), color.c[2] = channel(base.b);
-  color.c[3] = base.a, color.foot = foot;
+  color.c[3] = base.a, color.foot = foot, color.inside = base.inside;
   return color;
 }
 

@@ -441,14 +441,12 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
-  // Where means come in turn, each at such a rate after the one before, they go on at that rate, and leave little.
-  constexpr float kInTurn = 0.12f, kRates[2] = {0.1f, 0.6f};
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  constexpr float kAgain =
-      0.5f;  // of that: cells that were closed with more left were closed too soon
+  // Of that: cells that were closed with more left were closed too soon.
+  constexpr float kAgain = 0.5f;
   LightTile& tile = pixel.tile;
   const float allowed = tile.tolerance;
-  float before[LightTile::kChannels] = {}, change[LightTile::kChannels] = {};
+  float before[LightTile::kChannels] = {};
   pixel.seen = HWY_MAX(form_area, 0.05f);
   const float bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
   const int begun = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8);
@@ -470,29 +468,20 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
                  last ? 1e9f : kApart * allowed / pixel.seen, kFew * allowed, side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
-    float apart = 0.0f, on = kOn;
-    bool in_turn = false;
+    float apart = 0.0f, change[LightTile::kChannels];
     for (int c = 0; c < tile.channels; ++c) to[c] = (mean.closed.c[c] + mean.open.c[c]) * over;
     pixel.shows(to);
     for (int c = 0; c < tile.channels; ++c) {
-      const float was = change[c];
       change[c] = to[c] - before[c], before[c] = to[c];
-      const float by = std::abs(change[c]) * pixel.encoding.by[c];
-      if (by <= apart) continue;
-      apart = by;
-      const float rate = change[c] / was;
-      in_turn = last && side >= 4 * first && rate > kRates[0] && rate < kRates[1];
-      on = in_turn ? rate / (1.0f - rate) : kOn;
+      apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
     }
     const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
     const bool agrees = side > first && apart * pixel.seen < kAgree * allowed;
     if (last || mean.opens == 0 || (small && !pixel.bends && (bounded || agrees))) {
       if (side == begun) return;
-      const float share = in_turn ? kInTurn : last ? last_left : kSettled;
-      const float left = HWY_MAX((last ? last_left : kSettled) * mean.apart,
-                                 share * apart * pixel.seen),
+      const float left = (last ? last_left : kSettled) * HWY_MAX(mean.apart, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
-      for (int c = 0; c < tile.channels && last; ++c) to[c] += on * change[c];
+      for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
       if (last || off < kAgain) return void(tile.off += off);
       first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
       std::iota(list.begin(), list.begin() + count, std::uint16_t{0});

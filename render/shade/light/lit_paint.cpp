@@ -243,6 +243,8 @@ float LitPaint::distance_of_part(int x, int y, const LitPart& part, Scratch& scr
   LightTile* t = tile(kDistances, x, y, scratch);
   if (!t) return 0.0f;
   const float mean = mean_of_part(*t, x - t->x, y - t->y, part)[0];
+  // However steep the ramp, a part shows no more of it than its area.
+  t->off = std::min(t->off, part.area * float(255.0 / tolerance_));
   scratch.kept_->note_doubt(*t, x);
   return mean;
 }

@@ -32,7 +32,7 @@ struct Near {
 struct Shades {
   alignas(64) float c[LightTile::kChannels][16];
   alignas(64) float bounds[3][16];
-  alignas(64) float foot[16];
+  alignas(64) float foot[16], inside[16];
 };
 
 /// Which of sixteen places count: all.
@@ -57,7 +57,7 @@ inline void SeeFrom(const LightTile& tile, const Near& near, float cx, float cy,
 HWY_INLINE LitColor ColorAt(const LightTile& tile, VF depth, VF nx, VF ny, VF x, VF y, VF away) {
   if (tile.lamp.distance_alone) {
     const VF zero = hn::Zero(F()), none = Const(-1.0f);
-    return {{hn::Neg(depth), zero, zero, zero}, {none, none, none}, Const(1e9f)};
+    return {{hn::Neg(depth), zero, zero, zero}, {none, none, none}, Const(1.0f), Const(1e9f)};
   }
   return LitAt(tile.lamp, depth, nx, ny, x, y, away);
 }
@@ -90,7 +90,7 @@ HWY_INLINE void PutColor(const LitColor& color, int k, Shades& to) {
   const F f;
   for (int c = 0; c < LightTile::kChannels; ++c) hn::Store(color.c[c], f, to.c[c] + k);
   for (int b = 0; b < 3; ++b) hn::Store(color.bounds[b], f, to.bounds[b] + k);
-  hn::Store(color.foot, f, to.foot + k);
+  hn::Store(color.foot, f, to.foot + k), hn::Store(color.inside, f, to.inside + k);
 }
 
 /// Each place by itself.
@@ -176,9 +176,13 @@ HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* 
     less[b] = HWY_MAX(HWY_MIN(range.high + beyond, beyond - range.low), 0.0f);
     most = HWY_MAX(most, less[b]);
   }
-  if (most == 0.0f) return 0.0f;
+  // Beyond a ramp's segment its colours are held: no place of it has them. Floats of places within are off by less.
+  constexpr float kBeyond = 1e-4f;
+  const float inside = RangeOf16(s.inside, there).low;
+  if (most == 0.0f && inside > -kBeyond) return 0.0f;
   // A channel is clamped where it is 1.
   float change = less[2] * SteepnessAt(tile, 1.0f);
+  if (inside <= -kBeyond) change = HWY_MAX(change, 1.0f);
   for (int c = 0; c < 3; ++c) {
     const float steep = SteepnessAt(tile, RangeOf16(s.c[c], there).low);
     const float light = lamp.ramp.kind == LampRamp::Kind::none ? lamp.light[size_t(c)] : 1.0f;

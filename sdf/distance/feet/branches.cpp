@@ -150,7 +150,9 @@ class Gathering {
                                              next.y,
                                              before.x,
                                              before.y,
-                                             single ? 1.0 : s.w1 == 0.0 && s.w2 == 0.0 ? 0.0 : -1.0,
+                                             single                       ? 1.0
+                                             : s.w1 == 0.0 && s.w2 == 0.0 ? 0.0
+                                                                          : -1.0,
                                              start,
                                              0.0,
                                              0.0};

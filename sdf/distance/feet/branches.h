@@ -72,7 +72,7 @@ struct Branches {
     next_y,  // of a path: the way in which the next side sets out
     before_x,
     before_y,  // and in which the one before arrives
-    single,    // 1: proven to have one foot; 0: one least distance, being of one width; −1: neither
+    single,  // 1: proven to have one foot; 0: one least distance, being of one width; −1: neither
     foot,
     foot_x,
     foot_y,  // the middle's, and how it moves with the place

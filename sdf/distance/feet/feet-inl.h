@@ -112,10 +112,9 @@ HWY_INLINE hn::Mask<F> GoesOn(VF bend2, const BranchLanes& c, const Reached& at,
   return hn::Gt(hn::Mul(hn::Mul(square, square), bends), most);
 }
 
-/// Where the foot is, and how it moves with the place. Held at an end it lies beyond by as much as it is held: seen from
-/// other places the end may let it go, or hold it still.
+/// How the foot moves with the place.
 struct Moves {
-  VF t, x, y;
+  VF x, y;
 };
 template <bool kStroke>
 HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s, VF t) {
@@ -127,7 +126,7 @@ HWY_INLINE Moves MovesAt(const BranchLanes& c, const Reached& at, const Slope& s
   }
   const VF least = hn::Mul(Fused(at.speed2, hn::Set(f, 0.3f), hn::Set(f, 1e-20f)), s.scale);
   const VF over = hn::Div(hn::Set(f, 1.0f), hn::Max(s.rise, least));
-  return {FusedFrom(s.value, over, t), hn::Mul(mx, over), hn::Mul(my, over)};
+  return {hn::Mul(mx, over), hn::Mul(my, over)};
 }
 
 /// The feet seen from the disc's middle, and how they move with the place.
@@ -141,7 +140,7 @@ HWY_INLINE void FindMiddleFeet(Branches& b) {
     for (int i = 0; i < 4; ++i) t = Stepped<kStroke>(c, zero, zero, t);
     const Reached at = ReachedAt(c, zero, zero, t);
     const Moves moves = MovesAt<kStroke>(c, at, SlopeAt<kStroke>(c, at, t), t);
-    hn::StoreU(moves.t, f, b.row(Branches::foot) + k);
+    hn::StoreU(t, f, b.row(Branches::foot) + k);
     hn::StoreU(moves.x, f, b.row(Branches::foot_x) + k);
     hn::StoreU(moves.y, f, b.row(Branches::foot_y) + k);
   }
@@ -154,23 +153,36 @@ HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
   return std::uint64_t(bytes[0] | bytes[1] << 8) << k;
 }
 
+/// |p − B| − w.
+HWY_INLINE VF KeyAt(const BranchLanes& c, VF x, VF y, VF t) {
+  const VF ex = hn::Sub(Fused(t, Fused(t, c.x2, c.x1), c.x0), x);
+  const VF ey = hn::Sub(Fused(t, Fused(t, c.y2, c.y1), c.y0), y);
+  const VF away = hn::Sqrt(Fused(ex, ex, hn::Mul(ey, ey)));
+  return hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
+}
+
 /// t, or an end or the middle of the stretch if that is nearer: a stretch that is not proven to have one foot may have a
 /// least distance at an end beside the one within.
 HWY_INLINE VF BestStart(const BranchLanes& c, VF x, VF y, VF t) {
-  const F f;
-  const auto key = [&](VF at) HWY_ATTR {
-    const VF ex = hn::Sub(Fused(at, Fused(at, c.x2, c.x1), c.x0), x);
-    const VF ey = hn::Sub(Fused(at, Fused(at, c.y2, c.y1), c.y0), y);
-    const VF away = hn::Sqrt(Fused(ex, ex, hn::Mul(ey, ey)));
-    return hn::Sub(away, Fused(at, Fused(at, c.w2, c.w1), c.w0));
-  };
-  VF least = key(t);
-  for (const VF start : {c.low, hn::Mul(hn::Set(f, 0.5f), hn::Add(c.low, c.high)), c.high}) {
-    const VF own = key(start);
+  VF least = KeyAt(c, x, y, t);
+  for (const VF start : {c.low, hn::Mul(hn::Set(F(), 0.5f), hn::Add(c.low, c.high)), c.high}) {
+    const VF own = KeyAt(c, x, y, start);
     const auto nearer = hn::Lt(own, least);
     t = hn::IfThenElse(nearer, start, t), least = hn::Min(own, least);
   }
   return t;
+}
+
+/// A foot that was found, or another one that is nearer: seen from an end or the middle where these are.
+template <bool kStroke>
+HWY_INLINE VF NearerFoot(const BranchLanes& c, VF x, VF y, VF t) {
+  const VF start = BestStart(c, x, y, t);
+  const auto other = hn::Ne(start, t);
+  if (hn::AllFalse(F(), other)) return t;
+  VF foot = start;
+  for (int i = 0; i < 4; ++i) foot = Stepped<kStroke>(c, x, y, foot);
+  const auto better = hn::Lt(KeyAt(c, x, y, foot), KeyAt(c, x, y, start));
+  return hn::IfThenElse(other, hn::IfThenElse(better, foot, start), t);
 }
 
 /// Lets the branches in `from` go that are nowhere nearest within r of (cx, cy), and finds their feet there, to t.
@@ -230,7 +242,7 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     const VF away = hn::Sqrt(Fused(at.ex, at.ex, hn::Mul(at.ey, at.ey)));
     const VF key = hn::Sub(away, Fused(t, Fused(t, c.w2, c.w1), c.w0));
     const Moves moves = MovesAt<kStroke>(c, at, s, t);
-    hn::StoreU(moves.t, f, feet.t + k), hn::StoreU(key, f, keys + k);
+    hn::StoreU(t, f, feet.t + k), hn::StoreU(key, f, keys + k);
     hn::StoreU(moves.x, f, feet.x + k), hn::StoreU(moves.y, f, feet.y + k);
   }
   NearBranches found;
@@ -286,6 +298,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     t = next;
     if (hn::AllFalse(f, goes)) break;
   }
+  if (!(b.row(Branches::single)[k] > 0.0f)) t = NearerFoot<kStroke>(c, x, y, t);
   const Reached at = ReachedAt(c, x, y, t);
   const VF qx = hn::Neg(at.ex), qy = hn::Neg(at.ey);
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));

@@ -63,7 +63,7 @@ class RimChain {
     if (size <= kSame) return;
     const Pen pen(c, width_, width_, width_);
     corner(c.p0, glm::normalize(c.p1 - c.p0), 0.0);
-    write_rim(loop_, pen, -1.0, 0.0, 1.0);
+    write_rim(loop_, pen, -1.0, rim_at(pen, -1.0, 0.0), rim_at(pen, -1.0, 1.0));
     end_ = c.p2, ahead_ = glm::normalize(c.p2 - c.p1), out_ = -turned(ahead_), length_ = 0.0;
   }
 

@@ -5,6 +5,7 @@
 #include "lib/math/norm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,66 +17,142 @@ namespace {
 constexpr int kRimHalvings = 64;
 /// Pieces of one rim. A rim that needs more is drawn as well as these can.
 constexpr int kMostRimPieces = 2048;
-/// The sine of the most that a piece turns.
-constexpr double kMostRimTurn = 0.9;
+/// By how much the error of a piece may exceed its estimate, which leaves out how it changes along the piece.
+constexpr double kReserve = 1.1;
 /// Tangents meet not nearer to an end than this share of the chord, or the bend changes.
 constexpr double kLeastLeg = 0.15;
 
-/// s² (1 − s)² / q(s) is at most this, q > 0 on (0, 1) in Bernstein form. From q >= min(q0, q1, q2),
-/// q >= s min(2q1, q2), q >= (1 − s) min(q0, 2q1), q >= 2 s (1 − s) q1.
-double most_over(double q0, double q1, double q2) {
-  if (!(std::min({q0, q1, q2}) >= 0.0)) return std::numeric_limits<double>::infinity();
-  const double floor = std::max({16.0 * std::min({q0, q1, q2}), 6.75 * std::min(2.0 * q1, q2),
-                                 6.75 * std::min(q0, 2.0 * q1), 8.0 * q1});
-  return 1.0 / floor;
+/// c0 + s (2 c1 + s c2), and its size between two s: not less, 0 or less where it may vanish, and not more.
+struct Bow {
+  double c0, c1, c2;
+
+  double at(double s) const { return c0 + s * (2.0 * c1 + s * c2); }
+  double sag(double s, double u) const { return 0.25 * (u - s) * (u - s) * std::abs(c2); }
+  double least(double s, double u) const {
+    const double p = at(s), q = at(u);
+    return p * q > 0.0 ? std::min(std::abs(p), std::abs(q)) - sag(s, u) : 0.0;
+  }
+  double most(double s, double u) const {
+    return std::max(std::abs(at(s)), std::abs(at(u))) + sag(s, u);
+  }
+};
+
+/// A straight spine may begin or end with no speed; its direction is that of the rest.
+glm::dvec2 direction_at(const Pen& pen, double t) {
+  const glm::dvec2 v = pen.velocity(t);
+  return v == glm::dvec2(0.0) ? pen.velocity(0.5) : v;
+}
+
+/// `ahead` is |B'|.
+Rim rim_with(const Pen& pen, double toward, double t, glm::dvec2 normal, double ahead) {
+  const double width = pen.width(t), rate = pen.rate(t);
+  return {t, pen.center(t) + width * normal, normal, -toward * turned(normal),
+          (ahead - rate) * (ahead + rate) - 2.0 * width * (glm::dot(normal, pen.b) + pen.wb)};
+}
+
+/// x above `from` where a growing function is y, all but.
+template <class F>
+double where(const F& f, double y, double from) {
+  double lo = from, hi = 1.0;
+  for (int i = 0; i < 8; ++i) (f(0.5 * (lo + hi)) < y ? lo : hi) = 0.5 * (lo + hi);
+  return 0.5 * (lo + hi);
 }
 
 class RimWriter {
  public:
   RimWriter(OutlineLoop& loop, const Pen& pen, double toward)
-      : loop_(loop), pen_(pen), toward_(toward) {}
+      : loop_(loop), pen_(pen), toward_(toward) {
+    const Box2 box = pen.box();
+    seen_ = loop.window().contains(box.lo) && loop.window().contains(box.hi);
+  }
 
-  void write(const Rim& a, const Rim& b, double t0, double t1, int halvings) {
-    const Pen part = pen_.part(t0, t1);
-    if (loop_.beyond(part.box())) return loop_.beyond_to(b.point);
-    glm::dvec2 control;
-    double error = std::numeric_limits<double>::infinity();
-    if (joined(a, b, control)) {
-      error = deviation(part, a, b, control);
-      if (error <= loop_.tolerance()) return emit(control, b.point);
+  /// Cut where x or y turns, which the normal tells at once.
+  void write(const Rim& a, const Rim& b) {
+    std::array<Rim, 4> turns;
+    int count = 0;
+    for (const glm::dvec2 normal : {glm::dvec2{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+      const double t = place_of(normal);
+      if (!((t - a.t) * (t - b.t) < 0.0 && toward_ * cross(pen_.velocity(t), normal) > 0.0))
+        continue;
+      int i = count++;
+      for (; i > 0 && (t - a.t) * (t - turns[i - 1].t) < 0.0; --i) turns[i] = turns[i - 1];
+      turns[i] = rim_with(pen_, toward_, t, normal, norm(pen_.velocity(t)));
     }
-    if (halvings == 0 || pieces_ > kMostRimPieces || !std::isfinite(b.speed))
-      return emit(0.5 * (a.point + b.point), b.point);
-    if (std::isfinite(error)) return write_parts(a, b, t0, t1, error, halvings - 1);
-    const double squared = (t1 - t0) * (t1 - t0);
-    if (longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
-      return emit(0.5 * (a.point + b.point), b.point);
-    const double t = middle(a, b, t0, t1);
-    if (t == t0 || t == t1) return emit(0.5 * (a.point + b.point), b.point);
-    const Rim m = rim_at(pen_, toward_, t);
-    write(a, m, t0, t, halvings - 1);
-    write(m, b, t, t1, halvings - 1);
+    const Rim* from = &a;
+    for (int i = 0; i < count; from = &turns[i++]) write(*from, turns[i], kRimHalvings);
+    write(*from, b, kRimHalvings);
   }
 
  private:
+  /// In as many pieces as the estimate asks for, at equal shares of it. Where that is more than a few, or no number,
+  /// each part is asked again.
+  void write(const Rim& a, const Rim& b, int halvings) {
+    constexpr int kMost = 32, kParts = 8;
+    // As flat as an arc of one piece.
+    const glm::dvec2 chord = b.point - a.point, turn = b.way - a.way;
+    const double turned2 = glm::dot(turn, turn), arc = 128.0 * loop_.tolerance();
+    if (glm::dot(chord, chord) * (turned2 * turned2 * turned2) <= arc * arc)
+      return fit(a, b, halvings);
+    // Pieces wanted up to x: a parabola for their density through three places.
+    const double dt = b.t - a.t, f0 = density(a), f2 = density(b),
+                 f1 = density(rim_at(pen_, toward_, a.t + 0.5 * dt));
+    const double c1 = 4.0 * f1 - 3.0 * f0 - f2, c2 = 2.0 * (f0 - 2.0 * f1 + f2);
+    const double scale = std::abs(dt) * std::sqrt(std::sqrt(kReserve / loop_.tolerance()));
+    const auto wanted = [&](double x) { return scale * x * (f0 + x * (c1 / 2.0 + x * c2 / 3.0)); };
+    const double all = wanted(1.0);
+    if (!(all > 1.0 && std::max(f0, f2) < 8.0 * f1)) return fit(a, b, halvings);
+    const int n = all < kMost ? int(all) + 1 : kParts;
+    Rim from = a;
+    double x = 0.0;
+    for (int i = 1; i <= n; ++i) {
+      x = i < n ? where(wanted, all * i / n, x) : 1.0;
+      const Rim to = i < n ? rim_at(pen_, toward_, a.t + x * dt) : b;
+      if (all < kMost || !halvings)
+        fit(from, to, halvings);
+      else if (loop_.beyond(pen_.part(from.t, to.t).box()))
+        loop_.beyond_to(to.point);
+      else
+        write(from, to, halvings - 1);
+      from = to;
+    }
+  }
+
+  /// One piece, or halves until they are near enough.
+  void fit(const Rim& a, const Rim& b, int halvings) {
+    const Pen part = pen_.part(a.t, b.t);
+    if (!seen_ && loop_.beyond(part.box())) return loop_.beyond_to(b.point);
+    glm::dvec2 control;
+    if (joined(a, b, control) &&
+        deviation(part, a, b, control, loop_.tolerance()) <= loop_.tolerance())
+      return emit(control, b.point);
+    const double squared = (b.t - a.t) * (b.t - a.t), t = middle(a, b);
+    if (halvings == 0 || pieces_ > kMostRimPieces || !std::isfinite(b.speed) || t == a.t ||
+        t == b.t || longest(part, a.speed * squared, b.speed * squared) <= 2.0 * loop_.tolerance())
+      return emit(0.5 * (a.point + b.point), b.point);
+    const Rim m = rim_at(pen_, toward_, t);
+    write(a, m, halvings - 1);
+    write(m, b, halvings - 1);
+  }
+
   void emit(glm::dvec2 control, glm::dvec2 to) {
     ++pieces_;
     loop_.quad(control, to);
   }
 
-  /// As many parts as the error asks for: it falls with the fourth power of their length.
-  void write_parts(const Rim& a, const Rim& b, double t0, double t1, double error, int halvings) {
-    constexpr double kMost = 8.0, kReserve = 1.1;
-    const double wanted = std::sqrt(std::sqrt(kReserve * error / loop_.tolerance()));
-    const int n = static_cast<int>(std::min(std::ceil(wanted), kMost));
-    Rim from = a;
-    for (int i = 0; i < n; ++i) {
-      const double u = t0 + (i * (t1 - t0)) / n;
-      const double v = i + 1 < n ? t0 + ((i + 1) * (t1 - t0)) / n : t1;
-      const Rim to = i + 1 < n ? rim_at(pen_, toward_, v) : b;
-      write(from, to, u, v, halvings);
-      from = to;
-    }
+  /// Where the normal is this one: the rim's tangent lines touch the discs at one t each.
+  double place_of(glm::dvec2 normal) const {
+    return -(glm::dot(pen_.a, normal) + pen_.wa) / (glm::dot(pen_.b, normal) + pen_.wb);
+  }
+
+  /// The fourth root of the error of a piece of the length dt, by dt.
+  double density(const Rim& r) const {
+    const double bend = glm::dot(pen_.b, r.normal) + pen_.wb, along = glm::dot(pen_.b, r.way);
+    const double ahead = glm::dot(pen_.velocity(r.t), r.way), rate = pen_.rate(r.t);
+    const double one = rate * bend - along * ahead, two = one - along * ahead;
+    const double squared = ahead * ahead;
+    const double all = r.speed * r.speed * bend * bend + 4.0 * squared * one * one -
+                       r.speed * (two * two + squared * bend * (bend - 2.0 * pen_.wb));
+    return std::sqrt(std::sqrt(std::abs(bend * all / (16.0 * r.speed))) / squared);
   }
 
   /// Where the rims' tangents meet; false where that is not between them.
@@ -88,7 +165,7 @@ class RimWriter {
     if (std::abs(turn) < kParallel && std::abs(trail) <= kParallel * length) return true;
     const double ahead = lead / turn, back = trail / turn;
     control = a.point + ahead * a.way;
-    return std::abs(turn) < kMostRimTurn && glm::dot(a.way, b.way) > 0.0 && ahead * back > 0.0 &&
+    return glm::dot(a.way, b.way) > -kParallel && ahead * back > 0.0 &&
            std::min(std::abs(ahead), std::abs(back)) > kLeastLeg * length;
   }
 
@@ -107,8 +184,9 @@ class RimWriter {
   }
 
   /// A bound of |min over t of |Q(s) − B(t)| − w(t)| along the piece. Infinite where the second
-  /// derivative along t may vanish: at a cusp.
-  static double deviation(const Pen& q, const Rim& begin, const Rim& end, glm::dvec2 control) {
+  /// derivative along t may vanish: at a cusp. A bound up to `enough` may be better.
+  static double deviation(const Pen& q, const Rim& begin, const Rim& end, glm::dvec2 control,
+                          double enough) {
     // Q − B = d + s (2da + s db).
     const glm::dvec2 d = begin.point - q.p, da = (control - begin.point) - q.a;
     const glm::dvec2 db = ((end.point - control) - (control - begin.point)) - q.b;
@@ -117,59 +195,44 @@ class RimWriter {
     const double h1 = glm::dot(d, q.b) + 2.0 * glm::dot(da, q.a) + q.w * q.wb + 2.0 * q.wa * q.wa;
     const double h3 = glm::dot(db, q.b) + q.wb * q.wb;
     const double h = std::max(std::abs(h1), std::abs(h1 - h3));
-    // Half the second derivative, in Bernstein form.
-    const auto second = [&](double s) {
-      const glm::dvec2 v = q.velocity(s), off = d + s * (2.0 * da + s * db);
-      const double rate = q.rate(s);
-      return glm::dot(v, v) - rate * rate - 2.0 * glm::dot(off, q.b) - 2.0 * q.width(s) * q.wb;
+    // Half the second derivative, and by how much it changes: at the ends it is the rim's speed.
+    const double ab = glm::dot(q.a, q.b) - q.wa * q.wb, bb = glm::dot(q.b, q.b) - q.wb * q.wb;
+    const double dt = end.t - begin.t, k0 = dt * dt * begin.speed, kk = 4.0 * bb - 2.0 * h3;
+    const Bow k{k0, 0.5 * (dt * dt * end.speed - k0 - kk), kk};
+    const double change = 12.0 * std::max(std::abs(ab), std::abs(ab + bb));
+    const double least = k.least(0.0, 1.0);
+    // All the way to the foot half of it is kept.
+    const double kept = 1.0 - (change + 6.0 * std::abs(bb) * h / least) * h / (least * least);
+    if (!(least > 0.0 && kept >= 0.5)) return std::numeric_limits<double>::infinity();
+    // At the foot φ is s² (1 − s)² times m/k, and what its third and fourth derivatives add.
+    const double way = h / (least * kept),
+                 added = (2.0 / 3.0 * change + std::abs(bb) * way) * way * way * way;
+    const Bow m{c * k.c0 - 4.0 * h1 * h1, c * k.c1 + 4.0 * h1 * h3, c * k.c2 - 4.0 * h3 * h3};
+    const Bow width{q.w, q.wa, q.wb};
+    const double mid = 2.0 * (q.w + q.wa), last = q.w + 2.0 * q.wa + q.wb;
+    /// With s (1 − s) <= reach from u to v, and where that is an end s² (1 − s)²/w <= by_rise.
+    const auto bound = [&](double u, double v, double reach, double by_rise) {
+      const double phi = m.most(u, v) / std::max(k.least(u, v), least) + added,
+                   w = std::max(width.least(u, v), 0.0);
+      const double x = phi * std::min(reach * reach / w, by_rise);
+      const double left = x < w ? std::sqrt(1.0 - x / w) : 0.0;
+      return std::min(x / (1.0 + left), reach * std::sqrt(phi));
     };
-    const double k0 = second(0.0), k2 = second(1.0), middle = second(0.5);
-    const double k1 = 2.0 * middle - 0.5 * (k0 + k2);
-    const double least = std::max(std::min({k0, k1, k2}), -std::max({k0, k1, k2}));
-    if (!(least > 0.0)) return std::numeric_limits<double>::infinity();
-    const auto third = [&](double s) {
-      return 3.0 * std::abs(glm::dot(q.velocity(s), 2.0 * q.b) - q.rate(s) * 2.0 * q.wb);
-    };
-    // On the way to the foot the second derivative keeps half its size, and more where that lies on the piece.
-    double kept = 1.0 - h * std::max(third(0.0), third(1.0)) / (least * least);
-    if (!(kept >= 0.5)) return std::numeric_limits<double>::infinity();
-    if (h > 0.25 * least) kept = 0.5;
-    const double foot = std::copysign(4.0 * h * h / (least * kept), k0),
-                 most = std::max(std::abs(c), std::abs(c - foot));
-    // w − sqrt(w² − x w) = x / (1 + sqrt(1 − x/w)): of x, the most, about half where w is larger.
-    const double w0 = q.w, w1 = q.w + q.wa, w2 = q.w + 2.0 * q.wa + q.wb;
-    const double by_width = most * most_over(w0, w1, w2), narrowest = std::min({w0, w1, w2});
-    const double left = by_width < narrowest ? std::sqrt(1.0 - by_width / narrowest) : 0.0;
-    return std::min(by_width / (1.0 + left), 0.25 * std::sqrt(most));
+    const double whole = bound(0.0, 1.0, 0.25, HUGE_VAL);
+    if (whole <= enough) return whole;
+    const auto rise = [&](double w) { return 9.0 / 64.0 / std::max(std::min(mid, w), 0.0); };
+    return std::max({bound(0.0, 0.25, 3.0 / 16.0, rise(last)), bound(0.25, 0.5, 0.25, HUGE_VAL),
+                     bound(0.5, 0.75, 0.25, HUGE_VAL), bound(0.75, 1.0, 3.0 / 16.0, rise(q.w))});
   }
 
-  /// Where to halve: in the middle of a large turn, at a cusp, or of t.
-  double middle(const Rim& a, const Rim& b, double t0, double t1) const {
-    const double half = 0.5 * (t0 + t1);
-    const auto between = [&](double t) { return (t - t0) * (t - t1) < 0.0; };
-    if (a.speed * b.speed < 0.0) {
-      const double t = cusp(a.speed, t0, t1);
-      if (between(t)) return t;
-    }
-    constexpr double kLarge = 0.75;  // cosine
-    glm::dvec2 u = pen_.velocity(t0), v = pen_.velocity(t1);
-    if (glm::dot(u, v) < kLarge * norm(u) * norm(v)) {
-      u = glm::normalize(u), v = glm::normalize(v);
-      const glm::dvec2 way = glm::dot(u, v) > -0.5 ? u + v : turned(u - v);
-      const double t = -cross(pen_.a, way) / cross(pen_.b, way);
-      if (between(t)) return t;
-    }
-    // A round tip, where |w'| comes up to |B'|: the rim runs with the square root of t there.
-    const double e0 = upright(t0), e1 = upright(t1);
-    if (e0 < 0.05 * e1) return 0.75 * t0 + 0.25 * t1;
-    if (e1 < 0.05 * e0) return 0.25 * t0 + 0.75 * t1;
-    return half;
-  }
-
-  double upright(double t) const {
-    const glm::dvec2 v = pen_.velocity(t);
-    const double rate = pen_.rate(t), squared = glm::dot(v, v);
-    return std::max(0.0, squared - rate * rate) / squared;
+  /// Where to halve: at a cusp, or half-way round.
+  double middle(const Rim& a, const Rim& b) const {
+    if (a.speed * b.speed < 0.0)
+      if (const double t = cusp(a.speed, a.t, b.t); (t - a.t) * (t - b.t) < 0.0) return t;
+    constexpr double kShare = 1.0 / 16.0;
+    const double share = (place_of(glm::normalize(a.normal + b.normal)) - a.t) / (b.t - a.t);
+    return a.t + (share > 0.0 && share < 1.0 ? std::clamp(share, kShare, 1.0 - kShare) : 0.5) *
+                     (b.t - a.t);
   }
 
   /// Where the speed changes its sign.
@@ -186,18 +249,9 @@ class RimWriter {
   OutlineLoop& loop_;
   const Pen& pen_;
   double toward_;
+  bool seen_;  ///< all of it is in the window
   int pieces_ = 0;
 };
-
-}  // namespace
-
-namespace {
-
-/// A straight spine may begin or end with no speed; its direction is that of the rest.
-glm::dvec2 direction_at(const Pen& pen, double t) {
-  const glm::dvec2 v = pen.velocity(t);
-  return v == glm::dvec2(0.0) ? pen.velocity(0.5) : v;
-}
 
 }  // namespace
 
@@ -207,20 +261,13 @@ double lean_at(const Pen& pen, double t) {
 
 Rim rim_at(const Pen& pen, double toward, double t) {
   const glm::dvec2 v = direction_at(pen, t);
-  const double width = pen.width(t), rate = pen.rate(t), speed = norm(v), lean = lean_at(pen, t);
-  const glm::dvec2 ahead = v / speed;
-  Rim rim;
-  rim.normal = toward * std::sqrt((1.0 - lean) * (1.0 + lean)) * turned(ahead) - lean * ahead;
-  rim.way = -toward * turned(rim.normal);
-  rim.point = pen.center(t) + width * rim.normal;
-  rim.speed =
-      (speed - rate) * (speed + rate) - 2.0 * width * (glm::dot(rim.normal, pen.b) + pen.wb);
-  return rim;
+  const double speed = norm(v), lean = std::clamp(pen.rate(t) / speed, -1.0, 1.0);
+  const double across = toward * std::sqrt((1.0 - lean) * (1.0 + lean));
+  return rim_with(pen, toward, t, (across * turned(v) - lean * v) / speed, speed);
 }
 
-void write_rim(OutlineLoop& loop, const Pen& pen, double toward, double t0, double t1) {
-  RimWriter(loop, pen, toward)
-      .write(rim_at(pen, toward, t0), rim_at(pen, toward, t1), t0, t1, kRimHalvings);
+void write_rim(OutlineLoop& loop, const Pen& pen, double toward, const Rim& from, const Rim& to) {
+  RimWriter(loop, pen, toward).write(from, to);
 }
 
 }  // namespace mien

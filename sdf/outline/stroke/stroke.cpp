@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 
 namespace mien {
 namespace {
@@ -71,20 +72,47 @@ void write_tip(OutlineLoop& loop, const Pen& pen, double t, double end, glm::dve
     write_arc(loop, pen.center(t), pen.width(t), from, lean * end < 0.0 ? turn : -turn, to);
 }
 
-/// The rims from t0 to t1, where |w'| <= |B'|, with a round end at 0 and at 1.
-void write_open(OutlineLoop& loop, const Pen& pen, double t0, double t1) {
-  const Rim right0 = rim_at(pen, -1.0, t0), right1 = rim_at(pen, -1.0, t1);
-  const Rim left0 = rim_at(pen, 1.0, t0), left1 = rim_at(pen, 1.0, t1);
-  loop.begin(right0.point);
-  write_rim(loop, pen, -1.0, t0, t1);
-  if (t1 == 1.0 && pen.width(1.0) > kThinStroke)
-    write_cap(loop, pen, 1.0, right1.normal, left1.point);
-  if (t1 < 1.0) write_tip(loop, pen, t1, 1.0, right1.normal, left1.point);
+/// The rims of pens that go on as each other, from the first's t0 to the last's t1, where |w'| <= |B'|, with a round
+/// end at 0 and at 1.
+void write_open(OutlineLoop& loop, std::span<const Pen> pens, double t0, double t1) {
+  const Pen &first = pens.front(), &last = pens.back();
+  const Rim right0 = rim_at(first, -1.0, t0), left1 = rim_at(last, 1.0, t1);
+  Rim from = right0, to = from;
+  loop.begin(from.point);
+  for (const Pen& pen : pens) {
+    if (&pen != &first) from = rim_at(pen, -1.0, 0.0), from.point = loop.at();
+    write_rim(loop, pen, -1.0, from, to = rim_at(pen, -1.0, &pen == &last ? t1 : 1.0));
+  }
+  if (t1 == 1.0 && last.width(1.0) > kThinStroke)
+    write_cap(loop, last, 1.0, to.normal, left1.point);
+  if (t1 < 1.0) write_tip(loop, last, t1, 1.0, to.normal, left1.point);
   loop.line(left1.point);
-  write_rim(loop, pen, 1.0, t1, t0);
-  if (t0 == 0.0 && pen.w > kThinStroke) write_cap(loop, pen, 0.0, left0.normal, right0.point);
-  if (t0 > 0.0) write_tip(loop, pen, t0, -1.0, left0.normal, right0.point);
+  from = left1;
+  for (std::size_t i = pens.size(); i-- > 0;) {
+    if (i + 1 < pens.size()) from = rim_at(pens[i], 1.0, 1.0), from.point = loop.at();
+    write_rim(loop, pens[i], 1.0, from, to = rim_at(pens[i], 1.0, i == 0 ? t0 : 0.0));
+  }
+  if (t0 == 0.0 && first.w > kThinStroke) write_cap(loop, first, 0.0, to.normal, right0.point);
+  if (t0 > 0.0) write_tip(loop, first, t0, -1.0, to.normal, right0.point);
   loop.close();
+}
+
+/// Whether no width is below 0 and no disc holds its neighbours.
+bool is_open(const Pen& pen) {
+  const glm::dvec2 end = pen.a + pen.b;
+  const double rate = pen.wa + pen.wb;
+  return std::min({pen.w, pen.w + pen.wa, pen.w + 2.0 * pen.wa + pen.wb}) >= 0.0 &&
+         glm::dot(pen.a, pen.a) > pen.wa * pen.wa && glm::dot(pen.a, end) > pen.wa * rate &&
+         glm::dot(end, end) > rate * rate;
+}
+
+/// Whether the rims of one pen go on in those of the other.
+bool goes_on(const Pen& before, const Pen& pen) {
+  const auto apart = [&](double toward) {
+    return norm(rim_at(before, toward, 1.0).point - rim_at(pen, toward, 0.0).point);
+  };
+  return is_open(pen) && norm(before.center(1.0) - pen.p) <= kFlatStroke &&
+         std::max(apart(1.0), apart(-1.0)) <= kFlatStroke;
 }
 
 /// A part of a stroke with w >= 0, whose spine, if straight, does not turn back.
@@ -101,7 +129,7 @@ void write_part(OutlineLoop& loop, const Pen& pen) {
   cuts.end();
   for (int i = 1; i < cuts.count; ++i)
     if (openness(pen, 0.5 * (cuts.t[i - 1] + cuts.t[i])) > 0.0)
-      write_open(loop, pen, cuts.t[i - 1], cuts.t[i]);
+      write_open(loop, {&pen, 1}, cuts.t[i - 1], cuts.t[i]);
 }
 
 }  // namespace
@@ -111,7 +139,8 @@ void write_capsule(OutlineLoop& loop, glm::dvec2 c0, double r0, glm::dvec2 c1, d
   const double length = norm(d);
   if (length <= std::abs(r1 - r0) + kThinStroke)
     return r0 > r1 ? write_disc(loop, c0, r0) : write_disc(loop, c1, r1);
-  write_open(loop, Pen({c0, 0.5 * (c0 + c1), c1}, r0, 0.5 * (r0 + r1), r1), 0.0, 1.0);
+  const Pen pen({c0, 0.5 * (c0 + c1), c1}, r0, 0.5 * (r0 + r1), r1);
+  write_open(loop, {&pen, 1}, 0.0, 1.0);
 }
 
 namespace {
@@ -153,6 +182,18 @@ void write_stroke(OutlineLoop& loop, const Pen& drawn) {
       write_part(loop, part);
     }
   }
+}
+
+void StrokeRow::add(const Pen& pen) {
+  const bool more = count_ > 0 && count_ < pens_.size() && is_open(pens_[0]);
+  if (!more || !goes_on(pens_[count_ - 1], pen)) end();
+  pens_[count_++] = pen;
+}
+
+void StrokeRow::end() {
+  if (count_ == 1) write_stroke(loop_, pens_[0]);
+  if (count_ > 1) write_open(loop_, {pens_.data(), count_}, 0.0, 1.0);
+  count_ = 0;
 }
 
 }  // namespace mien

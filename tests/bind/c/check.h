@@ -39,6 +39,7 @@ void test_scenes(void);
 void test_pictures(void);
 void test_cancelling(void);
 void test_morphs(void);
+void test_motions(void);
 void test_effects(void);
 void test_bases(const char* folder);
 void test_debug(void);

@@ -45,6 +45,18 @@ static int32_t stop(double done, void* data) {
   return 1;
 }
 
+/* Effects that change nothing are as if they were not there, at 8 bits too. */
+static void test_idle(mien_renderer* renderer, const mien_scene* scene, const mien_view* view) {
+  mien_error* error = NULL;
+  unsigned char *plain = malloc(kPixels * 4), *with = malloc(kPixels * 4);
+  mien_pixels from = bytes_in(plain, kWide, kHigh), to = bytes_in(with, kWide, kHigh);
+  mien_effects* idle = effects_of("mosaic:120", "grid:7,0");
+  OK(mien_render(renderer, scene, view, &from, NULL, &error));
+  OK(mien_render_with_effects(renderer, scene, view, idle, &to, NULL, &error));
+  CHECK(memcmp(plain, with, kPixels * 4) == 0);
+  mien_effects_free(idle), free(plain), free(with);
+}
+
 /* Drawn with effects is drawn, and then the effects; in parts, too. */
 static void test_drawn(mien_renderer* renderer, const mien_scene* scene) {
   mien_error* error = NULL;
@@ -68,6 +80,7 @@ static void test_drawn(mien_renderer* renderer, const mien_scene* scene) {
   CHECK(stats.pixels == kPixels);
   OK(mien_render_with_effects(renderer, scene, &view, none, &to, NULL, &error));
   CHECK(memcmp(plain, by, kPixels * 16) == 0);
+  test_idle(renderer, scene, &view);
 
   OK(mien_render_with_effects(renderer, scene, &view, effects, &in_bytes, NULL, &error));
   view.has_region = 1;

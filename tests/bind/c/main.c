@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
   test_pictures();
   test_cancelling();
   test_morphs();
+  test_motions();
   test_effects();
   test_bases(argv[2]);
   test_debug();

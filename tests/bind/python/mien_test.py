@@ -180,6 +180,41 @@ class FaceTexts(unittest.TestCase):
         self.assertEqual(dict(person.clip_lengths), {"idle": math.inf, "feelings": 12})
 
 
+class Motions(unittest.TestCase):
+    TRACK = "0\tsil\n0.2\tm\n0.4\tɑː\n0.8\t\n"
+
+    def test_are_read_and_followed(self):
+        person, track = mien.from_code(people.code("ada")), mien.read_motion_text(self.TRACK, "track.tsv")
+        self.assertGreater(track.length, 0.8)
+        self.assertIn("viseme.PP", track.channels)
+        self.assertEqual(track.value("viseme.PP", 0.3), 1)
+        self.assertEqual((track.told, person.unfollowed(track)), ((), ()))
+        open_mouth = person.speak(track, 0.6).vector
+        self.assertFalse(numpy.array_equal(open_mouth, person.pose(time=0.6).vector))
+        self.assertTrue(numpy.array_equal(open_mouth, person.pose(time=0.6, clips=["idle"], motions=[(track, 1)]).vector))
+        frame = {"faceBlendshapes": [{"categories": [{"categoryName": "jawOpen", "score": 0.5}]}]}
+        self.assertTrue(numpy.array_equal(person.follow(frame).vector, person.pose(expressions={"arkit": {"jawOpen": 0.5}}).vector))
+
+    def test_are_steadied_where_they_come_live(self):
+        person, steady = mien.from_code(people.code("ada")), mien.Steady(cutoff=1, beta=0)
+        at = lambda jaw, seconds: person.follow({"jawOpen": jaw}, steady=(steady, seconds)).vector
+        self.assertTrue(numpy.array_equal(at(0, 7), person.follow({"jawOpen": 0}).vector))
+        share = 1 / (1 + 1 / (2 * math.pi / 30))
+        numpy.testing.assert_allclose(at(1, 7 + 1 / 30), person.follow({"jawOpen": share}).vector, atol=1e-9)
+        self.assertTrue(numpy.array_equal(at(1, 9), person.follow({"jawOpen": 1}).vector))
+        with self.assertRaises(mien.Error):
+            mien.Steady(cutoff=0)
+
+    def test_say_what_is_wrong(self):
+        with self.assertRaises(mien.Error) as wrong:
+            mien.read_motion_text("time,jawOpen\n0,0\n1,nan\n", "take.csv")
+        self.assertEqual(wrong.exception.where, "take.csv:3:3")
+        with self.assertRaises(mien.Error):
+            mien.read_motion("nowhere.csv")
+        clamped = mien.read_motion_text("time,jawOpen,tongueOut\n0,0,0\n1,1.5,1\n")
+        self.assertEqual(len(clamped.told), 1)
+
+
 class Poses(unittest.TestCase):
     def test_are_those_of_the_command(self):
         face, size = mien.from_code(people.code("ada")), (96, 96)
@@ -591,7 +626,8 @@ class Package(unittest.TestCase):
         self.assertTrue(blocks)
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
-            os.symlink(ROOT / "faces", pathlib.Path(folder, "faces"))
+            for name in ("faces", "examples"):
+                os.symlink(ROOT / name, pathlib.Path(folder, name))
             os.chdir(folder)
             try:
                 names = {}

@@ -21,8 +21,9 @@ with tempfile.TemporaryDirectory() as folder:
         print("needs jupyter-nbconvert, python3-ipykernel and python3-numpy: tools/setup --dev")
         sys.exit(77)
 
-    # Where it is run are the faces; what it writes stays there.
-    os.symlink(source / "faces", pathlib.Path(folder, "faces"))
+    # Where it is run are the faces and the examples; what it writes stays there.
+    for shown in ("faces", "examples"):
+        os.symlink(source / shown, pathlib.Path(folder, shown))
     home = {**os.environ, "HOME": folder, "JUPYTER_DATA_DIR": folder, "IPYTHONDIR": folder}
 
     def run(notebook):

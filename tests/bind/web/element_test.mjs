@@ -12,6 +12,15 @@ const { load } = await import(`file://${built}/mien.js`);
 const mien = await load(readFileSync(`${built}/mien.wasm`));
 const toon = readFileSync(new URL('../../../faces/compat/toon.face.json', import.meta.url), 'utf8');
 
+const TRACK = '0\tsil\n0.1\tm\n0.3\tɑː\n0.6\tf\n0.8\t\n', AT_M = 0.2, AT_AA = 0.5;
+/** A second of silence, as an address. */
+const SILENCE = (() => {
+  const rate = 8000, head = Buffer.alloc(44);
+  head.write('RIFF'), head.writeUInt32LE(36 + rate, 4), head.write('WAVEfmt ', 8), head.writeUInt32LE(16, 16), head.writeUInt16LE(1, 20), head.writeUInt16LE(1, 22);
+  head.writeUInt32LE(rate, 24), head.writeUInt32LE(rate, 28), head.writeUInt16LE(1, 32), head.writeUInt16LE(8, 34), head.write('data', 36), head.writeUInt32LE(rate, 40);
+  return `data:audio/wav;base64,${Buffer.concat([head, Buffer.alloc(rate, 128)]).toString('base64')}`;
+})();
+
 /** Counts what is told, in order, and whether the picture was there then. */
 const WATCH = `<script>
   window.told = [], window.refused = [], window.workers = 0;
@@ -43,6 +52,7 @@ const pages = {
   '/early.html': `<!doctype html><meta charset="utf-8">${WATCH}<mien-face id="it" width="72" height="72"></mien-face><script>it.seed = 'ada', it.pose = { emotions: { joy: 1 } };</script><script type="module" src="element.js"></script>`,
   '/spikes.html': page('<mien-face id="spikes" src="spikes.face.json" width="72" height="72" deadline="200"></mien-face><mien-face id="it" seed="ada" width="72" height="72"></mien-face>'), '/spikes.face.json': spikyFace(),
   '/endless.html': page(['endless', 'it'].map((id) => `<mien-face id="${id}" seed="ada" width="72" height="72" deadline="300"></mien-face>`).join('')),
+  '/speech.html': page(`<audio id="voice" muted src="${SILENCE}"></audio><mien-face id="it" seed="ada" width="72" height="72" speech="hello.tsv" sound="voice"></mien-face>`), '/hello.tsv': TRACK,
   '/file.html': one('src="toon.face.json" face-style="ink"'), '/toon.face.json': toon,
 };
 const server = await serve(built, pages);
@@ -166,6 +176,41 @@ test('a face that talks waits for no crowd', async () => {
   assert.ok(waits[15] <= 6 && waits[29] <= 20, `it waited for ${waits} others`);
   const others = await on.run(() => window.told.filter(({ id }) => id !== 'it').length);
   assert.ok(others > 20, 'and the crowd does not stand still');
+});
+
+test('speech follows its sound, its time or a shape', async () => {
+  const on = await open('speech');
+  const at = (time) => ada({ motions: [TRACK], time });
+  await drawn(on);
+  for (const time of [AT_M, AT_AA]) {
+    await on.run((to) => { voice.currentTime = to; }, time);
+    await shows(on, at(time));
+  }
+  assert.notDeepEqual(at(AT_M), at(AT_AA));
+  const before = await on.run(() => count('it'));
+  await on.run(() => { voice.currentTime = 0; return voice.play(); });
+  await drawn(on, 'it', before + 4);
+  await on.until(() => voice.ended);
+  await on.run(() => { it.sound = null, it.time = 0.5; });
+  await shows(on, at(AT_AA));
+  await on.run(() => { it.speech = null, it.time = null, it.viseme = { aa: 1, PP: 0.5 }; });
+  await shows(on, ada({ visemes: { aa: 1, PP: 0.5 } }));
+  await on.run(() => { refused.length = 0, it.speech = 'nothing.tsv'; });
+  assert.deepEqual(await sentence(on), { id: 'it', where: 'nothing.tsv', what: 'cannot be fetched: 404' });
+  await on.run(() => { refused.length = 0, it.sound = 'no one'; });
+  assert.deepEqual(await sentence(on), { id: 'it', where: 'sound', what: 'nothing here has the id "no one"' });
+});
+
+test('a face that speaks and follows by methods shows that', async () => {
+  const on = await open('ada');
+  await drawn(on);
+  await change(on, (track) => it.speak(track, 0.2), TRACK);
+  await shows(on, ada({ motions: [TRACK], time: AT_M }));
+  const seen = { faceBlendshapes: [{ categories: [{ categoryName: '_neutral', score: 0.9 }, { categoryName: 'jawOpen', score: 0.7 }] }] };
+  await change(on, (result) => it.follow(result), seen);
+  await shows(on, ada({ arkit: { jawOpen: 0.7 } }));
+  await change(on, () => it.follow(null));
+  await shows(on, ada());
 });
 
 test('of many changes the newest is drawn', async () => {

@@ -201,6 +201,32 @@ test('clips have lengths', () => {
   face.free();
 });
 
+const TRACK = '0\tsil\n0.2\tm\n0.4\tɑː\n0.8\t\n';
+
+test('faces speak and follow', () => {
+  const face = mien.person(mien.code('hello')), track = mien.motion(TRACK, 'track.tsv');
+  assert.ok(track.length > 0.8 && track.channels.includes('viseme.PP'));
+  assert.equal(track.value('viseme.PP', 0.3), 1);
+  assert.deepEqual(track.told, []);
+  assert.deepEqual(face.unfollowed(track), []);
+  const rest = face.draw(32, 32, { time: 0.3 }).slice(), closed = face.speak(32, 32, track, 0.3).slice(), open = face.speak(32, 32, TRACK, 0.6).slice();
+  assert.notDeepEqual(closed, open);
+  assert.notDeepEqual(rest, open);
+  assert.deepEqual(face.draw(32, 32, { time: 0.6, clips: ['idle'], motions: [{ motion: track }] }), open);
+  const result = { faceBlendshapes: [{ categories: [{ categoryName: '_neutral', score: 0.1 }, { categoryName: 'jawOpen', score: 0.5 }] }] };
+  const followed = face.follow(32, 32, result).slice();
+  assert.deepEqual(face.draw(32, 32, { arkit: { jawOpen: 0.5 } }), followed);
+  const steady = (jaw, at, more) => face.follow(32, 32, { jawOpen: jaw }, { steady: { at, ...more } }).slice();
+  assert.deepEqual(steady(0.5, 7), followed);
+  assert.notDeepEqual(steady(0, 7.03), face.follow(32, 32, { jawOpen: 0 }).slice());
+  assert.deepEqual(steady(0.5, 7.06, { cutoff: 3 }), followed, 'another filter begins again');
+  assert.throws(() => steady(0, 8, { cutoff: -1 }), /cutoff/);
+  assert.throws(() => face.draw(32, 32, { frame: {}, steady: {} }), /pose\.steady: expected a frame/);
+  assert.throws(() => mien.motion('hello'), /motion:1: is no take/);
+  assert.throws(() => face.draw(32, 32, { motions: 'a' }), /pose\.motions: expected a list/);
+  track.free(), face.free();
+});
+
 test('a face is an SVG file', () => {
   const face = mien.person(mien.code('hello'));
   const { text, simplified } = face.svg(300, 200, { background: '#102030' }, { idPrefix: 'a-' });

@@ -218,6 +218,15 @@ TEST(EffectChain, GridIsTheSupersampledTruthAlsoOverAMosaic) {
   }
 }
 
+TEST(EffectChain, OnlyThoseActThatChangeThePicture) {
+  const std::vector<Effect> idle{MosaicEffect{64, 0}, MosaicEffect{64, 0, true}, GridEffect{7, 0},
+                                 GridEffect{7, 2, {1, 1, 1, 0}}};
+  EXPECT_TRUE(acting_effects(idle, 64).empty());
+  EXPECT_EQ(acting_effects({idle[0], MosaicEffect{64, 0.1}, idle[2], GridEffect{7}}, 64).size(),
+            2u);
+  EXPECT_EQ(acting_effects(idle, 65).size(), 2u);
+}
+
 TEST(EffectChain, RefusesWhatThePictureIsTooSmallFor) {
   EXPECT_TRUE(check_effect(MosaicEffect{64, 0.2}, 64));
   EXPECT_EQ(check_effect(MosaicEffect{65}, 64).error().what,

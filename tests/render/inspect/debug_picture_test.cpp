@@ -44,6 +44,23 @@ TEST(DebugPicture, ShowsRegionsAndWhatLooksAlike) {
   EXPECT_EQ(pixel_of(looks, 76, 24), (Rgb{255, 255, 255}));  // lit: it varies
 }
 
+/// Large pictures are arranged in parts: what is seen first in one of them does not tell how the rest is shown.
+TEST(DebugPicture, WhatLooksAlikeDoesSoAllTheWayDown) {
+  SceneBuilder build({.box = {{-50, -50}, {50, 50}}}, {1, 1, 1, 1});
+  build.layer("low corner", build.shape(Disc{{-50, -50}, 20}), {{0, 0, 1, 1}});
+  build.layer("high corner", build.shape(Disc{{-50, 50}, 20}), {{0, 1, 0, 1}});
+  build.layer("half", build.shape(HalfPlane{{1, 0}, 0.25}), {{0, 0, 0, 1}});
+  const Scene scene = std::move(build).finish();
+  const View view{.width = 700, .height = 700};
+  for (const auto which : {DebugPicture::looks, DebugPicture::regions}) {
+    const Image image = debug_picture(scene, view, which).value();
+    for (int y = 30; y < 670; y += 20) {
+      EXPECT_EQ(pixel_of(image, 300, y), pixel_of(image, 300, 1)) << y;
+      EXPECT_EQ(pixel_of(image, 600, y), pixel_of(image, 600, 1)) << y;
+    }
+  }
+}
+
 TEST(DebugPicture, DrawsIsolinesOfTheNearestOutline) {
   const Image distance = debug_picture(half_and_dome(), kView, DebugPicture::distance).value();
   EXPECT_EQ(pixel_of(distance, 50, 90), (Rgb{255, 255, 255}));

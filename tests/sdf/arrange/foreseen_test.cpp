@@ -72,11 +72,7 @@ std::uint64_t held_by(const AreaPrograms& programs, const RenderLimits& limits) 
   Outlines outlines;
   OutlineMaker maker;
   maker.begin(kForeseenFrame, outlines);
-  for (const OutlineSource& source : programs.outlines())
-    if (source.rim)
-      maker.rim(programs.shape(source), source.amount);
-    else
-      maker.fill(programs.shape(source));
+  for (const OutlineSource& source : programs.outlines()) maker.add(programs, source);
   maker.finish();
   BlindRule rule;
   Regions regions;

@@ -21,7 +21,9 @@ std::optional<bool> holds(const AreaPrograms& programs, const AreaProgram& progr
   std::vector<std::uint64_t> bits(programs.outlines().size() / 64 + 1, 0);
   for (std::size_t i = 0; i < programs.outlines().size(); ++i) {
     const OutlineSource& of = programs.outlines()[i];
-    const double d = distance(programs.shape(of), p);
+    double d = distance(programs.shape(of), p);
+    for (int k = 1; k < of.count; ++k)
+      d = std::min(d, distance(programs.shape({of.shape + k, 0.0, false}), p));
     const double e = of.rim ? std::abs(d) - of.amount : d - of.amount;
     if (std::abs(e) < 1e-9) return {};
     if (e < 0.0) bits[i / 64] |= std::uint64_t{1} << (i % 64);

@@ -11,7 +11,7 @@ namespace mien::command {
 
 struct AnimateArguments {
   RenderArguments render;  ///< `output`: a pattern of names, or a film
-  std::optional<std::string> frames, fps;
+  std::optional<std::string> frames, fps, sound;
   bool again = false;
 };
 

@@ -60,6 +60,7 @@ class Roles {
   }
   FileRoles operator()(const AnimateArguments& a) {
     read(a.render.posed);
+    read("--sound", a.sound);
     return write("--output", a.render.output, Kind::looked_after).all_;
   }
   FileRoles operator()(const ImportArguments& a) {
@@ -112,7 +113,11 @@ class Roles {
     return *this;
   }
   void read(const PosedFace& posed) {
-    read("FACE", posed.face).read("--arkit", posed.arkit).read("--basis", posed.basis);
+    read("FACE", posed.face)
+        .read("--arkit", posed.arkit)
+        .read("--motion", posed.motion)
+        .read("--speech", posed.speech)
+        .read("--basis", posed.basis);
     for (const std::string& file : posed.morphs) read("--morphs", file);
   }
 

@@ -29,6 +29,14 @@ void add_motion(CLI::App* to, PosedFace& posed) {
         "begin 0; repeatable, each acts on the result of those before it")
       ->type_name("NAME[=WEIGHT[@BEGIN]]")
       ->allow_extra_args(false);
+  to->add_option("--motion", posed.motion,
+                 "Follow a take of an actor: CSV of Live Link Face or OpenFace, JSON of ARKit or "
+                 "MediaPipe, and others (docs/motion.md)")
+      ->type_name("FILE");
+  to->add_option("--speech", posed.speech,
+                 "Speak a track: phones of a TextGrid, cues of Rhubarb, visemes of Azure, .pho, or "
+                 "a line SECONDS<TAB>SOUND for each")
+      ->type_name("FILE");
   add_seed(*to, posed.seed,
            "Blink and glance by this word's chances; default those of the face's own code, recipe "
            "or file");
@@ -79,7 +87,8 @@ void add_feelings(CLI::App* to, PosedFace& posed) {
       ->type_name("NAME[=PULL]")
       ->allow_extra_args(false);
   to->add_option("--arkit", posed.arkit,
-                 "A frame of ARKit's blend shapes as JSON: {\"jawOpen\": 0.4, …}")
+                 "A frame of ARKit's blend shapes as JSON, {\"jawOpen\": 0.4, …}; a take is as "
+                 "for --motion")
       ->type_name("FILE");
   to->add_flag("--clamp", posed.clamp,
                "Take strengths and pulls beyond 0 to 1 as the nearer end instead of an error");
@@ -108,9 +117,15 @@ void add_animate(CLI::App& app, AnimateArguments& to) {
                    "Pictures like frames/%05d.png, or a film: .mp4 .webm .webp .apng .gif")
       ->required()
       ->type_name("FILE");
-  animate->add_option("--frames", to.frames, "Which frames, FIRST-LAST, counted from 0")
+  animate
+      ->add_option(
+          "--frames", to.frames,
+          "Which frames, FIRST-LAST, counted from 0; default all of --motion, --speech and "
+          "--sound")
       ->type_name("A-B");
   animate->add_option("--fps", to.fps, "Frames a second; default 30")->type_name("N");
+  animate->add_option("--sound", to.sound, "The film's sound, from time 0 on: for .mp4 and .webm")
+      ->type_name("FILE");
   animate->add_flag("--again", to.again, "Draw pictures again that an earlier run finished");
   add_picture(animate, to.render);
   add_threads(animate, to.render);

@@ -3,6 +3,8 @@
 // Frames are drawn in parallel, one thread each, and each depends on its own moment alone: any number of
 // threads gives the same pictures. Numbered pictures that an earlier run finished are kept.
 
+#include <mien/face_model.h>
+#include <mien/motion_length.h>
 #include <mien/parallel.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/monotonic_seconds.h"
@@ -15,6 +17,7 @@
 #include "tools/mien/film/film.h"
 #include "tools/mien/film/finished_frame.h"
 #include "tools/mien/film/frame_names.h"
+#include "tools/mien/film/wave_file.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/recipe.h"
 #include "tools/mien/terminal/interrupt.h"
@@ -24,6 +27,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 #include <thread>
 
@@ -42,6 +46,7 @@ struct Animation {
   FrameRange range;
   double fps = 30;
   int threads = 1;
+  std::optional<FilmSound> sound;
 
   double time_of(long frame) const { return double(frame) / fps; }
   Scene scene_of(long frame) const {
@@ -118,7 +123,10 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
         Error{output,
               "mp4 holds no transparency: take .webm, .webp, .apng or .gif, or --background"},
         kUsedWrongly);
-  auto film = Film::begin(output, type, drawn.width, drawn.height, animation.fps, transparent);
+  if (animation.sound && !holds_sound(type))
+    return complain(Error{output, "holds no sound: take .mp4 or .webm"}, kUsedWrongly);
+  auto film = Film::begin(output, type, drawn.width, drawn.height, animation.fps, transparent,
+                          animation.sound);
   if (!film) return complain(film.error(), kFailed);
   const Progress progress = display.watch("frames");
   const std::uint64_t bytes = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4;
@@ -146,19 +154,54 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
                            animation.range.count(), whole, 100 * drawing / whole));
 }
 
+/// [s] How long what is played lasts: the longest of motions that end.
+double length_of(const Animation& animation) {
+  double longest = 0;
+  const FaceModel& model = *animation.face.model;
+  for (const MotionLayer& layer : animation.pose.motions)
+    if (!layer.clip && layer.motion)
+      longest = std::max(longest, layer.begin + motion_length(*layer.motion));
+    else if (const double length = motion_length(layer.clip.in(model.clips)); std::isfinite(length))
+      longest = std::max(longest, layer.begin + length);
+  return longest;
+}
+
+/// The frames asked for, or all that the motions and the sound last.
+int plan_frames(const AnimateArguments& arguments, Animation& animation) {
+  double sound = 0;
+  if (arguments.sound) {
+    const auto seconds = wave_seconds(*arguments.sound);
+    if (!seconds) return complain(seconds.error(), kFailed);
+    sound = seconds->value_or(0);
+  }
+  if (arguments.frames) {
+    const auto range = read_frames(*arguments.frames);
+    if (!range) return complain(range.error(), kUsedWrongly);
+    animation.range = *range;
+  } else {
+    const double seconds = std::max(length_of(animation), sound);
+    const auto last =
+        read_frames(fmt::format("0-{:.0f}", std::max(std::ceil(seconds * animation.fps) - 1, 0.0)));
+    if (!last) return complain(last.error(), kUsedWrongly);
+    animation.range = *last;
+  }
+  if (arguments.sound)
+    animation.sound = {*arguments.sound, animation.time_of(animation.range.first),
+                       double(animation.range.count()) / animation.fps};
+  return kDone;
+}
+
 /// Checks everything that can be checked before drawing.
 int plan_animation(const AnimateArguments& arguments, Animation& animation) {
   auto plan = plan_frame(arguments.render);
   if (!plan) return complain(plan.error(), kUsedWrongly);
-  if (!arguments.frames)
+  const PosedFace& asked_for = arguments.render.posed;
+  if (!arguments.frames && !asked_for.motion && !asked_for.speech && !arguments.sound)
     return complain("animate: --frames is needed: --frames 0-239", kUsedWrongly);
-  const auto range = read_frames(*arguments.frames);
-  if (!range) return complain(range.error(), kUsedWrongly);
   const auto fps = read_fps(arguments.fps.value_or("30"));
   if (!fps) return complain(fps.error(), kUsedWrongly);
   if (arguments.render.posed.time)
     return complain("animate: --time is for one picture: say --frames and --fps", kUsedWrongly);
-  animation.range = *range;
   animation.fps = *fps;
   animation.arguments = arguments.render;
   PosedFace posed = arguments.render.posed;
@@ -167,7 +210,8 @@ int plan_animation(const AnimateArguments& arguments, Animation& animation) {
   if (!read.face) return read.code;
   animation.face = *std::move(read.face);
   animation.pose = std::move(read.pose);
-  const Scene first = animation.scene_of(range->first);
+  if (const int code = plan_frames(arguments, animation); code != kDone) return code;
+  const Scene first = animation.scene_of(animation.range.first);
   if (auto planned = plan_view(*plan, arguments.render, first.canvas()); !planned)
     return complain(planned.error(), kUsedWrongly);
   auto effects = read_effects(arguments.render, animation.face, plan->view.width);
@@ -190,6 +234,9 @@ int animate_command(const AnimateArguments& arguments) {
     return complain(Error{fmt::format("-o {}", output),
                           "expected numbered pictures like frames/%05d.png, or a film: .mp4 .webm "
                           ".webp .apng .gif"},
+                    kUsedWrongly);
+  if (*names && arguments.sound)
+    return complain(Error{"--sound", "numbered pictures hold no sound: take a film, .mp4 or .webm"},
                     kUsedWrongly);
   Animation animation;
   if (*names) {

@@ -1,8 +1,8 @@
 // Every name of a face, as columns: what --set takes; then the poses that --pose takes, and the clips
 // that --clip takes.
 
-#include <mien/clip_length.h>
 #include <mien/face_model.h>
+#include <mien/motion_length.h>
 #include <mien/pose.h>
 #include "tools/mien/commands/commands.h"
 #include "tools/mien/commands/list_moves.h"
@@ -60,14 +60,14 @@ double length_of(const Curve& curve) {
   return keys && keys->period == 0 ? keys->keys.back().time : period_of(curve);
 }
 
-std::string clip_line(const FaceModel& model, Index<Clip> index) {
-  const Clip& clip = index.in(model.clips);
+std::string clip_line(const FaceModel& model, Index<Motion> index) {
+  const Motion& clip = index.in(model.clips);
   std::string line = "clip " + clip.name;
   if (index == model.default_clip) line += " (runs with --time)";
   if (clip.additive) line += " (additive)";
-  for (const ClipTrack& track : clip.tracks)
-    for (const Curve& curve : track.curves)
-      line += fmt::format("  {} every {:.4g} s", track.control.in(model.controls).name,
+  for (const MotionChannel& channel : clip.channels)
+    for (const Curve& curve : channel.curves)
+      line += fmt::format("  {} every {:.4g} s", channel.control.in(model.controls).name,
                           length_of(curve));
   return line + "\n";
 }

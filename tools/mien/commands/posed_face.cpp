@@ -1,14 +1,17 @@
 #include "tools/mien/commands/posed_face.h"
+#include <mien/bound_motion.h>
 #include <mien/composed_face.h>
 #include <mien/face_code.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 #include <mien/morph_file.h>
+#include <mien/motion_file.h>
 #include <mien/npy_basis.h>
 #include <mien/poser.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/frame_file.h"
+#include "lib/file/motion/take_names.h"
 #include "lib/parts/recipe/recipe_file.h"
 #include "lib/rig/pose/expression_setting.h"
 #include "sdf/from_face/debug_view.h"
@@ -17,6 +20,7 @@
 #include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -116,14 +120,33 @@ Expected<Setting> read_control(const Face& face, const std::string& name,
   return Error{where, setting.error().what};
 }
 
-/// The settings of --arkit. Errors are addressed to the place in the file.
+/// Lays a file's motion on top of the others. What the file and the face do not agree in is told.
+Expected<Done> add_motion_file(const std::string& file, const Face& face, Pose& pose) {
+  std::vector<Error> told;
+  auto motion = read_motion(file, &told);
+  if (!motion) return motion.error();
+  const BoundMotion bound = bind_motion(*std::move(motion), face);
+  if (!bound.unfollowed.empty())
+    told.push_back(
+        {file, fmt::format("this face does not follow {}", fmt::join(bound.unfollowed, ", "))});
+  warn(told);
+  pose.motions.push_back({.motion = bound.motion});
+  return Done{};
+}
+
+/// The settings of --arkit, or the motion, if it is a take. Errors are addressed to the place in the file.
 Expected<Pose> read_arkit(const Face& face, const PosedFace& arguments) {
   const OutOfRange out = arguments.clamp ? OutOfRange::clamp : OutOfRange::refuse;
   Pose pose;
   if (!arguments.arkit) return pose;
   const auto frame = read_frame(*arguments.arkit);
-  if (!frame) return frame.error();
+  if (!frame) {
+    if (arguments.time && add_motion_file(*arguments.arkit, face, pose)) return pose;
+    return frame.error();
+  }
   for (const FrameNumber& number : *frame) {
+    if (is_turn_of_head_or_eye(number.name))
+      continue;  // what stands beside the shapes in many files
     if (number.values.size() != 1)
       return Error{number.where, fmt::format("expected 1 number, got {}", number.values.size())};
     auto setting =
@@ -148,8 +171,8 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
   return Done{};
 }
 
-/// Adds --clip, --seed, --liveliness and --pose.
-Expected<Done> read_motion(const Face& face, const PosedFace& arguments, Pose& pose) {
+/// Adds --clip, --motion, --speech, --seed, --liveliness and --pose.
+Expected<Done> read_moves(const Face& face, const PosedFace& arguments, Pose& pose) {
   if (arguments.seed) pose.seed = seed_from_word(*arguments.seed);
   if (arguments.liveliness) {
     const auto liveliness = read_real("--liveliness", *arguments.liveliness, 0, kMostLively);
@@ -159,7 +182,15 @@ Expected<Done> read_motion(const Face& face, const PosedFace& arguments, Pose& p
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
     if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};
-    pose.clips.push_back(*layer);
+    pose.motions.push_back(*layer);
+  }
+  if (arguments.motion)
+    if (auto added = add_motion_file(*arguments.motion, face, pose); !added) return added;
+  if (arguments.speech) {
+    // Speech moves the mouth alone: the face lives on.
+    const Index<Motion> idle = face.model->default_clip;
+    if (pose.motions.empty() && idle) pose.motions.push_back({.clip = idle});
+    if (auto added = add_motion_file(*arguments.speech, face, pose); !added) return added;
   }
   for (const std::string& text : arguments.poses) {
     auto weight = mien::read_pose(face, text);
@@ -185,10 +216,9 @@ Expected<Done> read_unwrap(const PosedFace& arguments, Pose& pose) {
 }
 
 /// The pose of the options. Later settings beat earlier ones, so the order here is their precedence.
-Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
-                         const std::vector<Setting>& arkit) {
+Expected<Pose> read_pose(const Face& face, const PosedFace& arguments, const Pose& arkit) {
   Pose pose;
-  if (auto motion = read_motion(face, arguments, pose); !motion) return motion.error();
+  if (auto moved = read_moves(face, arguments, pose); !moved) return moved.error();
   if (arguments.look_at) {
     const auto target = read_look_at(face, *arguments.look_at);
     if (!target) return Error{"--look-at " + target.error().where, target.error().what};
@@ -202,7 +232,8 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments,
       if (!setting) return setting.error();
       pose.settings.push_back(*std::move(setting));
     }
-  pose.settings.insert(pose.settings.end(), arkit.begin(), arkit.end());
+  pose.motions.insert(pose.motions.end(), arkit.motions.begin(), arkit.motions.end());
+  pose.settings.insert(pose.settings.end(), arkit.settings.begin(), arkit.settings.end());
   if (auto pulled = read_expressions(face, arguments, pose); !pulled) return pulled.error();
   for (const std::string& text : arguments.settings) {
     auto setting = read_setting(face, text);
@@ -248,6 +279,9 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
   } else if (!arguments.clips.empty()) {
     const std::string where = "--clip " + one_line(arguments.clips[0], 60);
     return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
+  } else if (const auto& file = arguments.motion ? arguments.motion : arguments.speech) {
+    const std::string where = one_line(*file, 60);
+    return {{}, {}, complain({where, "a motion runs at a moment: say --time"}, kUsedWrongly)};
   }
   auto face =
       known ? *known : read_face_or_report(arguments.face, arguments.style, arguments.neutral);
@@ -259,7 +293,7 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
   }
   const auto arkit = read_arkit(*face, arguments);
   if (!arkit) return {{}, {}, complain(arkit.error(), kFailed)};
-  auto pose = read_pose(*face, arguments, arkit->settings);
+  auto pose = read_pose(*face, arguments, *arkit);
   if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
   pose->time = at;
   if (arguments.neutral) pose->liveliness = 0;

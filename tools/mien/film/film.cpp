@@ -50,13 +50,29 @@ std::string codec_options(FilmType type, bool transparent) {
   return {};
 }
 
+void add_words(const std::string& text, Words& words) {
+  std::istringstream options(text);
+  words.insert(words.end(), std::istream_iterator<std::string>{options}, {});
+}
+
 Words ffmpeg_words(const std::string& to, FilmType type, int width, int height, double fps,
-                   bool transparent) {
-  std::istringstream options(fmt::format(
-      "ffmpeg -hide_banner -loglevel error -nostdin -y -f rawvideo -pix_fmt rgba -s {}x{} -r {} "
-      "-i pipe:0 -fflags +bitexact -flags:v +bitexact {}",
-      width, height, fps, codec_options(type, transparent)));
-  Words words(std::istream_iterator<std::string>{options}, {});
+                   bool transparent, const std::optional<FilmSound>& sound) {
+  Words words;
+  add_words(fmt::format("ffmpeg -hide_banner -loglevel error -nostdin -y -f rawvideo -pix_fmt rgba "
+                        "-s {}x{} -r {} -i pipe:0",
+                        width, height, fps),
+            words);
+  if (sound) {
+    add_words(fmt::format("-ss {:.6f} -i", sound->from), words);
+    words.push_back("file:" + sound->path);
+    // Padded without end, then cut: it lasts as long as the pictures, to a sample.
+    add_words(
+        fmt::format(
+            "-map 0:v:0 -map 1:a:0 -af apad,atrim=end={:.6f} -ar 48000 -flags:a +bitexact {}",
+            sound->length, type == FilmType::mp4 ? "-c:a aac -b:a 160k" : "-c:a libopus -b:a 128k"),
+        words);
+  }
+  add_words("-fflags +bitexact -flags:v +bitexact " + codec_options(type, transparent), words);
   words.push_back(to);
   return words;
 }
@@ -77,6 +93,10 @@ std::optional<FilmType> film_type(const std::string& path) {
 
 bool holds_transparency(FilmType type) {
   return type != FilmType::mp4;
+}
+
+bool holds_sound(FilmType type) {
+  return type == FilmType::mp4 || type == FilmType::webm;
 }
 
 struct Film::Process {
@@ -132,7 +152,7 @@ Film::Film(Film&&) noexcept = default;
 Film::~Film() = default;
 
 Expected<Film> Film::begin(const std::string& path, FilmType type, int width, int height,
-                           double fps, bool transparent) {
+                           double fps, bool transparent, const std::optional<FilmSound>& sound) {
   if (type == FilmType::mp4 && (width % 2 || height % 2))
     return Error{path, fmt::format("an mp4 has even sides, not {} x {}", width, height)};
   const auto target = find_output_path(path);
@@ -147,8 +167,8 @@ Expected<Film> Film::begin(const std::string& path, FilmType type, int width, in
   if (!process->said || ::pipe2(ends, O_CLOEXEC) != 0)
     return Error{path, "cannot be written: " + system_error(errno)};
   process->pipe = ends[1];
-  const Words words =
-      ffmpeg_words(process->file.temporary().string(), type, width, height, fps, transparent);
+  const Words words = ffmpeg_words(process->file.temporary().string(), type, width, height, fps,
+                                   transparent, sound);
   const int failed = process->start(words, ends[0]);
   ::close(ends[0]);
   if (failed) {

@@ -18,12 +18,23 @@ std::optional<FilmType> film_type(const std::string& path);
 /// Whether the type holds transparency.
 bool holds_transparency(FilmType type);
 
+/// Whether the type has sound.
+bool holds_sound(FilmType type);
+
+/// What is heard: a file that ffmpeg reads. It is cut or goes on in silence, so that it lasts as long as the pictures.
+struct FilmSound {
+  std::string path;
+  double from = 0;    ///< [s] what comes before is left out
+  double length = 0;  ///< [s] of the film
+};
+
 class Film {
  public:
   /// Starts ffmpeg. Errors: it is not installed (names the package), sides that the type cannot have, no
   /// place to write.
   static Expected<Film> begin(const std::string& path, FilmType type, int width, int height,
-                              double fps, bool transparent);
+                              double fps, bool transparent,
+                              const std::optional<FilmSound>& sound = {});
   Film(Film&&) noexcept;
   ~Film();  ///< without finish nothing is left
 

@@ -36,7 +36,7 @@ Expected<std::vector<Effect>> read_effects(const RenderArguments& arguments, con
     if (const auto fits = check_effect(effect, width); !fits)
       return Error{arguments.effects.empty() ? arguments.posed.face : "--effect",
                    fits.error().what};
-  return effects;
+  return acting_effects(effects, width);
 }
 
 Image sheet_picture(const Scene& scene, const View& view) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 namespace mien::command {
 
@@ -41,6 +42,9 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add_all("muscle", arguments.posed.muscles);
   if (arguments.posed.arkit)
     add("arkit", std::filesystem::path(*arguments.posed.arkit).filename().string());
+  for (const auto& [name, file] :
+       {std::pair{"motion", arguments.posed.motion}, {"speech", arguments.posed.speech}})
+    if (file) add(name, std::filesystem::path(*file).filename().string());
   if (arguments.posed.clamp) text += R"(, "clamp": true)";
   add_all("set", arguments.posed.settings);
   add_all("morphs", arguments.posed.morphs);

@@ -1,11 +1,13 @@
 // Posing, and posing with a scene: one frame of an animation on one core.
 
+#include <mien/bound_motion.h>
 #include <mien/face_file.h>
 #include <mien/poser.h>
 #include <mien/scene_from_face.h>
 
 #include <benchmark/benchmark.h>
 
+#include <memory>
 #include <string>
 
 namespace mien {
@@ -35,6 +37,28 @@ void pose_and_scene(benchmark::State& state, const char* name) {
         scene_from_face(poser.pose(pose_at(time += 1 / 60.0))).layers().data());
 }
 
+/// What following costs by itself: all shapes of ARKit and the head at a moment of a take of a million rows.
+void moment_of_a_take(benchmark::State& state) {
+  const auto table = std::make_shared<SampleTable>();
+  constexpr std::size_t kRows = 1'000'000;
+  const Face face = face_named("toon");
+  Motion take{.name = "take", .settled = true};
+  for (const SettableName& one : settable_names(face))
+    if (one.control && one.name.starts_with("arkit."))
+      take.channels.push_back({one.name, {SampledCurve{table, table->columns++}}});
+  for (std::size_t row = 0; row < kRows; ++row) {
+    table->times.push_back(double(row) / 60);
+    for (std::size_t c = 0; c < table->columns; ++c)
+      table->values.push_back(float((row * 7 + c) % 100) / 100);
+  }
+  const BoundMotion bound = bind_motion(take, face);
+  double time = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(settings_at(*bound.motion, time += 1 / 25.0).data());
+  state.counters["channels"] = double(table->columns);
+}
+
+BENCHMARK(moment_of_a_take);
 BENCHMARK_CAPTURE(pose_alone, toon, "toon");
 BENCHMARK_CAPTURE(pose_alone, seed0, "seed0");
 BENCHMARK_CAPTURE(pose_alone, male, "male");

@@ -34,6 +34,17 @@ TEST(MouthNumbers, OpenTheJawAsPullsDo) {
   EXPECT_EQ(plain.numbers(1.2).jaw, 1);
 }
 
+TEST(MouthNumbers, LeaveTheJawToSpeech) {
+  PlainMouth plain;
+  plain.values.insert(plain.values.end(), {0.3, 0.2, 0.9});
+  const int first = 2 * int(kMouthActs);
+  plain.mouth.speech = {{first}, {first + 1}};
+  plain.set(MouthAct::jaw_open, 0.5, 0);
+  EXPECT_DOUBLE_EQ(plain.numbers(0.5).jaw, 1 - 0.5 * (1 - 0.5 * (1 - 0.8 * 0.5)));
+  plain.mouth.speech.push_back({first + 2});
+  EXPECT_DOUBLE_EQ(plain.numbers(0.5).jaw, 1 - 0.5 * (1 - 0.5 * 0.2)) << "no more than whole";
+}
+
 TEST(MouthNumbers, LetTheTongueWin) {
   PlainMouth plain;
   plain.set(MouthAct::close, 1, 0), plain.set(MouthAct::tongue_out, 0.75, 0);

@@ -41,16 +41,6 @@ const std::vector<Face>& mouths() {
   return all;
 }
 
-std::vector<double> edge(const Face& face, const std::string& which) {
-  std::vector<double> all;
-  for (const char* side : {"left", "right"})
-    for (const char* bend : {"0", "1"})
-      for (const double x :
-           test::slice_of(face, fmt::format("{}_edge.{}/spine/{}", which, side, bend)))
-        all.push_back(x);
-  return all;
-}
-
 TEST(Mouth, ClosesWhateverElseTheFaceDoes) {
   for (const Face& face : mouths()) {
     Poser poser(face);
@@ -62,7 +52,7 @@ TEST(Mouth, ClosesWhateverElseTheFaceDoes) {
           if (e < kEmotions.size()) words.push_back(fmt::format("emotion.{}=1", kEmotions[e]));
           if (turned) words.insert(words.end(), kHead.begin(), kHead.end());
           const Face& shut = poser.pose(test::pose_of(face, words));
-          ASSERT_EQ(edge(shut, "upper"), edge(shut, "lower"))
+          ASSERT_EQ(test::inner_edge_of(shut, "upper"), test::inner_edge_of(shut, "lower"))
               << face.model->name << " " << e << " " << jaw;
         }
   }
@@ -77,8 +67,10 @@ TEST(Mouth, ClosesByARKitsLaw) {
                                 fmt::format("arkit.mouthClose={}", close)});
         };
         const Face shut = at(std::max(jaw, 0.1)), open = at(0.3 * jaw);
-        EXPECT_EQ(edge(shut, "upper"), edge(shut, "lower")) << face.model->name << emotion << jaw;
-        EXPECT_NE(edge(open, "upper"), edge(open, "lower")) << face.model->name << emotion << jaw;
+        EXPECT_EQ(test::inner_edge_of(shut, "upper"), test::inner_edge_of(shut, "lower"))
+            << face.model->name << emotion << jaw;
+        EXPECT_NE(test::inner_edge_of(open, "upper"), test::inner_edge_of(open, "lower"))
+            << face.model->name << emotion << jaw;
       }
 }
 
@@ -136,7 +128,8 @@ TEST(Mouth, OfMusclesAndOfControlsIsOneJaw) {
     const Face pulled = face_at(face, {"muscle.jaw=1"}), open = face_at(face, {"jaw.open=1"});
     EXPECT_NEAR(point_of(pulled, "lower_edge.left/spine/0").y,
                 point_of(open, "lower_edge.left/spine/0").y, 1e-4);
-    EXPECT_EQ(edge(face_at(face, {"jaw/open=1"}), "lower"), edge(open, "lower"));
+    EXPECT_EQ(test::inner_edge_of(face_at(face, {"jaw/open=1"}), "lower"),
+              test::inner_edge_of(open, "lower"));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -219,6 +220,29 @@ TEST(Curves, AreTotalAndDependOnTheTimeAlone) {
     for (double t = 100; t > -100; t -= 7.7) value_at(curve, t);
     EXPECT_EQ(value_at(curve, 33.3), there);
   }
+}
+
+TEST(SampledCurve, IsExactAtRowsAndLinearBetween) {
+  auto table = std::make_shared<SampleTable>();
+  table->columns = 2;
+  for (int i = 0; i < 1000; ++i) {
+    // Steps of all lengths: few are where equal steps would have them.
+    table->times.push_back(i < 500 ? i * 0.001 : 0.5 + (i - 500) * (i - 500) * 0.01);
+    table->values.push_back(float(i % 7));
+    table->values.push_back(0.25f);
+  }
+  const SampledCurve curve{table, 0}, still{table, 1};
+  EXPECT_EQ(value_at(curve, -1), 0);
+  EXPECT_EQ(value_at(curve, 1e9), double(999 % 7));
+  EXPECT_EQ(value_at(curve, std::nan("")), 0) << "total";
+  for (std::size_t i = 0; i + 1 < 1000; ++i) {
+    const double a = table->times[i], b = table->times[i + 1];
+    ASSERT_EQ(value_at(curve, a), double(i % 7));
+    ASSERT_NEAR(value_at(curve, (a + b) / 2), (double(i % 7) + double((i + 1) % 7)) / 2, 1e-9);
+    ASSERT_EQ(value_at(still, (a + b) / 2), 0.25);
+  }
+  const auto one = std::make_shared<SampleTable>(SampleTable{{2}, 1, {0.5f}});
+  for (const double t : {1.0, 2.0, 3.0}) EXPECT_EQ(value_at(SampledCurve{one, 0}, t), 0.5);
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ std::vector<Pose> some_poses(const Face& face) {
     const Expected<Setting> setting =
         read_setting(face, control.name + "=" + std::to_string(channel.hi));
     poses.push_back({.time = 0.3, .settings = {*setting}});
-    if (!face.model->clips.empty()) poses.back().clips = {{{0}, 0.5, 0.2}, {{0}, 1, -1}};
+    if (!face.model->clips.empty())
+      poses.back().motions = {{.clip = {0}, .weight = 0.5, .begin = 0.2},
+                              {.clip = {0}, .begin = -1}};
   }
   return poses;
 }

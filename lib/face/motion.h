@@ -1,9 +1,12 @@
 #pragma once
-// Clips: curves in time that move controls.
+// Motions: named channels over time, each a sum of curves. A clip of a face file is one, a take of an actor is one, and so
+// is a track of speech. A motion is a pure function of time.
 
 #include <mien/index.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -74,20 +77,40 @@ struct WanderCurve {
   std::uint32_t stream = 0;
 };
 
-using Curve = std::variant<KeyCurve, SineCurve, WanderCurve>;
+/// Moments with a number for each of some columns, as cameras and programs write them.
+struct SampleTable {
+  std::vector<double> times;  ///< [s] rising; at least 1
+  std::size_t columns = 0;
+  std::vector<float> values;  ///< row by row
+
+  float at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+};
+
+/// A column of a table, linear between rows and held before the first and after the last.
+struct SampledCurve {
+  std::shared_ptr<const SampleTable> table;  ///< never null; shared by the curves of its columns
+  std::size_t column = 0;
+};
+
+using Curve = std::variant<KeyCurve, SineCurve, WanderCurve, SampledCurve>;
 
 struct Control;
 
-/// A control's value is the first curve's, plus the difference of each further one from the control's rest.
-struct ClipTrack {
-  Index<Control> control;
+/// The value of the control that it moves is the first curve's, plus the difference of each further one from the control's
+/// rest.
+struct MotionChannel {
+  std::string name;           ///< of the control: "arkit.jawOpen", "yaw"
   std::vector<Curve> curves;  ///< at least 1
+  Index<Control> control{};   ///< of the face that the motion is bound to; none: of no face yet
 };
 
-struct Clip {
+struct Motion {
   std::string name;
-  std::vector<ClipTrack> tracks;  ///< later ones beat earlier ones
-  bool additive = false;          ///< adds its difference from rest instead of replacing values
+  std::vector<MotionChannel> channels;  ///< later ones beat earlier ones
+  bool additive = false;  ///< adds its difference from rest instead of replacing values
+  /// Its numbers were seen on a face, or planned for it: muscles are where they pull to at once. Those of others get there
+  /// by the law of muscles.
+  bool settled = false;
 };
 
 }  // namespace mien

@@ -1,4 +1,4 @@
-#include <mien/clip_length.h>
+#include <mien/motion_length.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,8 @@ bool is_of_chance(const Curve& curve) {
 
 /// [s] The last key's time of a curve that runs once; of others 0.
 double end_of(const Curve& curve) {
+  if (const auto* samples = std::get_if<SampledCurve>(&curve))
+    return std::max(samples->table->times.back(), 0.0);
   const auto* keys = std::get_if<KeyCurve>(&curve);
   if (!keys || keys->period > 0) return 0;
   return std::max(keys->keys.back().time + keys->offset, 0.0);
@@ -44,15 +46,15 @@ double meeting(double one, double other) {
 double period_of(const Curve& curve) {
   if (const auto* keys = std::get_if<KeyCurve>(&curve)) return keys->period;
   if (const auto* wander = std::get_if<WanderCurve>(&curve)) return wander->period;
-  const auto& sine = std::get<SineCurve>(curve);
-  if (sine.frequency == 0 || sine.amplitude == 0) return 0;
-  return (sine.absolute ? 1 : 2) * M_PI / std::abs(sine.frequency);
+  const auto* sine = std::get_if<SineCurve>(&curve);
+  if (!sine || sine->frequency == 0 || sine->amplitude == 0) return 0;
+  return (sine->absolute ? 1 : 2) * M_PI / std::abs(sine->frequency);
 }
 
-double clip_length(const Clip& clip) {
+double motion_length(const Motion& motion) {
   double period = 0, end = 0;
-  for (const ClipTrack& track : clip.tracks)
-    for (const Curve& curve : track.curves) {
+  for (const MotionChannel& channel : motion.channels)
+    for (const Curve& curve : channel.curves) {
       if (is_of_chance(curve)) return kNoEnd;
       const double its = period_of(curve);
       if (its > 0) period = period > 0 ? meeting(period, its) : its;

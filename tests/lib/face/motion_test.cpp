@@ -1,6 +1,6 @@
-#include <mien/clip.h>
 #include <mien/face_file.h>
 #include <mien/face_model.h>
+#include <mien/motion.h>
 #include <mien/poser.h>
 
 #include <gtest/gtest.h>
@@ -40,26 +40,28 @@ double looks(const Face& face, const Pose& pose) {
 TEST(Clips, AreLaidOverEachOther) {
   const Face face = *read_face_text(kClips);
   const auto layer = [&](const char* text) {
-    const Expected<ClipLayer> read = read_clip_layer(face, text);
+    const Expected<MotionLayer> read = read_clip_layer(face, text);
     if (!read) throw std::runtime_error(sentence(read.error()));
     return *read;
   };
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing")}}), 0.25, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing=0.5")}}), 0.125, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing=1@0.15")}}), 0.1, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("more")}}), 0.125, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing"), layer("more")}}), 0.375, 1e-15);
-  EXPECT_NEAR(looks(face, {.time = 0.25, .clips = {layer("swing"), layer("more=2")}}), 0.5, 1e-15);
-  const double mixed = looks(face, {.time = 0.25, .clips = {layer("swing"), layer("hold=0.4")}});
+  EXPECT_NEAR(looks(face, {.time = 0.25, .motions = {layer("swing")}}), 0.25, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .motions = {layer("swing=0.5")}}), 0.125, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .motions = {layer("swing=1@0.15")}}), 0.1, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .motions = {layer("more")}}), 0.125, 1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .motions = {layer("swing"), layer("more")}}), 0.375,
+              1e-15);
+  EXPECT_NEAR(looks(face, {.time = 0.25, .motions = {layer("swing"), layer("more=2")}}), 0.5,
+              1e-15);
+  const double mixed = looks(face, {.time = 0.25, .motions = {layer("swing"), layer("hold=0.4")}});
   EXPECT_NEAR(mixed, 0.6 * 0.25 + 0.4 * 0.5 + 0.4 * 0.2, 1e-15);  // "hold" moves the pose "up" too
-  EXPECT_EQ(looks(face, {.clips = {layer("swing")}}), 0) << "no time, no clip";
+  EXPECT_EQ(looks(face, {.motions = {layer("swing")}}), 0) << "no time, no clip";
   EXPECT_EQ(looks(face, {.time = 0.5}), 0) << "no default clip";
 }
 
 TEST(Clips, AddTheCurvesOfAControl) {
   const Face face = *read_face_text(kClips);
   const auto both = [&](double time, const char* text = "both") {
-    return looks(face, {.time = time, .clips = {*read_clip_layer(face, text)}});
+    return looks(face, {.time = time, .motions = {*read_clip_layer(face, text)}});
   };
   EXPECT_NEAR(both(0), 0.25 + 0 - 0.125, 1e-15);
   EXPECT_NEAR(both(0.5), 0.25 + 0.25 - 0.125, 1e-15);
@@ -69,15 +71,15 @@ TEST(Clips, AddTheCurvesOfAControl) {
   raised.replace(raised.find("\"rest\": 0, \"per_side\""), 9, "\"rest\": 0.5");
   const Face from_half = *read_face_text(raised);
   const double sum =
-      looks(from_half, {.time = 0.5, .clips = {*read_clip_layer(from_half, "both")}});
+      looks(from_half, {.time = 0.5, .motions = {*read_clip_layer(from_half, "both")}});
   EXPECT_NEAR(sum, (0.25 + (0.25 - 0.5) + (-0.125 - 0.5)) - 0.5, 1e-15);
 }
 
 TEST(Clips, GoAsFarAsLivelinessSays) {
   const Face face = *read_face_text(kClips);
   const auto at = [&](const char* clip, double liveliness) {
-    return looks(face,
-                 {.time = 0.5, .clips = {*read_clip_layer(face, clip)}, .liveliness = liveliness});
+    return looks(
+        face, {.time = 0.5, .motions = {*read_clip_layer(face, clip)}, .liveliness = liveliness});
   };
   EXPECT_NEAR(at("both", 0.5), 0.5 * at("both", 1), 1e-15);
   EXPECT_NEAR(at("both", 2), 2 * at("both", 1), 1e-15);
@@ -85,14 +87,14 @@ TEST(Clips, GoAsFarAsLivelinessSays) {
   for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_EQ(
         pose_face(face,
-                  {.time = 0.5, .clips = {*read_clip_layer(face, "hold")}, .liveliness = none})
+                  {.time = 0.5, .motions = {*read_clip_layer(face, "hold")}, .liveliness = none})
             .vector,
         face.vector);
   int whole = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const double nod = looks(
         face,
-        {.time = 0.5, .clips = {*read_clip_layer(face, "nod")}, .seed = seed, .liveliness = 0.5});
+        {.time = 0.5, .motions = {*read_clip_layer(face, "nod")}, .seed = seed, .liveliness = 0.5});
     whole += nod < 1;  // in the others the first key is held
     EXPECT_TRUE(nod >= 0.5 && nod <= 1) << "as far as ever";
   }
@@ -103,7 +105,7 @@ TEST(Clips, DrawFromTheFacesSeedOrThatOfThePose) {
   const Face one = *read_face_text(kClips), other = *read_face_text(kClips + " ");
   EXPECT_NE(one.model->seed, other.model->seed) << "of its text";
   const auto drift = [](const Face& face, std::optional<std::uint64_t> seed) {
-    return looks(face, {.time = 0.5, .clips = {*read_clip_layer(face, "drift")}, .seed = seed});
+    return looks(face, {.time = 0.5, .motions = {*read_clip_layer(face, "drift")}, .seed = seed});
   };
   EXPECT_EQ(drift(one, {}), drift(*read_face_text(kClips), {}));
   EXPECT_NE(drift(one, {}), drift(other, {}));
@@ -116,7 +118,7 @@ TEST(Clips, OfMusclesAreLivelyToo) {
   const Face bruno = sample_face("bruno");
   const auto joy = [&](double liveliness) {
     return Pose{
-        .time = 1.5, .clips = {*read_clip_layer(bruno, "feelings")}, .liveliness = liveliness};
+        .time = 1.5, .motions = {*read_clip_layer(bruno, "feelings")}, .liveliness = liveliness};
   };
   Poser poser(bruno);
   const FaceVector whole = poser.pose(joy(1)).vector, half = poser.pose(joy(0.5)).vector;

@@ -1,0 +1,57 @@
+"""Motions: takes of actors and tracks of speech."""
+from __future__ import annotations
+
+import os
+from typing import Union
+
+from ._library import Handle, lib, path_bytes, text, texts, utf8
+
+
+class Motion:
+    """What an actor's face did, or a track of speech as the shapes of a mouth: numbers by name over time."""
+
+    def __init__(self, handle: Handle) -> None:
+        self._handle = handle
+        count = lib.mien_motion_channel_count(handle.value)
+        self._index = {text(lib.mien_motion_channel_name(handle.value, i)): i for i in range(count)}
+
+    @property
+    def length(self) -> float:
+        """[s] Until its last moment."""
+        return float(lib.mien_motion_length(self._handle.value))
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """The controls that it moves: "arkit.jawOpen", "viseme.aa", "yaw"."""
+        return tuple(self._index)
+
+    @property
+    def told(self) -> tuple[str, ...]:
+        """What was odd in its file: values that were clamped, rows without a face, names that mean nothing."""
+        return tuple(texts(lib.mien_motion_told, self._handle.value))
+
+    def value(self, channel: str, time: float) -> float:
+        """The channel's value at a moment [s]."""
+        return float(lib.mien_motion_value(self._handle.value, self._index[channel], float(time)))
+
+    def __repr__(self) -> str:
+        return f"<mien.Motion: {len(self._index)} channels, {self.length:.2f} s>"
+
+
+class Steady:
+    """Keeps a face quiet that follows frames as they come live: the 1€ filter of Casiez, Roussel and Vogel. One face each."""
+
+    def __init__(self, cutoff: float = 1, beta: float = 2) -> None:
+        """`cutoff` [Hz] is above 0, lower is quieter; `beta` is 0 or above, higher is less late where much moves."""
+        self._handle = Handle(lib.mien_steadier_free, lib.mien_steadier_new, float(cutoff), float(beta))
+
+
+def read_motion(path: "str | os.PathLike[str]") -> Motion:
+    """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column."""
+    return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read, *path_bytes(path)))
+
+
+def read_motion_text(words: Union[str, bytes], name: str = "motion") -> Motion:
+    """The same from memory; `name` stands for the file's name in errors."""
+    raw = words if isinstance(words, bytes) else utf8(words)[0]
+    return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read_text, raw, len(raw), *utf8(name)))
