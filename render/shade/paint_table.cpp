@@ -11,8 +11,6 @@ constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden 
 // Of one ramp in a picture: means by its integral cost less than more outlines than that. They cost next to nothing
 // along a line, more where level lines bend, and most under light.
 constexpr int kMostStraight = 8, kMostBent = 40, kMostAlong = 3, kMostLit = 96;
-// [1/px] Steeper ramps along a distance have outlines, as cells would not do for two.
-constexpr double kSoft = 0.9;
 constexpr double kEven = 1e4;  // periods across a pixel, whose mean then is theirs to within 1e-4
 
 }  // namespace
@@ -147,9 +145,7 @@ class PaintMaker {
     f.scale = 1.0 / (std::abs(length) > kLeast ? length : std::copysign(kLeast, length));
     if (g.to == g.from) varied.paint.ramp->pad();
     f.per_pixel = std::abs(f.scale);
-    const Ramp& ramp = *varied.paint.ramp;
-    if (most_ == kMostAlong && (ramp.jumps() || ramp.steepest() * f.per_pixel > kSoft))
-      most_ = kMostBent;
+    if (most_ == kMostAlong && varied.paint.ramp->jumps()) most_ = kMostBent;
     // A distance is at most that of the picture's middle and half a diagonal.
     const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
     const double middle = f.at(half, to_.distances[std::size_t(f.distance)].at(half)),
