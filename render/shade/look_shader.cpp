@@ -36,6 +36,39 @@ LanePlaces squares(int count, const float* column, const float* x, const float* 
   return {count, column, x ? x : zero, y ? y : zero, v, zero, v};
 }
 
+/// Of squares of twice the side: their areas and centroids, and the means of colours that are known.
+void halve(PartCells& cells, std::span<ColorRow* const> colors) {
+  const int side = cells.side, half = side / 2;
+  for (int k = 0; k < half * half; ++k) {
+    const auto to = std::size_t(k), first = std::size_t(2 * (k / half) * side + 2 * (k % half));
+    const std::size_t four[] = {first, first + 1, first + std::size_t(side),
+                                first + std::size_t(side) + 1};
+    std::array<float, 4> share{0.25f, 0.25f, 0.25f, 0.25f};
+    float area = 0.0f;
+    for (const std::size_t n : four) area += cells.area[n];
+    for (std::size_t i = 0; area > 0.0f && i < 4; ++i) share[i] = cells.area[four[i]] / area;
+    const auto mean_of = [&](auto& v) {
+      float sum = 0.0f;
+      for (std::size_t i = 0; i < 4; ++i) sum += share[i] * v[four[i]];
+      v[to] = sum;
+    };
+    mean_of(cells.x), mean_of(cells.y);
+    for (ColorRow* c : colors) mean_of(c->r), mean_of(c->g), mean_of(c->b), mean_of(c->a);
+    cells.area[to] = area;
+  }
+  cells.side = half;
+}
+
+glm::vec4 mean_over(const PartCells& cells, const ColorRow& c) {
+  glm::vec4 sum{0.0f};
+  float area = 0.0f;
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+    sum += cells.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
+    area += cells.area[k];
+  }
+  return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
+}
+
 /// A column near `x`, where floats count from.
 float origin_near(double x) {
   constexpr double kMost = 1 << 22;
@@ -133,8 +166,13 @@ const ColorRow& LookShader::parts(int look, int y, const Parts& parts) {
 
 glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side,
                                bool coarse) {
-  if (form) cells_of_form(*form, side, cells_, coarse);
-  const PartCells& cells = form ? cells_ : whole_cells(side);
+  constexpr float kUnsure = 0.3f;  // of the tolerance
+  const VariedPaint* const products = looks_->products(look);
+  if (form)
+    cells_of_form(*form, side, cells_, coarse);
+  else if (products)
+    cells_ = whole_cells(side);
+  const PartCells& cells = form || products ? cells_ : whole_cells(side);
   // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.
   const auto steps = looks_->steps(look);
   each_ = std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
@@ -150,13 +188,42 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
     give(step, {x, y, count, form ? &part : nullptr, &cells}, 0, to);
   });
   this->doubts().resize(doubts);  // they were told when the mean was asked for
-  glm::vec4 sum{0.0f};
+  const glm::vec4 mean = mean_over(cells, c);
+  if (!products) return mean;
+  float off = 0.0f;
+  const glm::vec4 better = with_products(*products, mean, off);
+  if (off > kUnsure && side < PartCells::kMostSide)
+    return by_cells(look, x, y, form, 2 * side, coarse);
+  if (off > kUnsure) this->doubts().push_back({x, off});
+  return better;
+}
+
+/// What products of ramps vary by within cells counts four times as much in cells of twice the side: the rest of it
+/// is told by two such steps, and what the mean then may be off by as a share of the tolerance by how they differ.
+glm::vec4 LookShader::with_products(const VariedPaint& varied, const glm::vec4& mean, float& off) {
+  given_rows_.clear();
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+    if (steps_[i].given[0]) given_rows_.push_back(&given_[i]);
+  glm::vec4 told[2], last = mean;
   float area = 0.0f;
-  for (std::size_t k = 0; k < std::size_t(count); ++k) {
-    sum += cells.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
-    area += cells.area[k];
+  for (std::size_t k = 0; k < std::size_t(cells_.count()); ++k) area += cells_.area[k];
+  for (glm::vec4& t : told) {
+    halve(cells_, given_rows_);
+    const LanePlaces at =
+        squares(cells_.count(), columns_.data(), cells_.x.data(), cells_.y.data(), cells_.side);
+    shade_lanes(steps_, at, stack_, colors_, neglected_);
+    const glm::vec4 next = mean_over(cells_, colors_);
+    t = last + (last - next) / 3.0f, last = next;
   }
-  return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
+  constexpr float kLeft = 0.3f;  // of the difference of both
+  for (int c = 0; c < 4; ++c) {
+    // Linear light v is encoded as steeply as 0.72 / √v at most.
+    const float dark = std::max(told[0][c], 0.0144f),
+                steep = varied.linear ? 0.72f / std::sqrt(dark) : 1.0f;
+    off = std::max(off, kLeft * area * steep * std::abs(told[0][c] - told[1][c]));
+  }
+  off /= float(varied.tolerance);
+  return told[0];
 }
 
 /// Whether a paint's opacity varies.

@@ -71,13 +71,15 @@ class LookShader {
   const LitPaint* lit_of(const VariedPaint& varied) const {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
+  glm::vec4 with_products(const VariedPaint& varied, const glm::vec4& mean, float& off);
   bool fades(const LookStep& step) const;
   Mix ramp_mean_of_part(const VariedPaint& varied, const Places& at);
   void give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
   std::vector<LaneStep> steps_;
-  std::vector<ColorRow> given_;  ///< by step
+  std::vector<ColorRow> given_;        ///< by step
+  std::vector<ColorRow*> given_rows_;  ///< those of the look at hand
   std::vector<float> stack_, neglected_, columns_;
   float most_neglected_ = 0;
   ColorRow colors_;

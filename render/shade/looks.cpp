@@ -324,6 +324,7 @@ int Looks::known_or_new(std::size_t first_step) {
   looks_.push_back({.mix = constant ? steps_[first_step].mix : Mix{0.0},
                     .neglected = neglected_by(steps),
                     .open = open_by(steps),
+                    .products = products_of(steps),
                     .first = int(first_step),
                     .count = int(steps.size()),
                     .hash = hash});

@@ -66,12 +66,18 @@ class Looks final : public LookRule {
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }
+  /// Where two ramps with integrals lie over each other, one along a distance: that one. Else null.
+  const VariedPaint* products(int look) const {
+    const int varied = looks_[std::size_t(look)].products;
+    return varied < 0 ? nullptr : &paints_->varied[std::size_t(varied)];
+  }
 
  private:
   struct Look {
     Mix mix;
     double neglected;
     bool open;
+    int products;  ///< index into PaintTable::varied; −1: none
     int first, count;
     std::uint64_t hash;
   };
@@ -100,6 +106,7 @@ class Looks final : public LookRule {
   // looks_neglected.cpp
   double neglected_by(std::span<const LookStep> steps);
   bool open_by(std::span<const LookStep> steps) const;
+  int products_of(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;

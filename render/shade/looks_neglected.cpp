@@ -60,10 +60,11 @@ double Looks::neglected_by(std::span<const LookStep> steps) {
 }
 
 /// Stops that cross are right in cells but where they cross, and so are ramps that change little within the smallest
-/// cells; stops that run along each other are not.
+/// cells; stops that run along each other are not. Where ramps along distances change little enough is seen pixel by
+/// pixel (LookShader::with_products).
 bool Looks::open_by(std::span<const LookStep> steps) const {
-  constexpr double kCrossing = 0.2;  // the sine of the angle
-  constexpr double kSoft = 0.03;     // what a ramp may change by within a cell
+  constexpr double kCrossing = 0.2;                 // the sine of the angle
+  constexpr double kSoft = 0.03, kSoftAlong = 1.0;  // what a ramp may change by within a cell
   const auto paint_of = [&](const LookStep& step) -> const GridPaint& {
     return paints_->varied[std::size_t(step.varied)].paint;
   };
@@ -75,8 +76,9 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
   };
   const auto soft = [&](const LookStep& s) {
     const VariedPaint& varied = paints_->varied[std::size_t(s.varied)];
-    return varied.integral->steepest() * varied.paint.field.per_pixel <
-           kSoft * PartCells::kMostSide;
+    const PaintField& field = varied.paint.field;
+    return varied.integral->steepest() * field.per_pixel <
+           (field.kind == PaintField::Kind::distance ? kSoftAlong : kSoft) * PartCells::kMostSide;
   };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!integrated(steps[i])) continue;
@@ -89,6 +91,17 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
         return true;
   }
   return false;
+}
+
+int Looks::products_of(std::span<const LookStep> steps) const {
+  int along = -1, count = 0;
+  for (const LookStep& step : steps) {
+    if (step.kind != Kind::paint || step.zone >= 0 || step.segment >= 0) continue;
+    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
+    if (field.kind == PaintField::Kind::distance) along = step.varied;
+    ++count;
+  }
+  return count > 1 ? along : -1;
 }
 
 }  // namespace mien
