@@ -30,6 +30,7 @@ struct DistancePlanes::Tile {
     static constexpr int kCorners = kBlock * kBlock, kPlaces = 48;
     bool known = false;
     BranchPair::Values seen[kPlaces / BranchPair::kPlaces];
+    float ridge[BranchPair::kPlaces];  ///< from its pixels' middles: how far the nearest is
 
     double d(int k) const { return double(seen[k / 16].d[k % 16]); }
     double nx(int k) const { return double(seen[k / 16].nx[k % 16]); }
@@ -65,7 +66,7 @@ void EnterDistanceTile(NearArea& near, float side, NearBranches* to) {
 
 /// A block of 4 × 4 pixels around (x, y).
 void SeeBlock(NearArea& near, const NearBranches* from, NearBranches* own, glm::vec2 middle,
-              BranchPair::Values* to) {
+              BranchPair::Values* to, float* ridge) {
   constexpr float kWidth = 4.0f;
   EnterSquare(near, from, middle.x, middle.y, kHalfDiagonal * kWidth, own);
   BranchPair pair;
@@ -78,6 +79,7 @@ void SeeBlock(NearArea& near, const NearBranches* from, NearBranches* own, glm::
     }
     LookAround(near, own, middle.x, middle.y, x, y, pair);
     *to++ = pair.best;
+    for (int i = 0; k == 0 && i < 16; ++i) ridge[i] = pair.off[i];
   }
 }
 
@@ -246,7 +248,7 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampS
   if (!std::exchange(block.known, true)) MIEN_DISPATCH(SeeBlock)
   (t->near, t->branches.data(), t->branches_of(1 + b),
    t->from_middle((x & ~(kBlock - 1)) + 0.5 * kBlock, (y & ~(kBlock - 1)) + 0.5 * kBlock),
-   block.seen);
+   block.seen, block.ridge);
   const int i = x & (kBlock - 1), j = y & (kBlock - 1), k = j * kBlock + i;
   Bowl bowl{block.d(k), block.nx(k), block.ny(k)};
   const auto corner = [&](int right, int below) {
@@ -258,7 +260,7 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampS
     bowl.xx += right * block.nx(c), bowl.yy += below * block.ny(c);
     bowl.xy += 0.5 * (right * block.ny(c) + below * block.nx(c));
   }
-  // A ridge anywhere in the pixel has a place beyond it, as corners are places.
+  // A ridge anywhere in the pixel has a place beyond it, as corners are places; but between two it may lie alone.
   constexpr double kRidge = 0.3;  // of what is allowed
   double off = 0.0;
   for (int n = 0; n < 4; ++n)
@@ -267,7 +269,7 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampS
   int finer = side;
   const double bends = bend_share(ramp.turns(bowl.d, 0.75)) * std::abs(bowl.bend());
   while (bends > ramp.allowed() * finer * finer) finer *= 2;
-  if (!(off <= kRidge * ramp.allowed()) || finer > std::max(4, side))
+  if (!(off <= kRidge * ramp.allowed()) || block.ridge[k] < 0.75f || finer > std::max(4, side))
     return cells(*t, x, y, side, ramp, to);
   const PartCells& whole = whole_cells(finer);
   for (std::size_t n = 0; n < std::size_t(whole.count()); ++n)
