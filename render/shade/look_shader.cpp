@@ -109,11 +109,13 @@ void LookShader::radial_step(const LookStep& step, double y, LaneStep& made) con
 LaneStep LookShader::ramp_step(const LookStep& step, double y) const {
   const PaintField& field = looks_->paints().varied[std::size_t(step.varied)].paint.field;
   const RampSegment& s = looks_->segment(step);
-  LaneStep made{.kind = LaneStep::Kind::along};
+  LaneStep made{.kind = LaneStep::Kind::linear};
   made.from = float(s.from), made.length = float(s.to - s.from);
   made.color = floats(s.at + s.from * s.slope), made.slope = floats(s.slope);
-  if (field.kind == PaintField::Kind::linear) linear_step(field, y, made);
-  if (field.kind == PaintField::Kind::radial) radial_step(step, y, made);
+  if (field.kind == PaintField::Kind::linear)
+    linear_step(field, y, made);
+  else
+    radial_step(step, y, made);
   return made;
 }
 
@@ -131,9 +133,9 @@ const ColorRow& LookShader::shade(int look, double y, const LanePlaces& at, cons
                         .color = floats(step.mix)});
       continue;
     }
-    const bool ramp = step.zone < 0 && step.segment >= 0;
+    const bool ramp = step.zone < 0 && !looks_->by_integral(step);
     LaneStep made = ramp ? ramp_step(step, y) : LaneStep{.kind = LaneStep::Kind::given};
-    if (!ramp || made.kind == LaneStep::Kind::along) {
+    if (!ramp) {
       ColorRow& to = given_[steps_.size()];
       to.room_for(std::size_t(at.count));
       give(step, to);
@@ -234,40 +236,10 @@ bool LookShader::fades(const LookStep& step) const {
   return varied.paint.ramp && looks_->segment(step).slope.a != 0.0;
 }
 
-/// Colours of a step that is no ramp between two kinks, or t of one along a distance, from the `first` place on.
+/// Colours of a step that lanes do not know, from the `first` place on.
 void LookShader::give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to) {
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   if (step.zone >= 0) return give_light(step, at, first, to);
-  if (step.segment < 0) return give_means(step, at, first, to);
-  give_distances(varied, at, to.r.data() + first);
-}
-
-/// t along a distance.
-void LookShader::give_distances(const VariedPaint& varied, const Places& at, float* t) {
-  const LitPaint& lit = *lit_of(varied);
-  if (at.cells) {
-    lit.distances_of_cells(at.x, at.y, *at.cells, t, lit_scratch_);
-    shift_to_mean(lit, at, t);
-  } else if (at.part) {
-    t[0] = lit.distance_of_part(at.x, at.y, *at.part, lit_scratch_);
-  } else {
-    lit.distances(at.x, at.y, at.count, t, lit_scratch_);
-  }
-  const float from = float(varied.paint.field.from), scale = float(varied.paint.field.scale);
-  for (int i = 0; i < at.count; ++i) t[i] = (t[i] - from) * scale;
-}
-
-/// A ridge that runs through cells lowers their mean; the part's own mean is more exact.
-void LookShader::shift_to_mean(const LitPaint& lit, const Places& at, float* d) {
-  float mean = 0.0f, sum = 0.0f, area = 0.0f;
-  if (at.part)
-    mean = lit.distance_of_part(at.x, at.y, *at.part, lit_scratch_);
-  else
-    lit.distances(at.x, at.y, 1, &mean, lit_scratch_);
-  for (std::size_t k = 0; k < std::size_t(at.count); ++k)
-    sum += at.cells->area[k] * d[k], area += at.cells->area[k];
-  if (area > 0.0f)
-    for (int i = 0; i < at.count; ++i) d[i] += mean - sum / area;
+  give_means(step, at, first, to);
 }
 
 void LookShader::give_light(const LookStep& step, const Places& at, std::size_t first,
@@ -290,33 +262,38 @@ void LookShader::give_means(const LookStep& step, const Places& at, std::size_t 
                             ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const PaintField& field = varied.paint.field;
-  const RampIntegral& ramp = *varied.integral;
-  if (at.cells) return give_means_of_cells(varied, at, to);
-  if (at.part) return set_color(to, first, glm::vec4(ramp_mean_of_part(varied, at)));
+  const RampIntegral& ramp = looks_->integral(step);
+  if (at.cells) return give_means_of_cells(step, at, to);
+  if (at.part) return set_color(to, first, glm::vec4(ramp_mean_of_part(step, at)));
   if (field.kind == PaintField::Kind::linear)
     return ramp_rows_.means(ramp, ramp.scaled(field.plane({})), at.x, at.y, at.count, to);
   if (field.kind == PaintField::Kind::radial)
     return planes_.radial_row(varied, at.x, at.y, at.count, to);
   boxes_.clear();
   for (int i = 0; i < at.count; ++i)
-    boxes_.close(
-        1.0 / planes_.add(varied, lit_of(varied), at.x + i, at.y, 1, lit_scratch_, boxes_.planes));
+    boxes_.close(1.0 / planes_.add(varied, ramp, lit_of(varied), at.x + i, at.y, 1, lit_scratch_,
+                                   boxes_.planes));
   ramp_means(ramp, boxes_, to, 0);
 }
 
-Mix LookShader::ramp_mean_of_part(const VariedPaint& varied, const Places& at) {
+Mix LookShader::ramp_mean_of_part(const LookStep& step, const Places& at) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const RampIntegral& ramp = looks_->integral(step);
   boxes_.clear();
-  const int side = planes_.add(varied, lit_of(varied), at.x, at.y, 1, lit_scratch_, boxes_.planes);
+  const int side =
+      planes_.add(varied, ramp, lit_of(varied), at.x, at.y, 1, lit_scratch_, boxes_.planes);
   chords_of_form(*at.form(), chords_);
-  return part_mean_.of(*varied.integral, boxes_.planes, side, chords_);
+  return part_mean_.of(ramp, boxes_.planes, side, chords_);
 }
 
 /// Of each of a pixel's cells, seen about their centroids; a part's are shifted to have its mean.
-void LookShader::give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to) {
+void LookShader::give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const RampIntegral& ramp = looks_->integral(step);
   const PartCells& cells = *at.cells;
-  const glm::vec4 mean{at.part ? ramp_mean_of_part(varied, at) : Mix{0.0}};
+  const glm::vec4 mean{at.part ? ramp_mean_of_part(step, at) : Mix{0.0}};
   boxes_.clear(), cell_planes_.clear();
-  const int side = planes_.add(varied, lit_of(varied), at.x, at.y, cells.side, lit_scratch_,
+  const int side = planes_.add(varied, ramp, lit_of(varied), at.x, at.y, cells.side, lit_scratch_,
                                cell_planes_),
             finer = side / cells.side;
   const PartCells& whole = whole_cells(cells.side);
@@ -332,7 +309,7 @@ void LookShader::give_means_of_cells(const VariedPaint& varied, const Places& at
     }
     boxes_.close(1.0 / side);
   }
-  ramp_means(*varied.integral, boxes_, to, 0);
+  ramp_means(ramp, boxes_, to, 0);
   if (!at.part) return;
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
     sum += cells.area[k] * glm::vec4{to.r[k], to.g[k], to.b[k], to.a[k]};

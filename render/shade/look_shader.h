@@ -66,15 +66,13 @@ class LookShader {
   void give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   void give_light(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   void give_means(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
-  void give_distances(const VariedPaint& varied, const Places& at, float* t);
-  void shift_to_mean(const LitPaint& lit, const Places& at, float* d);
   const LitPaint* lit_of(const VariedPaint& varied) const {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
   glm::vec4 with_products(const VariedPaint& varied, const glm::vec4& mean, float& off);
   bool fades(const LookStep& step) const;
-  Mix ramp_mean_of_part(const VariedPaint& varied, const Places& at);
-  void give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to);
+  Mix ramp_mean_of_part(const LookStep& step, const Places& at);
+  void give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
   std::vector<LaneStep> steps_;

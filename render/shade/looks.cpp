@@ -103,9 +103,10 @@ void Looks::note_outlines() {
   for (std::size_t i = 0; i < outlines; ++i) first_reader_[i + 1] += first_reader_[i];
 }
 
-/// A ramp is linear between kinks: two of its places say how. One that has an integral is so beyond its ends.
+/// A ramp is linear between kinks: two of its places say how. One that has an integral is so beyond its ends. Along a
+/// distance each stretch has an integral of its own.
 void Looks::make_segments() {
-  first_segment_.clear(), segments_.clear();
+  first_segment_.clear(), segments_.clear(), along_.clear();
   for (const VariedPaint& varied : paints_->varied) {
     first_segment_.push_back(int(segments_.size()));
     if (!varied.paint.ramp) continue;
@@ -121,6 +122,10 @@ void Looks::make_segments() {
         s.at = a == b ? a : a - t * s.slope;
       } else {
         s.at = varied.paint.ramp->color(s.from);
+      }
+      if (!varied.integral && varied.paint.field.kind == PaintField::Kind::distance) {
+        along_.resize(segments_.size() + 1);
+        along_.back().make(s.from, s.to, s.at + s.from * s.slope, s.at + s.to * s.slope);
       }
       segments_.push_back(s);
     }

@@ -54,6 +54,17 @@ class Looks final : public LookRule {
   const RampSegment& segment(const LookStep& step) const {
     return segments_[std::size_t(first_segment_[std::size_t(step.varied)] + step.segment)];
   }
+  /// Of all of the ramp, or of its segment along a distance.
+  const RampIntegral& integral(const LookStep& step) const {
+    return step.segment < 0
+               ? *paints_->varied[std::size_t(step.varied)].integral
+               : along_[std::size_t(first_segment_[std::size_t(step.varied)] + step.segment)];
+  }
+  /// Whether means of a step that is not lit are by integrals.
+  bool by_integral(const LookStep& step) const {
+    return step.segment < 0 ||
+           paints_->varied[std::size_t(step.varied)].paint.field.kind == PaintField::Kind::distance;
+  }
   const PaintTable& paints() const { return *paints_; }
 
   /// What a ramp between two kinks changes by per pixel.
@@ -121,6 +132,7 @@ class Looks final : public LookRule {
   std::vector<std::uint64_t> opaque_;  ///< a bit per layer
   std::vector<int> first_segment_;     ///< by varied paint
   std::vector<RampSegment> segments_;
+  std::vector<RampIntegral> along_;  ///< by segment, of those along distances
   /// Of a clause: outlines of one word, inside or outside of any of which it holds.
   struct ClauseWord {
     int word;

@@ -82,9 +82,9 @@ class PaintMaker {
   const std::vector<double>& places(VariedPaint& varied, double lo, double hi, double per_pixel) {
     const Ramp& ramp = *varied.paint.ramp;
     varied.lowest = lo, varied.highest = hi;
+    varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
     varied.integral.emplace().make(ramp);
-    varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
       one_color(varied, varied.integral->mean());
     // [px] Ends that outlines do not keep apart are none.

@@ -29,7 +29,7 @@ struct VariedPaint {
   GridPaint paint;
   std::vector<PaintKink> kinks;          ///< of the ramp, rising; with an integral its ends alone
   std::optional<RampIntegral> integral;  ///< of a ramp with more kinks than outlines are made of
-  double tolerance = 0;                  ///< what a mean by that may be off by, encoded
+  double tolerance = 0;                  ///< what a mean by integrals may be off by, encoded
   bool linear = false;                   ///< it is in linear light
   double lowest = 0, highest = 0;        ///< t in the picture
   /// Its means are LitPaint's: it is lit or goes by a distance. Index into PaintTable::lit; −1: a ramp is all of it.

@@ -24,7 +24,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// A depth in the piece's zone, whose root counts over a spread of that variance.
 HWY_INLINE VF HeldDepth(const LightTile& tile, VF d, VF variance) {
-  if (tile.lamp.distance_alone) return hn::Neg(d);
   const VF depth = hn::Min(hn::Max(hn::Neg(d), Const(tile.shallow)), Const(tile.deep));
   if (!tile.lamp.is_round()) return depth;
   // The mean of a root is less than that of the mean, by an eighth of the relative variance and its square.
@@ -88,7 +87,7 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Encoding& encoding, co
       away = Fused(ux, rx, Fused(uy, ry, pick(r.best.d, r.beyond.d, true)));
     }
     const VF depth = HeldDepth(tile, d, hn::Mul(cell.variance, share));
-    return ColorAt(tile, depth, nx, ny, hn::Add(cell.x, ux), hn::Add(cell.y, uy), away);
+    return LitAt(tile.lamp, depth, nx, ny, hn::Add(cell.x, ux), hn::Add(cell.y, uy), away);
   };
   const LitColor near = side(back, hn::Sub(one, far), false), beyond = side(way, far, true);
   CutColor mixed;
@@ -158,8 +157,8 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
   const VF most = hn::Mul(Const(0.577350269f), hn::Sub(mean, Const(tile.shallow)));
   const VF apart = hn::Min(hn::Sqrt(cell.variance), most);
   const VF up = hn::Sub(mean, apart), down = hn::Min(hn::Add(mean, apart), Const(tile.deep));
-  color = ColorAt(tile, up, nx, ny, cell.x, cell.y, away);
-  const LitColor other = ColorAt(tile, down, nx, ny, cell.x, cell.y, away);
+  color = LitAt(tile.lamp, up, nx, ny, cell.x, cell.y, away);
+  const LitColor other = LitAt(tile.lamp, down, nx, ny, cell.x, cell.y, away);
   for (int c = 0; c < LightTile::kChannels; ++c)
     color.c[c] = hn::Mul(Const(0.5f), hn::Add(color.c[c], other.c[c]));
 }
@@ -237,7 +236,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
       const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
       const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
       const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
-      color = ColorAt(tile, HeldDepth(tile, d, cell.variance), nx, ny, cell.x, cell.y, away);
+      color = LitAt(tile.lamp, HeldDepth(tile, d, cell.variance), nx, ny, cell.x, cell.y, away);
     }
     PutColor(color, k, cells.shades);
   }
@@ -442,12 +441,13 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  // Of that: cells that were closed with more left were closed too soon.
-  constexpr float kAgain = 0.5f;
   LightTile& tile = pixel.tile;
   const float allowed = tile.tolerance;
   float before[LightTile::kChannels] = {};
   pixel.seen = HWY_MAX(form_area, 0.05f);
+  // Of that: cells that were closed with more left were closed too soon. Stops of a ramp cut a pixel into many parts,
+  // whose doubts add up: each has its share.
+  const float again = tile.segment ? 0.5f * pixel.seen : 0.5f;
   const float bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
   const int begun = HWY_MIN(SideFor(bend, form_area, kFirst * allowed), 8);
   int first = begun;
@@ -482,7 +482,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       const float left = (last ? last_left : kSettled) * HWY_MAX(mean.apart, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
-      if (last || off < kAgain) return void(tile.off += off);
+      if (last || off < again) return void(tile.off += off);
       first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
       std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
       continue;

@@ -25,8 +25,7 @@ void add_cells(int x, int y, int side, RadialPlaces& to) {
 }  // namespace
 
 /// What level lines bend by too much in the darkest colour there is.
-float RampPlanes::excess_of(const VariedPaint& varied) {
-  const RampIntegral& ramp = *varied.integral;
+float RampPlanes::excess_of(const VariedPaint& varied, const RampIntegral& ramp) {
   const Mix& least = ramp.least();
   finer_.room_for(1);
   finer_.r[0] = float(least.r), finer_.g[0] = float(least.g), finer_.b[0] = float(least.b);
@@ -35,21 +34,22 @@ float RampPlanes::excess_of(const VariedPaint& varied) {
   return excesses_[0];
 }
 
-const RampSoftness& RampPlanes::softness(const VariedPaint& varied) {
-  if (std::exchange(softness_of_, &varied) == &varied) return softness_;
+const RampSoftness& RampPlanes::softness(const VariedPaint& varied, const RampIntegral& ramp) {
+  if (std::exchange(softness_of_, &ramp) == &ramp) return softness_;
   bends_.assign(1, 1.0f);
-  softness_.make(varied, BendRule::kLeft / std::sqrt(double(excess_of(varied))));
+  softness_.make(varied.paint.field, ramp,
+                 BendRule::kLeft / std::sqrt(double(excess_of(varied, ramp))),
+                 varied.integral ? &*varied.paint.ramp : nullptr);
   return softness_;
 }
 
 /// By as few cells as keep what level lines bend below the tolerance, whatever colour there is.
-int RampPlanes::add(const VariedPaint& varied, const LitPaint* lit, int x, int y, int side,
-                    LitPaint::Scratch& scratch, std::vector<RampPlane>& to) {
+int RampPlanes::add(const VariedPaint& varied, const RampIntegral& ramp, const LitPaint* lit, int x,
+                    int y, int side, LitPaint::Scratch& scratch, std::vector<RampPlane>& to) {
   const PaintField& field = varied.paint.field;
-  const RampIntegral& ramp = *varied.integral;
   if (field.kind == PaintField::Kind::distance) {
     const std::size_t before = to.size();
-    const int made = distances_.of(lit->gradient_area(), x, y, side, softness(varied), to);
+    const int made = distances_.of(lit->gradient_area(), x, y, side, softness(varied, ramp), to);
     if (made == 0)
       scratch.doubts().push_back({x, 1.0f}), to.resize(before + std::size_t(side * side));
     for (std::size_t k = before; k < to.size(); ++k)
@@ -60,7 +60,7 @@ int RampPlanes::add(const VariedPaint& varied, const LitPaint* lit, int x, int y
     add_cells(x, y, 1, places_);
     cells_.clear();
     add_radial_planes(field, ramp, places_, cells_, bends_);
-    add_cells(x, y, side = side_for(excess_of(varied), side), places_);
+    add_cells(x, y, side = side_for(excess_of(varied, ramp), side), places_);
     add_radial_planes(field, ramp, places_, to, bends_);
     return side;
   }

@@ -18,19 +18,19 @@ class RampPlanes {
   long long take_feet() { return distances_.take_feet(); }
 
   /// Adds those of pixel (x, y), scaled, row by row, in side × side cells or a multiple of that. Returns the side. A
-  /// paint along a distance needs its LitPaint.
-  int add(const VariedPaint& varied, const LitPaint* lit, int x, int y, int side,
-          LitPaint::Scratch& scratch, std::vector<RampPlane>& to);
+  /// paint along a distance needs its LitPaint. `ramp`: the paint's, or of a stretch of it between two kinks.
+  int add(const VariedPaint& varied, const RampIntegral& ramp, const LitPaint* lit, int x, int y,
+          int side, LitPaint::Scratch& scratch, std::vector<RampPlane>& to);
 
   /// The means over whole pixels of a row, of a radial paint.
   void radial_row(const VariedPaint& varied, int x, int y, int count, ColorRow& to);
 
  private:
-  float excess_of(const VariedPaint& varied);
-  const RampSoftness& softness(const VariedPaint& varied);
+  float excess_of(const VariedPaint& varied, const RampIntegral& ramp);
+  const RampSoftness& softness(const VariedPaint& varied, const RampIntegral& ramp);
 
   DistancePlanes distances_;
-  const VariedPaint* softness_of_ = nullptr;
+  const RampIntegral* softness_of_ = nullptr;
   RampSoftness softness_;
   RampBoxes boxes_;
   RadialPlaces places_;

@@ -1,7 +1,7 @@
 #pragma once
 // How exactly distances along a ramp must be known, and where: between two kinks means of distances are all it takes.
 
-#include "render/shade/paint_table.h"
+#include "render/shade/paint.h"
 
 #include <vector>
 
@@ -10,8 +10,9 @@ namespace mien {
 /// Keeps its memory.
 class RampSoftness {
  public:
-  /// `left`: what a pixel may be off by as a share of the ramp's range.
-  void make(const VariedPaint& varied, double left);
+  /// `left`: what a pixel may be off by as a share of the ramp's range. `ramp`: whose slope turns; none: a stretch
+  /// between two kinks.
+  void make(const PaintField& field, const RampIntegral& integral, double left, const Ramp* ramp);
 
   /// [px] What distances may be off by: that shifts the ramp.
   double allowed() const { return allowed_; }

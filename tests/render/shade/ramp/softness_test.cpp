@@ -1,4 +1,5 @@
 #include "render/shade/ramp/softness.h"
+#include "render/shade/paint_table.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@ namespace mien {
 namespace {
 
 /// Along the distance from a line, 20 px long in a picture of 10 px a unit; falls from 1 to 0.25 to 0.
-RampSoftness soft(Extend extend, const std::vector<Stop>& stops) {
+RampSoftness soft(Extend extend, const std::vector<Stop>& stops, bool between_kinks = false) {
   SceneBuilder build({.box = {{0, 0}, {2, 2}}, .y_up = false}, {1, 1, 1, 1});
   const Area line = build.shape(HalfPlane{{1, 0}, 1});
   build.layer("all", build.everywhere(),
@@ -17,10 +18,11 @@ RampSoftness soft(Extend extend, const std::vector<Stop>& stops) {
   PaintTable table;
   table.make(std::move(build).finish(), {.width = 20, .height = 20, .blend = Blend::linear},
              Depth::u8);
-  VariedPaint varied = table.varied.at(0);
-  varied.integral.emplace().make(*varied.paint.ramp);
+  const GridPaint& paint = table.varied.at(0).paint;
+  RampIntegral integral;
+  integral.make(*paint.ramp);
   RampSoftness softness;
-  softness.make(varied, 0.01);
+  softness.make(paint.field, integral, 0.01, between_kinks ? nullptr : &*paint.ramp);
   return softness;
 }
 
@@ -37,6 +39,7 @@ TEST(RampSoftness, CountsKinksWithinReachAsSharesOfTheSteepestSlope) {
   EXPECT_NEAR(softness.turns(10.2, 0.3), 2.0 / 3, 1e-9);
   EXPECT_NEAR(softness.turns(20, 1), 1.0 / 3, 1e-9);
   EXPECT_NEAR(softness.turns(30, 5), 0, 1e-12);
+  EXPECT_EQ(soft(Extend::pad, kFalls, true).turns(5, 5.1), 0);
   // Repeated, at least as many as there are.
   EXPECT_GE(soft(Extend::reflect, kFalls).turns(5, 30), 2 * (1 + 2.0 / 3));
 }
