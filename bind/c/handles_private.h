@@ -61,28 +61,34 @@ struct mien_pose {
     return poser_->pose(pose);
   }
 
-  /// A motion for this face. The few that were asked for last are kept, since animations ask again for every frame.
-  std::shared_ptr<const mien::Motion> bound(const std::shared_ptr<const mien::Motion>& motion) {
-    for (const auto& [of, done] : bound_)
-      if (of == motion) return done;
-    constexpr std::size_t kMostBound = 4;
-    if (bound_.size() == kMostBound) bound_.erase(bound_.begin());
-    bound_.emplace_back(motion, mien::bind_motion(*motion, face).motion);
-    return bound_.back().second;
-  }
-
   /// What the muscles pull after posed().
   std::span<const double> pulls() const { return poser_->pulls(); }
 
  private:
   std::optional<mien::Poser> poser_;
-  using Shared = std::shared_ptr<const mien::Motion>;
-  std::vector<std::pair<Shared, Shared>> bound_;
 };
 
 struct mien_motion {
   std::shared_ptr<const mien::Motion> motion;
   std::vector<std::string> told;
+
+  /// The motion for a face. Those of the few faces that asked last are kept, since animations ask again for every frame;
+  /// threads may ask at once.
+  std::shared_ptr<const mien::Motion> bound_to(const mien::Face& face) const {
+    const std::lock_guard lock(binding_);
+    for (const auto& [model, bound] : bound_)
+      if (model.lock() == face.model) return bound;
+    constexpr std::size_t kMostBound = 4;
+    if (bound_.size() == kMostBound) bound_.erase(bound_.begin());
+    bound_.emplace_back(face.model, mien::bind_motion(*motion, face).motion);
+    return bound_.back().second;
+  }
+
+ private:
+  mutable std::mutex binding_;
+  mutable std::vector<
+      std::pair<std::weak_ptr<const mien::FaceModel>, std::shared_ptr<const mien::Motion>>>
+      bound_;
 };
 
 struct mien_steadier {

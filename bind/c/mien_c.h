@@ -449,7 +449,7 @@ MIEN_C_API mien_status mien_pose_follow_steadily(mien_pose* pose, mien_steadier*
                                                  double seconds, const char* frame, size_t length,
                                                  mien_error** error);
 
-/* A word instead of the face's own code, recipe or text, for what clips draw by personal chance: the same word, the same
+/* A word instead of the face's own code, recipe or text, for what the face does by itself: the same word, the same
  * blinks and glances. An empty word is refused. */
 MIEN_C_API mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t length,
                                       mien_error** error);

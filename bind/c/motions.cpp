@@ -104,8 +104,8 @@ mien_status mien_pose_motion(mien_pose* pose, const mien_motion* motion, double 
                              double begin, mien_error** error) {
   return pass("mien_pose_motion", error, [&] {
     mien_pose& changed = need(pose, "pose");
-    const auto& of = need(motion, "motion").motion;
-    changed.pose.motions.push_back({.motion = changed.bound(of),
+    const mien_motion& of = need(motion, "motion");
+    changed.pose.motions.push_back({.motion = of.bound_to(changed.face),
                                     .weight = need_finite(weight, "weight"),
                                     .begin = need_finite(begin, "begin")});
   });

@@ -48,7 +48,7 @@ struct FaceModel {
   HeadTurn turn;
   std::vector<Effect> effects;  ///< applied to the finished picture, in this order
   Index<Motion> default_clip;   ///< the clip that runs when a time is given
-  /// What clips' personal chance draws from: seed_from_word of the code that the face was made from; without one, of its
+  /// What idle life draws from: seed_from_word of the code that the face was made from; without one, of its
   /// recipe or of its file's text.
   std::uint64_t seed = 0;
 };

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,26 +29,13 @@ struct CurveKey {
   Ease ease = Ease::linear;  ///< towards the next key
 };
 
-/// Which random numbers a curve draws. A personal seed is mixed with the face's own (FaceModel::seed, Pose::seed), and
-/// the curve's time is then shifted by a random part of its period: two faces move at different moments.
-struct CurveSeed {
-  constexpr CurveSeed(std::uint32_t of = 0, bool of_the_face = false)
-      : number(of), personal(of_the_face) {}
-
-  std::uint32_t number;
-  bool personal;
-};
-
 /// A curve through keys, held before the first and after the last.
 struct KeyCurve {
   std::vector<CurveKey> keys;  ///< times rising; at least 1
   double period = 0;           ///< [s] time is taken modulo this; 0: once only
   double offset = 0;           ///< [s] later by this
   double jitter = 0;           ///< [s] each period later by a random part of this; needs a period
-  CurveSeed seed = {};
-  /// The share of periods, 0 … 1, in which the keys are played; in the others the first one is held. Liveliness sets how
-  /// often such keys are played, not how far they go. None: in all periods.
-  std::optional<double> share = {};
+  std::uint32_t seed = 0;
 };
 
 /// offset + amplitude · sin(frequency · t + phase), or · |sin …|
@@ -59,7 +45,6 @@ struct SineCurve {
   double phase = 0;      ///< [rad]
   double offset = 0;
   bool absolute = false;
-  CurveSeed seed = {};  ///< a personal one shifts the phase
 };
 
 /// Saccades: rests at a random value for each period and moves quickly to the next. Curves of one seed move
@@ -73,7 +58,7 @@ struct WanderCurve {
   double move = 0.05;    ///< [s] a move takes; jitter + move <= period
   double offset = 0;     ///< [s] later by this
   Ease ease = Ease::smooth;
-  CurveSeed seed = {};
+  std::uint32_t seed = 0;
   std::uint32_t stream = 0;
 };
 
@@ -104,9 +89,34 @@ struct MotionChannel {
   Index<Control> control{};   ///< of the face that the motion is bound to; none: of no face yet
 };
 
+/// What a face does by itself (lib/rig/idle), each of its own seed (FaceModel::seed, Pose::seed).
+enum class IdlePart : unsigned char {
+  gaze_x,
+  gaze_y,
+  yaw,
+  pitch,
+  roll,
+  blink_left,
+  blink_right,
+  breath,
+  corner_left,
+  corner_right,
+  brow_left,
+  brow_right,
+  dilation
+};
+
+/// The value of the control is its rest plus `scale` times the part's number.
+struct IdleChannel {
+  IdlePart part;
+  Index<Control> control;
+  double scale = 1;
+};
+
 struct Motion {
   std::string name;
   std::vector<MotionChannel> channels;  ///< later ones beat earlier ones
+  std::vector<IdleChannel> idle = {};   ///< before them
   bool additive = false;  ///< adds its difference from rest instead of replacing values
   /// Its numbers were seen on a face, or planned for it: muscles are where they pull to at once. Those of others get there
   /// by the law of muscles.

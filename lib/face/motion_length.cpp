@@ -14,7 +14,7 @@ constexpr double kLongestClip =
 bool is_of_chance(const Curve& curve) {
   const auto* keys = std::get_if<KeyCurve>(&curve);
   return std::holds_alternative<WanderCurve>(curve) ||
-         (keys && keys->period > 0 && (keys->jitter > 0 || keys->share.value_or(1) < 1));
+         (keys && keys->period > 0 && keys->jitter > 0);
 }
 
 /// [s] The last key's time of a curve that runs once; of others 0.
@@ -52,6 +52,7 @@ double period_of(const Curve& curve) {
 }
 
 double motion_length(const Motion& motion) {
+  if (!motion.idle.empty()) return kNoEnd;
   double period = 0, end = 0;
   for (const MotionChannel& channel : motion.channels)
     for (const Curve& curve : channel.curves) {

@@ -23,34 +23,20 @@ std::uint32_t read_count(const Reading& in, const JsonNode& node, std::string_vi
   return std::uint32_t(number);
 }
 
-/// "seed": NUMBER, or {"person": NUMBER}; 0 if it is not there.
-CurveSeed optional_seed(Reading& in, const JsonNode& node) {
+/// "seed": NUMBER; 0 if it is not there.
+std::uint32_t optional_seed(const Reading& in, const JsonNode& node) {
   const JsonNode* seed = in.find(node, "seed");
-  if (!seed) return {};
-  if (seed->kind == JsonKind::number) return {read_count(in, *seed, "seed")};
-  if (seed->kind != JsonKind::object)
-    in.refuse(*seed,
-              "a seed is a whole number, or {\"person\": NUMBER} for chances of each face's own");
-  in.expect_object(*seed, {"person"}, "seed");
-  return {read_count(in, in.need(*seed, "person"), "seed"), true};
-}
-
-double read_share_of_periods(const Reading& in, const JsonNode& node) {
-  const double share = in.number(node);
-  if (!(share >= 0 && share <= 1))
-    in.refuse(node, fmt::format("a share of the periods lies between 0 and 1, got {}", share));
-  return share;
+  return seed ? read_count(in, *seed, "seed") : 0;
 }
 
 SineCurve read_sine(Reading& in, const JsonNode& node) {
-  in.expect_object(node, {"amplitude", "frequency", "phase", "offset", "absolute", "seed"});
+  in.expect_object(node, {"amplitude", "frequency", "phase", "offset", "absolute"});
   SineCurve sine;
   sine.amplitude = in.number(in.need(node, "amplitude"));
   sine.frequency = in.number(in.need(node, "frequency"));
   if (const JsonNode* phase = in.find(node, "phase")) sine.phase = in.number(*phase);
   if (const JsonNode* offset = in.find(node, "offset")) sine.offset = in.number(*offset);
   if (const JsonNode* absolute = in.find(node, "absolute")) sine.absolute = in.boolean(*absolute);
-  sine.seed = optional_seed(in, node);
   return sine;
 }
 
@@ -96,7 +82,7 @@ void read_each_key(const Reading& in, const JsonNode& keys, Ease ease, KeyCurve&
 }
 
 KeyCurve read_keys(Reading& in, const JsonNode& node) {
-  in.expect_object(node, {"keys", "period", "ease", "offset", "jitter", "seed", "share"}, "curve");
+  in.expect_object(node, {"keys", "period", "ease", "offset", "jitter", "seed"}, "curve");
   KeyCurve curve;
   Ease ease = Ease::linear;
   if (const JsonNode* word = in.find(node, "ease")) ease = Ease(in.word(*word, "ease", kEases));
@@ -104,10 +90,6 @@ KeyCurve read_keys(Reading& in, const JsonNode& node) {
   if (const JsonNode* offset = in.find(node, "offset")) curve.offset = in.number(*offset);
   curve.jitter = optional_time(in, node, "jitter");
   curve.seed = optional_seed(in, node);
-  if (const JsonNode* share = in.find(node, "share")) {
-    curve.share = read_share_of_periods(in, *share);
-    if (curve.period == 0) in.refuse(*share, "a share needs a period");
-  }
   read_each_key(in, in.need(node, "keys"), ease, curve);
   if (curve.jitter > 0 && curve.period == 0)
     in.refuse(*in.find(node, "jitter"), "jitter needs a period");
@@ -126,7 +108,12 @@ WanderCurve read_wander(Reading& in, const JsonNode& node) {
   WanderCurve curve;
   if (const JsonNode* center = in.find(node, "center")) curve.center = in.number(*center);
   curve.amplitude = in.number(in.need(node, "amplitude"));
-  if (const JsonNode* home = in.find(node, "home")) curve.home = read_share_of_periods(in, *home);
+  if (const JsonNode* home = in.find(node, "home")) {
+    curve.home = in.number(*home);
+    if (!(curve.home >= 0 && curve.home <= 1))
+      in.refuse(*home,
+                fmt::format("a share of the periods lies between 0 and 1, got {}", curve.home));
+  }
   curve.period = read_period(in, in.need(node, "period"));
   curve.jitter = optional_time(in, node, "jitter");
   if (in.find(node, "move")) curve.move = optional_time(in, node, "move");
@@ -168,10 +155,79 @@ std::vector<Curve> read_curves(Reading& in, const JsonNode& node) {
   return curves;
 }
 
-/// {CONTROL: CURVE, …}, or {"tracks": {CONTROL: CURVE, …}, "additive": true}.
+/// What lives in an idle face, and by which control.
+struct LivingControl {
+  enum class Unit : unsigned char { one, upper_end, eyeball };
+
+  std::string_view what, control;
+  IdlePart part;
+  Unit unit = Unit::one;
+  double times = 1;
+};
+
+constexpr LivingControl kLiving[] = {
+    {"gaze", "gaze.x", IdlePart::gaze_x, LivingControl::Unit::eyeball},
+    {"gaze", "gaze.y", IdlePart::gaze_y, LivingControl::Unit::eyeball},
+    {"head", "yaw", IdlePart::yaw},
+    {"head", "pitch", IdlePart::pitch},
+    {"head", "roll", IdlePart::roll},
+    {"blinks", "blink.left", IdlePart::blink_left},
+    {"blinks", "blink.right", IdlePart::blink_right},
+    {"breath", "breath", IdlePart::breath, LivingControl::Unit::upper_end, 0.3},
+    {"mouth", "corner.left", IdlePart::corner_left, LivingControl::Unit::upper_end},
+    {"mouth", "corner.right", IdlePart::corner_right, LivingControl::Unit::upper_end},
+    {"brows", "brow_lift.left", IdlePart::brow_left, LivingControl::Unit::upper_end},
+    {"brows", "brow_lift.right", IdlePart::brow_right, LivingControl::Unit::upper_end},
+    {"pupils", "dilation", IdlePart::dilation, LivingControl::Unit::one, 0.05}};
+
+constexpr std::array<std::string_view, 7> kLife{"gaze",  "head",  "blinks", "breath",
+                                                "mouth", "brows", "pupils"};
+
+double unit_of(const LivingControl& living, Index<Control> control, const FaceDraft& face) {
+  const FaceModel& model = face.model;
+  if (living.unit == LivingControl::Unit::one) return 1;
+  if (living.unit == LivingControl::Unit::upper_end)
+    return control.in(model.controls).channels[0].in(model.channels).hi;
+  if (model.eyes.empty()) return 0;
+  return face.vector[std::size_t(model.layout[model.eyes[0].radius].begin)];
+}
+
+/// [WORD, …]: what of the face lives.
+std::vector<IdleChannel> read_life(const Reading& in, const JsonNode& node, const FaceDraft& face) {
+  std::vector<IdleChannel> channels;
+  if (node.count == 0) in.refuse(node, "expected at least one word");
+  in.for_each(node, [&](const JsonNode& child, int) {
+    const std::string_view what = kLife[in.word(child, "part of idle life", kLife)];
+    const std::size_t before = channels.size();
+    for (const LivingControl& living : kLiving) {
+      const auto found = face.control_by_name.find(std::string(living.control));
+      if (living.what == what && found != face.control_by_name.end())
+        channels.push_back(
+            {living.part, found->second, living.times * unit_of(living, found->second, face)});
+    }
+    if (channels.size() == before)
+      in.refuse(child, fmt::format("this face has no control that \"{}\" moves", what));
+  });
+  return channels;
+}
+
+/// The words of a clip of life. A control may be called so, too: its array holds curves.
+const JsonNode* find_life(const Reading& in, const JsonNode& clip) {
+  const JsonNode* life = in.find(clip, "life");
+  if (!life || life->kind != JsonKind::array) return nullptr;
+  return life->count > 0 && in.tree.first(*life)->kind == JsonKind::object ? nullptr : life;
+}
+
+/// {CONTROL: CURVE, …}, {"tracks": {CONTROL: CURVE, …}, "additive": true}, or {"life": [WORD, …]}.
 Motion read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
   in.expect(node, JsonKind::object);
   Motion clip{.name = in.name(node, in.tree.key(node)), .channels = {}};
+  if (const JsonNode* life = find_life(in, node)) {
+    in.expect_object(node, {"life", "additive"}, "clip");
+    if (const JsonNode* additive = in.find(node, "additive")) clip.additive = in.boolean(*additive);
+    clip.idle = read_life(in, *life, face);
+    return clip;
+  }
   const JsonNode* tracks = in.find(node, "tracks");
   if (tracks) {
     in.expect_object(node, {"tracks", "additive"}, "clip");

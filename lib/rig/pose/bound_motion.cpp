@@ -65,6 +65,7 @@ BoundMotion bind_motion(Motion motion, const Face& face) {
     channels.push_back(std::move(channel));
   }
   motion.channels = std::move(channels);
+  motion.idle.clear();  // life is of the face whose clip it is
   bound.motion = std::make_shared<const Motion>(std::move(motion));
   return bound;
 }

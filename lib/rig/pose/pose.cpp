@@ -3,6 +3,7 @@
 #include <mien/face_model.h>
 #include <mien/poser.h>
 #include "lib/rig/eye/eye.h"
+#include "lib/rig/idle/idle.h"
 #include "lib/rig/mouth/mouth.h"
 #include "lib/rig/muscle/muscle_poser.h"
 #include "lib/rig/muscle/pulls.h"
@@ -23,43 +24,68 @@ namespace {
 using Values = std::vector<double>;
 
 /// A channel's value for a control that rests there. With a liveliness of 1 a single curve's value is kept bit for bit.
-double value_of(const MotionChannel& channel, double rest, double time, const Temper& temper) {
+double value_of(const MotionChannel& channel, double rest, double time, double liveliness) {
   double value = rest;
   for (std::size_t i = 0; i < channel.curves.size(); ++i) {
-    const Curve& curve = channel.curves[i];
-    double own = value_at(curve, time, temper);
-    if (temper.liveliness != 1 && !is_played_by_chance(curve))
-      own = rest + temper.liveliness * (own - rest);
+    double own = value_at(channel.curves[i], time);
+    if (liveliness != 1) own = rest + liveliness * (own - rest);
     value = i == 0 ? own : value + (own - rest);
   }
   return value;
 }
 
-/// Lays one motion over what is below it.
-void play(const FaceModel& model, const Motion& motion, double time, double weight,
-          const Temper& temper, Values& values) {
-  for (const MotionChannel& channel : motion.channels) {
-    if (!moves(channel, model)) continue;
-    const std::vector<Index<Channel>>& channels = channel.control.in(model.controls).channels;
-    const double rest = channels[0].in(model.channels).rest;  // the halves of a control rest alike
-    const double value = value_of(channel, rest, time, temper);
-    if (!std::isfinite(value)) continue;
+/// Lays motions over what is below them.
+class Playing {
+ public:
+  Playing(const FaceModel& model, const Pose& pose, Values& values)
+      : model_(model),
+        seed_(pose.seed.value_or(model.seed)),
+        liveliness_(std::min(pose.liveliness, kMostLively)),
+        values_(values) {}
+
+  void play(const Motion& motion, double time, double weight) {
+    if (!motion.idle.empty() && std::isfinite(time)) {
+      const IdleNumbers numbers = idle_at(seed_, time, liveliness_);
+      for (const IdleChannel& channel : motion.idle)
+        if (moves(channel, model_))
+          lay(channel.control, weight, motion.additive, [&](double rest) {
+            return rest + channel.scale * numbers[std::size_t(channel.part)];
+          });
+    }
+    const double liveliness = motion.settled ? 1 : liveliness_;
+    for (const MotionChannel& channel : motion.channels)
+      if (moves(channel, model_))
+        lay(channel.control, weight, motion.additive,
+            [&](double rest) { return value_of(channel, rest, time, liveliness); });
+  }
+
+ private:
+  template <class ValueFrom>
+  void lay(Index<Control> control, double weight, bool additive, ValueFrom&& value_from) {
+    const std::vector<Index<Channel>>& channels = control.in(model_.controls).channels;
+    const double rest = channels[0].in(model_.channels).rest;  // the halves of a control rest alike
+    const double value = value_from(rest);
+    if (!std::isfinite(value)) return;
     for (const Index<Channel> c : channels) {
-      double& now = values[std::size_t(c.at)];
-      if (motion.additive)
+      double& now = values_[std::size_t(c.at)];
+      if (additive)
         now += weight * (value - rest);
       else
         now = weight == 1 ? value : now + weight * (value - now);
     }
   }
-}
+
+  const FaceModel& model_;
+  std::uint64_t seed_;
+  double liveliness_;
+  Values& values_;
+};
 
 void play_motions(const FaceModel& model, const Pose& pose, Values& values) {
-  const Temper lively{pose.seed.value_or(model.seed), std::min(pose.liveliness, kMostLively)};
-  const Temper as_seen{lively.seed, 1};
+  Playing playing(model, pose, values);
   for_each_motion(model, pose, [&](const Motion& motion, double weight, double begin) {
     if (&motion == default_clip_of(model, pose) && pose.basis) return;
-    play(model, motion, *pose.time - begin, weight, motion.settled ? as_seen : lively, values);
+    playing.play(motion, *pose.time - begin, weight);
   });
 }
 

@@ -63,10 +63,10 @@ struct Pose {
   std::optional<double> time = {};        ///< [s]; without one no motion runs
   std::vector<Setting> settings = {};     ///< beat clips and gaze; later ones beat earlier ones
   std::vector<MotionLayer> motions = {};  ///< bottom to top; none: the face's default clip
-  /// What clips' personal chance draws from; none: the face's own (FaceModel::seed). seed_from_word makes one.
+  /// What idle life draws from; none: the face's own (FaceModel::seed). seed_from_word makes one.
   std::optional<std::uint64_t> seed = {};
-  /// 0 … kMostLively: how far clips move the face from rest, and how often curves with a share
-  /// of their periods play. 1: as the clips have it; 0: no clip runs. Takes and speech go as far as they go.
+  /// 0 … kMostLively: how far clips move the face from rest, and how often it blinks by itself. 1: as the clips have it; 0:
+  /// no clip runs. Takes and speech go as far as they go.
   double liveliness = 1;
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
   double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)

@@ -9,7 +9,8 @@
 namespace mien {
 
 /// Whether a channel moves a control of the model.
-inline bool moves(const MotionChannel& channel, const FaceModel& model) {
+template <class AnyChannel>
+bool moves(const AnyChannel& channel, const FaceModel& model) {
   return channel.control && channel.control.at < int(model.controls.size());
 }
 

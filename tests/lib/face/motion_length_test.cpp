@@ -51,11 +51,9 @@ TEST(MotionLength, IsEndlessWhereNothingComesAgain) {
   KeyCurve late = keys(1, 4);
   late.jitter = 0.5;
   EXPECT_EQ(motion_length(clip_of({late})), kEndless);
-  KeyCurve seldom = keys(1, 4);
-  seldom.share = 1;
-  EXPECT_EQ(motion_length(clip_of({seldom})), 4);
-  seldom.share = 0.5;
-  EXPECT_EQ(motion_length(clip_of({seldom})), kEndless);
+  Motion life;
+  life.idle = {{IdlePart::yaw, {0}}};
+  EXPECT_EQ(motion_length(life), kEndless);
   EXPECT_EQ(motion_length(clip_of({WanderCurve{}, keys(1)})), kEndless);
   EXPECT_EQ(motion_length(clip_of({sine(1), sine(std::sqrt(2.0))})), kEndless);
   EXPECT_EQ(motion_length(clip_of({keys(1, 5000), keys(1, 7)})), kEndless);

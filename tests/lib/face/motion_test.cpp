@@ -29,9 +29,7 @@ const std::string kClips = R"({"format": "mien-face", "format_version": 1,
     "swing": {"look": {"keys": [[0, 0], [1, 1]]}},
     "hold": {"look": {"keys": [[0, 0.5]]}, "up": {"keys": [[0, 1]]}},
     "more": {"additive": true, "tracks": {"look": {"keys": [[0, 0.1], [1, 0.2]]}}},
-    "both": {"look": [{"keys": [[0, 0.25]]}, {"keys": [[0, 0], [1, 0.5]]}, {"keys": [[0, -0.125]]}]},
-    "drift": {"look": {"wander": {"amplitude": 0.5, "period": 1, "seed": {"person": 1}}}},
-    "nod": {"look": {"keys": [[0, 1], [0.5, 0.5]], "period": 1, "share": 1, "seed": {"person": 1}}}}})";
+    "both": {"look": [{"keys": [[0, 0.25]]}, {"keys": [[0, 0], [1, 0.5]]}, {"keys": [[0, -0.125]]}]}}})";
 
 double looks(const Face& face, const Pose& pose) {
   return slice_of(pose_face(face, pose), "dot.left/center")[1] - 0.1;
@@ -90,27 +88,6 @@ TEST(Clips, GoAsFarAsLivelinessSays) {
                   {.time = 0.5, .motions = {*read_clip_layer(face, "hold")}, .liveliness = none})
             .vector,
         face.vector);
-  int whole = 0;
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const double nod = looks(
-        face,
-        {.time = 0.5, .motions = {*read_clip_layer(face, "nod")}, .seed = seed, .liveliness = 0.5});
-    whole += nod < 1;  // in the others the first key is held
-    EXPECT_TRUE(nod >= 0.5 && nod <= 1) << "as far as ever";
-  }
-  EXPECT_NEAR(whole, 50, 20);
-}
-
-TEST(Clips, DrawFromTheFacesSeedOrThatOfThePose) {
-  const Face one = *read_face_text(kClips), other = *read_face_text(kClips + " ");
-  EXPECT_NE(one.model->seed, other.model->seed) << "of its text";
-  const auto drift = [](const Face& face, std::optional<std::uint64_t> seed) {
-    return looks(face, {.time = 0.5, .motions = {*read_clip_layer(face, "drift")}, .seed = seed});
-  };
-  EXPECT_EQ(drift(one, {}), drift(*read_face_text(kClips), {}));
-  EXPECT_NE(drift(one, {}), drift(other, {}));
-  EXPECT_EQ(drift(one, other.model->seed), drift(other, {}));
-  EXPECT_NE(drift(one, 1), drift(one, 2));
 }
 
 /// Clips that drive muscles do so by the liveliness of the pose, too, whatever was posed before.

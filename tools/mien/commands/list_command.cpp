@@ -65,6 +65,8 @@ std::string clip_line(const FaceModel& model, Index<Motion> index) {
   std::string line = "clip " + clip.name;
   if (index == model.default_clip) line += " (runs with --time)";
   if (clip.additive) line += " (additive)";
+  for (const IdleChannel& channel : clip.idle)
+    line += fmt::format("  {} by itself", channel.control.in(model.controls).name);
   for (const MotionChannel& channel : clip.channels)
     for (const Curve& curve : channel.curves)
       line += fmt::format("  {} every {:.4g} s", channel.control.in(model.controls).name,

@@ -76,7 +76,7 @@ class PoseList {
     for (std::size_t i = 0; i < kFeelings.size(); ++i)
       for (std::size_t j = i + 1; j < kFeelings.size(); ++j)
         looks.push_back({{{feeling(i), 1.0}, {feeling(j), 1.0}}, 4, false});
-    for (const std::string_view idle : {"corner", "breath"})
+    for (const std::string_view idle : {"corner", "brow_lift", "breath"})
       if (const int control = find(idle); control >= 0)
         for (const double end : {channel_of(control).lo, channel_of(control).hi})
           if (end != channel_of(control).rest)

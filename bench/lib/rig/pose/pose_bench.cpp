@@ -1,8 +1,12 @@
 // Posing, and posing with a scene: one frame of an animation on one core.
 
 #include <mien/bound_motion.h>
+#include <mien/composed_face.h>
 #include <mien/face_file.h>
+#include <mien/face_model.h>
+#include <mien/motion_file.h>
 #include <mien/poser.h>
+#include <mien/recipe.h>
 #include <mien/scene_from_face.h>
 
 #include <benchmark/benchmark.h>
@@ -58,6 +62,27 @@ void moment_of_a_take(benchmark::State& state) {
   state.counters["channels"] = double(table->columns);
 }
 
+/// A person who lives and talks, in a mood or none: mouth, speech and idle life in one pose.
+void person_who_talks(benchmark::State& state, bool speaks, bool lives) {
+  const Face face = *face_from_recipe(recipe_from_seed(5));
+  const BoundMotion speech =
+      bind_motion(*read_motion(MIEN_SOURCE_DIR "/examples/talk/hello.TextGrid"), face);
+  Pose pose{.motions = {}};
+  if (lives) pose.motions.push_back({.clip = face.model->default_clip});
+  if (speaks) pose.motions.push_back({.motion = speech.motion});
+  if (!lives && !speaks) pose.liveliness = 0;
+  Poser poser(face);
+  double time = 0;
+  for (auto _ : state) {
+    pose.time = time = time < 3 ? time + 1 / 60.0 : 0;
+    benchmark::DoNotOptimize(poser.pose(pose).vector.data());
+  }
+}
+
+BENCHMARK_CAPTURE(person_who_talks, rests, false, false);
+BENCHMARK_CAPTURE(person_who_talks, lives, false, true);
+BENCHMARK_CAPTURE(person_who_talks, talks, true, false);
+BENCHMARK_CAPTURE(person_who_talks, lives_and_talks, true, true);
 BENCHMARK(moment_of_a_take);
 BENCHMARK_CAPTURE(pose_alone, toon, "toon");
 BENCHMARK_CAPTURE(pose_alone, seed0, "seed0");

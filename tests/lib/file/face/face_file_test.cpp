@@ -288,20 +288,11 @@ TEST(ReadFace, SaysWhatIsWrongAndWhere) {
        ": /clips/idle/look/wander/home: a share of the periods lies between 0 and 1, got 2"},
       {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": ^-1}}})"),
        ": /clips/idle/look/wander/seed: a seed is a whole number from 0 to 4294967295, got -1"},
-      {clip_with(R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": ^"person"}}})"),
-       ": /clips/idle/look/wander/seed: a seed is a whole number, or {\"person\": NUMBER} for "
-       "chances of "
-       "each face's own"},
-      {clip_with(
-           R"({"look": {"wander": {"amplitude": 1, "period": 1, "seed": {"person": ^0.5}}}})"),
-       ": /clips/idle/look/wander/seed/person: a seed is a whole number from 0 to 4294967295, got "
-       "0.5"},
-      {clip_with(R"({"look": {"sine": {"amplitude": 1, "frequency": 1, "seed": ^{}}}})"),
-       ": /clips/idle/look/sine/seed: \"person\" is missing"},
-      {clip_with(R"({"look": {"keys": [[0, 0]], "share": ^1}})"),
-       ": /clips/idle/look/share: a share needs a period"},
-      {clip_with(R"({"look": {"keys": [[0, 0]], "period": 1, "share": ^1.5}})"),
-       ": /clips/idle/look/share: a share of the periods lies between 0 and 1, got 1.5"},
+      {clip_with(R"({"life": ^[]})"), ": /clips/idle/life: expected at least one word"},
+      {clip_with(R"({"life": [^"hed"]})"),
+       ": /clips/idle/life/0: no part of idle life named \"hed\"; did you mean \"head\"?"},
+      {clip_with(R"({"life": [^"head"]})"),
+       ": /clips/idle/life/0: this face has no control that \"head\" moves"},
       {clip_with(R"({"look": ^[]})"), ": /clips/idle/look: expected at least one curve"},
       {clip_with(R"({"look": [{"keys": [[0, 0]]}, ^{}]})"),
        ": /clips/idle/look/1: a curve has \"keys\", \"sine\" or \"wander\""},

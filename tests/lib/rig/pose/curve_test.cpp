@@ -127,92 +127,9 @@ TEST(WanderCurve, OfOneSeedGoTogether) {
   EXPECT_GT(elsewhere, 1000);
 }
 
-/// When the keys of a curve with a personal seed begin, in 400 s, for a face of that seed.
-std::vector<double> beginnings(const KeyCurve& curve, const Temper& temper) {
-  std::vector<double> times;
-  for (double t = 0, before = 0; t < 400; t += 0.01) {
-    const double now = value_at(curve, t, temper);
-    if (now > 0 && before == 0) times.push_back(t);
-    before = now;
-  }
-  return times;
-}
-
-KeyCurve personal_blink(std::optional<double> share = {}) {
-  return {.keys = {{0, 0}, {0.1, 1}, {0.2, 0}},
-          .period = 4,
-          .jitter = 2,
-          .seed = {3, true},
-          .share = share};
-}
-
-TEST(Curves, OfAPersonalSeedGoByTheFacesOwn) {
-  const auto one = beginnings(personal_blink(), {.seed = 1});
-  EXPECT_EQ(one, beginnings(personal_blink(), {.seed = 1}));
-  EXPECT_NE(one, beginnings(personal_blink(), {.seed = 2}));
-  KeyCurve fixed = personal_blink();
-  fixed.seed = 3;
-  EXPECT_EQ(beginnings(fixed, {.seed = 1}), beginnings(fixed, {.seed = 2}));
-  for (std::size_t i = 1; i < one.size(); ++i) {
-    EXPECT_GE(one[i] - one[i - 1], 2 - 0.011);  // 4 ± 2
-    EXPECT_LE(one[i] - one[i - 1], 6 + 0.011);
-  }
-}
-
-/// A crowd has no beat: its faces begin anywhere in the period.
-TEST(Curves, OfAPersonalSeedBeginAnywhere) {
-  std::array<int, 8> begun{};
-  for (std::uint64_t face = 0; face < 800; ++face)
-    ++begun[std::size_t(std::fmod(beginnings(personal_blink(), {.seed = face}).at(3), 4) * 2)];
-  for (const int n : begun) EXPECT_NEAR(n, 100, 45);
-  std::array<int, 4> quarters{};
-  const SineCurve sine{.seed = {1, true}};
-  for (std::uint64_t face = 0; face < 400; ++face) {
-    const double y = value_at(sine, 0, {.seed = face});
-    const double x = value_at(sine, 0.001, {.seed = face}) - y;
-    ++quarters[std::size_t(y > 0) * 2 + std::size_t(x > 0)];
-  }
-  for (const int n : quarters) EXPECT_NEAR(n, 100, 40);
-  EXPECT_EQ(value_at(SineCurve{.seed = 1}, 0.3, {.seed = 7}), std::sin(0.3));
-}
-
-/// Curves that belong together stay together in every face: the head follows the eyes.
-TEST(Curves, OfOnePersonalSeedGoTogether) {
-  const WanderCurve eyes{.home = 0.5, .period = 2, .jitter = 1, .seed = {3, true}};
-  WanderCurve head = eyes;
-  head.amplitude = 5, head.offset = 0.25;
-  for (const std::uint64_t face : {0u, 1u, 99u})
-    for (double t = 0; t < 50; t += 0.125)
-      EXPECT_NEAR(value_at(head, t + 0.25, {.seed = face}), 5 * value_at(eyes, t, {.seed = face}),
-                  1e-12);
-}
-
-TEST(KeyCurve, PlaysInAShareOfItsPeriods) {
-  const auto all = beginnings(personal_blink(1), {.seed = 5});
-  EXPECT_EQ(all, beginnings(personal_blink(), {.seed = 5}));
-  int played = 0;
-  for (std::uint64_t face = 0; face < 50; ++face)
-    played += int(beginnings(personal_blink(0.2), {.seed = face}).size());
-  EXPECT_NEAR(played, 0.2 * 100 * 50, 100);
-  EXPECT_TRUE(beginnings(personal_blink(0), {.seed = 5}).empty());
-}
-
-/// Less lively faces blink less often, at moments at which they would have blinked anyway, and as far.
-TEST(KeyCurve, WithAShareIsPlayedLessOftenByLessLivelyFaces) {
-  const auto all = beginnings(personal_blink(1), {.seed = 5});
-  const auto half = beginnings(personal_blink(1), {.seed = 5, .liveliness = 0.5});
-  EXPECT_NEAR(double(half.size()), 50, 20);
-  EXPECT_TRUE(std::includes(all.begin(), all.end(), half.begin(), half.end()));
-  EXPECT_TRUE(beginnings(personal_blink(1), {.seed = 5, .liveliness = 0}).empty());
-  EXPECT_EQ(beginnings(personal_blink(), {.seed = 5, .liveliness = 0.5}), all);
-  EXPECT_TRUE(is_played_by_chance(personal_blink(1)));
-  EXPECT_FALSE(is_played_by_chance(personal_blink()));
-}
-
 TEST(Curves, AreTotalAndDependOnTheTimeAlone) {
   const Curve curves[] = {KeyCurve{{{0, 0}, {0.1, 1}}, 4, 1, 3, 7},
-                          WanderCurve{.period = 0.7, .jitter = 0.5},
-                          WanderCurve{.period = 0.7, .seed = {1, true}}, personal_blink(0.5)};
+                          WanderCurve{.period = 0.7, .jitter = 0.5}};
   for (const Curve& curve : curves) {
     for (const double t : {1e300, -1e300, 1e17, -1e-300, 0.0})
       EXPECT_TRUE(std::isfinite(value_at(curve, t)));

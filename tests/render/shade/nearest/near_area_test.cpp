@@ -26,22 +26,24 @@ double told(float opacity) {
   return double(kPerOpacity * (opacity - 0.5f));
 }
 
-void set_distance(const FeetArea& area, LightGround& ground, LightTile& tile) {
+void set_distance(const FeetArea& area, LightGround& ground, CellScratch& scratch,
+                  LightTile& tile) {
   tile.x = tile.y = 16, tile.apart = true, tile.channels = 4, tile.tolerance = 1e-3f / kPerOpacity;
   tile.lamp.ambient = 0.5f, tile.lamp.diffuse = 0.0f;
   LampRamp& ramp = tile.lamp.ramp;
   ramp.kind = LampRamp::Kind::distance, ramp.xx = 1.0f / kPerOpacity;
   ramp.at.fill(0.5f), ramp.slope.fill(1.0f);
   ground.gradient.narrow(area, kMiddle, 12.0);
-  ground.crowded = ground.gradient.crowded(), tile.ground = &ground;
+  ground.crowded = ground.gradient.crowded(), tile.ground = &ground, tile.scratch = &scratch;
   if (!ground.crowded) tile.begin_ground(), tile.begin();
 }
 
 bool expect_distances(const AreaDistance& area, const char* what) {
   const FeetArea feet(area, {0, 0});
+  CellScratch scratch;
   LightGround ground;
   LightTile tile;
-  set_distance(feet, ground, tile);
+  set_distance(feet, ground, scratch, tile);
   if (ground.crowded) return false;  // smaller tiles are asked
   test::SeenCells seen;
   for (int k = 0; k < 256; k += 7) {
@@ -73,9 +75,10 @@ struct MeansOff {
 
   void judge(const AreaDistance& area) {
     const FeetArea feet(area, {0, 0});
+    CellScratch scratch;
     LightGround ground;
     LightTile tile;
-    set_distance(feet, ground, tile);
+    set_distance(feet, ground, scratch, tile);
     for (int p = 0; p < 256 && !ground.crowded; p += 5) {
       const int i = p % 16, j = p / 16;
       find_mean(tile, i, j);
@@ -204,9 +207,10 @@ TEST(NearArea, KnowsHairpins) {
                                   {a, tip, c}, {w, random.between(0, 3), random.between(0, 3)}});
     const AreaDistance distance = distance_of(std::move(scene), area);
     const FeetArea feet(distance, {0, 0});
+    CellScratch scratch;
     LightGround ground;
     LightTile tile;
-    set_distance(feet, ground, tile);
+    set_distance(feet, ground, scratch, tile);
     ASSERT_FALSE(ground.crowded);
     test::SeenCells seen;
     for (int at = 0; at < 256; at += 7) {
