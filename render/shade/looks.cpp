@@ -106,7 +106,7 @@ void Looks::note_outlines() {
 /// A ramp is linear between kinks: two of its places say how. One that has an integral is so beyond its ends. Along a
 /// distance each stretch has an integral of its own.
 void Looks::make_segments() {
-  first_segment_.clear(), segments_.clear(), along_.clear();
+  first_segment_.clear(), segments_.clear();
   for (const VariedPaint& varied : paints_->varied) {
     first_segment_.push_back(int(segments_.size()));
     if (!varied.paint.ramp) continue;
@@ -123,9 +123,9 @@ void Looks::make_segments() {
       } else {
         s.at = varied.paint.ramp->color(s.from);
       }
-      if (!varied.integral && varied.paint.field.kind == PaintField::Kind::distance) {
-        along_.resize(segments_.size() + 1);
-        along_.back().make(s.from, s.to, s.at + s.from * s.slope, s.at + s.to * s.slope);
+      if (!varied.by_integral && varied.paint.field.kind == PaintField::Kind::distance) {
+        if (along_.size() <= segments_.size()) along_.resize(segments_.size() + 1);
+        along_[segments_.size()].make(s.from, s.to, s.at + s.from * s.slope, s.at + s.to * s.slope);
       }
       segments_.push_back(s);
     }
@@ -288,9 +288,9 @@ void Looks::lay_paint(int varied, const std::uint64_t* inside) {
   } else {
     step.segment = segment_of(varied, inside);
     const RampSegment& s = segment(step);
-    if (paint.integral && !paint.paint.ramp->beyond(s.from, s.to))
+    if (paint.by_integral && !paint.paint.ramp->beyond(s.from, s.to))
       step.segment = -1;
-    else if (s.slope == Mix{0.0} && !lie.slopes)
+    else if (s.slope == Mix{0.0} && (!lie.slopes || s.at.a == 0.0))
       return lay_over(s.at);
     if (lie.slopes) step.zone = lie.zone;
   }

@@ -57,13 +57,17 @@ class Looks final : public LookRule {
   /// Of all of the ramp, or of its segment along a distance.
   const RampIntegral& integral(const LookStep& step) const {
     return step.segment < 0
-               ? *paints_->varied[std::size_t(step.varied)].integral
+               ? paints_->varied[std::size_t(step.varied)].integral
                : along_[std::size_t(first_segment_[std::size_t(step.varied)] + step.segment)];
   }
   /// Whether means of a step that is not lit are by integrals.
   bool by_integral(const LookStep& step) const {
     return step.segment < 0 ||
            paints_->varied[std::size_t(step.varied)].paint.field.kind == PaintField::Kind::distance;
+  }
+  /// Whether means of a step are light's times those of a ramp's opacity.
+  bool faded(const LookStep& step) const {
+    return step.zone >= 0 && step.segment < 0 && paints_->varied[std::size_t(step.varied)].fades;
   }
   const PaintTable& paints() const { return *paints_; }
 
@@ -77,7 +81,7 @@ class Looks final : public LookRule {
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }
-  /// Where two ramps with integrals lie over each other, one along a distance: that one. Else null.
+  /// Where two ramps with integrals lie over each other, one along a distance, or light fades: that one. Else null.
   const VariedPaint* products(int look) const {
     const int varied = looks_[std::size_t(look)].products;
     return varied < 0 ? nullptr : &paints_->varied[std::size_t(varied)];

@@ -43,12 +43,13 @@ double Looks::neglected_by(std::span<const LookStep> steps) {
     const GridPaint& paint = varied.paint;
     const bool lit = step.zone >= 0;
     if (step.segment < 0) {
-      if (lit) sum += kLit;  // not by integrals
+      // What light and opacity leave to their product is told place by place (LookShader::give_faded).
+      if (lit && !varied.fades) sum += kLit;
       // Two spreads: the upper opacity's is at most half its range, and a slope's √(1/12).
-      const double slope = varied.integral->steepest() * paint.field.per_pixel;
+      const double slope = varied.integral.steepest() * paint.field.per_pixel;
       const double opacity = paint.ramp->most_opacity() - paint.ramp->least_opacity();
       sum += std::min(0.15 * opacity, opacity > 0.0 ? slope / 12 : 0.0) * below;
-      below += std::min(1.8 * varied.integral->range(), slope);
+      below += std::min(1.8 * varied.integral.range(), slope);
     } else if (paint.ramp) {
       const RampSegment& along = segment(step);
       sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;
@@ -77,13 +78,13 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
   const auto soft = [&](const LookStep& s) {
     const VariedPaint& varied = paints_->varied[std::size_t(s.varied)];
     const PaintField& field = varied.paint.field;
-    return varied.integral->steepest() * field.per_pixel <
+    return varied.integral.steepest() * field.per_pixel <
            (field.kind == PaintField::Kind::distance ? kSoftAlong : kSoft) * PartCells::kMostSide;
   };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!integrated(steps[i])) continue;
     const GridPaint& upper = paint_of(steps[i]);
-    if (steps[i].zone >= 0) return true;
+    if (steps[i].zone >= 0 && !paints_->varied[std::size_t(steps[i].varied)].fades) return true;
     if (upper.ramp->least_opacity() == upper.ramp->most_opacity()) continue;
     for (const LookStep& below : steps.first(i))
       if (integrated(below) && !(soft(steps[i]) && soft(below)) &&
@@ -96,10 +97,11 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
 int Looks::products_of(std::span<const LookStep> steps) const {
   int along = -1, count = 0;
   for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint || step.zone >= 0 || step.segment >= 0) continue;
-    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
-    if (field.kind == PaintField::Kind::distance) along = step.varied;
-    ++count;
+    if (step.kind != Kind::paint || step.segment >= 0) continue;
+    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
+    if (!varied.paint.ramp) continue;
+    if (varied.paint.field.kind == PaintField::Kind::distance) along = step.varied;
+    count += step.zone >= 0 ? 2 : 1;
   }
   return count > 1 ? along : -1;
 }

@@ -67,12 +67,23 @@ class PaintMaker {
   }
 
  private:
+  /// Whether a lit ramp is soft and has one colour, which is the paint's then.
+  static bool fades(VariedPaint& varied) {
+    constexpr double kSoft = 1.0;  // [1/px]
+    const Ramp& ramp = *varied.paint.ramp;
+    const std::optional<Mix> color = ramp.fading_color();
+    if (!color || ramp.jumps() || ramp.steepest() * varied.paint.field.per_pixel > kSoft)
+      return false;
+    varied.paint.color = *color;
+    return true;
+  }
+
   VariedPaint& next() {
     if (varied_ == to_.varied.size()) to_.varied.emplace_back();
     VariedPaint& varied = to_.varied[varied_++];
     varied.paint.field = {};
     varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
-    varied.integral.reset();
+    varied.by_integral = varied.fades = false;
     varied.lowest = varied.highest = 0, varied.lit = -1;
     return varied;
   }
@@ -84,9 +95,9 @@ class PaintMaker {
     varied.lowest = lo, varied.highest = hi;
     varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
     if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
-    varied.integral.emplace().make(ramp);
-    if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
-      one_color(varied, varied.integral->mean());
+    varied.by_integral = true, varied.integral.make(ramp);
+    if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral.period()))
+      one_color(varied, varied.integral.mean());
     // [px] Ends that outlines do not keep apart are none.
     constexpr double kApart = 0x1p-16;
     if (to_.kinks_.size() == 2 && to_.kinks_[1] - to_.kinks_[0] < kApart * per_pixel)
@@ -97,7 +108,7 @@ class PaintMaker {
   /// Instead of the gradient.
   static void one_color(VariedPaint& varied, Mix mix) {
     varied.paint.color = mix;
-    varied.paint.ramp.reset(), varied.integral.reset();
+    varied.paint.ramp.reset(), varied.by_integral = false;
     varied.paint.field = {};
   }
 
@@ -146,6 +157,8 @@ class PaintMaker {
     if (g.to == g.from) varied.paint.ramp->pad();
     f.per_pixel = std::abs(f.scale);
     if (most_ == kMostAlong && varied.paint.ramp->jumps()) most_ = kMostBent;
+    const bool fades = most_ == kMostLit && this->fades(varied);
+    if (fades) most_ = kMostAlong;
     // A distance is at most that of the picture's middle and half a diagonal.
     const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
     const double middle = f.at(half, to_.distances[std::size_t(f.distance)].at(half)),
@@ -153,6 +166,7 @@ class PaintMaker {
     for (const double t : places(varied, middle - reach, middle + reach, f.per_pixel))
       varied.kinks.push_back(
           {to_.programs.add(g.area, (f.from + t / f.scale) / map_.scale()), f.scale < 0.0, t});
+    varied.fades = fades && varied.by_integral;
   }
 
   /// Takes an ellipse's points, seen from its centre, to the unit circle.

@@ -53,7 +53,7 @@ class RampIntegral {
 
  private:
   void make(std::span<const double> at, std::span<const Mix> mixes, Extend extend);
-  void add(std::vector<double>& begins, double begin, const Mix& value, const Mix& slope);
+  void add(double begin, const Mix& value, const Mix& slope);
   void sum_up();
 
   std::vector<Piece> pieces_;  ///< without a period: before the first stop, …, beyond the last one

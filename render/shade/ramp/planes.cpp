@@ -39,7 +39,7 @@ const RampSoftness& RampPlanes::softness(const VariedPaint& varied, const RampIn
   bends_.assign(1, 1.0f);
   softness_.make(varied.paint.field, ramp,
                  BendRule::kLeft / std::sqrt(double(excess_of(varied, ramp))),
-                 varied.integral ? &*varied.paint.ramp : nullptr);
+                 varied.by_integral ? &*varied.paint.ramp : nullptr);
   return softness_;
 }
 
@@ -74,7 +74,7 @@ int RampPlanes::add(const VariedPaint& varied, const RampIntegral& ramp, const L
 /// First as if level lines were straight: the lighter a pixel is the less shows what they bend.
 void RampPlanes::radial_row(const VariedPaint& varied, int x, int y, int count, ColorRow& to) {
   const PaintField& field = varied.paint.field;
-  const RampIntegral& ramp = *varied.integral;
+  const RampIntegral& ramp = varied.integral;
   boxes_.clear(), bent_.clear();
   for (int i = 0; i < count; ++i) {
     places_.add(x + i + 0.5, y + 0.5, 1.0 / 12.0);

@@ -23,7 +23,7 @@ double off_in_the_middle(SceneBuilder build, Area area, const Distance& distance
   table.make(std::move(build).finish(), {.width = 20, .height = 20}, Depth::u16);
   const VariedPaint& varied = table.varied.at(0);
   RampSoftness soft;
-  soft.make(varied.paint.field, *varied.integral, 1e-4, &*varied.paint.ramp);
+  soft.make(varied.paint.field, varied.integral, 1e-4, &*varied.paint.ramp);
   DistancePlanes planes;
   std::vector<RampPlane> cells;
   EXPECT_GE(planes.of(table.lit[std::size_t(varied.lit)].gradient_area(), 10, 10, 1, soft, cells),
