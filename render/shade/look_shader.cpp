@@ -1,4 +1,5 @@
 #include "render/shade/look_shader.h"
+#include "lib/base/watch.h"
 #include "render/shade/light/light_tile.h"
 
 #include <algorithm>
@@ -185,6 +186,7 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
 /// False: what the cells may be off by asks for smaller ones.
 bool LookShader::cells_do(int look, int x, int y, const PartForm* form, int side, bool coarse,
                           glm::vec4& mean) {
+  worked(30 * side * side);
   constexpr float kUnsure = 0.3f;  // of the tolerance
   const VariedPaint* const products = looks_->products(look);
   if (form)
@@ -280,30 +282,37 @@ LookShader::Rise LookShader::rise_of(const LookStep& step, std::span<const RampP
           glm::ivec2(glm::sign(along) * (paint.field.scale < 0.0 ? 1.0 : -1.0))};
 }
 
-/// Light and the opacity that it is times, and what is neglected of their product. Cells tell by themselves; they see
-/// parts where opacity is steep, and until then these are as bright as without light.
+/// Light and the opacity that it is times, and what is neglected of their product. Cells tell by themselves.
 void LookShader::give_faded(const LookStep& step, const Places& at, std::size_t first, Given& to) {
-  constexpr float kLit = 0.3f, kSteep = 0.02f;       // [1/px] what light may change by
-  constexpr double kDeviation = 0.29, kReach = 0.7;  // [px] of pixels
-  float* const off = to.fade.r.data();
-  if (at.part && !at.cells) {
-    int side = 1;
-    to.fade.a[first] = float(ramp_mean_of_part(step, at, side).a);
-    const float steep(float(glm::length(rise_of(step, cell_planes_, kReach).by)));
-    if (steep > kSteep) {
-      const Mix& color = looks_->paints().varied[std::size_t(step.varied)].paint.color;
-      return set_color(to.color, first, glm::vec4(color)), void(off[first] = to.fade.a[first]);
-    }
-    off[first] = kLit / 12.0f * steep;
-    return give_light(step, at, first, to.color);
-  }
+  constexpr double kDeviation = 0.29;  // [px] of pixels
+  if (at.part && !at.cells) return give_faded_part(step, at, first, to);
   give_light(step, at, first, to.color);
   give_means(step, at, first, to.fade);
+  float* const off = to.fade.r.data();
   if (at.cells) return void(std::fill_n(off, at.count, 0.0f));
   for (std::size_t k = 0, begin = 0; k < std::size_t(at.count); begin = boxes_.groups[k++].end) {
     const auto planes = std::span(boxes_.planes).subspan(begin, boxes_.groups[k].end - begin);
     off[k] = correct_faded(step, at.x + int(k), at.y, rise_of(step, planes, kDeviation), k, to);
   }
+}
+
+/// Where opacity is steep cells see the part: until then it is as bright as without light, and all of it is neglected.
+void LookShader::give_faded_part(const LookStep& step, const Places& at, std::size_t first,
+                                 Given& to) {
+  constexpr double kSteep = 0.02, kSteepAnywhere = 0.3, kReach = 0.7;  // [1/px], [px]
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  float &opacity = to.fade.a[first], &off = to.fade.r[first];
+  opacity = off = 1.0f;
+  if (varied.integral.steepest() * varied.paint.field.per_pixel < kSteepAnywhere) {
+    int side = 1;
+    opacity = off = float(ramp_mean_of_part(step, at, side).a);
+    const double steep = glm::length(rise_of(step, cell_planes_, kReach).by);
+    if (steep < kSteep) {
+      off = kLit / 12.0f * float(steep);
+      return give_light(step, at, first, to.color);
+    }
+  }
+  set_color(to.color, first, glm::vec4(varied.paint.color));
 }
 
 /// The mean of a product is that of the means and, where both are smooth, a twelfth of the product of their slopes: the
@@ -369,7 +378,8 @@ Mix LookShader::ramp_mean_of_part(const LookStep& step, const Places& at, int& s
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const RampIntegral& ramp = looks_->integral(step);
   cell_planes_.clear();
-  side = planes_.add(varied, ramp, lit_of(varied), at.x, at.y, side, lit_scratch_, cell_planes_);
+  side = planes_.add(varied, ramp, lit_of(varied), at.x, at.y, side, lit_scratch_, cell_planes_,
+                     at.part);
   if (!at.part) return Mix{0.0};
   chords_of_form(*at.form(), chords_);
   return part_mean_.of(ramp, cell_planes_, side, chords_);

@@ -69,6 +69,7 @@ class LookShader {
   };
   void give(const LookStep& step, const Places& at, std::size_t first, Given& to);
   void give_faded(const LookStep& step, const Places& at, std::size_t first, Given& to);
+  void give_faded_part(const LookStep& step, const Places& at, std::size_t first, Given& to);
   struct Rise {
     double distance = 0;   ///< [px] that the ramp goes by
     glm::dvec2 by{0.0};    ///< [1/px]

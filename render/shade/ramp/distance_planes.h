@@ -23,8 +23,8 @@ class DistancePlanes {
   void begin();
 
   /// Writes the planes of a pixel, row by row, in side × side cells or a multiple of that; returns the side. A cell's t
-  /// is the distance's mean over it, as exact as the ramp wants it. 0: there are too many branches.
-  int of(const FeetArea& area, int x, int y, int side, const RampSoftness& ramp,
+  /// is the distance's mean over it, as exact as the ramp wants it of all of the pixel or of any `part`. 0: there are too many branches.
+  int of(const FeetArea& area, int x, int y, int side, bool part, const RampSoftness& ramp,
          std::vector<RampPlane>& to);
 
   /// The feet that were looked for since they were last taken.
@@ -33,7 +33,7 @@ class DistancePlanes {
  private:
   struct Tile;
   Tile& tile(const FeetArea& area, int x, int y, int side);
-  int cells(Tile& tile, int x, int y, int side, const RampSoftness& ramp,
+  int cells(Tile& tile, int x, int y, int side, bool part, const RampSoftness& ramp,
             std::vector<RampPlane>& to);
 
   std::vector<std::unique_ptr<Tile>> tiles_;  ///< by place and area

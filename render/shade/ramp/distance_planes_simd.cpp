@@ -32,6 +32,10 @@ struct DistancePlanes::Tile {
     BranchPair::Values seen[kPlaces / BranchPair::kPlaces];
     float ridge[BranchPair::kPlaces];  ///< from its pixels' middles: how far the nearest is
 
+    /// The place of a pixel's corner.
+    static int corner(int px, int py, int right, int below) {
+      return kCorners + ((py & (kBlock - 1)) + below) * (kBlock + 1) + (px & (kBlock - 1)) + right;
+    }
     double d(int k) const { return double(seen[k / 16].d[k % 16]); }
     double nx(int k) const { return double(seen[k / 16].nx[k % 16]); }
     double ny(int k) const { return double(seen[k / 16].ny[k % 16]); }
@@ -237,8 +241,8 @@ DistancePlanes::Tile& DistancePlanes::tile(const FeetArea& area, int x, int y, i
   return t;
 }
 
-int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampSoftness& ramp,
-                       std::vector<RampPlane>& to) {
+int DistancePlanes::of(const FeetArea& area, int x, int y, int side, bool part,
+                       const RampSoftness& ramp, std::vector<RampPlane>& to) {
   Tile* t = &tile(area, x, y, Tile::kSide);
   if (t->crowded) t = &tile(area, x, y, Tile::kBlock);
   if (t->crowded) return 0;
@@ -251,11 +255,9 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampS
    block.seen, block.ridge);
   const int i = x & (kBlock - 1), j = y & (kBlock - 1), k = j * kBlock + i;
   Bowl bowl{block.d(k), block.nx(k), block.ny(k)};
-  const auto corner = [&](int right, int below) {
-    return Tile::Block::kCorners + (j + below) * (kBlock + 1) + i + right;
-  };
+  const auto corner = [&](int n) { return Tile::Block::corner(x, y, n % 2, n / 2); };
   for (int n = 0; n < 4; ++n) {
-    const int c = corner(n % 2, n / 2);
+    const int c = corner(n);
     const double right = n % 2 ? 0.5 : -0.5, below = n / 2 ? 0.5 : -0.5;
     bowl.xx += right * block.nx(c), bowl.yy += below * block.ny(c);
     bowl.xy += 0.5 * (right * block.ny(c) + below * block.nx(c));
@@ -264,13 +266,12 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampS
   constexpr double kRidge = 0.3;  // of what is allowed
   double off = 0.0;
   for (int n = 0; n < 4; ++n)
-    off =
-        std::max(off, std::abs(bowl.at(n % 2 - 0.5, n / 2 - 0.5) - block.d(corner(n % 2, n / 2))));
+    off = std::max(off, std::abs(bowl.at(n % 2 - 0.5, n / 2 - 0.5) - block.d(corner(n))));
   int finer = side;
   const double bends = bend_share(ramp.turns(bowl.d, 0.75)) * std::abs(bowl.bend());
   while (bends > ramp.allowed() * finer * finer) finer *= 2;
   if (!(off <= kRidge * ramp.allowed()) || block.ridge[k] < 0.75f || finer > std::max(4, side))
-    return cells(*t, x, y, side, ramp, to);
+    return cells(*t, x, y, side, part, ramp, to);
   const PartCells& whole = whole_cells(finer);
   for (std::size_t n = 0; n < std::size_t(whole.count()); ++n)
     to.push_back(bowl.cell(double(whole.x[n]), double(whole.y[n]), 1.0 / finer));
@@ -279,11 +280,14 @@ int DistancePlanes::of(const FeetArea& area, int x, int y, int side, const RampS
 
 /// In cells so small that what they neglect does not show: each foretells its neighbours' distances, and what that is
 /// off by is neglected; of a gradient that turns or jumps within a cell no more than the mean distance is known.
-int DistancePlanes::cells(Tile& t, int x, int y, int side, const RampSoftness& ramp,
+int DistancePlanes::cells(Tile& t, int x, int y, int side, bool part, const RampSoftness& ramp,
                           std::vector<RampPlane>& to) {
   constexpr double kForetold =
       0.3;  // of what its neighbours are not as foretold, a cell's mean is off
+  constexpr double kCut =
+      0.03;  // [of the cell's side, times a jump] the most that a part takes from one half
   const std::size_t before = to.size();
+  const Tile::Block& block = t.blocks[std::size_t(t.block(x, y))];
   for (side = std::max(side, 4);; side *= 2) {
     const double cell = 1.0 / side;
     seen_.resize(std::size_t(side * side / 16));
@@ -312,10 +316,18 @@ int DistancePlanes::cells(Tile& t, int x, int y, int side, const RampSoftness& r
       if (column + 1 < side) foretell(k + 1, cell, 0.0);
       if (row > 0) foretell(k - side, 0.0, -cell);
       if (row + 1 < side) foretell(k + side, 0.0, cell);
+      // Ridges may cut off a corner of the pixel beyond all middles.
+      const int right = column > 0, below = row > 0;
+      if (column == right * (side - 1) && row == below * (side - 1)) {
+        const double d = block.d(Tile::Block::corner(x, y, right, below));
+        wrong = std::max(
+            wrong, std::abs(at.foretold((right - 0.5) * cell, (below - 0.5) * cell, bend) - d));
+      }
       off += kForetold * wrong;
       if (bend == 0.0 && jump == 0.0) continue;
       const double turns = ramp.turns(p.t, 0.75 * cell);
-      off += bend_share(turns) * std::abs(bend) * cell * cell + jump_share(jump, turns) * cell;
+      off += bend_share(turns) * std::abs(bend) * cell * cell +
+             (jump_share(jump, turns) + (part ? kCut * std::abs(jump) : 0.0)) * cell;
     }
     if (side == PartCells::kMostSide || off * cell * cell <= ramp.allowed()) return side;
   }

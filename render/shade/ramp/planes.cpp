@@ -45,11 +45,13 @@ const RampSoftness& RampPlanes::softness(const VariedPaint& varied, const RampIn
 
 /// By as few cells as keep what level lines bend below the tolerance, whatever colour there is.
 int RampPlanes::add(const VariedPaint& varied, const RampIntegral& ramp, const LitPaint* lit, int x,
-                    int y, int side, LitPaint::Scratch& scratch, std::vector<RampPlane>& to) {
+                    int y, int side, LitPaint::Scratch& scratch, std::vector<RampPlane>& to,
+                    bool part) {
   const PaintField& field = varied.paint.field;
   if (field.kind == PaintField::Kind::distance) {
     const std::size_t before = to.size();
-    const int made = distances_.of(lit->gradient_area(), x, y, side, softness(varied, ramp), to);
+    const int made =
+        distances_.of(lit->gradient_area(), x, y, side, part, softness(varied, ramp), to);
     if (made == 0)
       scratch.doubts().push_back({x, 1.0f}), to.resize(before + std::size_t(side * side));
     for (std::size_t k = before; k < to.size(); ++k)

@@ -20,7 +20,7 @@ class RampPlanes {
   /// Adds those of pixel (x, y), scaled, row by row, in side × side cells or a multiple of that. Returns the side. A
   /// paint along a distance needs its LitPaint. `ramp`: the paint's, or of a stretch of it between two kinks.
   int add(const VariedPaint& varied, const RampIntegral& ramp, const LitPaint* lit, int x, int y,
-          int side, LitPaint::Scratch& scratch, std::vector<RampPlane>& to);
+          int side, LitPaint::Scratch& scratch, std::vector<RampPlane>& to, bool part = false);
 
   /// The means over whole pixels of a row, of a radial paint.
   void radial_row(const VariedPaint& varied, int x, int y, int count, ColorRow& to);
