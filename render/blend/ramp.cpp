@@ -54,17 +54,6 @@ Mix Ramp::color(double t) const {
   return mix_[i - 1] + u * (mix_[i] - mix_[i - 1]);
 }
 
-std::optional<Mix> Ramp::fading_color() const {
-  constexpr double kSame = 1e-9;
-  const Mix most = *std::max_element(mix_.begin(), mix_.end(),
-                                     [](const Mix& x, const Mix& y) { return x.a < y.a; });
-  if (!(most.a > least_opacity_)) return {};
-  const Mix color = most / most.a;
-  for (const Mix& mix : mix_)
-    if (largest(glm::abs(mix - mix.a * color)) > kSame) return {};
-  return color;
-}
-
 double Ramp::steepest() const {
   double most = 0.0;
   for (std::size_t i = 1; i < at_.size(); ++i) {

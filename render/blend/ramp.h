@@ -4,7 +4,6 @@
 #include <mien/paint.h>
 #include "render/blend/blender.h"
 
-#include <optional>
 #include <vector>
 
 namespace mien {
@@ -35,9 +34,6 @@ class Ramp {
   /// The least and the largest opacity anywhere.
   double least_opacity() const { return least_opacity_; }
   double most_opacity() const { return most_opacity_; }
-
-  /// The opaque colour of one that varies in opacity alone.
-  std::optional<Mix> fading_color() const;
 
   /// The most that a channel changes by per t between two stops.
   double steepest() const;

@@ -266,6 +266,7 @@ void RowPainter::mend_run(int look, int from, int count, const ColorRow& c) {
       rough_.push_back({from + i, side});
   }
   for (const auto& [x, side] : rough_) {
+    worked(30 * side * side);
     const glm::vec4 mean = shader_.by_cells(look, x, y_, nullptr, side, false);
     keep_cell({mean.r, mean.g, mean.b, mean.a}, threshold(x), x);
   }

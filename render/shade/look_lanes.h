@@ -42,11 +42,9 @@ struct LaneStep {
   float uxx = 0, uxy = 0, uyy = 0;  ///< UᵀU
   float neglects = 0, most = 0;     ///< times |q|⁻², and at most
   std::array<const float*, 4> given{};  ///< planes
-  const float* fade = nullptr;          ///< of given colours: what they are times, if anything
-  const float* off = nullptr;           ///< and what that neglects
 };
 
-/// Writes the looks' colours to planes, and to `neglected` the errors of radial means and products; whole vectors. Returns the
+/// Writes the looks' colours to planes, and to `neglected` the errors of radial means; whole vectors. Returns the
 /// largest of the errors, those of spare places among them. `stack` is scratch.
 float shade_lanes(const std::vector<LaneStep>& steps, const LanePlaces& at,
                   std::vector<float>& stack, ColorRow& to, std::vector<float>& neglected);

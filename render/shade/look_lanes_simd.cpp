@@ -75,15 +75,6 @@ HWY_INLINE LaneColor RampColor(const LaneStep& s, V t) {
   return {channel(0), channel(1), channel(2), channel(3)};
 }
 
-HWY_INLINE LaneColor GivenColor(const LaneStep& s, size_t i, V& neglected) {
-  const LaneColor c = LoadColor(s.given, i);
-  if (!s.fade) return c;
-  const D d;
-  const V fade = hn::LoadU(d, s.fade + i);
-  neglected = hn::Add(neglected, hn::LoadU(d, s.off + i));
-  return {hn::Mul(c.r, fade), hn::Mul(c.g, fade), hn::Mul(c.b, fade), hn::Mul(c.a, fade)};
-}
-
 HWY_INLINE V LinearPlace(const LaneStep& s, const LanePlaces& at, size_t i, V x, size_t k) {
   const D d;
   const V row = Fused(hn::Set(d, s.by_y[k]), hn::LoadU(d, at.y + i), hn::Set(d, s.q[k]));
@@ -142,7 +133,7 @@ float ShadeLanes(const LaneStep* steps, size_t count, const LanePlaces& at, floa
           break;
         }
         case LaneStep::Kind::given:
-          color = LaidOver(color, GivenColor(*s, i, off));
+          color = LaidOver(color, LoadColor(s->given, i));
           break;
         case LaneStep::Kind::close: {
           const std::array<float*, 4> p = kept(--open);

@@ -1,20 +1,15 @@
 #include "render/shade/look_shader.h"
-#include "lib/base/watch.h"
 #include "render/shade/light/light_tile.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace mien {
 namespace {
 
 using Kind = LookStep::Kind;
-
-constexpr float kLit = 0.3f;  // [1/px] what light may change by
 
 std::array<float, 4> floats(const Mix& m) {
   return {float(m.r), float(m.g), float(m.b), float(m.a)};
@@ -141,12 +136,10 @@ const ColorRow& LookShader::shade(int look, double y, const LanePlaces& at, cons
     const bool ramp = step.zone < 0 && !looks_->by_integral(step);
     LaneStep made = ramp ? ramp_step(step, y) : LaneStep{.kind = LaneStep::Kind::given};
     if (!ramp) {
-      Given& to = given_[steps_.size()];
-      to.color.room_for(std::size_t(at.count));
-      if (looks_->faded(step)) to.fade.room_for(std::size_t(at.count));
+      ColorRow& to = given_[steps_.size()];
+      to.room_for(std::size_t(at.count));
       give(step, to);
-      made.given = {to.color.r.data(), to.color.g.data(), to.color.b.data(), to.color.a.data()};
-      if (looks_->faded(step)) made.fade = to.fade.a.data(), made.off = to.fade.r.data();
+      made.given = {to.r.data(), to.g.data(), to.b.data(), to.a.data()};
     }
     steps_.push_back(made);
   }
@@ -158,14 +151,14 @@ const ColorRow& LookShader::pixels(int look, int x, int y, int count) {
   columns_.resize(std::size_t(std::max(count, kBlock)) + kColorSpare);
   for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i] = float(x + int(i));
   const LanePlaces at = squares(count, columns_.data(), nullptr, nullptr, 1);
-  return shade(look, y + 0.5, at, [&](const LookStep& step, Given& to) {
+  return shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
     give(step, {x, y, count}, 0, to);
   });
 }
 
 const ColorRow& LookShader::parts(int look, int y, const Parts& parts) {
   const LanePlaces& at = parts.at;
-  return shade(look, y + 0.5, at, [&](const LookStep& step, Given& to) {
+  return shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
     for (int i = 0; i < at.count; ++i) {
       const LitPart part{&parts.form(i), at.x[i], at.y[i], parts.area[i]};
       give(step, {int(at.column[i]), y, 1, &part}, std::size_t(i), to);
@@ -175,18 +168,6 @@ const ColorRow& LookShader::parts(int look, int y, const Parts& parts) {
 
 glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side,
                                bool coarse) {
-  // Where light fades cells tell by themselves how many it takes.
-  const VariedPaint* const products = looks_->products(look);
-  if (products && products->fades) side = 4;
-  glm::vec4 mean;
-  while (!cells_do(look, x, y, form, side, coarse, mean)) side *= 2;
-  return mean;
-}
-
-/// False: what the cells may be off by asks for smaller ones.
-bool LookShader::cells_do(int look, int x, int y, const PartForm* form, int side, bool coarse,
-                          glm::vec4& mean) {
-  worked(30 * side * side);
   constexpr float kUnsure = 0.3f;  // of the tolerance
   const VariedPaint* const products = looks_->products(look);
   if (form)
@@ -205,18 +186,18 @@ bool LookShader::cells_do(int look, int x, int y, const PartForm* form, int side
   columns_.assign(std::size_t(count) + kColorSpare, float(x));
   const LanePlaces at = squares(count, columns_.data(), cells.x.data(), cells.y.data(), side);
   const std::size_t doubts = this->doubts().size();
-  const ColorRow& c = shade(look, y + 0.5, at, [&](const LookStep& step, Given& to) {
+  const ColorRow& c = shade(look, y + 0.5, at, [&](const LookStep& step, ColorRow& to) {
     give(step, {x, y, count, form ? &part : nullptr, &cells}, 0, to);
   });
-  // They were told when the mean was asked for; but parts of what fades were not.
-  if (!(form && products && products->fades)) this->doubts().resize(doubts);
-  mean = mean_over(cells, c);
-  if (!products) return true;
+  this->doubts().resize(doubts);  // they were told when the mean was asked for
+  const glm::vec4 mean = mean_over(cells, c);
+  if (!products) return mean;
   float off = 0.0f;
-  mean = with_products(*products, mean, off);
-  if (off > kUnsure && side < PartCells::kMostSide) return this->doubts().resize(doubts), false;
+  const glm::vec4 better = with_products(*products, mean, off);
+  if (off > kUnsure && side < PartCells::kMostSide)
+    return by_cells(look, x, y, form, 2 * side, coarse);
   if (off > kUnsure) this->doubts().push_back({x, off});
-  return true;
+  return better;
 }
 
 /// What products of ramps vary by within cells counts four times as much in cells of twice the side: the rest of it
@@ -224,10 +205,7 @@ bool LookShader::cells_do(int look, int x, int y, const PartForm* form, int side
 glm::vec4 LookShader::with_products(const VariedPaint& varied, const glm::vec4& mean, float& off) {
   given_rows_.clear();
   for (std::size_t i = 0; i < steps_.size(); ++i)
-    if (steps_[i].given[0]) {
-      given_rows_.push_back(&given_[i].color);
-      if (steps_[i].fade) given_rows_.push_back(&given_[i].fade);
-    }
+    if (steps_[i].given[0]) given_rows_.push_back(&given_[i]);
   glm::vec4 told[2], last = mean;
   float area = 0.0f;
   for (std::size_t k = 0; k < std::size_t(cells_.count()); ++k) area += cells_.area[k];
@@ -259,83 +237,9 @@ bool LookShader::fades(const LookStep& step) const {
 }
 
 /// Colours of a step that lanes do not know, from the `first` place on.
-void LookShader::give(const LookStep& step, const Places& at, std::size_t first, Given& to) {
-  if (looks_->faded(step)) return give_faded(step, at, first, to);
-  if (step.zone >= 0) return give_light(step, at, first, to.color);
-  give_means(step, at, first, to.color);
-}
-
-/// How a ramp's opacity rises over a pixel: seen from its mean place, and between two that lie `way` [px] around it.
-LookShader::Rise LookShader::rise_of(const LookStep& step, std::span<const RampPlane> cells,
-                                     double way) const {
-  const GridPaint& paint = looks_->paints().varied[std::size_t(step.varied)].paint;
-  glm::dvec3 mean{0.0};
-  for (const RampPlane& p : cells) mean += glm::dvec3{p.t, p.gx, p.gy};
-  mean /= double(cells.size());
-  const double first = paint.ramp->at().front(), length = paint.ramp->at().back() - first;
-  const auto opacity = [&](double t) { return paint.ramp->color(first + length * t).a; };
-  const glm::dvec2 along{mean.y, mean.z};
-  const double reach = way * glm::length(along);
-  if (!(reach > 0.0)) return {};
-  return {paint.field.from + (first + length * mean.x) / paint.field.scale,
-          along * ((opacity(mean.x + reach) - opacity(mean.x - reach)) / (2.0 * reach)),
-          glm::ivec2(glm::sign(along) * (paint.field.scale < 0.0 ? 1.0 : -1.0))};
-}
-
-/// Light and the opacity that it is times, and what is neglected of their product. Cells tell by themselves.
-void LookShader::give_faded(const LookStep& step, const Places& at, std::size_t first, Given& to) {
-  constexpr double kDeviation = 0.29;  // [px] of pixels
-  if (at.part && !at.cells) return give_faded_part(step, at, first, to);
-  give_light(step, at, first, to.color);
-  give_means(step, at, first, to.fade);
-  float* const off = to.fade.r.data();
-  if (at.cells) return void(std::fill_n(off, at.count, 0.0f));
-  for (std::size_t k = 0, begin = 0; k < std::size_t(at.count); begin = boxes_.groups[k++].end) {
-    const auto planes = std::span(boxes_.planes).subspan(begin, boxes_.groups[k].end - begin);
-    off[k] = correct_faded(step, at.x + int(k), at.y, rise_of(step, planes, kDeviation), k, to);
-  }
-}
-
-/// Where opacity is steep cells see the part: until then it is as bright as without light, and all of it is neglected.
-void LookShader::give_faded_part(const LookStep& step, const Places& at, std::size_t first,
-                                 Given& to) {
-  constexpr double kSteep = 0.02, kSteepAnywhere = 0.3, kReach = 0.7;  // [1/px], [px]
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  float &opacity = to.fade.a[first], &off = to.fade.r[first];
-  opacity = off = 1.0f;
-  if (varied.integral.steepest() * varied.paint.field.per_pixel < kSteepAnywhere) {
-    int side = 1;
-    opacity = off = float(ramp_mean_of_part(step, at, side).a);
-    const double steep = glm::length(rise_of(step, cell_planes_, kReach).by);
-    if (steep < kSteep) {
-      off = kLit / 12.0f * float(steep);
-      return give_light(step, at, first, to.color);
-    }
-  }
-  set_color(to.color, first, glm::vec4(varied.paint.color));
-}
-
-/// The mean of a product is that of the means and, where both are smooth, a twelfth of the product of their slopes: the
-/// latter is added to light. Returns what may be left.
-float LookShader::correct_faded(const LookStep& step, int x, int y, const Rise& rise, std::size_t k,
-                                Given& to) {
-  // [px] Profiles are steep at their outline, where neighbours further in are asked. And what may be left of both.
-  constexpr double kUpright = 1.5;
-  constexpr float kTurn = 0.5f, kMore = 0.1f, kLeast = 1e-6f;
-  constexpr float kSteep = 0.15f;  // [1/px]
-  const auto own = float(glm::length(rise.by));
-  if (own == 0.0f) return 0.0f;
-  if (own > kSteep) return kLit / 12.0f * own;
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  const LitPaint::Slope light = lit_of(varied)->slope(
-      step.zone, x, y, rise.distance > -kUpright ? rise.inward : glm::ivec2{0}, lit_scratch_);
-  const glm::vec2 by(rise.by / 12.0);
-  const glm::vec3 more = by.x * light.x + by.y * light.y;
-  const float up = 1.0f / std::max(to.fade.a[k], kLeast);
-  to.color.r[k] += up * more.r, to.color.g[k] += up * more.g, to.color.b[k] += up * more.b;
-  const auto steep = float(varied.integral.steepest() * varied.paint.field.per_pixel);
-  return kTurn * steep * light.turn +
-         kMore * std::max({std::abs(more.r), std::abs(more.g), std::abs(more.b)});
+void LookShader::give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to) {
+  if (step.zone >= 0) return give_light(step, at, first, to);
+  give_means(step, at, first, to);
 }
 
 void LookShader::give_light(const LookStep& step, const Places& at, std::size_t first,
@@ -360,8 +264,7 @@ void LookShader::give_means(const LookStep& step, const Places& at, std::size_t 
   const PaintField& field = varied.paint.field;
   const RampIntegral& ramp = looks_->integral(step);
   if (at.cells) return give_means_of_cells(step, at, to);
-  if (int side = 1; at.part)
-    return set_color(to, first, glm::vec4(ramp_mean_of_part(step, at, side)));
+  if (at.part) return set_color(to, first, glm::vec4(ramp_mean_of_part(step, at)));
   if (field.kind == PaintField::Kind::linear)
     return ramp_rows_.means(ramp, ramp.scaled(field.plane({})), at.x, at.y, at.count, to);
   if (field.kind == PaintField::Kind::radial)
@@ -373,26 +276,26 @@ void LookShader::give_means(const LookStep& step, const Places& at, std::size_t 
   ramp_means(ramp, boxes_, to, 0);
 }
 
-/// Leaves the planes in side × side cells or a multiple of that.
-Mix LookShader::ramp_mean_of_part(const LookStep& step, const Places& at, int& side) {
+Mix LookShader::ramp_mean_of_part(const LookStep& step, const Places& at) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const RampIntegral& ramp = looks_->integral(step);
-  cell_planes_.clear();
-  side = planes_.add(varied, ramp, lit_of(varied), at.x, at.y, side, lit_scratch_, cell_planes_,
-                     at.part);
-  if (!at.part) return Mix{0.0};
+  boxes_.clear();
+  const int side =
+      planes_.add(varied, ramp, lit_of(varied), at.x, at.y, 1, lit_scratch_, boxes_.planes, true);
   chords_of_form(*at.form(), chords_);
-  return part_mean_.of(ramp, cell_planes_, side, chords_);
+  return part_mean_.of(ramp, boxes_.planes, side, chords_);
 }
 
 /// Of each of a pixel's cells, seen about their centroids; a part's are shifted to have its mean.
 void LookShader::give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const RampIntegral& ramp = looks_->integral(step);
   const PartCells& cells = *at.cells;
-  int side = cells.side;
-  const glm::vec4 mean{ramp_mean_of_part(step, at, side)};
-  const int finer = side / cells.side;
-  boxes_.clear();
+  const glm::vec4 mean{at.part ? ramp_mean_of_part(step, at) : Mix{0.0}};
+  boxes_.clear(), cell_planes_.clear();
+  const int side = planes_.add(varied, ramp, lit_of(varied), at.x, at.y, cells.side, lit_scratch_,
+                               cell_planes_),
+            finer = side / cells.side;
   const PartCells& whole = whole_cells(cells.side);
   glm::vec4 sum{0.0f};
   float area = 0.0f;

@@ -63,36 +63,20 @@ class LookShader {
   LaneStep ramp_step(const LookStep& step, double y) const;
   void linear_step(const PaintField& field, double y, LaneStep& made) const;
   void radial_step(const LookStep& step, double y, LaneStep& made) const;
-  struct Given {
-    ColorRow color;
-    ColorRow fade;  ///< of light that fades: a is the opacity, r what the product of both neglects
-  };
-  void give(const LookStep& step, const Places& at, std::size_t first, Given& to);
-  void give_faded(const LookStep& step, const Places& at, std::size_t first, Given& to);
-  void give_faded_part(const LookStep& step, const Places& at, std::size_t first, Given& to);
-  struct Rise {
-    double distance = 0;   ///< [px] that the ramp goes by
-    glm::dvec2 by{0.0};    ///< [1/px]
-    glm::ivec2 inward{0};  ///< signs of the way on which distances fall
-  };
-  Rise rise_of(const LookStep& step, std::span<const RampPlane> cells, double way) const;
-  float correct_faded(const LookStep& step, int x, int y, const Rise& rise, std::size_t k,
-                      Given& to);
+  void give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   void give_light(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   void give_means(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   const LitPaint* lit_of(const VariedPaint& varied) const {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
-  bool cells_do(int look, int x, int y, const PartForm* form, int side, bool coarse,
-                glm::vec4& mean);
   glm::vec4 with_products(const VariedPaint& varied, const glm::vec4& mean, float& off);
   bool fades(const LookStep& step) const;
-  Mix ramp_mean_of_part(const LookStep& step, const Places& at, int& side);
+  Mix ramp_mean_of_part(const LookStep& step, const Places& at);
   void give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
   std::vector<LaneStep> steps_;
-  std::vector<Given> given_;           ///< by step
+  std::vector<ColorRow> given_;        ///< by step
   std::vector<ColorRow*> given_rows_;  ///< those of the look at hand
   std::vector<float> stack_, neglected_, columns_;
   float most_neglected_ = 0;

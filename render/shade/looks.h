@@ -65,10 +65,6 @@ class Looks final : public LookRule {
     return step.segment < 0 ||
            paints_->varied[std::size_t(step.varied)].paint.field.kind == PaintField::Kind::distance;
   }
-  /// Whether means of a step are light's times those of a ramp's opacity.
-  bool faded(const LookStep& step) const {
-    return step.zone >= 0 && step.segment < 0 && paints_->varied[std::size_t(step.varied)].fades;
-  }
   const PaintTable& paints() const { return *paints_; }
 
   /// What a ramp between two kinks changes by per pixel.
@@ -81,7 +77,7 @@ class Looks final : public LookRule {
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }
-  /// Where two ramps with integrals lie over each other, one along a distance, or light fades: that one. Else null.
+  /// Where two ramps with integrals lie over each other, one along a distance: that one. Else null.
   const VariedPaint* products(int look) const {
     const int varied = looks_[std::size_t(look)].products;
     return varied < 0 ? nullptr : &paints_->varied[std::size_t(varied)];

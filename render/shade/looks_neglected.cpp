@@ -43,8 +43,7 @@ double Looks::neglected_by(std::span<const LookStep> steps) {
     const GridPaint& paint = varied.paint;
     const bool lit = step.zone >= 0;
     if (step.segment < 0) {
-      // What light and opacity leave to their product is told place by place (LookShader::give_faded).
-      if (lit && !varied.fades) sum += kLit;
+      if (lit) sum += kLit;  // not by integrals
       // Two spreads: the upper opacity's is at most half its range, and a slope's √(1/12).
       const double slope = varied.integral.steepest() * paint.field.per_pixel;
       const double opacity = paint.ramp->most_opacity() - paint.ramp->least_opacity();
@@ -84,7 +83,7 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!integrated(steps[i])) continue;
     const GridPaint& upper = paint_of(steps[i]);
-    if (steps[i].zone >= 0 && !paints_->varied[std::size_t(steps[i].varied)].fades) return true;
+    if (steps[i].zone >= 0) return true;
     if (upper.ramp->least_opacity() == upper.ramp->most_opacity()) continue;
     for (const LookStep& below : steps.first(i))
       if (integrated(below) && !(soft(steps[i]) && soft(below)) &&
@@ -97,11 +96,10 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
 int Looks::products_of(std::span<const LookStep> steps) const {
   int along = -1, count = 0;
   for (const LookStep& step : steps) {
-    if (step.kind != Kind::paint || step.segment >= 0) continue;
-    const VariedPaint& varied = paints_->varied[std::size_t(step.varied)];
-    if (!varied.paint.ramp) continue;
-    if (varied.paint.field.kind == PaintField::Kind::distance) along = step.varied;
-    count += step.zone >= 0 ? 2 : 1;
+    if (step.kind != Kind::paint || step.zone >= 0 || step.segment >= 0) continue;
+    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
+    if (field.kind == PaintField::Kind::distance) along = step.varied;
+    ++count;
   }
   return count > 1 ? along : -1;
 }

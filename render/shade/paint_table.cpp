@@ -67,23 +67,12 @@ class PaintMaker {
   }
 
  private:
-  /// Whether a lit ramp is soft and has one colour, which is the paint's then.
-  static bool fades(VariedPaint& varied) {
-    constexpr double kSoft = 1.0;  // [1/px]
-    const Ramp& ramp = *varied.paint.ramp;
-    const std::optional<Mix> color = ramp.fading_color();
-    if (!color || ramp.jumps() || ramp.steepest() * varied.paint.field.per_pixel > kSoft)
-      return false;
-    varied.paint.color = *color;
-    return true;
-  }
-
   VariedPaint& next() {
     if (varied_ == to_.varied.size()) to_.varied.emplace_back();
     VariedPaint& varied = to_.varied[varied_++];
     varied.paint.field = {};
     varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
-    varied.by_integral = varied.fades = false;
+    varied.by_integral = false;
     varied.lowest = varied.highest = 0, varied.lit = -1;
     return varied;
   }
@@ -157,8 +146,6 @@ class PaintMaker {
     if (g.to == g.from) varied.paint.ramp->pad();
     f.per_pixel = std::abs(f.scale);
     if (most_ == kMostAlong && varied.paint.ramp->jumps()) most_ = kMostBent;
-    const bool fades = most_ == kMostLit && this->fades(varied);
-    if (fades) most_ = kMostAlong;
     // A distance is at most that of the picture's middle and half a diagonal.
     const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
     const double middle = f.at(half, to_.distances[std::size_t(f.distance)].at(half)),
@@ -166,7 +153,6 @@ class PaintMaker {
     for (const double t : places(varied, middle - reach, middle + reach, f.per_pixel))
       varied.kinks.push_back(
           {to_.programs.add(g.area, (f.from + t / f.scale) / map_.scale()), f.scale < 0.0, t});
-    varied.fades = fades && varied.by_integral;
   }
 
   /// Takes an ellipse's points, seen from its centre, to the unit circle.

@@ -35,8 +35,6 @@ struct VariedPaint {
   double lowest = 0, highest = 0;  ///< t in the picture
   /// Its means are LitPaint's: it is lit or goes by a distance. Index into PaintTable::lit; −1: a ramp is all of it.
   int lit = -1;
-  /// Its means are those of light on `paint.color` times those of the ramp's opacity, which alone varies.
-  bool fades = false;
   std::vector<AreaProgram> levels;  ///< of LitPaint, each as {distance <= level}
   std::vector<AreaProgram> domes;   ///< beyond all of them they do nothing
 };

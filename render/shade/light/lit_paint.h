@@ -91,14 +91,6 @@ class LitPaint {
   void pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,
               float* a, Scratch& scratch) const;
 
-  /// How means change around a pixel, in colours: per px along x and y, and the most that this turns by from one pixel
-  /// to the next; of neighbours in its tile, along each axis one on either side or two `inward`.
-  struct Slope {
-    glm::vec3 x{0.0f}, y{0.0f};
-    float turn = 0;
-  };
-  Slope slope(const LitPiece& piece, int x, int y, glm::ivec2 inward, Scratch& scratch) const;
-
   /// The mean over a part of pixel (x, y) that lies in that piece.
   glm::vec4 part(const LitPiece& piece, int x, int y, const LitPart& part, Scratch& scratch) const;
 

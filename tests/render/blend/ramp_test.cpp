@@ -60,17 +60,6 @@ TEST(Ramp, NamesEveryKinkBetweenTwoPlaces) {
   EXPECT_TRUE(kinks.empty());
 }
 
-TEST(Ramp, KnowsWhetherItFadesInOneColour) {
-  const Color red{1, 0, 0, 1}, faint{1, 0, 0, 0.2}, none{0, 1, 0, 0};
-  const auto fading = [](std::vector<Stop> stops) {
-    return Ramp({LinearGradient{}, std::move(stops)}, 0.5, Blend::srgb).fading_color();
-  };
-  EXPECT_EQ(fading({{0, red}, {0.5, none}, {1, faint}}), (Mix{1, 0, 0, 1}));
-  EXPECT_FALSE(fading({{0, red}, {1, red}}));
-  EXPECT_FALSE(fading({{0, red}, {0.5, faint}, {1, kBlack}}));
-  EXPECT_FALSE(fading({{0, none}, {1, none}}));
-}
-
 TEST(Ramp, OfStopsThatFallOrAreMissingIsStillARamp) {
   const Ramp falling({LinearGradient{}, {{1, kBlack}, {0, kWhite}}}, 1, Blend::linear);
   EXPECT_EQ(red(falling, 0.9), 0);

@@ -164,24 +164,5 @@ TEST(LookLanes, MixGroupsAsTheBlenderDoes) {
   });
 }
 
-TEST(LookLanes, FadeWhatIsGivenAndTellWhatThatNeglects) {
-  on_every_set([] {
-    const std::vector<float> color(kCount + kColorSpare, 0.8f), fade(kCount + kColorSpare, 0.25f),
-        off(kCount + kColorSpare, 0.125f);
-    const float* const c = color.data();
-    std::vector<float> stack, neglected;
-    ColorRow to;
-    const float worst = shade_lanes({{.kind = LaneStep::Kind::open, .color = {0, 0, 0, 1}},
-                                     {.kind = LaneStep::Kind::given,
-                                      .given = {c, c, c, c},
-                                      .fade = fade.data(),
-                                      .off = off.data()}},
-                                    Pixels(0).places(), stack, to, neglected);
-    EXPECT_NEAR(to.g[kCount - 1], 0.2f, 1e-6f);
-    EXPECT_EQ(neglected[kCount - 1], 0.125f);
-    EXPECT_EQ(worst, 0.125f);
-  });
-}
-
 }  // namespace
 }  // namespace mien::test

@@ -113,28 +113,6 @@ TEST(LitPaint, DoesNotDependOnWhatWasAskedBefore) {
   });
 }
 
-TEST(LitPaint, SlopesAreThoseOfNeighbours) {
-  test::Random random(31);
-  const auto scene = test::random_lit(random, 3, 60, Profile::bevel, Blend::srgb);
-  const LitPaint paint(scene.paint, scene.distances, Blend::srgb, {0, 0});
-  LitPaint::Scratch scratch;
-  const auto red = [&](int x, int y) {
-    float r, g, b, a;
-    paint.pixels(1, x, y, 1, &r, &g, &b, &a, scratch);
-    return r;
-  };
-  const LitPaint::Slope inside = paint.slope(1, 36, 37, {}, scratch);
-  EXPECT_NEAR(inside.x.r, 0.5f * (red(37, 37) - red(35, 37)), 1e-6f);
-  EXPECT_NEAR(inside.y.r, 0.5f * (red(36, 38) - red(36, 36)), 1e-6f);
-  // At a tile's border and inward by the parabola through three in a row.
-  for (const auto& [x, inward] : {std::pair{32, 0}, {36, 1}}) {
-    const float at[] = {red(x, 37), red(x + 1, 37), red(x + 2, 37)};
-    const LitPaint::Slope slope = paint.slope(1, x, 37, {inward, 0}, scratch);
-    EXPECT_NEAR(slope.x.r, -1.5f * at[0] + 2.0f * at[1] - 0.5f * at[2], 1e-6f);
-    EXPECT_GE(slope.turn, std::abs(at[0] - 2.0f * at[1] + at[2]) - 1e-6f);
-  }
-}
-
 TEST(LitPaint, LevelSurfacesKeepTheirColour) {
   test::Random random(27);
   auto scene = test::random_lit(random, 3, 60, Profile::round, Blend::srgb);

@@ -26,9 +26,9 @@ double off_in_the_middle(SceneBuilder build, Area area, const Distance& distance
   soft.make(varied.paint.field, varied.integral, 1e-4, &*varied.paint.ramp);
   DistancePlanes planes;
   std::vector<RampPlane> cells;
-  EXPECT_GE(planes.of(table.lit[std::size_t(varied.lit)].gradient_area(), 10, 10, 1, false, soft,
-                      cells),
-            4);
+  EXPECT_GE(
+      planes.of(table.lit[std::size_t(varied.lit)].gradient_area(), 10, 10, 1, false, soft, cells),
+      4);
   double sum = 0, counted = 0;
   for (const RampPlane& cell : cells) sum += cell.t / double(cells.size());
   constexpr int kSide = 400;
