@@ -237,8 +237,9 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.3f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  // Of that: cells that were closed with more left were closed too soon.
-  constexpr float kAgain = 0.5f;
+  // Of that: cells that were closed with more left were closed too soon. Stops of a ramp cut a pixel into many parts,
+  // whose doubts add up: each has its share.
+  const float again = pixel.tile.segment ? 0.5f * HWY_MAX(form_area, 0.05f) : 0.5f;
   LightTile& tile = pixel.tile;
   const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
   const float allowed = tile.tolerance;
@@ -305,7 +306,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
                          HWY_MAX(mean.apart + mean.torn, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
-      if (at_end || off < kAgain) return void(tile.off += off);
+      if (at_end || off < again) return void(tile.off += off);
       first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
       std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
       continue;
