@@ -216,6 +216,13 @@ inline int DivideCells(int side, const CellList& cells, int count, CellList& to)
   return made;
 }
 
+/// Cells of how many each way are as thin as a part is: its area, by how long it is in cells.
+inline float ThinnestSide(const PartCells& cells, float area) {
+  int there = 0;
+  for (size_t k = 0; k < size_t(cells.count()); ++k) there += cells.area[k] > 0.0f;
+  return float(there) / (float(cells.side) * HWY_MAX(area, 1e-4f));
+}
+
 /// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
 /// they may be off, which is of second order in their side; the others as far as they need it.
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
@@ -243,6 +250,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   LightTile& tile = pixel.tile;
   const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
   const float allowed = tile.tolerance;
+  float seen_from = 0.0f;
   float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f, before_now = kNever;
   pixel.seen = HWY_MAX(form_area, 0.05f);
   pixel.bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
@@ -261,13 +269,15 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   for (int side = first;; side *= 2) {
     const bool finer = side > PartCells::kMostSide;
     if (form && !finer) cells_of_form(*form, side, scratch.of_form, side == 4 && !tile.fine);
+    if (form && side == begun) seen_from = ThinnestSide(scratch.of_form, form_area);
     const CellGrid grid{side, form, finer ? nullptr : form ? &scratch.of_form : &whole_cells(side)};
     const bool small = !pixel.bends && side >= least;
     const bool last = side == finest;
     const float each = allowed * float(side * side) / (16.0f * pixel.seen);
-    // Cells at a part's tips see too little of it to agree on.
+    // Cells at a part's tips see too little of it to agree on, and none sees across what is thinner than it.
     constexpr int kClosesFrom = 16;
-    const float closes = tile.fine && form && side < kClosesFrom ? -1.0f : 1.0f;
+    const bool sees = side >= finest || float(side) >= seen_from;
+    const float closes = (tile.fine && form && side < kClosesFrom) || !sees ? -1.0f : 1.0f;
     LookAtCells(pixel, grid, list, count,
                 {kClosed * jump_by * each, kClosed * kink_by * each,
                  last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * few_apart * allowed,
@@ -296,7 +306,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     const float now = side > first ? HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) : kNever;
     const bool converges = before_now < 4.0f * kSettles * allowed || now < kAtOnce * allowed;
     const bool settled =
-        tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
+        sees && tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
     before_now = now;
     if (last || full || settled || mean.opens == 0 ||
         (small && !pixel.bends && (bounded || agrees))) {
