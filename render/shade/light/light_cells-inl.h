@@ -292,8 +292,6 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
     }
     const bool bounded = mean.kink < kink_by * each && mean.jump < jump_by * each;
-    const bool agrees =
-        side > first && apart * pixel.seen < kAgree * allowed && mean.torn < kTorn * allowed;
     const bool full = 4 * mean.opens > CellScratch::kMost;
     // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
     const bool new_breaks = mean.jump > 2.0f * last_jump + jump_by * each ||
@@ -304,7 +302,10 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     last_jump = mean.jump, last_kink = mean.kink;
     // Sums agree by chance, too: they converge by the square of the side.
     const float now = side > first ? HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) : kNever;
-    const bool converges = before_now < 4.0f * kSettles * allowed || now < kAtOnce * allowed;
+    const bool converges = before_now < 4.0f * kSettles * allowed ||
+                           now < (tile.fine ? kAtOnce : 2.0f * kAtOnce) * allowed;
+    const bool agrees = sees && converges && apart * pixel.seen < kAgree * allowed &&
+                        side > first && mean.torn < kTorn * allowed;
     const bool settled =
         sees && tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
     before_now = now;
