@@ -61,7 +61,8 @@ if(MIEN_BUILD_COMMAND)
                TEXT "A face described by numbers becomes an exact, antialiased picture, at any size.
 This is the command: it draws stills, animations and people, poses faces by
 emotions, muscles and gaze, and writes PNG. TIFF, EXR and JPEG are written
-where mien-formats is installed, and films where ffmpeg is.")
+where mien-formats is installed, animations as APNG, WebP and GIF always, and
+as MP4 and WebM where ffmpeg is.")
 endif()
 if(MIEN_BUILD_IMAGE AND (MIEN_BUILD_COMMAND OR MIEN_BUILD_C))
   mien_package(mien-formats COMPONENTS formats

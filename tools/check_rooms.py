@@ -43,6 +43,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"ft2build\.h|freetype/": (r"sdf/from_text/|tools/accuracy/methods/", "sdf/from_text; the laboratory judges its distance fields"),
     r"csv\.h": (r"tools/mien/data/", "tools/mien/data"),
     r"event2/": (r"tools/mien/studio/", "tools/mien/studio"),
+    r"gif_lib\.h|webp/": (r"tools/mien/film/", "tools/mien/film"),
     r"nettle/": (r"tools/mien/output/", "tools/mien/output"),
     r"CLI/": (r"tools/mien/cli/|tools/accuracy/main\.cpp$", "tools/mien/cli"),
     r"tiny_obj_loader": (r"lib/file/", "lib/file"),

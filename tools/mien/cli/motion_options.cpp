@@ -113,8 +113,10 @@ void add_animate(CLI::App& app, AnimateArguments& to) {
       app.add_subcommand("animate", "Draw many moments of a face, as pictures or as a film");
   add_pose(animate, to.render.posed);
   animate
-      ->add_option("-o,--output", to.render.output,
-                   "Pictures like frames/%05d.png, or a film: .mp4 .webm .webp .apng .gif")
+      ->add_option(
+          "-o,--output", to.render.output,
+          "Pictures like frames/%05d.png, or a film: .mp4 .webm .webp .apng .gif; a .png that "
+          "is one file is an APNG")
       ->required()
       ->type_name("FILE");
   animate
