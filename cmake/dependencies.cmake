@@ -33,6 +33,11 @@ if(MIEN_BUILD_COMMAND)
   pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET GLOBAL libwebp libwebpmux)
   pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET GLOBAL nettle)  # SHA-256, in tools/mien/output only
 endif()
+if(MIEN_BUILD_SAY)
+  pkg_check_modules(ESPEAK REQUIRED IMPORTED_TARGET GLOBAL espeak-ng)  # spoken text, in tools/say only; its licence is the GPL
+elseif(MIEN_BUILD_COMMAND AND MIEN_BUILD_TESTS)
+  pkg_check_modules(ESPEAK QUIET IMPORTED_TARGET GLOBAL espeak-ng)  # tests only: what is installed does without
+endif()
 if(MIEN_BUILD_TESTS)
   find_package(GTest REQUIRED)
   if(MIEN_BUILD_IMAGE)

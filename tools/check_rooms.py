@@ -45,6 +45,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"event2/": (r"tools/mien/studio/", "tools/mien/studio"),
     r"gif_lib\.h|webp/": (r"tools/mien/film/", "tools/mien/film"),
     r"nettle/": (r"tools/mien/output/", "tools/mien/output"),
+    r"espeak-ng/": (r"tools/say/", "tools/say: its licence is the GPL, and mien-say alone is under it"),
     r"CLI/": (r"tools/mien/cli/|tools/accuracy/main\.cpp$", "tools/mien/cli"),
     r"tiny_obj_loader": (r"lib/file/", "lib/file"),
     r"boost/|mpfr": (r"tools/", "tools, tests or bench"),

@@ -1,10 +1,9 @@
 #include "tools/mien/film/ffmpeg_film.h"
 #include "render/image/file/system_error.h"
+#include "tools/mien/terminal/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -70,10 +69,7 @@ class FfmpegFilm final : public FilmWriter {
   FfmpegFilm(AtomicFile to, std::string name) : file_(std::move(to)), name_(std::move(name)) {}
   ~FfmpegFilm() override {
     if (pipe_ >= 0) ::close(pipe_);
-    if (id_ > 0) {  // its input has ended, so it ends too
-      int status = 0;
-      ::waitpid(id_, &status, 0);
-    }
+    if (id_ > 0) end_of_process(id_);  // its input has ended, so it ends too
     if (said_) std::fclose(said_);
   }
 
@@ -82,9 +78,6 @@ class FfmpegFilm final : public FilmWriter {
   Expected<Done> finish() override;
 
  private:
-  int start(const Words& words, int input);
-  std::string last_words() const;
-
   AtomicFile file_;
   std::string name_;
   pid_t id_ = -1;
@@ -92,42 +85,14 @@ class FfmpegFilm final : public FilmWriter {
   std::FILE* said_ = nullptr;  // what ffmpeg complained of
 };
 
-/// Starts the program whose name is the first word, reading from `input`. Returns 0 or an errno.
-int FfmpegFilm::start(const Words& words, int input) {
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, input, 0);
-  ::posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(said_), 2);
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  // A process group of its own: Ctrl-C is for this program only.
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int failed = ::posix_spawnp(&id_, argv[0], &actions, &attributes, argv.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
-  return failed;
-}
-
-std::string FfmpegFilm::last_words() const {
-  std::rewind(said_);
-  std::string text;
-  char block[4096];
-  while (const std::size_t got = std::fread(block, 1, sizeof block, said_)) text.append(block, got);
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text.substr(text.rfind('\n') + 1);
-}
-
 Expected<Done> FfmpegFilm::begin(const FilmPlan& plan) {
   said_ = std::tmpfile();
   int ends[2];
   if (!said_ || ::pipe2(ends, O_CLOEXEC) != 0)
     return Error{name_, "cannot be written: " + system_error(errno)};
   pipe_ = ends[1];
-  const int failed = start(ffmpeg_words(file_.temporary().string(), plan), ends[0]);
+  const int failed = start_process(ffmpeg_words(file_.temporary().string(), plan),
+                                   {ends[0], -1, ::fileno(said_)}, id_);
   ::close(ends[0]);
   if (!failed) return Done{};
   id_ = -1;
@@ -155,12 +120,8 @@ Expected<Done> FfmpegFilm::add(const Image& frame) {
 
 Expected<Done> FfmpegFilm::finish() {
   ::close(std::exchange(pipe_, -1));
-  int status = 0;
-  while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-  }
-  id_ = -1;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    return Error{name_, "ffmpeg failed: " + last_words()};
+  const int code = end_of_process(std::exchange(id_, -1));
+  if (code != 0) return Error{name_, "ffmpeg failed: " + last_line(said_)};
   return file_.commit();
 }
 

@@ -37,8 +37,8 @@ TEST(AnimatedPng, PartsTakeThePlaceOfWhatWasThere) {
   EXPECT_EQ(film.frames[1].seconds, 65.535);
   for (std::size_t i = 0; i < 2; ++i) {
     const Image& image = i == 0 ? first : second;
-    EXPECT_TRUE(std::equal(image.row(0), image.row(0) + image.bytes.size(),
-                           film.frames[i].pixels.begin()))
+    EXPECT_TRUE(
+        std::equal(image.row(0), image.row(0) + image.bytes.size(), film.frames[i].pixels.begin()))
         << i;
   }
 }
