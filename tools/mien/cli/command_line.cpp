@@ -275,8 +275,8 @@ void add_progress(CommandApp& made) {
   CLI::App& app = made.app;
   for (CLI::App* command :
        {app.get_subcommand("render"), app.get_subcommand("check"), app.get_subcommand("animate"),
-        app.get_subcommand("morph")->get_subcommand("between"), app.get_subcommand("mesh"),
-        app.get_subcommand("pca")->get_subcommand("fit"),
+        app.get_subcommand("say"), app.get_subcommand("morph")->get_subcommand("between"),
+        app.get_subcommand("mesh"), app.get_subcommand("pca")->get_subcommand("fit"),
         app.get_subcommand("pca")->get_subcommand("encode"),
         app.get_subcommand("pca")->get_subcommand("decode"),
         app.get_subcommand("pca")->get_subcommand("compare"),

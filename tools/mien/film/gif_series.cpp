@@ -1,17 +1,12 @@
 // GIF89a by giflib. A pixel that stays is written as transparent, which packs better. So a picture's pixels cannot turn
 // transparent: where the next one has some that do, the part is cleared before it ("restore to background").
 
-#include <mien/parallel.h>
-#include "render/image/file/system_error.h"
-#include "tools/mien/film/film_palette.h"
-#include "tools/mien/film/picture_series.h"
-#include "tools/mien/terminal/interrupt.h"
+#include "tools/mien/film/film_module.h"
 
 #include <fmt/format.h>
 #include <gif_lib.h>
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace mien::command {
@@ -19,9 +14,6 @@ namespace {
 
 using Places = std::vector<std::uint8_t>;
 
-constexpr int kSamples = 64;                         // frames that are looked at for the palette,
-constexpr long kSampledPixels = 32L << 20;           // in so many pixels
-constexpr int kSide = 65535;                         // of a GIF, at most
 constexpr std::uint8_t kStays = FilmPalette::kMost;  // the place of what is transparent
 
 /// Rows and columns from .. up to before.
@@ -36,8 +28,8 @@ struct Bounds {
 
 class GifSeries final : public PictureSeries {
  public:
-  GifSeries(FileOutput& out, FilmPalette palette, int width, int height)
-      : out_(out),
+  GifSeries(const PutBytes& put, FilmPalette palette, int width, int height)
+      : put_(put),
         palette_(std::move(palette)),
         width_(width),
         height_(height),
@@ -56,7 +48,9 @@ class GifSeries final : public PictureSeries {
  private:
   static int take(GifFileType* gif, const GifByteType* bytes, int size) {
     auto& self = *static_cast<GifSeries*>(gif->UserData);
-    return self.out_.write(bytes, std::size_t(size)) ? size : 0;
+    auto done = self.put_(bytes, std::size_t(size));
+    if (!done) self.wrong_ = done.error();
+    return done ? size : 0;
   }
   std::size_t at(int x, int y) const {
     return std::size_t(y) * std::size_t(width_) + std::size_t(x);
@@ -66,7 +60,8 @@ class GifSeries final : public PictureSeries {
   bool write_frame(const Bounds& part, bool cleared);
   Error failure() const;
 
-  FileOutput& out_;
+  PutBytes put_;
+  std::optional<Error> wrong_;  // what the file said
   FilmPalette palette_;
   int width_, height_;
   GifFileType* gif_ = nullptr;
@@ -76,7 +71,7 @@ class GifSeries final : public PictureSeries {
 };
 
 Error GifSeries::failure() const {
-  if (out_.failure()) return {"", "cannot be written: " + system_error(out_.failure())};
+  if (wrong_) return *wrong_;
   return {"", fmt::format("giflib failed: {}", gif_ ? GifErrorString(gif_->Error) : "no memory")};
 }
 
@@ -168,34 +163,10 @@ bool GifSeries::write_frame(const Bounds& part, bool cleared) {
   return true;
 }
 
-/// Out of frames that are spread over the film.
-Expected<FilmPalette> palette_of(const FilmPlan& plan) {
-  FilmPalette palette;
-  const long pixels = long(plan.width) * plan.height;
-  const long samples =
-      std::min(plan.frames, std::clamp(kSampledPixels / pixels, 2L, long(kSamples)));
-  std::mutex mutex;
-  std::optional<Error> wrong;
-  parallel_for(int(samples), {.count = plan.threads}, [&](int i) {
-    if (interrupted()) return;
-    const auto frame = plan.draw(samples > 1 ? i * (plan.frames - 1) / (samples - 1) : 0);
-    const std::lock_guard lock(mutex);
-    if (!frame) wrong = frame.error();
-    if (frame) palette.count(*frame);
-  });
-  if (wrong) return *wrong;
-  palette.choose();
-  return palette;
-}
-
 }  // namespace
 
-MadeSeries gif_series(FileOutput& out, const FilmPlan& plan) {
-  if (std::max(plan.width, plan.height) > kSide)
-    return Error{"", fmt::format("a GIF has {} pixels a side at most", kSide)};
-  auto palette = palette_of(plan);
-  if (!palette) return palette.error();
-  auto series = std::make_unique<GifSeries>(out, *std::move(palette), plan.width, plan.height);
+MadeSeries gif_series(const PutBytes& put, const FilmPlan& plan, FilmPalette palette) {
+  auto series = std::make_unique<GifSeries>(put, std::move(palette), plan.width, plan.height);
   if (auto begun = series->begin(); !begun) return begun.error();
   return std::unique_ptr<PictureSeries>(std::move(series));
 }

@@ -1,6 +1,11 @@
 #include "tools/mien/film/picture_film.h"
 #include "render/image/file/file_output.h"
-#include "tools/mien/film/picture_series.h"
+#include "render/image/file/system_error.h"
+#include "tools/mien/film/film_module.h"
+#include "tools/mien/film/sampled_palette.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +16,18 @@ namespace mien::command {
 namespace {
 
 constexpr PixelRect kOnePixel{0, 0, 1, 1};
+constexpr int kGifSide = 65535;
+
+/// By its bare name: the dynamic linker searches the RUNPATH of the program.
+Expected<const FilmModule*> film_module() {
+  void* const module = ::dlopen(kFilmModuleFile, RTLD_NOW | RTLD_LOCAL);
+  const auto entry =
+      module ? reinterpret_cast<FilmModuleEntry>(::dlsym(module, kFilmModuleEntry)) : nullptr;
+  if (entry) return entry();
+  const char* const said = ::dlerror();
+  return Error{
+      "", fmt::format("cannot load what writes WebP and GIF ({})", said ? said : kFilmModuleFile)};
+}
 
 /// The smallest part outside which two pictures are equal.
 PixelRect changed_part(const Image& before, const Image& now) {
@@ -44,9 +61,7 @@ class PictureFilm final : public FilmWriter {
         fps_(fps) {}
 
   Expected<Done> begin(const FilmPlan& plan) {
-    auto series = plan.type == FilmType::apng   ? apng_series(out_, plan)
-                  : plan.type == FilmType::webp ? webp_series(out_, plan)
-                                                : gif_series(out_, plan);
+    auto series = made_series(plan);
     if (!series) return Error{name_, series.error().what};
     series_ = *std::move(series);
     return Done{};
@@ -71,6 +86,22 @@ class PictureFilm final : public FilmWriter {
   }
 
  private:
+  MadeSeries made_series(const FilmPlan& plan) {
+    if (plan.type == FilmType::apng) return apng_series(out_, plan);
+    const auto module = film_module();
+    if (!module) return module.error();
+    const PutBytes put = [this](const void* bytes, std::size_t size) -> Expected<Done> {
+      if (out_.write(bytes, size)) return Done{};
+      return Error{"", "cannot be written: " + system_error(out_.failure())};
+    };
+    if (plan.type == FilmType::webp) return (*module)->webp(put, plan);
+    if (std::max(plan.width, plan.height) > kGifSide)
+      return Error{"", fmt::format("a GIF has {} pixels a side at most", kGifSide)};
+    auto palette = sampled_palette(plan);
+    if (!palette) return palette.error();
+    return (*module)->gif(put, plan, *std::move(palette));
+  }
+
   long tick_of(long frame) const {
     return std::lround(double(frame) * series_->ticks().a_second / fps_);
   }

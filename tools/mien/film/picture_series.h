@@ -30,9 +30,5 @@ class PictureSeries {
 using MadeSeries = Expected<std::unique_ptr<PictureSeries>>;
 
 MadeSeries apng_series(FileOutput& out, const FilmPlan& plan);
-/// Without loss.
-MadeSeries webp_series(FileOutput& out, const FilmPlan& plan);
-/// With one palette for the whole film, found in frames that the plan draws.
-MadeSeries gif_series(FileOutput& out, const FilmPlan& plan);
 
 }  // namespace mien::command

@@ -1,5 +1,4 @@
-#include "render/image/file/system_error.h"
-#include "tools/mien/film/picture_series.h"
+#include "tools/mien/film/film_module.h"
 
 #include <fmt/format.h>
 #include <webp/encode.h>
@@ -14,7 +13,7 @@ namespace {
 /// libwebp's encoder of animations. It holds the film's packed bytes until the end, since a WebP begins with its length.
 class WebpSeries final : public PictureSeries {
  public:
-  WebpSeries(FileOutput& out, bool opaque) : out_(out), opaque_(opaque) {}
+  WebpSeries(const PutBytes& put, bool opaque) : put_(put), opaque_(opaque) {}
   ~WebpSeries() override { WebPAnimEncoderDelete(encoder_); }
 
   bool begin(int width, int height) {
@@ -52,11 +51,9 @@ class WebpSeries final : public PictureSeries {
     WebPDataInit(&film);
     const bool made = WebPAnimEncoderAdd(encoder_, nullptr, int(time_), nullptr) &&
                       WebPAnimEncoderAssemble(encoder_, &film);
-    const bool written = made && out_.write(film.bytes, film.size);
+    auto done = made ? put_(film.bytes, film.size) : Expected<Done>(failure());
     WebPDataClear(&film);
-    if (!made) return failure();
-    if (!written) return Error{"", "cannot be written: " + system_error(out_.failure())};
-    return Done{};
+    return done;
   }
 
  private:
@@ -67,7 +64,7 @@ class WebpSeries final : public PictureSeries {
     return {"", fmt::format("libwebp failed: {}", WebPAnimEncoderGetError(encoder_))};
   }
 
-  FileOutput& out_;
+  PutBytes put_;
   bool opaque_;
   WebPConfig config_;
   WebPAnimEncoder* encoder_ = nullptr;
@@ -76,10 +73,10 @@ class WebpSeries final : public PictureSeries {
 
 }  // namespace
 
-MadeSeries webp_series(FileOutput& out, const FilmPlan& plan) {
+MadeSeries webp_series(const PutBytes& put, const FilmPlan& plan) {
   if (std::max(plan.width, plan.height) > WEBP_MAX_DIMENSION)
     return Error{"", fmt::format("a WebP has {} pixels a side at most", WEBP_MAX_DIMENSION)};
-  auto series = std::make_unique<WebpSeries>(out, !plan.transparent);
+  auto series = std::make_unique<WebpSeries>(put, !plan.transparent);
   if (!series->begin(plan.width, plan.height)) return Error{"", "libwebp cannot begin the film"};
   return std::unique_ptr<PictureSeries>(std::move(series));
 }
