@@ -43,7 +43,7 @@ if(MIEN_BUILD_TESTS)
   if(MIEN_BUILD_IMAGE)
     find_package(ZLIB REQUIRED)                 # unpacks what was packed
     pkg_check_modules(GIF REQUIRED IMPORTED_TARGET GLOBAL libgif>=5)  # and these read films
-    pkg_check_modules(WEBP_READER REQUIRED IMPORTED_TARGET GLOBAL libwebpdemux)
+    pkg_check_modules(LIBWEBP REQUIRED IMPORTED_TARGET GLOBAL libwebpdemux libwebp)
   endif()
 endif()
 if(MIEN_BUILD_BENCH)
