@@ -15,7 +15,7 @@ std::string sample_face_path(const std::string& text) {
   });
   if (!name || fs::exists(fs::symlink_status(text, failed))) return text;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  for (const char* folder : {"../share/doc/mien/examples/faces", "../../faces"}) {
+  for (const char* folder : {"../share/mien/faces", "../../faces"}) {
     const fs::path face = (program / folder / (text + ".face.json")).lexically_normal();
     if (fs::is_regular_file(face, failed)) return face.string();
   }
