@@ -1,11 +1,17 @@
 #include "lib/rig/pose/head_turn.h"
 
+#include <mien/composed_face.h>
+#include <mien/recipe.h>
+
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <string>
+#include <utility>
 
 #include "tests/support/posing.h"
 
@@ -184,6 +190,83 @@ TEST(Turn, ReadsPlates) {
                 .find("/turn/plate/brwo: no feature named \"brwo\"; did you mean \"brow\"?"),
             std::string::npos)
       << sentence(wrong.error());
+}
+
+HeadTurn head_with_a_skull() {
+  HeadTurn head = kTurnedHead;
+  head.skull = 0.62;
+  head.body = {0.2, {0.9, 0.3}};
+  return head;
+}
+
+/// With the yaw outermost, what is level stays level, however the head nods.
+TEST(Turn, OfAWholeHeadKeepsEyesLevel) {
+  const HeadTurn head = head_with_a_skull();
+  for (const double yaw : {-30.0, 12.0, 30.0})
+    for (const double pitch : {-20.0, 0.0, 20.0}) {
+      const Turn turn(head, yaw, pitch, 0, true);
+      EXPECT_NEAR(turn.surface({-0.2, 0.1}, 0).y, turn.surface({0.2, 0.1}, 0).y, 1e-15);
+      EXPECT_NEAR(turn.flat({-0.5, 0.1}, -0.1).y, turn.flat({0.5, 0.1}, -0.1).y, 1e-15);
+    }
+  const Turn other(kTurnedHead, 30, 20, 0, true);
+  EXPECT_GT(std::abs(other.surface({-0.2, 0.1}, 0).y - other.surface({0.2, 0.1}, 0).y), 0.05);
+  const Face person = face_from_recipe(recipe_from_seed(5)).value();
+  const auto slant = [&](const char* yaw, const char* pitch) {
+    const Face turned = face_at(person, {yaw, pitch});
+    return point_of(turned, "limbus.left/center").y - point_of(turned, "limbus.right/center").y;
+  };
+  EXPECT_NEAR(slant("yaw=30", "pitch=20"), slant("yaw=0", "pitch=0"), 0.02);
+}
+
+/// A skull is longer than wide: seen from the side its outline goes on behind, and not in front; the far cheekbone
+/// stands out between temple and jaw.
+TEST(Turn, OfAWholeHeadIsLongerBehind) {
+  const HeadTurn head = head_with_a_skull();
+  const Turn turn(head, 30, 0, 0, true), back(head, -30, 0, 0, true);
+  const double behind = turn.flat({-0.5, 0.4}, 0.05).x, ahead = turn.flat({0.5, 0.25}, 0.05).x;
+  EXPECT_NEAR(-0.5 - behind, 2 * 0.5 * (std::sqrt(0.75 + 0.25 * 1.24 * 1.24) - 1), 1e-12);
+  EXPECT_LT(ahead, 0.5);
+  EXPECT_GT(turn.flat({0.5, -0.2}, 0.05).x, ahead + 0.01) << "cheekbone beside temple";
+  EXPECT_GT(turn.flat({0.5, -0.2}, 0.05).x, turn.flat({0.5, -0.6}, 0.05).x + 0.01) << "and jaw";
+  EXPECT_EQ(turn.flat({-0.5, 0}, 0.05).x, -0.5) << "the near ear stays";
+  for (double x = -0.7; x <= 0.7; x += 0.05)
+    for (double y = -0.8; y <= 0.9; y += 0.05) {
+      EXPECT_EQ(turn.flat({x, y}, 0.02), glm::dvec2(-1, 1) * back.flat({-x, y}, 0.02));
+      EXPECT_LT(glm::length(turn.flat({x + 1e-7, y}, 0.02) - turn.flat({x, y}, 0.02)), 3e-7);
+    }
+}
+
+/// Shoulders turn by a share of the yaw, and neither nod nor tilt.
+TEST(Turn, ShouldersFollow) {
+  const HeadTurn head = head_with_a_skull();
+  const double sixth = 6 * 3.14159265358979 / 180;
+  const Turn turn(head, 30, 15, 10, true);
+  EXPECT_NEAR(turn.body({0, -0.8}).x, 0.3 * std::sin(sixth), 1e-12);
+  EXPECT_NEAR(turn.body({0.9, -0.8}).x, 0.9 * std::cos(sixth), 1e-12);
+  EXPECT_EQ(turn.body({0.4, -0.8}).y, -0.8);
+  const Face person = face_from_recipe(recipe_from_seed(5)).value();
+  EXPECT_GT(point_of(face_at(person, {"yaw=30"}), "neck/points/0").x,
+            point_of(person, "neck/points/0").x + 0.01);
+  EXPECT_EQ(point_of(face_at(person, {"pitch=20", "roll=9"}), "neck/points/0"),
+            point_of(person, "neck/points/0"));
+}
+
+TEST(Turn, RefusesABodyOrSkullOfNothing) {
+  const std::string text = test::text_of_face("toon");
+  for (const auto& [with, what] : std::initializer_list<std::pair<std::string, std::string>>{
+           {R"("skull": 0, )", "/turn/skull: a length of the head must be positive, got 0"},
+           {R"("body": {"share": 2, "radii": [1, 1], "features": []}, )",
+            "/turn/body/share: a share of the yaw lies between 0 and 1, got 2"},
+           {R"("body": {"share": 0.2, "radii": [1, -1], "features": []}, )",
+            "/turn/body/radii/1: a length of the head must be positive, got -1"},
+           {R"("body": {"share": 0.2, "radii": [1, 1], "features": ["swaeter"]}, )",
+            "/turn/body/features/0: no feature named \"swaeter\"; did you mean \"sweater\"?"}}) {
+    std::string changed = text;
+    changed.insert(changed.find("\"still\":"), with);
+    const Expected<Face> wrong = read_face_text(changed);
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(sentence(wrong.error()).find(what), std::string::npos) << sentence(wrong.error());
+  }
 }
 
 TEST(Turn, RollsRigidly_G4) {
