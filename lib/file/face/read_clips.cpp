@@ -211,11 +211,18 @@ std::vector<IdleChannel> read_life(const Reading& in, const JsonNode& node, cons
   return channels;
 }
 
+/// The words of a clip of life. A control may be called so, too: its array holds curves.
+const JsonNode* find_life(const Reading& in, const JsonNode& clip) {
+  const JsonNode* life = in.find(clip, "life");
+  if (!life || life->kind != JsonKind::array) return nullptr;
+  return life->count > 0 && in.tree.first(*life)->kind == JsonKind::object ? nullptr : life;
+}
+
 /// {CONTROL: CURVE, …}, {"tracks": {CONTROL: CURVE, …}, "additive": true}, or {"life": [WORD, …]}.
 Motion read_clip(Reading& in, const JsonNode& node, const FaceDraft& face) {
   in.expect(node, JsonKind::object);
   Motion clip{.name = in.name(node, in.tree.key(node)), .channels = {}};
-  if (const JsonNode* life = in.find(node, "life"); life && life->kind == JsonKind::array) {
+  if (const JsonNode* life = find_life(in, node)) {
     in.expect_object(node, {"life", "additive"}, "clip");
     if (const JsonNode* additive = in.find(node, "additive")) clip.additive = in.boolean(*additive);
     clip.idle = read_life(in, *life, face);

@@ -128,8 +128,10 @@ TEST(Idle, IsAClipOfAFace) {
     "canvas": {"x": [-1, 1], "y": [-1, 1], "y_axis": "up"}, "palette": {"ink": "#000000"}, "background": "ink",
     "features": [{"name": "dot", "kind": "disc", "side": "left", "paint": "ink", "center": [0.5, 0], "radius": 0.1}],
     "controls": [{"name": "yaw", "range": [-30, 30], "rest": 3, "offset": {"dot/center": [0, 1]}},
-                 {"name": "breath", "range": [0, 10], "rest": 0, "offset": {"dot/center": [1, 0]}}],
-    "clips": {"idle": {"life": ["head", "breath"]}, "more": {"life": ["head"], "additive": true}},
+                 {"name": "breath", "range": [0, 10], "rest": 0, "offset": {"dot/center": [1, 0]}},
+                 {"name": "life", "range": [0, 1], "rest": 0, "offset": {"dot/center": [0, 5]}}],
+    "clips": {"idle": {"life": ["head", "breath"]}, "more": {"life": ["head"], "additive": true},
+              "curves": {"life": [{"keys": [[0, 0.5]]}]}},
     "default_clip": "idle"})");
   const auto dot = [&](const Pose& pose) {
     return test::slice_of(pose_face(face, pose), "dot.left/center");
@@ -144,6 +146,7 @@ TEST(Idle, IsAClipOfAFace) {
   EXPECT_NEAR(dot({.time = t, .motions = {layer("idle=0.5")}, .seed = 7})[1], 0.5 * yaw, 1e-12);
   EXPECT_NEAR(dot({.time = t, .motions = {layer("idle"), layer("more=2")}, .seed = 7})[1], 3 * yaw,
               1e-12);
+  EXPECT_NEAR(dot({.time = t, .motions = {layer("curves")}})[1], 2.5, 1e-12) << "a control's name";
   EXPECT_NEAR(dot({.time = t + 2, .motions = {layer("idle=1@2")}, .seed = 7})[1], yaw, 1e-12);
   EXPECT_NEAR(dot({.time = t, .seed = 7, .liveliness = 0.5})[1], 0.5 * yaw, 1e-12);
   EXPECT_EQ(pose_face(face, {.time = t, .seed = 7, .liveliness = 0}).vector, face.vector);
