@@ -22,8 +22,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using F = hn::CappedTag<float, 16>;
 using VF = hn::Vec<F>;
 
-/// Adds to cells from `first` on, a vector of them: areas, and moments about their left top corners.
-HWY_INLINE void AddChord(const PartChord& c, float side, PartCells& to, size_t first, VF left,
+/// Areas, and moments about the left top corners.
+struct CellSums {
+  float *area, *x, *y;
+};
+
+/// Adds to a vector of cells with these corners, from `first` on.
+HWY_INLINE void AddChord(const PartChord& c, float side, const CellSums& to, size_t first, VF left,
                          VF top) {
   const F f;
   const auto set = [&](float v) HWY_ATTR { return hn::Set(f, v); };
@@ -49,9 +54,9 @@ HWY_INLINE void AddChord(const PartChord& c, float side, PartCells& to, size_t f
   const auto add = [&](float* sums, VF value) HWY_ATTR {
     hn::Store(Fused(by, value, hn::Load(f, sums + first)), f, sums + first);
   };
-  add(to.area.data(), Fused(in, right, left_of));
+  add(to.area, Fused(in, right, left_of));
   const VF more = hn::Mul(half, Fused(cell, cell, hn::Neg(m2)));
-  add(to.x.data(), Fused(in, more, hn::Mul(hn::Mul(half, cell), left_of)));
+  add(to.x, Fused(in, more, hn::Mul(hn::Mul(half, cell), left_of)));
   // Where along the height each piece lies.
   const auto forward = hn::Gt(u1, u0);
   const VF before_at = hn::Mul(half, before);
@@ -63,7 +68,24 @@ HWY_INLINE void AddChord(const PartChord& c, float side, PartCells& to, size_t f
   const VF covariance = hn::IfThenElse(level, zero, hn::Mul(hn::Mul(dy, over), spread));
   const VF turned = hn::IfThenElse(forward, covariance, hn::Neg(covariance));
   const VF inner = Fused(along(middle), right, hn::Neg(turned));
-  add(to.y.data(), Fused(in, inner, hn::Mul(left_of, along(before_at))));
+  add(to.y, Fused(in, inner, hn::Mul(left_of, along(before_at))));
+}
+
+/// Of moments centroids from the pixel's middle; of cells of no more area than `none` the middle.
+HWY_INLINE void SetCentroids(const CellSums& sums, size_t k, float cell, float none, VF left,
+                             VF top) {
+  const F f;
+  const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f * cell), most = hn::Set(f, cell * cell);
+  const VF sum = hn::Load(f, sums.area + k);
+  const auto any = hn::Gt(sum, hn::Set(f, none));
+  const VF over = hn::Div(hn::Set(f, 1.0f), hn::IfThenElse(any, sum, hn::Set(f, 1.0f)));
+  const auto centre = [&](float* moments, VF corner) HWY_ATTR {
+    const VF in = hn::Min(hn::Max(hn::Mul(hn::Load(f, moments + k), over), zero), hn::Set(f, cell));
+    const VF at = hn::Sub(hn::IfThenElse(any, in, half), hn::Set(f, 0.5f));
+    hn::Store(hn::Add(at, corner), f, moments + k);
+  };
+  centre(sums.x, left), centre(sums.y, top);
+  hn::Store(hn::IfThenElse(any, hn::Min(sum, most), zero), f, sums.area + k);
 }
 
 struct Corners {
@@ -88,11 +110,12 @@ void AddToRows(const PartChord& c, int side, PartCells& to) {
   if (!(c.yq > c.yp)) return;
   const F f;
   const Corners& corners = CornersOf(side);
+  const CellSums sums{to.area.data(), to.x.data(), to.y.data()};
   const int first = std::clamp(int(c.yp * float(side)), 0, side - 1),
             last = std::clamp(int(c.yq * float(side)), 0, side - 1);
   const size_t lanes = hn::Lanes(f);
   for (size_t k = size_t(first * side) / lanes * lanes; k < size_t((last + 1) * side); k += lanes)
-    AddChord(c, 1.0f / float(side), to, k, hn::Load(f, corners.left + k),
+    AddChord(c, 1.0f / float(side), sums, k, hn::Load(f, corners.left + k),
              hn::Load(f, corners.top + k));
 }
 
@@ -116,23 +139,38 @@ void CellsOfForm(const PartForm& form, int side, PartCells& to, bool coarse) {
   const float fine = coarse ? kCoarseChords : kFineChords;
   for (const PartStretch& s : form.stretches)
     for_each_chord(s, fine, [&](const PartChord& c) { AddToRows(c, side, to); });
-  constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
+  const CellSums sums{to.area.data(), to.x.data(), to.y.data()};
   const Corners& corners = CornersOf(side);
-  const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f * cell);
-  const VF most = hn::Set(f, cell * cell);
-  for (size_t k = 0; k < size_t(side * side); k += hn::Lanes(f)) {
-    const VF sum = hn::Load(f, &to.area[k]), area = hn::Min(sum, most);
-    const auto any = hn::Gt(sum, hn::Set(f, kNoArea));
-    const VF over = hn::Div(hn::Set(f, 1.0f), hn::IfThenElse(any, sum, hn::Set(f, 1.0f)));
-    const auto centre = [&](const float* sums, const float* corner) HWY_ATTR {
-      const VF in = hn::Min(hn::Max(hn::Mul(hn::Load(f, sums + k), over), zero), hn::Set(f, cell));
-      const VF at = hn::Sub(hn::IfThenElse(any, in, half), hn::Set(f, 0.5f));
-      return hn::Add(at, hn::Load(f, corner + k));
-    };
-    hn::Store(centre(to.x.data(), corners.left), f, &to.x[k]);
-    hn::Store(centre(to.y.data(), corners.top), f, &to.y[k]);
-    hn::Store(hn::IfThenElse(any, area, zero), f, &to.area[k]);
+  constexpr float kNoArea = 1e-6f;  // [px²] what rounding leaves of an empty area
+  for (size_t k = 0; k < size_t(side * side); k += hn::Lanes(f))
+    SetCentroids(sums, k, cell, kNoArea, hn::Load(f, corners.left + k),
+                 hn::Load(f, corners.top + k));
+}
+
+void SquaresOfForm(const PartForm& form, PartSquares& to) {
+  const F f;
+  constexpr float kRow = 1.0f / PartEntry::kRows;
+  for (size_t k = 0; k < PartSquares::kCount; ++k) {
+    // What enters a thirty-second does so at one stretch of it.
+    const auto row = size_t(HWY_MIN(to.top[k] / kRow, float(PartEntry::kRows - 1)));
+    const float height = form.left.height[row], half = 0.5f * HWY_MIN(std::abs(height), kRow);
+    const float middle =
+        (float(row) + 0.5f) * kRow + (half > 0.0f ? form.left.moment[row] / height : 0.0f);
+    const float from = HWY_MAX(middle - half - to.top[k], 0.0f),
+                until = HWY_MIN(middle + half - to.top[k], to.side);
+    const float enters = std::copysign(HWY_MAX(until - from, 0.0f), height);
+    to.area[k] = to.side * enters, to.x[k] = 0.5f * to.side * to.side * enters;
+    to.y[k] = to.side * enters * 0.5f * (from + until);
   }
+  const CellSums sums{to.area.data(), to.x.data(), to.y.data()};
+  for (const PartStretch& s : form.stretches)
+    for_each_chord(s, kFineChords, [&](const PartChord& c) {
+      for (size_t k = 0; c.yq > c.yp && k < PartSquares::kCount; k += hn::Lanes(f))
+        AddChord(c, to.side, sums, k, hn::Load(f, &to.left[k]), hn::Load(f, &to.top[k]));
+    });
+  const float none = 1e-3f * to.side * to.side;  // of these rounding leaves less
+  for (size_t k = 0; k < PartSquares::kCount; k += hn::Lanes(f))
+    SetCentroids(sums, k, to.side, none, hn::Load(f, &to.left[k]), hn::Load(f, &to.top[k]));
 }
 
 }  // namespace HWY_NAMESPACE
@@ -143,10 +181,15 @@ HWY_AFTER_NAMESPACE();
 namespace mien {
 namespace batch {
 HWY_EXPORT(CellsOfForm);
+HWY_EXPORT(SquaresOfForm);
 }  // namespace batch
 
 void cells_of_form(const PartForm& form, int side, PartCells& to, bool coarse) {
   MIEN_DISPATCH(CellsOfForm)(form, side, to, coarse);
+}
+
+void squares_of_form(const PartForm& form, PartSquares& to) {
+  MIEN_DISPATCH(SquaresOfForm)(form, to);
 }
 
 }  // namespace mien

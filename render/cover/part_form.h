@@ -57,6 +57,15 @@ struct PartCells {
 /// The whole pixel in side × side cells: 1, 2, 4, 8, 16 or 32.
 const PartCells& whole_cells(int side);
 
+/// Sixteen squares of the pixel, each within one of its thirty-seconds, and what a form has of them.
+struct PartSquares {
+  static constexpr std::size_t kCount = 16;
+  float side = 0;
+  alignas(64) std::array<float, kCount> left, top;   ///< corners, from the pixel's
+  alignas(64) std::array<float, kCount> area, x, y;  ///< as of cells
+};
+void squares_of_form(const PartForm& form, PartSquares& to);
+
 /// The form's cells. Within 2e-4 px² each; if they may be coarse, within 1e-3 px².
 void cells_of_form(const PartForm& form, int side, PartCells& to, bool coarse = false);
 

@@ -1,10 +1,10 @@
 #include "lib/rig/idle/idle.h"
 
 #include "lib/base/mixed_bits.h"
+#include "lib/math/chance.h"
 #include "lib/math/degrees.h"
 #include "lib/rig/idle/renewal.h"
 #include "lib/rig/idle/spring.h"
-#include "lib/rig/pose/chance.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,6 +1,6 @@
 #include "lib/rig/idle/renewal.h"
 
-#include "lib/rig/pose/chance.h"
+#include "lib/math/chance.h"
 
 #include <algorithm>
 #include <cmath>

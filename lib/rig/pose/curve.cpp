@@ -1,7 +1,7 @@
 #include "lib/rig/pose/curve.h"
 
+#include "lib/math/chance.h"
 #include "lib/math/degrees.h"
-#include "lib/rig/pose/chance.h"
 
 #include <algorithm>
 #include <cmath>

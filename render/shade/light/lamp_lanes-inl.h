@@ -19,7 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct LitColor {
   VF c[4];
   /// What the law clamps, minus the bound: colours have a kink where one of these is 0. In order: facing the lamp,
-  /// the highlight, the brightest channel; the other channels follow where that one is beyond 0.
+  /// the highlight (its power of 2, which varies evenly where the highlight does not), the brightest channel; the
+  /// other channels follow where that one is beyond 0.
   VF bounds[3];
   /// How far inside the ramp's colours are; less than 0 beyond its segment, where they are held.
   VF inside;
@@ -98,12 +99,13 @@ HWY_INLINE LitColor LitAt(const LampLanes& lamp, VF depth, VF nx, VF ny, VF x, V
   const VF inverse = hn::Div(Const(1.0f), hn::Sqrt(Fused(sx, sx, Fused(sy, sy, Const(1.0f)))));
   const VF lit = Towards(lamp.to_lamp, sx, sy, inverse), facing = hn::Max(lit, zero);
   const VF diffuse = Fused(facing, Const(lamp.diffuse), Const(lamp.ambient));
-  VF shine = zero, over = Const(-1.0f);
+  VF shine = zero, over = Const(-1e9f);
   if (lamp.shine > 0.0f) {
     const VF half = hn::Max(Towards(lamp.halfway, sx, sy, inverse), Const(1e-12f));
     const VF power = hn::Max(hn::Mul(Const(lamp.shininess), Log2(half)), Const(-126.0f));
-    over = hn::Sub(Exp2(power), Const(lamp.level_shine));
-    shine = hn::Mul(hn::Max(over, zero), Const(lamp.shine));
+    over = hn::Sub(power, Const(lamp.level_power));
+    const VF more = hn::Sub(Exp2(power), Const(lamp.level_shine));
+    shine = hn::Mul(hn::Max(more, zero), Const(lamp.shine));
   }
   const LitBase base = BaseAt(lamp, x, y, away);
   const auto channel = [&](VF light) HWY_ATTR {

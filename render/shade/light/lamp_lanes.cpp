@@ -46,8 +46,6 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
                  : round ? LampLanes::Rise::round
                          : LampLanes::Rise::constant;
   to.rise = float(flat ? 0.0 : round ? r.height / r.width : surface.rise(zone, 0.0));
-  // Over a round profile's width colours make all their change, some 100 levels with a bend of 4 / width².
-  to.bend = !flat && round ? float(1.6 / (r.width * r.width)) : 0.0f;
   to.width = float(r.width), to.one_over_width = float(1.0 / r.width);
   to.linear = surface.blend() == Blend::linear;
   const Mix& c = surface.paint().color;
@@ -55,7 +53,7 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
     const double v = c.a > 0.0 ? c[int(i)] / c.a : 0.0;
     to.light[i] = float(to.linear ? v : linear_from_srgb(v));
   }
-  to.alpha = float(c.a);
+  to.alpha = float(c.a), to.bend = 0.0f;
   to.distance_alone = false;
   set_ramp(surface.paint(), piece.segment, middle - surface.center(), to.ramp);
   // Where the picture is not in linear light a ramp is decoded, lit and encoded: it bends by up to the square of its
@@ -70,8 +68,15 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
   to.ambient = float(r.lamp.ambient());
   to.diffuse = float((1.0 - r.lamp.ambient()) / r.lamp.to_lamp().z);
   to.level_shine = float(r.lamp.level_shine()), to.shininess = float(r.lamp.shininess());
+  to.level_power = std::max(std::log2(to.level_shine), -126.0f);
   to.shine = float(r.lamp.specular() / (1.0 - r.lamp.level_shine()));
   if (!(r.lamp.specular() > 0.0)) to.shine = 0.0f;
+  // Over a round profile's width colours make all their change, some 100 levels with a bend of 4 / width²; or a
+  // highlight its own, of which as much counts as on domes.
+  constexpr float kDiffuse = 1.6f;
+  if (!flat && round)
+    to.bend += std::max(kDiffuse, LampLanes::kUsualBend * to.shine * to.shininess) /
+               float(r.width * r.width);
   to.domes.clear(), to.finest = 1e9f;
   for (const GridRelief::GridDome& dome : r.domes) {
     const glm::dvec2 at = surface.center() + dome.center - middle;

@@ -37,10 +37,13 @@ struct LampLanes {
   std::array<float, 3> to_lamp{}, halfway{};  ///< y DOWN
   float ambient = 0, diffuse = 1;             ///< (1 − ambient) / to_lamp.z
   float shine = 0;                            ///< specular / (1 − level_shine); 0: none
-  float level_shine = 0, shininess = 1;
+  float level_shine = 0, level_power = -126;  ///< and the power of 2 that it is
+  float shininess = 1;
   std::vector<LampDome> domes;  ///< that reach the tile
   float finest =
       1e9f;  ///< [px] half the width of the narrowest dome, or of the narrowest highlight on one
+  /// Of the most that a highlight's bends in both directions and its peak can be at once.
+  static constexpr float kUsualBend = 0.35f;
   /// [1/px²] What colours bend by over a round profile and along a ramp: second derivatives, white being 1.
   float bend = 0;
   LampRamp ramp;  ///< instead of `light`

@@ -5,7 +5,7 @@
 // A square of 16, 8 or 4 pixels is looked at by Gauss's 4 × 4 places. Where nothing breaks it (a ridge, a clamp of
 // the law, the steep outline of a round profile) and its terms of third degree are small, the means of its pixels and of
 // parts of them are those of the bicubic through these places, exactly. Else it is quartered. Pixels that are left are
-// looked at by 4 × 4 cells, cut by ridges; by 8 × 8 to 32 × 32 where those do not suffice (docs/derivations/light.md).
+// looked at by 4 × 4 cells, cut by ridges; by 8 × 8 to 128 × 128 where those do not suffice (docs/derivations/light.md).
 
 #include "render/cover/part_form.h"
 #include "render/shade/light/lamp_lanes.h"
@@ -40,6 +40,20 @@ struct LightGround {
   long long take_feet() { return std::exchange(area.feet, 0) + std::exchange(gradient.feet, 0); }
 };
 
+/// Where a pixel's cells are looked at: of all tiles of a thread.
+struct CellScratch {
+  static constexpr int kMost = 4 * PartCells::kMost;  ///< that are listed of a level
+  PartCells of_form;
+  std::array<std::uint16_t, kMost> listed, open;
+  /// What the open cells saw, and those whose quarters are listed: one and the other in turns.
+  using Colors = std::array<std::array<float, kMost>, 4>;
+  std::array<Colors, 2> colors;
+  bool turned = false;
+
+  Colors& of_open() { return colors[turned]; }
+  Colors& wholes() { return colors[!turned]; }
+};
+
 struct LightTile {
   static constexpr int kSide = 16, kPixels = kSide * kSide;
   static constexpr int kLevels = 5, kSquares = LightGround::kSquares;
@@ -71,15 +85,7 @@ struct LightTile {
   std::array<std::uint8_t, kPixels> known;
   std::array<std::array<float, kPixels>, kChannels> mean;
   float off = 0;  ///< what the answers since it was last 0 may be off by, of what a pixel may be
-  // Scratch.
-  PartCells cells;
-  std::array<std::uint16_t, PartCells::kMost> listed, open;  ///< of its cells
-  /// What the open cells saw, and those whose quarters are listed: one and the other in turns.
-  using CellColors = std::array<std::array<float, PartCells::kMost>, kChannels>;
-  std::array<CellColors, 2> cell_colors;
-  bool turned = false;
-  CellColors& of_open() { return cell_colors[turned]; }
-  CellColors& wholes() { return cell_colors[!turned]; }
+  CellScratch* scratch = nullptr;
 
   static constexpr int first_of(int level) { return ((1 << 2 * level) - 1) / 3; }
   static constexpr int square(int level, int i, int j) {

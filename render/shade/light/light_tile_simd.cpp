@@ -145,12 +145,48 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   return true;
 }
 
+/// What is seen at the corners of two by two pixels, three by three.
+void SeeCorners(LightTile& tile, int square, float cx, float cy, Shades& to) {
+  alignas(64) float x[16], y[16];
+  for (int k = 0; k < 16; ++k) {
+    const int corner = HWY_MIN(k, 8);
+    x[k] = cx + float(corner % 3 - 1), y[k] = cy + float(corner / 3 - 1);
+  }
+  Seen at;
+  SeeFrom(tile, NearOf(tile, square), cx, cy, x, y, at);
+  ShadePlaces(tile, at, x, y, to);
+}
+
+/// The most that pixel p's corners are off from what its four places foretell: beyond these a ridge may cut off a
+/// corner, or a curve end.
+float OffAtCorners(const Shades& places, const Shades& corners, int p, const Encoding& encoding,
+                   int channels) {
+  constexpr float kOut = 1.732050808f;  // [of the way to a place]
+  float most = 0.0f;
+  for (int c = 0; c < channels; ++c) {
+    const float* v = places.c[c] + 4 * p;
+    const float mean = 0.25f * ((v[0] + v[3]) + (v[1] + v[2])),
+                dx = 0.25f * kOut * ((v[1] - v[0]) + (v[3] - v[2])),
+                dy = 0.25f * kOut * ((v[2] - v[0]) + (v[3] - v[1])),
+                dxy = 0.25f * kOut * kOut * ((v[3] - v[2]) - (v[1] - v[0]));
+    for (int k = 0; k < 4; ++k) {
+      const float u = k & 1 ? 1.0f : -1.0f, w = k & 2 ? 1.0f : -1.0f;
+      const int corner = ((p >> 1) + (k >> 1)) * 3 + (p & 1) + (k & 1);
+      const float told = mean + u * dx + w * dy + u * w * dxy;
+      most = HWY_MAX(most, std::abs(corners.c[c][corner] - told) * encoding.by[c]);
+    }
+  }
+  return most;
+}
+
 /// Two by two pixels by Gauss's 2 × 2 places of each: exact for their cubics. Pixels that nothing breaks become known.
 void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   // [px] Places lie no farther from any other of their pixel; profiles are no quartics nearer to their outline.
   constexpr float kBetween = 0.45f, kDeep = 1.0f;
   // [of the tolerance] A clamp that begins in a pixel leaves a twelfth of its change; what varies so little bends less.
   constexpr float kKink = 10.0f, kRange = 64.0f;
+  // [of the tolerance] A corner that is cut off between the places leaves a tenth of what it is off by.
+  constexpr float kCorner = 17.0f;
   // [1/px] Of a gradient that turns by that, light's own turns count less than the range says.
   constexpr float kTurn = 0.35f, kPlace = 0.288675135f;
   if (tile.lamp.finest < 3.0f) return;
@@ -179,8 +215,9 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
     }
   }
   if (!(fits[0] || fits[1] || fits[2] || fits[3])) return;
-  Shades shades;
+  Shades shades, corners;
   ShadePlaces(tile, at, x, y, shades);
+  bool looked = false;
   for (int p = 0; p < 4; ++p) {
     if (!fits[p]) continue;
     alignas(64) float counts[16] = {};
@@ -199,6 +236,9 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
     for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * p + q]);
     if (wide > kRange * tile.tolerance || foot < 0.5f) continue;
     if (KinkAmong(tile, shades, counts, 0.5f) > kKink * tile.tolerance) continue;
+    if (!looked) SeeCorners(tile, me, cx, cy, corners), looked = true;
+    if (OffAtCorners(shades, corners, p, encoding, tile.channels) > kCorner * tile.tolerance)
+      continue;
     const int side = 2, i = square.i * side + (p & 1), j = square.j * side + (p >> 1);
     const size_t to = size_t(j * LightTile::kSide + i);
     for (int c = 0; c < tile.channels; ++c) tile.mean[size_t(c)][to] = mean[c];
@@ -274,14 +314,15 @@ void BySquare(LightTile& tile, const Square& square, int i, int j, const LitPart
   // A coefficient c bends by 12 c / side² per px²; centroids leave a part's variance, 1/12 at most, times half of that.
   if (kept.bend < 0.5f * side * side * tile.tolerance)
     return BicubicAt(kept, tile.channels, (u0 + part.x) * over, (v0 + part.y) * over, to);
-  cells_of_form(*part.form, 4, tile.cells, !tile.fine);
+  PartCells& cells = tile.scratch->of_form;
+  cells_of_form(*part.form, 4, cells, !tile.fine);
   float area = 0.0f;
   std::fill_n(to, LightTile::kChannels, 0.0f);
   for (size_t k = 0; k < 16; ++k) {
-    const float a = tile.cells.area[k];
+    const float a = cells.area[k];
     if (!(a > 0.0f)) continue;
     float c[LightTile::kChannels];
-    BicubicAt(kept, tile.channels, (u0 + tile.cells.x[k]) * over, (v0 + tile.cells.y[k]) * over, c);
+    BicubicAt(kept, tile.channels, (u0 + cells.x[k]) * over, (v0 + cells.y[k]) * over, c);
     for (int q = 0; q < tile.channels; ++q) to[q] += a * c[q];
     area += a;
   }

@@ -31,6 +31,7 @@ struct LitPaint::Scratch::Kept {
   static constexpr std::size_t kTiles = 512;
   std::vector<std::unique_ptr<LightTile>> tiles{kTiles};
   std::vector<std::unique_ptr<LightGround>> grounds{kTiles};
+  CellScratch cells;
   std::vector<Doubt> doubts;
   long long feet = 0;
   double seconds = 0;
@@ -105,7 +106,8 @@ LightTile* LitPaint::tile(const LitPiece& piece, int x, int y, Scratch& scratch)
     if (!known) kept.feet += ground->take_feet(), ground->whose = whose, ++ground->made;
     if (!known || t.ground != ground.get() || t.of_ground != ground->made ||
         t.segment != piece.segment) {
-      t.ground = ground.get(), t.of_ground = ground->made, t.segment = piece.segment;
+      t.ground = ground.get(), t.of_ground = ground->made, t.segment = piece.segment,
+      t.scratch = &kept.cells;
       t.x = left, t.y = top, t.side = side;
       make_tile(piece, t, !known);
     }

@@ -31,7 +31,8 @@ struct Near {
 
 struct Shades {
   alignas(64) float c[LightTile::kChannels][16];
-  alignas(64) float bounds[3][16];
+  alignas(64) float bounds[3][16],
+      upper[3][16];  ///< and where two depths are looked at the greater ones
   alignas(64) float foot[16], inside[16];
 };
 
@@ -89,7 +90,8 @@ HWY_INLINE RidgeLanes RidgeAt(const LightTile& tile, const Seen& at, int k) {
 HWY_INLINE void PutColor(const LitColor& color, int k, Shades& to) {
   const F f;
   for (int c = 0; c < LightTile::kChannels; ++c) hn::Store(color.c[c], f, to.c[c] + k);
-  for (int b = 0; b < 3; ++b) hn::Store(color.bounds[b], f, to.bounds[b] + k);
+  for (int b = 0; b < 3; ++b)
+    hn::Store(color.bounds[b], f, to.bounds[b] + k), hn::Store(color.bounds[b], f, to.upper[b] + k);
   hn::Store(color.foot, f, to.foot + k), hn::Store(color.inside, f, to.inside + k);
 }
 
@@ -171,9 +173,11 @@ HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* 
   if (lamp.distance_alone) return 0.0f;
   float less[3], most = 0.0f;  // of what is clamped
   for (int b = 0; b < 3; ++b) {
-    const Range range = RangeOf16(s.bounds[b], there);
+    const Range range{RangeOf16(s.bounds[b], there).low, RangeOf16(s.upper[b], there).high};
     const float beyond = margin * (range.high - range.low);
-    less[b] = HWY_MAX(HWY_MIN(range.high + beyond, beyond - range.low), 0.0f);
+    const float up = HWY_MAX(range.high + beyond, 0.0f), down = HWY_MAX(beyond - range.low, 0.0f);
+    less[b] = b == 1 ? lamp.level_shine * HWY_MIN(std::exp2(up) - 1.0f, 1.0f - std::exp2(-down))
+                     : HWY_MIN(up, down);
     most = HWY_MAX(most, less[b]);
   }
   // Beyond a ramp's segment its colours are held: no place of it has them. Floats of places within are off by less.

@@ -84,18 +84,20 @@ class Gathering {
     // [radii] Floats place what is as long as that to within 1e-4 px.
     constexpr double kLong = 64.0;
     const bool single = has_one_foot(s, from, to, far);
-    if (length > kLong * radius_ ||
-        (!single && length > std::max(kShort * radius_, kShortFar * far)))
-      return cut_at(0.5 * (from + to), from, to, key_from, key_to);
-    // Cut at its vertex a parabola has one least distance within each half.
+    // Cut at its vertex a parabola has one least distance within each half. A stretch that is cut at all is cut there,
+    // or a middle could happen to be the vertex and be taken for a mere joint.
     constexpr double kTurns = 0.05;  // [px]
     const double bend2 = s.x2 * s.x2 + s.y2 * s.y2;
     const double vertex = bend2 > 0.0 ? -0.5 * (s.x1 * s.x2 + s.y1 * s.y2) / bend2 : from;
     const double margin = 0.02 * (to - from);
-    if (!single && length > kTurns && vertex > from + margin && vertex < to - margin) {
+    const bool turns = vertex > from + margin && vertex < to - margin;
+    const bool is_long = length > kLong * radius_ ||
+                         (!single && length > std::max(kShort * radius_, kShortFar * far));
+    if (turns && (is_long || (!single && length > kTurns))) {
       turn_ = vertex;
       return cut_at(vertex, from, to, key_from, key_to);
     }
+    if (is_long) return cut_at(0.5 * (from + to), from, to, key_from, key_to);
     if (to_.count == Branches::kMost)
       to_.crowded = true;
     else
@@ -126,36 +128,37 @@ class Gathering {
                                   : along_spine(outline_.spines[outline_.before[now_]], 1.0);
     const double by = to - from;
     const glm::dvec2 begin = on_spine(s, from) - middle_, way = by * along_spine(s, from);
-    const double figures[Branches::kRows] = {begin.x,
-                                             way.x,
-                                             by * by * s.x2,
-                                             begin.y,
-                                             way.y,
-                                             by * by * s.y2,
-                                             width_on_spine(s, from),
-                                             by * (s.w1 + 2.0 * from * s.w2),
-                                             by * by * s.w2,
-                                             from > 0.0 ? -kLap : 0.0,
-                                             to < 1.0 ? 1.0 + kLap : 1.0,
-                                             -from / by,
-                                             (1.0 - from) / by,
-                                             from == turn_ ? -kLap : -from / by,
-                                             to == turn_ ? 1.0 + kLap : (1.0 - from) / by,
-                                             s.side,
-                                             s.begin_x,
-                                             s.begin_y,
-                                             s.end_x,
-                                             s.end_y,
-                                             next.x,
-                                             next.y,
-                                             before.x,
-                                             before.y,
-                                             single                       ? 1.0
-                                             : s.w1 == 0.0 && s.w2 == 0.0 ? 0.0
-                                                                          : -1.0,
-                                             start,
-                                             0.0,
-                                             0.0};
+    const double figures[Branches::kRows] = {
+        begin.x,
+        way.x,
+        by * by * s.x2,
+        begin.y,
+        way.y,
+        by * by * s.y2,
+        width_on_spine(s, from),
+        by * (s.w1 + 2.0 * from * s.w2),
+        by * by * s.w2,
+        from > 0.0 ? -kLap : 0.0,
+        to < 1.0 ? 1.0 + kLap : 1.0,
+        -from / by,
+        (1.0 - from) / by,
+        turn_ >= 0.0 && from >= turn_ ? (turn_ - from) / by - kLap : -from / by,
+        turn_ >= 0.0 && to <= turn_ ? (turn_ - from) / by + kLap : (1.0 - from) / by,
+        s.side,
+        s.begin_x,
+        s.begin_y,
+        s.end_x,
+        s.end_y,
+        next.x,
+        next.y,
+        before.x,
+        before.y,
+        single                       ? 1.0
+        : s.w1 == 0.0 && s.w2 == 0.0 ? 0.0
+                                     : -1.0,
+        start,
+        0.0,
+        0.0};
     float* column = to_.figures.data() + to_.count++;
     for (int r = 0; r < Branches::kRows; ++r) column[r * Branches::kStride] = float(figures[r]);
   }

@@ -12,6 +12,7 @@
 #endif
 
 #include "sdf/distance/feet/branches.h"
+#include "sdf/distance/lanes/depressed_cubic-inl.h"
 #include "sdf/distance/lanes/fma-inl.h"
 
 #include <bit>
@@ -153,6 +154,30 @@ HWY_INLINE std::uint64_t BitsOf(M mask, int k) {
   return std::uint64_t(bytes[0] | bytes[1] << 8) << k;
 }
 
+/// The foot on that half of a parabola, by the roots of its cubic, to 1.2e-5 of τ (depressed_cubic-inl.h): with τ = t −
+/// the vertex's, f = 2 |x₂|² (τ³ + 3 P τ − S). On the place's own half it is the largest root. On the other one it is the least distance that a place beyond the
+/// centre of curvature has there, which the rest of the cubic gives; if that has no roots, the vertex.
+HWY_INLINE VF FootOnHalf(const BranchLanes& c, VF x, VF y) {
+  const F f;
+  const VF zero = hn::Zero(f), half = hn::Set(f, 0.5f);
+  const VF bend2 = hn::Max(Fused(c.x2, c.x2, hn::Mul(c.y2, c.y2)), hn::Set(f, 1e-20f));
+  const VF over = hn::Div(half, bend2);
+  const VF vertex = hn::Neg(hn::Mul(over, Fused(c.x1, c.x2, hn::Mul(c.y1, c.y2))));
+  const Reached at = ReachedAt(c, x, y, vertex);
+  const VF hand = hn::CopySign(hn::Set(f, 1.0f), hn::Sub(half, vertex));
+  const VF bends = Fused(at.ex, c.x2, hn::Mul(at.ey, c.y2));
+  const VF p =
+      hn::Mul(hn::Mul(over, hn::Set(f, 1.0f / 3)), Fused(hn::Set(f, 2.0f), bends, at.speed2));
+  const VF s = hn::Neg(hn::Mul(hn::Mul(hand, at.along), over)), away = hn::Abs(s);
+  // Four times the same: compilers see that.
+  const VF root = LargestRoot(f, Pack<VF>{p, p, p, p}, Pack<VF>{away, away, away, away}).a;
+  const VF rest = Fused(hn::Set(f, -3.0f), hn::Mul(root, root), hn::Mul(hn::Set(f, -12.0f), p));
+  const VF other = hn::Mul(half, hn::Add(root, hn::Sqrt(hn::Max(rest, zero))));
+  const VF beyond = hn::IfThenElse(hn::Gt(rest, zero), other, zero);
+  const VF t = Fused(hand, hn::IfThenElse(hn::Ge(s, zero), root, beyond), vertex);
+  return hn::Min(hn::Max(t, c.low), c.high);
+}
+
 /// |p − B| − w.
 HWY_INLINE VF KeyAt(const BranchLanes& c, VF x, VF y, VF t) {
   const VF ex = hn::Sub(Fused(t, Fused(t, c.x2, c.x1), c.x0), x);
@@ -203,7 +228,11 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
                  Fused(y, at_row(Branches::foot_y), at_row(Branches::foot)));
     t = hn::Min(hn::Max(t, c.low), c.high);
     const auto single = hn::Gt(at_row(Branches::single), zero);
-    if (!hn::AllTrue(f, single)) t = hn::IfThenElse(single, t, BestStart(c, x, y, t));
+    if (!hn::AllTrue(f, single)) {
+      const VF start = FootOnHalf(c, x, y);
+      const auto tapers = hn::Lt(at_row(Branches::single), zero);
+      t = hn::IfThenElse(single, t, hn::IfThenElse(tapers, BestStart(c, x, y, t), start));
+    }
     for (int i = 0; i < 2; ++i) t = Stepped<kStroke>(c, x, y, t);
     const Reached at = ReachedAt(c, x, y, t);
     const Slope s = SlopeAt<kStroke>(c, at, t);
@@ -213,8 +242,8 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
     // on a stretch whose width changes and which may have another foot somewhere in the square.
     const VF speed2 = hn::Mul(at.speed2, s.scale);
     const auto steady = hn::Gt(s.rise, hn::Mul(speed2, hn::Set(f, 0.35f)));
-    const auto turns_low = hn::Gt(at_row(Branches::least), at_row(Branches::first));
-    const auto turns_high = hn::Lt(at_row(Branches::most), at_row(Branches::last));
+    const auto turns_low = hn::Ge(at_row(Branches::least), c.low);
+    const auto turns_high = hn::Le(at_row(Branches::most), c.high);
     const auto joint_low = hn::AndNot(hn::Or(first, turns_low), held_low);
     const auto joint_high = hn::AndNot(hn::Or(last, turns_high), held_high);
     auto out = hn::And(steady, hn::Or(joint_low, joint_high));
@@ -266,14 +295,22 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   return found;
 }
 
+/// [px] By so much less than another a side that ends is nearest.
+inline constexpr float kTie = 1e-5f;
+/// `moves` of a side that ends at a corner before the place comes to it.
+inline constexpr float kEndsAtCorner = 0.5f;
+/// The cosine of half the angle that a joint is no corner up to.
+inline constexpr float kSmoothJoint = 0.9998f;
+
 /// What one vector of places sees of a spine's branch.
 struct Sight {
   VF key, nx, ny;  ///< k and its gradient
-  VF sign;         ///< −1 inside a path
+  VF beyond;  ///< k where it is nearest, seen from here: of a side that ends before, its line's
+  VF sign;    ///< −1 inside a path
   VF off, ex,
       ey;     ///< of strokes: how far the spine is, where it mirrors the gradient; the way to it
   VF across;  ///< of strokes: the gradient's share across the spine
-  VF moves;   ///< 1: this is no foot yet, or none of the outline's
+  VF moves;  ///< 1: this is no foot yet, or none of the outline's; less: its side ends at a corner before
 };
 
 template <bool kStroke>
@@ -286,6 +323,8 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   VF t = Fused(hn::Sub(x, set(cx)), set(feet.x[k]),
                Fused(hn::Sub(y, set(cy)), set(feet.y[k]), set(feet.t[k])));
   t = hn::Min(hn::Max(t, c.low), c.high);
+  const float single = b.row(Branches::single)[k];
+  if (single == 0.0f) t = FootOnHalf(c, x, y);
   const VF bend2 = hn::Mul(set(9.0f), Fused(c.x2, c.x2, Fused(c.y2, c.y2, hn::Mul(c.w2, c.w2))));
   constexpr int kMostSteps = 8;
   // Each place by itself, so that vectors of any width take the same steps.
@@ -298,7 +337,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     t = next;
     if (hn::AllFalse(f, goes)) break;
   }
-  if (!(b.row(Branches::single)[k] > 0.0f)) t = NearerFoot<kStroke>(c, x, y, t);
+  if (single < 0.0f) t = NearerFoot<kStroke>(c, x, y, t);
   const Reached at = ReachedAt(c, x, y, t);
   const VF qx = hn::Neg(at.ex), qy = hn::Neg(at.ey);
   const VF over = hn::Div(one, hn::Sqrt(hn::Add(at.speed2, set(1e-20f))));
@@ -317,7 +356,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
     const VF turned = hn::Sqrt(hn::Max(FusedFrom(lean, lean, one), zero));
     const VF side = hn::Mul(hand, turned);
     const VF r = hn::Sqrt(r2);
-    s.key = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
+    s.key = s.beyond = hn::Sub(r, Fused(t, Fused(t, c.w2, c.w1), c.w0)), s.sign = one;
     s.nx = FusedFrom(lean, ny, hn::Mul(side, nx)), s.ny = Fused(lean, nx, hn::Mul(side, ny));
     s.off = hn::Abs(across);
     // Where the spine comes to a halt and turns back B' gives no normal, but the way from the foot does.
@@ -335,7 +374,7 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   }
   const auto row = [&](Branches::Row which) HWY_ATTR { return set(b.row(which)[k]); };
   const VF r = hn::Sqrt(r2);  // no less than the least, wherever the foot is
-  s.key = r, s.sign = hn::Mul(hand, row(Branches::side));
+  s.key = s.beyond = r, s.sign = hn::Mul(hand, row(Branches::side));
   s.nx = hn::Mul(hand, nx), s.ny = hn::Mul(hand, ny);
   s.off = set(BranchPair::kFar), s.ex = one, s.ey = zero, s.across = zero;
   if (!ends) return s;
@@ -353,11 +392,29 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
   const VF back = Fused(qx, row(Branches::before_x), hn::Mul(qy, row(Branches::before_y)));
   const auto passes = hn::IfThenElse(end, on, hn::Neg(back));
   const auto goes_on = hn::AndNot(inner, hn::Gt(passes, zero));
-  s.moves = hn::IfThenElse(goes_on, one, s.moves);
-  s.sign = hn::IfThenElse(inner, s.sign, beside);
-  s.nx = hn::IfThenElse(inner, s.nx, ox), s.ny = hn::IfThenElse(inner, s.ny, oy);
+  // But beyond a corner's bisector it is. Of a smooth joint the own normal is next to that between the two.
+  const auto turns_on = hn::Lt(hn::Abs(Fused(nx, px, hn::Mul(ny, py))), set(kSmoothJoint));
+  const auto corner = hn::And(goes_on, turns_on);
+  s.moves = hn::IfThenElse(
+      goes_on, hn::IfThenElse(corner, hn::Max(s.moves, set(kEndsAtCorner)), one), s.moves);
+  s.key = hn::IfThenElse(corner, hn::Add(s.key, set(kTie)), s.key);
+  s.beyond = hn::IfThenElse(corner, hn::Abs(across), s.beyond);
+  const auto own = hn::Or(inner, corner);
+  s.sign = hn::IfThenElse(own, s.sign, beside);
+  s.nx = hn::IfThenElse(own, s.nx, ox), s.ny = hn::IfThenElse(own, s.ny, oy);
   return s;
 }
+
+/// What may be the runner-up, once the best is known.
+struct Candidate {
+  alignas(64) float beyond[16], nx[16], ny[16], sign[16], moves[16];
+
+  HWY_INLINE void put(const Sight& s) {
+    const F f;
+    hn::Store(s.beyond, f, beyond), hn::Store(s.nx, f, nx), hn::Store(s.ny, f, ny);
+    hn::Store(s.sign, f, sign), hn::Store(s.moves, f, moves);
+  }
+};
 
 /// The pair that sixteen places see of these branches, from their feet at (cx, cy).
 template <bool kStroke>
@@ -366,30 +423,41 @@ HWY_INLINE void LookAt(const Branches& b, std::uint64_t which, const BranchFeet&
   const F f;
   const VF far = hn::Set(f, BranchPair::kFar), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
   const VF alike = hn::Set(f, 4e-4f);  // [of |n − n'|²] one branch's
+  Candidate seen[Branches::kMost];
   for (int k = 0; k < BranchPair::kPlaces; k += int(hn::Lanes(f))) {
     const VF x = hn::LoadU(f, px + k), y = hn::LoadU(f, py + k);
-    Sight best{far, one, zero, one, far, one, zero, zero, zero}, next = best;
+    Sight best{far, one, zero, far, one, far, one, zero, zero, zero}, next = best;
+    int count = 0;
     for (std::uint64_t rest = which; rest; rest &= rest - 1) {
-      const int i = std::countr_zero(rest);
-      const Sight now = SightOf<kStroke>(b, i, feet, cx, cy, x, y);
+      const Sight now = SightOf<kStroke>(b, std::countr_zero(rest), feet, cx, cy, x, y);
+      seen[count++].put(now);
       const auto nearer = hn::Lt(now.key, best.key);
       const auto pick = [&](VF a, VF c) HWY_ATTR { return hn::IfThenElse(nearer, a, c); };
-      const VF lost_key = pick(best.key, now.key), lost_x = pick(best.nx, now.nx),
-               lost_y = pick(best.ny, now.ny), lost_sign = pick(best.sign, now.sign),
-               lost_moves = pick(best.moves, now.moves);
-      best = {
-          pick(now.key, best.key),   pick(now.nx, best.nx),         pick(now.ny, best.ny),
-          pick(now.sign, best.sign), pick(now.off, best.off),       pick(now.ex, best.ex),
-          pick(now.ey, best.ey),     pick(now.across, best.across), pick(now.moves, best.moves)};
-      const VF dx = hn::Sub(best.nx, lost_x), dy = hn::Sub(best.ny, lost_y);
-      // A foot that still moves may be on its way to the best one.
-      const auto settled = hn::Eq(lost_moves, zero);
-      const auto other = hn::And(hn::And(hn::Gt(Fused(dx, dx, hn::Mul(dy, dy)), alike), settled),
-                                 hn::Lt(lost_key, next.key));
-      next.key = hn::IfThenElse(other, lost_key, next.key);
-      next.nx = hn::IfThenElse(other, lost_x, next.nx);
-      next.ny = hn::IfThenElse(other, lost_y, next.ny);
-      next.sign = hn::IfThenElse(other, lost_sign, next.sign);
+      best = {pick(now.key, best.key),       pick(now.nx, best.nx),
+              pick(now.ny, best.ny),         pick(now.beyond, best.beyond),
+              pick(now.sign, best.sign),     pick(now.off, best.off),
+              pick(now.ex, best.ex),         pick(now.ey, best.ey),
+              pick(now.across, best.across), pick(now.moves, best.moves)};
+    }
+    // The runner-up is not who comes next, but whose ridge is nearest: (d' − d)² / |n' − n|² is least.
+    VF gap2 = hn::Mul(far, far), turn2 = one;
+    for (int i = 0; i < count && count > 1; ++i) {
+      const Candidate& c = seen[i];
+      const VF key = hn::Load(f, c.beyond), nx = hn::Load(f, c.nx), ny = hn::Load(f, c.ny),
+               sign = hn::Load(f, c.sign), moves = hn::Load(f, c.moves);
+      const VF dx = hn::Sub(best.nx, nx), dy = hn::Sub(best.ny, ny), gap = hn::Sub(key, best.key);
+      const VF own_gap2 = hn::Mul(gap, gap), own_turn2 = Fused(dx, dx, hn::Mul(dy, dy));
+      // What sees the place from the other side, or comes nearer than the best foot, has its corner turned away. A foot
+      // that still moves may be on its way to the best one.
+      const auto corner = hn::And(hn::Eq(moves, hn::Set(f, kEndsAtCorner)),
+                                  hn::And(hn::Eq(sign, best.sign), hn::Ge(gap, zero)));
+      const auto sooner = hn::Lt(hn::Mul(own_gap2, turn2), hn::Mul(gap2, own_turn2));
+      const auto other =
+          hn::And(hn::And(hn::Gt(own_turn2, alike), sooner), hn::Or(hn::Eq(moves, zero), corner));
+      const auto take = [&](VF a, VF of_next)
+                            HWY_ATTR { return hn::IfThenElse(other, a, of_next); };
+      gap2 = take(own_gap2, gap2), turn2 = take(own_turn2, turn2), next.key = take(key, next.key);
+      next.nx = take(nx, next.nx), next.ny = take(ny, next.ny), next.sign = take(sign, next.sign);
     }
     const VF dx = hn::Sub(best.nx, next.nx), dy = hn::Sub(best.ny, next.ny);
     const VF over = hn::Div(one, hn::Sqrt(Fused(dx, dx, Fused(dy, dy, hn::Set(f, 1e-12f)))));

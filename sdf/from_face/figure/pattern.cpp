@@ -1,8 +1,8 @@
 #include "pattern_private.h"
 
 #include "face_numbers_private.h"
+#include "lib/math/chance.h"
 #include "lib/rig/eye/lid.h"
-#include "lib/rig/pose/chance.h"
 #include "smooth_curve_private.h"
 
 #include <algorithm>

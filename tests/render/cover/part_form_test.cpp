@@ -49,6 +49,39 @@ TEST(PartForm, GivesCellsTheirAreasAndCentroids) {
   }
 }
 
+/// Squares of a 64th and a 128th, one by one, have together what the cell of a thirty-second has: areas and moments, of
+/// what enters from the left, too.
+TEST(PartForm, GivesSmallSquaresWhatTheirCellHas) {
+  test::Random random(6);
+  for (int k = 0; k < 200; ++k) {
+    const float a = float(random.between(0, 1)), b = float(random.between(0, 1));
+    const float top = float(random.between(0, 0.4)), bottom = float(random.between(0.6, 1));
+    const float m = 0.5f * (a + b) + float(random.between(-0.1, 0.1));
+    const PartStretch stretch{a, top, m, 0.5f * (top + bottom), b, bottom, k % 2 ? -1.0f : 1.0f};
+    PartForm form{.stretches = {&stretch, 1}};
+    if (k % 2) form.left.add({0, 0.01f, 0, 0.5f, 0, 0.99f, 1});
+    PartCells cells;
+    cells_of_form(form, 32, cells);
+    const std::size_t cell = std::size_t(random.below(1024));
+    const int by = 2 << k % 2;  // and each way
+    PartSquares squares;
+    squares.side = 1.0f / float(32 * by);
+    for (std::size_t i = 0; i < PartSquares::kCount; ++i) {
+      squares.left[i] = float(cell % 32) / 32 + float(int(i) % by) * squares.side;
+      squares.top[i] = float(cell / 32) / 32 + float(int(i) / by % by) * squares.side;
+    }
+    squares_of_form(form, squares);
+    double area = 0, x = 0, y = 0;
+    for (std::size_t i = 0; i < std::size_t(by * by); ++i) {
+      area += squares.area[i];
+      x += squares.area[i] * squares.x[i], y += squares.area[i] * squares.y[i];
+    }
+    EXPECT_NEAR(area, cells.area[cell], 3e-6) << k;
+    EXPECT_NEAR(x, cells.area[cell] * cells.x[cell], 3e-6) << k;
+    EXPECT_NEAR(y, cells.area[cell] * cells.y[cell], 3e-6) << k;
+  }
+}
+
 TEST(PartForm, IsWhatEntersFromTheLeftLessWhatStretchesTake) {
   const PartStretch entry{0.3f, 0.25f, 0.4f, 0.5f, 0.5f, 0.75f, 1};
   PartEntry left;

@@ -38,9 +38,10 @@ TEST(LightTile, ColoursAreTheSurfacesOwn) {
       if (surface.flat(zone)) continue;
       const LitPiece piece(zone, ramp ? &segment : nullptr);
       const FeetArea area(*surface.area(), {0, 0});
+      CellScratch scratch;
       LightGround ground;
       LightTile tile;
-      tile.ground = &ground;
+      tile.ground = &ground, tile.scratch = &scratch;
       tile.x = tile.y = 16, tile.rises = true, tile.channels = 4, tile.tolerance = 1e-3f;
       set_lamp(surface, piece, kMiddle, 12, tile.lamp);
       ground.area.narrow(area, kMiddle, 12);
@@ -75,9 +76,10 @@ class SmoothMeans {
     if (surface.flat(zone)) return;
     const LitPiece piece(zone, nullptr);
     const FeetArea area(*surface.area(), {0, 0});
+    CellScratch scratch;
     LightGround ground;
     LightTile tile;
-    tile.ground = &ground;
+    tile.ground = &ground, tile.scratch = &scratch;
     tile.x = tile.y = 16, tile.rises = true, tile.channels = 3, tile.tolerance = kTolerance;
     set_lamp(surface, piece, kMiddle, 12, tile.lamp);
     ground.area.narrow(area, kMiddle, 12);

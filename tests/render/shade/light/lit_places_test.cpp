@@ -42,14 +42,14 @@ struct Sixteen {
   double half = 2.0;  ///< of the square's side [px]
   std::array<float, 16> x{}, y{};
   BranchPair seen{};
+  glm::dvec2 middle{0.0};
 
   bool look(const AreaDistance& distance, test::Random& random) {
     const FeetArea feet(distance, {0, 0});
     NearArea area;
     area.narrow(feet, kAround, 12.0);
     if (area.crowded()) return false;
-    const glm::dvec2 middle =
-        random.between(0.0, std::max(0.0, 12.0 - 1.5 * half)) * random.direction();
+    middle = random.between(0.0, std::max(0.0, 12.0 - 1.5 * half)) * random.direction();
     for (std::size_t k = 0; k < 16; ++k) {
       x[k] = float(middle.x + random.between(-half, half));
       y[k] = float(middle.y + random.between(-half, half));
@@ -66,18 +66,39 @@ glm::dvec2 gradient(const BranchPair::Values& v, std::size_t k) {
   return {v.nx[k], v.ny[k]};
 }
 
-AreaDistance random_triangle(test::Random& random) {
-  Path path{{Path::Loop{}}, FillRule::nonzero};
-  const double turn = random.between(0, 6);
-  const auto corner = [&](int i) {
-    const double at = turn + 2.0943951023931953 * (i % 3);
-    return kAround + 9.0 * glm::dvec2{std::cos(at), std::sin(at)};
-  };
-  for (int i = 0; i < 3; ++i)
-    path.loops[0].sides.push_back({corner(i), 0.5 * (corner(i) + corner(i + 1)), corner(i + 1)});
+AreaDistance area_of_loop(const Path::Loop& loop) {
   SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
-  const Area area = scene.shape(path);
+  const Area area = scene.shape(Path{{loop}, FillRule::nonzero});
   return AreaDistance(std::move(scene).finish(), area, {});
+}
+
+AreaDistance random_polygon(test::Random& random, int corners) {
+  Path::Loop loop;
+  const double turn = random.between(0, 6), step = 6.283185307179586 / corners;
+  std::vector<glm::dvec2> at;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = turn + step * (i + random.between(0.0, 0.8));
+    at.push_back(kAround + glm::dvec2{9.0 * std::cos(angle), 5.0 * std::sin(angle)});
+  }
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const glm::dvec2 next = at[(i + 1) % at.size()];
+    loop.sides.push_back({at[i], 0.5 * (at[i] + next), next});
+  }
+  return area_of_loop(loop);
+}
+
+/// A thin parabola, whose vertex is the middle of its side, closed by a line.
+struct ThinParabola {
+  glm::dvec2 tip, way;
+  AreaDistance area;
+};
+ThinParabola random_parabola(test::Random& random) {
+  const glm::dvec2 way = random.direction(), across{-way.y, way.x};
+  const glm::dvec2 tip = kAround + random.between(0, 4) * random.direction();
+  const double half = random.between(0.3, 3.0);
+  const glm::dvec2 begin = tip + 30.0 * way + half * across, end = tip + 30.0 * way - half * across;
+  return {tip, way,
+          area_of_loop({{{begin, tip - 30.0 * way, end}, {end, 0.5 * (begin + end), begin}}})};
 }
 
 constexpr std::array kHalves{0.5, 2.0, 8.0};
@@ -113,7 +134,7 @@ TEST(LitPlaces, RidgesLieWhereBothBranchesAreEquallyFar) {
     test::Random random(32);
     int ridges = 0, off = 0;
     for (int k = 0; k < 400; ++k) {
-      const AreaDistance area = random_triangle(random);
+      const AreaDistance area = random_polygon(random, 3);
       Sixteen at;
       ASSERT_TRUE(at.look(area, random));
       for (std::size_t i = 0; i < 16; ++i) {
@@ -130,6 +151,61 @@ TEST(LitPlaces, RidgesLieWhereBothBranchesAreEquallyFar) {
     }
     EXPECT_GT(ridges, 500);
     EXPECT_LT(off, 0.1 * ridges);  // a third side, or a corner, may be nearer there
+  });
+}
+
+/// Sides that end at an obtuse corner come nearest beyond its bisector without a foot here, and whose ridge is nearest
+/// need not be the second nearest.
+TEST(LitPlaces, NoRidgeIsNearerThanTheOneThatIsSeen) {
+  test::on_every_set([] {
+    test::Random random(33);
+    int looked = 0;
+    for (int k = 0; k < 400; ++k) {
+      const AreaDistance area = random_polygon(random, 5 + k % 4);
+      Sixteen at{.half = kHalves[std::size_t(k % 2)]};
+      ASSERT_TRUE(at.look(area, random));
+      for (std::size_t i = 0; i < 16; ++i) {
+        if (at.seen.best.d[i] > -0.01f) continue;
+        const double way = std::min(0.98 * double(at.seen.off[i]), 2.0);
+        for (int turn = 0; turn < 8; ++turn) {
+          const double angle = 0.7853981633974483 * turn;
+          const glm::dvec2 to = way * glm::dvec2{std::cos(angle), std::sin(angle)};
+          const double on = at.seen.best.d[i] + glm::dot(gradient(at.seen.best, i), to);
+          const glm::dvec2 out = at.place(i) + to - kAround - at.middle;
+          if (on > 0.0 || std::max(std::abs(out.x), std::abs(out.y)) > at.half) continue;
+          ++looked;
+          EXPECT_NEAR(area.at(at.place(i) + to), on, 2e-3) << k << " " << i << " " << turn;
+        }
+      }
+    }
+    EXPECT_GT(looked, 10000);
+  });
+}
+
+/// Within a thin parabola each half has a foot of its own.
+TEST(LitPlaces, HalvesOfAParabolaHaveFeetOfTheirOwn) {
+  test::on_every_set([] {
+    test::Random random(34);
+    int inside = 0;
+    for (int k = 0; k < 600; ++k) {
+      const ThinParabola thin = random_parabola(random);
+      Sixteen at{.half = kHalves[std::size_t(k % 3)]};
+      if (!at.look(thin.area, random)) continue;
+      for (std::size_t i = 0; i < 16; ++i) {
+        EXPECT_NEAR(at.seen.best.d[i], thin.area.at(at.place(i)), 2e-3) << k << " " << i;
+        // The other half is as far from the axis.
+        const glm::dvec2 from = at.place(i) - thin.tip;
+        const double along = glm::dot(from, thin.way);
+        const glm::dvec2 on_axis = thin.tip + along * thin.way - kAround - at.middle;
+        if (at.seen.best.d[i] > 0.0f || along < 1.0 ||
+            std::max(std::abs(on_axis.x), std::abs(on_axis.y)) > at.half)
+          continue;
+        ++inside;
+        const double axis = std::abs(from.x * thin.way.y - from.y * thin.way.x);
+        EXPECT_NEAR(at.seen.off[i], axis, 0.02 + 0.1 * axis) << k << " " << i;
+      }
+    }
+    EXPECT_GT(inside, 100);
   });
 }
 

@@ -20,19 +20,21 @@ namespace {
 
 constexpr glm::dvec2 kMiddle{24.0, 24.0};
 
-void set_distance(const FeetArea& area, LightGround& ground, LightTile& tile) {
+void set_distance(const FeetArea& area, LightGround& ground, CellScratch& scratch,
+                  LightTile& tile) {
   tile.x = tile.y = 16, tile.rises = true, tile.channels = 1, tile.tolerance = 1e-3f;
   tile.lamp.distance_alone = true;
   ground.area.narrow(area, kMiddle, 12.0);
-  ground.crowded = ground.area.crowded(), tile.ground = &ground;
+  ground.crowded = ground.area.crowded(), tile.ground = &ground, tile.scratch = &scratch;
   if (!ground.crowded) tile.begin_ground(), tile.begin();
 }
 
 bool expect_distances(const AreaDistance& area, const char* what) {
   const FeetArea feet(area, {0, 0});
+  CellScratch scratch;
   LightGround ground;
   LightTile tile;
-  set_distance(feet, ground, tile);
+  set_distance(feet, ground, scratch, tile);
   if (ground.crowded) return false;  // smaller tiles are asked
   test::SeenCells seen;
   for (int k = 0; k < 256; k += 7) {
@@ -64,9 +66,10 @@ struct MeansOff {
 
   void judge(const AreaDistance& area) {
     const FeetArea feet(area, {0, 0});
+    CellScratch scratch;
     LightGround ground;
     LightTile tile;
-    set_distance(feet, ground, tile);
+    set_distance(feet, ground, scratch, tile);
     for (int p = 0; p < 256 && !ground.crowded; p += 5) {
       const int i = p % 16, j = p / 16;
       find_mean(tile, i, j);
@@ -195,9 +198,10 @@ TEST(NearArea, KnowsHairpins) {
                                   {a, tip, c}, {w, random.between(0, 3), random.between(0, 3)}});
     const AreaDistance distance = distance_of(std::move(scene), area);
     const FeetArea feet(distance, {0, 0});
+    CellScratch scratch;
     LightGround ground;
     LightTile tile;
-    set_distance(feet, ground, tile);
+    set_distance(feet, ground, scratch, tile);
     ASSERT_FALSE(ground.crowded);
     test::SeenCells seen;
     for (int at = 0; at < 256; at += 7) {

@@ -1,4 +1,4 @@
-#include "lib/rig/pose/chance.h"
+#include "lib/math/chance.h"
 
 #include <gtest/gtest.h>
 
