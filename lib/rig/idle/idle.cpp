@@ -6,6 +6,7 @@
 #include "lib/rig/idle/renewal.h"
 #include "lib/rig/idle/spring.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -16,9 +17,10 @@ namespace {
 
 constexpr double kLongest = 0x1p26;  ///< [s] two years, after which life begins again
 
-constexpr Spring kNeck{5.2, 0.6}, kCorners{4.5, 0.7}, kBrows{7, 0.7};
-constexpr double kNeckDelay = 0.09;                      ///< [s] behind the eyes
-constexpr glm::dvec2 kNeckShare{0.36, 0.3};              ///< of the gaze's angle
+constexpr Spring kCorners{4.5, 0.7}, kBrows{7, 0.7};
+constexpr double kNeckDelay = 0.09;          ///< [s] behind the eyes
+constexpr glm::dvec2 kNeckShare{0.3, 0.26};  ///< of the gaze's angle
+constexpr double kNeckSettling = Spring{12, 0.7}.settling();
 constexpr double kJump = 0.042, kJumpPerDegree = 0.002;  ///< [s] of an eye
 
 /// The random numbers of a face, for one purpose.
@@ -38,6 +40,12 @@ class Draw {
  private:
   std::uint64_t stream_;
 };
+
+/// The neck on a way of `degrees`: short ways are short in time, too, so no few of a crowd's moves outrank all others and
+/// happen to fall together.
+Spring neck(glm::dvec2 way) {
+  return {std::clamp(240 / std::max(glm::length(way), 1.0), 12.0, 22.0), 0.7};
+}
 
 double smooth(double u) {
   u = std::clamp(u, 0.0, 1.0);
@@ -71,7 +79,7 @@ class Life {
         looks_(seed, Purpose::looks) {
     const Draw temper(seed, Purpose::temper);
     pace_ = temper(0, 0, 0.85, 1.2);
-    fixation_ = temper(1, 0, 0.85, 1.25);
+    fixation_ = temper(1, 0, 0.8, 1.15);
     between_blinks_ = temper(2, 0, 2.6, 4.8);
     breath_ = temper(3, 0, 3.2, 4.6);
     lag_ = temper(4, 0, -0.016, 0.016);
@@ -91,8 +99,8 @@ class Life {
 
   /// [degrees] to the subject's left and up, of the fixation of a count.
   glm::dvec2 target(double count) const {
-    if (looks_(1, count, 0, 1) < 0.5) return {looks_(2, count, -1.5, 1.5), looks_(3, count, -1, 1)};
-    const double aside = looks_(2, count, -11, 11);
+    if (looks_(1, count, 0, 1) < 0.5) return {looks_(2, count, -2, 2), looks_(3, count, -1.5, 1.5)};
+    const double aside = looks_(2, count, -8, 8);
     return {aside + (aside < 0 ? -4 : 4), looks_(3, count, -6.5, 5.5)};
   }
   Moments fixations(double until, double since) const {
@@ -121,14 +129,15 @@ class Life {
   }
 
   void look() {
-    const Moments moments = fixations(time_, time_ - kNeckDelay - kNeck.settling());
+    const Moments moments = fixations(time_, time_ - kNeckDelay - kNeckSettling);
     const auto level = [&](double count) { return target(count); };
     const glm::dvec2 gaze = course(moments, time_, level, [](double since, glm::dvec2 way) {
       const double takes = kJump + kJumpPerDegree * std::max(std::abs(way.x), std::abs(way.y));
       return 1 - smooth(since / takes);
     });
-    slow_gaze_ = course(moments, time_, level,
-                        [](double since, glm::dvec2) { return kNeck.left(since - kNeckDelay); });
+    slow_gaze_ = course(moments, time_, level, [](double since, glm::dvec2 way) {
+      return neck(way).left(since - kNeckDelay);
+    });
     const glm::dvec2 head =
         kNeckShare * slow_gaze_ + glm::dvec2{4 * sway(0), 2.2 * sway(1) + 0.7 * rise_};
     put(IdlePart::yaw, head.x);

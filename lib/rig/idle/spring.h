@@ -31,7 +31,7 @@ struct Spring {
   }
 
   /// [s] From then on, when less than 1/3000 is left, it is where it goes.
-  double settling() const { return 8 / (frequency * damping); }
+  constexpr double settling() const { return 8 / (frequency * damping); }
 };
 
 }  // namespace mien

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -46,6 +47,44 @@ TEST(Idle, BlinksAsOftenAsPeopleDo_EachInTimeOfTheirOwn) {
   EXPECT_GE(least, 6u);
   EXPECT_LE(most, 32u);
   EXPECT_NEAR(double(sum) / 100, 17, 4) << "a minute";
+}
+
+/// Which 9 of 299 steps of a film of 10 s move a face most: what its pixels change by, about, at 96 pixels.
+std::array<bool, 299> largest_moves_of(std::uint64_t seed) {
+  std::array<double, 299> moves;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const IdleNumbers a = idle_at(seed, double(i) / 30), b = idle_at(seed, double(i + 1) / 30);
+    const auto by = [&](IdlePart of) { return std::abs(b[std::size_t(of)] - a[std::size_t(of)]); };
+    const double turn =
+        std::hypot(by(IdlePart::yaw), by(IdlePart::pitch)) + 1.5 * by(IdlePart::roll);
+    const double head = 650 * turn / (turn + 0.6);
+    const double eyes = std::min(1.0, 10 * (by(IdlePart::gaze_x) + by(IdlePart::gaze_y))),
+                 lids = std::min(1.0, 5 * by(IdlePart::blink_left));
+    moves[i] = head + 110 * std::max(eyes, lids) * (1 - head / 900);
+  }
+  auto sorted = moves;
+  std::sort(sorted.begin(), sorted.end());
+  std::array<bool, 299> largest;
+  std::transform(moves.begin(), moves.end(), largest.begin(),
+                 [&](double move) { return move > sorted[289]; });
+  return largest;
+}
+
+/// In a crowd nobody moves as another does at the same time: among 400 people fewer than one pair in 1000 has more than
+/// half of its largest moves together. (With necks of one slow spring there were ten.)
+TEST(Idle, NoTwoOfACrowdMoveTogether) {
+  std::vector<std::array<bool, 299>> crowd;
+  int pairs = 0, together = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    const auto moves = largest_moves_of(seed * 7919);
+    for (const auto& other : crowd) {
+      int both = 0;
+      for (std::size_t i = 0; i < moves.size(); ++i) both += moves[i] && other[i];
+      ++pairs, together += both >= 5;
+    }
+    crowd.push_back(moves);
+  }
+  EXPECT_LT(together, pairs / 1000) << "of " << pairs;
 }
 
 /// Less lively faces blink less often, at moments at which they would have blinked anyway, and as far.
