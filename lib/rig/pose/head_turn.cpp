@@ -16,9 +16,12 @@ Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_u
       yaw_(direction_at(yaw)),
       pitch_(direction_at(pitch)),
       roll_(direction_at(roll)),
-      body_yaw_(direction_at(head.body.share * yaw)) {
+      body_yaw_(direction_at(head.body.share * yaw)),
+      middle_(up_ * (head.center.y - head.pivot.y)) {
   if (head.skull > 0) {
-    const double deep = head.skull / head.radii.x * yaw_.y;
+    const double deep = head.skull / head.radii.x * yaw_.y, front = head.radii.z / head.radii.y,
+                 back = head.skull / head.radii.y;
+    lean_ = std::max(1 - 0.5 * (front * front + back * back), 0.0);
     longer_ = std::sqrt(yaw_.x * yaw_.x + deep * deep) - 1;
   }
 }
@@ -43,7 +46,7 @@ glm::dvec2 Turn::rolled(glm::dvec2 way) const {
 /// Argument and result are relative to the pivot, with y up.
 glm::dvec2 Turn::turned(glm::dvec3 v) const {
   if (head_.skull > 0) {
-    const double z = v.z * pitch_.x - v.y * pitch_.y;
+    const double z = v.z * pitch_.x - (v.y - middle_) * pitch_.y;
     return rolled_up({v.x * yaw_.x + z * yaw_.y, v.y * pitch_.x + v.z * pitch_.y});
   }
   const double x = v.x * yaw_.x + v.z * yaw_.y, z = v.z * yaw_.x - v.x * yaw_.y;
@@ -68,12 +71,13 @@ double Turn::outline_shift(glm::dvec2 p) const {
       ahead * (p.x - head_.center.x) / a;  // 1 at the far edge, −1 at the near one
   const double up = up_ * (p.y - head_.center.y) / head_.radii.y;
   if (across < 0) {
-    const double skull = risen(up, 0.05, 0.55);  // above the ear, which is drawn at the edge
-    return -ahead * a * 2 * std::max(longer_, 0.0) * skull * std::min(across * across, 1.5);
+    const double skull = risen(up, 0, 0.8);  // above the ear, which is drawn at the edge
+    const double head = std::min(across * across, 1.0) * (1 - risen(-across, 1, 1.6));
+    return -ahead * a * 2 * std::max(longer_, 0.0) * skull * head;
   }
   // The cheekbone stays; the temple above it is hollow and the jaw below it narrow.
-  constexpr double kTemple = 0.11, kJaw = 0.09;
-  const double temple = risen(up, -0.3, 0.15) * (1 - risen(up, 0.3, 0.8));
+  constexpr double kTemple = 0.04, kJaw = 0.09;
+  const double temple = risen(up, -0.05, 0.3) * (1 - risen(up, 0.4, 0.85));
   const double jaw = 1 - risen(up, -0.85, -0.3);
   const double edge = std::min(across * across, 1.0);
   return -ahead * a * std::abs(yaw_.y) * edge * (kTemple * temple + kJaw * jaw);
@@ -96,8 +100,10 @@ glm::dvec2 Turn::plate_foreshortening() const {
 glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
   const double z = depth - head_.pivot.z, x = p.x - head_.pivot.x + outline_shift(p),
                y = up_ * (p.y - head_.pivot.y);
-  const glm::dvec2 q = head_.skull > 0 ? rolled_up({x + z * pitch_.x * yaw_.y, y + z * pitch_.y})
-                                       : rolled_up({x + z * yaw_.y, y + z * yaw_.x * pitch_.y});
+  const double axis = lean_ * (y - middle_);
+  const glm::dvec2 q =
+      head_.skull > 0 ? rolled_up({x + (z * pitch_.x - axis * pitch_.y) * yaw_.y, y + z * pitch_.y})
+                      : rolled_up({x + z * yaw_.y, y + z * yaw_.x * pitch_.y});
   return {head_.pivot.x + growth_ * q.x, head_.pivot.y + growth_ * up_ * q.y};
 }
 

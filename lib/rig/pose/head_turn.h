@@ -67,6 +67,8 @@ class Turn {
   const HeadTurn& head_;
   double up_, roll_degrees_, growth_;
   glm::dvec2 yaw_, pitch_, roll_, body_yaw_;  ///< cosine and sine
+  double middle_;                             ///< how far the head's middle is above the pivot
+  double lean_ = 0;    ///< how far outlines lean with the head's upright axis, a share
   double longer_ = 0;  ///< how much wider the skull is seen, a share of its half-width
 };
 
