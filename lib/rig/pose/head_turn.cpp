@@ -70,17 +70,17 @@ double Turn::outline_shift(glm::dvec2 p) const {
   const double across =
       ahead * (p.x - head_.center.x) / a;  // 1 at the far edge, −1 at the near one
   const double up = up_ * (p.y - head_.center.y) / head_.radii.y;
+  const double edge = std::min(across * across, 1.0);
   if (across < 0) {
-    const double skull = risen(up, 0, 0.8);  // above the ear, which is drawn at the edge
-    const double head = std::min(across * across, 1.0) * (1 - risen(-across, 1, 1.6));
-    return -ahead * a * 2 * std::max(longer_, 0.0) * skull * head;
+    // Above the ear, which is drawn at the edge; wide hair and hats do not grow.
+    const double skull = risen(up, 0, 0.8) * (1 - risen(-across, 1.15, 1.7));
+    return -ahead * a * edge * 2 * std::max(longer_, 0.0) * skull;
   }
   // The cheekbone stays; the temple above it is hollow and the jaw below it narrow.
   constexpr double kTemple = 0.04, kJaw = 0.09;
-  const double temple = risen(up, -0.05, 0.3) * (1 - risen(up, 0.4, 0.85));
+  const double temple = risen(up, 0.1, 0.4) * (1 - risen(up, 0.45, 0.9));
   const double jaw = 1 - risen(up, -0.85, -0.3);
-  const double edge = std::min(across * across, 1.0);
-  return -ahead * a * std::abs(yaw_.y) * edge * (kTemple * temple + kJaw * jaw);
+  return -ahead * a * edge * std::abs(yaw_.y) * (kTemple * temple + kJaw * jaw);
 }
 
 glm::dvec2 Turn::surface(glm::dvec2 p, double depth) const {
@@ -100,7 +100,9 @@ glm::dvec2 Turn::plate_foreshortening() const {
 glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
   const double z = depth - head_.pivot.z, x = p.x - head_.pivot.x + outline_shift(p),
                y = up_ * (p.y - head_.pivot.y);
-  const double axis = lean_ * (y - middle_);
+  // What hangs below the chin hangs upright again.
+  const double b = head_.radii.y, above = y - middle_,
+               axis = lean_ * (above > -b ? above : std::min(-2 * b - above, 0.0));
   const glm::dvec2 q =
       head_.skull > 0 ? rolled_up({x + (z * pitch_.x - axis * pitch_.y) * yaw_.y, y + z * pitch_.y})
                       : rolled_up({x + z * yaw_.y, y + z * yaw_.x * pitch_.y});
