@@ -169,6 +169,23 @@ TEST(ExactLight, ReliefsOfCombinationsHaveTheirRidgeWhereTwoOutlinesAreEquallyFa
               0.5 * (right * brightness(0.5, {1, 0}) + above * brightness(0.5, {0, 1})), 5e-6);
 }
 
+/// At both ends of a line across the pixel the slope is the same; between 0.76 and 0.88 there is none of Gauss's places,
+/// neither of the line nor of its halves.
+TEST(ExactLight, TwoRidgesTurnASlopeThereAndBack) {
+  for (const auto& [spine, width] : {std::pair{0.88, 0.118}, {0.9, 0.3}, {0.9, 0.04}}) {
+    SceneBuilder build = one_pixel();
+    const Area around = build.shell(build.shape(Line{{spine, -9}, {spine, 9}, width}), 3);
+    build.layer("around", around, {{0.5, 0.5, 0.5, 1}, {}, shared(bevel(around, 9, 4.5))});
+    const double other = std::max(1 - spine - width, 0.0);
+    const double left = brightness(0.5, {1, 0}), right = brightness(0.5, {-1, 0});
+    // From the left to the stroke's outline, on to its spine, to its other outline, and beyond.
+    const double first = spine - width, second = width, third = std::min(width, 1 - spine);
+    EXPECT_NEAR(mean_of(std::move(build)).linear.r,
+                0.5 * ((first + third) * right + (second + other) * left), 5e-6)
+        << spine << ' ' << width;
+  }
+}
+
 TEST(ExactLight, ATableHasAColourForEachStep) {
   SceneBuilder build = one_pixel();
   const Area half = build.shape(HalfPlane{{1, 0}, 1});

@@ -215,17 +215,37 @@ void ExactPaint::relief_kinks(const Relief& relief, const FaceLine& line, double
   }
 }
 
+/// Whether the distance changes from a to b as the slopes at both ends foretell: not where two ridges between them turn
+/// the slope there and back.
+bool ExactPaint::goes_evenly(const ReliefLine& line, double a, const glm::dvec2& at_a, double b,
+                             const glm::dvec2& at_b) const {
+  constexpr double kBends =
+      0.02;  // what slopes less than a tenth apart may bend by is half of that
+  const double from = line.distance(a), way_a = glm::dot(at_a, line.way),
+               way_b = glm::dot(at_b, line.way);
+  const double middle = line.distance(0.5 * (a + b)) - from, all = line.distance(b) - from;
+  return std::abs(all - (b - a) * (way_a + way_b) / 2) < kBends * (b - a) &&
+         std::abs(middle - (b - a) * (3 * way_a + way_b) / 8) < kBends * (b - a);
+}
+
 /// Halves that end where the slope jumps, if it jumps and does not bend; then both sides of that.
-void ExactPaint::ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_a, double b,
+void ExactPaint::ridges(const ReliefLine& line, double a, const glm::dvec2& at_a, double b,
                         const glm::dvec2& at_b, std::size_t what, std::vector<LineEnd>& out) const {
   constexpr double kSuspicious = 0.1, kJump = 0.01;  // of the slope of a distance, which is 1
   constexpr double kNear = 2e-5;                     // [px]
-  if (b - a < 0.01 || glm::distance(at_a, at_b) < kSuspicious) return;
+  if (b - a < 0.01) return;
+  if (glm::distance(at_a, at_b) < kSuspicious) {
+    if (goes_evenly(line, a, at_a, b, at_b)) return;
+    const double m = 0.5 * (a + b);
+    const glm::dvec2 at_m = line.slope(m);
+    ridges(line, a, at_a, m, at_m, what, out), ridges(line, m, at_m, b, at_b, what, out);
+    return;
+  }
   double from = a, to = b;
   glm::dvec2 at_from = at_a, at_to = at_b;
   while (to - from > kNear && glm::distance(at_from, at_to) > kJump) {
     const double m = 0.5 * (from + to);
-    const glm::dvec2 at_m = slope(m);
+    const glm::dvec2 at_m = line.slope(m);
     if (glm::distance(at_from, at_m) > glm::distance(at_m, at_to))
       to = m, at_to = at_m;
     else
@@ -235,19 +255,23 @@ void ExactPaint::ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_
   const bool strong = glm::distance(at_from, at_to) > kSuspicious;
   out.push_back({0.5 * (from + to), strong ? what : 0});
   from -= kNear, to += kNear;  // there differences are of one side
-  if (from > a) ridges(slope, a, at_a, from, slope(from), what, out);
-  if (to < b) ridges(slope, to, slope(to), b, at_b, what, out);
+  if (from > a) ridges(line, a, at_a, from, line.slope(from), what, out);
+  if (to < b) ridges(line, to, line.slope(to), b, at_b, what, out);
 }
 
 void ExactPaint::find_ridges(int i, const FaceLine& line, double a, double b,
                              std::vector<LineEnd>& out) const {
   const auto& relief = layer(i).paint.relief;
   if (!relief || !rises(*relief) || b - a < 10 * kSlopeStep) return;
-  const auto slope = [&](double u) {
-    return distance_slope(distance_, relief->area, line(u), kSlopeStep * unit_);
-  };
+  const ReliefLine along{[&](double u) {
+                           return distance_slope(distance_, relief->area, line(u),
+                                                 kSlopeStep * unit_);
+                         },
+                         [&](double u) { return distance_(relief->area, line(u)) / unit_; },
+                         line.way / glm::length(line.way)};
   const double from = a + 2 * kSlopeStep, to = b - 2 * kSlopeStep;
-  ridges(slope, from, slope(from), to, slope(to), number(2 * std::size_t(i) + 1, 63), out);
+  ridges(along, from, along.slope(from), to, along.slope(to), number(2 * std::size_t(i) + 1, 63),
+         out);
 }
 
 }  // namespace mien::test

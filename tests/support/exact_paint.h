@@ -69,8 +69,15 @@ class ExactPaint {
   void relief_kinks(const Relief& relief, const FaceLine& line, double a, double b,
                     std::size_t what, std::vector<LineEnd>& out) const;
 
-  using SlopeAlong = std::function<glm::dvec2(double)>;
-  void ridges(const SlopeAlong& slope, double a, const glm::dvec2& at_a, double b,
+  /// A relief's distance along a line, by how far along it.
+  struct ReliefLine {
+    std::function<glm::dvec2(double)> slope;
+    std::function<double(double)> distance;  ///< [px]
+    glm::dvec2 way;                          ///< of length 1
+  };
+  bool goes_evenly(const ReliefLine& line, double a, const glm::dvec2& at_a, double b,
+                   const glm::dvec2& at_b) const;
+  void ridges(const ReliefLine& line, double a, const glm::dvec2& at_a, double b,
               const glm::dvec2& at_b, std::size_t what, std::vector<LineEnd>& out) const;
 
   const Scene& scene_;

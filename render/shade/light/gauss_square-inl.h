@@ -31,6 +31,8 @@ struct GaussTables {
   float second[4], third[4];  ///< of a row's values: its coefficients of second and third degree
   float power[4][4];          ///< the cubic of each node, by powers
   alignas(64) float mean[4][4][16];  ///< [log2 of the side − 1][node][pixel]: its share of the mean
+  /// Sixteen places along the border, of half the side, and what each of the 4 × 4 gives to the cubic there.
+  alignas(64) float border_x[16], border_y[16], border[16][16];
 
   static const GaussTables& get() {
     static const GaussTables made;
@@ -55,6 +57,18 @@ struct GaussTables {
       third[k] = float(7.0 * kGaussWeight[k] * 0.5 * (5.0 * t * t * t - 3.0 * t));
       for (int i = 0; i < 4; ++i) power[k][i] = float(p[i]);
       for (int s = 0; s < 4; ++s) SetMeans(p, 2 << s, mean[s][k]);
+    }
+    SetBorder();
+  }
+  void SetBorder() {
+    constexpr float kCorner[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+    const auto at = [&](int k, float u) {
+      return power[k][0] + u * (power[k][1] + u * (power[k][2] + u * power[k][3]));
+    };
+    for (int q = 0; q < 16; ++q) {
+      const float *a = kCorner[q / 4], *b = kCorner[q / 4 + 1], t = 0.25f * float(q % 4);
+      border_x[q] = a[0] + t * (b[0] - a[0]), border_y[q] = a[1] + t * (b[1] - a[1]);
+      for (int k = 0; k < 16; ++k) border[k][q] = at(k & 3, border_x[q]) * at(k >> 2, border_y[q]);
     }
   }
   static void SetMeans(const double* p, int pixels, float* to) {

@@ -28,6 +28,8 @@ struct OpenBy {
       few;  ///< by how much quarters may be apart from their whole; and that times their area, of a few
   bool quarters;  ///< whether the listed cells are quarters of cells that were open
   bool small;     ///< whether nothing but ridges and clamps can matter within a cell
+  float half_cell =
+      0.0f;  ///< half a diagonal of a cell, of the range among those looked at together
 };
 
 /// A level's cells: of a form, or of all of the pixel.
@@ -107,39 +109,48 @@ inline int TakeSixteen(const CellPixel& pixel, const CellGrid& grid, const CellL
   return n;
 }
 
+/// Which of sixteen cells a ridge or a clamp may run through: 1, or 0.
+inline void FindBroken(const SixteenCells& now, const OpenBy& by, bool jumps, bool kinks,
+                       float* broken) {
+  const F f;
+  alignas(64) float reach[3][16];
+  for (size_t b = 0; b < 3 && kinks; ++b) {
+    const float *v = now.shades.bounds[b], *u = now.shades.upper[b];
+    if (!by.quarters) std::fill_n(reach[b], 16, by.half_cell * (MostOf16(u) - LeastOf16(v)));
+    for (size_t k = 0; k < 16 && by.quarters; k += 4) {
+      const float low = HWY_MIN(HWY_MIN(v[k], v[k + 1]), HWY_MIN(v[k + 2], v[k + 3]));
+      const float high = HWY_MAX(HWY_MAX(u[k], u[k + 1]), HWY_MAX(u[k + 2], u[k + 3]));
+      std::fill_n(reach[b] + k, 4, by.half_cell * (high - low));
+    }
+  }
+  for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
+    const auto load = [&](const float* v) HWY_ATTR { return hn::Load(f, v + k); };
+    const VF zero = hn::Zero(f);
+    auto breaks = hn::Lt(zero, zero);
+    if (jumps)
+      breaks =
+          hn::Or(hn::Gt(load(now.jump), Const(by.jump)), hn::Lt(load(now.away), Const(kNearCell)));
+    for (int b = 0; b < 3 && kinks; ++b) {
+      const VF away = hn::Max(load(now.shades.bounds[b]), hn::Neg(load(now.shades.upper[b])));
+      breaks = hn::Or(breaks, hn::Le(away, load(reach[b])));
+    }
+    hn::Store(hn::IfThenElse(breaks, Const(1.0f), zero), f, broken + k);
+  }
+}
+
 /// Closes cells but those that a ridge or a clamp may run through and, while cells are not small, those that are not
 /// quarters which agree with their whole: a cell seen at its middle is off by the fourfold of what its quarters are, but
 /// for terms of fourth degree.
 inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std::uint16_t* which,
                       int count, const CellList& list, const OpenBy& by, CellMean& mean,
                       CellList& open) {
-  // [of the range among cells] Half a diagonal of a cell, where the range is that of three of them or less.
-  constexpr float kHalfCell = 0.75f;
   LightTile& tile = pixel.tile;
-  float low[3], high[3];
-  const auto range = [&](size_t first, size_t end) {
-    for (int b = 0; b < 3; ++b) {
-      const float *v = now.shades.bounds[b], *u = now.shades.upper[b];
-      low[b] = *std::min_element(v + first, v + end);
-      high[b] = *std::max_element(u + first, u + end);
-    }
-  };
-  const bool kinks = mean.kink > by.kink, jumps = mean.jump > by.jump;
-  if (kinks && !by.quarters) range(0, size_t(count));
-  alignas(64) float of_open[16] = {}, of_closed[16] = {};
+  alignas(64) float opens[16], of_open[16] = {}, of_closed[16] = {};
+  FindBroken(now, by, mean.jump > by.jump, mean.kink > by.kink, opens);
   for (size_t k = 0; k < size_t(count); k += 4) {
-    if (kinks && by.quarters) range(k, k + 4);
-    const size_t end = HWY_MIN(k + 4, size_t(count));
-    bool opens[4], any = false;
-    for (size_t q = k; q < end; ++q) {
-      bool& o = opens[q - k] = jumps && (now.jump[q] > by.jump || now.away[q] < kNearCell);
-      for (int b = 0; b < 3 && kinks; ++b)
-        o = o || HWY_MAX(now.shades.bounds[b][q], -now.shades.upper[b][q]) <=
-                     kHalfCell * (high[b] - low[b]);
-      any = any || o;
-    }
-    bool all = any || !by.quarters;
+    bool all = true;
     if (by.quarters) {
+      const bool any = (opens[k] + opens[k + 1]) + (opens[k + 2] + opens[k + 3]) > 0.0f;
       const auto whole = size_t(which[k] / 4);
       const float* const a = now.area + k;
       const float area = (a[0] + a[1]) + (a[2] + a[3]);
@@ -155,19 +166,19 @@ inline void OpenCells(const CellPixel& pixel, const SixteenCells& now, const std
       for (size_t c = 0; c < size_t(tile.channels) && !all && !by.small; ++c)
         mean.closed.c[c] += more[c] * (1.0f / 3);
     }
-    if (!by.small) std::fill_n(opens, 4, all);
-    for (size_t q = k; q < end; ++q) {
-      if (!(now.area[q] > 0.0f)) continue;
-      (opens[q - k] ? of_open : of_closed)[q] = now.area[q];
-      if (!opens[q - k]) continue;
-      const auto at = size_t(mean.opens++);
-      open[at] = list[which[q]];
-      for (size_t c = 0; c < size_t(tile.channels); ++c)
-        tile.scratch->of_open()[c][at] = now.shades.c[c][q];
-    }
+    if (!by.small) std::fill_n(opens + k, 4, all ? 1.0f : 0.0f);
+  }
+  const int before = mean.opens;
+  for (size_t q = 0; q < size_t(count); ++q) {
+    of_open[q] = opens[q] * now.area[q], of_closed[q] = now.area[q] - of_open[q];
+    if (!(of_open[q] > 0.0f)) continue;
+    const auto at = size_t(mean.opens++);
+    open[at] = list[which[q]];
+    for (size_t c = 0; c < size_t(tile.channels); ++c)
+      tile.scratch->of_open()[c][at] = now.shades.c[c][q];
   }
   mean.closed.add(now.shades, of_closed, tile.channels);
-  mean.open.add(now.shades, of_open, tile.channels);
+  if (mean.opens > before) mean.open.add(now.shades, of_open, tile.channels);
 }
 
 /// Looks at the listed cells and lists the open ones in `open`: each of the others is a smooth stretch that is seen at
@@ -181,6 +192,8 @@ inline void LookAtCells(CellPixel& pixel, const CellGrid& grid, const CellList& 
   for (int next = 0, looks = 0;; ++looks) {
     const int n = TakeSixteen(pixel, grid, list, count, by.quarters, next, now, which);
     if (n == 0) break;
+    // Half of what quarters range over, a sixth of what 4 × 4 cells do; and half as much again for their bends.
+    by.half_cell = grid.side == 4 && LeastOf16(now.area) > 0.0f ? 0.25f : 0.75f;
     SeeCells(pixel, !by.quarters && looks == 0, now);
     const float kink = KinkAmong(tile, now.shades, now.area, 0.1f), jump = MostOf16(now.jump);
     mean.kink = HWY_MAX(mean.kink, kink), mean.jump = HWY_MAX(mean.jump, jump);
@@ -207,27 +220,29 @@ inline int DivideCells(int side, const CellList& cells, int count, CellList& to)
 /// they may be off, which is of second order in their side; the others as far as they need it.
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
   // [of the tolerance] A clamp that begins in the pixel leaves a 53rd of its change to 4 × 4 cells, twice that where
-  // it bends; ridges less than a thirtieth of their jump.
-  constexpr float kKink = 24.0f, kJump = 10.0f;
+  // it bends, ridges less than a thirtieth of their jump; parts of few cells as much more as these are fewer.
+  constexpr float kWholeKink = 24.0f, kWholeJump = 10.0f, kFewest = 0.16f;
   // [of the tolerance] How much means may differ that agree, and what cells with kinks may be apart in all where sums of
   // theirs agree; for 16 bits both together, and less than that shows that no cell has crossed a kink yet.
-  constexpr float kAgree = 0.7f, kTorn = 3.0f, kSettles = 2.0f, kUnseen = 0.25f;
+  constexpr float kAgree = 0.7f, kTorn = 3.0f, kSettles = 2.0f, kUnseen = 0.25f, kAtOnce = 0.25f;
+  constexpr float kNever = 1e9f;
   // Of what is permitted to any: what closed cells may be off by.
   constexpr float kClosed = 0.3f;
   // [of the tolerance] What is permitted to quarters: to all of them, and to each of a few along an outline. And what
   // cells may be off by at first.
-  constexpr float kApart = 2.5f, kFew = 0.1f, kFirst = 8.0f;
+  constexpr float kApart = 2.5f, kFirst = 8.0f;
+  const float few_apart = pixel.tile.fine ? 0.03f : 0.1f;
   // Of what cells are apart from theirs, in all or from mean to mean: how the means go on from the smallest cells, and
   // what may be left after these; what is left of cells that are settled. And how much of that a pixel bears [of the
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
-  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.6f;
+  constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.3f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
   // Of that: cells that were closed with more left were closed too soon.
   constexpr float kAgain = 0.5f;
   LightTile& tile = pixel.tile;
   const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
   const float allowed = tile.tolerance;
-  float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f;
+  float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f, before_now = kNever;
   pixel.seen = HWY_MAX(form_area, 0.05f);
   pixel.bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
   const int begun = HWY_MIN(SideFor(pixel.bend, form_area, kFirst * allowed), 8);
@@ -235,6 +250,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   const int least = SideFor(pixel.bend, form_area, allowed);
   pixel.side = HWY_MAX(begun, least);
   pixel.bends = tile.fine;
+  const float few = HWY_MAX(pixel.seen, kFewest);
+  const float kink_by = kWholeKink * few, jump_by = kWholeJump * few;
   CellScratch& scratch = *tile.scratch;
   CellList &list = scratch.listed, &open = scratch.open;
   CellMean mean;
@@ -251,8 +268,8 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     constexpr int kClosesFrom = 16;
     const float closes = tile.fine && form && side < kClosesFrom ? -1.0f : 1.0f;
     LookAtCells(pixel, grid, list, count,
-                {kClosed * kJump * each, kClosed * kKink * each,
-                 last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * kFew * allowed,
+                {kClosed * jump_by * each, kClosed * kink_by * each,
+                 last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * few_apart * allowed,
                  side > first, small},
                 mean, open);
     const float area = mean.closed.area + mean.open.area, over = area > 0.0f ? 1.0f / area : 0.0f;
@@ -263,25 +280,29 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       change[c] = to[c] - before[c], before[c] = to[c];
       apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
     }
-    const bool bounded = mean.kink < kKink * each && mean.jump < kJump * each;
+    const bool bounded = mean.kink < kink_by * each && mean.jump < jump_by * each;
     const bool agrees =
         side > first && apart * pixel.seen < kAgree * allowed && mean.torn < kTorn * allowed;
     const bool full = 4 * mean.opens > CellScratch::kMost;
     // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
-    const bool new_breaks =
-        mean.jump > 2.0f * last_jump + kJump * each || mean.kink > 2.0f * last_kink + kKink * each;
+    const bool new_breaks = mean.jump > 2.0f * last_jump + jump_by * each ||
+                            mean.kink > 2.0f * last_kink + kink_by * each;
     // One that no cell has crossed yet may cut off the corner of a cell.
     const bool unseen = mean.torn < kUnseen * allowed &&
                         HWY_MAX(mean.kink, mean.jump) > allowed * float(side * side);
     last_jump = mean.jump, last_kink = mean.kink;
-    const bool settled = tile.fine && side > first && !new_breaks && !unseen &&
-                         HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) < kSettles * allowed;
+    // Sums agree by chance, too: they converge by the square of the side.
+    const float now = side > first ? HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) : kNever;
+    const bool converges = before_now < 4.0f * kSettles * allowed || now < kAtOnce * allowed;
+    const bool settled =
+        tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
+    before_now = now;
     if (last || full || settled || mean.opens == 0 ||
         (small && !pixel.bends && (bounded || agrees))) {
       if (side == begun) return;
       const bool at_end = side >= PartCells::kMostSide;
       const float left = (at_end ? last_left : kSettled) *
-                         HWY_MAX(mean.apart + (tile.fine ? mean.torn : 0.0f), apart * pixel.seen),
+                         HWY_MAX(mean.apart + mean.torn, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
       if (at_end || off < kAgain) return void(tile.off += off);

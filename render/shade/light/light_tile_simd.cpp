@@ -35,6 +35,17 @@ Near NearOf(const LightTile& tile, int square) {
           g.near_gradient.data() + size_t(square) * g.gradient.leaf_count()};
 }
 
+/// Whether a ridge or the end of a branch may lie in a square that was entered.
+bool BreaksIn(const LightTile& tile, int square) {
+  const auto alone = [](const NearBranches* near, size_t leaves) {
+    return leaves == 1 && near->endless;
+  };
+  const Near near = NearOf(tile, square);
+  const LightGround& g = *tile.ground;
+  return (tile.rises && !alone(near.relief, g.area.leaf_count())) ||
+         (tile.apart && !alone(near.other, g.gradient.leaf_count()));
+}
+
 /// The most that a square's colours have of a degree, by its table.
 float MostOf(const LightTile& tile, const float (&degree)[4], const LightTile::Bicubic& square) {
   float least[LightTile::kChannels] = {}, most = 0.0f;
@@ -73,14 +84,10 @@ bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
 /// another, where the gradient goes on smoothly but its bend does not.
 float OffAtBorder(const LightTile& tile, const Near& near, float cx, float cy, float half,
                   const LightTile::Bicubic& square) {
-  constexpr float kCorner[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+  const F f;
+  const GaussTables& g = GaussTables::get();
   alignas(64) float x[16], y[16];
-  float u[16], v[16];
-  for (int k = 0; k < 16; ++k) {
-    const float *a = kCorner[k / 4], *b = kCorner[k / 4 + 1], t = 0.25f * float(k % 4);
-    u[k] = a[0] + t * (b[0] - a[0]), v[k] = a[1] + t * (b[1] - a[1]);
-    x[k] = cx + half * u[k], y[k] = cy + half * v[k];
-  }
+  for (int k = 0; k < 16; ++k) x[k] = cx + half * g.border_x[k], y[k] = cy + half * g.border_y[k];
   Seen at;
   Shades shades;
   SeeFrom(tile, near, cx, cy, x, y, at);
@@ -88,11 +95,15 @@ float OffAtBorder(const LightTile& tile, const Near& near, float cx, float cy, f
   float least[LightTile::kChannels] = {}, most = 0.0f;
   for (int c = 0; c < 3; ++c) least[c] = LeastOf16(square.c[c]);
   const Encoding encoding = EncodingAt(tile, least);
-  for (int k = 0; k < 16; ++k) {
-    float told[LightTile::kChannels];
-    BicubicAt(square, tile.channels, u[k], v[k], told);
-    for (int c = 0; c < tile.channels; ++c)
-      most = HWY_MAX(most, std::abs(told[c] - shades.c[c][k]) * encoding.by[c]);
+  for (int c = 0; c < tile.channels; ++c) {
+    alignas(64) float off[16];
+    for (int k = 0; k < 16; k += int(hn::Lanes(f))) {
+      VF told = hn::Zero(f);
+      for (int node = 0; node < 16; ++node)
+        told = Fused(Const(square.c[c][node]), hn::Load(f, g.border[node] + k), told);
+      hn::Store(hn::Abs(hn::Sub(told, hn::Load(f, shades.c[c] + k))), f, off + k);
+    }
+    most = HWY_MAX(most, MostOf16(off) * encoding.by[c]);
   }
   return most;
 }
@@ -135,10 +146,12 @@ bool Serves(LightTile& tile, const Square& square, float cx, float cy) {
   if (KinkAmong(tile, shades, kAll, 0.2f) > kKink * tile.tolerance) return false;
   if (LeastOf16(shades.foot) < kFoot * side) return false;
   const float third = MostOf(tile, g.third, made);
-  if (tile.fine && third < kWhole * tile.tolerance &&
+  const float most = side == 1.0f ? kWhole : kThird;
+  if (third > most * tile.tolerance) return false;
+  if ((tile.fine || BreaksIn(tile, me)) &&
       OffAtBorder(tile, NearOf(tile, me), cx, cy, half, made) > kBorder * tile.tolerance)
     return false;
-  if (side == 1.0f && third < kWhole * tile.tolerance) KnowPixel(tile, square.i, square.j, made);
+  if (side == 1.0f) KnowPixel(tile, square.i, square.j, made);
   if (third > kThird * tile.tolerance) return false;
   tile.where[size_t(me)] = std::uint16_t(tile.kept.size());
   tile.kept.push_back(made);
@@ -217,6 +230,7 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
   if (!(fits[0] || fits[1] || fits[2] || fits[3])) return;
   Shades shades, corners;
   ShadePlaces(tile, at, x, y, shades);
+  const bool breaks = BreaksIn(tile, me);
   bool looked = false;
   for (int p = 0; p < 4; ++p) {
     if (!fits[p]) continue;
@@ -236,8 +250,9 @@ void LookAtPixels(LightTile& tile, const Square& square, float cx, float cy) {
     for (int q = 0; q < 4; ++q) foot = HWY_MIN(foot, shades.foot[4 * p + q]);
     if (wide > kRange * tile.tolerance || foot < 0.5f) continue;
     if (KinkAmong(tile, shades, counts, 0.5f) > kKink * tile.tolerance) continue;
-    if (!looked) SeeCorners(tile, me, cx, cy, corners), looked = true;
-    if (OffAtCorners(shades, corners, p, encoding, tile.channels) > kCorner * tile.tolerance)
+    if (breaks && !looked) SeeCorners(tile, me, cx, cy, corners), looked = true;
+    if (breaks &&
+        OffAtCorners(shades, corners, p, encoding, tile.channels) > kCorner * tile.tolerance)
       continue;
     const int side = 2, i = square.i * side + (p & 1), j = square.j * side + (p >> 1);
     const size_t to = size_t(j * LightTile::kSide + i);

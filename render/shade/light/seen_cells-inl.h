@@ -185,6 +185,22 @@ inline float MostTurn(const BranchPair& at, const float* away) {
   return most;
 }
 
+/// [1/px²] What a radial ramp bends by in a pixel around (x, y): across the way from its centre, as one by how far it is.
+inline float RampBendAt(const LampRamp& ramp, float x, float y) {
+  constexpr float kReach = 0.7072f, kCentre = 0.1f;  // [px]
+  if (ramp.kind != LampRamp::Kind::radial) return 0.0f;
+  const float px = x - ramp.x, py = y - ramp.y;
+  const float u = px * ramp.xx + py * ramp.xy, v = px * ramp.yx + py * ramp.yy;
+  const float t = std::sqrt(u * u + v * v);
+  const float n = ramp.xx * ramp.xx + ramp.xy * ramp.xy + ramp.yx * ramp.yx + ramp.yy * ramp.yy;
+  const float ax = u * ramp.yx - v * ramp.xx, ay = u * ramp.yy - v * ramp.xy, step = std::sqrt(n);
+  // Farther than a pixel from the centre the way hardly turns within it.
+  const float across2 = t > step ? (ax * ax + ay * ay) / (t * t) : n;
+  float slope = 0.0f;
+  for (const float by : ramp.slope) slope = HWY_MAX(slope, std::abs(by));
+  return slope * across2 / HWY_MAX(t - kReach * step, kCentre * step);
+}
+
 /// [1/px²] What light bends by in a pixel around (x, y). A dome's slope changes by 8 height / radius² at its foot, twice
 /// as fast as at its top, and that by 24 height / radius³; a highlight is a bell of 1 / √shininess in slope.
 inline float BendAt(const LampLanes& lamp, float x, float y) {
@@ -203,9 +219,8 @@ inline float BendAt(const LampLanes& lamp, float x, float y) {
     turn += std::abs(dome.height) * ((1.0f - near * near) * n + 2.0f * steep);
     turns_by += 6.0f * std::abs(dome.height) * far * n * std::sqrt(n);
   }
-  if (turn == 0.0f) return lamp.bend;
   const float s = lamp.shininess;
-  return lamp.bend +
+  return lamp.bend + RampBendAt(lamp.ramp, x, y) +
          LampLanes::kUsualBend * ((lamp.shine * s + lamp.diffuse) * turn * turn +
                                   (0.6f * lamp.shine * std::sqrt(s) + lamp.diffuse) * turns_by);
 }
@@ -288,6 +303,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     hn::Store(hn::IfThenElse(close, mixed.jump, zero), f, cells.jump + k);
   }
   if (!first || tile.fine) return;
+  constexpr float kBell = 32.0f;  // [of the tolerance] a highlight that shows
   // In linear light dark colours are encoded steeply, and what domes bend them by with them.
   const Encoding& by = pixel.encoding;
   const float steep = HWY_MAX(by.by[0], HWY_MAX(by.by[1], by.by[2]));
@@ -298,10 +314,18 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
   constexpr float kTurn = 1.5f * 255 / 4;
   const float turn = MostTurn(at.relief, cells.away);
   pixel.bends = pixel.bends || turn * turn > kTurn * tile.tolerance;
-  // Thinner than cells: depths are not spread from the outline on where a ridge ends them.
-  for (size_t k = 0; k < 16 && upright; ++k)
-    pixel.bends =
-        pixel.bends || (cells.area[k] > 0.0f && at.relief.off[k] - at.relief.best.d[k] < kThin);
+  if (!upright) return;
+  // Thinner than cells: depths are not spread from the outline on where a ridge ends them. And a highlight that rises by
+  // more than this power of 2 between two depths may be a bell between them.
+  constexpr float kRises = 6.0f;
+  for (size_t k = 0; k < 16; ++k) {
+    if (!(cells.area[k] > 0.0f)) continue;
+    const float power = cells.shades.upper[1][k] + tile.lamp.level_power;
+    const bool bell =
+        cells.shades.upper[1][k] - cells.shades.bounds[1][k] > kRises &&
+        tile.lamp.shine * std::exp2(power) * steep * pixel.seen > kBell * tile.tolerance;
+    pixel.bends = pixel.bends || bell || at.relief.off[k] - at.relief.best.d[k] < kThin;
+  }
 }
 
 }  // namespace HWY_NAMESPACE

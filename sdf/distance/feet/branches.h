@@ -109,6 +109,7 @@ struct NearBranches {
   float key = 0;            ///< the least |p − B| − w at its middle
   /// One branch is local and will stay so all over the square: squares in it need not look.
   bool sure = false;
+  bool endless = false;          ///< nor does its spine end in it
   float x = 0, y = 0, foot = 0;  ///< its foot, seen from there
   float foot_x = 0, foot_y = 0;  ///< and how that moves with the place
 };
