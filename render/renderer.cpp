@@ -49,39 +49,55 @@ class DoneJobs {
 struct Renderer::Scratch {
   Drawing drawing;
   FrameMemory memory;
-  const RowFingerprints* fingerprints = nullptr;  ///< none: nothing is kept
+  bool keeps = false;
   StripScratches scratches;
 
   void make(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
-    const int in_common = shapes_in_common(scene, drawing.scene());
-    drawing.make(scene, view, depth, threads);
-    const bool keeps =
-        memory.begin({view.height, drawn_rect(view), depth, int(scene.shapes().size()), in_common});
-    fingerprints = keeps ? drawing.fingerprints() : nullptr;
+    const PixelRect r = drawn_rect(view);
+    drawing.prepare(scene, view, depth, threads);
+    const auto top_of = [](int band) { return band * Drawing::kRows; };
+    int same = 0;
+    for (int band = 0; band < drawing.bands(); ++band)
+      if (!drawing.changed(band))
+        same +=
+            std::max(std::min(top_of(band + 1), r.y + r.height) - std::max(top_of(band), r.y), 0);
+    keeps = memory.begin({view.height, r, depth, same});
+    for (int band = 0; keeps && band < drawing.bands(); ++band)
+      if (drawing.changed(band))
+        memory.forget(top_of(band), std::min(top_of(band + 1), view.height));
+    const auto is_wanted = [&](int band) {
+      int y = std::max(top_of(band), r.y);
+      const int bottom = std::min(top_of(band + 1), r.y + r.height);
+      while (keeps && y < bottom && memory.holds(y)) ++y;
+      return y < bottom;
+    };
+    drawing.arrange(std::ref(is_wanted), threads);
   }
 
-  /// Copies the rows that are the same as in the frame before, and draws the others.
+  /// Copies the rows in which nothing has changed since the frame before, and draws the others.
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch, RenderStats& stats) {
-    if (!fingerprints) return drawing.draw_strip(strip, target, scratch, stats);
+    if (!keeps) return drawing.draw_strip(strip, target, scratch, stats);
     const PixelRect& r = target.rect;
     const int top = strip * Drawing::kRows, first = std::max(top, r.y),
               end = std::min(top + Drawing::kRows, r.y + r.height);
     if (first >= end) return;
     const auto row = [&](int y) { return target.data + target.stride * std::size_t(y - r.y); };
     int from = end, until = first;  // rows to be drawn lie between these
-    for (int y = first; y < end; ++y) {
-      if (memory.recall(y, (*fingerprints)[y], row(y))) continue;
-      from = std::min(from, y), until = y + 1;
-    }
+    for (int y = first; y < end; ++y)
+      if (memory.holds(y))
+        memory.recall(y, row(y));
+      else
+        from = std::min(from, y), until = y + 1;
     const int drawn = std::max(until - from, 0);
     stats.recalled_pixels += (long long)r.width * (end - first - drawn);
     if (drawn == 0) return;
     drawing.draw_strip(strip, {row(from), target.stride, {r.x, from, r.width, drawn}}, scratch,
                        stats);
-    for (int y = from; y < until; ++y) {
-      const bool odd = scratch.odd_rows >> (y - top) & 1;
-      memory.keep(y, odd ? RowFingerprints::kNone : (*fingerprints)[y], row(y));
-    }
+    for (int y = from; y < until; ++y)
+      if (scratch.odd_rows >> (y - top) & 1)
+        memory.forget(y, y + 1);
+      else
+        memory.keep(y, row(y));
   }
 
   /// Strip by strip, several to a job.
@@ -104,7 +120,6 @@ struct Renderer::Scratch {
     parallel_for(jobs, how.threads, std::ref(job));  // by reference: a copy would be allocated
     RenderStats stats = done.stats();
     stats.pixels = (long long)r.width * r.height;
-    if (fingerprints) memory.end(r.height, int(stats.recalled_pixels / r.width));
     drawing.tell(stats);
     return stats;
   }

@@ -6,10 +6,10 @@
 //
 // It gives the same pixels and keeps the same promises as render_into, whatever was drawn before. Scratch
 // memory is kept: on one thread, after the first frames of a kind, a frame allocates nothing. Finished rows
-// are kept too, once two consecutive frames have something in common. A row whose inputs are those of the
-// frame before is copied; all others are drawn. Pictures of more than 16 MiB and pictures of thousands of
-// layers are always drawn whole. Every call writes every row, so the buffer's previous contents do not
-// matter.
+// are kept too, once two consecutive frames have something in common. Rows that nothing different since the
+// frame before can reach are copied; all others are drawn. Pictures of more than 16 MiB and pictures of
+// thousands of layers are always drawn whole. Every call writes every row, so the buffer's previous
+// contents do not matter. Besides those rows, what was made of the scene before is held once more.
 
 #include <mien/render.h>
 

@@ -94,22 +94,15 @@ inline RowStretch row_stretch(const OutlinePiece& p, const RowRange& range) {
   return {range.first_row, x, range.top, t, v, range.bottom, u, column(x), column(v)};
 }
 
-/// Calls sink(RowStretch) for the rows that the piece crosses between two heights, from the top down.
-template <class Sink>
-void rows_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
-  ranges_of(top, bottom, width, [&](const RowRange& range) {
-    if (range.rows == 1) return sink(row_stretch(p, range));
-    RowRoots at;
-    row_roots(p, range, at);
-    for (int k = 0; k < range.rows; ++k) sink(row_stretch(range, at, k));
-  });
-}
-
 /// Calls sink(CellStretch) for the cells that the piece crosses between two heights, from the top down. Columns
 /// beyond `width` are left out, those left of 0 are reported as −1.
 template <class Sink>
 void cells_of(const OutlinePiece& p, double top, double bottom, int width, Sink&& sink) {
-  rows_of(p, top, bottom, width, [&](const RowStretch& s) { cells_of_row(p, s, width, sink); });
+  ranges_of(top, bottom, width, [&](const RowRange& range) {
+    RowRoots at;
+    row_roots(p, range, at);
+    for (int k = 0; k < range.rows; ++k) cells_of_row(p, row_stretch(range, at, k), width, sink);
+  });
 }
 
 }  // namespace mien

@@ -59,26 +59,38 @@ struct Piece {
             hn::IfThenElse(stays, b.x, border), border};
   }
 
-  /// Trapezoid and lens, as in cells.h.
-  HWY_INLINE void PutCell(V column, const Places& p, const Places& q, float* area,
-                          float* rest) const {
+  /// Trapezoid and lens, as in cells.h; from the row `i` on, whose top is `row`.
+  HWY_INLINE void PutCell(V column, V row, const Places& p, const Places& q, size_t i,
+                          bool stretches, RowRoots::Cells& to) const {
     const D d;
     const hn::Rebind<float, D> f;
     const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), h = hn::Sub(q.t, p.t),
             dy = hn::Sub(q.y, p.y);
     const V right = hn::Sub(hn::Add(column, one), hn::Mul(half, hn::Add(p.x, q.x)));
     const V bow = hn::Mul(hn::Mul(hn::Mul(lens, h), h), h);
-    const V all = hn::IfThenElse(hn::Lt(column, hn::Zero(d)), dy, hn::Sub(hn::Mul(right, dy), bow));
-    const auto part = hn::DemoteTo(f, all);
-    hn::StoreU(part, f, area);
-    hn::StoreU(hn::Sub(hn::DemoteTo(f, dy), part), f, rest);
+    const auto before = hn::Lt(column, hn::Zero(d));  // left of the picture
+    const V all = hn::IfThenElse(before, dy, hn::Sub(hn::Mul(right, dy), bow));
+    hn::StoreU(hn::DemoteTo(f, all), f, &to.area[i]);
+    hn::StoreU(hn::DemoteTo(f, dy), f, &to.height[i]);
+    if (!stretches) return;
+    const auto put = [&](V v, float* into) HWY_ATTR {
+      const auto held = hn::Min(hn::Max(hn::DemoteTo(f, v), hn::Zero(f)), hn::Set(f, 1.0f));
+      hn::StoreU(held, f, into);
+    };
+    const V bulge = hn::Mul(hn::Mul(hn::Set(d, 0.25), h), h);
+    const auto put_places = [&](V x, V y, float* xs, float* ys) HWY_ATTR {
+      put(hn::IfThenZeroElse(before, hn::Sub(x, column)), xs), put(hn::Sub(y, row), ys);
+    };
+    put_places(p.x, p.y, &to.xp[i], &to.yp[i]), put_places(q.x, q.y, &to.xq[i], &to.yq[i]);
+    put_places(hn::Sub(hn::Mul(half, hn::Add(p.x, q.x)), hn::Mul(bulge, bx)),
+               hn::Sub(hn::Mul(half, hn::Add(p.y, q.y)), hn::Mul(bulge, by)), &to.xm[i], &to.ym[i]);
   }
 
   V x0, y0, ax, ay, bx, by, lens;
 };
 
 /// Products and sums by themselves: the same bits with and without fused ones.
-void Roots(const OutlinePiece& p, const RowRange& range, RowRoots& to) {
+void Roots(const OutlinePiece& p, const RowRange& range, RowRoots& to, bool stretches) {
   const D d;
   const hn::Rebind<int, D> n;
   const Piece piece(p);
@@ -101,8 +113,8 @@ void Roots(const OutlinePiece& p, const RowRange& range, RowRoots& to) {
                    next_x, ColumnAt(next_x, range.width)};
     const bool stays = hn::AllTrue(d, hn::Eq(a.column, b.column));
     const Places m = stays ? b : piece.Between(a, b);
-    piece.PutCell(a.column, a, m, &to.area[i], &to.rest[i]);
-    if (!stays) piece.PutCell(b.column, m, b, &to.next_area[i], &to.next_rest[i]);
+    piece.PutCell(a.column, border, a, m, i, stretches, to.first);
+    if (!stays) piece.PutCell(b.column, border, m, b, i, stretches, to.second);
   }
 }
 
@@ -116,8 +128,8 @@ namespace batch {
 HWY_EXPORT(Roots);
 }  // namespace batch
 
-void row_roots(const OutlinePiece& piece, const RowRange& range, RowRoots& to) {
-  MIEN_DISPATCH(Roots)(piece, range, to);
+void row_roots(const OutlinePiece& piece, const RowRange& range, RowRoots& to, bool stretches) {
+  MIEN_DISPATCH(Roots)(piece, range, to, stretches);
 }
 
 }  // namespace mien

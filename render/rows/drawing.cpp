@@ -1,5 +1,4 @@
 #include "render/rows/drawing.h"
-#include "lib/base/fingerprint.h"
 #include "lib/base/monotonic_seconds.h"
 #include "lib/base/watch.h"
 #include "sdf/arrange/foreseen.h"
@@ -33,7 +32,7 @@ StripScratch::StripScratch() = default;
 StripScratch::~StripScratch() = default;
 StripScratch::StripScratch(StripScratch&&) noexcept = default;
 
-bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
+bool Drawing::is_of(const View& view, Depth depth) const {
   const auto same_color = [](const std::optional<Color>& a, const std::optional<Color>& b) {
     return a.has_value() == b.has_value() &&
            (!a || (a->r == b->r && a->g == b->g && a->b == b->b && a->a == b->a));
@@ -41,58 +40,92 @@ bool Drawing::is_of(const Scene& scene, const View& view, Depth depth) const {
   return made_ && format_.depth() == depth && view.width == view_.width &&
          view.height == view_.height && view.fit == view_.fit && view.blend == view_.blend &&
          view.dither == view_.dither && view.light == view_.light &&
-         same_color(view.background, view_.background) && same_scene(scene, scene_);
+         same_color(view.background, view_.background);
 }
 
 void Drawing::make(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
-  if (!Crowd::is_one(scene)) return make_whole(scene, view, depth, threads);
-  if (crowded_ && is_of(scene, view, depth)) return;
-  made_ = false, crowded_ = true;
-  width_ = view.width, height_ = view.height;
-  scene_ = scene, view_ = view;
-  format_ = PixelFormat(depth, view.blend);
-  crowd_.make(scene, view, depth);
-  made_ = true;
+  prepare(scene, view, depth, threads);
+  arrange_all(threads);
 }
 
 void Drawing::make_whole(const Scene& scene, const View& view, Depth depth,
                          const Threads& threads) {
-  if (!crowded_ && is_of(scene, view, depth)) return;
-  made_ = crowded_ = false;
+  prepare(scene, view, depth, false, threads);
+  arrange_all(threads);
+}
+
+void Drawing::prepare(const Scene& scene, const View& view, Depth depth, bool crowded,
+                      const Threads& threads) {
+  const bool like_before = crowded == crowded_ && is_of(view, depth);
+  if (like_before && same_scene(scene, now().scene)) return changed_.begin(bands(), crowded);
+  made_ = false, crowded_ = crowded;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
-  scene_ = scene, view_ = view;
-  const Box2 window{{0.0, 0.0}, {view.width, view.height}};
-  tolerance_ = tolerance_of(depth, view.blend);
-  const OutlineFrame frame{grid_from_face(scene.canvas(), view), window, tolerance_};
-  foresee(scene, frame);
-  paints_.make(scene, view, depth);
+  view_ = view;
   format_ = PixelFormat(depth, view.blend);
+  now_ = 1 - now_;
+  now().scene = scene;
+  changed_.begin(bands(), true);
+  forget_order();
+  if (crowded_)
+    crowd_.make(scene, view, depth);
+  else
+    prepare_outlines(like_before, threads);
+}
+
+void Drawing::prepare_outlines(bool like_before, const Threads& threads) {
+  const PreparedScene& before = prepared_[1 - now_];
+  like_before = like_before && common_.find(before.scene, now().scene);
+  const Box2 window{{0.0, 0.0}, {width_, height_}};
+  tolerance_ = tolerance_of(format_.depth(), view_.blend);
+  const OutlineFrame frame{grid_from_face(scene().canvas(), view_), window, tolerance_};
+  foresee(scene(), frame);
+  now().paints.make(scene(), view_, format_.depth());
+  if (like_before)
+    paints().programs.find_same(before.paints.programs, same_as_);
+  else
+    same_as_.assign(paints().programs.outlines().size(), -1);
   make_outlines(frame, threads);
-  arrange(threads);
+  if (!like_before) return;
+  changed_.begin(bands(), false);
+  changed_.find(before, now(), common_, same_as_);
+}
+
+/// It counts as made when it is done: what ended early is made anew.
+void Drawing::arrange(const std::function<bool(int)>& wanted, const Threads& threads) {
+  made_ = false;
+  const auto open = [&](int band) { return part_of_[std::size_t(band)] < 0 && wanted(band); };
+  const int before = part_count_;
+  for (int band = 0; !crowded_ && band < bands(); ++band) {
+    const int first = band;
+    while (band < bands() && open(band)) ++band;
+    if (band > first) part_bands(first, band);
+  }
+  const auto job = [&](int i) { arrange(parts_[std::size_t(before + i)]); };
+  if (part_count_ - before == 1)
+    job(0);
+  else
+    parallel_for(part_count_ - before, threads, std::ref(job));
   made_ = true;
 }
 
-/// In as many parts as are worth their beginnings, whatever the threads: limits and figures do not depend on those.
-void Drawing::arrange(const Threads& threads) {
-  fingerprinted_ = false;
-  const int bands = (height_ + kRows - 1) / kRows, parts = std::max(height_ / rows_in_part_, 1);
-  bands_in_part_ = (bands + parts - 1) / parts;
-  part_count_ = (bands + bands_in_part_ - 1) / bands_in_part_;
-  if (parts_.size() < std::size_t(part_count_)) parts_.resize(std::size_t(part_count_));
-  for (int i = 0; i < part_count_; ++i) {
-    PicturePart& part = parts_[std::size_t(i)];
-    part.first_band = i * bands_in_part_, part.top = part.first_band * kRows;
-    part.bottom = std::min(part.top + bands_in_part_ * kRows, height_);
+/// Into as many parts as are worth their beginnings, whatever the threads: limits and figures do not depend on those.
+void Drawing::part_bands(int first, int end) {
+  const int rows = std::min(end * kRows, height_) - first * kRows,
+            parts = std::max(rows / rows_in_part_, 1), most = (end - first + parts - 1) / parts;
+  for (; first < end; first += most, ++part_count_) {
+    if (parts_.size() == std::size_t(part_count_)) parts_.emplace_back();
+    PicturePart& part = parts_[std::size_t(part_count_)];
+    const int last = std::min(first + most, end);
+    part.first_band = first, part.top = first * kRows;
+    part.bottom = std::min(last * kRows, height_);
+    std::fill(part_of_.begin() + first, part_of_.begin() + last, part_count_);
   }
-  if (part_count_ == 1) return arrange(parts_[0]);
-  const auto job = [&](int i) { arrange(parts_[std::size_t(i)]); };
-  parallel_for(part_count_, threads, std::ref(job));
 }
 
 void Drawing::arrange(PicturePart& part) const {
-  part.looks.begin(paints_);
-  part.regions.begin(int(paints_.programs.outlines().size()), part.looks);
-  part.sweep.run_in_bands(outlines_, part.top, part.bottom, part.regions, order());
+  part.looks.begin(paints());
+  part.regions.begin(int(paints().programs.outlines().size()), part.looks);
+  part.sweep.run_in_bands(outlines(), part.top, part.bottom, part.regions, order());
   part.palette.make(part.looks, format_, part.regions.look(0));
   part.jumps.clear();
   for (const Fragment& f : part.sweep.fragments())
@@ -103,22 +136,30 @@ void Drawing::arrange(PicturePart& part) const {
 /// Those of large pictures in groups, on several threads: the same outlines.
 void Drawing::make_outlines(const OutlineFrame& frame, const Threads& threads) {
   constexpr int kGroups = 8;
-  const auto sources = paints_.programs.outlines();
+  const auto sources = paints().programs.outlines();
   const int groups = threads.count == 1 || height_ < 2 * rows_in_part_ ? 1 : kGroups;
   if (groups_.size() < std::size_t(groups)) groups_.resize(std::size_t(groups));
   const auto job = [&](int i) {
     OutlineGroup& group = groups_[std::size_t(i)];
-    group.maker.begin(frame, i == 0 ? outlines_ : group.made);
+    Outlines& to = i == 0 ? now().outlines : group.made;
+    group.maker.begin(frame, to);
     for (std::size_t k = sources.size() * i / groups, end = sources.size() * (i + 1) / groups;
-         k < end; ++k)
-      group.maker.add(paints_.programs, sources[k]);
+         k < end; ++k) {
+      if (const int same = same_as_[k]; same >= 0)
+        to.add(prepared_[1 - now_].outlines, same, same + 1);
+      else
+        group.maker.add(paints().programs, sources[k]);
+    }
   };
   if (groups == 1)
     job(0);
   else
     parallel_for(groups, threads, std::ref(job));
-  for (int i = 1; i < groups; ++i) outlines_.add(groups_[std::size_t(i)].made);
-  groups_[0].maker.finish();
+  for (int i = 1; i < groups; ++i) {
+    const Outlines& made = groups_[std::size_t(i)].made;
+    now().outlines.add(made, 0, int(made.rules.size()));
+  }
+  now().outlines.finish();
 }
 
 /// Adds up what the strip's fragments change in the rows [first, end), into sums that begin at `top`.
@@ -204,7 +245,7 @@ Resolved Drawing::resolve(int x, int y, const RowTarget& target, StripScratch& s
   // A quarter of a pixel's permitted error. Dark pixels in linear light are encoded 12.92 times as steeply, but are
   // divided no finer: the errors of their squares cancel by chance.
   const double tolerance = format_.depth() == Depth::u8 ? 0x1p-11 : 0x1p-14;
-  if (!scratch.resolver) scratch.resolver.emplace(scene_, view_, paints_, tolerance);
+  if (!scratch.resolver) scratch.resolver.emplace(scene(), view_, paints(), tolerance);
   const Resolved found = scratch.resolver->pixel(x, y);
   std::byte* const to = target.data + target.stride * std::size_t(y - target.rect.y) +
                         format_.bytes() * std::size_t(x - target.rect.x);
@@ -235,6 +276,8 @@ void Drawing::resolve_doubts(std::span<const Doubt> doubts, int first, int end,
     const int left = int(std::clamp(std::floor(doubt.left - order()), least, most)),
               right = int(std::clamp(std::ceil(doubt.right + order()), least, most));
     if (top >= bottom || left >= right) continue;
+    const int row = top - top / kRows * kRows;
+    scratch.odd_rows |= ((std::uint32_t{1} << (bottom - top)) - 1) << row;
     scratch.resolved.resize(std::size_t(rect.width) * std::size_t(end - first), 0);
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x) {
@@ -245,29 +288,10 @@ void Drawing::resolve_doubts(std::span<const Doubt> doubts, int first, int end,
   }
 }
 
-const RowFingerprints* Drawing::fingerprints() {
-  if (crowded_) return nullptr;
-  if (fingerprinted_) return &fingerprints_;
-  Fingerprint all;
-  for (const int v : {width_, height_, int(view_.fit), int(view_.blend), int(dither_),
-                      int(format_.depth()), int(scene_.canvas().y_up)})
-    all.add(v);
-  const Box2& box = scene_.canvas().box;
-  const glm::dvec3 lamp = view_.light.value_or(scene_.light().direction);
-  for (const double v :
-       {box.lo.x, box.lo.y, box.hi.x, box.hi.y, lamp.x, lamp.y, lamp.z, scene_.light().ambient})
-    all.add(v);
-  fingerprints_.begin(all.value(), scene_, paints_, height_);
-  for (const PicturePart& part : parts())
-    fingerprints_.add(part.looks, part.palette.first, part.sweep, part.top, part.bottom);
-  fingerprinted_ = true;
-  return &fingerprints_;
-}
-
 void Drawing::tell(RenderStats& stats) const {
   if (crowded_) return;  // its windows have reported
   RenderStats own;
-  own.pieces = (long long)outlines_.pieces.size();
+  own.pieces = (long long)outlines().pieces.size();
   for (const PicturePart& part : parts()) {
     own.crossings += part.sweep.stats().crossings;
     own.regions += part.sweep.stats().regions;

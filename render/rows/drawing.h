@@ -5,13 +5,14 @@
 #include <mien/parallel.h>
 #include <mien/render_stats.h>
 #include "render/reference/square_resolver.h"
+#include "render/rows/changed_bands.h"
 #include "render/rows/crowd.h"
-#include "render/rows/row_fingerprints.h"
 #include "render/rows/row_painter.h"
 #include "sdf/arrange/sweep.h"
 #include "sdf/outline/outline_maker.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -36,8 +37,8 @@ struct StripScratch {
   RowPainter painter;
   std::optional<SquareResolver> resolver;  ///< of the strip at hand, once it was needed
   std::vector<char> resolved;              ///< pixels of the strip's target that doubts have met
-  std::uint32_t odd_rows = 0;  ///< a bit for each of the strip drawn last that its fingerprint does
-                               ///< not tell all of
+  /// A bit for each of the strip drawn last that has pixels resolved by distances: those may depend on what is not seen.
+  std::uint32_t odd_rows = 0;
   const ErrorNotes* errors = nullptr;  ///< for the bounds of pixels resolved by distances
   struct Window;
   std::unique_ptr<Window> window;  ///< of a crowd
@@ -63,8 +64,8 @@ class StripScratches {
   std::vector<std::unique_ptr<StripScratch>> idle_;
 };
 
-/// Some of a picture's bands, arranged by themselves: parts are arranged in threads, and bands do not depend on how
-/// they are parted.
+/// Some of a picture's bands, one below the other, arranged by themselves: parts are arranged in threads, and bands do
+/// not depend on how they are parted.
 struct PicturePart {
   int first_band = 0;
   int top = 0, bottom = 0;  ///< rows
@@ -88,6 +89,16 @@ class Drawing {
   /// The same with all outlines at once, even a crowd's.
   void make_whole(const Scene& scene, const View& view, Depth depth, const Threads& threads = {1});
 
+  /// The same in two steps: first all that does not depend on rows, where outlines that are as they were are copied …
+  void prepare(const Scene& scene, const View& view, Depth depth, const Threads& threads) {
+    prepare(scene, view, depth, Crowd::is_one(scene), threads);
+  }
+  /// … then the bands that are to be drawn.
+  void arrange(const std::function<bool(int band)>& wanted, const Threads& threads);
+  int bands() const { return (height_ + kRows - 1) / kRows; }
+  /// Whether a band differs from that of the scene and view prepared before; true unless that is proven, and in crowds.
+  bool changed(int band) const { return changed_[band]; }
+
   /// Strips of kRows rows, the sweep's bands. Draws those rows of a strip that show some of the target.
   static constexpr int kRows = Sweep::kBandRows;
   void draw_strip(int strip, const RowTarget& target, StripScratch& scratch,
@@ -98,16 +109,13 @@ class Drawing {
   void draw_strip_with_errors(int strip, const RowTarget& target, StripScratch& scratch,
                               const ErrorNotes& notes) const;
 
-  /// Those of the picture's rows; null for a crowd.
-  const RowFingerprints* fingerprints();
-
   /// Reports the work that all strips share.
   void tell(RenderStats& stats) const;
 
   /// The scene made last.
-  const Scene& scene() const { return scene_; }
-  const Outlines& outlines() const { return outlines_; }
-  const PaintTable& paints() const { return paints_; }
+  const Scene& scene() const { return now().scene; }
+  const Outlines& outlines() const { return now().outlines; }
+  const PaintTable& paints() const { return now().paints; }
   /// From the top down.
   std::span<const PicturePart> parts() const { return {parts_.data(), std::size_t(part_count_)}; }
 
@@ -119,13 +127,22 @@ class Drawing {
                       StripScratch& scratch, RenderStats& stats) const;
   Resolved resolve(int x, int y, const RowTarget& target, StripScratch& scratch,
                    RenderStats& stats) const;
-  bool is_of(const Scene& scene, const View& view, Depth depth) const;
+  bool is_of(const View& view, Depth depth) const;
   friend class DrawingProbe;  // plants faults, in tests
-  void arrange(const Threads& threads);
-  void arrange(PicturePart& part) const;
-  const PicturePart& part_of(int strip) const {
-    return parts_[std::size_t(strip / bands_in_part_)];
+  void prepare(const Scene& scene, const View& view, Depth depth, bool crowded,
+               const Threads& threads);
+  void prepare_outlines(bool like_before, const Threads& threads);
+  void arrange_all(const Threads& threads) {
+    arrange([](int) { return true; }, threads);
   }
+  void arrange(PicturePart& part) const;
+  void part_bands(int first, int end);
+  void forget_order() { part_count_ = 0, part_of_.assign(std::size_t(bands()), -1); }
+  const PicturePart& part_of(int strip) const {
+    return parts_[std::size_t(part_of_[std::size_t(strip)])];
+  }
+  PreparedScene& now() { return prepared_[now_]; }
+  const PreparedScene& now() const { return prepared_[now_]; }
   void make_outlines(const OutlineFrame& frame, const Threads& threads);
   /// How far neighbours may be out of order [px].
   double order() const { return std::min(kOrder, 0.5 * tolerance_); }
@@ -133,12 +150,14 @@ class Drawing {
   int width_ = 0, height_ = 0;
   bool dither_ = true;
   double tolerance_ = 0;  ///< of outlines [px]
-  bool made_ = false, crowded_ = false, fingerprinted_ = false;
+  bool made_ = false, crowded_ = false;
   Crowd crowd_;
-  Scene scene_;
   View view_;
-  PaintTable paints_;
-  Outlines outlines_;
+  PreparedScene prepared_[2];  ///< this one, and the one before
+  int now_ = 0;
+  InCommon common_;
+  std::vector<int> same_as_;  ///< by outline: that of the scene before
+  ChangedBands changed_;
   struct OutlineGroup {
     OutlineMaker maker;
     Outlines made;  ///< but for the first, which are the picture's
@@ -146,9 +165,9 @@ class Drawing {
   std::vector<OutlineGroup> groups_;
   PixelFormat format_{Depth::u8, Blend::srgb};
   std::vector<PicturePart> parts_;  ///< the first of them; others are kept for their memory
-  int part_count_ = 0, bands_in_part_ = 1;
-  int rows_in_part_ = 160;  ///< at least, so that its beginning costs little beside it
-  RowFingerprints fingerprints_;
+  int part_count_ = 0;
+  std::vector<int> part_of_;  ///< by band; −1: it is not arranged
+  int rows_in_part_ = 160;    ///< at least, so that its beginning costs little beside it
 };
 
 }  // namespace mien

@@ -1,15 +1,14 @@
 #pragma once
-// Finished rows of the frame before, for a frame that changes little: a row made from the same inputs
-// (row_fingerprints.h) is copied instead of drawn.
+// Finished rows of the frame before, for a frame that changes little: a row in which nothing changed
+// (changed_bands.h) is copied instead of drawn.
 //
-// This costs a copy and a fingerprint of every row that is drawn. So nothing is kept until two frames in a row have
-// some of their shapes in common, and keeping pauses where it was of no use.
+// This costs a copy of every row that is drawn. So rows are kept only of frames of which one row in eight is as in the
+// frame before: the next one is probably so, too.
 
 #include <mien/image.h>
 #include <mien/view.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace mien {
@@ -24,26 +23,24 @@ class FrameMemory {
     int rows;        ///< of the whole picture
     PixelRect rect;  ///< what is drawn of it
     Depth depth;
-    int shapes, in_common;  ///< with the frame before
+    int same;  ///< rows of it in which nothing changed
   };
   /// To be called for every frame. Returns whether it is to be kept; rows of the one before may then be there.
   bool begin(const Frame& frame);
+  /// Rows from `top` to `bottom`, since something in them changed.
+  void forget(int top, int bottom);
 
-  /// Copies the row, if one made from the same inputs is there. Different rows may be recalled at the same time.
-  bool recall(int y, std::uint64_t fingerprint, std::byte* to);
-  void keep(int y, std::uint64_t fingerprint, const std::byte* from);
-
-  /// How many of a frame's rows were recalled: keeping pauses for a while if there were too few.
-  void end(int rows, int recalled);
+  bool holds(int y) const { return held_[std::size_t(y)]; }
+  /// Copy a row. Different rows may be copied at the same time.
+  void recall(int y, std::byte* to) const;
+  void keep(int y, const std::byte* from);
 
  private:
   bool is_like_before(const Frame& frame) const;
 
   Frame before_{};
-  int in_vain_ = 0, rest_ = 0;  ///< [frames]
-  bool filled_ = false;         ///< the frame before was kept
   std::size_t row_bytes_ = 0;
-  std::vector<std::uint64_t> fingerprints_;
+  std::vector<char> held_;  ///< by row
   std::vector<std::byte> rows_;
 };
 

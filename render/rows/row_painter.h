@@ -62,6 +62,13 @@ class RowPainter {
   struct LeftBound {
     int since;
     bool whole;
+    bool operator==(const LeftBound&) const = default;
+  };
+  /// What enters pixels of a look from the left, up to a share.
+  struct Entered {
+    int look;
+    LeftBound left;
+    int until;
   };
   /// What a varied look takes of the pixels from here on, and of the current one.
   struct Open {
@@ -123,7 +130,7 @@ class RowPainter {
   // The row at hand.
   int y_ = 0, x0_ = 0, x1_ = 0;
   std::byte* to_ = nullptr;
-  const std::uint16_t* hints_ = nullptr;
+  const int* hints_ = nullptr;
   RenderStats* stats_ = nullptr;
   Rgba sum_;
   int look_ = 0;  ///< of the run before
@@ -139,6 +146,7 @@ class RowPainter {
   std::vector<int> sorted_;         ///< parts
   ColorRow places_, variances_;     ///< of sorted parts: column, x, y, area; xx, xy, yy
   PartForm form_;
+  Entered entered_{};  ///< what `form_.left` holds
   std::vector<PartStretch> in_pixel_;
   std::vector<std::pair<int, int>> rough_;  ///< columns of a run, and cells to see them in
   std::vector<int> refused_;

@@ -51,6 +51,7 @@ void RowPainter::sort_parts() {
 
 void RowPainter::shade_parts() {
   sort_parts();
+  entered_.look = -1;
   places_.room_for(parts_.size()), variances_.room_for(parts_.size());
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const Part& part = parts_[std::size_t(sorted_[k])];
@@ -113,21 +114,27 @@ Rgba RowPainter::parts_in_cells(std::size_t first, std::size_t end, int side) {
   return sum;
 }
 
-/// The stretches in the pixel, and what those before it did to all pixels after them.
+/// The stretches in the pixel, and what those before it did to all pixels after them: of a look's parts, which are asked
+/// for from the left, each goes on where the one before ended.
 const PartForm& RowPainter::form(const Part& part) {
-  form_.left = part.left.whole ? PartEntry::whole() : PartEntry{};
-  in_pixel_.clear();
-  for (int i = part.left.since; i < part.until; ++i) {
-    const auto k = std::size_t(taken_[std::size_t(i)]);
-    const LookShare& s = shares_[k];
-    if (s.left == s.right || (s.left != part.look && s.right != part.look)) continue;
-    PartStretch stretch = stretches_[k];
-    stretch.sign = s.left == part.look ? -1.0f : 1.0f;
-    if (i < part.before)
-      form_.left.add(stretch);
-    else
-      in_pixel_.push_back(stretch);
+  const auto each_stretch = [&](int first, int end, const auto& sink) {
+    for (int i = first; i < end; ++i) {
+      const auto k = std::size_t(taken_[std::size_t(i)]);
+      const LookShare& s = shares_[k];
+      if (s.left == s.right || (s.left != part.look && s.right != part.look)) continue;
+      PartStretch stretch = stretches_[k];
+      stretch.sign = s.left == part.look ? -1.0f : 1.0f;
+      sink(stretch);
+    }
+  };
+  if (entered_.look != part.look || entered_.left != part.left || entered_.until > part.before) {
+    entered_ = {part.look, part.left, part.left.since};
+    form_.left = part.left.whole ? PartEntry::whole() : PartEntry{};
   }
+  each_stretch(entered_.until, part.before, [&](const PartStretch& s) { form_.left.add(s); });
+  entered_.until = std::max(entered_.until, part.before);
+  in_pixel_.clear();
+  each_stretch(part.before, part.until, [&](const PartStretch& s) { in_pixel_.push_back(s); });
   form_.stretches = in_pixel_;
   return form_;
 }

@@ -28,12 +28,12 @@ void RowSums::begin(int rows, int width) {
   }
 }
 
-void RowSums::share(int row, const CellStretch& c, int left_varied, int right_varied) {
-  int& first = first_shares(row)[std::max(c.column, 0)];
-  const float area = float(c.area);
+void RowSums::share(int row, int column, const CellPart& part, const PartStretch& stretch,
+                    int left_varied, int right_varied) {
+  int& first = first_shares(row)[std::max(column, 0)];
   std::vector<LookShare>& shares = shares_[std::size_t(row)];
-  shares.push_back({first, left_varied, right_varied, area, float(c.yq - c.yp)});
-  stretches_[std::size_t(row)].push_back(stretch_of(c));
+  shares.push_back({first, left_varied, right_varied, part.area, part.height});
+  stretches_[std::size_t(row)].push_back(stretch);
   first = int(shares.size()) - 1;
 }
 
@@ -44,23 +44,22 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
     const std::size_t column = std::size_t(std::max(at, 0));
     Rgba* const to = sums(row) + column;
     to[0] = to[0] + part.area * jump;
-    to[1] = to[1] + part.rest * jump;
+    to[1] = to[1] + (part.height - part.area) * jump;
     marks(row)[column >> 6] |= std::uint64_t{1} << (column & 63);
-    hints_[std::size_t(row) * stride_ + column] = std::uint16_t(right_look);
+    hints_[std::size_t(row) * stride_ + column] = right_look;
     ++cells_;
   };
   const auto add_row = [&](const RowStretch& s) {
     cells_of_row(piece, s, width_, [&](const CellStretch& c) {
-      const float dy = float(c.yq - c.yp), area = float(c.area);
-      add_cell(c.row - first, c.column, {area, dy - area});
-      if (varied) share(c.row - first, c, left_varied, right_varied);
+      const CellPart part{float(c.area), float(c.yq - c.yp)};
+      add_cell(c.row - first, c.column, part);
+      if (varied) share(c.row - first, c.column, part, stretch_of(c), left_varied, right_varied);
     });
   };
-  if (varied) return rows_of(piece, top, bottom, width_, add_row);
   ranges_of(top, bottom, width_, [&](const RowRange& range) {
     if (range.rows == 1) return add_row(row_stretch(piece, range));
     RowRoots at;
-    row_roots(piece, range, at);
+    row_roots(piece, range, at, varied);
     for (int k = 0; k < range.rows; ++k) {
       const auto i = std::size_t(k);
       const int row = range.first_row + k - first, column = at.column[i], last = at.column[i + 1];
@@ -68,8 +67,13 @@ void RowSums::add(const OutlinePiece& piece, double top, double bottom, int firs
         add_row(row_stretch(range, at, k));
         continue;
       }
-      add_cell(row, column, at.first(i));
-      if (last != column) add_cell(row, last, at.second(i));
+      const auto add_part = [&](int in, const RowRoots::Cells& cells) {
+        add_cell(row, in, cells.part(i));
+        if (varied && in < width_)
+          share(row, in, cells.part(i), cells.stretch(i), left_varied, right_varied);
+      };
+      add_part(column, at.first);
+      if (last != column) add_part(last, at.second);
     }
   });
 }

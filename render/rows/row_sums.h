@@ -35,7 +35,7 @@ class RowSums {
   /// after it has a sum, too); and the shares of varied looks.
   Rgba* sums(int row) { return sums_.data() + std::size_t(row) * stride_; }
   std::uint64_t* marks(int row) { return marks_.data() + std::size_t(row) * mark_words_; }
-  const std::uint16_t* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
+  const int* hints(int row) const { return hints_.data() + std::size_t(row) * stride_; }
   /// Of a row, in any order; and each one's stretch, of sign 1.
   std::span<const LookShare> shares(int row) const { return shares_[std::size_t(row)]; }
   std::span<const PartStretch> stretches(int row) const { return stretches_[std::size_t(row)]; }
@@ -48,14 +48,15 @@ class RowSums {
   long long cells() const { return cells_; }  ///< since it was made
 
  private:
-  void share(int row, const CellStretch& cell, int left_varied, int right_varied);
+  void share(int row, int column, const CellPart& part, const PartStretch& stretch, int left_varied,
+             int right_varied);
 
   long long cells_ = 0;
   int width_ = 0;
   std::size_t stride_ = 0, mark_words_ = 0;
   std::vector<Rgba> sums_;
   std::vector<std::uint64_t> marks_;
-  std::vector<std::uint16_t> hints_;  ///< the look that may follow a cell
+  std::vector<int> hints_;  ///< the look that may follow a cell
   std::vector<int> first_shares_;
   std::vector<std::vector<LookShare>> shares_;
   std::vector<std::vector<PartStretch>> stretches_;

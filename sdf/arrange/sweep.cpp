@@ -8,7 +8,8 @@
 namespace mien {
 namespace {
 
-constexpr long kHalvingsFirst = 10'000;  // of steps: enough for any face, and an end
+// Of a band's steps, and more for each piece and end that it passes: enough for any face, and an end.
+constexpr long kHalvingsOfBand = 2000;
 
 }  // namespace
 
@@ -26,7 +27,7 @@ void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& 
   lanes_.count = 0, active_.clear(), slopes_.clear();
   stats_ = {};
   stats_.pieces = long(outlines.pieces.size());
-  halvings_left_ = kHalvingsFirst + 4 * stats_.pieces;
+  halvings_left_ = kHalvingsOfBand;
   holds(bytes());
   begin_at(top);
   double border = std::floor(top / kBandRows) * kBandRows + kBandRows;  // the next one
@@ -36,6 +37,7 @@ void Sweep::sweep(const Outlines& outlines, double top, double bottom, Regions& 
     for (; border <= e->y; border += kBandRows) cross_border(border);
     go_to(e->y);
     end_or_begin(*e);
+    halvings_left_ += kHalvingsOfPiece;
   }
   for (; border < bottom; border += kBandRows) cross_border(border);
   go_to(bottom);
@@ -53,6 +55,7 @@ void Sweep::cross_border(double y) {
     first_in_band_.push_back(int(fragments_.size()));
   }
   sort_at_border();
+  halvings_left_ = kHalvingsOfBand;
 }
 
 /// The order from nothing: the chains that come from above, as they are seen from there.

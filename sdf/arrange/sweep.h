@@ -175,7 +175,8 @@ class Sweep {
   std::vector<Doubt> unsure_;
   double fails_at_ = 0;     ///< a height near which a proof failed
   bool may_halve_ = false;  ///< so that nothing need be doubted yet
-  long halvings_left_ = 0;
+  static constexpr long kHalvingsOfPiece = 4;
+  long halvings_left_ = 0;  ///< of a band, whatever is above it
   int most_halvings_ = 16;  ///< of a step
 
   std::vector<int> windings_;  ///< by outline, left of the picture

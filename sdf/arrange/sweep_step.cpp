@@ -37,8 +37,11 @@ void Sweep::step(double y, int depth) {
   }
   doubts_.insert(doubts_.end(), unsure_.begin(), unsure_.end());
   for (const Swap& s : swaps_) ++stats_.crossings, swap(s.slot, s.y);
-  for (const int lane : passed_)
-    active_[std::size_t(lane)].above = active_[std::size_t(lane)].piece;
+  for (const int lane : passed_) {
+    Active& c = active_[std::size_t(lane)];
+    halvings_left_ += kHalvingsOfPiece * (c.piece - c.above);
+    c.above = c.piece;
+  }
   lanes_.x.swap(lanes_.next_x), lanes_.t.swap(lanes_.next_t);
 }
 

@@ -94,6 +94,29 @@ const Shape& AreaPrograms::shape(const OutlineSource& of) const {
   return of.rim ? scene_->outlined_shape(index) : scene_->shapes()[index];
 }
 
+bool AreaPrograms::same(int outline, const AreaPrograms& others, int other) const {
+  const OutlineSource &a = outlines_[std::size_t(outline)],
+                      &b = others.outlines_[std::size_t(other)];
+  if (a.amount != b.amount || a.rim != b.rim || a.count != b.count) return false;
+  for (int i = 0; i < a.count; ++i)
+    if (!same_shape(shape({a.shape + i, 0.0, false}), others.shape({b.shape + i, 0.0, false})))
+      return false;
+  return true;
+}
+
+/// Those before the first that differs, those after the last one, and in between those at one place in equally many.
+void AreaPrograms::find_same(const AreaPrograms& others, std::vector<int>& same_as) const {
+  const int count = int(outlines_.size()), more = int(others.outlines_.size()) - count,
+            least = std::min(count, count + more);
+  same_as.assign(outlines_.size(), -1);
+  int first = 0, last = 0;
+  while (first < least && same(first, others, first)) same_as[std::size_t(first)] = first, ++first;
+  for (; last < least - first && same(count - 1 - last, others, count + more - 1 - last); ++last)
+    same_as[std::size_t(count - 1 - last)] = count + more - 1 - last;
+  for (int i = first; more == 0 && i < count - last; ++i)
+    if (same(i, others, i)) same_as[std::size_t(i)] = i;
+}
+
 /// The stack runs backwards: last pushed is done first.
 void AreaPrograms::expand(int node, double level) {
   const Node& n = scene_->nodes()[std::size_t(node)];

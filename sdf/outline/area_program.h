@@ -52,6 +52,9 @@ class AreaPrograms {
   /// The shape of an outline, of a row the first: the scene's, for rims Scene::outlined_shape, or one of those added.
   const Shape& shape(const OutlineSource& of) const;
 
+  /// For every outline the one among another scene's that is made from the same numbers, or −1. Their order stays.
+  void find_same(const AreaPrograms& others, std::vector<int>& same) const;
+
   std::span<const AreaStep> steps() const { return steps_; }
   std::span<const AreaStep> steps(const AreaProgram& of) const {
     return std::span(steps_).subspan(std::size_t(of.first), std::size_t(of.count));
@@ -72,6 +75,7 @@ class AreaPrograms {
   void outline(int shape, double amount, bool rim, int count = 1);
   int& at_level(const OutlineSource& source);
   int added(Shape shape);
+  bool same(int outline, const AreaPrograms& others, int other) const;
   void step(AreaStep::Kind kind) { steps_.push_back({kind}); }
 
   const Scene* scene_ = nullptr;

@@ -71,7 +71,7 @@ void OutlineLoop::frame(const Box2& window, double tolerance, Outlines& to) {
 }
 
 int OutlineLoop::outline(FillRule rule) {
-  to_->rules.push_back(rule);
+  to_->begin(rule);
   return static_cast<int>(to_->rules.size()) - 1;
 }
 
@@ -226,9 +226,9 @@ void OutlineLoop::write_chains() {
     const glm::dvec2 p = from(at);
     const bool down = leaves >= 0 ? runs_down(at) : !runs_down((at + n - 1) % n);
     if (arrives >= 0 && leaves >= 0)
-      to_->ends.push_back({p.y, p.x, arrives, leaves, down});
+      to_->turns.push_back({p.y, p.x, arrives, leaves, down});
     else if (arrives >= 0 || leaves >= 0)
-      to_->ends.push_back({p.y, p.x, std::max(arrives, leaves), -1, down});
+      to_->turns.push_back({p.y, p.x, std::max(arrives, leaves), -1, down});
   };
   for (std::size_t done = 0; done < n;) {
     const std::size_t begin = (start + done) % n;
@@ -264,12 +264,6 @@ void OutlineLoop::write_piece(std::size_t i, bool down) {
                                         2.0 * kStraight * std::max(std::abs(chord.x), chord.y);
   const glm::dvec2 way = bends ? a : 0.5 * chord, bend = bends ? (chord - a) - a : glm::dvec2{0.0};
   to_->pieces.push_back({top.x, top.y, way.x, way.y, bend.x, bend.y, bottom.x, bottom.y});
-}
-
-void OutlineLoop::finish() {
-  std::sort(to_->ends.begin(), to_->ends.end(), [](const OutlineEnd& a, const OutlineEnd& b) {
-    return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.chain < b.chain;
-  });
 }
 
 }  // namespace mien

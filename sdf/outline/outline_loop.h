@@ -34,8 +34,8 @@ class OutlineLoop final : public CurvePen {
   void quad(glm::dvec2 control, glm::dvec2 to) override;
   /// A loop vanishes if it encloses nothing in the window or has a coordinate that is no number.
   void close() override;
-  /// Sorts the chains' ends. Nothing is added afterwards.
-  void finish();
+  /// Nothing is added afterwards.
+  void finish() { to_->finish(); }
 
   /// Sides of the loop at hand: monotone, in the loop's order.
   std::size_t sides() const { return sides_.size(); }

@@ -105,8 +105,4 @@ void OutlineMaker::ribbons(const Shape& shape, double width) {
   loop_.set_tolerance(tolerance);
 }
 
-void OutlineMaker::finish() {
-  loop_.finish();
-}
-
 }  // namespace mien

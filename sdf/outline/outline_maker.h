@@ -46,8 +46,8 @@ class OutlineMaker {
   /// fill without its narrower one (offset_shape). A band without common points has no outline.
   int rim(const Shape& shape, double half_width);
 
-  /// Sorts the chains' ends. Nothing is added afterwards.
-  void finish();
+  /// Nothing is added afterwards.
+  void finish() { loop_.finish(); }
 
  private:
   struct Filler;

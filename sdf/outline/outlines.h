@@ -9,6 +9,7 @@
 #include <mien/shape.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace mien {
@@ -44,22 +45,33 @@ struct Outlines {
   std::vector<OutlineChain> chains;
   std::vector<OutlineEnd> ends;  ///< from the top down, those of one height from the left
   std::vector<FillRule> rules;   ///< by outline
+  /// By outline: where its chains and its part of `turns`, the ends outline by outline, begin.
+  struct Start {
+    int chain, turn;
+  };
+  std::vector<Start> starts;
+  std::vector<OutlineEnd> turns;
   /// [px] The picture's sides, where outlines are cut. What runs along them is no part of a chain.
   double left = -HUGE_VAL, right = HUGE_VAL;
 
-  void clear() { pieces.clear(), chains.clear(), ends.clear(), rules.clear(); }
-  /// Others after these, whose ends are to be sorted.
-  void add(const Outlines& other);
-};
+  void clear() {
+    pieces.clear(), chains.clear(), ends.clear(), rules.clear(), starts.clear(), turns.clear();
+  }
+  void begin(FillRule rule) {
+    rules.push_back(rule), starts.push_back({int(chains.size()), int(turns.size())});
+  }
+  /// Some of another's outlines after these.
+  void add(const Outlines& other, int first, int end);
+  /// Sorts the ends. Nothing is added afterwards.
+  void finish();
+  /// The heights that an outline lies in; the first is the greater one where it has no piece.
+  std::pair<double, double> heights(int outline) const;
 
-inline void Outlines::add(const Outlines& other) {
-  const int piece = int(pieces.size()), chain = int(chains.size()), outline = int(rules.size());
-  pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
-  for (const OutlineChain& c : other.chains)
-    chains.push_back({c.first + piece, c.last + piece, c.outline + outline, c.turn});
-  for (const OutlineEnd& e : other.ends)
-    ends.push_back({e.y, e.x, e.chain + chain, e.other < 0 ? -1 : e.other + chain, e.begins});
-  rules.insert(rules.end(), other.rules.begin(), other.rules.end());
-}
+ private:
+  Start end_of(int outline) const {
+    return std::size_t(outline) + 1 < starts.size() ? starts[std::size_t(outline) + 1]
+                                                    : Start{int(chains.size()), int(turns.size())};
+  }
+};
 
 }  // namespace mien

@@ -1,5 +1,4 @@
 #include "sdf/scene/same_scene.h"
-#include "lib/base/fingerprint.h"
 #include "sdf/shape/same_shape.h"
 
 #include <algorithm>
@@ -63,117 +62,52 @@ bool same_node(const Node& a, const Node& b) {
   return a.op == b.op && a.a == b.a && a.b == b.b && same_bits(a.amount, b.amount);
 }
 
-/// Puts data into a fingerprint, number by number.
-class Reader {
- public:
-  Reader(Fingerprint& to, const std::vector<std::uint64_t>& areas) : to_(to), areas_(areas) {}
-
-  void operator()(const LinearGradient& g) { numbers(g); }
-  void operator()(const RadialGradient& g) { numbers(g); }
-  void operator()(const DistanceGradient& g) { area(g.area), to_.add(g.from), to_.add(g.to); }
-  void operator()(const Gradient& g) {
-    to_.add(int(g.along.index())), to_.add(int(g.extend));
-    std::visit(*this, g.along);
-    list(g.stops);
-  }
-  void operator()(const Relief& r) {
-    area(r.area), to_.add(int(r.profile));
-    for (const double v : {r.width, r.height, r.specular, r.shininess}) to_.add(v);
-    list(r.table), list(r.domes);
-  }
-  void operator()(const Paint& p) {
-    numbers(p.color);
-    to_.add(bool(p.gradient)), to_.add(bool(p.relief));
-    if (p.gradient) (*this)(*p.gradient);
-    if (p.relief) (*this)(*p.relief);
-  }
-  void operator()(const Polyline& s) { to_.add(s.half_width), list(s.points); }
-  void operator()(const Path& s) {
-    to_.add(int(s.rule)), to_.add(int(s.loops.size()));
-    for (const Path::Loop& loop : s.loops) list(loop.sides);
-  }
-  template <class Figure>
-  void operator()(const Figure& s) {
-    numbers(s);
-  }
-
- private:
-  void area(Area a) { to_.add(a.node < 0 ? 0 : areas_[std::size_t(a.node)]); }
-  template <class Numbers>
-  void numbers(const Numbers& n) {
-    static_assert(std::is_trivially_copyable_v<Numbers> && sizeof n % sizeof(double) == 0);
-    double all[sizeof n / sizeof(double)];
-    std::memcpy(all, &n, sizeof n);
-    for (const double v : all) to_.add(v);
-  }
-  template <class Numbers>
-  void list(const std::vector<Numbers>& all) {
-    to_.add(int(all.size()));
-    for (const Numbers& n : all) numbers(n);
-  }
-
-  Fingerprint& to_;
-  const std::vector<std::uint64_t>& areas_;
-};
-
-}  // namespace
-
-bool same_scene(const Scene& a, const Scene& b) {
-  if (&a.background() == &b.background()) return true;  // the same place in memory
+/// What counts for all layers.
+bool same_frame(const Scene& a, const Scene& b) {
   return a.canvas().y_up == b.canvas().y_up && same_bits(a.canvas().box, b.canvas().box) &&
          same_bits(a.background(), b.background()) &&
-         std::equal(a.shapes().begin(), a.shapes().end(), b.shapes().begin(), b.shapes().end(),
-                    same_shape) &&
-         std::equal(a.nodes().begin(), a.nodes().end(), b.nodes().begin(), b.nodes().end(),
-                    same_node) &&
-         std::equal(a.layers().begin(), a.layers().end(), b.layers().begin(), b.layers().end(),
-                    same_layer) &&
          std::equal(a.groups().begin(), a.groups().end(), b.groups().begin(), b.groups().end(),
                     [](const Group& g, const Group& h) {
                       return g.parent == h.parent && g.mix == h.mix &&
                              same_bits(g.opacity, h.opacity);
                     }) &&
          same_bits(a.light().direction, b.light().direction) &&
-         same_bits(a.light().ambient, b.light().ambient);
+         same_bits(a.light().ambient, b.light().ambient) && a.layers().size() == b.layers().size();
 }
 
-int shapes_in_common(const Scene& a, const Scene& b) {
-  const std::size_t count = std::min(a.shapes().size(), b.shapes().size());
-  int common = 0;
-  for (std::size_t i = 0; i < count; ++i) common += same_shape(a.shapes()[i], b.shapes()[i]);
-  return common;
+}  // namespace
+
+bool same_scene(const Scene& a, const Scene& b) {
+  if (&a.background() == &b.background()) return true;  // the same place in memory
+  return same_frame(a, b) &&
+         std::equal(a.shapes().begin(), a.shapes().end(), b.shapes().begin(), b.shapes().end(),
+                    same_shape) &&
+         std::equal(a.nodes().begin(), a.nodes().end(), b.nodes().begin(), b.nodes().end(),
+                    same_node) &&
+         std::equal(a.layers().begin(), a.layers().end(), b.layers().begin(), same_layer);
 }
 
-void PaintFingerprints::make(const Scene& scene, std::uint64_t seed) {
-  areas_.clear(), paints_.clear();
-  for (const Node& n : scene.nodes()) {
-    Fingerprint area(std::uint64_t(n.op) + 1);
-    if (n.op == Op::shape) {
-      const Shape& shape = scene.shapes()[std::size_t(n.a)];
-      area.add(int(shape.index()));
-      std::visit(Reader(area, areas_), shape);
-    } else {
-      area.add(areas_[std::size_t(n.a)]);
-      area.add(n.b < 0 ? 0 : areas_[std::size_t(n.b)]);
-      area.add(n.amount);
-    }
-    areas_.push_back(area.value());
+bool InCommon::find(const Scene& a, const Scene& b) {
+  if (!same_frame(a, b)) return false;
+  a_ = &a, b_ = &b;
+  same_.assign(std::min(a.nodes().size(), b.nodes().size()), 0);
+  for (std::size_t i = 0; i < same_.size(); ++i) {
+    const Node& n = a.nodes()[i];
+    const auto same = [&](int operand) { return operand < 0 || same_[std::size_t(operand)]; };
+    same_[i] =
+        same_node(n, b.nodes()[i]) &&
+        (n.op == Op::shape ? same_shape(a.shapes()[std::size_t(n.a)], b.shapes()[std::size_t(n.a)])
+                           : same(n.a) && same(n.b));
   }
-  for (const Layer& layer : scene.layers()) {
-    Fingerprint paint(seed);
-    if (layer.paint.gradient || layer.paint.relief) Reader(paint, areas_)(layer.paint);
-    paints_.push_back(paint.value());
-  }
-  // Layers of one paint are told apart by how many had it before.
-  sorted_.clear();
-  for (std::size_t i = 0; i < paints_.size(); ++i) {
-    if (!scene.layers()[i].paint.gradient && !scene.layers()[i].paint.relief) continue;
-    const std::uint64_t plain = paints_[i];
-    Fingerprint paint(plain);
-    paint.add(int(std::count(sorted_.begin(), sorted_.end(), plain)));
-    paints_[i] = paint.value();
-    sorted_.push_back(plain);
-  }
+  return true;
+}
+
+bool InCommon::layer(std::size_t i) const {
+  const Layer &a = a_->layers()[i], &b = b_->layers()[i];
+  const Gradient* gradient = a.paint.gradient.get();
+  const Relief* relief = a.paint.relief.get();
+  const auto* along = gradient ? std::get_if<DistanceGradient>(&gradient->along) : nullptr;
+  return same_layer(a, b) && (!along || area(along->area)) && (!relief || area(relief->area));
 }
 
 }  // namespace mien

@@ -4,7 +4,6 @@
 
 #include <mien/scene.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace mien {
@@ -12,20 +11,21 @@ namespace mien {
 /// Whether they are the same picture in every number. Ends at the first that differs.
 bool same_scene(const Scene& a, const Scene& b);
 
-/// How many shapes are the same in both at the same place of their lists.
-int shapes_in_common(const Scene& a, const Scene& b);
-
-/// A fingerprint of every layer's paint and of the areas that it depends on: gradient, relief and colour. Different
-/// layers have different ones, even if their paints are equal.
-class PaintFingerprints {
+/// What two scenes have in common at the same places of their lists.
+class InCommon {
  public:
-  /// `seed` stands for all else that paints depend on.
-  void make(const Scene& scene, std::uint64_t seed);
-  std::uint64_t of_layer(std::size_t i) const { return paints_[i]; }
+  /// They are referred to. Whether all is the same but for shapes, areas and layers, and there are equally many of
+  /// these; if not, no more is found.
+  bool find(const Scene& a, const Scene& b);
+
+  /// Whether a layer has the same area's number, group and paint, and the areas that its paint reads are the same.
+  bool layer(std::size_t i) const;
 
  private:
-  std::vector<std::uint64_t> areas_;  ///< by node
-  std::vector<std::uint64_t> paints_, sorted_;
+  bool area(Area a) const { return a.node < 0 || same_[std::size_t(a.node)]; }
+
+  const Scene *a_ = nullptr, *b_ = nullptr;
+  std::vector<char> same_;  ///< by node
 };
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <utility>
 
 #include "tests/support/allocations.h"
@@ -82,6 +83,63 @@ TEST(Renderer, AllocatesNothingAfterTheFirstFramesOfAKind) {
       for (int i = 0; i < 4; ++i) EXPECT_TRUE(draw(i));
       EXPECT_EQ(test::allocations() - before, 0) << face;
     }
+}
+
+/// Frames between others that end at every place where they can: asked whether to go on, or at a limit.
+TEST(Renderer, AFrameThatEndedEarlyChangesNoOtherOne) {
+  const Face face = test::face_named("toon");
+  const View view{.width = 90, .height = 160};
+  const auto pose = [&](int i) {
+    return scene_from_face(test::posed(face, {"gaze.x=0.0" + std::to_string(i % 5)}));
+  };
+  Renderer renderer;
+  std::vector<std::uint32_t> pixels(90 * 160);
+  const PixelBuffer out{pixels.data(), 90 * 4, Depth::u8};
+  int ended = 0, recalls = 0;
+  for (int i = 0; i < test::times(40); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      RenderStats stats;
+      ASSERT_TRUE(renderer.render_into(out, pose(i + k), view, {.threads = {.count = 1}}, &stats));
+      recalls += stats.recalled_pixels > 0;
+    }
+    int left = i / 4;
+    RenderOptions how{.threads = {.count = 1 + i % 2}};
+    if (i % 4 == 0) how.limits.steps = 2000 << i / 4;
+    if (i % 4 == 1) how.limits.memory = 2000 << i / 4;
+    if (i % 4 > 1) how.progress = [&](double) { return left-- > 0; };
+    ended += !renderer.render_into(out, pose(i + 3), view, how);
+    ended += !renderer.render_into(out, pose(i), {.width = 0, .height = 9}, how);
+    const Scene next = pose(i + 3 + i % 2);
+    ASSERT_EQ(frame(&renderer, next, view, Depth::u8), frame(nullptr, next, view, Depth::u8)) << i;
+  }
+  EXPECT_GT(ended, test::times(50)) << "40 of them are no pictures";
+  EXPECT_GT(recalls, test::times(30));
+}
+
+/// One that a caller's exception ends, too.
+TEST(Renderer, AFrameThatThrewChangesNoOtherOne) {
+  const Face face = test::face_named("toon");
+  const View view{.width = 90, .height = 160};
+  const auto pose = [&](int i) {
+    return scene_from_face(test::posed(face, {"gaze.x=0.0" + std::to_string(i % 5)}));
+  };
+  for (int i = 0; i < 6; ++i) {
+    Renderer renderer;
+    for (int k = 0; k < 3; ++k) frame(&renderer, pose(k), view, Depth::u8);
+    std::vector<std::uint32_t> pixels(90 * 160);
+    int left = i;
+    const RenderOptions how{.threads = {.count = 1}, .progress = [&](double) -> bool {
+                              return left-- > 0 ? true : throw std::string("the caller's");
+                            }};
+    try {
+      (void)renderer.render_into({pixels.data(), 90 * 4, Depth::u8}, pose(3), view, how);
+    } catch (const std::string&) {
+    }
+    for (const int next : {3, 4})
+      ASSERT_EQ(frame(&renderer, pose(next), view, Depth::u8),
+                frame(nullptr, pose(next), view, Depth::u8))
+          << i;
+  }
 }
 
 TEST(Renderer, CopiesRowsThatAreAsTheyWere) {

@@ -98,10 +98,15 @@ class Gathering {
       return cut_at(vertex, from, to, key_from, key_to);
     }
     if (is_long) return cut_at(0.5 * (from + to), from, to, key_from, key_to);
-    if (to_.count == Branches::kMost)
+    // Where the vertex lies beyond the spine's end, a stretch may have a least distance at the end beside the one within.
+    const bool begins = from == 0.0 && vertex < 0.0, ends = to == 1.0 && vertex > 1.0;
+    const bool of_its_own = outline_.stroke && !single && bend2 > 0.0 && (begins || ends);
+    if (to_.count + int(of_its_own) >= Branches::kMost) {
       to_.crowded = true;
-    else
-      add(from, to, key_from, key_to, single);
+      return;
+    }
+    add(from, to, key_from, key_to, single);
+    if (of_its_own) add_end(begins ? 0.0 : 1.0);
   }
   void cut_at(double t, double from, double to, double key_from, double key_to) {
     const double key = key_at(outline_.spines[now_], t, middle_);
@@ -159,6 +164,20 @@ class Gathering {
         start,
         0.0,
         0.0};
+    put(figures);
+  }
+
+  /// A stroke's end as a branch: a stretch of no length.
+  void add_end(double t) {
+    const Spine& s = outline_.spines[now_];
+    const glm::dvec2 end = on_spine(s, t) - middle_;
+    double figures[Branches::kRows] = {};
+    figures[Branches::x0] = end.x, figures[Branches::y0] = end.y;
+    figures[Branches::w0] = width_on_spine(s, t), figures[Branches::single] = 1.0;
+    put(figures);
+  }
+
+  void put(const double (&figures)[Branches::kRows]) {
     float* column = to_.figures.data() + to_.count++;
     for (int r = 0; r < Branches::kRows; ++r) column[r * Branches::kStride] = float(figures[r]);
   }

@@ -370,7 +370,12 @@ HWY_INLINE Sight SightOf(const Branches& b, int k, const BranchFeet& feet, float
       const VF over_r = hn::Div(one, r);
       s.nx = hn::IfThenElse(beside, s.nx, hn::Mul(qx, over_r));
       s.ny = hn::IfThenElse(beside, s.ny, hn::Mul(qy, over_r));
-      s.off = hn::IfThenElse(beside, s.off, set(BranchPair::kFar));
+      // Around an end the distance is a cone, whose tip the gradient turns at.
+      s.off = hn::IfThenElse(beside, s.off, r);
+      s.across = hn::IfThenElse(beside, turned, one);
+      s.ex = hn::IfThenElse(beside, hn::Neg(hn::Mul(hand, nx)), hn::Neg(s.nx));
+      s.ey = hn::IfThenElse(beside, hn::Neg(hn::Mul(hand, ny)), hn::Neg(s.ny));
+      return s;
     }
     s.ex = hn::Neg(hn::Mul(hand, nx)), s.ey = hn::Neg(hn::Mul(hand, ny)), s.across = turned;
     return s;

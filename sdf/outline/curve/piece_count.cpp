@@ -24,7 +24,7 @@ void PieceCount::add(const Path& path) {
 }
 
 void PieceCount::begin(glm::dvec2 p) {
-  held_.pieces.clear(), held_.chains.clear(), held_.ends.clear();
+  held_.pieces.clear(), held_.chains.clear(), held_.turns.clear();
   before_ = 0, lost_ = false;
   loop_.begin(p);
   at_ = p;

@@ -46,17 +46,28 @@ TEST(RowRoots, TellTheCellsOfRowsThatMeetOneBorderAsTheyAreTold) {
       if (!(p.y1 > p.y0)) continue;
       ranges_of(p.y0, p.y1, 9, [&](const RowRange& range) {
         RowRoots at;
-        row_roots(p, range, at);
+        row_roots(p, range, at, true);
         for (int k = 0; k < range.rows; ++k) {
           const RowStretch s = row_stretch(range, at, k);
           if (std::abs(s.last - s.column) > 1) continue;
           ++(s.last == s.column ? alone : two);
           const auto row = std::size_t(k);
           cells_of_row(p, s, 9, [&](const CellStretch& c) {
-            const CellPart part = c.column == s.column ? at.first(row) : at.second(row);
-            const float area = float(c.area);
-            ASSERT_EQ(part.area, area) << i;
-            ASSERT_EQ(part.rest, float(c.yq - c.yp) - area) << i;
+            const RowRoots::Cells& cells = c.column == s.column ? at.first : at.second;
+            ASSERT_EQ(cells.part(row).area, float(c.area)) << i;
+            ASSERT_EQ(cells.part(row).height, float(c.yq - c.yp)) << i;
+            const PartStretch in = cells.stretch(row);
+            const auto held = [&](double at_x) {  // left of the picture at the border
+              return c.column < 0 ? 0.0f : std::clamp(float(at_x - c.column), 0.0f, 1.0f);
+            };
+            const auto along = [&](double at_y) { return float(at_y - c.row); };
+            ASSERT_EQ(in.xp, held(c.xp)) << i;
+            ASSERT_EQ(in.xm, held(c.xm)) << i;
+            ASSERT_EQ(in.xq, held(c.xq)) << i;
+            ASSERT_EQ(in.yp, along(c.yp)) << i;
+            ASSERT_EQ(in.ym, along(c.ym)) << i;
+            ASSERT_EQ(in.yq, along(c.yq)) << i;
+            ASSERT_EQ(in.sign, 1.0f);
           });
         }
       });

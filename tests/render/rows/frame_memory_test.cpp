@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kRows = 4, kWidth = 3;
 constexpr std::size_t kRowBytes = 4 * kWidth;
-constexpr FrameMemory::Frame kFrame{kRows, {0, 0, kWidth, kRows}, Depth::u8, 8, 6};
+constexpr FrameMemory::Frame kFrame{kRows, {0, 0, kWidth, kRows}, Depth::u8, 1};
 
 FrameMemory::Frame with(auto change) {
   FrameMemory::Frame frame = kFrame;
@@ -18,7 +18,7 @@ FrameMemory::Frame with(auto change) {
 TEST(FrameMemory, KeepsNothingUntilTwoFramesAreAlike) {
   FrameMemory memory;
   EXPECT_FALSE(memory.begin(kFrame)) << "the first";
-  EXPECT_FALSE(memory.begin(with([](auto& f) { f.in_common = 1; })));
+  EXPECT_FALSE(memory.begin(with([](auto& f) { f.same = 0; })));
   EXPECT_TRUE(memory.begin(kFrame));
   EXPECT_FALSE(memory.begin(with([](auto& f) { f.rows = 5; })));
   EXPECT_FALSE(memory.begin(kFrame));
@@ -50,35 +50,24 @@ TEST(FrameMemory, IsNotForPicturesLargerThanItSays) {
   EXPECT_FALSE(memory.begin(wide(1)));
 }
 
-TEST(FrameMemory, RecallsWhatIsMadeFromTheSame) {
+TEST(FrameMemory, RecallsRowsUntilTheyAreForgotten) {
   FrameMemory memory;
   memory.begin(kFrame);
   memory.begin(kFrame);
-  std::vector<std::byte> row(kRowBytes, std::byte{7}), to(kRowBytes);
-  EXPECT_FALSE(memory.recall(2, 5, to.data()));
-  memory.keep(2, 5, row.data());
-  EXPECT_FALSE(memory.recall(2, 6, to.data()));
-  EXPECT_FALSE(memory.recall(1, 5, to.data()));
-  ASSERT_TRUE(memory.recall(2, 5, to.data()));
+  const std::vector<std::byte> row(kRowBytes, std::byte{7});
+  std::vector<std::byte> to(kRowBytes);
+  EXPECT_FALSE(memory.holds(2));
+  for (const int y : {1, 2, 3}) memory.keep(y, row.data());
+  memory.begin(kFrame);
+  ASSERT_TRUE(memory.holds(2));
+  memory.recall(2, to.data());
   EXPECT_EQ(to, row);
-  memory.keep(2, 0, row.data());
-  EXPECT_FALSE(memory.recall(2, 0, to.data())) << "made from more than its fingerprint says";
-  memory.keep(3, 9, row.data());
+  memory.forget(1, 3);
+  EXPECT_FALSE(memory.holds(1) || memory.holds(2));
+  EXPECT_TRUE(memory.holds(3));
   memory.begin(with([](auto& f) { f.rect.x = 1; }));
   memory.begin(with([](auto& f) { f.rect.x = 1; }));
-  EXPECT_FALSE(memory.recall(3, 9, to.data())) << "of other columns";
-}
-
-TEST(FrameMemory, RestsWhereItIsOfNoUse) {
-  FrameMemory memory;
-  memory.begin(kFrame);
-  int kept = 0;
-  for (int i = 0; i < 20; ++i)
-    if (memory.begin(kFrame)) ++kept, memory.end(kRows, 0);
-  EXPECT_GT(kept, 1);
-  EXPECT_LT(kept, 6);
-  for (int i = 0; i < 20; ++i) kept += memory.begin(kFrame);
-  EXPECT_GT(kept, 6) << "it tries again";
+  EXPECT_FALSE(memory.holds(3)) << "of other columns";
 }
 
 }  // namespace

@@ -57,6 +57,34 @@ TEST(AreaProgram, OfEveryAreaOfRandomScenesItHoldsWhereTheDistanceIsAtMostTheLev
   }
 }
 
+TEST(AreaProgram, OutlinesOfAnotherSceneAreTheSameIfAllTheirNumbersAre) {
+  const auto made = [](std::vector<Disc> discs, double grown, AreaPrograms& programs) {
+    SceneBuilder build(kCanvas, {});
+    std::vector<Area> areas;
+    for (const Disc& d : discs) areas.push_back(build.shape(d));
+    for (const Area a : areas) build.layer("", a, {});
+    Scene scene = std::move(build).finish();
+    programs.begin(scene);
+    for (const Area a : areas) programs.add(a, a.node == 1 ? grown : 0.0);
+    return scene;
+  };
+  const Disc a{{0, 0}, 1}, b{{1, 0}, 0.5}, c{{0, 1}, 0.25}, d{{1, 1}, 0.125};
+  const auto same = [&](std::vector<Disc> before, std::vector<Disc> now, double grown) {
+    AreaPrograms p, q;
+    const Scene s = made(before, 0.0, p), t = made(now, grown, q);
+    std::vector<int> found;
+    q.find_same(p, found);
+    return found;
+  };
+  using Found = std::vector<int>;
+  EXPECT_EQ(same({a, b, c}, {a, b, c}, 0), (Found{0, 1, 2}));
+  EXPECT_EQ(same({a, b, c}, {a, d, c}, 0), (Found{0, -1, 2}));
+  EXPECT_EQ(same({a, b, c}, {a, b, c}, 0.1), (Found{0, -1, 2})) << "at another level";
+  EXPECT_EQ(same({a, b, c}, {a, c}, 0), (Found{0, 2}));
+  EXPECT_EQ(same({a, c}, {a, b, c}, 0), (Found{0, -1, 1}));
+  EXPECT_EQ(same({a, b, c, d}, {b, b, a, d}, 0), (Found{-1, -1, 3})) << "their order stays";
+}
+
 TEST(AreaProgram, EverywhereHoldsInsideOfNothing) {
   SceneBuilder build(kCanvas, {});
   build.layer("all", build.everywhere(), {});

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <set>
 
 namespace mien {
 namespace {
@@ -68,48 +67,28 @@ TEST(SameScene, IsNumberForNumberAndNamesDoNotCount) {
   }
 }
 
-TEST(SameScene, CountsShapesInCommon) {
-  Numbers changed;
-  changed.disc.radius = 1;
-  EXPECT_EQ(shapes_in_common(Numbers().scene(), Numbers().scene()), 2);
-  EXPECT_EQ(shapes_in_common(Numbers().scene(), changed.scene()), 1);
-  EXPECT_EQ(shapes_in_common(Numbers().scene(), Scene()), 0);
-}
-
-TEST(PaintFingerprints, ChangeWithThePaintAndItsAreas) {
-  const auto prints = [](const Numbers& n, std::uint64_t seed) {
-    PaintFingerprints made;
-    made.make(n.scene(), seed);
-    return std::vector{made.of_layer(0), made.of_layer(1), made.of_layer(2)};
-  };
-  const auto before = prints({}, 1);
-  EXPECT_EQ(before, prints({}, 1));
-  const auto others = prints({}, 2);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(before[i], others[i]);
-  // Which layers' paints change: those that read the number.
+/// Which layers change: those whose paint or an area that it reads does, not those whose own area moves.
+TEST(InCommon, KnowsWhichLayersReadWhatChanged) {
   const std::pair<std::size_t, std::vector<std::size_t>> cases[] = {
-      {3, {2}}, {4, {1}}, {5, {}}, {6, {}}, {7, {0, 2}}, {8, {0}}, {9, {0}}, {10, {2}}, {11, {1}}};
+      {3, {2}}, {4, {1}},  {5, {}},   {7, {0, 2}}, {8, {0}},
+      {9, {0}}, {10, {2}}, {11, {1}}, {12, {1}}};
+  const Scene scene = Numbers().scene();
   for (const auto& [change, layers] : cases) {
     Numbers changed;
     kChanges[change](changed);
-    const auto after = prints(changed, 1);
+    const Scene other = changed.scene();
+    InCommon common;
+    ASSERT_TRUE(common.find(scene, other));
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_EQ(before[i] != after[i], std::count(layers.begin(), layers.end(), i) > 0)
+      EXPECT_EQ(!common.layer(i), std::count(layers.begin(), layers.end(), i) > 0)
           << change << ' ' << i;
   }
-}
-
-TEST(PaintFingerprints, AreOfOneLayerEach) {
-  SceneBuilder build({{{0, 0}, {10, 10}}, false}, {});
-  const auto gradient =
-      shared(Gradient{LinearGradient{{0, 0}, {1, 0}}, {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 1}}}});
-  for (int i = 0; i < 5; ++i)
-    build.layer("", build.shape(Disc{{5, 5}, 3}), {{1, 1, 1, 1}, gradient});
-  PaintFingerprints made;
-  made.make(std::move(build).finish(), 0);
-  std::set<std::uint64_t> all;
-  for (std::size_t i = 0; i < 5; ++i) all.insert(made.of_layer(i));
-  EXPECT_EQ(all.size(), 5u);
+  for (const std::size_t change : {0, 1, 2, 6, 13, 14}) {
+    Numbers changed;
+    kChanges[change](changed);
+    EXPECT_FALSE(InCommon().find(scene, changed.scene())) << change;
+  }
+  EXPECT_FALSE(InCommon().find(scene, Scene()));
 }
 
 }  // namespace

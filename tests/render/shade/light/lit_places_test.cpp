@@ -209,6 +209,62 @@ TEST(LitPlaces, HalvesOfAParabolaHaveFeetOfTheirOwn) {
   });
 }
 
+AreaDistance area_of_stroke(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, double half_width) {
+  SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
+  const Area area = scene.shape(QuadStroke{{a, b, c}, half_width});
+  return AreaDistance(std::move(scene).finish(), area, {});
+}
+
+/// Where a parabola's vertex lies beyond a stroke's end, the end is a least distance beside the one within.
+TEST(LitPlaces, EndsOfAStrokeAreBranchesOfTheirOwn) {
+  test::on_every_set([] {
+    test::Random random(35);
+    int beside = 0;
+    for (int k = 0; k < 300; ++k) {
+      const glm::dvec2 way = random.direction(), across{-way.y, way.x};
+      // Around the place that sees both as about equally far.
+      const auto point = [&](double x, double y) {
+        return kAround + (x - 15.1) * way + (y - 7.6) * across;
+      };
+      const glm::dvec2 a = point(11.85, 16.19), b = point(9.24, 16.16), c = point(3.11, 8.06);
+      const AreaDistance area =
+          k % 2 ? area_of_stroke(a, b, c, 0.135) : area_of_stroke(c, b, a, 0.135);
+      Sixteen at{.half = kHalves[std::size_t(k % 3)]};
+      ASSERT_TRUE(at.look(area, random));
+      for (std::size_t i = 0; i < 16; ++i) {
+        EXPECT_NEAR(at.seen.best.d[i], area.at(at.place(i)), 2e-3) << k << " " << i;
+        beside += std::abs(glm::distance(at.place(i), a) - 0.135 - at.seen.best.d[i]) < 0.5 &&
+                  at.seen.off[i] < 0.5;
+      }
+    }
+    EXPECT_GT(beside, 100);
+  });
+}
+
+/// Around an end the distance is a cone, and its gradient turns at the tip.
+TEST(LitPlaces, TipsOfCapsAreRidges) {
+  test::on_every_set([] {
+    test::Random random(36);
+    int near = 0;
+    for (int k = 0; k < 600; ++k) {
+      const glm::dvec2 way = random.direction(), across{-way.y, way.x};
+      const glm::dvec2 tip = kAround + random.between(0, 10) * random.direction();
+      const AreaDistance area =
+          area_of_stroke(tip, tip + 6.0 * way + random.between(-3, 3) * across, tip + 20.0 * way,
+                         random.between(1, 6));
+      Sixteen at{.half = kHalves[std::size_t(k % 3)]};
+      ASSERT_TRUE(at.look(area, random));
+      for (std::size_t i = 0; i < 16; ++i) {
+        const glm::dvec2 from = at.place(i) - tip;
+        if (at.seen.best.d[i] > 0.0f || glm::dot(from, way) > -0.6 * glm::length(from)) continue;
+        ++near;
+        EXPECT_LT(at.seen.off[i], glm::length(from) + 0.01) << k << " " << i;
+      }
+    }
+    EXPECT_GT(near, 300);
+  });
+}
+
 }  // namespace
 }  // namespace mien::batch
 #endif
