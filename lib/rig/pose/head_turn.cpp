@@ -73,14 +73,15 @@ double Turn::outline_shift(glm::dvec2 p) const {
   const double edge = std::min(across * across, 1.0);
   if (across < 0) {
     // Above the ear, which is drawn at the edge; wide hair and hats do not grow.
-    const double skull = risen(up, 0, 0.8) * (1 - risen(-across, 1.15, 1.7));
+    const double skull = risen(up, 0, 0.8) * (1 - risen(-across, 1.05, 1.6));
     return -ahead * a * edge * 2 * std::max(longer_, 0.0) * skull;
   }
-  // The cheekbone stays; the temple above it is hollow and the jaw below it narrow.
-  constexpr double kTemple = 0.04, kJaw = 0.09;
-  const double temple = risen(up, 0.1, 0.4) * (1 - risen(up, 0.45, 0.9));
-  const double jaw = 1 - risen(up, -0.85, -0.3);
-  return -ahead * a * edge * std::abs(yaw_.y) * (kTemple * temple + kJaw * jaw);
+  // The cheekbone stands out; the temple above it, up to where hats begin, is hollow, and the jaw below it narrow.
+  constexpr double kCheek = 0.02, kTemple = 0.05, kJaw = 0.09;
+  const double cheek = risen(up, -0.3, 0) * (1 - risen(up, 0.2, 0.35));
+  const double temple = risen(up, 0.22, 0.4) * (1 - risen(up, 0.4, 0.6));
+  const double jaw = 1 - risen(up, -0.9, -0.35);
+  return ahead * a * edge * std::abs(yaw_.y) * (kCheek * cheek - kTemple * temple - kJaw * jaw);
 }
 
 glm::dvec2 Turn::surface(glm::dvec2 p, double depth) const {
