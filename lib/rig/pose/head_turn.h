@@ -12,7 +12,7 @@
 //
 // A head with a skull is not round: seen from the side it is longer. The half-width of an ellipsoid of half-axes a and c
 // turned by the yaw is √(a² cos² + c² sin²), and what that is more than a is added on the side that turns away, above the
-// ear. On the other side the temple is hollow and the jaw narrower.
+// ear. On the other side the cheekbone stands out between a hollow temple and a narrower jaw.
 //
 // A head that comes nearer is seen larger, about the same pivot: places, sizes and lengths grow alike.
 //
