@@ -29,12 +29,21 @@ if(MIEN_BUILD_COMMAND)
   find_package(CLI11 REQUIRED)                  # the command line, in tools only
   find_library(MIEN_CSV csv REQUIRED)           # tables, in tools/mien/data only
   pkg_check_modules(EVENT REQUIRED IMPORTED_TARGET GLOBAL libevent_extra libevent_core)  # HTTP, in tools/mien/studio only
+  pkg_check_modules(GIF REQUIRED IMPORTED_TARGET GLOBAL libgif>=5)  # films, in tools/mien/film only
+  pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET GLOBAL libwebp libwebpmux)
   pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET GLOBAL nettle)  # SHA-256, in tools/mien/output only
+endif()
+if(MIEN_BUILD_SAY)
+  pkg_check_modules(ESPEAK REQUIRED IMPORTED_TARGET GLOBAL espeak-ng)  # spoken text, in tools/say only; its licence is the GPL
+elseif(MIEN_BUILD_COMMAND AND MIEN_BUILD_TESTS)
+  pkg_check_modules(ESPEAK QUIET IMPORTED_TARGET GLOBAL espeak-ng)  # tests only: what is installed does without
 endif()
 if(MIEN_BUILD_TESTS)
   find_package(GTest REQUIRED)
   if(MIEN_BUILD_IMAGE)
     find_package(ZLIB REQUIRED)                 # unpacks what was packed
+    pkg_check_modules(GIF REQUIRED IMPORTED_TARGET GLOBAL libgif>=5)  # and these read films
+    pkg_check_modules(LIBWEBP REQUIRED IMPORTED_TARGET GLOBAL libwebpdemux libwebp)
   endif()
 endif()
 if(MIEN_BUILD_BENCH)

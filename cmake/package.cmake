@@ -56,12 +56,20 @@ macro(mien_package name)
 endmacro()
 
 if(MIEN_BUILD_COMMAND)
-  mien_package(mien COMPONENTS command SUGGESTS "mien-formats, ffmpeg"
+  mien_package(mien COMPONENTS command SUGGESTS "mien-formats, mien-say, ffmpeg"
                SUMMARY "draws vector faces exactly"
                TEXT "A face described by numbers becomes an exact, antialiased picture, at any size.
 This is the command: it draws stills, animations and people, poses faces by
 emotions, muscles and gaze, and writes PNG. TIFF, EXR and JPEG are written
-where mien-formats is installed, and films where ffmpeg is.")
+where mien-formats is installed, animations as APNG, WebP and GIF always, and
+as MP4 and WebM where ffmpeg is.")
+endif()
+if(MIEN_BUILD_SAY)
+  mien_package(mien-say COMPONENTS say
+               SUMMARY "speaks the texts of mien say, by eSpeak NG"
+               TEXT "Text becomes sound and the times of its sounds, in the languages of eSpeak NG,
+for faces of mien to speak. A package apart, since this program is linked to
+eSpeak NG and so under the GPL, version 3 or later.")
 endif()
 if(MIEN_BUILD_IMAGE AND (MIEN_BUILD_COMMAND OR MIEN_BUILD_C))
   mien_package(mien-formats COMPONENTS formats

@@ -84,6 +84,7 @@ constexpr Synonyms kSynonyms[] = {
     // Commands.
     {"draw paint convert", {"render"}},
     {"create make generate random", {"new"}},
+    {"speak talk tts speech espeak", {"say"}},
     {"film video movie gif mp4", {"animate"}},
     {"info names show inspect", {"list"}},
     {"validate lint verify", {"check"}},

@@ -93,6 +93,8 @@ bool Ramp::kinks(double lo, double hi, int most, std::vector<double>& to) const 
   }
   if (int(to.size()) <= most) return true;
   to.clear();
+  for (const double end : {first, first + length})
+    if (extend_ == Extend::pad && end > lo && end < hi) to.push_back(end);
   return false;
 }
 

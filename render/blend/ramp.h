@@ -39,8 +39,14 @@ class Ramp {
   double steepest() const;
 
   /// Writes the places between lo and hi where the colour has a kink or a jump, rising; false where
-  /// there are more than `most` (then none).
+  /// there are more than `most` (then those alone where a padded ramp begins and ends).
   bool kinks(double lo, double hi, int most, std::vector<double>& to) const;
+
+  /// Whether a stretch lies beyond the ends of a padded ramp, where it has one colour.
+  bool beyond(double from, double to) const {
+    const double first = at_.front();
+    return extend_ == Extend::pad && (to <= first || from >= first + (at_.back() - first));
+  }
 
  private:
   void add_kinks(double begin, bool backward, double lo, double hi,

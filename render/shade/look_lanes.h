@@ -29,7 +29,6 @@ struct LaneStep {
     over,    ///< lay `color` over it, by `mode`
     linear,  ///< lay a ramp over it
     radial,
-    along,  ///< t is given
     given,  ///< lay colours over it that are given
     close   ///< the group ends: lay it over what was there, times color[3], by `mode`
   } kind;
@@ -42,7 +41,7 @@ struct LaneStep {
       by_y{};                       ///< at its middle, and what they change by; linear: t − from
   float uxx = 0, uxy = 0, uyy = 0;  ///< UᵀU
   float neglects = 0, most = 0;     ///< times |q|⁻², and at most
-  std::array<const float*, 4> given{};  ///< planes; of t the first
+  std::array<const float*, 4> given{};  ///< planes
 };
 
 /// Writes the looks' colours to planes, and to `neglected` the errors of radial means; whole vectors. Returns the

@@ -132,11 +132,6 @@ float ShadeLanes(const LaneStep* steps, size_t count, const LanePlaces& at, floa
           color = LaidOver(color, RampColor(*s, hn::Sub(t, hn::Set(d, s->from))));
           break;
         }
-        case LaneStep::Kind::along: {
-          const V t = hn::LoadU(d, s->given[0] + i);
-          color = LaidOver(color, RampColor(*s, hn::Sub(t, hn::Set(d, s->from))));
-          break;
-        }
         case LaneStep::Kind::given:
           color = LaidOver(color, LoadColor(s->given, i));
           break;

@@ -36,6 +36,39 @@ LanePlaces squares(int count, const float* column, const float* x, const float* 
   return {count, column, x ? x : zero, y ? y : zero, v, zero, v};
 }
 
+/// Of squares of twice the side: their areas and centroids, and the means of colours that are known.
+void halve(PartCells& cells, std::span<ColorRow* const> colors) {
+  const int side = cells.side, half = side / 2;
+  for (int k = 0; k < half * half; ++k) {
+    const auto to = std::size_t(k), first = std::size_t(2 * (k / half) * side + 2 * (k % half));
+    const std::size_t four[] = {first, first + 1, first + std::size_t(side),
+                                first + std::size_t(side) + 1};
+    std::array<float, 4> share{0.25f, 0.25f, 0.25f, 0.25f};
+    float area = 0.0f;
+    for (const std::size_t n : four) area += cells.area[n];
+    for (std::size_t i = 0; area > 0.0f && i < 4; ++i) share[i] = cells.area[four[i]] / area;
+    const auto mean_of = [&](auto& v) {
+      float sum = 0.0f;
+      for (std::size_t i = 0; i < 4; ++i) sum += share[i] * v[four[i]];
+      v[to] = sum;
+    };
+    mean_of(cells.x), mean_of(cells.y);
+    for (ColorRow* c : colors) mean_of(c->r), mean_of(c->g), mean_of(c->b), mean_of(c->a);
+    cells.area[to] = area;
+  }
+  cells.side = half;
+}
+
+glm::vec4 mean_over(const PartCells& cells, const ColorRow& c) {
+  glm::vec4 sum{0.0f};
+  float area = 0.0f;
+  for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
+    sum += cells.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
+    area += cells.area[k];
+  }
+  return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
+}
+
 /// A column near `x`, where floats count from.
 float origin_near(double x) {
   constexpr double kMost = 1 << 22;
@@ -76,11 +109,13 @@ void LookShader::radial_step(const LookStep& step, double y, LaneStep& made) con
 LaneStep LookShader::ramp_step(const LookStep& step, double y) const {
   const PaintField& field = looks_->paints().varied[std::size_t(step.varied)].paint.field;
   const RampSegment& s = looks_->segment(step);
-  LaneStep made{.kind = LaneStep::Kind::along};
+  LaneStep made{.kind = LaneStep::Kind::linear};
   made.from = float(s.from), made.length = float(s.to - s.from);
   made.color = floats(s.at + s.from * s.slope), made.slope = floats(s.slope);
-  if (field.kind == PaintField::Kind::linear) linear_step(field, y, made);
-  if (field.kind == PaintField::Kind::radial) radial_step(step, y, made);
+  if (field.kind == PaintField::Kind::linear)
+    linear_step(field, y, made);
+  else
+    radial_step(step, y, made);
   return made;
 }
 
@@ -98,9 +133,9 @@ const ColorRow& LookShader::shade(int look, double y, const LanePlaces& at, cons
                         .color = floats(step.mix)});
       continue;
     }
-    const bool ramp = step.zone < 0 && step.segment >= 0;
+    const bool ramp = step.zone < 0 && !looks_->by_integral(step);
     LaneStep made = ramp ? ramp_step(step, y) : LaneStep{.kind = LaneStep::Kind::given};
-    if (!ramp || made.kind == LaneStep::Kind::along) {
+    if (!ramp) {
       ColorRow& to = given_[steps_.size()];
       to.room_for(std::size_t(at.count));
       give(step, to);
@@ -133,8 +168,13 @@ const ColorRow& LookShader::parts(int look, int y, const Parts& parts) {
 
 glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int side,
                                bool coarse) {
-  if (form) cells_of_form(*form, side, cells_, coarse);
-  const PartCells& cells = form ? cells_ : whole_cells(side);
+  constexpr float kUnsure = 0.3f;  // of the tolerance
+  const VariedPaint* const products = looks_->products(look);
+  if (form)
+    cells_of_form(*form, side, cells_, coarse);
+  else if (products)
+    cells_ = whole_cells(side);
+  const PartCells& cells = form || products ? cells_ : whole_cells(side);
   // Under a ramp whose opacity varies, and under a group that mixes, lower layers count place by place.
   const auto steps = looks_->steps(look);
   each_ = std::any_of(steps.begin(), steps.end(), [&](const LookStep& step) {
@@ -150,65 +190,64 @@ glm::vec4 LookShader::by_cells(int look, int x, int y, const PartForm* form, int
     give(step, {x, y, count, form ? &part : nullptr, &cells}, 0, to);
   });
   this->doubts().resize(doubts);  // they were told when the mean was asked for
-  glm::vec4 sum{0.0f};
+  const glm::vec4 mean = mean_over(cells, c);
+  if (!products) return mean;
+  float off = 0.0f;
+  const glm::vec4 better = with_products(*products, mean, off);
+  if (off > kUnsure && side < PartCells::kMostSide)
+    return by_cells(look, x, y, form, 2 * side, coarse);
+  if (off > kUnsure) this->doubts().push_back({x, off});
+  return better;
+}
+
+/// What products of ramps vary by within cells counts four times as much in cells of twice the side: the rest of it
+/// is told by two such steps, and what the mean then may be off by as a share of the tolerance by how they differ.
+glm::vec4 LookShader::with_products(const VariedPaint& varied, const glm::vec4& mean, float& off) {
+  given_rows_.clear();
+  for (std::size_t i = 0; i < steps_.size(); ++i)
+    if (steps_[i].given[0]) given_rows_.push_back(&given_[i]);
+  glm::vec4 told[2], last = mean;
   float area = 0.0f;
-  for (std::size_t k = 0; k < std::size_t(count); ++k) {
-    sum += cells.area[k] * glm::vec4{c.r[k], c.g[k], c.b[k], c.a[k]};
-    area += cells.area[k];
+  for (std::size_t k = 0; k < std::size_t(cells_.count()); ++k) area += cells_.area[k];
+  for (glm::vec4& t : told) {
+    halve(cells_, given_rows_);
+    const LanePlaces at =
+        squares(cells_.count(), columns_.data(), cells_.x.data(), cells_.y.data(), cells_.side);
+    shade_lanes(steps_, at, stack_, colors_, neglected_);
+    const glm::vec4 next = mean_over(cells_, colors_);
+    t = last + (last - next) / 3.0f, last = next;
   }
-  return area > 0.0f ? sum / area : glm::vec4{c.r[0], c.g[0], c.b[0], c.a[0]};
+  constexpr float kLeft = 0.3f;  // of the difference of both
+  for (int c = 0; c < 4; ++c) {
+    // Linear light v is encoded as steeply as 0.72 / √v at most.
+    const float dark = std::max(told[0][c], 0.0144f),
+                steep = varied.linear ? 0.72f / std::sqrt(dark) : 1.0f;
+    off = std::max(off, kLeft * area * steep * std::abs(told[0][c] - told[1][c]));
+  }
+  off /= float(varied.tolerance);
+  return told[0];
 }
 
 /// Whether a paint's opacity varies.
 bool LookShader::fades(const LookStep& step) const {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
-  if (varied.integral)
+  if (varied.by_integral)
     return varied.paint.ramp->least_opacity() < varied.paint.ramp->most_opacity();
   return varied.paint.ramp && looks_->segment(step).slope.a != 0.0;
 }
 
-/// Colours of a step that is no ramp between two kinks, or t of one along a distance, from the `first` place on.
+/// Colours of a step that lanes do not know, from the `first` place on.
 void LookShader::give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to) {
-  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   if (step.zone >= 0) return give_light(step, at, first, to);
-  if (step.segment < 0) return give_means(step, at, first, to);
-  give_distances(varied, at, to.r.data() + first);
-}
-
-/// t along a distance.
-void LookShader::give_distances(const VariedPaint& varied, const Places& at, float* t) {
-  const LitPaint& lit = *lit_of(varied);
-  if (at.cells) {
-    lit.distances_of_cells(at.x, at.y, *at.cells, t, lit_scratch_);
-    shift_to_mean(lit, at, t);
-  } else if (at.part) {
-    t[0] = lit.distance_of_part(at.x, at.y, *at.part, lit_scratch_);
-  } else {
-    lit.distances(at.x, at.y, at.count, t, lit_scratch_);
-  }
-  const float from = float(varied.paint.field.from), scale = float(varied.paint.field.scale);
-  for (int i = 0; i < at.count; ++i) t[i] = (t[i] - from) * scale;
-}
-
-/// A ridge that runs through cells lowers their mean; the part's own mean is more exact.
-void LookShader::shift_to_mean(const LitPaint& lit, const Places& at, float* d) {
-  float mean = 0.0f, sum = 0.0f, area = 0.0f;
-  if (at.part)
-    mean = lit.distance_of_part(at.x, at.y, *at.part, lit_scratch_);
-  else
-    lit.distances(at.x, at.y, 1, &mean, lit_scratch_);
-  for (std::size_t k = 0; k < std::size_t(at.count); ++k)
-    sum += at.cells->area[k] * d[k], area += at.cells->area[k];
-  if (area > 0.0f)
-    for (int i = 0; i < at.count; ++i) d[i] += mean - sum / area;
+  give_means(step, at, first, to);
 }
 
 void LookShader::give_light(const LookStep& step, const Places& at, std::size_t first,
                             ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const LitPaint& lit = *lit_of(varied);
-  const bool segmented = varied.paint.ramp && !varied.integral;
-  const LitPiece piece{step.zone, segmented ? &looks_->segment(step) : nullptr};
+  const LitPiece piece{step.zone,
+                       varied.paint.ramp && step.segment >= 0 ? &looks_->segment(step) : nullptr};
   if (at.cells)
     lit.colors_of_cells(piece, at.x, at.y, *at.cells, at.part, each_, to.r, to.g, to.b, to.a,
                         lit_scratch_);
@@ -223,33 +262,38 @@ void LookShader::give_means(const LookStep& step, const Places& at, std::size_t 
                             ColorRow& to) {
   const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
   const PaintField& field = varied.paint.field;
-  const RampIntegral& ramp = *varied.integral;
-  if (at.cells) return give_means_of_cells(varied, at, to);
-  if (at.part) return set_color(to, first, glm::vec4(ramp_mean_of_part(varied, at)));
+  const RampIntegral& ramp = looks_->integral(step);
+  if (at.cells) return give_means_of_cells(step, at, to);
+  if (at.part) return set_color(to, first, glm::vec4(ramp_mean_of_part(step, at)));
   if (field.kind == PaintField::Kind::linear)
     return ramp_rows_.means(ramp, ramp.scaled(field.plane({})), at.x, at.y, at.count, to);
   if (field.kind == PaintField::Kind::radial)
     return planes_.radial_row(varied, at.x, at.y, at.count, to);
   boxes_.clear();
   for (int i = 0; i < at.count; ++i)
-    boxes_.close(
-        1.0 / planes_.add(varied, lit_of(varied), at.x + i, at.y, 1, lit_scratch_, boxes_.planes));
+    boxes_.close(1.0 / planes_.add(varied, ramp, lit_of(varied), at.x + i, at.y, 1, lit_scratch_,
+                                   boxes_.planes));
   ramp_means(ramp, boxes_, to, 0);
 }
 
-Mix LookShader::ramp_mean_of_part(const VariedPaint& varied, const Places& at) {
+Mix LookShader::ramp_mean_of_part(const LookStep& step, const Places& at) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const RampIntegral& ramp = looks_->integral(step);
   boxes_.clear();
-  const int side = planes_.add(varied, lit_of(varied), at.x, at.y, 1, lit_scratch_, boxes_.planes);
+  const int side =
+      planes_.add(varied, ramp, lit_of(varied), at.x, at.y, 1, lit_scratch_, boxes_.planes, true);
   chords_of_form(*at.form(), chords_);
-  return part_mean_.of(*varied.integral, boxes_.planes, side, chords_);
+  return part_mean_.of(ramp, boxes_.planes, side, chords_);
 }
 
 /// Of each of a pixel's cells, seen about their centroids; a part's are shifted to have its mean.
-void LookShader::give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to) {
+void LookShader::give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to) {
+  const VariedPaint& varied = looks_->paints().varied[std::size_t(step.varied)];
+  const RampIntegral& ramp = looks_->integral(step);
   const PartCells& cells = *at.cells;
-  const glm::vec4 mean{at.part ? ramp_mean_of_part(varied, at) : Mix{0.0}};
+  const glm::vec4 mean{at.part ? ramp_mean_of_part(step, at) : Mix{0.0}};
   boxes_.clear(), cell_planes_.clear();
-  const int side = planes_.add(varied, lit_of(varied), at.x, at.y, cells.side, lit_scratch_,
+  const int side = planes_.add(varied, ramp, lit_of(varied), at.x, at.y, cells.side, lit_scratch_,
                                cell_planes_),
             finer = side / cells.side;
   const PartCells& whole = whole_cells(cells.side);
@@ -265,7 +309,7 @@ void LookShader::give_means_of_cells(const VariedPaint& varied, const Places& at
     }
     boxes_.close(1.0 / side);
   }
-  ramp_means(*varied.integral, boxes_, to, 0);
+  ramp_means(ramp, boxes_, to, 0);
   if (!at.part) return;
   for (std::size_t k = 0; k < std::size_t(cells.count()); ++k) {
     sum += cells.area[k] * glm::vec4{to.r[k], to.g[k], to.b[k], to.a[k]};

@@ -19,7 +19,7 @@ namespace mien {
 /// Keeps its scratch; one per thread.
 class LookShader {
  public:
-  void begin(const Looks& looks) { looks_ = &looks, ramp_rows_.clear(); }
+  void begin(const Looks& looks) { looks_ = &looks, ramp_rows_.clear(), planes_.begin(); }
 
   /// Parts of pixels in one row. A pixel's part does not depend on those beside it.
   struct Parts {
@@ -41,7 +41,11 @@ class LookShader {
   glm::vec4 by_cells(int look, int x, int y, const PartForm* form, int side, bool coarse);
 
   /// The feet that were looked for since it was last taken, and the time of means with them.
-  LitPaint::Scratch::Work take_work() { return lit_scratch_.take_work(); }
+  LitPaint::Scratch::Work take_work() {
+    LitPaint::Scratch::Work work = lit_scratch_.take_work();
+    work.feet += planes_.take_feet();
+    return work;
+  }
 
   /// Columns that want the reference, since the caller emptied it.
   std::vector<LitPaint::Doubt>& doubts() { return lit_scratch_.doubts(); }
@@ -62,18 +66,18 @@ class LookShader {
   void give(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   void give_light(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
   void give_means(const LookStep& step, const Places& at, std::size_t first, ColorRow& to);
-  void give_distances(const VariedPaint& varied, const Places& at, float* t);
-  void shift_to_mean(const LitPaint& lit, const Places& at, float* d);
   const LitPaint* lit_of(const VariedPaint& varied) const {
     return varied.lit < 0 ? nullptr : &looks_->paints().lit[std::size_t(varied.lit)];
   }
+  glm::vec4 with_products(const VariedPaint& varied, const glm::vec4& mean, float& off);
   bool fades(const LookStep& step) const;
-  Mix ramp_mean_of_part(const VariedPaint& varied, const Places& at);
-  void give_means_of_cells(const VariedPaint& varied, const Places& at, ColorRow& to);
+  Mix ramp_mean_of_part(const LookStep& step, const Places& at);
+  void give_means_of_cells(const LookStep& step, const Places& at, ColorRow& to);
 
   const Looks* looks_ = nullptr;
   std::vector<LaneStep> steps_;
-  std::vector<ColorRow> given_;  ///< by step
+  std::vector<ColorRow> given_;        ///< by step
+  std::vector<ColorRow*> given_rows_;  ///< those of the look at hand
   std::vector<float> stack_, neglected_, columns_;
   float most_neglected_ = 0;
   ColorRow colors_;

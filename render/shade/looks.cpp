@@ -103,12 +103,13 @@ void Looks::note_outlines() {
   for (std::size_t i = 0; i < outlines; ++i) first_reader_[i + 1] += first_reader_[i];
 }
 
-/// A ramp is linear between kinks: two of its places say how.
+/// A ramp is linear between kinks: two of its places say how. One that has an integral is so beyond its ends. Along a
+/// distance each stretch has an integral of its own.
 void Looks::make_segments() {
   first_segment_.clear(), segments_.clear();
   for (const VariedPaint& varied : paints_->varied) {
     first_segment_.push_back(int(segments_.size()));
-    if (!varied.paint.ramp || varied.integral) continue;
+    if (!varied.paint.ramp) continue;
     for (std::size_t k = 0; k <= varied.kinks.size(); ++k) {
       RampSegment s;
       s.from = k > 0 ? varied.kinks[k - 1].at : varied.lowest;
@@ -121,6 +122,10 @@ void Looks::make_segments() {
         s.at = a == b ? a : a - t * s.slope;
       } else {
         s.at = varied.paint.ramp->color(s.from);
+      }
+      if (!varied.by_integral && varied.paint.field.kind == PaintField::Kind::distance) {
+        if (along_.size() <= segments_.size()) along_.resize(segments_.size() + 1);
+        along_[segments_.size()].make(s.from, s.to, s.at + s.from * s.slope, s.at + s.to * s.slope);
       }
       segments_.push_back(s);
     }
@@ -280,13 +285,13 @@ void Looks::lay_paint(int varied, const std::uint64_t* inside) {
   if (!paint.paint.ramp) {
     if (!lie.slopes) return lay_over(paint.paint.color);
     step.zone = lie.zone;
-  } else if (paint.integral) {
-    step.segment = -1;
-    if (lie.slopes) step.zone = lie.zone;
   } else {
     step.segment = segment_of(varied, inside);
-    const bool constant = segment(step).slope == Mix{0.0};
-    if (constant && !lie.slopes) return lay_over(segment(step).at);
+    const RampSegment& s = segment(step);
+    if (paint.by_integral && !paint.paint.ramp->beyond(s.from, s.to))
+      step.segment = -1;
+    else if (s.slope == Mix{0.0} && (!lie.slopes || s.at.a == 0.0))
+      return lay_over(s.at);
     if (lie.slopes) step.zone = lie.zone;
   }
   for (Level& level : levels_) {  // the grounds of the levels below come first
@@ -324,6 +329,7 @@ int Looks::known_or_new(std::size_t first_step) {
   looks_.push_back({.mix = constant ? steps_[first_step].mix : Mix{0.0},
                     .neglected = neglected_by(steps),
                     .open = open_by(steps),
+                    .products = products_of(steps),
                     .first = int(first_step),
                     .count = int(steps.size()),
                     .hash = hash});

@@ -54,6 +54,17 @@ class Looks final : public LookRule {
   const RampSegment& segment(const LookStep& step) const {
     return segments_[std::size_t(first_segment_[std::size_t(step.varied)] + step.segment)];
   }
+  /// Of all of the ramp, or of its segment along a distance.
+  const RampIntegral& integral(const LookStep& step) const {
+    return step.segment < 0
+               ? paints_->varied[std::size_t(step.varied)].integral
+               : along_[std::size_t(first_segment_[std::size_t(step.varied)] + step.segment)];
+  }
+  /// Whether means of a step that is not lit are by integrals.
+  bool by_integral(const LookStep& step) const {
+    return step.segment < 0 ||
+           paints_->varied[std::size_t(step.varied)].paint.field.kind == PaintField::Kind::distance;
+  }
   const PaintTable& paints() const { return *paints_; }
 
   /// What a ramp between two kinks changes by per pixel.
@@ -66,12 +77,18 @@ class Looks final : public LookRule {
   /// Whether cells do not help either, so that its pixels are resolved by distances: it is lit and its ramp has too
   /// many kinks, or two such ramps lie over each other and do not cross.
   bool open(int look) const { return looks_[std::size_t(look)].open; }
+  /// Where two ramps with integrals lie over each other, one along a distance: that one. Else null.
+  const VariedPaint* products(int look) const {
+    const int varied = looks_[std::size_t(look)].products;
+    return varied < 0 ? nullptr : &paints_->varied[std::size_t(varied)];
+  }
 
  private:
   struct Look {
     Mix mix;
     double neglected;
     bool open;
+    int products;  ///< index into PaintTable::varied; −1: none
     int first, count;
     std::uint64_t hash;
   };
@@ -100,6 +117,7 @@ class Looks final : public LookRule {
   // looks_neglected.cpp
   double neglected_by(std::span<const LookStep> steps);
   bool open_by(std::span<const LookStep> steps) const;
+  int products_of(std::span<const LookStep> steps) const;
 
   const PaintTable* paints_ = nullptr;
   int words_ = 0;
@@ -114,6 +132,7 @@ class Looks final : public LookRule {
   std::vector<std::uint64_t> opaque_;  ///< a bit per layer
   std::vector<int> first_segment_;     ///< by varied paint
   std::vector<RampSegment> segments_;
+  std::vector<RampIntegral> along_;  ///< by segment, of those along distances
   /// Of a clause: outlines of one word, inside or outside of any of which it holds.
   struct ClauseWord {
     int word;

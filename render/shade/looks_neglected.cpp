@@ -1,4 +1,5 @@
 // What means by centroids neglect of a look.
+#include "render/cover/part_form.h"
 #include "render/shade/looks.h"
 
 #include <algorithm>
@@ -44,9 +45,10 @@ double Looks::neglected_by(std::span<const LookStep> steps) {
     if (step.segment < 0) {
       if (lit) sum += kLit;  // not by integrals
       // Two spreads: the upper opacity's is at most half its range, and a slope's √(1/12).
-      const double range = varied.integral->range();
-      sum += 0.15 * (paint.ramp->most_opacity() - paint.ramp->least_opacity()) * below;
-      below += std::min(1.8 * range, varied.integral->steepest() * paint.field.per_pixel);
+      const double slope = varied.integral.steepest() * paint.field.per_pixel;
+      const double opacity = paint.ramp->most_opacity() - paint.ramp->least_opacity();
+      sum += std::min(0.15 * opacity, opacity > 0.0 ? slope / 12 : 0.0) * below;
+      below += std::min(1.8 * varied.integral.range(), slope);
     } else if (paint.ramp) {
       const RampSegment& along = segment(step);
       sum += paint.field.per_pixel * std::abs(along.slope.a) * below / 12;
@@ -57,9 +59,12 @@ double Looks::neglected_by(std::span<const LookStep> steps) {
   return sum;
 }
 
-/// Stops that cross are right in cells but where they cross; stops that run along each other are not.
+/// Stops that cross are right in cells but where they cross, and so are ramps that change little within the smallest
+/// cells; stops that run along each other are not. Where ramps along distances change little enough is seen pixel by
+/// pixel (LookShader::with_products).
 bool Looks::open_by(std::span<const LookStep> steps) const {
-  constexpr double kCrossing = 0.2;  // the sine of the angle
+  constexpr double kCrossing = 0.2;                 // the sine of the angle
+  constexpr double kSoft = 0.03, kSoftAlong = 1.0;  // what a ramp may change by within a cell
   const auto paint_of = [&](const LookStep& step) -> const GridPaint& {
     return paints_->varied[std::size_t(step.varied)].paint;
   };
@@ -69,15 +74,34 @@ bool Looks::open_by(std::span<const LookStep> steps) const {
            std::abs(f.across.x * g.across.y - f.across.y * g.across.x) >
                kCrossing * f.per_pixel * g.per_pixel;
   };
+  const auto soft = [&](const LookStep& s) {
+    const VariedPaint& varied = paints_->varied[std::size_t(s.varied)];
+    const PaintField& field = varied.paint.field;
+    return varied.integral.steepest() * field.per_pixel <
+           (field.kind == PaintField::Kind::distance ? kSoftAlong : kSoft) * PartCells::kMostSide;
+  };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!integrated(steps[i])) continue;
     const GridPaint& upper = paint_of(steps[i]);
     if (steps[i].zone >= 0) return true;
     if (upper.ramp->least_opacity() == upper.ramp->most_opacity()) continue;
     for (const LookStep& below : steps.first(i))
-      if (integrated(below) && !crosses(upper.field, paint_of(below).field)) return true;
+      if (integrated(below) && !(soft(steps[i]) && soft(below)) &&
+          !crosses(upper.field, paint_of(below).field))
+        return true;
   }
   return false;
+}
+
+int Looks::products_of(std::span<const LookStep> steps) const {
+  int along = -1, count = 0;
+  for (const LookStep& step : steps) {
+    if (step.kind != Kind::paint || step.zone >= 0 || step.segment >= 0) continue;
+    const PaintField& field = paints_->varied[std::size_t(step.varied)].paint.field;
+    if (field.kind == PaintField::Kind::distance) along = step.varied;
+    ++count;
+  }
+  return count > 1 ? along : -1;
 }
 
 }  // namespace mien

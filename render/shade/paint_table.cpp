@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeast = 1e-9;  // [px] gradients shorter than that are sudden changes
 // Of one ramp in a picture: means by its integral cost less than more outlines than that. They cost next to nothing
 // along a line, more where level lines bend, and most under light.
-constexpr int kMostStraight = 8, kMostBent = 40, kMostLit = 96;
+constexpr int kMostStraight = 8, kMostBent = 40, kMostAlong = 3, kMostLit = 96;
 constexpr double kEven = 1e4;  // periods across a pixel, whose mean then is theirs to within 1e-4
 
 }  // namespace
@@ -38,7 +38,8 @@ class PaintMaker {
       else
         varied.paint.ramp.emplace(*paint.gradient, paint.color.a, view_.blend);
       const bool straight = std::holds_alternative<LinearGradient>(paint.gradient->along);
-      most_ = paint.relief ? kMostLit : straight ? kMostStraight : kMostBent;
+      const bool around = std::holds_alternative<DistanceGradient>(paint.gradient->along);
+      most_ = paint.relief ? kMostLit : straight ? kMostStraight : around ? kMostAlong : kMostBent;
       std::visit([&](const auto& along) { field(along, varied); }, paint.gradient->along);
     }
     if (!paint.gradient) varied.paint.ramp.reset();
@@ -71,7 +72,7 @@ class PaintMaker {
     VariedPaint& varied = to_.varied[varied_++];
     varied.paint.field = {};
     varied.kinks.clear(), varied.levels.clear(), varied.domes.clear();
-    varied.integral.reset();
+    varied.by_integral = false;
     varied.lowest = varied.highest = 0, varied.lit = -1;
     return varied;
   }
@@ -81,18 +82,22 @@ class PaintMaker {
   const std::vector<double>& places(VariedPaint& varied, double lo, double hi, double per_pixel) {
     const Ramp& ramp = *varied.paint.ramp;
     varied.lowest = lo, varied.highest = hi;
-    if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
-    varied.integral.emplace().make(ramp);
     varied.tolerance = tolerance_, varied.linear = view_.blend == Blend::linear;
-    if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral->period()))
-      one_color(varied, varied.integral->mean());
+    if (ramp.kinks(lo, hi, most_, to_.kinks_)) return to_.kinks_;
+    varied.by_integral = true, varied.integral.make(ramp);
+    if (ramp.extend() != Extend::pad && !(per_pixel < kEven * varied.integral.period()))
+      one_color(varied, varied.integral.mean());
+    // [px] Ends that outlines do not keep apart are none.
+    constexpr double kApart = 0x1p-16;
+    if (to_.kinks_.size() == 2 && to_.kinks_[1] - to_.kinks_[0] < kApart * per_pixel)
+      to_.kinks_.clear();
     return to_.kinks_;
   }
 
   /// Instead of the gradient.
   static void one_color(VariedPaint& varied, Mix mix) {
     varied.paint.color = mix;
-    varied.paint.ramp.reset(), varied.integral.reset();
+    varied.paint.ramp.reset(), varied.by_integral = false;
     varied.paint.field = {};
   }
 
@@ -140,6 +145,7 @@ class PaintMaker {
     f.scale = 1.0 / (std::abs(length) > kLeast ? length : std::copysign(kLeast, length));
     if (g.to == g.from) varied.paint.ramp->pad();
     f.per_pixel = std::abs(f.scale);
+    if (most_ == kMostAlong && varied.paint.ramp->jumps()) most_ = kMostBent;
     // A distance is at most that of the picture's middle and half a diagonal.
     const glm::dvec2 half{0.5 * view_.width, 0.5 * view_.height};
     const double middle = f.at(half, to_.distances[std::size_t(f.distance)].at(half)),

@@ -27,11 +27,12 @@ struct PaintKink {
 /// A colour that varies from place to place.
 struct VariedPaint {
   GridPaint paint;
-  std::vector<PaintKink> kinks;          ///< of the ramp, rising; none where it has an integral
-  std::optional<RampIntegral> integral;  ///< of a ramp with more kinks than outlines are made of
-  double tolerance = 0;                  ///< what a mean by that may be off by, encoded
-  bool linear = false;                   ///< it is in linear light
-  double lowest = 0, highest = 0;        ///< t in the picture
+  std::vector<PaintKink> kinks;    ///< of the ramp, rising; with an integral its ends alone
+  bool by_integral = false;        ///< the ramp has more kinks than outlines are made of
+  RampIntegral integral;           ///< of such a ramp
+  double tolerance = 0;            ///< what a mean by integrals may be off by, encoded
+  bool linear = false;             ///< it is in linear light
+  double lowest = 0, highest = 0;  ///< t in the picture
   /// Its means are LitPaint's: it is lit or goes by a distance. Index into PaintTable::lit; −1: a ramp is all of it.
   int lit = -1;
   std::vector<AreaProgram> levels;  ///< of LitPaint, each as {distance <= level}

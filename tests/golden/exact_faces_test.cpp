@@ -241,7 +241,7 @@ TEST(ExactLitScenes, ThatWereWrongOnceAreRight) {
         {750503, 22, 18},      {750577, 15, 8},  {750815, 19, 23}, {751608, 0, 1},
         {751830, 0, 0},        {751869, 4, 6},   {751919, 18, 16}, {752059, 11, 3},
         {752101, 11, 3},       {752450, 19, 12}, {752902, 13, 11}, {752918, 27, 24},
-        {751355, 12, 15},      {751774, 15, 7}}) {
+        {751355, 12, 15},      {751774, 15, 7},  {760478, 15, 37}}) {
     const Scene scene = test::random_lit_scene(p.seed);
     const int side = p.seed % 3 == 0 ? 9 : p.seed % 3 == 1 ? 17 : 40;
     const View view{.width = side, .height = side, .dither = false};

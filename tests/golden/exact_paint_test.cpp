@@ -6,6 +6,7 @@
 // or ctest -L long. MIEN_FIRST_SCENE=501 begins later: so several processes share the thousand.
 
 #include <mien/render.h>
+#include <mien/scene_effects.h>
 
 #include <gtest/gtest.h>
 
@@ -221,6 +222,68 @@ TEST(Mix, OfAnotherModeIsSeenToBe) {
   EXPECT_GT(over(scene(MixMode::screen, 0.9), meant), 50);
   EXPECT_GT(over(scene(MixMode::normal, 0.9), meant), 50);
   EXPECT_GT(over(scene(MixMode::multiply, 0.85), meant), 40);
+}
+
+/// A dozen discs, lines and triangles as one, with soft edges of random depths around it, one or two.
+Scene soft_union(std::uint64_t seed) {
+  test::Random r(seed);
+  SceneBuilder build({.box = {{-1, -1}, {1, 1}}}, {1, 1, 1, 1});
+  const auto place = [&] { return glm::dvec2{r.between(-0.6, 0.6), r.between(-0.6, 0.6)}; };
+  Area all;
+  for (int i = 0; i < 12; ++i) {
+    const glm::dvec2 at = place();
+    const double a = r.between(0.05, 0.35), b = r.between(0.05, 0.35);
+    const Shape shape = i % 3 == 0 ? Shape(Disc{at, a})
+                        : i % 3 == 1
+                            ? Shape(Line{at, place(), 0.4 * b})
+                            : Shape(Triangle{at, at + a * r.direction(), at + b * r.direction()});
+    const Area one = build.shape(shape);
+    all = i == 0 ? one : i % 5 == 4 ? build.subtract(all, one) : build.unite(all, one);
+  }
+  const Color color{r.between(0, 1), r.between(0, 1), r.between(0, 1), r.between(0.3, 1)};
+  // From a quarter of a pixel to six of them, in a picture of 23.
+  const double reach = std::pow(10.0, r.between(-1.7, -0.3));
+  if (seed % 3 != 1) soft_shadow(build, "shadow", all, {color, reach, {0.05, -0.08}});
+  if (seed % 3 != 0) glow(build, "glow", all, {{color.b, color.r, color.g, color.a}, reach});
+  if (seed % 2) build.layer("feather", all, falling(all, {0.1, 0.2, 0.5, 1}, -reach, 0));
+  return std::move(build).finish();
+}
+
+/// Judges every pixel by the mean of very many places, as many as it takes: kinks upon kinks take the truth minutes.
+void expect_means(const Scene& scene, int side, Blend blend) {
+  const View view{.width = side, .height = side, .blend = blend, .dither = false};
+  const Image images[] = {test::rendered(scene, view, {.depth = Depth::u8}),
+                          test::rendered(scene, view, {.depth = Depth::u16})};
+  const ExactTruth truth(scene, view);
+  const auto mean_of = [&](int x, int y, int n) {
+    test::Mixes sum;
+    for (int k = 0; k < n * n; ++k)
+      sum = sum + truth.at(x + (k % n + 0.5) / n, y + (k / n + 0.5) / n);
+    return (1.0 / (n * n)) * sum;
+  };
+  for (int k = 0; k < side * side; ++k) {
+    const int x = k % side, y = k / side;
+    double off = 0;
+    for (const int places : {12, 60, 400}) {
+      const test::Mixes mean = mean_of(x, y, places);
+      const auto share = [&](int i, int top, double allowed) {
+        return test::apart(test::drawn_levels(images[i], x, y), test::levels_of(mean, blend, top),
+                           top) /
+               allowed;
+      };
+      off = std::max(share(0, 255, 1), share(1, 65535, 32));
+      if (off < 0.6) break;
+    }
+    EXPECT_LE(off, 1) << "pixel " << x << ", " << y;
+  }
+}
+
+TEST(ExactPaint, SoftEdgesRoundUnions) {
+  const int first = test::asked_of("MIEN_FIRST_SCENE", 1);
+  for (int seed = first; seed < first + scenes(6); ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    expect_means(soft_union(std::uint64_t(seed)), 23, seed % 2 ? Blend::linear : Blend::srgb);
+  }
 }
 
 // Where a bent edge's tangent just misses a row, slivers remain that encoding makes 12.92 times as bright: one

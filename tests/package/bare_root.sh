@@ -36,7 +36,7 @@ install() {
 }
 : >"$build/bare_root.log"
 inside apt-get -q update >>"$build/bare_root.log" 2>&1
-toon=/usr/share/doc/mien/examples/faces/toon.face.json
+toon=/usr/share/mien/faces/toon.face.json
 
 echo "the command alone"
 install mien

@@ -38,8 +38,9 @@ for deb in *.deb; do dpkg-deb -c "$deb" | awk '$1 !~ /^d/ {print $6}'; done | so
 # Without mien-formats a PNG is drawn, and a TIFF is refused in a sentence.
 for package in mien libmien-c0 libmien-c-dev python3-mien; do dpkg-deb -x ${package}_*.deb ../root; done
 cd ..
-face=root/usr/share/doc/mien/examples/faces/toon.face.json
+face=root/usr/share/mien/faces/toon.face.json
 root/usr/bin/mien render $face --size 64 -o toon.png
+root/usr/bin/mien render toon --size 64 -o named.png && cmp toon.png named.png
 root/usr/bin/mien render $face --size 64 -o toon.tif 2>said && fail "who writes the TIFF?"
 grep -q 'cannot load what writes TIFF.*mien-tiff-' said || fail "a missing module is told so: $(cat said)"
 dpkg-deb -x debs/mien-formats_*.deb root

@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/support/face_path.h"
@@ -26,14 +28,20 @@ struct Ran {
 /// reader.
 class Process {
  public:
-  /// `out`: where standard output goes instead, if given.
+  /// `out`: where standard output goes instead, if given. `environment`: NAME=VALUE, instead of what is inherited.
   explicit Process(const std::vector<std::string>& words, const std::string& out = {},
                    const std::vector<std::string>& environment = {})
       : out_(out.empty() ? (files_ / "out").string() : out) {
     std::vector<char*> argv, envp;
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-    for (char** e = environ; *e; ++e) envp.push_back(*e);
     for (const std::string& word : environment) envp.push_back(const_cast<char*>(word.c_str()));
+    const auto is_given = [&](const std::string_view inherited) {
+      return std::any_of(environment.begin(), environment.end(), [&](const std::string& word) {
+        return inherited.starts_with(word.substr(0, word.find('=') + 1));
+      });
+    };
+    for (char** e = environ; *e; ++e)
+      if (!is_given(*e)) envp.push_back(*e);
     argv.push_back(nullptr);
     envp.push_back(nullptr);
     posix_spawn_file_actions_t actions;

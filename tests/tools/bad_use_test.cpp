@@ -34,7 +34,7 @@ std::string wrong_sign() {
 const Wrong kWrongs[] = {
     {{},
      2,
-     "a command is needed: render, check, scene, list, set, bench, animate, morph, mesh, pca, "
+     "a command is needed: render, check, scene, list, set, bench, animate, say, morph, mesh, pca, "
      "import, fit, sheet, new, code, parts, chernoff, stimuli, studio; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},

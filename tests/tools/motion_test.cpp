@@ -120,6 +120,21 @@ TEST(MotionCommand, MakesFilmsWhoseSoundEndsWithThePictures) {
   }
 }
 
+TEST(MotionCommand, TagsTheColoursOfFilms) {
+  if (!std::filesystem::exists("/usr/bin/ffmpeg")) GTEST_SKIP() << "no ffmpeg here";
+  const ScratchFolder folder;
+  for (const char* name : {"a.mp4", "a.webm"}) {
+    const std::string film = (folder / name).string();
+    ASSERT_EQ(
+        run_mien({"animate", face_path("bruno"), "--frames", "0-1", "--size", "64", "-o", film})
+            .code,
+        0);
+    EXPECT_EQ(probed(film, "v:0", "color_range,color_space,color_transfer,color_primaries"),
+              "tv,bt709,bt709,bt709\n")
+        << name;
+  }
+}
+
 TEST(MotionCommand, SaysWhatIsWrong) {
   const ScratchFolder folder;
   write_text(folder / "take.csv", "time,jawOpen\n0,0\n1,nan\n");

@@ -25,6 +25,7 @@ struct Run {
   int operator()(const MorphArguments& arguments) const { return morph_command(arguments); }
   int operator()(const MeshArguments& arguments) const { return mesh_command(arguments); }
   int operator()(const AnimateArguments& arguments) const { return animate_command(arguments); }
+  int operator()(const SayArguments& arguments) const { return say_command(arguments); }
   int operator()(const ImportArguments& arguments) const { return import_command(arguments); }
   int operator()(const FitArguments& arguments) const { return fit_command(arguments); }
   int operator()(const SheetArguments& arguments) const { return sheet_command(arguments); }

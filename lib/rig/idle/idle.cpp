@@ -44,7 +44,7 @@ class Draw {
 /// The neck on a way of `degrees`: short ways are short in time, too, so no few of a crowd's moves outrank all others and
 /// happen to fall together.
 Spring neck(glm::dvec2 way) {
-  return {std::clamp(240 / std::max(glm::length(way), 1.0), 12.0, 22.0), 0.7};
+  return {std::clamp(300 / std::max(glm::length(way), 1.0), 12.0, 26.0), 0.7};
 }
 
 double smooth(double u) {

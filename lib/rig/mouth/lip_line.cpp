@@ -59,13 +59,16 @@ class LipShaping {
   }
 
   void meet_teeth(const TeethEdge& teeth) {
+    // Where the tongue shows, the lower lip bares the teeth; by as much as it shows, or a breath of a sound would open lips that
+    // lie over them.
     const double clear = std::max(kClearBetween * n_.tongue_between, kClearUp * n_.tongue_up);
+    const double shows = std::clamp(std::max(n_.tongue_between, n_.tongue_up), 0.0, 1.0);
     for (std::size_t bend = 0; bend < 3; ++bend) {
       if (bend != kMiddle && !line_.has_handles) continue;
       const double aside = bend == kMiddle ? 0 : bend == 0 ? kBeside : -kBeside;
       const double edge = teeth.y(teeth.b.x + aside * width_);
       glm::dvec2 &u = line_.upper[bend], &l = line_.lower[bend];
-      if (clear > 0) l.y = std::min(l.y, edge - clear * width_);
+      l.y += shows * std::min(0.0, edge - clear * width_ - l.y);
       if (n_.bite == 0) continue;
       const double bitten = edge + kBite * width_;
       const double shown = (bend == kMiddle ? kBiteShows : kBiteShowsBeside) * width_;

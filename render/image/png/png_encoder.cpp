@@ -2,69 +2,20 @@
 #include <mien/version.h>
 #include "render/image/file/system_error.h"
 #include "render/image/pixel_rows.h"
-#include "render/image/png/png_strip.h"
-
-#include <libdeflate.h>
+#include "render/image/png/png_chunks.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <string_view>
+#include <iterator>
 
 namespace mien {
 namespace {
 
-constexpr std::size_t kStripBytes = std::size_t(1)
-                                    << 20;  // before compression: long enough that the
-                                            // cuts cost nothing, short enough to stop soon
-constexpr int kMostStripRows = 256;
 constexpr std::size_t kChunkBytes = std::size_t(1) << 16;  // all but the last
 constexpr std::uint64_t kPieceBytes = std::uint64_t(4)
                                       << 20;  // of pixels: about what a core's cache holds
 
-using Bytes = std::vector<std::byte>;
-
-void add_number(Bytes& to, std::uint32_t n) {
-  for (int shift = 24; shift >= 0; shift -= 8) to.push_back(std::byte(n >> shift & 255));
-}
-
-/// A chunk's frame: its length and name, what is added behind it, then its check sum.
-std::size_t begin_chunk(Bytes& to, const char* name) {
-  const std::size_t begin = to.size();
-  add_number(to, 0);
-  for (int i = 0; i < 4; ++i) to.push_back(std::byte(name[i]));
-  return begin;
-}
-void end_chunk(Bytes& to, std::size_t begin) {
-  const std::size_t length = to.size() - begin - 8;
-  for (std::size_t i = 0; i < 4; ++i) to[begin + i] = std::byte(length >> (24 - 8 * i) & 255);
-  add_number(to, libdeflate_crc32(0, &to[begin + 4], length + 4));
-}
-
-void add_chunk(Bytes& to, const char* name, std::span<const std::uint32_t> numbers) {
-  const std::size_t begin = begin_chunk(to, name);
-  for (const std::uint32_t n : numbers) add_number(to, n);
-  end_chunk(to, begin);
-}
-
-bool is_ascii(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return c > 0 && c < 0x7f; });
-}
-
-/// tEXt is Latin-1; iTXt is UTF-8, with flags for compression and a language left empty.
-void add_text(Bytes& to, std::string_view key, std::string_view text) {
-  const bool ascii = is_ascii(text);
-  const std::size_t begin = begin_chunk(to, ascii ? "tEXt" : "iTXt");
-  const auto add = [&](std::string_view s) {
-    for (const char c : s) to.push_back(std::byte(c));
-  };
-  add(key);
-  to.insert(to.end(), ascii ? 1 : 5, std::byte(0));
-  add(text);
-  end_chunk(to, begin);
-}
+using Bytes = PngBytes;
 
 class PngEncoder final : public PictureEncoder {
  public:
@@ -114,10 +65,10 @@ class PngEncoder final : public PictureEncoder {
 
   Expected<Done> finish() override {
     stream_.finish();
-    add_number(stream_.bytes(), sum_.sum);
+    add_png_number(stream_.bytes(), sum_.sum);
     if (auto done = write_chunk(stream_.bytes().size()); !done) return done;
     Bytes bytes;
-    add_chunk(bytes, "IEND", {});
+    add_png_chunk(bytes, "IEND", {});
     return write(bytes);
   }
 
@@ -140,43 +91,29 @@ class PngEncoder final : public PictureEncoder {
   }
 
   void begin(const std::string& recipe, double dpi) {
-    for (const int byte : {0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10})
-      head_.push_back(std::byte(byte));
-    const std::size_t header = begin_chunk(head_, "IHDR");
-    add_number(head_, std::uint32_t(frame_.width));
-    add_number(head_, std::uint32_t(frame_.height));
-    const int depth = pixels_.depth == Depth::u8 ? 8 : 16, color = pixels_.opaque ? 2 : 6;
-    for (const int byte : {depth, color, 0, 0, 0}) head_.push_back(std::byte(byte));
-    end_chunk(head_, header);
-    // sRGB, and for readers that do not know it the nearest gamma and its primaries.
-    add_chunk(head_, "gAMA", std::array{45455u});
-    add_chunk(head_, "cHRM",
-              std::array{31270u, 32900u, 64000u, 33000u, 30000u, 60000u, 15000u, 6000u});
-    const std::size_t srgb = begin_chunk(head_, "sRGB");
-    head_.push_back(std::byte(0));  // perceptual
-    end_chunk(head_, srgb);
+    add_png_head(head_, pixels_, frame_.height);
     if (dpi > 0) {
       constexpr double kMetre = 1 / 0.0254;  // [inches]
-      const std::size_t size = begin_chunk(head_, "pHYs");
+      const std::size_t size = begin_png_chunk(head_, "pHYs");
       for (int axis = 0; axis < 2; ++axis)
-        add_number(head_,
-                   std::uint32_t(std::lround(std::min(dpi, WriteOptions::kMostDpi) * kMetre)));
+        add_png_number(head_,
+                       std::uint32_t(std::lround(std::min(dpi, WriteOptions::kMostDpi) * kMetre)));
       head_.push_back(std::byte(1));  // pixels a metre
-      end_chunk(head_, size);
+      end_png_chunk(head_, size);
     }
-    add_text(head_, "Software", "mien " MIEN_VERSION_STRING);
-    if (!recipe.empty()) add_text(head_, "Description", recipe);
-    stream_.bytes() = {std::byte(0x78), std::byte(0x9c)};  // zlib's own
+    add_png_text(head_, "Software", "mien " MIEN_VERSION_STRING);
+    if (!recipe.empty()) add_png_text(head_, "Description", recipe);
+    stream_.bytes().assign(std::begin(kZlibHead), std::end(kZlibHead));
   }
 
   Expected<Done> write_chunk(std::size_t size) {
     Bytes bytes;
     Bytes& made = stream_.bytes();
-    const std::size_t chunk = begin_chunk(bytes, "IDAT");
+    const std::size_t chunk = begin_png_chunk(bytes, "IDAT");
     const auto end = made.begin() + std::ptrdiff_t(size);
     bytes.insert(bytes.end(), made.begin(), end);
     made.erase(made.begin(), end);
-    end_chunk(bytes, chunk);
+    end_png_chunk(bytes, chunk);
     return write(bytes);
   }
 
@@ -203,9 +140,8 @@ class PngEncoder final : public PictureEncoder {
 MadeEncoder png_encoder(const EncoderRequest& request) {
   const PictureFrame& frame = request.frame;
   const PngPixels pixels{frame.width, PngEncoder::stored(frame.depth), frame.opaque};
-  // How the stream is cut must follow from the picture alone; how much is drawn at once need not.
-  const int strip = int(std::bit_floor(
-      std::clamp<std::size_t>(kStripBytes / pixels.row_bytes(), 1, std::size_t(kMostStripRows))));
+  // How much is drawn at once does not change how the stream is cut.
+  const int strip = png_strip_rows(pixels);
   const std::uint64_t row = std::uint64_t(frame.width) * 4 * bytes_per_channel(frame.depth);
   const std::uint64_t converted = frame.depth == Depth::f32 ? row / 2 * std::uint64_t(strip) : 0;
   const auto each = [&](int rows) {
@@ -215,7 +151,7 @@ MadeEncoder png_encoder(const EncoderRequest& request) {
   const int slots = slots_within(request.budget, 0, each(strip));
   if (slots == 0) return too_little_memory(each(strip), request.budget.bytes);
   int rows = strip;
-  while (2 * rows <= kMostStripRows && 2 * std::uint64_t(rows) * row <= kPieceBytes &&
+  while (2 * rows <= kMostPngStripRows && 2 * std::uint64_t(rows) * row <= kPieceBytes &&
          each(2 * rows) * std::uint64_t(slots) <= request.budget.bytes)
     rows *= 2;
   return std::unique_ptr<PictureEncoder>(new PngEncoder(request, slots, strip, rows));

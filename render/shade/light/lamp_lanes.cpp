@@ -54,7 +54,6 @@ void set_lamp(const LitSurface& surface, const LitPiece& piece, glm::dvec2 middl
     to.light[i] = float(to.linear ? v : linear_from_srgb(v));
   }
   to.alpha = float(c.a), to.bend = 0.0f;
-  to.distance_alone = false;
   set_ramp(surface.paint(), piece.segment, middle - surface.center(), to.ramp);
   // Where the picture is not in linear light a ramp is decoded, lit and encoded: it bends by up to the square of its
   // slope and half of that.

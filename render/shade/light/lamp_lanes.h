@@ -48,12 +48,8 @@ struct LampLanes {
   float bend = 0;
   LampRamp ramp;  ///< instead of `light`
 
-  /// Instead of all that: the red channel is the signed distance.
-  bool distance_alone = false;
-
   bool varies() const {
-    return rise_kind != Rise::none || !domes.empty() || ramp.kind != LampRamp::Kind::none ||
-           distance_alone;
+    return rise_kind != Rise::none || !domes.empty() || ramp.kind != LampRamp::Kind::none;
   }
   bool is_round() const { return rise_kind == Rise::round; }
   bool goes_by_distance() const { return ramp.kind == LampRamp::Kind::distance; }

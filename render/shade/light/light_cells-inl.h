@@ -216,6 +216,13 @@ inline int DivideCells(int side, const CellList& cells, int count, CellList& to)
   return made;
 }
 
+/// Cells of how many each way are as thin as a part is: its area, by how long it is in cells.
+inline float ThinnestSide(const PartCells& cells, float area) {
+  int there = 0;
+  for (size_t k = 0; k < size_t(cells.count()); ++k) there += cells.area[k] > 0.0f;
+  return float(there) / (float(cells.side) * HWY_MAX(area, 1e-4f));
+}
+
 /// The mean over a part of the pixel, or all of it. Cells that a ridge or a clamp runs through are divided further while
 /// they may be off, which is of second order in their side; the others as far as they need it.
 inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, float* to) {
@@ -237,11 +244,13 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   // tolerance], beside rounding: it may be off by six of these for 16 bits.
   constexpr float kOn = 0.4f, kSettled = 0.35f, kFine = 4.0f, kCoarse = 1.3f;
   const float last_left = pixel.tile.fine ? 0.45f : 0.27f;
-  // Of that: cells that were closed with more left were closed too soon.
-  constexpr float kAgain = 0.5f;
+  // Of that: cells that were closed with more left were closed too soon. Stops of a ramp cut a pixel into many parts,
+  // whose doubts add up: each has its share.
+  const float again = pixel.tile.segment ? 0.5f * HWY_MAX(form_area, 0.05f) : 0.5f;
   LightTile& tile = pixel.tile;
   const int finest = tile.fine ? 4 * PartCells::kMostSide : PartCells::kMostSide;
   const float allowed = tile.tolerance;
+  float seen_from = 0.0f;
   float before[LightTile::kChannels] = {}, last_jump = 0.0f, last_kink = 0.0f, before_now = kNever;
   pixel.seen = HWY_MAX(form_area, 0.05f);
   pixel.bend = BendAt(tile.lamp, pixel.cx, pixel.cy);
@@ -260,13 +269,15 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
   for (int side = first;; side *= 2) {
     const bool finer = side > PartCells::kMostSide;
     if (form && !finer) cells_of_form(*form, side, scratch.of_form, side == 4 && !tile.fine);
+    if (form && side == begun) seen_from = ThinnestSide(scratch.of_form, form_area);
     const CellGrid grid{side, form, finer ? nullptr : form ? &scratch.of_form : &whole_cells(side)};
     const bool small = !pixel.bends && side >= least;
     const bool last = side == finest;
     const float each = allowed * float(side * side) / (16.0f * pixel.seen);
-    // Cells at a part's tips see too little of it to agree on.
+    // Cells at a part's tips see too little of it to agree on, and none sees across what is thinner than it.
     constexpr int kClosesFrom = 16;
-    const float closes = tile.fine && form && side < kClosesFrom ? -1.0f : 1.0f;
+    const bool sees = side >= finest || float(side) >= seen_from;
+    const float closes = (tile.fine && form && side < kClosesFrom) || !sees ? -1.0f : 1.0f;
     LookAtCells(pixel, grid, list, count,
                 {kClosed * jump_by * each, kClosed * kink_by * each,
                  last ? 1e9f : closes * kApart * allowed / pixel.seen, closes * few_apart * allowed,
@@ -281,8 +292,6 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
       apart = HWY_MAX(apart, std::abs(change[c]) * pixel.encoding.by[c]);
     }
     const bool bounded = mean.kink < kink_by * each && mean.jump < jump_by * each;
-    const bool agrees =
-        side > first && apart * pixel.seen < kAgree * allowed && mean.torn < kTorn * allowed;
     const bool full = 4 * mean.opens > CellScratch::kMost;
     // A ridge or a clamp that larger cells did not see may change more than this once it is divided.
     const bool new_breaks = mean.jump > 2.0f * last_jump + jump_by * each ||
@@ -293,9 +302,12 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
     last_jump = mean.jump, last_kink = mean.kink;
     // Sums agree by chance, too: they converge by the square of the side.
     const float now = side > first ? HWY_MAX(apart * pixel.seen, mean.apart + mean.torn) : kNever;
-    const bool converges = before_now < 4.0f * kSettles * allowed || now < kAtOnce * allowed;
+    const bool converges = before_now < 4.0f * kSettles * allowed ||
+                           now < (tile.fine ? kAtOnce : 2.0f * kAtOnce) * allowed;
+    const bool agrees = sees && converges && apart * pixel.seen < kAgree * allowed &&
+                        side > first && mean.torn < kTorn * allowed;
     const bool settled =
-        tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
+        sees && tile.fine && !new_breaks && !unseen && now < kSettles * allowed && converges;
     before_now = now;
     if (last || full || settled || mean.opens == 0 ||
         (small && !pixel.bends && (bounded || agrees))) {
@@ -305,7 +317,7 @@ inline void MeanByCells(CellPixel pixel, const PartForm* form, float form_area, 
                          HWY_MAX(mean.apart + mean.torn, apart * pixel.seen),
                   off = left / ((tile.fine ? kFine : kCoarse) * allowed);
       for (int c = 0; c < tile.channels && last; ++c) to[c] += kOn * change[c];
-      if (at_end || off < kAgain) return void(tile.off += off);
+      if (at_end || off < again) return void(tile.off += off);
       first = 2 * side, count = first * first, mean = {}, pixel.bends = true;
       std::iota(list.begin(), list.begin() + count, std::uint16_t{0});
       continue;

@@ -59,7 +59,6 @@ float MostOf(const LightTile& tile, const float (&degree)[4], const LightTile::B
 /// Whether colours jump at a ridge within reach. Light changes by no more than the surface's normal does, and where the
 /// rise is 0, as on the spine of a stroke whose profile ends there, it goes on smoothly.
 bool RidgeShows(const LightTile& tile, const BranchPair& at, float reach) {
-  if (tile.lamp.distance_alone) return true;
   // [of the tolerance] Light changes by some 0.4 of what the slope does, and a step in a square's middle leaves a third
   // of itself to a mean.
   constexpr float kStep = 3.0f;

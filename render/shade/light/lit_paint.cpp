@@ -12,16 +12,9 @@
 namespace mien {
 namespace {
 
-constexpr int kDistances = -1;  // a zone that stands for the gradient's distance
-
 std::uint64_t next_id() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
-}
-
-/// Dark colours in linear light are encoded up to 12.92 times as steep.
-double steepness(Blend blend) {
-  return blend == Blend::linear ? 6.0 : 1.0;
 }
 
 }  // namespace
@@ -76,10 +69,7 @@ void LitPaint::make(const GridPaint& paint, std::span<const AreaDistance> distan
   surface_.make(paint, distances, blend, center);
   tolerance_ = tolerance, index_ = index, id_ = next_id();
   if (surface_.area()) area_.make(*surface_.area(), center);
-  if (!surface_.gradient_area()) return;
-  gradient_area_.make(*surface_.gradient_area(), center);
-  const double slope = steepness(blend) * paint.ramp->steepest() * paint.field.per_pixel;
-  distance_tolerance_ = tolerance / 255.0 / std::max(slope, 1e-3);
+  if (surface_.gradient_area()) gradient_area_.make(*surface_.gradient_area(), center);
 }
 
 bool LitPaint::level(int zone) const {
@@ -124,23 +114,17 @@ void LitPaint::make_tile(const LitPiece& piece, LightTile& t, bool on_new_ground
   constexpr double kFine = 0.1;  // [levels] of 8 bits it is 0.3
   t.channels = 3, t.rises = t.apart = false, t.fine = tolerance_ < kFine;
   t.shallow = -1e9f, t.deep = 1e9f, t.tolerance = float(tolerance_ / 255.0);
-  if (piece.zone == kDistances) {
-    t.lamp = {}, t.lamp.distance_alone = true;
-    t.rises = true, t.channels = 1, t.tolerance = float(distance_tolerance_);
-  } else {
-    set_lamp(surface_, piece, middle, radius, t.lamp);
-    t.rises = !surface_.flat(piece.zone);
-    const auto levels = surface_.levels();
-    const std::size_t zone = std::size_t(piece.zone);
-    if (zone > 0) t.shallow = float(-levels[zone - 1]);
-    if (zone < levels.size()) t.deep = float(-levels[zone]);
-    if (piece.segment && piece.segment->slope.a != 0.0) t.channels = 4;
-    t.apart =
-        t.lamp.goes_by_distance() && !(t.rises && surface_.area() == surface_.gradient_area());
-  }
+  set_lamp(surface_, piece, middle, radius, t.lamp);
+  t.rises = !surface_.flat(piece.zone);
+  const auto levels = surface_.levels();
+  const std::size_t zone = std::size_t(piece.zone);
+  if (zone > 0) t.shallow = float(-levels[zone - 1]);
+  if (zone < levels.size()) t.deep = float(-levels[zone]);
+  if (piece.segment && piece.segment->slope.a != 0.0) t.channels = 4;
+  t.apart = t.lamp.goes_by_distance() && !(t.rises && surface_.area() == surface_.gradient_area());
   LightGround& g = *t.ground;
   if (on_new_ground) {
-    if (t.rises) g.area.narrow(piece.zone == kDistances ? gradient_area_ : area_, middle, radius);
+    if (t.rises) g.area.narrow(area_, middle, radius);
     if (t.apart) g.gradient.narrow(gradient_area_, middle, radius);
     g.crowded = (t.rises && g.area.crowded()) || (t.apart && g.gradient.crowded());
   }
@@ -222,33 +206,6 @@ void LitPaint::colors_of_cells(const LitPiece& piece, int x, int y, const PartCe
   const glm::vec4 by = mean - sum / area;
   for (std::size_t c = 0; c < 4; ++c)
     for (std::size_t k = 0; k < count; ++k) to[c][k] += by[int(c)];
-}
-
-void LitPaint::distances(int x, int y, int count, float* d, Scratch& scratch) const {
-  for (int i = 0; i < count; ++i) {
-    LightTile* t = tile(kDistances, x + i, y, scratch);
-    if (t) find_mean(*t, x + i - t->x, y - t->y), scratch.kept_->note_doubt(*t, x + i);
-    d[i] = t ? t->mean[0][std::size_t((y - t->y) * LightTile::kSide + x + i - t->x)] : 0.0f;
-  }
-}
-
-void LitPaint::distances_of_cells(int x, int y, const PartCells& cells, float* d,
-                                  Scratch& scratch) const {
-  LightTile* t = tile(kDistances, x, y, scratch);
-  if (!t) return void(std::fill_n(d, cells.count(), 0.0f));
-  std::array<std::array<float, PartCells::kMost>, 3> others;
-  mien::colors_of_cells(*t, x - t->x, y - t->y, cells,
-                        {d, others[0].data(), others[1].data(), others[2].data()});
-}
-
-float LitPaint::distance_of_part(int x, int y, const LitPart& part, Scratch& scratch) const {
-  LightTile* t = tile(kDistances, x, y, scratch);
-  if (!t) return 0.0f;
-  const float mean = mean_of_part(*t, x - t->x, y - t->y, part)[0];
-  // However steep the ramp, a part shows no more of it than its area.
-  t->off = std::min(t->off, part.area * float(255.0 / tolerance_));
-  scratch.kept_->note_doubt(*t, x);
-  return mean;
 }
 
 }  // namespace mien

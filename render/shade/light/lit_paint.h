@@ -83,6 +83,9 @@ class LitPaint {
   /// The same but for its domes.
   bool flat(int zone) const { return surface_.flat(zone); }
 
+  /// What the paint's gradient goes by, if that is a distance.
+  const FeetArea& gradient_area() const { return gradient_area_; }
+
   /// Means of `count` whole pixels of row y from x on, all of that piece: premultiplied, in the
   /// blending space, to four planes.
   void pixels(const LitPiece& piece, int x, int y, int count, float* r, float* g, float* b,
@@ -97,19 +100,13 @@ class LitPaint {
                        const LitPart* part, bool each, std::span<float> r, std::span<float> g,
                        std::span<float> b, std::span<float> a, Scratch& scratch) const;
 
-  /// Means of the signed distance that the paint's gradient goes by, over whole pixels and a part of one.
-  void distances(int x, int y, int count, float* d, Scratch& scratch) const;
-  float distance_of_part(int x, int y, const LitPart& part, Scratch& scratch) const;
-  /// The distance at the centroids of a pixel's cells.
-  void distances_of_cells(int x, int y, const PartCells& cells, float* d, Scratch& scratch) const;
-
  private:
   /// The tile that has pixel (x, y), made if it is not there; none, and noted, where branches are too many for any.
   LightTile* tile(const LitPiece& piece, int x, int y, Scratch& scratch) const;
   void make_tile(const LitPiece& piece, LightTile& tile, bool on_new_ground) const;
   LitSurface surface_;
   FeetArea area_, gradient_area_;
-  double tolerance_ = 0.3, distance_tolerance_ = 0;  ///< the latter in px
+  double tolerance_ = 0.3;
   int index_ = 0;
   std::uint64_t id_ = 0;  ///< of this paint and no other, ever
 };

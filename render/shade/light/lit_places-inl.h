@@ -54,15 +54,6 @@ inline void SeeFrom(const LightTile& tile, const Near& near, float cx, float cy,
   to.ramp = &to.other;
 }
 
-/// The colour at a depth, or the distance alone.
-HWY_INLINE LitColor ColorAt(const LightTile& tile, VF depth, VF nx, VF ny, VF x, VF y, VF away) {
-  if (tile.lamp.distance_alone) {
-    const VF zero = hn::Zero(F()), none = Const(-1.0f);
-    return {{hn::Neg(depth), zero, zero, zero}, {none, none, none}, Const(1.0f), Const(1e9f)};
-  }
-  return LitAt(tile.lamp, depth, nx, ny, x, y, away);
-}
-
 /// The nearest ridge of both, as lanes.
 struct RidgeLanes {
   VF off, ex, ey;
@@ -106,7 +97,8 @@ inline void ShadePlaces(const LightTile& tile, const Seen& at, const float* px, 
     const VF nx = tile.rises ? load(at.relief.best.nx) : zero;
     const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
     const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
-    PutColor(ColorAt(tile, depth, nx, ny, hn::LoadU(f, px + k), hn::LoadU(f, py + k), away), k, to);
+    PutColor(LitAt(tile.lamp, depth, nx, ny, hn::LoadU(f, px + k), hn::LoadU(f, py + k), away), k,
+             to);
   }
 }
 
@@ -158,7 +150,7 @@ struct Encoding {
 };
 inline Encoding EncodingAt(const LightTile& tile, const float* v) {
   Encoding to{{1.0f, 1.0f, 1.0f, 1.0f}};
-  if (!tile.lamp.linear || tile.lamp.distance_alone) return to;
+  if (!tile.lamp.linear) return to;
   for (int c = 0; c < 3; ++c) to.by[c] = SteepnessAt(tile, v[c]);
   // Opacity shows in all of them.
   to.by[3] = HWY_MAX(HWY_MAX(to.by[0], to.by[1]), to.by[2]);
@@ -170,7 +162,6 @@ inline Encoding EncodingAt(const LightTile& tile, const float* v) {
 HWY_INLINE float KinkAmong(const LightTile& tile, const Shades& s, const float* there,
                            float margin) {
   const LampLanes& lamp = tile.lamp;
-  if (lamp.distance_alone) return 0.0f;
   float less[3], most = 0.0f;  // of what is clamped
   for (int b = 0; b < 3; ++b) {
     const Range range{RangeOf16(s.bounds[b], there).low, RangeOf16(s.upper[b], there).high};

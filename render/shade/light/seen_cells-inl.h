@@ -20,7 +20,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// A depth in the piece's zone, whose root counts over a spread of that variance.
 HWY_INLINE VF HeldDepth(const LightTile& tile, VF d, VF variance) {
-  if (tile.lamp.distance_alone) return hn::Neg(d);
   const VF depth = hn::Min(hn::Max(hn::Neg(d), Const(tile.shallow)), Const(tile.deep));
   if (!tile.lamp.is_round()) return depth;
   // The mean of a root is less than that of the mean, by an eighth of the relative variance and its square.
@@ -84,7 +83,7 @@ inline CutColor MixedAtRidge(const LightTile& tile, const Encoding& encoding, co
       away = Fused(ux, rx, Fused(uy, ry, pick(r.best.d, r.beyond.d, true)));
     }
     const VF depth = HeldDepth(tile, d, hn::Mul(cell.variance, share));
-    return ColorAt(tile, depth, nx, ny, hn::Add(cell.x, ux), hn::Add(cell.y, uy), away);
+    return LitAt(tile.lamp, depth, nx, ny, hn::Add(cell.x, ux), hn::Add(cell.y, uy), away);
   };
   const LitColor near = side(back, hn::Sub(one, far), false), beyond = side(way, far, true);
   CutColor mixed;
@@ -160,8 +159,8 @@ HWY_INLINE void TwoDepths(const LightTile& tile, const Seen& at, int k, const Ce
   const VF up = hn::Sub(middle, apart), down = hn::Add(middle, apart);
   const auto depth = [&](VF root)
                          HWY_ATTR { return hn::Min(hn::Mul(root, root), Const(tile.deep)); };
-  LitColor color = ColorAt(tile, depth(up), nx, ny, cell.x, cell.y, away);
-  const LitColor other = ColorAt(tile, depth(down), nx, ny, cell.x, cell.y, away);
+  LitColor color = LitAt(tile.lamp, depth(up), nx, ny, cell.x, cell.y, away);
+  const LitColor other = LitAt(tile.lamp, depth(down), nx, ny, cell.x, cell.y, away);
   const VF share = hn::Div(down, hn::Max(hn::Add(up, down), Const(1e-9f)));
   for (int c = 0; c < LightTile::kChannels; ++c)
     color.c[c] = Fused(share, hn::Sub(other.c[c], color.c[c]), color.c[c]);
@@ -236,7 +235,7 @@ inline int SideFor(float bend, float area, float allowed) {
 
 /// Whether 4 × 4 cells may be off because encoded colours go by a root of light: e = L^(1/2.4) bends by 1.4 e'² / e.
 inline bool BendsInTheDark(const LightTile& tile, const SixteenCells& cells) {
-  if (tile.lamp.linear || tile.lamp.distance_alone) return false;
+  if (tile.lamp.linear) return false;
   constexpr float kRoot = 1.4f, kOffset = 0.055f, kCells = 1.0f / (16 * 24);
   // [px] At a dome's foot light begins to change as the distance does, and a dark colour as its root.
   constexpr float kFoot = 0.3f, kDark = 0.25f;
@@ -277,7 +276,7 @@ inline void SeeCells(CellPixel& pixel, bool first, SixteenCells& cells) {
     const VF ny = tile.rises ? load(at.relief.best.ny) : zero;
     const VF away = tile.lamp.goes_by_distance() ? load(at.ramp->best.d) : zero;
     const VF depth = HeldDepth(tile, d, cell.variance);
-    PutColor(ColorAt(tile, depth, nx, ny, cell.x, cell.y, away), k, cells.shades);
+    PutColor(LitAt(tile.lamp, depth, nx, ny, cell.x, cell.y, away), k, cells.shades);
   }
   if (first) {
     CellSum sum;

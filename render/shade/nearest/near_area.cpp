@@ -10,7 +10,7 @@ namespace mien {
 void NearArea::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
   area_ = &area, middle_ = middle, count_ = 0;
   const auto& all = area.area()->nodes();
-  if (all.size() < kLargeTree)
+  if (all.size() == 1)
     nodes_.assign(all.begin(), all.end());
   else
     area.area()->narrow(middle - area.center(), radius, nodes_);

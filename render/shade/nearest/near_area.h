@@ -38,9 +38,6 @@ class NearArea {
   long long feet = 0;
 
  private:
-  /// Trees of fewer nodes are not pruned.
-  static constexpr std::size_t kLargeTree = 32;
-
   const FeetArea* area_ = nullptr;
   glm::dvec2 middle_{0.0};
   std::vector<Node> nodes_;

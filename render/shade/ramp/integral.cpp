@@ -1,15 +1,24 @@
 #include "render/shade/ramp/integral.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 
 namespace mien {
 
 void RampIntegral::make(const Ramp& ramp) {
-  const auto& at = ramp.at();
-  const auto& mixes = ramp.mixes();
-  pieces_.clear();
+  steepest_ = ramp.jumps() ? HUGE_VAL : ramp.steepest();
+  make(ramp.at(), ramp.mixes(), ramp.extend());
+}
+
+void RampIntegral::make(double from, double to, const Mix& first, const Mix& last) {
+  steepest_ = to > from ? largest(glm::abs(last - first)) / (to - from) : HUGE_VAL;
+  make(std::array{from, to}, std::array{first, last}, Extend::pad);
+}
+
+void RampIntegral::make(std::span<const double> at, std::span<const Mix> mixes, Extend extend) {
+  pieces_.clear(), index_.begins.clear();
   constexpr double kShortest = 1e-30;  // shorter ones are one jump
   from_ = 0.25 * at.front();           // quarters cannot overflow
   const double quarter = 0.25 * at.back() - from_;
@@ -19,28 +28,25 @@ void RampIntegral::make(const Ramp& ramp) {
     return has_length ? (0.25 * at[i] - from_) * scale_ : 0.0;
   };
   least_ = most_ = mixes[0];
-  steepest_ = ramp.jumps() ? HUGE_VAL : ramp.steepest();
   for (const Mix& mix : mixes) least_ = glm::min(least_, mix), most_ = glm::max(most_, mix);
-  const bool pad = ramp.extend() == Extend::pad;
-  const double period = pad ? 0.0 : ramp.extend() == Extend::repeat ? 1.0 : 2.0;
-  std::vector<double> begins;
-  if (pad) add(begins, 0.0, mixes.front(), Mix{0.0});
+  const bool pad = extend == Extend::pad;
+  const double period = pad ? 0.0 : extend == Extend::repeat ? 1.0 : 2.0;
+  if (pad) add(0.0, mixes.front(), Mix{0.0});
   const auto between = [&](std::size_t i, std::size_t k, double from, double length) {
-    if (length > 0.0) add(begins, from, mixes[i], (mixes[k] - mixes[i]) / length);
+    if (length > 0.0) add(from, mixes[i], (mixes[k] - mixes[i]) / length);
   };
   const std::size_t last = at.size() - 1;
   for (std::size_t i = 0; i < last; ++i) between(i, i + 1, place(i), place(i + 1) - place(i));
-  if (ramp.extend() == Extend::reflect)
+  if (extend == Extend::reflect)
     for (std::size_t i = last; i > 0; --i)
       between(i, i - 1, 2.0 - place(i), place(i) - place(i - 1));
-  if (pad || pieces_.empty()) add(begins, place(last), mixes.back(), Mix{0.0});
-  index_.make(std::move(begins), has_length ? period : 0.0);
+  if (pad || pieces_.empty()) add(place(last), mixes.back(), Mix{0.0});
+  index_.make(has_length ? period : 0.0);
   sum_up();
 }
 
-void RampIntegral::add(std::vector<double>& begins, double begin, const Mix& value,
-                       const Mix& slope) {
-  begins.push_back(begin);
+void RampIntegral::add(double begin, const Mix& value, const Mix& slope) {
+  index_.begins.push_back(begin);
   pieces_.push_back({Mix{0.0}, Mix{0.0}, 0.5 * value, slope / 6.0});
 }
 

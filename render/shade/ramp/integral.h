@@ -8,6 +8,7 @@
 #include "render/blend/ramp.h"
 #include "render/shade/ramp/piece_index.h"
 
+#include <span>
 #include <vector>
 
 namespace mien {
@@ -22,6 +23,8 @@ struct RampPlane {
 class RampIntegral {
  public:
   void make(const Ramp& ramp);
+  /// Of a stretch from `from` to `to` alone: beyond it the colours of its ends hold.
+  void make(double from, double to, const Mix& first, const Mix& last);
 
   /// A period's mean; of a ramp that does not repeat the middle of its ends.
   const Mix& mean() const { return mean_; }
@@ -49,7 +52,8 @@ class RampIntegral {
   const PieceIndex& index() const { return index_; }
 
  private:
-  void add(std::vector<double>& begins, double begin, const Mix& value, const Mix& slope);
+  void make(std::span<const double> at, std::span<const Mix> mixes, Extend extend);
+  void add(double begin, const Mix& value, const Mix& slope);
   void sum_up();
 
   std::vector<Piece> pieces_;  ///< without a period: before the first stop, …, beyond the last one

@@ -19,8 +19,9 @@ struct PieceIndex {
   double period = 0, per_period = 0;   ///< 0: it does not repeat, and ends hold without end
   double per_bucket = 1;
   bool crowded = false;
-  void make(std::vector<double> from, double repeats) {
-    begins = std::move(from), period = repeats, per_period = period > 0.0 ? 1.0 / period : 0.0;
+  /// Of pieces that begin at `begins`.
+  void make(double repeats) {
+    period = repeats, per_period = period > 0.0 ? 1.0 / period : 0.0;
     const double until = period > 0.0 ? period : begins.back() > 0.0 ? begins.back() : 1.0;
     const std::size_t count = 2 * begins.size();
     per_bucket = double(count) / until;

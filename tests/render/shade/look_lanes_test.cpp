@@ -98,18 +98,17 @@ TEST(LookLanes, TakeARadialRampsMeanOverPartsOfPixels) {
 
 TEST(LookLanes, HoldARampBetweenItsEnds) {
   on_every_set([] {
-    LaneStep ramp{.kind = LaneStep::Kind::along,
-                  .color = {0.2f, 0.2f, 0.275f, 0.5625f},
-                  .slope = {0.4f, 0.0f, -0.1f, 0.25f},
-                  .from = 0.25f,
-                  .length = 0.5f};
-    Plane t;
-    for (std::size_t k = 0; k < kRoom; ++k) t[k] = float(k) / 30;
-    ramp.given[0] = t.data();
+    const LaneStep ramp{.kind = LaneStep::Kind::linear,
+                        .color = {0.2f, 0.2f, 0.275f, 0.5625f},
+                        .slope = {0.4f, 0.0f, -0.1f, 0.25f},
+                        .from = 0.25f,
+                        .length = 0.5f,
+                        .q = {-0.25f, 0.0f},
+                        .by_x = {1.0f / 30, 0.0f}};
     const Shaded got({{.kind = LaneStep::Kind::open, .color = {0.5f, 0, 0.25f, 0.75f}}, ramp},
                      Pixels(0).places());
     for (std::size_t k = 0; k < kCount; ++k) {
-      const double at = std::clamp(double(t[k]), 0.25, 0.75), keep = 0.5 - 0.25 * at;
+      const double at = std::clamp(double(k) / 30, 0.25, 0.75), keep = 0.5 - 0.25 * at;
       ASSERT_NEAR(got.colors.r[k], 0.5 * keep + 0.1 + 0.4 * at, 1e-6);
       ASSERT_NEAR(got.colors.g[k], 0.2, 1e-6);
       ASSERT_NEAR(got.colors.b[k], 0.25 * keep + 0.3 - 0.1 * at, 1e-6);

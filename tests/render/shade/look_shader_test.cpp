@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace mien {
 namespace {
@@ -72,6 +73,49 @@ TEST(LookShader, APartHasTheBitsOfARow) {
     Shaded s(ramp, 1);
     for (const int x : {0, 37, 64})
       EXPECT_EQ(s.part(x, 60, {0.0f, 0.0f}), s.shader.pixels(s.look, x, 60, 1).r[0]);
+  }
+}
+
+/// Where opacities of ramps fall together within a cell, the mean of what they leave is more than what means leave.
+TEST(LookShader, CountsWhatProductsOfRampsVaryByWithinCells) {
+  SceneBuilder build({.box = {{0, 0}, {20, 20}}, .y_up = false}, {1, 1, 1, 1});
+  const glm::dvec2 ways[] = {{0.6, 0.8}, {0.8, 0.6}};
+  const double opacities[] = {1, 0.4, 0.3, 0};
+  constexpr double kLength = 2.4;
+  for (int layer = 0; layer < 2; ++layer) {
+    const Area area = build.shape(HalfPlane{ways[layer], 3});
+    const double light = layer;
+    std::vector<Stop> stops;
+    for (int i = 0; i < 4; ++i) stops.push_back({i / 3.0, {light, light, light, opacities[i]}});
+    build.layer(
+        layer ? "upper" : "lower", build.everywhere(),
+        {.color = {light, light, light, 1},
+         .gradient = shared(Gradient{DistanceGradient{area, 0, kLength}, stops, Extend::reflect})});
+  }
+  PaintTable paints;
+  paints.make(std::move(build).finish(), {.width = 20, .height = 20, .blend = Blend::linear},
+              Depth::u8);
+  Looks looks;
+  looks.begin(paints);
+  Regions regions;
+  regions.begin(int(paints.programs.outlines().size()), looks);
+  LookShader shader;
+  shader.begin(looks);
+  const auto opacity = [&](int layer, glm::dvec2 p) {
+    const double t = (glm::dot(ways[layer], p) - 3) / kLength;
+    const double run = std::abs(t - 2 * std::round(t / 2)) * 3;
+    const int i = std::min(int(run), 2);
+    return opacities[i] + (run - i) * (opacities[i + 1] - opacities[i]);
+  };
+  for (int x = 5; x < 12; ++x) {
+    double mean = 0;
+    constexpr int kPlaces = 200;
+    for (int k = 0; k < kPlaces * kPlaces; ++k) {
+      const glm::dvec2 p{x + (k % kPlaces + 0.5) / kPlaces, 9 + (k / kPlaces + 0.5) / kPlaces};
+      const double upper = opacity(1, p);
+      mean += ((1 - opacity(0, p)) * (1 - upper) + upper) / (kPlaces * kPlaces);
+    }
+    EXPECT_NEAR(shader.by_cells(regions.look(0), x, 9, nullptr, 4, true).r, mean, 5e-4) << x;
   }
 }
 

@@ -29,7 +29,7 @@ TEST(PaintTable, MakesAnOutlineOfEveryStopThatThePictureShows) {
       RadialGradient{{1, 0.5}, {0.2, 0.1}}, {{0, {}}, {1, {1, 1, 1, 1}}}, Extend::repeat};
   const VariedPaint& paint =
       varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
-  EXPECT_FALSE(paint.integral);
+  EXPECT_FALSE(paint.by_integral);
   EXPECT_EQ(paint.kinks.size(), 7u);  // the corner lies at t = 7.07; t = 0 has no outline
 }
 
@@ -41,7 +41,7 @@ TEST(PaintTable, IntegratesRampsOfMoreStopsThanOutlinesAreMadeOf) {
   for (const Gradient& gradient : {across, around}) {
     const VariedPaint& paint =
         varied_of(table, {.color = {0, 0, 0, 1}, .gradient = shared(gradient)});
-    EXPECT_TRUE(paint.integral);
+    EXPECT_TRUE(paint.by_integral);
     EXPECT_TRUE(paint.kinks.empty());
   }
 }

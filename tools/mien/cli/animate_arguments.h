@@ -15,6 +15,14 @@ struct AnimateArguments {
   bool again = false;
 };
 
+/// `mien say`: text as speech, and a face that speaks it.
+struct SayArguments {
+  AnimateArguments animate;  ///< `output` may be empty or a track's; `sound` is one that is written
+  std::string text;
+  std::optional<std::string> voice, rate, pitch;
+  bool voices = false;
+};
+
 struct MorphArguments {
   bool from_obj = false;  ///< `mien morph from-obj`, not `make`
   std::string rest, map, neutral, output;

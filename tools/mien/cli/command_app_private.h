@@ -27,6 +27,7 @@ struct CommandApp {
   MorphArguments morph;
   MeshArguments mesh;
   AnimateArguments animate;
+  SayArguments say;
   ImportArguments import;
   FitArguments fit;
   SheetArguments sheet;

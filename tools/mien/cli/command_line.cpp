@@ -213,6 +213,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("morph")) return std::move(command.morph);
   if (app.got_subcommand("mesh")) return std::move(command.mesh);
   if (app.got_subcommand("animate")) return std::move(command.animate);
+  if (app.got_subcommand("say")) return std::move(command.say);
   if (app.got_subcommand("scene")) return std::move(command.scene);
   if (app.got_subcommand("list")) return std::move(command.list);
   if (app.got_subcommand("set")) return std::move(command.set);
@@ -274,8 +275,8 @@ void add_progress(CommandApp& made) {
   CLI::App& app = made.app;
   for (CLI::App* command :
        {app.get_subcommand("render"), app.get_subcommand("check"), app.get_subcommand("animate"),
-        app.get_subcommand("morph")->get_subcommand("between"), app.get_subcommand("mesh"),
-        app.get_subcommand("pca")->get_subcommand("fit"),
+        app.get_subcommand("say"), app.get_subcommand("morph")->get_subcommand("between"),
+        app.get_subcommand("mesh"), app.get_subcommand("pca")->get_subcommand("fit"),
         app.get_subcommand("pca")->get_subcommand("encode"),
         app.get_subcommand("pca")->get_subcommand("decode"),
         app.get_subcommand("pca")->get_subcommand("compare"),
@@ -307,6 +308,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_set(app, made->set);
   add_bench(app, *made);
   add_animate(app, made->animate);
+  add_say(app, made->say);
   add_morph(app, made->morph);
   add_mesh(app, made->mesh);
   add_pca(app, made->pca);

@@ -22,8 +22,8 @@ struct WrongUse {
 using CommandLine =
     std::variant<Help, WrongUse, RenderArguments, BenchArguments, CheckArguments, SceneArguments,
                  ListArguments, SetArguments, PcaArguments, MorphArguments, MeshArguments,
-                 AnimateArguments, ImportArguments, FitArguments, SheetArguments, NewArguments,
-                 CodeArguments, PartsArguments, ChernoffArguments, StimuliArguments,
+                 AnimateArguments, SayArguments, ImportArguments, FitArguments, SheetArguments,
+                 NewArguments, CodeArguments, PartsArguments, ChernoffArguments, StimuliArguments,
                  StudioArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);

@@ -63,6 +63,11 @@ class Roles {
     read("--sound", a.sound);
     return write("--output", a.render.output, Kind::looked_after).all_;
   }
+  FileRoles operator()(const SayArguments& a) {
+    read(a.animate.render.posed);
+    write("--sound", a.animate.sound);
+    return write("--output", a.animate.render.output, Kind::looked_after).all_;
+  }
   FileRoles operator()(const ImportArguments& a) {
     for (const std::string& file : a.files) read("FILES", name_and_file(file).second);
     return write("--output", a.output).all_;

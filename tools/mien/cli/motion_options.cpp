@@ -7,9 +7,13 @@ namespace mien::command {
 namespace {
 
 void add_face(CLI::App* to, PosedFace& posed) {
-  to->add_option("FACE", posed.face, "Face file, or a code that `mien new` printed")
+  to->add_option("FACE", posed.face,
+                 "Face file, a code that `mien new` printed, or the name of a sample face")
       ->required()
       ->type_name("");
+}
+
+void add_paint(CLI::App* to, PosedFace& posed) {
   to->add_option(
         "--style", posed.style,
         "How a face by code or recipe is painted: flat, soft, clay, ink or pictogram; default soft")
@@ -96,8 +100,11 @@ void add_feelings(CLI::App* to, PosedFace& posed) {
 
 }  // namespace
 
-void add_pose(CLI::App* to, PosedFace& posed) {
-  add_face(to, posed);
+namespace {
+
+/// All that poses a face but for its name.
+void add_pose_of_face(CLI::App* to, PosedFace& posed) {
+  add_paint(to, posed);
   add_motion(to, posed);
   add_eyes_and_chart(to, posed);
   add_feelings(to, posed);
@@ -108,13 +115,22 @@ void add_pose(CLI::App* to, PosedFace& posed) {
       ->allow_extra_args(false);
 }
 
+}  // namespace
+
+void add_pose(CLI::App* to, PosedFace& posed) {
+  add_face(to, posed);
+  add_pose_of_face(to, posed);
+}
+
 void add_animate(CLI::App& app, AnimateArguments& to) {
   CLI::App* animate =
       app.add_subcommand("animate", "Draw many moments of a face, as pictures or as a film");
   add_pose(animate, to.render.posed);
   animate
-      ->add_option("-o,--output", to.render.output,
-                   "Pictures like frames/%05d.png, or a film: .mp4 .webm .webp .apng .gif")
+      ->add_option(
+          "-o,--output", to.render.output,
+          "Pictures like frames/%05d.png, or a film: .mp4 .webm .webp .apng .gif; a .png that "
+          "is one file is an APNG")
       ->required()
       ->type_name("FILE");
   animate
@@ -129,6 +145,35 @@ void add_animate(CLI::App& app, AnimateArguments& to) {
   animate->add_flag("--again", to.again, "Draw pictures again that an earlier run finished");
   add_picture(animate, to.render);
   add_threads(animate, to.render);
+}
+
+void add_say(CLI::App& app, SayArguments& to) {
+  CLI::App* say = app.add_subcommand(
+      "say", "Speak a text: a film of a face that says it, its sound, the track of its sounds");
+  RenderArguments& render = to.animate.render;
+  say->add_option("TEXT", to.text, "What is said; - is standard input")->type_name("");
+  say->add_option("-o,--output", render.output,
+                  "A film: .mp4 and .webm with the sound, .webp .apng .gif without; pictures like "
+                  "frames/%05d.png; or .tsv, the track for --speech")
+      ->type_name("FILE");
+  say->add_option("--sound", to.animate.sound, "Also write the sound, as WAV")->type_name("FILE");
+  say->add_option("--voice", to.voice,
+                  "A language or voice of eSpeak NG, perhaps with a variant: en, pt-br, de+f3; "
+                  "default en")
+      ->type_name("VOICE");
+  say->add_flag("--voices", to.voices, "Print languages and voices instead");
+  say->add_option("--rate", to.rate, "Words a minute, 80 to 450; default 175")->type_name("N");
+  say->add_option("--pitch", to.pitch, "How high, 0 to 100; default 50")->type_name("N");
+  say->add_option("--face", render.posed.face,
+                  "Who speaks: face file, code, or the name of a sample face; default toon")
+      ->type_name("FACE");
+  add_pose_of_face(say, render.posed);
+  for (const char* whole : {"--time", "--speech"})  // the film is as long as the speech
+    say->remove_option(say->get_option(whole));
+  say->add_option("--fps", to.animate.fps, "Frames a second; default 30")->type_name("N");
+  say->add_flag("--again", to.animate.again, "Draw pictures again that an earlier run finished");
+  add_picture(say, render);
+  add_threads(say, render);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 namespace mien::command {
 
 void add_animate(CLI::App& app, AnimateArguments& to);
+void add_say(CLI::App& app, SayArguments& to);
 void add_morph(CLI::App& app, MorphArguments& to);
 void add_mesh(CLI::App& app, MeshArguments& to);
 /// `mien sheet …` (sheet_options.cpp).

@@ -8,6 +8,7 @@
 #include <mien/parallel.h>
 #include <mien/scene_from_face.h>
 #include "lib/base/monotonic_seconds.h"
+#include "lib/base/one_line.h"
 #include "render/image/file_type.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
@@ -125,9 +126,22 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
         kUsedWrongly);
   if (animation.sound && !holds_sound(type))
     return complain(Error{output, "holds no sound: take .mp4 or .webm"}, kUsedWrongly);
-  auto film = Film::begin(output, type, drawn.width, drawn.height, animation.fps, transparent,
-                          animation.sound);
-  if (!film) return complain(film.error(), kFailed);
+  const FilmPlan plan{
+      .type = type,
+      .width = drawn.width,
+      .height = drawn.height,
+      .fps = animation.fps,
+      .transparent = transparent,
+      .sound = animation.sound,
+      .frames = animation.range.count(),
+      .threads = animation.threads,
+      .draw = [&](long frame) {
+        return animation.picture_of(animation.scene_of(animation.range.first + frame));
+      }};
+  const auto begun = begin_film(output, plan);
+  if (interrupted()) return complain("interrupted", kFailed);
+  if (!begun) return complain(begun.error(), kFailed);
+  FilmWriter& film = **begun;
   const Progress progress = display.watch("frames");
   const std::uint64_t bytes = std::uint64_t(drawn.width) * std::uint64_t(drawn.height) * 4;
   const long together = std::clamp<long>(long(kMostWaiting / bytes), 1, 2L * animation.threads);
@@ -137,18 +151,18 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
     pictures.assign(std::size_t(std::min(together, animation.range.last - first + 1)), Image{});
     const double start = monotonic_seconds();
     parallel_for(int(pictures.size()), {.count = animation.threads}, [&](int i) {
-      pictures[std::size_t(i)] = animation.picture_of(animation.scene_of(first + i));
+      pictures[std::size_t(i)] = plan.draw(first - animation.range.first + i);
     });
     drawing += monotonic_seconds() - start;
     for (const auto& picture : pictures) {
       if (!picture) return complain({output, picture.error().what}, kFailed);
-      if (const auto added = film->add(*picture); !added) return complain(added.error(), kFailed);
+      if (const auto added = film.add(*picture); !added) return complain(added.error(), kFailed);
     }
     const long done = first + long(pictures.size()) - animation.range.first;
     if (!progress(double(done) / double(animation.range.count())))
       return complain("interrupted", kFailed);
   }
-  if (const auto finished = film->finish(); !finished) return complain(finished.error(), kFailed);
+  if (const auto finished = film.finish(); !finished) return complain(finished.error(), kFailed);
   const double whole = monotonic_seconds() - began;
   return print(fmt::format("{} frames in {:.1f} s, {:.0f} % of it drawing\n",
                            animation.range.count(), whole, 100 * drawing / whole));
@@ -229,11 +243,14 @@ int animate_command(const AnimateArguments& arguments) {
   const std::string& output = arguments.render.output;
   const auto names = read_frame_names(output);
   if (!names) return complain(names.error(), kUsedWrongly);
-  const auto film = film_type(output);
+  const auto film = lower_extension(output) == ".png" ? FilmType::apng : film_type(output);
   if (!*names && !film)
     return complain(Error{fmt::format("-o {}", output),
                           "expected numbered pictures like frames/%05d.png, or a film: .mp4 .webm "
                           ".webp .apng .gif"},
+                    kUsedWrongly);
+  if (!*names && arguments.render.depth.value_or("8") != "8")
+    return complain(Error{"--depth " + one_line(*arguments.render.depth, 60), "films hold 8 bits"},
                     kUsedWrongly);
   if (*names && arguments.sound)
     return complain(Error{"--sound", "numbered pictures hold no sound: take a film, .mp4 or .webm"},

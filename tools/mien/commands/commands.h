@@ -20,6 +20,7 @@ int pca_command(const PcaArguments& arguments);
 int morph_command(const MorphArguments& arguments);
 int mesh_command(const MeshArguments& arguments);
 int animate_command(const AnimateArguments& arguments);
+int say_command(const SayArguments& arguments);
 int import_command(const ImportArguments& arguments);
 int fit_command(const FitArguments& arguments);
 int sheet_command(const SheetArguments& arguments);

@@ -17,6 +17,7 @@
 #include "sdf/from_face/debug_view.h"
 #include "tools/mien/cli/option_words.h"
 #include "tools/mien/cli/parse_values.h"
+#include "tools/mien/commands/sample_face.h"
 #include "tools/mien/output/letters.h"
 
 #include <fmt/format.h>
@@ -61,7 +62,8 @@ bool is_given_as_code(const std::string& text) {
   return looks_like_face_code(text) && !is_there(text);
 }
 
-Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings) {
+Expected<Recipe> read_given_recipe(const std::string& given, std::vector<Error>* warnings) {
+  const std::string text = sample_face_path(given);
   if (!is_given_as_code(text)) {
     auto recipe = read_recipe_file(text, warnings);
     if (!recipe) return with_word_explained(recipe.error(), text);
@@ -72,8 +74,9 @@ Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* 
   return recipe_from_code(*code);
 }
 
-Expected<Face> read_face_or_code(const std::string& text, const std::optional<std::string>& style,
+Expected<Face> read_face_or_code(const std::string& given, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings, bool neutral) {
+  const std::string text = sample_face_path(given);
   const auto of_recipe = [&](Recipe recipe) {
     if (style) recipe.style = *style;
     if (neutral) recipe = neutral_recipe(std::move(recipe));

@@ -23,7 +23,7 @@ bool is_given_as_code(const std::string& text);
 /// The recipe of a code, or of a face file that is one.
 Expected<Recipe> read_given_recipe(const std::string& text, std::vector<Error>* warnings = nullptr);
 
-/// A face file, or the face of a code; `style` paints the latter. A file of that name comes first. `neutral`: without
+/// A face file, the face of a code, or a sample face by its name; `style` paints the latter. A file of that name comes first. `neutral`: without
 /// smile or mood; the smile of a face in full is in its points, and stays.
 Expected<Face> read_face_or_code(const std::string& text,
                                  const std::optional<std::string>& style = {},

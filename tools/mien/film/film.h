@@ -1,10 +1,10 @@
 #pragma once
-// A film: frames go through a pipe into an ffmpeg process, which writes them to a file. The film appears
-// whole or not at all.
+// A film: frames become a file, which appears whole or not at all. Animated pictures are written here, the others by ffmpeg.
 
 #include <mien/expected.h>
 #include <mien/image.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +17,6 @@ enum class FilmType { mp4, webm, webp, apng, gif };
 std::optional<FilmType> film_type(const std::string& path);
 /// Whether the type holds transparency.
 bool holds_transparency(FilmType type);
-
 /// Whether the type has sound.
 bool holds_sound(FilmType type);
 
@@ -28,25 +27,29 @@ struct FilmSound {
   double length = 0;  ///< [s] of the film
 };
 
-class Film {
- public:
-  /// Starts ffmpeg. Errors: it is not installed (names the package), sides that the type cannot have, no
-  /// place to write.
-  static Expected<Film> begin(const std::string& path, FilmType type, int width, int height,
-                              double fps, bool transparent,
-                              const std::optional<FilmSound>& sound = {});
-  Film(Film&&) noexcept;
-  ~Film();  ///< without finish nothing is left
-
-  /// The next frame, 8 bits.
-  Expected<Done> add(const Image& frame);
-  /// Waits for ffmpeg; then the film is in its place.
-  Expected<Done> finish();
-
- private:
-  struct Process;
-  explicit Film(std::unique_ptr<Process> process);
-  std::unique_ptr<Process> process_;
+struct FilmPlan {
+  FilmType type = FilmType::mp4;
+  int width = 0, height = 0;
+  double fps = 30;
+  bool transparent = false;
+  std::optional<FilmSound> sound = {};
+  long frames = 0;
+  int threads = 1;
+  /// Draws frame 0 … frames − 1, on several threads at once; an error's `where` is left empty. Films with a palette look at
+  /// some of them first.
+  std::function<Expected<Image>(long frame)> draw = {};
 };
+
+/// Takes frames of 8 bits, in order. Without finish nothing is left.
+class FilmWriter {
+ public:
+  virtual ~FilmWriter() = default;
+  virtual Expected<Done> add(const Image& frame) = 0;
+  /// Then the film is in its place.
+  virtual Expected<Done> finish() = 0;
+};
+
+/// Errors: what writes the type is not installed, sides that it cannot have, no place to write.
+Expected<std::unique_ptr<FilmWriter>> begin_film(const std::string& path, const FilmPlan& plan);
 
 }  // namespace mien::command

@@ -127,16 +127,21 @@ Expected<Done> write_frames(const Morphing& morphing) {
 }
 
 Expected<Done> write_film(const Morphing& morphing, const std::string& output) {
-  auto film = Film::begin(output, *morphing.film, morphing.size.width, morphing.size.height,
-                          morphing.fps, false);
+  const FilmPlan plan{.type = *morphing.film,
+                      .width = morphing.size.width,
+                      .height = morphing.size.height,
+                      .fps = morphing.fps,
+                      .frames = morphing.steps,
+                      .draw = [&](long step) { return morphing.picture(step); }};
+  const auto film = begin_film(output, plan);
   if (!film) return film.error();
   WatchedWork work("steps", std::size_t(morphing.steps));
   for (long step = 0; step < morphing.steps; ++step, work.step()) {
     const auto picture = morphing.picture(step);
     if (!picture) return picture.error();
-    if (auto added = film->add(*picture); !added) return added;
+    if (auto added = (*film)->add(*picture); !added) return added;
   }
-  return film->finish();
+  return (*film)->finish();
 }
 
 }  // namespace

@@ -56,6 +56,20 @@ TEST(LipLine, OfARoundMouthIsNarrowAndLevel) {
   EXPECT_GT(shaped({.funnel = 1}).upper[1].y, shaped({.funnel = 1}).lower[1].y + 0.03);
 }
 
+/// Lips that lie over the teeth do not part for a breath of a sound.
+TEST(LipLine, ATongueBaresTheTeethByAsMuchAsItShows) {
+  const TeethEdge teeth{{0.25, -0.08}, {0, -0.12}, {-0.25, -0.08}};
+  const double rest = shaped({}, teeth).lower[1].y;
+  const double up = rest - shaped({.tongue_up = 1}, teeth).lower[1].y;
+  const double between = rest - shaped({.tongue_between = 1}, teeth).lower[1].y;
+  EXPECT_GT(up, 0.1);
+  EXPECT_GT(between, up);
+  for (const double share : {1e-6, 1e-3, 0.1, 0.5, 0.9}) {
+    EXPECT_LE(rest - shaped({.tongue_up = share}, teeth).lower[1].y, share * up + 1e-12);
+    EXPECT_LE(rest - shaped({.tongue_between = share}, teeth).lower[1].y, share * between + 1e-12);
+  }
+}
+
 TEST(LipLine, MeetsTheTeeth) {
   const TeethEdge teeth{{0.25, -0.02}, {0, -0.06}, {-0.25, -0.02}};
   EXPECT_NEAR(teeth.y(0), -0.05, 1e-12);

@@ -20,12 +20,21 @@ namespace {
 
 constexpr glm::dvec2 kMiddle{24.0, 24.0};
 
+/// A level paint whose opacity tells the distance.
+constexpr float kPerOpacity = 400.0f;
+double told(float opacity) {
+  return double(kPerOpacity * (opacity - 0.5f));
+}
+
 void set_distance(const FeetArea& area, LightGround& ground, CellScratch& scratch,
                   LightTile& tile) {
-  tile.x = tile.y = 16, tile.rises = true, tile.channels = 1, tile.tolerance = 1e-3f;
-  tile.lamp.distance_alone = true;
-  ground.area.narrow(area, kMiddle, 12.0);
-  ground.crowded = ground.area.crowded(), tile.ground = &ground, tile.scratch = &scratch;
+  tile.x = tile.y = 16, tile.apart = true, tile.channels = 4, tile.tolerance = 1e-3f / kPerOpacity;
+  tile.lamp.ambient = 0.5f, tile.lamp.diffuse = 0.0f;
+  LampRamp& ramp = tile.lamp.ramp;
+  ramp.kind = LampRamp::Kind::distance, ramp.xx = 1.0f / kPerOpacity;
+  ramp.at.fill(0.5f), ramp.slope.fill(1.0f);
+  ground.gradient.narrow(area, kMiddle, 12.0);
+  ground.crowded = ground.gradient.crowded(), tile.ground = &ground, tile.scratch = &scratch;
   if (!ground.crowded) tile.begin_ground(), tile.begin();
 }
 
@@ -41,7 +50,7 @@ bool expect_distances(const AreaDistance& area, const char* what) {
     const int i = k % 16, j = k / 16;
     test::see(tile, i, j, seen);
     for (std::size_t q = 0; q < 16; ++q)
-      EXPECT_NEAR(seen.c[0][q], area.at(test::place(seen, i, j, q)), 2e-3)
+      EXPECT_NEAR(told(seen.c[3][q]), area.at(test::place(seen, i, j, q)), 2e-3)
           << what << " " << i << " " << j;
   }
   return true;
@@ -79,7 +88,7 @@ struct MeansOff {
         sum += area.at(glm::dvec2{16 + i, 16 + j} +
                        (glm::dvec2{q % kPlaces, q / kPlaces} + 0.5) / double(kPlaces));
       (test::in_a_smooth_square(tile, i, j) ? smooth : other)
-          .push_back(std::abs(double(tile.mean[0][std::size_t(p)]) - sum / (kPlaces * kPlaces)));
+          .push_back(std::abs(told(tile.mean[3][std::size_t(p)]) - sum / (kPlaces * kPlaces)));
     }
   }
   static double all_but(std::vector<double> values, double share) {
@@ -208,7 +217,7 @@ TEST(NearArea, KnowsHairpins) {
       test::see(tile, at % 16, at / 16, seen);
       for (std::size_t q = 0; q < 16; ++q) {
         const double own = distance.at(test::place(seen, at % 16, at / 16, q));
-        const double by = std::abs(double(seen.c[0][q]) - own);
+        const double by = std::abs(told(seen.c[3][q]) - own);
         ++all, off += by > 2e-3;
         EXPECT_LT(by, 0.05);
       }

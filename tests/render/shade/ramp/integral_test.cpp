@@ -36,5 +36,18 @@ TEST(RampIntegral, ItsPiecesAreTheRampAndGoOnIntoEachOther) {
   }
 }
 
+TEST(RampIntegral, OfAStretchIsThatOfARampOfTwoStops) {
+  RampIntegral whole, stretch;
+  whole.make(
+      Ramp({LinearGradient{}, {{0.25, {0, 0, 0, 1}}, {0.75, {1, 0.5, 0, 1}}}}, 1, Blend::linear));
+  stretch.make(0.25, 0.75, whole.least(), whole.most());
+  ASSERT_EQ(stretch.pieces().size(), whole.pieces().size());
+  for (std::size_t k = 0; k < whole.pieces().size(); ++k) {
+    const RampIntegral::Piece &a = stretch.pieces()[k], &b = whole.pieces()[k];
+    EXPECT_LT(largest(a.c2 - b.c2) + largest(a.c3 - b.c3) + largest(a.c0 - b.c0), 1e-12) << k;
+  }
+  EXPECT_NEAR(stretch.steepest(), whole.steepest(), 1e-12);
+}
+
 }  // namespace
 }  // namespace mien::test

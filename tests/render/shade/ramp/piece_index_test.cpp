@@ -19,7 +19,8 @@ TEST(PieceIndex, BucketsBeginWithinTwoPiecesOfTheirPlacesUnlessCrowded) {
     for (int k = 1; k < count; ++k)
       begins.push_back(begins.back() + std::pow(10, r.between(alike - 6, 0)));
     PieceIndex index;
-    index.make(begins, i % 2 ? begins.back() + 0.5 : 0.0);
+    index.begins = begins;
+    index.make(i % 2 ? begins.back() + 0.5 : 0.0);
     crowded += index.crowded;
     for (int k = 0; k < 200; ++k) {
       const double s = r.between(i % 2 ? 0 : -1, 1) * (begins.back() + 0.4);

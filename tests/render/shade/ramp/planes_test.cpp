@@ -30,8 +30,9 @@ struct Planes {
   Cells of(int x, int y, int side = 1) {
     const VariedPaint& paint = table.varied.at(0);
     Cells cells;
-    cells.side = planes.add(paint, paint.lit < 0 ? nullptr : &table.lit[std::size_t(paint.lit)], x,
-                            y, side, scratch, cells.planes);
+    cells.side = planes.add(paint, paint.integral,
+                            paint.lit < 0 ? nullptr : &table.lit[std::size_t(paint.lit)], x, y,
+                            side, scratch, cells.planes);
     return cells;
   }
 };
