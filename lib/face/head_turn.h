@@ -23,6 +23,7 @@ enum class TurnKind : unsigned char {
   shift,    ///< x, y of an offset on the surface: foreshortened and rolled
   plate_width,  ///< radii on a plate
   plate_size,   ///< a radius on a plate: foreshortened by the geometric mean of both
+  body,         ///< a point of shoulders and neck: it follows the yaw by a share
   length,       ///< lengths that no turn changes: they grow as a head comes nearer
   angle         ///< an angle of something on the head: rolled
 };
@@ -36,11 +37,21 @@ struct TurnedSlice {
 
 struct Channel;
 
+/// Shoulders that follow a head's yaw: they turn about the same upright axis, and their front is a round of these half-axes.
+struct TurnedBody {
+  double share = 0;
+  glm::dvec2 radii{1};  ///< sideways and towards the viewer; > 0
+};
+
 /// The front of the head is half an ellipsoid. A head without slices does not turn.
 struct HeadTurn {
-  glm::dvec3 pivot{0};              ///< what it turns about; z 0 is the ellipsoid's middle
-  glm::dvec2 center{0};             ///< of the ellipsoid, in the picture
-  glm::dvec3 radii{1};              ///< > 0
+  glm::dvec3 pivot{0};   ///< what it turns about; z 0 is the ellipsoid's middle
+  glm::dvec2 center{0};  ///< of the ellipsoid, in the picture
+  glm::dvec3 radii{1};   ///< > 0
+  /// How deep the skull is behind the ellipsoid's middle. With one the yaw is outermost, so eyes stay level, and outlines are
+  /// those of a head: longer behind, hollow at the far temple. 0: the pitch is outermost, and outlines stay.
+  double skull = 0;
+  TurnedBody body;
   Index<Channel> yaw, pitch, roll;  ///< [degrees]
   Index<Channel> nearer;            ///< how much larger the head is seen, a ratio
   std::vector<TurnedSlice> slices;

@@ -11,6 +11,7 @@
 
 #include "tests/support/effort.h"
 #include "tests/support/faces.h"
+#include "tests/support/posing.h"
 #include "tests/support/random_plain_scene.h"
 #include "tests/support/rendered.h"
 
@@ -124,18 +125,28 @@ TEST(Mirror, TheNativeFaceEqualsItsOwnMirrorImage) {  // E2
     }
 }
 
-/// The head turned left is the mirror image of the head turned right.
+/// The head turned left is the mirror image of the head turned right, one with a skull too, which nods and leans.
 TEST(Mirror, TurnedHeadsMirrorEachOther_G4) {
   constexpr glm::dvec3 kAbove{0, 0.65, 0.85};
   const View view{.width = 320, .height = 180, .light = kAbove, .dither = false};
-  const Image left = test::rendered(posed_scene("toon", {"yaw=20", "roll=5", "blink=0.3"}), view);
-  const Image right =
-      test::rendered(posed_scene("toon", {"yaw=-20", "roll=-5", "blink=0.3"}), view);
-  for (int y = 0; y < left.height; ++y)
-    for (int x = 0; x < left.width; ++x)
-      for (int c = 0; c < 4; ++c)
-        ASSERT_LE(std::abs(int(left.row(y)[4 * x + c]) - int(right.row(y)[4 * (319 - x) + c])), 1)
-            << x << ' ' << y;
+  std::string whole = test::text_of_face("toon");
+  whole.insert(
+      whole.find("\"still\":"),
+      R"("skull": 0.69, "body": {"share": 0.2, "radii": [0.95, 0.3], "features": ["neck", "sweater"]}, )");
+  for (const std::string& text : {test::text_of_face("toon"), whole}) {
+    const Face face = read_face_text(text).value();
+    const auto turned = [&](const char* yaw, const char* roll) {
+      return test::rendered(
+          scene_from_face(test::posed(face, {yaw, roll, "pitch=-12", "blink=0.3"})), view);
+    };
+    const Image left = turned("yaw=20", "roll=5"), right = turned("yaw=-20", "roll=-5");
+    EXPECT_NE(left.bytes, turned("yaw=0", "roll=5").bytes);
+    for (int y = 0; y < left.height; ++y)
+      for (int x = 0; x < left.width; ++x)
+        for (int c = 0; c < 4; ++c)
+          ASSERT_LE(std::abs(int(left.row(y)[4 * x + c]) - int(right.row(y)[4 * (319 - x) + c])), 1)
+              << x << ' ' << y;
+  }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class TurnReader {
   void read() {
     in_.expect_object(node_,
                       {"yaw", "pitch", "roll", "nearer", "pivot", "center", "radii", "still",
-                       "flat", "raised", "plate"},
+                       "flat", "raised", "plate", "skull", "body"},
                       "turn");
     turn_.yaw = channel("yaw"), turn_.pitch = channel("pitch"), turn_.roll = channel("roll");
     turn_.nearer = channel("nearer");
@@ -33,6 +33,7 @@ class TurnReader {
       if (!(r > 0))
         in_.refuse(in_.need(node_, "radii"), fmt::format("a radius must be positive, got {}", r));
     turn_.radii = {radii[0], radii[1], radii[2]};
+    if (const JsonNode* skull = in_.find(node_, "skull")) turn_.skull = positive(*skull);
     read_places();
     for (const Feature& feature : face_.model.features) add_feature(feature);
     for (const Eye& eye : face_.model.eyes)
@@ -44,6 +45,13 @@ class TurnReader {
   }
 
  private:
+  double positive(const JsonNode& node) const {
+    const double length = in_.number(node);
+    if (!(length > 0))
+      in_.refuse(node, fmt::format("a length of the head must be positive, got {}", length));
+    return length;
+  }
+
   struct Place {
     TurnKind kind = TurnKind::surface;
     double depth = 0;
@@ -91,13 +99,29 @@ class TurnReader {
     places_[std::string(name)] = where;
   }
 
+  void place_all(const JsonNode& names, TurnKind kind) {
+    in_.expect(names, JsonKind::array);
+    in_.for_each(names,
+                 [&](const JsonNode& child, int) { place(child, in_.string(child), {kind}); });
+  }
+
+  /// {"share": 0.2, "radii": [X, Z], "features": [NAME, …]}: what follows the head.
+  void read_body(const JsonNode& node) {
+    in_.expect_object(node, {"share", "radii", "features"}, "body");
+    turn_.body.share = in_.number(in_.need(node, "share"));
+    if (!(turn_.body.share >= 0 && turn_.body.share <= 1))
+      in_.refuse(in_.need(node, "share"),
+                 fmt::format("a share of the yaw lies between 0 and 1, got {}", turn_.body.share));
+    const JsonNode& radii = in_.need(node, "radii");
+    in_.numbers(radii, 2, 2);
+    const JsonNode& across = *in_.tree.first(radii);
+    turn_.body.radii = {positive(across), positive(*in_.tree.next(across))};
+    place_all(in_.need(node, "features"), TurnKind::body);
+  }
+
   void read_places() {
-    if (const JsonNode* still = in_.find(node_, "still")) {
-      in_.expect(*still, JsonKind::array);
-      in_.for_each(*still, [&](const JsonNode& child, int) {
-        place(child, in_.string(child), {TurnKind::still});
-      });
-    }
+    if (const JsonNode* still = in_.find(node_, "still")) place_all(*still, TurnKind::still);
+    if (const JsonNode* body = in_.find(node_, "body")) read_body(*body);
     for (const auto& [key, kind] : {std::pair{"flat", TurnKind::flat},
                                     {"raised", TurnKind::surface},
                                     {"plate", TurnKind::plate}})
@@ -126,10 +150,10 @@ class TurnReader {
       add({slice, here.kind, here.depth});
     });
     if (const auto* text = std::get_if<TextFigure>(&feature.figure))
-      if (where.kind != TurnKind::still) add({text->tilt, TurnKind::angle});
+      if (with_the_head(where)) add({text->tilt, TurnKind::angle});
     if (foreshortened(where)) add_sizes(feature.figure, where.kind == TurnKind::plate);
     if (feature.gradient) add_gradient(feature.gradient.in(face_.model.gradients), where);
-    if (turn_.nearer && where.kind != TurnKind::still) add_lengths(feature.figure);
+    if (turn_.nearer && with_the_head(where)) add_lengths(feature.figure);
   }
 
   /// What keeps its size as the head turns, and grows as it comes nearer.
@@ -137,6 +161,10 @@ class TurnReader {
     for_each_slice(figure, [&](std::string_view, int slice) {
       if (face_.model.layout[slice].kind == SliceKind::length) add({slice, TurnKind::length});
     });
+  }
+
+  static bool with_the_head(const Place& where) {
+    return where.kind != TurnKind::still && where.kind != TurnKind::body;
   }
 
   static bool foreshortened(const Place& where) {

@@ -169,10 +169,12 @@ class Placing {
       to_.number(short_number(least_rise(*first)));
     else if (key == "$still")
       write_still(*first, in_.need(at, "slots"));
+    else if (key == "$still_of")
+      write_names(*first);
     else
-      in_.refuse(*first,
-                 unknown_name("way to put it in a frame", key,
-                              {"$point", "$vector", "$length", "$value", "$rise", "$still"}));
+      in_.refuse(*first, unknown_name("way to put it in a frame", key,
+                                      {"$point", "$vector", "$length", "$value", "$rise", "$still",
+                                       "$still_of"}));
     return true;
   }
 
@@ -189,17 +191,31 @@ class Placing {
     return least;
   }
 
-  void write_still(const JsonNode& offset, const JsonNode& slots) const {
+  /// Calls each(name) for what stands still and lies in one of the slots.
+  template <class Each>
+  void for_each_still(const JsonNode& slots, Each&& each) const {
     std::set<std::size_t> wanted;
     in_.for_each(slots, [&](const JsonNode& slot, int) {
       wanted.insert(slot_named(in_, slot, place_.library));
     });
     const std::vector<std::string>& still = place_.features.still;
-    to_.object();
     for (const FlatFeatures::One& one : place_.features.features)
       if (wanted.contains(one.slot) &&
           std::find(still.begin(), still.end(), one.name) != still.end())
-        to_.kept_key(one.name + "/*"), to_.pair(in_.pair(offset));
+        each(one.name);
+  }
+
+  void write_still(const JsonNode& offset, const JsonNode& slots) const {
+    to_.object();
+    for_each_still(slots, [&](const std::string& name) {
+      to_.kept_key(name + "/*"), to_.pair(in_.pair(offset));
+    });
+    to_.close();
+  }
+
+  void write_names(const JsonNode& slots) const {
+    to_.array();
+    for_each_still(slots, [&](const std::string& name) { to_.kept_string(name); });
     to_.close();
   }
 

@@ -15,7 +15,16 @@ Turn::Turn(const HeadTurn& head, double yaw, double pitch, double roll, bool y_u
       growth_(1 + nearer),
       yaw_(direction_at(yaw)),
       pitch_(direction_at(pitch)),
-      roll_(direction_at(roll)) {}
+      roll_(direction_at(roll)),
+      body_yaw_(direction_at(head.body.share * yaw)),
+      middle_(up_ * (head.center.y - head.pivot.y)) {
+  if (head.skull > 0) {
+    const double deep = head.skull / head.radii.x * yaw_.y, front = head.radii.z / head.radii.y,
+                 back = head.skull / head.radii.y;
+    lean_ = std::max(1 - 0.5 * (front * front + back * back), 0.0);
+    longer_ = std::sqrt(yaw_.x * yaw_.x + deep * deep) - 1;
+  }
+}
 
 /// The height of the front over the ellipsoid's middle at a point.
 double Turn::height(glm::dvec2 p) const {
@@ -36,8 +45,43 @@ glm::dvec2 Turn::rolled(glm::dvec2 way) const {
 
 /// Argument and result are relative to the pivot, with y up.
 glm::dvec2 Turn::turned(glm::dvec3 v) const {
+  if (head_.skull > 0) {
+    const double z = v.z * pitch_.x - (v.y - middle_) * pitch_.y;
+    return rolled_up({v.x * yaw_.x + z * yaw_.y, v.y * pitch_.x + v.z * pitch_.y});
+  }
   const double x = v.x * yaw_.x + v.z * yaw_.y, z = v.z * yaw_.x - v.x * yaw_.y;
   return rolled_up({x, v.y * pitch_.x + z * pitch_.y});
+}
+
+namespace {
+
+/// 0 up to `from`, 1 from `to` on, smooth between.
+double risen(double at, double from, double to) {
+  const double u = std::clamp((at - from) / (to - from), 0.0, 1.0);
+  return u * u * (3 - 2 * u);
+}
+
+}  // namespace
+
+/// How far a point of an outline goes aside as its head turns, beside what its depth does.
+double Turn::outline_shift(glm::dvec2 p) const {
+  if (!(head_.skull > 0) || yaw_.y == 0) return 0;
+  const double ahead = yaw_.y < 0 ? -1 : 1, a = head_.radii.x;
+  const double across =
+      ahead * (p.x - head_.center.x) / a;  // 1 at the far edge, −1 at the near one
+  const double up = up_ * (p.y - head_.center.y) / head_.radii.y;
+  const double edge = std::min(across * across, 1.0);
+  if (across < 0) {
+    // Above the ear, which is drawn at the edge; wide hair and hats do not grow.
+    const double skull = risen(up, 0, 0.8) * (1 - risen(-across, 1.05, 1.6));
+    return -ahead * a * edge * 2 * std::max(longer_, 0.0) * skull;
+  }
+  // The cheekbone stands out; the temple above it, up to where hats begin, is hollow, and the jaw below it narrow.
+  constexpr double kCheek = 0.02, kTemple = 0.05, kJaw = 0.09;
+  const double cheek = risen(up, -0.3, 0) * (1 - risen(up, 0.2, 0.35));
+  const double temple = risen(up, 0.22, 0.4) * (1 - risen(up, 0.4, 0.6));
+  const double jaw = 1 - risen(up, -0.9, -0.35);
+  return ahead * a * edge * std::abs(yaw_.y) * (kCheek * cheek - kTemple * temple - kJaw * jaw);
 }
 
 glm::dvec2 Turn::surface(glm::dvec2 p, double depth) const {
@@ -55,10 +99,21 @@ glm::dvec2 Turn::plate_foreshortening() const {
 }
 
 glm::dvec2 Turn::flat(glm::dvec2 p, double depth) const {
-  const double z = depth - head_.pivot.z;
-  const glm::dvec2 q = rolled_up(
-      {p.x - head_.pivot.x + z * yaw_.y, up_ * (p.y - head_.pivot.y) + z * yaw_.x * pitch_.y});
+  const double z = depth - head_.pivot.z, x = p.x - head_.pivot.x + outline_shift(p),
+               y = up_ * (p.y - head_.pivot.y);
+  // What hangs below the chin hangs upright again.
+  const double b = head_.radii.y, above = y - middle_,
+               axis = lean_ * (above > -b ? above : std::min(-2 * b - above, 0.0));
+  const glm::dvec2 q =
+      head_.skull > 0 ? rolled_up({x + (z * pitch_.x - axis * pitch_.y) * yaw_.y, y + z * pitch_.y})
+                      : rolled_up({x + z * yaw_.y, y + z * yaw_.x * pitch_.y});
   return {head_.pivot.x + growth_ * q.x, head_.pivot.y + growth_ * up_ * q.y};
+}
+
+glm::dvec2 Turn::body(glm::dvec2 p) const {
+  const double x = p.x - head_.pivot.x, aside = x / head_.body.radii.x;
+  const double z = head_.body.radii.y * std::sqrt(std::max(0.0, 1 - aside * aside));
+  return {head_.pivot.x + x * body_yaw_.x + z * body_yaw_.y, p.y};
 }
 
 /// The slopes of the turned surface along x and y, by its normal: the height's own slopes are
@@ -69,7 +124,9 @@ glm::dvec2 Turn::foreshortening(glm::dvec2 p) const {
   const double h = std::max(height(p), 0.1 * r.z);
   const double slope_x = -(r.z / r.x) * (r.z / r.x) * (p.x - head_.center.x) / h;
   const double slope_y = -(r.z / r.y) * (r.z / r.y) * up_ * (p.y - head_.center.y) / h;
-  const double x = yaw_.x + slope_x * yaw_.y, y = pitch_.x + slope_y * yaw_.x * pitch_.y;
+  const bool whole = head_.skull > 0;
+  const double x = yaw_.x + slope_x * yaw_.y * (whole ? pitch_.x : 1),
+               y = pitch_.x + slope_y * pitch_.y * (whole ? 1 : yaw_.x);
   return growth_ * glm::dvec2{std::clamp(x, 0.0, 1.5), std::clamp(y, 0.0, 1.5)};
 }
 
@@ -90,7 +147,8 @@ class Turning {
 
  private:
   static bool is_point(TurnKind kind) {
-    return kind == TurnKind::surface || kind == TurnKind::flat || kind == TurnKind::plate;
+    return kind == TurnKind::surface || kind == TurnKind::flat || kind == TurnKind::plate ||
+           kind == TurnKind::body;
   }
   double* at(int slice) { return &now_[std::size_t(model_.layout[slice].begin)]; }
   void scale(int slice, double by) {
@@ -101,6 +159,7 @@ class Turning {
 
   glm::dvec2 turned(glm::dvec2 p, const TurnedSlice& slice) const {
     if (slice.kind == TurnKind::flat) return turn_.flat(p, slice.depth);
+    if (slice.kind == TurnKind::body) return turn_.body(p);
     if (slice.kind == TurnKind::plate) return turn_.plate(p, slice.depth);
     return turn_.surface(p, slice.depth);
   }

@@ -2,12 +2,17 @@
 // Small turns of the head: parallax of feature depth, with foreshortening.
 //
 // The front of the head is half an ellipsoid. A point (x, y) of the face lies on it and is turned with it
-// about a pivot: first by the yaw about the vertical, then by the pitch about the horizontal axis, then by
-// the roll in the picture. It is seen straight from the front again. What looks alike from every side (the
+// about a pivot: by the pitch about the horizontal axis, then by the yaw about the vertical one, so that eyes stay level,
+// then by the roll in the picture. (Of a head without a skull the pitch comes after the yaw.) It is seen straight from the
+// front again. What looks alike from every side (the
 // outline of a head, of hair) is not foreshortened, only shifted by its depth and rolled. A plate,
 // such as a pair of glasses, stands level at one depth and turns as one rigid body: straight lines on it stay
 // straight. Sizes are foreshortened as the surface at their place is. Meant for up to about 30°; beyond that, features slide
 // round the edge.
+//
+// A head with a skull is not round: seen from the side it is longer. The half-width of an ellipsoid of half-axes a and c
+// turned by the yaw is √(a² cos² + c² sin²), and what that is more than a is added on the side that turns away, above the
+// ear. On the other side the cheekbone stands out between a hollow temple and a narrower jaw.
 //
 // A head that comes nearer is seen larger, about the same pivot: places, sizes and lengths grow alike.
 //
@@ -37,6 +42,8 @@ class Turn {
   glm::dvec2 surface(glm::dvec2 p, double depth) const;
   /// Where a point of an outline, at `depth` from the head's middle, is seen.
   glm::dvec2 flat(glm::dvec2 p, double depth) const;
+  /// Where a point of the shoulders is seen.
+  glm::dvec2 body(glm::dvec2 p) const;
   /// Where a point of a plate, at `depth` from the head's middle, is seen.
   glm::dvec2 plate(glm::dvec2 p, double depth) const;
   /// The foreshortening of a plate, sideways and upwards, before the roll, times the growth.
@@ -55,10 +62,14 @@ class Turn {
   glm::dvec2 turned(glm::dvec3 from_pivot) const;
   glm::dvec2 rolled_up(glm::dvec2 p) const;
   double height(glm::dvec2 p) const;
+  double outline_shift(glm::dvec2 p) const;
 
   const HeadTurn& head_;
   double up_, roll_degrees_, growth_;
-  glm::dvec2 yaw_, pitch_, roll_;  ///< cosine and sine
+  glm::dvec2 yaw_, pitch_, roll_, body_yaw_;  ///< cosine and sine
+  double middle_;                             ///< how far the head's middle is above the pivot
+  double lean_ = 0;    ///< how far outlines lean with the head's upright axis, a share
+  double longer_ = 0;  ///< how much wider the skull is seen, a share of its half-width
 };
 
 /// Lets the model's head turn act on `vector`. At rest it changes nothing.

@@ -73,6 +73,7 @@ double depth_of(const FaceModel& model, int slice, glm::dvec2 p) {
   for (const TurnedSlice& turned : head.slices) {
     if (turned.slice != slice) continue;
     if (turned.kind == TurnKind::flat || turned.kind == TurnKind::plate) return turned.depth;
+    if (turned.kind == TurnKind::body) return 0;
     const double x = (p.x - head.center.x) / head.radii.x, y = (p.y - head.center.y) / head.radii.y;
     return turned.depth + head.radii.z * std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }

@@ -1,11 +1,17 @@
 #include "lib/rig/pose/head_turn.h"
 
+#include <mien/composed_face.h>
+#include <mien/recipe.h>
+
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <string>
+#include <utility>
 
 #include "tests/support/posing.h"
 
@@ -150,7 +156,7 @@ TEST(Turn, AHeadThatComesNearerGrows) {
         const Slice& slice = face.model->layout[turned.slice];
         const std::vector<double> a = slice_of(before, slice.name), b = slice_of(after, slice.name);
         const bool point = slice.kind == SliceKind::point;
-        if (!point && slice.kind != SliceKind::length) continue;
+        if ((!point && slice.kind != SliceKind::length) || turned.kind == TurnKind::body) continue;
         for (std::size_t i = 0; i < a.size(); ++i) {
           const double zero = point ? pivot[int(i)] : 0;
           ASSERT_NEAR(b[i] - zero, (1 + nearer) * (a[i] - zero), 1e-12) << slice.name;
@@ -184,6 +190,107 @@ TEST(Turn, ReadsPlates) {
                 .find("/turn/plate/brwo: no feature named \"brwo\"; did you mean \"brow\"?"),
             std::string::npos)
       << sentence(wrong.error());
+}
+
+HeadTurn head_with_a_skull() {
+  HeadTurn head = kTurnedHead;
+  head.skull = 0.62;
+  head.body = {0.2, {0.9, 0.3}};
+  return head;
+}
+
+/// With the yaw outermost, what is level stays level, however the head nods.
+TEST(Turn, OfAWholeHeadKeepsEyesLevel) {
+  const HeadTurn head = head_with_a_skull();
+  for (const double yaw : {-30.0, 12.0, 30.0})
+    for (const double pitch : {-20.0, 0.0, 20.0}) {
+      const Turn turn(head, yaw, pitch, 0, true);
+      EXPECT_NEAR(turn.surface({-0.2, 0.1}, 0).y, turn.surface({0.2, 0.1}, 0).y, 1e-15);
+      EXPECT_NEAR(turn.flat({-0.5, 0.1}, -0.1).y, turn.flat({0.5, 0.1}, -0.1).y, 1e-15);
+    }
+  const Turn other(kTurnedHead, 30, 20, 0, true);
+  EXPECT_GT(std::abs(other.surface({-0.2, 0.1}, 0).y - other.surface({0.2, 0.1}, 0).y), 0.05);
+  const Face person = face_from_recipe(recipe_from_seed(5)).value();
+  const auto slant = [&](const char* yaw, const char* pitch) {
+    const Face turned = face_at(person, {yaw, pitch});
+    return point_of(turned, "limbus.left/center").y - point_of(turned, "limbus.right/center").y;
+  };
+  EXPECT_NEAR(slant("yaw=30", "pitch=20"), slant("yaw=0", "pitch=0"), 0.02);
+}
+
+/// A skull is longer than wide: seen from the side its outline goes on behind, and not in front. The far cheek has a
+/// shape: at 30° the cheekbone stands out by a hundredth of the head's half-width, the temple above it is hollow by a
+/// fortieth, and the jaw narrower by a twentieth.
+TEST(Turn, OfAWholeHeadIsLongerBehind) {
+  const HeadTurn head = head_with_a_skull();
+  const Turn turn(head, 30, 0, 0, true), back(head, -30, 0, 0, true);
+  const double behind = turn.flat({-0.5, 0.75}, 0.05).x;
+  EXPECT_NEAR(-0.5 - behind, 2 * 0.5 * (std::sqrt(0.75 + 0.25 * 1.24 * 1.24) - 1), 1e-12);
+  const auto ahead = [&](double y) { return turn.flat({0.5, y}, 0.05).x - 0.5; };
+  EXPECT_NEAR(ahead(0.03), 0.005, 1e-12) << "cheekbone";
+  EXPECT_NEAR(ahead(0.26), -0.0125, 1e-12) << "temple";
+  EXPECT_NEAR(ahead(-0.65), -0.0225, 1e-12) << "jaw";
+  EXPECT_EQ(ahead(0.5), 0) << "beneath hats";
+  EXPECT_EQ(turn.flat({-0.5, 0}, 0.05).x, -0.5) << "the near ear stays";
+  for (double x = -0.7; x <= 0.7; x += 0.05)
+    for (double y = -0.8; y <= 0.9; y += 0.05) {
+      EXPECT_EQ(turn.flat({x, y}, 0.02), glm::dvec2(-1, 1) * back.flat({-x, y}, 0.02));
+      EXPECT_LT(glm::length(turn.flat({x + 1e-7, y}, 0.02) - turn.flat({x, y}, 0.02)), 3e-7);
+    }
+}
+
+/// To the left is the mirror of to the right, on heads that nod and roll, and outlines go with what lies on the head.
+TEST(Turn, OfAWholeHeadIsMirroredByTheYaw) {
+  const HeadTurn head = head_with_a_skull();
+  const glm::dvec2 mirror{-1, 1};
+  for (const double yaw : {15.0, 30.0, 45.0})
+    for (const double pitch : {-20.0, -10.0, 10.0, 20.0})
+      for (const double roll : {0.0, 12.0}) {
+        const Turn to(head, yaw, pitch, roll, true), fro(head, -yaw, pitch, -roll, true);
+        for (double x = -0.45; x <= 0.45; x += 0.15)
+          for (double y = -0.6; y <= 0.6; y += 0.15) {
+            const glm::dvec2 p{x, y};
+            EXPECT_LT(glm::length(to.surface(p, 0) - mirror * fro.surface(mirror * p, 0)), 1e-12);
+            EXPECT_LT(glm::length(to.flat(p, -0.1) - mirror * fro.flat(mirror * p, -0.1)), 1e-12);
+            EXPECT_LT(glm::length(to.plate(p, 0.4) - mirror * fro.plate(mirror * p, 0.4)), 1e-12);
+          }
+      }
+  // The far eye stays beside the far edge of a head that looks down.
+  const Turn down(head, -30, -20, 0, true);
+  EXPECT_GT(down.surface({-0.24, 0.1}, 0).x, down.flat({-0.5, 0}, 0).x + 0.02);
+}
+
+/// Shoulders turn by a share of the yaw, and neither nod nor tilt.
+TEST(Turn, ShouldersFollow) {
+  const HeadTurn head = head_with_a_skull();
+  const double sixth = 6 * 3.14159265358979 / 180;
+  const Turn turn(head, 30, 15, 10, true);
+  EXPECT_NEAR(turn.body({0, -0.8}).x, 0.3 * std::sin(sixth), 1e-12);
+  EXPECT_NEAR(turn.body({0.9, -0.8}).x, 0.9 * std::cos(sixth), 1e-12);
+  EXPECT_EQ(turn.body({0.4, -0.8}).y, -0.8);
+  const Face person = face_from_recipe(recipe_from_seed(5)).value();
+  EXPECT_GT(point_of(face_at(person, {"yaw=30"}), "neck/points/0").x,
+            point_of(person, "neck/points/0").x + 0.01);
+  EXPECT_EQ(point_of(face_at(person, {"pitch=20", "roll=9"}), "neck/points/0"),
+            point_of(person, "neck/points/0"));
+}
+
+TEST(Turn, RefusesABodyOrSkullOfNothing) {
+  const std::string text = test::text_of_face("toon");
+  for (const auto& [with, what] : std::initializer_list<std::pair<std::string, std::string>>{
+           {R"("skull": 0, )", "/turn/skull: a length of the head must be positive, got 0"},
+           {R"("body": {"share": 2, "radii": [1, 1], "features": []}, )",
+            "/turn/body/share: a share of the yaw lies between 0 and 1, got 2"},
+           {R"("body": {"share": 0.2, "radii": [1, -1], "features": []}, )",
+            "/turn/body/radii/1: a length of the head must be positive, got -1"},
+           {R"("body": {"share": 0.2, "radii": [1, 1], "features": ["swaeter"]}, )",
+            "/turn/body/features/0: no feature named \"swaeter\"; did you mean \"sweater\"?"}}) {
+    std::string changed = text;
+    changed.insert(changed.find("\"still\":"), with);
+    const Expected<Face> wrong = read_face_text(changed);
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(sentence(wrong.error()).find(what), std::string::npos) << sentence(wrong.error());
+  }
 }
 
 TEST(Turn, RollsRigidly_G4) {
