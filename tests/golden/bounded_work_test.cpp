@@ -209,8 +209,8 @@ std::int64_t steps_of_nose(bool feather, bool relief) {
   return stats.steps;
 }
 
-/// Not by what each takes alone: a slow feather would make room for both.
 /// Under light a feather is cut at its stops: both together cost more than the sum of each alone, which is by integrals.
+/// The bound is not by that sum, as a slow feather would make room for both.
 TEST(BoundedWork, AFeatherWithAReliefIsFarFromWhatPixelByPixelWouldTake) {
   EXPECT_LT(steps_of_nose(true, false), 450'000);
   EXPECT_LT(steps_of_nose(false, true), 450'000);

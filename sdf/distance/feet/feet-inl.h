@@ -287,11 +287,11 @@ HWY_INLINE NearBranches Narrowed(const Branches& b, std::uint64_t from, float cx
   if (!found.local) found.local = found.near;
   constexpr float kFewPixels = 3.0f;
   found.x = cx, found.y = cy;
-  if (std::popcount(found.local) != 1 || (unsteady & found.near) != 0) return found;
+  found.sure = r < kFewPixels && std::popcount(found.local) == 1 && !(unsteady & found.near);
+  if (!found.sure) return found;
   const int k = std::countr_zero(found.local);
-  found.sure = r < kFewPixels;
   found.foot = feet.t[k], found.foot_x = feet.x[k], found.foot_y = feet.y[k];
-  // What a foot moves by changes by a half at most where branches are steady.
+  // Half as far again as the foot goes if it moves as at the middle.
   const float reach = 1.5f * r * (std::abs(found.foot_x) + std::abs(found.foot_y));
   found.endless = found.foot - reach > b.row(Branches::first)[k] &&
                   found.foot + reach < b.row(Branches::last)[k];
