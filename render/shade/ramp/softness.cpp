@@ -9,10 +9,10 @@ void RampSoftness::make(const PaintField& field, const RampIntegral& integral, d
                         const Ramp* ramp) {
   field_ = field, period_ = integral.period();
   at_.clear(), sums_.clear();
-  constexpr double kLeast = 1e-6;
+  constexpr double kSoftest = 1e-6;
   const double range = std::max(integral.range(), 1e-12);
   const double soft =
-      std::max(std::min(1.0, integral.steepest() * field_.per_pixel / range), kLeast);
+      std::max(std::min(1.0, integral.steepest() * field_.per_pixel / range), kSoftest);
   allowed_ = left / soft;
   if (!ramp) return;
   const std::vector<double>& places = ramp->at();
