@@ -24,7 +24,7 @@ struct PartKey {
   std::string_view name;
   std::optional<JsonKind> kind;  ///< none: not looked at here
 };
-constexpr std::array<PartKey, 16> kPartKeys{{{"format", {}},
+constexpr std::array<PartKey, 17> kPartKeys{{{"format", {}},
                                              {"format_version", {}},
                                              {"$schema", {}},
                                              {"comment", {}},
@@ -38,6 +38,7 @@ constexpr std::array<PartKey, 16> kPartKeys{{{"format", {}},
                                              {"points", JsonKind::object},
                                              {"values", JsonKind::object},
                                              {"covers", JsonKind::array},
+                                             {"gone", JsonKind::array},
                                              {"groups", JsonKind::object},
                                              {"features", JsonKind::array}}};
 

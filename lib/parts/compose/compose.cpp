@@ -1,4 +1,5 @@
 #include "lib/parts/compose/compose.h"
+#include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/parts/compose/composed_text.h"
@@ -119,6 +120,21 @@ class Composition {
       });
     if (const JsonNode* covers = in.find(*part.at.node, "covers"))
       in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
+    if (const JsonNode* gone = in.find(*part.at.node, "gone"))
+      in.for_each(*gone, [&](const JsonNode& node, int) { leave_out(in, node); });
+  }
+
+  /// A feature that all faces share, which nobody with the part shows.
+  void leave_out(const Reading& in, const JsonNode& feature) {
+    const Reading& shared = library_.topology().in();
+    std::vector<std::string_view> names;
+    shared.for_each(need("features"), [&](const JsonNode& one, int) {
+      names.push_back(shared.string(shared.need(one, "name")));
+    });
+    const std::string_view name = in.string(feature);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      in.refuse(feature, unknown_name("feature that all faces share", name, names));
+    style_.leave_out(name);
   }
 
   /// What the topology's own features are beside comes first.

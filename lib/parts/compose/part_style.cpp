@@ -28,6 +28,8 @@ PartStyle::Role PartStyle::role(const Reading& in, const JsonNode& feature) cons
     this->in().for_each(*gone, [&](const JsonNode& one, int) {
       role.gone = role.gone || this->in().string(one) == role.name;
     });
+  const JsonNode* feature_name = in.find(feature, "name");
+  role.gone = role.gone || (feature_name && left_out_.contains(in.string(*feature_name)));
   return role;
 }
 

@@ -4,6 +4,8 @@
 #include "lib/file/json/tree_writer.h"
 #include "lib/parts/library/part_library.h"
 
+#include <set>
+#include <string>
 #include <string_view>
 
 namespace mien {
@@ -21,6 +23,9 @@ class PartStyle {
   };
   Role role(const Reading& in, const JsonNode& feature) const;
 
+  /// From now on features of this name are gone, whatever their role.
+  void leave_out(std::string_view feature) { left_out_.emplace(feature); }
+
   /// Whether the style sets this member of a feature, whatever the part has.
   bool replaces(const Role& role, std::string_view key) const;
 
@@ -35,6 +40,7 @@ class PartStyle {
 
  private:
   LibraryNode sheet_;
+  std::set<std::string, std::less<>> left_out_;
 };
 
 }  // namespace mien

@@ -30,7 +30,6 @@ eye.inner, eye.outer: the corners, in which both lids end.
 eye.upper, eye.lower: which way the lids bend. A lid comes half as far as its point, seen from the corners.
 eye.iris: the middle of the iris. eye.iris_light: the middle of its lighter part.
 iris.radius: half the height of the iris; pupil and lighter part follow.
-eye.shade: half the width of the shade that the upper lid casts on the white.
 crease.in, crease.mid, crease.out: the fold above the lid. crease.width: half its width in the middle.
 lid.in, lid.mid, lid.out: half the width of the upper lid's line at the inner corner, in the middle and at
 the outer corner. lid.low: of the lower lid's. lid.fold: how far the lid's own colour goes round the eye.
