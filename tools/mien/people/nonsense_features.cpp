@@ -97,7 +97,9 @@ void check_lip_below_nose(NonsenseSight& sight) {
   glm::dvec2 middle{0};
   for (const glm::dvec2 p : *nose) low = std::min(low, glm::dot(p, sight.up)), middle += p;
   middle /= double(nose->size());
-  for (const int lip : sight.known.lip_upper)
+  std::vector<int> lips = sight.known.lip_upper;
+  if (lips.empty()) lips.push_back(sight.known.mouth);
+  for (const int lip : lips)
     for (const PenSample& sample : pen_of(sight.areas.of(lip)))
       if (std::abs(glm::dot(sample.at - middle, sight.right)) < kBeside * sight.unit)
         top = std::max(top, glm::dot(sample.at, sight.up) + sample.half_width);
@@ -149,7 +151,7 @@ void check_eyes(NonsenseSight& sight) {
 void check_mouth(NonsenseSight& sight) {
   if (sight.known.lips.empty() && sight.known.mouth < 0) return;
   check_lips_in_head(sight);
-  if (!sight.known.lip_upper.empty()) check_lip_below_nose(sight);
+  check_lip_below_nose(sight);
 }
 
 void check_brows(NonsenseSight& sight) {

@@ -71,6 +71,12 @@ KnownFeatures::Sides both(const FaceModel& model, std::string_view name) {
   return sides;
 }
 
+/// What a part leaves out is there, but without opacity.
+bool is_left_out(const Face& face, const Feature& feature) {
+  return feature.opacity >= 0 &&
+         face.vector[std::size_t(face.model->layout[feature.opacity].begin)] == 0;
+}
+
 double up_sign(const Face& face) {
   return face.model->canvas.y_up ? 1.0 : -1.0;
 }
@@ -91,8 +97,9 @@ KnownFeatures::KnownFeatures(const Face& face) {
                                     {"beard", &beard},
                                     {"hijab", &hijab}})
       if (name == known && *at < 0) *at = i;
-    if (name == "lip_upper") lip_upper.push_back(i);
-    if (name == "lip_upper" || name == "lip_lower") lips.push_back(i);
+    const bool lip = (name == "lip_upper" || name == "lip_lower") && !is_left_out(face, feature);
+    if (lip && name == "lip_upper") lip_upper.push_back(i);
+    if (lip) lips.push_back(i);
     if (!feature.painted()) continue;
     if (!is_glasses(name)) {
       const Hiding hiding = hiding_of(face, feature, false);
