@@ -44,15 +44,19 @@ adds: brow.arch lifts the body, brow.thickness widens, asymmetry lifts the other
      R"(Keep the features nose, nose_light and nose_side: other parts and the muscles are beside them.
 nose.base: the middle below the nose, where the upper lip's way ends and small tubes begin.)"},
     {"mouth",
-     R"(The shut mouth at rest: one half, from the middle to the corner on the right; the other is its image.
-lips.middle, lips.handle, lips.corner: the line between the lips. It begins in the middle, runs towards the
+     R"(The mouth at rest: one half, from the middle to the corner on the right; the other is its image.
+lips.middle, lips.handle, lips.corner: the edge of the upper lip. It begins in the middle, runs towards the
 handle without reaching it, and ends in the corner. lips.corner_other: the corner of the other half, as if it
 were in this one; a crooked mouth has another place for it.
+lips.low, lips.low_handle: the edge of the lower lip, which ends in the same corner. Where they are the same
+points as the upper edge's, the mouth rests shut; lower down, it rests open, and shuts in speech.
+line.upper, line.lower, line.end: half the width of the line on either edge, and of both in the corner.
 lips.top, lips.top_side: the middle of the upper lip's red, which ends in the corner.
 lips.bottom, lips.bottom_side: of the lower lip's.
 lip.upper.mid, lip.upper.side: half the height of the upper lip in the middle and beside it.
 lip.lower.mid, lip.lower.side: of the lower lip. lip.light: half the height of the light on the lower lip.
 The mouth opens and smiles by itself: muscles hold these points. Teeth and tongue are there already.
+gone: what of them is not shown, such as lip_upper and lip_lower of a mouth that is a line.
 features: what there is besides, such as braces on the teeth. Most mouths have nothing.)"},
     {"hair",
      R"(hairline: where brows and muscles of the forehead stop: half its width, and its height.

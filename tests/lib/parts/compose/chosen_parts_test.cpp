@@ -89,6 +89,8 @@ TEST(OwnParts, AreRefusedAtTheirPlace) {
        "another part has a feature"},
       {{"\"kind\": \"path\"", "\"kind\": \"paht\""}, "6:97: /features/0/kind: no kind of feature"},
       {{"\"features\": [", "\"covers\": [\"hiar\"], \"features\": ["}, "did you mean \"hair\"?"},
+      {{"\"features\": [", "\"gone\": [\"lip_uper\"], \"features\": ["},
+       "/gone/0: no feature that all faces share named \"lip_uper\"; did you mean \"lip_upper\"?"},
       {{"[0, 0.98]", "[0, 0.98"}, "hats/fez.part.json:9:"},
   };
   for (const auto& [change, said] : wrongs) {
@@ -96,6 +98,41 @@ TEST(OwnParts, AreRefusedAtTheirPlace) {
     EXPECT_NE(got.find(said), std::string::npos) << change.second << "\n  " << got;
     EXPECT_EQ(got.find('\n'), std::string::npos) << got;
   }
+}
+
+double opacity_of(const Face& face, std::string_view feature) {
+  const auto found = std::ranges::find(face.model->features, feature, &Feature::name);
+  if (found == face.model->features.end()) return -1;
+  return found->opacity < 0
+             ? 1
+             : face.vector[std::size_t(face.model->layout[found->opacity].begin)];
+}
+
+TEST(OwnParts, LeaveOutWhatAllFacesShare) {
+  const std::string text = hat("\"features\": [", "\"gone\": [\"teeth\"], \"features\": [");
+  const auto face = face_from_recipe(wearing(text)), other = face_from_recipe(wearing(hat()));
+  ASSERT_TRUE(face) << sentence(face.error());
+  EXPECT_EQ(opacity_of(*face, "teeth"), 0);
+  EXPECT_EQ(opacity_of(*face, "tongue"), 1);
+  EXPECT_EQ(opacity_of(*other, "teeth"), 1);
+}
+
+/// The line between the lips, or beneath open teeth the gap: what a mouth's part says is how it rests.
+TEST(OwnParts, MouthsMayRestOpen) {
+  const auto gap = [](const char* mouth) {
+    Recipe recipe;
+    recipe.parts["mouth"] = mouth;
+    const Face face = face_from_recipe(recipe).value();
+    const Mouth& rig = *face.model->mouth;
+    const auto height = [&](int slice) {
+      return face.vector[std::size_t(face.model->layout[slice].begin) + 1];
+    };
+    return height(rig.upper[1].slice) - height(rig.lower[1].slice);
+  };
+  EXPECT_EQ(gap("soft"), 0);
+  EXPECT_EQ(gap("line"), 0);
+  EXPECT_GT(gap("grin"), 0.1);
+  EXPECT_GT(gap("dot"), 0.05);
 }
 
 const char* const kGrouped =
