@@ -103,9 +103,8 @@ TEST(OwnParts, AreRefusedAtTheirPlace) {
 double opacity_of(const Face& face, std::string_view feature) {
   const auto found = std::ranges::find(face.model->features, feature, &Feature::name);
   if (found == face.model->features.end()) return -1;
-  return found->opacity < 0
-             ? 1
-             : face.vector[std::size_t(face.model->layout[found->opacity].begin)];
+  return found->opacity < 0 ? 1
+                            : face.vector[std::size_t(face.model->layout[found->opacity].begin)];
 }
 
 TEST(OwnParts, LeaveOutWhatAllFacesShare) {
