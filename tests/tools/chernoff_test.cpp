@@ -113,7 +113,7 @@ TEST_F(ChernoffTest, WrongMapsAreToldAtTheirPlace) {
   for (const auto& [features, sentence] : {
            WrongData{R"({"column": "size", "number": "eye.sise"})", "did you mean \"eye.size\"?"},
            WrongData{R"({"column": "size", "number": "eye.size", "to": [0, 1]})",
-                     "eye.size goes from 0.8 to 1.2, got 0 and 1"},
+                     "eye.size goes from 0.7 to 1.3, got 0 and 1"},
            WrongData{R"({"column": "size"})", "one of them"},
            WrongData{R"({"column": "size", "part": "hair", "values": {"1": "bop"}})",
                      "did you mean \"bob\"?"},

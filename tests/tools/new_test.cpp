@@ -261,7 +261,7 @@ TEST_F(NewTest, BadUseIsASentence) {
   };
   refused({"new", "--code", "A66CB-AA5S0-13"}, 1, "a sign is wrong");
   refused({"new", "--seed", "x", "--hold", "hair=bobb"}, 2, "did you mean \"bob\"");
-  refused({"new", "--seed", "x", "--hold", "eye.size=7"}, 2, "eye.size goes from 0.8 to 1.2");
+  refused({"new", "--seed", "x", "--hold", "eye.size=7"}, 2, "eye.size goes from 0.7 to 1.3");
   refused({"new", "--seed", "x", "--style", "inkk"}, 2, "did you mean \"ink\"");
   refused({"new", "--seed", "x", "--code", "A66CB-AA5S0-14"}, 2, "a seed of its own");
   for (const auto& seeded :

@@ -22,6 +22,12 @@ void expect_point_keys(const Reading& in, const JsonNode& point) {
 
 }  // namespace
 
+double PartLift::at(double y) const {
+  const double risen = std::clamp((y - from) / (to - from), 0.0, 1.0);
+  if (!ends) return by * risen;
+  return by * risen * std::clamp((ends->second - y) / (ends->second - ends->first), 0.0, 1.0);
+}
+
 glm::dvec2 PartFrame::vector(glm::dvec2 v) const {
   v *= scale;
   return {v.x * cosine - v.y * sine, v.x * sine + v.y * cosine};
@@ -32,8 +38,9 @@ glm::dvec2 PartFrame::place(glm::dvec2 p) const {
     const glm::dvec2 image = p.x < 0.0 ? place({-p.x, p.y}) : to + vector(p - from);
     return {-image.x * (p.x < 0.0 ? 1.0 : 0.0), image.y};
   }
-  const double share = std::clamp((p.y - lift_from) / (lift_to - lift_from), 0.0, 1.0);
-  return to + vector(p - from) + glm::dvec2{0.0, lift * share};
+  double rise = 0.0;
+  for (const PartLift& lift : lifts) rise += lift.at(p.y);
+  return to + vector(p - from) + glm::dvec2{0.0, rise};
 }
 
 PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe) : library_(library) {
@@ -56,10 +63,13 @@ PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe) : l
       const glm::dvec2 way = direction_at(scalar(in, *tilt, ""));
       made.cosine = way.x, made.sine = way.y;
     }
-    if (const JsonNode* lift = in.find(node, "lift")) {
-      made.lift = scalar(in, in.need(*lift, "by"), "");
-      std::tie(made.lift_from, made.lift_to) = in.range(in.need(*lift, "between"));
-    }
+    if (const JsonNode* lifts = in.find(node, "lifts"))
+      in.for_each(*lifts, [&](const JsonNode& lift, int) {
+        PartLift rise{.by = scalar(in, in.need(lift, "by"), "")};
+        std::tie(rise.from, rise.to) = in.range(in.need(lift, "between"));
+        if (const JsonNode* ends = in.find(lift, "ends")) rise.ends = in.range(*ends);
+        made.lifts.push_back(rise);
+      });
     frames_.emplace(in.tree.key(node), made);
   });
 }
@@ -121,8 +131,11 @@ double PartGeometry::scalar(const Reading& in, const JsonNode& node,
 
 glm::dvec2 PartGeometry::pair(const Reading& in, const JsonNode& node,
                               std::string_view family) const {
-  if (const JsonNode* radius = node.kind == JsonKind::object ? in.find(node, "radius") : nullptr)
-    return told(in, *radius) * in.pair(in.need(node, "times"));
+  if (const JsonNode* radius = node.kind == JsonKind::object ? in.find(node, "radius") : nullptr) {
+    glm::dvec2 times = in.pair(in.need(node, "times"));
+    each_add(in, node, family, [&](double by, const JsonNode& add) { times += by * in.pair(add); });
+    return told(in, *radius) * times;
+  }
   const bool plain = node.kind == JsonKind::array;
   glm::dvec2 sum = in.pair(plain ? node : in.need(node, "xy"));
   if (plain) return sum;

@@ -3,7 +3,7 @@
 //
 //   number   0.056   or   {"is": 0.056, "adds": {"brow.thickness": 0.056}}
 //            {"of": "lid.inner"}                                              a value that a part tells
-//   radii    {"radius": "iris.radius", "times": [0.87, 1]}
+//   radii    {"radius": "iris.radius", "times": [0.87, 1], "adds": {"iris.size": [0.87, 1]}}    more of the same radius
 //   point    [x, y]  or   {"xy": [x, y], "adds": {"jaw": [1, 0]}}             in the frame
 //            {"at": "mouth.corner", "plus": [0.03, 0.06]}                     beside a point of the face
 //            {"at": {"mouth.corner": 0.8, "head.jaw": 0.2}, "plus": [x, y]}   a weighted sum of such
@@ -24,11 +24,20 @@
 
 namespace mien {
 
+/// How much points of a height rise: none up to `from`, all of it from `to` on; between the two `ends` it dies away.
+struct PartLift {
+  double by = 0;
+  double from = 0, to = 1;
+  std::optional<std::pair<double, double>> ends;
+
+  double at(double y) const;
+};
+
 /// Canonical coordinates to the face's: about `from`, scaled, turned, moved to `to`.
 struct PartFrame {
   glm::dvec2 from{0.0}, to{0.0}, scale{1.0};
   double cosine = 1, sine = 0;
-  double lift = 0, lift_from = 0, lift_to = 1;  ///< what is above rises, all of it from lift_to on
+  std::vector<PartLift> lifts;
 
   glm::dvec2 vector(glm::dvec2 v) const;
   glm::dvec2 place(glm::dvec2 p) const;

@@ -89,6 +89,39 @@ void PartLibrary::read_numbers(const LibraryNode& from, std::string_view family)
   });
 }
 
+/// {"round": {"number": 1, "tickets": {"any": 6}, "numbers": {"jaw": 0.44}}}, or "by" instead of "tickets".
+void PartLibrary::read_archetypes(const LibraryNode& root) {
+  const Reading& in = root.in();
+  const JsonNode* all = in.find(*root.node, "archetypes");
+  if (!all) return;
+  in.expect(*all, JsonKind::object);
+  in.for_each(*all, [&](const JsonNode& node, int) {
+    Archetype made{.name = std::string(in.tree.key(node)),
+                   .number = permanent_number(in, node),
+                   .at = {root.file, &node},
+                   .drawn = in.find(node, "by") == nullptr,
+                   .offsets = std::vector<double>(numbers_.size())};
+    for (const Archetype& other : archetypes_)
+      if (other.number == made.number)
+        in.refuse(node, fmt::format("\"{}\" has the same permanent number", other.name));
+    in.need(node, made.drawn ? "tickets" : "by");
+    for (const char* law : {"tickets", "by"}) expect_law(in, node, law);
+    in.for_each(in.need(node, "numbers"), [&](const JsonNode& value, int) {
+      const LibraryNumber* number = find_number(in.tree.key(value));
+      if (!number) {
+        std::vector<std::string_view> names;
+        for (const LibraryNumber& one : numbers_) names.push_back(one.name);
+        in.refuse(value, unknown_name("number", in.tree.key(value), names));
+      }
+      const double given = in.number(value);
+      if (!(given >= number->lo && given <= number->hi))
+        in.refuse(value, fmt::format("{} goes from {} to {}", number->name, number->lo, number->hi));
+      made.offsets[std::size_t(number - numbers_.data())] = given - number->rest;
+    });
+    archetypes_.push_back(std::move(made));
+  });
+}
+
 void PartLibrary::read_topology(const LibraryNode& root) {
   const Reading& in = root.in();
   if (topology_.node) in.refuse(*root.node, "a library has one topology");
@@ -109,6 +142,7 @@ void PartLibrary::read_topology(const LibraryNode& root) {
                          .parts = {}});
   });
   read_numbers(root, "");
+  read_archetypes(root);
   const JsonNode& styles = in.need(*root.node, "styles");
   in.expect(styles, JsonKind::object);
   in.for_each(styles,

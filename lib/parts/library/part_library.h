@@ -64,6 +64,15 @@ struct LibraryNumber {
   LibraryNode law;  ///< how it is sampled; none: at rest
 };
 
+/// What moves together on heads of one kind: a head that a person is somewhat like.
+struct Archetype {
+  std::string name;
+  int number = 0;  ///< permanent; other numbers than parts, in no code
+  LibraryNode at;
+  bool drawn = false;  ///< by tickets; else as much as its law `by` says
+  std::vector<double> offsets;  ///< of each of the library's common numbers, from its rest
+};
+
 class PartLibrary {
  public:
   /// The one that is compiled in; without anything in it if a file of it is broken.
@@ -77,6 +86,7 @@ class PartLibrary {
   const LibraryNode& topology() const { return topology_; }
   const std::vector<Family>& families() const { return families_; }
   const std::vector<LibraryNumber>& numbers() const { return numbers_; }
+  const std::vector<Archetype>& archetypes() const { return archetypes_; }
   const std::vector<std::string>& styles() const { return styles_; }
 
   const Family* find_family(std::string_view name) const;
@@ -86,6 +96,7 @@ class PartLibrary {
 
  private:
   void read_topology(const LibraryNode& root);
+  void read_archetypes(const LibraryNode& root);
   void read_part(const LibraryNode& part);
   void choose_usual_parts();
   void check_avoided() const;
@@ -100,6 +111,7 @@ class PartLibrary {
   };
   std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> number_of_;  ///< by name
   std::vector<std::string> styles_;
+  std::vector<Archetype> archetypes_;
 };
 
 }  // namespace mien

@@ -16,7 +16,7 @@ constexpr Guide kGuides[] = {
 Keep six, in this order: other parts know them as head.crown, head.upper, head.temple, head.cheek,
 head.jaw and head.chin. Hair, ears, beards, muscles and patterns of the skin are beside them.
 Each is a bend: the outline runs towards it and passes at some distance, so draw points a little outside.
-adds: how far a point moves while a number does: crown, temple, cheek, jaw, chin_width, chin.
+adds: how far a point moves while a number does: crown, forehead, temple, cheek, jaw, chin_width, chin.
 People differ by these numbers. [1, 0] moves a point sideways as far as the number goes, [0, 1] upwards.
 turn: how much nearer than the face a point is when the head turns: the chin in front, the crown behind.
 hair.top: on which small hats lie, if no hair is higher.

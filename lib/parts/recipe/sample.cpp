@@ -4,6 +4,7 @@
 #include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/compose/chosen_parts.h"
 #include "lib/parts/compose/part_palette.h"
+#include "lib/parts/recipe/person_axes.h"
 
 #include <fmt/format.h>
 
@@ -24,59 +25,6 @@ constexpr std::string_view kBare = "none";  // a part of a family that is not op
 
 // Questions that no family and no number asks.
 constexpr std::uint64_t kWorn = 20000;  // and the family's number
-constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 2003, kHeavy = 2004,
-                        kLong = 2005, kCoily = 2006;
-
-/// What a number's law holds beside axes: how far chance goes, and between which ends.
-constexpr std::array<std::string_view, 5> kLawful{"spread", "even", "chance", "least", "most"};
-
-/// What a person is like before any part is chosen, each from 0 to 1 or −1 to 1.
-struct Axes {
-  double age = 30;  ///< [years]
-  double child = 0, elder = 0;
-  double minor = 0;  ///< 1 below 18 years
-  double lean = 0;   ///< −1 feminine, 1 masculine; people between them are as likely
-  double heavy = 0, lengthy = 0;
-  double dark = 0;  ///< of the skin
-  double coily = 0;
-
-  double of(const Reading& in, const JsonNode& node) const {
-    const std::array<std::pair<std::string_view, double>, 14> all{
-        {{"any", 1.0},
-         {"lean", lean},
-         {"masculine", std::max(lean, 0.0)},
-         {"feminine", std::max(-lean, 0.0)},
-         {"child", child},
-         {"minor", minor},
-         {"adult", 1.0 - child},
-         {"elder", elder},
-         {"young", 1.0 - elder},
-         {"heavy", heavy},
-         {"long", lengthy},
-         {"dark", dark},
-         {"light", 1.0 - dark},
-         {"coily", coily}}};
-    const std::string_view key = in.tree.key(node);
-    for (const auto& [name, value] : all)
-      if (name == key) return value;
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : all) names.push_back(name);
-    in.refuse(node, unknown_name("axis", key, names));
-  }
-};
-
-int sampled_age(const KeyedChance& chance) {
-  struct Band {
-    double until;
-    int youngest, oldest;
-  };
-  constexpr std::array<Band, 5> kBands{
-      {{0.46, 20, 44}, {0.65, 45, 64}, {0.78, 65, 88}, {0.87, 13, 19}, {1.0, 5, 12}}};
-  const double which = chance.share(kAgeBand);
-  const Band& band =
-      *std::find_if(kBands.begin(), kBands.end(), [&](const Band& b) { return which < b.until; });
-  return band.youngest + int(chance.share(kAge) * (band.oldest - band.youngest + 1));
-}
 
 class Sampler {
  public:
@@ -107,38 +55,23 @@ class Sampler {
   }
 
   void lean_on_axes() {
-    constexpr double kGrown = 16, kChildYears = 11, kOfAge = 18, kOld = 50, kOldYears = 35;
     const LibraryNumber* tone = library_.find_number("skin.tone");
     choose(*tone);
-    axes_.dark = (recipe_.numbers[tone->name] - tone->lo) / (tone->hi - tone->lo);
+    const double dark = (recipe_.numbers[tone->name] - tone->lo) / (tone->hi - tone->lo);
     const LibraryNumber* age = library_.find_number("age");
-    const int* years = held(age->number);
-    axes_.age = years ? age->lo + *years * (age->hi - age->lo) / kSteps : sampled_age(chance_);
+    std::optional<double> years;
+    if (const int* own = held(age->number)) years = age->lo + *own * (age->hi - age->lo) / kSteps;
+    axes_ = person_axes(library_, chance_, dark, years);
     recipe_.numbers[age->name] = axes_.age;
-    axes_.child = std::clamp((kGrown - axes_.age) / kChildYears, 0.0, 1.0);
-    axes_.minor = axes_.age < kOfAge ? 1.0 : 0.0;
-    axes_.elder = std::clamp((axes_.age - kOld) / kOldYears, 0.0, 1.0);
-    const double side = chance_.share(kLeanSide) < 0.5 ? -1.0 : 1.0;
-    axes_.lean = side * (0.35 + 0.65 * chance_.share(kLean)) * (1.0 - 0.75 * axes_.child);
-    axes_.heavy = 2.0 * chance_.bell(kHeavy), axes_.lengthy = 2.0 * chance_.bell(kLong);
-    axes_.coily =
-        std::clamp((axes_.dark - 0.25) / 0.6, 0.0, 1.0) * (0.6 + 0.4 * chance_.share(kCoily));
   }
 
-  double sum(const Reading& in, const JsonNode& law) const {
-    double all = 0.0;
-    in.for_each(law, [&](const JsonNode& node, int) {
-      const std::string_view key = in.tree.key(node);
-      if (std::find(kLawful.begin(), kLawful.end(), key) == kLawful.end())
-        all += in.number(node) * axes_.of(in, node);
-    });
-    return all;
-  }
+  double sum(const Reading& in, const JsonNode& law) const { return axes_.sum(library_, in, law); }
 
   void choose(const LibraryNumber& number) {
     if (recipe_.numbers.contains(number.name)) return;
     const auto question = std::uint64_t(number.number);
-    double value = number.rest;
+    double value = number.rest + archetypes_add(library_, axes_,
+                                                std::size_t(&number - library_.numbers().data()));
     if (number.law.node) {
       const Reading& in = number.law.in();
       const JsonNode& law = *number.law.node;
@@ -170,11 +103,7 @@ class Sampler {
   };
 
   std::uint64_t best_of(const Family& family, int part, int tickets) const {
-    std::uint64_t best = 0;
-    for (int i = 0; i < tickets; ++i)
-      best = std::max(best, chance_.bits(std::uint64_t(family.number),
-                                         std::uint64_t(part) * 64 + std::uint64_t(i)));
-    return best;
+    return best_ticket(chance_, std::uint64_t(family.number), part, tickets);
   }
 
   /// Whether the part is not drawn beside one that was chosen before: "avoids": ["glasses", "headwear/cap"].
@@ -266,7 +195,7 @@ class Sampler {
   const PartLibrary& library_;
   const FaceCode& code_;
   KeyedChance chance_;
-  Axes axes_;
+  PersonAxes axes_;
   Oklch skin_;
   Recipe recipe_;
 };

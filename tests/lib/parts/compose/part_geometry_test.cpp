@@ -22,6 +22,14 @@ class PartGeometryTest : public testing::Test {
     return geometry.point(in, in.need(tree->root(), "point"), frame, "nose");
   }
 
+  glm::dvec2 pair(const std::string& text, std::map<std::string, double> numbers = {}) {
+    point("[0, 0]", std::move(numbers));
+    text_ = R"({"pair": )" + text + "}";
+    const auto tree = JsonTree::read(text_, "test", limits_);
+    const Reading in(*tree, limits_, nullptr);
+    return geometry_->pair(in, in.need(tree->root(), "pair"), "nose");
+  }
+
   const std::unique_ptr<PartLibrary> library_ = test::SmallLibrary{}.read().value();
   std::optional<PartGeometry> geometry_;  // points have its names
   FaceLimits limits_;
@@ -43,6 +51,27 @@ TEST_F(PartGeometryTest, NumbersCountFromTheirRest) {
   const char* text = R"({"xy": [1, 2], "adds": {"length": [1, 10]}})";
   EXPECT_EQ(point(text).at, glm::dvec2(1, 2));
   EXPECT_EQ(point(text, {{"nose.length", 0.75}}).at, glm::dvec2(1.25, 4.5));
+}
+
+TEST_F(PartGeometryTest, RadiiGrowWithNumbersByTheirPartsRadius) {
+  const char* text = R"({"radius": "width", "times": [1, 2], "adds": {"size": [0.5, 1]}})";
+  EXPECT_EQ(pair(text), glm::dvec2(0.25, 0.5));
+  EXPECT_EQ(pair(text, {{"size", 2}}), glm::dvec2(0.375, 0.75));
+}
+
+// Hair rises with the forehead at its edge and not at its top.
+TEST(PartLift, RisesAndDiesAway) {
+  const PartLift crown{.by = 0.1, .from = -0.1, .to = 0.5, .ends = {}};
+  EXPECT_EQ(crown.at(-0.2), 0);
+  EXPECT_NEAR(crown.at(0.2), 0.05, 1e-15);
+  EXPECT_EQ(crown.at(3), 0.1);
+  const PartLift forehead{.by = 0.04, .from = 0.1, .to = 0.4, .ends = std::pair{0.5, 0.7}};
+  EXPECT_EQ(forehead.at(0.1), 0);
+  EXPECT_EQ(forehead.at(0.45), 0.04);
+  EXPECT_NEAR(forehead.at(0.6), 0.02, 1e-15);
+  EXPECT_EQ(forehead.at(0.9), 0);
+  const PartFrame frame{.lifts = {crown, forehead}};
+  EXPECT_NEAR(frame.place({0.3, 0.6}).y, 0.6 + 0.1 + 0.02, 1e-15);
 }
 
 TEST_F(PartGeometryTest, BesidePointsOfTheFaceAndWithThem) {

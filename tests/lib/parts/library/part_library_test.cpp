@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/support/small_library.h"
 
 namespace mien {
@@ -47,6 +49,32 @@ TEST(PartLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(refusal(bad).find("within its range"), std::string::npos) << refusal(bad);
   bad = good, bad.topology = with(good.topology, "mien-topology", "mien-part");
   EXPECT_NE(refusal(bad), "read");
+}
+
+TEST(PartLibrary, ReadsArchetypesOrSaysWhatIsWrongWithThem) {
+  const auto archetypes = [](const std::string& text) {
+    SmallLibrary small;
+    small.topology = with(small.topology, "\"skin_tones\"",
+                          "\"archetypes\": {" + text + "}, \"skin_tones\"");
+    return small;
+  };
+  const std::string wide = R"("wide": {"number": 1, "tickets": {"any": 8}, "numbers": {"size": 1.5}})";
+  const auto library = archetypes(wide).read();
+  ASSERT_TRUE(library) << sentence(library.error());
+  ASSERT_EQ((*library)->archetypes().size(), 1u);
+  EXPECT_TRUE((*library)->archetypes()[0].drawn);
+  EXPECT_EQ((*library)->archetypes()[0].offsets, (std::vector<double>{0, 0.5, 0, 0}));
+  for (const auto& [from, to, said] : std::vector<std::array<std::string, 3>>{
+           {"\"size\": 1.5", "\"sise\": 1.5", "did you mean \"size\""},
+           {"\"size\": 1.5", "\"size\": 2.5", "size goes from 0 to 2"},
+           {"\"tickets\"", "\"tokens\"", "tickets"},
+           {"\"number\": 1", "\"number\": 1.5", "permanent number"},
+           {"{\"any\": 8}", "8", "object"}}) {
+    const std::string wrong = refusal(archetypes(with(wide, from, to)));
+    EXPECT_NE(wrong.find(said), std::string::npos) << wrong;
+  }
+  const std::string twice = refusal(archetypes(wide + ", " + with(wide, "wide", "broad")));
+  EXPECT_NE(twice.find("\"wide\" has the same permanent number"), std::string::npos) << twice;
 }
 
 TEST(PartLibrary, HasOneTopology) {

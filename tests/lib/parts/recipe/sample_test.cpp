@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -17,6 +18,7 @@
 #include "lib/base/fingerprint.h"
 #include "lib/parts/compose/compose.h"
 #include "lib/parts/compose/composed_text.h"
+#include "lib/parts/compose/part_palette.h"
 
 namespace mien {
 namespace {
@@ -70,6 +72,25 @@ TEST(Sample, ComposedFacesHaveTheSameBitsEverywhere) {
     add_text(bits, composed_text(*tree));
   }
   expect_hash("composed", bits.value());
+}
+
+// At 48 px a head is what stands off from its backdrop.
+TEST(Sample, BackdropsStandOffFromSkinAndHair) {
+  constexpr double kApart = 0.2, kLeast = 0.16;
+  constexpr int kPeople = 500;
+  const PartLibrary& library = PartLibrary::shipped();
+  int near = 0;
+  for (int i = 0; i < kPeople; ++i) {
+    const Recipe recipe = sampled_recipe(library, person(i));
+    const Oklch backdrop = color_of(*chosen_part(library, recipe, "backdrop")),
+                hair = color_of(*chosen_part(library, recipe, "hair_color")),
+                skin = skin_color(library, recipe.numbers.at("skin.tone"),
+                                  recipe.numbers.at("skin.undertone"));
+    const double least = std::min(apart(backdrop, skin), apart(backdrop, hair));
+    EXPECT_GE(least, kLeast) << recipe.name;
+    near += least < kApart;
+  }
+  EXPECT_LE(near, kPeople / 100);
 }
 
 // A part more changes the faces that win it, and none else: so the library can grow.
