@@ -1,6 +1,8 @@
 #include "lib/parts/compose/hand.h"
+
+#include <mien/face_code.h>
+
 #include "lib/math/degrees.h"
-#include "lib/parts/code/face_code.h"
 #include "lib/parts/code/keyed_chance.h"
 
 namespace mien {

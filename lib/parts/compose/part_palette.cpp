@@ -1,6 +1,8 @@
 #include "lib/parts/compose/part_palette.h"
+
+#include <mien/face_code.h>
+
 #include "lib/base/nearest_name.h"
-#include "lib/parts/code/face_code.h"
 #include "lib/parts/code/keyed_chance.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ std::vector<std::string_view> names_of(const Reading& in, const JsonNode* list) 
 }  // namespace
 
 bool is_of_paint(std::string_view member) {
-  constexpr std::array<std::string_view, 6> kOfPaint{"paint", "relief", "shadow",
+  constexpr std::array<std::string_view, 6> kOfPaint{"paint", "relief",  "shadow",
                                                      "glow",  "contour", "feather"};
   return std::find(kOfPaint.begin(), kOfPaint.end(), member) != kOfPaint.end();
 }

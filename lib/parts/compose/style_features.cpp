@@ -15,9 +15,8 @@ std::vector<std::string> selected_features(const Reading& in, const JsonNode& se
   if (role_list)
     in.for_each(*role_list, [&](const JsonNode& one, int) { roles.insert(in.string(one)); });
   if (slot_list)
-    in.for_each(*slot_list, [&](const JsonNode& one, int) {
-      slots.insert(slot_named(in, one, library));
-    });
+    in.for_each(*slot_list,
+                [&](const JsonNode& one, int) { slots.insert(slot_named(in, one, library)); });
   std::vector<const FlatFeatures::One*> found;
   for (const FlatFeatures::One& one : features.features) {
     if (one.order > order) continue;

@@ -4,8 +4,8 @@ namespace mien {
 namespace {
 
 /// Two objects as one, or two lists.
-void write_both(const Reading& in, const JsonNode& first, const Reading& own, const JsonNode& second,
-                const RigPlace& place, TreeWriter& to) {
+void write_both(const Reading& in, const JsonNode& first, const Reading& own,
+                const JsonNode& second, const RigPlace& place, TreeWriter& to) {
   own.expect(second, first.kind);
   first.kind == JsonKind::array ? to.array() : to.object();
   to.copy_children(in.tree, first,
