@@ -63,8 +63,10 @@ constexpr Synonyms kSynonyms[] = {
     {"lipstick cosmetics makeup", {"make_up", "--hold make_up=NUMBER"}},
     {"age old young", {"age", "--hold age=YEARS"}},
     // Styles.
-    {"sketch lineart linework drawing outlined", {"ink"}},
+    {"sketch lineart linework drawing outlined", {"ink", "peep"}},
+    {"brush doodle monochrome blackandwhite notion", {"peep", "ink"}},
     {"icon icons symbol emoji", {"pictogram"}},
+    {"memoji plastic toy lit glossy clay", {"vinyl"}},
     {"style theme paintstyle drawstyle artstyle", {"style", "--style"}},
     // Options.
     {"width height resolution dimensions size px", {"--size", "size"}},

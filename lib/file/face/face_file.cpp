@@ -7,6 +7,7 @@
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
 #include "lib/parts/compose/compose.h"
+#include "lib/parts/recipe/person_seed.h"
 #include "lib/parts/recipe/recipe_file.h"
 
 #include <fmt/format.h>
@@ -70,17 +71,6 @@ struct Origin {
 
 Face read_root(Reading& in, const Origin& origin, const Letters& letters, SlicePlaces* places);
 
-/// The same in every style, and wherever the code is written in another way.
-std::uint64_t seed_of_recipe(const Recipe& recipe) {
-  if (recipe.code.empty()) {
-    Recipe unstyled = recipe;
-    unstyled.style.clear();
-    return seed_from_word(recipe_text(unstyled));
-  }
-  const auto code = read_face_code(recipe.code);
-  return seed_from_word(code ? face_code_text(*code) : recipe.code);
-}
-
 /// A recipe, put together and read.
 Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<Error>* warnings,
                    const Letters& letters) {
@@ -90,7 +80,7 @@ Face read_composed(const Recipe& recipe, const FaceLimits& limits, std::vector<E
   if (!tree) throw Refusal{tree.error()};
   if (auto beyond = tree->beyond(limits)) throw Refusal{*std::move(beyond)};
   Reading in(*tree, limits, warnings);
-  return read_root(in, {nullptr, seed_of_recipe(recipe)}, letters, nullptr);
+  return read_root(in, {nullptr, person_seed(recipe)}, letters, nullptr);
 }
 
 /// `places`: of the slices, which a recipe has none of; null: nobody asks.

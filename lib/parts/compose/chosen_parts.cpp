@@ -1,6 +1,8 @@
 #include "lib/parts/compose/chosen_parts.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/parts/compose/styled_recipe.h"
+#include "lib/parts/recipe/person_seed.h"
 
 #include <fmt/format.h>
 
@@ -150,7 +152,7 @@ std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe) 
           where, fmt::format("{} goes from {} to {}, got {}", name, number->lo, number->hi, value)};
   }
   const std::vector<std::string>& styles = library.styles();
-  if (std::find(styles.begin(), styles.end(), recipe.style) == styles.end())
+  if (!library.find_style(recipe.style))
     return Error{where,
                  unknown_name("style", one_line(recipe.style, 60), {styles.begin(), styles.end()})};
   return {};
@@ -160,6 +162,7 @@ Recipe completed(const PartLibrary& library, Recipe recipe) {
   for (const Family& family : library.families())
     if (!family.optional && !recipe.parts.contains(family.name) && !family.parts.empty())
       recipe.parts[family.name] = family.usual;
+  if (const std::string* style = library.find_style(recipe.style)) recipe.style = *style;
   return recipe;
 }
 
@@ -171,6 +174,17 @@ const Part* chosen_part(const PartLibrary& library, const Recipe& recipe, std::s
 const Part* ChosenParts::of(std::string_view family) const {
   const auto own = own_.find(family);
   return own == own_.end() ? chosen_part(*library_, recipe_, family) : &own->second;
+}
+
+bool ChosenParts::wears(const Reading& in, const JsonNode& parts) const {
+  bool worn = false;
+  in.for_each(parts, [&](const JsonNode& names, int) {
+    const Part* part = of(in.tree.key(names));
+    in.for_each(names, [&](const JsonNode& name, int) {
+      worn = worn || (part && part->name == in.string(name));
+    });
+  });
+  return worn;
 }
 
 void ChosenParts::read_own(const Family& family, const OwnPart& own) {
@@ -195,16 +209,16 @@ Expected<ChosenParts> ChosenParts::read(const Recipe& recipe) {
 
 Expected<ChosenParts> ChosenParts::read(const PartLibrary& library, const Recipe& recipe) {
   if (auto wrong = wrong_in(library, recipe)) return *std::move(wrong);
-  ChosenParts chosen(library, completed(library, recipe));
   try {
+    ChosenParts chosen(library, styled(library, completed(library, recipe)), person_seed(recipe));
     for (const auto& [family, part] : chosen.recipe_.parts)
       if (const auto own = chosen.recipe_.own_parts.find(part);
           own != chosen.recipe_.own_parts.end())
         chosen.read_own(*library.find_family(family), own->second);
+    return chosen;
   } catch (const Refusal& refusal) {
     return refusal.error;
   }
-  return chosen;
 }
 
 }  // namespace mien

@@ -5,6 +5,7 @@
 #include <mien/recipe.h>
 #include "lib/parts/library/part_library.h"
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
@@ -17,7 +18,7 @@ namespace mien {
 /// What the recipe asks for that the library does not have; nothing if it has all.
 std::optional<Error> wrong_in(const PartLibrary& library, const Recipe& recipe);
 
-/// Families without a part in the recipe, and that need one, take the usual one.
+/// Families without a part in the recipe, and that need one, take the usual one; the style has its present name.
 Recipe completed(const PartLibrary& library, Recipe recipe);
 
 /// The library's part that a recipe takes of a family; null: none, or one of its own.
@@ -32,16 +33,20 @@ class ChosenParts {
   static Expected<ChosenParts> read(const Recipe& recipe);
 
   const PartLibrary& library() const { return *library_; }
-  const Recipe& recipe() const { return recipe_; }  ///< completed
+  const Recipe& recipe() const { return recipe_; }  ///< completed, as its style draws it
   const Part* of(std::string_view family) const;    ///< null: none
+  /// Whether it has one of these, {"beard": ["full", "long"], "moustache": ["walrus"]}.
+  bool wears(const Reading& in, const JsonNode& parts) const;
+  std::uint64_t person() const { return person_; }  ///< person_seed of the recipe, styled or not
 
  private:
-  ChosenParts(const PartLibrary& library, Recipe recipe)
-      : library_(&library), recipe_(std::move(recipe)) {}
+  ChosenParts(const PartLibrary& library, Recipe recipe, std::uint64_t person)
+      : library_(&library), recipe_(std::move(recipe)), person_(person) {}
   void read_own(const Family& family, const OwnPart& own);
 
   const PartLibrary* library_;
   Recipe recipe_;
+  std::uint64_t person_;
   std::deque<LibraryFile> files_;
   std::map<std::string, Part, std::less<>> own_;  ///< by family
 };

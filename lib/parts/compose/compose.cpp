@@ -8,6 +8,7 @@
 #include "lib/parts/compose/flat_rig.h"
 #include "lib/parts/compose/part_palette.h"
 #include "lib/parts/compose/part_style.h"
+#include "lib/parts/compose/style_rig.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ class Composition {
         library_(parts.library()),
         recipe_(parts.recipe()),
         geometry_(library_, recipe_),
-        style_(library_, recipe_.style),
+        style_(library_, recipe_.style, parts.person()),
         tree_(recipe_.name.empty() ? "composed face" : one_line(recipe_.name)) {}
 
   JsonTree tree() {
@@ -56,10 +57,9 @@ class Composition {
     draw_families(true);
     draw(library_.topology(), "");
     draw_families(false);
+    draw_style();
     out_.close();
-    std::stable_sort(
-        features_.features.begin(), features_.features.end(),
-        [](const FlatFeatures::One& a, const FlatFeatures::One& b) { return a.slot < b.slot; });
+    std::stable_sort(features_.features.begin(), features_.features.end(), drawn_before);
     std::vector<std::int32_t> order;
     for (const FlatFeatures::One& one : features_.features) order.push_back(one.node);
     out_.arrange(array, order);
@@ -85,16 +85,18 @@ class Composition {
     const Reading& in = library_.topology().in();
     const RigPlace place{library_, geometry_, features_};
     const auto rig = [&](const char* key) { out_.key(key), write_rig(in, need(key), place, out_); };
-    for (const char* key : {"canvas", "background"}) rig(key);
-    if (const JsonNode* light = style_.light())
-      out_.key("light"), write_rig(style_.in(), *light, place, out_);
-    else
-      rig("light");
+    for (const char* key : {"canvas", "background", "light"})
+      if (const JsonNode* own = style_.find(key))
+        out_.key(key), write_rig(style_.in(), *own, place, out_);
+      else
+        rig(key);
     out_.key("palette"), write_palette(parts_, geometry_, style_, out_);
-    for (const char* key : {"controls", "eyes"}) rig(key);
+    out_.key("controls"), write_controls(in, need("controls"), style_, place, out_);
+    rig("eyes");
     out_.key("mouth"), write_mouth(in, need("mouth"), place, out_);
     out_.key("turn"), write_turn(in, need("turn"), place, out_);
-    out_.key("muscles"), write_muscles(in, need("muscles"), geometry_, features_, out_);
+    out_.key("muscles");
+    write_muscles(in, need("muscles"), geometry_, features_, style_.find("muscles"), out_);
     for (const char* key : {"emotions", "expressions", "mood", "clips", "default_clip"})
       if (key != std::string_view("mood") || in.find(*library_.topology().node, key)) rig(key);
   }
@@ -152,6 +154,23 @@ class Composition {
     if (const JsonNode* features = in.find(*from.node, "features"))
       in.for_each(*features, [&](const JsonNode& node, int) {
         flatten_feature(in, node, family, library_, style_, geometry_, features_, out_);
+      });
+  }
+
+  /// "with": beside a feature that may not be there; "worn": beside some parts.
+  bool is_wanted(const Reading& in, const JsonNode& added) const {
+    const JsonNode *with = in.find(added, "with"), *worn = in.find(added, "worn");
+    if (with && !features_.names.contains(in.string(*with))) return false;
+    return !worn || parts_.wears(in, *worn);
+  }
+
+  /// What the style adds may be beside all that parts drew.
+  void draw_style() {
+    features_.by_style = true;
+    if (const JsonNode* adds = style_.find("adds"))
+      style_.in().for_each(*adds, [&](const JsonNode& node, int) {
+        if (!is_wanted(style_.in(), node)) return;
+        flatten_feature(style_.in(), node, "", library_, style_, geometry_, features_, out_);
       });
   }
 

@@ -2,7 +2,9 @@
 #include "lib/base/nearest_name.h"
 #include "lib/math/degrees.h"
 #include "lib/parts/code/keyed_chance.h"
+#include "lib/parts/compose/flat_rig.h"
 #include "lib/parts/compose/short_number.h"
+#include "lib/parts/compose/style_features.h"
 
 #include <fmt/format.h>
 
@@ -43,31 +45,104 @@ class Flattening {
   }
 
   void run() {
+    if (is_empty_selection()) return;
     if (!to_.names.insert(name_).second)
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
-    to_.features.push_back({slot(), out_.next(), name_});
+    const std::string_view slot = in_.string(in_.need(node_, "slot"));
+    hand_ = style_.hand(slot);
+    const PartStyle::Role role = style_.role(in_, node_);
+    const bool of_figure = !to_.by_style && style_.figure_has(slot);
+    to_.features.push_back({slot_place(), out_.next(), name_, role.name, side(),
+                            of_figure ? figure_order() : order()});
     if (sided_) to_.sided.insert(name_);
+    write(role, of_figure ? PartStyle::Members::figure : PartStyle::Members::all);
+    add_depth();
+    const bool painted = in_.find(node_, "paint") != nullptr;
+    if (of_figure && style_.paints(role, painted)) write_seen(role);
+  }
+
+ private:
+  std::size_t slot_place() const { return slot_named(in_, in_.need(node_, "slot"), library_); }
+  std::size_t order() const { return 2 * slot_place() + 1; }
+  /// What makes the figure is known before the first feature of a slot is drawn.
+  std::size_t figure_order() const {
+    return 2 * slot_named(style_.in(), *style_.figure_before(), library_);
+  }
+
+  /// On which sides it is drawn.
+  std::string_view side() const {
+    const JsonNode* written = in_.find(node_, "side");
+    if (!written) return {};
+    const JsonNode* mirror = in_.find(node_, "mirror");
+    return mirror && !in_.boolean(*mirror) ? in_.string(*written) : "both";
+  }
+
+  void write(const PartStyle::Role& role, PartStyle::Members which) {
     out_.stems_from(in_.tree, node_);
     out_.object();
     out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
-    const PartStyle::Role role = style_.role(in_, node_);
+    write_members(role, which);
+    out_.close();
+  }
+
+  void write_members(const PartStyle::Role& role, PartStyle::Members which) {
     bool painted = false;
     in_.for_each(node_, [&](const JsonNode& member, int) {
       const std::string_view key = in_.tree.key(member);
-      for (const std::string_view own : {"name", "slot", "role", "in", "turn", "half", "comment"})
+      for (const std::string_view own :
+           {"name", "slot", "role", "in", "turn", "half", "with", "worn", "comment"})
         if (key == own) return;
-      if (style_.replaces(role, key)) return;
+      if (style_.replaces(role, key) || !PartStyle::among(which, key)) return;
       painted = painted || key == "paint";
       out_.key(key);
       write_member(key, member);
     });
-    style_.write_members(role, painted, out_);
-    out_.close();
-    add_depth();
+    const auto placed = [&](const JsonNode& at) {
+      return write_placed(style_.in(), at, {library_, geometry_, to_}, out_);
+    };
+    style_.write_members(role, painted, which, placed, out_);
   }
 
- private:
-  std::size_t slot() const { return slot_named(in_, in_.need(node_, "slot"), library_); }
+  /// The area of a feature that was known before, painted where the feature stood.
+  void write_seen(const PartStyle::Role& role) {
+    std::string name = name_ + "_seen";
+    to_.names.insert(name);
+    to_.features.push_back({slot_place(), out_.next(), name, "none", side(), order()});
+    out_.stems_from(in_.tree, node_);
+    out_.object();
+    out_.key("name"), out_.kept_string(std::move(name));
+    for (const char* key : {"side", "mirror"})
+      if (const JsonNode* said = in_.find(node_, key)) out_.key(key), out_.copy(in_.tree, *said);
+    out_.key("kind"), out_.string("area");
+    out_.key("any"), out_.array(), out_.kept_string(name_), out_.close();
+    if (const JsonNode* clip = style_.figure_clip())
+      out_.key("clip"), out_.copy(style_.in().tree, *clip);
+    write_members(role, PartStyle::Members::paint);
+    out_.close();
+  }
+
+  static bool is_operand(std::string_view key) {
+    return key == "any" || key == "all" || key == "minus";
+  }
+
+  /// An area of roles that this face has nothing of.
+  bool is_empty_selection() const {
+    bool empty = false;
+    in_.for_each(node_, [&](const JsonNode& member, int) {
+      if (member.kind == JsonKind::object && is_operand(in_.tree.key(member)))
+        empty = empty || selected_features(in_, member, order(), library_, to_).empty();
+    });
+    return empty;
+  }
+
+  void write_selection(const JsonNode& selection) {
+    out_.array();
+    for (std::string& name : selected_features(in_, selection, order(), library_, to_))
+      if (name != name_) out_.kept_string(std::move(name));
+    out_.close();
+  }
+
+  glm::dvec2 drawn(glm::dvec2 p) const { return short_pair(hand_ ? hand_->moved(p) : p); }
 
   void add_depth() {
     const JsonNode* turn = in_.find(node_, "turn");
@@ -95,6 +170,7 @@ class Flattening {
     if (std::find(kLengths.begin(), kLengths.end(), key) != kLengths.end())
       return write_widths(member);
     if (key == "paint" && member.kind == JsonKind::object) return write_gradient(member);
+    if (is_operand(key) && member.kind == JsonKind::object) return write_selection(member);
     if (key == "left" || key == "right") return write_side(member);
     out_.copy(in_.tree, member);
   }
@@ -105,13 +181,13 @@ class Flattening {
   }
 
   void write_widths(const JsonNode& member) {
-    const auto one = [&](const JsonNode& node) {
+    const auto one = [&](const JsonNode& node, int at) {
       const double width = std::max(frame_.length(geometry_.scalar(in_, node, family_)), 0.0);
-      out_.number(short_number(width));
+      out_.number(short_number(hand_ ? width * hand_->thickness(name_, at) : width));
     };
-    if (member.kind != JsonKind::array) return one(member);
+    if (member.kind != JsonKind::array) return one(member, 0);
     out_.array();
-    in_.for_each(member, [&](const JsonNode& node, int) { one(node); });
+    in_.for_each(member, one);
     out_.close();
   }
 
@@ -133,7 +209,7 @@ class Flattening {
   /// What differs on one side: points are moved in the written side's frame, then mirrored.
   void write_side(const JsonNode& member) {
     const auto one = [&](const JsonNode& node) {
-      out_.pair(short_pair(mirrored(geometry_.point(in_, node, frame_, family_).at)));
+      out_.pair(drawn(mirrored(geometry_.point(in_, node, frame_, family_).at)));
     };
     in_.expect(member, JsonKind::object);
     out_.object();
@@ -154,7 +230,7 @@ class Flattening {
       return out_.string(in_.string(member));
     const FoundPoint found = geometry_.point(in_, member, frame_, family_);
     know(slice_name(key), found);
-    out_.pair(short_pair(found.at));
+    out_.pair(drawn(found.at));
   }
 
   ListPoint list_point(const JsonNode& node) {
@@ -260,7 +336,7 @@ class Flattening {
   }
 
   void write_point(const ListPoint& point) {
-    const glm::dvec2 at = short_pair(point.found.at);
+    const glm::dvec2 at = drawn(point.found.at);
     out_.array(), out_.number(at.x), out_.number(at.y);
     if (point.bend) out_.string("bend");
     out_.close();
@@ -297,6 +373,7 @@ class Flattening {
   PartFrame frame_;
   std::string name_;
   bool sided_ = false;
+  const Hand* hand_ = nullptr;  ///< null: points and widths are as the part has them
 };
 
 }  // namespace

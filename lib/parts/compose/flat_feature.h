@@ -27,14 +27,23 @@ struct FlatFeatures {
     std::size_t slot;
     std::int32_t node;  ///< of the tree that it was written to
     std::string name;
+    std::string_view role = {};
+    std::string_view side = {};  ///< "both", "left", "right"; empty: none
+    std::size_t order = 0;       ///< of drawing, then by slot
   };
   std::vector<One> features;
+  bool by_style = false;  ///< what is composed now is the style's own
   std::set<std::string, std::less<>> names;
   std::vector<std::pair<std::string, double>> flat, raised, plates;  ///< depths for the head's turn
   std::vector<std::string> still;
   std::set<std::string, std::less<>> sided;                     ///< features on both sides
   std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
 };
+
+/// The order of drawing.
+inline bool drawn_before(const FlatFeatures::One& a, const FlatFeatures::One& b) {
+  return a.order != b.order ? a.order < b.order : a.slot < b.slot;
+}
 
 /// The place of a slot, by its name, among the library's. Refuses unknown ones.
 std::size_t slot_named(const Reading& in, const JsonNode& wanted, const PartLibrary& library);

@@ -22,8 +22,8 @@ std::string_view feature_of(std::string_view slice) {
 class Muscles {
  public:
   Muscles(const Reading& in, const PartGeometry& geometry, const FlatFeatures& features,
-          TreeWriter& out)
-      : in_(in), geometry_(geometry), features_(features), out_(out) {}
+          const JsonNode* more, TreeWriter& out)
+      : in_(in), geometry_(geometry), features_(features), more_(more), out_(out) {}
 
   void write_group(const JsonNode& node) const {
     const PartFrame& frame = geometry_.frame(in_, in_.need(node, "in"));
@@ -98,7 +98,7 @@ class Muscles {
   /// Of the muscle on a side; 0: what both sides have.
   void write_attachments(const JsonNode& node, const PartFrame& frame, int side) const {
     std::map<std::string_view, Held> held;
-    in_.for_each(in_.need(node, "attach"), [&](const JsonNode& one, int) {
+    const auto hold = [&](const JsonNode& one, int) {
       const std::string_view key = in_.tree.key(one);
       const bool of_jaw = key == kJaw;
       if (!of_jaw && !features_.names.contains(feature_of(key))) return;
@@ -108,7 +108,11 @@ class Muscles {
         held[key] = {in_.number(in_.need(one, "weight")),
                      of_jaw ? in_.number(in_.need(one, "stroke"))
                             : frame.length(in_.number(in_.need(one, "stroke")))};
-    });
+    };
+    in_.for_each(in_.need(node, "attach"), hold);
+    if (const JsonNode* more =
+            more_ ? in_.find(*more_, in_.string(in_.need(node, "name"))) : nullptr)
+      in_.for_each(*more, hold);
     std::map<std::string_view, double> rides;
     const bool sided = in_.find(node, "side") != nullptr;
     each_ride(node, [&](const Ride& ride, double weight) {
@@ -117,15 +121,15 @@ class Muscles {
     });
     for (const auto& [slice, weight] : rides) held[slice] = {std::clamp(weight, 0.0, 1.0), {}};
     out_.key("attach"), out_.object();
-    for (const auto& [slice, hold] : held) {
+    for (const auto& [slice, by] : held) {
       out_.kept_key(std::string(slice));
-      if (hold.stroke) {
+      if (by.stroke) {
         out_.object();
-        out_.key("weight"), out_.number(short_number(hold.weight));
-        out_.key("stroke"), out_.number(short_number(*hold.stroke));
+        out_.key("weight"), out_.number(short_number(by.weight));
+        out_.key("stroke"), out_.number(short_number(*by.stroke));
         out_.close();
       } else {
-        out_.number(short_number(hold.weight));
+        out_.number(short_number(by.weight));
       }
     }
     out_.close();
@@ -134,6 +138,7 @@ class Muscles {
   const Reading& in_;
   const PartGeometry& geometry_;
   const FlatFeatures& features_;
+  const JsonNode* more_;
   TreeWriter& out_;
 };
 
@@ -230,9 +235,13 @@ void write_rig(const Reading& in, const JsonNode& node, const RigPlace& place, T
   to.copy(in.tree, node, Placing(in, place, to));
 }
 
+bool write_placed(const Reading& in, const JsonNode& at, const RigPlace& place, TreeWriter& to) {
+  return Placing(in, place, to)(at);
+}
+
 void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                   const FlatFeatures& features, TreeWriter& to) {
-  const Muscles muscles(in, geometry, features, to);
+                   const FlatFeatures& features, const JsonNode* more, TreeWriter& to) {
+  const Muscles muscles(in, geometry, features, more, to);
   to.object();
   for (const char* key : {"stiffness", "damping"})
     to.key(key), to.number(short_number(in.number(in.need(node, key))));

@@ -17,9 +17,13 @@ struct RigPlace {
 /// that stand still while the head turns.
 void write_rig(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to);
 
+/// Writes what stands for one object, where it is such a place; tells whether it was one.
+bool write_placed(const Reading& in, const JsonNode& at, const RigPlace& place, TreeWriter& to);
+
 /// The muscle system: strokes and origins in their frames, and everything that parts bound to what a muscle holds.
+/// `more`: what else muscles hold, by their names, {"mentalis": {"NUMBER": {"weight": …, "stroke": …}}}; may be null.
 void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
-                   const FlatFeatures& features, TreeWriter& to);
+                   const FlatFeatures& features, const JsonNode* more, TreeWriter& to);
 
 /// The head's turn, with the depths of what parts drew.
 void write_turn(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to);

@@ -1,5 +1,9 @@
 #include "lib/parts/compose/part_palette.h"
+
+#include <mien/face_code.h>
+
 #include "lib/base/nearest_name.h"
+#include "lib/parts/code/keyed_chance.h"
 
 #include <algorithm>
 #include <map>
@@ -28,9 +32,14 @@ class PaletteRules {
     darkness_ = (kLightest - skin_.lightness) / kSpan;
   }
 
-  void read(const Reading& in, const JsonNode& rules) {
+  /// `tones`: the style's, each of which changes the colour of its name before others are made from it.
+  void read(const Reading& in, const JsonNode& rules, const PartStyle* tones = nullptr) {
+    const JsonNode* own = tones ? tones->find("tones") : nullptr;
     in.for_each(rules, [&](const JsonNode& rule, int) {
-      colors_.insert_or_assign(in.tree.key(rule), made(in, rule));
+      const std::string_view name = in.tree.key(rule);
+      colors_.insert_or_assign(name, made(in, rule));
+      if (const JsonNode* tone = own ? tones->in().find(*own, name) : nullptr)
+        colors_.insert_or_assign(name, made(tones->in(), *tone));
     });
   }
 
@@ -69,6 +78,8 @@ class PaletteRules {
       if (!text.empty() && text[0] == '#') return {{}, 1, text};
       return known(in, rule);
     }
+    if (const JsonNode* then = in.find(rule, "then"))
+      return made(in, holds(in, rule) ? *then : in.need(rule, "else"));
     Toned toned = base(in, rule);
     Oklch& c = toned.color;
     if (const JsonNode* of = in.find(rule, "L_of")) c.lightness = known(in, *of).color.lightness;
@@ -86,6 +97,17 @@ class PaletteRules {
     c.chroma = std::max(c.chroma, 0.0);
     toned.alpha = by_darkness(in, rule, "alpha", 1);
     return toned;
+  }
+
+  /// {"chance": 0.5, "of": WORD}: of so many people, by the person; {"worn": {FAMILY: [PART, …]}}; {"lighter": COLOUR,
+  /// "than": L}.
+  bool holds(const Reading& in, const JsonNode& rule) const {
+    if (const JsonNode* chance = in.find(rule, "chance"))
+      return KeyedChance(parts_.person()).share(seed_from_word(in.string(in.need(rule, "of")))) <
+             in.number(*chance);
+    if (const JsonNode* lighter = in.find(rule, "lighter"))
+      return known(in, *lighter).color.lightness > in.number(in.need(rule, "than"));
+    return parts_.wears(in, in.need(rule, "worn"));
   }
 
   Toned base(const Reading& in, const JsonNode& rule) const {
@@ -138,8 +160,8 @@ void write_palette(const ChosenParts& parts, const PartGeometry& geometry, const
                    TreeWriter& to) {
   PaletteRules rules(parts, geometry);
   const LibraryNode& topology = parts.library().topology();
-  rules.read(topology.in(), topology.in().need(*topology.node, "palette"));
-  if (const JsonNode* own = style.palette()) rules.read(style.in(), *own);
+  rules.read(topology.in(), topology.in().need(*topology.node, "palette"), &style);
+  if (const JsonNode* own = style.find("palette")) rules.read(style.in(), *own);
   rules.write(to);
 }
 

@@ -39,6 +39,13 @@ const Part* Family::find(std::string_view part) const {
   return named(parts, part);
 }
 
+const std::string* PartLibrary::find_style(std::string_view name) const {
+  for (const auto& [synonym, style] : style_synonyms_)
+    if (synonym == name) return &style;
+  const auto found = std::find(styles_.begin(), styles_.end(), name);
+  return found == styles_.end() ? nullptr : &*found;
+}
+
 const Family* PartLibrary::find_family(std::string_view name) const {
   return named(families_, name);
 }
@@ -147,6 +154,11 @@ void PartLibrary::read_topology(const LibraryNode& root) {
   in.expect(styles, JsonKind::object);
   in.for_each(styles,
               [&](const JsonNode& style, int) { styles_.emplace_back(in.tree.key(style)); });
+  if (const JsonNode* synonyms = in.find(*root.node, "style_synonyms"))
+    in.for_each(*synonyms, [&](const JsonNode& one, int) {
+      const std::vector<std::string_view> known(styles_.begin(), styles_.end());
+      style_synonyms_.emplace_back(in.tree.key(one), styles_[in.word(one, "style", known)]);
+    });
 }
 
 void PartLibrary::read_part(const LibraryNode& part) {

@@ -89,6 +89,8 @@ class PartLibrary {
   const std::vector<Archetype>& archetypes() const { return archetypes_; }
   const std::vector<std::string>& styles() const { return styles_; }
 
+  /// The style of a name, or of a former one ("style_synonyms" of the topology); null: none.
+  const std::string* find_style(std::string_view name) const;
   const Family* find_family(std::string_view name) const;
   const LibraryNumber* find_number(std::string_view name) const;
   /// The number "FAMILY.NAME", or else "NAME".
@@ -112,6 +114,7 @@ class PartLibrary {
   std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> number_of_;  ///< by name
   std::vector<std::string> styles_;
   std::vector<Archetype> archetypes_;
+  std::vector<std::pair<std::string, std::string>> style_synonyms_;
 };
 
 }  // namespace mien

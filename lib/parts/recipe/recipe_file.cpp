@@ -38,7 +38,8 @@ class RecipeReader {
     if (const JsonNode* style = in_.find(root, "style")) {
       const std::vector<std::string>& styles = library_->styles();
       const std::vector<std::string_view> names(styles.begin(), styles.end());
-      recipe_.style = styles[in_.word(*style, "style", names)];
+      const std::string* known = library_->find_style(in_.string(*style));
+      recipe_.style = known ? *known : styles[in_.word(*style, "style", names)];
     }
     return std::move(recipe_);
   }

@@ -14,9 +14,10 @@ void add_face(CLI::App* to, PosedFace& posed) {
 }
 
 void add_paint(CLI::App* to, PosedFace& posed) {
-  to->add_option(
-        "--style", posed.style,
-        "How a face by code or recipe is painted: flat, soft, clay, ink or pictogram; default soft")
+  to->add_option("--style", posed.style,
+                 "How a face by code or recipe is drawn: soft, flat, vinyl, sticker, pictogram, "
+                 "peep or ink; "
+                 "default soft")
       ->type_name("STYLE");
   to->add_flag("--neutral", posed.neutral,
                "No smile, lips closed, head ahead, all still, but for what other options ask");

@@ -34,8 +34,9 @@ void add_new(CLI::App& app, NewArguments& to) {
                    "'mien parts' names them all")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  made->add_option("--style", to.style,
-                   "How it is painted: flat, soft, clay, ink or pictogram; default soft")
+  made->add_option(
+          "--style", to.style,
+          "How it is drawn: soft, flat, vinyl, sticker, pictogram, peep or ink; default soft")
       ->type_name("STYLE");
   made->add_flag("--flat", to.flat,
                  "Write the face in full, all its points, instead of its recipe");

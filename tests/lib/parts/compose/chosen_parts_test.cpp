@@ -55,7 +55,7 @@ TEST(OwnParts, AreDrawn) {
   const auto face = face_from_recipe(wearing(hat()));
   ASSERT_TRUE(face) << sentence(face.error());
   EXPECT_TRUE(has_fez(*face));
-  for (const char* style : {"flat", "clay", "ink", "pictogram"}) {
+  for (const char* style : {"flat", "vinyl", "clay", "ink", "pictogram", "peep", "sticker"}) {
     Recipe styled = wearing(hat());
     styled.style = style;
     EXPECT_EQ(said_of(styled), "a face") << style;

@@ -24,6 +24,7 @@ class FlatFeatureTest : public testing::Test {
     SmallLibrary small;
     small.topology =
         test::with(small.topology, "\"features\": []", "\"features\": [" + features + "]");
+    small.topology = test::with(small.topology, "\"soft\": {}", "\"soft\": {" + style_ + "}");
     library_ = small.read().value();
     const Recipe recipe{.name = {}, .code = {}, .parts = {}, .numbers = std::move(numbers)};
     PartGeometry geometry(*library_, recipe);
@@ -43,6 +44,7 @@ class FlatFeatureTest : public testing::Test {
     return made;
   }
 
+  std::string style_;  ///< what "soft" says
   std::unique_ptr<PartLibrary> library_;
 };
 
@@ -139,8 +141,48 @@ TEST_F(FlatFeatureTest, StylesReplaceAndHide) {
   EXPECT_NE(soft.texts[0].find(R"("paint": "dark")"), std::string::npos);
   EXPECT_NE(ink.texts[0].find(R"("paint": "skin")"), std::string::npos);
   EXPECT_EQ(ink.texts[0].find("dark"), std::string::npos);
-  EXPECT_NE(ink.texts[1].find(R"("opacity": 0)"), std::string::npos);
-  EXPECT_EQ(ink.texts[1].find("0.5"), std::string::npos);
+  EXPECT_EQ(ink.texts[1],
+            R"({"name": "b", "kind": "disc", "center": [0, 0], "radius": 1, "opacity": 0.5})");
+}
+
+/// What makes a figure is known before it is drawn, and drawn as an area of itself where it stood.
+TEST_F(FlatFeatureTest, AFigureIsKnownBeforeItIsDrawn) {
+  const char* features =
+      R"({"name": "a", "slot": "front", "role": "hair", "side": "left", "kind": "disc", "center": [0, 0], "radius": 1, "opacity": 0.5},
+         {"name": "b", "slot": "front", "role": "none", "kind": "disc", "center": [0, 0], "radius": 1})";
+  style_ =
+      R"("figure": {"slots": ["front"], "before": "back", "clip": "b"}, "roles": {"hair": {"contour": {}}})";
+  const Flattened made = flatten(features);
+  ASSERT_EQ(made.texts.size(), 3u);
+  EXPECT_EQ(made.texts[0],
+            R"({"name": "a", "side": "left", "kind": "disc", "center": [0, 0], "radius": 1})");
+  EXPECT_EQ(made.texts[1],
+            R"({"name": "a_seen", "side": "left", "kind": "area", "any": ["a"], "clip": "b", )"
+            R"("opacity": 0.5, "contour": {}, "paint": "hair"})");
+  EXPECT_LT(made.features[0].order, 1u);
+  EXPECT_EQ(made.features[1].order, 3u);
+  EXPECT_EQ(made.texts[2].find("paint"), std::string::npos);
+}
+
+TEST_F(FlatFeatureTest, AHandMovesPointsAndWidthsAndNotWhatIsBesideThem) {
+  const char* features =
+      R"({"name": "a", "slot": "front", "role": "hair", "in": "face", "kind": "stroke", "spine": [[0.1, 0.2], [0, 1], [0, 2]], "half_width": [0.1, 0.1, 0.1]},
+         {"name": "b", "slot": "back", "role": "hair", "in": "face", "kind": "disc", "center": {"at": "a/spine/0"}, "radius": 1})";
+  style_ = R"("hand": {"amplitude": 0.02, "width": 0.3, "slots": ["front"]})";
+  const Flattened made = flatten(features);
+  EXPECT_EQ(made.texts[0].find("[0.1, 0.2]"), std::string::npos) << made.texts[0];
+  EXPECT_EQ(made.texts[0].find("[0.1, 0.1, 0.1]"), std::string::npos) << made.texts[0];
+  EXPECT_NE(made.texts[1].find("[0.1, 0.2]"), std::string::npos) << made.texts[1];
+}
+
+TEST_F(FlatFeatureTest, AreasOfRolesAreLists) {
+  const char* features =
+      R"({"name": "a", "slot": "back", "role": "hair", "kind": "disc", "center": [0, 0], "radius": 1},
+         {"name": "all", "slot": "front", "role": "mass", "kind": "area", "any": {"roles": ["hair"]}},
+         {"name": "none", "slot": "front", "role": "mass", "kind": "area", "any": {"roles": ["wool"]}})";
+  const Flattened made = flatten(features);
+  ASSERT_EQ(made.texts.size(), 2u) << "an area of nothing is left out";
+  EXPECT_EQ(made.texts[1], R"({"name": "all", "kind": "area", "any": ["a"], "paint": "mass"})");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ double stroke_with(const std::string& room, std::map<std::string, double> number
     JsonTree tree("muscles");
     TreeWriter out(tree);
     write_muscles(topology.in(), topology.in().need(*topology.node, "muscles"), geometry,
-                  FlatFeatures{}, out);
+                  FlatFeatures{}, nullptr, out);
     std::string text;
     add_json(tree, tree.nodes[0], text);
     const std::string key = "\"stroke\": ";

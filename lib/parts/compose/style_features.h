@@ -1,0 +1,18 @@
+#pragma once
+// Areas of all that a face has of some roles, "any": {"roles": ["hair", "hair.back"], "slots": ["hair"]}: one mass of hair, the
+// edge round a figure. Only what was composed before counts.
+
+#include "lib/parts/compose/flat_feature.h"
+
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// The names of the features that an object selects, in the order of drawing; both lists count, and a list that is not there
+/// lets all through. `order`: of the area, before which they are drawn.
+std::vector<std::string> selected_features(const Reading& in, const JsonNode& selection,
+                                           std::size_t order, const PartLibrary& library,
+                                           const FlatFeatures& features);
+
+}  // namespace mien

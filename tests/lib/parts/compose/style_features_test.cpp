@@ -1,0 +1,49 @@
+#include "lib/parts/compose/style_features.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/small_library.h"
+
+namespace mien {
+namespace {
+
+class SelectedFeatures : public testing::Test {
+ protected:
+  std::vector<std::string> names(const std::string& selection, std::size_t order) {
+    test::SmallLibrary small;
+    small.topology = test::with(small.topology, "\"features\": []",
+                                "\"features\": [], \"selection\": " + selection);
+    const auto library = small.read().value();
+    const Reading& in = library->topology().in();
+    return selected_features(in, in.need(*library->topology().node, "selection"), order, *library,
+                             features_);
+  }
+
+  FlatFeatures features_{.features = {{1, 0, "fringe", "hair", {}, 3},
+                                      {0, 1, "ear", "skin", "both", 1},
+                                      {0, 2, "bun", "hair", "left", 1},
+                                      {1, 3, "room", "none", {}, 3},
+                                      {1, 4, "cap", "hat", {}, 0}}};
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(SelectedFeatures, AreOfTheirRolesAndSlots) {
+  EXPECT_EQ(names(R"({"roles": ["hair"]})", 3), (Names{"bun.left", "fringe"}));
+  EXPECT_EQ(names(R"({"roles": ["hair"], "slots": ["back"]})", 3), Names{"bun.left"});
+  EXPECT_EQ(names(R"({"slots": ["front"]})", 3), (Names{"cap", "fringe"}))
+      << "what has no role is an area";
+  EXPECT_EQ(names(R"({"roles": ["skin"]})", 3), (Names{"ear.left", "ear.right"}));
+  EXPECT_TRUE(names(R"({"roles": ["wool"]})", 3).empty());
+}
+
+TEST_F(SelectedFeatures, AreDrawnBeforeTheArea) {
+  EXPECT_EQ(names(R"({"roles": ["hair", "hat"]})", 1), (Names{"cap", "bun.left"}));
+}
+
+TEST_F(SelectedFeatures, SlotsAreKnown) {
+  EXPECT_THROW(names(R"({"slots": ["frnt"]})", 3), Refusal);
+}
+
+}  // namespace
+}  // namespace mien
