@@ -457,6 +457,10 @@ MIEN_C_API mien_status mien_pose_seed(mien_pose* pose, const char* word, size_t 
 /* How far clips move the face, 0 (not at all) ... 2; 1 as the clips have it. */
 MIEN_C_API mien_status mien_pose_liveliness(mien_pose* pose, double liveliness, mien_error** error);
 
+/* How far the head nods and brows rise with the stresses of speech, 0 (the mouth alone speaks) ... 2; 1 unless set. They go
+ * with the liveliness, too. */
+MIEN_C_API mien_status mien_pose_gestures(mien_pose* pose, double gestures, mien_error** error);
+
 /* The point that the eyes look at [face units], z towards the viewer. */
 MIEN_C_API mien_status mien_pose_look_at(mien_pose* pose, double x, double y, double z,
                                          mien_error** error);

@@ -109,6 +109,15 @@ mien_status mien_pose_liveliness(mien_pose* pose, double liveliness, mien_error*
   });
 }
 
+mien_status mien_pose_gestures(mien_pose* pose, double gestures, mien_error** error) {
+  return pass("mien_pose_gestures", error, [&] {
+    double& held = need(pose, "pose").pose.gestures;
+    if (!(gestures >= 0 && gestures <= mien::kMostGestures))
+      refuse("gestures", fmt::format("go from 0 to {}, got {}", mien::kMostGestures, gestures));
+    held = gestures;
+  });
+}
+
 mien_status mien_pose_look_at(mien_pose* pose, double x, double y, double z, mien_error** error) {
   return pass("mien_pose_look_at", error, [&] {
     const std::string point = fmt::format("{},{},{}", x, y, z);

@@ -20,6 +20,7 @@ export interface Pose {
   steady?: { at: number; cutoff?: number; beta?: number };
   seed?: string | number;
   liveliness?: number;
+  gestures?: number;
   lookAt?: [number, number, number];
   blend?: 'linear' | 'srgb';
   fit?: 'meet' | 'slice';

@@ -309,6 +309,7 @@ export class Face {
    *    pose.steady    { at }, the frame's moment in seconds: frames that come live, kept quiet; { at, cutoff: 1, beta: 2 } (docs/motion.md)
    *    pose.seed      a word instead of the face's own code, recipe or text, for blinks and glances by chance
    *    pose.liveliness  0 to 2: how far clips move the face; 1 (default) as they say, 0 not at all
+   *    pose.gestures  0 to 2: how far the head nods and brows rise with the stresses of speech; 0: the mouth alone speaks
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
@@ -425,6 +426,7 @@ export class Face {
     }
     if (pose.frame != null) this.#follow(typeof pose.frame === 'string' ? pose.frame : JSON.stringify(pose.frame), pose.steady);
     if (pose.seed != null) this.#say('mien_pose_seed', String(pose.seed));
+    if (pose.gestures != null) this.#mien.done('mien_pose_gestures', this.#pose, pose.gestures);
     if (pose.liveliness != null) this.#mien.done('mien_pose_liveliness', this.#pose, pose.liveliness);
     if (pose.lookAt) this.#mien.done('mien_pose_look_at', this.#pose, ...pose.lookAt);
     for (const [key, set] of Object.entries(SETS))

@@ -22,6 +22,7 @@ const SHAPES = {
   ...Object.fromEntries(Object.keys(SETS).map((key) => [key, isWeights])),
   seed: { is: (value) => typeof value === 'string' || Number.isFinite(value), like: 'a word' },
   liveliness: { is: Number.isFinite, like: 'a number, 0 to 2' },
+  gestures: { is: Number.isFinite, like: 'a number, 0 to 2' },
   clips: { is: Array.isArray, like: "a list, such as ['idle']" },
   motions: { is: Array.isArray, like: 'a list of motions, such as [mien.motion(text)]' },
   frame: { is: (value) => typeof value === 'string' || typeof value === 'object', like: "shapes by name, such as { jawOpen: 0.5 }, or a result of MediaPipe" },

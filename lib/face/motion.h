@@ -113,6 +113,36 @@ struct IdleChannel {
   double scale = 1;
 };
 
+/// From when to when [s].
+struct SpokenSpan {
+  double begin, end;
+};
+
+/// A moment of speech that a speaker stresses.
+struct SpokenAccent {
+  double time;          ///< [s] of the vowel
+  double strength;      ///< 0 … 1
+  bool rising = false;  ///< with the voice going up, as far as a track tells
+};
+
+/// What head and brows do with the accents of speech (lib/rig/speech/gestures.h).
+enum class GesturePart : unsigned char { nod, brows };
+
+/// Adds `scale` times the part's number to the control.
+struct GestureChannel {
+  GesturePart part;
+  Index<Control> control;
+  double scale = 1;
+};
+
+/// What a speaker does beside moving the mouth.
+struct SpokenGestures {
+  std::vector<SpokenSpan>
+      contacts;  ///< when lips, or lip and teeth, touch: apart, in order. No blink falls into them
+  std::vector<SpokenAccent> accents;          ///< in order
+  std::vector<GestureChannel> channels = {};  ///< of the face that the motion is bound to
+};
+
 struct Motion {
   std::string name;
   std::vector<MotionChannel> channels;  ///< later ones beat earlier ones
@@ -121,6 +151,7 @@ struct Motion {
   /// Its numbers were seen on a face, or planned for it: muscles are where they pull to at once. Those of others get there
   /// by the law of muscles.
   bool settled = false;
+  SpokenGestures spoken = {};  ///< of a track of speech
 };
 
 }  // namespace mien

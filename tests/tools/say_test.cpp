@@ -141,6 +141,27 @@ TEST(Say, ClosesTheLipsWhenTheSoundDoes) {
   EXPECT_GE(closures, 50);
 }
 
+bool is_plain_vowel(std::string name) {
+  for (const std::string mark : {"ˈ", "ˌ"})
+    if (name.starts_with(mark)) name.erase(0, mark.size());
+  return !name.empty() && std::strchr("aeiou", name[0]);
+}
+
+TEST(Say, MarksWhatIsStressed) {
+  NEEDS_MIEN_SAY();
+  const std::string english = names_of(spoken("Hello, my name is Bobby."));
+  EXPECT_NE(english.find("l ˈəʊ "), std::string::npos) << english;
+  EXPECT_NE(english.find("b ˈɒ b i "), std::string::npos) << english;
+  for (const auto& [voice, sentence] : kSentences) {
+    const auto sounds = spoken(sentence, voice);
+    const auto marked = std::count_if(sounds.begin(), sounds.end(), [](const Heard& sound) {
+      return sound.name.starts_with("ˈ");
+    });
+    EXPECT_GE(marked, 1) << sentence;
+    EXPECT_LE(3 * marked, std::ptrdiff_t(sounds.size())) << sentence;
+  }
+}
+
 // The track is of this sound: where it has a pause there are no samples but zeros, and they end together.
 TEST(Say, TrackAndSoundAreOfOneTime) {
   NEEDS_MIEN_SAY();
@@ -166,7 +187,7 @@ TEST(Say, TrackAndSoundAreOfOneTime) {
       if (sounds[i].name.empty() && sounds[i].end - sounds[i].begin > 0.08) {
         EXPECT_LT(loudest(sounds[i].begin + 0.03, sounds[i].end - 0.03), 100) << sentence << i;
       }
-      if (std::strchr("aeiou", sounds[i].name[0]) && !sounds[i].name.empty()) {
+      if (is_plain_vowel(sounds[i].name)) {
         EXPECT_GT(loudest(sounds[i].begin, sounds[i].end), 1000) << sentence << i;
       }
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace mien::say {
 namespace {
@@ -39,6 +40,53 @@ int hear(short* samples, int count, espeak_EVENT* events) {
   }
   if (samples && count > 0) to->samples.insert(to->samples.end(), samples, samples + count);
   return to->samples.size() > kMostSamples;
+}
+
+/// The sounds that eSpeak writes down for a text, of which it tells the stress, and no times.
+std::vector<std::string> written_sounds(const std::string& text) {
+  constexpr int kIpa = 0x02, kBetween = '|' << 8;
+  std::vector<std::string> sounds;
+  const void* left = text.c_str();
+  while (left) {
+    const char* const clause = espeak_TextToPhonemes(&left, espeakCHARS_UTF8, kIpa | kBetween);
+    if (!clause) break;
+    std::string sound;
+    for (const char* c = clause;; ++c) {
+      const bool ends = *c == '\0' || *c == '|' || *c == ' ' || *c == '\n';
+      if (!ends) sound += *c;
+      if (ends && !sound.empty()) sounds.push_back(std::exchange(sound, {}));
+      if (*c == '\0') break;
+    }
+  }
+  return sounds;
+}
+
+constexpr std::string_view kStresses[] = {"ˈ", "ˌ"};
+
+/// The mark of stress that a sound begins with, taken off it.
+std::string_view take_stress(std::string_view& sound) {
+  for (const std::string_view mark : kStresses)
+    if (sound.starts_with(mark)) {
+      sound.remove_prefix(mark.size());
+      return mark;
+    }
+  return {};
+}
+
+/// Puts marks of stress before sounds that were heard. Both rows are the same but for a sound here and there.
+void mark_stresses(const std::vector<std::string>& written, std::vector<SpokenSound>& heard) {
+  constexpr std::size_t kApart = 6;
+  std::size_t next = 0;
+  for (const std::string& one : written) {
+    std::string_view name = one;
+    const std::string_view stress = take_stress(name);
+    std::size_t at = next;
+    const std::size_t end = std::min(next + kApart, heard.size());
+    while (at < end && heard[at].name != name) ++at;
+    if (at == end) continue;
+    heard[at].name.insert(0, stress);
+    next = at + 1;
+  }
 }
 
 }  // namespace
@@ -81,6 +129,7 @@ Expected<SpokenText> speak_text(std::string text, int rate) {
   if (std::all_of(spoken.sounds.begin(), spoken.sounds.end(),
                   [](const SpokenSound& sound) { return sound.name.empty(); }))
     return Error{"text", "has nothing in it that is spoken"};
+  mark_stresses(written_sounds(text), spoken.sounds);
   return spoken;
 }
 

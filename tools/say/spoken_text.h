@@ -11,7 +11,7 @@ namespace mien::say {
 
 struct SpokenSound {
   double begin;      ///< [s]
-  std::string name;  ///< in IPA; empty is a pause
+  std::string name;  ///< in IPA, with its mark of stress; empty is a pause
 };
 
 struct SpokenText {

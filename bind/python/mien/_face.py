@@ -133,7 +133,7 @@ class Face:
              expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
              look_at: Optional[Sequence[float]] = None, unwrap: float = 0, unwrap_mode: str = "linear",
              clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
-             seed: Union[str, int, None] = None, liveliness: float = 1,
+             seed: Union[str, int, None] = None, liveliness: float = 1, gestures: float = 1,
              motions: Sequence[MotionLike] = (),
              frame: Union[str, Mapping[str, Any], Sequence[Any], None] = None,
              steady: Optional[tuple[Steady, float]] = None) -> Posed:
@@ -150,6 +150,7 @@ class Face:
         basis        whose vector replaces that at rest: of its `weights`, or without any of those at `time`
         seed         a word instead of the face's own code, recipe or text, for blinks and glances by chance
         liveliness   0 to 2: how far clips move the face; 1 as they say, 0 not at all
+        gestures     0 to 2: how far the head nods and brows rise with the stresses of speech; 0: the mouth alone speaks
         motions      takes and speech (`read_motion`), or (motion, weight), or (motion, weight, begin [s]), on top of clips
         frame        what a camera saw: ARKit's shapes by name, a result of MediaPipe, or its JSON; it beats motions
         steady       of frames that come live: what keeps them quiet, and the frame's moment [s]
@@ -173,6 +174,8 @@ class Face:
             call(lib.mien_pose_seed, pose, *utf8(str(seed)))
         if liveliness != 1:
             call(lib.mien_pose_liveliness, pose, float(liveliness))
+        if gestures != 1:
+            call(lib.mien_pose_gestures, pose, float(gestures))
         if look_at is not None:
             if len(look_at) != 3:
                 raise _library.Error("look_at", f"expected x, y, z, got {len(look_at)} numbers")

@@ -134,6 +134,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_motion_unfollowed": [c_void_p, c_void_p, _ERROR],
     "mien_pose_seed": [c_void_p, *_TEXT],
     "mien_pose_liveliness": [c_void_p, c_double],
+    "mien_pose_gestures": [c_void_p, c_double],
     "mien_pose_look_at": [c_void_p, c_double, c_double, c_double],
     "mien_pose_unwrap": [c_void_p, c_double, c_int32],
     "mien_pose_vector": [c_void_p, c_void_p, c_int32],

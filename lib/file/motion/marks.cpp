@@ -5,6 +5,7 @@
 #include "speech_builder_private.h"
 
 #include <algorithm>
+#include <span>
 
 namespace mien {
 namespace {
@@ -65,14 +66,31 @@ class PhoReader final : public MotionReader {
                                in_quotes(word))};
     const double begin = time_;
     time_ += *length / 1000;
-    return speech_.add(begin, time_, name, [&] { return source_.at(line, name); });
+    if (auto added = speech_.add(begin, time_, name, [&] { return source_.at(line, name); });
+        !added)
+      return added;
+    speech_.set_pitch(pitches(left));
+    return Done{};
   }
 
   Expected<Motion> finish(std::vector<Error>& told) override { return speech_.finish(told); }
 
  private:
+  /// Pairs: at how many percent of the sound, and how high [Hz]. Anything else is no pitch.
+  std::span<const double> pitches(std::string_view left) {
+    hertz_.clear();
+    while (!left.empty()) {
+      next_mark_word(left);
+      const auto height = number_in(next_mark_word(left));
+      if (!height || !(*height > 0 && *height < 1e5)) break;
+      hertz_.push_back(*height);
+    }
+    return hertz_;
+  }
+
   MotionSource source_;
   SpeechBuilder speech_;
+  std::vector<double> hertz_;
   double time_ = 0;
 };
 

@@ -16,12 +16,37 @@ constexpr double kMostSpeech = 1e6;  ///< [s] a film of twelve days
 constexpr double kLastSound = 0.12;  ///< [s] that a last sound lasts of which no end is known
 constexpr double kFirstPart = 0.55;  ///< of a diphthong
 
-void add_phones(double begin, double end, const PhoneMeaning& meaning, SpeechTrack& track) {
+constexpr double kRise = 1.122;  ///< of a voice that goes up within a sound: 2 semitones
+constexpr double kHigh = 1.155;  ///< above its usual pitch: 2.5 semitones
+
+/// What the speaker does with a sound.
+struct Emphasis {
+  double stress = 0;
+  bool rising = false;
+};
+
+void add_phones(double begin, double end, const PhoneMeaning& meaning, const Emphasis& emphasis,
+                SpeechTrack& track) {
   const double middle = meaning.count == 2 ? begin + kFirstPart * (end - begin) : end;
-  track.push_back({begin, middle, meaning.shapes[0].viseme, meaning.shapes[0].strength});
+  track.push_back({begin, middle, meaning.shapes[0].viseme, meaning.shapes[0].strength,
+                   emphasis.stress, emphasis.rising});
   if (meaning.count == 2)
     track.push_back({middle, end, meaning.shapes[1].viseme, meaning.shapes[1].strength});
 }
+
+/// A mark of stress stands before its syllable: it is the next vowel's.
+class Stresses {
+ public:
+  Emphasis of(const PhoneMeaning& meaning) {
+    if (meaning.shapes[0].viseme == Viseme::sil) pending_ = 0;
+    pending_ = std::max(pending_, meaning.stress);
+    if (!is_vowel(meaning.shapes[0].viseme)) return {};
+    return {std::exchange(pending_, 0), false};
+  }
+
+ private:
+  double pending_ = 0;
+};
 
 }  // namespace
 
@@ -83,9 +108,29 @@ std::vector<PhoneMeaning> SpeechBuilder::meanings(std::vector<Error>& told) cons
   return found;
 }
 
+void SpeechBuilder::set_pitch(std::span<const double> hertz) {
+  if (sounds_.empty() || hertz.empty()) return;
+  Sound& sound = sounds_.back();
+  sound.first = float(hertz.front()), sound.last = float(hertz.back());
+  sound.highest = float(*std::max_element(hertz.begin(), hertz.end()));
+}
+
+/// The median of what is told; 0: nothing is.
+double SpeechBuilder::usual_pitch() const {
+  std::vector<float> all;
+  for (const Sound& sound : sounds_)
+    if (sound.highest > 0) all.push_back(sound.highest);
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return double(*middle);
+}
+
 Expected<Motion> SpeechBuilder::finish(std::vector<Error>& told) {
   if (sounds_.empty()) return Error{name_, "holds no sounds"};
   const std::vector<PhoneMeaning> meaning = meanings(told);
+  const double usual = usual_pitch();
+  Stresses stresses;
   SpeechTrack track;
   track.reserve(sounds_.size());
   for (std::size_t i = 0; i < sounds_.size(); ++i) {
@@ -96,7 +141,13 @@ Expected<Motion> SpeechBuilder::finish(std::vector<Error>& told) {
     const double end = open ? next : last ? sound.end : std::min(sound.end, next);
     // A silence at the end is the face's own.
     if (last && open && meaning[sound.name].shapes[0].viseme == Viseme::sil) break;
-    add_phones(sound.begin, end, meaning[sound.name], track);
+    const PhoneMeaning& of = meaning[sound.name];
+    Emphasis emphasis = stresses.of(of);
+    if (usual > 0 && is_vowel(of.shapes[0].viseme) && sound.first > 0) {
+      emphasis.rising = sound.last >= kRise * double(sound.first);
+      if (emphasis.rising || sound.highest >= kHigh * usual) emphasis.stress = 1;
+    }
+    add_phones(sound.begin, end, of, emphasis, track);
   }
   return coarticulated(std::move(track), name_);
 }

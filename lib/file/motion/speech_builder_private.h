@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -31,6 +32,8 @@ class SpeechBuilder {
   /// The same for what it is known to be.
   Expected<Done> add(double begin, std::optional<double> end, const PhoneMeaning& meaning,
                      const Place& where);
+  /// How the voice goes in the last sound: its pitch [Hz] at each of the places that are told, in order.
+  void set_pitch(std::span<const double> hertz);
 
   /// The motion, coarticulated, and what is to be told. An error for a track without sounds.
   Expected<Motion> finish(std::vector<Error>& told);
@@ -39,10 +42,12 @@ class SpeechBuilder {
   struct Sound {
     double begin, end;  ///< end below begin: until the next one
     std::uint32_t name;
+    float first = 0, last = 0, highest = 0;  ///< [Hz] of the voice; 0: not told
   };
   Expected<Done> add_sound(Sound sound, const Place& where);
   std::uint32_t index_of(std::string_view name);
   std::vector<PhoneMeaning> meanings(std::vector<Error>& told) const;
+  double usual_pitch() const;
 
   std::string name_;
   MotionLimits limits_;

@@ -11,11 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mien {
 namespace {
 
 constexpr double kLongest = 0x1p26;  ///< [s] two years, after which life begins again
+constexpr double kMostWait = 0.6;    ///< [s] of a blink
 
 constexpr Spring kCorners{4.5, 0.7}, kBrows{7, 0.7};
 constexpr double kNeckDelay = 0.09;          ///< [s] behind the eyes
@@ -72,10 +74,11 @@ glm::dvec2 course(const Moments& moments, double time, Level&& level, Left&& lef
 /// One face at one moment.
 class Life {
  public:
-  Life(std::uint64_t seed, double time, double liveliness)
+  Life(std::uint64_t seed, double time, double liveliness, const BlinkHolds& holds)
       : seed_(seed),
         time_(std::fmod(time, kLongest)),
         liveliness_(liveliness),
+        holds_{holds.spans, holds.later + (time_ - time)},
         looks_(seed, Purpose::looks) {
     const Draw temper(seed, Purpose::temper);
     pace_ = temper(0, 0, 0.85, 1.2);
@@ -162,17 +165,36 @@ class Life {
     return smooth(since / (0.08 * slow)) - smooth((since - 0.11 * slow) / (0.17 * slow));
   }
 
+  /// When a blink that is due at `begin` begins, so that no lid is down in a span that holds it up; in none while it would
+  /// have to wait for too long.
+  std::optional<double> held_up(double begin, double lasts) const {
+    constexpr double kLongestHold = 0.5;
+    const auto& [spans, later] = holds_;
+    double at = begin;
+    auto span = std::upper_bound(
+        spans.begin(), spans.end(), begin,
+        [later = later](double t, const SpokenSpan& one) { return t < one.end + later; });
+    for (; span != spans.end() && span->begin + later < at + lasts && at - begin <= kMostWait;
+         ++span)
+      if (span->end - span->begin <= kLongestHold) at = std::max(at, span->end + later);
+    if (at - begin > kMostWait) return {};
+    return at;
+  }
+
   void blink() {
     const Draw draw(seed_, Purpose::blinks);
-    constexpr double kLongestBlink = 0.8, kNear = 0.25, kAgain = 0.34;
-    for (const Moment& moment : moments_until(time_ + kNear, time_ - kLongestBlink, kLogNormal045,
+    constexpr double kLongestBlink = 0.8, kNear = 0.25, kAgain = 0.34, kDown = 0.2;  // [s]
+    const double longest = kLongestBlink + (holds_.spans.empty() ? 0 : kMostWait);
+    for (const Moment& moment : moments_until(time_ + kNear, time_ - longest, kLogNormal045,
                                               between_blinks_, draw.stream())) {
-      if (moment.time <= time_ - kLongestBlink || !(draw(1, moment.count, 0, 1) < liveliness_))
-        continue;
-      const double since = time_ - with_glance(moment.time),
-                   slow = draw(2, moment.count, 0.9, 1.15);
-      const double far = draw(3, moment.count, 0, 1) < 0.08 ? 0.7 : 1;
-      const bool twice = draw(4, moment.count, 0, 1) < 0.14;
+      if (moment.time <= time_ - longest || !(draw(1, moment.count, 0, 1) < liveliness_)) continue;
+      const double slow = draw(2, moment.count, 0.9, 1.15);
+      const double down = kDown * slow + std::abs(lag_);
+      const auto begin = held_up(with_glance(moment.time), down);
+      if (!begin) continue;
+      const double since = time_ - *begin, far = draw(3, moment.count, 0, 1) < 0.08 ? 0.7 : 1;
+      const bool twice =
+          draw(4, moment.count, 0, 1) < 0.14 && held_up(*begin + kAgain, down) == *begin + kAgain;
       const auto shut = [&](double t) {
         return far * std::max(lid(t, slow), twice ? lid(t - kAgain, slow) : 0);
       };
@@ -212,6 +234,7 @@ class Life {
 
   std::uint64_t seed_;
   double time_, liveliness_;
+  BlinkHolds holds_;
   Draw looks_;
   double pace_ = 1, fixation_ = 1, between_blinks_ = 3, breath_ = 4, lag_ = 0;
   double rise_ = 0;          ///< of the breath, 0 … 1
@@ -221,8 +244,8 @@ class Life {
 
 }  // namespace
 
-IdleNumbers idle_at(std::uint64_t seed, double time, double liveliness) {
-  return Life(seed, time, liveliness).all();
+IdleNumbers idle_at(std::uint64_t seed, double time, double liveliness, const BlinkHolds& holds) {
+  return Life(seed, time, liveliness, holds).all();
 }
 
 }  // namespace mien

@@ -33,7 +33,7 @@ bool same_settings(const std::vector<Setting>& a, const std::vector<Setting>& b)
 /// Whether two poses differ in time only.
 bool same_course(const Pose& a, const Pose& b) {
   return same_settings(a.settings, b.settings) && a.look_at == b.look_at && a.seed == b.seed &&
-         a.liveliness == b.liveliness &&
+         a.liveliness == b.liveliness && a.gestures == b.gestures &&
          std::equal(a.motions.begin(), a.motions.end(), b.motions.begin(), b.motions.end(),
                     [](const MotionLayer& x, const MotionLayer& y) {
                       return x.clip == y.clip && x.motion == y.motion && x.weight == y.weight &&

@@ -45,6 +45,24 @@ bool means_rest(std::string_view name) {
   return name == "viseme.sil" || name == "vrm.neutral";
 }
 
+/// By which controls of faces of parts a speaker nods and lifts the brows.
+std::vector<GestureChannel> gesture_channels(
+    const FaceModel& model, const std::unordered_map<std::string_view, int>& known) {
+  constexpr std::pair<std::string_view, GesturePart> kBy[] = {
+      {"pitch", GesturePart::nod},
+      {"brow_lift.left", GesturePart::brows},
+      {"brow_lift.right", GesturePart::brows}};
+  std::vector<GestureChannel> channels;
+  for (const auto& [name, part] : kBy) {
+    const auto found = known.find(name);
+    if (found == known.end()) continue;
+    const Control& control = model.controls[std::size_t(found->second)];
+    const double whole = control.channels[0].in(model.channels).hi;
+    channels.push_back({part, {found->second}, part == GesturePart::nod ? 1 : whole});
+  }
+  return channels;
+}
+
 }  // namespace
 
 BoundMotion bind_motion(Motion motion, const Face& face) {
@@ -66,6 +84,7 @@ BoundMotion bind_motion(Motion motion, const Face& face) {
   }
   motion.channels = std::move(channels);
   motion.idle.clear();  // life is of the face whose clip it is
+  motion.spoken.channels = gesture_channels(model, known);
   bound.motion = std::make_shared<const Motion>(std::move(motion));
   return bound;
 }

@@ -12,6 +12,7 @@
 #include "lib/rig/pose/head_turn.h"
 #include "lib/rig/pose/running_motions.h"
 #include "lib/rig/pose/unwrap.h"
+#include "lib/rig/speech/gestures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,11 +42,19 @@ class Playing {
       : model_(model),
         seed_(pose.seed.value_or(model.seed)),
         liveliness_(std::min(pose.liveliness, kMostLively)),
-        values_(values) {}
+        gestures_(std::clamp(pose.gestures, 0.0, kMostGestures) *
+                  std::clamp(pose.liveliness, 0.0, kMostLively)),
+        values_(values) {
+    for_each_motion(model, pose, [&](const Motion& motion, double weight, double begin) {
+      if (weight > 0 && !motion.spoken.contacts.empty())
+        contacts_ = {motion.spoken.contacts, begin - *pose.time};
+    });
+  }
 
   void play(const Motion& motion, double time, double weight) {
     if (!motion.idle.empty() && std::isfinite(time)) {
-      const IdleNumbers numbers = idle_at(seed_, time, liveliness_);
+      const IdleNumbers numbers =
+          idle_at(seed_, time, liveliness_, {contacts_.spans, contacts_.later + time});
       for (const IdleChannel& channel : motion.idle)
         if (moves(channel, model_))
           lay(channel.control, weight, motion.additive, [&](double rest) {
@@ -57,9 +66,22 @@ class Playing {
       if (moves(channel, model_))
         lay(channel.control, weight, motion.additive,
             [&](double rest) { return value_of(channel, rest, time, liveliness); });
+    if (gestures_ > 0 && !motion.spoken.accents.empty() && std::isfinite(time))
+      gesture(motion.spoken, time, weight);
   }
 
  private:
+  /// On top of what the face does below the speech.
+  void gesture(const SpokenGestures& spoken, double time, double weight) {
+    const Gestures now = gestures_at(spoken.accents, seed_, time);
+    for (const GestureChannel& channel : spoken.channels)
+      if (moves(channel, model_))
+        lay(channel.control, weight, true, [&](double rest) {
+          const double number = channel.part == GesturePart::nod ? now.pitch : now.brows;
+          return rest + gestures_ * channel.scale * number;
+        });
+  }
+
   template <class ValueFrom>
   void lay(Index<Control> control, double weight, bool additive, ValueFrom&& value_from) {
     const std::vector<Index<Channel>>& channels = control.in(model_.controls).channels;
@@ -77,7 +99,8 @@ class Playing {
 
   const FaceModel& model_;
   std::uint64_t seed_;
-  double liveliness_;
+  double liveliness_, gestures_;
+  BlinkHolds contacts_;  ///< of the topmost speech; later than now by `later`
   Values& values_;
 };
 

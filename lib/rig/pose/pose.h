@@ -57,7 +57,7 @@ MIEN_API Expected<Setting> read_pose(const Face& face, std::string_view text);
 /// look.
 MIEN_API Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text);
 
-inline constexpr double kMostLively = 2;
+inline constexpr double kMostLively = 2, kMostGestures = 2;
 
 struct Pose {
   std::optional<double> time = {};        ///< [s]; without one no motion runs
@@ -68,6 +68,9 @@ struct Pose {
   /// 0 … kMostLively: how far clips move the face from rest, and how often it blinks by itself. 1: as the clips have it; 0:
   /// no clip runs. Takes and speech go as far as they go.
   double liveliness = 1;
+  /// 0 … kMostGestures: how far the head nods and brows rise with the stresses of speech, as `liveliness` lets them; 0: the mouth
+  /// alone speaks.
+  double gestures = 1;
   std::optional<glm::dvec3> look_at = {};  ///< what all eyes look at [face units]; beats clips
   double unwrap = 0;  ///< 0 … 1: how far the features have travelled to their chart (unwrap.h)
   UnwrapMode unwrap_mode = UnwrapMode::linear;

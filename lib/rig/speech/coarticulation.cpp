@@ -1,8 +1,10 @@
 #include "lib/rig/speech/coarticulation.h"
+#include "lib/rig/speech/gestures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -71,11 +73,12 @@ void add_moments(double border, std::vector<double>& moments) {
 
 using Span = std::pair<double, double>;
 
-/// When a shape is in contact: spans that do not touch each other, in order.
-std::vector<Span> contacts_of(const SpeechTrack& track, Viseme viseme) {
+/// When one of some shapes is in contact: spans that do not touch each other, in order.
+std::vector<Span> contacts_of(const SpeechTrack& track, std::initializer_list<Viseme> shapes) {
   std::vector<Span> spans;
   for (const Phone& phone : track)
-    if (phone.viseme == viseme) spans.push_back(contact_of(phone));
+    if (std::find(shapes.begin(), shapes.end(), phone.viseme) != shapes.end())
+      spans.push_back(contact_of(phone));
   std::sort(spans.begin(), spans.end());
   std::vector<Span> joined;
   for (const Span& span : spans)
@@ -91,7 +94,7 @@ std::vector<double> moments_of(const std::vector<Pull>& pulls, const SpeechTrack
   for (const Pull& pull : pulls)
     if (std::isfinite(pull.end)) add_moments(pull.end, moments);
   for (const Viseme viseme : {Viseme::PP, Viseme::FF})
-    for (const auto& [begin, end] : contacts_of(track, viseme))
+    for (const auto& [begin, end] : contacts_of(track, {viseme}))
       for (const double t : {begin - kContactRamp, begin, end, end + kContactRamp})
         moments.push_back(t);
   std::sort(moments.begin(), moments.end());
@@ -123,7 +126,7 @@ void add_shares(const std::vector<Pull>& pulls, std::size_t& first, double time,
 class Contacts {
  public:
   Contacts(const SpeechTrack& track, Viseme viseme)
-      : spans_(contacts_of(track, viseme)), viseme_(std::size_t(viseme)) {}
+      : spans_(contacts_of(track, {viseme})), viseme_(std::size_t(viseme)) {}
 
   void outrank(double time, Weights& weights) {
     while (next_ < spans_.size() && spans_[next_].second < time) ++next_;
@@ -171,6 +174,9 @@ Motion coarticulated(SpeechTrack track, std::string name) {
     for (const double weight : weights) table->values.push_back(float(std::min(weight, 1.0)));
   }
   Motion motion{.name = std::move(name), .channels = {}, .settled = true};
+  for (const auto& [begin, end] : contacts_of(track, {Viseme::PP, Viseme::FF}))
+    motion.spoken.contacts.push_back({begin, end});
+  motion.spoken.accents = accents_of(track);
   const std::shared_ptr<const SampleTable> done = std::move(table);
   for (std::size_t v = 0; v < kVisemes; ++v)
     motion.channels.push_back({"viseme." + std::string(kVisemeNames[v]), {SampledCurve{done, v}}});

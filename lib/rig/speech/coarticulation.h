@@ -31,6 +31,8 @@ struct Phone {
   double begin, end;  ///< [s] end >= begin
   Viseme viseme;
   double strength = 1;  ///< 0 … 1: below 1 it is unstressed, or opens less
+  double stress = 0;    ///< 0 … 1: of a vowel that the speaker stresses
+  bool rising = false;  ///< the voice goes up on it
 };
 
 /// Phones may overlap, and leave gaps, in which nothing is said.
@@ -48,7 +50,8 @@ inline constexpr double kLeastContact = 0.080;           ///< [s] that a contact
 std::pair<double, double> contact_of(const Phone& phone);
 
 /// Moments and weights of the fifteen shapes, as channels "viseme.PP" …: linear between moments at most 20 ms apart where
-/// anything changes. Before and after the track all are 0: the face rests. In gaps within it the lips close.
+/// anything changes. Before and after the track all are 0: the face rests. In gaps within it the lips close. With the contacts
+/// and accents of the track.
 Motion coarticulated(SpeechTrack track, std::string name);
 
 }  // namespace mien

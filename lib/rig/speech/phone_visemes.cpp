@@ -97,8 +97,11 @@ bool is_silence(std::string_view name) {
   return std::find(std::begin(kSilences), std::end(kSilences), name) != std::end(kSilences);
 }
 
-PhoneMeaning meaning(const Entry& entry, double strength = 1) {
+constexpr double kSecondary = 0.5;  ///< stress
+
+PhoneMeaning meaning(const Entry& entry, double strength = 1, double stress = 0) {
   PhoneMeaning found;
+  found.stress = stress;
   found.shapes[0] = {entry.first, strength};
   found.shapes[1] = {entry.second, strength};
   found.count = entry.second == V::sil ? 1 : 2;
@@ -122,18 +125,19 @@ const Entry* beginning(const Entry (&table)[kSize], std::string_view name) {
 /// "AH0": vowels without stress open less.
 PhoneMeaning arpabet_meaning(std::string_view name) {
   constexpr double kUnstressed = 0.75;
-  double strength = 1;
+  double strength = 1, stress = 0;
   if (name.size() > 1 && name.back() >= '0' && name.back() <= '2') {
     if (name.back() == '0') strength = kUnstressed;
+    stress = name.back() == '1' ? 1 : name.back() == '2' ? kSecondary : 0;
     name.remove_suffix(1);
   }
   std::string capitals(name);
   for (char& c : capitals)
     if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
-  if (const Entry* entry = whole(kArpabet, capitals)) return meaning(*entry, strength);
+  if (const Entry* entry = whole(kArpabet, capitals)) return meaning(*entry, strength, stress);
   for (std::size_t length = std::min<std::size_t>(capitals.size(), 2); length > 0; --length)
     if (const Entry* entry = whole(kArpabet, std::string_view(capitals).substr(0, length))) {
-      PhoneMeaning near = meaning(*entry, strength);
+      PhoneMeaning near = meaning(*entry, strength, stress);
       near.known = false;
       return near;
     }
@@ -143,20 +147,27 @@ PhoneMeaning arpabet_meaning(std::string_view name) {
 /// The first sound that the name begins with, past marks of stress and ties.
 PhoneMeaning sound_meaning(std::string_view name, bool sampa) {
   bool known = true;
+  double stress = 0;
   for (std::size_t at = 0; at < name.size(); ++at) {
     const std::string_view rest = name.substr(at);
     const Entry* entry = sampa ? beginning(kSampa, rest) : nullptr;
     if (!entry) entry = beginning(kIpa, rest);
     if (entry) {
-      PhoneMeaning found = meaning(*entry);
+      PhoneMeaning found = meaning(*entry, 1, stress);
       found.known = known;
       return found;
     }
-    constexpr std::string_view kMarks[] = {"ˈ", "ˌ", "'", ",", "\"", "%", "͡", "̩"};
+    struct Mark {
+      std::string_view text;
+      double stress = 0;
+    };
+    constexpr Mark kMarks[] = {{"ˈ", 1},  {"ˌ", kSecondary}, {"'", 1}, {",", kSecondary},
+                               {"\"", 1}, {"%", kSecondary}, {"͡"},     {"̩"}};
     const auto mark = std::find_if(std::begin(kMarks), std::end(kMarks),
-                                   [&](std::string_view m) { return rest.starts_with(m); });
+                                   [&](const Mark& m) { return rest.starts_with(m.text); });
     known &= mark != std::end(kMarks);
-    if (mark != std::end(kMarks)) at += mark->size() - 1;
+    if (mark != std::end(kMarks))
+      at += mark->text.size() - 1, stress = std::max(stress, mark->stress);
   }
   return {{{V::kk}, {V::sil}}, 1, false};
 }

@@ -27,6 +27,8 @@ struct PhoneMeaning {
   PhoneShape shapes[2];
   int count = 1;
   bool known = true;  ///< else this is the nearest that there is
+  double stress =
+      0;  ///< 0 … 1, as the name tells: 0.5 is a secondary one. Of IPA also with consonants, before their vowel
 };
 
 /// The alphabet in which all of the names are written.

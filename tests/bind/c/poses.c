@@ -93,6 +93,9 @@ static void test_refusals(mien_pose* pose) {
   FAILS(MIEN_REFUSED, "goes from 0 to 2, got 3", mien_pose_liveliness(pose, 3, &error));
   FAILS(MIEN_REFUSED, "liveliness", mien_pose_liveliness(pose, NAN, &error));
   FAILS(MIEN_MISUSE, "pose", mien_pose_liveliness(NULL, 1, &error));
+  FAILS(MIEN_REFUSED, "go from 0 to 2, got -1", mien_pose_gestures(pose, -1, &error));
+  FAILS(MIEN_REFUSED, "gestures", mien_pose_gestures(pose, NAN, &error));
+  FAILS(MIEN_MISUSE, "pose", mien_pose_gestures(NULL, 1, &error));
   FAILS(MIEN_REFUSED, "share", mien_pose_unwrap(pose, 1.5, MIEN_UNWRAP_LINEAR, &error));
   FAILS(MIEN_MISUSE, "mode", mien_pose_unwrap(pose, 0.5, 3, &error));
   FAILS(MIEN_MISUSE, "pose", mien_pose_unwrap(NULL, 0.5, MIEN_UNWRAP_DELAYED, &error));
@@ -122,6 +125,7 @@ static void test_seeds(void) {
   other = vector_of(pose, count);
   CHECK(!differ(own, other, count));
   OK(mien_pose_liveliness(pose, 0, &error));
+  OK(mien_pose_gestures(pose, 0.5, &error));
   still = vector_of(pose, count);
   CHECK(!differ(rest, still, count));
   mien_pose_free(pose), mien_face_free(face), mien_texts_free(code);

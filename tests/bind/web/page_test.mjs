@@ -16,6 +16,23 @@ const pages = {
   '/wrong.html': page('<mien-face code="ZZZZZ-ZZZZZ-ZZ" width="96" height="54"></mien-face>'),
   '/toon.face.json': face('toon'), '/clay.face.json': face('clay'), '/broken.face.json': '{"format": "mien-fac"}',
 };
+/** A page of examples/, with the package beside it. */
+const example = (name) => readFileSync(new URL(`examples/${name}`, root), 'utf8').replaceAll('mien/element.js', '/element.js');
+
+// What FaceLandmarker gives for a face with its mouth open that looks 30 degrees to its left, then for none.
+const SEEN = { faceLandmarks: [[{ x: 0.5, y: 0.5, z: 0 }]],
+  faceBlendshapes: [{ categories: [['_neutral', 0.01], ['jawOpen', 0.7], ['eyeBlinkLeft', 0.9], ['mouthSmileRight', 0.4]].map(([categoryName, score], index) => ({ index, score, categoryName, displayName: '' })), headIndex: -1, headName: '' }],
+  facialTransformationMatrixes: [{ rows: 4, columns: 4, data: [0.8660254, 0, -0.5, 0, 0, 1, 0, 0, 0.5, 0, 0.8660254, 0, 1, 2, -40, 1] }] };
+const VISION = `
+  export const FilesetResolver = { forVisionTasks: async (folder) => folder };
+  export const FaceLandmarker = { async createFromOptions(fileset, options) {
+    window.asked = { fileset, ...options };
+    let frames = 0;
+    return { detectForVideo: (video, at) => { window.looked = ++frames; return frames > 3 ? { faceLandmarks: [], faceBlendshapes: [], facialTransformationMatrixes: [] } : ${JSON.stringify(SEEN)}; } };
+  } };`;
+Object.assign(pages, { '/camera/index.html': example('camera/index.html'), '/camera/mediapipe/vision_bundle.mjs': VISION,
+  '/camera/still.html': page('<mien-face seed="ada" width="320" height="320"></mien-face>').replace('"element.js"', '"/element.js"'),
+  '/talk/index.html': example('talk/index.html'), '/talk/hello.TextGrid': example('talk/hello.TextGrid') });
 const server = await serve(built, pages);
 const browser = await browse();
 afterEach(() => browser.closePages());
@@ -175,6 +192,50 @@ test('the README draws its examples', async () => {
   assert.equal((await other.until(() => window.pixels)).length, 640 * 360 * 4);
   assert.deepEqual(other.faults, []);
   await own.close();
+});
+
+test('the page with a camera shows what MediaPipe sees', async () => {
+  const on = await browser.open(`${server.url}/camera/index.html`, { first: `navigator.mediaDevices.getUserMedia = async () => {
+    const canvas = Object.assign(document.createElement('canvas'), { width: 8, height: 8 }), context = canvas.getContext('2d');
+    let count = 0;
+    setInterval(() => { context.fillStyle = ['red', 'blue'][++count % 2], context.fillRect(0, 0, 8, 8); }, 50);
+    return canvas.captureStream(20); };` });
+  await drawn(on);
+  const rest = await shown(on);
+  await on.run(() => { document.querySelector('#start').click(); });
+  await on.until(() => window.looked > 5);
+  assert.equal(await on.run(() => document.querySelector('#refused').value), '');
+  assert.deepEqual(await on.run(() => [asked.runningMode, asked.outputFaceBlendshapes, asked.outputFacialTransformationMatrixes]), ['VIDEO', true, true]);
+  const still = await browser.open(`${server.url}/camera/still.html`);
+  await drawn(still);
+  await shows(still, sameAs(rest), 'the same person at rest');
+  await then(still, 'drawn', (face, seen) => face.follow(seen), SEEN);
+  await shows(still, otherThan(rest), 'the frame');
+  await shows(on, sameAs(await shown(still)), 'the last face that was seen');
+  assert.deepEqual(on.faults, []);
+});
+
+test('the page with a camera says what is not there', async () => {
+  const bare = await serve(built, { ...pages, '/camera/mediapipe/vision_bundle.mjs': null });
+  const on = await browser.open(`${bare.url}/camera/index.html`);
+  await drawn(on);
+  await on.run(() => { document.querySelector('#start').click(); });
+  assert.match(await on.until(() => document.querySelector('#refused').value), /vision_bundle/);
+  await bare.close();
+});
+
+test('the page that talks follows the moment of its sound', async () => {
+  const on = await browser.open(`${server.url}/talk/index.html`);
+  await drawn(on);
+  const rest = await shown(on);
+  await on.run((bytes) => new Promise((done) => {  // two seconds of silence
+    voice.addEventListener('seeked', done, { once: true });
+    voice.addEventListener('loadedmetadata', () => { voice.currentTime = 0.6; }, { once: true });
+    voice.src = URL.createObjectURL(new Blob([Uint8Array.from(bytes), new Uint8Array(32000).fill(128)], { type: 'audio/wav' }));
+  }), [82, 73, 70, 70, 36, 125, 0, 0, 87, 65, 86, 69, 102, 109, 116, 32, 16, 0, 0, 0, 1, 0, 1, 0, 128, 62, 0, 0, 128, 62, 0, 0, 1, 0, 8, 0, 100, 97, 116, 97, 0, 125, 0, 0]);
+  await shows(on, otherThan(rest), 'an open mouth');
+  assert.equal(await on.run(() => document.querySelector('#refused').value), '');
+  assert.deepEqual(on.faults, []);
 });
 
 test('the demo shows a crowd', async () => {

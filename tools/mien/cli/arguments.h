@@ -14,7 +14,7 @@ struct PosedFace {
   bool neutral = false;
   std::optional<std::string> time;
   std::vector<std::string> clips, poses;
-  std::optional<std::string> seed, liveliness;
+  std::optional<std::string> seed, liveliness, gestures;
   std::optional<std::string> motion, speech;  ///< files
   std::optional<std::string> look_at, blink, bias, unwrap, unwrap_mode;
   std::vector<std::string> emotions, muscles;

@@ -48,6 +48,10 @@ void add_motion(CLI::App* to, PosedFace& posed) {
   to->add_option("--liveliness", posed.liveliness,
                  "How far clips move the face, 0 (not at all) to 2; default 1")
       ->type_name("N");
+  to->add_option("--gestures", posed.gestures,
+                 "How far the head nods and brows rise with the stresses of speech, 0 (the mouth "
+                 "alone speaks) to 2; default 1")
+      ->type_name("N");
   to->add_option("--pose,--morph", posed.poses,
                  "Give a named pose (a morph target) a weight, default 1; repeatable")
       ->type_name("NAME[=WEIGHT]")

@@ -174,14 +174,25 @@ Expected<Done> read_expressions(const Face& face, const PosedFace& arguments, Po
   return Done{};
 }
 
-/// Adds --clip, --motion, --speech, --seed, --liveliness and --pose.
+/// A number from 0 to `most`, if one is given.
+Expected<Done> read_share_of(const char* option, const std::optional<std::string>& text,
+                             double most, double& to) {
+  if (!text) return Done{};
+  const auto number = read_real(option, *text, 0, most);
+  if (!number) return number.error();
+  to = *number;
+  return Done{};
+}
+
+/// Adds --clip, --motion, --speech, --seed, --liveliness, --gestures and --pose.
 Expected<Done> read_moves(const Face& face, const PosedFace& arguments, Pose& pose) {
   if (arguments.seed) pose.seed = seed_from_word(*arguments.seed);
-  if (arguments.liveliness) {
-    const auto liveliness = read_real("--liveliness", *arguments.liveliness, 0, kMostLively);
-    if (!liveliness) return liveliness.error();
-    pose.liveliness = *liveliness;
-  }
+  if (auto read = read_share_of("--liveliness", arguments.liveliness, kMostLively, pose.liveliness);
+      !read)
+    return read;
+  if (auto read = read_share_of("--gestures", arguments.gestures, kMostGestures, pose.gestures);
+      !read)
+    return read;
   for (const std::string& text : arguments.clips) {
     const auto layer = read_clip_layer(face, text);
     if (!layer) return Error{"--clip " + layer.error().where, layer.error().what};

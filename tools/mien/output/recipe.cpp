@@ -32,6 +32,7 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add_all("clip", arguments.posed.clips);
   add("seed", arguments.posed.seed);
   add("liveliness", arguments.posed.liveliness);
+  add("gestures", arguments.posed.gestures);
   add_all("pose", arguments.posed.poses);
   add("look_at", arguments.posed.look_at);
   add("blink", arguments.posed.blink);

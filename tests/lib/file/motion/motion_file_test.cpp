@@ -371,5 +371,37 @@ TEST(MotionFile, SurvivesDamage) {
   }
 }
 
+std::vector<double> accents(std::string_view text) {
+  std::vector<double> times;
+  const ReadMotion track = read(text);
+  for (const SpokenAccent& accent : track.motion->spoken.accents)
+    times.push_back(accent.rising ? -accent.time : accent.time);
+  return times;
+}
+
+TEST(MotionFile, FindsTheStressesOfTracks) {
+  using Times = std::vector<double>;
+  EXPECT_EQ(accents("0\tAH0\n1\tAH1\n2\tAH2\n3\tsil\n"), (Times{1.4, 2.4}));
+  EXPECT_EQ(accents("0\tˈb\n1\ta\n2\tə\n3\tˈn\n4\t\n5\ta\n6\t\n"), Times{1.4})
+      << "a mark before a consonant is the vowel's, but past no pause";
+  EXPECT_EQ(accents("0\ta\n1\tm\n2\t\n"), Times{}) << "tells of none";
+  EXPECT_EQ(accents("0\tA\n1\tD\n2\tX\n"), Times{}) << "Rhubarb has none";
+}
+
+TEST(MotionFile, HearsThePitchOfPhoFiles) {
+  const auto heard = accents(
+      "_ 200\na 1000 0 100 50 102 100 100\nm 1000 0 100\na 1000 0 100 100 125\nn 1000 20 101\n"
+      "a 1000 0 130 80 120\n_ 100\n");
+  EXPECT_EQ(heard, (std::vector<double>{-2.6, 4.6})) << "one goes up, one is high, one is neither";
+  EXPECT_TRUE(accents("a 1000 x y\na 1000 0 -5 1\n").empty());
+}
+
+TEST(MotionFile, TellsWhenLipsTouch) {
+  const auto contacts = read("0\ta\n1\tm\n2\tf\n3\ta\n4\t\n").motion->spoken.contacts;
+  ASSERT_EQ(contacts.size(), 2u);
+  EXPECT_NEAR(contacts[0].begin, 1.15, 1e-9);
+  EXPECT_NEAR(contacts[1].end, 2.85, 1e-9);
+}
+
 }  // namespace
 }  // namespace mien

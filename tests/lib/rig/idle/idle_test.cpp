@@ -192,5 +192,57 @@ TEST(Idle, IsAClipOfAFace) {
   EXPECT_EQ(pose_face(face, {.seed = 7}).vector, face.vector) << "no time, no life";
 }
 
+/// When the left lid is more than half down, of a minute.
+std::vector<double> down_of(std::uint64_t seed, const BlinkHolds& holds) {
+  std::vector<double> down;
+  for (int ms = 0; ms < 60'000; ms += 5)
+    if (idle_at(seed, ms / 1000.0, 1, holds)[std::size_t(IdlePart::blink_left)] > 0.5)
+      down.push_back(ms / 1000.0);
+  return down;
+}
+
+/// Lips that meet two or three times a second, for 80 to 200 ms.
+std::vector<SpokenSpan> closures(std::uint64_t seed) {
+  std::vector<SpokenSpan> spans;
+  double time = -2;
+  for (std::uint64_t i = 0; time < 62; ++i) {
+    const double draw = double((seed * 7919 + i * 104729) % 97) / 97;
+    spans.push_back({time, time + 0.08 + 0.12 * draw});
+    time += 0.3 + 0.4 * draw;
+  }
+  return spans;
+}
+
+TEST(Idle, BlinksInNoMiddleOfAClosure) {
+  std::size_t free = 0, held = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto spans = closures(seed);
+    for (const double later : {0.0, 0.73}) {
+      const auto down = down_of(seed, {spans, later});
+      for (const double t : down)
+        for (const SpokenSpan& span : spans)
+          ASSERT_FALSE(t > span.begin + later && t < span.end + later) << seed << " at " << t;
+      held += down.size();
+    }
+    free += 2 * down_of(seed, {}).size();
+  }
+  EXPECT_GT(double(held), 0.75 * double(free)) << "they wait; few are not blinked";
+}
+
+TEST(Idle, BlinksInClosuresThatLast) {
+  const std::vector<SpokenSpan> hum{{-5, 65}};
+  EXPECT_EQ(down_of(4, {hum}), down_of(4, {}));
+}
+
+TEST(Idle, IsOtherwiseTheSameWhileTheFaceSpeaks) {
+  const auto spans = closures(3);
+  for (double t = 0; t < 20; t += 0.1) {
+    IdleNumbers a = idle_at(9, t), b = idle_at(9, t, 1, {spans});
+    for (const IdlePart part : {IdlePart::blink_left, IdlePart::blink_right})
+      a[std::size_t(part)] = b[std::size_t(part)] = 0;
+    ASSERT_EQ(a, b);
+  }
+}
+
 }  // namespace
 }  // namespace mien

@@ -61,5 +61,18 @@ TEST(PhoneVisemes, KnowAzuresIds) {
   for (const double id : {-1.0, 22.0, 0.5}) EXPECT_FALSE(azure_viseme(id)) << id;
 }
 
+TEST(PhoneVisemes, TellTheStress) {
+  using enum PhoneAlphabet;
+  EXPECT_EQ(phone_meaning(arpabet, "AH1").stress, 1);
+  EXPECT_EQ(phone_meaning(arpabet, "AH2").stress, 0.5);
+  EXPECT_EQ(phone_meaning(arpabet, "AH0").stress, 0);
+  EXPECT_EQ(phone_meaning(ipa, "ˈəʊ").stress, 1);
+  EXPECT_EQ(phone_meaning(ipa, "ˌa").stress, 0.5);
+  EXPECT_EQ(phone_meaning(ipa, "ˈb").stress, 1) << "for the vowel that comes";
+  EXPECT_EQ(phone_meaning(ipa, "a").stress, 0);
+  EXPECT_EQ(phone_meaning(sampa, "\"E").stress, 1);
+  EXPECT_EQ(phone_meaning(visemes, "aa").stress, 0);
+}
+
 }  // namespace
 }  // namespace mien
