@@ -42,7 +42,7 @@ HOMES = {  # what is included -> where it may be, and how that is said
     r"(libdeflate|tiff(io)?)\.h": (r"render/image/", "render/image"),
     r"ft2build\.h|freetype/": (r"sdf/from_text/|tools/accuracy/methods/", "sdf/from_text; the laboratory judges its distance fields"),
     r"csv\.h": (r"tools/mien/data/", "tools/mien/data"),
-    r"event2/": (r"tools/mien/studio/", "tools/mien/studio"),
+    r"event2/": (r"tools/mien/http/", "tools/mien/http"),
     r"gif_lib\.h|webp/": (r"tools/mien/film/", "tools/mien/film"),
     r"nettle/": (r"tools/mien/output/", "tools/mien/output"),
     r"espeak-ng/": (r"tools/say/", "tools/say: its licence is the GPL, and mien-say alone is under it"),

@@ -92,6 +92,7 @@ constexpr Synonyms kSynonyms[] = {
     {"validate lint verify", {"check"}},
     {"grid crowd contactsheet", {"sheet"}},
     {"edit editor gui", {"studio"}},
+    {"http server api", {"serve"}},
     {"table csv", {"chernoff"}},
     {"experiment", {"stimuli"}},
 };

@@ -35,7 +35,7 @@ const Wrong kWrongs[] = {
     {{},
      2,
      "a command is needed: render, check, scene, list, set, bench, animate, say, morph, mesh, pca, "
-     "import, fit, sheet, new, code, parts, chernoff, stimuli, studio; "
+     "import, fit, sheet, new, code, parts, chernoff, stimuli, studio, serve; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\"; mien -h helps"},
@@ -256,6 +256,17 @@ const Wrong kWrongs[] = {
     {{"bench"}, 2, "bench: FACE is required"},
     {{"studio", "--port", "65536"}, 2, "--port 65536: expected a whole number from 0 to 65535"},
     {{"studio", "--prot", "1"}, 2, "no option named \"--prot\"; did you mean \"--port\"?"},
+    {{"serve", "--listen", "nowhere"},
+     2,
+     "--listen nowhere: expected ADDRESS:PORT, 127.0.0.1:8080 or [::1]:8080"},
+    {{"serve", "--listen", "::1:80"},
+     2,
+     "--listen ::1:80: expected ADDRESS:PORT, 127.0.0.1:8080 or [::1]:8080"},
+    {{"serve", "--max-size", "0"}, 2, "--max-size 0: expected a whole number from 1 to 1048576"},
+    {{"serve", "--cache", "-1"}, 2, "--cache -1: expected a whole number from 0 to 1048576"},
+    {{"serve", "--queue", "0"}, 2, "--queue 0: expected a whole number from 1 to 1048576"},
+    {{"serve", "--timeout", "0"}, 2, "--timeout 0: expected a number from 0.1 to 3600"},
+    {{"serve", "--port", "1"}, 2, "no option named \"--port\""},
     {{"bench", "FACE", "--repeat", "0"},
      2,
      "--repeat 0: expected a whole number from 1 to 1000000"},

@@ -1,24 +1,18 @@
 // mien studio: a folder for browsers of this machine, and nothing beside it.
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <sys/time.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
-#include <thread>
 
-#include "tests/support/end_process.h"
-#include "tests/support/run_command.h"
+#include "tests/support/web_peer.h"
 
 namespace mien {
 namespace {
 
-using test::Process;
+using test::body_of;
+using test::code_of;
+using test::has;
 using test::Ran;
 using test::run_mien;
 using test::ScratchFolder;
@@ -40,57 +34,12 @@ void fill(const ScratchFolder& scratch) {
   std::filesystem::create_symlink("../secret.txt", scratch / "web/link.txt");
 }
 
-/// The studio in a process of its own, from its address on.
-class Studio {
+/// The studio in a process of its own.
+class Studio : public test::WebPeer {
  public:
   explicit Studio(const ScratchFolder& scratch,
                   const std::vector<std::string>& more = {"--port", "0"})
-      : process_(test::start_mien(words(scratch, more), (scratch / "said").string())) {
-    for (int i = 0; i < 6000 && address_.empty(); ++i) {
-      const std::string said = test::read_text(scratch / "said");
-      if (said.ends_with('\n')) address_ = said.substr(0, said.size() - 1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    const std::size_t colon = address_.rfind(':');
-    EXPECT_NE(colon, address_.npos) << "after a minute there is no address";
-    if (colon != address_.npos) port_ = std::atoi(address_.c_str() + colon + 1);
-  }
-  ~Studio() {
-    if (!ended_) end(SIGKILL);
-  }
-
-  const std::string& address() const { return address_; }
-  int port() const { return port_; }
-  pid_t id() const { return process_.id(); }
-
-  Ran end(int signal) {
-    ended_ = true;
-    test::end_process(process_.id(), signal);
-    return process_.wait();
-  }
-
-  /// What it answers to these bytes: all until it closes.
-  std::string asked(const std::string& bytes) const {
-    const int handle = ::socket(AF_INET, SOCK_STREAM, 0);
-    const timeval patience{60, 0};
-    ::setsockopt(handle, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    sockaddr_in to{};
-    to.sin_family = AF_INET, to.sin_port = htons(std::uint16_t(port_));
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(::connect(handle, reinterpret_cast<sockaddr*>(&to), sizeof to), 0);
-    EXPECT_EQ(::send(handle, bytes.data(), bytes.size(), MSG_NOSIGNAL), ssize_t(bytes.size()));
-    std::string answer;
-    char some[4096];
-    for (ssize_t n; (n = ::recv(handle, some, sizeof some, 0)) > 0;)
-      answer.append(some, std::size_t(n));
-    ::close(handle);
-    return answer;
-  }
-  std::string get(const std::string& path, const std::string& method = "GET",
-                  const std::string& host = "127.0.0.1") const {
-    return asked(method + " " + path + " HTTP/1.1\r\nHost: " + host + ":" + std::to_string(port_) +
-                 "\r\nConnection: close\r\n\r\n");
-  }
+      : WebPeer(words(scratch, more)) {}
 
  private:
   static std::vector<std::string> words(const ScratchFolder& scratch,
@@ -99,23 +48,7 @@ class Studio {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-
-  Process process_;
-  std::string address_;
-  int port_ = 0;
-  bool ended_ = false;
 };
-
-bool has(const std::string& answer, const std::string& text) {
-  return answer.find(text) != answer.npos;
-}
-std::string code_of(const std::string& answer) {
-  return answer.starts_with("HTTP/1.1 ") ? answer.substr(9, 3) : answer;
-}
-std::string body_of(const std::string& answer) {
-  const std::size_t end = answer.find("\r\n\r\n");
-  return end == answer.npos ? "" : answer.substr(end + 4);
-}
 
 TEST(Studio, ServesThePackage) {
   const ScratchFolder scratch;
@@ -225,7 +158,7 @@ TEST(Studio, SaysThatAPortIsTaken) {
   EXPECT_EQ(ran.code, 1);
   EXPECT_EQ(ran.out, "");
   EXPECT_EQ(ran.err, "mien: --port " + port +
-                         ": another program has this port; --port 0 takes one that is free\n");
+                         ": another program has this port; port 0 takes one that is free\n");
 }
 
 TEST(Studio, TakesAnotherPortThanItsOwnIfNobodyAsked) {

@@ -35,6 +35,7 @@ struct Run {
   int operator()(const ChernoffArguments& arguments) const { return chernoff_command(arguments); }
   int operator()(const StimuliArguments& arguments) const { return stimuli_command(arguments); }
   int operator()(const StudioArguments& arguments) const { return studio_command(arguments); }
+  int operator()(const ServeArguments& arguments) const { return serve_command(arguments); }
 };
 
 }  // namespace

@@ -46,6 +46,11 @@ Expected<int> open_stream(const std::filesystem::path& path) {
 }
 
 bool FileOutput::write(const void* data, std::size_t size) {
+  if (memory_) {
+    const auto* const bytes = static_cast<const std::byte*>(data);
+    memory_->insert(memory_->end(), bytes, bytes + size);
+    return true;
+  }
   const char* from = static_cast<const char*>(data);
   while (size > 0 && !failure_) {
     if (stream_) wait_for(descriptor_);

@@ -1,10 +1,11 @@
 #pragma once
-// Bytes into an open file, in order.
+// Bytes into an open file or into memory, in order.
 
 #include <mien/expected.h>
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
 namespace mien {
 
@@ -17,6 +18,9 @@ class FileOutput {
  public:
   /// `stream`: a pipe or the like, which takes bytes in order only.
   FileOutput(int descriptor, bool stream) : descriptor_(descriptor), stream_(stream) {}
+  /// Into memory, behind what is there: for encoders that go on from byte to byte, as PNG's does. There is no descriptor.
+  explicit FileOutput(std::vector<std::byte>& memory)
+      : memory_(&memory), descriptor_(-1), stream_(true) {}
 
   int descriptor() const { return descriptor_; }
   bool stream() const { return stream_; }
@@ -31,6 +35,7 @@ class FileOutput {
   void fail(int code) { failure_ = failure_ ? failure_ : code; }
 
  private:
+  std::vector<std::byte>* memory_ = nullptr;
   int descriptor_;
   bool stream_;
   int failure_ = 0;

@@ -4,6 +4,7 @@
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
+#include "tools/mien/cli/serve_arguments.h"
 #include "tools/mien/cli/studio_arguments.h"
 
 #include <CLI/CLI.hpp>
@@ -37,6 +38,7 @@ struct CommandApp {
   ChernoffArguments chernoff;
   StimuliArguments stimuli;
   StudioArguments studio;
+  ServeArguments serve;
   std::optional<std::string> progress;  ///< of every command that has it
   std::string shell;                    ///< of `mien completion`
   bool markdown = false;                ///< of `mien manual`

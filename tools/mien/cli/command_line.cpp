@@ -7,6 +7,7 @@
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/cli/parts_options.h"
 #include "tools/mien/cli/pca_options.h"
+#include "tools/mien/cli/serve_options.h"
 #include "tools/mien/cli/studio_options.h"
 #include "tools/mien/commands/render_plan.h"
 #include "tools/mien/terminal/progress_display.h"
@@ -226,6 +227,7 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("chernoff")) return std::move(command.chernoff);
   if (app.got_subcommand("stimuli")) return std::move(command.stimuli);
   if (app.got_subcommand("studio")) return std::move(command.studio);
+  if (app.got_subcommand("serve")) return std::move(command.serve);
   if (app.got_subcommand("manual")) return Help{command.markdown ? command_page(app) : manual(app)};
   if (app.got_subcommand("completion")) {
     const auto shell = read_choice("completion", command.shell, kShells);
@@ -320,6 +322,7 @@ std::unique_ptr<CommandApp> command_app() {
   add_chernoff(app, made->chernoff);
   add_stimuli(app, made->stimuli);
   add_studio(app, made->studio);
+  add_serve(app, made->serve);
   add_progress(*made);
 
   app.add_subcommand("manual", "Print the man page")

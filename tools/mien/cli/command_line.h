@@ -4,6 +4,7 @@
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
+#include "tools/mien/cli/serve_arguments.h"
 #include "tools/mien/cli/studio_arguments.h"
 
 #include <string>
@@ -24,7 +25,7 @@ using CommandLine =
                  ListArguments, SetArguments, PcaArguments, MorphArguments, MeshArguments,
                  AnimateArguments, SayArguments, ImportArguments, FitArguments, SheetArguments,
                  NewArguments, CodeArguments, PartsArguments, ChernoffArguments, StimuliArguments,
-                 StudioArguments>;
+                 StudioArguments, ServeArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

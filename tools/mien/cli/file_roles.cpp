@@ -39,6 +39,7 @@ class Roles {
   FileRoles operator()(const FitArguments&) { return {}; }
   FileRoles operator()(const CodeArguments&) { return {}; }
   FileRoles operator()(const StudioArguments&) { return {}; }
+  FileRoles operator()(const ServeArguments&) { return {}; }
   FileRoles operator()(const SetArguments&) { return {}; }  // FACE may be written again
   FileRoles operator()(const PcaArguments& a) {
     read("FRAMES", a.input).read("BASIS", a.basis).read("WEIGHTS", a.weights);

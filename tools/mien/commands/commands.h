@@ -4,6 +4,7 @@
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
+#include "tools/mien/cli/serve_arguments.h"
 #include "tools/mien/cli/studio_arguments.h"
 
 namespace mien::command {
@@ -30,5 +31,6 @@ int parts_command(const PartsArguments& arguments);
 int chernoff_command(const ChernoffArguments& arguments);
 int stimuli_command(const StimuliArguments& arguments);
 int studio_command(const StudioArguments& arguments);
+int serve_command(const ServeArguments& arguments);
 
 }  // namespace mien::command

@@ -74,21 +74,24 @@ Expected<Recipe> read_given_recipe(const std::string& given, std::vector<Error>*
   return recipe_from_code(*code);
 }
 
+Expected<Face> face_of_recipe(Recipe recipe, const std::optional<std::string>& style,
+                              bool neutral) {
+  if (style) recipe.style = *style;
+  if (neutral) recipe = neutral_recipe(std::move(recipe));
+  return face_from_recipe(recipe, face_letters());
+}
+
 Expected<Face> read_face_or_code(const std::string& given, const std::optional<std::string>& style,
                                  std::vector<Error>* warnings, bool neutral) {
   const std::string text = sample_face_path(given);
-  const auto of_recipe = [&](Recipe recipe) {
-    if (style) recipe.style = *style;
-    if (neutral) recipe = neutral_recipe(std::move(recipe));
-    return face_from_recipe(recipe, face_letters());
-  };
   if (style || is_given_as_code(text)) {
     auto recipe = read_given_recipe(text, warnings);
     if (!recipe) return recipe.error();
-    return of_recipe(*std::move(recipe));
+    return face_of_recipe(*std::move(recipe), style, neutral);
   }
   if (neutral)
-    if (auto recipe = read_recipe_file(text, warnings)) return of_recipe(*std::move(recipe));
+    if (auto recipe = read_recipe_file(text, warnings))
+      return face_of_recipe(*std::move(recipe), style, neutral);
   auto face = read_face(text, {}, warnings, face_letters());
   if (!face) return with_word_explained(face.error(), text);
   return neutral ? without_mood(*face) : *std::move(face);
@@ -229,9 +232,27 @@ Expected<Done> read_unwrap(const PosedFace& arguments, Pose& pose) {
   return Done{};
 }
 
+/// The moment of --time. What runs needs one.
+Expected<std::optional<double>> read_moment(const PosedFace& arguments) {
+  if (arguments.time) {
+    const auto time = read_time(*arguments.time);
+    if (!time) return time.error();
+    return std::optional(*time);
+  }
+  if (!arguments.clips.empty())
+    return Error{"--clip " + one_line(arguments.clips[0], 60),
+                 "a clip runs at a moment: say --time"};
+  if (const auto& file = arguments.motion ? arguments.motion : arguments.speech)
+    return Error{one_line(*file, 60), "a motion runs at a moment: say --time"};
+  return std::optional<double>();
+}
+
 /// The pose of the options. Later settings beat earlier ones, so the order here is their precedence.
 Expected<Pose> read_pose(const Face& face, const PosedFace& arguments, const Pose& arkit) {
+  const auto at = read_moment(arguments);
+  if (!at) return at.error();
   Pose pose;
+  pose.time = *at;
   if (auto moved = read_moves(face, arguments, pose); !moved) return moved.error();
   if (arguments.look_at) {
     const auto target = read_look_at(face, *arguments.look_at);
@@ -254,6 +275,7 @@ Expected<Pose> read_pose(const Face& face, const PosedFace& arguments, const Pos
     if (!setting) return setting.error();
     pose.settings.push_back(*std::move(setting));
   }
+  if (arguments.neutral) pose.liveliness = 0;
   return pose;
 }
 
@@ -284,19 +306,14 @@ int take_basis(const PosedFace& arguments, const Face& face, Pose& pose) {
 
 }  // namespace
 
+Expected<Pose> read_pose_options(const Face& face, const PosedFace& arguments) {
+  return read_pose(face, arguments, {});
+}
+
 FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* known) {
-  std::optional<double> at;
-  if (arguments.time) {
-    const auto time = read_time(*arguments.time);
-    if (!time) return {{}, {}, complain(time.error(), kUsedWrongly)};
-    at = *time;
-  } else if (!arguments.clips.empty()) {
-    const std::string where = "--clip " + one_line(arguments.clips[0], 60);
-    return {{}, {}, complain({where, "a clip runs at a moment: say --time"}, kUsedWrongly)};
-  } else if (const auto& file = arguments.motion ? arguments.motion : arguments.speech) {
-    const std::string where = one_line(*file, 60);
-    return {{}, {}, complain({where, "a motion runs at a moment: say --time"}, kUsedWrongly)};
-  }
+  // Before the face is read.
+  if (const auto at = read_moment(arguments); !at)
+    return {{}, {}, complain(at.error(), kUsedWrongly)};
   auto face =
       known ? *known : read_face_or_report(arguments.face, arguments.style, arguments.neutral);
   if (!face) return {{}, {}, kFailed};
@@ -309,8 +326,6 @@ FaceAndPoseOrCode read_face_and_pose(const PosedFace& arguments, const Face* kno
   if (!arkit) return {{}, {}, complain(arkit.error(), kFailed)};
   auto pose = read_pose(*face, arguments, *arkit);
   if (!pose) return {{}, {}, complain(pose.error(), kUsedWrongly)};
-  pose->time = at;
-  if (arguments.neutral) pose->liveliness = 0;
   if (const int code = take_basis(arguments, *face, *pose); code != kDone) return {{}, {}, code};
   return {std::move(face), *std::move(pose), kDone};
 }

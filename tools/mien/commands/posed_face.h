@@ -29,6 +29,12 @@ Expected<Face> read_face_or_code(const std::string& text,
                                  const std::optional<std::string>& style = {},
                                  std::vector<Error>* warnings = nullptr, bool neutral = false);
 
+/// The face of a recipe, in a style of its own if one is given.
+Expected<Face> face_of_recipe(Recipe recipe, const std::optional<std::string>& style, bool neutral);
+
+/// The pose that the options ask for, but for those that name files. Errors have the option as their address.
+Expected<Pose> read_pose_options(const Face& face, const PosedFace& arguments);
+
 /// A face and the pose asked for, or the exit code after the error has been printed. `known`: the face, if
 /// it has been read already.
 struct FaceAndPoseOrCode {

@@ -12,10 +12,8 @@
 #include "tools/mien/terminal/progress_display.h"
 
 namespace mien::command {
-namespace {
 
-/// Options that only mean something for pixels.
-Expected<Done> check_options(const RenderArguments& a) {
+Expected<Done> check_svg_options(const RenderArguments& a) {
   const std::pair<const char*, bool> pixels_only[] = {{"--region", bool(a.region)},
                                                       {"--depth", bool(a.depth)},
                                                       {"--dither", bool(a.dither)},
@@ -34,6 +32,21 @@ Expected<Done> check_options(const RenderArguments& a) {
   return Done{};
 }
 
+SvgOptions svg_options(const RenderArguments& arguments, const RenderPlan& plan,
+                       const Progress& progress) {
+  const View& view = plan.view;
+  return {.width = double(view.width),
+          .height = double(view.height),
+          .fit = view.fit,
+          .background = view.background,
+          .recipe = recipe(arguments, view),
+          .id_prefix = arguments.id_prefix,
+          .progress = progress,
+          .limits = {.steps = kWithoutLimits.steps, .memory = plan.picture.limits.memory}};
+}
+
+namespace {
+
 void tell_simplified(const std::string& output, const std::vector<Effect>& effects,
                      const std::vector<std::string>& simplified) {
   std::vector<Error> told;
@@ -45,17 +58,8 @@ void tell_simplified(const std::string& output, const std::vector<Effect>& effec
 
 int write_scene(const RenderArguments& arguments, const RenderPlan& plan, const Scene& scene,
                 const std::vector<Effect>& effects) {
-  const View& view = plan.view;
   ProgressDisplay display;
-  const SvgOptions options{
-      .width = double(view.width),
-      .height = double(view.height),
-      .fit = view.fit,
-      .background = view.background,
-      .recipe = recipe(arguments, view),
-      .id_prefix = arguments.id_prefix,
-      .progress = display.watch("render"),
-      .limits = {.steps = kWithoutLimits.steps, .memory = plan.picture.limits.memory}};
+  const SvgOptions options = svg_options(arguments, plan, display.watch("render"));
   watch_interrupts();
   const auto done = write_svg(scene, arguments.output, options);
   if (!done && interrupted()) throw Stopped{Stopped::Why::cancelled};
@@ -72,7 +76,7 @@ bool asks_for_svg(const RenderArguments& arguments) {
 }
 
 int render_svg(const RenderArguments& arguments) {
-  if (auto fits = check_options(arguments); !fits) return complain(fits.error(), kUsedWrongly);
+  if (auto fits = check_svg_options(arguments); !fits) return complain(fits.error(), kUsedWrongly);
   auto plan = plan_frame(arguments);
   if (!plan) return complain(plan.error(), kUsedWrongly);
   const auto posed = read_posed_face(arguments.posed);

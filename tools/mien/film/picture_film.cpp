@@ -1,10 +1,9 @@
 #include "tools/mien/film/picture_film.h"
 #include "render/image/file/file_output.h"
 #include "render/image/file/system_error.h"
-#include "tools/mien/film/film_module.h"
+#include "tools/mien/film/load_film_module.h"
 #include "tools/mien/film/sampled_palette.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,17 +16,6 @@ namespace {
 
 constexpr PixelRect kOnePixel{0, 0, 1, 1};
 constexpr int kGifSide = 65535;
-
-/// By its bare name: the dynamic linker searches the RUNPATH of the program.
-Expected<const FilmModule*> film_module() {
-  void* const module = ::dlopen(kFilmModuleFile, RTLD_NOW | RTLD_LOCAL);
-  const auto entry =
-      module ? reinterpret_cast<FilmModuleEntry>(::dlsym(module, kFilmModuleEntry)) : nullptr;
-  if (entry) return entry();
-  const char* const said = ::dlerror();
-  return Error{
-      "", fmt::format("cannot load what writes WebP and GIF ({})", said ? said : kFilmModuleFile)};
-}
 
 /// The smallest part outside which two pictures are equal.
 PixelRect changed_part(const Image& before, const Image& now) {

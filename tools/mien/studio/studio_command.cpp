@@ -3,7 +3,8 @@
 #include "lib/base/one_line.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
-#include "tools/mien/studio/loopback_server.h"
+#include "tools/mien/http/http_server.h"
+#include "tools/mien/studio/web_site.h"
 #include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
@@ -41,10 +42,10 @@ Expected<fs::path> web_folder(const std::optional<std::string>& given) {
                fmt::format("there is no studio/index.html in it, as in the web package: {}", how)};
 }
 
-Expected<LoopbackServer> listening(std::optional<std::uint16_t> port, const fs::path& folder) {
-  if (port) return LoopbackServer::on(*port, WebFolder(folder));
-  auto server = LoopbackServer::on(kDefaultPort, WebFolder(folder));
-  return server ? std::move(server) : LoopbackServer::on(0, WebFolder(folder));
+Expected<HttpServer> listening(std::optional<std::uint16_t> port) {
+  if (port) return HttpServer::on({.port = *port, .said = fmt::format("--port {}", *port)}, {});
+  auto server = HttpServer::on({.port = kDefaultPort}, {});
+  return server ? std::move(server) : HttpServer::on({.said = "studio"}, {});
 }
 
 }  // namespace
@@ -58,11 +59,11 @@ int studio_command(const StudioArguments& arguments) {
   }
   const auto folder = web_folder(arguments.folder);
   if (!folder) return complain(folder.error(), kFailed);
-  auto server = listening(port, *folder);
+  auto server = listening(port);
   if (!server) return complain(server.error(), kFailed);
-  const int said = print(fmt::format("http://127.0.0.1:{}/studio/\n", server->port()));
-  if (said != 0) return said;
-  server->run();
+  if (const int said = print(server->url() + "studio/\n"); said != 0) return said;
+  WebSite site((WebFolder(*folder)));
+  server->run(site);
   return 0;
 }
 
