@@ -47,7 +47,7 @@ const then = (on, name, change, ...args) => on.run(`async (name, ...args) => {
 }`, name, ...args);
 const drawn = (on) => on.until(() => {
   const face = document.querySelector('mien-face');
-  if (face.dataset.watched === undefined) face.dataset.watched = '', face.addEventListener('drawn', () => { face.dataset.drawn = ''; }), face.redraw();
+  if (face.dataset.watched === undefined) face.dataset.watched = '', face.addEventListener('mien-drawn', () => { face.dataset.drawn = ''; }), face.redraw();
   return face.dataset.drawn !== undefined;
 });
 const hashes = pictureHashes();
@@ -56,7 +56,7 @@ test('a face is drawn with the bytes of a machine without fused multiply-adds', 
   const on = await browser.open(`${server.url}/one.html`);
   await drawn(on);
   await shows(on, hashed(hashes.told('toon', 160, 'linear')), 'these bytes');
-  const told = await then(on, 'drawn', (face) => face.setAttribute('src', 'clay.face.json'));
+  const told = await then(on, 'mien-drawn', (face) => face.setAttribute('src', 'clay.face.json'));
   assert.ok(told.ms > 0);
   await shows(on, hashed(hashes.told('clay', 160, 'linear')), 'these bytes');
   assert.deepEqual(on.faults, []);
@@ -77,11 +77,11 @@ test('emotions move the picture, and rest is rest again', async () => {
   await drawn(on);
   await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const rest = await shown(on);
-  await then(on, 'drawn', (face) => face.setAttribute('emotion', 'joy=1'));
+  await then(on, 'mien-drawn', (face) => face.setAttribute('emotion', 'joy=1'));
   await shows(on, otherThan(rest), 'something else');
-  await then(on, 'drawn', (face) => face.removeAttribute('emotion'));
+  await then(on, 'mien-drawn', (face) => face.removeAttribute('emotion'));
   await shows(on, sameAs(rest), 'the same');
-  await then(on, 'drawn', (face) => { face.pose = { lookAt: [-3, 1, 2] }; });
+  await then(on, 'mien-drawn', (face) => { face.pose = { lookAt: [-3, 1, 2] }; });
   await shows(on, otherThan(rest), 'something else');
 });
 
@@ -91,7 +91,7 @@ test('clips play while the page stays awake', async () => {
   const frames = await on.run(() => new Promise((done) => {
     const face = document.querySelector('mien-face');
     let count = 0;
-    face.addEventListener('drawn', () => { if (++count === 5) done(count); });
+    face.addEventListener('mien-drawn', () => { if (++count === 5) done(count); });
     face.removeAttribute('time'), face.setAttribute('playing', '');
   }));
   assert.equal(frames, 5);
@@ -102,14 +102,14 @@ test('an unknown code is a sentence, and the old face stays', async () => {
   await drawn(on);
   await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const before = await shown(on);
-  const said = await then(on, 'refused', (face) => face.setAttribute('code', 'AW506-TPRCQ-A2'));
+  const said = await then(on, 'mien-refused', (face) => face.setAttribute('code', 'AW506-TPRCQ-A2'));
   assert.match(said.where + said.what, /AW506-TPRCQ-A2/);
   assert.ok(said.what.length > 10);
-  const name = await then(on, 'refused', (face) => { face.removeAttribute('code'), face.setAttribute('src', 'broken.face.json'); });
+  const name = await then(on, 'mien-refused', (face) => { face.removeAttribute('code'), face.setAttribute('src', 'broken.face.json'); });
   assert.match(name.where, /^broken\.face\.json:1/);
-  const gone = await then(on, 'refused', (face) => face.setAttribute('src', 'nowhere.face.json'));
+  const gone = await then(on, 'mien-refused', (face) => face.setAttribute('src', 'nowhere.face.json'));
   assert.match(gone.what, /404/);
-  const setting = await then(on, 'refused', (face) => face.setAttribute('set', 'gaze.z=1'));
+  const setting = await then(on, 'mien-refused', (face) => face.setAttribute('set', 'gaze.z=1'));
   assert.match(setting.what, /did you mean "gaze\.x"/);
   await shows(on, sameAs(before), 'the same');
 });
@@ -118,7 +118,7 @@ test('where nothing was drawn yet, the sentence stands in the page', async () =>
   const on = await browser.open(`${server.url}/wrong.html`);
   const said = await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent);
   assert.match(said, /ZZZZZ-ZZZZZ-ZZ/);
-  await then(on, 'drawn', (face) => face.setAttribute('code', 'AW506-TPRCQ-A1'));
+  await then(on, 'mien-drawn', (face) => face.setAttribute('code', 'AW506-TPRCQ-A1'));
   assert.equal(await on.run(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), '');
 });
 
@@ -127,10 +127,10 @@ test('a face that is taken out and put back is drawn again; one that is moved ke
   await drawn(on);
   await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const before = await shown(on);
-  await then(on, 'drawn', (face) => document.body.append(face));
+  await then(on, 'mien-drawn', (face) => document.body.append(face));
   await shows(on, sameAs(before), 'the same');
   await on.run(async () => { window.kept = document.querySelector('mien-face'); window.kept.remove(); await new Promise((done) => setTimeout(done, 50)); });
-  await on.run(() => new Promise((done) => { window.kept.addEventListener('drawn', done, { once: true }); document.body.append(window.kept); }));
+  await on.run(() => new Promise((done) => { window.kept.addEventListener('mien-drawn', done, { once: true }); document.body.append(window.kept); }));
   await shows(on, sameAs(before), 'the same');
   assert.deepEqual(on.faults, []);
 });
@@ -156,7 +156,7 @@ test('without WebAssembly at all the page says so', async () => {
 });
 
 test('where mien.wasm is not there the page says so', async () => {
-  const half = await serve(built, { ...pages, '/worker.js': (text) => text.replace('load()', 'load("nowhere.wasm")') });
+  const half = await serve(built, { ...pages, '/worker.js': (text) => text.replace('compile(given)', 'compile("nowhere.wasm")') });
   const on = await browser.open(`${half.url}/one.html`);
   assert.match(await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), /nowhere\.wasm: cannot be fetched: 404/);
   await half.close();
@@ -166,7 +166,7 @@ test('the README draws its examples', async () => {
   const readme = readFileSync(new URL('bind/web/README.md', root), 'utf8');
   const [html, script] = ['html', 'js'].map((language) => readme.match(new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``))[1]);
   const own = await serve(built, { '/readme.html': `<!doctype html><meta charset="utf-8">${html}`,
-    '/script.html': `<!doctype html><script type="importmap">{"imports": {"mien": "./mien.js"}}</script><script type="module">${script}\nwindow.pixels = Array.from(pixels);</script>` });
+    '/script.html': `<!doctype html><script type="importmap">{"imports": {"mien-face": "./mien.js"}}</script><script type="module">${script}\nwindow.pixels = Array.from(pixels);</script>` });
   const on = await browser.open(`${own.url}/readme.html`);
   await drawn(on);
   await shows(on, (now) => new Set(now).size > 50, 'a face');
