@@ -25,7 +25,7 @@ const HAIR = {
 /** Other families: a part's words, or a rule for its name. */
 const PARTS = {
   glasses: { big: 'big glasses', sun: 'sunglasses', cat: 'cat-eye glasses', half: 'half-rim glasses', aviator: 'aviator glasses', of: (name) => `${name} glasses` },
-  beard: { stubble: 'stubble', shadow: 'a shadow of a beard', chinstrap: 'a chinstrap beard', goatee: 'a goatee', mutton: 'mutton chops', soul_patch: 'a soul patch', van_dyke: 'a van dyke beard', of: (name) => `a ${name} beard` },
+  beard: { stubble: 'stubble', shadow: 'a shadow of a beard', chinstrap: 'a chinstrap beard', goatee: 'a goatee', mutton: 'mutton chops', soul_patch: 'a soul patch', van_dyke: 'a van dyke beard', of: (name) => `${article(name)} ${name} beard` },
   moustache: { of: (name) => `${article(name)} ${name} moustache` },
   headwear: { cap_back: 'a cap worn backwards', bucket: 'a bucket hat', sunhat: 'a sun hat', hijab_loose: 'a loose hijab', headphones: 'headphones', of: (name) => `${article(name)} ${name}` },
   aid: { hearing_aid: 'a hearing aid', face_mask: 'a face mask', eye_patch: 'an eye patch', nasal_tube: 'a nasal tube', of: (name) => `${article(name)} ${name}` },
@@ -55,8 +55,8 @@ function partOf(family, name) {
 }
 
 /** The strongest feeling of the pose, else the recipe's own. */
-function feelingOf(numbers, { emotions, emotion = emotions } = {}) {
-  const felt = Object.entries(emotion ?? {}).map(([name, weight]) => [name.replace(/^(left|right)\./, ''), Number(weight)]);
+function feelingOf(numbers, { emotions }) {
+  const felt = Object.entries(emotions ?? {}).map(([name, weight]) => [name.replace(/^(left|right)\./, ''), Number(weight)]);
   const [name, weight] = felt.reduce((most, one) => (one[1] > most[1] ? one : most), ['', 0]);
   if (weight >= FELT) return FEELINGS[name] ?? null;
   return (numbers.smile ?? 0) >= SMILE || (numbers.mood ?? 0) >= MOOD ? 'smiling' : null;

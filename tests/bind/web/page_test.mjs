@@ -162,19 +162,42 @@ test('where mien.wasm is not there the page says so', async () => {
   await half.close();
 });
 
+const readme = readFileSync(new URL('bind/web/README.md', root), 'utf8');
+const examples = (language) => [...readme.matchAll(new RegExp(`\`\`\`${language}\n([^]*?)\`\`\``, 'g'))].map(([, text]) => text);
+
 test('the README draws its examples', async () => {
-  const readme = readFileSync(new URL('bind/web/README.md', root), 'utf8');
-  const [html, script] = ['html', 'js'].map((language) => readme.match(new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``))[1]);
-  const own = await serve(built, { '/readme.html': `<!doctype html><meta charset="utf-8">${html}`,
-    '/script.html': `<!doctype html><script type="importmap">{"imports": {"mien-face": "./mien.js"}}</script><script type="module">${script}\nwindow.pixels = Array.from(pixels);</script>` });
-  const on = await browser.open(`${own.url}/readme.html`);
-  await drawn(on);
-  await shows(on, (now) => new Set(now).size > 50, 'a face');
-  assert.deepEqual(on.faults, []);
-  const other = await browser.open(`${own.url}/script.html`);
-  assert.equal((await other.until(() => window.pixels)).length, 640 * 360 * 4);
-  assert.deepEqual(other.faults, []);
-  await own.close();
+  const silence = Buffer.from('UklGRiQAAABXQVZFZm10IBAAAAABAAEAQB8AAEAfAAABAAgAZGF0YQAAAAA=', 'base64').toString('latin1');
+  const given = `<script>var textOfATrack = '0\tm\n0.5\taa\n', audio = { currentTime: 0.2 }, video = null, now = 0, heard = 0;
+    var landmarker = { detectForVideo: () => ({ faceBlendshapes: [{ categories: [{ categoryName: 'jawOpen', score: 0.7 }] }] }) };
+    addEventListener('mien-drawn', () => ++heard);</script>`.replaceAll('\t', '\\t').replaceAll('\n0', '\\n0').replaceAll("\n'", "\\n'");
+  const found = examples('html');
+  assert.ok(found.length >= 4);
+  for (const html of found) {
+    const body = html.includes('<mien-face') ? html : `<mien-face seed="ada" width="72" height="72"></mien-face>${html}`;
+    const own = await serve(built, { '/readme.html': `<!doctype html><meta charset="utf-8">${given}<script type="module" src="element.js"></script>${body}`, '/hello.TextGrid': '0\tm\n0.5\taa\n', '/hello.wav': silence });
+    const on = await browser.open(`${own.url}/readme.html`, { first: "addEventListener('mien-refused', ({ detail }) => console.error(detail.where, detail.what))" });
+    await on.until(() => window.heard > 0);
+    await shows(on, (now) => new Set(now).size > 50, 'a face');
+    assert.deepEqual(on.faults, [], html);
+    await own.close();
+  }
+});
+
+test('the README runs its scripts', async () => {
+  const { name, exports } = JSON.parse(readFileSync(`${built}/package.json`, 'utf8'));
+  const imports = Object.fromEntries(Object.entries(exports).map(([entry, to]) => [name + entry.slice(1), to.default ?? to]));
+  const given = `import { load as loads } from '${name}'; let { mien, words } = await (async () => { const mien = await loads(); return { mien, words: mien.inFull(mien.recipe('A66CB-AA5S0-14')) }; })();`;
+  const found = examples('js');
+  assert.ok(found.length >= 4);
+  for (const script of found) {
+    const alone = /^import/m.test(script) ? script : `${given}\n${script}`;
+    const own = await serve(built, { '/script.html': `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script><script type="module">${alone}\nwindow.ran = typeof pixels === 'undefined' ? 1 : pixels.length;</script>` });
+    const on = await browser.open(`${own.url}/script.html`);
+    const ran = await on.until((faults) => window.ran ?? faults, on.faults.length);
+    assert.deepEqual(on.faults, [], script);
+    if (script.includes('pixels')) assert.equal(ran, 640 * 360 * 4);
+    await own.close();
+  }
 });
 
 test('the demo shows a crowd', async () => {
