@@ -17,6 +17,7 @@ export const ATTRIBUTES = {
   'look-at': { is: 'string | [number, number, number]', says: '"0.5, 0.3, 9": a point' },
   clip: { is: 'string | string[]', says: '"idle" (several: "idle, feelings=0.5")' },
   playing: { is: 'boolean', says: 'clips run; without it the face is at rest, or at `time` seconds' },
+  pausable: { is: 'boolean', says: 'a click, Enter or the space bar lets its clips rest and run: it is a button then, which can be focused' },
   time: { is: 'number | string', says: 'seconds, at which clips and speech stand' },
   liveliness: { is: 'number | string', says: '0 to 2: how far clips move the face (1)' },
   speech: { is: 'string', says: 'the address of a track of speech or of a take: the face says it' },
@@ -36,7 +37,7 @@ export const SOURCES = ['src', 'code', 'seed', 'face-style'];
 export const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 /** "a=1, b=2" as { a: '1', b: '2' }. */
-export function pairs(text, separator) {
+function pairs(text, separator) {
   const found = {};
   for (const part of (text ?? '').split(separator)) {
     const [name, value] = part.split('=').map((word) => word.trim());
@@ -46,6 +47,21 @@ export function pairs(text, separator) {
 }
 
 export const words = (text) => (text ?? '').split(',').map((word) => word.trim()).filter(Boolean);
+
+/** The pose that attributes say on top of another one: `said(name)` is an attribute's text, or null. Clips and speech, which a page
+ *  runs, are not in it but for `time`. */
+export function poseOf(said, extra = {}) {
+  const pose = { ...extra };
+  for (const name of ['blend', 'background', 'fit']) if (said(name) !== null) pose[name] = said(name);
+  for (const name of ['liveliness', 'time']) if (said(name) !== null) pose[name] = Number(said(name) || NaN);
+  if (said('look-at') !== null) pose.lookAt = said('look-at').split(',').map((one) => (one.trim() ? Number(one) : NaN));
+  const blink = said('blink') === null ? {} : { blink: said('blink') || '1' };
+  for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['visemes', pairs(said('viseme'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])
+    if (Object.keys(more).length) pose[key] = { ...pose[key], ...more };
+  const clips = words(said('clip'));
+  if (clips.length) pose.clips = [...(pose.clips ?? []), ...clips];
+  return pose;
+}
 
 /** A property's value as its attribute writes it. */
 function written(value, separator) {
@@ -59,7 +75,7 @@ export function defineProperties(prototype) {
   for (const name of NAMES) {
     Object.defineProperty(prototype, propertyOf(name), {
       configurable: true, enumerable: true,
-      get() { return name === 'playing' ? this.hasAttribute(name) : this.getAttribute(name); },
+      get() { return ATTRIBUTES[name].is === 'boolean' ? this.hasAttribute(name) : this.getAttribute(name); },
       set(value) {
         if (value == null || value === false) this.removeAttribute(name);
         else this.setAttribute(name, value === true ? '' : written(value, name === 'set' ? '; ' : ', '));

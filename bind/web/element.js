@@ -12,7 +12,7 @@
 // drawn farther away, in a hidden element or in a page in the background. Clips run only in view, and not at all for people
 // who want less motion (prefers-reduced-motion): they see the face at rest, or at `time`. With a sound it speaks to everybody.
 
-import { NAMES, SOURCES, defineProperties, meant, pairs, propertyOf, words } from './attributes.js';
+import { NAMES, SOURCES, defineProperties, meant, poseOf, propertyOf, words } from './attributes.js';
 import { forget, leave, wait } from './drawing_queue.js';
 
 const STYLE = `:host { display: inline-block } :host([hidden]), [hidden] { display: none !important } canvas, ::slotted(*) { display: block; max-width: 100% }
@@ -64,13 +64,19 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = NAMES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
   number = 0; inView = false; isNear = false;
-  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
+  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
     super();
     this.attachShadow({ mode: 'open' }).append(page.inside.content.cloneNode(true));
     [this.#slot, this.#canvas, this.#said] = this.shadowRoot.querySelectorAll('slot, canvas, p');
     this.#slot.addEventListener('slotchange', () => this.#stand());
+    this.addEventListener('click', () => this.#press());
+    this.addEventListener('keydown', (event) => {
+      if (!this.pausable || event.target !== this || ![' ', 'Enter'].includes(event.key)) return;
+      event.preventDefault();
+      if (!event.repeat) this.click();
+    });
     this.#heard = 'role' in (globalThis.ElementInternals?.prototype ?? {}) ? this.attachInternals() : this.#canvas;  // old Firefox
   }
 
@@ -99,7 +105,8 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   // Attributes are told before an element is connected: until then there is nothing to draw on.
   attributeChangedCallback(name) {
     if (!this.number) return;
-    if (name === 'alt') return this.#describe();
+    if (name === 'alt' || name === 'pausable') return this.#describe();
+    if (name === 'playing') this.#describe();
     if (name === 'sound') return this.#hear();
     if (name === 'speech') return void this.#learn();
     SOURCES.includes(name) ? this.#open() : this.redraw();
@@ -233,7 +240,14 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     return size;
   }
   get #speaks() { return this.number !== 0 && this.#track?.text !== undefined && this.#sound?.paused === false; }
-  get #plays() { return this.number !== 0 && this.hasAttribute('playing') && !page.stillness.matches; }
+  get #plays() { return this.number !== 0 && this.playing && (this.#wanted || !page.stillness.matches); }
+  /** Of a pausable face: its clips rest, or run again. Who asks for motion gets it. */
+  #press() {
+    if (!this.pausable) return;
+    this.#wanted = !this.#plays;
+    this.playing = this.#wanted;
+    this.redraw();
+  }
   /** The next frame of what runs. */
   #play() {
     if (this.#framed || !(this.#plays || this.#speaks)) return;
@@ -244,19 +258,10 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     });
   }
   #pose() {
-    const pose = { ...this.#extra }, said = (name) => this.getAttribute(name);
-    for (const name of ['blend', 'background', 'fit']) if (said(name) !== null) pose[name] = said(name);
-    if (said('liveliness') !== null) pose.liveliness = Number(said('liveliness') || NaN);
-    if (said('look-at') !== null) pose.lookAt = said('look-at').split(',').map((one) => (one.trim() ? Number(one) : NaN));
-    const blink = said('blink') === null ? {} : { blink: said('blink') || '1' };
-    for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['visemes', pairs(said('viseme'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])
-      if (Object.keys(more).length) pose[key] = { ...pose[key], ...more };
-    const clips = words(said('clip'));
-    if (clips.length) pose.clips = [...(pose.clips ?? []), ...clips];
+    const said = (name) => this.getAttribute(name), pose = poseOf(said, this.#extra);
     if (this.#track?.text !== undefined) pose.motions = [...(pose.motions ?? []), this.#track.text];
     if (this.#track?.text !== undefined && this.#sound) pose.time = this.#sound.currentTime;
     else if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
-    else if (said('time') !== null) pose.time = Number(said('time') || NaN);
     const { at, ...live } = this.#live;
     if (at !== undefined && said('steady') !== null) {
       const [cutoff, beta] = words(said('steady')).map(Number);
@@ -282,8 +287,9 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   /** The element is a picture for those who hear the page; a role or an aria-label of the page's own counts more. */
   #describe() {
     const alt = this.getAttribute('alt') ?? (this.#standIn?.getAttribute('alt') || this.#seen || UNKNOWN);
-    const role = this.#said.textContent ? null : alt === '' ? 'presentation' : 'img';  // a sentence is heard itself
-    Object.assign(this.#heard, { role, ariaLabel: role === 'img' ? alt : null });
+    const role = this.#said.textContent ? null : this.pausable ? 'button' : alt === '' ? 'presentation' : 'img';  // a sentence is heard itself
+    Object.assign(this.#heard, { role, ariaLabel: role === 'presentation' ? null : alt, ariaPressed: role === 'button' ? String(this.#plays) : null });
+    if (role === 'button' && !this.hasAttribute('tabindex')) this.tabIndex = 0;
   }
   #tell(name, detail) { return this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, cancelable: name === 'mien-refused' })); }
 }

@@ -12,6 +12,8 @@ export interface Picture {
   idPrefix?: string;
   /** How far, in pixels, paths may leave the outlines: 1e-4 to 1 (0.05). */
   tolerance?: number;
+  /** [ms] from now, after which it is refused. */
+  deadline?: number;
 }
 
 /** The text of an SVG file of a code's person, or of a word's: svg({ seed: 'ada' }). */

@@ -9,7 +9,7 @@ const read = (name) => readFileSync(new URL(name, built), 'utf8');
 const { ATTRIBUTES, meant, propertyOf } = await import(new URL('attributes.js', built));
 const { describe } = await import(new URL('describe.js', built));
 const { load } = await import(new URL('mien.js', built));
-const { svg } = await import(new URL('svg.js', built));
+const { svg } = await import(new URL('svg.js', built)), { listen, respond } = await import(new URL('server.js', built));
 const mien = await load(readFileSync(new URL('mien.wasm', built)));
 const own = JSON.parse(read('package.json'));
 
@@ -92,4 +92,19 @@ test('a person is an SVG text in one call', async () => {
   assert.match(await svg(code, { alt: '' }), /^<svg aria-hidden="true" (?!role)/);
   for (const [who, how, sentence] of [['nobody', {}, /nobody/], [code, { widht: 3 }, /did you mean "width"/], [{ sed: 'a' }, {}, /did you mean "seed"/], [{ seed: '' }, {}, /expected a word/], [code, { style: 'inkk' }, /did you mean "ink"/], [code, { pose: { emotion: {} } }, /did you mean "emotions"/]])
     await assert.rejects(svg(who, how), sentence);
+});
+
+test('a picture has an address', async () => {
+  const server = await listen(0), at = `http://127.0.0.1:${server.address().port}`;
+  const got = await fetch(`${at}/svg?seed=ada&width=72&height=72&emotion=joy%3D0.8&blink=0.5`);
+  assert.deepEqual([got.status, got.headers.get('Content-Type')], [200, 'image/svg+xml; charset=utf-8']);
+  assert.equal(await got.text(), await svg({ seed: 'ada' }, { width: 72, height: 72, pose: { emotions: { joy: '0.8' }, set: { blink: '0.5' } } }));
+  for (const [asked, sentence] of [['sead=ada', /did you mean "seed"/], ['seed=ada&width=9999', /1 to 2048/], ['', /expected a word/], ['code=nobody', /nobody/], ['seed=ada&emotion=joyy', /did you mean "joy"/]]) {
+    const refused = await fetch(`${at}/svg?${asked}`);
+    assert.equal(refused.status, 400, asked);
+    assert.match(await refused.text(), sentence);
+  }
+  assert.equal((await fetch(at)).status, 404);
+  assert.equal((await respond({ url: 'http://a/svg?seed=ada', method: 'POST' })).status, 405);
+  server.close();
 });

@@ -26,7 +26,7 @@ const crowd = (count, more) => page(`<div id="crowd">${Array.from({ length: coun
 const pages = {
   '/ada.html': page(face('seed="ada"')), '/named.html': page(face('seed="ada" alt="Ada"')), '/mute.html': page(face('seed="ada" alt=""')),
   '/own.html': page(face('seed="ada" aria-label="mine" role="figure"')), '/toon.html': page(face('src="toon.face.json"')), '/toon.face.json': toon,
-  '/wrong.html': page(face('code="nobody"')), '/misspelt.html': page(face('seed="ada" emotoin="joy=1"')),
+  '/pausable.html': page(face('seed="ada" alt="Ada" clip="idle" playing pausable')), '/wrong.html': page(face('code="nobody"')), '/misspelt.html': page(face('seed="ada" emotoin="joy=1"')),
   '/svg.html': page(face('seed="ada"', picture)), '/img.html': page(face('seed="ada"', '<img src="ada.svg" alt="Ada, drawn" width="72" height="72">')), '/ada.svg': picture,
   '/stays.html': page(face('code="nobody"', picture)), '/crowd.html': crowd(200, ''), '/playing.html': crowd(200, 'clip="idle" playing'),
 };
@@ -64,6 +64,24 @@ test('a page says something else, or that the face only decorates', async () => 
   assert.deepEqual(await hears('mute'), []);
   assert.deepEqual(await hears('own'), [{ role: 'figure', name: 'mine' }]);
   assert.deepEqual(await hears('img'), [{ role: 'image', name: 'Ada, drawn' }]);
+});
+
+test('a face that plays is stopped and started by the keyboard, for those, too, who want less motion', async () => {
+  const on = await open('pausable');
+  const still = async () => { await on.run(() => { told.length = 0; }); await on.run(() => new Promise((done) => setTimeout(done, 500))); return await on.run(() => told.length) < 2; };
+  const pressed = async () => (await on.send('Accessibility.getFullAXTree', {})).nodes.find(({ role }) => role?.value === 'button' || role?.value === 'toggleButton' || role?.value === 'ToggleButton')?.properties.find(({ name }) => name === 'pressed').value.value;
+  await drawn(on, 3);
+  assert.equal(await pressed(), 'true');
+  await on.press('Tab');
+  assert.ok(await on.run(() => document.activeElement === it));
+  await on.press(' ', 'Space');
+  assert.deepEqual([await on.run(() => it.playing), await still(), await pressed()], [false, true, 'false']);
+  await on.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] });
+  await on.press('Enter');
+  await on.run(() => { told.length = 0; });
+  await drawn(on, 3);
+  await on.press('Enter');
+  assert.ok(await still());
 });
 
 test('a sentence is heard where there is no picture', async () => {
