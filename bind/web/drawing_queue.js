@@ -1,41 +1,47 @@
-// Which <mien-face> is drawn next. One worker draws one picture at a time, and the next is chosen when it is done: what is
-// asked for meanwhile waits here, where each face waits at most once, so nothing stale is ever drawn.
+// Which <mien-face> is drawn next, and by which worker. A worker draws one picture at a time, and its next is chosen when it is
+// done: what is asked for meanwhile waits here, where each face waits at most once, so nothing stale is ever drawn.
 //
 // Three kinds of faces wait: those without a picture (`first`), those that the page has changed (`asked`), and those whose
-// clips play (`playing`). They take turns. A face that talks, which is changed again and again, so gets every second turn,
-// however many wait.
+// clips play (`playing`). They take turns. A face that talks, which is changed again and again, so gets every second turn of
+// its worker, however many wait.
 //
-// A picture that takes longer than its face's deadline is refused. The worker ends such a drawing itself; one that does not,
-// because it is elsewhere at work, is replaced.
+// A page has as many workers as it has cores, four at most, and starts another only when all are at work. A face stays
+// with the worker that has read it. First pictures take longest, so where there is a choice they keep away from the worker of
+// a face that talks.
 
-const GRACE = 1000;  // [ms] for the worker to end a drawing after its deadline
-const LONGEST = 2 ** 31 - 1;  // [ms] that a timer waits
+import { Painter } from './painter.js';
 
-/** The worker. Pages may start only workers of their own origin: of another one it is a worker of the page that imports it. */
-function startWorker() {
-  const here = import.meta.url, { protocol, origin } = new URL(here);
-  // Bundlers know the worker by this expression, and some write an address of their own disk for import.meta.url.
-  if (origin === location.origin || !protocol.startsWith('http')) return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
-  const there = new URL('./worker.js', here).href, own = new Blob([`import ${JSON.stringify(there)};`], { type: 'text/javascript' });
-  return new Worker(URL.createObjectURL(own), { type: 'module' });
-}
+let most = Math.max(1, Math.min(4, globalThis.navigator?.hardwareConcurrency ?? 1));
+const TALKS = 500;  // [ms] A face that was asked for twice within this time talks
 
 const lanes = { first: new Set(), asked: new Set(), playing: new Set() };
+const painters = [], painterOf = new WeakMap(), askedAt = new WeakMap(), turns = new WeakMap();
 let newest = null;  // of those asked
-let worker = null, ready = false, drawing = null, allowed = 0, late = 0, turn = 0, woken = false;
+let talker = null, woken = false;
 
-const oldest = (lane) => lane.values().next().value;
+/** The first of a lane that the painter may draw. */
+function oldest(lane, painter) {
+  for (const face of lane) if (mayDraw(painter, face)) return face;
+}
+/** Who has read the face. */
+function reader(face) {
+  const painter = painterOf.get(face);
+  return painters.includes(painter) ? painter : undefined;
+}
+const mayDraw = (painter, face) => (reader(face) ?? painter) === painter;
 const TURNS = [
-  () => (lanes.asked.has(newest) ? newest : oldest(lanes.asked)),
+  (painter) => (lanes.asked.has(newest) && mayDraw(painter, newest) ? newest : oldest(lanes.asked, painter)),
   nearest,
-  () => oldest(lanes.asked),
-  () => oldest(lanes.playing),
+  (painter) => oldest(lanes.asked, painter),
+  (painter) => oldest(lanes.playing, painter),
 ];
 
 /** Of those without a picture: the first in view, else the one that is least far from the view. */
-function nearest() {
+function nearest(painter) {
+  const quiet = painter === quietPainter();
   let found, least = Infinity;
   for (const face of lanes.first) {
+    if (quiet ? reader(face) !== painter : !mayDraw(painter, face)) continue;
     if (face.inView) return face;
     const { top, bottom, left, right } = face.getBoundingClientRect();
     const away = Math.max(top - innerHeight, -bottom, 0) + Math.max(left - innerWidth, -right, 0);
@@ -44,10 +50,20 @@ function nearest() {
   return found;
 }
 
+/** The worker that draws no first pictures now, since a face that talks is its own and others can draw them. */
+function quietPainter() {
+  if (painters.length < 2 || !talker || performance.now() - askedAt.get(talker) > TALKS) return null;
+  return reader(talker) ?? null;
+}
+
 /** Lets a face wait for a picture; in which lane, says the face. */
 export function wait(face, lane) {
   if (!lanes[lane].has(face)) leave(face), lanes[lane].add(face);
-  if (lane === 'asked') newest = face;
+  if (lane === 'asked') {
+    const now = performance.now();
+    if (now - (askedAt.get(face) ?? -Infinity) < TALKS) talker = face;
+    askedAt.set(face, now), newest = face;
+  }
   wake();
 }
 
@@ -56,10 +72,12 @@ export function leave(face) {
   if (newest === face) newest = null;
 }
 
-/** The face is no more in the page: the worker forgets it. */
+/** The face is no more in the page: its worker forgets it. */
 export function forget(face) {
   leave(face);
-  worker?.postMessage({ id: face.number, free: true });
+  reader(face)?.forget(face);
+  painterOf.delete(face);
+  if (talker === face) talker = null;
 }
 
 /** Draws what waits, once the page has changed all that it changes now. */
@@ -69,69 +87,43 @@ export function wake() {
   queueMicrotask(() => { woken = false, next(); });
 }
 
+const waiting = () => lanes.first.size + lanes.asked.size + lanes.playing.size;
+
 function next() {
-  while (!drawing && !document.hidden) {
-    let face;
-    for (let i = 0; i < TURNS.length && !face; ++i) face = TURNS[turn++ % TURNS.length]();
+  if (globalThis.document.hidden) return;
+  for (const painter of painters) give(painter);
+  // Another one can draw what none of those at work has read; it begins with what the first has compiled.
+  if (painters.length && !painters[0].module || painters.length >= most || painters.some(({ drawing }) => !drawing)) return;
+  for (const face of lanes.first) if (!reader(face)) return painters.push(new Painter(wake, fail)), next();
+}
+
+/** A free painter's next face. */
+function give(painter) {
+  while (!painter.drawing && waiting()) {
+    let face, turn = turns.get(painter) ?? 0;
+    for (let i = 0; i < TURNS.length && !face; ++i) face = TURNS[turn++ % TURNS.length](painter);
+    turns.set(painter, turn);
     if (!face) return;
     leave(face);
-    draw(face);
+    try {
+      painter.start(painters[0].module);
+      painterOf.set(face, painter);
+      painter.draw(face);
+    } catch (error) {
+      painter.drawing = null;
+      face.refuse({ where: '', what: error.message });
+    }
   }
 }
 
-function draw(face) {
-  try {
-    if (!worker) listen(startWorker());
-    const request = face.request(worker);
-    worker.postMessage(request);
-    drawing = face, allowed = request.deadline;
-    expect();
-  } catch (error) {
-    drawing = null;
-    face.refuse({ where: '', what: error.message });
+/** A worker cannot be started. If it is the first, all that wait are told so, and the next that is asked for tries again; without
+ *  another one the page does, as where memory is refused. */
+function fail(painter, drawing, refused) {
+  if (painter !== painters[0]) {
+    painters.splice(painters.indexOf(painter), 1), most = painters.length;
+    return drawing.again();
   }
-}
-
-const tooLong = () => ({ where: 'deadline', what: `drawing took longer than ${allowed} ms` });
-
-/** Waits for the worker's answer, from when it has loaded what it draws with. */
-function expect() {
-  clearTimeout(late);
-  if (drawing && ready && allowed > 0) late = setTimeout(replace, Math.min(allowed + GRACE, LONGEST));
-}
-
-/** Another worker for one that does not answer. */
-function replace() {
-  const face = drawing;
-  end();
-  face.refuse(tooLong());
-  wake();
-}
-
-function end() {
-  worker.terminate();
-  clearTimeout(late);
-  worker = drawing = null, ready = false;
-}
-
-function listen(begun) {
-  worker = begun;
-  worker.onmessage = ({ data }) => {
-    if (data.ready) return ready = true, expect();
-    const face = drawing;
-    drawing = null;
-    clearTimeout(late);
-    face.answer(data.late ? tooLong() : data);
-    wake();
-  };
-  worker.onerror = (event) => {
-    event.preventDefault?.();
-    const waiting = [drawing, ...Object.values(lanes).flatMap((lane) => [...lane])].filter(Boolean);
-    end();
-    const where = new URL('./worker.js', String(import.meta.url)).href;
-    const what = event.message || 'the worker that draws cannot be started: it is not there, its server allows no other origin (CORS), or the page allows no such workers (worker-src of its content security policy)';
-    for (const face of waiting) leave(face), face.refuse({ where, what });
-  };
+  for (const face of [drawing, ...Object.values(lanes).flatMap((lane) => [...lane])].filter(Boolean)) leave(face), face.refuse(refused);
 }
 
 if (globalThis.document) document.addEventListener('visibilitychange', wake);

@@ -1,37 +1,26 @@
 // <mien-face seed="ada" width="320" height="320" emotion="joy=0.8" playing></mien-face>
 //
-//   code      a person's code                  seed      or a word: the same word is the same person
-//   src       or a face file's address         face-style  a person's paint, as "ink"; `style` is CSS's, here as everywhere
-//   width, height  in CSS pixels (320, 320); the picture has the display's own pixels
-//   emotion   "joy=0.8, left.surprise=0.3"     set       "gaze.x=0.04; palette/skin=#ffd94a"
-//   muscle    "jaw=0.3, left.zygomaticus=1"    blink     0 to 1; without a number 1
-//   look-at   "0.5, 0.3, 9": a point           clip      "idle" (several: "idle, feelings=0.5")
-//   viseme    "aa=0.7": a mouth's shape        speech    the address of a track of speech or of a take: the face says it
-//   sound     the id of the <audio> or <video> whose moment `speech` follows; none: it follows `time`, or as it plays
-//   steady    frames of follow() do not tremble; "1, 2": the filter's cutoff [Hz] and beta
-//   playing   clips run; without it the face is at rest, or at `time` seconds
-//   blend     "linear" (default) or "srgb"     background  "#rrggbb", "#rrggbbaa"; none: the face's own
-//   label     what a screen reader says        deadline  the most milliseconds that a picture may take (10000)
+// Its attributes are told in attributes.js. Each is a property, too: `face.emotion = 'joy=1'` or `{ joy: 1 }`, `face.lookAt =
+// [0, 0, 9]`, `face.faceStyle = 'ink'`; null takes it away. It talks and follows a camera by methods, too:
+// face.speak(textOfATrack, audio.currentTime), face.follow(resultOfMediaPipe).
 //
-// It talks and follows a camera by methods, too: face.speak(textOfATrack, audio.currentTime), face.follow(resultOfMediaPipe).
-//
-// Each is a property, too: `face.emotion = 'joy=1'` or `{ joy: 1 }`, `face.lookAt = [0, 0, 9]`, `face.faceStyle = 'ink'`; null
-// takes it away. Events: `drawn` (detail.ms), once the picture is on the screen, and `refused` (detail.where, detail.what: an
-// error's place and sentence). The old picture stays; where there is none yet, the sentence stands in its place.
+// Events: `mien-drawn` (detail.ms), once the picture is on the screen, and `mien-refused` (detail.where, detail.what: an error's
+// place and sentence). The old picture stays; where there is none yet, what stands in the element stays: an <img> or <svg> that
+// a server wrote. Where there is nothing, the sentence stands there.
 //
 // Drawn is what is seen: first pictures of faces in view, then those of faces less than half a view away from it. Nothing is
 // drawn farther away, in a hidden element or in a page in the background. Clips run only in view, and not at all for people
 // who want less motion (prefers-reduced-motion): they see the face at rest, or at `time`. With a sound it speaks to everybody.
 
+import { NAMES, SOURCES, defineProperties, meant, poseOf, propertyOf, words } from './attributes.js';
 import { forget, leave, wait } from './drawing_queue.js';
 
-const ATTRIBUTES = ['src', 'code', 'seed', 'face-style', 'width', 'height', 'emotion', 'muscle', 'set', 'blink', 'look-at', 'clip', 'viseme', 'speech', 'sound', 'steady', 'time', 'playing', 'blend', 'background', 'label', 'deadline'];
-const SOURCES = ['src', 'code', 'seed', 'face-style'];
-const STYLE = `:host { display: inline-block } :host([hidden]) { display: none } canvas { display: block; max-width: 100% } canvas[hidden] { display: none }
+const STYLE = `:host { display: inline-block } :host([hidden]), [hidden] { display: none !important } canvas, ::slotted(*) { display: block; max-width: 100% }
   p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
 /** When a sound has another moment. */
 const MOMENTS = ['play', 'pause', 'seeked', 'ended'];
-const INSIDE = '<canvas part="canvas" role="img"></canvas><p part="refused" role="status"></p>';
+const INSIDE = '<slot></slot><canvas part="canvas"></canvas><p part="refused" role="status"></p>';
+const UNKNOWN = 'a drawn face';  // until it is known what it looks like
 
 /** What is there only in pages; servers import this file, too. */
 const page = globalThis.HTMLElement && globalThis.document && {
@@ -58,25 +47,6 @@ function onceShown(tell) {
   });
 }
 
-/** "a=1, b=2" as { a: '1', b: '2' }. */
-function pairs(text, separator) {
-  const found = {};
-  for (const part of (text ?? '').split(separator)) {
-    const [name, value] = part.split('=').map((word) => word.trim());
-    if (name) found[name] = value ?? '1';
-  }
-  return found;
-}
-
-const words = (text) => (text ?? '').split(',').map((word) => word.trim()).filter(Boolean);
-
-/** A property's value as its attribute writes it. */
-function written(value, separator) {
-  if (Array.isArray(value)) return value.join(', ');
-  if (typeof value !== 'object') return String(value);
-  return Object.entries(value).map(([name, one]) => `${name}=${[one].flat().join(',')}`).join(separator);
-}
-
 /** The texts of files that are on their way, by address: faces of one file fetch it once. */
 const fetched = new Map();
 async function fetchText(address) {
@@ -91,22 +61,31 @@ function textOf(src) {
 }
 
 class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
-  static observedAttributes = ATTRIBUTES;
+  static observedAttributes = NAMES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
   number = 0; inView = false; isNear = false;
-  #canvas; #said; #context; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
+  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
     super();
     this.attachShadow({ mode: 'open' }).append(page.inside.content.cloneNode(true));
-    [this.#canvas, this.#said] = this.shadowRoot.querySelectorAll('canvas, p');
+    [this.#slot, this.#canvas, this.#said] = this.shadowRoot.querySelectorAll('slot, canvas, p');
+    this.#slot.addEventListener('slotchange', () => this.#stand());
+    this.addEventListener('click', () => this.#press());
+    this.addEventListener('keydown', (event) => {
+      if (!this.pausable || event.target !== this || ![' ', 'Enter'].includes(event.key)) return;
+      event.preventDefault();
+      if (!event.repeat) this.click();
+    });
+    this.#heard = 'role' in (globalThis.ElementInternals?.prototype ?? {}) ? this.attachInternals() : this.#canvas;  // old Firefox
   }
 
   connectedCallback() {
     if (this.number) return;  // it was moved
     this.number = ++page.count;
     this.#upgrade();
-    this.#describe();
+    this.#stand();
+    queueMicrotask(() => { for (const { name } of this.attributes) this.#doubt(name); });  // who listens has been told of the element
     this.#open();
     this.#hear();
     this.#learn();
@@ -126,7 +105,8 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   // Attributes are told before an element is connected: until then there is nothing to draw on.
   attributeChangedCallback(name) {
     if (!this.number) return;
-    if (name === 'label') return this.#describe();
+    if (name === 'alt' || name === 'pausable') return this.#describe();
+    if (name === 'playing') this.#describe();
     if (name === 'sound') return this.#hear();
     if (name === 'speech') return void this.#learn();
     SOURCES.includes(name) ? this.#open() : this.redraw();
@@ -174,6 +154,8 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     else this.#refuse(where, what);
     this.queue();
   }
+  /** For the queue: what was asked for comes to nothing; it is asked for once more. */
+  again() { this.#asked = null, this.redraw(); }
   /** For the queue: there will be no picture, and why. */
   refuse({ where, what }) {
     this.#lane = this.#asked = null;
@@ -181,13 +163,23 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   }
 
   #refuse(where, what) {
-    if (!this.#drawn) this.#canvas.hidden = true, this.#said.textContent = where ? `${where}: ${what}` : what;
-    this.#tell('refused', { where, what });
+    if (!this.#drawn && !this.#standIn) this.#said.textContent = where ? `${where}: ${what}` : what;
+    this.#stand();
+    this.#complain(where, what);
+  }
+  /** Tells what is refused; who does not take care of it reads it in the console. */
+  #complain(where, what) {
+    if (this.#tell('mien-refused', { where, what })) console.warn(`<mien-face>: ${where ? `${where}: ` : ''}${what}`);
+  }
+  /** An attribute that is nearly one of ours was meant to be. */
+  #doubt(name) {
+    const ours = meant(name);
+    if (ours) this.#complain(name, `there is no such attribute; did you mean "${ours}"?`);
   }
 
   /** Properties that were set before the element was known hide those of its class. */
   #upgrade() {
-    for (const name of [...ATTRIBUTES.map(propertyOf), 'pose']) {
+    for (const name of [...NAMES.map(propertyOf), 'pose']) {
       if (!Object.hasOwn(this, name)) continue;
       const value = this[name];
       delete this[name];
@@ -248,7 +240,14 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     return size;
   }
   get #speaks() { return this.number !== 0 && this.#track?.text !== undefined && this.#sound?.paused === false; }
-  get #plays() { return this.number !== 0 && this.hasAttribute('playing') && !page.stillness.matches; }
+  get #plays() { return this.number !== 0 && this.playing && (this.#wanted || !page.stillness.matches); }
+  /** Of a pausable face: its clips rest, or run again. Who asks for motion gets it. */
+  #press() {
+    if (!this.pausable) return;
+    this.#wanted = !this.#plays;
+    this.playing = this.#wanted;
+    this.redraw();
+  }
   /** The next frame of what runs. */
   #play() {
     if (this.#framed || !(this.#plays || this.#speaks)) return;
@@ -259,18 +258,10 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     });
   }
   #pose() {
-    const pose = { ...this.#extra }, said = (name) => this.getAttribute(name);
-    for (const name of ['blend', 'background']) if (said(name) !== null) pose[name] = said(name);
-    if (said('look-at') !== null) pose.lookAt = said('look-at').split(',').map((one) => (one.trim() ? Number(one) : NaN));
-    const blink = said('blink') === null ? {} : { blink: said('blink') || '1' };
-    for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['visemes', pairs(said('viseme'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])
-      if (Object.keys(more).length) pose[key] = { ...pose[key], ...more };
-    const clips = words(said('clip'));
-    if (clips.length) pose.clips = [...(pose.clips ?? []), ...clips];
+    const said = (name) => this.getAttribute(name), pose = poseOf(said, this.#extra);
     if (this.#track?.text !== undefined) pose.motions = [...(pose.motions ?? []), this.#track.text];
     if (this.#track?.text !== undefined && this.#sound) pose.time = this.#sound.currentTime;
     else if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
-    else if (said('time') !== null) pose.time = Number(said('time') || NaN);
     const { at, ...live } = this.#live;
     if (at !== undefined && said('steady') !== null) {
       const [cutoff, beta] = words(said('steady')).map(Number);
@@ -278,30 +269,32 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     }
     return { ...pose, ...live };
   }
-  #show({ pixels, width, height, ms }) {
-    this.#canvas.hidden = false, this.#said.textContent = '', this.#drawn = true;
+  #show({ pixels, width, height, ms, seen }) {
+    this.#said.textContent = '', this.#drawn = true;
+    if (seen !== undefined || this.#canvas.hidden) this.#seen = seen ?? this.#seen, this.#stand();
     this.#context ??= this.#canvas.getContext('2d');
     if (this.#canvas.width !== width || this.#canvas.height !== height) this.#canvas.width = width, this.#canvas.height = height;
     this.#context.putImageData(new ImageData(pixels, width, height), 0, 0);
-    onceShown(() => { if (this.number) this.#tell('drawn', { ms }); });
+    onceShown(() => { if (this.number) this.#tell('mien-drawn', { ms }); });
   }
-  #describe() { this.#canvas.setAttribute('aria-label', this.getAttribute('label') ?? 'a drawn face'); }
-  #tell(name, detail) { this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true })); }
+  /** What stands in the element until the first picture. */
+  get #standIn() { return this.#slot.assignedElements()[0]; }
+  /** Shows the picture, or what stands in for it, in one step: nothing flashes. */
+  #stand() {
+    this.#slot.hidden = this.#drawn, this.#canvas.hidden = !this.#drawn && (this.#standIn !== undefined || this.#said.textContent !== '');
+    this.#describe();
+  }
+  /** The element is a picture for those who hear the page; a role or an aria-label of the page's own counts more. */
+  #describe() {
+    const alt = this.getAttribute('alt') ?? (this.#standIn?.getAttribute('alt') || this.#seen || UNKNOWN);
+    const role = this.#said.textContent ? null : this.pausable ? 'button' : alt === '' ? 'presentation' : 'img';  // a sentence is heard itself
+    Object.assign(this.#heard, { role, ariaLabel: role === 'presentation' ? null : alt, ariaPressed: role === 'button' ? String(this.#plays) : null });
+    if (role === 'button' && !this.hasAttribute('tabindex')) this.tabIndex = 0;
+  }
+  #tell(name, detail) { return this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, cancelable: name === 'mien-refused' })); }
 }
 
-/** 'look-at' as 'lookAt'. */
-function propertyOf(attribute) { return attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase()); }
-
-for (const name of ATTRIBUTES) {
-  Object.defineProperty(DrawnFace.prototype, propertyOf(name), {
-    configurable: true, enumerable: true,
-    get() { return name === 'playing' ? this.hasAttribute(name) : this.getAttribute(name); },
-    set(value) {
-      if (value == null || value === false) this.removeAttribute(name);
-      else this.setAttribute(name, value === true ? '' : written(value, name === 'set' ? '; ' : ', '));
-    },
-  });
-}
+defineProperties(DrawnFace.prototype);
 
 /** A page may import this file from two places: the first one counts. */
 export const MienFace = globalThis.customElements?.get('mien-face') ?? DrawnFace;

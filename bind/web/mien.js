@@ -1,6 +1,6 @@
 // mien in JavaScript: a face goes in, pixels come out. In browsers, workers and node, without dependencies.
 //
-//   import { load } from 'mien';
+//   import { load } from 'mien-face';
 //   const mien = await load();                                  // mien.wasm, beside this file
 //   const face = mien.person('A66CB-AA5S0-14');                 // or mien.face(textOfAFaceFile)
 //   const pixels = face.draw(640, 360, { time: 1.25, emotions: { joy: 0.8 }, set: { 'gaze.x': 0.04 } });
@@ -30,16 +30,20 @@ export function isSupported() {
   return typeof WebAssembly === 'object' && WebAssembly.validate(probe);
 }
 
-/** Loads mien. `source`: bytes, a URL, a Response or a compiled module; by default mien.wasm beside this file. */
-export async function load(source = new URL('./mien.wasm', import.meta.url)) {
+/** What `load` loads, compiled: it can be posted to workers, which then need not compile it again. */
+export async function compile(source = new URL('./mien.wasm', import.meta.url)) {
   if (!isSupported()) throw new MienError('', 'this system has no WebAssembly with 128-bit lanes (SIMD), which mien needs');
-  let bytes = source;
-  if (source instanceof URL && source.protocol === 'file:') bytes = await (await import(/* @vite-ignore */ /* webpackIgnore: true */ NODE_FILES)).readFile(source);
-  const module = await compiled(bytes), imports = {};
+  const onDisk = source instanceof URL && source.protocol === 'file:';
+  return compiled(onDisk ? await (await import(/* @vite-ignore */ /* webpackIgnore: true */ NODE_FILES)).readFile(source) : source);
+}
+
+/** Loads mien. `source`: bytes, a URL, a Response or a compiled module; by default mien.wasm beside this file. */
+export async function load(source) {
+  const module = await compile(source), imports = {};
   let memory;
   const answer = host(() => memory);
   for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = answer(name);
-  const instance = await WebAssembly.instantiate(module, imports);
+  const instance = await WebAssembly.instantiate(module, imports).catch((error) => { throw new MienError('mien.wasm', `cannot be started: ${error.message}`); });
   memory = new Memory(instance.exports);
   instance.exports._initialize();
   return new Mien(memory);
@@ -167,7 +171,7 @@ export class Mien {
     const { exports } = this.#m, error = this.#slot + 12;
     this.#m.view.setUint32(error, 0, true);
     let status;
-    try { status = exports[name](...args, error); } catch (ended) { throw new MienError(name, `mien ended: ${ended.message}`); }
+    try { status = exports[name](...args, error); } catch (ended) { throw Object.assign(new MienError(name, `mien ended: ${ended.message}`), { broken: true }); }
     if (status === 0) return;
     const at = this.#m.view.getUint32(error, true);
     const where = this.#m.text(exports.mien_error_where(at)), what = this.#m.text(exports.mien_error_what(at));
@@ -317,11 +321,12 @@ export class Face {
    *  Long drawings can be ended, wherever they are; draw then throws a MienError that says "cancelled":
    *    how.deadline   milliseconds from now, after which it ends
    *    how.progress   called about every 10 ms with the share done, 0 to 1; false ends it. What it throws, draw throws */
-  draw(width, height, pose = {}, { deadline = Infinity, progress = undefined } = {}) {
+  draw(width, height, pose = {}, how = {}) {
+    this.#mien.known('draw', how, ['deadline', 'progress']);
     const desk = this.#poseFor(width, height, pose), bytes = width * height * 4;
     desk.roomFor(bytes);
     this.#into(desk.data, width, height);
-    this.#asking({ deadline, progress }, (options) =>
+    this.#asking(how, (options) =>
       this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, options));
     this.#drew = true;
     return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes);
@@ -420,6 +425,7 @@ export class Face {
     if (pose.time !== undefined && pose.time !== null) this.#mien.done('mien_pose_time', this.#pose, pose.time);
     for (const clip of pose.clips ?? []) this.#say('mien_pose_clip', clip);
     for (const one of pose.motions ?? []) {
+      if (one.motion !== undefined) this.#mien.known('pose.motions', one, ['motion', 'weight', 'begin']);
       const { motion, weight = 1, begin = 0 } = one.motion === undefined ? { motion: one } : one;
       const of = typeof motion === 'string' ? this.#mien.motionSaid(motion) : motion;
       this.#mien.done('mien_pose_motion', this.#pose, of.handle, weight, begin);
@@ -436,6 +442,7 @@ export class Face {
   }
   #follow(frame, steady) {
     if (steady == null) return this.#say('mien_pose_follow', frame);
+    this.#mien.known('pose.steady', steady, ['at', 'cutoff', 'beta']);
     const { at, cutoff = 1, beta = 2 } = steady;
     if (this.#steady?.cutoff !== cutoff || this.#steady.beta !== beta) {
       const handle = this.#mien.made('mien_steadier_new', cutoff, beta);

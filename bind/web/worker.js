@@ -1,22 +1,44 @@
-// Draws faces away from the page's own thread. One worker serves all <mien-face> elements of a page.
+// Draws faces away from the page's own thread; painter.js asks it.
 //
-// Messages in: { id, source?, width, height, pose, deadline } asks for a picture. `source` is { code }, { seed } or { text, name }, with
-// a `style` or without; where it is missing the face is that of before. { id, free }: the element is no more.
-// Messages out: { ready } once; then { pixels, width, height, ms }, { where, what } for what mien refused, or { late } where a
-// drawing took longer than its deadline [ms], in the order in which was asked.
+// Messages in: { begin, module } first: what another worker has compiled, or nothing. { id, source?, width, height, pose,
+// deadline } asks for a picture. `source` is { code }, { seed } or { text, name }, with a `style` or without; where it is missing
+// the face is that of before. { id, free }: the element is no more.
+// Messages out: { ready, module } once; then, in the order in which was asked, { pixels, width, height, ms, seen? }, where
+// `seen` tells what the face looks like, if that is new; { where, what } for what mien refused, `broken` with it if the
+// worker is of no more use; or { late } where a drawing took longer than its deadline [ms].
 
-import { MienError, load } from './mien.js';
+import { describe } from './describe.js';
+import { MienError, compile, load } from './mien.js';
 
 const MOST_FACES = 256;  // that stay read: a fifth of a megabyte each; others are read again, which takes some milliseconds
 
-const mien = load();
-mien.then(() => postMessage({ ready: true }), () => {});  // who asks is told
-const known = new Map();  // by element: { source, face }, the one that was drawn last at the end
+let mien;
+const known = new Map();  // by element: { source, face, recipe, seen }, the one that was drawn last at the end
+
+async function begin(given) {
+  const module = await compile(given), loaded = await load(module);
+  postMessage({ ready: true, module });
+  return loaded;
+}
 
 function read(loaded, { code, seed, text, name, style }) {
   if (text !== undefined) return loaded.face(style === undefined ? text : styled(text, name, style), name);
+  return loaded.person(codeOf(loaded, code, seed), { style });
+}
+
+function codeOf(loaded, code, seed) {
   if (code === undefined && seed === '') throw new MienError('seed', 'expected a word, got none');
-  return loaded.person(code ?? loaded.code(seed), { style });
+  return code ?? loaded.code(seed);
+}
+
+/** What is said of the face, if it is not what was said before. */
+function news(loaded, of, { emotions }) {
+  const { code, seed, text } = of.source;
+  of.recipe ??= JSON.parse(text ?? loaded.recipe(codeOf(loaded, code, seed)));
+  const now = describe(of.recipe, { emotions });
+  if (now === of.seen) return {};
+  of.seen = now;
+  return { seen: now };
 }
 
 /** A recipe's text with another style. */
@@ -34,23 +56,26 @@ function faceOf(loaded, id, source) {
   if (source && source !== of.source) {
     const face = read(loaded, source);
     of.face?.free();
-    of.face = face, of.source = source;
+    of.face = face, of.source = source, of.recipe = of.seen = undefined;
   }
   of.face ??= read(loaded, of.source);
   const held = [...known.values()].filter(({ face }) => face);
   for (const one of held.slice(0, -MOST_FACES)) one.face.free(), one.face = null;
-  return of.face;
+  return of;
 }
 
-onmessage = async ({ data: { id, free, source, width, height, pose, deadline } }) => {
+onmessage = async ({ data: { begin: begins, module, id, free, source, width, height, pose, deadline } }) => {
+  if (begins) return void (mien = begin(module)).catch(() => {});  // who asks is told
+  let loaded;
   try {
-    const loaded = await mien, begin = performance.now();
+    loaded = await mien;
+    const began = performance.now();
     if (free) return known.get(id)?.face?.free(), void known.delete(id);
     if (!(deadline > 0)) throw new MienError('deadline', 'expected milliseconds above 0');
-    const pixels = faceOf(loaded, id, source).draw(width, height, pose, { deadline }).slice();
-    postMessage({ pixels, width, height, ms: performance.now() - begin }, [pixels.buffer]);
+    const of = faceOf(loaded, id, source), pixels = of.face.draw(width, height, pose, { deadline }).slice();
+    postMessage({ pixels, width, height, ms: performance.now() - began, ...news(loaded, of, pose) }, [pixels.buffer]);
   } catch (error) {
     if (error.what === 'cancelled') postMessage({ late: true });
-    else if (!free) postMessage({ where: error.where ?? '', what: error.what ?? String(error) });
+    else if (!free) postMessage({ where: error.where ?? '', what: error.what ?? String(error), broken: error.broken || !loaded });
   }
 };

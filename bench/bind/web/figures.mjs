@@ -36,9 +36,9 @@ const element = '<mien-face code="A66CB-AA5S0-14" width="320" height="320"></mie
 const CROWD = 200;
 const avatars = Array.from({ length: CROWD }, (_, i) => `<mien-face seed="person ${i}" width="72" height="72"></mien-face>`).join('');
 const server = await serve(built, {
-  '/crowd.html': page(`<style>body { display: grid; grid-template-columns: repeat(auto-fill, 72px); gap: 4px }</style><script>window.told = []; addEventListener('drawn', () => told.push(performance.now()))</script><script type="module" src="element.js"></script>${avatars}`),
+  '/crowd.html': page(`<style>body { display: grid; grid-template-columns: repeat(auto-fill, 72px); gap: 4px }</style><script>window.told = []; addEventListener('mien-drawn', () => told.push(performance.now()))</script><script type="module" src="element.js"></script>${avatars}`),
   '/bare.html': page(''),
-  '/face.html': page(`<script>addEventListener('drawn', () => { window.drawn ??= performance.now(); })</script><script type="module" src="element.js"></script>${element}`),
+  '/face.html': page(`<script>addEventListener('mien-drawn', () => { window.drawn ??= performance.now(); })</script><script type="module" src="element.js"></script>${element}`),
 });
 const browser = await browse();
 console.log(`${browser.version}; the machine's load ${loadavg()[0].toFixed(1)}`);

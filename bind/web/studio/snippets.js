@@ -2,6 +2,8 @@
 //
 // What is drawn: { code, style, pose, background, width, height }. `code` is null for a face that is a file.
 
+import { PACKAGE } from './package_name.js';
+
 const FILE = 'face.face.json', PLAIN = 'soft';
 
 const needsFile = ({ code, style }) => !code || style !== PLAIN;
@@ -37,7 +39,7 @@ export function html(of) {
   list('set', pairs(pose.set), '; ');
   if (pose.clip) attributes.push(['clip', pose.clip], ['time', short(pose.time)]);
   if (background) attributes.push(['background', background]);
-  attributes.push(['width', width], ['height', height], ['label', 'a drawn face']);
+  attributes.push(['width', width], ['height', height]);
   return `<script type="module" src="element.js"></script>\n<mien-face ${attributes.map(([name, value]) => `${name}="${quoted(value)}"`).join(' ')}></mien-face>`;
 }
 
@@ -45,7 +47,7 @@ export function javascript(of) {
   const { code, pose, background, width, height } = of;
   const said = { emotions: pose.emotions, muscles: pose.muscles, set: pose.set, clips: pose.clip ? [pose.clip] : [], time: pose.clip ? pose.time : undefined, background: background ?? undefined };
   const kept = Object.fromEntries(Object.entries(said).filter(([, value]) => value !== undefined && Object.keys(Object(value)).length + (typeof value !== 'object') > 0));
-  return `import { load } from 'mien';
+  return `import { load } from '${PACKAGE}';
 
 const mien = await load();
 const face = ${needsFile(of) ? `mien.face(await (await fetch('${FILE}')).text())` : `mien.person('${code}')`};

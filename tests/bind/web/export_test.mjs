@@ -109,7 +109,7 @@ test('its code alone is the face', async () => {
 
 test('JavaScript draws the same bytes', async () => {
   for (const [name, of] of Object.entries({ plain, ink })) {
-    const text = (await of.said('JavaScript')).replace("'mien'", `'${pathToFileURL(join(built, 'mien.js'))}'`).replace(/await fetch\([^)]*\)/, `new Response(${JSON.stringify(of.face)})`);
+    const text = (await of.said('JavaScript')).replace("'mien-face'", `'${pathToFileURL(join(built, 'mien.js'))}'`).replace(/await fetch\([^)]*\)/, `new Response(${JSON.stringify(of.face)})`);
     writeFileSync(join(folder, `${name}.mjs`), `${text}\nexport { pixels };`);
     equal(of.png.pixels, (await import(pathToFileURL(join(folder, `${name}.mjs`)))).pixels);
   }

@@ -64,7 +64,7 @@ const then = (on, name, change, ...args) => on.run(`async (name, ...args) => {
 }`, name, ...args);
 const drawn = (on) => on.until(() => {
   const face = document.querySelector('mien-face');
-  if (face.dataset.watched === undefined) face.dataset.watched = '', face.addEventListener('drawn', () => { face.dataset.drawn = ''; }), face.redraw();
+  if (face.dataset.watched === undefined) face.dataset.watched = '', face.addEventListener('mien-drawn', () => { face.dataset.drawn = ''; }), face.redraw();
   return face.dataset.drawn !== undefined;
 });
 const hashes = pictureHashes();
@@ -73,7 +73,7 @@ test('a face is drawn with the bytes of a machine without fused multiply-adds', 
   const on = await browser.open(`${server.url}/one.html`);
   await drawn(on);
   await shows(on, hashed(hashes.told('toon', 160, 'linear')), 'these bytes');
-  const told = await then(on, 'drawn', (face) => face.setAttribute('src', 'clay.face.json'));
+  const told = await then(on, 'mien-drawn', (face) => face.setAttribute('src', 'clay.face.json'));
   assert.ok(told.ms > 0);
   await shows(on, hashed(hashes.told('clay', 160, 'linear')), 'these bytes');
   assert.deepEqual(on.faults, []);
@@ -94,11 +94,11 @@ test('emotions move the picture, and rest is rest again', async () => {
   await drawn(on);
   await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const rest = await shown(on);
-  await then(on, 'drawn', (face) => face.setAttribute('emotion', 'joy=1'));
+  await then(on, 'mien-drawn', (face) => face.setAttribute('emotion', 'joy=1'));
   await shows(on, otherThan(rest), 'something else');
-  await then(on, 'drawn', (face) => face.removeAttribute('emotion'));
+  await then(on, 'mien-drawn', (face) => face.removeAttribute('emotion'));
   await shows(on, sameAs(rest), 'the same');
-  await then(on, 'drawn', (face) => { face.pose = { lookAt: [-3, 1, 2] }; });
+  await then(on, 'mien-drawn', (face) => { face.pose = { lookAt: [-3, 1, 2] }; });
   await shows(on, otherThan(rest), 'something else');
 });
 
@@ -108,7 +108,7 @@ test('clips play while the page stays awake', async () => {
   const frames = await on.run(() => new Promise((done) => {
     const face = document.querySelector('mien-face');
     let count = 0;
-    face.addEventListener('drawn', () => { if (++count === 5) done(count); });
+    face.addEventListener('mien-drawn', () => { if (++count === 5) done(count); });
     face.removeAttribute('time'), face.setAttribute('playing', '');
   }));
   assert.equal(frames, 5);
@@ -119,14 +119,14 @@ test('an unknown code is a sentence, and the old face stays', async () => {
   await drawn(on);
   await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const before = await shown(on);
-  const said = await then(on, 'refused', (face) => face.setAttribute('code', 'AW506-TPRCQ-A2'));
+  const said = await then(on, 'mien-refused', (face) => face.setAttribute('code', 'AW506-TPRCQ-A2'));
   assert.match(said.where + said.what, /AW506-TPRCQ-A2/);
   assert.ok(said.what.length > 10);
-  const name = await then(on, 'refused', (face) => { face.removeAttribute('code'), face.setAttribute('src', 'broken.face.json'); });
+  const name = await then(on, 'mien-refused', (face) => { face.removeAttribute('code'), face.setAttribute('src', 'broken.face.json'); });
   assert.match(name.where, /^broken\.face\.json:1/);
-  const gone = await then(on, 'refused', (face) => face.setAttribute('src', 'nowhere.face.json'));
+  const gone = await then(on, 'mien-refused', (face) => face.setAttribute('src', 'nowhere.face.json'));
   assert.match(gone.what, /404/);
-  const setting = await then(on, 'refused', (face) => face.setAttribute('set', 'gaze.z=1'));
+  const setting = await then(on, 'mien-refused', (face) => face.setAttribute('set', 'gaze.z=1'));
   assert.match(setting.what, /did you mean "gaze\.x"/);
   await shows(on, sameAs(before), 'the same');
 });
@@ -135,7 +135,7 @@ test('where nothing was drawn yet, the sentence stands in the page', async () =>
   const on = await browser.open(`${server.url}/wrong.html`);
   const said = await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent);
   assert.match(said, /ZZZZZ-ZZZZZ-ZZ/);
-  await then(on, 'drawn', (face) => face.setAttribute('code', 'AW506-TPRCQ-A1'));
+  await then(on, 'mien-drawn', (face) => face.setAttribute('code', 'AW506-TPRCQ-A1'));
   assert.equal(await on.run(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), '');
 });
 
@@ -144,10 +144,10 @@ test('a face that is taken out and put back is drawn again; one that is moved ke
   await drawn(on);
   await shows(on, hashed(hashes.told('AW506-TPRCQ-A1', 96, 'linear')), 'these bytes');
   const before = await shown(on);
-  await then(on, 'drawn', (face) => document.body.append(face));
+  await then(on, 'mien-drawn', (face) => document.body.append(face));
   await shows(on, sameAs(before), 'the same');
   await on.run(async () => { window.kept = document.querySelector('mien-face'); window.kept.remove(); await new Promise((done) => setTimeout(done, 50)); });
-  await on.run(() => new Promise((done) => { window.kept.addEventListener('drawn', done, { once: true }); document.body.append(window.kept); }));
+  await on.run(() => new Promise((done) => { window.kept.addEventListener('mien-drawn', done, { once: true }); document.body.append(window.kept); }));
   await shows(on, sameAs(before), 'the same');
   assert.deepEqual(on.faults, []);
 });
@@ -173,25 +173,48 @@ test('without WebAssembly at all the page says so', async () => {
 });
 
 test('where mien.wasm is not there the page says so', async () => {
-  const half = await serve(built, { ...pages, '/worker.js': (text) => text.replace('load()', 'load("nowhere.wasm")') });
+  const half = await serve(built, { ...pages, '/worker.js': (text) => text.replace('compile(given)', 'compile("nowhere.wasm")') });
   const on = await browser.open(`${half.url}/one.html`);
   assert.match(await on.until(() => document.querySelector('mien-face').shadowRoot.querySelector('[role=status]').textContent), /nowhere\.wasm: cannot be fetched: 404/);
   await half.close();
 });
 
+const readme = readFileSync(new URL('bind/web/README.md', root), 'utf8');
+const examples = (language) => [...readme.matchAll(new RegExp(`\`\`\`${language}\n([^]*?)\`\`\``, 'g'))].map(([, text]) => text);
+
 test('the README draws its examples', async () => {
-  const readme = readFileSync(new URL('bind/web/README.md', root), 'utf8');
-  const [html, script] = ['html', 'js'].map((language) => readme.match(new RegExp(`\`\`\`${language}\\n([^]*?)\`\`\``))[1]);
-  const own = await serve(built, { '/readme.html': `<!doctype html><meta charset="utf-8">${html}`,
-    '/script.html': `<!doctype html><script type="importmap">{"imports": {"mien": "./mien.js"}}</script><script type="module">${script}\nwindow.pixels = Array.from(pixels);</script>` });
-  const on = await browser.open(`${own.url}/readme.html`);
-  await drawn(on);
-  await shows(on, (now) => new Set(now).size > 50, 'a face');
-  assert.deepEqual(on.faults, []);
-  const other = await browser.open(`${own.url}/script.html`);
-  assert.equal((await other.until(() => window.pixels)).length, 640 * 360 * 4);
-  assert.deepEqual(other.faults, []);
-  await own.close();
+  const silence = Buffer.from('UklGRiQAAABXQVZFZm10IBAAAAABAAEAQB8AAEAfAAABAAgAZGF0YQAAAAA=', 'base64').toString('latin1');
+  const given = `<script>var textOfATrack = '0\tm\n0.5\taa\n', audio = { currentTime: 0.2 }, video = null, now = 0, heard = 0;
+    var landmarker = { detectForVideo: () => ({ faceBlendshapes: [{ categories: [{ categoryName: 'jawOpen', score: 0.7 }] }] }) };
+    addEventListener('mien-drawn', () => ++heard);</script>`.replaceAll('\t', '\\t').replaceAll('\n0', '\\n0').replaceAll("\n'", "\\n'");
+  const found = examples('html');
+  assert.ok(found.length >= 4);
+  for (const html of found) {
+    const body = html.includes('<mien-face') ? html : `<mien-face seed="ada" width="72" height="72"></mien-face>${html}`;
+    const own = await serve(built, { '/readme.html': `<!doctype html><meta charset="utf-8">${given}<script type="module" src="element.js"></script>${body}`, '/hello.TextGrid': '0\tm\n0.5\taa\n', '/hello.wav': silence });
+    const on = await browser.open(`${own.url}/readme.html`, { first: "addEventListener('mien-refused', ({ detail }) => console.error(detail.where, detail.what))" });
+    await on.until(() => window.heard > 0);
+    await shows(on, (now) => new Set(now).size > 50, 'a face');
+    assert.deepEqual(on.faults, [], html);
+    await own.close();
+  }
+});
+
+test('the README runs its scripts', async () => {
+  const { name, exports } = JSON.parse(readFileSync(`${built}/package.json`, 'utf8'));
+  const imports = Object.fromEntries(Object.entries(exports).map(([entry, to]) => [name + entry.slice(1), to.default ?? to]));
+  const given = `import { load as loads } from '${name}'; let { mien, words } = await (async () => { const mien = await loads(); return { mien, words: mien.inFull(mien.recipe('A66CB-AA5S0-14')) }; })();`;
+  const found = examples('js');
+  assert.ok(found.length >= 4);
+  for (const script of found) {
+    const alone = /^import/m.test(script) ? script : `${given}\n${script}`;
+    const own = await serve(built, { '/script.html': `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script><script type="module">${alone}\nwindow.ran = typeof pixels === 'undefined' ? 1 : pixels.length;</script>` });
+    const on = await browser.open(`${own.url}/script.html`);
+    const ran = await on.until((faults) => window.ran ?? faults, on.faults.length);
+    assert.deepEqual(on.faults, [], script);
+    if (script.includes('pixels')) assert.equal(ran, 640 * 360 * 4);
+    await own.close();
+  }
 });
 
 test('the page with a camera shows what MediaPipe sees', async () => {
