@@ -122,7 +122,8 @@ void PartLibrary::read_archetypes(const LibraryNode& root) {
       }
       const double given = in.number(value);
       if (!(given >= number->lo && given <= number->hi))
-        in.refuse(value, fmt::format("{} goes from {} to {}", number->name, number->lo, number->hi));
+        in.refuse(value,
+                  fmt::format("{} goes from {} to {}", number->name, number->lo, number->hi));
       made.offsets[std::size_t(number - numbers_.data())] = given - number->rest;
     });
     archetypes_.push_back(std::move(made));
