@@ -40,10 +40,9 @@ std::string_view pen_slice(const Reading& in, const JsonNode& lines, const FlatF
   if (is_ahead(one)) return slice;
   in.for_each(lines, [&](const JsonNode& line, int) {
     const std::string_view key = in.tree.key(line), role = key.substr(key.find('/') + 1);
-    const bool of_slot =
-        role.size() == key.size() ||
-        slot_named(place.library.topology().in(), key.substr(0, key.find('/')), line,
-                   place.library) == one.slot;
+    const bool of_slot = role.size() == key.size() ||
+                         slot_named(place.library.topology().in(), key.substr(0, key.find('/')),
+                                    line, place.library) == one.slot;
     if (of_slot && (one.role == role || one.name == key)) slice = in.string(line);
   });
   return slice;

@@ -47,9 +47,10 @@ TEST(StyleRig, AStyleAddsToThem) {
 TEST(StyleRig, APenMultipliesTheLinesThatThereAre) {
   const std::string with_pen = controls_with(
       R"("pen": {"most": 2, "lines": {"skin": "contour/widths", "front/hair": "half_width", "back/hair": "radii", "beard": "radii"}})");
-  EXPECT_NE(with_pen.find(R"({"name": "pen", "range": [1, 2], "rest": 1, "scale": )"
-                          R"(["brow.left/half_width", "brow.right/half_width", "head/contour/widths"]})"),
-            std::string::npos)
+  EXPECT_NE(
+      with_pen.find(R"({"name": "pen", "range": [1, 2], "rest": 1, "scale": )"
+                    R"(["brow.left/half_width", "brow.right/half_width", "head/contour/widths"]})"),
+      std::string::npos)
       << with_pen;
   EXPECT_THROW(controls_with(R"("pen": {"most": 2, "lines": {"frnt/hair": "radii"}})"), Refusal);
 }
