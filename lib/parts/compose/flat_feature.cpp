@@ -1,5 +1,4 @@
 #include "lib/parts/compose/flat_feature.h"
-#include "lib/base/nearest_name.h"
 #include "lib/math/degrees.h"
 #include "lib/parts/code/keyed_chance.h"
 #include "lib/parts/compose/flat_rig.h"
@@ -377,17 +376,6 @@ class Flattening {
 };
 
 }  // namespace
-
-std::size_t slot_named(const Reading& in, const JsonNode& wanted, const PartLibrary& library) {
-  const Reading& own = library.topology().in();
-  const JsonNode& slots = own.need(*library.topology().node, "slots");
-  std::size_t at = 0;
-  for (const JsonNode* one = own.tree.first(slots); one; one = own.tree.next(*one), ++at)
-    if (own.string(*one) == in.string(wanted)) return at;
-  std::vector<std::string_view> names;
-  own.for_each(slots, [&](const JsonNode& one, int) { names.push_back(own.string(one)); });
-  in.refuse(wanted, unknown_name("slot", in.string(wanted), names));
-}
 
 void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,
                      const PartLibrary& library, const PartStyle& style, PartGeometry& geometry,

@@ -29,7 +29,7 @@ struct FlatFeatures {
     std::string name;
     std::string_view role = {};
     std::string_view side = {};  ///< "both", "left", "right"; empty: none
-    std::size_t order = 0;       ///< of drawing, then by slot
+    std::size_t order = 0;       ///< of drawing, then by slot; even: before a slot, of a figure
   };
   std::vector<One> features;
   bool by_style = false;  ///< what is composed now is the style's own
@@ -40,6 +40,14 @@ struct FlatFeatures {
   std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
 };
 
+/// Whether it is only known, of a figure that is drawn later.
+inline bool is_ahead(const FlatFeatures::One& one) {
+  return one.order % 2 == 0;
+}
+
+/// As the face has it: "ear.left", "ear.right".
+std::vector<std::string> names_of(const FlatFeatures::One& one);
+
 /// The order of drawing.
 inline bool drawn_before(const FlatFeatures::One& a, const FlatFeatures::One& b) {
   return a.order != b.order ? a.order < b.order : a.slot < b.slot;
@@ -47,6 +55,9 @@ inline bool drawn_before(const FlatFeatures::One& a, const FlatFeatures::One& b)
 
 /// The place of a slot, by its name, among the library's. Refuses unknown ones.
 std::size_t slot_named(const Reading& in, const JsonNode& wanted, const PartLibrary& library);
+/// The same by a name that stands in a node.
+std::size_t slot_named(const Reading& in, std::string_view name, const JsonNode& at,
+                       const PartLibrary& library);
 
 /// Writes a feature of a part to `out` and adds what is known of it to `to`. Its points become known to `geometry`.
 void flatten_feature(const Reading& in, const JsonNode& node, std::string_view family,

@@ -7,7 +7,7 @@
 namespace mien {
 namespace {
 
-std::vector<std::string_view> names_of(const Reading& in, const JsonNode* list) {
+std::vector<std::string_view> listed_names(const Reading& in, const JsonNode* list) {
   std::vector<std::string_view> names;
   if (list) in.for_each(*list, [&](const JsonNode& one, int) { names.push_back(in.string(one)); });
   return names;
@@ -26,16 +26,17 @@ PartStyle::PartStyle(const PartLibrary& library, std::string_view style, std::ui
   const Reading& in = sheet_.in();
   sheet_.node = &in.need(in.need(*sheet_.node, "styles"), style);
   gone_ = names("gone"), drawn_ = names("drawn");
-  if (const JsonNode* figure = find("figure")) figure_ = names_of(in, &in.need(*figure, "slots"));
+  if (const JsonNode* figure = find("figure"))
+    figure_ = listed_names(in, &in.need(*figure, "slots"));
   if (const JsonNode* hand = find("hand")) {
-    by_hand_ = names_of(in, &in.need(*hand, "slots"));
+    by_hand_ = listed_names(in, &in.need(*hand, "slots"));
     hand_.emplace(person, in.number(in.need(*hand, "amplitude")),
                   in.number(in.need(*hand, "width")));
   }
 }
 
 std::vector<std::string_view> PartStyle::names(std::string_view key) const {
-  return names_of(in(), find(key));
+  return listed_names(in(), find(key));
 }
 
 bool PartStyle::has(const std::vector<std::string_view>& names, std::string_view name) {

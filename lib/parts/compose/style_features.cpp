@@ -27,12 +27,8 @@ std::vector<std::string> selected_features(const Reading& in, const JsonNode& se
   std::stable_sort(found.begin(), found.end(),
                    [](const auto* a, const auto* b) { return drawn_before(*a, *b); });
   std::vector<std::string> names;
-  for (const FlatFeatures::One* one : found) {
-    if (one->side.empty()) names.push_back(one->name);
-    for (const std::string_view side : {"left", "right"})
-      if (one->side == "both" || one->side == side)
-        names.push_back(one->name + '.' + std::string(side));
-  }
+  for (const FlatFeatures::One* one : found)
+    for (std::string& name : names_of(*one)) names.push_back(std::move(name));
   return names;
 }
 

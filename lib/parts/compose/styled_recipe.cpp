@@ -7,8 +7,8 @@ namespace mien {
 namespace {
 
 template <class Things>
-[[noreturn]] void refuse_unknown(const Reading& in, const JsonNode& node, std::string_view what,
-                                 std::string_view wanted, const Things& things) {
+[[noreturn]] void refuse_name(const Reading& in, const JsonNode& node, std::string_view what,
+                              std::string_view wanted, const Things& things) {
   std::vector<std::string_view> names;
   for (const auto& thing : things) names.push_back(thing.name);
   in.refuse(node, unknown_name(what, wanted, names));
@@ -18,13 +18,13 @@ void take_part(const PartLibrary& library, const Reading& in, const JsonNode& pa
                Recipe& recipe) {
   const std::string family_name(in.tree.key(part));
   const Family* family = library.find_family(family_name);
-  if (!family) refuse_unknown(in, part, "family of parts", family_name, library.families());
+  if (!family) refuse_name(in, part, "family of parts", family_name, library.families());
   if (part.kind == JsonKind::null) {
     recipe.parts.erase(family_name);
     return;
   }
   const std::string name(in.string(part));
-  if (!family->find(name)) refuse_unknown(in, part, family_name, name, family->parts);
+  if (!family->find(name)) refuse_name(in, part, family_name, name, family->parts);
   recipe.parts[family_name] = name;
 }
 
@@ -32,7 +32,7 @@ void move_number(const PartLibrary& library, const Reading& in, const JsonNode& 
                  Recipe& recipe) {
   const std::string name(in.tree.key(move));
   const LibraryNumber* number = library.find_number(name);
-  if (!number) refuse_unknown(in, move, "number", name, library.numbers());
+  if (!number) refuse_name(in, move, "number", name, library.numbers());
   const auto given = recipe.numbers.find(name);
   double value = given == recipe.numbers.end() ? number->rest : given->second;
   if (const JsonNode* times = in.find(move, "times")) value *= in.number(*times);

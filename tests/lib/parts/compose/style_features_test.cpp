@@ -26,19 +26,19 @@ class SelectedFeatures : public testing::Test {
                                       {1, 4, "cap", "hat", {}, 0}}};
 };
 
-using Names = std::vector<std::string>;
+using FoundNames = std::vector<std::string>;
 
 TEST_F(SelectedFeatures, AreOfTheirRolesAndSlots) {
-  EXPECT_EQ(names(R"({"roles": ["hair"]})", 3), (Names{"bun.left", "fringe"}));
-  EXPECT_EQ(names(R"({"roles": ["hair"], "slots": ["back"]})", 3), Names{"bun.left"});
-  EXPECT_EQ(names(R"({"slots": ["front"]})", 3), (Names{"cap", "fringe"}))
+  EXPECT_EQ(names(R"({"roles": ["hair"]})", 3), (FoundNames{"bun.left", "fringe"}));
+  EXPECT_EQ(names(R"({"roles": ["hair"], "slots": ["back"]})", 3), FoundNames{"bun.left"});
+  EXPECT_EQ(names(R"({"slots": ["front"]})", 3), (FoundNames{"cap", "fringe"}))
       << "what has no role is an area";
-  EXPECT_EQ(names(R"({"roles": ["skin"]})", 3), (Names{"ear.left", "ear.right"}));
+  EXPECT_EQ(names(R"({"roles": ["skin"]})", 3), (FoundNames{"ear.left", "ear.right"}));
   EXPECT_TRUE(names(R"({"roles": ["wool"]})", 3).empty());
 }
 
 TEST_F(SelectedFeatures, AreDrawnBeforeTheArea) {
-  EXPECT_EQ(names(R"({"roles": ["hair", "hat"]})", 1), (Names{"cap", "bun.left"}));
+  EXPECT_EQ(names(R"({"roles": ["hair", "hat"]})", 1), (FoundNames{"cap", "bun.left"}));
 }
 
 TEST_F(SelectedFeatures, SlotsAreKnown) {

@@ -17,7 +17,9 @@ std::string controls_with(const std::string& style) {
                     {"name": "blink", "rest": 0, "offset": {"lid": [0, 1]}, "scale": ["a"]}])");
   const auto library = small.read().value();
   const PartGeometry geometry(*library, Recipe{.name = {}, .code = {}, .parts = {}, .numbers = {}});
-  const FlatFeatures features;
+  const FlatFeatures features{.features = {{1, 0, "brow", "hair", "both", 3},
+                                           {0, 1, "head", "skin", {}, 1},
+                                           {0, 2, "known", "skin", {}, 0}}};
   const LibraryNode& topology = library->topology();
   JsonTree tree("controls");
   TreeWriter out(tree);
@@ -40,6 +42,17 @@ TEST(StyleRig, AStyleAddsToThem) {
           R"("controls": {"blink": {"offset": {"dot": {"$vector": [2, 0], "in": "eye"}}, "scale": ["b"], "unit": "x"}})"),
       R"([{"name": "gaze", "rest": 0, "scale": ["a"]}, )"
       R"({"name": "blink", "rest": 0, "offset": {"lid": [0, 1], "dot": [2, 0]}, "scale": ["a", "b"], "unit": "x"}])");
+}
+
+TEST(StyleRig, APenMultipliesTheLinesThatThereAre) {
+  const std::string with_pen = controls_with(
+      R"("pen": {"most": 2, "lines": {"skin": "contour/widths", "front/hair": "half_width", "back/hair": "radii", "beard": "radii"}})");
+  EXPECT_NE(
+      with_pen.find(R"({"name": "pen", "range": [1, 2], "rest": 1, "scale": )"
+                    R"(["brow.left/half_width", "brow.right/half_width", "head/contour/widths"]})"),
+      std::string::npos)
+      << with_pen;
+  EXPECT_THROW(controls_with(R"("pen": {"most": 2, "lines": {"frnt/hair": "radii"}})"), Refusal);
 }
 
 TEST(StyleRig, WhatIsNotOfOneKindIsRefused) {
