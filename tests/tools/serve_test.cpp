@@ -167,10 +167,10 @@ TEST(Serve, RefusesInASentence) {
             "400 size=2048: this server draws 1024 pixels a side at most\n");
   EXPECT_EQ(said("/toon.face.json"), "404 .json: pictures are .png, .svg or .webp here\n");
   EXPECT_EQ(code_of(faces.get(face + ".png?x=" + std::string(3000, 'y'))), "414");
-  EXPECT_EQ(code_of(faces.get(face + ".png?x=" + std::string(300'000, 'y'))), "413");
+  EXPECT_EQ(code_of(faces.get(face + ".png?x=" + std::string(300'000, 'y'))), "400");
   EXPECT_EQ(code_of(faces.get(face + ".png", "GET", "127.0.0.1",
-                              "Cookie: " + std::string(60'000, 'y') + "\r\n")),
-            "413");
+                              "Cookie: " + std::string(20'000, 'y') + "\r\n")),
+            "431");
   EXPECT_EQ(code_of(faces.get("/healthz")), "200") << "and goes on";
 }
 

@@ -22,7 +22,7 @@ struct HttpAsked {
 
 inline constexpr int kOk = 200, kSeeOther = 302, kNotModified = 304, kWrong = 400, kForbidden = 403,
                      kNotFound = 404, kNotAllowed = 405, kTooLongTarget = 414, kMisdirected = 421,
-                     kBroken = 500, kUnavailable = 503;
+                     kTooLongHead = 431, kBroken = 500, kUnavailable = 503;
 
 /// Bytes that several answers may share.
 using HttpBytes = std::shared_ptr<const std::string>;

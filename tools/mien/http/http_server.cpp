@@ -5,6 +5,7 @@
 #include <event2/buffer.h>
 #include <event2/event.h>
 #include <event2/http.h>
+#include <event2/keyvalq_struct.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
@@ -115,6 +116,15 @@ void send(evhttp_request* asked, const HttpAnswer& answer) {
   evhttp_send_reply(asked, answer.code, nullptr, nullptr);
 }
 
+/// [bytes] of the headers' names and values.
+std::size_t head_size(evhttp_request* asked) {
+  std::size_t size = 0;
+  for (const evkeyval* one = evhttp_request_get_input_headers(asked)->tqh_first; one;
+       one = one->next.tqe_next)
+    size += std::strlen(one->key) + std::strlen(one->value);
+  return size;
+}
+
 const char* header_of(evhttp_request* asked, const char* name) {
   const char* value = evhttp_find_header(evhttp_request_get_input_headers(asked), name);
   return value ? value : "";
@@ -159,6 +169,7 @@ struct HttpServer::Parts {
   Mailbox mailbox;
   std::string address;
   std::uint16_t port = 0;
+  std::size_t longest_head = 0;
   Base base;  // outlives what is in it
   std::optional<Connections> connections;
   std::unordered_set<evhttp_request*> unanswered;
@@ -198,6 +209,9 @@ void HttpServer::Parts::come(evhttp_request* asked) {
     no.headers.emplace_back("Allow", "GET, HEAD");
     return answer(asked, no);
   }
+  if (head_size(asked) > longest_head)
+    return answer(asked, told(kTooLongHead,
+                              fmt::format("the headers have more than {} bytes", longest_head)));
   unanswered.insert(asked);
   const std::string target = target_of(asked);
   const char* const host = evhttp_request_get_host(asked);
@@ -264,8 +278,9 @@ Expected<HttpServer> HttpServer::on(const HttpPlace& place, const HttpLimits& li
   // libevent's own patience is for connections on which nothing happens; Connections has the last word.
   const timeval idle = time_of(limits.patience + 1);
   evhttp_set_timeout_tv(http, &idle);
-  evhttp_set_max_headers_size(http, limits.longest_request);
-  evhttp_set_max_body_size(http, limits.longest_request);
+  // Beyond these, libevent refuses by itself, without a sentence. A body is not wanted.
+  evhttp_set_max_headers_size(http, ev_ssize_t(4 * limits.longest_head));
+  evhttp_set_max_body_size(http, ev_ssize_t(4 * limits.longest_head));
   evhttp_set_allowed_methods(http, 0xffff);  // the answer to others says which are
   evhttp_set_gencb(http, come_without_throwing<Parts>, parts.get());
   parts->connections.emplace(parts->base.get(), http, limits.patience);
@@ -274,6 +289,7 @@ Expected<HttpServer> HttpServer::on(const HttpPlace& place, const HttpLimits& li
   if (!parts->socket) return cannot_listen(place, errno);
   parts->connections->come_from(parts->socket);
   parts->address = place.address;
+  parts->longest_head = limits.longest_head;
   parts->port = port_of(parts->socket);
   parts->bell.reset(event_new(
       parts->base.get(), parts->mailbox.bell, EV_READ | EV_PERSIST,

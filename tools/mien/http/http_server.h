@@ -21,8 +21,8 @@ struct HttpPlace {
 };
 
 struct HttpLimits {
-  double patience = 60;          ///< [s] for a whole request, and for an answer to be taken
-  long longest_request = 65536;  ///< [bytes] of a request's first line and headers
+  double patience = 60;              ///< [s] for a whole request, and for an answer to be taken
+  std::size_t longest_head = 16384;  ///< [bytes] of a request's headers
 };
 
 class HttpServer {

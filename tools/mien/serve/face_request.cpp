@@ -177,8 +177,9 @@ Expected<Done> check_sides(FaceRequest& request, int most) {
 
 Expected<Done> check_style(const FaceRequest& request) {
   const auto& style = request.arguments.posed.style;
+  if (!style) return Done{};
   const std::vector<std::string> styles = part_styles();
-  if (!style || std::ranges::find(styles, *style) != styles.end()) return Done{};
+  if (std::ranges::find(styles, *style) != styles.end()) return Done{};
   return Error{"style=" + one_line(*style, 60),
                unknown_name("style", one_line(*style, 60), {styles.begin(), styles.end()})};
 }

@@ -1,8 +1,10 @@
 // mien serve: pictures of faces over HTTP.
 
 #include "lib/base/one_line.h"
+#include "lib/parts/library/part_library.h"
 #include "tools/mien/cli/parse_values.h"
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/output/letters.h"
 #include "tools/mien/serve/face_site.h"
 #include "tools/mien/terminal/messages.h"
 
@@ -14,7 +16,6 @@ namespace {
 
 constexpr std::uint16_t kDefaultServePort = 6437;           // beside the studio's
 constexpr long kMostKept = 1 << 20, kMostQueued = 1 << 20;  // [MiB]; pictures
-constexpr long kLongestHead = 16384;                        // [bytes] of a request
 
 /// "127.0.0.1:8080", "[::1]:8080" or "8080".
 Expected<HttpPlace> read_place(const std::string& text) {
@@ -73,7 +74,11 @@ int serve_command(const ServeArguments& arguments) {
   const auto place =
       read_place(arguments.listen.value_or("127.0.0.1:" + std::to_string(kDefaultServePort)));
   if (!place) return complain(place.error(), kUsedWrongly);
-  auto server = HttpServer::on(*place, {options->timeout, kLongestHead});
+  // The parts and letters are read before anybody waits for them.
+  if (const auto parts = PartLibrary::shipped_or_why(); !parts)
+    return complain(parts.error(), kFailed);
+  (void)face_letters();
+  auto server = HttpServer::on(*place, {.patience = options->timeout});
   if (!server) return complain(server.error(), kFailed);
   if (const int said = print(server->url() + "\n"); said != 0) return said;
   FaceSite site(*options, server->mail());
