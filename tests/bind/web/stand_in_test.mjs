@@ -35,7 +35,10 @@ const browser = await browse();
 afterEach(() => browser.closePages());
 after(async () => { await browser.close(); await server.close(); });
 const open = (name, options, at = server) => browser.open(`${at.url}/${name}.html`, options);
-const drawn = (on, least = 1) => on.until((count) => window.told.length >= count, least);
+async function drawn(on, least = 1) {
+  const said = await on.until((count) => (window.told.length >= count ? 'drawn' : window.refused.find(({ where }) => where !== 'emotoin')?.what), least);
+  assert.equal(said, 'drawn');
+}
 
 /** What a screen reader is told of the elements with a role of a picture, a figure or a status. */
 async function heard(on) {
