@@ -16,7 +16,7 @@ import { NAMES, SOURCES, defineProperties, meant, poseOf, propertyOf, words } fr
 import { forget, leave, wait } from './drawing_queue.js';
 
 const STYLE = `:host { display: inline-block } :host([hidden]), [hidden] { display: none !important } canvas, ::slotted(*) { display: block; max-width: 100% }
-  p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
+  p:empty { display: none } p { margin: 0; font: 14px/1.4 system-ui, sans-serif; max-width: 20rem; overflow-wrap: anywhere }`;
 /** When a sound has another moment. */
 const MOMENTS = ['play', 'pause', 'seeked', 'ended'];
 const INSIDE = '<slot></slot><canvas part="canvas"></canvas><p part="refused" role="status"></p>';

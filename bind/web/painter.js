@@ -31,7 +31,7 @@ export class Painter {
       event.preventDefault?.();
       this.#fail({ where: new URL('./worker.js', String(import.meta.url)).href, what: event.message || CANNOT_START });
     };
-    worker.postMessage({ begin: true, module });
+    worker.postMessage({ begin: true, module: module ?? undefined });
   }
   draw(face) {
     const request = face.request(this.#worker);

@@ -10,7 +10,7 @@ export interface Picture {
   alt?: string;
   /** Begins all ids; without one it is made of the picture. */
   idPrefix?: string;
-  /** How far, in pixels, paths may leave the outlines: 1e-4 to 1 (0.05). */
+  /** How far, in pixels, paths may leave the outlines: 1e-4 to 1 (0.1). */
   tolerance?: number;
   /** [ms] from now, after which it is refused. */
   deadline?: number;

@@ -9,7 +9,7 @@
 import { describe } from './describe.js';
 import { MienError, load } from './mien.js';
 
-const KEYS = ['width', 'height', 'style', 'pose', 'alt', 'idPrefix', 'tolerance', 'deadline'], SIDE = 128, TOLERANCE = 0.05;
+const KEYS = ['width', 'height', 'style', 'pose', 'alt', 'idPrefix', 'tolerance', 'deadline'], SIDE = 128, TOLERANCE = 0.1;
 const quoted = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 let loading;
 /** mien, loaded once. */

@@ -103,6 +103,9 @@ test('tsc --strict over every entry, and over React, Vue, Svelte and Solid', () 
   const folder = join(npm, 'pages/types');
   rmSync(folder, { recursive: true, force: true });
   cpSync(join(here, 'types'), folder, { recursive: true });
+  const examples = [...readFileSync(join(built, 'README.md'), 'utf8').matchAll(/```tsx\n([^]*?)```/g)];
+  assert.ok(examples.length > 0);
+  for (const [i, [, text]] of examples.entries()) writeFileSync(join(folder, `readme${i}.tsx`), text);
   try {
     run('typescript/bin/tsc', '-p', folder);
   } catch ({ stdout }) { assert.fail(stdout); }
