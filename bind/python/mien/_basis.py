@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import os
 import pathlib
 import tempfile
 from typing import Any, Optional, Sequence, Union
@@ -11,7 +10,7 @@ import numpy
 import numpy.typing
 
 from . import _library
-from ._errors import Error, Path, file_error, reading
+from ._errors import Error, Path, reading, writing
 from ._library import Handle, call, lib, path_bytes
 from ._picture import real, whole
 
@@ -103,10 +102,8 @@ class Basis:
 
     def save(self, path: Path) -> None:
         """Writes a basis file, as `mien pca` and `read_basis` take it."""
-        try:
+        with writing(path):
             pathlib.Path(path).write_bytes(self._file())
-        except OSError as cause:
-            raise file_error(Error(os.fspath(path), f"cannot be written: {cause.strerror}"), cause, path) from None
 
     def _file(self) -> bytes:
         raw = ctypes.create_string_buffer(max(int(lib.mien_basis_file_size(self._handle.value)), 1))

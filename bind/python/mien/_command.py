@@ -79,5 +79,5 @@ def run(what: str, *words: "str | os.PathLike[str]", instead: Mapping[str, str] 
         where, _, sentence = (lines[-1] if lines else f"{what}: ended with {done.returncode}").partition(": ")
         raise Error(where, sentence)
     for line in lines:
-        warnings.warn(line, Warned, stacklevel=5)
+        warnings.warn(line, Warned, stacklevel=4)  # who called mien.chernoff or mien.stimuli
     return done.stdout

@@ -31,7 +31,7 @@ class Chernoff(Picture):
                  manifest: "tuple[dict[str, str], ...]") -> None:
         super().__init__(pixels)
         self.legend = Picture(legend)  # what each column moves: its least, middle and largest value
-        self.manifest = manifest       # a record for each value: what it became, and the face's SHA-256
+        self.manifest = manifest       # a record for each row: its values, what they became, and the face's SHA-256
 
 
 class Stimuli:

@@ -71,6 +71,8 @@ def reading(file: Path, hint: str = "") -> Iterator[None]:
         yield
     except FileError:
         raise
+    except OSError as cause:
+        raise file_error(Error(os.fspath(file), f"cannot be read: {cause.strerror}"), cause, file) from None
     except Error as error:
         try:
             with open(file, "rb") as there:
@@ -85,13 +87,15 @@ def writing(file: Path) -> Iterator[None]:
     """The same of a file that is to be written: its folder is missing, or closed to this user, or it is a folder itself."""
     try:
         yield
-    except Cancelled:
+    except (FileError, Cancelled):
         raise
+    except OSError as cause:
+        raise file_error(Error(os.fspath(file), f"cannot be written: {cause.strerror}"), cause, file) from None
     except Error as error:
-        cause = _hindrance(pathlib.Path(file))
-        if cause is None:
+        hindrance = _hindrance(pathlib.Path(file))
+        if hindrance is None:
             raise
-        raise file_error(error, cause, file) from None
+        raise file_error(error, hindrance, file) from None
 
 
 def _hindrance(file: pathlib.Path) -> Optional[OSError]:

@@ -11,7 +11,7 @@ import numpy.typing
 
 from . import _library, people
 from ._basis import Basis, wish
-from ._errors import Error, Path, file_error
+from ._errors import Error, Path, reading
 from ._library import Handle, NameRecord, call, hinted, lib, text, texts, utf8
 from ._motion import Motion, Steady
 from ._names import Canvas, Name
@@ -249,18 +249,14 @@ class Face:
 
     def with_morphs(self, path: Path) -> Face:
         """The face with the morph targets of a file: further names, whose weights `set` holds."""
-        try:
-            with open(path, "rb") as file:
-                return self.with_morphs_text(file.read(), os.fspath(path))
-        except OSError as cause:
-            raise file_error(Error(os.fspath(path), f"cannot be read: {cause.strerror}"), cause, path) from None
+        with reading(path), open(path, "rb") as file:
+            return self.with_morphs_text(file.read(), os.fspath(path))
 
     def with_morphs_text(self, words: Union[str, bytes], name: str = "morphs") -> Face:
         """The same from memory; `name` stands for the file's name in errors."""
         raw = words if isinstance(words, bytes) else utf8(words)[0]
         made = Handle(lib.mien_face_free, lib.mien_face_with_morphs_text, self._handle.value, raw, len(raw), *utf8(name))
-        old = self._source
-        return Face(made, Source(old._text, old.name, old._code, old.beside, (*old.morphs, (name, raw))))
+        return Face(made, self._source.with_more(name, raw))
 
     def morphs_text(self, shapes: Mapping[str, Face]) -> str:
         """The text of a file of morph targets: the same face, slice for slice, in other shapes, by name."""

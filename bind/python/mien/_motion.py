@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 from typing import Any, Union
 
-from ._errors import Error, Path, file_error
+from ._errors import Error, Path, reading
 from ._library import Handle, lib, text, texts, unknown_name, utf8
 
 
@@ -70,11 +70,8 @@ class Steady:
 
 def read_motion(path: Path) -> Motion:
     """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column."""
-    try:
-        with open(path, "rb") as file:
-            return read_motion_text(file.read(), os.fspath(path))
-    except OSError as cause:
-        raise file_error(Error(os.fspath(path), f"cannot be read: {cause.strerror}"), cause, path) from None
+    with reading(path), open(path, "rb") as file:
+        return read_motion_text(file.read(), os.fspath(path))
 
 
 def read_motion_text(words: Union[str, bytes], name: str = "motion") -> Motion:

@@ -12,7 +12,7 @@ import numpy
 import numpy.typing
 
 from . import _library
-from ._errors import Error, Path, file_error
+from ._errors import Error, Path, writing
 from ._library import Handle, call, hinted, lib, path_bytes, said, text, texts, utf8
 from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, view, whole
 from ._png import png
@@ -216,8 +216,11 @@ class Posed:
             raise TypeError("a face that follows a live camera cannot be pickled: its filter remembers the frames before")
         return _posed_again, (self.face, self._asked)
 
+    def _drawn_png(self, size: Size) -> bytes:
+        return png(self.render(size))
+
     def _repr_png_(self) -> bytes:
-        return png(self.render(SHOWN_IN_NOTEBOOKS))
+        return self._drawn_png(SHOWN_IN_NOTEBOOKS)
 
     def __repr__(self) -> str:
         how = ", ".join(f"{name}={said(value)}" for name, value in self._asked.items())
@@ -231,13 +234,15 @@ def _posed_again(face: Face, asked: Mapping[str, Any]) -> Posed:
 def _write_text(path: Path, words: str) -> None:
     """A text that appears whole or not at all, as pictures do."""
     place = pathlib.Path(path)
-    try:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=place.parent, prefix=".mien-", suffix=".part", delete=False) as file:
+    with writing(place), tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=place.parent, prefix=".mien-", suffix=".part", delete=False) as file:
+        try:
             file.write(words)
-        os.chmod(file.name, 0o666 & ~_umask())
-        os.replace(file.name, place)
-    except OSError as cause:
-        raise file_error(Error(str(place), f"cannot be written: {cause.strerror}"), cause, place) from None
+            file.flush()
+            os.chmod(file.name, 0o666 & ~_umask())
+            os.replace(file.name, place)
+        except OSError:
+            os.unlink(file.name)
+            raise
 
 
 def _umask() -> int:

@@ -21,7 +21,8 @@ class Source:
 
     def __init__(self, text: Optional[bytes], name: str, code: Optional[str] = None, beside: Optional[Mapping[str, bytes]] = None,
                  morphs: "tuple[tuple[str, bytes], ...]" = ()) -> None:
-        self._text = text  # of a person by code None: her recipe is written when somebody asks
+        self.by_code = text is None
+        self._text = text  # of a person by code her recipe, once somebody has asked for it
         self.name = name
         self._code = code
         self.beside = dict(beside or {})
@@ -52,7 +53,7 @@ class Source:
         code = self.tree.get("code")
         if self.beside or self.morphs or not self.is_recipe or not isinstance(code, str):
             return None
-        if self._text is None:
+        if self.by_code:
             return code
         try:
             whole = json.loads(texts(lib.mien_recipe_from_code, *utf8(code))[0])
@@ -69,7 +70,11 @@ class Source:
     def state(self) -> "dict[str, Any]":
         """For a pickle: plain texts, no addresses of this machine but the file's name in errors."""
         state = {"kind": PICKLED_AS, "version": lib.mien_version_text().decode(), "name": self.name, "beside": self.beside, "morphs": self.morphs}
-        return {**state, "code": self._code} if self._text is None else {**state, "text": self.text}
+        return {**state, "code": self._code} if self.by_code else {**state, "text": self.text}
+
+    def with_more(self, name: str, morphs: bytes) -> "Source":
+        """The same with the morph targets of another file."""
+        return Source(None if self.by_code else self.text, self.name, self._code, self.beside, (*self.morphs, (name, morphs)))
 
     def styled(self, style: str) -> "Source":
         """The same person, painted in another style."""
@@ -83,7 +88,7 @@ class Source:
 
     def handle(self) -> Handle:
         """A face of the library's."""
-        if self._text is None:
+        if self.by_code:
             made = Handle(lib.mien_face_free, lib.mien_face_from_code, *utf8(self._code or ""))
         elif not self.beside:
             made = Handle(lib.mien_face_free, lib.mien_face_read_text, self.text, len(self.text), *utf8(self.name))
@@ -97,7 +102,7 @@ class Source:
     @contextlib.contextmanager
     def in_file(self) -> Iterator[str]:
         """A path of its file, or its code, for the command; parts of one's own lie beside it, since there they are looked for."""
-        if self._text is None:
+        if self.by_code:
             yield self._code or ""
             return
         with tempfile.TemporaryDirectory(prefix="mien-") as folder:
