@@ -20,7 +20,7 @@ def candidates() -> Iterator[str]:
         yield os.environ["MIEN_COMMAND"]
         return
     here = pathlib.Path(__file__).resolve()
-    yield str(here.parent / "bin/mien")
+    yield str(here.parent / "native/mien")
     library = pathlib.Path(lib._name)
     if library.parent != pathlib.Path():
         yield str(library.parent / "mien")

@@ -211,7 +211,7 @@ def _candidates(name: str) -> list[str]:
         place = pathlib.Path(_SAID)
         found.append(place / name if place.is_dir() else place if "image" not in name else place.parent / name)
     here = pathlib.Path(__file__).resolve().parent
-    found += [here / name, here.parents[2] / name]  # in the package; PREFIX/lib of PREFIX/lib/python3/dist-packages/mien
+    found += [here / "native" / name, here.parents[2] / name]  # of a wheel; PREFIX/lib of PREFIX/lib/python3/dist-packages/mien
     return [str(path) for path in found if path.is_file()] + [name]
 
 

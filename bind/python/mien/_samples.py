@@ -13,7 +13,7 @@ _ENDING = ".face.json"
 def _folder() -> pathlib.Path:
     """In a wheel, in PREFIX/share/mien of an installed package, or in the source."""
     here = pathlib.Path(__file__).resolve()
-    for place in (here.parent / "faces", *(here.parents[i] / "share/mien/faces" for i in (4, 3) if i < len(here.parents)),
+    for place in (here.parent / "share/mien/faces", *(here.parents[i] / "share/mien/faces" for i in (4, 3) if i < len(here.parents)),
                   here.parents[3] / "faces"):
         if place.is_dir():
             return place

@@ -33,7 +33,7 @@ _FIRST = ("yaw", "pitch", "gaze.x", "gaze.y", "blink", "jaw.open")  # sliders be
 
 def web_package() -> Optional[pathlib.Path]:
     """The folder with mien.wasm: in the package, or as the build of the source made it."""
-    places = (_HERE / "web", _HERE.parents[2] / "build/web/bind/web/package", *(_HERE.parents[i] / "share/mien/web" for i in range(3, min(5, len(_HERE.parents)))))
+    places = (_HERE / "share/mien/web", _HERE.parents[2] / "build/web/bind/web/package", *(_HERE.parents[i] / "share/mien/web" for i in range(3, min(5, len(_HERE.parents)))))
     return next((place for place in places if (place / "mien.wasm").is_file()), None)
 
 
