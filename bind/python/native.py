@@ -66,20 +66,20 @@ def stands_on(file):
     return {name: pathlib.Path(path) for name, path in found.items() if not EVERYWHERE.fullmatch(name) and "mien" not in name}
 
 
-def licence(library, folder):
-    """The licence of a library of the system's goes where it goes."""
-    for place in (library, library.resolve()):
-        told = subprocess.run(["dpkg", "-S", place], capture_output=True, text=True).stdout if shutil.which("dpkg") else ""
-        packages = [line.partition(":")[0] for line in told.splitlines()]
-        for text in (pathlib.Path("/usr/share/doc", package, "copyright") for package in packages):
-            if text.is_file():
-                shutil.copy(text, folder / f"{text.parent.name}.txt")
-                return
-    # Files of a merged /usr have the name that they had before.
-    if str(library).startswith("/usr/"):
-        licence(pathlib.Path(str(library)[4:]), folder)
-    else:
-        sys.exit(f"wheel: the licence of {library} is not found, and nobody may be given the library without it")
+def licences(libraries, folder):
+    """The licences of libraries of the system's go where they go."""
+    folder.mkdir()
+    # Files of a merged /usr have the names that they had before.
+    asked = {str(name) for path in libraries for one in (path, path.resolve()) for name in (one, str(one).removeprefix("/usr"))}
+    told = subprocess.run(["dpkg", "-S", *sorted(asked)], capture_output=True, text=True).stdout if shutil.which("dpkg") else ""
+    package_of = {path: package for package, path in re.findall(r"^([^:\s]+)\S*: (/\S+)$", told, flags=re.M)}
+    for path in libraries:
+        names = [str(name) for one in (path, path.resolve()) for name in (one, str(one).removeprefix("/usr"))]
+        package = next((package_of[name] for name in names if name in package_of), "")
+        text = pathlib.Path("/usr/share/doc", package, "copyright")
+        if not package or not text.is_file():
+            sys.exit(f"wheel: the licence of {path} is not found, and nobody may be given the library without it")
+        shutil.copy(text, folder / f"{package}.txt")
 
 
 def gather(into, folder):
@@ -91,19 +91,16 @@ def gather(into, folder):
     programs = [path for path in [folder / "mien"] if path.is_file()]
     modules = [path for pattern in MODULES for path in folder.glob(pattern)]
     own = [path for path in (*libraries, *programs, *modules) if path.is_file()]
-    licences = into / "licences"
-    licences.mkdir()
     for path in own:
         shutil.copy(path, into / path.name)
         run("strip", "--strip-unneeded", into / path.name)
         find_beside(into / path.name)
     judged = [into / path.name for path in own if not path.name.startswith(ALONE)]
-    for path in [path for path in own if not path.name.startswith(ALONE)]:
-        for name, library in stands_on(path).items():
-            if not (into / name).exists():
-                shutil.copy(library, into / name)
-                licence(library, licences)
-                judged.append(into / name)
+    libraries = {name: path for file in own if not file.name.startswith(ALONE) for name, path in stands_on(file).items()}
+    for name, path in libraries.items():
+        judged.append(into / name)
+        shutil.copy(path, judged[-1])
+    licences(list(libraries.values()), into / "licences")
     return judged
 
 
