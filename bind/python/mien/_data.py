@@ -59,25 +59,31 @@ class Stimuli:
 
 
 @hinted
-def chernoff(data: Any, map: Optional[Plan] = None, *, style: Optional[str] = None, cell: int = 160, columns: int = 10,
+def chernoff(data: Any, map: Optional[Plan] = None, *, label: Optional[str] = None, style: Optional[str] = None, cell: int = 160, columns: int = 10,
              gap: int = 0) -> Chernoff:
     """Draws each row of a table as a face.
 
     data     a data frame of pandas or polars, {"column": [values]}, a list of records, or a path of a CSV file
     map      which column moves what: a list such as [{"column": "GDP", "emotion": "joy"}], a whole map as docs/data.md has it, or a
              path of one; without it columns of numbers move, in their order, what people read most exactly
+    label    the column that names the faces, beside a map that is no file; without a map it is the first that is not of numbers
     style    how faces are painted
     cell     pixels of a face's longer side
     columns  faces in a row
 
     What is odd, such as a column that is left out since a value is missing, is a `mien.Warned`.
     """
+    if label is not None and (map is None or isinstance(map, (str, os.PathLike))):
+        raise Error("label", "goes with a map, as a list or a mapping; a map's file says it itself")
     with tempfile.TemporaryDirectory(prefix="mien-") as folder:
         place = pathlib.Path(folder)
         words = ["chernoff", _table_file(data, place), "-o", place / "faces.png", "--legend", place / "legend.png", "--manifest", place / "all.csv",
                  "--cell", str(whole(cell, "cell")), "--columns", str(whole(columns, "columns")), "--gap", str(whole(gap, "gap"))]
         if map is not None:
-            words += ["--map", _plan_file({"map": list(map)} if isinstance(map, (list, tuple)) else map, place / "map.json", "mien-chernoff", "map")]
+            rules: Any = {"map": list(map)} if isinstance(map, (list, tuple)) else map
+            if label is not None and isinstance(rules, Mapping):
+                rules = {**rules, "label": label}
+            words += ["--map", _plan_file(rules, place / "map.json", "mien-chernoff", "map")]
         if style is not None:
             words += ["--style", style]
         _command.run("chernoff", *words, instead={str(place / "table.csv"): "data", str(place / "map.json"): "map"})

@@ -1,4 +1,4 @@
-"""People by codes: twelve signs that are a face.
+"""People by codes: twelve signs that are a face. Who has something held, or is a child of two, has a longer one.
 
 >>> from mien import people
 >>> ada = people.code("ada")

@@ -227,6 +227,11 @@ class Tables(Folder):
         file = self.folder / "map.json"
         file.write_text(json.dumps({"format": "mien-chernoff", "format_version": 1, "map": rules}))
         numpy.testing.assert_array_equal(mien.chernoff(TABLE, file, cell=32).pixels, by_list.pixels)
+        self.assertEqual([one["face"] for one in mien.chernoff(TABLE, rules, label="who", cell=32).manifest], TABLE["who"])
+        self.assertEqual([one["face"] for one in mien.chernoff(TABLE, {"map": rules}, label="who", cell=32).manifest], TABLE["who"])
+        for map in (None, file):
+            with self.assertRaisesRegex(mien.Error, "label: goes with a map"):
+                mien.chernoff(TABLE, map, label="who")
         self.assertFalse((mien.chernoff(TABLE, rules, cell=32, style="ink").pixels == by_list.pixels).all())
 
     def test_warn_of_what_is_missing(self):
