@@ -28,7 +28,9 @@ endif()
 if(MIEN_BUILD_COMMAND)
   find_package(CLI11 REQUIRED)                  # the command line, in tools only
   find_library(MIEN_CSV csv REQUIRED)           # tables, in tools/mien/data only
-  pkg_check_modules(EVENT REQUIRED IMPORTED_TARGET GLOBAL libevent_extra libevent_core)  # HTTP, in tools/mien/http only
+  if(MIEN_BUILD_SERVER)
+    pkg_check_modules(EVENT REQUIRED IMPORTED_TARGET GLOBAL libevent_extra libevent_core)  # HTTP, in tools/mien/http only
+  endif()
   pkg_check_modules(GIF REQUIRED IMPORTED_TARGET GLOBAL libgif>=5)  # films, in tools/mien/film only
   pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET GLOBAL libwebp libwebpmux)
   pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET GLOBAL nettle)  # SHA-256, in tools/mien/output only

@@ -73,7 +73,7 @@ if(MIEN_BUILD_C)
 endif()
 if(MIEN_BUILD_C)
   install(DIRECTORY bind/python/mien DESTINATION lib/python3/dist-packages COMPONENT python
-          FILES_MATCHING PATTERN *.py PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+          FILES_MATCHING PATTERN *.py PATTERN *.js PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endif()
 if(MIEN_BUILD_IMAGE AND (MIEN_BUILD_COMMAND OR MIEN_BUILD_C))
   install(TARGETS mien_oiio_module mien_tiff_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mien COMPONENT formats)

@@ -3,6 +3,7 @@ option(MIEN_BUILD_IMAGE "Build mien::image (needs OpenImageIO)" ${PROJECT_IS_TOP
 option(MIEN_BUILD_TEXT "Build mien::text (needs FreeType)" ${PROJECT_IS_TOP_LEVEL})
 option(MIEN_BUILD_C "Build libmien_c, the C interface" ${PROJECT_IS_TOP_LEVEL})
 option(MIEN_BUILD_COMMAND "Build the mien command" ${PROJECT_IS_TOP_LEVEL})
+option(MIEN_BUILD_SERVER "mien serve and mien studio have their server (needs libevent)" ON)
 option(MIEN_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(MIEN_LONG_TESTS "Tests that take hours, too: ctest -L long" OFF)
 option(MIEN_BUILD_BENCH "Build the benches (needs Google Benchmark)" OFF)

@@ -99,7 +99,7 @@ JPEG are written where mien-formats is installed.")
                SUMMARY "vector faces and exact distances: for building, in C"
                TEXT "The headers <mien_c.h> and <mien_image_c.h>, which need no C++ compiler, and
 what CMake and pkg-config need to find the libraries.")
-  mien_package(python3-mien COMPONENTS python SECTION python ARCHITECTURE all SUGGESTS "mien-formats, mien-accuracy"
+  mien_package(python3-mien COMPONENTS python SECTION python ARCHITECTURE all SUGGESTS "mien, mien-formats, mien-accuracy, python3-pil"
                DEPENDS "libmien-c0 (>= ${PROJECT_VERSION}), python3, python3-numpy"
                CONTROL ${PROJECT_SOURCE_DIR}/cmake/debian/python/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/python/prerm
                SUMMARY "vector faces and exact distances in Python"

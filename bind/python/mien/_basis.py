@@ -2,16 +2,17 @@
 from __future__ import annotations
 
 import ctypes
-import os
 import pathlib
+import tempfile
 from typing import Any, Optional, Sequence, Union
 
 import numpy
 import numpy.typing
 
 from . import _library
-from ._library import Error, Handle, call, lib, path_bytes
-from ._picture import whole
+from ._errors import Error, Path, reading, writing
+from ._library import Handle, call, lib, path_bytes
+from ._picture import real, whole
 
 Array = numpy.typing.NDArray[numpy.float64]
 Numbers = Union[Sequence[Any], numpy.typing.NDArray[Any]]
@@ -81,7 +82,7 @@ class Basis:
 
     def decode(self, weights: Optional[Numbers] = None) -> Array:
         """Frames [F, vertices, dimensions] of weights [F, at most n]; without weights those it was fitted to."""
-        rows = numpy.ascontiguousarray(self.weights if weights is None else weights, numpy.float64)
+        rows = numpy.ascontiguousarray(real(self.weights if weights is None else weights, "weights"), numpy.float64)
         if rows.ndim != 2:
             raise Error("weights", f"expected [frames, components], got {rows.ndim} dimensions")
         frames = numpy.empty((len(rows), *self.shape[1:]))
@@ -91,7 +92,7 @@ class Basis:
 
     def encode(self, frames: Numbers) -> Array:
         """The weights [F, n] of frames [F, vertices, dimensions] or [F, numbers]."""
-        rows = numpy.ascontiguousarray(frames, numpy.float64)
+        rows = numpy.ascontiguousarray(real(frames, "frames"), numpy.float64)
         numbers = self.shape[1] * self.shape[2]
         if rows.ndim < 2 or rows[0:1].size != (numbers if len(rows) else 0):
             raise Error("frames", f"expected frames of {numbers} numbers, got the shape {rows.shape}")
@@ -99,25 +100,52 @@ class Basis:
         call(lib.mien_basis_encode, self._handle.value, rows.ctypes.data, len(rows), weights.ctypes.data, weights.size)
         return weights
 
-    def save(self, path: "str | os.PathLike[str]") -> None:
+    def save(self, path: Path) -> None:
         """Writes a basis file, as `mien pca` and `read_basis` take it."""
+        with writing(path):
+            pathlib.Path(path).write_bytes(self._file())
+
+    def _file(self) -> bytes:
         raw = ctypes.create_string_buffer(max(int(lib.mien_basis_file_size(self._handle.value)), 1))
         call(lib.mien_basis_file, self._handle.value, raw, len(raw))
-        pathlib.Path(path).write_bytes(raw.raw)
+        return raw.raw
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Basis) and self._file() == other._file()
+
+    def __hash__(self) -> int:
+        return hash((self.shape, len(self), self.total_variance))
+
+    def __copy__(self) -> Basis:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Basis:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _basis_again, (self._file(),)
 
     def __repr__(self) -> str:
         return f"<mien.Basis: {len(self)} components of {' x '.join(map(str, self.shape))}>"
 
 
-def read_basis(path: "str | os.PathLike[str]") -> Basis:
+def _basis_again(raw: bytes) -> Basis:
+    with tempfile.TemporaryDirectory(prefix="mien-") as folder:
+        file = pathlib.Path(folder, "pickled.basis")
+        file.write_bytes(raw)
+        return read_basis(file)
+
+
+def read_basis(path: Path) -> Basis:
     """Reads a basis file, of `mien pca fit` or `Basis.save`."""
-    return Basis(Handle(lib.mien_basis_free, lib.mien_basis_read, *path_bytes(path)))
+    with reading(path):
+        return Basis(Handle(lib.mien_basis_free, lib.mien_basis_read, *path_bytes(path)))
 
 
 def fit_basis(frames: Numbers, *, components: Optional[int] = None, variance: Optional[float] = None,
               max_error: Optional[float] = None) -> Basis:
     """A basis of frames [F, vertices, dimensions] or [F, numbers]: see `wish` for how many components it has."""
-    rows = numpy.ascontiguousarray(frames, numpy.float64)
+    rows = numpy.ascontiguousarray(real(frames, "frames"), numpy.float64)
     if rows.ndim not in (2, 3):
         raise Error("frames", f"expected [frames, vertices, dimensions] or [frames, numbers], got the shape {rows.shape}")
     count, vertices, dimensions = (*rows.shape, 1)[:3]

@@ -1,36 +1,28 @@
-"""Faces and posed faces."""
+"""Faces at rest."""
 from __future__ import annotations
 
 import ctypes
-import json
 import os
-import threading
 from types import MappingProxyType
-from typing import Any, Callable, Iterator, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy
 import numpy.typing
 
-from . import _library
-from ._library import Handle, NameRecord, WriteOptions, call, hinted, lib, path_bytes, text, texts, utf8
+from . import _library, people
 from ._basis import Basis, wish
+from ._errors import Error, Path, reading
+from ._library import Handle, NameRecord, call, hinted, lib, text, texts, utf8
 from ._motion import Motion, Steady
-from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, png, view, whole
+from ._names import Canvas, Name
+from ._picture import Renderer, Size, whole
+from ._pose import ClipLike, MotionLike, One, PoseLike, Strengths, Value, posed, value_text
+from ._posed import Posed, Svg
+from ._saved import File
+from ._source import Source, read, source_of
 
-Value = Union[str, float, Sequence[float], numpy.typing.NDArray[Any]]
-ClipLike = Union[str, "tuple[str, float]", "tuple[str, float, float]"]
-MotionLike = Union[Motion, "tuple[Motion, float]", "tuple[Motion, float, float]"]
-DRAWN = ("outlines", "regions", "fragments", "looks", "distance", "normals")  # pictures of how a face is drawn
-MOVED = ("muscles", "points", "morph")                                        # and of what moves it
-UNWRAP_MODES = ("linear", "delayed", "sine")
-SHOWN_IN_NOTEBOOKS = 400  # [px] the longer side
-
-
-class Svg(NamedTuple):
-    """A face as an SVG file."""
-
-    text: str
-    simplified: tuple[str, ...]  # what SVG cannot say, a sentence each with the layer's name
+if TYPE_CHECKING:
+    from ._film import Film
 
 
 class EditedText(NamedTuple):
@@ -40,37 +32,51 @@ class EditedText(NamedTuple):
     left: tuple[str, ...]  # names that the file cannot hold
 
 
-class Canvas(NamedTuple):
-    """What a picture of a face shows [face units]."""
-
-    box: tuple[float, float, float, float]  # x0, y0, x1, y1
-    y_up: bool
-    mirror_x: float
-    unit: str
-
-    @property
-    def aspect(self) -> float:
-        return (self.box[2] - self.box[0]) / (self.box[3] - self.box[1])
-
-
-class Name(NamedTuple):
-    """Something that can be set."""
-
-    name: str
-    unit: str
-    range: tuple[float, float]
-    value: Union[float, tuple[float, ...]]  # at rest
-    is_control: bool  # else a slice of the face's numbers
-    is_pose: bool     # a control that is the weight of a pose
-    begin: int        # a slice: where its numbers begin in the vector; a control: -1
-
-
 class Face:
     """A face at rest. It never changes: threads may share it."""
 
-    def __init__(self, handle: Handle) -> None:
+    def __init__(self, handle: Handle, source: Optional[Source] = None) -> None:
+        """For this package: `from_seed`, `from_code`, `read_face` and `read_face_text` make faces."""
+        if not isinstance(handle, Handle) or source is None:
+            raise TypeError("a face is made by mien.from_seed, mien.from_code, mien.read_face or mien.read_face_text")
         self._handle = handle
+        self._source = source
         self._names: Optional[Mapping[str, Name]] = None
+
+    @classmethod
+    def from_seed(cls, word: Union[str, int], *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
+        """As `mien.from_seed`."""
+        return from_seed(word, style=style, hold=hold)
+
+    @classmethod
+    def from_code(cls, code: str, *, style: Optional[str] = None) -> Face:
+        """As `mien.from_code`."""
+        return from_code(code, style=style)
+
+    @property
+    def code(self) -> Optional[str]:
+        """The code that draws this person, whatever her style; None of faces that have none."""
+        return self._source.code
+
+    @property
+    def recipe(self) -> Optional[str]:
+        """The recipe that it is composed of, a face file of a few lines; None of faces in full."""
+        return self.text if self._source.is_recipe else None
+
+    @property
+    def style(self) -> Optional[str]:
+        """How a recipe paints it: "soft", "ink" …; None of faces in full."""
+        return str(self._source.tree.get("style", "soft")) if self._source.is_recipe else None
+
+    @property
+    def text(self) -> str:
+        """Its face file. Parts of one's own lie beside it, and morph targets in other files."""
+        return self._source.text.decode("utf-8", "replace")
+
+    def with_style(self, style: str) -> Face:
+        """The same person painted in another style, one of `people.styles()`."""
+        source = self._source.styled(style)
+        return Face(source.handle(), source)
 
     @property
     def title(self) -> str:
@@ -129,23 +135,28 @@ class Face:
 
     @hinted
     def pose(self, *, time: Optional[float] = None, set: Optional[Mapping[str, Value]] = None,
-             emotions: Optional[Mapping[str, float]] = None,
-             expressions: Optional[Mapping[str, Mapping[str, float]]] = None, clips: Sequence[ClipLike] = (),
-             look_at: Optional[Sequence[float]] = None, unwrap: float = 0, unwrap_mode: str = "linear",
-             clamp: bool = False, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
-             seed: Union[str, int, None] = None, liveliness: float = 1, gestures: float = 1,
-             motions: Sequence[MotionLike] = (),
+             emotions: Optional[Strengths] = None, muscles: Optional[Strengths] = None, visemes: Optional[Strengths] = None,
+             arkit: Optional[Strengths] = None, facs: Optional[Strengths] = None, vrm: Optional[Strengths] = None,
+             azure: Optional[Strengths] = None, emotion: Optional[One] = None, muscle: Optional[One] = None, viseme: Optional[One] = None,
+             blink: Optional[float] = None, bias: Optional[float] = None, yaw: Optional[float] = None, pitch: Optional[float] = None,
+             roll: Optional[float] = None, clips: Optional[Sequence[ClipLike]] = None, clip: Optional[ClipLike] = None,
+             look_at: Optional[Sequence[float]] = None, unwrap: Optional[float] = None, unwrap_mode: Optional[str] = None,
+             clamp: Optional[bool] = None, basis: Optional[Basis] = None, weights: Optional[Sequence[float]] = None,
+             seed: Union[str, int, None] = None, liveliness: Optional[float] = None, gestures: Optional[float] = None,
+             motions: Union[Motion, Sequence[MotionLike], None] = None,
              frame: Union[str, Mapping[str, Any], Sequence[Any], None] = None,
              steady: Optional[tuple[Steady, float]] = None) -> Posed:
-        """The face at that pose.
+        """The face at that pose. None is as if it were not said.
 
         time         [s] at which clips are taken; without one none runs
-        set          values by name (`Face.names`); a colour may be "#rrggbb". They beat everything else
+        set          values by name (`Face.names`); a colour may be "#rrggbb" or a name. They beat everything else
         emotions     strengths by name, 0 to 1: {"joy": 0.8, "left.surprise": 0.3}
-        expressions  strengths of other sets: {"arkit": {"jawOpen": 0.5}}
+        muscles, visemes, arkit, facs, vrm, azure   strengths of other sets: visemes={"aa": 0.7}, arkit={"jawOpen": 0.5}
+        emotion, muscle, viseme, clip   one of each, as the command says it: emotion="joy", emotion="joy=0.8"
+        blink, bias, yaw, pitch, roll   controls that most faces have, as in `set`; angles in degrees
         clips        names, or (name, weight), or (name, weight, begin [s]); each acts on those before it
         look_at      x, y, z that the eyes look at [face units], z towards the viewer
-        unwrap       0 to 1: how far the features have travelled to a flat chart, by `unwrap_mode`
+        unwrap       0 to 1: how far the features have travelled to a flat chart, by `unwrap_mode`: "linear", "delayed", "sine"
         clamp        strengths out of range become the nearer end instead of an error
         basis        whose vector replaces that at rest: of its `weights`, or without any of those at `time`
         seed         a word instead of the face's own code, recipe or text, for blinks and glances by chance
@@ -155,50 +166,14 @@ class Face:
         frame        what a camera saw: ARKit's shapes by name, a result of MediaPipe, or its JSON; it beats motions
         steady       of frames that come live: what keeps them quiet, and the frame's moment [s]
         """
-        made = Handle(lib.mien_pose_free, lib.mien_pose_new, self._handle.value)
-        pose = made.value
-        if time is not None:
-            call(lib.mien_pose_time, pose, float(time))
-        for clip in clips:
-            call(lib.mien_pose_clip, pose, *utf8(_clip_text(clip)))
-        for motion in motions:
-            of, weight, begin = _motion_layer(motion)
-            call(lib.mien_pose_motion, pose, of._handle.value, weight, begin)
-        if frame is not None:
-            seen = utf8(frame if isinstance(frame, str) else json.dumps(frame))
-            if steady is None:
-                call(lib.mien_pose_follow, pose, *seen)
-            else:
-                call(lib.mien_pose_follow_steadily, pose, steady[0]._handle.value, float(steady[1]), *seen)
-        if seed is not None:
-            call(lib.mien_pose_seed, pose, *utf8(str(seed)))
-        if liveliness != 1:
-            call(lib.mien_pose_liveliness, pose, float(liveliness))
-        if gestures != 1:
-            call(lib.mien_pose_gestures, pose, float(gestures))
-        if look_at is not None:
-            if len(look_at) != 3:
-                raise _library.Error("look_at", f"expected x, y, z, got {len(look_at)} numbers")
-            call(lib.mien_pose_look_at, pose, *[float(one) for one in look_at])
-        if unwrap or unwrap_mode != "linear":
-            call(lib.mien_pose_unwrap, pose, float(unwrap), choice(unwrap_mode, UNWRAP_MODES, "unwrap_mode"))
-        for kind, strengths in [*(expressions or {}).items(), ("emotion", emotions or {})]:
-            for name, strength in strengths.items():
-                call(lib.mien_pose_express, pose, *utf8(kind), *utf8(f"{name}={float(strength)!r}"), clamp)
-        for name, value in (set or {}).items():
-            call(lib.mien_pose_set, pose, *utf8(f"{name}={_value_text(value)}"))
-        if basis is not None:
-            held = numpy.ascontiguousarray(() if weights is None else weights, numpy.float64).ravel()
-            call(lib.mien_pose_basis, pose, basis._handle.value, held.ctypes.data, held.size)
-        elif weights is not None:
-            raise _library.Error("weights", "are those of a basis")
-        return Posed(self, made)
+        asked = {name: value for name, value in locals().items() if name != "self" and value is not None}
+        return Posed(self, posed(self._handle.value, asked), asked)
 
     def speak(self, track: Motion, time: float, **pose: Any) -> Posed:
         """The face at a moment of a track of speech, or of a take [s]: what sounds then. `pose` has further arguments of
         `Face.pose`; without `clips` the face's first one runs below."""
-        clips = pose.pop("clips", self.clips[:1])
-        return self.pose(time=time, clips=clips, motions=[track], **pose)
+        below: dict[str, Any] = {} if "clips" in pose or "clip" in pose else {"clips": self.clips[:1]}
+        return self.pose(time=time, motions=[track], **below, **pose)
 
     def follow(self, frame: Union[str, Mapping[str, Any], Sequence[Any]], **pose: Any) -> Posed:
         """The face as a camera saw an actor's: ARKit's shapes by name, a result of MediaPipe, or its JSON. `steady` is
@@ -217,7 +192,7 @@ class Face:
         of any number [face units; levels of 255 for colours]. `pose` has further arguments of `Face.pose`.
         """
         if (frames := whole(count, "count")) < 1:
-            raise _library.Error("count", "expected 1 frame or more")
+            raise Error("count", "expected 1 frame or more")
         posed = self.pose(**pose)
         return Basis(Handle(lib.mien_basis_free, lib.mien_basis_of_pose, posed._pose.value, whole(first, "first"), frames, float(fps),
                             *wish(components, variance, max_error)))
@@ -226,8 +201,23 @@ class Face:
         """The picture at rest: see `Posed.render`."""
         return self.pose().render(size, **how)
 
+    def save(self, file: File, size: Size = 1024, **how: Any) -> None:
+        """Draws it at rest into a file: see `Posed.save`."""
+        self.pose().save(file, size, **how)
+
+    def svg(self, size: Size = 1024, **how: Any) -> Svg:
+        """It at rest as an SVG file: see `Posed.svg`."""
+        return self.pose().svg(size, **how)
+
+    def to_pil(self, size: Size = 1024, **how: Any) -> Any:
+        """The picture at rest as a PIL.Image."""
+        return self.pose().to_pil(size, **how)
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.typing.NDArray[Any]:
+        return self.pose().__array__(dtype, copy)
+
     def frames(self, count: int, size: Size = 1024, *, fps: float = 30, begin: float = 0,
-               pose: Union[Mapping[str, Any], Callable[[float], Mapping[str, Any]], None] = None,
+               pose: PoseLike = None,
                **how: Any) -> Iterator[numpy.typing.NDArray[Any]]:
         """The pictures of an animation, one after another, by one renderer.
 
@@ -240,20 +230,56 @@ class Face:
             asked: dict[str, Any] = {"time": time, **((pose(time) if callable(pose) else pose) or {})}
             yield self.pose(**asked).render(size, renderer=renderer, **how)
 
-    def with_morphs(self, path: "str | os.PathLike[str]") -> Face:
+    def animate(self, file: Optional[File] = None, *, seconds: Optional[float] = None, frames: Optional[int] = None, fps: float = 30,
+                size: Size = 320, begin: float = 0, pose: PoseLike = None, sound: Optional[Path] = None, format: Optional[str] = None,
+                **how: Any) -> Film:
+        """A film: .apng (or .png), .gif, .webp, .mp4 or .webm, which a notebook plays.
+
+        file      a path or a file object; without one the film is in memory, as APNG
+        seconds   how long, or so many `frames`; default 2 s
+        pose      as for `frames`: arguments of `Face.pose`, or a function of the time that gives them
+        sound     a file of it, for .mp4 and .webm, from the film's beginning on
+        format    "gif" …, where the file's name does not say it
+        how       as for `Posed.render`
+
+        This package writes APNG. GIF and WebP are written by the command `mien`, where it has words for the pose, or by Pillow; .mp4 and
+        .webm need ffmpeg.
+        """
+        from ._film import animate  # which knows faces
+        return animate(self, file, seconds=seconds, frames=frames, fps=fps, size=size, begin=begin, pose=pose, sound=sound, format=format, **how)
+
+    def with_morphs(self, path: Path) -> Face:
         """The face with the morph targets of a file: further names, whose weights `set` holds."""
-        return Face(Handle(lib.mien_face_free, lib.mien_face_with_morphs, self._handle.value, *path_bytes(path)))
+        with reading(path), open(path, "rb") as file:
+            return self.with_morphs_text(file.read(), os.fspath(path))
 
     def with_morphs_text(self, words: Union[str, bytes], name: str = "morphs") -> Face:
         """The same from memory; `name` stands for the file's name in errors."""
         raw = words if isinstance(words, bytes) else utf8(words)[0]
-        return Face(Handle(lib.mien_face_free, lib.mien_face_with_morphs_text, self._handle.value, raw, len(raw), *utf8(name)))
+        made = Handle(lib.mien_face_free, lib.mien_face_with_morphs_text, self._handle.value, raw, len(raw), *utf8(name))
+        return Face(made, self._source.with_more(name, raw))
 
     def morphs_text(self, shapes: Mapping[str, Face]) -> str:
         """The text of a file of morph targets: the same face, slice for slice, in other shapes, by name."""
         names = (ctypes.c_char_p * len(shapes))(*(utf8(name)[0] for name in shapes))
         faces = (ctypes.c_void_p * len(shapes))(*(face._handle.value.value for face in shapes.values()))
         return texts(lib.mien_morphs_text, self._handle.value, names, faces, len(shapes))[0]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are made of the same texts, whatever their spaces and the order of their keys."""
+        return isinstance(other, Face) and self._source.key == other._source.key
+
+    def __hash__(self) -> int:
+        return hash(self._source.key)
+
+    def __copy__(self) -> Face:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Face:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _face_again, (self._source.state(),)
 
     def _repr_png_(self) -> bytes:
         return self.pose()._repr_png_()
@@ -262,164 +288,23 @@ class Face:
         return f"<mien.Face {self.title or 'without a name'}: {len(self.names)} names>"
 
 
-class Posed:
-    """A face at a pose. A notebook shows it."""
-
-    def __init__(self, face: Face, pose: Handle) -> None:
-        self.face = face
-        self._pose = pose
-        self._scene: Optional[Handle] = None
-        self._lock = threading.Lock()  # a pose is used by one thread at a time
-
-    @property
-    def _drawn(self) -> Any:
-        with self._lock:
-            if self._scene is None:
-                self._scene = Handle(lib.mien_scene_free, lib.mien_scene_new, self._pose.value)
-            return self._scene.value
-
-    @property
-    def vector(self) -> numpy.typing.NDArray[numpy.float64]:
-        """All numbers of the posed face."""
-        numbers = numpy.empty(lib.mien_face_vector_size(self.face._handle.value))
-        with self._lock:
-            call(lib.mien_pose_vector, self._pose.value, numbers.ctypes.data, numbers.size)
-        return numbers
-
-    @hinted
-    def render(self, size: Size = 1024, *, fit: str = "meet", blend: str = "linear", depth: str = "u8",
-               background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
-               light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0,
-               out: Optional[numpy.typing.NDArray[Any]] = None, progress: Optional[Watch] = None,
-               renderer: Optional[Renderer] = None, effects: Union[Sequence[str], bool] = ()) -> numpy.typing.NDArray[Any]:
-        """The picture: an array (height, width, 4) of red, green, blue, alpha.
-
-        size        (width, height), or the longer side; the other then follows the canvas
-        depth       "u8" and "u16": sRGB-encoded, straight alpha; "f32": linear light, premultiplied
-        fit         "meet": all of the canvas; "slice": all of the picture
-        blend       "linear" or "srgb": where colours are mixed
-        background  "#rrggbb", "#rrggbbaa", "transparent", or linear red, green, blue, alpha
-        region      x, y, width, height: draws only this part, with the same pixels
-        light       x, y, z: the direction to the lamp that lights reliefs
-        threads     0: all. It does not change a bit
-        out         an array to draw into; its rows may lie apart
-        progress    called with the share done; returning False stops, and Cancelled is raised
-        renderer    keeps memory and finished rows between frames
-        effects     on the finished picture, in order: ["mosaic:24,0.3", "grid:12"]; True: those of the face's file
-        """
-        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
-        return (renderer or Renderer())._render(self._drawn, seen, depth, threads, out, progress, self._effects(effects))
-
-    def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
-              region: Optional[Sequence[int]] = None, threads: int = 0,
-              progress: Optional[Watch] = None) -> numpy.typing.NDArray[Any]:
-        """A picture of how the face is drawn, "outlines", "regions", "fragments", "looks", "distance" or "normals", or of
-        what moves it, "muscles", "points" or "morph", without names: as `mien render --debug`."""
-        kind = choice(which, (*DRAWN, *MOVED), "which")
-        seen = view(self.face.canvas.aspect, size, fit, background=background, region=region)
-        if which in DRAWN:
-            return debug_picture(self._drawn, seen, kind, threads, progress)
-        with self._lock:
-            scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
-        return Renderer()._render(scene.value, seen, "u8", threads, None, progress)
-
-    def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.01,
-            id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
-        """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
-
-        Colours are mixed as SVG viewers do, as with blend="srgb". `id_prefix` begins all ids, so that several pictures can
-        stand in one page; without one it is made of the picture, so that only equal pictures share ids. `progress` is as
-        for `render`.
-        """
-        seen = view(self.face.canvas.aspect, size, fit, background=background)
-        if not tolerance > 0:
-            raise _library.Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
-        prefix = (None, 0) if id_prefix is None else utf8(id_prefix)
-        watched = Watched(progress)
-        file, *simplified = watched.run(texts, lib.mien_svg, self._drawn, seen, float(tolerance), *prefix, watched.options())
-        return Svg(file, tuple(simplified))
-
-    def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
-        if asked is True:
-            return Handle(lib.mien_effects_free, lib.mien_effects_of_face, self.face._handle.value)
-        return effects_of(asked) if asked else None
-
-    @hinted
-    def save(self, path: "str | os.PathLike[str]", size: Size = 1024, *, fit: str = "meet", blend: str = "linear",
-             depth: Optional[str] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
-             light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0, memory: int = 256 << 20,
-             recipe: str = "", dpi: float = 0, progress: Optional[Watch] = None) -> None:
-        """Draws into a file, .png, .tif, .exr or .jpg, at any size, piece by piece in so many bytes of memory. It appears whole
-        or not at all. `recipe` goes into its metadata; `dpi`, pixels per inch, says how large it is on paper."""
-        library = _library.image()
-        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
-        options, watched = WriteOptions(), Watched(progress)
-        library.mien_write_options_init(options, ctypes.sizeof(WriteOptions))
-        options.depth = -1 if depth is None else choice(depth, ("u8", "u16", "f32"), "depth")
-        options.half = depth is None
-        options.threads, options.memory = whole(threads, "threads"), min(max(memory, 0), 2**64 - 1)
-        options.recipe, options.recipe_length = utf8(recipe)
-        options.progress, options.dpi = watched.function, float(dpi)
-        watched.run(call, library.mien_write_picture, self._drawn, seen, *path_bytes(path), options)
-
-    @property
-    def layers(self) -> tuple[str, ...]:
-        """The names of what is drawn, from the bottom to the top."""
-        scene = self._drawn
-        return tuple(text(lib.mien_scene_layer_name(scene, i)) for i in range(lib.mien_scene_layer_count(scene)))
-
-    def layer_at(self, x: float, y: float) -> Optional[str]:
-        """The topmost layer at a point [face units]."""
-        found, scene = ctypes.c_int32(), self._drawn
-        call(lib.mien_scene_layer_at, scene, float(x), float(y), ctypes.byref(found))
-        return text(lib.mien_scene_layer_name(scene, found.value)) if found.value >= 0 else None
-
-    def feature_at(self, x: float, y: float) -> Optional[str]:
-        """The feature that is seen at a point [face units]: not its shadow or outline, and nothing transparent."""
-        found = texts(lib.mien_scene_feature_at, self._drawn, float(x), float(y))
-        return found[0] if found else None
-
-    def distance(self, layer: Union[str, int], x: float, y: float) -> float:
-        """The signed distance to a layer's outline, negative inside [face units]."""
-        index = layer
-        if isinstance(index, str):
-            if index not in self.layers:
-                raise _library.Error("layer", f"there is no layer {index!r}")
-            index = self.layers.index(index)
-        found = ctypes.c_double()
-        call(lib.mien_scene_distance, self._drawn, whole(index, "layer"), float(x), float(y), ctypes.byref(found))
-        return found.value
-
-    def face_from_pixel(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
-        """Where a point of the picture [px] is in the face [face units]."""
-        found = (ctypes.c_double * 2)()
-        call(lib.mien_face_from_pixel, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
-        return found[0], found[1]
-
-    def pixel_from_face(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
-        """Where a point of the face [face units] is in the picture [px]."""
-        found = (ctypes.c_double * 2)()
-        call(lib.mien_pixel_from_face, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
-        return found[0], found[1]
-
-    @property
-    def scene(self) -> str:
-        """The shapes and layers as text, one a line."""
-        return texts(lib.mien_scene_text, self._drawn)[0]
-
-    def _repr_png_(self) -> bytes:
-        return png(self.render(SHOWN_IN_NOTEBOOKS))
+def _face_again(state: Any) -> Face:
+    source = source_of(state)
+    return Face(source.handle(), source)
 
 
-def read_face(path: "str | os.PathLike[str]") -> Face:
-    """Reads a face file. What is wrong with it is an `Error` with file, line and column."""
-    return Face(Handle(lib.mien_face_free, lib.mien_face_read, *path_bytes(path)))
+@hinted
+def read_face(path: Path) -> Face:
+    """Reads a face file. What is wrong with it is an `Error` with file, line and column; a file that is not there is a
+    `FileNotFoundError`, too."""
+    return Face(*read(path))
 
 
+@hinted
 def read_face_text(words: Union[str, bytes], name: str = "face") -> Face:
     """The same from memory; `name` stands for the file's name in errors."""
-    raw = words if isinstance(words, bytes) else utf8(words)[0]
-    return Face(Handle(lib.mien_face_free, lib.mien_face_read_text, raw, len(raw), *utf8(name)))
+    source = Source(words if isinstance(words, bytes) else utf8(words)[0], name)
+    return Face(source.handle(), source)
 
 
 def face_pointers(words: Union[str, bytes], name: str = "face") -> dict[str, str]:
@@ -439,38 +324,27 @@ def face_text_with(words: Union[str, bytes], set: Mapping[str, Value], name: str
     `set` is that of `Face.pose`. A side that differs from its mirror image gets an object of its own.
     """
     raw = words if isinstance(words, bytes) else utf8(words)[0]
-    settings = (ctypes.c_char_p * len(set))(*(utf8(f"{one}={_value_text(value)}")[0] for one, value in set.items()))
+    settings = (ctypes.c_char_p * len(set))(*(utf8(f"{one}={value_text(value, one)}")[0] for one, value in set.items()))
     made, *left = texts(lib.mien_face_text_with, raw, len(raw), *utf8(name), settings, len(set))
     return EditedText(made, tuple(left))
 
 
-def from_code(code: str) -> Face:
-    """The person of a code, "AA7Q2-MKX4T-BY"."""
-    return Face(Handle(lib.mien_face_free, lib.mien_face_from_code, *utf8(code)))
+@hinted
+def from_code(code: str, *, style: Optional[str] = None) -> Face:
+    """The person of a code, "AA7Q2-MKX4T-BY"; `style`, such as "ink", is how she is painted (`people.styles()`)."""
+    utf8(code)
+    source = Source(None, code, code)
+    if style is not None:
+        source = source.styled(style)
+    return Face(source.handle(), source)
 
 
-def _value_text(value: Value) -> str:
-    if isinstance(value, str):
-        return value
-    numbers = numpy.asarray(value, dtype=numpy.float64).ravel()
-    return ",".join(repr(float(one)) for one in numbers)
+@hinted
+def from_seed(word: Union[str, int], *, style: Optional[str] = None, hold: Optional[Mapping[str, Any]] = None) -> Face:
+    """The person of a word, such as a user's name, or of a number: the same word, the same person.
 
-
-def _motion_layer(layer: MotionLike) -> tuple[Motion, float, float]:
-    """The motion, its weight and when it begins."""
-    if isinstance(layer, Motion):
-        return layer, 1.0, 0.0
-    parts: tuple[Any, ...] = tuple(layer)
-    if not 2 <= len(parts) <= 3 or not isinstance(parts[0], Motion):
-        raise _library.Error("motions", f"expected a motion, (motion, weight) or (motion, weight, begin), got {layer!r}")
-    return parts[0], float(parts[1]), float(parts[2]) if len(parts) == 3 else 0.0
-
-
-def _clip_text(clip: ClipLike) -> str:
-    if isinstance(clip, str):
-        return clip
-    parts: tuple[Any, ...] = tuple(clip)
-    if not 2 <= len(parts) <= 3:
-        raise _library.Error("clips", f"expected (name, weight) or (name, weight, begin), got {clip!r}")
-    name, weight, begin = (*parts, 0.0)[:3]
-    return f"{name}={float(weight)!r}@{float(begin)!r}"
+    `hold` has parts and numbers that she has whatever the word says: {"hair": "bob", "age": 30}.
+    """
+    code = people.code(word)
+    held = _library.table({} if hold is None else hold, "hold", 'parts and numbers by name, such as {"hair": "bob"}')
+    return from_code(people.hold(code, *(f"{name}={value}" for name, value in held.items())), style=style)

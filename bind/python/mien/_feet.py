@@ -28,8 +28,10 @@ import numpy
 import numpy.typing
 
 from . import distance as _distance
-from ._library import Error, call, lib
+from ._errors import Error
+from ._library import call, lib
 from ._library import Feet as _Arrays
+from ._picture import real
 
 __all__ = ["Feet", "Foot", "ellipse", "line", "lines", "quad", "quads", "tapered", "tapereds"]
 
@@ -125,14 +127,14 @@ def ellipse(center: ArrayLike, radii: ArrayLike, x: ArrayLike, y: ArrayLike, *, 
 
 
 def _listed(of: ArrayLike, name: str, shape: tuple[int, ...]) -> Reals:
-    numbers = _distance._real(of, name).astype(numpy.float64)
+    numbers = real(of, name).astype(numpy.float64)
     if numbers.size and numbers.shape[-len(shape):] != shape:
         raise Error(name, f"expected an array (n, {', '.join(map(str, shape))}), got {numbers.shape}")
     return numbers.ravel()
 
 
 def _feet(figures: str, numbers: list[Reals], each: Any, x: ArrayLike, y: ArrayLike) -> Feet:
-    xs, ys = _distance._real(x, "x"), _distance._real(y, "y")
+    xs, ys = real(x, "x"), real(y, "y")
     try:
         shape = numpy.broadcast_shapes(xs.shape, ys.shape)
     except ValueError:

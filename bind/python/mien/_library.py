@@ -8,7 +8,9 @@ import os
 import pathlib
 import weakref
 from ctypes import POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
-from typing import Any, Callable, Optional, Sequence, TypeVar
+from typing import Any, Callable, Mapping, Optional, Sequence, TypeVar
+
+from ._errors import Cancelled, Error
 
 ABI = 0  # of the interface that these prototypes are
 NUL_ENDED = c_size_t(-1).value
@@ -16,22 +18,6 @@ OK, MISUSE, UNREADABLE, REFUSED, CANCELLED, NO_MEMORY, NOT_WRITTEN, UNEXPECTED =
 
 # mien_progress without its data, which comes last: in C's calling conventions callers clear away what nobody reads.
 Progress = ctypes.CFUNCTYPE(c_int32, c_double)
-
-
-class Error(ValueError):
-    """Why something failed: an address, `where`, and a sentence, `what`."""
-
-    def __init__(self, where: str, what: str) -> None:
-        super().__init__(f"{where}: {what}" if where else what)
-        self.where = where
-        self.what = what
-
-    def __reduce__(self) -> tuple[type, tuple[str, str]]:
-        return type(self), (self.where, self.what)
-
-
-class Cancelled(Error):
-    """A progress asked to stop."""
 
 
 class Canvas(Structure):
@@ -119,6 +105,11 @@ _STATUS: dict[str, list[Any]] = {
     "mien_code_of_child": [*_TEXT, *_TEXT, c_uint64, _ERROR],
     "mien_code_difference": [*_TEXT, *_TEXT, POINTER(c_double)],
     "mien_crowd": [*_TEXT, c_int32, _ERROR],
+    "mien_part_families": [_ERROR],
+    "mien_part_numbers": [_ERROR],
+    "mien_part_styles": [_ERROR],
+    "mien_part_names": [*_TEXT, _ERROR],
+    "mien_part_number": [*_TEXT, c_void_p],
     "mien_pose_new": [c_void_p, _ERROR],
     "mien_pose_time": [c_void_p, c_double],
     "mien_pose_set": [c_void_p, *_TEXT],
@@ -202,6 +193,7 @@ _PLAIN: dict[str, tuple[Any, list[Any]]] = {
     "mien_effects_free": (None, [c_void_p]),
 }
 _IMAGE_STATUS: dict[str, list[Any]] = {
+    "mien_write_image": [POINTER(Pixels), c_int32, c_int32, *_TEXT, POINTER(WriteOptions)],
     "mien_write_picture": [c_void_p, POINTER(View), *_TEXT, POINTER(WriteOptions)],
 }
 _IMAGE_PLAIN: dict[str, tuple[Any, list[Any]]] = {
@@ -220,7 +212,7 @@ def _candidates(name: str) -> list[str]:
         place = pathlib.Path(_SAID)
         found.append(place / name if place.is_dir() else place if "image" not in name else place.parent / name)
     here = pathlib.Path(__file__).resolve().parent
-    found += [here / name, here.parents[2] / name]  # in the package; PREFIX/lib of PREFIX/lib/python3/dist-packages/mien
+    found += [here / "native" / name, here.parents[2] / name]  # of a wheel; PREFIX/lib of PREFIX/lib/python3/dist-packages/mien
     return [str(path) for path in found if path.is_file()] + [name]
 
 
@@ -301,18 +293,32 @@ def utf8(words: str) -> tuple[bytes, int]:
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
+# What other programs, other doors or older versions call an argument, and what is said here instead.
+_ELSEWHERE = {"width": "size=(width, height)", "height": "size=(width, height)", "depth": "dtype=numpy.uint16", "bits": "dtype=numpy.uint16",
+              "bg": "background=", "facecolor": "background=", "expressions": 'muscles=, visemes=, arkit= …, such as visemes={"aa": 1}'}
+
+
 def hinted(function: _Function) -> _Function:
-    """The function, whose TypeError about an unknown argument asks whether another was meant."""
-    known = inspect.signature(function).parameters
+    """The function, whose TypeError about an unknown argument tells what is said instead, or asks whether another was meant."""
+    parameters = inspect.signature(function).parameters
+    known = [name for name in parameters if name != "self"]
+    takes_all = any(one.kind is one.VAR_KEYWORD for one in parameters.values())
 
     @functools.wraps(function)
     def called(*given: Any, **named: Any) -> Any:
         for name in named:
-            if name not in known and not any(one.kind is one.VAR_KEYWORD for one in known.values()):
-                raise TypeError(f"{function.__name__}: {unknown_name('argument', name, list(known))}")
+            if name not in parameters and not takes_all:
+                raise TypeError(f"{function.__name__}: {_unknown_argument(name, known)}")
         return function(*given, **named)
 
     return called  # type: ignore[return-value]
+
+
+def _unknown_argument(name: str, known: Sequence[str]) -> str:
+    instead = _ELSEWHERE.get(name, "")
+    if instead and instead.partition("=")[0] in known:
+        return f'no argument named "{name}"; say {instead}'
+    return unknown_name("argument", name, known)
 
 
 def unknown_name(what: str, wanted: str, names: Sequence[str]) -> str:
@@ -323,3 +329,23 @@ def unknown_name(what: str, wanted: str, names: Sequence[str]) -> str:
 def path_bytes(path: "str | os.PathLike[str]") -> tuple[bytes, int]:
     raw = os.fsencode(path)
     return raw, len(raw)
+
+
+def said(value: Any) -> str:
+    """A value in an error, cut short."""
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def table(value: Any, name: str, like: str) -> Mapping[Any, Any]:
+    """A mapping, or a sentence that tells what is one."""
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{name}: expected {like}, got {said(value)}")
+    return value
+
+
+def listed(value: Any, name: str, like: str) -> Sequence[Any]:
+    """A list, or a sentence: a text is none, although Python takes its letters for one."""
+    if isinstance(value, (str, bytes, Mapping)) or not hasattr(value, "__iter__"):
+        raise TypeError(f"{name}: expected a list, such as {like}, got {said(value)}")
+    return list(value)

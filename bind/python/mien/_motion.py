@@ -2,16 +2,18 @@
 from __future__ import annotations
 
 import os
-from typing import Union
+from typing import Any, Union
 
-from ._library import Handle, lib, path_bytes, text, texts, utf8
+from ._errors import Error, Path, reading
+from ._library import Handle, lib, text, texts, unknown_name, utf8
 
 
 class Motion:
     """What an actor's face did, or a track of speech as the shapes of a mouth: numbers by name over time."""
 
-    def __init__(self, handle: Handle) -> None:
+    def __init__(self, handle: Handle, raw: bytes, name: str) -> None:
         self._handle = handle
+        self._made_of = raw, name
         count = lib.mien_motion_channel_count(handle.value)
         self._index = {text(lib.mien_motion_channel_name(handle.value, i)): i for i in range(count)}
 
@@ -32,7 +34,24 @@ class Motion:
 
     def value(self, channel: str, time: float) -> float:
         """The channel's value at a moment [s]."""
+        if channel not in self._index:
+            raise Error("channel", unknown_name("channel", str(channel), self.channels))
         return float(lib.mien_motion_value(self._handle.value, self._index[channel], float(time)))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Motion) and self._made_of == other._made_of
+
+    def __hash__(self) -> int:
+        return hash(self._made_of)
+
+    def __copy__(self) -> Motion:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Motion:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return read_motion_text, self._made_of
 
     def __repr__(self) -> str:
         return f"<mien.Motion: {len(self._index)} channels, {self.length:.2f} s>"
@@ -45,13 +64,17 @@ class Steady:
         """`cutoff` [Hz] is above 0, lower is quieter; `beta` is 0 or above, higher is less late where much moves."""
         self._handle = Handle(lib.mien_steadier_free, lib.mien_steadier_new, float(cutoff), float(beta))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("a Steady remembers the frames that it saw, and cannot be copied or pickled; make another one")
 
-def read_motion(path: "str | os.PathLike[str]") -> Motion:
+
+def read_motion(path: Path) -> Motion:
     """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column."""
-    return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read, *path_bytes(path)))
+    with reading(path), open(path, "rb") as file:
+        return read_motion_text(file.read(), os.fspath(path))
 
 
 def read_motion_text(words: Union[str, bytes], name: str = "motion") -> Motion:
     """The same from memory; `name` stands for the file's name in errors."""
     raw = words if isinstance(words, bytes) else utf8(words)[0]
-    return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read_text, raw, len(raw), *utf8(name)))
+    return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read_text, raw, len(raw), *utf8(name)), raw, name)

@@ -2,27 +2,27 @@
 from __future__ import annotations
 
 import ctypes
-import struct
 import threading
-import zlib
 from typing import Any, Callable, Generator, NamedTuple, Optional, Sequence, TypeVar, Union
 
 import numpy
 import numpy.typing
 
-from ._library import Error, Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, utf8
+from ._colors import NAMES, hexadecimal
+from ._errors import Error
+from ._library import Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, listed, said, unknown_name, utf8
 
 Size = Union[int, "tuple[int, int]"]
 Color = Union[str, Sequence[float]]
 Watch = Callable[[float], Optional[bool]]
 _Made = TypeVar("_Made")
 
-DEPTHS: dict[str, tuple[int, Any]] = {"u8": (0, numpy.uint8), "u16": (1, numpy.uint16), "f32": (2, numpy.float32)}
+DTYPES = [numpy.dtype(one) for one in (numpy.uint8, numpy.uint16, numpy.float32)]  # in the library's order
 
 
 def choice(value: str, of: Sequence[str], name: str) -> int:
-    if value not in of:
-        raise Error(name, f"expected {', '.join(of[:-1])} or {of[-1]}, got {value!r}")
+    if not isinstance(value, str) or value not in of:
+        raise Error(name, f"expected {', '.join(of[:-1])} or {of[-1]}, got {said(value)}")
     return list(of).index(value)
 
 
@@ -34,6 +34,19 @@ def whole(number: Any, name: str) -> int:
     if not -2**31 <= value < 2**31:
         raise Error(name, f"is out of range: {value}")
     return int(value)
+
+
+def real(of: Any, name: str) -> numpy.typing.NDArray[Any]:
+    """An array of real numbers, or a sentence: no texts, no complex numbers, no rows of several lengths."""
+    try:
+        array = numpy.asarray(of)
+    except (ValueError, TypeError) as failure:
+        raise TypeError(f"{name}: expected numbers, got {said(of)}: {failure}") from None
+    if isinstance(of, numpy.ma.MaskedArray) and bool(numpy.any(of.mask)):
+        raise TypeError(f"{name}: expected numbers, got a masked array in which some are missing")
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name}: expected real numbers, got {array.dtype if array.dtype.kind != 'O' else said(of)}")
+    return array
 
 
 def sides(size: Size, aspect: float) -> tuple[int, int]:
@@ -48,16 +61,29 @@ def sides(size: Size, aspect: float) -> tuple[int, int]:
 
 
 def color(of: Color) -> list[float]:
-    """A colour in linear light: of "transparent", "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
+    """A colour in linear light: of "transparent", a name of CSS, "#rgb", "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
     if isinstance(of, str):
-        found = (ctypes.c_double * 4)()
-        if of != "transparent":
-            call(lib.mien_color_from_text, *utf8(of), found)
+        return _color_of_text(of)
+    numbers = real(of, "background").ravel()
+    if numbers.size not in (3, 4):
+        raise Error("background", f"expected 3 or 4 numbers, got {numbers.size}")
+    if numbers.dtype.kind in "iu" and numbers.max() > 1:
+        raise Error("background", f"numbers are linear light, 0 to 1; of bytes say '#{bytes(numbers.clip(0, 255).astype(numpy.uint8)).hex()}'")
+    return [*map(float, numbers), 1.0][:4]
+
+
+def _color_of_text(text: str) -> list[float]:
+    found = (ctypes.c_double * 4)()
+    if text == "transparent":
         return list(found)
-    numbers = [float(one) for one in of]
-    if len(numbers) not in (3, 4):
-        raise Error("background", f"expected 3 or 4 numbers, got {len(numbers)}")
-    return numbers if len(numbers) == 4 else [*numbers, 1.0]
+    try:
+        call(lib.mien_color_from_text, *utf8(hexadecimal(text)), found)
+    except Error as error:
+        if text.startswith("#"):
+            raise
+        meant = unknown_name("colour", text, ["transparent", *NAMES])
+        raise Error(error.where, f"{meant}; colours are names, #rrggbb or #rrggbbaa") from None
+    return list(found)
 
 
 def view(aspect: float, size: Size, fit: str = "meet", blend: str = "linear", background: Optional[Color] = None,
@@ -70,13 +96,15 @@ def view(aspect: float, size: Size, fit: str = "meet", blend: str = "linear", ba
     if background is not None:
         made.has_background, made.background = 1, (ctypes.c_double * 4)(*color(background))
     if region is not None:
+        region = listed(region, "region", "(x, y, width, height)")
         if len(region) != 4:
             raise Error("region", f"expected x, y, width, height, got {len(region)} numbers")
         made.has_region, made.region = 1, (ctypes.c_int32 * 4)(*[whole(one, "region") for one in region])
     if light is not None:
-        if len(light) != 3:
-            raise Error("light", f"expected x, y, z, got {len(light)} numbers")
-        made.has_light, made.light = 1, (ctypes.c_double * 3)(*[float(one) for one in light])
+        lamp = real(listed(light, "light", "(-1, 1, 2)"), "light").ravel()
+        if lamp.size != 3:
+            raise Error("light", f"expected x, y, z, got {lamp.size} numbers")
+        made.has_light, made.light = 1, (ctypes.c_double * 3)(*map(float, lamp))
     return made
 
 
@@ -122,11 +150,19 @@ class Watched:
         raise self.raised from None
 
 
-def array_for(seen: View, depth: str, out: Optional[numpy.typing.NDArray[Any]]) -> numpy.typing.NDArray[Any]:
+def dtype_of(given: Any) -> numpy.dtype[Any]:
+    """The type of a picture's numbers: numpy.uint8, numpy.uint16, numpy.float32, or their names."""
+    try:
+        found = numpy.dtype(given)
+    except TypeError:
+        found = None
+    if given is None or found not in DTYPES:
+        raise Error("dtype", f"expected uint8, uint16 or float32, got {said(given)}")
+    return found
+
+
+def array_for(seen: View, dtype: numpy.dtype[Any], out: Optional[numpy.typing.NDArray[Any]]) -> numpy.typing.NDArray[Any]:
     """The array that is drawn into: `out`, if it can hold the picture, or a new one."""
-    if depth not in DEPTHS:
-        choice(depth, tuple(DEPTHS), "depth")
-    dtype = numpy.dtype(DEPTHS[depth][1])
     rect = (ctypes.c_int32 * 4)()
     call(lib.mien_drawn_rect, seen, rect)
     shape = (max(rect[3], 0), max(rect[2], 0), 4)
@@ -172,12 +208,12 @@ class Stats(NamedTuple):
     cancelled: bool
 
 
-def pixels_of(array: numpy.typing.NDArray[Any], depth: str) -> Pixels:
+def pixels_of(array: numpy.typing.NDArray[Any]) -> Pixels:
     """An array of array_for as the library takes it."""
     pixels = Pixels()
     lib.mien_pixels_init(pixels, ctypes.sizeof(Pixels))
     row = array.shape[1] * 4 * array.itemsize
-    pixels.depth, pixels.data = DEPTHS[depth][0], array.ctypes.data
+    pixels.depth, pixels.data = DTYPES.index(array.dtype), array.ctypes.data
     pixels.stride = array.strides[0] if array.shape[0] > 1 else row
     pixels.bytes = pixels.stride * max(array.shape[0] - 1, 0) + row
     return pixels
@@ -185,17 +221,15 @@ def pixels_of(array: numpy.typing.NDArray[Any], depth: str) -> Pixels:
 
 def debug_picture(scene: Any, seen: View, which: int, threads: int, progress: Optional[Watch]) -> numpy.typing.NDArray[Any]:
     """How a scene is drawn, as a picture."""
-    array, watched = array_for(seen, "u8", None), Watched(progress)
-    watched.run(call, lib.mien_debug_picture, scene, seen, which, pixels_of(array, "u8"), watched.options(threads))
+    array, watched = array_for(seen, DTYPES[0], None), Watched(progress)
+    watched.run(call, lib.mien_debug_picture, scene, seen, which, pixels_of(array), watched.options(threads))
     return array
 
 
 def effects_of(texts: Sequence[str]) -> Handle:
     """Effects by their texts, in order."""
-    if isinstance(texts, str):
-        raise TypeError("effects: expected a list of texts, got one text")
     made = Handle(lib.mien_effects_free, lib.mien_effects_new)
-    for one in texts:
+    for one in listed(texts, "effects", '["mosaic:24,0.3"]'):
         call(lib.mien_effects_add, made.value, *utf8(one))
     return made
 
@@ -207,6 +241,9 @@ class Renderer:
         self._handle = Handle(lib.mien_renderer_free, lib.mien_renderer_new)
         self._lock = threading.Lock()  # it draws one picture at a time
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Renderer, ()  # what it keeps changes no pixel
+
     @property
     def stats(self) -> Stats:
         """The work that the last picture took; all 0 before the first."""
@@ -216,10 +253,10 @@ class Renderer:
         fields = {name: getattr(raw, name) for name in Stats._fields}
         return Stats(**{**fields, "cancelled": bool(raw.cancelled)})
 
-    def _render(self, scene: Any, seen: View, depth: str, threads: int, out: Optional[numpy.typing.NDArray[Any]],
+    def _render(self, scene: Any, seen: View, dtype: Any, threads: int, out: Optional[numpy.typing.NDArray[Any]],
                 progress: Optional[Watch], effects: Optional[Handle] = None) -> numpy.typing.NDArray[Any]:
-        array = array_for(seen, depth, out)
-        pixels, watched = pixels_of(array, depth), Watched(progress)
+        array = array_for(seen, dtype_of(dtype), out)
+        pixels, watched = pixels_of(array), Watched(progress)
         options = watched.options(threads)
         with self._lock:
             if effects is None:
@@ -227,18 +264,3 @@ class Renderer:
             else:
                 watched.run(call, lib.mien_render_with_effects, self._handle.value, scene, seen, effects.value, pixels, options)
         return array
-
-
-def png(array: numpy.typing.NDArray[numpy.uint8]) -> bytes:
-    """A PNG of RGBA pixels."""
-    height, width, _ = array.shape
-    rows = numpy.zeros((height, 1 + width * 4), numpy.uint8)  # each begins with its filter: 2, the difference to the row above
-    rows[:, 1:] = array.reshape(height, width * 4)
-    rows[1:, 1:] -= array[:-1].reshape(height - 1, width * 4)
-    rows[:, 0] = 2
-
-    def chunk(kind: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)) \
-        + chunk(b"sRGB", b"\0") + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)) + chunk(b"IEND", b"")

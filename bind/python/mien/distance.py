@@ -15,7 +15,9 @@ from typing import Any, Optional
 import numpy
 import numpy.typing
 
-from ._library import Error, call, lib
+from ._errors import Error
+from ._library import call, lib
+from ._picture import real
 
 __all__ = ["cubic", "ellipse", "feet", "parabola", "quad", "quad_on_grid", "quads", "tapered"]
 
@@ -39,10 +41,10 @@ def quads(curves: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.ty
     >>> float(quads([[(0, 0), (1, 0), (2, 0)], [(0, 5), (1, 5), (2, 5)]], 1, 4))
     1.0
     """
-    numbers = _real(curves, "curves").astype(numpy.float64)
+    numbers = real(curves, "curves").astype(numpy.float64)
     if numbers.size % 6 or numbers.size and numbers.shape[-2:] != (3, 2):
         raise Error("curves", f"expected an array (n, 3, 2), got {numbers.shape}")
-    xs, ys = _real(x, "x").astype(numpy.float32), _real(y, "y").astype(numpy.float32)
+    xs, ys = real(x, "x").astype(numpy.float32), real(y, "y").astype(numpy.float32)
     return _measure("quads", [numbers.ravel()], xs, ys, out, "quads", numbers.size // 6)
 
 
@@ -108,22 +110,15 @@ def tapered(points: numpy.typing.ArrayLike, half_widths: numpy.typing.ArrayLike,
 
 
 def _numbers(of: numpy.typing.ArrayLike, name: str, count: int) -> Reals:
-    numbers = _real(of, name).astype(numpy.float64).ravel()
+    numbers = real(of, name).astype(numpy.float64).ravel()
     if numbers.size != count:
         raise Error(name, f"expected {count} numbers, got {numbers.size}")
     return numbers
 
 
-def _real(of: numpy.typing.ArrayLike, name: str) -> Reals:
-    array = numpy.asarray(of)
-    if array.dtype.kind not in "fiub":
-        raise TypeError(f"{name}: expected real numbers, got {array.dtype}")
-    return array
-
-
 def _measure(figure: str, numbers: list[Reals], x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike,
              out: Optional[Reals], single_kernel: Optional[str] = None, count: Optional[int] = None) -> Any:
-    xs, ys = _real(x, "x"), _real(y, "y")
+    xs, ys = real(x, "x"), real(y, "y")
     # A Python number beside an array takes the array's type.
     kinds = [one.dtype for one, given in ((xs, x), (ys, y)) if not isinstance(given, (int, float))]
     single = bool(kinds) and all(kind in (numpy.dtype("f4"), numpy.dtype("f2")) for kind in kinds)

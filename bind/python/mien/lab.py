@@ -20,7 +20,7 @@ from typing import Any, Callable, NamedTuple, Optional
 import numpy
 import numpy.typing
 
-from ._library import Error
+from ._errors import Error
 
 __all__ = ["FeetRow", "FeetTable", "Row", "Table", "check", "check_feet"]
 
@@ -102,7 +102,8 @@ def _families(count: int, seed: int, program: Optional[str], cases: "str | os.Pa
             ran = subprocess.run([command, "--export", file, "--count", str(count), "--seed", str(seed), *more],
                                  capture_output=True, text=True)
         except OSError as failure:
-            raise Error(command, f"cannot be run: {failure.strerror}") from None
+            raise Error(command, f"cannot be run: {failure.strerror}; it is in the package mien-accuracy, or built with "
+                        "-DMIEN_BUILD_ACCURACY=ON; MIEN_ACCURACY or program= may say where it is") from None
         if ran.returncode:
             raise Error(command, ran.stderr.strip() or f"exit code {ran.returncode}")
         return _read(file, columns)

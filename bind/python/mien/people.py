@@ -1,4 +1,4 @@
-"""People by codes: twelve signs that are a face.
+"""People by codes: twelve signs that are a face. Who has something held, or is a child of two, has a longer one.
 
 >>> from mien import people
 >>> ada = people.code("ada")
@@ -11,11 +11,12 @@ True
 from __future__ import annotations
 
 import ctypes
+from typing import NamedTuple
 
 from ._library import call, lib, texts, utf8
 from ._picture import whole
 
-__all__ = ["between", "child", "code", "crowd", "difference", "hold", "in_full", "near", "recipe", "seed"]
+__all__ = ["between", "child", "code", "crowd", "difference", "hold", "in_full", "near", "numbers", "parts", "recipe", "seed", "styles"]
 
 
 def seed(word: str) -> int:
@@ -82,6 +83,37 @@ def difference(one: str, other: str) -> float:
     found = ctypes.c_double()
     call(lib.mien_code_difference, *utf8(one), *utf8(other), ctypes.byref(found))
     return found.value
+
+
+class Number(NamedTuple):
+    """A number that people have."""
+
+    lo: float
+    hi: float
+    rest: float  # what it is where nothing is said
+
+
+def styles() -> tuple[str, ...]:
+    """How people can be painted.
+
+    >>> "ink" in styles()
+    True
+    """
+    return tuple(texts(lib.mien_part_styles))
+
+
+def parts() -> dict[str, tuple[str, ...]]:
+    """What `hold` takes by family: {"hair": ("crop", …), …}. The first is "none" where a face may do without."""
+    return {family: tuple(texts(lib.mien_part_names, *utf8(family))) for family in texts(lib.mien_part_families)}
+
+
+def numbers() -> dict[str, Number]:
+    """The numbers that `hold` takes, by name."""
+    found, held = {}, (ctypes.c_double * 3)()
+    for name in texts(lib.mien_part_numbers):
+        call(lib.mien_part_number, *utf8(name), held)
+        found[name] = Number(*held)
+    return found
 
 
 _seed_of_word = seed

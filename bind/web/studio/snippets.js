@@ -59,7 +59,7 @@ export function python(of) {
   const dict = (all) => `{${Object.entries(all).map(([name, value]) => `"${name}": ${typeof value === 'number' ? short(value) : JSON.stringify(value)}`).join(', ')}}`;
   const takes = [];
   if (Object.keys(pose.emotions).length) takes.push(`emotions=${dict(pose.emotions)}`);
-  if (Object.keys(pose.muscles).length) takes.push(`expressions={"muscle": ${dict(pose.muscles)}}`);
+  if (Object.keys(pose.muscles).length) takes.push(`muscles=${dict(pose.muscles)}`);
   if (Object.keys(pose.set).length) takes.push(`set=${dict(pose.set)}`);
   if (pose.clip) takes.push(`clips=["${pose.clip}"]`, `time=${short(pose.time)}`);
   return `import mien

@@ -51,11 +51,11 @@ class Morphs(unittest.TestCase):
 class Effects(unittest.TestCase):
     def test_a_mosaic_is_the_means_of_its_tiles(self):
         posed = mien.read_face(TOON).pose(time=1.25)
-        plain = posed.render((160, 80), depth="f32")
+        plain = posed.render((160, 80), dtype="float32")
         means = plain.reshape(8, 10, 16, 10, 4).mean((1, 3))
-        tiled = posed.render((160, 80), depth="f32", effects=["mosaic:16"])
+        tiled = posed.render((160, 80), dtype="float32", effects=["mosaic:16"])
         numpy.testing.assert_allclose(tiled, means.repeat(10, 0).repeat(10, 1), atol=1e-5)
-        numpy.testing.assert_array_equal(posed.render((160, 80), depth="f32", effects=[]), plain)
+        numpy.testing.assert_array_equal(posed.render((160, 80), dtype="float32", effects=[]), plain)
         self.assertEqual(posed.render((160, 80), effects=["mosaic:16", "grid:4"]).dtype, numpy.uint8)
 
     def test_are_those_of_the_face_if_it_is_asked(self):

@@ -1,0 +1,252 @@
+"""Posed faces."""
+from __future__ import annotations
+
+import ctypes
+import os
+import pathlib
+import tempfile
+import threading
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Sequence, Union
+
+import numpy
+import numpy.typing
+
+from . import _library
+from ._errors import Error, Path, writing
+from ._library import Handle, call, hinted, lib, path_bytes, said, text, texts, utf8
+from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, view, whole
+from ._png import png
+from ._saved import File, save, to_pil, write_options
+
+if TYPE_CHECKING:
+    from ._face import Face
+
+DRAWN = ("outlines", "regions", "fragments", "looks", "distance", "normals")  # pictures of how a face is drawn
+MOVED = ("muscles", "points", "morph")                                        # and of what moves it
+SHOWN_IN_NOTEBOOKS = 400  # [px] the longer side
+
+
+class Svg(NamedTuple):
+    """A face as an SVG file."""
+
+    text: str
+    simplified: tuple[str, ...]  # what SVG cannot say, a sentence each with the layer's name
+
+    def _repr_svg_(self) -> str:
+        return self.text
+
+
+class Posed:
+    """A face at a pose. A notebook shows it."""
+
+    def __init__(self, face: Face, pose: Handle, asked: Mapping[str, Any]) -> None:
+        self.face = face
+        self._pose = pose
+        self._asked = dict(asked)  # what Face.pose was given
+        self._scene: Optional[Handle] = None
+        self._lock = threading.Lock()  # a pose is used by one thread at a time
+
+    @property
+    def _drawn(self) -> Any:
+        with self._lock:
+            if self._scene is None:
+                self._scene = Handle(lib.mien_scene_free, lib.mien_scene_new, self._pose.value)
+            return self._scene.value
+
+    @property
+    def vector(self) -> numpy.typing.NDArray[numpy.float64]:
+        """All numbers of the posed face."""
+        numbers = numpy.empty(lib.mien_face_vector_size(self.face._handle.value))
+        with self._lock:
+            call(lib.mien_pose_vector, self._pose.value, numbers.ctypes.data, numbers.size)
+        return numbers
+
+    @hinted
+    def render(self, size: Size = 1024, *, fit: str = "meet", blend: str = "linear", dtype: Any = "uint8",
+               background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
+               light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0,
+               out: Optional[numpy.typing.NDArray[Any]] = None, progress: Optional[Watch] = None,
+               renderer: Optional[Renderer] = None, effects: Union[Sequence[str], bool] = ()) -> numpy.typing.NDArray[Any]:
+        """The picture: an array (height, width, 4) of red, green, blue, alpha.
+
+        size        (width, height), or the longer side; the other then follows the canvas
+        dtype       numpy.uint8 and uint16: sRGB-encoded, straight alpha; float32: linear light, premultiplied
+        fit         "meet": all of the canvas; "slice": all of the picture
+        blend       "linear" or "srgb": where colours are mixed
+        background  "white" or another name of CSS, "#rrggbb", "#rrggbbaa", "transparent", or linear red, green, blue, alpha
+        region      x, y, width, height: draws only this part, with the same pixels
+        light       x, y, z: the direction to the lamp that lights reliefs
+        threads     0: all. It does not change a bit
+        out         an array to draw into; its rows may lie apart
+        progress    called with the share done; returning False stops, and Cancelled is raised
+        renderer    keeps memory and finished rows between frames
+        effects     on the finished picture, in order: ["mosaic:24,0.3", "grid:12"]; True: those of the face's file
+        """
+        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
+        return (renderer or Renderer())._render(self._drawn, seen, dtype, threads, out, progress, self._effects(effects))
+
+    def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
+              region: Optional[Sequence[int]] = None, threads: int = 0,
+              progress: Optional[Watch] = None) -> numpy.typing.NDArray[Any]:
+        """A picture of how the face is drawn, "outlines", "regions", "fragments", "looks", "distance" or "normals", or of
+        what moves it, "muscles", "points" or "morph", without names: as `mien render --debug`."""
+        kind = choice(which, (*DRAWN, *MOVED), "which")
+        seen = view(self.face.canvas.aspect, size, fit, background=background, region=region)
+        if which in DRAWN:
+            return debug_picture(self._drawn, seen, kind, threads, progress)
+        with self._lock:
+            scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
+        return Renderer()._render(scene.value, seen, "uint8", threads, None, progress)
+
+    def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.01,
+            id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
+        """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
+
+        Colours are mixed as SVG viewers do, as with blend="srgb". `id_prefix` begins all ids, so that several pictures can
+        stand in one page; without one it is made of the picture, so that only equal pictures share ids. `progress` is as
+        for `render`.
+        """
+        seen = view(self.face.canvas.aspect, size, fit, background=background)
+        if not tolerance > 0:
+            raise Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
+        prefix = (None, 0) if id_prefix is None else utf8(id_prefix)
+        watched = Watched(progress)
+        file, *simplified = watched.run(texts, lib.mien_svg, self._drawn, seen, float(tolerance), *prefix, watched.options())
+        return Svg(file, tuple(simplified))
+
+    def _effects(self, asked: Union[Sequence[str], bool]) -> Optional[Handle]:
+        if asked is True:
+            return Handle(lib.mien_effects_free, lib.mien_effects_of_face, self.face._handle.value)
+        return effects_of(asked) if asked else None
+
+    @hinted
+    def save(self, file: File, size: Size = 1024, *, format: Optional[str] = None, fit: str = "meet", blend: str = "linear",
+             depth: Union[int, str, None] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
+             light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0, memory: int = 256 << 20,
+             recipe: str = "", dpi: float = 0, progress: Optional[Watch] = None) -> None:
+        """Draws into a file, .png, .tif, .exr, .jpg or .svg, at any size, piece by piece in so many bytes of memory. It appears
+        whole or not at all.
+
+        file    a path, or a file object that takes bytes
+        format  "png" …, where the file's name does not say it
+        depth   bits of a channel: 8, 16, "half" or "float"; default the format's first
+        recipe  goes into the picture's metadata
+        dpi     pixels per inch: how large it is on paper
+        """
+        def run(path: Path, kind: str) -> None:
+            if kind == "svg":
+                _write_text(path, self.svg(size, fit=fit, background=background, progress=progress).text)
+                return
+            seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
+            watched = Watched(progress)
+            options = write_options(path, kind, depth, threads, memory, recipe, dpi, watched)
+            watched.run(call, _library.image().mien_write_picture, self._drawn, seen, *path_bytes(path), options)
+
+        save(file, format, run)
+
+    def to_pil(self, size: Size = 1024, **how: Any) -> Any:
+        """The picture as a PIL.Image, of mode RGBA; `how` is as for `render`."""
+        return to_pil(self.render(size, **how))
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.typing.NDArray[Any]:
+        """The picture, so that numpy.asarray and plt.imshow take a face; `render` has what can be chosen."""
+        pixels = self.render()
+        return pixels if dtype is None else pixels.astype(dtype)
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """The names of what is drawn, from the bottom to the top."""
+        scene = self._drawn
+        return tuple(text(lib.mien_scene_layer_name(scene, i)) for i in range(lib.mien_scene_layer_count(scene)))
+
+    def layer_at(self, x: float, y: float) -> Optional[str]:
+        """The topmost layer at a point [face units]."""
+        found, scene = ctypes.c_int32(), self._drawn
+        call(lib.mien_scene_layer_at, scene, float(x), float(y), ctypes.byref(found))
+        return text(lib.mien_scene_layer_name(scene, found.value)) if found.value >= 0 else None
+
+    def feature_at(self, x: float, y: float) -> Optional[str]:
+        """The feature that is seen at a point [face units]: not its shadow or outline, and nothing transparent."""
+        found = texts(lib.mien_scene_feature_at, self._drawn, float(x), float(y))
+        return found[0] if found else None
+
+    def distance(self, layer: Union[str, int], x: float, y: float) -> float:
+        """The signed distance to a layer's outline, negative inside [face units]."""
+        index = layer
+        if isinstance(index, str):
+            if index not in self.layers:
+                raise Error("layer", f"there is no layer {index!r}")
+            index = self.layers.index(index)
+        found = ctypes.c_double()
+        call(lib.mien_scene_distance, self._drawn, whole(index, "layer"), float(x), float(y), ctypes.byref(found))
+        return found.value
+
+    def face_from_pixel(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
+        """Where a point of the picture [px] is in the face [face units]."""
+        found = (ctypes.c_double * 2)()
+        call(lib.mien_face_from_pixel, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
+        return found[0], found[1]
+
+    def pixel_from_face(self, x: float, y: float, size: Size = 1024, fit: str = "meet") -> tuple[float, float]:
+        """Where a point of the face [face units] is in the picture [px]."""
+        found = (ctypes.c_double * 2)()
+        call(lib.mien_pixel_from_face, self._drawn, view(self.face.canvas.aspect, size, fit), float(x), float(y), found)
+        return found[0], found[1]
+
+    @property
+    def scene(self) -> str:
+        """The shapes and layers as text, one a line."""
+        return texts(lib.mien_scene_text, self._drawn)[0]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are drawn with the same shapes."""
+        return isinstance(other, Posed) and self.face.canvas == other.face.canvas and self.scene == other.scene
+
+    def __hash__(self) -> int:
+        return hash(self.scene)
+
+    def __copy__(self) -> Posed:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Posed:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if "steady" in self._asked:
+            raise TypeError("a face that follows a live camera cannot be pickled: its filter remembers the frames before")
+        return _posed_again, (self.face, self._asked)
+
+    def _drawn_png(self, size: Size) -> bytes:
+        return png(self.render(size))
+
+    def _repr_png_(self) -> bytes:
+        return self._drawn_png(SHOWN_IN_NOTEBOOKS)
+
+    def __repr__(self) -> str:
+        how = ", ".join(f"{name}={said(value)}" for name, value in self._asked.items())
+        return f"<mien.Posed {self.face.title or 'without a name'}: {how or 'at rest'}>"
+
+
+def _posed_again(face: Face, asked: Mapping[str, Any]) -> Posed:
+    return face.pose(**asked)
+
+
+def _write_text(path: Path, words: str) -> None:
+    """A text that appears whole or not at all, as pictures do."""
+    place = pathlib.Path(path)
+    with writing(place), tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=place.parent, prefix=".mien-", suffix=".part", delete=False) as file:
+        try:
+            file.write(words)
+            file.flush()
+            os.chmod(file.name, 0o666 & ~_umask())
+            os.replace(file.name, place)
+        except OSError:
+            os.unlink(file.name)
+            raise
+
+
+def _umask() -> int:
+    """What new files may not have. Python tells it only by setting it."""
+    now = os.umask(0o022)
+    os.umask(now)
+    return now
