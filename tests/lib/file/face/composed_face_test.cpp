@@ -21,7 +21,7 @@ TEST(ComposedFace, HasAllEmotionsAndExpressions) {
     for (const char* feeling : {"joy", "sadness", "anger", "fear", "disgust", "surprise"})
       EXPECT_TRUE(read_expression(face, "emotion", feeling, OutOfRange::refuse)) << feeling;
     EXPECT_TRUE(read_expression(face, "arkit", "jawOpen=1", OutOfRange::refuse));
-    EXPECT_EQ(face.model->muscles.muscles.size(), 31u);
+    EXPECT_EQ(face.model->muscles.muscles.size(), 33u);
   }
 }
 

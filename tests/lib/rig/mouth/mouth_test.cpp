@@ -140,7 +140,9 @@ TEST(Mouth, KeepsTheLipsArea) {
         const Face posed =
             face_at(face, {std::string("jaw.open=") + jaw, std::string("mouth.close=") + close});
         for (const char* lip : {"lip_upper.left/half_width", "lip_lower.left/half_width"}) {
-          const double by = test::slice_of(posed, lip)[0] / test::slice_of(face, lip)[0];
+          const double drawn = test::slice_of(face, lip)[0];
+          if (drawn == 0) continue;  // a mouth that is a line has no lips
+          const double by = test::slice_of(posed, lip)[0] / drawn;
           EXPECT_GT(by, 0.5) << lip << jaw << close;
           EXPECT_LE(by, 1.35 + 1e-9) << lip << jaw << close;
         }
