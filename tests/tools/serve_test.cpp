@@ -59,7 +59,7 @@ TEST(Serve, DrawsWhatTheCommandDraws) {
   const std::string svg = faces.get("/" + kFace + ".svg?size=64&viseme=oh");
   EXPECT_EQ(header_of(svg, "Content-Type"), "image/svg+xml");
   EXPECT_TRUE(has(header_of(svg, "Content-Security-Policy"), "sandbox"));
-  EXPECT_TRUE(body_of(svg) == rendered("a.svg", {"--size", "64", "--set", "viseme.oh=1"}));
+  EXPECT_TRUE(body_of(svg) == rendered("a.svg", {"--size", "64", "--set", "viseme.O=1"}));
 }
 
 TEST(Serve, DrawsWebp) {

@@ -80,7 +80,7 @@ TEST(FaceRequest, HasShorterWords) {
   EXPECT_EQ(understood("/seed/a.png?transparent=0").arguments.background, std::nullopt);
   EXPECT_EQ(understood("/seed/a.png?yaw=-20&gaze=0.05,-.01&viseme=oh&viseme=viseme_PP=.4")
                 .arguments.posed.settings,
-            (Texts{"yaw=-20", "gaze.x=0.05", "gaze.y=-.01", "viseme.oh=1", "viseme.PP=.4"}));
+            (Texts{"yaw=-20", "gaze.x=0.05", "gaze.y=-.01", "viseme.O=1", "viseme.PP=.4"}));
   const FaceRequest sides = understood("/seed/a.png?width=30&height=40");
   EXPECT_EQ(sides.width, "30");
   EXPECT_EQ(sides.height, "40");
