@@ -51,7 +51,7 @@ const pages = {
   '/many.html': page('<div id="crowd"></div>'),
   '/early.html': `<!doctype html><meta charset="utf-8">${WATCH}<mien-face id="it" width="72" height="72"></mien-face><script>it.seed = 'ada', it.pose = { emotions: { joy: 1 } };</script><script type="module" src="element.js"></script>`,
   '/spikes.html': page('<mien-face id="spikes" src="spikes.face.json" width="72" height="72" deadline="200"></mien-face><mien-face id="it" seed="ada" width="72" height="72"></mien-face>'), '/spikes.face.json': spikyFace(),
-  '/endless.html': page(['endless', 'it'].map((id) => `<mien-face id="${id}" seed="ada" width="72" height="72" deadline="300"></mien-face>`).join('')),
+  '/endless.html': page(['endless', 'it'].map((id) => `<mien-face id="${id}" seed="ada" width="72" height="72"></mien-face>`).join('')),
   '/speech.html': page(`<audio id="voice" muted src="${SILENCE}"></audio><mien-face id="it" seed="ada" width="72" height="72" speech="hello.tsv" sound="voice"></mien-face>`), '/hello.tsv': TRACK,
   '/file.html': one('src="toon.face.json" face-style="ink"'), '/toon.face.json': toon,
 };
@@ -110,7 +110,7 @@ test('what is in view comes first, then what is near; what is far is not drawn',
   await on.until(() => window.told.length >= 6);
   await on.run(() => frames(60));
   const order = (await on.run(() => window.told.map(({ id }) => Number(id.slice(1)))));
-  assert.deepEqual(order.slice(0, 3), [20, 21, 22]);
+  assert.deepEqual(order.slice(0, 4).filter((i) => i <= 22).sort((a, b) => a - b), [20, 21, 22]);  // one worker may overtake another
   assert.ok(order.every((i) => i >= 19 && i <= 24), `drawn were ${order}`);
   await on.run(() => scrollTo(0, 0));
   await drawn(on, 'f0');
@@ -334,14 +334,14 @@ test('a worker that does not end is replaced', async () => {
   const on = await browser.open(`${its.url}/endless.html`);
   await drawn(on, 'endless'), await drawn(on);
   const workers = await on.run(() => window.workers);
-  await on.run(() => { endless.seed = 'endless'; });
+  await on.run(() => { endless.deadline = 300, endless.seed = 'endless'; });
   await on.until(() => window.refused.length > 0);
   assert.deepEqual(await on.run(() => window.refused), [{ id: 'endless', where: 'deadline', what: 'drawing took longer than 300 ms' }]);
   await change(on, () => { it.blink = 1; });
   await shows(on, ada({ set: { blink: 1 } }));
-  assert.equal(await on.run(() => window.workers), workers + 1);
-  await on.run(() => { endless.seed = 'bob'; });
+  await on.run(() => { endless.deadline = null, endless.seed = 'bob'; });
   await shows(on, picture(mien.person(mien.code('bob'))), 'endless');
+  assert.equal(await on.run(() => window.workers), workers + 1);
   await its.close();
 });
 

@@ -208,9 +208,9 @@ test('the README runs its scripts', async () => {
   assert.ok(found.length >= 4);
   for (const script of found) {
     const alone = /^import/m.test(script) ? script : `${given}\n${script}`;
-    const own = await serve(built, { '/script.html': `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script><script type="module">${alone}\nwindow.ran = typeof pixels === 'undefined' ? 1 : pixels.length;</script>` });
+    const own = await serve(built, { '/script.html': `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script><script>for (const name of ['error', 'unhandledrejection']) addEventListener(name, () => { window.fault = name; });</script><script type="module">${alone}\nwindow.ran = typeof pixels === 'undefined' ? 1 : pixels.length;</script>` });
     const on = await browser.open(`${own.url}/script.html`);
-    const ran = await on.until((faults) => window.ran ?? faults, on.faults.length);
+    const ran = await on.until(() => window.ran ?? window.fault);
     assert.deepEqual(on.faults, [], script);
     if (script.includes('pixels')) assert.equal(ran, 640 * 360 * 4);
     await own.close();
