@@ -14,10 +14,14 @@ from ._errors import Error, Warned
 from ._library import lib, text
 
 
+# Where MIEN_COMMAND is seen from: the program may go elsewhere before it needs the command.
+_BEGAN_IN = os.path.abspath(os.curdir) if os.path.isdir(os.curdir) else ""
+
+
 def candidates() -> Iterator[str]:
     """Where it may be: MIEN_COMMAND, the package, beside the library, PATH."""
     if os.environ.get("MIEN_COMMAND"):
-        yield os.environ["MIEN_COMMAND"]
+        yield os.path.join(_BEGAN_IN, os.environ["MIEN_COMMAND"])
         return
     here = pathlib.Path(__file__).resolve()
     yield str(here.parent / "native/mien")
