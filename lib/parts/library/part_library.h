@@ -69,7 +69,7 @@ struct Archetype {
   std::string name;
   int number = 0;  ///< permanent; other numbers than parts, in no code
   LibraryNode at;
-  bool drawn = false;  ///< by tickets; else as much as its law `by` says
+  bool drawn = false;           ///< by tickets; else as much as its law `by` says
   std::vector<double> offsets;  ///< of each of the library's common numbers, from its rest
 };
 

@@ -34,21 +34,20 @@ int sampled_age(const KeyedChance& chance) {
 double axis(const PersonAxes& person, const PartLibrary& library, const Reading& in,
             const JsonNode& node) {
   const double lean = person.lean;
-  const std::array<std::pair<std::string_view, double>, 14> all{
-      {{"any", 1.0},
-       {"lean", lean},
-       {"masculine", std::max(lean, 0.0)},
-       {"feminine", std::max(-lean, 0.0)},
-       {"child", person.child},
-       {"minor", person.minor},
-       {"adult", 1.0 - person.child},
-       {"elder", person.elder},
-       {"young", 1.0 - person.elder},
-       {"heavy", person.heavy},
-       {"long", person.lengthy},
-       {"dark", person.dark},
-       {"light", 1.0 - person.dark},
-       {"coily", person.coily}}};
+  const std::array<std::pair<std::string_view, double>, 14> all{{{"any", 1.0},
+                                                                 {"lean", lean},
+                                                                 {"masculine", std::max(lean, 0.0)},
+                                                                 {"feminine", std::max(-lean, 0.0)},
+                                                                 {"child", person.child},
+                                                                 {"minor", person.minor},
+                                                                 {"adult", 1.0 - person.child},
+                                                                 {"elder", person.elder},
+                                                                 {"young", 1.0 - person.elder},
+                                                                 {"heavy", person.heavy},
+                                                                 {"long", person.lengthy},
+                                                                 {"dark", person.dark},
+                                                                 {"light", 1.0 - person.dark},
+                                                                 {"coily", person.coily}}};
   const std::string_view key = in.tree.key(node);
   for (const auto& [name, value] : all)
     if (name == key) return value;

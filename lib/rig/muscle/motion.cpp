@@ -14,7 +14,7 @@ constexpr double kCellsPerSecond = 256;
 constexpr double kCell = 1 / kCellsPerSecond;
 constexpr double kTolerance = 1e-11;            ///< of the canvas's longer side, per step
 constexpr double kForgotten = 23;               ///< e^-23 = 1e-10
-constexpr double kShortest = 1, kLongest = 64;  ///< [s] epochs
+constexpr double kShortestEpoch = 1, kLongestEpoch = 64;  ///< [s] epochs
 constexpr double kLatest = 1e9;                 ///< [s] later than this a face is at rest
 constexpr std::size_t kRemembered = 16;
 constexpr double kStepRounding = 1e-13;  ///< of the coordinates: no step needs to be more accurate
@@ -54,8 +54,8 @@ double muscle_epoch(const MuscleSystem& system) {
   const double d = system.damping, root = d * d - 4 * system.stiffness;
   const double slowest = root < 0 ? 0.5 * d : 2 * system.stiffness / (d + std::sqrt(root));
   const double wanted = kForgotten / slowest;
-  double epoch = kShortest;
-  while (epoch < wanted && epoch < kLongest) epoch *= 2;
+  double epoch = kShortestEpoch;
+  while (epoch < wanted && epoch < kLongestEpoch) epoch *= 2;
   return epoch;
 }
 

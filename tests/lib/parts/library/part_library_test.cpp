@@ -54,11 +54,12 @@ TEST(PartLibrary, SaysWhatIsWrongAndWhere) {
 TEST(PartLibrary, ReadsArchetypesOrSaysWhatIsWrongWithThem) {
   const auto archetypes = [](const std::string& text) {
     SmallLibrary small;
-    small.topology = with(small.topology, "\"skin_tones\"",
-                          "\"archetypes\": {" + text + "}, \"skin_tones\"");
+    small.topology =
+        with(small.topology, "\"skin_tones\"", "\"archetypes\": {" + text + "}, \"skin_tones\"");
     return small;
   };
-  const std::string wide = R"("wide": {"number": 1, "tickets": {"any": 8}, "numbers": {"size": 1.5}})";
+  const std::string wide =
+      R"("wide": {"number": 1, "tickets": {"any": 8}, "numbers": {"size": 1.5}})";
   const auto library = archetypes(wide).read();
   ASSERT_TRUE(library) << sentence(library.error());
   ASSERT_EQ((*library)->archetypes().size(), 1u);

@@ -45,8 +45,9 @@ TEST(PersonAxes, PeopleAreMostlyOneOfTwoArchetypes) {
   for (std::uint64_t seed = 0; seed < kPeople; ++seed) {
     const auto shares = shares_at(30, seed);
     ASSERT_EQ(shares.size(), 2u) << seed;
-    const auto most = std::max_element(
-        shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most =
+        std::max_element(shares.begin(), shares.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
     EXPECT_GE(most->second, 0.7);
     EXPECT_NEAR(shares.begin()->second + shares.rbegin()->second, 1, 1e-12);
     ++first[most->first];
@@ -88,10 +89,11 @@ TEST(PersonAxes, NumbersOfAHeadMoveTogether) {
 
 /// Two kinds of heads; a third, which only wide ones have.
 std::string with_archetypes(const std::string& more) {
-  return with(SmallLibrary{}.topology, "\"skin_tones\"",
-              R"("archetypes": {"wide": {"number": 1, "tickets": {"any": 8}, "numbers": {"size": 2}},
+  return with(
+      SmallLibrary{}.topology, "\"skin_tones\"",
+      R"("archetypes": {"wide": {"number": 1, "tickets": {"any": 8}, "numbers": {"size": 2}},
       "low": {"number": 2, "tickets": {"any": 8}, "numbers": {"apart": -1}})" +
-                  more + "}, \"skin_tones\"");
+          more + "}, \"skin_tones\"");
 }
 
 PersonAxes person_of(const PartLibrary& library, std::uint64_t seed) {
@@ -102,8 +104,8 @@ TEST(PersonAxes, AnArchetypeMoreChangesOnlyWhoeverWinsIt) {
   SmallLibrary small;
   small.topology = with_archetypes("");
   const auto two = small.read().value();
-  small.topology = with_archetypes(
-      R"(, "high": {"number": 3, "tickets": {"any": 4}, "numbers": {"apart": 1}})");
+  small.topology =
+      with_archetypes(R"(, "high": {"number": 3, "tickets": {"any": 4}, "numbers": {"apart": 1}})");
   const auto three = small.read().value();
   int won = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
