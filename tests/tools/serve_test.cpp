@@ -28,7 +28,8 @@ class Faces : public test::WebPeer {
 
  private:
   static std::vector<std::string> words(const std::vector<std::string>& more) {
-    std::vector<std::string> words{"serve", "--listen", "127.0.0.1:0", "--threads", "2"};
+    std::vector<std::string> words{"serve", "--listen",  "127.0.0.1:0", "--threads",
+                                   "2",     "--timeout", "60"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }

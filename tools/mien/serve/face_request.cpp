@@ -234,8 +234,8 @@ std::optional<Refusal> read_path(std::string_view path, FaceRequest& to) {
     if (looks_like_face_code(*name)) return Refusal{kNotFound, code.error()};
     return Refusal{kNotFound,
                    {"code " + one_line(*name, 60),
-                    fmt::format("this is no code; /seed/{} is somebody for any word",
-                                one_line(path.substr(1), 60))}};
+                    fmt::format("this is no code; /seed/{}{} is somebody for any word",
+                                one_line(path.substr(1), 60), *ending)}};
   }
   to.arguments.posed.face = face_code_text(*code);
   return {};
