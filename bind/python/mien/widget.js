@@ -21,10 +21,12 @@ async function drawer(model, canvas) {
   };
 }
 
-/** Puts the kernel's picture on the canvas. */
-async function show(canvas, png) {
+/** Puts the kernel's picture on the canvas, unless a newer one has come meanwhile. */
+async function show(canvas, model) {
+  const png = model.get('_picture');
   if (!png || !png.byteLength) return;
   const picture = await createImageBitmap(new Blob([png], { type: 'image/png' }));
+  if (model.get('_picture') !== png) return;
   const context = canvas.getContext('2d');
   context.clearRect(0, 0, canvas.width, canvas.height);
   context.drawImage(picture, 0, 0, canvas.width, canvas.height);
@@ -61,13 +63,14 @@ async function render({ model, el }) {
       told.textContent = '';
     } catch (error) { told.textContent = error.message; }
   };
-  const picture = () => { if (!draw) show(canvas, model.get('_picture')); };
+  const picture = async () => { if (!draw) await show(canvas, model); };
   model.on('change:values', update);
   model.on('change:_picture', picture);
   try {
     draw = await drawer(model, canvas);
   } catch (error) { told.textContent = error.message; }
-  update(), picture();
+  update();
+  await picture();
   return () => { model.off('change:values', update), model.off('change:_picture', picture); };
 }
 
