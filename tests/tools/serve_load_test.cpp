@@ -127,7 +127,7 @@ TEST(ServeLoad, AnswersManyWhoAskForOnePicture) {
 
 TEST(ServeLoad, GivesUpWhatTakesTooLong) {
   const WebPeer faces(serve({"--timeout", "0.1", "--max-size", "6000"}));
-  const std::string answer = faces.get("/seed/a.png?size=6000&style=clay");
+  const std::string answer = faces.get("/seed/a.png?size=6000&style=vinyl");
   EXPECT_EQ(code_of(answer), "503");
   EXPECT_EQ(test::body_of(answer), "this takes longer than the 0.1 s that it may\n");
 }

@@ -53,6 +53,7 @@ const Key kKeys[] = {
     MIEN_KEY("clip", arguments.posed.clips),
     MIEN_KEY("seed", arguments.posed.seed),
     MIEN_KEY("liveliness", arguments.posed.liveliness),
+    MIEN_KEY("gestures", arguments.posed.gestures),
     MIEN_KEY("pose", arguments.posed.poses),
     MIEN_KEY("look-at", arguments.posed.look_at),
     MIEN_KEY("blink", arguments.posed.blink),
