@@ -103,7 +103,7 @@ TEST(ServeLoad, TellsWhoComesTooLateToAskAgain) {
     EXPECT_EQ(header_of(answer, "Retry-After"), "1");
     EXPECT_EQ(header_of(answer, "Cache-Control"), "no-store");
   }
-  EXPECT_GE(drawn, 3);
+  EXPECT_GE(drawn, 2) << "as many as may wait, and one more if the thread was quick";
   EXPECT_GE(told, 1);
   EXPECT_EQ(drawn + told, 20);
 }

@@ -101,6 +101,7 @@ TEST(FaceRequest, MeansTheSameInAnyOrder) {
                      "/seed/a.png?emotion=joy&emotion=anger",
                      "/seed/a.png?emotion=anger&emotion=joy",
                      "/seed/a.png?emotion=joy%26emotion%3D5:anger",
+                     "/seed/a.png?emotion=joy%26emotion%3Danger",
                      "/seed/a.png?neutral",
                      "/seed/a.png?width=256&height=256"};
   std::set<std::string> meanings;
