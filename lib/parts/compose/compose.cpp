@@ -56,11 +56,10 @@ class Composition {
     draw(library_.topology(), "");
     draw_families(false);
     out_.close();
-    std::stable_sort(
-        features_.features.begin(), features_.features.end(),
-        [](const FlatFeatures::One& a, const FlatFeatures::One& b) { return a.slot < b.slot; });
+    features_.sort();
     std::vector<std::int32_t> order;
-    for (const FlatFeatures::One& one : features_.features) order.push_back(one.node);
+    order.reserve(features_.all().size());
+    for (const FlatFeatures::One& one : features_.all()) order.push_back(one.node);
     out_.arrange(array, order);
   }
 
@@ -111,11 +110,11 @@ class Composition {
     if (const JsonNode* points = in.find(*part.at.node, "points"))
       in.for_each(*points, [&](const JsonNode& node, int) {
         const FoundPoint found = geometry_.point(in, node, frame, family);
-        geometry_.add_point(std::string(in.tree.key(node)), {found.at, found.depth, false});
+        geometry_.add_point(in.tree.key(node), {found.at, found.depth, false});
       });
     if (const JsonNode* values = in.find(*part.at.node, "values"))
       in.for_each(*values, [&](const JsonNode& node, int) {
-        geometry_.add_value(std::string(in.tree.key(node)), geometry_.scalar(in, node, family));
+        geometry_.add_value(in.tree.key(node), geometry_.scalar(in, node, family));
       });
     if (const JsonNode* covers = in.find(*part.at.node, "covers"))
       in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });

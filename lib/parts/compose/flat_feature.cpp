@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace mien {
 namespace {
@@ -38,18 +37,18 @@ class Flattening {
         to_(to),
         out_(out) {
     if (const JsonNode* frame = in.find(node, "in")) frame_ = geometry.frame(in, *frame);
-    name_ = in.name(in.need(node, "name"));
+    const JsonNode& name = in.need(node, "name");
+    name_ = in.checked_name(name, in.string(name));
     sided_ = in.find(node, "side") != nullptr;
   }
 
   void run() {
-    if (!to_.names.insert(name_).second)
+    if (to_.find(name_))
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
-    to_.features.push_back({slot(), out_.next(), name_});
-    if (sided_) to_.sided.insert(name_);
+    to_.add({slot(), out_.next(), name_, sided_});
     out_.stems_from(in_.tree, node_);
     out_.object();
-    out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
+    out_.key("name"), out_.string(name_);
     const PartStyle::Role role = style_.role(in_, node_);
     bool painted = false;
     in_.for_each(node_, [&](const JsonNode& member, int) {
@@ -72,15 +71,12 @@ class Flattening {
   void add_depth() {
     const JsonNode* turn = in_.find(node_, "turn");
     if (!turn) return;
-    if (turn->kind == JsonKind::string) return to_.still.push_back(name_);
-    if (turn->kind == JsonKind::number) {
-      to_.flat.emplace_back(name_, in_.number(*turn));
-      return;
-    }
+    if (turn->kind == JsonKind::string) return to_.stand_still(name_);
+    if (turn->kind == JsonKind::number) return to_.flat.push_back({name_, in_.number(*turn)});
     if (const JsonNode* plate = in_.find(*turn, "plate"))
-      to_.plates.emplace_back(name_, in_.number(*plate));
+      to_.plates.push_back({name_, in_.number(*plate)});
     else
-      to_.raised.emplace_back(name_, in_.number(in_.need(*turn, "raised")));
+      to_.raised.push_back({name_, in_.number(in_.need(*turn, "raised"))});
   }
 
   void write_member(std::string_view key, const JsonNode& member) {
@@ -153,7 +149,7 @@ class Flattening {
     if (member.kind == JsonKind::string && in_.string(member).starts_with('@'))
       return out_.string(in_.string(member));
     const FoundPoint found = geometry_.point(in_, member, frame_, family_);
-    know(slice_name(key), found);
+    know(out_.kept({name_, "/", key}), found);
     out_.pair(short_pair(found.at));
   }
 
@@ -215,6 +211,7 @@ class Flattening {
   std::vector<ListPoint> list(const JsonNode& array, bool half) {
     std::vector<ListPoint> points;
     in_.expect(array, JsonKind::array);
+    points.reserve(std::size_t(array.count) * (half ? 2 : 1));
     in_.for_each(array, [&](const JsonNode& node, int) {
       const JsonNode* scallop = node.kind == JsonKind::object ? in_.find(node, "scallop") : nullptr;
       if (scallop)
@@ -233,23 +230,14 @@ class Flattening {
     return points;
   }
 
-  std::string slice_name(std::string_view key) const {
-    std::string name;
-    name.reserve(name_.size() + key.size() + 8);  // and a point's number
-    return name.append(name_).append(1, '/').append(key);
-  }
-
   void write_points(std::string_view key, const std::vector<ListPoint>& points) {
-    std::string slice = slice_name(key) + '/';
-    const std::size_t stem = slice.size();
     out_.array();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const ListPoint& point = points[i];
       if (point.reference.empty()) {
         write_point(point);
-        slice.resize(stem);
-        fmt::format_to(std::back_inserter(slice), "{}", i);
-        know(slice, point.found);
+        const fmt::format_int number(i);
+        know(out_.kept({name_, "/", key, "/", {number.data(), number.size()}}), point.found);
       } else if (point.bend) {
         out_.array(), out_.string(point.reference), out_.string("bend"), out_.close();
       } else {
@@ -278,12 +266,12 @@ class Flattening {
   }
 
   /// From now on other parts can be beside this point.
-  void know(const std::string& slice, const FoundPoint& found) {
+  void know(std::string_view slice, const FoundPoint& found) {
     geometry_.add_point(slice, {found.at, found.depth, true});
-    if (found.depth) to_.flat.emplace_back(slice, *found.depth);
+    if (found.depth) to_.flat.push_back({slice, *found.depth});
     const int side = sided_ || std::abs(found.at.x) < kAxis ? 0 : found.at.x > 0.0 ? 1 : -1;
-    for (const auto& [other, weight] : found.rides)
-      to_.rides[std::string(other)].push_back({slice, weight, side, found.at});
+    for (const PointRide& ride : geometry_.rides(found))
+      to_.add_ride(ride.slice, {slice, ride.weight, side, found.at});
   }
 
   const Reading& in_;
@@ -295,11 +283,48 @@ class Flattening {
   FlatFeatures& to_;
   TreeWriter& out_;
   PartFrame frame_;
-  std::string name_;
+  std::string_view name_;
   bool sided_ = false;
 };
 
 }  // namespace
+
+const FlatFeatures::One* FlatFeatures::find(std::string_view name) const {
+  const int found = feature_of_.find(name, [&](int i) { return features_[std::size_t(i)].name; });
+  return found < 0 ? nullptr : &features_[std::size_t(found)];
+}
+
+void FlatFeatures::add(One feature) {
+  feature_of_.enter(feature.name, int(features_.size()));
+  features_.push_back(feature);
+}
+
+void FlatFeatures::stand_still(std::string_view feature) {
+  const int found =
+      feature_of_.find(feature, [&](int i) { return features_[std::size_t(i)].name; });
+  features_[std::size_t(found)].still = true;
+  still_.push_back(feature);
+}
+
+void FlatFeatures::sort() {
+  std::stable_sort(features_.begin(), features_.end(),
+                   [](const One& a, const One& b) { return a.slot < b.slot; });
+  feature_of_ = {};
+  for (std::size_t i = 0; i < features_.size(); ++i) feature_of_.enter(features_[i].name, int(i));
+}
+
+void FlatFeatures::add_ride(std::string_view with, Ride ride) {
+  const int made = int(rides_.size());
+  rides_.push_back(ride);
+  const int known = ridden_of_.find(with, [&](int i) { return ridden_[std::size_t(i)].slice; });
+  if (known < 0) {
+    ridden_of_.enter(with, int(ridden_.size()));
+    ridden_.push_back({with, made, made});
+    return;
+  }
+  Ridden& ridden = ridden_[std::size_t(known)];
+  rides_[std::size_t(ridden.last)].next = made, ridden.last = made;
+}
 
 std::size_t slot_named(const Reading& in, const JsonNode& wanted, const PartLibrary& library) {
   const Reading& own = library.topology().in();

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <set>
+#include <string_view>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -25,7 +26,7 @@ class Muscles {
           TreeWriter& out)
       : in_(in), geometry_(geometry), features_(features), out_(out) {}
 
-  void write_group(const JsonNode& node) const {
+  void write_group(const JsonNode& node) {
     const PartFrame& frame = geometry_.frame(in_, in_.need(node, "in"));
     const glm::dvec2 origin = in_.pair(in_.need(node, "origin"));
     const bool far = std::max(std::abs(origin.x), std::abs(origin.y)) > kFarOrigin;
@@ -77,9 +78,9 @@ class Muscles {
   template <class Each>
   void each_ride(const JsonNode& node, Each&& each) const {
     in_.for_each(in_.need(node, "attach"), [&](const JsonNode& held, int) {
-      const auto found = features_.rides.find(in_.tree.key(held));
-      if (found == features_.rides.end() || held.kind != JsonKind::number) return;
-      for (const Ride& ride : found->second) each(ride, in_.number(held));
+      if (held.kind != JsonKind::number) return;
+      features_.for_each_ride(in_.tree.key(held),
+                              [&](const Ride& ride) { each(ride, in_.number(held)); });
     });
   }
 
@@ -91,41 +92,58 @@ class Muscles {
 
   /// What a muscle holds: a weight, and a stroke of its own where it has one.
   struct Held {
+    std::string_view slice;
     double weight;
     std::optional<double> stroke;
+    bool rides = false;
   };
 
+  /// What rides with what a muscle holds is held by the sum of all its ways, and not by itself.
+  void add_ride(std::string_view slice, double weight) {
+    const auto known = std::find_if(held_.begin(), held_.end(),
+                                    [&](const Held& one) { return one.slice == slice; });
+    if (known == held_.end())
+      held_.push_back({slice, weight, {}, true});
+    else if (known->rides)
+      known->weight += weight;
+    else
+      *known = {slice, weight, {}, true};
+  }
+
   /// Of the muscle on a side; 0: what both sides have.
-  void write_attachments(const JsonNode& node, const PartFrame& frame, int side) const {
-    std::map<std::string_view, Held> held;
+  void write_attachments(const JsonNode& node, const PartFrame& frame, int side) {
+    held_.clear();
     in_.for_each(in_.need(node, "attach"), [&](const JsonNode& one, int) {
       const std::string_view key = in_.tree.key(one);
       const bool of_jaw = key == kJaw;
-      if (!of_jaw && !features_.names.contains(feature_of(key))) return;
+      if (!of_jaw && !features_.find(feature_of(key))) return;
       if (one.kind == JsonKind::number)
-        held[key] = {in_.number(one), {}};
+        held_.push_back({key, in_.number(one), {}});
       else
-        held[key] = {in_.number(in_.need(one, "weight")),
-                     of_jaw ? in_.number(in_.need(one, "stroke"))
-                            : frame.length(in_.number(in_.need(one, "stroke")))};
+        held_.push_back({key, in_.number(in_.need(one, "weight")),
+                         of_jaw ? in_.number(in_.need(one, "stroke"))
+                                : frame.length(in_.number(in_.need(one, "stroke")))});
     });
-    std::map<std::string_view, double> rides;
     const bool sided = in_.find(node, "side") != nullptr;
     each_ride(node, [&](const Ride& ride, double weight) {
-      if (sided && ride.side != 0 && ride.side != side) return;
-      rides[ride.slice] += weight * ride.weight;
+      if (!sided || ride.side == 0 || ride.side == side) add_ride(ride.slice, weight * ride.weight);
     });
-    for (const auto& [slice, weight] : rides) held[slice] = {std::clamp(weight, 0.0, 1.0), {}};
+    std::sort(held_.begin(), held_.end(),
+              [](const Held& a, const Held& b) { return a.slice < b.slice; });
+    write_held();
+  }
+
+  void write_held() {
     out_.key("attach"), out_.object();
-    for (const auto& [slice, hold] : held) {
-      out_.kept_key(std::string(slice));
+    for (const Held& hold : held_) {
+      out_.key(hold.slice);
       if (hold.stroke) {
         out_.object();
         out_.key("weight"), out_.number(short_number(hold.weight));
         out_.key("stroke"), out_.number(short_number(*hold.stroke));
         out_.close();
       } else {
-        out_.number(short_number(hold.weight));
+        out_.number(short_number(hold.rides ? std::clamp(hold.weight, 0.0, 1.0) : hold.weight));
       }
     }
     out_.close();
@@ -135,13 +153,15 @@ class Muscles {
   const PartGeometry& geometry_;
   const FlatFeatures& features_;
   TreeWriter& out_;
+  std::vector<Held> held_;  ///< by the muscle that is written
 };
 
 /// By name: as text, faces are compared line by line.
-void write_depths(std::vector<std::pair<std::string, double>> depths, TreeWriter& to) {
-  std::sort(depths.begin(), depths.end());
+void write_depths(std::vector<Depth> depths, TreeWriter& to) {
+  std::sort(depths.begin(), depths.end(),
+            [](const Depth& a, const Depth& b) { return a.name < b.name; });
   to.object();
-  for (const auto& [name, depth] : depths) to.kept_key(name), to.number(short_number(depth));
+  for (const auto& [name, depth] : depths) to.key(name), to.number(short_number(depth));
   to.close();
 }
 
@@ -194,28 +214,26 @@ class Placing {
   /// Calls each(name) for what stands still and lies in one of the slots.
   template <class Each>
   void for_each_still(const JsonNode& slots, Each&& each) const {
-    std::set<std::size_t> wanted;
+    std::vector<std::size_t> wanted;
     in_.for_each(slots, [&](const JsonNode& slot, int) {
-      wanted.insert(slot_named(in_, slot, place_.library));
+      wanted.push_back(slot_named(in_, slot, place_.library));
     });
-    const std::vector<std::string>& still = place_.features.still;
-    for (const FlatFeatures::One& one : place_.features.features)
-      if (wanted.contains(one.slot) &&
-          std::find(still.begin(), still.end(), one.name) != still.end())
+    for (const FlatFeatures::One& one : place_.features.all())
+      if (one.still && std::find(wanted.begin(), wanted.end(), one.slot) != wanted.end())
         each(one.name);
   }
 
   void write_still(const JsonNode& offset, const JsonNode& slots) const {
     to_.object();
-    for_each_still(slots, [&](const std::string& name) {
-      to_.kept_key(name + "/*"), to_.pair(in_.pair(offset));
+    for_each_still(slots, [&](std::string_view name) {
+      to_.key(to_.kept({name, "/*"})), to_.pair(in_.pair(offset));
     });
     to_.close();
   }
 
   void write_names(const JsonNode& slots) const {
     to_.array();
-    for_each_still(slots, [&](const std::string& name) { to_.kept_string(name); });
+    for_each_still(slots, [&](std::string_view name) { to_.string(name); });
     to_.close();
   }
 
@@ -232,7 +250,7 @@ void write_rig(const Reading& in, const JsonNode& node, const RigPlace& place, T
 
 void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
                    const FlatFeatures& features, TreeWriter& to) {
-  const Muscles muscles(in, geometry, features, to);
+  Muscles muscles(in, geometry, features, to);
   to.object();
   for (const char* key : {"stiffness", "damping"})
     to.key(key), to.number(short_number(in.number(in.need(node, key))));
@@ -247,7 +265,7 @@ void write_turn(const Reading& in, const JsonNode& node, const RigPlace& place, 
   to.object();
   to.copy_children(in.tree, node, Placing(in, place, to));
   to.key("still"), to.array();
-  for (const std::string& name : features.still) to.kept_string(name);
+  for (const std::string_view name : features.still()) to.string(name);
   to.close();
   to.key("flat"), write_depths(features.flat, to);
   to.key("raised"), write_depths(features.raised, to);

@@ -28,7 +28,11 @@ constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 
                         kLong = 2005, kCoily = 2006;
 
 /// What a number's law holds beside axes: how far chance goes, and between which ends.
-constexpr std::array<std::string_view, 5> kLawful{"spread", "even", "chance", "least", "most"};
+constexpr KnownKeys<5> kLawful({"spread", "even", "chance", "least", "most"});
+
+/// What tickets and laws are sums over, in the order of Axes::of.
+constexpr KnownKeys<14> kAxes({"any", "lean", "masculine", "feminine", "child", "minor", "adult",
+                               "elder", "young", "heavy", "long", "dark", "light", "coily"});
 
 /// What a person is like before any part is chosen, each from 0 to 1 or −1 to 1.
 struct Axes {
@@ -41,27 +45,23 @@ struct Axes {
   double coily = 0;
 
   double of(const Reading& in, const JsonNode& node) const {
-    const std::array<std::pair<std::string_view, double>, 14> all{
-        {{"any", 1.0},
-         {"lean", lean},
-         {"masculine", std::max(lean, 0.0)},
-         {"feminine", std::max(-lean, 0.0)},
-         {"child", child},
-         {"minor", minor},
-         {"adult", 1.0 - child},
-         {"elder", elder},
-         {"young", 1.0 - elder},
-         {"heavy", heavy},
-         {"long", lengthy},
-         {"dark", dark},
-         {"light", 1.0 - dark},
-         {"coily", coily}}};
+    const std::array<double, kAxes.names.size()> all{1.0,
+                                                     lean,
+                                                     std::max(lean, 0.0),
+                                                     std::max(-lean, 0.0),
+                                                     child,
+                                                     minor,
+                                                     1.0 - child,
+                                                     elder,
+                                                     1.0 - elder,
+                                                     heavy,
+                                                     lengthy,
+                                                     dark,
+                                                     1.0 - dark,
+                                                     coily};
     const std::string_view key = in.tree.key(node);
-    for (const auto& [name, value] : all)
-      if (name == key) return value;
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : all) names.push_back(name);
-    in.refuse(node, unknown_name("axis", key, names));
+    if (const std::size_t i = kAxes.find(node.key_sign, key); i < all.size()) return all[i];
+    in.refuse(node, unknown_name("axis", key, {kAxes.names.begin(), kAxes.names.end()}));
   }
 };
 
@@ -128,8 +128,7 @@ class Sampler {
   double sum(const Reading& in, const JsonNode& law) const {
     double all = 0.0;
     in.for_each(law, [&](const JsonNode& node, int) {
-      const std::string_view key = in.tree.key(node);
-      if (std::find(kLawful.begin(), kLawful.end(), key) == kLawful.end())
+      if (kLawful.find(node.key_sign, in.tree.key(node)) == kLawful.names.size())
         all += in.number(node) * axes_.of(in, node);
     });
     return all;
