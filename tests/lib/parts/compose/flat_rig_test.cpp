@@ -90,8 +90,8 @@ std::string rig_text(const std::string& node, const FlatFeatures& features) {
 
 TEST(FlatRig, AControlMovesWhatStandsStillInItsSlots) {
   FlatFeatures features;
-  features.add({1, 0, "shirt", false}), features.add({0, 0, "halo", false});
-  features.add({1, 0, "hair", false}), features.add({1, 0, "collar", false});
+  features.add({1, 0, "shirt"}), features.add({0, 0, "halo"});
+  features.add({1, 0, "hair"}), features.add({1, 0, "collar"});
   for (const char* still : {"halo", "shirt", "collar"}) features.stand_still(still);
   features.sort();
   EXPECT_EQ(rig_text(R"({"offset": {"$still": [0, 1], "slots": ["front"]}})", features),
