@@ -41,7 +41,10 @@ bool PartStyle::replaces(const Role& role, std::string_view key) const {
 void PartStyle::write_members(const Role& role, bool painted, TreeWriter& to) const {
   if (role.sheet) {
     painted = painted || in().find(*role.sheet, "paint");
-    to.copy_children(in().tree, *role.sheet, [](const JsonNode&) { return false; });
+    in().for_each(*role.sheet, [&](const JsonNode& member, int) {
+      const std::string_view key = in().tree.key(member);
+      if (!role.gone || key != "opacity") to.key(key), to.copy(in().tree, member);
+    });
   }
   // Gone is invisible, not removed: the rig names it.
   if (role.gone) to.key("opacity"), to.number(0);
