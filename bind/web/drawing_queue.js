@@ -6,18 +6,20 @@
 // its worker, however many wait.
 //
 // A page has as many workers as it has cores, four at most, and starts another only when all are at work. A face stays
-// with the worker that has read it. First pictures take longest, so where there is a choice they keep away from the worker of
-// a face that talks.
+// with the worker that has read it. Clips share the time, not the turns: a face of a hundred braids, which takes forty times as
+// long as others, plays at a fortieth of their rate. First pictures and such faces keep away from the worker of a face that
+// talks, where there is another one.
 
 import { Painter } from './painter.js';
 
 let most = Math.max(1, Math.min(4, globalThis.navigator?.hardwareConcurrency ?? 1));
 const TALKS = 500;  // [ms] A face that was asked for twice within this time talks
+const SLOW = 30;  // [ms] A face that takes longer than this is not drawn beside one that talks
 
 const lanes = { first: new Set(), asked: new Set(), playing: new Set() };
 const painters = [], painterOf = new WeakMap(), askedAt = new WeakMap(), turns = new WeakMap();
 let newest = null;  // of those asked
-let talker = null, woken = false;
+let talker = null, woken = false, clock = 0;  // [ms] that each face which plays has had
 
 /** The first of a lane that the painter may draw. */
 function oldest(lane, painter) {
@@ -33,8 +35,20 @@ const TURNS = [
   (painter) => (lanes.asked.has(newest) && mayDraw(painter, newest) ? newest : oldest(lanes.asked, painter)),
   nearest,
   (painter) => oldest(lanes.asked, painter),
-  (painter) => oldest(lanes.playing, painter),
+  leastDrawn,
 ];
+
+/** Of those that play: the one that has had the least time. */
+function leastDrawn(painter) {
+  const quiet = quietPainter();
+  let found;
+  for (const face of lanes.playing) {
+    const itsOwn = quiet && face.cost > SLOW && reader(face) === quiet ? painter !== quiet : mayDraw(painter, face);
+    if (itsOwn && (painter !== quiet || face.cost <= SLOW) && !(found?.spent <= face.spent)) found = face;
+  }
+  if (found) clock = found.spent;
+  return found;
+}
 
 /** Of those without a picture: the first in view, else the one that is least far from the view. */
 function nearest(painter) {
@@ -59,6 +73,7 @@ function quietPainter() {
 /** Lets a face wait for a picture; in which lane, says the face. */
 export function wait(face, lane) {
   if (!lanes[lane].has(face)) leave(face), lanes[lane].add(face);
+  if (lane === 'playing') face.spent = Math.max(face.spent, clock);
   if (lane === 'asked') {
     const now = performance.now();
     if (now - (askedAt.get(face) ?? -Infinity) < TALKS) talker = face;
@@ -107,7 +122,7 @@ function give(painter) {
     leave(face);
     try {
       painter.start(painters[0].module);
-      painterOf.set(face, painter);
+      if (reader(face) !== painter) reader(face)?.forget(face), painterOf.set(face, painter);
       painter.draw(face);
     } catch (error) {
       painter.drawing = null;

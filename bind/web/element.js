@@ -62,8 +62,9 @@ function textOf(src) {
 
 class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = NAMES;
-  /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away. */
-  number = 0; inView = false; isNear = false;
+  /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away; what its last
+   *  picture took and what all have [ms]. */
+  number = 0; inView = false; isNear = false; cost = 0; spent = 0;
   #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {

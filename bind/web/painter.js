@@ -48,6 +48,7 @@ export class Painter {
     this.drawing = null;
     clearTimeout(this.#late);
     if (data.broken) this.#end();
+    if (data.ms) face.cost = data.ms, face.spent += data.ms;
     face.answer(data.late ? this.#tooLong : data);
     this.#done();
   }
