@@ -4,14 +4,19 @@
 #include <mien/expected.h>
 #include "lib/base/one_line.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <source_location>
 #include <string>
 
 namespace mien::fuzz {
 
-inline void require(bool holds) {
-  if (!holds) std::abort();
+/// Which demand was not met is told before the end.
+inline void require(bool holds, const std::source_location at = std::source_location::current()) {
+  if (holds) return;
+  std::fprintf(stderr, "%s:%u: not so\n", at.file_name(), unsigned(at.line()));
+  std::abort();
 }
 
 /// An error says something, in one line that any terminal may show.

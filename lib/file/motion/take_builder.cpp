@@ -1,3 +1,4 @@
+#include "lib/base/one_line.h"
 #include "take_builder_private.h"
 
 #include <fmt/format.h>
@@ -135,8 +136,8 @@ void TakeBuilder::clamp(std::vector<Error>& told) {
   told.push_back(
       {name_, fmt::format("{} of {} values lay out of range and were clamped, the farthest {} = {} "
                           "at {:.3f} s, which goes from {} to {}",
-                          count, table.values.size(), target.channel, table.values[worst],
-                          table.times[worst / table.columns], lo, hi)});
+                          count, table.values.size(), one_line(target.channel, 60),
+                          table.values[worst], table.times[worst / table.columns], lo, hi)});
   for (std::size_t i = 0; i < table.values.size(); ++i) {
     const auto [least, most] = unit_range(targets_[i % table.columns].unit);
     table.values[i] = std::clamp(table.values[i], least, most);

@@ -135,23 +135,10 @@ TEST(StandardMoves, OfTheSampleFacesAreTheTables) {
     expect_moves(test::sample_face(std::string("faces/") + name), name);
 }
 
-/// Whether lips are apart without a move: gaps are told of mouths that rest shut.
-bool rests_open(const Face& face) {
-  Poser poser(face);
-  const Face& still = poser.pose(test::pose_of(face, {"emotion.joy=0"}));
-  const std::vector<std::string>& gap = table().landmarks.at("mouth.gap");
-  return glm::distance(test::point_of(still, gap[0]), test::point_of(still, gap[1])) > 1e-9;
-}
-
 TEST(StandardMoves, OfFiftyPeopleAreTheTables) {
-  int people = 0;
-  for (int i = 0; people < 50; ++i) {
-    ASSERT_LT(i, 200);
+  for (int i = 0; i < 50; ++i) {
     const Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("moves of people/{}", i)));
-    const Face face = face_from_recipe(recipe).value();
-    if (rests_open(face)) continue;
-    expect_moves(face, recipe.code);
-    ++people;
+    expect_moves(face_from_recipe(recipe).value(), recipe.code);
   }
 }
 

@@ -114,6 +114,16 @@ TEST(MotionFile, ReadsPercentWhereAllIsPercent) {
             std::vector<std::string>{"f: shares are read as 0 to 100: the largest is 80.5"});
 }
 
+/// Names of channels may be anything; what is told of them stays one line.
+TEST(MotionFile, TellsOfNamesInOneLine) {
+  const ReadMotion take = read(
+      "time,muscle.a\x10"
+      "b\n0,3\n1,0\n");
+  ASSERT_TRUE(take.motion) << take.error;
+  ASSERT_EQ(take.told.size(), 1u);
+  EXPECT_NE(take.told[0].find("muscle.a\\x10b = 3"), std::string::npos) << take.told[0];
+}
+
 TEST(MotionFile, ClampsAndCounts) {
   const ReadMotion take = read("time,jawOpen,mouthPucker\n0,1.27,0.5\n1,-0.1,1e30\n2,0.5,0.5\n");
   ASSERT_TRUE(take.motion) << take.error;

@@ -119,7 +119,7 @@ TEST(Mouth, CarriesTheChin) {
       EXPECT_NEAR(point_of(face, "teeth_low/points/2").y - point_of(open, "teeth_low/points/2").y,
                   0.9 * drop, 1e-9);
       EXPECT_EQ(point_of(face, "teeth/points/2"), point_of(open, "teeth/points/2"));
-      EXPECT_GT(drop, 0.08);
+      EXPECT_GT(drop, 0.1);
     }
 }
 
