@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kCellsPerSecond = 256;
 constexpr double kCell = 1 / kCellsPerSecond;
-constexpr double kTolerance = 1e-11;            ///< of the canvas's longer side, per step
-constexpr double kForgotten = 23;               ///< e^-23 = 1e-10
+constexpr double kTolerance = 1e-11;                      ///< of the canvas's longer side, per step
+constexpr double kForgotten = 23;                         ///< e^-23 = 1e-10
 constexpr double kShortestEpoch = 1, kLongestEpoch = 64;  ///< [s] epochs
-constexpr double kLatest = 1e9;                 ///< [s] later than this a face is at rest
+constexpr double kLatest = 1e9;                           ///< [s] later than this a face is at rest
 constexpr std::size_t kRemembered = 16;
 constexpr double kStepRounding = 1e-13;  ///< of the coordinates: no step needs to be more accurate
 

@@ -23,7 +23,7 @@ struct Swing {
 };
 
 constexpr Swing kNod{-0.18, 0.02, 0.06, 0.42};
-constexpr Swing kBrows{-0.24, -0.04, 0.10, 0.50};
+constexpr Swing kBrowSwing{-0.24, -0.04, 0.10, 0.50};
 constexpr double kBefore = 0.24, kAfter = 0.5;  ///< [s] the longest of them
 
 /// What one speaker does at an accent.
@@ -85,7 +85,7 @@ Gestures gestures_at(const std::vector<SpokenAccent>& accents, std::uint64_t see
     const auto count = double(accent - accents.begin());
     const double since = time - accent->time;
     now.pitch += kNod.at(since) * speaker.nod(*accent, count);
-    now.brows = std::max(now.brows, kBrows.at(since) * speaker.brows(*accent, count));
+    now.brows = std::max(now.brows, kBrowSwing.at(since) * speaker.brows(*accent, count));
   }
   now.pitch = std::clamp(now.pitch, -kDeepestNod, kDeepestNod);
   return now;
