@@ -56,7 +56,7 @@ class MouthAtWork {
     const double recede = kRecede * mouth_.width * n_.pucker * (1 - n_.bite);
     for (const int slice : mouth_.skull_teeth) to_.add(slice, {0, recede});
     const std::optional<TeethEdge> teeth = teeth_edge();
-    open_ = was_, ease_lower_lip();
+    open_ = was_, give_up_gap(), ease_lower_lip();
     shape_lips(n_, {mouth_.drop, mouth_.width, mouth_.seam}, teeth, open_);
     shut_ = closed(open_, n_.close, mouth_.seam);
     place_lips();
@@ -72,6 +72,22 @@ class MouthAtWork {
     if (a < 0) return {};
     // Where they were drawn: a puckered mouth is measured with the teeth at their place.
     return TeethEdge{to_.get(before_, a), to_.get(before_, b), to_.get(before_, c)};
+  }
+
+  /// A mouth that rests open gives its gap up as far as jaw, lips or tongue are at work: then it does what others do.
+  void give_up_gap() {
+    constexpr double kLips =
+        3;  // the jaw opens what the gap gives up; lips and tongue need it gone sooner
+    const double lips = n_.part + n_.pucker + n_.funnel + n_.bite + n_.tongue_up +
+                        n_.tongue_between + n_.tongue_out + n_.tongue_back +
+                        std::max(n_.press[0], n_.press[1]) + std::max(n_.roll[0], n_.roll[1]) +
+                        std::max(n_.shrug[0], n_.shrug[1]);
+    const double share = std::clamp(n_.jaw + kLips * lips, 0.0, 1.0);
+    for (std::size_t bend = 0; bend < 3; ++bend) {
+      const double drawn = drawn_.upper[bend].y - drawn_.lower[bend].y;
+      const double now = was_.upper[bend].y - was_.lower[bend].y;
+      open_.lower[bend].y += share * std::max(0.0, std::min(drawn, now));
+    }
   }
 
   /// Muscles pull a lip that the jaw has stretched less far down.

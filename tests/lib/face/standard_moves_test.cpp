@@ -135,9 +135,21 @@ TEST(StandardMoves, OfTheSampleFacesAreTheTables) {
     expect_moves(test::sample_face(std::string("faces/") + name), name);
 }
 
+bool has_shut_lips(const Face& face) {
+  const Mouth& mouth = *face.model->mouth;
+  const auto numbers_of = [&](const MouthPoint& bend) {
+    return numbers(face, face.model->layout[bend.slice].name);
+  };
+  return numbers_of(mouth.upper[1]) == numbers_of(mouth.lower[1]) &&
+         numbers(face, "lip_upper.left/half_width")[0] > 0 &&
+         numbers(face, "lip_lower.left/half_width")[0] > 0;
+}
+
 TEST(StandardMoves, OfFiftyPeopleAreTheTables) {
   for (int i = 0; i < 50; ++i) {
-    const Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("moves of people/{}", i)));
+    Recipe recipe = recipe_from_seed(seed_from_word(fmt::format("moves of people/{}", i)));
+    // The tables are of lips that rest shut: from a gap on, the same moves are others.
+    if (!has_shut_lips(face_from_recipe(recipe).value())) recipe.parts["mouth"] = "soft";
     expect_moves(face_from_recipe(recipe).value(), recipe.code);
   }
 }

@@ -133,6 +133,31 @@ TEST(Mouth, OfMusclesAndOfControlsIsOneJaw) {
   }
 }
 
+/// At work it opens as wide as one that rests shut, and no wider; a jaw that drops never makes it smaller than that.
+TEST(Mouth, ThatRestsOpenGivesItsGapUp) {
+  const auto with = [](const char* mouth) {
+    Recipe recipe;
+    recipe.parts["mouth"] = mouth;
+    return face_from_recipe(recipe).value();
+  };
+  const auto gap = [](const Face& face, const std::string& word) {
+    const Face posed = face_at(face, {word});
+    return point_of(posed, "upper_edge.left/spine/0").y -
+           point_of(posed, "lower_edge.left/spine/0").y;
+  };
+  for (const char* name : {"grin", "toothy", "dot", "soft_gap", "small_missing", "wide_braces"}) {
+    const Face face = with(name);
+    const double rest = gap(face, "jaw.open=0");
+    EXPECT_GT(rest, 0.05) << name;
+    EXPECT_NEAR(gap(face, "viseme.U=1"), gap(with("soft"), "viseme.U=1"), 0.02) << name;
+    EXPECT_NEAR(gap(face, "mouth.pucker=1"), 0, 1e-9) << name;
+    for (const char* jaw : {"jaw.open=0.2", "jaw.open=0.6", "jaw.open=1"})
+      EXPECT_GT(gap(face, jaw), rest) << name << jaw;
+    EXPECT_LT(gap(face, "emotion.sadness=1"), 0.4 * rest) << name;
+    EXPECT_LT(gap(face, "emotion.anger=1"), 0.4 * rest) << name;
+  }
+}
+
 TEST(Mouth, KeepsTheLipsArea) {
   for (const Face& face : mouths())
     for (const char* close : {"0", "1"})
