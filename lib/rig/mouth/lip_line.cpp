@@ -28,7 +28,7 @@ constexpr double kRoundFunnel = 0.9, kRoundPucker = 0.25;
 constexpr double kLevel = 0.7,
                  kLevelFunnel = 0.6;  // corners of a round mouth come level, or it has horns
 constexpr double kBite = 0.020;       // the lower lip covers so much of the upper teeth
-constexpr double kBiteShows = 0.036, kBiteShowsBeside = 0.012;  // of them are seen above it
+constexpr double kBiteShows = 0.030, kBiteShowsBeside = 0.012;  // of them are seen above it
 constexpr double kBeside = 0.07;                           // where a handle is held to the teeth
 constexpr double kClearBetween = 0.036, kClearUp = 0.026;  // below the teeth where a tongue shows
 

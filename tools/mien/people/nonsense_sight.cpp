@@ -71,10 +71,24 @@ KnownFeatures::Sides both(const FaceModel& model, std::string_view name) {
   return sides;
 }
 
-/// What a part leaves out is there, but without opacity.
-bool is_left_out(const Face& face, const Feature& feature) {
-  return feature.opacity >= 0 &&
-         face.vector[std::size_t(face.model->layout[feature.opacity].begin)] == 0;
+/// What a part leaves out is there for the rig, but without a paint, or without opacity.
+bool is_seen(const Face& face, const Feature& feature) {
+  return feature.painted() &&
+         (feature.opacity < 0 ||
+          face.vector[std::size_t(face.model->layout[feature.opacity].begin)] != 0);
+}
+
+/// A style may draw two features as one area.
+bool is_drawn(const Face& face, int feature) {
+  const std::vector<Feature>& features = face.model->features;
+  return is_seen(face, features[std::size_t(feature)]) ||
+         std::any_of(features.begin() + feature, features.end(), [&](const Feature& later) {
+           const auto* area = std::get_if<AreaFigure>(&later.figure);
+           return area && is_seen(face, later) &&
+                  std::any_of(area->any.begin(), area->any.end(), [&](Index<Feature> of) {
+                    return of.at == feature;
+                  });
+         });
 }
 
 double up_sign(const Face& face) {
@@ -97,7 +111,7 @@ KnownFeatures::KnownFeatures(const Face& face) {
                                     {"beard", &beard},
                                     {"hijab", &hijab}})
       if (name == known && *at < 0) *at = i;
-    const bool lip = (name == "lip_upper" || name == "lip_lower") && !is_left_out(face, feature);
+    const bool lip = (name == "lip_upper" || name == "lip_lower") && is_drawn(face, i);
     if (lip && name == "lip_upper") lip_upper.push_back(i);
     if (lip) lips.push_back(i);
     if (!feature.painted()) continue;
@@ -154,7 +168,8 @@ void RestSight::find_hair(AreaCache& areas) {
       temples.push_back(i);
     }
   }
-  if (2 * covered <= crown.size()) crown.clear(), temples.clear();  // bald, or nearly
+  // Bald, or nearly: a kippah is no hair.
+  if (4 * covered <= 3 * crown.size()) crown.clear(), temples.clear();
 }
 
 void RestSight::find_beard(AreaCache& areas) {
