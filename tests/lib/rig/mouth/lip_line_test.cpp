@@ -75,7 +75,7 @@ TEST(LipLine, MeetsTheTeeth) {
   EXPECT_NEAR(teeth.y(0), -0.05, 1e-12);
   const LipLine bitten = shaped({.jaw = 0.5, .bite = 1}, teeth);
   EXPECT_NEAR(bitten.lower[1].y, teeth.y(0) + 0.020, 1e-12);
-  EXPECT_GE(bitten.upper[1].y, bitten.lower[1].y + 0.035);
+  EXPECT_NEAR(bitten.upper[1].y, bitten.lower[1].y + 0.030, 1e-12);
   const LipLine between = shaped({.tongue_between = 1}, teeth);
   EXPECT_NEAR(between.lower[1].y, teeth.y(0) - 0.036, 1e-12);
 }
