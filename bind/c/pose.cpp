@@ -61,12 +61,12 @@ mien_status mien_pose_set_at(mien_pose* pose, int32_t index, const double* value
     if (control) {
       const mien::Channel& channel = model.controls[at].channels[0].in(channels);
       lo = channel.lo, hi = channel.hi;
-    } else if (slice->rule == mien::Rule::clamp) {
-      lo = slice->lo, hi = std::min(slice->hi, largest);
+    } else if (const mien::SliceRange range = slice->range(); range.rule == mien::Rule::clamp) {
+      lo = range.lo, hi = std::min(range.hi, largest);
     }
     for (const double value : std::vector(first, first + count))
       if (!(value >= lo && value <= hi))
-        refuse(control ? model.controls[at].name : slice->name,
+        refuse(std::string(control ? model.controls[at].name : slice->name),
                fmt::format("goes from {} to {}, got {}", lo, hi, value));
     pose->hold({control, control ? int(at) : slice->begin, {first, first + count}});
   });

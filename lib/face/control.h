@@ -4,7 +4,9 @@
 #include <mien/index.h>
 #include <mien/key_shapes.h>
 
-#include <string>
+#include <array>
+#include <cstddef>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -49,11 +51,25 @@ struct Channel {
   std::vector<Coupling> couplings;  ///< of a pose
 };
 
+/// The channels of a control: one, or a left and a right one.
+class ControlChannels {
+ public:
+  std::size_t size() const { return count_; }
+  const Index<Channel>* begin() const { return all_.data(); }
+  const Index<Channel>* end() const { return all_.data() + count_; }
+  Index<Channel> operator[](std::size_t i) const { return all_[i]; }
+  /// There must be less than two.
+  void push_back(Index<Channel> channel) { all_[count_++] = channel; }
+
+ private:
+  std::array<Index<Channel>, 2> all_{};
+  std::size_t count_ = 0;
+};
+
 /// A name for one channel ("gaze.left.x"), or for a left and a right one together ("gaze.x").
 struct Control {
-  std::string name;
-  std::string unit;
-  std::vector<Index<Channel>> channels;  ///< 1 or 2
+  std::string_view name, unit;  ///< the model's names keep them
+  ControlChannels channels;
   bool pose = false;  ///< the weight of a named pose ("brow.sad", "brow.left.sad")
 };
 

@@ -14,6 +14,7 @@
 #include <mien/motion.h>
 #include <mien/mouth.h>
 #include <mien/muscle.h>
+#include <mien/names.h>
 
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,7 @@ namespace mien {
 struct FaceModel {
   std::string name;
   std::string credit;
+  Names names;  ///< of features, controls, muscles and expressions
   FaceCanvas canvas;
   Layout layout;
   int background = -1;            ///< slice of its colour

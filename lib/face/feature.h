@@ -7,7 +7,6 @@
 #include <mien/side.h>
 #include <mien/text_figure.h>
 
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -108,7 +107,7 @@ struct FeatureClip {
 
 /// Something to draw or, without paint, an area that other features are clipped to.
 struct Feature {
-  std::string name;  ///< "iris.left"
+  std::string_view name;  ///< "iris.left"; the model's names keep it
   Side side = Side::none;
   Figure figure;
   int paint = -1;                        ///< slice of its colour; −1: not drawn

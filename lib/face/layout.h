@@ -6,11 +6,13 @@
 
 #include <mien/api.h>
 #include <mien/face.h>
+#include <mien/name_table.h>
+#include <mien/names.h>
 #include <mien/slice.h>
 
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +21,9 @@ namespace mien {
 class MIEN_API Layout {
  public:
   /// Appends a slice with the range and rule of its kind, and returns its index. The name must be new.
-  int add(std::string name, SliceKind kind, int size);
+  int add(std::string_view name, SliceKind kind, int size) { return add({name}, kind, size); }
+  /// The same for a name in parts: {"brow.left", "/", "spine"}.
+  int add(std::initializer_list<std::string_view> name, SliceKind kind, int size);
 
   /// The index of the slice of that name, or −1.
   int find(std::string_view name) const;
@@ -32,15 +36,9 @@ class MIEN_API Layout {
   double largest = 1e9;
 
  private:
-  /// A name's place in a table that is searched from its hash on.
-  struct Place {
-    std::size_t hash = 0;
-    int slice = -1;  ///< none
-  };
-  void enter(Place place);
-
+  Names names_;
   std::vector<Slice> slices_;
-  std::vector<Place> table_;  ///< a power of two, at most half of them taken
+  NameTable table_;
   std::size_t size_ = 0;
 };
 

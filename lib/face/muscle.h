@@ -10,7 +10,7 @@
 
 #include <array>
 #include <glm/vec2.hpp>
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace mien {
@@ -19,7 +19,7 @@ struct Channel;
 
 /// One side of a group, or a muscle that has no side.
 struct Muscle {
-  std::string name;  ///< its group's name: "zygomaticus"
+  std::string_view name;  ///< its group's name: "zygomaticus"; the model's names keep it
   Side side = Side::none;
   glm::dvec2 origin;       ///< on the muscle's own side
   double strength = 0;     ///< [1/s²] stiffness of the spring at full pull, >= 0
@@ -79,7 +79,7 @@ enum class Override : unsigned char { none, blend, block };
 
 /// An emotion, or an expression of a standard set: a number from 0 to 1 that pulls muscles and moves controls.
 struct Expression {
-  std::string name;            ///< "emotion.joy", "arkit.jawOpen"
+  std::string_view name;       ///< "emotion.joy", "arkit.jawOpen"; the model's names keep it
   Index<Channel> left, right;  ///< the strength of each half; the same if it has none
   bool binary = false;         ///< its strength is 1 above a half, and else 0
   ExpressionGroup group = ExpressionGroup::none;

@@ -2,7 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace mien {
+
+SliceRange range_of(SliceKind kind) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  switch (kind) {
+    case SliceKind::length:
+    case SliceKind::ratio:
+      return {0, kEndless, Rule::clamp};
+    case SliceKind::angle:
+      return {-180, 180, Rule::wrap};
+    case SliceKind::color:
+      return {0, 1, Rule::clamp};
+    default:
+      return {-kEndless, kEndless, Rule::free};
+  }
+}
 
 std::string_view kind_name(SliceKind kind) {
   switch (kind) {

@@ -29,13 +29,20 @@ enum class Rule : unsigned char {
   wrap    ///< it continues from the other end; hi itself becomes lo
 };
 
+/// What the numbers of a kind can be.
+struct SliceRange {
+  double lo, hi;  ///< of every number; infinite if free
+  Rule rule;
+};
+MIEN_API SliceRange range_of(SliceKind kind);
+
 struct Slice {
-  std::string name;  ///< "brow.left/spine/1": feature, part, index
+  std::string_view name;  ///< "brow.left/spine/1": feature, part, index; its layout keeps it
   SliceKind kind = SliceKind::point;
   int begin = 0;  ///< its first number in the face vector
   int size = 0;
-  double lo = 0, hi = 0;  ///< the range of every number; infinite if free
-  Rule rule = Rule::free;
+
+  SliceRange range() const { return range_of(kind); }
 };
 
 /// The name of a kind: "point", "length", …

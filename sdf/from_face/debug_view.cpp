@@ -54,7 +54,7 @@ void draw_muscle(const Face& face, SceneBuilder& build, int muscle, double pull,
   if (all.node < 0) return;
   Color color = pull_color(pull);
   color.a = 0.75;
-  build.layer(control_of_side("muscle." + m.name, m.side), all, {.color = color});
+  build.layer(control_of_side(fmt::format("muscle.{}", m.name), m.side), all, {.color = color});
 }
 
 void draw_scale(SceneBuilder& build, const Page& page) {
@@ -85,11 +85,11 @@ struct MuscleValue {
 /// In the order of the model, left before right.
 std::vector<MuscleValue> muscle_values(const FaceModel& model, std::span<const double> pulls) {
   std::vector<MuscleValue> values;
-  std::set<std::string> done;
+  std::set<std::string_view> done;
   const auto& muscles = model.muscles.muscles;
   for (const Muscle& muscle : muscles) {
     if (!done.insert(muscle.name).second) continue;
-    MuscleValue& value = values.emplace_back(MuscleValue{muscle.name, {}});
+    MuscleValue& value = values.emplace_back(MuscleValue{std::string(muscle.name), {}});
     for (const Side side : {Side::left, Side::right, Side::none})
       for (std::size_t m = 0; m < muscles.size(); ++m)
         if (muscles[m].name == muscle.name && muscles[m].side == side) {

@@ -81,7 +81,7 @@ MorphHeat morph_heat(const Face& rest, const Face& posed, const Lettering& lette
     const Feature& feature = i.in(model.features);
     areas.add(i);
     if (feature.paint >= 0)
-      build.layer(feature.name, areas.of(i), {.color = grey_of(posed, feature.paint)});
+      build.layer(std::string(feature.name), areas.of(i), {.color = grey_of(posed, feature.paint)});
   }
   std::vector<PointShift> shifts = point_shifts(rest, posed);
   const double largest = largest_shift(shifts);
@@ -90,7 +90,7 @@ MorphHeat morph_heat(const Face& rest, const Face& posed, const Lettering& lette
                    [](const PointShift& a, const PointShift& b) { return a.amount < b.amount; });
   for (const PointShift& shift : shifts) {
     const Color color = heat_color(largest > 0 ? shift.amount / largest : 0);
-    const std::string& name = model.layout[shift.slice].name;
+    const std::string name(model.layout[shift.slice].name);
     if (shift.amount > 0)
       build.layer(name, build.shape(Line{shift.from, shift.to, kLine * unit}), {.color = color});
     build.layer(name, build.shape(Disc{shift.to, kDisc * unit}), {.color = color});

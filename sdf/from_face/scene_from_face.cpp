@@ -14,7 +14,7 @@ namespace mien {
 namespace {
 
 std::string layer_name(const Feature& feature, std::string_view ending) {
-  return feature.name + std::string(ending);
+  return std::string(feature.name).append(ending);
 }
 
 /// Which way in the picture the lamp does not shine; down, if it shines straight.
@@ -51,7 +51,7 @@ void draw_feature(Index<Feature> i, const Face& face, const FeatureAreas& areas,
   }
   if (around.glow) glow(build, layer_name(feature, kGlowLayer), areas.of(i), *around.glow);
   if (feature.painted())
-    build.layer(feature.name, areas.of(i), paint_of(feature, face, areas.figure(i)));
+    build.layer(std::string(feature.name), areas.of(i), paint_of(feature, face, areas.figure(i)));
   if (around.contour)
     build.layer(layer_name(feature, kContourLayer),
                 contour_of(feature, *around.contour, areas.of(i), face, areas, build),

@@ -243,7 +243,7 @@ TEST(Eyes, AreCutDiscsOfTheRightArea_M3) {
   const double area = 3.14159265358979323846 * r * r - segment(upper) - segment(lower);
   std::vector<std::string> settings;
   for (const Slice& slice : male.model->layout.slices())
-    if (slice.name.ends_with("/half_width")) settings.push_back(slice.name + "=0");
+    if (slice.name.ends_with("/half_width")) settings.push_back(std::string(slice.name) + "=0");
   const Image image =
       test::rendered(scene_from_face(posed(male, settings)), {.width = 1000, .height = 1000});
   const double unit = 1000 / male.model->canvas.box.size().x;  // [pixels]

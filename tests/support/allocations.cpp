@@ -1,16 +1,21 @@
 #include "tests/support/allocations.h"
 
+#include <malloc.h>
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
-std::atomic<long> count{0};
+std::atomic<long> count{0}, bytes{0};
 }
 
 long mien::test::allocations() {
   return count;
+}
+
+long mien::test::held_bytes() {
+  return bytes;
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -29,8 +34,14 @@ namespace {
 void* counted(std::size_t size, std::size_t alignment) {
   ++count;
   const std::size_t whole = (size + alignment - 1) / alignment * alignment;
-  if (void* p = std::aligned_alloc(alignment, whole ? whole : alignment)) return p;
-  throw std::bad_alloc();
+  void* p = std::aligned_alloc(alignment, whole ? whole : alignment);
+  if (!p) throw std::bad_alloc();
+  bytes += long(malloc_usable_size(p));
+  return p;
+}
+void freed(void* p) {
+  if (p) bytes -= long(malloc_usable_size(p));
+  std::free(p);
 }
 }  // namespace
 
@@ -41,15 +52,15 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, std::size_t(alignment));
 }
 void operator delete(void* p) noexcept {
-  std::free(p);
+  freed(p);
 }
 void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
+  freed(p);
 }
 void operator delete(void* p, std::align_val_t) noexcept {
-  std::free(p);
+  freed(p);
 }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-  std::free(p);
+  freed(p);
 }
 #endif

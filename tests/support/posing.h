@@ -72,7 +72,7 @@ inline std::vector<std::string> poses_named(const Face& face, std::string_view b
   std::vector<std::string> names;
   for (const Control& control : face.model->controls)
     if (control.pose && control.channels.size() == 2 && control.name.starts_with(begin))
-      names.push_back(control.name);
+      names.emplace_back(control.name);
   return names;
 }
 

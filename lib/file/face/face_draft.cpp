@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace mien {
 namespace {
 
 /// "brow.left/spine/0" as its author names it: "brow/spine/0".
 std::string author_name(const Slice& slice) {
-  std::string name = slice.name;
+  std::string name(slice.name);
   const std::size_t slash = name.find('/');
   for (const std::string_view side : {".left", ".right"})
     if (slash >= side.size() && slash != std::string::npos &&
@@ -20,7 +22,8 @@ std::string author_name(const Slice& slice) {
 
 }  // namespace
 
-int FaceDraft::add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
+int FaceDraft::add_slice(const Reading& in, const JsonNode& node,
+                         std::initializer_list<std::string_view> name, SliceKind kind,
                          std::span<const double> values, Written how) {
   if (vector.size() + values.size() > in.limits.numbers)
     in.refuse(node,
@@ -29,23 +32,49 @@ int FaceDraft::add_slice(const Reading& in, const JsonNode& node, std::string na
   if (places)
     places->push_back(
         {how == Written::nowhere ? -1 : in.tree.index(node), how == Written::mirrored});
-  return model.layout.add(std::move(name), kind, int(values.size()));
+  return model.layout.add(name, kind, int(values.size()));
+}
+
+std::string_view FaceDraft::joined(std::initializer_list<std::string_view> parts) const {
+  name_.clear();
+  for (const std::string_view part : parts) name_ += part;
+  return name_;
 }
 
 int FaceDraft::find_slice(std::string_view name, Side side) const {
   if (side != Side::none) {
-    const std::size_t slash = name.find('/');
-    std::string sided = feature_of_side(name.substr(0, slash), side);
-    if (slash != std::string_view::npos) sided += name.substr(slash);
-    if (const int found = model.layout.find(sided); found >= 0) return found;
+    const std::size_t slash = std::min(name.find('/'), name.size());
+    const int found = model.layout.find(
+        joined({name.substr(0, slash), ".", side_name(side), name.substr(slash)}));
+    if (found >= 0) return found;
   }
   return model.layout.find(name);
 }
 
+int FaceDraft::feature_named(std::string_view name, Side side) const {
+  return features.find(side == Side::none ? name : joined({name, ".", side_name(side)}),
+                       [&](int feature) { return model.features[std::size_t(feature)].name; });
+}
+
 int FaceDraft::find_feature(std::string_view name, Side side) const {
-  auto found = feature_by_name.find(feature_of_side(name, side));
-  if (found == feature_by_name.end()) found = feature_by_name.find(std::string{name});
-  return found == feature_by_name.end() ? -1 : found->second;
+  const int found = side == Side::none ? -1 : feature_named(name, side);
+  return found >= 0 ? found : feature_named(name);
+}
+
+Index<Control> FaceDraft::find_control(std::string_view name) const {
+  return {
+      controls.find(name, [&](int control) { return model.controls[std::size_t(control)].name; })};
+}
+
+Index<Control> FaceDraft::control_on(const Reading& in, const JsonNode& node, std::string_view name,
+                                     Side side) const {
+  if (side != Side::none) {
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    const Index<Control> found =
+        find_control(joined({name.substr(0, dot), ".", side_name(side), name.substr(dot)}));
+    if (found) return found;
+  }
+  return control_named(in, node, name);
 }
 
 int FaceDraft::slice_named(const Reading& in, const JsonNode& node, std::string_view name,
@@ -54,7 +83,7 @@ int FaceDraft::slice_named(const Reading& in, const JsonNode& node, std::string_
   if (found >= 0) return found;
   std::vector<std::string> known;
   for (const Slice& slice : model.layout.slices())
-    known.push_back(model.layout.find(name) < 0 ? author_name(slice) : slice.name);
+    known.push_back(model.layout.find(name) < 0 ? author_name(slice) : std::string(slice.name));
   in.refuse(node, unknown_name("number", name, {known.begin(), known.end()}));
 }
 
@@ -78,22 +107,21 @@ std::vector<DriveTarget> FaceDraft::points_of(const Reading& in, const JsonNode&
   std::vector<DriveTarget> found;
   bool known = false;
   for (const Side s : {Side::none, Side::left, Side::right}) {
-    const std::string name = feature_of_side(feature, s);
-    if ((side != Side::none && s != side) || !feature_by_name.contains(name)) continue;
+    if ((side != Side::none && s != side) || feature_named(feature, s) < 0) continue;
     known = true;
-    const std::string own = name + "/";
+    const std::string_view dot = s == Side::none ? "" : ".";
+    const std::string_view own = joined({feature, dot, side_name(s), "/"});
     const auto& slices = model.layout.slices();
     for (std::size_t i = 0; i < slices.size(); ++i)
       if (slices[i].kind == SliceKind::point && slices[i].name.starts_with(own))
         found.push_back({int(i), mirror && is_mirrored(int(i))});
   }
   if (known) return found;
-  if (feature_by_name.contains(std::string(feature)))
+  if (feature_named(feature) >= 0)
     in.refuse(node,
               fmt::format("{} has no sides, but this control is per side", in_quotes(feature)));
   std::vector<std::string_view> names;
-  for (const Feature& one : model.features)
-    names.push_back(std::string_view{one.name}.substr(0, one.name.find('.')));
+  for (const Feature& one : model.features) names.push_back(one.name.substr(0, one.name.find('.')));
   in.refuse(node, unknown_name("feature", feature, names));
 }
 
@@ -139,9 +167,16 @@ Index<Channel> FaceDraft::add_channel(Channel channel) {
   return last_of(model.channels);
 }
 
+void FaceDraft::add_feature(Feature feature, bool written_mirrored) {
+  features.enter(feature.name, int(model.features.size()));
+  mirrored.push_back(written_mirrored);
+  model.features.push_back(std::move(feature));
+}
+
 void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control) {
-  if (!control_by_name.emplace(control.name, Index<Control>{int(model.controls.size())}).second)
+  if (find_control(control.name))
     in.refuse(name_node, fmt::format("there is a control {} already", in_quotes(control.name)));
+  controls.enter(control.name, int(model.controls.size()));
   if (control.channels.size() == 2)
     for (const int half : {0, 1}) {
       const auto channel = std::size_t(control.channels[std::size_t(half)].at);
@@ -149,23 +184,29 @@ void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Contro
       if (channel_sides[channel] == Side::none)
         channel_sides[channel] = half == 0 ? Side::left : Side::right;
     }
-  model.controls.push_back(std::move(control));
+  model.controls.push_back(control);
 }
 
 void FaceDraft::add_control(const Reading& in, const JsonNode& name_node, Control control,
                             std::span<const SidedChannel> channels) {
   for (const SidedChannel& c : channels) control.channels.push_back(c.channel);
   add_control(in, name_node, control);
-  for (const auto& [side, channel] : channels)
-    if (side != Side::none)
-      add_control(in, name_node,
-                  {control_of_side(control.name, side), control.unit, {channel}, control.pose});
+  const std::size_t dot = std::min(control.name.find('.'), control.name.size());
+  for (const auto& [side, channel] : channels) {
+    if (side == Side::none) continue;
+    Control half{model.names.keep(
+                     {control.name.substr(0, dot), ".", side_name(side), control.name.substr(dot)}),
+                 control.unit,
+                 {},
+                 control.pose};
+    half.channels.push_back(channel);
+    add_control(in, name_node, half);
+  }
 }
 
 Index<Control> FaceDraft::control_named(const Reading& in, const JsonNode& node,
                                         std::string_view name) const {
-  const auto found = control_by_name.find(std::string{name});
-  if (found != control_by_name.end()) return found->second;
+  if (const Index<Control> found = find_control(name)) return found;
   std::vector<std::string_view> known;
   for (const Control& control : model.controls) known.push_back(control.name);
   in.refuse(node, unknown_name("control", name, known));
@@ -173,22 +214,22 @@ Index<Control> FaceDraft::control_named(const Reading& in, const JsonNode& node,
 
 bool FaceDraft::is_mirrored(int slice) const {
   const std::string_view name = model.layout[slice].name;
-  const std::string owner{name.substr(0, name.find('/'))};
-  if (mirrored_eyes.contains(owner)) return true;
-  const auto found = feature_by_name.find(owner);
-  return found != feature_by_name.end() && mirrored[std::size_t(found->second)];
+  const std::string_view owner = name.substr(0, name.find('/'));
+  if (std::find(mirrored_eyes.begin(), mirrored_eyes.end(), owner) != mirrored_eyes.end())
+    return true;
+  const int found = feature_named(owner);
+  return found >= 0 && mirrored[std::size_t(found)];
 }
 
-std::vector<double> read_slice_values(const Reading& in, const JsonNode& node, SliceKind kind,
-                                      int least, int most, const FaceCanvas& canvas,
-                                      bool mirrored) {
-  std::vector<double> values = in.numbers(node, least, most);
+std::span<double> FaceDraft::slice_values(const Reading& in, const JsonNode& node, SliceKind kind,
+                                          int least, int most, bool mirror) const {
+  in.numbers(node, least, most, numbers_);
   if (kind == SliceKind::length || kind == SliceKind::ratio)
-    for (const double value : values)
+    for (const double value : numbers_)
       if (value < 0)
         in.refuse(node, fmt::format("a {} must not be negative, got {}", kind_name(kind), value));
-  if (mirrored) mirror_values(kind, values, canvas.twice_axis());
-  return values;
+  if (mirror) mirror_values(kind, numbers_, model.canvas.twice_axis());
+  return numbers_;
 }
 
 }  // namespace mien

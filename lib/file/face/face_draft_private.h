@@ -3,16 +3,16 @@
 
 #include <mien/face_model.h>
 #include <mien/letters.h>
+#include <mien/name_table.h>
 #include "lib/file/face/placed_face_private.h"
 #include "lib/file/json/reading.h"
 
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace mien {
@@ -42,8 +42,7 @@ struct SidedChannel {
 struct FaceDraft {
   FaceModel model;
   FaceVector vector;
-  std::unordered_map<std::string, int> feature_by_name;
-  std::unordered_map<std::string, Index<Control>> control_by_name;
+  NameTable features, controls;  ///< of the model's, by name
   std::vector<Side>
       channel_sides;  ///< the half of a control that a channel stands for; shorter: none
   /// What the area of a feature is made of, clips and all.
@@ -57,19 +56,36 @@ struct FaceDraft {
   const Letters* letters = nullptr;  ///< what texts are made with; null: nothing
   int text_signs = 0;                ///< of all texts
   std::vector<char> mirrored;  ///< per feature: whether its numbers were written for the other side
-  std::unordered_set<std::string> mirrored_eyes;
+  std::vector<std::string> mirrored_eyes;
 
   SlicePlaces* places = nullptr;  ///< where each slice stands; null: nobody asks
 
   /// Appends a slice with its values at rest; `node` is where they stand, `how` the file gives them.
-  int add_slice(const Reading& in, const JsonNode& node, std::string name, SliceKind kind,
+  /// The name is given in parts: {"brow.left", "/", "spine"}.
+  int add_slice(const Reading& in, const JsonNode& node,
+                std::initializer_list<std::string_view> name, SliceKind kind,
                 std::span<const double> values, Written how = Written::plain);
 
   /// The slice that an author's name ("opening/upper") refers to on a side; if there is none, the slice
   /// without a side; −1: none.
   int find_slice(std::string_view name, Side side) const;
+  /// The slice "OWNER/PART"; −1: none.
+  int find_slice_of(std::string_view owner, std::string_view part) const {
+    return model.layout.find(joined({owner, "/", part}));
+  }
+  /// The slice "FEATURE.left/PART" of a feature that has sides; −1: none.
+  int find_slice_of(std::string_view feature, Side side, std::string_view slash_and_part) const {
+    return model.layout.find(joined({feature, ".", side_name(side), slash_and_part}));
+  }
   /// The same for a feature.
   int find_feature(std::string_view name, Side side) const;
+  /// The feature of exactly that name; with a side, of exactly that side's: −1: none.
+  int feature_named(std::string_view name, Side side = Side::none) const;
+  /// The control of exactly that name; none: there is none.
+  Index<Control> find_control(std::string_view name) const;
+  /// "gaze.left.x" of "gaze.x", or "gaze.x" itself, which must be there.
+  Index<Control> control_on(const Reading& in, const JsonNode& node, std::string_view name,
+                            Side side) const;
 
   /// Resolves a slice's name. The error for an unknown one names the nearest.
   int slice_named(const Reading& in, const JsonNode& node, std::string_view name, Side side) const;
@@ -90,7 +106,9 @@ struct FaceDraft {
   std::vector<Offset> offsets(const Reading& in, const JsonNode& node, Side side,
                               bool mirror) const;
 
-  /// Appends a control; its name must be new.
+  /// Appends a feature.
+  void add_feature(Feature feature, bool written_mirrored);
+  /// Appends a control; its name, which the model's names keep, must be new.
   void add_control(const Reading& in, const JsonNode& name_node, Control control);
   /// Appends a control of all these channels and, for each of them that acts on a side, that side's
   /// own control: "NAME.left".
@@ -104,6 +122,17 @@ struct FaceDraft {
 
   /// Whether numbers written for this slice belong to its mirror image.
   bool is_mirrored(int slice) const;
+
+  /// Reads the numbers of one slice, mirrored if asked to. They stay until the next are read.
+  std::span<double> slice_values(const Reading& in, const JsonNode& node, SliceKind kind, int least,
+                                 int most, bool mirror) const;
+
+ private:
+  /// A name in parts as one text, which stays until the next.
+  std::string_view joined(std::initializer_list<std::string_view> parts) const;
+
+  mutable std::string name_;  ///< memory of joined
+  mutable std::vector<double> numbers_;
 };
 
 void read_canvas(Reading& in, const JsonNode& node, FaceDraft& face);
@@ -112,14 +141,15 @@ int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face);
 
 /// The feature whose paint is read; its numbers may have been written for the other side.
 struct PaintPlace {
-  std::string feature;  ///< "iris.left"
+  std::string_view feature;  ///< "iris.left"
   Side side;
   bool mirrored;
 };
 /// A colour's name or a gradient.
 void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& place, FaceDraft& face,
                         Feature& feature);
-int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft& face);
+/// `of`: what has that opacity: "iris.left", "groups/tint".
+int read_opacity(Reading& in, const JsonNode& node, std::string_view of, FaceDraft& face);
 Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlace& place,
                               FaceDraft& face);
 /// The keys "shadow", "glow" and "contour" of a feature; each null where it has none.
@@ -127,7 +157,7 @@ struct SurroundingNodes {
   const JsonNode *shadow, *glow, *contour;
 };
 Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& nodes,
-                                          const std::string& feature, Side side, FaceDraft& face);
+                                          std::string_view feature, Side side, FaceDraft& face);
 void read_groups(Reading& in, const JsonNode& node, FaceDraft& face);  ///< before the features
 Index<FaceGroup> group_named(Reading& in, const JsonNode& node, const FaceDraft& face);
 void read_group_clips(Reading& in, const JsonNode& node, FaceDraft& face);  ///< after them
@@ -145,9 +175,5 @@ void read_emotions(Reading& in, const JsonNode& node, FaceDraft& face);
 /// {EMOTION: strength at rest}; null: none. Whether the face has a mood.
 bool read_mood(Reading& in, const JsonNode* node, FaceDraft& face);
 void read_expressions(Reading& in, const JsonNode& node, FaceDraft& face);
-
-/// Reads the numbers of one slice, mirrored if asked to.
-std::vector<double> read_slice_values(const Reading& in, const JsonNode& node, SliceKind kind,
-                                      int least, int most, const FaceCanvas& canvas, bool mirrored);
 
 }  // namespace mien

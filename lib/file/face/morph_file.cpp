@@ -63,9 +63,9 @@ FaceDraft draft_of(const Face& face) {
   draft.model = *face.model;
   draft.vector = face.vector;
   for (std::size_t i = 0; i < draft.model.features.size(); ++i)
-    draft.feature_by_name.emplace(draft.model.features[i].name, int(i));
+    draft.features.enter(draft.model.features[i].name, int(i));
   for (std::size_t i = 0; i < draft.model.controls.size(); ++i)
-    draft.control_by_name.emplace(draft.model.controls[i].name, Index<Control>{int(i)});
+    draft.controls.enter(draft.model.controls[i].name, int(i));
   // Names in these files are whole, sides and all, so nothing is mirrored.
   draft.mirrored.assign(draft.model.features.size(), 0);
   return draft;

@@ -56,21 +56,20 @@ void read_palette(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect(node, JsonKind::object);
   in.for_each(node, [&](const JsonNode& child, int) {
     if (in.tree.key(child) == "comment") return;
-    const std::string name = in.name(child, in.tree.key(child));
+    const std::string_view name = in.checked_name(child, in.tree.key(child));
     const Color c = read_color(in, child);
-    face.add_slice(in, child, "palette/" + name, SliceKind::color, std::array{c.r, c.g, c.b, c.a});
+    face.add_slice(in, child, {"palette/", name}, SliceKind::color, std::array{c.r, c.g, c.b, c.a});
   });
 }
 
 int read_paint(Reading& in, const JsonNode& node, const FaceDraft& face) {
   const std::string_view name = in.string(node);
   constexpr std::string_view kPalette = "palette/";
-  const int found = face.model.layout.find(std::string{kPalette} + std::string{name});
+  const int found = face.find_slice_of("palette", name);
   if (found >= 0) return found;
   std::vector<std::string_view> known;
   for (const Slice& slice : face.model.layout.slices())
-    if (slice.name.starts_with(kPalette))
-      known.push_back(std::string_view{slice.name}.substr(kPalette.size()));
+    if (slice.name.starts_with(kPalette)) known.push_back(slice.name.substr(kPalette.size()));
   in.refuse(node, unknown_name("palette colour", name, known));
 }
 

@@ -200,10 +200,9 @@ std::vector<IdleChannel> read_life(const Reading& in, const JsonNode& node, cons
     const std::string_view what = kLife[in.word(child, "part of idle life", kLife)];
     const std::size_t before = channels.size();
     for (const LivingControl& living : kLiving) {
-      const auto found = face.control_by_name.find(std::string(living.control));
-      if (living.what == what && found != face.control_by_name.end())
-        channels.push_back(
-            {living.part, found->second, living.times * unit_of(living, found->second, face)});
+      if (living.what != what) continue;
+      if (const Index<Control> found = face.find_control(living.control))
+        channels.push_back({living.part, found, living.times * unit_of(living, found, face)});
     }
     if (channels.size() == before)
       in.refuse(child, fmt::format("this face has no control that \"{}\" moves", what));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mien {
 namespace {
@@ -20,17 +21,22 @@ class ControlReader {
     in_.expect_object(node_, {"name", "unit", "range", "rest", "per_side", "mirror", "offset",
                               "scale", "key_shapes"});
     const JsonNode& name_node = in_.need(node_, "name");
-    const std::string name = in_.name(name_node);
+    const std::string_view name =
+        face_.model.names.keep(in_.checked_name(name_node, in_.string(name_node)));
     if (const JsonNode* mirror = in_.find(node_, "mirror")) mirror_ = in_.boolean(*mirror);
     read_range();
     const JsonNode* per_side = in_.find(node_, "per_side");
-    const std::string unit =
-        in_.find(node_, "unit") ? one_line(in_.string(*in_.find(node_, "unit")), 60) : "ratio";
-    std::vector<SidedChannel> channels;
-    const bool sided = per_side && in_.boolean(*per_side);
-    for (const Side side : sided ? std::vector{Side::left, Side::right} : std::vector{Side::none})
-      channels.push_back({side, add_channel(side)});
-    face_.add_control(in_, name_node, {name, unit, {}}, channels);
+    const JsonNode* unit = in_.find(node_, "unit");
+    const Control control{
+        name, unit ? face_.model.names.keep(one_line(in_.string(*unit), 60)) : "ratio", {}};
+    if (per_side && in_.boolean(*per_side)) {
+      const SidedChannel left{Side::left, add_channel(Side::left)};
+      const SidedChannel right{Side::right, add_channel(Side::right)};
+      face_.add_control(in_, name_node, control, std::array{left, right});
+    } else {
+      face_.add_control(in_, name_node, control,
+                        std::array{SidedChannel{Side::none, add_channel(Side::none)}});
+    }
   }
 
  private:
@@ -117,13 +123,15 @@ class ControlReader {
     KeyTrack track{target.slice, {}};
     in_.for_each(node, [&](const JsonNode& child, int) {
       KeyValue value;
-      if (child.kind != JsonKind::string)
-        value.numbers = read_slice_values(in_, child, slice.kind, slice.size, slice.size,
-                                          face_.model.canvas, target.mirrored);
-      else if (in_.string(child) == "rest")
+      if (child.kind != JsonKind::string) {
+        const std::span numbers =
+            face_.slice_values(in_, child, slice.kind, slice.size, slice.size, target.mirrored);
+        value.numbers.assign(numbers.begin(), numbers.end());
+      } else if (in_.string(child) == "rest") {
         value.from = target.slice;
-      else
+      } else {
         value.from = face_.reference(in_, child, side_of(slice, side), slice.kind, slice.size);
+      }
       track.values.push_back(std::move(value));
     });
     return track;

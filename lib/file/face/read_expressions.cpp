@@ -17,7 +17,7 @@
 namespace mien {
 namespace {
 
-constexpr std::string_view kEmotion = "emotion";
+constexpr std::string_view kEmotion = "emotion", kEmotions = "emotion.";
 
 class ExpressionReader {
  public:
@@ -31,35 +31,47 @@ class ExpressionReader {
   void read_set(const JsonNode& node, std::string_view set) {
     in_.expect(node, JsonKind::object);
     const auto standard = standard_names(set);
-    std::vector<std::string> given;
+    const bool one_number = names_have_sides(set);
+    std::vector<char> given(standard.size());
+    std::size_t next = 0;  // files have the names in the order of the standard, mostly
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view key = in_.tree.key(child);
       if (key == "comment") return;
-      const std::string name = in_.name(child, key);
-      if (!standard.empty() && std::find(standard.begin(), standard.end(), name) == standard.end())
-        in_.refuse(child, unknown_name(fmt::format("{} name", set), name,
-                                       {standard.begin(), standard.end()}));
-      read_expression(child, fmt::format("{}.{}", set, name), names_have_sides(set));
-      given.push_back(name);
+      const std::string_view name = in_.checked_name(child, key);
+      if (!standard.empty()) {
+        if (next >= standard.size() || standard[next] != name)
+          next = std::size_t(std::find(standard.begin(), standard.end(), name) - standard.begin());
+        if (next == standard.size())
+          in_.refuse(child, unknown_name(fmt::format("{} name", set), name,
+                                         {standard.begin(), standard.end()}));
+        given[next++] = 1;
+      }
+      read_expression(child, full_name(set, name), one_number);
     });
     resolve(set);
     // Programs send every name of a set: what this face cannot show exists and does nothing.
-    for (const std::string_view name : standard)
-      if (std::find(given.begin(), given.end(), name) == given.end())
-        add_expression(node, {.name = fmt::format("{}.{}", set, name)}, names_have_sides(set));
+    for (std::size_t i = 0; i < standard.size(); ++i)
+      if (!given[i]) add_expression(node, {.name = full_name(set, standard[i])}, one_number);
   }
 
  private:
-  void read_expression(const JsonNode& node, const std::string& name, bool one_number) {
+  std::string_view full_name(std::string_view set, std::string_view name) {
+    return face_.model.names.keep({set, ".", name});
+  }
+
+  void read_expression(const JsonNode& node, std::string_view name, bool one_number) {
     in_.expect(node, JsonKind::object);
     Expression expression{.name = name};
+    pulls_.clear(), moves_.clear();
     if (name.starts_with("vrm.")) expression.group = group_of(name);
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view key = in_.tree.key(child);
       if (key == "comment" || (name.starts_with("vrm.") && read_vrm_key(child, key, expression)))
         return;
-      read_part(child, expression);
+      read_part(child);
     });
+    expression.pulls.assign(pulls_.begin(), pulls_.end());
+    expression.moves.assign(moves_.begin(), moves_.end());
     add_expression(node, std::move(expression), one_number);
   }
 
@@ -91,18 +103,21 @@ class ExpressionReader {
 
   void add_expression(const JsonNode& node, Expression expression, bool one_number) {
     expression.left = expression.right = add_channel();
-    std::vector<SidedChannel> channels{{Side::none, expression.left}};
-    if (!one_number) {
+    const Control control{expression.name, "strength", {}};
+    if (one_number) {
+      face_.add_control(in_, node, control, std::array{SidedChannel{Side::none, expression.left}});
+    } else {
       expression.right = add_channel();
-      channels = {{Side::left, expression.left}, {Side::right, expression.right}};
+      face_.add_control(in_, node, control,
+                        std::array{SidedChannel{Side::left, expression.left},
+                                   SidedChannel{Side::right, expression.right}});
     }
-    face_.add_control(in_, node, {expression.name, "strength", {}}, channels);
     face_.model.expressions.push_back(std::move(expression));
   }
 
   Index<Channel> add_channel() { return face_.add_channel({.rest = 0, .lo = 0, .hi = 1}); }
 
-  void read_part(const JsonNode& node, Expression& expression) {
+  void read_part(const JsonNode& node) {
     const std::string_view name = in_.tree.key(node);
     const JsonNode* per = nullptr;
     if (node.kind == JsonKind::object) {
@@ -117,19 +132,19 @@ class ExpressionReader {
       if (name.starts_with(side_name(s)) && name.size() > side_name(s).size() &&
           name[side_name(s).size()] == '.')
         side = s, bare = name.substr(side_name(s).size() + 1);
-    if (per) return add_quotient(node, name, amount, *per, expression);
-    if (add_muscles(node, bare, side, amount, expression)) return;
-    if (add_emotion(node, bare, side, amount, expression)) return;
-    if (add_control_move(node, name, amount, expression)) return;
+    if (per) return add_quotient(node, name, amount, *per);
+    if (add_muscles(node, bare, side, amount)) return;
+    if (add_emotion(node, bare, side, amount)) return;
+    if (add_control_move(node, name, amount)) return;
     in_.refuse(node, unknown(name));
   }
 
   /// A move by this expression's strength over another's, which may come later in the set.
-  void add_quotient(const JsonNode& node, std::string_view name, double amount, const JsonNode& per,
-                    Expression& expression) {
-    const std::size_t first = expression.moves.size();
-    if (!add_control_move(node, name, amount, expression)) in_.refuse(node, unknown(name));
-    for (std::size_t i = first; i < expression.moves.size(); ++i)
+  void add_quotient(const JsonNode& node, std::string_view name, double amount,
+                    const JsonNode& per) {
+    const std::size_t first = moves_.size();
+    if (!add_control_move(node, name, amount)) in_.refuse(node, unknown(name));
+    for (std::size_t i = first; i < moves_.size(); ++i)
       quotients_.push_back({face_.model.expressions.size(), i, &per});
   }
 
@@ -145,7 +160,7 @@ class ExpressionReader {
         std::vector<std::string_view> known;
         for (const Expression& e : face_.model.expressions)
           if (e.name.starts_with(std::string(set) + "."))
-            known.push_back(std::string_view(e.name).substr(set.size() + 1));
+            known.push_back(e.name.substr(set.size() + 1));
         in_.refuse(*quotient.per, unknown_name(fmt::format("{} name", set), wanted, known));
       }
       face_.model.expressions[quotient.expression].moves[quotient.move].per = found->left;
@@ -158,14 +173,13 @@ class ExpressionReader {
       in_.refuse(node, fmt::format("a share goes from 0 to 1, got {}", amount));
   }
 
-  bool add_muscles(const JsonNode& node, std::string_view name, Side side, double amount,
-                   Expression& expression) const {
+  bool add_muscles(const JsonNode& node, std::string_view name, Side side, double amount) {
     bool found = false;
     for (auto at = std::lower_bound(muscles_.begin(), muscles_.end(), std::pair(name, 0));
          at != muscles_.end() && at->first == name; ++at) {
       const Muscle& muscle = face_.model.muscles.muscles[std::size_t(at->second)];
       if (side != Side::none && muscle.side != side) continue;
-      expression.pulls.push_back({{at->second}, amount, muscle.side});
+      pulls_.push_back({{at->second}, amount, muscle.side});
       found = true;
     }
     if (found) check_share(node, amount);
@@ -173,14 +187,13 @@ class ExpressionReader {
   }
 
   /// What an emotion does, by a share of it.
-  bool add_emotion(const JsonNode& node, std::string_view name, Side side, double share,
-                   Expression& expression) const {
-    const std::string wanted = fmt::format("{}.{}", kEmotion, name);
-    for (const Expression& emotion : face_.model.expressions) {
-      if (emotion.name != wanted) continue;
+  bool add_emotion(const JsonNode& node, std::string_view name, Side side, double share) {
+    for (const Expression& emotion : face_.model.expressions) {  // emotions come first
+      if (!emotion.name.starts_with(kEmotions)) return false;
+      if (emotion.name.substr(kEmotions.size()) != name) continue;
       check_share(node, share);
-      add_parts(emotion.pulls, side, share, expression.pulls);
-      add_parts(emotion.moves, side, share, expression.moves);
+      add_parts(emotion.pulls, side, share, pulls_);
+      add_parts(emotion.moves, side, share, moves_);
       return true;
     }
     return false;
@@ -196,14 +209,12 @@ class ExpressionReader {
     }
   }
 
-  bool add_control_move(const JsonNode& node, std::string_view name, double amount,
-                        Expression& expression) const {
-    const auto found = face_.control_by_name.find(std::string{name});
-    if (found == face_.control_by_name.end()) return false;
-    const Control& control = found->second.in(face_.model.controls);
-    for (const Index<Channel> channel : control.channels) {
+  bool add_control_move(const JsonNode& node, std::string_view name, double amount) {
+    const Index<Control> found = face_.find_control(name);
+    if (!found) return false;
+    for (const Index<Channel> channel : found.in(face_.model.controls).channels) {
       if (channel.in(face_.model.channels).joins) check_share(node, amount);
-      expression.moves.push_back({channel, amount, side_of(channel)});
+      moves_.push_back({channel, amount, side_of(channel)});
     }
     return true;
   }
@@ -215,10 +226,10 @@ class ExpressionReader {
   }
 
   std::string unknown(std::string_view name) const {
-    std::vector<std::string> known;
+    std::vector<std::string_view> known;
     for (const Muscle& muscle : face_.model.muscles.muscles) known.push_back(muscle.name);
     for (const Control& control : face_.model.controls) known.push_back(control.name);
-    return unknown_name("muscle or control", name, {known.begin(), known.end()});
+    return unknown_name("muscle or control", name, known);
   }
 
   Reading& in_;
@@ -228,7 +239,9 @@ class ExpressionReader {
     std::size_t expression, move;
     const JsonNode* per;
   };
-  std::vector<Quotient> quotients_;  ///< of the set that is read
+  std::vector<Quotient> quotients_;            ///< of the set that is read
+  std::vector<ExpressionPart<Muscle>> pulls_;  ///< of the expression that is read
+  std::vector<ExpressionPart<Channel>> moves_;
 };
 
 }  // namespace

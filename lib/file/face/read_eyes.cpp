@@ -3,6 +3,7 @@
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/file/face/feature/part_name.h"
 #include "lib/rig/eye/bulge.h"
 #include "lib/rig/eye/eye.h"
 #include "lib/rig/eye/lid.h"
@@ -39,7 +40,7 @@ class EyeReader {
     read_ball();
     read_gaze();
     if (const JsonNode* lids = find("lids")) read_lids(*lids);
-    if (mirrored_) face_.mirrored_eyes.insert(eye_.name);
+    if (mirrored_) face_.mirrored_eyes.push_back(eye_.name);
     face_.model.eyes.push_back(std::move(eye_));
   }
 
@@ -59,9 +60,8 @@ class EyeReader {
 
   int add(std::string_view key, SliceKind kind, int size) {
     const JsonNode& node = need(key);
-    const std::vector<double> values =
-        read_slice_values(in_, node, kind, size, size, face_.model.canvas, is_mirrored(key));
-    return face_.add_slice(in_, node, fmt::format("{}/{}", eye_.name, key), kind, values,
+    const std::span values = face_.slice_values(in_, node, kind, size, size, is_mirrored(key));
+    return face_.add_slice(in_, node, {eye_.name, "/", key}, kind, values,
                            written(is_mirrored(key)));
   }
   double value(int slice) const {
@@ -98,9 +98,9 @@ class EyeReader {
     const double radius = value(eye_.radius);
     eye_.reach_x = eye_.reach_y = radius;
     if (const JsonNode* reach = find("reach")) {
-      const std::vector<double> both = in_.numbers(*reach, 2, 2);
-      eye_.reach_x = both[0], eye_.reach_y = both[1];
-      for (const double r : both)
+      const glm::dvec2 both = in_.pair(*reach);
+      eye_.reach_x = both.x, eye_.reach_y = both.y;
+      for (const double r : {both.x, both.y})
         if (!(r >= 0 && r <= radius))
           in_.refuse(*reach, fmt::format("a gaze reaches from 0 to the eye's radius {}, got {}",
                                          radius, r));
@@ -118,10 +118,7 @@ class EyeReader {
   /// The channel of a named control for this eye. It must rest at `rest`, where the eye does.
   Index<Channel> channel(const JsonNode& node, double rest) const {
     const std::string_view name = in_.string(node);
-    const std::string sided = control_of_side(name, eye_.side);
-    const Index<Control> index = face_.control_by_name.contains(sided)
-                                     ? face_.control_by_name.at(sided)
-                                     : face_.control_named(in_, node, name);
+    const Index<Control> index = face_.control_on(in_, node, name, eye_.side);
     const Index<Channel> found = index.in(face_.model.controls).channels[0];
     if (found.in(face_.model.channels).rest != rest)
       in_.refuse(node, fmt::format("the control {} must rest at {}", in_quotes(name), rest));
@@ -176,12 +173,11 @@ class EyeReader {
   /// Gives an opening, and every stroke along one of its edges, the shifts of its lids.
   void add_shifts(const JsonNode& node, int feature, OpeningFigure& opening) {
     if (opening.shifts >= 0) in_.refuse(node, "two eyes cannot share their lids");
-    const std::string name = face_.model.features[std::size_t(feature)].name;
+    const std::string_view name = face_.model.features[std::size_t(feature)].name;
     for (int i = 0; i < 2 * kBends; ++i) {
-      const int slice = face_.add_slice(
-          in_, node,
-          fmt::format("{}/{}_shift/{}", name, i < kBends ? "upper" : "lower", i % kBends),
-          SliceKind::shift, std::array{0.0, 0.0}, Written::nowhere);
+      const PartName part(i < kBends ? "upper_shift" : "lower_shift", i % kBends);
+      const int slice = face_.add_slice(in_, node, {name, "/", part}, SliceKind::shift,
+                                        std::array{0.0, 0.0}, Written::nowhere);
       if (i == 0) opening.shifts = slice;
     }
     eye_.shifts = opening.shifts;
@@ -196,8 +192,8 @@ class EyeReader {
   void read_follow(const JsonNode& lids, std::string_view key, double (&share)[2]) {
     const JsonNode* node = in_.find(lids, key);
     if (!node) return;
-    const std::vector<double> both = in_.numbers(*node, 2, 2);
-    share[0] = both[0], share[1] = both[1];
+    const glm::dvec2 both = in_.pair(*node);
+    share[0] = both.x, share[1] = both.y;
   }
 
   void read_crease(const JsonNode& node) {
@@ -264,8 +260,9 @@ class EyeReader {
 
   int add_dome_slices(const JsonNode& node) {
     const auto slice = [&](std::string_view part, SliceKind kind, int size) {
-      return face_.add_slice(in_, node, fmt::format("{}/dome/{}", eye_.name, part), kind,
-                             std::vector<double>(std::size_t(size)), Written::nowhere);
+      constexpr std::array<double, 2> kFlat{};
+      return face_.add_slice(in_, node, {eye_.name, "/dome/", part}, kind,
+                             std::span(kFlat).first(std::size_t(size)), Written::nowhere);
     };
     const int first = slice("center", SliceKind::point, 2);
     slice("radii", SliceKind::length, 2);
@@ -299,21 +296,21 @@ class EyeReader {
 
 /// One eye of the file: one ball, or one for each side.
 void read_eye(Reading& in, const JsonNode& node, FaceDraft& face) {
-  const std::vector<std::string_view> own{"center",    "radius", "depth", "cornea", "bulge",
-                                          "bulge_law", "reach",  "gaze",  "lids"};
-  std::vector<std::string_view> known = own;
-  known.insert(known.end(), {"name", "side", "mirror", "left", "right"});
-  in.expect_object(node, known, "eye");
+  constexpr std::array<std::string_view, 14> kKnown{
+      "center", "radius", "depth", "cornea", "bulge",  "bulge_law", "reach",
+      "gaze",   "lids",   "name",  "side",   "mirror", "left",      "right"};
+  constexpr std::size_t kOwn = 9;  // those that may differ on a side come first
+  in.expect_object(node, kKnown, "eye");
   const JsonNode& name_node = in.need(node, "name");
   const std::string name = in.name(name_node);
   const auto add = [&](Side side, bool mirrored) {
     std::string sided = feature_of_side(name, side);
-    if (name == "palette" || face.feature_by_name.contains(sided) ||
+    if (name == "palette" || face.feature_named(sided) >= 0 ||
         face.model.layout.find(sided + "/center") >= 0)
       in.refuse(name_node, fmt::format("the name {} is taken", in_quotes(sided)));
     if (side != Side::none)
       if (const JsonNode* instead = in.find(node, side_name(side)))
-        in.expect_object(*instead, own, "eye");
+        in.expect_object(*instead, std::span(kKnown).first(kOwn), "eye");
     EyeReader(in, node, face, std::move(sided), side, mirrored).read();
   };
   const JsonNode* side_node = in.find(node, "side");

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mien {
 namespace {
@@ -116,9 +117,8 @@ class MouthReader {
   }
 
   const Feature& feature(const JsonNode& node) const {
-    const auto found = face_.feature_by_name.find(std::string(in_.string(node)));
-    if (found != face_.feature_by_name.end())
-      return face_.model.features[std::size_t(found->second)];
+    const int found = face_.feature_named(in_.string(node));
+    if (found >= 0) return face_.model.features[std::size_t(found)];
     std::vector<std::string_view> known;
     for (const Feature& f : face_.model.features) known.push_back(f.name);
     in_.refuse(node, unknown_name("feature", in_.string(node), known));
@@ -251,8 +251,10 @@ class MouthReader {
     mouth_.drop = positive(in_.need(node, "drop"), "the drop of a jaw");
     const JsonNode* shares = in_.find(node, "shares");
     if (!shares) return;
+    std::vector<double> numbers;
+    mouth_.jaw.reserve(std::size_t(shares->count));
     for_each_key(*shares, [&](const JsonNode& child, std::string_view name) {
-      const std::vector<double> numbers = in_.numbers(child, 1, 3);
+      in_.numbers(child, 1, 3, numbers);
       const auto number = [&](std::size_t i, double otherwise) {
         return i < numbers.size() ? of_jaw(child, numbers[i]) : otherwise;
       };
@@ -274,6 +276,7 @@ class MouthReader {
       for_each_key(*ride, [&](const JsonNode& child, std::string_view name) {
         MouthRider rider{.slice = point(child, name)};
         if (is_own(rider.slice)) in_.refuse(child, "corners and edges ride on nothing");
+        rider.with.reserve(std::size_t(child.count));
         for_each_key(child, [&](const JsonNode& with, std::string_view other) {
           rider.with.push_back({point(with, other), of_jaw(with, in_.number(with))});
         });
@@ -295,8 +298,8 @@ class MouthReader {
 
   void add_controls() {
     const std::array rest{0.0};
-    mouth_.open = face_.add_slice(in_, node_, std::string(kJawSlice), SliceKind::ratio, rest,
-                                  Written::nowhere);
+    mouth_.open =
+        face_.add_slice(in_, node_, {kJawSlice}, SliceKind::ratio, rest, Written::nowhere);
     for (std::size_t act = 0; act < kMouthActs; ++act) {
       const MouthControl& control = kMouthControls[act];
       const auto channel = [&] {
@@ -305,12 +308,15 @@ class MouthReader {
       };
       auto& [left, right] = mouth_.channels[act];
       left = right = channel();
-      std::vector<SidedChannel> channels{{Side::none, left}};
+      const Control made{face_.model.names.keep(control.name), "ratio", {}};
       if (control.sided) {
         right = channel();
-        channels = {{Side::left, left}, {Side::right, right}};
+        face_.add_control(
+            in_, node_, made,
+            std::array{SidedChannel{Side::left, left}, SidedChannel{Side::right, right}});
+      } else {
+        face_.add_control(in_, node_, made, std::array{SidedChannel{Side::none, left}});
       }
-      face_.add_control(in_, node_, {std::string(control.name), "ratio", {}}, channels);
     }
   }
 

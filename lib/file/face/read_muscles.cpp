@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 
 namespace mien {
@@ -58,33 +57,35 @@ class MuscleReader {
         node, {"name", "side", "mirror", "strength", "stroke", "origin", "attach", "left", "right"},
         "muscle");
     const JsonNode& name_node = in_.need(node, "name");
-    const std::string name = in_.name(name_node);
+    const std::string_view name = in_.checked_name(name_node, in_.string(name_node));
+    const std::string_view control = face_.model.names.keep({"muscle.", name});
+    const std::string_view kept = control.substr(control.size() - name.size());
     const JsonNode* side_node = in_.find(node, "side");
     const JsonNode* mirror = in_.find(node, "mirror");
-    std::vector<SidedChannel> channels;
+    std::array<SidedChannel, 2> channels{};
+    std::size_t count = 0;
     const auto add = [&] {
-      face_.add_control(in_, name_node, {"muscle." + name, "pull", {}}, channels);
+      face_.add_control(in_, name_node, {control, "pull", {}}, std::span(channels).first(count));
     };
     if (!side_node) {
       for (const std::string_view key : {"mirror", "left", "right"})
         if (const JsonNode* found = in_.find(node, key))
           in_.refuse(*found,
                      fmt::format("\"{}\" needs a \"side\": the one that the muscle is on", key));
-      channels.push_back({Side::none, add_muscle(node, name, Side::none, false)});
+      channels[count++] = {Side::none, add_muscle(node, kept, Side::none, false)};
       return add();
     }
     const Side written = in_.word(*side_node, "side", kSides) == 0 ? Side::left : Side::right;
     const bool mirrored = !mirror || in_.boolean(*mirror);
     for (const Side side : {Side::left, Side::right}) {
       if (side != written && !mirrored) continue;
-      channels.push_back({side, add_muscle(node, name, side, side != written)});
+      channels[count++] = {side, add_muscle(node, kept, side, side != written)};
     }
     add();
   }
 
   /// Returns the channel of its pull.
-  Index<Channel> add_muscle(const JsonNode& node, const std::string& name, Side side,
-                            bool mirrored) {
+  Index<Channel> add_muscle(const JsonNode& node, std::string_view name, Side side, bool mirrored) {
     const JsonNode* instead = side == Side::none ? nullptr : in_.find(node, side_name(side));
     const auto field = [&](std::string_view key) -> std::pair<const JsonNode&, bool> {
       if (instead)
@@ -95,7 +96,8 @@ class MuscleReader {
     muscle.strength = bounded(in_, field("strength").first, 0, kMostStrength, "a strength");
     muscle.stroke = bounded(in_, field("stroke").first, 0, in_.limits.magnitude, "a stroke");
     const auto [origin_node, origin_mirrored] = field("origin");
-    std::vector<double> origin = in_.numbers(origin_node, 2, 2);
+    const glm::dvec2 at = in_.pair(origin_node);
+    std::array<double, 2> origin{at.x, at.y};
     if (origin_mirrored) mirror_values(SliceKind::point, origin, face_.model.canvas.twice_axis());
     muscle.origin = {origin[0], origin[1]};
     muscle.channel = face_.add_channel({.rest = 0, .lo = 0, .hi = 1});
@@ -110,8 +112,8 @@ class MuscleReader {
     in_.for_each(node, [&](const JsonNode& child, int) {
       const std::string_view name = in_.tree.key(child);
       if (name == "comment") return;
-      for (const Held held : held_by(child, name, muscle.in(face_.model.muscles.muscles).side))
-        attach(child, muscle, held, mirrored);
+      for_each_held(child, name, muscle.in(face_.model.muscles.muscles).side,
+                    [&](Held held) { attach(child, muscle, held, mirrored); });
     });
   }
 
@@ -152,22 +154,26 @@ class MuscleReader {
   void hold_point(int slice, MuscleHold hold) {
     const int twin = twin_of(slice);
     const int key = twin < 0 ? slice : std::min(slice, twin);
-    const auto [found, added] = point_of_.emplace(key, face_.model.muscles.points.size());
-    if (added)
-      face_.model.muscles.points.push_back({key, twin < 0 ? -1 : std::max(slice, twin), {}});
-    face_.model.muscles.points[found->second].holds.push_back(hold);
+    std::vector<MusclePoint>& points = face_.model.muscles.points;
+    point_of_.resize(face_.model.layout.slices().size(), -1);
+    int& point = point_of_[std::size_t(key)];
+    if (point < 0) {
+      point = int(points.size());
+      points.push_back({key, twin < 0 ? -1 : std::max(slice, twin), {}});
+      points.back().holds.reserve(4);
+    }
+    points[std::size_t(point)].holds.push_back(hold);
   }
 
   int twin_of(int slice) const {
     const Slice& s = face_.model.layout[slice];
     const std::size_t slash = s.name.find('/');
-    const auto feature = face_.feature_by_name.find(s.name.substr(0, slash));
-    if (feature == face_.feature_by_name.end()) return -1;
-    const Feature& f = face_.model.features[std::size_t(feature->second)];
+    const int feature = face_.feature_named(s.name.substr(0, slash));
+    if (feature < 0) return -1;
+    const Feature& f = face_.model.features[std::size_t(feature)];
     if (f.side == Side::none) return -1;
-    std::string name = f.name.substr(0, f.name.size() - side_name(f.side).size() - 1);
-    name = feature_of_side(name, other(f.side)) + s.name.substr(slash);
-    const int twin = face_.model.layout.find(name);
+    const std::string_view name = f.name.substr(0, f.name.size() - side_name(f.side).size() - 1);
+    const int twin = face_.find_slice_of(name, other(f.side), s.name.substr(slash));
     if (twin < 0) return -1;
     const double axis = face_.model.canvas.mirror_x;
     const auto x = [&](int at) { return face_.vector[std::size_t(face_.model.layout[at].begin)]; };
@@ -175,25 +181,31 @@ class MuscleReader {
   }
 
   void hold_number(Held held, MuscleHold hold) {
-    const auto [found, added] = number_of_.emplace(std::pair{held.slice, held.component},
-                                                   face_.model.muscles.numbers.size());
-    if (added) face_.model.muscles.numbers.push_back({held.slice, held.component, {}});
-    face_.model.muscles.numbers[found->second].holds.push_back(hold);
+    std::vector<MuscleNumber>& numbers = face_.model.muscles.numbers;
+    const Layout& layout = face_.model.layout;
+    number_of_.resize(layout.size() + layout.slices().size(), -1);
+    int& number =
+        number_of_[held.component < 0 ? layout.size() + std::size_t(held.slice)
+                                      : std::size_t(layout[held.slice].begin + held.component)];
+    if (number < 0) {
+      number = int(numbers.size());
+      numbers.push_back({held.slice, held.component, {}});
+    }
+    numbers[std::size_t(number)].holds.push_back(hold);
   }
 
   /// What a name refers to: for a muscle of a side, its own side; for a muscle without one, both sides.
-  std::vector<Held> held_by(const JsonNode& node, std::string_view name, Side side) const {
-    std::vector<Held> found;
+  template <class Each>
+  void for_each_held(const JsonNode& node, std::string_view name, Side side, Each&& each) const {
+    bool any = false;
     const auto look = [&](Side s) {
-      if (const std::optional<Held> held = find(node, name, s)) found.push_back(*held);
+      if (const std::optional<Held> held = find(node, name, s)) each(*held), any = true;
     };
     look(side);
-    if (found.empty() && side == Side::none) look(Side::left), look(Side::right);
-    if (found.empty()) {
-      const std::vector<std::string> known = known_names();
-      in_.refuse(node, unknown_name("point or number", name, {known.begin(), known.end()}));
-    }
-    return found;
+    if (!any && side == Side::none) look(Side::left), look(Side::right);
+    if (any) return;
+    const std::vector<std::string> known = known_names();
+    in_.refuse(node, unknown_name("point or number", name, {known.begin(), known.end()}));
   }
 
   std::optional<Held> find(const JsonNode& node, std::string_view name, Side side) const {
@@ -239,11 +251,11 @@ class MuscleReader {
   std::vector<std::string> known_names() const {
     std::vector<std::string> names;
     for (const Slice& slice : face_.model.layout.slices()) {
-      const std::string_view feature = std::string_view{slice.name}.substr(0, slice.name.find('/'));
-      const auto found = face_.feature_by_name.find(std::string{feature});
-      std::string name = slice.name;
-      if (found != face_.feature_by_name.end()) {
-        const Side side = face_.model.features[std::size_t(found->second)].side;
+      const std::string_view feature = slice.name.substr(0, slice.name.find('/'));
+      const int found = face_.feature_named(feature);
+      std::string name(slice.name);
+      if (found >= 0) {
+        const Side side = face_.model.features[std::size_t(found)].side;
         if (side != Side::none)
           name.erase(feature.size() - side_name(side).size() - 1, side_name(side).size() + 1);
       }
@@ -257,8 +269,8 @@ class MuscleReader {
 
   Reading& in_;
   FaceDraft& face_;
-  std::map<int, std::size_t> point_of_;
-  std::map<std::pair<int, int>, std::size_t> number_of_;
+  std::vector<int> point_of_;   ///< by slice; −1: not held
+  std::vector<int> number_of_;  ///< by number of the face vector, then by slice whose size is held
 };
 
 }  // namespace

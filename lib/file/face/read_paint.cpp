@@ -3,6 +3,7 @@
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
+#include "lib/file/face/feature/part_name.h"
 
 #include <fmt/format.h>
 
@@ -14,12 +15,12 @@ namespace {
 
 constexpr double kLeastLength = 1e-9;  ///< [face units] widths and radii that divide
 
-/// Reads the numbers of one object that belongs to a feature: adds its slices to the face.
+/// Reads the numbers of one object that belongs to a feature, such as its "paint": adds its slices to the face.
 class PartReader {
  public:
   PartReader(Reading& in, FaceDraft& face, const PaintPlace& place, const JsonNode& node,
-             std::string name)
-      : in_(in), face_(face), place_(place), node_(node), name_(std::move(name)) {}
+             std::string_view name)
+      : in_(in), face_(face), place_(place), node_(node), name_(name) {}
 
   bool has(std::string_view key) const { return in_.find(node_, key); }
 
@@ -27,9 +28,8 @@ class PartReader {
     const JsonNode& value = in_.need(node_, key);
     if (value.kind == JsonKind::string)
       return face_.reference(in_, value, place_.side, kind, least);
-    const std::vector<double> numbers =
-        read_slice_values(in_, value, kind, least, most, face_.model.canvas, place_.mirrored);
-    return face_.add_slice(in_, value, fmt::format("{}/{}", name_, key), kind, numbers,
+    const std::span numbers = face_.slice_values(in_, value, kind, least, most, place_.mirrored);
+    return face_.add_slice(in_, value, {place_.feature, "/", name_, "/", key}, kind, numbers,
                            written(place_.mirrored));
   }
   int slice(std::string_view key, SliceKind kind, int size) { return slice(key, kind, size, size); }
@@ -52,7 +52,7 @@ class PartReader {
   FaceDraft& face_;
   const PaintPlace& place_;
   const JsonNode& node_;
-  std::string name_;
+  std::string_view name_;
 };
 
 /// [[place, "colour"], …]: one slice of the places, and the colours' own slices.
@@ -72,7 +72,7 @@ void read_stops(Reading& in, FaceDraft& face, const PaintPlace& place, const Jso
     gradient.colors.push_back(read_paint(in, *in.tree.next(*in.tree.first(stop)), face));
   });
   gradient.places =
-      face.add_slice(in, node, place.feature + "/paint/places", SliceKind::ratio, places);
+      face.add_slice(in, node, {place.feature, "/paint/places"}, SliceKind::ratio, places);
 }
 
 Index<GradientPaint> read_gradient(Reading& in, FaceDraft& face, const PaintPlace& place,
@@ -80,7 +80,7 @@ Index<GradientPaint> read_gradient(Reading& in, FaceDraft& face, const PaintPlac
   constexpr std::array<std::string_view, 3> kAlong{"linear", "radial", "distance"};
   constexpr std::array<std::string_view, 3> kExtend{"pad", "repeat", "reflect"};
   const std::size_t along = in.word(in.need(node, "gradient"), "gradient", kAlong);
-  PartReader part(in, face, place, node, place.feature + "/paint");
+  PartReader part(in, face, place, node, "paint");
   GradientPaint gradient{};
   if (along == 0) {
     in.expect_object(node, {"gradient", "from", "to", "stops", "extend"}, "linear gradient");
@@ -108,7 +108,8 @@ Index<GradientPaint> read_gradient(Reading& in, FaceDraft& face, const PaintPlac
 FaceDome read_dome(Reading& in, FaceDraft& face, const PaintPlace& place, const JsonNode& node,
                    int index) {
   in.expect_object(node, {"center", "radii", "tilt", "height"}, "dome");
-  PartReader part(in, face, place, node, fmt::format("{}/relief/domes/{}", place.feature, index));
+  const PartName name("relief/domes", index);
+  PartReader part(in, face, place, node, name);
   FaceDome dome{};
   dome.center = part.slice("center", SliceKind::point, 2);
   dome.radii = part.divisor("radii", 2);
@@ -145,11 +146,11 @@ void read_feature_paint(Reading& in, const JsonNode& node, const PaintPlace& pla
     feature.paint = read_paint(in, node, face);
 }
 
-int read_opacity(Reading& in, const JsonNode& node, std::string slice, FaceDraft& face) {
+int read_opacity(Reading& in, const JsonNode& node, std::string_view of, FaceDraft& face) {
   const double opacity = in.number(node);
   if (!(opacity >= 0 && opacity <= 1))
     in.refuse(node, fmt::format("an opacity goes from 0 to 1, got {}", opacity));
-  return face.add_slice(in, node, std::move(slice), SliceKind::ratio, std::array{opacity});
+  return face.add_slice(in, node, {of, "/opacity"}, SliceKind::ratio, std::array{opacity});
 }
 
 Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlace& place,
@@ -158,7 +159,7 @@ Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlac
   in.expect_object(
       node, {"profile", "width", "height", "table", "sunk", "domes", "specular", "shininess"},
       "relief");
-  PartReader part(in, face, place, node, place.feature + "/relief");
+  PartReader part(in, face, place, node, "relief");
   FaceRelief relief;
   if (const JsonNode* profile = in.find(node, "profile"))
     relief.profile = FaceRelief::Profile(in.word(*profile, "profile", kProfiles));
@@ -184,7 +185,7 @@ Index<FaceRelief> read_relief(Reading& in, const JsonNode& node, const PaintPlac
 }
 
 Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& nodes,
-                                          const std::string& feature, Side side, FaceDraft& face) {
+                                          std::string_view feature, Side side, FaceDraft& face) {
   const PaintPlace place{feature, side,
                          false};  // lengths have no mirror; one lamp casts all shadows
   FaceSurroundings made;
@@ -193,7 +194,7 @@ Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& n
   };
   if (const JsonNode* shadow = nodes.shadow) {
     in.expect_object(*shadow, {"color", "blur", "shift", "on"}, "shadow");
-    PartReader numbers(in, face, place, *shadow, feature + "/shadow");
+    PartReader numbers(in, face, place, *shadow, "shadow");
     made.shadow = FaceShadow{color(*shadow),
                              numbers.divisor("blur", 1),
                              numbers.optional("shift", SliceKind::shift, 2),
@@ -201,11 +202,11 @@ Index<FaceSurroundings> read_surroundings(Reading& in, const SurroundingNodes& n
   }
   if (const JsonNode* glow = nodes.glow) {
     in.expect_object(*glow, {"color", "reach"}, "glow");
-    PartReader numbers(in, face, place, *glow, feature + "/glow");
+    PartReader numbers(in, face, place, *glow, "glow");
     made.glow = FaceGlow{color(*glow), numbers.divisor("reach", 1)};
   }
   if (const JsonNode* contour = nodes.contour) {
-    PartReader numbers(in, face, place, *contour, feature + "/contour");
+    PartReader numbers(in, face, place, *contour, "contour");
     made.contour = read_contour(in, *contour, numbers, color(*contour));
   }
   face.model.surroundings.push_back(made);
@@ -219,8 +220,7 @@ void read_groups(Reading& in, const JsonNode& node, FaceDraft& face) {
     in.expect_object(child, {"opacity", "mix", "clip"}, "group");
     FaceGroup group{.name = in.name(child, in.tree.key(child))};
     if (const JsonNode* opacity = in.find(child, "opacity"))
-      group.opacity =
-          read_opacity(in, *opacity, fmt::format("groups/{}/opacity", group.name), face);
+      group.opacity = read_opacity(in, *opacity, "groups/" + group.name, face);
     if (const JsonNode* mix = in.find(child, "mix"))
       group.mix = MixMode(in.word(*mix, "way to mix", kMixModes));
     face.model.groups.push_back(std::move(group));
@@ -267,7 +267,7 @@ void read_light(Reading& in, const JsonNode& node, FaceDraft& face) {
   in.expect_object(node, {"direction", "ambient"}, "light");
   FaceLight& light = face.model.light;
   if (const JsonNode* direction = in.find(node, "direction")) {
-    const std::vector<double> to = in.numbers(*direction, 3, 3);
+    const std::array<double, 3> to = in.three(*direction);
     if (!(to[2] > 0))
       in.refuse(*direction, "a lamp shines from the front: the third number must be more than 0");
     light.direction = {to[0], to[1], to[2]};

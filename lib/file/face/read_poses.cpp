@@ -16,7 +16,8 @@ class PoseReader {
 
   void read() {
     in_.expect_object(node_, {"per_side", "mirror", "range", "slices", "by", "controls"}, "pose");
-    const std::string name = in_.name(node_, in_.tree.key(node_));
+    const std::string_view name =
+        face_.model.names.keep(in_.checked_name(node_, in_.tree.key(node_)));
     if (const JsonNode* mirror = in_.find(node_, "mirror")) mirror_ = in_.boolean(*mirror);
     if (const JsonNode* range = in_.find(node_, "range")) read_range(*range);
     const JsonNode* per_side = in_.find(node_, "per_side");
@@ -53,11 +54,10 @@ class PoseReader {
            face_.targets(in_, child, in_.tree.key(child), side, mirror_)) {
         const Slice& slice = face_.model.layout[target.slice];
         const auto rest = face_.vector.begin() + slice.begin;
+        const std::span to =
+            face_.slice_values(in_, child, slice.kind, slice.size, slice.size, target.mirrored);
         channel.drives.push_back(
-            Toward{target.slice,
-                   {rest, rest + slice.size},
-                   read_slice_values(in_, child, slice.kind, slice.size, slice.size,
-                                     face_.model.canvas, target.mirrored)});
+            Toward{target.slice, {rest, rest + slice.size}, {to.begin(), to.end()}});
       }
     });
   }
@@ -77,10 +77,7 @@ class PoseReader {
       const std::string_view name = in_.tree.key(child);
       if (name == "comment") return;
       const double value = in_.number(child);
-      const std::string sided = control_of_side(name, side);
-      const Index<Control> index = face_.control_by_name.contains(sided)
-                                       ? face_.control_by_name.at(sided)
-                                       : face_.control_named(in_, child, name);
+      const Index<Control> index = face_.control_on(in_, child, name, side);
       const Control& control = index.in(face_.model.controls);
       if (control.pose) in_.refuse(child, "a pose moves slices and controls, not other poses");
       for (const Index<Channel> c : control.channels)

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <unordered_map>
-#include <unordered_set>
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -24,18 +26,21 @@ class TurnReader {
                       "turn");
     turn_.yaw = channel("yaw"), turn_.pitch = channel("pitch"), turn_.roll = channel("roll");
     turn_.nearer = channel("nearer");
-    const std::vector<double> pivot = in_.numbers(in_.need(node_, "pivot"), 3, 3);
+    const std::array<double, 3> pivot = in_.three(in_.need(node_, "pivot"));
     turn_.pivot = {pivot[0], pivot[1], pivot[2]};
-    const std::vector<double> center = in_.numbers(in_.need(node_, "center"), 2, 2);
-    turn_.center = {center[0], center[1]};
-    const std::vector<double> radii = in_.numbers(in_.need(node_, "radii"), 3, 3);
+    turn_.center = in_.pair(in_.need(node_, "center"));
+    const std::array<double, 3> radii = in_.three(in_.need(node_, "radii"));
     for (const double r : radii)
       if (!(r > 0))
         in_.refuse(in_.need(node_, "radii"), fmt::format("a radius must be positive, got {}", r));
     turn_.radii = {radii[0], radii[1], radii[2]};
     if (const JsonNode* skull = in_.find(node_, "skull")) turn_.skull = positive(*skull);
+    places_.resize(face_.model.features.size());
+    seen_.resize(face_.model.layout.slices().size());
     read_places();
-    for (const Feature& feature : face_.model.features) add_feature(feature);
+    turn_.slices.reserve(seen_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      add_feature(face_.model.features[i], places_[i]);
     for (const Eye& eye : face_.model.eyes)
       if (eye.dome >= 0) {
         add({eye.dome, TurnKind::surface});
@@ -68,35 +73,33 @@ class TurnReader {
     return found;
   }
 
-  static std::string author_name(const Feature& f) {
+  static std::string_view author_name(const Feature& f) {
     const std::size_t side = f.side == Side::none ? 0 : side_name(f.side).size() + 1;
     return f.name.substr(0, f.name.size() - side);
   }
 
-  /// Whether an author calls a feature so.
-  bool is_feature(std::string_view name) const {
+  /// Places the features that an author calls so; whether there are any.
+  bool place_features(std::string_view name, Place where) {
+    bool any = false;
     for (const Side side : {Side::none, Side::left, Side::right}) {
-      const auto found = face_.feature_by_name.find(feature_of_side(name, side));
-      if (found != face_.feature_by_name.end() &&
-          face_.model.features[std::size_t(found->second)].side == side)
-        return true;
+      const int found = face_.feature_named(name, side);
+      if (found < 0 || face_.model.features[std::size_t(found)].side != side) continue;
+      places_[std::size_t(found)] = where, any = true;
     }
-    return false;
+    return any;
   }
 
   /// Places a feature or, by a name like "hair/points/3", a single point of one.
   void place(const JsonNode& node, std::string_view name, Place where) {
     if (name.find('/') != std::string_view::npos) {
       for (const DriveTarget target : face_.targets(in_, node, name, Side::none, false))
-        slice_places_[target.slice] = where;
+        slice_places_.emplace_back(target.slice, where);
       return;
     }
-    if (!is_feature(name)) {
-      std::vector<std::string> known;
-      for (const Feature& f : face_.model.features) known.push_back(author_name(f));
-      in_.refuse(node, unknown_name("feature", name, {known.begin(), known.end()}));
-    }
-    places_[std::string(name)] = where;
+    if (place_features(name, where)) return;
+    std::vector<std::string_view> known;
+    for (const Feature& f : face_.model.features) known.push_back(author_name(f));
+    in_.refuse(node, unknown_name("feature", name, known));
   }
 
   void place_all(const JsonNode& names, TurnKind kind) {
@@ -132,21 +135,31 @@ class TurnReader {
             place(child, in_.tree.key(child), {kind, in_.number(child)});
         });
       }
+    // What was said last of a slice counts.
+    std::reverse(slice_places_.begin(), slice_places_.end());
+    std::stable_sort(slice_places_.begin(), slice_places_.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
   /// If features share a slice, the first of them decides how it turns.
   void add(TurnedSlice slice) {
-    if (seen_.insert(slice.slice).second && slice.kind != TurnKind::still)
-      turn_.slices.push_back(slice);
+    char& seen = seen_[std::size_t(slice.slice)];
+    if (!seen && slice.kind != TurnKind::still) turn_.slices.push_back(slice);
+    seen = 1;
   }
 
-  void add_feature(const Feature& feature) {
-    const auto found = places_.find(author_name(feature));
-    const Place where = found == places_.end() ? Place{} : found->second;
+  /// Of a point: its own place, or that of its feature.
+  Place place_of(int slice, Place feature) const {
+    const auto own =
+        std::lower_bound(slice_places_.begin(), slice_places_.end(), slice,
+                         [](const auto& placed, int wanted) { return placed.first < wanted; });
+    return own == slice_places_.end() || own->first != slice ? feature : own->second;
+  }
+
+  void add_feature(const Feature& feature, Place where) {
     for_each_slice(feature.figure, [&](std::string_view, int slice) {
       if (face_.model.layout[slice].kind != SliceKind::point) return;
-      const auto own = slice_places_.find(slice);
-      const Place here = own == slice_places_.end() ? where : own->second;
+      const Place here = place_of(slice, where);
       add({slice, here.kind, here.depth});
     });
     if (const auto* text = std::get_if<TextFigure>(&feature.figure))
@@ -217,9 +230,10 @@ class TurnReader {
   const JsonNode& node_;
   FaceDraft& face_;
   HeadTurn& turn_;
-  std::unordered_map<std::string, Place> places_;
-  std::unordered_map<int, Place> slice_places_;
-  std::unordered_set<int> seen_;
+  std::vector<Place> places_;  ///< of the features
+  std::vector<std::pair<int, Place>>
+      slice_places_;        ///< of points with places of their own, by slice
+  std::vector<char> seen_;  ///< of the slices
 };
 
 }  // namespace

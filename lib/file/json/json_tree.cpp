@@ -122,7 +122,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  std::int32_t keep(std::string& text) { return tree_.keep(std::move(text)); }
+  std::int32_t keep(const std::string& text) { return tree_.keep(text); }
 
   bool refuse(const JsonNode& node, std::string what) {
     error = Error{tree_.where(node), std::move(what)};

@@ -7,10 +7,12 @@
 
 #include <mien/expected.h>
 #include <mien/face_limits.h>
+#include <mien/names.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +37,7 @@ struct JsonNode {
 
 /// Length and three letters of a key. Keys that differ mostly have other signs, so looking for one seldom reads
 /// another.
-inline std::uint32_t key_sign(std::string_view key) {
+constexpr std::uint32_t key_sign(std::string_view key) {
   const auto letter = [&](std::size_t i) {
     return std::uint32_t(static_cast<unsigned char>(key[i]));
   };
@@ -43,6 +45,23 @@ inline std::uint32_t key_sign(std::string_view key) {
   const std::size_t last = key.size() - 1;
   return std::uint32_t(key.size()) << 24 ^ letter(0) << 16 ^ letter(last / 2) << 8 ^ letter(last);
 }
+
+/// The keys that an object may have, for JsonTree::members.
+template <std::size_t N>
+struct KnownKeys {
+  std::array<std::string_view, N> names;
+  std::array<std::uint32_t, N> signs{};
+
+  constexpr explicit KnownKeys(std::array<std::string_view, N> keys) : names(keys) {
+    for (std::size_t i = 0; i < N; ++i) signs[i] = key_sign(names[i]);
+  }
+  /// Where a key of that sign is among them; N: nowhere.
+  std::size_t find(std::uint32_t sign, std::string_view key) const {
+    std::size_t i = 0;
+    while (i < N && !(signs[i] == sign && names[i] == key)) ++i;
+    return i;
+  }
+};
 
 class JsonTree {
  public:
@@ -67,6 +86,21 @@ class JsonTree {
   const JsonNode* first(const JsonNode& node) const { return at(node.first); }
   const JsonNode* next(const JsonNode& node) const { return at(node.next); }
   const JsonNode* member(const JsonNode& object, std::string_view key) const;
+  /// The members of those keys, all in one go; null: not there. `other` is the first of another key, or null.
+  template <std::size_t N>
+  std::array<const JsonNode*, N> members(const JsonNode& object, const KnownKeys<N>& keys,
+                                         const JsonNode** other = nullptr) const {
+    std::array<const JsonNode*, N> found{};
+    if (object.kind != JsonKind::object) return found;
+    for (const JsonNode* child = first(object); child; child = next(*child)) {
+      const std::size_t i = keys.find(child->key_sign, key(*child));
+      if (i < N)
+        found[i] = child;
+      else if (other && !*other)
+        *other = child;
+    }
+    return found;
+  }
   /// Says what a node that was just made is called in its object.
   void name(JsonNode& node, std::int32_t text) const {
     node.key = text;
@@ -76,7 +110,9 @@ class JsonTree {
   std::string_view string(const JsonNode& node) const { return strings_[std::size_t(node.text)]; }
 
   /// Takes a string in; gives its index.
-  std::int32_t keep(std::string text) { return refer(kept_.emplace_back(std::move(text))); }
+  std::int32_t keep(std::string_view text) { return refer(kept_.keep(text)); }
+  /// Takes a string in that is given in parts. It stays where it is as long as the tree does.
+  std::string_view kept(std::initializer_list<std::string_view> parts) { return kept_.keep(parts); }
   /// The same for one that outlives the tree.
   std::int32_t refer(std::string_view text) {
     strings_.push_back(text);
@@ -112,7 +148,7 @@ class JsonTree {
 
   std::vector<Origin> origins_;
   std::vector<std::string_view> strings_;
-  std::deque<std::string> kept_;
+  Names kept_;
   std::string_view text_;
   std::string name_;
   std::size_t first_line_ = 1;

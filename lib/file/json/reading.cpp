@@ -61,13 +61,13 @@ void Reading::expect(const JsonNode& node, JsonKind kind) const {
     refuse(node, fmt::format("expected {}, got {}", with_article(kind), with_article(node.kind)));
 }
 
-void Reading::expect_object(const JsonNode& node, const std::vector<std::string_view>& known,
+void Reading::expect_object(const JsonNode& node, std::span<const std::string_view> known,
                             std::string_view whose) {
   expect(node, JsonKind::object);
   for (const JsonNode* child = tree.first(node); child && may_warn(); child = tree.next(*child)) {
     const std::string_view key = tree.key(*child);
     if (key == "comment" || std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string_view near = nearest_name(key, known);
+    const std::string_view near = nearest_name(key, {known.begin(), known.end()});
     warn(*child,
          fmt::format("unknown key {}{}{}, ignored{}", in_quotes(key), whose.empty() ? "" : " of a ",
                      whose, near.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(near))),
@@ -99,14 +99,26 @@ std::pair<double, double> Reading::range(const JsonNode& node) const {
 }
 
 std::vector<double> Reading::numbers(const JsonNode& node, int least, int most) const {
-  if (least == 1 && node.kind == JsonKind::number) return {node.number};
+  std::vector<double> values;
+  numbers(node, least, most, values);
+  return values;
+}
+
+void Reading::numbers(const JsonNode& node, int least, int most, std::vector<double>& to) const {
+  if (least == 1 && node.kind == JsonKind::number) return to.assign(1, node.number);
   if (node.kind != JsonKind::array)
     refuse(node, fmt::format("expected {}, got {}", amount(least, most), with_article(node.kind)));
   if (node.count < least || node.count > most)
     refuse(node, fmt::format("expected {}, got {}", amount(least, most), node.count));
-  std::vector<double> values;
-  values.reserve(std::size_t(node.count));
-  for_each(node, [&](const JsonNode& child, int) { values.push_back(number(child)); });
+  to.clear();
+  to.reserve(std::size_t(node.count));
+  for_each(node, [&](const JsonNode& child, int) { to.push_back(number(child)); });
+}
+
+std::array<double, 3> Reading::three(const JsonNode& node) const {
+  if (node.kind != JsonKind::array || node.count != 3) numbers(node, 3, 3);  // refuses
+  std::array<double, 3> values{};
+  for_each(node, [&](const JsonNode& child, int i) { values[std::size_t(i)] = number(child); });
   return values;
 }
 
@@ -125,7 +137,7 @@ std::size_t Reading::word(const JsonNode& node, std::string_view what,
   return std::size_t(found - words.begin());
 }
 
-std::string Reading::name(const JsonNode& node, std::string_view text) const {
+std::string_view Reading::checked_name(const JsonNode& node, std::string_view text) const {
   if (text.empty()) refuse(node, "a name must not be empty");
   if (text.size() > kLongestName)
     refuse(node, fmt::format("a name must not be longer than {} bytes", kLongestName));
@@ -134,7 +146,7 @@ std::string Reading::name(const JsonNode& node, std::string_view text) const {
         std::string_view{"/@=,\"\\"}.find(c) != std::string_view::npos)
       refuse(node, fmt::format("the name {} must have no spaces and none of / @ = , \" \\",
                                in_quotes(text)));
-  return std::string{text};
+  return text;
 }
 
 }  // namespace mien

@@ -4,7 +4,9 @@
 
 #include "lib/file/json/json_tree.h"
 
+#include <array>
 #include <glm/vec2.hpp>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,8 +40,14 @@ class Reading {
   void expect(const JsonNode& node, JsonKind kind) const;
   /// Checks that it is an object and warns of keys that are not among `known` ("comment" always
   /// is); `whose` names the kind of object.
-  void expect_object(const JsonNode& node, const std::vector<std::string_view>& known,
+  void expect_object(const JsonNode& node, std::span<const std::string_view> known,
                      std::string_view whose = {});
+  void expect_object(const JsonNode& node, std::initializer_list<std::string_view> known,
+                     std::string_view whose = {}) {
+    expect_object(node, std::span(known.begin(), known.size()), whose);
+  }
+  /// Whether warnings are wanted, and there are not too many yet.
+  bool may_warn() const;
 
   std::string_view string(const JsonNode& node) const;
   double number(const JsonNode& node) const;
@@ -48,6 +56,10 @@ class Reading {
   std::pair<double, double> range(const JsonNode& node) const;
   /// `least` … `most` numbers; if least is 1 a single number may stand without brackets.
   std::vector<double> numbers(const JsonNode& node, int least, int most) const;
+  /// The same into memory that is used again.
+  void numbers(const JsonNode& node, int least, int most, std::vector<double>& to) const;
+  /// Three numbers.
+  std::array<double, 3> three(const JsonNode& node) const;
   /// Two numbers.
   glm::dvec2 pair(const JsonNode& node) const;
   /// One of `words`, as its index; `what` names their kind.
@@ -55,7 +67,11 @@ class Reading {
                    std::span<const std::string_view> words) const;
   /// A name that can be part of a slice's or control's name.
   std::string name(const JsonNode& node) const { return name(node, string(node)); }
-  std::string name(const JsonNode& node, std::string_view text) const;
+  std::string name(const JsonNode& node, std::string_view text) const {
+    return std::string(checked_name(node, text));
+  }
+  /// The same name where it stands.
+  std::string_view checked_name(const JsonNode& node, std::string_view text) const;
 
   /// Calls each(child, index) for the children of an array or object.
   template <class Each>
@@ -66,8 +82,6 @@ class Reading {
   }
 
  private:
-  bool may_warn() const;  ///< warnings are wanted, and there are not too many yet
-
   std::vector<Error>* warnings_;
 };
 

@@ -32,8 +32,8 @@ void TreeWriter::string(std::string_view text) {
   add(JsonKind::string).text = index;
 }
 
-void TreeWriter::kept_string(std::string text) {
-  const std::int32_t index = tree_.keep(std::move(text));
+void TreeWriter::kept_string(std::string_view text) {
+  const std::int32_t index = tree_.keep(text);
   add(JsonKind::string).text = index;
 }
 

@@ -7,8 +7,8 @@
 #include "lib/file/json/json_tree.h"
 
 #include <glm/vec2.hpp>
+#include <initializer_list>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,13 +25,15 @@ class TreeWriter {
 
   /// Of the member that comes next. Views must outlive the tree.
   void key(std::string_view name) { key_ = tree_.refer(name); }
-  void kept_key(std::string name) { key_ = tree_.keep(std::move(name)); }
+  void kept_key(std::string_view name) { key_ = tree_.keep(name); }
 
   void number(double value);  ///< null if it is not finite; −0 is 0, as in text
   void pair(glm::dvec2 p) { array(), number(p.x), number(p.y), close(); }
   void boolean(bool value) { add(JsonKind::boolean).number = value; }
   void string(std::string_view text);  ///< must outlive the tree
-  void kept_string(std::string text);
+  void kept_string(std::string_view text);
+  /// A string in parts that stays as long as the tree: for names that are written again and again.
+  std::string_view kept(std::initializer_list<std::string_view> parts) { return tree_.kept(parts); }
 
   /// A value of another tree, which must outlive this one.
   void copy(const JsonTree& from, const JsonNode& node) {

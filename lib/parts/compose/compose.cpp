@@ -59,9 +59,10 @@ class Composition {
     draw_families(false);
     draw_style();
     out_.close();
-    std::stable_sort(features_.features.begin(), features_.features.end(), drawn_before);
+    features_.sort();
     std::vector<std::int32_t> order;
-    for (const FlatFeatures::One& one : features_.features) order.push_back(one.node);
+    order.reserve(features_.all().size());
+    for (const FlatFeatures::One& one : features_.all()) order.push_back(one.node);
     out_.arrange(array, order);
   }
 
@@ -114,11 +115,11 @@ class Composition {
     if (const JsonNode* points = in.find(*part.at.node, "points"))
       in.for_each(*points, [&](const JsonNode& node, int) {
         const FoundPoint found = geometry_.point(in, node, frame, family);
-        geometry_.add_point(std::string(in.tree.key(node)), {found.at, found.depth, false});
+        geometry_.add_point(in.tree.key(node), {found.at, found.depth, false});
       });
     if (const JsonNode* values = in.find(*part.at.node, "values"))
       in.for_each(*values, [&](const JsonNode& node, int) {
-        geometry_.add_value(std::string(in.tree.key(node)), geometry_.scalar(in, node, family));
+        geometry_.add_value(in.tree.key(node), geometry_.scalar(in, node, family));
       });
     if (const JsonNode* covers = in.find(*part.at.node, "covers"))
       in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
@@ -160,7 +161,7 @@ class Composition {
   /// "with": beside a feature that may not be there; "worn": beside some parts.
   bool is_wanted(const Reading& in, const JsonNode& added) const {
     const JsonNode *with = in.find(added, "with"), *worn = in.find(added, "worn");
-    if (with && !features_.names.contains(in.string(*with))) return false;
+    if (with && !features_.find(in.string(*with))) return false;
     return !worn || parts_.wears(in, *worn);
   }
 

@@ -3,13 +3,15 @@
 #include "lib/base/nearest_name.h"
 #include "lib/parts/compose/flat_feature.h"
 
+#include <fmt/format.h>
+
 namespace mien {
 
 std::vector<std::string> names_of(const FlatFeatures::One& one) {
-  if (one.side.empty()) return {one.name};
+  if (one.side.empty()) return {std::string(one.name)};
   std::vector<std::string> names;
   for (const std::string_view side : {"left", "right"})
-    if (one.side == "both" || one.side == side) names.push_back(one.name + '.' + std::string(side));
+    if (one.side == "both" || one.side == side) names.push_back(fmt::format("{}.{}", one.name, side));
   return names;
 }
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace mien {
 namespace {
@@ -39,21 +38,18 @@ class Flattening {
         to_(to),
         out_(out) {
     if (const JsonNode* frame = in.find(node, "in")) frame_ = geometry.frame(in, *frame);
-    name_ = in.name(in.need(node, "name"));
+    const JsonNode& name = in.need(node, "name");
+    name_ = in.checked_name(name, in.string(name));
     sided_ = in.find(node, "side") != nullptr;
   }
 
   void run() {
     if (is_empty_selection()) return;
-    if (!to_.names.insert(name_).second)
-      in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name_));
     const std::string_view slot = in_.string(in_.need(node_, "slot"));
     hand_ = style_.hand(slot);
     const PartStyle::Role role = style_.role(in_, node_);
     const bool of_figure = !to_.by_style && style_.figure_has(slot);
-    to_.features.push_back({slot_place(), out_.next(), name_, role.name, side(),
-                            of_figure ? figure_order() : order()});
-    if (sided_) to_.sided.insert(name_);
+    add(name_, role.name, of_figure ? figure_order() : order());
     write(role, of_figure ? PartStyle::Members::figure : PartStyle::Members::all);
     add_depth();
     const bool painted = in_.find(node_, "paint") != nullptr;
@@ -68,6 +64,13 @@ class Flattening {
     return 2 * slot_named(style_.in(), *style_.figure_before(), library_);
   }
 
+  /// What is written next is known by that name.
+  void add(std::string_view name, std::string_view role, std::size_t order) {
+    if (to_.find(name))
+      in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name));
+    to_.add({slot_place(), out_.next(), name, role, side(), order});
+  }
+
   /// On which sides it is drawn.
   std::string_view side() const {
     const JsonNode* written = in_.find(node_, "side");
@@ -79,7 +82,7 @@ class Flattening {
   void write(const PartStyle::Role& role, PartStyle::Members which) {
     out_.stems_from(in_.tree, node_);
     out_.object();
-    out_.key("name"), out_.string(in_.string(in_.need(node_, "name")));
+    out_.key("name"), out_.string(name_);
     write_members(role, which);
     out_.close();
   }
@@ -104,16 +107,15 @@ class Flattening {
 
   /// The area of a feature that was known before, painted where the feature stood.
   void write_seen(const PartStyle::Role& role) {
-    std::string name = name_ + "_seen";
-    to_.names.insert(name);
-    to_.features.push_back({slot_place(), out_.next(), name, "none", side(), order()});
+    const std::string_view name = out_.kept({name_, "_seen"});
+    add(name, "none", order());
     out_.stems_from(in_.tree, node_);
     out_.object();
-    out_.key("name"), out_.kept_string(std::move(name));
+    out_.key("name"), out_.string(name);
     for (const char* key : {"side", "mirror"})
       if (const JsonNode* said = in_.find(node_, key)) out_.key(key), out_.copy(in_.tree, *said);
     out_.key("kind"), out_.string("area");
-    out_.key("any"), out_.array(), out_.kept_string(name_), out_.close();
+    out_.key("any"), out_.array(), out_.string(name_), out_.close();
     if (const JsonNode* clip = style_.figure_clip())
       out_.key("clip"), out_.copy(style_.in().tree, *clip);
     write_members(role, PartStyle::Members::paint);
@@ -136,8 +138,8 @@ class Flattening {
 
   void write_selection(const JsonNode& selection) {
     out_.array();
-    for (std::string& name : selected_features(in_, selection, order(), library_, to_))
-      if (name != name_) out_.kept_string(std::move(name));
+    for (const std::string& name : selected_features(in_, selection, order(), library_, to_))
+      if (name != name_) out_.kept_string(name);
     out_.close();
   }
 
@@ -146,15 +148,12 @@ class Flattening {
   void add_depth() {
     const JsonNode* turn = in_.find(node_, "turn");
     if (!turn) return;
-    if (turn->kind == JsonKind::string) return to_.still.push_back(name_);
-    if (turn->kind == JsonKind::number) {
-      to_.flat.emplace_back(name_, in_.number(*turn));
-      return;
-    }
+    if (turn->kind == JsonKind::string) return to_.stand_still(name_);
+    if (turn->kind == JsonKind::number) return to_.flat.push_back({name_, in_.number(*turn)});
     if (const JsonNode* plate = in_.find(*turn, "plate"))
-      to_.plates.emplace_back(name_, in_.number(*plate));
+      to_.plates.push_back({name_, in_.number(*plate)});
     else
-      to_.raised.emplace_back(name_, in_.number(in_.need(*turn, "raised")));
+      to_.raised.push_back({name_, in_.number(in_.need(*turn, "raised"))});
   }
 
   void write_member(std::string_view key, const JsonNode& member) {
@@ -228,7 +227,7 @@ class Flattening {
     if (member.kind == JsonKind::string && in_.string(member).starts_with('@'))
       return out_.string(in_.string(member));
     const FoundPoint found = geometry_.point(in_, member, frame_, family_);
-    know(slice_name(key), found);
+    know(out_.kept({name_, "/", key}), found);
     out_.pair(drawn(found.at));
   }
 
@@ -290,6 +289,7 @@ class Flattening {
   std::vector<ListPoint> list(const JsonNode& array, bool half) {
     std::vector<ListPoint> points;
     in_.expect(array, JsonKind::array);
+    points.reserve(std::size_t(array.count) * (half ? 2 : 1));
     in_.for_each(array, [&](const JsonNode& node, int) {
       const JsonNode* scallop = node.kind == JsonKind::object ? in_.find(node, "scallop") : nullptr;
       if (scallop)
@@ -308,23 +308,14 @@ class Flattening {
     return points;
   }
 
-  std::string slice_name(std::string_view key) const {
-    std::string name;
-    name.reserve(name_.size() + key.size() + 8);  // and a point's number
-    return name.append(name_).append(1, '/').append(key);
-  }
-
   void write_points(std::string_view key, const std::vector<ListPoint>& points) {
-    std::string slice = slice_name(key) + '/';
-    const std::size_t stem = slice.size();
     out_.array();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const ListPoint& point = points[i];
       if (point.reference.empty()) {
         write_point(point);
-        slice.resize(stem);
-        fmt::format_to(std::back_inserter(slice), "{}", i);
-        know(slice, point.found);
+        const fmt::format_int number(i);
+        know(out_.kept({name_, "/", key, "/", {number.data(), number.size()}}), point.found);
       } else if (point.bend) {
         out_.array(), out_.string(point.reference), out_.string("bend"), out_.close();
       } else {
@@ -353,12 +344,12 @@ class Flattening {
   }
 
   /// From now on other parts can be beside this point.
-  void know(const std::string& slice, const FoundPoint& found) {
+  void know(std::string_view slice, const FoundPoint& found) {
     geometry_.add_point(slice, {found.at, found.depth, true});
-    if (found.depth) to_.flat.emplace_back(slice, *found.depth);
+    if (found.depth) to_.flat.push_back({slice, *found.depth});
     const int side = sided_ || std::abs(found.at.x) < kAxis ? 0 : found.at.x > 0.0 ? 1 : -1;
-    for (const auto& [other, weight] : found.rides)
-      to_.rides[std::string(other)].push_back({slice, weight, side, found.at});
+    for (const PointRide& ride : geometry_.rides(found))
+      to_.add_ride(ride.slice, {slice, ride.weight, side, found.at});
   }
 
   const Reading& in_;
@@ -370,7 +361,7 @@ class Flattening {
   FlatFeatures& to_;
   TreeWriter& out_;
   PartFrame frame_;
-  std::string name_;
+  std::string_view name_;
   bool sided_ = false;
   const Hand* hand_ = nullptr;  ///< null: points and widths are as the part has them
 };

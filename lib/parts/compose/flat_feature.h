@@ -2,42 +2,82 @@
 // Features of parts as features of a face file: points in the face's own coordinates, paints by role, and what the rig
 // has to know of them.
 
+#include <mien/name_table.h>
 #include "lib/file/json/tree_writer.h"
 #include "lib/parts/compose/part_geometry.h"
 #include "lib/parts/compose/part_style.h"
 
-#include <map>
-#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mien {
 
 /// A slice that moves with another one.
 struct Ride {
-  std::string slice;
+  std::string_view slice;
   double weight;
   int side;       ///< 1 left, −1 right: the muscle of that side only; 0: as it is
   glm::dvec2 at;  ///< its place
+  int next = -1;  ///< the next one with the same slice
 };
 
-/// What parts drew, bottom to top after sorting, and what moves with what.
-struct FlatFeatures {
+/// How deep something lies for the head's turn.
+struct Depth {
+  std::string_view name;
+  double depth;
+};
+
+/// What parts drew, bottom to top after sorting, and what moves with what. All names are the tree's that it is written to.
+class FlatFeatures {
+ public:
   struct One {
     std::size_t slot;
     std::int32_t node;  ///< of the tree that it was written to
-    std::string name;
+    std::string_view name;
     std::string_view role = {};
     std::string_view side = {};  ///< "both", "left", "right"; empty: none
     std::size_t order = 0;       ///< of drawing, then by slot; even: before a slot, of a figure
+    bool still = false;
+
+    bool sided() const { return !side.empty(); }
   };
-  std::vector<One> features;
+  std::vector<Depth> flat, raised, plates;
   bool by_style = false;  ///< what is composed now is the style's own
-  std::set<std::string, std::less<>> names;
-  std::vector<std::pair<std::string, double>> flat, raised, plates;  ///< depths for the head's turn
-  std::vector<std::string> still;
-  std::set<std::string, std::less<>> sided;                     ///< features on both sides
-  std::map<std::string, std::vector<Ride>, std::less<>> rides;  ///< by the slice they move with
+
+  const std::vector<One>& all() const { return features_; }
+  /// Null: none.
+  const One* find(std::string_view name) const;
+  /// The name must be new.
+  void add(One feature);
+  void stand_still(std::string_view feature);
+  /// What stands still while the head turns, in the order it was said.
+  const std::vector<std::string_view>& still() const { return still_; }
+  /// Bottom to top; those of one slot that are drawn together stay in their order.
+  void sort();
+
+  void add_ride(std::string_view with, Ride ride);
+  /// Calls each(Ride) for what moves with a slice, in the order it was added. Whether there is any.
+  template <class Each>
+  bool for_each_ride(std::string_view with, Each&& each) const {
+    const int known = ridden_of_.find(with, [&](int i) { return ridden_[std::size_t(i)].slice; });
+    if (known < 0) return false;
+    for (int i = ridden_[std::size_t(known)].first; i >= 0; i = rides_[std::size_t(i)].next)
+      each(rides_[std::size_t(i)]);
+    return true;
+  }
+
+ private:
+  struct Ridden {
+    std::string_view slice;
+    int first, last;  ///< of its rides
+  };
+  std::vector<One> features_;
+  NameTable feature_of_;  ///< by name
+  std::vector<std::string_view> still_;
+  std::vector<Ridden> ridden_;
+  NameTable ridden_of_;  ///< by slice
+  std::vector<Ride> rides_;
 };
 
 /// Whether it is only known, of a figure that is drawn later.

@@ -1,60 +1,72 @@
 #include "lib/parts/compose/flat_mouth.h"
 #include "lib/parts/compose/short_number.h"
 
+#include <algorithm>
 #include <array>
-#include <map>
-#include <set>
-#include <string>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace mien {
 namespace {
 
 constexpr std::array<std::string_view, 2> kMouthSides{"left", "right"};
 
-/// "moustache.left/spine/0" of "moustache/spine/0".
-std::string sided_slice(std::string_view slice, std::string_view side) {
-  const std::size_t slash = slice.find('/');
-  std::string name(slice.substr(0, slash));
-  return name.append(".").append(side).append(slice.substr(slash));
-}
-
 class MouthRiders {
  public:
-  MouthRiders(const Reading& in, const JsonNode& node, const RigPlace& place)
-      : in_(in), features_(place.features) {
-    for (const FlatFeatures::One& one : features_.features) slots_[one.name] = one.slot;
+  MouthRiders(const Reading& in, const JsonNode& node, const RigPlace& place, TreeWriter& to)
+      : in_(in), features_(place.features), to_(to) {
     in.for_each(in.need(node, "stiff"), [&](const JsonNode& slot, int) {
-      stiff_.insert(slot_named(in, slot, place.library));
+      stiff_.push_back(slot_named(in, slot, place.library));
     });
     in.for_each(in.need(node, "stiff_above"), [&](const JsonNode& one, int) {
-      above_[slot_of(one, place)] = place.geometry.point(in, one, {}, "").at.y;
+      above_.emplace_back(slot_of(one, place), place.geometry.point(in, one, {}, "").at.y);
     });
     const JsonNode& twins = in.need(node, "twins");
     in.for_each(in.need(node, "anchors"),
                 [&](const JsonNode& anchor, int) { add_anchor(in.string(anchor), nullptr); });
     in.for_each(twins, [&](const JsonNode& twin, int) { add_anchor(in.tree.key(twin), &twin); });
+    std::sort(ways_.begin(), ways_.end(), [](const Way& a, const Way& b) {
+      return std::tie(a.slice, a.with) < std::tie(b.slice, b.with);
+    });
   }
 
-  void write(TreeWriter& to) const {
-    to.key("ride"), to.object();
-    for (const auto& [slice, with] : riders_) {
-      to.kept_key(slice), to.object();
-      for (const auto& [anchor, share] : with.shares)
-        to.kept_key(anchor), to.number(short_number(share));
-      to.close();
-    }
-    to.close();
-    to.key("stiff"), to.array();
-    for (const auto& [slice, with] : riders_)
-      if (with.stiff) to.kept_string(slice);
-    to.close();
+  void write() const {
+    to_.key("ride"), to_.object();
+    for_each_rider([&](std::span<const Way> ways) {
+      to_.key(ways[0].slice), to_.object();
+      for (const Way& way : ways) to_.key(way.with), to_.number(short_number(way.share));
+      to_.close();
+    });
+    to_.close();
+    to_.key("stiff"), to_.array();
+    for_each_rider([&](std::span<const Way> ways) {
+      if (std::any_of(ways.begin(), ways.end(), [](const Way& way) { return way.stiff; }))
+        to_.string(ways[0].slice);
+    });
+    to_.close();
   }
 
  private:
-  struct Rider {
-    std::map<std::string, double> shares;
-    bool stiff = false;
+  /// How a slice goes with another one.
+  struct Way {
+    std::string_view slice, with;
+    double share;
+    bool stiff;
   };
+
+  /// Calls each(ways) for each slice that rides.
+  template <class Each>
+  void for_each_rider(Each&& each) const {
+    for (auto first = ways_.begin(); first != ways_.end();) {
+      const auto last = std::find_if(first, ways_.end(),
+                                     [&](const Way& way) { return way.slice != first->slice; });
+      each(std::span(first, last));
+      first = last;
+    }
+  }
 
   std::size_t slot_of(const JsonNode& named, const RigPlace& place) const {
     const Reading& own = place.library.topology().in();
@@ -65,44 +77,56 @@ class MouthRiders {
     in_.refuse(named, "no slot of that name");
   }
 
-  /// `twin`: of a point of an outline; null: it is on both sides.
-  void add_anchor(std::string_view anchor, const JsonNode* twin) {
-    const auto found = features_.rides.find(anchor);
-    if (found == features_.rides.end()) return;
-    const std::array<std::string, 2> sides{
-        twin ? std::string(anchor) : sided_slice(anchor, kMouthSides[0]),
-        twin ? std::string(in_.string(*twin)) : sided_slice(anchor, kMouthSides[1])};
-    for (const Ride& ride : found->second) {
-      const std::string feature = ride.slice.substr(0, ride.slice.find('/'));
-      const bool stiff = is_stiff(feature, ride.at.y);
-      const auto add = [&](const std::string& slice, const std::string& with, double share) {
-        Rider& rider = riders_[slice];
-        rider.shares[with] += share, rider.stiff = rider.stiff || stiff;
-      };
-      if (features_.sided.contains(feature)) {
-        for (const std::size_t s : {0u, 1u})
-          add(sided_slice(ride.slice, kMouthSides[s]), sides[s], ride.weight);
-      } else if (ride.side != 0) {
-        add(ride.slice, sides[ride.side > 0 ? 0 : 1], ride.weight);
-      } else {
-        for (const std::string& side : sides) add(ride.slice, side, 0.5 * ride.weight);
-      }
-    }
+  /// "moustache.left/spine/0" of "moustache/spine/0".
+  std::string_view sided_slice(std::string_view slice, std::string_view side) const {
+    const std::size_t slash = slice.find('/');
+    return to_.kept({slice.substr(0, slash), ".", side, slice.substr(slash)});
   }
 
-  bool is_stiff(const std::string& feature, double y) const {
-    const auto slot = slots_.find(feature);
-    if (slot == slots_.end()) return false;
-    const auto above = above_.find(slot->second);
-    return stiff_.contains(slot->second) || (above != above_.end() && y > above->second);
+  void add(std::string_view slice, std::string_view with, double share, bool stiff) {
+    const auto known = std::find_if(ways_.begin(), ways_.end(), [&](const Way& way) {
+      return way.slice == slice && way.with == with;
+    });
+    if (known == ways_.end())
+      ways_.push_back({slice, with, share, stiff});
+    else
+      known->share += share, known->stiff = known->stiff || stiff;
+  }
+
+  /// `twin`: of a point of an outline; null: it is on both sides.
+  void add_anchor(std::string_view anchor, const JsonNode* twin) {
+    std::array<std::string_view, 2> sides;
+    features_.for_each_ride(anchor, [&](const Ride& ride) {
+      if (sides[0].empty())
+        sides = twin ? std::array{anchor, in_.string(*twin)}
+                     : std::array{sided_slice(anchor, kMouthSides[0]),
+                                  sided_slice(anchor, kMouthSides[1])};
+      const FlatFeatures::One* feature = features_.find(ride.slice.substr(0, ride.slice.find('/')));
+      const bool stiff = feature && is_stiff(*feature, ride.at.y);
+      if (feature && feature->sided()) {
+        for (const std::size_t s : {0u, 1u})
+          add(sided_slice(ride.slice, kMouthSides[s]), sides[s], ride.weight, stiff);
+      } else if (ride.side != 0) {
+        add(ride.slice, sides[ride.side > 0 ? 0 : 1], ride.weight, stiff);
+      } else {
+        for (const std::string_view side : sides) add(ride.slice, side, 0.5 * ride.weight, stiff);
+      }
+    });
+  }
+
+  bool is_stiff(const FlatFeatures::One& feature, double y) const {
+    const auto above = std::find_if(above_.begin(), above_.end(),
+                                    [&](const auto& one) { return one.first == feature.slot; });
+    return std::find(stiff_.begin(), stiff_.end(), feature.slot) != stiff_.end() ||
+           (above != above_.end() && y > above->second);
   }
 
   const Reading& in_;
   const FlatFeatures& features_;
-  std::map<std::string, std::size_t> slots_;
-  std::set<std::size_t> stiff_;
-  std::map<std::size_t, double> above_;
-  std::map<std::string, Rider> riders_;
+  TreeWriter& to_;
+  std::vector<std::size_t> stiff_;                     ///< slots
+  std::vector<std::pair<std::size_t, double>> above_;  ///< slots, and from where on in them
+  std::vector<Way> ways_;                              ///< by slice and what it goes with
 };
 
 }  // namespace
@@ -111,7 +135,7 @@ void write_mouth(const Reading& in, const JsonNode& node, const RigPlace& place,
   to.object();
   in.for_each(node, [&](const JsonNode& member, int) {
     const std::string_view key = in.tree.key(member);
-    if (key == "riders") return MouthRiders(in, member, place).write(to);
+    if (key == "riders") return MouthRiders(in, member, place, to).write();
     to.key(key), write_rig(in, member, place, to);
   });
   to.close();

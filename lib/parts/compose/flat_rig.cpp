@@ -6,7 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <set>
+#include <string_view>
+#include <vector>
 
 namespace mien {
 namespace {
@@ -25,7 +26,7 @@ class Muscles {
           const JsonNode* more, TreeWriter& out)
       : in_(in), geometry_(geometry), features_(features), more_(more), out_(out) {}
 
-  void write_group(const JsonNode& node) const {
+  void write_group(const JsonNode& node) {
     const PartFrame& frame = geometry_.frame(in_, in_.need(node, "in"));
     const glm::dvec2 origin = in_.pair(in_.need(node, "origin"));
     const bool far = std::max(std::abs(origin.x), std::abs(origin.y)) > kFarOrigin;
@@ -77,9 +78,9 @@ class Muscles {
   template <class Each>
   void each_ride(const JsonNode& node, Each&& each) const {
     in_.for_each(in_.need(node, "attach"), [&](const JsonNode& held, int) {
-      const auto found = features_.rides.find(in_.tree.key(held));
-      if (found == features_.rides.end() || held.kind != JsonKind::number) return;
-      for (const Ride& ride : found->second) each(ride, in_.number(held));
+      if (held.kind != JsonKind::number) return;
+      features_.for_each_ride(in_.tree.key(held),
+                              [&](const Ride& ride) { each(ride, in_.number(held)); });
     });
   }
 
@@ -91,45 +92,68 @@ class Muscles {
 
   /// What a muscle holds: a weight, and a stroke of its own where it has one.
   struct Held {
+    std::string_view slice;
     double weight;
     std::optional<double> stroke;
+    bool rides = false;
   };
 
+  /// What rides with what a muscle holds is held by the sum of all its ways, and not by itself.
+  void add_ride(std::string_view slice, double weight) {
+    const auto known = std::find_if(held_.begin(), held_.end(),
+                                    [&](const Held& one) { return one.slice == slice; });
+    if (known == held_.end())
+      held_.push_back({slice, weight, {}, true});
+    else if (known->rides)
+      known->weight += weight;
+    else
+      *known = {slice, weight, {}, true};
+  }
+
+  /// What is held twice is held as was said last.
+  void hold(Held held) {
+    const auto known = std::find_if(held_.begin(), held_.end(),
+                                    [&](const Held& one) { return one.slice == held.slice; });
+    (known == held_.end() ? held_.emplace_back() : *known) = held;
+  }
+
+  void hold(const JsonNode& one, const PartFrame& frame) {
+    const std::string_view key = in_.tree.key(one);
+    const bool of_jaw = key == kJaw;
+    if (!of_jaw && !features_.find(feature_of(key))) return;
+    if (one.kind == JsonKind::number) return hold({key, in_.number(one), {}});
+    const double stroke = in_.number(in_.need(one, "stroke"));
+    hold({key, in_.number(in_.need(one, "weight")), of_jaw ? stroke : frame.length(stroke)});
+  }
+
   /// Of the muscle on a side; 0: what both sides have.
-  void write_attachments(const JsonNode& node, const PartFrame& frame, int side) const {
-    std::map<std::string_view, Held> held;
-    const auto hold = [&](const JsonNode& one, int) {
-      const std::string_view key = in_.tree.key(one);
-      const bool of_jaw = key == kJaw;
-      if (!of_jaw && !features_.names.contains(feature_of(key))) return;
-      if (one.kind == JsonKind::number)
-        held[key] = {in_.number(one), {}};
-      else
-        held[key] = {in_.number(in_.need(one, "weight")),
-                     of_jaw ? in_.number(in_.need(one, "stroke"))
-                            : frame.length(in_.number(in_.need(one, "stroke")))};
-    };
-    in_.for_each(in_.need(node, "attach"), hold);
+  void write_attachments(const JsonNode& node, const PartFrame& frame, int side) {
+    held_.clear();
+    const auto each = [&](const JsonNode& one, int) { hold(one, frame); };
+    in_.for_each(in_.need(node, "attach"), each);
     if (const JsonNode* more =
             more_ ? in_.find(*more_, in_.string(in_.need(node, "name"))) : nullptr)
-      in_.for_each(*more, hold);
-    std::map<std::string_view, double> rides;
+      in_.for_each(*more, each);
     const bool sided = in_.find(node, "side") != nullptr;
     each_ride(node, [&](const Ride& ride, double weight) {
-      if (sided && ride.side != 0 && ride.side != side) return;
-      rides[ride.slice] += weight * ride.weight;
+      if (!sided || ride.side == 0 || ride.side == side) add_ride(ride.slice, weight * ride.weight);
     });
-    for (const auto& [slice, weight] : rides) held[slice] = {std::clamp(weight, 0.0, 1.0), {}};
+    std::sort(held_.begin(), held_.end(),
+              [](const Held& a, const Held& b) { return a.slice < b.slice; });
+    write_held();
+  }
+
+  void write_held() {
     out_.key("attach"), out_.object();
-    for (const auto& [slice, by] : held) {
-      out_.kept_key(std::string(slice));
-      if (by.stroke) {
+    for (const Held& held : held_) {
+      out_.key(held.slice);
+      if (held.stroke) {
         out_.object();
-        out_.key("weight"), out_.number(short_number(by.weight));
-        out_.key("stroke"), out_.number(short_number(*by.stroke));
+        out_.key("weight"), out_.number(short_number(held.weight));
+        out_.key("stroke"), out_.number(short_number(*held.stroke));
         out_.close();
       } else {
-        out_.number(short_number(by.weight));
+        out_.number(short_number(held.rides ? std::clamp(held.weight, 0.0, 1.0) : held.weight));
       }
     }
     out_.close();
@@ -140,13 +164,15 @@ class Muscles {
   const FlatFeatures& features_;
   const JsonNode* more_;
   TreeWriter& out_;
+  std::vector<Held> held_;  ///< by the muscle that is written
 };
 
 /// By name: as text, faces are compared line by line.
-void write_depths(std::vector<std::pair<std::string, double>> depths, TreeWriter& to) {
-  std::sort(depths.begin(), depths.end());
+void write_depths(std::vector<Depth> depths, TreeWriter& to) {
+  std::sort(depths.begin(), depths.end(),
+            [](const Depth& a, const Depth& b) { return a.name < b.name; });
   to.object();
-  for (const auto& [name, depth] : depths) to.kept_key(name), to.number(short_number(depth));
+  for (const auto& [name, depth] : depths) to.key(name), to.number(short_number(depth));
   to.close();
 }
 
@@ -199,28 +225,26 @@ class Placing {
   /// Calls each(name) for what stands still and lies in one of the slots.
   template <class Each>
   void for_each_still(const JsonNode& slots, Each&& each) const {
-    std::set<std::size_t> wanted;
+    std::vector<std::size_t> wanted;
     in_.for_each(slots, [&](const JsonNode& slot, int) {
-      wanted.insert(slot_named(in_, slot, place_.library));
+      wanted.push_back(slot_named(in_, slot, place_.library));
     });
-    const std::vector<std::string>& still = place_.features.still;
-    for (const FlatFeatures::One& one : place_.features.features)
-      if (wanted.contains(one.slot) &&
-          std::find(still.begin(), still.end(), one.name) != still.end())
+    for (const FlatFeatures::One& one : place_.features.all())
+      if (one.still && std::find(wanted.begin(), wanted.end(), one.slot) != wanted.end())
         each(one.name);
   }
 
   void write_still(const JsonNode& offset, const JsonNode& slots) const {
     to_.object();
-    for_each_still(slots, [&](const std::string& name) {
-      to_.kept_key(name + "/*"), to_.pair(in_.pair(offset));
+    for_each_still(slots, [&](std::string_view name) {
+      to_.key(to_.kept({name, "/*"})), to_.pair(in_.pair(offset));
     });
     to_.close();
   }
 
   void write_names(const JsonNode& slots) const {
     to_.array();
-    for_each_still(slots, [&](const std::string& name) { to_.kept_string(name); });
+    for_each_still(slots, [&](std::string_view name) { to_.string(name); });
     to_.close();
   }
 
@@ -241,7 +265,7 @@ bool write_placed(const Reading& in, const JsonNode& at, const RigPlace& place, 
 
 void write_muscles(const Reading& in, const JsonNode& node, const PartGeometry& geometry,
                    const FlatFeatures& features, const JsonNode* more, TreeWriter& to) {
-  const Muscles muscles(in, geometry, features, more, to);
+  Muscles muscles(in, geometry, features, more, to);
   to.object();
   for (const char* key : {"stiffness", "damping"})
     to.key(key), to.number(short_number(in.number(in.need(node, key))));
@@ -256,7 +280,7 @@ void write_turn(const Reading& in, const JsonNode& node, const RigPlace& place, 
   to.object();
   to.copy_children(in.tree, node, Placing(in, place, to));
   to.key("still"), to.array();
-  for (const std::string& name : features.still) to.kept_string(name);
+  for (const std::string_view name : features.still()) to.string(name);
   to.close();
   to.key("flat"), write_depths(features.flat, to);
   to.key("raised"), write_depths(features.raised, to);

@@ -8,17 +8,16 @@
 namespace mien {
 namespace {
 
-/// A misspelt key would be left out without a word.
-void expect_point_keys(const Reading& in, const JsonNode& point) {
-  static constexpr std::array<std::string_view, 11> kKeys{"adds",     "at",   "bend",   "comment",
-                                                          "mirrored", "plus", "radius", "rides",
-                                                          "times",    "turn", "xy"};
-  in.for_each(point, [&](const JsonNode& one, int) {
-    const std::string_view key = in.tree.key(one);
-    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
-      in.refuse(one, unknown_name("key of a point", key, {kKeys.begin(), kKeys.end()}));
-  });
-}
+struct PointKey {
+  enum : std::size_t { adds, at, bend, comment, mirrored, plus, radius, rides, times, turn, xy };
+};
+constexpr KnownKeys<11> kPointKeys({"adds", "at", "bend", "comment", "mirrored", "plus", "radius",
+                                    "rides", "times", "turn", "xy"});
+
+struct ScalarKey {
+  enum : std::size_t { of, is, adds, times, least, most };
+};
+constexpr KnownKeys<6> kScalarKeys({"of", "is", "adds", "times", "least", "most"});
 
 }  // namespace
 
@@ -52,8 +51,9 @@ PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe) : l
   const Reading& in = library.topology().in();
   const JsonNode& root = *library.topology().node;
   in.for_each(in.need(root, "anchors"), [&](const JsonNode& node, int) {
-    anchors_.emplace(in.tree.key(node), in.string(node));
+    anchors_.emplace_back(in.tree.key(node), in.string(node));
   });
+  std::sort(anchors_.begin(), anchors_.end());
   in.for_each(in.need(root, "frames"), [&](const JsonNode& node, int) {
     PartFrame made;
     made.from = pair(in, in.need(node, "from"), "");
@@ -92,9 +92,8 @@ const LibraryNumber& PartGeometry::number(const Reading& in, const JsonNode& nod
 }
 
 template <class Each>
-void PartGeometry::each_add(const Reading& in, const JsonNode& node, std::string_view family,
+void PartGeometry::each_add(const Reading& in, const JsonNode* adds, std::string_view family,
                             Each&& each) const {
-  const JsonNode* adds = in.find(node, "adds");
   if (!adds) return;
   in.expect(*adds, JsonKind::object);
   in.for_each(*adds, [&](const JsonNode& add, int) {
@@ -115,88 +114,120 @@ double PartGeometry::told(const Reading& in, const JsonNode& name) const {
 double PartGeometry::scalar(const Reading& in, const JsonNode& node,
                             std::string_view family) const {
   if (node.kind != JsonKind::object) return in.number(node);
-  double sum = 0.0;
-  if (const JsonNode* of = in.find(node, "of")) {
-    sum = told(in, *of);
-  } else {
-    sum = in.number(in.need(node, "is"));
-  }
-  each_add(in, node, family, [&](double by, const JsonNode& add) { sum += by * in.number(add); });
-  if (const JsonNode* times = in.find(node, "times"))
+  const auto has = in.tree.members(node, kScalarKeys);
+  double sum = has[ScalarKey::of]
+                   ? told(in, *has[ScalarKey::of])
+                   : in.number(has[ScalarKey::is] ? *has[ScalarKey::is] : in.need(node, "is"));
+  each_add(in, has[ScalarKey::adds], family,
+           [&](double by, const JsonNode& add) { sum += by * in.number(add); });
+  if (const JsonNode* times = has[ScalarKey::times])
     sum *= value(number(in, *times, in.string(*times), family));
-  if (const JsonNode* least = in.find(node, "least")) sum = std::max(sum, in.number(*least));
-  if (const JsonNode* most = in.find(node, "most")) sum = std::min(sum, in.number(*most));
+  if (has[ScalarKey::least]) sum = std::max(sum, in.number(*has[ScalarKey::least]));
+  if (has[ScalarKey::most]) sum = std::min(sum, in.number(*has[ScalarKey::most]));
   return sum;
 }
 
 glm::dvec2 PartGeometry::pair(const Reading& in, const JsonNode& node,
                               std::string_view family) const {
-  if (const JsonNode* radius = node.kind == JsonKind::object ? in.find(node, "radius") : nullptr) {
-    glm::dvec2 times = in.pair(in.need(node, "times"));
-    each_add(in, node, family, [&](double by, const JsonNode& add) { times += by * in.pair(add); });
-    return told(in, *radius) * times;
-  }
-  const bool plain = node.kind == JsonKind::array;
-  glm::dvec2 sum = in.pair(plain ? node : in.need(node, "xy"));
-  if (plain) return sum;
-  each_add(in, node, family, [&](double by, const JsonNode& add) { sum += by * in.pair(add); });
+  if (node.kind == JsonKind::array) return in.pair(node);
+  return pair(in, node, in.tree.members(node, kPointKeys), family);
+}
+
+glm::dvec2 PartGeometry::pair(const Reading& in, const JsonNode& node, const PointMembers& has,
+                              std::string_view family) const {
+  const JsonNode* radius = has[PointKey::radius];
+  const JsonNode* own = has[radius ? PointKey::times : PointKey::xy];
+  glm::dvec2 sum = in.pair(own ? *own : in.need(node, radius ? "times" : "xy"));
+  each_add(in, has[PointKey::adds], family,
+           [&](double by, const JsonNode& add) { sum += by * in.pair(add); });
+  if (radius) sum *= told(in, *radius);
   return sum;
+}
+
+void PartGeometry::add_point(std::string_view name, PartPoint point) {
+  const auto name_of = [&](int known) { return points_[std::size_t(known)].name; };
+  if (const int known = point_of_.find(name, name_of); known >= 0) {
+    points_[std::size_t(known)].point = point;
+    return;
+  }
+  point_of_.enter(name, int(points_.size()));
+  points_.push_back({name, point});
+}
+
+const PartGeometry::NamedPoint* PartGeometry::find_point(std::string_view name) const {
+  const auto anchor =
+      std::lower_bound(anchors_.begin(), anchors_.end(), name,
+                       [](const auto& one, std::string_view wanted) { return one.first < wanted; });
+  if (anchor != anchors_.end() && anchor->first == name) name = anchor->second;
+  const int found =
+      point_of_.find(name, [&](int known) { return points_[std::size_t(known)].name; });
+  return found < 0 ? nullptr : &points_[std::size_t(found)];
 }
 
 FoundPoint PartGeometry::beside(const Reading& in, const JsonNode& at,
                                 std::optional<double> share) const {
   const std::string_view name = share ? in.tree.key(at) : in.string(at);
-  const auto other = anchors_.find(name);
-  const auto point = points_.find(other == anchors_.end() ? name : other->second);
-  if (point == points_.end()) {
+  const NamedPoint* known = find_point(name);
+  if (!known) {
     std::vector<std::string_view> names;
-    for (const auto& [known, slice] : anchors_) names.push_back(known);
-    for (const auto& [known, place] : points_) names.push_back(known);
+    for (const auto& [anchor, slice] : anchors_) names.push_back(anchor);
+    for (const NamedPoint& one : points_) names.push_back(one.name);
     std::sort(names.begin(), names.end());
     in.refuse(at, unknown_name("point", name, names));
   }
-  FoundPoint found{point->second.at, point->second.depth, {}};
-  if (point->second.is_slice) found.rides.emplace_back(point->first, share.value_or(1.0));
+  FoundPoint found{known->point.at, known->point.depth, {rides_.size(), 0}};
+  if (known->point.is_slice)
+    rides_.push_back({known->name, share.value_or(1.0)}), found.rides.count = 1;
   return found;
 }
 
 FoundPoint PartGeometry::point(const Reading& in, const JsonNode& node, const PartFrame& frame,
                                std::string_view family) const {
   FoundPoint found;
-  const JsonNode* at = node.kind == JsonKind::object ? in.find(node, "at") : nullptr;
-  if (!at) {
+  if (node.kind != JsonKind::object) {
     found.at = frame.place(pair(in, node, family));
-  } else {
-    if (at->kind == JsonKind::object) {
-      in.for_each(*at, [&](const JsonNode& one, int) {
-        const double share = in.number(one);
-        const FoundPoint other = beside(in, one, share);
-        found.at += share * other.at;
-        if (other.depth) found.depth = found.depth.value_or(0.0) + share * *other.depth;
-        found.rides.insert(found.rides.end(), other.rides.begin(), other.rides.end());
-      });
-    } else {
-      found = beside(in, *at, {});
-    }
-    // Of the other side; what is added is not: a glint is on the lamp's side in both eyes.
-    if (const JsonNode* other = in.find(node, "mirrored"); other && in.boolean(*other))
-      found.at.x = -found.at.x;
-    if (const JsonNode* plus = in.find(node, "plus"))
-      found.at += frame.vector(pair(in, *plus, family));
-    each_add(in, node, family,
-             [&](double by, const JsonNode& add) { found.at += by * frame.vector(in.pair(add)); });
+    return found;
   }
-  if (node.kind != JsonKind::object) return found;
-  expect_point_keys(in, node);
-  if (const JsonNode* depth = in.find(node, "turn")) found.depth = in.number(*depth);
-  if (const JsonNode* rides = in.find(node, "rides")) {
-    found.rides.clear();
+  const JsonNode* unknown = nullptr;
+  const PointMembers has = in.tree.members(node, kPointKeys, &unknown);
+  if (has[PointKey::at])
+    found = beside(in, *has[PointKey::at], has, frame, family);
+  else
+    found.at = frame.place(pair(in, node, has, family));
+  if (unknown)  // a misspelt key would be left out without a word
+    in.refuse(*unknown, unknown_name("key of a point", in.tree.key(*unknown),
+                                     {kPointKeys.names.begin(), kPointKeys.names.end()}));
+  if (has[PointKey::turn]) found.depth = in.number(*has[PointKey::turn]);
+  if (const JsonNode* rides = has[PointKey::rides]) {
     in.expect(*rides, JsonKind::object);
+    found.rides = {rides_.size(), 0};
     in.for_each(*rides, [&](const JsonNode& one, int) {
-      const FoundPoint other = beside(in, one, in.number(one));
-      found.rides.insert(found.rides.end(), other.rides.begin(), other.rides.end());
+      found.rides.count += beside(in, one, in.number(one)).rides.count;
     });
   }
+  return found;
+}
+
+FoundPoint PartGeometry::beside(const Reading& in, const JsonNode& at, const PointMembers& has,
+                                const PartFrame& frame, std::string_view family) const {
+  FoundPoint found;
+  if (at.kind == JsonKind::object) {
+    found.rides.first = rides_.size();
+    in.for_each(at, [&](const JsonNode& one, int) {
+      const double share = in.number(one);
+      const FoundPoint other = beside(in, one, share);
+      found.at += share * other.at;
+      if (other.depth) found.depth = found.depth.value_or(0.0) + share * *other.depth;
+      found.rides.count += other.rides.count;
+    });
+  } else {
+    found = beside(in, at, {});
+  }
+  // Of the other side; what is added is not: a glint is on the lamp's side in both eyes.
+  if (has[PointKey::mirrored] && in.boolean(*has[PointKey::mirrored])) found.at.x = -found.at.x;
+  if (has[PointKey::plus]) found.at += frame.vector(pair(in, *has[PointKey::plus], family));
+  each_add(in, has[PointKey::adds], family,
+           [&](double by, const JsonNode& add) { found.at += by * frame.vector(in.pair(add)); });
   return found;
 }
 

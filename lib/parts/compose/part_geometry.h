@@ -10,16 +10,18 @@
 //
 // "adds" counts by how far a number is from its rest, so that every file shows the face at rest.
 
+#include <mien/name_table.h>
 #include <mien/recipe.h>
 #include "lib/parts/library/part_library.h"
 
-#include <functional>
+#include <array>
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace mien {
@@ -51,11 +53,21 @@ struct PartPoint {
   bool is_slice = false;  ///< of a feature, "upper_edge/spine/2", which may be moved
 };
 
-/// A point of a file, found. Its names are the geometry's, which must outlive it.
+/// A point of a file, found.
 struct FoundPoint {
+  /// Slices it moves with: so many of the geometry's rides, from this one on.
+  struct Rides {
+    std::size_t first = 0, count = 0;
+  };
   glm::dvec2 at{0.0};
   std::optional<double> depth;
-  std::vector<std::pair<std::string_view, double>> rides;  ///< slices it moves with, how much
+  Rides rides;
+};
+
+/// A slice that a point moves with, and how much.
+struct PointRide {
+  std::string_view slice;
+  double weight;
 };
 
 class PartGeometry {
@@ -73,12 +85,14 @@ class PartGeometry {
 
   const PartFrame& frame(const Reading& in, const JsonNode& node) const;
 
-  void add_point(std::string name, PartPoint point) {
-    points_.insert_or_assign(std::move(name), std::move(point));
+  /// Of a point that this has found.
+  std::span<const PointRide> rides(const FoundPoint& found) const {
+    return std::span(rides_).subspan(found.rides.first, found.rides.count);
   }
-  void add_value(std::string name, double value) {
-    values_.insert_or_assign(std::move(name), value);
-  }
+
+  /// Names must outlive this. A point of a name that is known stands for the one before.
+  void add_point(std::string_view name, PartPoint point);
+  void add_value(std::string_view name, double value) { values_.insert_or_assign(name, value); }
 
  private:
   double told(const Reading& in, const JsonNode& name) const;
@@ -86,20 +100,33 @@ class PartGeometry {
   /// The family's own number of that name, or else a common one.
   const LibraryNumber& number(const Reading& in, const JsonNode& node, std::string_view name,
                               std::string_view family) const;
+  /// The members of a point, in the order of its keys.
+  using PointMembers = std::array<const JsonNode*, 11>;
+  glm::dvec2 pair(const Reading& in, const JsonNode& node, const PointMembers& has,
+                  std::string_view family) const;
   template <class Each>
-  void each_add(const Reading& in, const JsonNode& node, std::string_view family,
+  void each_add(const Reading& in, const JsonNode* adds, std::string_view family,
                 Each&& each) const;
+  struct NamedPoint {
+    std::string_view name;
+    PartPoint point;
+  };
+  /// Of that name or anchor's name; null: none.
+  const NamedPoint* find_point(std::string_view name) const;
   FoundPoint beside(const Reading& in, const JsonNode& at, std::optional<double> share) const;
+  /// What is beside a point of the face, or beside several.
+  FoundPoint beside(const Reading& in, const JsonNode& at, const PointMembers& has,
+                    const PartFrame& frame, std::string_view family) const;
 
   const PartLibrary& library_;
   std::vector<double> values_of_numbers_;  ///< in the library's order
   std::map<std::string_view, PartFrame> frames_;
-  struct Hash : std::hash<std::string_view> {
-    using is_transparent = void;
-  };
-  std::unordered_map<std::string, PartPoint, Hash, std::equal_to<>> points_;
-  std::map<std::string, double, std::less<>> values_;
-  std::map<std::string_view, std::string_view> anchors_;  ///< other names of points
+  std::vector<NamedPoint> points_;
+  NameTable point_of_;  ///< by name
+  std::map<std::string_view, double> values_;
+  std::vector<std::pair<std::string_view, std::string_view>>
+      anchors_;                           ///< other names of points, by name
+  mutable std::vector<PointRide> rides_;  ///< of all points found
 };
 
 }  // namespace mien

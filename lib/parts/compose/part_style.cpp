@@ -119,7 +119,7 @@ void PartStyle::write_members(const Role& role, bool painted, Members which, con
     return;
   std::string color(role.name);
   std::replace(color.begin(), color.end(), '.', '_');
-  to.key("paint"), to.kept_string(std::move(color));
+  to.key("paint"), to.kept_string(color);
 }
 
 }  // namespace mien

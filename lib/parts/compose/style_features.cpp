@@ -18,7 +18,7 @@ std::vector<std::string> selected_features(const Reading& in, const JsonNode& se
     in.for_each(*slot_list,
                 [&](const JsonNode& one, int) { slots.insert(slot_named(in, one, library)); });
   std::vector<const FlatFeatures::One*> found;
-  for (const FlatFeatures::One& one : features.features) {
+  for (const FlatFeatures::One& one : features.all()) {
     if (one.order > order) continue;
     if (one.role == "none" || (role_list && !roles.contains(one.role))) continue;
     if (slot_list && !slots.contains(one.slot)) continue;

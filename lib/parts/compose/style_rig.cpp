@@ -54,10 +54,10 @@ void write_pen(const Reading& in, const JsonNode& pen, const RigPlace& place, Tr
   to.key("range"), to.pair({1, in.number(in.need(pen, "most"))});
   to.key("rest"), to.number(1);
   to.key("scale"), to.array();
-  for (const FlatFeatures::One& one : place.features.features) {
+  for (const FlatFeatures::One& one : place.features.all()) {
     const std::string_view slice = pen_slice(in, in.need(pen, "lines"), one, place);
     if (!slice.empty())
-      for (const std::string& name : names_of(one)) to.kept_string(name + '/' + std::string(slice));
+      for (const std::string& name : names_of(one)) to.string(to.kept({name, "/", slice}));
   }
   to.close(), to.close();
 }

@@ -16,7 +16,11 @@ constexpr std::uint64_t kAgeBand = 2000, kAge = 2001, kLean = 2002, kLeanSide = 
 constexpr int kMostArchetypeTickets = 64;
 
 /// What a number's law holds beside axes: how far chance goes, and between which ends.
-constexpr std::array<std::string_view, 5> kLawful{"spread", "even", "chance", "least", "most"};
+constexpr KnownKeys<5> kLawful({"spread", "even", "chance", "least", "most"});
+
+/// What tickets and laws are sums over beside archetypes, in the order of axis().
+constexpr KnownKeys<14> kAxes({"any", "lean", "masculine", "feminine", "child", "minor", "adult",
+                               "elder", "young", "heavy", "long", "dark", "light", "coily"});
 
 int sampled_age(const KeyedChance& chance) {
   struct Band {
@@ -34,31 +38,28 @@ int sampled_age(const KeyedChance& chance) {
 double axis(const PersonAxes& person, const PartLibrary& library, const Reading& in,
             const JsonNode& node) {
   const double lean = person.lean;
-  const std::array<std::pair<std::string_view, double>, 14> all{{{"any", 1.0},
-                                                                 {"lean", lean},
-                                                                 {"masculine", std::max(lean, 0.0)},
-                                                                 {"feminine", std::max(-lean, 0.0)},
-                                                                 {"child", person.child},
-                                                                 {"minor", person.minor},
-                                                                 {"adult", 1.0 - person.child},
-                                                                 {"elder", person.elder},
-                                                                 {"young", 1.0 - person.elder},
-                                                                 {"heavy", person.heavy},
-                                                                 {"long", person.lengthy},
-                                                                 {"dark", person.dark},
-                                                                 {"light", 1.0 - person.dark},
-                                                                 {"coily", person.coily}}};
+  const std::array<double, kAxes.names.size()> all{1.0,
+                                                   lean,
+                                                   std::max(lean, 0.0),
+                                                   std::max(-lean, 0.0),
+                                                   person.child,
+                                                   person.minor,
+                                                   1.0 - person.child,
+                                                   person.elder,
+                                                   1.0 - person.elder,
+                                                   person.heavy,
+                                                   person.lengthy,
+                                                   person.dark,
+                                                   1.0 - person.dark,
+                                                   person.coily};
   const std::string_view key = in.tree.key(node);
-  for (const auto& [name, value] : all)
-    if (name == key) return value;
-  std::vector<std::string_view> names;
-  for (const auto& [name, value] : all) names.push_back(name);
-  for (std::size_t i = 0; i < library.archetypes().size(); ++i) {
-    // Laws of archetypes themselves are asked before there are any.
-    if (library.archetypes()[i].name == key && i < person.archetypes.size())
-      return person.archetypes[i];
-    names.push_back(library.archetypes()[i].name);
-  }
+  if (const std::size_t i = kAxes.find(node.key_sign, key); i < all.size()) return all[i];
+  const std::vector<Archetype>& archetypes = library.archetypes();
+  // Laws of archetypes themselves are asked before there are any.
+  for (std::size_t i = 0; i < person.archetypes.size(); ++i)
+    if (archetypes[i].name == key) return person.archetypes[i];
+  std::vector<std::string_view> names(kAxes.names.begin(), kAxes.names.end());
+  for (const Archetype& one : archetypes) names.push_back(one.name);
   in.refuse(node, unknown_name("axis or archetype", key, names));
 }
 
@@ -105,8 +106,7 @@ void mix_archetypes(const PartLibrary& library, const KeyedChance& chance, Perso
 double PersonAxes::sum(const PartLibrary& library, const Reading& in, const JsonNode& law) const {
   double all = 0.0;
   in.for_each(law, [&](const JsonNode& node, int) {
-    const std::string_view key = in.tree.key(node);
-    if (std::find(kLawful.begin(), kLawful.end(), key) == kLawful.end())
+    if (kLawful.find(node.key_sign, in.tree.key(node)) == kLawful.names.size())
       all += in.number(node) * axis(*this, library, in, node);
   });
   return all;

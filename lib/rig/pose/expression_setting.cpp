@@ -16,7 +16,7 @@ namespace {
 
 /// "emotion.left.joy" as it is typed after --emotion: "left.joy".
 std::string_view typed_name(const Control& control, const std::string& prefix) {
-  return std::string_view{control.name}.substr(prefix.size());
+  return control.name.substr(prefix.size());
 }
 
 std::string none_of(const std::vector<Control>& controls, std::string_view set) {

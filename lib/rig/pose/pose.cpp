@@ -84,7 +84,7 @@ class Playing {
 
   template <class ValueFrom>
   void lay(Index<Control> control, double weight, bool additive, ValueFrom&& value_from) {
-    const std::vector<Index<Channel>>& channels = control.in(model_.controls).channels;
+    const ControlChannels& channels = control.in(model_.controls).channels;
     const double rest = channels[0].in(model_.channels).rest;  // the halves of a control rest alike
     const double value = value_from(rest);
     if (!std::isfinite(value)) return;

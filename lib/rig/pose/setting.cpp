@@ -116,8 +116,9 @@ Range range_of(const FaceModel& model, const Target& target) {
     return {channel.lo, channel.hi};
   }
   const double largest = model.layout.largest;
-  if (target.slice->rule != Rule::clamp) return {-largest, largest};
-  return {target.slice->lo, std::fmin(target.slice->hi, largest)};
+  const SliceRange range = target.slice->range();
+  if (range.rule != Rule::clamp) return {-largest, largest};
+  return {range.lo, std::fmin(range.hi, largest)};
 }
 
 }  // namespace
@@ -190,13 +191,19 @@ std::vector<SettableName> settable_names(const Face& face) {
   std::vector<SettableName> names;
   for (const Control& control : model.controls) {
     const Channel& channel = control.channels[0].in(model.channels);
-    names.push_back(
-        {control.name, control.unit, channel.lo, channel.hi, {channel.rest}, true, control.pose});
+    names.push_back({std::string(control.name),
+                     std::string(control.unit),
+                     channel.lo,
+                     channel.hi,
+                     {channel.rest},
+                     true,
+                     control.pose});
   }
   for (const Slice& slice : model.layout.slices()) {
     const auto first = face.vector.begin() + slice.begin;
-    names.push_back({slice.name, unit_name(slice.kind, model.canvas.unit), slice.lo, slice.hi,
-                     FaceVector(first, first + slice.size), false, false});
+    const SliceRange range = slice.range();
+    names.push_back({std::string(slice.name), unit_name(slice.kind, model.canvas.unit), range.lo,
+                     range.hi, FaceVector(first, first + slice.size), false, false});
   }
   return names;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 namespace mien {
 namespace {
@@ -29,6 +30,31 @@ TEST(Layout, NamesEveryNumberOnce) {
     next += layout.slices()[i].size;
   }
   EXPECT_EQ(layout.find("brow"), -1);
+}
+
+TEST(Layout, TakesNamesInPartsAndKeepsThem) {
+  Layout copy;
+  {
+    Layout layout = sample();
+    std::string feature = "brow.left";
+    EXPECT_EQ(layout.add({feature, "/", "spine/0"}, SliceKind::point, 2), 4);
+    feature = "something else";
+    copy = layout;
+    layout.add("of the first alone", SliceKind::angle, 1);
+    copy.add("of the copy alone", SliceKind::angle, 1);
+    EXPECT_EQ(layout.find("of the copy alone"), -1);
+  }
+  EXPECT_EQ(copy[4].name, "brow.left/spine/0");
+  EXPECT_EQ(copy.find("brow.left/spine/0"), 4);
+  EXPECT_EQ(copy[5].name, "of the copy alone");
+  EXPECT_EQ(copy.find("of the first alone"), -1);
+}
+
+TEST(Layout, FindsEachOfThousands) {
+  Layout layout;
+  for (int i = 0; i < 5000; ++i) layout.add(std::to_string(i), SliceKind::ratio, 1);
+  for (int i = 0; i < 5000; ++i) EXPECT_EQ(layout.find(std::to_string(i)), i);
+  EXPECT_EQ(layout.find("5000"), -1);
 }
 
 TEST(Rules, ClampWrapOrLeave) {

@@ -39,7 +39,7 @@ TEST(DebugView, DrawsEveryMuscleAndItsValue) {  // M11
   pulls[0] = 1;
   const Scene scene = debug_muscles(face, pulls, shipped_lettering());
   for (const Muscle& muscle : face.model->muscles.muscles)
-    EXPECT_EQ(count(scene, control_of_side("muscle." + muscle.name, muscle.side)), 1);
+    EXPECT_EQ(count(scene, control_of_side("muscle." + std::string(muscle.name), muscle.side)), 1);
   EXPECT_EQ(count(scene, "value"), 13);
   EXPECT_EQ(count(scene, "inner-occipitofrontalis"), 1);
   EXPECT_EQ(count(scene, "left"), 1);

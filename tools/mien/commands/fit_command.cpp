@@ -18,7 +18,7 @@ namespace {
 
 /// Whether muscles take part in what a control does; for gaze and blink they do not.
 bool pulls_muscles(const Face& face, const Setting& setting) {
-  const std::string& name = face.model->controls[std::size_t(setting.index)].name;
+  const std::string_view name = face.model->controls[std::size_t(setting.index)].name;
   for (const Expression& expression : face.model->expressions)
     if (expression.name == name) return !expression.pulls.empty();
   return false;
@@ -82,10 +82,10 @@ int fit_command(const FitArguments& arguments) {
   std::string text;
   for (std::size_t m = 0; m < fit.pulls.size(); ++m)
     if (fit.pulls[m] > 5e-7)
-      text += fmt::format(
-          "{} {:.6f}\n",
-          control_of_side("muscle." + model.muscles.muscles[m].name, model.muscles.muscles[m].side),
-          fit.pulls[m]);
+      text += fmt::format("{} {:.6f}\n",
+                          control_of_side(fmt::format("muscle.{}", model.muscles.muscles[m].name),
+                                          model.muscles.muscles[m].side),
+                          fit.pulls[m]);
   text +=
       fmt::format("residual: rms {:.6g}, largest {:.6g} {} at {}, over {} points\n", fit.rms,
                   fit.largest, model.canvas.unit, model.layout[fit.farthest].name, targets->size());

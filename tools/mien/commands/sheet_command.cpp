@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <iterator>
 
@@ -41,6 +42,18 @@ struct CellsOrCode {
   Cells cells;
   int code = kDone;
 };
+
+/// A sheet, or what ended it.
+struct SheetOrCode {
+  std::optional<Image> sheet;
+  int code = kDone;
+};
+
+SheetOrCode finished(CaptionedSheet sheet) {
+  auto image = std::move(sheet).finish();
+  if (!image) return {{}, complain(image.error(), kFailed)};
+  return {*std::move(image)};
+}
 
 constexpr int kDefaultCell = 320;  ///< [px] a cell's longer side
 constexpr int kMostCell = 4096;
@@ -60,7 +73,7 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
                        [&](const Control& c) { return c.name == expression.name; });
       Pose pose;
       pose.settings.push_back({true, int(control - model.controls.begin()), {strength}});
-      cells.push_back({expression.name.substr(8) + (strength != 1 ? " 50%" : ""),
+      cells.push_back({fmt::format("{}{}", expression.name.substr(8), strength != 1 ? " 50%" : ""),
                        sheet_picture(scene_from_face(poser.pose(pose)),
                                      {.width = size.width, .height = size.height})});
     }
@@ -69,14 +82,29 @@ CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Siz
   return {std::move(cells)};
 }
 
-/// Each --picture.
-CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
-  Cells cells;
-  for (const std::string& text : arguments.pictures) {
+/// A --picture: its text, and what it asks for.
+struct AskedPicture {
+  std::string text;
+  SheetPicture picture;
+};
+
+Expected<std::vector<AskedPicture>> read_pictures(const std::vector<std::string>& texts) {
+  std::vector<AskedPicture> asked;
+  for (const std::string& text : texts) {
     auto picture = read_sheet_picture(text);
-    if (!picture) return {{}, complain(picture.error(), kUsedWrongly)};
-    RenderArguments& how = picture->render;
-    how.posed.face = *arguments.face;
+    if (!picture) return picture.error();
+    asked.push_back({text, *std::move(picture)});
+  }
+  return asked;
+}
+
+/// Each of some pictures of a face that is called so.
+CellsOrCode picture_cells(const std::string& name, const std::vector<AskedPicture>& asked,
+                          const Face& face, Size size) {
+  Cells cells;
+  for (const auto& [text, picture] : asked) {
+    RenderArguments how = picture.render;
+    how.posed.face = name;
     how.size = fmt::format("{}x{}", size.width, size.height);
     auto plan = plan_frame(how);
     if (!plan) return {{}, complain(plan.error(), kUsedWrongly)};
@@ -89,7 +117,7 @@ CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Siz
     if (!effects) return {{}, complain(effects.error(), kUsedWrongly)};
     auto drawn = drawn_picture(scene, plan->view, {}, *effects);
     if (!drawn) return {{}, complain({"--picture " + text, drawn.error().what}, kFailed)};
-    cells.push_back({picture->name, *std::move(drawn)});
+    cells.push_back({picture.name, *std::move(drawn)});
     const Image &first = cells[0].image, &last = cells.back().image;
     if (last.width != first.width || last.height != first.height)
       return {{},
@@ -101,6 +129,13 @@ CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Siz
   return {std::move(cells)};
 }
 
+/// Each --picture.
+CellsOrCode picture_cells(const SheetArguments& arguments, const Face& face, Size size) {
+  const auto asked = read_pictures(arguments.pictures);
+  if (!asked) return {{}, complain(asked.error(), kUsedWrongly)};
+  return picture_cells(*arguments.face, *asked, face, size);
+}
+
 /// --people.
 Expected<std::vector<FaceCode>> read_people(const SheetArguments& arguments) {
   constexpr int kMostPeople = 10000;
@@ -110,46 +145,64 @@ Expected<std::vector<FaceCode>> read_people(const SheetArguments& arguments) {
 }
 
 /// --turned: how far a person's head is turned and tilted, by chances of their own; empty: not at all.
-std::string own_turn(const FaceCode& person, double most) {
+std::vector<std::string> own_turn(const FaceCode& person, double most) {
   constexpr std::uint64_t kYaw = 2010, kPitch = 2011, kRoll = 2012;  // questions that no law asks
   if (most == 0) return {};
   const KeyedChance chance(person.seed);
   const auto angle = [&](std::uint64_t question, double share) {
     return most * share * (2 * chance.share(question) - 1);
   };
-  return fmt::format("--set yaw={:.3f} --set pitch={:.3f} --set roll={:.3f}", angle(kYaw, 1),
-                     angle(kPitch, 0.25), angle(kRoll, 0.5));
+  return {fmt::format("yaw={:.3f}", angle(kYaw, 1)),
+          fmt::format("pitch={:.3f}", angle(kPitch, 0.25)),
+          fmt::format("roll={:.3f}", angle(kRoll, 0.5))};
 }
 
 /// --people: each at each --picture; without one each at rest, with --emotions each with a feeling.
-CellsOrCode people_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people,
-                         Size size) {
+SheetOrCode people_sheet(const SheetArguments& arguments, const std::vector<FaceCode>& people,
+                         Size size, const SheetLayout& layout) {
   const auto turned = arguments.turned ? read_real("--turned", *arguments.turned, 0, 30)
                                        : Expected<double>(arguments.neutral ? 0.0 : kTurned);
   if (!turned) return {{}, complain(turned.error(), kUsedWrongly)};
   constexpr std::array<std::string_view, 6> kFeelings{"joy",  "sadness", "anger",
                                                       "fear", "disgust", "surprise"};
-  std::vector<CellsOrCode> made(people.size());
-  const auto draw = [&](std::size_t person) {
-    SheetArguments one = arguments;
-    one.face = face_code_text(people[person]);
-    const std::string_view feeling = kFeelings[person % kFeelings.size()];
-    if (one.pictures.empty())
-      one.pictures.push_back(arguments.emotions ? fmt::format("--emotion {}", feeling)
-                                                : own_turn(people[person], *turned));
-    const auto face = read_face_or_report(*one.face, arguments.style, arguments.neutral);
-    made[person] = face ? picture_cells(one, *face, size) : CellsOrCode{{}, kFailed};
+  const bool own = arguments.pictures.empty();
+  const auto asked = read_pictures(own ? std::vector<std::string>{""} : arguments.pictures);
+  if (!asked) return {{}, complain(asked.error(), kUsedWrongly)};
+  const auto cells_of = [&](std::size_t person) {
+    const std::string name = face_code_text(people[person]);
+    std::vector<AskedPicture> pictures = *asked;
+    PosedFace& posed = pictures[0].picture.render.posed;
+    if (own && arguments.emotions)
+      posed.emotions.emplace_back(kFeelings[person % kFeelings.size()]);
+    else if (own)
+      posed.settings = own_turn(people[person], *turned);
+    const auto face = read_face_or_report(name, arguments.style, arguments.neutral);
+    return face ? picture_cells(name, pictures, *face, size) : CellsOrCode{{}, kFailed};
   };
   // What is wrong with the arguments is wrong for everybody: the first person reports it, once.
-  draw(0);
-  if (made[0].code != kDone) return made[0];
-  watched_for("people", int(people.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
-  Cells cells;
-  for (CellsOrCode& one : made) {
-    if (one.code != kDone) return {{}, one.code};
-    std::ranges::move(one.cells, std::back_inserter(cells));
-  }
-  return {std::move(cells)};
+  CellsOrCode first = cells_of(0);
+  if (first.code != kDone) return {{}, first.code};
+  const std::size_t each = first.cells.size();
+  const auto named =
+      std::ranges::find_if(first.cells, [](const SheetCell& c) { return !c.caption.empty(); });
+  auto sheet = CaptionedSheet::begin(int(people.size() * each),
+                                     named == first.cells.end() ? first.cells[0] : *named, layout);
+  if (!sheet) return {{}, complain(sheet.error(), kFailed)};
+  const auto lay = [&](std::size_t person, Cells cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      sheet->put(int(person * each + i), std::move(cells[i]));
+  };
+  lay(0, std::move(first.cells));
+  std::atomic<int> failed = kDone;
+  watched_for("people", int(people.size()) - 1, {}, [&](int i) {
+    CellsOrCode made = cells_of(std::size_t(i) + 1);
+    if (made.code == kDone)
+      lay(std::size_t(i) + 1, std::move(made.cells));
+    else
+      failed = made.code;
+  });
+  if (failed != kDone) return {{}, failed};
+  return finished(*std::move(sheet));
 }
 
 /// A plain head, all at rest, no glasses or hats, hair that shows the ears; or FACE's.
@@ -265,8 +318,9 @@ std::optional<Error> wrongly_used(const SheetArguments& arguments) {
   return {};
 }
 
-/// The cells that are asked for.
-CellsOrCode sheet_cells(const SheetArguments& arguments, const std::vector<FaceCode>& people) {
+/// The sheet that is asked for.
+SheetOrCode asked_sheet(const SheetArguments& arguments, const std::vector<FaceCode>& people,
+                        const SheetLayout& layout) {
   std::optional<Face> face;
   if (arguments.face && !arguments.parts) {
     face = read_face_or_report(*arguments.face, arguments.style, arguments.neutral);
@@ -278,10 +332,14 @@ CellsOrCode sheet_cells(const SheetArguments& arguments, const std::vector<FaceC
   }
   const auto size = read_cell(arguments, face->model->canvas.box.size());
   if (!size) return {{}, complain(size.error(), kUsedWrongly)};
-  if (arguments.people) return people_cells(arguments, people, *size);
-  if (arguments.parts) return part_cells(arguments, *size);
-  return arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
-                                    : picture_cells(arguments, *face, *size);
+  if (arguments.people) return people_sheet(arguments, people, *size, layout);
+  const CellsOrCode made = arguments.parts              ? part_cells(arguments, *size)
+                           : arguments.pictures.empty() ? emotion_cells(arguments, *face, *size)
+                                                        : picture_cells(arguments, *face, *size);
+  if (made.code != kDone) return {{}, made.code};
+  auto sheet = captioned_sheet(made.cells, layout);
+  if (!sheet) return {{}, complain(sheet.error(), kFailed)};
+  return {*std::move(sheet)};
 }
 
 }  // namespace
@@ -297,11 +355,9 @@ int sheet_command(const SheetArguments& arguments) {
     people = *std::move(read);
   }
   if (arguments.output) {
-    const CellsOrCode made = sheet_cells(arguments, people);
+    const SheetOrCode made = asked_sheet(arguments, people, *layout);
     if (made.code != kDone) return made.code;
-    const auto sheet = captioned_sheet(made.cells, *layout);
-    if (!sheet) return complain(sheet.error(), kFailed);
-    const auto done = write_image_by(load_encoder, *sheet, *arguments.output, {});
+    const auto done = write_image_by(load_encoder, *made.sheet, *arguments.output, {});
     if (!done) return complain(done.error(), kFailed);
   }
   if (!arguments.statistics) return kDone;

@@ -276,7 +276,7 @@ class LiteralReader {
     key_ = keep(std::move(name)), key_offset_ = offset;
   }
 
-  std::int32_t keep(std::string text) { return tree_.keep(std::move(text)); }
+  std::int32_t keep(std::string_view text) { return tree_.keep(text); }
 
   /// What comes next in the container that is open: a member or element, or its end.
   void item() {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace mien::command {
 namespace {
@@ -36,33 +37,58 @@ Expected<SheetLayout> read_sheet_layout(const std::optional<std::string>& column
   return SheetLayout{int(*wide), int(*apart)};
 }
 
-Expected<Image> captioned_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layout) {
-  for (const SheetCell& cell : cells)
-    if (!is_utf8(cell.caption))
-      return Error{"sheet", fmt::format("the name {} is not UTF-8, or holds a NUL",
-                                        in_quotes(cell.caption))};
-  const int width = cells[0].image.width, height = cells[0].image.height;
-  const bool named =
-      std::ranges::any_of(cells, [](const SheetCell& c) { return !c.caption.empty(); });
-  const int strip = named ? std::max(12, height / 9) : 0, count = int(cells.size());
-  const int columns = std::min(layout.columns, count), gap = layout.gap;
-  const std::size_t rows = std::size_t((count + columns - 1) / columns);
-  const std::size_t wide = std::size_t(columns) * std::size_t(width + gap) - std::size_t(gap),
-                    high = rows * std::size_t(height + strip + gap) - std::size_t(gap);
+Expected<CaptionedSheet> CaptionedSheet::begin(int count, const SheetCell& first,
+                                               const SheetLayout& layout) {
+  CaptionedSheet made;
+  made.width_ = first.image.width, made.height_ = first.image.height;
+  made.strip_ = first.caption.empty() ? 0 : std::max(12, made.height_ / 9);
+  made.columns_ = std::min(layout.columns, count), made.gap_ = layout.gap;
+  const std::size_t rows = std::size_t((count + made.columns_ - 1) / made.columns_);
+  const std::size_t wide = std::size_t(made.columns_) * std::size_t(made.width_ + made.gap_) -
+                           std::size_t(made.gap_),
+                    high = rows * std::size_t(made.height_ + made.strip_ + made.gap_) -
+                           std::size_t(made.gap_);
   if (wide * high > kMostBytes / 4) return Error{"sheet", "larger than a GiB"};
-  Image sheet{.width = int(wide), .height = int(high)};
-  sheet.bytes.assign(sheet.stride() * high, std::byte{255});
-  for (int i = 0; i < count; ++i) {
-    const SheetCell& cell = cells[std::size_t(i)];
-    const int x = i % columns * (width + gap), y = i / columns * (height + strip + gap);
-    lay(sheet, cell.image, x, y);
-    if (!cell.caption.empty())
-      lay(sheet,
-          sheet_picture(caption_scene(letters(), cell.caption, double(width) / strip),
-                        {.width = width, .height = strip}),
-          x, y + height);
+  made.sheet_ = {.width = int(wide), .height = int(high)};
+  made.sheet_.bytes.assign(made.sheet_.stride() * high, std::byte{255});
+  made.captions_.resize(std::size_t(count));
+  return made;
+}
+
+glm::ivec2 CaptionedSheet::corner(int place) const {
+  return {place % columns_ * (width_ + gap_), place / columns_ * (height_ + strip_ + gap_)};
+}
+
+void CaptionedSheet::put(int place, SheetCell cell) {
+  const glm::ivec2 at = corner(place);
+  lay(sheet_, cell.image, at.x, at.y);
+  captions_[std::size_t(place)] = std::move(cell.caption);
+}
+
+Expected<Image> CaptionedSheet::finish() && {
+  for (int place = 0; place < int(captions_.size()); ++place) {
+    const std::string& caption = captions_[std::size_t(place)];
+    if (!is_utf8(caption))
+      return Error{"sheet",
+                   fmt::format("the name {} is not UTF-8, or holds a NUL", in_quotes(caption))};
+    if (caption.empty() || strip_ == 0) continue;
+    const glm::ivec2 at = corner(place);
+    lay(sheet_,
+        sheet_picture(caption_scene(letters(), caption, double(width_) / strip_),
+                      {.width = width_, .height = strip_}),
+        at.x, at.y + height_);
   }
-  return sheet;
+  return std::move(sheet_);
+}
+
+Expected<Image> captioned_sheet(const std::vector<SheetCell>& cells, const SheetLayout& layout) {
+  const auto named =
+      std::ranges::find_if(cells, [](const SheetCell& c) { return !c.caption.empty(); });
+  auto sheet =
+      CaptionedSheet::begin(int(cells.size()), named == cells.end() ? cells[0] : *named, layout);
+  if (!sheet) return sheet.error();
+  for (std::size_t i = 0; i < cells.size(); ++i) sheet->put(int(i), cells[i]);
+  return (*std::move(sheet)).finish();
 }
 
 }  // namespace mien::command

@@ -83,7 +83,7 @@ class PoseList {
             looks.push_back({{{std::string(idle), end}}, 2, false});
     for (const Expression& expression : model_.expressions)
       if (expression.name.starts_with("arkit.") || expression.name.starts_with("viseme."))
-        looks.push_back({{{expression.name, 1.0}}, 2, false});
+        looks.push_back({{{std::string(expression.name), 1.0}}, 2, false});
     add_speech(looks);
     return looks;
   }

@@ -4,19 +4,19 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 namespace mien {
 namespace {
 
-/// A slice's name: "head/points". Composed faces have hundreds, so their memory is taken once.
-std::string below(std::string_view name, std::string_view part) {
-  std::string made;
-  made.reserve(name.size() + 1 + part.size());
-  return made.append(name).append(1, '/').append(part);
-}
-
-std::string below(std::string_view list, int item) {
-  return below(list, std::to_string(item));
+/// A kind and its own keys, and after them those of all features.
+FigureKind with_all_keys(FigureKind kind) {
+  kind.keys.insert(kind.keys.end(),
+                   {"paint", "feather", "opacity", "relief", "shadow", "glow", "contour"});
+  kind.sided = kind.keys.size();
+  kind.keys.insert(kind.keys.end(),
+                   {"kind", "name", "side", "mirror", "left", "right", "clip", "group"});
+  return kind;
 }
 
 }  // namespace
@@ -41,9 +41,8 @@ int FigureReader::slice(std::string_view key, SliceKind kind, int size) {
 
 int FigureReader::add(const JsonNode& node, std::string_view part, SliceKind kind, int size,
                       bool mirrored) {
-  const std::vector<double> values =
-      read_slice_values(in_, node, kind, size, size, face_.model.canvas, mirrored);
-  return face_.add_slice(in_, node, below(name_, part), kind, values, written(mirrored));
+  const std::span values = face_.slice_values(in_, node, kind, size, size, mirrored);
+  return face_.add_slice(in_, node, {name_, "/", part}, kind, values, written(mirrored));
 }
 
 int FigureReader::point(const JsonNode& node, std::string_view part, bool mirrored) {
@@ -57,8 +56,9 @@ std::vector<int> FigureReader::point_list(const Field& points, std::string_view 
     in_.refuse(*points.node, fmt::format("expected at least {} point{}, got {}", least,
                                          least == 1 ? "" : "s", points.node->count));
   std::vector<int> list;
+  list.reserve(std::size_t(points.node->count));
   in_.for_each(*points.node, [&](const JsonNode& child, int i) {
-    list.push_back(point(child, below(part, i), points.mirrored));
+    list.push_back(point(child, PartName(part, i), points.mirrored));
   });
   return list;
 }
@@ -111,7 +111,7 @@ StrokeFigure FigureReader::stroke() {
     in_.refuse(*spine.node, fmt::format("expected 3 points, got {}", spine.node->count));
   StrokeFigure figure{};
   in_.for_each(*spine.node, [&](const JsonNode& child, int i) {
-    figure.spine[i] = point(child, below("spine", i), spine.mirrored);
+    figure.spine[i] = point(child, PartName("spine", i), spine.mirrored);
   });
   figure.half_width = pen_width();
   return figure;
@@ -138,7 +138,7 @@ PathFigure FigureReader::path() {
   if (loops.node) {
     in_.expect(*loops.node, JsonKind::array);
     in_.for_each(*loops.node, [&](const JsonNode& child, int i) {
-      figure.loops.push_back(loop(child, below("loops", i), loops.mirrored));
+      figure.loops.push_back(loop(child, PartName("loops", i), loops.mirrored));
     });
   }
   constexpr std::array<std::string_view, 2> kFills{"nonzero", "even_odd"};
@@ -162,7 +162,7 @@ PathFigure::Node FigureReader::path_node(const JsonNode& node, std::string_view 
   std::array<double, 2> values{in_.number(*first), in_.number(*in_.tree.next(*first))};
   if (mirrored) mirror_values(SliceKind::point, values, face_.model.canvas.twice_axis());
   return {
-      face_.add_slice(in_, node, below(name_, part), SliceKind::point, values, written(mirrored)),
+      face_.add_slice(in_, node, {name_, "/", part}, SliceKind::point, values, written(mirrored)),
       true};
 }
 
@@ -171,8 +171,9 @@ PathFigure::Loop FigureReader::loop(const JsonNode& node, std::string_view part,
   if (node.count < 3)
     in_.refuse(node, fmt::format("expected at least 3 points, got {}", node.count));
   PathFigure::Loop loop;
+  loop.nodes.reserve(std::size_t(node.count));
   in_.for_each(node, [&](const JsonNode& child, int i) {
-    loop.nodes.push_back(path_node(child, below(part, i), mirrored));
+    loop.nodes.push_back(path_node(child, PartName(part, i), mirrored));
   });
   return loop;
 }
@@ -198,38 +199,64 @@ AreaFigure FigureReader::area() {
 
 const std::vector<FigureKind>& figure_kinds() {
   using Reader = FigureReader;
-  static const std::vector<FigureKind> all{
-      {"band", {"frame", "lower", "upper"}, [](Reader& r) -> Figure { return r.band(); }},
-      {"ellipse", {"center", "radii", "tilt"}, [](Reader& r) -> Figure { return r.ellipse(); }},
-      {"disc", {"center", "radius"}, [](Reader& r) -> Figure { return r.disc(); }},
-      {"cut_disc",
-       {"center", "radius", "chords"},
-       [](Reader& r) -> Figure { return r.cut_disc(); }},
-      {"stroke", {"spine", "half_width"}, [](Reader& r) -> Figure { return r.stroke(); }},
-      {"polyline",
-       {"points", "half_width", "smooth"},
-       [](Reader& r) -> Figure { return r.polyline(); }},
-      {"path", {"points", "loops", "fill"}, [](Reader& r) -> Figure { return r.path(); }},
-      {"opening",
-       {"inner", "upper", "outer", "lower"},
-       [](Reader& r) -> Figure { return r.opening(); }},
-      {"rounded",
-       {"center", "radii", "corner", "tilt"},
-       [](Reader& r) -> Figure { return r.rounded(); }},
-      {"area", {"all", "any", "minus"}, [](Reader& r) -> Figure { return r.area(); }},
-      {"scatter",
-       {"patch", "count", "stagger", "round", "of", "radius", "radii", "length", "half_width",
-        "tilt", "seed", "jitter", "vary", "sway"},
-       [](Reader& r) -> Figure { return r.scatter(); }},
-      {"repeat",
-       {"points", "smooth", "count", "of", "radius", "radii", "length", "half_width", "tilt",
-        "seed", "jitter", "vary", "sway"},
-       [](Reader& r) -> Figure { return r.repeat(); }},
-      {"stripes",
-       {"patch", "count", "half_width", "seed", "jitter", "vary"},
-       [](Reader& r) -> Figure { return r.stripes(); }},
-      {"text", {"text", "center", "height", "tilt"}, [](Reader& r) -> Figure { return r.text(); }},
-  };
+  static const std::vector<FigureKind> all = [] {
+    std::vector<FigureKind> kinds{
+        {"band", {"frame", "lower", "upper"}, 0, [](Reader& r) -> Figure { return r.band(); }},
+        {"ellipse",
+         {"center", "radii", "tilt"},
+         0,
+         [](Reader& r) -> Figure { return r.ellipse(); }},
+        {"disc", {"center", "radius"}, 0, [](Reader& r) -> Figure { return r.disc(); }},
+        {"cut_disc",
+         {"center", "radius", "chords"},
+         0,
+         [](Reader& r) -> Figure { return r.cut_disc(); }},
+        {"stroke", {"spine", "half_width"}, 0, [](Reader& r) -> Figure { return r.stroke(); }},
+        {"polyline",
+         {"points", "half_width", "smooth"},
+         0,
+         [](Reader& r) -> Figure { return r.polyline(); }},
+        {"path", {"points", "loops", "fill"}, 0, [](Reader& r) -> Figure { return r.path(); }},
+        {"opening",
+         {"inner", "upper", "outer", "lower"},
+         0,
+         [](Reader& r) -> Figure { return r.opening(); }},
+        {"rounded",
+         {"center", "radii", "corner", "tilt"},
+         0,
+         [](Reader& r) -> Figure { return r.rounded(); }},
+        {"area", {"all", "any", "minus"}, 0, [](Reader& r) -> Figure { return r.area(); }},
+        {"scatter",
+         {"patch", "count", "stagger", "round", "of", "radius", "radii", "length", "half_width",
+          "tilt", "seed", "jitter", "vary", "sway"},
+         0,
+         [](Reader& r) -> Figure { return r.scatter(); }},
+        {"repeat",
+         {"points", "smooth", "count", "of", "radius", "radii", "length", "half_width", "tilt",
+          "seed", "jitter", "vary", "sway"},
+         0,
+         [](Reader& r) -> Figure { return r.repeat(); }},
+        {"stripes",
+         {"patch", "count", "half_width", "seed", "jitter", "vary"},
+         0,
+         [](Reader& r) -> Figure { return r.stripes(); }},
+        {"text",
+         {"text", "center", "height", "tilt"},
+         0,
+         [](Reader& r) -> Figure { return r.text(); }},
+    };
+    for (FigureKind& kind : kinds) kind = with_all_keys(std::move(kind));
+    return kinds;
+  }();
+  return all;
+}
+
+const std::vector<std::string_view>& figure_names() {
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> names;
+    for (const FigureKind& kind : figure_kinds()) names.push_back(kind.name);
+    return names;
+  }();
   return all;
 }
 

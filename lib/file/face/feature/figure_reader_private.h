@@ -2,8 +2,8 @@
 // The figures of features, read one side at a time.
 
 #include "lib/file/face/face_draft_private.h"
+#include "lib/file/face/feature/part_name.h"
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,13 +14,13 @@ class FigureReader {
  public:
   /// `instead`: what differs on this side; may be null. `features`: the whole list, for errors.
   FigureReader(Reading& in, FaceDraft& face, const JsonNode& features, const JsonNode& node,
-               const JsonNode* instead, std::string name, Side side, bool mirrored)
+               const JsonNode* instead, std::string_view name, Side side, bool mirrored)
       : in_(in),
         face_(face),
         features_(features),
         node_(node),
         instead_(instead),
-        name_(std::move(name)),
+        name_(name),
         side_(side),
         mirrored_(mirrored) {}
 
@@ -75,7 +75,7 @@ class FigureReader {
   const JsonNode& features_;
   const JsonNode& node_;
   const JsonNode* instead_;
-  std::string name_;
+  std::string_view name_;
   Side side_;
   bool mirrored_;
 };
@@ -83,10 +83,14 @@ class FigureReader {
 /// A kind of feature: its name, its own keys and how it is read.
 struct FigureKind {
   std::string_view name;
-  std::vector<std::string_view> keys;
+  std::vector<std::string_view>
+      keys;           ///< and those of all features; those that may differ on a side first
+  std::size_t sided;  ///< how many may
   Figure (*read)(FigureReader&);
 };
 const std::vector<FigureKind>& figure_kinds();
+/// Their names.
+const std::vector<std::string_view>& figure_names();
 
 /// The earlier feature that a name means on a side. `features` is the whole list, so that the error can say
 /// that the name comes later than what it `what`.

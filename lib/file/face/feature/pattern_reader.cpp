@@ -42,6 +42,7 @@ PatternPatch FigureReader::patch() {
   };
   expect_two_or_three(*rows.node, "rows of points");
   PatternPatch made;
+  made.points.reserve(9);
   made.columns = 0;
   in_.for_each(*rows.node, [&](const JsonNode& row, int r) {
     expect_two_or_three(row, "points in a row");
@@ -50,7 +51,7 @@ PatternPatch FigureReader::patch() {
                                   made.columns, row.count));
     made.columns = int(row.count);
     in_.for_each(row, [&](const JsonNode& p, int c) {
-      made.points.push_back(point(p, fmt::format("patch/{}/{}", r, c), rows.mirrored));
+      made.points.push_back(point(p, PartName(PartName("patch", r), c), rows.mirrored));
     });
   });
   return made;

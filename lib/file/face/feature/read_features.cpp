@@ -14,9 +14,7 @@ namespace mien {
 namespace {
 
 const FigureKind& read_kind(const Reading& in, const JsonNode& node) {
-  std::vector<std::string_view> names;
-  for (const FigureKind& kind : figure_kinds()) names.push_back(kind.name);
-  return figure_kinds()[in.word(node, "kind of feature", names)];
+  return figure_kinds()[in.word(node, "kind of feature", figure_names())];
 }
 
 /// Refuses a name that no earlier feature has. The error tells whether the name comes later in the list or
@@ -50,7 +48,7 @@ class FeatureReader {
     const FigureKind& kind = read_kind(in_, in_.need(node_, "kind"));
     check_keys(kind);
     const JsonNode& name_node = in_.need(node_, "name");
-    const std::string name = in_.name(name_node);
+    const std::string_view name = in_.checked_name(name_node, in_.string(name_node));
     if (name == "palette" || name == "groups" || name.ends_with(".left") ||
         name.ends_with(".right"))
       in_.refuse(name_node, fmt::format("the name {} is taken: no feature may be called palette or "
@@ -74,22 +72,19 @@ class FeatureReader {
  private:
   /// Warns of unknown keys, in the overrides too.
   void check_keys(const FigureKind& kind) {
-    std::vector<std::string_view> known = kind.keys;
-    known.insert(known.end(),
-                 {"paint", "feather", "opacity", "relief", "shadow", "glow", "contour"});
+    const std::span<const std::string_view> known = kind.keys;
     for (const std::string_view side : kSides)
       if (const JsonNode* instead = in_.find(node_, side))
-        in_.expect_object(*instead, known, kind.name);
-    known.insert(known.end(), {"kind", "name", "side", "mirror", "left", "right", "clip", "group"});
+        in_.expect_object(*instead, known.first(kind.sided), kind.name);
     in_.expect_object(node_, known, kind.name);
   }
 
-  void add(const FigureKind& kind, const JsonNode& name_node, const std::string& name, Side side,
+  void add(const FigureKind& kind, const JsonNode& name_node, std::string_view name, Side side,
            bool mirrored) {
     Feature feature;
-    feature.name = feature_of_side(name, side);
+    feature.name = face_.model.names.keep({name, side == Side::none ? "" : ".", side_name(side)});
     feature.side = side;
-    if (face_.feature_by_name.contains(feature.name))
+    if (face_.feature_named(feature.name) >= 0)
       in_.refuse(name_node, fmt::format("there is a feature {} already", in_quotes(feature.name)));
     if (face_.model.features.size() >= in_.limits.features)
       in_.refuse(node_,
@@ -101,7 +96,7 @@ class FeatureReader {
     if (const auto paint = reader.field("paint"); paint.node)
       read_feature_paint(in_, *paint.node, {feature.name, side, paint.mirrored}, face_, feature);
     if (const auto opacity = reader.field("opacity"); opacity.node)
-      feature.opacity = read_opacity(in_, *opacity.node, feature.name + "/opacity", face_);
+      feature.opacity = read_opacity(in_, *opacity.node, feature.name, face_);
     if (const auto relief = reader.field("relief"); relief.node)
       feature.relief = read_relief(in_, *relief.node, {feature.name, side, relief.mirrored}, face_);
     if (const auto feather = reader.field("feather"); feather.node) {
@@ -116,9 +111,7 @@ class FeatureReader {
       feature.group = group_named(in_, *group, face_);
     if (const JsonNode* clip = in_.find(node_, "clip")) feature.clips = read_clips(*clip, side);
     face_.areas.push_back(area_of(feature));
-    face_.feature_by_name.emplace(feature.name, int(face_.model.features.size()));
-    face_.mirrored.push_back(mirrored);
-    face_.model.features.push_back(std::move(feature));
+    face_.add_feature(std::move(feature), mirrored);
   }
 
   /// Of all patterns, left and right counted.

@@ -48,7 +48,7 @@ TextFigure FigureReader::text() {
                     .text = {},
                     .outline = {}};
   if (figure.tilt < 0)
-    figure.tilt = face_.add_slice(in_, node_, name_ + "/tilt", SliceKind::angle, std::array{0.0},
+    figure.tilt = face_.add_slice(in_, node_, {name_, "/tilt"}, SliceKind::angle, std::array{0.0},
                                   Written::nowhere);
   const JsonNode& text = *need("text").node;
   figure.text = in_.string(text);

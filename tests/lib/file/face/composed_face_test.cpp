@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lib/rig/pose/expression_setting.h"
+#include "tests/support/allocations.h"
 
 namespace mien {
 namespace {
@@ -49,6 +50,23 @@ TEST(ComposedFace, PartsRide) {
       most = std::max(most, fall(slice.name));
   EXPECT_NEAR(most, chin, 1e-3);
   EXPECT_GT(fall("moustache.left/spine/2"), 0.02);
+}
+
+/// Figures of docs/parts.md. Two of each person: what the library makes once is not the first one's.
+TEST(ComposedFace, IsCheap) {
+  if (!test::kCountsAllocations) GTEST_SKIP();
+  constexpr long kMostAllocations = 3000, kMostBytes = 400'000;
+  for (const FaceCode& person : crowd("cheap", 100)) {
+    const std::string code = face_code_text(person);
+    for (const bool again : {false, true}) {
+      const long allocations = test::allocations(), bytes = test::held_bytes();
+      const auto face = face_from_code(code);
+      if (!again) continue;
+      EXPECT_LE(test::allocations() - allocations, kMostAllocations) << code;
+      EXPECT_LE(test::held_bytes() - bytes, kMostBytes) << code;
+      ASSERT_TRUE(face);
+    }
+  }
 }
 
 double first_of(const Face& face, const FaceVector& vector, std::string_view slice, int plus = 0) {

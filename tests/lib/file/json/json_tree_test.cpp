@@ -1,4 +1,6 @@
 // Text made to hurt: huge, deep, cut short and damaged, through the reader that all of it goes into.
+#include "lib/file/json/json_tree.h"
+
 #include <mien/face_file.h>
 #include <mien/face_model.h>
 #include <mien/pose.h>
@@ -130,6 +132,21 @@ TEST(JsonTree, SurvivesEveryTruncation) {
       damage.read(text.substr(0, length));
     damage.report(name, "truncations");
   }
+}
+
+TEST(JsonTree, FindsMembersInOneGo) {
+  constexpr KnownKeys<3> kKeys({"x", "y", "xy"});
+  const std::string text = R"({"xy": 1, "w": 2, "x": 3, "v": 4})";
+  const auto tree = JsonTree::read(text, "t", {});
+  const JsonNode* other = nullptr;
+  const auto has = tree->members(tree->root(), kKeys, &other);
+  ASSERT_TRUE(has[0] && has[2]);
+  EXPECT_EQ(has[0]->number, 3);
+  EXPECT_EQ(has[1], nullptr);
+  EXPECT_EQ(has[2]->number, 1);
+  ASSERT_TRUE(other);
+  EXPECT_EQ(tree->key(*other), "w") << "the first";
+  EXPECT_EQ(tree->members(*has[0], kKeys)[0], nullptr) << "a number has none";
 }
 
 TEST(JsonTree, SurvivesSingleByteChanges) {

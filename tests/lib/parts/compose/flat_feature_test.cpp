@@ -14,7 +14,12 @@ using test::SmallLibrary;
 struct Flattened : FlatFeatures {
   std::vector<std::string> texts;
 
-  std::map<std::string, double> depths() const { return {flat.begin(), flat.end()}; }
+  static std::map<std::string, double> named(const std::vector<Depth>& depths) {
+    std::map<std::string, double> all;
+    for (const Depth& one : depths) all[std::string(one.name)] = one.depth;
+    return all;
+  }
+  std::map<std::string, double> depths() const { return named(flat); }
 };
 
 class FlatFeatureTest : public testing::Test {
@@ -30,7 +35,7 @@ class FlatFeatureTest : public testing::Test {
     PartGeometry geometry(*library_, recipe);
     const PartStyle paints(*library_, style);
     Flattened made;
-    JsonTree tree("flat");
+    JsonTree& tree = tree_.emplace("flat");
     TreeWriter out(tree);
     out.array();
     const LibraryNode& topology = library_->topology();
@@ -39,13 +44,14 @@ class FlatFeatureTest : public testing::Test {
       flatten_feature(in, node, "nose", *library_, paints, geometry, made, out);
     });
     out.close();
-    for (const FlatFeatures::One& one : made.features)
+    for (const FlatFeatures::One& one : made.all())
       add_json(tree, tree.nodes[std::size_t(one.node)], made.texts.emplace_back());
     return made;
   }
 
   std::string style_;  ///< what "soft" says
   std::unique_ptr<PartLibrary> library_;
+  std::optional<JsonTree> tree_;  // names are its
 };
 
 TEST_F(FlatFeatureTest, PointsAreTheFacesAndHalvesAreWhole) {
@@ -53,8 +59,8 @@ TEST_F(FlatFeatureTest, PointsAreTheFacesAndHalvesAreWhole) {
       R"({"name": "a", "slot": "front", "role": "hair.line", "in": "eye", "kind": "path", "half": true,
           "points": [[0, 5], [1.5, 3, "bend"], [1, 2]]})",
       "soft", {{"size", 2}});
-  ASSERT_EQ(made.features.size(), 1u);
-  EXPECT_EQ(made.features[0].slot, 1u);
+  ASSERT_EQ(made.all().size(), 1u);
+  EXPECT_EQ(made.all()[0].slot, 1u);
   EXPECT_EQ(
       made.texts[0],
       R"({"name": "a", "kind": "path", "points": [[0, 6.5], [2, 3.5, "bend"], [1, 2], [-1, 2], [-2, 3.5, "bend"]], )"
@@ -67,12 +73,12 @@ TEST_F(FlatFeatureTest, PatternsLieInTheirFrames) {
       R"({"name": "a", "slot": "front", "role": "hair.line", "in": "eye", "kind": "scatter", "turn": {"plate": 0.3},
           "patch": [[[1, 2], {"xy": [1.5, 2], "turn": 0.2}], [[1, 4], [1.5, 4]]], "count": 9, "of": "stroke", "length": 0.1, "half_width": 0.01})",
       "soft", {{"size", 2}});
-  ASSERT_EQ(made.features.size(), 1u);
+  ASSERT_EQ(made.all().size(), 1u);
   EXPECT_EQ(
       made.texts[0],
       R"({"name": "a", "kind": "scatter", "patch": [[[1, 2], [2, 2]], [[1, 5], [2, 5]]], "count": 9, "of": "stroke", )"
       R"("length": 0.175, "half_width": 0.0175, "paint": "hair_line"})");
-  EXPECT_EQ(made.plates, (std::vector<std::pair<std::string, double>>{{"a", 0.3}}));
+  EXPECT_EQ(made.named(made.plates), (std::map<std::string, double>{{"a", 0.3}}));
   EXPECT_EQ(made.depths().at("a/patch/0/1"), 0.2);
   EXPECT_TRUE(made.raised.empty());
 }
@@ -98,9 +104,11 @@ TEST_F(FlatFeatureTest, DepthsAndRidesAreKept) {
   EXPECT_EQ(made.depths().at("head"), 0);
   EXPECT_EQ(made.depths().at("head/points/0"), 0.2);
   EXPECT_EQ(made.depths().at("beard/points/1"), 0.2);  // as deep as what it is beside
-  EXPECT_EQ(made.raised, (std::vector<std::pair<std::string, double>>{{"beard", 0.1}}));
-  EXPECT_EQ(made.still, std::vector<std::string>{"neck"});
-  const std::vector<Ride>& rides = made.rides.at("head/points/0");
+  EXPECT_EQ(made.named(made.raised), (std::map<std::string, double>{{"beard", 0.1}}));
+  EXPECT_EQ(made.still(), std::vector<std::string_view>{"neck"});
+  std::vector<Ride> rides;
+  EXPECT_TRUE(made.for_each_ride("head/points/0", [&](const Ride& one) { rides.push_back(one); }));
+  EXPECT_FALSE(made.for_each_ride("head/points/1", [](const Ride&) {}));
   ASSERT_EQ(rides.size(), 4u);
   EXPECT_EQ(rides[0].slice, "beard/points/1");
   EXPECT_EQ(rides[0].side, 1);

@@ -90,8 +90,10 @@ std::string rig_text(const std::string& node, const FlatFeatures& features) {
 
 TEST(FlatRig, AControlMovesWhatStandsStillInItsSlots) {
   FlatFeatures features;
-  features.features = {{0, 0, "halo"}, {1, 0, "shirt"}, {1, 0, "hair"}, {1, 0, "collar"}};
-  features.still = {"halo", "shirt", "collar"};
+  features.add({1, 0, "shirt"}), features.add({0, 0, "halo"});
+  features.add({1, 0, "hair"}), features.add({1, 0, "collar"});
+  for (const char* still : {"halo", "shirt", "collar"}) features.stand_still(still);
+  features.sort();
   EXPECT_EQ(rig_text(R"({"offset": {"$still": [0, 1], "slots": ["front"]}})", features),
             R"({"offset": {"shirt/*": [0, 1], "collar/*": [0, 1]}})");
   EXPECT_EQ(rig_text(R"({"offset": {"$still": [0, 1], "slots": ["fornt"]}})", features),

@@ -79,13 +79,30 @@ TEST_F(PartGeometryTest, BesidePointsOfTheFaceAndWithThem) {
   EXPECT_NEAR(found.at.x, 0.7, 1e-15);
   EXPECT_EQ(found.at.y, -1);
   EXPECT_EQ(found.depth, 0.2);
-  ASSERT_EQ(found.rides.size(), 1u);
-  EXPECT_EQ(found.rides[0].first, "head/points/0");
+  ASSERT_EQ(geometry_->rides(found).size(), 1u);
+  EXPECT_EQ(geometry_->rides(found)[0].slice, "head/points/0");
   const FoundPoint half =
       point(R"({"at": {"chin": 0.5}, "plus": [0, 1], "rides": {"chin": 0.9}, "turn": 0.7})");
   EXPECT_EQ(half.at, glm::dvec2(0.25, 0.5));
   EXPECT_EQ(half.depth, 0.7);
-  EXPECT_EQ(half.rides[0].second, 0.9);
+  ASSERT_EQ(geometry_->rides(half).size(), 1u) << "instead of what it is beside";
+  EXPECT_EQ(geometry_->rides(half)[0].weight, 0.9);
+}
+
+TEST_F(PartGeometryTest, BesideSeveralPointsAndWithEachOfThem) {
+  point("[0, 0]");
+  geometry_->add_point("tip", {{0.1, 0.2}, {}, true});
+  geometry_->add_point("loose", {{1, 1}, {}, false});
+  geometry_->add_point("tip", {{0.3, 0.2}, {}, true});  // stands for the one before
+  const std::string text = R"({"at": {"tip": 0.5, "loose": 0.25, "chin": 0.25}})";
+  const auto tree = JsonTree::read(text, "test", limits_);
+  const FoundPoint found =
+      geometry_->point(Reading(*tree, limits_, nullptr), tree->root(), PartFrame{}, "nose");
+  EXPECT_EQ(found.at,
+            0.5 * glm::dvec2(0.3, 0.2) + 0.25 * glm::dvec2(1, 1) + 0.25 * glm::dvec2(0.5, -1));
+  ASSERT_EQ(geometry_->rides(found).size(), 2u) << "what is no slice takes nothing along";
+  EXPECT_EQ(geometry_->rides(found)[0].slice, "tip");
+  EXPECT_EQ(geometry_->rides(found)[1].weight, 0.25);
 }
 
 TEST_F(PartGeometryTest, UnknownNamesHaveANearestOne) {
@@ -99,6 +116,8 @@ TEST_F(PartGeometryTest, UnknownNamesHaveANearestOne) {
   };
   EXPECT_NE(what(R"({"at": "chn"})").find("did you mean \"chin\""), std::string::npos);
   EXPECT_NE(what(R"({"xy": [0, 0], "adds": {"sise": [1, 0]}})").find("did you mean \"size\""),
+            std::string::npos);
+  EXPECT_NE(what(R"({"xy": [0, 0], "ads": {"size": [1, 0]}})").find("did you mean \"adds\""),
             std::string::npos);
   EXPECT_NE(what(R"({"radius": "widht", "times": [1, 1]})").find("did you mean \"width\""),
             std::string::npos);

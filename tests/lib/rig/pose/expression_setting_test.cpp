@@ -15,7 +15,7 @@ std::string said(std::string_view set, std::string_view text, OutOfRange out = O
   const Face face = test::face_named("male");
   const auto setting = read_expression(face, set, text, out);
   if (!setting) return sentence(setting.error());
-  return face.model->controls[std::size_t(setting->index)].name + " " +
+  return std::string(face.model->controls[std::size_t(setting->index)].name) + " " +
          std::to_string(setting->values[0]).substr(0, 4);
 }
 
@@ -51,7 +51,7 @@ std::vector<std::string> moved_points(const Face& before, const Face& after) {
     const auto i = std::size_t(slice.begin);
     if (before.vector[i] != axis &&
         (before.vector[i] != after.vector[i] || before.vector[i + 1] != after.vector[i + 1]))
-      names.push_back(slice.name);
+      names.emplace_back(slice.name);
   }
   return names;
 }

@@ -48,8 +48,8 @@ TEST(Turn, LeftAndRightAreMirrorImages_G4) {
       if (at == std::string::npos || slice.name.find("/dome/") != std::string::npos) continue;
       std::vector<double> left = slice_of(one, slice.name);
       mirror_values(slice.kind, left, toon.model->canvas.twice_axis());
-      EXPECT_EQ(left,
-                slice_of(two, slice.name.substr(0, at) + ".right/" + slice.name.substr(at + 6)))
+      EXPECT_EQ(left, slice_of(two, fmt::format("{}.right/{}", slice.name.substr(0, at),
+                                                slice.name.substr(at + 6))))
           << slice.name;
       ++compared;
     }

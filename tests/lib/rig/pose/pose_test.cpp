@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -161,8 +163,8 @@ TEST(PoseFace, ToonIsItsOwnMirrorImageAtSymmetricPoses_E2) {
       if (at == std::string::npos) continue;
       std::vector<double> left = slice_of(now, slice.name);
       mirror_values(slice.kind, left, now.model->canvas.twice_axis());
-      EXPECT_EQ(left,
-                slice_of(now, slice.name.substr(0, at) + ".right/" + slice.name.substr(at + 6)))
+      EXPECT_EQ(left, slice_of(now, fmt::format("{}.right/{}", slice.name.substr(0, at),
+                                                slice.name.substr(at + 6))))
           << slice.name;
     }
 }
@@ -238,8 +240,8 @@ TEST(PoseFace, IsTotal) {
   for (const Slice& slice : seed.model->layout.slices())
     for (const double number : slice_of(now, slice.name)) {
       EXPECT_LE(std::abs(number), 1e9);
-      EXPECT_GE(number, slice.lo);
-      EXPECT_LE(number, slice.hi);
+      EXPECT_GE(number, slice.range().lo);
+      EXPECT_LE(number, slice.range().hi);
     }
 }
 

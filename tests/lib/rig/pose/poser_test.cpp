@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include "tests/support/allocations.h"
 #include "tests/support/posing.h"
 
@@ -16,7 +18,7 @@ std::vector<Pose> some_poses(const Face& face) {
   for (const Control& control : face.model->controls) {
     const Channel& channel = control.channels[0].in(face.model->channels);
     const Expected<Setting> setting =
-        read_setting(face, control.name + "=" + std::to_string(channel.hi));
+        read_setting(face, fmt::format("{}={}", control.name, channel.hi));
     poses.push_back({.time = 0.3, .settings = {*setting}});
     if (!face.model->clips.empty())
       poses.back().motions = {{.clip = {0}, .weight = 0.5, .begin = 0.2},

@@ -67,7 +67,7 @@ std::vector<double> other_numbers(const Slice& slice, std::vector<double> values
   return values;
 }
 
-std::string setting(const std::string& name, const std::vector<double>& values) {
+std::string setting(std::string_view name, const std::vector<double>& values) {
   return fmt::format("{}={}", name, fmt::join(values, ","));
 }
 

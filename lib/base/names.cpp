@@ -1,0 +1,24 @@
+#include <mien/names.h>
+
+#include <algorithm>
+
+namespace mien {
+
+std::string_view Names::keep(std::initializer_list<std::string_view> parts) {
+  constexpr std::size_t kBlock = 4096, kMostBlock = 65536;  // [bytes]
+  std::size_t size = 0;
+  for (const std::string_view part : parts) size += part.size();
+  if (size > left_ || !next_) {
+    const std::size_t usual =
+        std::min(kBlock << std::min<std::size_t>(blocks_.size(), 4), kMostBlock);
+    left_ = std::max(size, usual);
+    blocks_.emplace_back(new char[left_]);
+    next_ = blocks_.back().get();
+  }
+  const std::string_view kept{next_, size};
+  for (const std::string_view part : parts) next_ = std::copy(part.begin(), part.end(), next_);
+  left_ -= size;
+  return kept;
+}
+
+}  // namespace mien
