@@ -85,9 +85,8 @@ bool is_drawn(const Face& face, int feature) {
          std::any_of(features.begin() + feature, features.end(), [&](const Feature& later) {
            const auto* area = std::get_if<AreaFigure>(&later.figure);
            return area && is_seen(face, later) &&
-                  std::any_of(area->any.begin(), area->any.end(), [&](Index<Feature> of) {
-                    return of.at == feature;
-                  });
+                  std::any_of(area->any.begin(), area->any.end(),
+                              [&](Index<Feature> of) { return of.at == feature; });
          });
 }
 
