@@ -138,7 +138,7 @@ TEST(StandardMoves, OfTheSampleFacesAreTheTables) {
 bool has_shut_lips(const Face& face) {
   const Mouth& mouth = *face.model->mouth;
   const auto numbers_of = [&](const MouthPoint& bend) {
-    return numbers(face, face.model->layout[bend.slice].name);
+    return numbers(face, std::string(face.model->layout[bend.slice].name));
   };
   return numbers_of(mouth.upper[1]) == numbers_of(mouth.lower[1]) &&
          numbers(face, "lip_upper.left/half_width")[0] > 0 &&

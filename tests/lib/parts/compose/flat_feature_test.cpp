@@ -167,8 +167,8 @@ TEST_F(FlatFeatureTest, AFigureIsKnownBeforeItIsDrawn) {
   EXPECT_EQ(made.texts[1],
             R"({"name": "a_seen", "side": "left", "kind": "area", "any": ["a"], "clip": "b", )"
             R"("opacity": 0.5, "contour": {}, "paint": "hair"})");
-  EXPECT_LT(made.features[0].order, 1u);
-  EXPECT_EQ(made.features[1].order, 3u);
+  EXPECT_LT(made.all()[0].order, 1u);
+  EXPECT_EQ(made.all()[1].order, 3u);
   EXPECT_EQ(made.texts[2].find("paint"), std::string::npos);
 }
 

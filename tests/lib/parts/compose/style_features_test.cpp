@@ -19,11 +19,18 @@ class SelectedFeatures : public testing::Test {
                              features_);
   }
 
-  FlatFeatures features_{.features = {{1, 0, "fringe", "hair", {}, 3},
-                                      {0, 1, "ear", "skin", "both", 1},
-                                      {0, 2, "bun", "hair", "left", 1},
-                                      {1, 3, "room", "none", {}, 3},
-                                      {1, 4, "cap", "hat", {}, 0}}};
+  static FlatFeatures known_features() {
+    FlatFeatures features;
+    for (const FlatFeatures::One& one : {FlatFeatures::One{1, 0, "fringe", "hair", {}, 3},
+                                         {0, 1, "ear", "skin", "both", 1},
+                                         {0, 2, "bun", "hair", "left", 1},
+                                         {1, 3, "room", "none", {}, 3},
+                                         {1, 4, "cap", "hat", {}, 0}})
+      features.add(one);
+    return features;
+  }
+
+  FlatFeatures features_ = known_features();
 };
 
 using FoundNames = std::vector<std::string>;

@@ -17,9 +17,11 @@ std::string controls_with(const std::string& style) {
                     {"name": "blink", "rest": 0, "offset": {"lid": [0, 1]}, "scale": ["a"]}])");
   const auto library = small.read().value();
   const PartGeometry geometry(*library, Recipe{.name = {}, .code = {}, .parts = {}, .numbers = {}});
-  const FlatFeatures features{.features = {{1, 0, "brow", "hair", "both", 3},
-                                           {0, 1, "head", "skin", {}, 1},
-                                           {0, 2, "known", "skin", {}, 0}}};
+  FlatFeatures features;
+  for (const FlatFeatures::One& one : {FlatFeatures::One{1, 0, "brow", "hair", "both", 3},
+                                       {0, 1, "head", "skin", {}, 1},
+                                       {0, 2, "known", "skin", {}, 0}})
+    features.add(one);
   const LibraryNode& topology = library->topology();
   JsonTree tree("controls");
   TreeWriter out(tree);
