@@ -59,7 +59,7 @@ TEST(Interrupt, StopsCrowdsAndExperiments) {
   const ScratchFolder folder;
   test::write_text(folder / "a.png", "old");
   const std::string out = (folder / "a.png").string();
-  for (const Words& words : {Words{"sheet", "--people", "5000", "--size", "128", "-o", out},
+  for (const Words& words : {Words{"sheet", "--people", "5000", "--cell", "128", "-o", out},
                              Words{"check", "--nonsense", "5000"},
                              Words{"morph", "between", "A66CB-AA5S0-14", "A66CB-AA5S0-14", "-o",
                                    out, "--steps", "1000"}}) {

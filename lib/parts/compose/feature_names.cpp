@@ -11,7 +11,8 @@ std::vector<std::string> names_of(const FlatFeatures::One& one) {
   if (one.side.empty()) return {std::string(one.name)};
   std::vector<std::string> names;
   for (const std::string_view side : {"left", "right"})
-    if (one.side == "both" || one.side == side) names.push_back(fmt::format("{}.{}", one.name, side));
+    if (one.side == "both" || one.side == side)
+      names.push_back(fmt::format("{}.{}", one.name, side));
   return names;
 }
 
