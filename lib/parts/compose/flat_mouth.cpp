@@ -63,7 +63,7 @@ class MouthRiders {
     for (auto first = ways_.begin(); first != ways_.end();) {
       const auto last = std::find_if(first, ways_.end(),
                                      [&](const Way& way) { return way.slice != first->slice; });
-      each(std::span(first, last));
+      each(std::span<const Way>(&*first, std::size_t(last - first)));
       first = last;
     }
   }
