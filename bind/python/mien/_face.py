@@ -137,7 +137,8 @@ class Face:
     def pose(self, *, time: Optional[float] = None, set: Optional[Mapping[str, Value]] = None,
              emotions: Optional[Strengths] = None, muscles: Optional[Strengths] = None, visemes: Optional[Strengths] = None,
              arkit: Optional[Strengths] = None, facs: Optional[Strengths] = None, vrm: Optional[Strengths] = None,
-             azure: Optional[Strengths] = None, emotion: Optional[One] = None, muscle: Optional[One] = None, viseme: Optional[One] = None,
+             azure: Optional[Strengths] = None, expressions: Optional[Mapping[str, Strengths]] = None,
+             emotion: Optional[One] = None, muscle: Optional[One] = None, viseme: Optional[One] = None,
              blink: Optional[float] = None, bias: Optional[float] = None, yaw: Optional[float] = None, pitch: Optional[float] = None,
              roll: Optional[float] = None, clips: Optional[Sequence[ClipLike]] = None, clip: Optional[ClipLike] = None,
              look_at: Optional[Sequence[float]] = None, unwrap: Optional[float] = None, unwrap_mode: Optional[str] = None,
@@ -152,6 +153,7 @@ class Face:
         set          values by name (`Face.names`); a colour may be "#rrggbb" or a name. They beat everything else
         emotions     strengths by name, 0 to 1: {"joy": 0.8, "left.surprise": 0.3}
         muscles, visemes, arkit, facs, vrm, azure   strengths of other sets: visemes={"aa": 0.7}, arkit={"jawOpen": 0.5}
+        expressions  sets by name, a face's own among them: {"arkit": {"jawOpen": 0.5}}
         emotion, muscle, viseme, clip   one of each, as the command says it: emotion="joy", emotion="joy=0.8"
         blink, bias, yaw, pitch, roll   controls that most faces have, as in `set`; angles in degrees
         clips        names, or (name, weight), or (name, weight, begin [s]); each acts on those before it

@@ -295,7 +295,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 # What other programs, other doors or older versions call an argument, and what is said here instead.
 _ELSEWHERE = {"width": "size=(width, height)", "height": "size=(width, height)", "depth": "dtype=numpy.uint16", "bits": "dtype=numpy.uint16",
-              "bg": "background=", "facecolor": "background=", "expressions": 'muscles=, visemes=, arkit= …, such as visemes={"aa": 1}'}
+              "bg": "background=", "facecolor": "background="}
 
 
 def hinted(function: _Function) -> _Function:

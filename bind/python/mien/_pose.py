@@ -91,6 +91,11 @@ def strengths(asked: Mapping[str, Any]) -> "list[tuple[str, str]]":
         like = f"strengths by name, such as {_LIKE[argument]}"
         for name, strength in table(asked.get(argument, {}), argument, like).items():
             found.append((kind, f"{name}={number(strength, f'{argument}[{name!r}]')!r}"))
+    sets = table(asked.get("expressions", {}), "expressions", 'sets by name, such as {"arkit": {"jawOpen": 0.5}}')
+    for kind, given in sets.items():
+        where = f"expressions[{kind!r}]"
+        for name, strength in table(given, where, 'strengths by name, such as {"jawOpen": 0.5}').items():
+            found.append((str(kind), f"{name}={number(strength, f'{where}[{name!r}]')!r}"))
     for kind in SINGULAR:
         given = asked.get(kind, {})
         if isinstance(given, str):

@@ -105,7 +105,7 @@ class Faces(unittest.TestCase):
         for call, raised, what in (
                 (lambda: person.pose(emotions={"happiness": 1}), mien.Error, 'did you mean "joy"?'),
                 (lambda: person.pose(emotions={"scared": 1}), mien.Error, 'did you mean "fear"?'),
-                (lambda: person.pose(expressions={"visemes": {"aa": 1}}), TypeError, 'no argument named "expressions"; say muscles=, visemes='),
+                (lambda: person.pose(expressions={"arkit": {"jawOpn": 1}}), mien.Error, 'did you mean "jawOpen"?'),
                 (lambda: person.pose(time=float("nan")), mien.Error, "finite"),
                 (lambda: person.pose(yaws=20), TypeError, 'pose: no argument named "yaws"; did you mean "yaw"?'),
                 (lambda: person.pose(emotoins={"joy": 1}), TypeError, 'did you mean "emotions"?'),

@@ -25,6 +25,10 @@ class Poses(unittest.TestCase):
         numpy.testing.assert_array_equal(PERSON.pose(**one).vector, PERSON.pose(**other).vector)
         self.assertTrue((PERSON.pose(**one).vector != PERSON.vector).any(), one)
 
+    def test_any_set_is_said_by_its_name(self):
+        self.assertEqual(PERSON.pose(expressions={"arkit": {"jawOpen": 0.5}}), PERSON.pose(arkit={"jawOpen": 0.5}))
+        self.assertNotEqual(PERSON.pose(expressions={"arkit": {"jawOpen": 0.5}}), PERSON.pose())
+
     def test_have_the_words_of_the_command_and_of_javascript(self):
         self.same({"blink": 0.5, "yaw": 20, "pitch": -5, "roll": 3, "bias": 0.1},
                   {"set": {"blink": 0.5, "yaw": 20, "pitch": -5, "roll": 3, "bias": 0.1}})
@@ -56,7 +60,7 @@ class Poses(unittest.TestCase):
                             ({"frame": joy, "steady": 1.5}, "steady"), ({"set": {"blink": None}}, "blink"), ({"set": {"blink": {}}}, "blink"),
                             ({"set": {"blink": 1j}}, "complex"), ({"set": {"blink": [[1], [2, 3]]}}, "blink"), ({"set": {"blink": numpy.array("2020", "M8")}}, "datetime"),
                             ({"set": {"blink": numpy.ma.masked_array([1.0], [True])}}, "masked"), ({"pose": 1}, "no argument named"), ({"mouths": 1}, "no argument named"),
-                            ({"expressions": {"arkit": joy}}, "say muscles=, visemes=")):
+                            ({"expressions": "arkit"}, "expressions: expected sets by name"), ({"expressions": {"arkit": "jawOpen"}}, r"expressions\['arkit'\]: expected strengths")):
             with self.subTest(words), self.assertRaisesRegex(TypeError, said):
                 PERSON.pose(**words)
         for words, said in (({"motions": ["talk.tsv"]}, "motions"), ({"clips": [("idle",)]}, "clips"), ({"clips": [(1, 2)]}, "clips"), ({"emotion": "happy"}, 'did you mean "joy"'),
