@@ -369,7 +369,7 @@ export class Face {
    *  that only equal pictures share ids. `deadline` and `progress` are as for draw. */
   svg(width, height, pose = {}, how = {}) {
     this.#mien.known('svg', how, ['tolerance', 'idPrefix', 'deadline', 'progress']);
-    const { tolerance = 0.01, idPrefix } = how;
+    const { tolerance = 0.006, idPrefix } = how;
     const { scene } = this.#poseFor(width, height, pose);
     const write = (t, n) => this.#asking(how, (options) =>
       this.#mien.texts('mien_svg', scene, this.#view, tolerance, t, n, options));

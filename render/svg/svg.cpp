@@ -32,12 +32,14 @@ Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
     return Error{"", fmt::format("a path's tolerance is {} to 1 pixels, not {}",
                                  SvgOptions::kLeastTolerance, options.tolerance)};
   try {
-    SvgOptions named = options;
-    if (!named.id_prefix) named.id_prefix = prefix_of(scene, options);
     double done = 0.0;
-    return watched(
-        options.progress, options.limits, std::int64_t(options.width * options.height),
-        [&] { return SvgWriter(scene, named).write(done); }, [&] { return done; });
+    const auto write = [&] {
+      SvgOptions named = options;
+      if (!named.id_prefix) named.id_prefix = prefix_of(scene, options);
+      return SvgWriter(scene, named).write(done);
+    };
+    return watched(options.progress, options.limits, std::int64_t(options.width * options.height),
+                   write, [&] { return done; });
   } catch (const std::bad_alloc&) {
     return Error{"",
                  fmt::format("{}: the scene has {} layers", kMemoryRanOut, scene.layers().size())};

@@ -29,7 +29,8 @@ struct SvgOptions {
   Fit fit = Fit::meet;
   /// Replaces the scene's; alpha 0 leaves the picture transparent.
   std::optional<Color> background = {};
-  double tolerance = 0.01;  ///< [px] how far a path may leave its outline, kLeastTolerance … 1
+  /// [px] How far a path may leave its outline, kLeastTolerance … 1; both sides of a thin line by this are 3 levels of 255.
+  double tolerance = 0.006;
   std::string title = {};   ///< the picture's; empty: none
   std::string recipe = {};  ///< stored as metadata: what made this picture
   /// Of all ids, so that several pictures can stand in one page; letters, digits, '.', '-' and '_' of ASCII. None: made

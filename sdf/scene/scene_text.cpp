@@ -2,6 +2,8 @@
 
 #include <mien/scene.h>
 
+#include "lib/base/watch.h"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -10,6 +12,9 @@ namespace mien {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
+
+/// Steps that a point takes: two numbers of 17 digits, each about 300 ns.
+constexpr int kStepsPerPoint = 600;
 
 /// "x,y", each the shortest text that reads back as the same number; −0 prints as 0.
 std::string at(glm::dvec2 p) {
@@ -53,7 +58,10 @@ struct PrintShape {
     fmt::format_to(out, "{} {} half_width {}", at(s.a), at(s.b), s.half_width);
   }
   void operator()(const Polyline& s) const {
-    for (const glm::dvec2 p : s.points) fmt::format_to(out, "{} ", at(p));
+    for (const glm::dvec2 p : s.points) {
+      worked(kStepsPerPoint);
+      fmt::format_to(out, "{} ", at(p));
+    }
     fmt::format_to(out, "half_width {}", s.half_width);
   }
   void operator()(const QuadStroke& s) const {
@@ -67,7 +75,10 @@ struct PrintShape {
     fmt::format_to(out, "{}", s.rule == FillRule::nonzero ? "nonzero" : "even_odd");
     for (const Path::Loop& loop : s.loops) {
       fmt::format_to(out, " loop");
-      for (const QuadBezier& side : loop.sides) fmt::format_to(out, " ({})", curve(side));
+      for (const QuadBezier& side : loop.sides) {
+        worked(3 * kStepsPerPoint);
+        fmt::format_to(out, " ({})", curve(side));
+      }
     }
   }
 };
@@ -162,6 +173,7 @@ std::string Scene::text() const {
                  canvas().y_up ? "up" : "down");
   fmt::format_to(out, "background {}\n", color_text(background()));
   for (std::size_t i = 0; i < nodes().size(); ++i) {
+    worked(kStepsPerPoint);
     fmt::format_to(out, "a{} = ", i);
     print_node(out, shapes(), nodes()[i]);
     fmt::format_to(out, "\n");

@@ -105,9 +105,7 @@ double worst_level(const Svg& svg, const Scene& scene, int side) {
 }
 
 void expect_alike(const Scene& scene, int side, const std::string& what) {
-  // Both sides of a thin line may leave it by the tolerance: by the default's that is up to five levels.
-  const auto svg =
-      svg_text(scene, {.width = double(side), .height = double(side), .tolerance = 0.006});
+  const auto svg = svg_text(scene, {.width = double(side), .height = double(side)});
   ASSERT_TRUE(svg) << sentence(svg.error());
   EXPECT_EQ(svg->simplified, std::vector<std::string>{}) << what;
   const double worst = worst_level(*svg, scene, side);

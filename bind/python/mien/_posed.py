@@ -98,7 +98,7 @@ class Posed:
             scene = Handle(lib.mien_scene_free, lib.mien_scene_debug, self._pose.value, kind - len(DRAWN))
         return Renderer()._render(scene.value, seen, "uint8", threads, None, progress)
 
-    def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.01,
+    def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.006,
             id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
         """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
 
