@@ -16,7 +16,7 @@ constexpr double kRecede =
 constexpr double kTeethForward = 0.012;  // of the jaw's teeth
 // Of the thickness at rest: of shut lips, and of lips that are not.
 constexpr double kMostThick = 1.35, kMostThickOpen = 1.18;
-constexpr double kPress = 0.45, kRoll = 0.9, kRollCorner = 0.6, kBitten = 0.6;
+constexpr double kPress = 0.45, kRoll = 0.9, kRollCorner = 0.6, kBitten = 0.3;
 constexpr double kPuckerThin = 0.1, kPartThin = 0.25, kShrugThick = 0.2, kThrustThick = 0.22;
 constexpr double kDimpleThin = 0.12;
 // So much of what muscles pull the lower lip down an open jaw takes away.
