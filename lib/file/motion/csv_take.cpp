@@ -100,6 +100,8 @@ class CsvTakeReader final : public MotionReader {
     if (without_blanks(line.text).empty()) return Done{};
     cut_cells(line.text, separator_, cells_);
     if (cells_.size() == headings_.size() + 1 && cells_.back().empty()) cells_.pop_back();
+    // Live Link Face writes a row without a face as its time and a count of 0, and ends it there.
+    if (cells_.size() < headings_.size() && sees_no_face()) cells_.resize(headings_.size());
     if (cells_.size() != headings_.size())
       return Error{source_.at(line.number),
                    fmt::format("{} cells, the heading has {}", cells_.size(), headings_.size())};
@@ -145,7 +147,7 @@ class CsvTakeReader final : public MotionReader {
     const std::string& heading = headings_[cell];
     const std::string letters = heading_letters(heading);
     open_face_ |= letters == "confidence" || letters == "success";
-    if (letters == "success") success_ = cell;
+    if (letters == "success" || letters == "blendshapecount") success_ = cell;
     if (letters == "faceid") face_ = cell;
     if (const TimeColumn time = time_column(heading); time != TimeColumn::none && !time_cell_) {
       time_cell_ = cell, time_ = time;
@@ -178,7 +180,7 @@ class CsvTakeReader final : public MotionReader {
     if (face_ && !is_first_face()) return Done{};
     const auto time = time_of(line);
     if (!time) return time.error();
-    if (success_ && number(cells_[*success_]).value_or(1) == 0) {
+    if (sees_no_face()) {
       take_.skip_row();
       return Done{};
     }
@@ -190,6 +192,15 @@ class CsvTakeReader final : public MotionReader {
       for (const auto& [column, target] : use.to) take_.set(column, *value, target);
     }
     return Done{};
+  }
+
+  /// By a column that tells so, or as the cells of all channels are empty: one alone may be a slip.
+  bool sees_no_face() {
+    if (success_ && *success_ < cells_.size() && number(cells_[*success_]).value_or(1) == 0)
+      return true;
+    return cells_.size() == headings_.size() && uses_.size() > 1 &&
+           std::all_of(uses_.begin(), uses_.end(),
+                       [&](const Use& use) { return cells_[use.cell].empty(); });
   }
 
   bool is_first_face() {

@@ -158,10 +158,11 @@ class Composition {
       });
   }
 
-  /// "with": beside a feature that may not be there; "worn": beside some parts.
+  /// "with": beside a feature that may not be there; "worn": beside some parts; and not of features that parts leave out.
   bool is_wanted(const Reading& in, const JsonNode& added) const {
     const JsonNode *with = in.find(added, "with"), *worn = in.find(added, "worn");
     if (with && !features_.find(in.string(*with))) return false;
+    if (style_.leaves_out_all_of(added)) return false;
     return !worn || parts_.wears(in, *worn);
   }
 

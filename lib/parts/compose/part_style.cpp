@@ -79,6 +79,17 @@ PartStyle::Role PartStyle::role(const Reading& in, const JsonNode& feature) cons
   return role;
 }
 
+bool PartStyle::leaves_out_all_of(const JsonNode& added) const {
+  const JsonNode* any = in().find(added, "any");
+  if (!any || any->kind != JsonKind::array) return false;
+  bool all = true;
+  in().for_each(*any, [&](const JsonNode& one, int) {
+    const std::string_view name = in().string(one);  // "lip_upper.left" is lip_upper's
+    all = all && left_out_.contains(name.substr(0, name.find('.')));
+  });
+  return all;
+}
+
 bool PartStyle::replaces(const Role& role, std::string_view key) const {
   if (role.keeps_paint) return key == "opacity" || (is_of_paint(key) && key != "paint");
   if (role.gone && is_of_paint(key)) return true;

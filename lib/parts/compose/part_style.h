@@ -39,6 +39,8 @@ class PartStyle {
 
   /// From now on features of this name are gone, whatever their role.
   void leave_out(std::string_view feature) { left_out_.emplace(feature); }
+  /// Whether an area that the style adds is of features that are all left out: `any` of lips that nobody shows.
+  bool leaves_out_all_of(const JsonNode& added) const;
 
   /// Members of a feature: those of its figure, or those by which it is seen.
   enum class Members { all, figure, paint };

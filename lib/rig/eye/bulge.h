@@ -43,6 +43,8 @@ struct EyeBody {
   double cornea;      ///< h: height of the cap that the cornea's rim cuts off the ball; 0 < h <= R
   double bulge;       ///< of the lid on the axis (native), or the cone's steepness (compat)
   BulgeLaw law = BulgeLaw::native;
+
+  bool operator==(const EyeBody&) const = default;
 };
 
 /// How far a lid point in direction `d` (unit) is pushed by an eye with axis `g` (unit). 0 outside the

@@ -20,8 +20,8 @@ constexpr glm::dvec3 kAhead{0, 0, 1};
 class EyeAtWork {
  public:
   EyeAtWork(const FaceModel& model, const Eye& eye, const FaceVector& rest,
-            std::span<const double> values, FaceVector& vector)
-      : model_(model), eye_(eye), rest_(rest), values_(values), now_(vector) {}
+            std::span<const double> values, FaceVector& vector, DrawnPushes& memory)
+      : model_(model), eye_(eye), rest_(rest), values_(values), now_(vector), memory_(memory) {}
 
   void pose() {
     gaze_ = gaze_of(eye_, values_);
@@ -83,12 +83,17 @@ class EyeAtWork {
       add(eye_.crease, (glm::dot(way, up) > 0 ? eye_.crease_rise : eye_.crease_fall) * way);
   }
 
-  /// The pushes contained in the bends of the resting face, which is drawn with its bulge.
-  LidBends pushes_at_rest(const EyeBody& body, const LidBends& drawn) const {
-    LidBends all;
-    for (std::size_t i = 0; i < kLidBendCount; ++i)
-      all[i] = drawn[i] - standing_place(body, drawn[i], kAhead);
-    return all;
+  /// Of the resting face, which is drawn with its bulge.
+  const DrawnPushes& drawn_pushes(const EyeBody& body, const std::array<LidBends, 2>& drawn) {
+    if (memory_.body == body && memory_.drawn == drawn) return memory_;
+    memory_.body = body, memory_.drawn = drawn;
+    for (std::size_t lid = 0; lid < 2; ++lid)
+      for (std::size_t i = 0; i < kLidBendCount; ++i) {
+        const glm::dvec2 push = drawn[lid][i] - standing_place(body, drawn[lid][i], kAhead);
+        memory_.pushes[lid][i] = push;
+        memory_.again[lid][i] = edge_push(body, drawn[lid][i] - push, kAhead);
+      }
+    return memory_;
   }
 
   void push(const LidPair& lids, const LidPair& at_rest) {
@@ -102,10 +107,9 @@ class EyeAtWork {
     const auto bends = [&](const FaceVector& v, glm::dvec2 bend) {
       return lid_bends({get(v, eye_.inner), bend, get(v, eye_.outer)});
     };
-    const LidBends rest[2] = {bends(rest_, at_rest.upper), bends(rest_, at_rest.lower)};
     const LidBends now[2] = {bends(now_, lids.upper), bends(now_, lids.lower)};
-    const LidBends pushed[2] = {pushes_at_rest(rest_body, rest[0]),
-                                pushes_at_rest(rest_body, rest[1])};
+    const DrawnPushes& at =
+        drawn_pushes(rest_body, {bends(rest_, at_rest.upper), bends(rest_, at_rest.lower)});
     const glm::dvec3 axis = gaze_axis(gaze_, body.radius);
     for (std::size_t i = 0; i < kLidBendCount; ++i) {
       const auto closed = [&](glm::dvec2 upper, glm::dvec2 lower) {
@@ -114,10 +118,8 @@ class EyeAtWork {
       };
       // An unpushed lid is the drawn one less the push it was drawn with. That push is evaluated again, in
       // the same way as the present one, so that the resting face keeps every bit.
-      const auto again = [&](int lid) {
-        return edge_push(rest_body, rest[lid][i] - pushed[lid][i], kAhead);
-      };
-      const auto drawn = closed(pushed[0][i], pushed[1][i]), less = closed(again(0), again(1));
+      const auto drawn = closed(at.pushes[0][i], at.pushes[1][i]),
+                 less = closed(at.again[0][i], at.again[1][i]);
       for (std::size_t lid = 0; lid < 2; ++lid) {
         shifts_[lid][i] = edge_push(body, now[lid][i] - drawn[lid], axis) - less[lid];
         add(eye_.shifts + int(lid * kLidBendCount + i), shifts_[lid][i]);
@@ -135,6 +137,7 @@ class EyeAtWork {
   const FaceVector& rest_;
   std::span<const double> values_;
   FaceVector& now_;
+  DrawnPushes& memory_;
   glm::dvec2 gaze_{0};
   double share_ = 1;
   std::array<LidBends, 2> shifts_{};
@@ -152,8 +155,10 @@ glm::dvec2 center_of(const FaceModel& model, const Eye& eye, const FaceVector& v
 }  // namespace
 
 void pose_eyes(const FaceModel& model, const FaceVector& rest, std::span<const double> values,
-               FaceVector& vector) {
-  for (const Eye& eye : model.eyes) EyeAtWork(model, eye, rest, values, vector).pose();
+               FaceVector& vector, std::vector<DrawnPushes>& memory) {
+  memory.resize(model.eyes.size());
+  for (std::size_t i = 0; i < memory.size(); ++i)
+    EyeAtWork(model, model.eyes[i], rest, values, vector, memory[i]).pose();
 }
 
 void put_dome(const FaceModel& model, const Eye& eye, glm::dvec2 gaze, FaceVector& vector) {

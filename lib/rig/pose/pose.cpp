@@ -229,7 +229,8 @@ void hold_bodies(const FaceModel& model, const Pose& pose, FaceVector& vector) {
 struct Poser::Scratch {
   Face rest, neutral, posed;
   std::vector<double> values, drive;
-  FaceVector before;  ///< the mouth's laws
+  FaceVector before;                ///< the mouth's laws
+  std::vector<DrawnPushes> pushes;  ///< the eyes' laws
   MusclePoser muscles;
   std::optional<UnwrapChart> chart;  ///< made when first needed
 
@@ -259,7 +260,7 @@ std::span<const double> Poser::pulls() const {
 }
 
 const Face& Poser::pose(const Pose& pose) {
-  auto& [rest, neutral, posed, values, drive, before, muscles, chart] = *scratch_;
+  auto& [rest, neutral, posed, values, drive, before, pushes, muscles, chart] = *scratch_;
   const FaceModel& model = *rest.model;
   posed.vector = rest.vector;
   const bool by_basis = pose.basis && pose.basis->basis.columns == rest.vector.size();
@@ -278,7 +279,7 @@ const Face& Poser::pose(const Pose& pose) {
     if (!by_basis || !still) {
       const FaceVector& drawn = by_basis ? begin : neutral.vector;
       pose_mouth(model, drawn, values, before, posed.vector);
-      pose_eyes(model, drawn, values, posed.vector);
+      pose_eyes(model, drawn, values, posed.vector, pushes);
     }
     turn_head(model, values, posed.vector);
     close_lips(model, values, posed.vector);

@@ -62,6 +62,26 @@ TEST(MotionFile, ReadsTakesOfLiveLinkFace) {
   EXPECT_NEAR(take.at("roll", 2 / 60.0), -0.05 * degrees, 1e-5);
 }
 
+TEST(MotionFile, BridgesRowsOfATakeInWhichNoFaceWasSeen) {
+  const std::vector<std::string> told{"f: 3 rows in which no face was seen are bridged"};
+  const ReadMotion app = read(
+      "Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n"
+      "12:00:00:00.000,0\n12:00:00:02.000,61,0,0.25\n12:00:00:04.000,0\n12:00:00:05.000,0,,\n"
+      "12:00:00:06.000,61,1,0.75\n");
+  ASSERT_TRUE(app.motion) << app.error;
+  EXPECT_EQ(app.told, told);
+  EXPECT_NEAR(app.at("arkit.jawOpen", 2 / 60.0), 0.5, 1e-6);
+  EXPECT_NEAR(app.length(), 4 / 60.0, 1e-9) << "it begins with the first face";
+  const ReadMotion any = read("time,jawOpen,mouthClose\n0,0.25,0\n1,,\n2,,\n3,,\n4,0.75,0\n");
+  ASSERT_TRUE(any.motion) << any.error;
+  EXPECT_EQ(any.told, told);
+  EXPECT_NEAR(any.at("arkit.jawOpen", 2), 0.5, 1e-6);
+  EXPECT_EQ(read("Timecode,BlendShapeCount,JawOpen,MouthClose\n12:00:00:02.000,61,0.5\n").error,
+            "f:2: 3 cells, the heading has 4");
+  EXPECT_EQ(read("time,jawOpen,mouthClose\n0,0.25,\n").error,
+            "f:2:8: the number of \"mouthClose\" is missing");
+}
+
 TEST(MotionFile, ReadsTakesOfOpenFace) {
   const ReadMotion take = read(
       "frame, face_id, timestamp, confidence, success, gaze_angle_x, gaze_angle_y, pose_Rx, "
