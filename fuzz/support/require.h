@@ -7,15 +7,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <source_location>
 #include <string>
 
 namespace mien::fuzz {
 
-/// Which demand was not met is told before the end.
-inline void require(bool holds, const std::source_location at = std::source_location::current()) {
+/// Which demand was not met is told before the end. (clang 14 has no std::source_location.)
+inline void require(bool holds, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
   if (holds) return;
-  std::fprintf(stderr, "%s:%u: not so\n", at.file_name(), unsigned(at.line()));
+  std::fprintf(stderr, "%s:%d: not so\n", file, line);
   std::abort();
 }
 
