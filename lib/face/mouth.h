@@ -8,6 +8,7 @@
 
 #include <array>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -126,6 +127,7 @@ struct Mouth {
       0.32;  ///< where lips meet: 0 at the upper edge, 1 at the lower; the corners' share of the jaw, too
   double width = 1;  ///< of the face [face units]; lengths of the laws are shares of it
   double drop = 0;   ///< of the lower lip at full opening [face units]
+  std::optional<glm::dvec2> under;  ///< the nose's base, which the upper lip stays below
   int open = -1;     ///< slice: how far muscles open the jaw, a ratio
   std::vector<LipPoint> lip_points;
   std::vector<LipWidth> lip_widths;

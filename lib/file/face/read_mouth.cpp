@@ -22,10 +22,11 @@ class MouthReader {
   void read() {
     in_.expect_object(node_,
                       {"corners", "upper", "lower", "seam", "width", "lips", "teeth", "tongue",
-                       "jaw", "cheeks", "ride", "stiff"},
+                       "jaw", "cheeks", "ride", "stiff", "under"},
                       "mouth");
     read_edges();
     if (const JsonNode* seam = in_.find(node_, "seam")) mouth_.seam = share(*seam, "lips meet");
+    if (const JsonNode* under = in_.find(node_, "under")) mouth_.under = in_.pair(*under);
     if (const JsonNode* width = in_.find(node_, "width"))
       mouth_.width = positive(*width, "a face's width");
     if (const JsonNode* lips = in_.find(node_, "lips")) read_lips(*lips);

@@ -33,6 +33,7 @@ class Composition {
   JsonTree tree() {
     for (const Family& family : library_.families())
       if (const Part* part = parts_.of(family.name)) tell(*part, family.name);
+    geometry_.clear();
     out_.object();
     out_.key("format"), out_.string("mien-face");
     out_.key("format_version"), out_.number(1);

@@ -65,13 +65,31 @@ PartGeometry::PartGeometry(const PartLibrary& library, const Recipe& recipe) : l
     }
     if (const JsonNode* lifts = in.find(node, "lifts"))
       in.for_each(*lifts, [&](const JsonNode& lift, int) {
-        PartLift rise{.by = scalar(in, in.need(lift, "by"), "")};
+        const JsonNode* clears = in.find(lift, "clears");
+        if (clears) clearances_.push_back({in.tree.key(node), made.lifts.size(), clears});
+        PartLift rise{.by = clears ? 0.0 : scalar(in, in.need(lift, "by"), "")};
         std::tie(rise.from, rise.to) = in.range(in.need(lift, "between"));
         if (const JsonNode* ends = in.find(lift, "ends")) rise.ends = in.range(*ends);
         made.lifts.push_back(rise);
       });
     frames_.emplace(in.tree.key(node), made);
   });
+}
+
+void PartGeometry::clear() {
+  const Reading& in = library_.topology().in();
+  for (const Clearance& clearance : clearances_) {
+    PartPoint* point = told_point(in.string(in.need(*clearance.node, "at")));
+    const double below = frame(in, in.need(*clearance.node, "frame")).to.y;
+    if (!point) continue;
+    const double lacks = below + in.number(in.need(*clearance.node, "by")) - point->at.y;
+    PartLift& lift = frames_.find(clearance.frame)->second.lifts[clearance.lift];
+    lift.by = 1;
+    const double share = lift.at(point->at.y);
+    const double most = in.number(in.need(*clearance.node, "most"));
+    lift.by = lacks > 0 && share > 0 ? std::min(lacks / share, most) : 0;
+    point->at.y += lift.by * share;
+  }
 }
 
 double PartGeometry::value(std::string_view number) const {
@@ -144,10 +162,15 @@ glm::dvec2 PartGeometry::pair(const Reading& in, const JsonNode& node, const Poi
   return sum;
 }
 
-void PartGeometry::add_point(std::string_view name, PartPoint point) {
+PartPoint* PartGeometry::told_point(std::string_view name) {
   const auto name_of = [&](int known) { return points_[std::size_t(known)].name; };
-  if (const int known = point_of_.find(name, name_of); known >= 0) {
-    points_[std::size_t(known)].point = point;
+  const int known = point_of_.find(name, name_of);
+  return known >= 0 ? &points_[std::size_t(known)].point : nullptr;
+}
+
+void PartGeometry::add_point(std::string_view name, PartPoint point) {
+  if (PartPoint* known = told_point(name)) {
+    *known = point;
     return;
   }
   point_of_.enter(name, int(points_.size()));

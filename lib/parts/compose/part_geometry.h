@@ -90,6 +90,10 @@ class PartGeometry {
     return std::span(rides_).subspan(found.rides.first, found.rides.count);
   }
 
+  /// Lifts what would hide others, once all parts have told their points: {"between": …, "clears": {"at": "hairline", "frame":
+  /// "brow", "by": 0.01, "most": 0.05}} lifts fringes and brims so that a point is so much above the middle of a frame.
+  void clear();
+
   /// Names must outlive this. A point of a name that is known stands for the one before.
   void add_point(std::string_view name, PartPoint point);
   void add_value(std::string_view name, double value) { values_.insert_or_assign(name, value); }
@@ -107,6 +111,13 @@ class PartGeometry {
   template <class Each>
   void each_add(const Reading& in, const JsonNode* adds, std::string_view family,
                 Each&& each) const;
+  /// A lift of a frame that follows from what it must clear.
+  struct Clearance {
+    std::string_view frame;
+    std::size_t lift;
+    const JsonNode* node;
+  };
+  PartPoint* told_point(std::string_view name);
   struct NamedPoint {
     std::string_view name;
     PartPoint point;
@@ -121,6 +132,7 @@ class PartGeometry {
   const PartLibrary& library_;
   std::vector<double> values_of_numbers_;  ///< in the library's order
   std::map<std::string_view, PartFrame> frames_;
+  std::vector<Clearance> clearances_;
   std::vector<NamedPoint> points_;
   NameTable point_of_;  ///< by name
   std::map<std::string_view, double> values_;

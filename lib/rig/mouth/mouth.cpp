@@ -1,9 +1,12 @@
 #include "lib/rig/mouth/mouth.h"
 
+#include <mien/quad_bezier.h>
+
 #include "mouth_vector_private.h"
 #include "tongue_private.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -60,6 +63,7 @@ class MouthAtWork {
     shape_lips(n_, {mouth_.drop, mouth_.width, mouth_.seam}, teeth, open_);
     shut_ = closed(open_, n_.close, mouth_.seam);
     place_lips();
+    stay_under_nose();
     move_tongue(n_, mouth_, teeth, open_, tongue_share(), lip_bottom(), to_);
     to_.put(mouth_, shut_), shift_lips(open_, shut_);
     for (const MouthRider& rider : mouth_.riders) ride(rider);
@@ -151,6 +155,56 @@ class MouthAtWork {
       const double corner = 1 - kRollCorner * n_.roll[width.upper ? 0 : 1];
       for (int i = 0; i < to_.size(width.slice); ++i) w[i] *= i == 2 ? corner : by;
     }
+  }
+
+  /// How far the upper lip of a vector whose edges are `line` stands above the nose's base near its middle, on one side; less
+  /// than 0: below.
+  double above_nose(const FaceVector& v, const LipLine& line, std::size_t side,
+                    glm::dvec2 base) const {
+    constexpr double kBesideNose = 0.05;  // of the face's width
+    constexpr int kPlaces = 8;
+    const std::size_t handle = side == 0 ? 0 : 2;
+    QuadBezier top{line.upper[1], line.upper[handle], line.corners[side]};
+    for (const LipPoint& point : mouth_.lip_points)
+      if (point.upper && point.bend == 1)
+        top.p0 = to_.get(v, point.slice);
+      else if (point.upper && point.bend == int(handle))
+        top.p1 = to_.get(v, point.slice);
+    if (!line.has_handles) top.p1 = 0.5 * (top.p0 + top.p2);
+    std::array<double, 3> widths{};
+    for (const LipWidth& width : mouth_.lip_widths)
+      if (width.upper && width.side != int(1 - side) && to_.size(width.slice) == 3)
+        std::copy_n(to_.numbers(v, width.slice), 3, widths.begin());
+    double most = -mouth_.width;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double t = double(i) / kPlaces, s = 1 - t;
+      const glm::dvec2 p = mien::point(top, t);
+      if (std::abs(p.x - base.x) < kBesideNose * mouth_.width)
+        most = std::max(
+            most, p.y - base.y + s * s * widths[0] + 2 * s * t * widths[1] + t * t * widths[2]);
+    }
+    return most;
+  }
+  double above_nose(const FaceVector& v, const LipLine& line) const {
+    const glm::dvec2 base = to_.seen(*mouth_.under);
+    return std::max(above_nose(v, line, 0, base), above_nose(v, line, 1, base));
+  }
+
+  /// What raises the upper lip stops below the nose, unless it is drawn higher, and takes the lower lip along.
+  void stay_under_nose() {
+    constexpr double kSkin = 0.016;  // between lip and nose, of the face's width
+    if (!mouth_.under) return;
+    const double over =
+        above_nose(now_, open_) - std::max(above_nose(rest_, drawn_), -kSkin * mouth_.width);
+    if (!(over > 0)) return;
+    const LipLine before = open_;
+    for (glm::dvec2& corner : open_.corners) corner.y -= over;
+    for (std::size_t bend = 0; bend < 3; ++bend) {
+      open_.upper[bend].y -= over;
+      open_.lower[bend].y = std::min(open_.lower[bend].y, open_.upper[bend].y);
+    }
+    shift_lips(before, open_);
+    shut_ = closed(open_, n_.close, mouth_.seam);
   }
 
   void shift_lips(const LipLine& from, const LipLine& to) {

@@ -16,6 +16,8 @@ class MouthVector {
     const double* at = &v[std::size_t(model_.layout[slice].begin)];
     return {at[0], up_ * at[1]};
   }
+  /// A place of the face, with y up.
+  glm::dvec2 seen(glm::dvec2 place) const { return {place.x, up_ * place.y}; }
   void put(int slice, glm::dvec2 p) {
     double* at = numbers(slice);
     at[0] = p.x, at[1] = up_ * p.y;
@@ -26,6 +28,9 @@ class MouthVector {
     if (point.twin >= 0) put(point.twin, p);
   }
   double* numbers(int slice) { return &now_[std::size_t(model_.layout[slice].begin)]; }
+  const double* numbers(const FaceVector& v, int slice) const {
+    return &v[std::size_t(model_.layout[slice].begin)];
+  }
   int size(int slice) const { return model_.layout[slice].size; }
 
   /// Both edges as they stand in a vector of the face.

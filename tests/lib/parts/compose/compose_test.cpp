@@ -67,6 +67,39 @@ TEST(Compose, ManyThreadsMakeTheSameFaces) {
   for (const std::vector<FaceVector>& one : made) EXPECT_EQ(one, made[0]);
 }
 
+/// The lips of vinyl are areas of the lips' lines, which a grin has not.
+TEST(Compose, AStylesAreasOfWhatAPartLeavesOutAreLeftOut) {
+  const auto has_lips = [](const char* mouth) {
+    Recipe recipe = recipe_from_seed(1);
+    recipe.parts["mouth"] = mouth, recipe.style = "vinyl";
+    return face_text_from_recipe(recipe).value().find("lip_upper_body") != std::string::npos;
+  };
+  EXPECT_TRUE(has_lips("full"));
+  EXPECT_FALSE(has_lips("grin"));
+}
+
+/// High brows lift the brim above them, and low ones do not.
+TEST(Compose, BrimsClearTheBrows) {
+  const auto lowest = [](const char* hat, double brow) {
+    Recipe recipe = recipe_from_seed(1);
+    recipe.parts["hair"] = "bald", recipe.parts["headwear"] = hat;
+    recipe.numbers["brow.y"] = brow, recipe.numbers["eye.y"] = 2 * brow;
+    const Face face = face_from_recipe(recipe).value();
+    double low = 1;
+    for (int i = 0;; ++i) {
+      const int slice = face.model->layout.find("brim/points/" + std::to_string(i));
+      if (slice < 0) return low;
+      low = std::min(low, face.vector[std::size_t(face.model->layout[slice].begin) + 1]);
+    }
+  };
+  for (const char* hat : {"bucket", "beanie"}) {
+    const double down = lowest(hat, -0.03), up = lowest(hat, 0.035);
+    EXPECT_LT(down, 1) << hat;
+    EXPECT_GT(up, down + 0.003) << hat;
+    EXPECT_LT(up, down + 0.05) << hat;
+  }
+}
+
 /// What a caller allows holds for what is composed of a recipe, too.
 TEST(Compose, LimitsHoldForWhatIsComposed) {
   const std::string text = recipe_text(recipe_from_seed(1));
