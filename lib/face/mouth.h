@@ -128,7 +128,7 @@ struct Mouth {
   double width = 1;  ///< of the face [face units]; lengths of the laws are shares of it
   double drop = 0;   ///< of the lower lip at full opening [face units]
   std::optional<glm::dvec2> under;  ///< the nose's base, which the upper lip stays below
-  int open = -1;     ///< slice: how far muscles open the jaw, a ratio
+  int open = -1;                    ///< slice: how far muscles open the jaw, a ratio
   std::vector<LipPoint> lip_points;
   std::vector<LipWidth> lip_widths;
   /// Three bends in a row of the upper teeth's edge; −1: the face has no teeth.

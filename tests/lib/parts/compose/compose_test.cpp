@@ -84,6 +84,7 @@ TEST(Compose, BrimsClearTheBrows) {
     Recipe recipe = recipe_from_seed(1);
     recipe.parts["hair"] = "bald", recipe.parts["headwear"] = hat;
     recipe.numbers["brow.y"] = brow, recipe.numbers["eye.y"] = 2 * brow;
+    recipe.numbers["forehead"] = -0.04;
     const Face face = face_from_recipe(recipe).value();
     double low = 1;
     for (int i = 0;; ++i) {
