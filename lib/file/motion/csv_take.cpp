@@ -147,7 +147,7 @@ class CsvTakeReader final : public MotionReader {
     const std::string& heading = headings_[cell];
     const std::string letters = heading_letters(heading);
     open_face_ |= letters == "confidence" || letters == "success";
-    if (letters == "success" || letters == "blendshapecount") success_ = cell;
+    if (letters == "success" || letters == "blendshapecount") seen_ = cell;
     if (letters == "faceid") face_ = cell;
     if (const TimeColumn time = time_column(heading); time != TimeColumn::none && !time_cell_) {
       time_cell_ = cell, time_ = time;
@@ -196,8 +196,7 @@ class CsvTakeReader final : public MotionReader {
 
   /// By a column that tells so, or as the cells of all channels are empty: one alone may be a slip.
   bool sees_no_face() {
-    if (success_ && *success_ < cells_.size() && number(cells_[*success_]).value_or(1) == 0)
-      return true;
+    if (seen_ && *seen_ < cells_.size() && number(cells_[*seen_]).value_or(1) == 0) return true;
     return cells_.size() == headings_.size() && uses_.size() > 1 &&
            std::all_of(uses_.begin(), uses_.end(),
                        [&](const Use& use) { return cells_[use.cell].empty(); });
@@ -279,7 +278,7 @@ class CsvTakeReader final : public MotionReader {
   std::vector<std::string> headings_, ignored_;
   std::vector<std::string_view> cells_;
   std::vector<Use> uses_;
-  std::optional<std::size_t> time_cell_, success_, face_;
+  std::optional<std::size_t> time_cell_, seen_, face_;
   TimeColumn time_ = TimeColumn::none;
   std::optional<double> last_code_;
   double days_ = 0;

@@ -198,7 +198,6 @@ TEST(Mouth, TouchesTheTeethAndShowsTheTongue) {
     }
 }
 
-/// A moustache stays over the lip and in order while corners come in.
 /// The upper lip's highest place within 0.045 of the nose's middle, by a finer walk than the law's.
 double lip_top(const Face& face, glm::dvec2 nose) {
   double top = -1;
@@ -239,6 +238,7 @@ TEST(Mouth, StaysUnderTheNose) {
   EXPECT_GE(stopped, 3) << "the law is at work";
 }
 
+/// A moustache stays over the lip and in order while corners come in.
 TEST(Mouth, DoesNotFoldAMoustache) {
   for (const char* style : {"walrus", "chevron"}) {
     Recipe recipe;
