@@ -99,6 +99,17 @@ void check_has_what_others_need(const LibraryNode& part, const PartLibrary& libr
   if (part.in().find(*family.parts[0].at.node, "color")) part.in().need(*part.node, "color");
 }
 
+/// A family that a part covers, or one part of it: "aid/hearing_aid".
+void check_covered(const Reading& in, const JsonNode& node, const PartLibrary& library) {
+  const std::string_view name = in.string(node), family_name = name.substr(0, name.find('/'));
+  const Family* family = library.find_family(family_name);
+  if (!family)
+    in.refuse(node, unknown("family of parts", one_line(family_name, 60), library.families()));
+  if (family_name.size() == name.size()) return;
+  const std::string_view part = name.substr(family_name.size() + 1);
+  if (!family->find(part)) in.refuse(node, unknown(family_name, one_line(part, 60), family->parts));
+}
+
 /// Shipped parts are right: tests draw every one of them. A part of one's own is read with care.
 void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& library,
                     const Family& family) {
@@ -125,11 +136,7 @@ void check_own_part(const Reading& in, const JsonNode& root, const PartLibrary& 
     if (known->kind) in.expect(member, *known->kind);
   });
   if (const JsonNode* covers = in.find(root, "covers"))
-    in.for_each(*covers, [&](const JsonNode& node, int) {
-      if (!library.find_family(in.string(node)))
-        in.refuse(node,
-                  unknown("family of parts", one_line(in.string(node), 60), library.families()));
-    });
+    in.for_each(*covers, [&](const JsonNode& node, int) { check_covered(in, node, library); });
 }
 
 }  // namespace

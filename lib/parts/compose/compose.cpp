@@ -145,9 +145,14 @@ class Composition {
   void draw_families(bool first) {
     for (const Family& family : library_.families()) {
       const Part* part = parts_.of(family.name);
-      if (part && family.first == first && !covered_.contains(family.name))
+      if (part && family.first == first && !is_covered(family, *part))
         draw(part->at, family.name);
     }
+  }
+
+  /// Whether another part covers the family, or this part of it.
+  bool is_covered(const Family& family, const Part& part) const {
+    return covered_.contains(family.name) || covered_.contains(family.name + '/' + part.name);
   }
 
   void draw(const LibraryNode& from, std::string_view family) {

@@ -90,6 +90,13 @@ bool is_drawn(const Face& face, int feature) {
          });
 }
 
+/// The features of which an area is made; a feature of another figure is all there is of itself.
+void add_members(const FaceModel& model, int feature, std::vector<int>& members) {
+  const auto* area = std::get_if<AreaFigure>(&model.features[std::size_t(feature)].figure);
+  if (!area) return members.push_back(feature);
+  for (const Index<Feature> member : area->any) add_members(model, member.at, members);
+}
+
 double up_sign(const Face& face) {
   return face.model->canvas.y_up ? 1.0 : -1.0;
 }
@@ -101,6 +108,8 @@ KnownFeatures::KnownFeatures(const Face& face) {
   opening = both(model, "opening"), pupil = both(model, "pupil"), brow = both(model, "brow");
   upper_lid = both(model, "upper_lid"), lens = both(model, "lens"), rim = both(model, "rim");
   arm = both(model, "arm"), ear = both(model, "ear");
+  for (int& of_side : brow)
+    if (of_side >= 0 && !is_drawn(face, of_side)) of_side = -1;
   for (int i = 0; i < int(model.features.size()); ++i) {
     const Feature& feature = model.features[std::size_t(i)];
     const std::string_view name = unsided(feature.name);
@@ -117,13 +126,15 @@ KnownFeatures::KnownFeatures(const Face& face) {
     if (!is_glasses(name)) {
       const Hiding hiding = hiding_of(face, feature, false);
       if (head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"})) {
-        if (hiding == Hiding::all) over_head.push_back(i);
+        if (hiding == Hiding::all) add_members(model, i, over_head);
         if (hiding != Hiding::none) over_temples.push_back(i);
+        one_mass = one_mass || (hiding == Hiding::all &&
+                                std::holds_alternative<AreaFigure>(feature.figure));
       }
       const bool over_brows =
           hiding_of(face, feature, true) == Hiding::all && !name.starts_with("brow");
       for (std::size_t s = 0; s < 2; ++s)
-        if (over_brows && brow[s] >= 0 && i > brow[s]) over_brow[s].push_back(i);
+        if (over_brows && brow[s] >= 0 && i > brow[s]) add_members(model, i, over_brow[s]);
     }
     // What is clipped to a feature stays in it; an area without a paint only makes room.
     const bool clipped =
@@ -169,6 +180,8 @@ void RestSight::find_hair(AreaCache& areas) {
   }
   // Bald, or nearly: a kippah is no hair.
   if (4 * covered <= 3 * crown.size()) crown.clear(), temples.clear();
+  // Hair that fades into skin has an edge where it is drawn as one mass, within the head: on purpose.
+  if (known.one_mass) temples.clear();
 }
 
 void RestSight::find_beard(AreaCache& areas) {

@@ -25,6 +25,7 @@ struct KnownFeatures {
   std::vector<int> over_head;        ///< what can hide the head, of hair or cloth
   /// And hair that fades into skin: a fade has no edge inside the outline that anybody could see.
   std::vector<int> over_temples;
+  bool one_mass = false;  ///< whether a style draws several features of them as one area
   std::array<std::vector<int>, 2> over_brow;
   std::vector<int> framed;  ///< what has to stay in the picture
   std::vector<int> looped;  ///< painted paths, which must not turn inside out

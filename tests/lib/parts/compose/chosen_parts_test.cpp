@@ -89,6 +89,8 @@ TEST(OwnParts, AreRefusedAtTheirPlace) {
        "another part has a feature"},
       {{"\"kind\": \"path\"", "\"kind\": \"paht\""}, "6:97: /features/0/kind: no kind of feature"},
       {{"\"features\": [", "\"covers\": [\"hiar\"], \"features\": ["}, "did you mean \"hair\"?"},
+      {{"\"features\": [", "\"covers\": [\"hair/bobb\"], \"features\": ["},
+       "did you mean \"bob\"?"},
       {{"\"features\": [", "\"gone\": [\"lip_uper\"], \"features\": ["},
        "/gone/0: no feature that all faces share named \"lip_uper\"; did you mean \"lip_upper\"?"},
       {{"[0, 0.98]", "[0, 0.98"}, "hats/fez.part.json:9:"},
@@ -114,6 +116,18 @@ TEST(OwnParts, LeaveOutWhatAllFacesShare) {
   EXPECT_FALSE(draws(*face, "teeth"));
   EXPECT_TRUE(draws(*face, "tongue"));
   EXPECT_TRUE(draws(*other, "teeth"));
+}
+
+/// Long hair hides an aid behind the ear, not a mask.
+TEST(OwnParts, AreCoveredOneByOne) {
+  const auto draws_aid = [](const char* hair, const char* aid, const char* feature) {
+    Recipe recipe;
+    recipe.parts["hair"] = hair, recipe.parts["aid"] = aid;
+    return draws(face_from_recipe(recipe).value(), feature);
+  };
+  EXPECT_TRUE(draws_aid("cropped", "hearing_aid", "hearing_tube"));
+  EXPECT_FALSE(draws_aid("bob", "hearing_aid", "hearing_tube"));
+  EXPECT_TRUE(draws_aid("bob", "face_mask", "mask"));
 }
 
 /// The line between the lips, or beneath open teeth the gap: what a mouth's part says is how it rests.
