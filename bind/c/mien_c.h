@@ -564,6 +564,7 @@ typedef struct mien_view {
   double background[4];
   double light[3];   /* x right, y up, z > 0 to the viewer */
   int32_t region[4]; /* x, y, width, height [px] */
+  double legible;    /* [px] 0 ... 16: lines at least so wide, for small pictures; 0 */
 } mien_view;
 
 /* The defaults, and the size. `size` is sizeof(mien_view). False sizes are left alone. */
@@ -662,7 +663,7 @@ MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_vi
 
 /* The scene as an SVG file, of lines and parabolas that leave the outlines by `tolerance` [px] at most, 1e-4 ... 1;
  * 0 is 0.006. A list of texts: the file's, and a sentence for each thing that SVG cannot show, with its layer. The view's
- * size, fit and background count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
+ * size, fit, background and legibility count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
  * begins all ids, so that several pictures can stand in one page; NULL of length 0: one made of the picture, so that only
  * equal pictures share ids. Of the options, which may be NULL, `progress`, `most_steps` and `most_memory` count. */
 MIEN_C_API mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tolerance,

@@ -74,6 +74,9 @@ View view_of(const mien_view* given) {
         Color{share(v.background[0], "view.background"), share(v.background[1], "view.background"),
               share(v.background[2], "view.background"), share(v.background[3], "view.background")};
   if (v.has_region) view.region = PixelRect{v.region[0], v.region[1], v.region[2], v.region[3]};
+  if (!(v.legible >= 0 && v.legible <= View::kMostLegible))
+    refuse("view.legible", "expected a number from 0 to 16");
+  view.legible = v.legible;
   if (v.has_light) {
     const glm::dvec3 to{need_finite(v.light[0], "view.light"),
                         need_finite(v.light[1], "view.light"),

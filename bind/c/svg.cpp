@@ -23,6 +23,7 @@ mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tole
     mien::SvgOptions how{.width = double(seen.width),
                          .height = double(seen.height),
                          .fit = seen.fit,
+                         .legible = seen.legible,
                          .background = seen.background,
                          .id_prefix = {},
                          .limits = drawn.limits};

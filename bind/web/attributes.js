@@ -25,6 +25,7 @@ export const ATTRIBUTES = {
   steady: { is: 'string | [number, number] | true', says: 'frames of follow() do not tremble; "1, 2": the filter\'s cutoff [Hz] and beta' },
   blend: { is: "'linear' | 'srgb'", says: '"linear" (default) or "srgb"' },
   fit: { is: "'meet' | 'slice'", says: '"meet" (default): all of the canvas; "slice": all of the picture' },
+  legible: { is: 'number | string', says: '0 to 16: lines are at least so many pixels wide, in small pictures' },
   background: { is: 'string', says: '"#rrggbb", "#rrggbbaa"; none: the face\'s own' },
   alt: { is: 'string', says: 'what a screen reader says; none: what the face looks like; "": nothing, it decorates' },
   deadline: { is: 'number | string', says: 'the most milliseconds that a picture may take (10000)' },
@@ -53,7 +54,7 @@ export const words = (text) => (text ?? '').split(',').map((word) => word.trim()
 export function poseOf(said, extra = {}) {
   const pose = { ...extra };
   for (const name of ['blend', 'background', 'fit']) if (said(name) !== null) pose[name] = said(name);
-  for (const name of ['liveliness', 'time']) if (said(name) !== null) pose[name] = Number(said(name) || NaN);
+  for (const name of ['legible', 'liveliness', 'time']) if (said(name) !== null) pose[name] = Number(said(name) || NaN);
   if (said('look-at') !== null) pose.lookAt = said('look-at').split(',').map((one) => (one.trim() ? Number(one) : NaN));
   const blink = said('blink') === null ? {} : { blink: said('blink') || '1' };
   for (const [key, more] of [['emotions', pairs(said('emotion'), ',')], ['muscles', pairs(said('muscle'), ',')], ['visemes', pairs(said('viseme'), ',')], ['set', { ...pairs(said('set'), ';'), ...blink }]])

@@ -47,6 +47,7 @@ export interface Pose<N extends AnyNames = Names> {
   lookAt?: [number, number, number];
   blend?: 'linear' | 'srgb';
   fit?: 'meet' | 'slice';
+  legible?: number;
   background?: string | [number, number, number, number];
 }
 

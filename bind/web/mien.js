@@ -15,7 +15,7 @@ import { Memory, compiled, host } from './wasm_host.js';
 
 export { MienError };
 
-const VIEW = { bytes: 112, width: 4, height: 8, fit: 12, blend: 16, hasBackground: 24, background: 40 };
+const VIEW = { bytes: 120, width: 4, height: 8, fit: 12, blend: 16, hasBackground: 24, background: 40, legible: 112 };
 const PIXELS = { bytes: 20, data: 8, size: 12, stride: 16 };
 const NAME = { bytes: 48, isControl: 4, isPose: 8, count: 12, begin: 16, name: 24, unit: 28, lo: 32, hi: 40 };
 const CANVAS = { bytes: 56, yUp: 4, box: 8, mirrorX: 40, unit: 48 };
@@ -317,6 +317,7 @@ export class Face {
    *    pose.lookAt    [x, y, z]
    *    pose.blend     'linear' (default) or 'srgb'
    *    pose.fit       'meet' (default): all of the canvas; 'slice': all of the picture
+   *    pose.legible   0 to 16: lines are at least so many pixels wide, for small pictures; 0 (default): as they are
    *    pose.background  '#rrggbb' or '#rrggbbaa', or [r, g, b, a] in linear light, 0 to 1; none: the face's
    *  Long drawings can be ended, wherever they are; draw then throws a MienError that says "cancelled":
    *    how.deadline   milliseconds from now, after which it ends
@@ -461,6 +462,7 @@ export class Face {
     v.setInt32(this.#view + VIEW.height, height, true);
     v.setInt32(this.#view + VIEW.fit, pose.fit === 'slice' ? 1 : 0, true);
     v.setInt32(this.#view + VIEW.blend, pose.blend === 'srgb' ? 1 : 0, true);
+    v.setFloat64(this.#view + VIEW.legible, pose.legible ?? 0, true);
     if (!pose.background) return;
     v.setInt32(this.#view + VIEW.hasBackground, 1, true);
     const at = this.#view + VIEW.background;

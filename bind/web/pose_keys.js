@@ -30,6 +30,7 @@ const SHAPES = {
   lookAt: { is: (value) => value.length === 3 && [...value].every(Number.isFinite), like: '3 numbers, such as [0, 0, 9]' },
   blend: oneOf('linear', 'srgb'),
   fit: oneOf('meet', 'slice'),
+  legible: { is: Number.isFinite, like: 'a number, 0 to 16' },
   background: { is: (value) => typeof value === 'string' || value.length === 4, like: "'#rrggbb', '#rrggbbaa' or [r, g, b, a]" },
 };
 

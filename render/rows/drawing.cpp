@@ -2,6 +2,7 @@
 #include "lib/base/monotonic_seconds.h"
 #include "lib/base/watch.h"
 #include "sdf/arrange/foreseen.h"
+#include "sdf/scene/legible.h"
 #include "sdf/scene/same_scene.h"
 
 #include <algorithm>
@@ -54,20 +55,22 @@ void Drawing::make_whole(const Scene& scene, const View& view, Depth depth,
   arrange_all(threads);
 }
 
-void Drawing::prepare(const Scene& scene, const View& view, Depth depth, bool crowded,
+void Drawing::prepare(const Scene& whole, const View& view, Depth depth, bool crowded,
                       const Threads& threads) {
+  const double scale = pixel_from_face(whole.canvas(), view).scale();
+  const Scene scene = legible_scene(whole, view.legible / scale);
   const bool like_before = crowded == crowded_ && is_of(view, depth);
   if (like_before && same_scene(scene, now().scene)) return changed_.begin(bands(), crowded);
   made_ = false, crowded_ = crowded;
   width_ = view.width, height_ = view.height, dither_ = view.dither;
-  view_ = view;
+  view_ = view, view_.legible = 0;  // the windows of a crowd are of this scene
   format_ = PixelFormat(depth, view.blend);
   now_ = 1 - now_;
   now().scene = scene;
   changed_.begin(bands(), true);
   forget_order();
   if (crowded_)
-    crowd_.make(scene, view, depth);
+    crowd_.make(scene, view_, depth);
   else
     prepare_outlines(like_before, threads);
 }

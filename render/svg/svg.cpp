@@ -3,6 +3,7 @@
 #include "render/render_error.h"
 #include "render/svg/svg_writer_private.h"
 #include "render/watched.h"
+#include "sdf/scene/legible.h"
 
 #include <fmt/format.h>
 
@@ -34,9 +35,12 @@ Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
   try {
     double done = 0.0;
     const auto write = [&] {
+      const glm::dvec2 size{options.width, options.height};
+      const double scale = pixel_from_face(scene.canvas(), size, options.fit).scale();
+      const Scene seen = legible_scene(scene, options.legible / scale);
       SvgOptions named = options;
-      if (!named.id_prefix) named.id_prefix = prefix_of(scene, options);
-      return SvgWriter(scene, named).write(done);
+      if (!named.id_prefix) named.id_prefix = prefix_of(seen, options);
+      return SvgWriter(seen, named).write(done);
     };
     return watched(options.progress, options.limits, std::int64_t(options.width * options.height),
                    write, [&] { return done; });

@@ -27,6 +27,7 @@ namespace mien {
 struct SvgOptions {
   double width = 512, height = 512;  ///< [px] of the whole picture, above 0, at most View::kMaxSide
   Fit fit = Fit::meet;
+  double legible = 0;  ///< [px] the least width of lines, as of a View
   /// Replaces the scene's; alpha 0 leaves the picture transparent.
   std::optional<Color> background = {};
   /// [px] How far a path may leave its outline, kLeastTolerance … 1; both sides of a thin line by this are 3 levels of 255.

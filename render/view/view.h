@@ -36,9 +36,13 @@ struct View {
   std::optional<PixelRect> region = {};
   /// Replaces the scene's direction to the lamp: x right, y up, z > 0 to the viewer.
   std::optional<glm::dvec3> light = {};
+  /// [px] The least width of lines (sdf/scene/legible.h): thinner ones are drawn wider, up to three times, or fade, as does
+  /// what has hardly an area. For small pictures; 0: all as it is.
+  double legible = 0;  ///< 0 … kMostLegible
   bool dither = true;  ///< dithers gradients and lit surfaces at 8 and 16 bits: see store_dithered
 
   static constexpr int kMaxSide = 1 << 20;
+  static constexpr double kMostLegible = 16;
 };
 
 /// The similarity that maps a canvas into the view.

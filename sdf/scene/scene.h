@@ -83,6 +83,7 @@ class MIEN_API Scene {
 
  private:
   friend class SceneBuilder;
+  friend Scene legible_scene(const Scene& scene, double least);
   struct Data {
     Canvas canvas;
     Color background;

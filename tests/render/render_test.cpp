@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "sdf/scene/legible.h"
 #include "tests/support/effort.h"
 #include "tests/support/rendered.h"
 
@@ -34,6 +35,26 @@ TEST(Render, GivesAnImageOfTheSizeAndDepthAskedFor) {
   }
   EXPECT_FALSE(
       test::rendered(beads(), {.width = 8, .height = 8, .background = Color{0, 0, 0, 0}}).opaque);
+}
+
+/// A picture's least width is in its own pixels, whatever part of it is drawn, also where layers are drawn by windows.
+TEST(Render, DrawsLinesAtLeastAsWideAsAsked) {
+  SceneBuilder build({.box = {{0, 0}, {10, 10}}}, {1, 1, 1, 1});
+  for (int i = 0; i < 3; ++i)
+    build.layer("line", build.shape(Line{{1, 2.0 + 3 * i}, {9, 2.0 + 3 * i}, 0.02}),
+                {{0, 0, 0, 1}});
+  const Scene scene = std::move(build).finish();
+  View view{.width = 100, .height = 100, .legible = 1.2};
+  const Image all = test::rendered(scene, view);
+  EXPECT_EQ(all.bytes,
+            test::rendered(legible_scene(scene, 0.12), {.width = 100, .height = 100}).bytes);
+  view.region = PixelRect{20, 10, 30, 40};
+  const Image part = test::rendered(scene, view);
+  for (int y = 0; y < 40; ++y)
+    EXPECT_EQ(std::memcmp(&part.bytes[std::size_t(y) * 120],
+                          &all.bytes[std::size_t(y + 10) * 400 + 80], 120),
+              0)
+        << y;
 }
 
 TEST(Render, OfOnePixelIsTheMeanOfTheWholePicture) {

@@ -32,7 +32,8 @@ class NameRecord(Structure):
 class View(Structure):
     _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("fit", c_int32), ("blend", c_int32),
                 ("dither", c_int32), ("has_background", c_int32), ("has_region", c_int32), ("has_light", c_int32),
-                ("reserved", c_int32), ("background", c_double * 4), ("light", c_double * 3), ("region", c_int32 * 4)]
+                ("reserved", c_int32), ("background", c_double * 4), ("light", c_double * 3), ("region", c_int32 * 4),
+                ("legible", c_double)]
 
 
 class Pixels(Structure):

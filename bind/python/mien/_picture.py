@@ -87,12 +87,13 @@ def _color_of_text(text: str) -> list[float]:
 
 
 def view(aspect: float, size: Size, fit: str = "meet", blend: str = "linear", background: Optional[Color] = None,
-         region: Optional[Sequence[int]] = None, light: Optional[Sequence[float]] = None, dither: bool = True) -> View:
+         region: Optional[Sequence[int]] = None, light: Optional[Sequence[float]] = None, dither: bool = True,
+         legible: float = 0) -> View:
     made = View()
     lib.mien_view_init(made, ctypes.sizeof(View))
     made.width, made.height = sides(size, aspect)
     made.fit, made.blend = choice(fit, ("meet", "slice"), "fit"), choice(blend, ("linear", "srgb"), "blend")
-    made.dither = dither
+    made.dither, made.legible = dither, legible
     if background is not None:
         made.has_background, made.background = 1, (ctypes.c_double * 4)(*color(background))
     if region is not None:

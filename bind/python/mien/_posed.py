@@ -64,7 +64,7 @@ class Posed:
     @hinted
     def render(self, size: Size = 1024, *, fit: str = "meet", blend: str = "linear", dtype: Any = "uint8",
                background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
-               light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0,
+               light: Optional[Sequence[float]] = None, dither: bool = True, legible: float = 0, threads: int = 0,
                out: Optional[numpy.typing.NDArray[Any]] = None, progress: Optional[Watch] = None,
                renderer: Optional[Renderer] = None, effects: Union[Sequence[str], bool] = ()) -> numpy.typing.NDArray[Any]:
         """The picture: an array (height, width, 4) of red, green, blue, alpha.
@@ -76,13 +76,14 @@ class Posed:
         background  "white" or another name of CSS, "#rrggbb", "#rrggbbaa", "transparent", or linear red, green, blue, alpha
         region      x, y, width, height: draws only this part, with the same pixels
         light       x, y, z: the direction to the lamp that lights reliefs
+        legible     pixels, 0 to 16: lines are at least so wide, for small pictures
         threads     0: all. It does not change a bit
         out         an array to draw into; its rows may lie apart
         progress    called with the share done; returning False stops, and Cancelled is raised
         renderer    keeps memory and finished rows between frames
         effects     on the finished picture, in order: ["mosaic:24,0.3", "grid:12"]; True: those of the face's file
         """
-        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
+        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
         return (renderer or Renderer())._render(self._drawn, seen, dtype, threads, out, progress, self._effects(effects))
 
     def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
@@ -99,14 +100,14 @@ class Posed:
         return Renderer()._render(scene.value, seen, "uint8", threads, None, progress)
 
     def svg(self, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None, tolerance: float = 0.006,
-            id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
+            legible: float = 0, id_prefix: Optional[str] = None, progress: Optional[Watch] = None) -> Svg:
         """The face as an SVG file: paths that leave the outlines by `tolerance` [px] at most, 1e-4 to 1.
 
         Colours are mixed as SVG viewers do, as with blend="srgb". `id_prefix` begins all ids, so that several pictures can
         stand in one page; without one it is made of the picture, so that only equal pictures share ids. `progress` is as
         for `render`.
         """
-        seen = view(self.face.canvas.aspect, size, fit, background=background)
+        seen = view(self.face.canvas.aspect, size, fit, background=background, legible=legible)
         if not tolerance > 0:
             raise Error("tolerance", f"expected a number from 1e-4 to 1, got {tolerance!r}")
         prefix = (None, 0) if id_prefix is None else utf8(id_prefix)
@@ -122,7 +123,7 @@ class Posed:
     @hinted
     def save(self, file: File, size: Size = 1024, *, format: Optional[str] = None, fit: str = "meet", blend: str = "linear",
              depth: Union[int, str, None] = None, background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
-             light: Optional[Sequence[float]] = None, dither: bool = True, threads: int = 0, memory: int = 256 << 20,
+             light: Optional[Sequence[float]] = None, dither: bool = True, legible: float = 0, threads: int = 0, memory: int = 256 << 20,
              recipe: str = "", dpi: float = 0, progress: Optional[Watch] = None) -> None:
         """Draws into a file, .png, .tif, .exr, .jpg or .svg, at any size, piece by piece in so many bytes of memory. It appears
         whole or not at all.
@@ -135,9 +136,10 @@ class Posed:
         """
         def run(path: Path, kind: str) -> None:
             if kind == "svg":
-                _write_text(path, self.svg(size, fit=fit, background=background, progress=progress).text)
+                _write_text(path, self.svg(size, fit=fit, background=background, legible=legible,
+                                           progress=progress).text)
                 return
-            seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither)
+            seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
             watched = Watched(progress)
             options = write_options(path, kind, depth, threads, memory, recipe, dpi, watched)
             watched.run(call, _library.image().mien_write_picture, self._drawn, seen, *path_bytes(path), options)

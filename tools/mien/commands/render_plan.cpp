@@ -96,6 +96,11 @@ Expected<Done> plan_values(RenderPlan& plan, const RenderArguments& arguments) {
       !done)
     return done;
   if (auto done = plan_value(plan.view.light, arguments.light, read_light); !done) return done;
+  const auto read_legible = [](const std::string& text) {
+    return read_real("--legible", text, 0, View::kMostLegible);
+  };
+  if (auto done = plan_value(plan.view.legible, arguments.legible, read_legible); !done)
+    return done;
   if (auto done = plan_value(plan.view.background, arguments.background, read_background); !done)
     return done;
   if (auto done = plan_value(plan.picture.memory, arguments.memory, read_memory); !done)

@@ -22,6 +22,7 @@ std::string recipe(const RenderArguments& arguments, const View& view) {
   add("background", arguments.background);
   add("blend", arguments.blend);
   add("light", arguments.light);
+  add("legible", arguments.legible);
   add("dither", arguments.dither);
   add("debug", arguments.debug);
   const auto add_all = [&](const char* name, const std::vector<std::string>& values) {

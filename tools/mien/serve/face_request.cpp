@@ -42,6 +42,7 @@ const Key kKeys[] = {
     MIEN_KEY("background", arguments.background),
     MIEN_KEY("blend", arguments.blend),
     MIEN_KEY("light", arguments.light),
+    MIEN_KEY("legible", arguments.legible),
     MIEN_KEY("dither", arguments.dither),
     MIEN_KEY("depth", arguments.depth),
     MIEN_KEY("dpi", arguments.dpi),
