@@ -51,17 +51,16 @@ class OiioReader final : public PictureReader {
   /// A row of tiles, or some lines.
   Expected<Done> read_band() {
     constexpr int kLinesAtOnce = 16;
-    const int rows = std::min(spec_.tile_height > 0 ? spec_.tile_height : kLinesAtOnce,
-                              spec_.height - end_);
+    const int rows =
+        std::min(spec_.tile_height > 0 ? spec_.tile_height : kLinesAtOnce, spec_.height - end_);
     if (rows < 1) return Error{"", "has fewer rows than it should"};
     begin_ = end_, end_ += rows;
     band_.resize(row_bytes() * std::size_t(rows));
-    const bool read =
-        spec_.tile_width > 0
-            ? in_->read_tiles(0, 0, 0, spec_.width, begin_, end_, 0, 1, 0, spec_.nchannels,
-                              depth_.type, band_.data())
-            : in_->read_scanlines(0, 0, begin_, end_, 0, 0, spec_.nchannels, depth_.type,
-                                  band_.data());
+    const bool read = spec_.tile_width > 0
+                          ? in_->read_tiles(0, 0, 0, spec_.width, begin_, end_, 0, 1, 0,
+                                            spec_.nchannels, depth_.type, band_.data())
+                          : in_->read_scanlines(0, 0, begin_, end_, 0, 0, spec_.nchannels,
+                                                depth_.type, band_.data());
     if (!read) return Error{"", "cannot be read: " + in_->geterror()};
     return Done{};
   }

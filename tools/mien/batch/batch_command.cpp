@@ -28,7 +28,8 @@ struct PartOf {
 };
 
 Expected<PartOf> read_part(const std::string& text) {
-  const Error wrong{"--part " + one_line(text, 60), "expected K/N, the K-th of N parts, 1/4 to 4/4"};
+  const Error wrong{"--part " + one_line(text, 60),
+                    "expected K/N, the K-th of N parts, 1/4 to 4/4"};
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) return wrong;
   const auto of = read_whole("--part", text.substr(slash + 1), 1, kMostParts);
@@ -169,8 +170,7 @@ int batch_command(const BatchArguments& arguments) {
   if (!batch) return complain(batch.error(), kFailed);
   std::error_code failed;
   fs::create_directories(batch->folder, failed);
-  if (failed)
-    return complain({arguments.output, "cannot be made: " + failed.message()}, kFailed);
+  if (failed) return complain({arguments.output, "cannot be made: " + failed.message()}, kFailed);
   const int code = PartWork(*batch, *which).run();
   if (code != kDone && interrupted()) die_of_interrupt();
   return code;

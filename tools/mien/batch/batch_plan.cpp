@@ -22,8 +22,8 @@ namespace mien::command {
 namespace {
 
 /// Commands that make one file of their arguments alone.
-constexpr std::array<std::string_view, 9> kCommands{"render", "animate",  "sheet", "new", "chernoff",
-                                                    "morph",  "mesh", "say", "stimuli"};
+constexpr std::array<std::string_view, 9> kCommands{
+    "render", "animate", "sheet", "new", "chernoff", "morph", "mesh", "say", "stimuli"};
 /// What a plan or mien batch itself says.
 constexpr std::array<std::string_view, 4> kTaken{"-o", "--output", "--progress", "--help"};
 constexpr int kMostJobs = 10'000, kMostNames = 16, kMostWords = 1000, kMostCuts = 1000;
@@ -68,8 +68,7 @@ class BatchPlanReader {
     read_run(in_.need(node, "run"), job);
     if (const JsonNode* each = in_.find(node, "each")) {
       in_.expect(*each, JsonKind::object);
-      if (each->count > kMostNames)
-        in_.refuse(*each, fmt::format("{} names at most", kMostNames));
+      if (each->count > kMostNames) in_.refuse(*each, fmt::format("{} names at most", kMostNames));
       in_.for_each(*each, [&](const JsonNode& one, int) { read_variable(one, job); });
       check_count(*each, job);
     }
@@ -90,15 +89,16 @@ class BatchPlanReader {
   void read_run(const JsonNode& node, BatchJob& job) const {
     in_.expect(node, JsonKind::array);
     if (node.count < 1 || node.count > kMostWords)
-      in_.refuse(node, fmt::format("expected a command and its arguments, 1 to {} words",
-                                   kMostWords));
+      in_.refuse(node,
+                 fmt::format("expected a command and its arguments, 1 to {} words", kMostWords));
     in_.for_each(node, [&](const JsonNode& word, int i) {
       job.run.push_back(word.kind == JsonKind::number ? json_number(in_.number(word))
                                                       : std::string(in_.string(word)));
       const std::string_view text = job.run.back();
       if (i == 0) in_.word(word, "command for a plan", kCommands);
       for (const std::string_view taken : kTaken)
-        if (text == taken || (text.starts_with(taken) && (taken == "-o" || text[taken.size()] == '=')))
+        if (text == taken ||
+            (text.starts_with(taken) && (taken == "-o" || text[taken.size()] == '=')))
           in_.refuse(word, fmt::format("{} is not for a plan: \"output\" names the file",
                                        in_quotes(text)));
     });
@@ -107,9 +107,8 @@ class BatchPlanReader {
   void read_variable(const JsonNode& node, BatchJob& job) {
     Variable variable;
     variable.name = in_.tree.key(node);
-    const bool plain = std::ranges::all_of(variable.name, [](unsigned char c) {
-      return std::isalnum(c) || c == '_';
-    });
+    const bool plain = std::ranges::all_of(
+        variable.name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     if (variable.name.empty() || !plain || variable.name == kThousand)
       in_.refuse(node, variable.name == kThousand
                            ? "this name is built in: it counts items by thousands"
@@ -166,7 +165,8 @@ class BatchPlanReader {
     } else {
       variable.kind = Variable::Kind::numbers;
       variable.first = whole(in_.need(node, "from"), 0, kMost);
-      variable.count = whole(in_.need(node, "to"), double(variable.first), kMost) - variable.first + 1;
+      variable.count =
+          whole(in_.need(node, "to"), double(variable.first), kMost) - variable.first + 1;
     }
   }
 
@@ -217,15 +217,16 @@ class BatchPlanReader {
     if (job.each.empty() || job.each.back().kind != Variable::Kind::frames) return;
     const std::vector<std::string> names = names_in(job.output);
     if (std::ranges::count(names, job.each.back().name) != 1)
-      in_.refuse(node, fmt::format("expected {{{}}} once, for the frame's number",
-                                   job.each.back().name));
+      in_.refuse(node,
+                 fmt::format("expected {{{}}} once, for the frame's number", job.each.back().name));
   }
 
   void read_join(const JsonNode& node, BatchJob& job) const {
     job.join = std::string(in_.string(node));
     if (!job.cuts())
-      in_.refuse(node, "needs pieces: the last name of \"each\" has \"regions\", \"frames\" or "
-                       "\"stimuli\"");
+      in_.refuse(node,
+                 "needs pieces: the last name of \"each\" has \"regions\", \"frames\" or "
+                 "\"stimuli\"");
     check_braces(node, *job.join, job);
     for (const std::string& name : names_in(*job.join))
       if (name == job.each.back().name || name == kThousand)
@@ -237,8 +238,9 @@ class BatchPlanReader {
     const JsonNode& run = in_.need(node, "run");
     if (job.run.front() == "stimuli") {
       if (!job.cuts() || job.run.size() != 1)
-        in_.refuse(run, "stimuli has no other words; the last name of \"each\" says its plan: "
-                        "{\"stimuli\": FILE}");
+        in_.refuse(run,
+                   "stimuli has no other words; the last name of \"each\" says its plan: "
+                   "{\"stimuli\": FILE}");
       return;
     }
     BatchItem first{.job = &job, .at = std::vector<long>(job.each.size(), 0), .name = {}};
@@ -258,9 +260,9 @@ class BatchPlanReader {
     if (!whole) in_.refuse(run, sentence(whole.error()));
     Variable& regions = job.each.back();
     if (regions.columns > whole->view.width || regions.rows > whole->view.height)
-      in_.refuse(run, fmt::format("{} x {} pixels cannot be cut into {} x {} regions",
-                                  whole->view.width, whole->view.height, regions.columns,
-                                  regions.rows));
+      in_.refuse(run,
+                 fmt::format("{} x {} pixels cannot be cut into {} x {} regions", whole->view.width,
+                             whole->view.height, regions.columns, regions.rows));
     regions.rects =
         cut_regions(whole->view.width, whole->view.height, regions.columns, regions.rows);
   }

@@ -63,8 +63,9 @@ Expected<Done> check_twins(const BatchPlan& plan, std::uint64_t hash) {
     }
     const std::string where = item.job->where + "/output";
     if (first->name == item.name)
-      return Error{where, fmt::format("two items are called {}; every name of \"each\" belongs in it",
-                                      in_quotes(item.name))};
+      return Error{where,
+                   fmt::format("two items are called {}; every name of \"each\" belongs in it",
+                               in_quotes(item.name))};
     return Error{where, fmt::format("{} and {} differ by case only, and some file systems take "
                                     "them for one",
                                     in_quotes(first->name), in_quotes(item.name))};

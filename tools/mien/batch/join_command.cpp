@@ -37,9 +37,9 @@ Expected<Done> check_files(const OpenedBatch& batch, const std::vector<std::stri
                : hash.error();
   });
   if (wrong == 0) return Done{};
-  return Error{why.where, fmt::format("{}{}", why.what,
-                                      wrong > 1 ? fmt::format(", and {} more are wrong", wrong - 1)
-                                                : "")};
+  return Error{why.where,
+               fmt::format("{}{}", why.what,
+                           wrong > 1 ? fmt::format(", and {} more are wrong", wrong - 1) : "")};
 }
 
 /// Everything that the plan joins.

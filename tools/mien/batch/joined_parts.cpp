@@ -16,9 +16,7 @@ namespace {
 class Joining {
  public:
   explicit Joining(const OpenedBatch& batch)
-      : batch_(batch),
-        hashes_(std::size_t(batch.plan.items)),
-        from_(hashes_.size(), nullptr) {
+      : batch_(batch), hashes_(std::size_t(batch.plan.items)), from_(hashes_.size(), nullptr) {
     for (long i = 0; i < batch.plan.items; ++i) numbers_[item_of(batch.plan, i).name] = i;
   }
 
@@ -31,8 +29,8 @@ class Joining {
       if (found == numbers_.end()) return refuse(record, name, "is no item of the plan");
       const long i = found->second;
       if (i < range.first || i >= range.end)
-        return refuse(record, name, fmt::format("belongs to another part than {} of {}",
-                                                header.part, header.of));
+        return refuse(record, name,
+                      fmt::format("belongs to another part than {} of {}", header.part, header.of));
       std::string& known = hashes_[std::size_t(i)];
       const PartRecord*& from = from_[std::size_t(i)];
       if (from == &record) return refuse(record, name, "stands there twice");
@@ -69,12 +67,14 @@ class Joining {
       return other(fmt::format("was drawn by mien {}, and this is {}", one_line(header.version, 20),
                                MIEN_VERSION_STRING));
     if (header.plan != batch_.plan.hash)
-      return other("is a part of another plan, or of this one before it or a file that it names was "
-                   "changed");
+      return other(
+          "is a part of another plan, or of this one before it or a file that it names was "
+          "changed");
     if (!instructions_.empty() && header.instructions != instructions_)
-      return other(fmt::format("was drawn with {} multiply-adds, and other parts with {} ones: bytes "
-                               "may differ",
-                               one_line(header.instructions, 20), instructions_));
+      return other(
+          fmt::format("was drawn with {} multiply-adds, and other parts with {} ones: bytes "
+                      "may differ",
+                      one_line(header.instructions, 20), instructions_));
     instructions_ = header.instructions;
     const ItemRange range = items_of_part(batch_.plan.items, header.part, header.of);
     if (header.part > header.of || header.items != range.end - range.first)

@@ -64,8 +64,8 @@ int join_experiment(const BatchItem& item, long first, const std::vector<std::st
     manifest.shown.push_back(*one);
   }
   const std::string text = manifest_text(manifest);
-  const auto done = write_file(
-      to.string(), [&](const PutBytes& put) { return put(text.data(), text.size()); });
+  const auto done =
+      write_file(to.string(), [&](const PutBytes& put) { return put(text.data(), text.size()); });
   return done ? int(kDone) : complain(done.error(), kFailed);
 }
 

@@ -64,9 +64,9 @@ class RegionRows {
       if (!reader) return reader.error();
       const PixelRect& piece = rect(row, column);
       if ((*reader)->width() != piece.width || (*reader)->height() != piece.height)
-        return Error{names_.back(), fmt::format("has {} x {} pixels, not {} x {}",
-                                                (*reader)->width(), (*reader)->height(),
-                                                piece.width, piece.height)};
+        return Error{names_.back(),
+                     fmt::format("has {} x {} pixels, not {} x {}", (*reader)->width(),
+                                 (*reader)->height(), piece.width, piece.height)};
       readers_.push_back(*std::move(reader));
     }
     return Done{};
@@ -104,8 +104,7 @@ Expected<Done> check_types(const BatchItem& item, const RenderPlan& whole) {
   const PictureWriter writer = format_of(*type).writer;
   if (writer != PictureWriter::png && writer != PictureWriter::tiff)
     return Error{"", "regions that are joined are .png or .tif"};
-  if (whole.debug || whole.error_map)
-    return Error{"", "debug pictures are not joined"};
+  if (whole.debug || whole.error_map) return Error{"", "debug pictures are not joined"};
   return Done{};
 }
 

@@ -29,7 +29,8 @@ constexpr double kLargestNumber = 1e9;
 
 std::string header_line(const PartHeader& header) {
   return fmt::format(
-      "{{\"format\": \"mien-batch-part\", \"format_version\": 1, \"plan\": \"{}\", \"mien\": \"{}\", "
+      "{{\"format\": \"mien-batch-part\", \"format_version\": 1, \"plan\": \"{}\", \"mien\": "
+      "\"{}\", "
       "\"instructions\": \"{}\", \"part\": {}, \"of\": {}, \"items\": {}}}\n",
       header.plan, header.version, header.instructions, header.part, header.of, header.items);
 }
@@ -50,8 +51,7 @@ void read_line(PartRecord& record, const Reading& in, bool first) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   if (!first) {
-    record.items.emplace_back(in.string(in.need(root, "item")),
-                              in.string(in.need(root, "sha256")));
+    record.items.emplace_back(in.string(in.need(root, "item")), in.string(in.need(root, "sha256")));
     return;
   }
   expect_format(in, root, "mien-batch-part");
@@ -146,8 +146,7 @@ Expected<PartJournal> PartJournal::begin(const fs::path& folder, const PartHeade
                                              header.of, dice(), dice(), kLines);
   const int descriptor =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    return Error{folder.string(), "cannot be written in: " + system_error(errno)};
+  if (descriptor < 0) return Error{folder.string(), "cannot be written in: " + system_error(errno)};
   PartJournal journal(path, descriptor);
   if (auto done = journal.put(header_line(header)); !done) {
     ::unlink(path.c_str());

@@ -18,9 +18,10 @@ namespace mien::command {
 
 /// What must be the same of all parts that belong together.
 struct PartHeader {
-  std::string plan;          ///< its hash
-  std::string version;       ///< of mien
-  std::string instructions;  ///< the class of instructions on which bytes may depend: "fused" or "unfused"
+  std::string plan;     ///< its hash
+  std::string version;  ///< of mien
+  std::string
+      instructions;  ///< the class of instructions on which bytes may depend: "fused" or "unfused"
   long part = 1, of = 1;
   long items = 0;  ///< of the part
 };
@@ -32,7 +33,8 @@ struct PartRecord {
   PartHeader header;
   std::string file;  ///< its name, without the folder
   bool journal = false;
-  std::vector<std::pair<std::string, std::string>> items;  ///< name and SHA-256, in the file's order
+  std::vector<std::pair<std::string, std::string>>
+      items;  ///< name and SHA-256, in the file's order
 };
 
 /// "manifest-3-of-16.jsonl".

@@ -127,19 +127,19 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
         kUsedWrongly);
   if (animation.sound && !holds_sound(type))
     return complain(Error{output, "holds no sound: take .mp4 or .webm"}, kUsedWrongly);
-  const FilmPlan plan{
-      .type = type,
-      .width = drawn.width,
-      .height = drawn.height,
-      .fps = animation.fps,
-      .transparent = transparent,
-      .sound = animation.sound,
-      .frames = animation.range.count(),
-      .threads = animation.threads,
-      .draw = [&](long frame) {
-        const long at = animation.range.first + frame;
-        return animation.drawn ? animation.drawn(at) : animation.picture_of(animation.scene_of(at));
-      }};
+  const FilmPlan plan{.type = type,
+                      .width = drawn.width,
+                      .height = drawn.height,
+                      .fps = animation.fps,
+                      .transparent = transparent,
+                      .sound = animation.sound,
+                      .frames = animation.range.count(),
+                      .threads = animation.threads,
+                      .draw = [&](long frame) {
+                        const long at = animation.range.first + frame;
+                        return animation.drawn ? animation.drawn(at)
+                                               : animation.picture_of(animation.scene_of(at));
+                      }};
   const auto begun = begin_film(output, plan);
   if (interrupted()) return complain("interrupted", kFailed);
   if (!begun) return complain(begun.error(), kFailed);

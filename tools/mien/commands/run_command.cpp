@@ -38,8 +38,7 @@ struct Run {
 
 int run_command(const CommandLine& line) {
   const FileRoles roles = file_roles(line);
-  if (const auto safe = check_file_roles(roles); !safe)
-    return complain(safe.error(), kUsedWrongly);
+  if (const auto safe = check_file_roles(roles); !safe) return complain(safe.error(), kUsedWrongly);
   if (const auto open = check_places(roles); !open) return complain(open.error(), kFailed);
   return std::visit(Run{}, line);
 }

@@ -22,7 +22,9 @@ namespace {
 Expected<StimulusManifest> show_all(const std::vector<Stimulus>& what, int size,
                                     const std::filesystem::path& folder) {
   std::vector<std::optional<Expected<ShownStimulus>>> shown(what.size());
-  const auto draw = [&](std::size_t i) { shown[i] = show_stimulus(what[i], size, folder / what[i].file); };
+  const auto draw = [&](std::size_t i) {
+    shown[i] = show_stimulus(what[i], size, folder / what[i].file);
+  };
   draw(0);
   if (!*shown[0]) return shown[0]->error();
   watched_for("pictures", int(what.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });
