@@ -33,10 +33,10 @@ class OiioReader final : public PictureReader {
   Depth depth() const override { return depth_.depth; }
   bool opaque() const override { return spec_.nchannels == 3; }
 
-  Expected<Done> next(int rows, std::byte* to, std::size_t stride) override {
+  Expected<Done> next(int rows, std::byte* to, std::size_t stride, const AskStop& stop) override {
     for (int i = 0; i < rows; ++i, to += stride) {
       if (y_ == end_)
-        if (auto done = read_band(); !done) return done;
+        if (auto done = read_band(stop); !done) return done;
       put_row(&band_[std::size_t(y_++ - begin_) * row_bytes()], to);
     }
     return Done{};
@@ -49,20 +49,30 @@ class OiioReader final : public PictureReader {
   }
 
   /// A row of tiles, or some lines.
-  Expected<Done> read_band() {
-    constexpr int kLinesAtOnce = 16;
-    const int rows =
-        std::min(spec_.tile_height > 0 ? spec_.tile_height : kLinesAtOnce, spec_.height - end_);
+  Expected<Done> read_band(const AskStop& stop) {
+    constexpr int kLinesAtOnce = 16, kTilesAtOnce = 8;
+    const bool tiled = spec_.tile_width > 0;
+    const int rows = std::min(tiled ? spec_.tile_height : kLinesAtOnce, spec_.height - end_);
     if (rows < 1) return Error{"", "has fewer rows than it should"};
     begin_ = end_, end_ += rows;
     band_.resize(row_bytes() * std::size_t(rows));
-    const bool read = spec_.tile_width > 0
-                          ? in_->read_tiles(0, 0, 0, spec_.width, begin_, end_, 0, 1, 0,
-                                            spec_.nchannels, depth_.type, band_.data())
-                          : in_->read_scanlines(0, 0, begin_, end_, 0, 0, spec_.nchannels,
-                                                depth_.type, band_.data());
-    if (!read) return Error{"", "cannot be read: " + in_->geterror()};
+    const int step = tiled ? kTilesAtOnce * spec_.tile_width : spec_.width;
+    for (int x = 0; x < spec_.width; x += step) {
+      if (stop()) return Error{"", "cancelled"};
+      if (!read_part(x, std::min(x + step, spec_.width)))
+        return Error{"", "cannot be read: " + in_->geterror()};
+    }
     return Done{};
+  }
+
+  /// The band's columns from x to `end`, which are all where there are no tiles.
+  bool read_part(int x, int end) {
+    const std::size_t pixel = std::size_t(spec_.nchannels) * channel();
+    std::byte* const to = band_.data() + pixel * std::size_t(x);
+    if (spec_.tile_width == 0)
+      return in_->read_scanlines(0, 0, begin_, end_, 0, 0, spec_.nchannels, depth_.type, to);
+    return in_->read_tiles(0, 0, x, end, begin_, end_, 0, 1, 0, spec_.nchannels, depth_.type, to,
+                           OIIO::stride_t(pixel), OIIO::stride_t(row_bytes()));
   }
 
   void put_row(const std::byte* from, std::byte* to) const {

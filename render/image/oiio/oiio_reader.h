@@ -3,9 +3,9 @@
 
 #include <mien/expected.h>
 #include <mien/image.h>
+#include "render/image/picture_encoder.h"
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 
 namespace mien {
@@ -21,8 +21,8 @@ class PictureReader {
   /// Three channels in the file. The fourth, which is read all the same, is full.
   virtual bool opaque() const = 0;
   /// The next rows, of four channels, `stride` bytes apart. No more than a row of the file's tiles is held. The error's `where` is
-  /// left empty.
-  virtual Expected<Done> next(int rows, std::byte* to, std::size_t stride) = 0;
+  /// left empty. `stop`: asked every few milliseconds; after a true one the Error is `cancelled`.
+  virtual Expected<Done> next(int rows, std::byte* to, std::size_t stride, const AskStop& stop) = 0;
 };
 
 using MadeReader = Expected<std::unique_ptr<PictureReader>>;

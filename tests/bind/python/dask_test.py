@@ -57,11 +57,11 @@ def same(one, other):
 def main(folder):
     plan, out = plan_file(folder), folder / "out"
     began = time.monotonic()
-    with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster, Client(cluster) as client:
+    with LocalCluster(n_workers=2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, local_directory=str(folder)) as cluster, Client(cluster) as client:
         stop = threading.Event()
         stop.folder = out
         parts = mien.dask.submit(plan, client, out, parts=8)
-        killer = threading.Thread(target=kill_one, args=(client, stop))
+        killer = threading.Thread(target=kill_one, args=(client, stop), daemon=True)
         killer.start()
         said = client.gather(parts)
         stop.set()

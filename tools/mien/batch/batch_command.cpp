@@ -15,6 +15,7 @@
 
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace mien::command {
 namespace {
@@ -44,8 +45,8 @@ class PartWork {
  public:
   PartWork(const OpenedBatch& batch, const PartOf& which)
       : batch_(batch),
-        range_(items_of_part(batch.plan.items, which.part, which.of)),
-        header_(header_here(batch.plan.hash, which.part, which.of, range_.end - range_.first)),
+        ranges_(items_of_part(batch.plan, which.part, which.of)),
+        header_(header_here(batch.plan.hash, which.part, which.of, count_items(ranges_))),
         drawer_(batch.plan, batch.folder) {}
 
   int run() {
@@ -53,8 +54,10 @@ class PartWork {
     {
       ProgressDisplay display;
       whole_ = display.watch("items");
-      for (long i = range_.first; i < range_.end;)
-        if (const int code = step(i); code != kDone) return code;
+      for (const ItemRange& range : ranges_)
+        for (long i = range.first; i < range.end;)
+          if (const int code = step(i, range.end); code != kDone) return code;
+      whole_(1);
     }
     if (const auto done = finish(); !done) return complain(done.error(), kFailed);
     return print(fmt::format("{} items: {} drawn, {} there already\n", items_.size(),
@@ -82,13 +85,14 @@ class PartWork {
     return Done{};
   }
 
-  double share(long i) const {
-    return double(i - range_.first) / double(std::max(range_.end - range_.first, 1l));
+  /// Of the part, once so many items are done.
+  double share(std::size_t done) const {
+    return double(done) / double(std::max(header_.items, 1l));
   }
 
-  /// The item, or those that are drawn with it; moves `i` behind them.
-  int step(long& i) {
-    if (!whole_(share(i))) return complain("interrupted", kFailed);
+  /// The item, or those before `range_end` that are drawn with it; moves `i` behind them.
+  int step(long& i, long range_end) {
+    if (!whole_(share(items_.size()))) return complain("interrupted", kFailed);
     const BatchItem item = item_of(batch_.plan, i);
     if (is_whole(item)) {
       items_.emplace_back(item.name, known_.at(item.name));
@@ -96,19 +100,19 @@ class PartWork {
       return kDone;
     }
     if (interrupted()) return complain("interrupted", kFailed);
-    const long end = i + missing(i);
+    const long count = missing(i, range_end);
     if (const auto begun = begin_journal(); !begun) return complain(begun.error(), kFailed);
-    if (const int code = drawer_.draw(i, end - i, whole_, share(i), share(end)); code != kDone)
-      return code;
-    for (; i < end; ++i)
+    const double from = share(items_.size()), to = share(items_.size() + std::size_t(count));
+    if (const int code = drawer_.draw(i, count, whole_, from, to); code != kDone) return code;
+    for (const long end = i + count; i < end; ++i)
       if (const auto done = record(item_of(batch_.plan, i)); !done)
         return interrupted() ? complain("interrupted", kFailed) : complain(done.error(), kFailed);
     return kDone;
   }
 
   /// So many from i on are drawn together.
-  long missing(long i) const {
-    const long together = drawer_.together(i, range_.end);
+  long missing(long i, long range_end) const {
+    const long together = drawer_.together(i, range_end);
     long count = 1;
     while (count < together && !is_whole(item_of(batch_.plan, i + count))) ++count;
     return count;
@@ -148,7 +152,7 @@ class PartWork {
   }
 
   const OpenedBatch& batch_;
-  const ItemRange range_;
+  const std::vector<ItemRange> ranges_;
   const PartHeader header_;
   ItemDrawer drawer_;
   Progress whole_;
@@ -165,9 +169,10 @@ class PartWork {
 int batch_command(const BatchArguments& arguments) {
   const auto which = read_part(arguments.part.value_or("1/1"));
   if (!which) return complain(which.error(), kUsedWrongly);
-  watch_interrupts();
+  // Until something is written, Ctrl-C may end the process where it is.
   const auto batch = open_batch(arguments.plan, arguments.output);
   if (!batch) return complain(batch.error(), kFailed);
+  watch_interrupts();
   std::error_code failed;
   fs::create_directories(batch->folder, failed);
   if (failed) return complain({arguments.output, "cannot be made: " + failed.message()}, kFailed);

@@ -136,9 +136,26 @@ Expected<Done> check_names(const BatchPlan& plan) {
   return twin == hashes.end() ? Expected<Done>(Done{}) : check_twins(plan, *twin);
 }
 
-ItemRange items_of_part(long items, long part, long of) {
-  const auto cut = [&](long k) { return long(__int128(items) * k / of); };
-  return {cut(part - 1), cut(part)};
+std::vector<ItemRange> items_of_part(const BatchPlan& plan, long part, long of) {
+  std::vector<ItemRange> ranges;
+  for (const BatchJob& job : plan.jobs) {
+    const long run = (part - 1 + of - job.first % of) % of;
+    const ItemRange range{job.first + job.count * run / of, job.first + job.count * (run + 1) / of};
+    if (range.first < range.end) ranges.push_back(range);
+  }
+  return ranges;
+}
+
+long part_of_item(const BatchPlan& plan, long item, long of) {
+  const BatchJob& job = *item_of(plan, item).job;
+  const long run = ((item - job.first + 1) * of + job.count - 1) / job.count - 1;
+  return (run + job.first) % of + 1;
+}
+
+long count_items(const std::vector<ItemRange>& ranges) {
+  long count = 0;
+  for (const ItemRange& range : ranges) count += range.end - range.first;
+  return count;
 }
 
 }  // namespace mien::command

@@ -32,7 +32,11 @@ Expected<Done> check_names(const BatchPlan& plan);
 struct ItemRange {
   long first = 0, end = 0;
 };
-/// The `part`-th of `of` parts, counted from 1: the items in their order, cut as evenly as it goes.
-ItemRange items_of_part(long items, long part, long of);
+/// The items of the `part`-th of `of` parts, counted from 1. Each job is cut into so many runs of items that follow one another, as
+/// evenly as it goes, so that every part has its share of what is slow; jobs of few items begin at other parts by turns.
+std::vector<ItemRange> items_of_part(const BatchPlan& plan, long part, long of);
+/// The part to which an item belongs.
+long part_of_item(const BatchPlan& plan, long item, long of);
+long count_items(const std::vector<ItemRange>& ranges);
 
 }  // namespace mien::command

@@ -63,7 +63,6 @@ int join_all(const OpenedBatch& batch, const std::vector<std::string>& hashes, l
 }  // namespace
 
 int join_command(const JoinArguments& arguments) {
-  watch_interrupts();
   const auto batch = open_batch(arguments.plan, arguments.folder);
   if (!batch) return complain(batch.error(), kFailed);
   const auto hashes = recorded_items(*batch);

@@ -23,12 +23,11 @@ class Joining {
   Expected<Done> add(const PartRecord& record) {
     if (const auto fits = check_header(record); !fits) return fits;
     const PartHeader& header = record.header;
-    const ItemRange range = items_of_part(batch_.plan.items, header.part, header.of);
     for (const auto& [name, hash] : record.items) {
       const auto found = numbers_.find(name);
       if (found == numbers_.end()) return refuse(record, name, "is no item of the plan");
       const long i = found->second;
-      if (i < range.first || i >= range.end)
+      if (part_of_item(batch_.plan, i, header.of) != header.part)
         return refuse(record, name,
                       fmt::format("belongs to another part than {} of {}", header.part, header.of));
       std::string& known = hashes_[std::size_t(i)];
@@ -50,7 +49,9 @@ class Joining {
     return Error{batch_.folder.string(),
                  fmt::format("{} of {} items are missing; the first is {}{}", missing,
                              batch_.plan.items, in_quotes(item_of(batch_.plan, first).name),
-                             of > 0 ? fmt::format(", of part {}/{}", part_of(first, of), of) : "")};
+                             of > 0 ? fmt::format(", of part {}/{}",
+                                                  part_of_item(batch_.plan, first, of), of)
+                                    : "")};
   }
 
  private:
@@ -76,16 +77,10 @@ class Joining {
                       "may differ",
                       one_line(header.instructions, 20), instructions_));
     instructions_ = header.instructions;
-    const ItemRange range = items_of_part(batch_.plan.items, header.part, header.of);
-    if (header.part > header.of || header.items != range.end - range.first)
+    if (header.part > header.of ||
+        header.items != count_items(items_of_part(batch_.plan, header.part, header.of)))
       return other("is no part of this plan: it has another number of items");
     return Done{};
-  }
-
-  long part_of(long item, long of) const {
-    long part = item * of / batch_.plan.items + 1;
-    while (items_of_part(batch_.plan.items, part, of).end <= item) ++part;
-    return part;
   }
 
   const OpenedBatch& batch_;

@@ -7,6 +7,7 @@
 #include "tools/mien/data/shown_stimulus.h"
 #include "tools/mien/data/stimulus_plan.h"
 #include "tools/mien/film/film.h"
+#include "tools/mien/terminal/interrupt.h"
 #include "tools/mien/terminal/messages.h"
 #include "tools/mien/terminal/watched_work.h"
 
@@ -25,7 +26,7 @@ Expected<Image> picture_in(const fs::path& path) {
   Image image{.width = in.width(), .height = in.height(), .depth = in.depth()};
   image.opaque = in.opaque();
   image.bytes.resize(image.stride() * std::size_t(image.height));
-  if (auto done = in.next(image.height, image.bytes.data(), image.stride()); !done)
+  if (auto done = in.next(image.height, image.bytes.data(), image.stride(), interrupted); !done)
     return Error{path.string(), done.error().what};
   return image;
 }

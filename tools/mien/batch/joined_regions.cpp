@@ -81,7 +81,7 @@ class RegionRows {
                             pixel * std::size_t(rect(row_, column).x);
       if (reader.depth() != strip.depth || reader.opaque() != strip.opaque)
         wrong[std::size_t(column)] = Error{"", "has other channels than the first region"};
-      else if (const auto done = reader.next(rows, to, strip.stride()); !done)
+      else if (const auto done = reader.next(rows, to, strip.stride(), interrupted); !done)
         wrong[std::size_t(column)] = done.error();
     });
     for (std::size_t i = 0; i < wrong.size(); ++i)

@@ -51,7 +51,8 @@ void read_line(PartRecord& record, const Reading& in, bool first) {
   const JsonNode& root = in.tree.root();
   in.expect(root, JsonKind::object);
   if (!first) {
-    record.items.emplace_back(in.string(in.need(root, "item")), in.string(in.need(root, "sha256")));
+    const std::string_view item = in.string(in.need(root, "item"));
+    record.items.emplace_back(item, in.string(in.need(root, "sha256")));
     return;
   }
   expect_format(in, root, "mien-batch-part");

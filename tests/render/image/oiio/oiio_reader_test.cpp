@@ -15,7 +15,8 @@ std::vector<std::byte> read_again(PictureReader& reader, const Image& image, int
   std::vector<std::byte> bytes(image.bytes.size());
   for (int y = 0; y < image.height; y += strip)
     if (!reader.next(std::min(strip, image.height - y),
-                     bytes.data() + std::size_t(y) * image.stride(), image.stride()))
+                     bytes.data() + std::size_t(y) * image.stride(), image.stride(),
+                     [] { return false; }))
       ADD_FAILURE() << "rows from " << y << " on cannot be read";
   return bytes;
 }
@@ -59,9 +60,24 @@ TEST(OiioReader, EndsWithThePicture) {
   const auto reader = load_reader(folder / "a.png");
   ASSERT_TRUE(reader);
   std::vector<std::byte> bytes(image.bytes.size() * 2);
-  const auto done = (*reader)->next(20, bytes.data(), image.stride());
+  const auto done = (*reader)->next(20, bytes.data(), image.stride(), [] { return false; });
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().what, "has fewer rows than it should");
+}
+
+TEST(OiioReader, StopsWhenAsked) {
+  const test::ScratchFolder folder;
+  const Image image = test::sample_image(2100, 300, Depth::u8, true);
+  ASSERT_TRUE(write_image_by(load_encoder, image, folder / "a.tif", {}));
+  const auto reader = load_reader(folder / "a.tif");
+  ASSERT_TRUE(reader);
+  std::vector<std::byte> bytes(image.bytes.size());
+  int asked = 0;
+  const auto done =
+      (*reader)->next(300, bytes.data(), image.stride(), [&] { return ++asked == 2; });
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().what, "cancelled");
+  EXPECT_EQ(asked, 2);
 }
 
 }  // namespace

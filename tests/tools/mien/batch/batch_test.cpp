@@ -142,7 +142,7 @@ TEST_F(BatchTest, TellsWhereAnItemWentWrong) {
   const Ran ran = batch();
   EXPECT_EQ(ran.code, 2);
   EXPECT_EQ(ran.err, "mien: " + path("plan.json") +
-                         ":1:57: /jobs/0: joyy.png: --emotion joyy: no emotion named \"joyy\"; did "
+                         ":1:56: /jobs/0: joyy.png: --emotion joyy: no emotion named \"joyy\"; did "
                          "you mean \"joy\"?\n");
   EXPECT_TRUE(fs::exists(path("out/joy.png")));
 }

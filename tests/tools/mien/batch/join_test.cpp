@@ -165,7 +165,7 @@ TEST_F(JoinTest, RefusesPartsThatDoNotBelongTogether) {
   write_text(first, kept.substr(0, kept.size() - 1));
   EXPECT_EQ(refusal(), start + "is no whole manifest: its last line has no end\n");
   write_text(first, kept + "{}\n");
-  EXPECT_EQ(refusal(), "/manifest-1-of-2.jsonl:4:1: : \"item\" is missing\n");
+  EXPECT_EQ(refusal(), "/manifest-1-of-2.jsonl:4:1: \"item\" is missing\n");
 }
 
 TEST_F(JoinTest, RefusesPartsThatOverlapOrRepeat) {
