@@ -1,6 +1,6 @@
 // mien join: whether everything that a plan asks for is there and whole, and one file of pieces.
 
-#include "lib/base/one_line.h"
+#include "render/image/load_encoder.h"
 #include "tools/mien/batch/items.h"
 #include "tools/mien/batch/joined_parts.h"
 #include "tools/mien/batch/joined_pieces.h"
@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace mien::command {
@@ -67,6 +68,9 @@ int join_command(const JoinArguments& arguments) {
   if (!batch) return complain(batch.error(), kFailed);
   const auto hashes = recorded_items(*batch);
   if (!hashes) return complain(hashes.error(), kFailed);
+  if (std::ranges::any_of(batch->plan.jobs,
+                          [](const BatchJob& job) { return job.join.has_value(); }))
+    if (const auto ready = prepare_to_read(); !ready) return complain(ready.error(), kFailed);
   if (const auto whole = check_files(*batch, *hashes); !whole)
     return complain(whole.error(), kFailed);
   long joined = 0;

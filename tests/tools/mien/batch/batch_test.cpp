@@ -57,15 +57,24 @@ TEST_F(BatchTest, AnotherSplitGoesOnWithWhatIsThere) {
   EXPECT_EQ(join().code, 0);
 }
 
+class KilledTest : public BatchTest {
+ protected:
+  int pictures() const {
+    if (!fs::exists(path("out/crowd"))) return 0;
+    return int(
+        std::ranges::count_if(fs::directory_iterator(path("out/crowd")),
+                              [](const auto& one) { return one.path().extension() == ".png"; }));
+  }
+};
+
 // Killed wherever it is, again and again, it comes to the same files.
-TEST_F(BatchTest, AKilledPartGoesOn) {
+TEST_F(KilledTest, AKilledPartGoesOn) {
   plan(people(60, "160"));
   ASSERT_EQ(batch("whole").code, 0);
   for (int kill = 0; kill < 4; ++kill) {
     test::Process process = test::start_mien(batch_words("out", {}));
-    for (int i = 0; i < 2000 && !fs::exists(path("out/crowd")); ++i)
+    for (int i = 0; i < 12'000 && pictures() < 3 * kill + 2; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(40 + 40 * kill));
     test::end_process(process.id(), SIGKILL);
     process.wait();
     EXPECT_EQ(join().code, 1) << "no part has ended";
