@@ -7,6 +7,7 @@
 //   mien::kImageModuleEntry))();
 
 #include <mien/version.h>
+#include "render/image/oiio/oiio_reader.h"
 #include "render/image/picture_encoder.h"
 
 namespace mien {
@@ -14,6 +15,7 @@ namespace mien {
 /// The module's file name carries mien's version: both sides are always of the same one.
 struct ImageModule {
   MadeEncoder (*make)(const EncoderRequest& request);
+  MadeReader (*read)(const std::filesystem::path& path);  ///< null: it only writes
 };
 
 using ImageModuleEntry = const ImageModule* (*)();

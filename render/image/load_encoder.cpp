@@ -40,4 +40,16 @@ MadeEncoder load_encoder(const EncoderRequest& request) {
   return (*module)->make(request);
 }
 
+Expected<Done> prepare_to_read() {
+  const auto module = load(kOiioModuleFile, FileType::exr);
+  if (!module) return module.error();
+  return Done{};
+}
+
+MadeReader load_reader(const std::filesystem::path& path) {
+  const auto module = load(kOiioModuleFile, FileType::exr);
+  if (!module) return Error{path.string(), module.error().what};
+  return (*module)->read(path);
+}
+
 }  // namespace mien

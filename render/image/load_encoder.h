@@ -10,4 +10,9 @@ namespace mien {
 /// or library with this function says: beside it, and where modules are installed.
 MadeEncoder load_encoder(const EncoderRequest& request);
 
+/// A picture that mien wrote, to be read again. It comes from the module that writes EXR and JPEG.
+MadeReader load_reader(const std::filesystem::path& path);
+/// Loads what it needs, which takes a third of a second that nothing ends: before interrupts are watched.
+Expected<Done> prepare_to_read();
+
 }  // namespace mien

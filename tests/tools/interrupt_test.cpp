@@ -117,6 +117,25 @@ TEST(Interrupt, EndsTestsOfFaces) {
   EXPECT_LT(work_after({"check", "--nonsense", face.string()}, SIGINT), kMost);
 }
 
+// Many small pictures, and one large one that is read, put together and written.
+TEST(Interrupt, EndsBatchesAndJoins) {
+  constexpr double kMost = 0.1;  // [s] 50 ms of two threads
+  const ScratchFolder folder;
+  const auto plan = (folder / "plan.json").string(), out = (folder / "out").string();
+  const auto write_plan = [&](const std::string& job) {
+    test::write_text(plan,
+                     R"({"format": "mien-batch", "format_version": 1, "jobs": [)" + job + "]}");
+  };
+  write_plan(R"({"run": ["render", "{who}", "--size", "64"], "each": {"who": {"people": 5000}},
+                 "output": "{who}.png"})");
+  EXPECT_LT(work_after({"batch", plan, "-o", (folder / "people").string()}, SIGINT), kMost);
+  write_plan(R"({"run": ["render", "toon", "--size", "16000"], "each": {"at": {"regions": [2, 2]}},
+                 "output": "{at}.tif", "join": "toon.tif"})");
+  ASSERT_EQ(test::run_mien({"batch", plan, "-o", out}).code, 0);
+  EXPECT_LT(work_after({"join", plan, out}, SIGTERM), kMost);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "toon.tif"));
+}
+
 // Work between rows: outlines, their order, distances.
 TEST(Interrupt, IsHeardInEveryStage) {
   const ScratchFolder folder;

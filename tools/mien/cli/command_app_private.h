@@ -3,6 +3,7 @@
 
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
+#include "tools/mien/cli/batch_arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
 #include "tools/mien/cli/serve_arguments.h"
 #include "tools/mien/cli/studio_arguments.h"
@@ -37,6 +38,8 @@ struct CommandApp {
   PartsArguments parts;
   ChernoffArguments chernoff;
   StimuliArguments stimuli;
+  BatchArguments batch;
+  JoinArguments join;
   StudioArguments studio;
   ServeArguments serve;
   std::optional<std::string> progress;  ///< of every command that has it

@@ -1,6 +1,7 @@
 #include "tools/mien/cli/command_line.h"
 #include <mien/version.h>
 #include "render/image/file_type.h"
+#include "tools/mien/cli/batch_options.h"
 #include "tools/mien/cli/data_options.h"
 #include "tools/mien/cli/motion_options.h"
 #include "tools/mien/cli/option_words.h"
@@ -230,6 +231,8 @@ CommandLine chosen(CommandApp& command) {
   if (app.got_subcommand("parts")) return std::move(command.parts);
   if (app.got_subcommand("chernoff")) return std::move(command.chernoff);
   if (app.got_subcommand("stimuli")) return std::move(command.stimuli);
+  if (app.got_subcommand("batch")) return std::move(command.batch);
+  if (app.got_subcommand("join")) return std::move(command.join);
   if (app.got_subcommand("studio")) return std::move(command.studio);
   if (app.got_subcommand("serve")) return std::move(command.serve);
   if (app.got_subcommand("manual")) return Help{command.markdown ? command_page(app) : manual(app)};
@@ -289,7 +292,7 @@ void add_progress(CommandApp& made) {
         app.get_subcommand("pca")->get_subcommand("sheet"), app.get_subcommand("fit"),
         app.get_subcommand("sheet"), app.get_subcommand("parts"),
         app.get_subcommand("parts")->get_subcommand("check"), app.get_subcommand("chernoff"),
-        app.get_subcommand("stimuli")})
+        app.get_subcommand("stimuli"), app.get_subcommand("batch"), app.get_subcommand("join")})
     command
         ->add_option(
             "--progress", made.progress,
@@ -325,6 +328,8 @@ std::unique_ptr<CommandApp> command_app() {
   add_parts(app, made->parts);
   add_chernoff(app, made->chernoff);
   add_stimuli(app, made->stimuli);
+  add_batch(app, made->batch);
+  add_join(app, made->join);
   add_studio(app, made->studio);
   add_serve(app, made->serve);
   add_progress(*made);

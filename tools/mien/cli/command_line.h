@@ -3,6 +3,7 @@
 
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
+#include "tools/mien/cli/batch_arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
 #include "tools/mien/cli/serve_arguments.h"
 #include "tools/mien/cli/studio_arguments.h"
@@ -25,7 +26,7 @@ using CommandLine =
                  ListArguments, SetArguments, PcaArguments, MorphArguments, MeshArguments,
                  AnimateArguments, SayArguments, ImportArguments, FitArguments, SheetArguments,
                  NewArguments, CodeArguments, PartsArguments, ChernoffArguments, StimuliArguments,
-                 StudioArguments, ServeArguments>;
+                 StudioArguments, ServeArguments, BatchArguments, JoinArguments>;
 
 CommandLine read_command_line(int count, const char* const* words);
 

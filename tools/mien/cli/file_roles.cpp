@@ -40,6 +40,8 @@ class Roles {
   FileRoles operator()(const CodeArguments&) { return {}; }
   FileRoles operator()(const StudioArguments&) { return {}; }
   FileRoles operator()(const ServeArguments&) { return {}; }
+  FileRoles operator()(const BatchArguments& a) { return read("PLAN", a.plan).all_; }
+  FileRoles operator()(const JoinArguments& a) { return read("PLAN", a.plan).all_; }
   FileRoles operator()(const SetArguments&) { return {}; }  // FACE may be written again
   FileRoles operator()(const PcaArguments& a) {
     read("FRAMES", a.input).read("BASIS", a.basis).read("WEIGHTS", a.weights);

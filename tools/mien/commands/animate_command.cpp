@@ -48,6 +48,7 @@ struct Animation {
   double fps = 30;
   int threads = 1;
   std::optional<FilmSound> sound;
+  DrawnFrame drawn;  // where frames come from that are there already
 
   double time_of(long frame) const { return double(frame) / fps; }
   Scene scene_of(long frame) const {
@@ -126,18 +127,19 @@ int as_film(const Animation& animation, FilmType type, ProgressDisplay& display)
         kUsedWrongly);
   if (animation.sound && !holds_sound(type))
     return complain(Error{output, "holds no sound: take .mp4 or .webm"}, kUsedWrongly);
-  const FilmPlan plan{
-      .type = type,
-      .width = drawn.width,
-      .height = drawn.height,
-      .fps = animation.fps,
-      .transparent = transparent,
-      .sound = animation.sound,
-      .frames = animation.range.count(),
-      .threads = animation.threads,
-      .draw = [&](long frame) {
-        return animation.picture_of(animation.scene_of(animation.range.first + frame));
-      }};
+  const FilmPlan plan{.type = type,
+                      .width = drawn.width,
+                      .height = drawn.height,
+                      .fps = animation.fps,
+                      .transparent = transparent,
+                      .sound = animation.sound,
+                      .frames = animation.range.count(),
+                      .threads = animation.threads,
+                      .draw = [&](long frame) {
+                        const long at = animation.range.first + frame;
+                        return animation.drawn ? animation.drawn(at)
+                                               : animation.picture_of(animation.scene_of(at));
+                      }};
   const auto begun = begin_film(output, plan);
   if (interrupted()) return complain("interrupted", kFailed);
   if (!begun) return complain(begun.error(), kFailed);
@@ -239,7 +241,7 @@ int plan_animation(const AnimateArguments& arguments, Animation& animation) {
 
 }  // namespace
 
-int animate_command(const AnimateArguments& arguments) {
+int animate_command(const AnimateArguments& arguments, const DrawnFrame& drawn) {
   const std::string& output = arguments.render.output;
   const auto names = read_frame_names(output);
   if (!names) return complain(names.error(), kUsedWrongly);
@@ -256,6 +258,7 @@ int animate_command(const AnimateArguments& arguments) {
     return complain(Error{"--sound", "numbered pictures hold no sound: take a film, .mp4 or .webm"},
                     kUsedWrongly);
   Animation animation;
+  animation.drawn = drawn;
   if (*names) {
     const auto type = file_type((*names)->of(0));
     if (!type) return complain(type.error(), kUsedWrongly);

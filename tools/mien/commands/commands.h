@@ -3,9 +3,15 @@
 
 #include "tools/mien/cli/animate_arguments.h"
 #include "tools/mien/cli/arguments.h"
+#include "tools/mien/cli/batch_arguments.h"
 #include "tools/mien/cli/pca_arguments.h"
 #include "tools/mien/cli/serve_arguments.h"
 #include "tools/mien/cli/studio_arguments.h"
+
+#include <mien/expected.h>
+#include <mien/image.h>
+
+#include <functional>
 
 namespace mien::command {
 
@@ -20,7 +26,10 @@ int set_command(const SetArguments& arguments);
 int pca_command(const PcaArguments& arguments);
 int morph_command(const MorphArguments& arguments);
 int mesh_command(const MeshArguments& arguments);
-int animate_command(const AnimateArguments& arguments);
+/// A frame that is there already, by its number; an error's `where` is left empty.
+using DrawnFrame = std::function<Expected<Image>(long frame)>;
+/// `drawn`: where a film's frames come from instead of being drawn, on several threads at once.
+int animate_command(const AnimateArguments& arguments, const DrawnFrame& drawn = {});
 int say_command(const SayArguments& arguments);
 int import_command(const ImportArguments& arguments);
 int fit_command(const FitArguments& arguments);
@@ -30,6 +39,8 @@ int code_command(const CodeArguments& arguments);
 int parts_command(const PartsArguments& arguments);
 int chernoff_command(const ChernoffArguments& arguments);
 int stimuli_command(const StimuliArguments& arguments);
+int batch_command(const BatchArguments& arguments);
+int join_command(const JoinArguments& arguments);
 int studio_command(const StudioArguments& arguments);
 int serve_command(const ServeArguments& arguments);
 

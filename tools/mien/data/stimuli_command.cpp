@@ -1,15 +1,11 @@
 // mien stimuli: the pictures of an experiment, from a plan or again from their manifest.
 
-#include <mien/pose.h>
 #include "lib/base/one_line.h"
-#include "lib/file/json/read_bytes.h"
 #include "render/image/file/written_file.h"
-#include "render/image/load_encoder.h"
-#include "render/image/write_pieces.h"
 #include "tools/mien/commands/commands.h"
+#include "tools/mien/data/shown_stimulus.h"
 #include "tools/mien/data/stimulus_manifest.h"
 #include "tools/mien/data/stimulus_plan.h"
-#include "tools/mien/output/sha256.h"
 #include "tools/mien/terminal/messages.h"
 #include "tools/mien/terminal/watched_work.h"
 
@@ -18,34 +14,17 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 
 namespace mien::command {
 namespace {
-
-constexpr std::size_t kMostFileBytes = std::size_t(1) << 30;  // of a picture's file
-
-Expected<ShownStimulus> show(const Stimulus& stimulus, int size,
-                             const std::filesystem::path& folder) {
-  const auto composed = composed_stimulus(stimulus);
-  if (!composed) return composed.error();
-  const auto posed = posed_stimulus(*composed, stimulus);
-  if (!posed) return posed.error();
-  const auto image = stimulus_picture(*posed, stimulus.picture, size);
-  if (!image) return image.error();
-  const std::filesystem::path path = folder / stimulus.file;
-  if (const auto done = write_image_by(load_encoder, *image, path, {}); !done) return done.error();
-  const auto bytes = read_bytes(path, kMostFileBytes);
-  if (!bytes) return bytes.error();
-  return ShownStimulus{stimulus, displacement(*posed, pose_face(*composed, {})),
-                       sha256(std::as_bytes(std::span(*bytes)))};
-}
 
 /// Draws all, the first alone: what is wrong with one is mostly wrong with all.
 Expected<StimulusManifest> show_all(const std::vector<Stimulus>& what, int size,
                                     const std::filesystem::path& folder) {
   std::vector<std::optional<Expected<ShownStimulus>>> shown(what.size());
-  const auto draw = [&](std::size_t i) { shown[i] = show(what[i], size, folder); };
+  const auto draw = [&](std::size_t i) {
+    shown[i] = show_stimulus(what[i], size, folder / what[i].file);
+  };
   draw(0);
   if (!*shown[0]) return shown[0]->error();
   watched_for("pictures", int(what.size()) - 1, {}, [&](int i) { draw(std::size_t(i) + 1); });

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string_view type_of(const fs::path& file) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kTypes{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kFileTypes{{
       {".html", "text/html; charset=utf-8"},
       {".js", "text/javascript; charset=utf-8"},
       {".mjs", "text/javascript; charset=utf-8"},
@@ -26,7 +26,7 @@ std::string_view type_of(const fs::path& file) {
       {".txt", "text/plain; charset=utf-8"},
   }};
   const std::string ending = file.extension();
-  for (const auto& [known, type] : kTypes)
+  for (const auto& [known, type] : kFileTypes)
     if (ending == known) return type;
   return "application/octet-stream";
 }

@@ -1,5 +1,7 @@
 #include "tools/mien/terminal/messages.h"
 #include "lib/base/one_line.h"
+#include "tools/mien/terminal/interrupt.h"
+#include "tools/mien/terminal/outer_work.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +16,9 @@ constexpr std::size_t kLongest =
     1000;  // bytes of a message: paths may be long, lines need not be longer
 
 void say(std::string_view text) {
-  const std::string line = "mien: " + one_line(text, kLongest) + "\n";
+  const OuterWork* const outer = OuterWork::present();
+  const std::string where = outer && !interrupted() ? outer->where() + ": " : "";
+  const std::string line = "mien: " + one_line(where + std::string(text), kLongest) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
@@ -34,6 +38,7 @@ void warn(const std::vector<Error>& warnings) {
 }
 
 int print(std::string_view text) {
+  if (OuterWork::present()) return kDone;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return kDone;
   if (errno == EPIPE) return kFailed;  // who reads has seen enough: mien list FACE | head

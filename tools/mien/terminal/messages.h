@@ -16,7 +16,8 @@ int complain(const Error& error, ExitCode code);
 /// "mien: warning: …", a line each.
 void warn(const std::vector<Error>& warnings);
 
-/// The whole text to standard output, flushed; complains and gives kFailed if that fails.
+/// The whole text to standard output, flushed; complains and gives kFailed if that fails. Inside another
+/// command's work (outer_work.h) nothing is printed.
 int print(std::string_view text);
 
 }  // namespace mien::command

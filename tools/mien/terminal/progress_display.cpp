@@ -1,6 +1,7 @@
 #include "tools/mien/terminal/progress_display.h"
 #include "lib/file/json/json_text.h"
 #include "tools/mien/terminal/interrupt.h"
+#include "tools/mien/terminal/outer_work.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -56,6 +57,8 @@ ProgressDisplay::~ProgressDisplay() {
 }
 
 Progress ProgressDisplay::watch(std::string phase) {
+  if (const OuterWork* const outer = OuterWork::present())
+    return [outer](double done) { return outer->tell(done); };
   return [this, phase = std::move(phase), phase_began = Clock::now()](double done) {
     if (style_ != ProgressStyle::none) show(phase, done, phase_began);
     return !interrupted();
