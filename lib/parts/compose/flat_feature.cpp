@@ -99,10 +99,19 @@ class Flattening {
       out_.key(key);
       write_member(key, member);
     });
+    int domes = 0;
     const auto placed = [&](const JsonNode& at) {
+      if (style_.in().find(at, "raised")) raise_dome(domes++, at);
       return write_placed(style_.in(), at, {library_, geometry_, to_}, out_);
     };
     style_.write_members(role, painted, which, placed, out_);
+  }
+
+  /// A dome of a style's relief goes with the head's turn as a feature that lies so deep.
+  void raise_dome(int dome, const JsonNode& center) {
+    const std::string index = std::to_string(dome);
+    const std::string_view slice = out_.kept({name_, "/relief/domes/", index, "/center"});
+    to_.raised.push_back({slice, style_.in().number(style_.in().need(center, "raised"))});
   }
 
   /// The area of a feature that was known before, painted where the feature stood.

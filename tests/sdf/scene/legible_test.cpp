@@ -74,7 +74,7 @@ TEST(Legible, OfCombinedAreasAsksWhatIsLeft) {
   EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area l) { return b.intersect(s, l); }), 0.25);
   EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area l) { return b.subtract(l, s); }), 1);
   EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area) { return b.complement(s); }), 1);
-  EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area) { return b.everywhere(); }), 1);
+  EXPECT_EQ(seen([](SceneBuilder& b, Area, Area) { return b.everywhere(); }), 1);
 }
 
 /// Ink per length on screen, the line's width in pixels times its opacity, and each of both, never grow.
