@@ -186,6 +186,17 @@ TEST_F(Nonsense, KnowsShornHairInEveryStyle) {
             std::set<std::string>{});
 }
 
+/// Where a style draws several features as one area, each of them hides what lies below it.
+TEST_F(Nonsense, SeesHairThatIsDrawnAsOneArea) {
+  Recipe recipe = bearded();
+  recipe.style = "pictogram";
+  const Face drawn = *face_from_recipe(recipe);
+  EXPECT_EQ(names_of(test_.faults(drawn, drawn, {})), std::set<std::string>{});
+  Face posed = drawn;
+  move_points(posed, "hair_", [](glm::dvec2 p) { return 0.5 * p; });
+  EXPECT_TRUE(names_of(test_.faults(drawn, posed, {})).contains("scalp_covered"));
+}
+
 TEST_F(Nonsense, FindsAFeelingThatReadsAsAnother) {
   NonsensePose joy = named(face_, "emotion.joy=1");
   const Face angry = pose_face(face_, named(face_, "emotion.anger=1").pose);

@@ -25,6 +25,20 @@ using test::slice_of;
 
 const HeadTurn kTurnedHead{.pivot = {0, -0.3, 0.05}, .center = {0, 0}, .radii = {0.5, 0.65, 0.4}};
 
+/// A nose that is drawn by light stands out as far as the one that is drawn by lines, or a turned face has two.
+TEST(Turn, TakesAStylesReliefAlong) {
+  Recipe recipe;
+  recipe.style = "vinyl";
+  const Face rest = face_from_recipe(recipe).value(),
+             turned = face_at(rest, {"yaw=25", "pitch=-10"});
+  const auto way = [&](const char* slice) {
+    return point_of(turned, slice) - point_of(rest, slice);
+  };
+  const glm::dvec2 light = way("head/relief/domes/0/center"), line = way("nose_light/center");
+  EXPECT_GT(glm::length(line), 0.15);
+  EXPECT_LT(glm::length(light - line), 0.02) << light.x << ' ' << line.x;
+}
+
 TEST(Turn, OfNothingIsNothing_G4) {
   const Face toon = sample_face("toon");
   EXPECT_EQ(face_at(toon, {"yaw=0", "pitch=0", "roll=0"}).vector, toon.vector);
