@@ -17,6 +17,6 @@ int complain(const Error& error, ExitCode code);
 void warn(const std::vector<Error>& warnings);
 
 /// The whole text to standard output, flushed; complains and gives kFailed if that fails.
-int print(std::string_view text);
+[[nodiscard]] int print(std::string_view text);
 
 }  // namespace mien::command
