@@ -13,7 +13,7 @@ class Verb:
     words: tuple        # IN: the folder of inputs; FACES: that of the sample faces; SOURCE: the tree
     files: tuple = ()   # what it writes, in the folder it runs in
     own_threads: bool = False  # another program does its work: only calls of the command's first thread fail
-    slow: bool = False         # thousands of calls, all a library's as it is loaded: every 17th is tried
+    slow: bool = False         # thousands of calls, all a library's as it is loaded: every 53rd is tried
     only_new: bool = False     # it refuses to replace a file
     warns: bool = False        # it warns when it succeeds
 
@@ -37,8 +37,8 @@ TOON = "FACES/compat/toon.face.json"
 FRAMES = tuple(f"frames/{i}.png" for i in range(3))
 
 VERBS = (
-    verb("png", f"render {CODE} -o out.png --size 48 --threads 1", "out.png"),
     verb("png-face", f"render {TOON} -o out.png {SMALL}", "out.png"),
+    verb("png", f"render {CODE} -o out.png --size 48 --threads 1", "out.png"),
     verb("png-threads", f"render {TOON} -o out.png --size 400 --memory 4M --threads 2", "out.png"),
     verb("png-stdout", f"render {TOON} -o - {SMALL}"),
     verb("tiff", f"render {TOON} -o out.tif {SMALL}", "out.tif"),

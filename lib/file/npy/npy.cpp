@@ -1,4 +1,5 @@
 #include <mien/npy.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/base/one_line.h"
 #include "lib/file/json/placed_reader.h"
@@ -168,7 +169,8 @@ std::size_t NpyHeader::numbers() const {
   return product;
 }
 
-Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, std::size_t size) {
+Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset,
+                                    std::size_t size) try {
   Error no_file{"", "is not a .npy file"};
   unsigned char begin[12] = {};
   if (size < offset + 10 || !read(offset, 10, begin) ||
@@ -206,9 +208,11 @@ Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, 
     return Error{"", fmt::format("is cut off: its shape {} takes {} bytes, and {} are there",
                                  *shape_text, *bytes, size - header.data)};
   return header;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
+Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) try {
   auto opened = PlacedReader::open(path);
   if (!opened) return opened.error();
   const auto file = std::make_shared<const PlacedReader>(*std::move(opened));
@@ -234,6 +238,8 @@ Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
                                            file->size() - frames.header_.end())};
   frames.file_ = file;
   return frames;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 MatrixSource FrameFile::source() const {
@@ -291,7 +297,7 @@ std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
 }
 
 Expected<Done> write_npy(const ByteSink& sink, NpyType type, std::span<const std::size_t> shape,
-                         const MatrixSource& source) {
+                         const MatrixSource& source) try {
   static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
   if (type != NpyType::float32 && type != NpyType::float64)
     return Error{"", "arrays are written as float32 or float64"};
@@ -311,6 +317,8 @@ Expected<Done> write_npy(const ByteSink& sink, NpyType type, std::span<const std
     if (!done) return done;
   }
   return Done{};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

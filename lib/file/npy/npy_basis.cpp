@@ -1,4 +1,5 @@
 #include <mien/npy_basis.h>
+#include "lib/base/memory_ran_out.h"
 
 #include <mien/face_model.h>
 #include "lib/base/one_line.h"
@@ -171,7 +172,7 @@ void read_arrays(Arrays& arrays, BasisFile& file) {
 
 }  // namespace
 
-Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file) {
+Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file) try {
   const std::string info = info_text(file);
   const std::size_t length[] = {info.size()};
   const std::string header = npy_header(NpyType::uint8, length);
@@ -184,9 +185,11 @@ Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file) {
   if (auto done = put(sink, type, {n, v, d}, basis.components, n); !done) return done;
   if (auto done = put(sink, NpyType::float64, {n}, basis.variances, 1); !done) return done;
   return put(sink, type, {file.frames, n}, file.fit.weights, file.frames);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<BasisFile> read_basis(const std::filesystem::path& path) {
+Expected<BasisFile> read_basis(const std::filesystem::path& path) try {
   const std::string name = one_line(path.string());
   try {
     const auto opened = PlacedReader::open(path);
@@ -219,6 +222,8 @@ Expected<BasisFile> read_basis(const std::filesystem::path& path) {
   } catch (const std::exception& e) {
     return Error{name, fmt::format("is a damaged basis: {}", one_line(e.what()))};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 void set_face(BasisFile& file, const Face& face) {
@@ -228,7 +233,7 @@ void set_face(BasisFile& file, const Face& face) {
     file.slices.emplace_back(slice.name, slice.size);
 }
 
-Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face) {
+Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face) try {
   if (file.slices.empty()) return Error{"", "the basis is of vertices, not of a face"};
   const std::vector<Slice>& slices = face.model->layout.slices();
   for (std::size_t i = 0; i < std::max(slices.size(), file.slices.size()); ++i) {
@@ -245,6 +250,8 @@ Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face) {
   if (file.fit.basis.columns != face.vector.size())
     return Error{"", "the basis has another number of numbers than the face"};
   return FaceBasis{file.fit.basis, file.fit.weights, file.fps, file.begin};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

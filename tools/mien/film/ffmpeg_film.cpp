@@ -85,15 +85,24 @@ class FfmpegFilm final : public FilmWriter {
   std::FILE* said_ = nullptr;  // what ffmpeg complained of
 };
 
+/// The file that ffmpeg writes, as one of its descriptors. By its name it would be made anew where this program was
+/// killed and the next one has removed it. Opened a second time, it does not share the lock, which ends with this program.
+constexpr int kFilmDescriptor = 3;
+
 Expected<Done> FfmpegFilm::begin(const FilmPlan& plan) {
   said_ = std::tmpfile();
+  const int film = said_ ? ::open(file_.temporary().c_str(), O_RDWR | O_CLOEXEC) : -1;
   int ends[2];
-  if (!said_ || ::pipe2(ends, O_CLOEXEC) != 0)
-    return Error{name_, "cannot be written: " + system_error(errno)};
+  if (film < 0 || ::pipe2(ends, O_CLOEXEC) != 0) {
+    const int failed = errno;
+    if (film >= 0) ::close(film);
+    return Error{name_, "cannot be written: " + system_error(failed)};
+  }
   pipe_ = ends[1];
-  const int failed = start_process(ffmpeg_words(file_.temporary().string(), plan),
-                                   {ends[0], -1, ::fileno(said_)}, id_);
+  const int failed = start_process(ffmpeg_words(fmt::format("/dev/fd/{}", kFilmDescriptor), plan),
+                                   {ends[0], -1, ::fileno(said_), film}, id_);
   ::close(ends[0]);
+  ::close(film);
   if (!failed) return Done{};
   id_ = -1;
   return Error{name_, failed == ENOENT
