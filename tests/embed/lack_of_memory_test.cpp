@@ -139,13 +139,11 @@ TEST_F(LackOfMemory, ReadingIsASentence) {
                               basis = MIEN_SOURCE_DIR "/fuzz/lib/file/npy/npy_corpus/two.basis";
   fails_well("read_face", [&] { return ended(read_face(file)); });
   fails_well("face_from_code", [] { return ended(face_from_code("A66CB-AA5S0-14")); });
-  fails_well("read_motion",
-             [] { return ended(read_motion(MIEN_SOURCE_DIR "/examples/take/open_face.csv")); });
-  fails_well("read_motion of speech",
-             [] { return ended(read_motion(MIEN_SOURCE_DIR "/examples/talk/hello.TextGrid")); });
+  fails_well("read_motion", [&] { return ended(read_motion(take)); });
+  fails_well("read_motion of speech", [&] { return ended(read_motion(track)); });
+  constexpr std::string_view kMesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   fails_well(
-      "read_obj", [] { return ended(read_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")); },
-      true);
+      "read_obj", [&] { return ended(read_obj_text(kMesh)); }, true);
   fails_well("read_basis", [&] { return ended(read_basis(basis)); });
 }
 

@@ -1,4 +1,5 @@
 #include "render/image/file/atomic_file.h"
+#include "lib/base/folder_names.h"
 #include "render/image/file/output_path.h"
 #include "render/image/file/system_error.h"
 
@@ -89,36 +90,36 @@ Error refused(const fs::path& path, const fs::path& folder, const std::string& w
 }  // namespace
 
 void remove_leftovers(const fs::path& folder) {
-  std::error_code failed;
-  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-    if (is_temporary_name(at->path().filename().native())) remove_leftover(at->path());
-  }
+  const auto names = folder_names(folder);
+  if (!names) return;  // there is nothing to remove, or it cannot be known
+  for (const std::string& name : *names)
+    if (is_temporary_name(name)) remove_leftover(folder / name);
 }
 
 Expected<AtomicFile> AtomicFile::begin(const fs::path& path) {
   const fs::path folder = folder_of(path);
   remove_leftovers(folder);
   for (int tries = 0; tries < kMostTries; ++tries) {
-    const fs::path temporary = folder / new_temporary_name();
-    const int descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno == EEXIST) continue;
-    if (descriptor < 0 && errno == EINTR) continue;
-    if (descriptor < 0) return refused(path, folder, system_error(errno));
+    AtomicFile file(path, folder / new_temporary_name());
+    if (!file.open() && (errno == EEXIST || errno == EINTR)) continue;
+    if (file.descriptor_ < 0) return refused(path, folder, system_error(errno));
     // A file system without locks has no sweepers either: they need the lock as well.
-    while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+    while (::flock(file.descriptor_, LOCK_EX) != 0 && errno == EINTR) {
     }
-    const Named named = still_named(descriptor, temporary);
-    if (named == Named::still) return AtomicFile(path, temporary, descriptor);
-    const int failed = errno;
-    if (named == Named::unknown) ::unlink(temporary.c_str());
-    ::close(descriptor);
-    if (named == Named::unknown) return refused(path, folder, system_error(failed));
+    const Named named = still_named(file.descriptor_, file.temporary_);
+    if (named == Named::still) return file;
+    if (named == Named::unknown) return refused(path, folder, system_error(errno));
   }
   return refused(path, folder, "its temporary files vanish");
 }
 
-AtomicFile::AtomicFile(fs::path path, fs::path temporary, int descriptor)
-    : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+AtomicFile::AtomicFile(fs::path path, fs::path temporary)
+    : path_(std::move(path)), temporary_(std::move(temporary)) {}
+
+bool AtomicFile::open() {
+  descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  return descriptor_ >= 0;
+}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
