@@ -142,8 +142,10 @@ Expected<Done> AtomicFile::commit() {
     return Error{path_.string(), "cannot be written: " + system_error(code)};
   };
   if (const int failed = flush(descriptor_)) return refuse(failed);
+  // Once the name is taken nothing may fail, memory for a path neither.
+  const fs::path folder = folder_of(path_);
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) return refuse(errno);
-  flush_folder(folder_of(path_));
+  flush_folder(folder);
   ::close(std::exchange(descriptor_, -1));
   return Done{};
 }
