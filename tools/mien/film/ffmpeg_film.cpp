@@ -78,6 +78,9 @@ class FfmpegFilm final : public FilmWriter {
   Expected<Done> finish() override;
 
  private:
+  /// Of ffmpeg's work, as far as it was given any.
+  Expected<Done> end();
+
   AtomicFile file_;
   std::string name_;
   pid_t id_ = -1;
@@ -118,7 +121,7 @@ Expected<Done> FfmpegFilm::add(const Image& frame) {
     const ssize_t put = ::write(pipe_, at, left);
     if (put < 0 && errno == EINTR) continue;
     if (put < 0) {
-      auto done = finish();
+      auto done = end();
       return done ? Error{name_, "ffmpeg stopped early"} : done.error();
     }
     at += put;
@@ -127,10 +130,15 @@ Expected<Done> FfmpegFilm::add(const Image& frame) {
   return Done{};
 }
 
-Expected<Done> FfmpegFilm::finish() {
+Expected<Done> FfmpegFilm::end() {
   ::close(std::exchange(pipe_, -1));
   const int code = end_of_process(std::exchange(id_, -1));
   if (code != 0) return Error{name_, "ffmpeg failed: " + last_line(said_)};
+  return Done{};
+}
+
+Expected<Done> FfmpegFilm::finish() {
+  if (auto done = end(); !done) return done;
   return file_.commit();
 }
 
