@@ -9,7 +9,8 @@
 //
 // Three verbs can fail, and each returns the reason in a sentence: reading and writing for their files, and
 // render when memory does not hold the pixels. The API keeps no global state, prints nothing and lets no
-// exception out. Every verb is re-entrant.
+// exception out. Every verb is re-entrant. Where memory runs out, what returns an Expected returns an error; all else,
+// pose_face and scene_from_face among it, has no error to return and lets std::bad_alloc out.
 
 #include <mien/face_file.h>
 #include <mien/pose.h>

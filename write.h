@@ -54,7 +54,7 @@ struct WriteOptions {
 /// drops a recipe longer than 60 000 bytes.
 ///
 /// The file is written beside its target under a name like ".mien-0123456789abcdef.part", flushed
-/// to disk and renamed. An error therefore leaves the old file untouched and nothing else behind. The
+/// to disk and renamed; that the folder cannot be flushed is no error. An error therefore leaves the old file untouched and nothing else behind. The
 /// next write into the folder removes temporaries that killed runs left, unless a running process
 /// holds their lock. Links are followed and stay links. Permissions follow the umask. Devices and
 /// pipes are written to directly.

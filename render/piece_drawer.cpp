@@ -1,4 +1,5 @@
 #include <mien/piece_drawer.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/render_error.h"
 #include "render/rows/drawing.h"
 #include "render/watched.h"
@@ -33,7 +34,7 @@ PieceDrawer::~PieceDrawer() = default;
 
 Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Depth depth,
                                       const RenderLimits& limits,
-                                      const std::function<bool()>& stop) {
+                                      const std::function<bool()>& stop) try {
   if (!drawable(view)) return invalid_size(view);
   const auto goes_on = [&](double) { return !stop || !stop(); };
   const auto make = [&] {
@@ -51,10 +52,12 @@ Expected<PieceDrawer> PieceDrawer::of(const Scene& scene, const View& view, Dept
   } catch (const std::bad_alloc&) {
     return out_of_memory({0, 0, view.width, view.height});
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
-                                 const std::function<bool()>& stop, RenderStats* stats) {
+                                 const std::function<bool()>& stop, RenderStats* stats) try {
   if (!parts_->hold(piece))
     return Error{"",
                  fmt::format("the piece {},{},{},{} is not in a picture of {} x {} pixels", piece.x,
@@ -89,6 +92,8 @@ Expected<Done> PieceDrawer::draw(const PixelBuffer& out, const PixelRect& piece,
   took.pixels += (long long)piece.width * piece.height;
   tell();
   return Done{};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -1,5 +1,6 @@
 #include <mien/render.h>
 #include <mien/renderer.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/render_error.h"
 
 #include <new>
@@ -7,7 +8,7 @@
 namespace mien {
 
 Expected<Image> render(const Scene& scene, const View& view, const RenderOptions& how,
-                       RenderStats* stats) {
+                       RenderStats* stats) try {
   Image image{.depth = how.depth};
   if (drawable(view)) {  // else the renderer says what is wrong
     const PixelRect rect = drawn_rect(view);
@@ -22,11 +23,15 @@ Expected<Image> render(const Scene& scene, const View& view, const RenderOptions
   const PixelBuffer out{image.bytes.data(), image.stride(), how.depth};
   if (auto done = Renderer().render_into(out, scene, view, how, stats); !done) return done.error();
   return image;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 Expected<Done> render_into(const PixelBuffer& out, const Scene& scene, const View& view,
-                           const RenderOptions& how, RenderStats* stats) {
+                           const RenderOptions& how, RenderStats* stats) try {
   return Renderer().render_into(out, scene, view, how, stats);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

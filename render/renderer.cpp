@@ -1,4 +1,5 @@
 #include <mien/renderer.h>
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/watch.h"
 #include "render/render_error.h"
 #include "render/rows/drawing.h"
@@ -131,7 +132,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene, const View& view,
-                                     const RenderOptions& how, RenderStats* stats) {
+                                     const RenderOptions& how, RenderStats* stats) try {
   if (!drawable(view)) return invalid_size(view);
   const PixelRect rect = drawn_rect(view);
   DoneJobs done(how.progress);
@@ -163,6 +164,8 @@ Expected<Done> Renderer::render_into(const PixelBuffer& out, const Scene& scene,
     scratch_.reset();
     return out_of_memory(rect);
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -1,3 +1,4 @@
+#include "lib/base/memory_ran_out.h"
 #include "pca_private.h"
 
 #include <fmt/format.h>
@@ -235,15 +236,17 @@ VertexGroups equal_vertices(std::size_t count, std::size_t size) {
 }
 
 Expected<PcaFit> fit_pca(const MatrixSource& frames, const PcaWish& wish,
-                         const PcaOptions& options) {
+                         const PcaOptions& options) try {
   return pca::guarded([&] {
     check_wish(frames, wish);
     return Fitter(frames, wish, options).fit();
   });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 Expected<std::vector<double>> encode_pca(const PcaBasis& basis, const MatrixSource& frames,
-                                         const Progress& progress) {
+                                         const Progress& progress) try {
   return pca::guarded([&] {
     if (frames.columns != basis.columns)
       throw Unwind{Error{"", fmt::format("the basis is of frames of {} numbers, these have {}",
@@ -252,6 +255,8 @@ Expected<std::vector<double>> encode_pca(const PcaBasis& basis, const MatrixSour
     passes.mean = basis.mean;
     return pca::weights_along(passes, basis.components);
   });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 MatrixSource decoded_frames(const PcaBasis& basis, std::span<const double> weights,

@@ -1,5 +1,6 @@
 // The errors of a truncated basis: frames minus their mean, minus one component after the other.
 
+#include "lib/base/memory_ran_out.h"
 #include "pca_private.h"
 
 #include <Eigen/Core>
@@ -86,7 +87,7 @@ std::vector<PcaError> error_curve(Passes& passes, const std::vector<double>& row
 namespace mien {
 
 Expected<FrameDifference> compare_frames(const MatrixSource& a, const MatrixSource& b,
-                                         const VertexGroups& vertices) {
+                                         const VertexGroups& vertices) try {
   return pca::guarded([&] {
     FrameDifference found;
     found.frame_rms.resize(a.rows), found.frame_max.resize(a.rows);
@@ -112,6 +113,8 @@ Expected<FrameDifference> compare_frames(const MatrixSource& a, const MatrixSour
     found.all.rms = std::sqrt(found.all.rms / (double(a.rows) * double(vertices.count())));
     return found;
   });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -1,4 +1,5 @@
 #include <mien/effect.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
@@ -76,7 +77,7 @@ Expected<Effect> grid(std::string_view text, const std::vector<std::string_view>
 
 }  // namespace
 
-Expected<Effect> read_effect(std::string_view text) {
+Expected<Effect> read_effect(std::string_view text) try {
   const std::size_t colon = text.find(':');
   const std::string_view name = text.substr(0, colon);
   if (name != "mosaic" && name != "grid")
@@ -84,6 +85,8 @@ Expected<Effect> read_effect(std::string_view text) {
   const auto parts =
       split(colon == std::string_view::npos ? std::string_view{} : text.substr(colon + 1));
   return name == "mosaic" ? mosaic(text, parts) : grid(text, parts);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -1,3 +1,4 @@
+#include "lib/base/memory_ran_out.h"
 #include "row_effect_private.h"
 
 #include "render/blend/blender.h"
@@ -8,7 +9,7 @@
 
 namespace mien {
 
-Expected<Done> check_effect(const Effect& effect, int width) {
+Expected<Done> check_effect(const Effect& effect, int width) try {
   if (const auto* mosaic = std::get_if<MosaicEffect>(&effect); mosaic && mosaic->tiles > width)
     return Error{"", fmt::format("a mosaic of {} tiles across needs as many pixels, not {}",
                                  mosaic->tiles, width)};
@@ -21,6 +22,8 @@ Expected<Done> check_effect(const Effect& effect, int width) {
                                    grid->width, double(width) / grid->cells)};
   }
   return Done{};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 std::vector<Effect> acting_effects(const std::vector<Effect>& effects, int width) {

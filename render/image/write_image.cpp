@@ -1,4 +1,5 @@
 #include <mien/write.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/image/file_type.h"
 #include "render/image/oiio/oiio_encoder.h"
 #include "render/image/png/png_encoder.h"
@@ -18,13 +19,18 @@ MadeEncoder make_encoder(const EncoderRequest& request) {
 }  // namespace
 
 Expected<Done> write_image(const Image& image, const std::filesystem::path& path,
-                           const WriteOptions& how) {
+                           const WriteOptions& how) try {
   return write_image_by(make_encoder, image, path, how);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 Expected<PictureStats> write_picture(const Scene& scene, const View& view,
-                                     const std::filesystem::path& path, const PictureOptions& how) {
+                                     const std::filesystem::path& path,
+                                     const PictureOptions& how) try {
   return write_picture_by(make_encoder, scene, view, path, how);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 }  // namespace mien

@@ -83,10 +83,9 @@ Expected<PieceTimes> write_device(const PiecesToWrite& what, FileType type, cons
                                   const MakeEncoder& make, const fs::path& path) {
   const auto descriptor = open_stream(path);
   if (!descriptor) return descriptor.error();
+  const ClosedInTheEnd closed(*descriptor);
   FileOutput out(*descriptor, ::lseek(*descriptor, 0, SEEK_CUR) < 0);
-  auto done = write_into(what, type, how, make, out);
-  ::close(*descriptor);
-  return done;
+  return write_into(what, type, how, make, out);
 }
 
 Expected<PieceTimes> write_whole(const PiecesToWrite& what, FileType type, const WriteOptions& how,

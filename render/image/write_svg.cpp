@@ -1,4 +1,5 @@
 #include <mien/write.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/image/file/written_file.h"
 #include "render/render_error.h"
 
@@ -7,7 +8,7 @@
 namespace mien {
 
 Expected<std::vector<std::string>> write_svg(const Scene& scene, const std::filesystem::path& path,
-                                             const SvgOptions& options) {
+                                             const SvgOptions& options) try {
   const auto told = [&](const std::string& what) {
     return Error{path == "-" ? "standard output" : path.string(), what};
   };
@@ -21,6 +22,8 @@ Expected<std::vector<std::string>> write_svg(const Scene& scene, const std::file
   } catch (const std::bad_alloc&) {
     return told(std::string(kMemoryRanOut));
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 }  // namespace mien

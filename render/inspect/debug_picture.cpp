@@ -1,4 +1,5 @@
 #include <mien/debug_picture.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/blend/transfer.h"
 #include "render/rows/drawing.h"
 #include "render/watched.h"
@@ -223,10 +224,12 @@ Image picture_of(const Scene& scene, const View& view, DebugPicture which, const
 }  // namespace
 
 Expected<Image> debug_picture(const Scene& scene, const View& view, DebugPicture which,
-                              const RenderOptions& how) {
+                              const RenderOptions& how) try {
   return watched(
       how.progress, how.limits, view.width * std::int64_t(view.height),
       [&] { return picture_of(scene, view, which, how.threads); }, [] { return 0.0; });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

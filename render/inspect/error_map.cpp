@@ -1,4 +1,5 @@
 #include <mien/error_map.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/blend/transfer.h"
 #include "render/rows/drawing.h"
 #include "render/watched.h"
@@ -31,10 +32,12 @@ ErrorMap map_of(const Scene& scene, const View& view, Depth depth, const Threads
 
 }  // namespace
 
-Expected<ErrorMap> error_map(const Scene& scene, const View& view, const RenderOptions& how) {
+Expected<ErrorMap> error_map(const Scene& scene, const View& view, const RenderOptions& how) try {
   return watched(
       how.progress, how.limits, view.width * std::int64_t(view.height),
       [&] { return map_of(scene, view, how.depth, how.threads); }, [] { return 0.0; });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 long long ErrorMap::estimated_pixels() const {

@@ -1,5 +1,6 @@
 #include <mien/svg.h>
 #include "lib/base/fingerprint.h"
+#include "lib/base/memory_ran_out.h"
 #include "render/render_error.h"
 #include "render/svg/svg_writer_private.h"
 #include "render/watched.h"
@@ -24,7 +25,7 @@ std::string prefix_of(const Scene& scene, const SvgOptions& options) {
 
 }  // namespace
 
-Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
+Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) try {
   const auto side = [](double v) { return v > 0.0 && v <= View::kMaxSide; };  // NaN is not
   if (!side(options.width) || !side(options.height))
     return Error{"", fmt::format("a picture's sides are above 0 and at most {} pixels, not {} x {}",
@@ -48,6 +49,8 @@ Expected<Svg> svg_text(const Scene& scene, const SvgOptions& options) {
     return Error{"",
                  fmt::format("{}: the scene has {} layers", kMemoryRanOut, scene.layers().size())};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

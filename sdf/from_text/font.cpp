@@ -1,4 +1,5 @@
 #include <mien/font.h>
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
 
@@ -96,7 +97,7 @@ Font Font::shipped() {
   return font;
 }
 
-Expected<Font> Font::read(const std::filesystem::path& path) {
+Expected<Font> Font::read(const std::filesystem::path& path) try {
   const auto refuse = [&](const std::string& what) { return Error{one_line(path.string()), what}; };
   try {
     auto bytes = read_bytes(path, kMostBytes);
@@ -108,9 +109,13 @@ Expected<Font> Font::read(const std::filesystem::path& path) {
     if (std::string(FT_Get_Font_Format(data->face)) != "TrueType" || !FT_IS_SCALABLE(data->face))
       return refuse("has no quadratic outlines: mien takes TrueType fonts");
     return Font(std::move(data));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& failure) {
     return refuse(std::string("cannot be read: ") + failure.what());
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 bool Font::has(char32_t character) const {

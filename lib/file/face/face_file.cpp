@@ -1,6 +1,7 @@
 #include <mien/composed_face.h>
 #include <mien/face_file.h>
 #include <mien/pose.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "face_draft_private.h"
 #include "lib/base/nearest_name.h"
@@ -173,27 +174,35 @@ Expected<PlacedFace> read_placed_face(std::string_view text, std::string_view na
 }
 
 Expected<Face> read_face(const std::filesystem::path& path, const FaceLimits& limits,
-                         std::vector<Error>* warnings, const Letters& letters) {
+                         std::vector<Error>* warnings, const Letters& letters) try {
   try {
     const Expected<std::string> text = read_bytes(path, limits.bytes);
     if (!text) return text.error();
     const std::filesystem::path folder = path.parent_path();
     return face_of(read_placed_face(*text, path.string(), &folder, limits, letters, warnings));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 Expected<Face> read_face_text(std::string_view text, std::string_view name,
                               const FaceLimits& limits, std::vector<Error>* warnings,
-                              const Letters& letters) {
+                              const Letters& letters) try {
   return face_of(read_placed_face(text, name, nullptr, limits, letters, warnings));
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(name);
 }
 
-Expected<Face> face_from_recipe(const Recipe& recipe, const Letters& letters) {
+Expected<Face> face_from_recipe(const Recipe& recipe, const Letters& letters) try {
   return read_safely<Face>(
       recipe.name.empty() ? "composed face" : recipe.name,
       [&]() -> Expected<Face> { return read_composed(recipe, {}, nullptr, letters); });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

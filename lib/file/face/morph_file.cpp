@@ -1,4 +1,5 @@
 #include <mien/morph_file.h>
+#include "lib/base/memory_ran_out.h"
 
 #include <mien/face_model.h>
 #include "face_draft_private.h"
@@ -87,7 +88,7 @@ Face face_with(Reading& in, const Face& face) {
 
 }  // namespace
 
-Expected<std::string> morph_text(const Face& rest, const std::vector<MorphTarget>& targets) {
+Expected<std::string> morph_text(const Face& rest, const std::vector<MorphTarget>& targets) try {
   std::string poses;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const MorphTarget& target = targets[i];
@@ -107,9 +108,12 @@ Expected<std::string> morph_text(const Face& rest, const std::vector<MorphTarget
   // What is written must read back. Reading it here keeps the rules for names in one place.
   if (const auto again = read_morphs_text(rest, text); !again) return Error{"", again.error().what};
   return text;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<Face> read_morphs_text(const Face& face, std::string_view text, std::string_view name) {
+Expected<Face> read_morphs_text(const Face& face, std::string_view text,
+                                std::string_view name) try {
   const FaceLimits limits;
   if (text.size() > limits.bytes)
     return Error{one_line(name), fmt::format("longer than {} bytes", limits.bytes)};
@@ -120,15 +124,21 @@ Expected<Face> read_morphs_text(const Face& face, std::string_view text, std::st
     return face_with(in, face);
   } catch (const Refusal& refusal) {
     return refusal.error;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(name);
 }
 
-Expected<Face> read_morphs(const Face& face, const std::filesystem::path& path) {
+Expected<Face> read_morphs(const Face& face, const std::filesystem::path& path) try {
   const auto text = read_bytes(path, FaceLimits{}.bytes);
   if (!text) return text.error();
   return read_morphs_text(face, *text, path.string());
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 }  // namespace mien

@@ -1,5 +1,6 @@
 #include "lib/file/json/frame_file.h"
 
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/frame_members.h"
 #include "lib/file/json/read_bytes.h"
@@ -133,6 +134,8 @@ Expected<std::vector<FrameNumber>> read_frame_text(std::string_view text, std::s
     return numbers;
   } catch (const Refusal& refusal) {
     return refusal.error;
+  } catch (const std::bad_alloc&) {
+    return memory_ran_out(name);
   } catch (const std::exception& e) {
     return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
   }

@@ -1,4 +1,5 @@
 #include <mien/obj.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/base/one_line.h"
 #include "lib/file/json/read_bytes.h"
@@ -177,13 +178,15 @@ std::string text_of_polygons(const Polygons& all) {
 
 }  // namespace
 
-Expected<Mesh> read_obj(const std::filesystem::path& path) {
+Expected<Mesh> read_obj(const std::filesystem::path& path) try {
   const auto text = read_bytes(path, kMostBytes);
   if (!text) return text.error();
   return read_obj_text(*text, path.string());
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
-Expected<Mesh> read_obj_text(std::string_view text, std::string_view path) {
+Expected<Mesh> read_obj_text(std::string_view text, std::string_view path) try {
   const std::string name = one_line(path);
   auto polygons = read_polygons(text, name);
   if (!polygons) return polygons.error();
@@ -201,13 +204,17 @@ Expected<Mesh> read_obj_text(std::string_view text, std::string_view path) {
       mesh.triangles.push_back(triangle);
     }
   return mesh;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 Expected<Done> check_fits(const Mesh& neutral, const Mesh& target,
-                          const std::filesystem::path& path) {
+                          const std::filesystem::path& path) try {
   if (neutral.points.size() == target.points.size()) return Done{};
   return Error{one_line(path.string()), fmt::format("has {} points, but the neutral mesh has {}",
                                                     target.points.size(), neutral.points.size())};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 }  // namespace mien

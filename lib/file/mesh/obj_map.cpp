@@ -1,4 +1,5 @@
 #include <mien/obj_map.h>
+#include "lib/base/memory_ran_out.h"
 
 #include <mien/face_model.h>
 #include <mien/morph_file.h>
@@ -94,7 +95,8 @@ Expected<double> scale_of(const Face& face, const ObjMap& map, const Mesh& neutr
 
 }  // namespace
 
-Expected<ObjMap> read_obj_map_text(const Face& face, std::string_view text, std::string_view name) {
+Expected<ObjMap> read_obj_map_text(const Face& face, std::string_view text,
+                                   std::string_view name) try {
   const FaceLimits limits;
   try {
     if (text.size() > limits.bytes) return Error{one_line(name), "is too long for a map"};
@@ -104,20 +106,26 @@ Expected<ObjMap> read_obj_map_text(const Face& face, std::string_view text, std:
     return read_root(in, face);
   } catch (const Refusal& refusal) {
     return refusal.error;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(name);
 }
 
-Expected<ObjMap> read_obj_map(const Face& face, const std::filesystem::path& path) {
+Expected<ObjMap> read_obj_map(const Face& face, const std::filesystem::path& path) try {
   const auto text = read_bytes(path, FaceLimits{}.bytes);
   if (!text) return text.error();
   return read_obj_map_text(face, *text, path.string());
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 Expected<std::string> morph_text_from_meshes(
     const Face& face, const ObjMap& map, const Mesh& neutral,
-    const std::vector<std::pair<std::string, Mesh>>& targets) {
+    const std::vector<std::pair<std::string, Mesh>>& targets) try {
   const Layout& layout = face.model->layout;
   for (const ObjMap::Binding& binding : map.bindings)
     for (const int v : binding.vertices)
@@ -142,6 +150,8 @@ Expected<std::string> morph_text_from_meshes(
     shapes.push_back({name, std::move(shape)});
   }
   return morph_text(face, shapes);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -1,4 +1,5 @@
 #include <mien/motion_file.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/file/json/read_bytes.h"
 #include "motion_reader_private.h"
@@ -199,6 +200,8 @@ Expected<Motion> read_by(const MotionSource& source, std::vector<Error>* told, F
     auto motion = lines.finish(all);
     if (told) told->insert(told->end(), all.begin(), all.end());
     return motion;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     return Error{source.name, fmt::format("cannot be read: {}", one_line(e.what()))};
   }
@@ -207,18 +210,22 @@ Expected<Motion> read_by(const MotionSource& source, std::vector<Error>* told, F
 }  // namespace
 
 Expected<Motion> read_motion(const std::filesystem::path& path, std::vector<Error>* told,
-                             const MotionLimits& limits) {
+                             const MotionLimits& limits) try {
   return read_by({one_line(path.string()), limits}, told, [&](MotionLines& lines) {
     return read_in_blocks(path, [&](std::string_view block) { return lines.take(block); });
   });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 Expected<Motion> read_motion_text(std::string_view text, std::string_view name,
-                                  std::vector<Error>* told, const MotionLimits& limits) {
+                                  std::vector<Error>* told, const MotionLimits& limits) try {
   return read_by({one_line(name), limits}, told, [&](MotionLines& lines) -> Expected<Done> {
     lines.take(text);
     return Done{};
   });
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(name);
 }
 
 }  // namespace mien

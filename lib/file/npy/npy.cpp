@@ -1,20 +1,17 @@
 #include <mien/npy.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/base/one_line.h"
+#include "lib/file/json/placed_reader.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
-#include <system_error>
 #include "lib/base/bit_cast.h"
 
 namespace mien {
@@ -172,7 +169,8 @@ std::size_t NpyHeader::numbers() const {
   return product;
 }
 
-Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, std::size_t size) {
+Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset,
+                                    std::size_t size) try {
   Error no_file{"", "is not a .npy file"};
   unsigned char begin[12] = {};
   if (size < offset + 10 || !read(offset, 10, begin) ||
@@ -210,41 +208,23 @@ Expected<NpyHeader> read_npy_header(const ByteSource& read, std::size_t offset, 
     return Error{"", fmt::format("is cut off: its shape {} takes {} bytes, and {} are there",
                                  *shape_text, *bytes, size - header.data)};
   return header;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-struct FrameFile::Descriptor {
-  int number = -1;
-  std::size_t size = 0;
-  explicit Descriptor(int open) : number(open) {}
-  Descriptor(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-  bool read(std::size_t offset, std::size_t bytes, void* to) const {
-    char* at = static_cast<char*>(to);
-    while (bytes > 0) {
-      const ssize_t got = ::pread(number, at, bytes, off_t(offset));
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) return false;
-      at += got, offset += std::size_t(got), bytes -= std::size_t(got);
-    }
-    return true;
-  }
-};
-
-Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
+Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) try {
+  auto opened = PlacedReader::open(path);
+  if (!opened) return opened.error();
+  const auto file = std::make_shared<const PlacedReader>(*std::move(opened));
   FrameFile frames;
-  frames.name_ = one_line(path.string());
-  auto file = std::make_shared<Descriptor>(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  struct stat status = {};
-  if (file->number < 0 || ::fstat(file->number, &status) != 0)
-    return Error{frames.name_,
-                 fmt::format("cannot be read: {}", std::generic_category().message(errno))};
-  if (!S_ISREG(status.st_mode)) return Error{frames.name_, "is not a file"};
-  file->size = std::size_t(status.st_size);
-  const auto header = read_npy_header(
-      [&](std::size_t at, std::size_t bytes, void* to) { return file->read(at, bytes, to); }, 0,
-      file->size);
+  frames.name_ = file->name();
+  std::optional<Error> unread;
+  const auto read = [&](std::size_t at, std::size_t bytes, void* to) {
+    if (auto done = file->read(at, bytes, to); !done) unread = done.error();
+    return !unread;
+  };
+  const auto header = read_npy_header(read, 0, file->size());
+  if (unread) return *unread;
   if (!header) return Error{frames.name_, header.error().what};
   frames.header_ = *header;
   const std::vector<std::size_t>& shape = frames.header_.shape;
@@ -253,11 +233,13 @@ Expected<FrameFile> FrameFile::open(const std::filesystem::path& path) {
                  fmt::format("expected the shape [frames, vertices, dimensions] or [frames, "
                              "numbers] with nothing 0, got [{}]",
                              fmt::join(shape, ", "))};
-  if (file->size > frames.header_.end())
+  if (file->size() > frames.header_.end())
     return Error{frames.name_, fmt::format("has {} bytes more than its shape takes",
-                                           file->size - frames.header_.end())};
-  frames.file_ = std::move(file);
+                                           file->size() - frames.header_.end())};
+  frames.file_ = file;
   return frames;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 MatrixSource FrameFile::source() const {
@@ -268,13 +250,14 @@ MatrixSource FrameFile::source() const {
     std::vector<std::byte> bytes;
     // A run is contiguous in the file: numbers of one frame or, in Fortran order, one number of many
     // frames.
-    const auto run = [&](std::size_t first, std::size_t count, double* to, std::size_t step) {
+    const auto run = [&](std::size_t first, std::size_t count, double* to,
+                         std::size_t step) -> Expected<Done> {
       bytes.resize(count * size);
-      if (!file->read(header.data + first * size, bytes.size(), bytes.data())) return false;
-      convert(header, bytes.data(), {to, count, step});
-      return true;
+      auto done = file->read(header.data + first * size, bytes.size(), bytes.data());
+      if (done) convert(header, bytes.data(), {to, count, step});
+      return done;
     };
-    bool whole = true;
+    Expected<Done> whole = Done{};
     if (header.fortran) {
       for (std::size_t c = 0; c < block.columns && whole; ++c) {
         const std::size_t column = block.column + c, place = column / d + v * (column % d);
@@ -287,7 +270,7 @@ MatrixSource FrameFile::source() const {
         whole = run((block.row + r) * columns + block.column, block.columns,
                     out + r * block.columns, 1);
     }
-    if (!whole) return Error{name, "cannot be read to its end: it has changed meanwhile"};
+    if (!whole) return whole;
     for (std::size_t i = 0; i < block.rows * block.columns; ++i)
       if (!std::isfinite(out[i])) {
         const std::size_t column = block.column + i % block.columns;
@@ -314,7 +297,7 @@ std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
 }
 
 Expected<Done> write_npy(const ByteSink& sink, NpyType type, std::span<const std::size_t> shape,
-                         const MatrixSource& source) {
+                         const MatrixSource& source) try {
   static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
   if (type != NpyType::float32 && type != NpyType::float64)
     return Error{"", "arrays are written as float32 or float64"};
@@ -334,6 +317,8 @@ Expected<Done> write_npy(const ByteSink& sink, NpyType type, std::span<const std
     if (!done) return done;
   }
   return Done{};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -25,6 +25,8 @@
 
 namespace mien {
 
+class PlacedReader;
+
 enum class NpyType {
   float32,
   float64,
@@ -79,8 +81,7 @@ class MIEN_API FrameFile {
   MatrixSource source() const;
 
  private:
-  struct Descriptor;
-  std::shared_ptr<const Descriptor> file_;
+  std::shared_ptr<const PlacedReader> file_;
   std::string name_;
   NpyHeader header_;
 };

@@ -1,19 +1,17 @@
 #include <mien/npy_basis.h>
+#include "lib/base/memory_ran_out.h"
 
 #include <mien/face_model.h>
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
+#include "lib/file/json/placed_reader.h"
 #include "lib/file/json/reading.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
-#include <system_error>
 
 namespace mien {
 namespace {
@@ -47,55 +45,57 @@ Expected<Done> put(const ByteSink& sink, NpyType type, std::vector<std::size_t> 
   return write_npy(sink, type, shape, matrix_in_memory(numbers, rows, columns));
 }
 
-/// Arrays of an open file, one after the other.
+/// Thrown where a file cannot be read, which is no fault of what is in it.
+struct Unread {
+  Error error;
+};
+
+/// Arrays of an open file, one after the other. What cannot be read is thrown.
 class Arrays {
  public:
-  Arrays(std::ifstream& in, std::size_t size) : in_(in), size_(size) {}
+  explicit Arrays(const PlacedReader& file) : file_(file) {}
 
   Expected<NpyHeader> next() {
     const auto read = [&](std::size_t at, std::size_t bytes, void* to) {
-      in_.clear();
-      in_.seekg(std::streamoff(at));
-      in_.read(static_cast<char*>(to), std::streamsize(bytes));
-      return bool(in_);
+      need(at, bytes, to);
+      return true;
     };
-    auto header = read_npy_header(read, at_, size_);
+    auto header = read_npy_header(read, at_, file_.size());
     if (header) at_ = header->end();
     return header;
   }
-  bool finished() const { return at_ == size_; }
+  bool finished() const { return at_ == file_.size(); }
 
   /// The numbers of a float array.
-  std::vector<double> numbers(const NpyHeader& header) {
+  std::vector<double> numbers(const NpyHeader& header) const {
     std::vector<double> all(header.numbers());
-    in_.clear();
-    in_.seekg(std::streamoff(header.data));
+    if (header.type == NpyType::float64) {
+      need(header.data, all.size() * 8, all.data());
+      return all;
+    }
     constexpr std::size_t kStep = 1 << 18;
     std::vector<float> part;
     for (std::size_t i = 0; i < all.size(); i += kStep) {
-      const std::size_t count = std::min(kStep, all.size() - i);
-      if (header.type == NpyType::float64) {
-        in_.read(reinterpret_cast<char*>(&all[i]), std::streamsize(count * 8));
-      } else {
-        part.resize(count);
-        in_.read(reinterpret_cast<char*>(part.data()), std::streamsize(count * 4));
-        std::copy(part.begin(), part.end(), all.begin() + std::ptrdiff_t(i));
-      }
+      part.resize(std::min(kStep, all.size() - i));
+      need(header.data + i * 4, part.size() * 4, part.data());
+      std::copy(part.begin(), part.end(), all.begin() + std::ptrdiff_t(i));
     }
     return all;
   }
 
-  std::string text(const NpyHeader& header) {
+  std::string text(const NpyHeader& header) const {
     std::string text(header.numbers(), '\0');
-    in_.clear();
-    in_.seekg(std::streamoff(header.data));
-    in_.read(text.data(), std::streamsize(text.size()));
+    need(header.data, text.size(), text.data());
     return text;
   }
 
  private:
-  std::ifstream& in_;
-  std::size_t size_, at_ = 0;
+  void need(std::size_t at, std::size_t bytes, void* to) const {
+    if (auto done = file_.read(at, bytes, to); !done) throw Unread{done.error()};
+  }
+
+  const PlacedReader& file_;
+  std::size_t at_ = 0;
 };
 
 std::size_t count_of(const Reading& in, const JsonNode& node) {
@@ -172,7 +172,7 @@ void read_arrays(Arrays& arrays, BasisFile& file) {
 
 }  // namespace
 
-Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file) {
+Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file) try {
   const std::string info = info_text(file);
   const std::size_t length[] = {info.size()};
   const std::string header = npy_header(NpyType::uint8, length);
@@ -185,17 +185,16 @@ Expected<Done> write_basis(const ByteSink& sink, const BasisFile& file) {
   if (auto done = put(sink, type, {n, v, d}, basis.components, n); !done) return done;
   if (auto done = put(sink, NpyType::float64, {n}, basis.variances, 1); !done) return done;
   return put(sink, type, {file.frames, n}, file.fit.weights, file.frames);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<BasisFile> read_basis(const std::filesystem::path& path) {
+Expected<BasisFile> read_basis(const std::filesystem::path& path) try {
   const std::string name = one_line(path.string());
   try {
-    std::error_code failed;
-    const auto size = std::filesystem::file_size(path, failed);
-    if (failed) return Error{name, fmt::format("cannot be read: {}", failed.message())};
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return Error{name, fmt::format("cannot be read: {}", std::strerror(errno))};
-    Arrays arrays(in, std::size_t(size));
+    const auto opened = PlacedReader::open(path);
+    if (!opened) return opened.error();
+    Arrays arrays(*opened);
     const auto header = arrays.next();
     const std::string text =
         header && header->type == NpyType::uint8 ? arrays.text(*header) : std::string();
@@ -216,11 +215,15 @@ Expected<BasisFile> read_basis(const std::filesystem::path& path) {
     return file;
   } catch (const std::bad_alloc&) {
     return Error{name, "not enough memory to read it"};
+  } catch (const Unread& unread) {
+    return unread.error;
   } catch (const Refusal& refusal) {
     return Error{name, fmt::format("is a damaged basis: {}", sentence(refusal.error))};
   } catch (const std::exception& e) {
     return Error{name, fmt::format("is a damaged basis: {}", one_line(e.what()))};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 void set_face(BasisFile& file, const Face& face) {
@@ -230,7 +233,7 @@ void set_face(BasisFile& file, const Face& face) {
     file.slices.emplace_back(slice.name, slice.size);
 }
 
-Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face) {
+Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face) try {
   if (file.slices.empty()) return Error{"", "the basis is of vertices, not of a face"};
   const std::vector<Slice>& slices = face.model->layout.slices();
   for (std::size_t i = 0; i < std::max(slices.size(), file.slices.size()); ++i) {
@@ -247,6 +250,8 @@ Expected<FaceBasis> face_basis(const BasisFile& file, const Face& face) {
   if (file.fit.basis.columns != face.vector.size())
     return Error{"", "the basis has another number of numbers than the face"};
   return FaceBasis{file.fit.basis, file.fit.weights, file.fps, file.begin};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

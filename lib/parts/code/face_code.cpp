@@ -1,4 +1,5 @@
 #include <mien/face_code.h>
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/mixed_bits.h"
 #include "lib/base/one_line.h"
 #include "lib/parts/code/edition.h"
@@ -81,7 +82,7 @@ bool looks_like_face_code(std::string_view text) {
          int(body.size() - std::size_t(hyphens)) == kBodySigns + 1;
 }
 
-Expected<FaceCode> read_face_code(std::string_view text) {
+Expected<FaceCode> read_face_code(std::string_view text) try {
   const std::string where = "code " + one_line(text, 60);
   const std::size_t tilde = std::min(text.find('~'), text.size());
   std::vector<int> values;
@@ -114,6 +115,8 @@ Expected<FaceCode> read_face_code(std::string_view text) {
   for (std::size_t i = kBodySigns; i < values.size(); i += 4)
     code.held.push_back({values[i] << 5 | values[i + 1], values[i + 2] << 5 | values[i + 3]});
   return code;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 std::uint64_t seed_from_word(std::string_view word) {

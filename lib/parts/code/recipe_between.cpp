@@ -1,4 +1,5 @@
 #include <mien/recipe_between.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/file/json/json_text.h"
 #include "lib/parts/code/keyed_chance.h"
@@ -97,11 +98,13 @@ class Between {
 }  // namespace
 
 Expected<Recipe> recipe_between(const Recipe& from, const Recipe& to, double at,
-                                std::optional<double> parts_at) {
+                                std::optional<double> parts_at) try {
   const auto a = ChosenParts::read(from), b = ChosenParts::read(to);
   if (!a) return a.error();
   if (!b) return b.error();
   return Between(*a, *b, std::clamp(at, 0.0, 1.0), parts_at).recipe();
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

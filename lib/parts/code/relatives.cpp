@@ -1,5 +1,6 @@
 #include <mien/recipe.h>
 #include <mien/relatives.h>
+#include "lib/base/memory_ran_out.h"
 #include "lib/parts/code/appearance.h"
 #include "lib/parts/code/code_fields.h"
 #include "lib/parts/code/keyed_chance.h"
@@ -38,7 +39,7 @@ int stepped(double step) {
 
 }  // namespace
 
-Expected<FaceCode> code_near(const FaceCode& code, double by, std::uint64_t seed) {
+Expected<FaceCode> code_near(const FaceCode& code, double by, std::uint64_t seed) try {
   const auto own = fields_of(code);
   if (!own) return own.error();
   const KeyedChance chance(seed);
@@ -52,9 +53,11 @@ Expected<FaceCode> code_near(const FaceCode& code, double by, std::uint64_t seed
       value = other.at(field);
   }
   return code_of_fields(made, code.seed);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& to, double at) {
+Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& to, double at) try {
   const auto a = fields_of(from), b = fields_of(to);
   if (!a) return a.error();
   if (!b) return b.error();
@@ -67,9 +70,12 @@ Expected<FaceCode> code_between(const FaceCode& from, const FaceCode& to, double
       value = b->at(field);
   }
   return code_of_fields(made, at < 1.0 ? from.seed : to.seed);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<FaceCode> code_of_child(const FaceCode& one, const FaceCode& other, std::uint64_t seed) {
+Expected<FaceCode> code_of_child(const FaceCode& one, const FaceCode& other,
+                                 std::uint64_t seed) try {
   constexpr double kBeside = 0.05;  // of a number's range
   const auto a = fields_of(one), b = fields_of(other);
   if (!a) return a.error();
@@ -95,13 +101,17 @@ Expected<FaceCode> code_of_child(const FaceCode& one, const FaceCode& other, std
         {field, stepped(mean + kBeside * kMostStep * chance.bell(std::uint64_t(field)))});
   }
   return child;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<double> difference(const FaceCode& one, const FaceCode& other) {
+Expected<double> difference(const FaceCode& one, const FaceCode& other) try {
   const auto a = recipe_from_code(one), b = recipe_from_code(other);
   if (!a) return a.error();
   if (!b) return b.error();
   return difference(appearance_of(*a), appearance_of(*b));
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

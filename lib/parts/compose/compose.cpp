@@ -1,4 +1,5 @@
 #include "lib/parts/compose/compose.h"
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
@@ -204,12 +205,14 @@ Expected<JsonTree> composed_face(const ChosenParts& parts) {
   }
 }
 
-Expected<std::string> face_text_from_recipe(const Recipe& recipe) {
+Expected<std::string> face_text_from_recipe(const Recipe& recipe) try {
   const auto parts = ChosenParts::read(recipe);
   if (!parts) return parts.error();
   const auto tree = composed_face(*parts);
   if (!tree) return tree.error();
   return composed_text(*tree);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

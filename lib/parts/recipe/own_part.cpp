@@ -1,5 +1,6 @@
 #include "lib/parts/recipe/own_part.h"
 
+#include "lib/base/folder_names.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/file/json/json_copy.h"
@@ -122,12 +123,11 @@ Expected<FoundPart> read_part_file(const std::filesystem::path& path) {
 }
 
 Expected<std::vector<FoundPart>> read_part_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
+  const auto names = folder_names(folder);
+  if (!names) return names.error();
   std::vector<std::filesystem::path> files;
-  for (std::filesystem::directory_iterator at(folder, failed), end; !failed && at != end;
-       at.increment(failed))
-    if (at->path().filename().string().ends_with(kEnd)) files.push_back(at->path());
-  if (failed) return Error{folder.string(), failed.message()};
+  for (const std::string& name : *names)
+    if (name.ends_with(kEnd)) files.push_back(folder / name);
   if (files.empty())
     return Error{folder.string(), fmt::format("no file's name ends with {}", kEnd)};
   std::sort(files.begin(), files.end());

@@ -1,4 +1,5 @@
 #include "lib/parts/recipe/sample.h"
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/parts/code/keyed_chance.h"
@@ -216,7 +217,7 @@ Recipe recipe_from_seed(std::uint64_t seed) {
   return library ? sampled_recipe(**library, code) : Recipe{};
 }
 
-Expected<Recipe> recipe_from_code(const FaceCode& code) {
+Expected<Recipe> recipe_from_code(const FaceCode& code) try {
   const std::string where = "code " + face_code_text(code);
   const auto shipped = PartLibrary::shipped_or_why();
   if (!shipped) return shipped.error();
@@ -236,6 +237,8 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) {
       return Error{where, fmt::format("{} has no part {}", family->name, held.value)};
   }
   return sampled_recipe(library, code);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 Recipe neutral_recipe(Recipe recipe) {
@@ -263,7 +266,7 @@ std::vector<std::string> part_styles() {
   return PartLibrary::shipped().styles();
 }
 
-Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
+Expected<HeldValue> read_held_value(std::string_view text, bool clamp) try {
   const std::string where = one_line(text, 60);
   const auto shipped = PartLibrary::shipped_or_why();
   if (!shipped) return shipped.error();
@@ -296,6 +299,8 @@ Expected<HeldValue> read_held_value(std::string_view text, bool clamp) {
   return HeldValue{
       number->number,
       int(std::floor((given - number->lo) / (number->hi - number->lo) * kSteps + 0.5))};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 
 #include <mien/face_model.h>
 #include <mien/pose.h>
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/nearest_name.h"
 #include "lib/base/one_line.h"
 #include "lib/face/standard_names.h"
@@ -123,7 +124,7 @@ Range range_of(const FaceModel& model, const Target& target) {
 
 }  // namespace
 
-Expected<Setting> read_setting(const Face& face, std::string_view text) {
+Expected<Setting> read_setting(const Face& face, std::string_view text) try {
   const FaceModel& model = *face.model;
   const std::string where = one_line(text, 80);
   const std::size_t equals = text.find('=');
@@ -139,9 +140,11 @@ Expected<Setting> read_setting(const Face& face, std::string_view text) {
       return Error{where, fmt::format("{} goes from {} to {}, got {}", in_quotes(name), range.lo,
                                       range.hi, value)};
   return Setting{target->control, target->index, *values};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<Setting> read_pose(const Face& face, std::string_view text) {
+Expected<Setting> read_pose(const Face& face, std::string_view text) try {
   const FaceModel& model = *face.model;
   const std::string_view name = text.substr(0, text.find('='));
   std::vector<std::string_view> poses;
@@ -150,9 +153,11 @@ Expected<Setting> read_pose(const Face& face, std::string_view text) {
   if (std::find(poses.begin(), poses.end(), name) == poses.end())
     return Error{one_line(text, 80), unknown_name("pose", name, poses)};
   return read_setting(face, name == text ? std::string(text) + "=1" : std::string(text));
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<MotionLayer> read_clip_layer(const Face& face, std::string_view text) {
+Expected<MotionLayer> read_clip_layer(const Face& face, std::string_view text) try {
   const std::vector<Motion>& clips = face.model->clips;
   const std::string where = one_line(text, 80);
   const std::string_view name = text.substr(0, text.find('='));
@@ -171,9 +176,11 @@ Expected<MotionLayer> read_clip_layer(const Face& face, std::string_view text) {
   if (!begin) return begin.error();
   layer.begin = *begin;
   return layer;
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
-Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text) {
+Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text) try {
   const std::string where = one_line(text, 80);
   const std::vector<Eye>& eyes = face.model->eyes;
   if (std::none_of(eyes.begin(), eyes.end(),
@@ -184,6 +191,8 @@ Expected<glm::dvec3> read_look_at(const Face& face, std::string_view text) {
   if (numbers->size() != 3)
     return Error{where, fmt::format("expected 3 numbers X,Y,Z, got {}", numbers->size())};
   return glm::dvec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+} catch (const std::bad_alloc&) {
+  return memory_ran_out();
 }
 
 std::vector<SettableName> settable_names(const Face& face) {

@@ -1,4 +1,5 @@
 #include "render/image/file/atomic_file.h"
+#include "lib/base/folder_names.h"
 #include "render/image/file/output_path.h"
 #include "render/image/file/system_error.h"
 
@@ -39,11 +40,16 @@ bool is_temporary_name(std::string_view name) {
          digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// Whether the file open as `descriptor` still goes by that name.
-bool still_named(int descriptor, const fs::path& path) {
+enum class Named { still, no_longer, unknown };
+
+/// Whether the file open as `descriptor` still goes by that name; errno tells why that is not known.
+Named still_named(int descriptor, const fs::path& path) {
   struct stat open_file, named;
-  return ::fstat(descriptor, &open_file) == 0 && ::lstat(path.c_str(), &named) == 0 &&
-         open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
+  if (::fstat(descriptor, &open_file) != 0) return Named::unknown;
+  if (::lstat(path.c_str(), &named) != 0)
+    return errno == ENOENT ? Named::no_longer : Named::unknown;
+  const bool same = open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
+  return same ? Named::still : Named::no_longer;
 }
 
 /// Removes one temporary unless somebody holds it. Holding its lock ourselves while we do keeps
@@ -54,57 +60,66 @@ void remove_leftover(const fs::path& path) {
   if (descriptor < 0) return;
   struct stat info;
   const bool ours = ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode);
-  if (ours && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && still_named(descriptor, path))
+  if (ours && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 &&
+      still_named(descriptor, path) == Named::still)
     ::unlink(path.c_str());
   ::close(descriptor);
 }
 
 /// 0, or errno's value. File systems that cannot flush say EINVAL, which is no failure of the file.
 int flush(int descriptor) {
-  return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  int failed = 0;
+  do failed = ::fsync(descriptor) == 0 ? 0 : errno;
+  while (failed == EINTR);
+  return failed == EINVAL ? 0 : failed;
 }
 
-int flush_folder(const fs::path& folder) {
+/// Whatever comes of it, the new file is there and whole. A power cut that comes before its name has reached the disk
+/// leaves the old one, whole as well. So a folder that cannot be read or flushed is no failure.
+void flush_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0)
-    return 0;  // a folder one may write in but not read: its entry reaches the disk in time
-  const int failed = flush(descriptor);
+  if (descriptor < 0) return;
+  flush(descriptor);
   ::close(descriptor);
-  return failed;
+}
+
+Error refused(const fs::path& path, const fs::path& folder, const std::string& why) {
+  return {path.string(), "cannot write in " + folder.string() + ": " + why};
 }
 
 }  // namespace
 
 void remove_leftovers(const fs::path& folder) {
-  std::error_code failed;
-  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-    if (is_temporary_name(at->path().filename().native())) remove_leftover(at->path());
-  }
+  const auto names = folder_names(folder);
+  if (!names) return;  // there is nothing to remove, or it cannot be known
+  for (const std::string& name : *names)
+    if (is_temporary_name(name)) remove_leftover(folder / name);
 }
 
 Expected<AtomicFile> AtomicFile::begin(const fs::path& path) {
   const fs::path folder = folder_of(path);
   remove_leftovers(folder);
   for (int tries = 0; tries < kMostTries; ++tries) {
-    const fs::path temporary = folder / new_temporary_name();
-    const int descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno == EEXIST) continue;
-    if (descriptor < 0) {
-      return Error{path.string(),
-                   "cannot write in " + folder.string() + ": " + system_error(errno)};
-    }
+    AtomicFile file(path, folder / new_temporary_name());
+    if (!file.open() && (errno == EEXIST || errno == EINTR)) continue;
+    if (file.descriptor_ < 0) return refused(path, folder, system_error(errno));
     // A file system without locks has no sweepers either: they need the lock as well.
-    while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+    while (::flock(file.descriptor_, LOCK_EX) != 0 && errno == EINTR) {
     }
-    if (still_named(descriptor, temporary)) return AtomicFile(path, temporary, descriptor);
-    ::close(descriptor);
+    const Named named = still_named(file.descriptor_, file.temporary_);
+    if (named == Named::still) return file;
+    if (named == Named::unknown) return refused(path, folder, system_error(errno));
   }
-  return Error{path.string(),
-               "cannot write in " + folder.string() + ": its temporary files vanish"};
+  return refused(path, folder, "its temporary files vanish");
 }
 
-AtomicFile::AtomicFile(fs::path path, fs::path temporary, int descriptor)
-    : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+AtomicFile::AtomicFile(fs::path path, fs::path temporary)
+    : path_(std::move(path)), temporary_(std::move(temporary)) {}
+
+bool AtomicFile::open() {
+  descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  return descriptor_ >= 0;
+}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
@@ -127,11 +142,11 @@ Expected<Done> AtomicFile::commit() {
     return Error{path_.string(), "cannot be written: " + system_error(code)};
   };
   if (const int failed = flush(descriptor_)) return refuse(failed);
+  // Once the name is taken nothing may fail, memory for a path neither.
+  const fs::path folder = folder_of(path_);
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) return refuse(errno);
-  const int failed = flush_folder(folder_of(path_));
+  flush_folder(folder);
   ::close(std::exchange(descriptor_, -1));
-  if (failed)
-    return Error{path_.string(), "is written, but may not be on the disk: " + system_error(failed)};
   return Done{};
 }
 

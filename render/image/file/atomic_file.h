@@ -39,7 +39,8 @@ class AtomicFile {
   Expected<Done> commit();
 
  private:
-  AtomicFile(std::filesystem::path path, std::filesystem::path temporary, int descriptor);
+  AtomicFile(std::filesystem::path path, std::filesystem::path temporary);
+  bool open();
   void abandon();
 
   std::filesystem::path path_, temporary_;

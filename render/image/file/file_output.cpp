@@ -45,6 +45,10 @@ Expected<int> open_stream(const std::filesystem::path& path) {
   return descriptor;
 }
 
+ClosedInTheEnd::~ClosedInTheEnd() {
+  ::close(descriptor);
+}
+
 bool FileOutput::write(const void* data, std::size_t size) {
   if (memory_) {
     const auto* const bytes = static_cast<const std::byte*>(data);

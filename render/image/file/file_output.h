@@ -9,6 +9,14 @@
 
 namespace mien {
 
+/// Closes a file in the end, also where something is thrown.
+struct ClosedInTheEnd {
+  int descriptor;
+  explicit ClosedInTheEnd(int open) : descriptor(open) {}
+  ClosedInTheEnd(const ClosedInTheEnd&) = delete;
+  ~ClosedInTheEnd();
+};
+
 /// Opens a pipe or a device to be written to; an error without an address, also where nobody reads from the pipe.
 Expected<int> open_stream(const std::filesystem::path& path);
 

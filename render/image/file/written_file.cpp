@@ -30,9 +30,8 @@ Expected<Done> write_to(const fs::path& path, const WriteBytes& write) {
   if (target->stream) {
     const auto descriptor = open_stream(target->path);
     if (!descriptor) return descriptor.error();
-    auto done = write_into(*descriptor, write);
-    ::close(*descriptor);
-    return done;
+    const ClosedInTheEnd closed(*descriptor);
+    return write_into(*descriptor, write);
   }
   auto file = AtomicFile::begin(target->path);
   if (!file) return Error{"", file.error().what};  // its path is where a link leads

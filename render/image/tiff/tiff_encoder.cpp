@@ -102,6 +102,7 @@ class TiffEncoder final : public PictureEncoder {
 
   Expected<Done> open(const WriteOptions& how) {
     TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
+    if (!options) throw std::bad_alloc();
     TIFFOpenOptionsSetErrorHandlerExtR(options, TiffFile::hear, &file_);
     TIFFOpenOptionsSetWarningHandlerExtR(options, TiffFile::hear, &file_);
     const std::uint64_t bytes =

@@ -221,14 +221,15 @@ int write_error_map(const RenderArguments& arguments, const RenderPlan& plan, co
   return print_stats(strips.verdict(), *plan.error_map == "-" ? *plan.error_map : arguments.output);
 }
 
-/// The scene of the face, or of how far its points have moved.
-Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed) {
+/// The scene of the face, or of how far its points have moved, which `said` tells then.
+Expected<Scene> scene_to_draw(const RenderArguments& arguments, const Face& posed,
+                              std::string& said) {
   if (arguments.debug != kMorphDebug) return scene_from_face(posed);
   const auto rest = read_face_or_code(arguments.posed.face, arguments.posed.style);
   if (!rest) return rest.error();
   const MorphHeat heat = morph_heat(*rest, posed, letters());
   if (arguments.output != "-")
-    print(fmt::format("largest displacement {:.6g} {}\n", heat.largest, posed.model->canvas.unit));
+    said = fmt::format("largest displacement {:.6g} {}\n", heat.largest, posed.model->canvas.unit);
   return heat.scene;
 }
 
@@ -249,9 +250,13 @@ int render_command(const RenderArguments& arguments) {
 
   began = monotonic_seconds();
   const auto over = face_debug ? read_scene(arguments.posed, arguments.debug) : SceneOrCode{};
+  if (over.code != kDone) return over.code;
+  std::string said;
   const auto drawn =
-      over.scene ? Expected<Scene>(*over.scene) : scene_to_draw(arguments, *posed.face);
+      over.scene ? Expected<Scene>(*over.scene) : scene_to_draw(arguments, *posed.face, said);
   if (!drawn) return complain(drawn.error(), kUsedWrongly);
+  if (!said.empty())
+    if (const int told = print(said); told != kDone) return told;
   const Scene& scene = *drawn;
   times.scene = monotonic_seconds() - began;
   if (auto planned = plan_view(*plan, arguments, scene.canvas()); !planned) {

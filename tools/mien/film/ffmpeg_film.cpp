@@ -78,6 +78,9 @@ class FfmpegFilm final : public FilmWriter {
   Expected<Done> finish() override;
 
  private:
+  /// Of ffmpeg's work, as far as it was given any.
+  Expected<Done> end();
+
   AtomicFile file_;
   std::string name_;
   pid_t id_ = -1;
@@ -85,15 +88,24 @@ class FfmpegFilm final : public FilmWriter {
   std::FILE* said_ = nullptr;  // what ffmpeg complained of
 };
 
+/// The file that ffmpeg writes, as one of its descriptors. By its name it would be made anew where this program was
+/// killed and the next one has removed it. Opened a second time, it does not share the lock, which ends with this program.
+constexpr int kFilmDescriptor = 3;
+
 Expected<Done> FfmpegFilm::begin(const FilmPlan& plan) {
   said_ = std::tmpfile();
+  const int film = said_ ? ::open(file_.temporary().c_str(), O_RDWR | O_CLOEXEC) : -1;
   int ends[2];
-  if (!said_ || ::pipe2(ends, O_CLOEXEC) != 0)
-    return Error{name_, "cannot be written: " + system_error(errno)};
+  if (film < 0 || ::pipe2(ends, O_CLOEXEC) != 0) {
+    const int failed = errno;
+    if (film >= 0) ::close(film);
+    return Error{name_, "cannot be written: " + system_error(failed)};
+  }
   pipe_ = ends[1];
-  const int failed = start_process(ffmpeg_words(file_.temporary().string(), plan),
-                                   {ends[0], -1, ::fileno(said_)}, id_);
+  const int failed = start_process(ffmpeg_words(fmt::format("/dev/fd/{}", kFilmDescriptor), plan),
+                                   {ends[0], -1, ::fileno(said_), film}, id_);
   ::close(ends[0]);
+  ::close(film);
   if (!failed) return Done{};
   id_ = -1;
   return Error{name_, failed == ENOENT
@@ -109,7 +121,7 @@ Expected<Done> FfmpegFilm::add(const Image& frame) {
     const ssize_t put = ::write(pipe_, at, left);
     if (put < 0 && errno == EINTR) continue;
     if (put < 0) {
-      auto done = finish();
+      auto done = end();
       return done ? Error{name_, "ffmpeg stopped early"} : done.error();
     }
     at += put;
@@ -118,10 +130,15 @@ Expected<Done> FfmpegFilm::add(const Image& frame) {
   return Done{};
 }
 
-Expected<Done> FfmpegFilm::finish() {
+Expected<Done> FfmpegFilm::end() {
   ::close(std::exchange(pipe_, -1));
   const int code = end_of_process(std::exchange(id_, -1));
   if (code != 0) return Error{name_, "ffmpeg failed: " + last_line(said_)};
+  return Done{};
+}
+
+Expected<Done> FfmpegFilm::finish() {
+  if (auto done = end(); !done) return done;
   return file_.commit();
 }
 

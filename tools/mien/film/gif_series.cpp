@@ -48,6 +48,7 @@ class GifSeries final : public PictureSeries {
  private:
   static int take(GifFileType* gif, const GifByteType* bytes, int size) {
     auto& self = *static_cast<GifSeries*>(gif->UserData);
+    if (self.wrong_) return 0;
     auto done = self.put_(bytes, std::size_t(size));
     if (!done) self.wrong_ = done.error();
     return done ? size : 0;
@@ -61,7 +62,7 @@ class GifSeries final : public PictureSeries {
   Error failure() const;
 
   PutBytes put_;
-  std::optional<Error> wrong_;  // what the file said
+  std::optional<Error> wrong_;  // what the file said; giflib does not pass all of it on
   FilmPalette palette_;
   int width_, height_;
   GifFileType* gif_ = nullptr;
@@ -93,7 +94,7 @@ Expected<Done> GifSeries::begin() {
                      EGifPutExtensionBlock(gif_, sizeof endless, endless) &&
                      EGifPutExtensionTrailer(gif_);
   GifFreeMapObject(map);
-  if (!begun) return failure();
+  if (!begun || wrong_) return failure();
   return Done{};
 }
 
@@ -120,7 +121,7 @@ Expected<Done> GifSeries::put(const Image& picture, const PixelRect& changed, lo
 Expected<Done> GifSeries::finish() {
   if (auto done = write_waiting(nullptr); !done) return done;
   int failed = 0;
-  if (!EGifCloseFile(std::exchange(gif_, nullptr), &failed)) return failure();
+  if (!EGifCloseFile(std::exchange(gif_, nullptr), &failed) || wrong_) return failure();
   return Done{};
 }
 
@@ -135,7 +136,7 @@ Expected<Done> GifSeries::write_waiting(const Places* next) {
   const bool cleared = !gone.empty();
   if (cleared) part.add(gone.left, gone.top), part.add(gone.right - 1, gone.bottom - 1);
   if (part.empty()) part = {0, 0, 1, 1};
-  if (!write_frame(part, cleared)) return failure();
+  if (!write_frame(part, cleared) || wrong_) return failure();
   canvas_ = waiting_;
   for (int y = part.top; cleared && y < part.bottom; ++y)
     std::fill_n(canvas_.begin() + std::ptrdiff_t(at(part.left, y)), part.right - part.left, kStays);

@@ -1,16 +1,11 @@
 #include "tools/mien/film/wave_file.h"
 
-#include "lib/base/one_line.h"
+#include "lib/file/json/placed_reader.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
-#include <system_error>
 
 namespace mien::command {
 namespace {
@@ -28,41 +23,36 @@ struct Chunk {
   std::uint32_t size;
 };
 
-std::optional<Chunk> next_chunk(std::ifstream& file, std::array<char, 8>& head) {
-  if (!file.read(head.data(), head.size())) return {};
-  return Chunk{{head.data(), 4}, number_of(head.data() + 4, 4)};
-}
-
 }  // namespace
 
 Expected<std::optional<double>> wave_seconds(const std::string& path) {
-  const std::string name = one_line(path);
-  std::error_code failed;
-  if (std::filesystem::is_directory(path, failed)) return Error{name, "is a directory"};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{name, "cannot be read: " + std::generic_category().message(errno)};
+  const auto file = PlacedReader::open(path);
+  if (!file) return file.error();
+  const std::string& name = file->name();
+  const std::size_t size = file->size();
+  if (size == 0) return Error{name, "is empty"};
   std::array<char, 12> start{};
-  file.read(start.data(), start.size());
-  if (file.gcount() == 0) return Error{name, "is empty"};
-  const std::string_view words(start.data(), std::size_t(file.gcount()));
+  const std::string_view words(start.data(), std::min(size, start.size()));
+  if (auto done = file->read(0, words.size(), start.data()); !done) return done.error();
   if (!words.starts_with("RIFF")) return std::optional<double>{};
   if (words.size() < 12 || words.substr(8) != "WAVE")
     return Error{name, "begins like a WAV and is none"};
-  std::array<char, 8> head{};
   std::uint32_t bytes_a_second = 0;
-  while (const auto chunk = next_chunk(file, head)) {
-    const std::streamoff begin = file.tellg();
-    if (chunk->name == "fmt ") {
+  for (std::size_t at = start.size(); at + 8 <= size;) {
+    std::array<char, 8> head{};
+    if (auto done = file->read(at, head.size(), head.data()); !done) return done.error();
+    const Chunk chunk{{head.data(), 4}, number_of(head.data() + 4, 4)};
+    at += head.size();
+    if (chunk.name == "fmt ") {
       std::array<char, 16> format{};
-      if (!file.read(format.data(), format.size())) return Error{name, "its format is cut off"};
+      if (at + format.size() > size) return Error{name, "its format is cut off"};
+      if (auto done = file->read(at, format.size(), format.data()); !done) return done.error();
       bytes_a_second = number_of(format.data() + 8, 4);
-    } else if (chunk->name == "data") {
+    } else if (chunk.name == "data") {
       if (bytes_a_second == 0) return Error{name, "a WAV without a format before its sound"};
-      file.seekg(0, std::ios::end);
-      const double there = double(std::streamoff(file.tellg()) - begin);
-      return std::optional(std::min(double(chunk->size), there) / bytes_a_second);
+      return std::optional(double(std::min<std::size_t>(chunk.size, size - at)) / bytes_a_second);
     }
-    file.seekg(begin + std::streamoff(chunk->size) + chunk->size % 2);
+    at += std::size_t(chunk.size) + chunk.size % 2;
   }
   return Error{name, "a WAV without sound"};
 }

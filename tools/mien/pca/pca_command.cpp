@@ -239,8 +239,9 @@ int draw_comparison(const PcaArguments& arguments, const BasisFile& file, const 
   if (painter->is_face()) {
     const Image drawn = painter->paint(a), again = painter->paint(b);
     const LevelDifference levels = level_difference(drawn, again);
-    print(fmt::format("frame {} as drawn: rms {:.4f}, max {} levels of 255\n", frame, levels.rms,
-                      levels.max));
+    const int told = print(fmt::format("frame {} as drawn: rms {:.4f}, max {} levels of 255\n",
+                                       frame, levels.rms, levels.max));
+    if (told != kDone) return told;
     pictures.push_back(captioned(difference_picture(drawn, again, std::max(levels.max, 1)),
                                  fmt::format("difference to {} levels", levels.max)));
   } else {

@@ -8,6 +8,7 @@
 #include "tools/mien/commands/posed_face.h"
 #include "tools/mien/output/drawn_picture.h"
 #include "tools/mien/output/letters.h"
+#include "tools/mien/terminal/messages.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,13 @@ Expected<FramePainter> FramePainter::of(const PcaArguments& arguments, const Bas
   painter.dimensions_ = basis.dimensions;
   if (!basis.slices.empty()) {
     painter.face_ = face;
-    if (!face && arguments.face) painter.face_ = read_face_or_report(*arguments.face);
+    if (!face && arguments.face) {
+      std::vector<Error> warnings;
+      auto read = read_face_or_code(*arguments.face, {}, &warnings);
+      warn(warnings);
+      if (!read) return read.error();
+      painter.face_ = *std::move(read);
+    }
     if (!painter.face_)
       return Error{"--face", "is needed: the basis is of a face, and the file that draws it"};
     if (const auto fits = face_basis(basis, *painter.face_); !fits) return fits.error();

@@ -9,14 +9,14 @@
 
 namespace mien::command {
 
-int start_process(const std::vector<std::string>& words, const std::array<int, 3>& descriptors,
+int start_process(const std::vector<std::string>& words, const std::vector<int>& descriptors,
                   pid_t& id) {
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < int(descriptors.size()); ++i)
     if (descriptors[std::size_t(i)] >= 0)
       ::posix_spawn_file_actions_adddup2(&actions, descriptors[std::size_t(i)], i);
     else

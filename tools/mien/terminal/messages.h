@@ -18,6 +18,6 @@ void warn(const std::vector<Error>& warnings);
 
 /// The whole text to standard output, flushed; complains and gives kFailed if that fails. Inside another
 /// command's work (outer_work.h) nothing is printed.
-int print(std::string_view text);
+[[nodiscard]] int print(std::string_view text);
 
 }  // namespace mien::command

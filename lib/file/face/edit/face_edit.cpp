@@ -1,6 +1,7 @@
 #include <mien/face_edit.h>
 #include <mien/face_model.h>
 #include <mien/pose.h>
+#include "lib/base/memory_ran_out.h"
 
 #include "lib/base/one_line.h"
 #include "lib/file/face/placed_face_private.h"
@@ -204,21 +205,27 @@ Expected<EditedFace> edit(std::string_view text, const std::vector<std::string>&
 
 Expected<EditedFace> edit_face_text(std::string_view text, const std::vector<std::string>& settings,
                                     std::string_view name, const FaceLimits& limits,
-                                    const Letters& letters) {
+                                    const Letters& letters) try {
   return edit(text, settings, name, nullptr, limits, letters);
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(name);
 }
 
 Expected<EditedFace> edit_face(const std::filesystem::path& path,
                                const std::vector<std::string>& settings, const FaceLimits& limits,
-                               const Letters& letters) {
+                               const Letters& letters) try {
   try {
     const auto text = read_bytes(path, limits.bytes);
     if (!text) return text.error();
     const std::filesystem::path folder = path.parent_path();
     return edit(*text, settings, path.string(), &folder, limits, letters);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     return Error{{}, fmt::format("cannot read the face: {}", one_line(e.what()))};
   }
+} catch (const std::bad_alloc&) {
+  return memory_ran_out(path.native());
 }
 
 }  // namespace mien
