@@ -146,8 +146,7 @@ class Composition {
   void draw_families(bool first) {
     for (const Family& family : library_.families()) {
       const Part* part = parts_.of(family.name);
-      if (part && family.first == first && !is_covered(family, *part))
-        draw(part->at, family.name);
+      if (part && family.first == first && !is_covered(family, *part)) draw(part->at, family.name);
     }
   }
 
