@@ -35,7 +35,7 @@ const Wrong kWrongs[] = {
     {{},
      2,
      "a command is needed: render, check, scene, list, set, bench, animate, say, morph, mesh, pca, "
-     "import, fit, sheet, new, code, parts, chernoff, stimuli, studio, serve; "
+     "import, fit, sheet, new, code, parts, chernoff, stimuli, batch, join, studio, serve; "
      "mien -h helps"},
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\"; mien -h helps"},

@@ -164,9 +164,18 @@ class TurnReader {
     });
     if (const auto* text = std::get_if<TextFigure>(&feature.figure))
       if (with_the_head(where)) add({text->tilt, TurnKind::angle});
+    if (feature.relief) add_domes(feature.relief.in(face_.model.reliefs));
     if (foreshortened(where)) add_sizes(feature.figure, where.kind == TurnKind::plate);
     if (feature.gradient) add_gradient(feature.gradient.in(face_.model.gradients), where);
     if (turn_.nearer && with_the_head(where)) add_lengths(feature.figure);
+  }
+
+  /// Domes go with the head where the file tells how deep they lie: those that eyes make follow these.
+  void add_domes(const FaceRelief& relief) {
+    for (const FaceDome& dome : relief.domes) {
+      const Place here = place_of(dome.center, {TurnKind::still});
+      if (here.kind != TurnKind::still) add({dome.center, here.kind, here.depth});
+    }
   }
 
   /// What keeps its size as the head turns, and grows as it comes nearer.

@@ -71,7 +71,7 @@ TEST(Legible, OfCombinedAreasAsksWhatIsLeft) {
     return opacity_of(legible_scene(std::move(build).finish(), kLeast));
   };
   EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area l) { return b.unite(s, l); }), 1);
-  EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area l) { return b.intersect(s, l); }), 0.25);
+  EXPECT_NEAR(seen([](SceneBuilder& b, Area s, Area l) { return b.intersect(s, l); }), 0.25, 1e-12);
   EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area l) { return b.subtract(l, s); }), 1);
   EXPECT_EQ(seen([](SceneBuilder& b, Area s, Area) { return b.complement(s); }), 1);
   EXPECT_EQ(seen([](SceneBuilder& b, Area, Area) { return b.everywhere(); }), 1);

@@ -128,8 +128,7 @@ KnownFeatures::KnownFeatures(const Face& face) {
       if (head >= 0 && i > head && !begins_with_any(name, {"beard", "moustache"})) {
         if (hiding == Hiding::all) add_members(model, i, over_head);
         if (hiding != Hiding::none) over_temples.push_back(i);
-        one_mass = one_mass ||
-                   (hiding == Hiding::all && std::holds_alternative<AreaFigure>(feature.figure));
+        one_mass = one_mass || name == "hair_mass";
       }
       const bool over_brows =
           hiding_of(face, feature, true) == Hiding::all && !name.starts_with("brow");

@@ -125,7 +125,7 @@ TEST(OwnParts, AreCoveredOneByOne) {
     recipe.parts["hair"] = hair, recipe.parts["aid"] = aid;
     return draws(face_from_recipe(recipe).value(), feature);
   };
-  EXPECT_TRUE(draws_aid("cropped", "hearing_aid", "hearing_tube"));
+  EXPECT_TRUE(draws_aid("crop", "hearing_aid", "hearing_tube"));
   EXPECT_FALSE(draws_aid("bob", "hearing_aid", "hearing_tube"));
   EXPECT_TRUE(draws_aid("bob", "face_mask", "mask"));
 }
