@@ -125,8 +125,8 @@ TEST(OwnParts, AreCoveredOneByOne) {
     recipe.parts["hair"] = hair, recipe.parts["aid"] = aid;
     return draws(face_from_recipe(recipe).value(), feature);
   };
-  EXPECT_TRUE(draws_aid("crop", "hearing_aid", "hearing_tube"));
-  EXPECT_FALSE(draws_aid("bob", "hearing_aid", "hearing_tube"));
+  EXPECT_TRUE(draws_aid("crop", "hearing_aid", "hearing_tube.left"));
+  EXPECT_FALSE(draws_aid("bob", "hearing_aid", "hearing_tube.left"));
   EXPECT_TRUE(draws_aid("bob", "face_mask", "mask"));
 }
 
