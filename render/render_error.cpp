@@ -1,5 +1,6 @@
 #include "render/render_error.h"
 #include "lib/base/bytes_text.h"
+#include "lib/base/memory_ran_out.h"
 
 #include <fmt/format.h>
 

@@ -12,9 +12,6 @@ namespace mien {
 /// What an error says of drawing that the caller ended.
 inline constexpr std::string_view kCancelled = "cancelled";
 
-/// How every message about missing memory begins.
-inline constexpr std::string_view kMemoryRanOut = "memory ran out";
-
 bool drawable(const View& view);  ///< its sides are 1 … View::kMaxSide
 Error invalid_size(const View& view);
 Error out_of_memory(const PixelRect& rect);

@@ -1,4 +1,5 @@
 #include "bind/c/door_private.h"
+#include "lib/base/memory_ran_out.h"
 
 #include <cmath>
 #include <exception>
@@ -19,9 +20,9 @@ mien_status caught(std::string_view function, mien_error** error) noexcept {
       std::string& where = refusal.error.where;
       if (refusal.status == MIEN_MISUSE) where = std::string(function) + ": " + where;
       tell(error, refusal.error);
-      return refusal.status;
+      return refusal.error.what.starts_with(kMemoryRanOut) ? MIEN_NO_MEMORY : refusal.status;
     } catch (const std::bad_alloc&) {
-      if (error) *error = mien_error_new("", 0, "memory ran out", MIEN_NUL_ENDED);
+      if (error) *error = mien_error_new("", 0, kMemoryRanOut.data(), kMemoryRanOut.size());
       return MIEN_NO_MEMORY;
     } catch (const std::exception& unexpected) {
       tell(error, {std::string(function), std::string("unexpected: ") + unexpected.what()});

@@ -663,9 +663,9 @@ MIEN_C_API mien_status mien_debug_picture(const mien_scene* scene, const mien_vi
 
 /* The scene as an SVG file, of lines and parabolas that leave the outlines by `tolerance` [px] at most, 1e-4 ... 1;
  * 0 is 0.006. A list of texts: the file's, and a sentence for each thing that SVG cannot show, with its layer. The view's
- * size, fit, background and legibility count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be empty,
- * begins all ids, so that several pictures can stand in one page; NULL of length 0: one made of the picture, so that only
- * equal pictures share ids. Of the options, which may be NULL, `progress`, `most_steps` and `most_memory` count. */
+ * size, fit, background and legibility count; colours are mixed as SVG viewers do, as encoded. `id_prefix`, which may be
+ * empty, begins all ids, so that several pictures can stand in one page; NULL of length 0: one made of the picture, so that
+ * only equal pictures share ids. Of the options, which may be NULL, `progress`, `most_steps` and `most_memory` count. */
 MIEN_C_API mien_status mien_svg(const mien_scene* scene, const mien_view* view, double tolerance,
                                 const char* id_prefix, size_t length,
                                 const mien_render_options* options, mien_texts** out,

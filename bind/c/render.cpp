@@ -57,8 +57,7 @@ struct CarriedJob {
 }  // namespace
 
 void fail(const Error& error, bool cancelled) {
-  const bool memory = error.what.starts_with(kMemoryRanOut);
-  throw Refusal{cancelled ? MIEN_CANCELLED : memory ? MIEN_NO_MEMORY : MIEN_REFUSED, error};
+  throw Refusal{cancelled ? MIEN_CANCELLED : MIEN_REFUSED, error};
 }
 
 View view_of(const mien_view* given) {

@@ -10,13 +10,17 @@
 #include <mien/expected.h>
 
 #include <new>
+#include <string>
 #include <string_view>
 
 namespace mien {
 
-/// The error, told without memory where there is none: the sentence is short enough to be inside its string.
+/// How every message about missing memory begins. Short enough to be inside its string.
+inline constexpr std::string_view kMemoryRanOut = "memory ran out";
+
+/// The error, told without memory where there is none.
 inline Error memory_ran_out(std::string_view where = {}) noexcept {
-  Error error{{}, "out of memory"};
+  Error error{{}, std::string(kMemoryRanOut)};
   try {
     error.where = where;
   } catch (const std::bad_alloc&) {  // then it is told without the place

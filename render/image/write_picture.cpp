@@ -1,6 +1,7 @@
 // Images that are there, and pictures that are drawn on the way.
 
 #include <mien/piece_drawer.h>
+#include "lib/base/memory_ran_out.h"
 #include "render/image/file_type.h"
 #include "render/image/ordered_pipeline.h"
 #include "render/image/write_pieces.h"

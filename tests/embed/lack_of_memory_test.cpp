@@ -74,7 +74,7 @@ Failed failed_at(const Work& work, long index) {
       end = work();
     } catch (const std::bad_alloc&) {
       failed.thrown = true;
-      end.what = "out of memory";
+      end.what = "memory ran out";
     }
     test::stop_failing();
     failed.end = end;

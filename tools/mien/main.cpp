@@ -1,3 +1,4 @@
+#include "lib/base/memory_ran_out.h"
 #include "lib/base/watch.h"
 #include "tools/mien/cli/command_line.h"
 #include "tools/mien/commands/run_command.h"
@@ -24,7 +25,7 @@ namespace {
 [[noreturn]] void end_without_memory() {
   const std::type_info* const thrown = abi::__cxa_current_exception_type();
   if (!thrown || *thrown != typeid(std::bad_alloc)) std::abort();
-  constexpr std::string_view kSentence = "mien: not enough memory\n";
+  constexpr std::string_view kSentence = "mien: memory ran out\n";
   if (::write(STDERR_FILENO, kSentence.data(), kSentence.size()) < 0) errno = 0;
   std::_Exit(kFailed);
 }
@@ -57,7 +58,7 @@ int main(int count, char** words) {
     complain("interrupted", kFailed);
     die_of_interrupt();
   } catch (const std::bad_alloc&) {
-    return complain("not enough memory", kFailed);
+    return complain(mien::memory_ran_out(), kFailed);
   } catch (const std::exception& failure) {
     return complain(failure.what(), kFailed);
   }

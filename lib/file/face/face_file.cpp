@@ -143,7 +143,7 @@ Expected<Made> read_safely(std::string_view name, Read&& read) {
   } catch (const Refusal& refusal) {
     return refusal.error;
   } catch (const std::bad_alloc&) {
-    return Error{one_line(name), "not enough memory to read it"};
+    return memory_ran_out(name);
   } catch (const std::exception& e) {
     return Error{one_line(name), fmt::format("cannot be read: {}", one_line(e.what()))};
   }

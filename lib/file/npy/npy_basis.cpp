@@ -214,7 +214,7 @@ Expected<BasisFile> read_basis(const std::filesystem::path& path) try {
     read_arrays(arrays, file);
     return file;
   } catch (const std::bad_alloc&) {
-    return Error{name, "not enough memory to read it"};
+    return memory_ran_out(name);
   } catch (const Unread& unread) {
     return unread.error;
   } catch (const Refusal& refusal) {

@@ -192,7 +192,7 @@ class MouthAtWork {
 
   /// What raises the upper lip stops below the nose, unless it is drawn higher, and takes the lower lip along.
   void stay_under_nose() {
-    constexpr double kSkin = 0.016;  // between lip and nose, of the face's width
+    constexpr double kSkin = 0.015;  // between lip and nose, of the face's width
     if (!mouth_.under) return;
     const double over =
         above_nose(now_, open_) - std::max(above_nose(rest_, drawn_), -kSkin * mouth_.width);

@@ -10,14 +10,14 @@ namespace mien {
 namespace {
 
 TEST(MemoryRanOut, IsTold) {
-  EXPECT_EQ(sentence(memory_ran_out("a.json")), "a.json: out of memory");
+  EXPECT_EQ(sentence(memory_ran_out("a.json")), "a.json: memory ran out");
 }
 
 TEST(MemoryRanOut, IsToldWithoutMemory) {
   const long before = test::allocations();
   const Error error = memory_ran_out();
   EXPECT_EQ(test::allocations(), before);
-  EXPECT_EQ(error.what, "out of memory");
+  EXPECT_EQ(error.what, kMemoryRanOut);
 }
 
 }  // namespace

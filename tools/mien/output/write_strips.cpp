@@ -1,4 +1,5 @@
 #include "tools/mien/output/write_strips.h"
+#include "lib/base/memory_ran_out.h"
 #include "render/image/load_encoder.h"
 #include "render/image/write_pieces.h"
 #include "render/render_error.h"
