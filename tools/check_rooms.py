@@ -24,7 +24,7 @@ ORDER = """
     version.h
     lib/base  lib/math  lib/geom  lib/picture  lib/face  lib/rig  lib/file/json  lib/parts  lib/file
     sdf/shape  sdf/distance  sdf/csg  sdf/scene  sdf/outline  sdf/arrange  sdf  sdf/from_face  sdf/from_mesh  sdf/from_text
-    render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render  render/inspect  render/svg
+    render/image.h  render/render_stats.h  render/view  render/cover  render/blend  render/shade  render/reference  render/rows  render/effect  render  render/device  render/inspect  render/svg
     mien.h  write.h  render/image  bind/c  bind/web  tools
 """.split()
 FACES = ("lib/face", "lib/rig", "lib/file", "lib/parts")

@@ -619,6 +619,32 @@ MIEN_C_API mien_status mien_render(mien_renderer* renderer, const mien_scene* sc
                                    const mien_view* view, const mien_pixels* pixels,
                                    const mien_render_options* options, mien_error** error);
 
+/* How a small display's memory holds a pixel. What a picture leaves open is black. */
+enum {
+  MIEN_RGB565 = 0,         /* red in the five upper bits of 16, in the machine's byte order */
+  MIEN_RGB565_SWAPPED = 1, /* the same with its two bytes exchanged, for displays on a serial bus */
+  MIEN_BGRX = 2,           /* blue, green, red and a byte of 255, with the levels of MIEN_U8 */
+  MIEN_MONO = 3            /* a bit a pixel, 1 for white, the leftmost in a byte's uppermost */
+};
+
+/* Rows of a display that the caller owns; those of MIEN_MONO begin on whole bytes. */
+typedef struct mien_device_pixels {
+  uint32_t size;  /* sizeof(mien_device_pixels) */
+  int32_t format; /* MIEN_RGB565 ... MIEN_MONO */
+  void* data;     /* aligned for 16 bits where the format has 16 */
+  size_t bytes;   /* how many there are from `data` on: nothing is written beyond */
+  size_t stride;  /* [bytes] from one row to the next */
+} mien_device_pixels;
+MIEN_C_API void mien_device_pixels_init(mien_device_pixels* pixels, size_t size);
+
+/* Draws what mien_render draws, in bands: the whole picture is never held in any other format. With view.dither, levels of
+ * MIEN_RGB565 and MIEN_MONO are rounded by an ordered dither of 8 x 8 pixels whose mean is right to 1/128 of a step:
+ * between sRGB-encoded levels, and between black and white in linear light. */
+MIEN_C_API mien_status mien_render_for_device(const mien_scene* scene, const mien_view* view,
+                                              const mien_device_pixels* pixels,
+                                              const mien_render_options* options,
+                                              mien_error** error);
+
 /* The work that the renderer's last picture took. Regions of other pictures do not count. */
 typedef struct mien_render_stats {
   uint32_t size;           /* sizeof(mien_render_stats) */

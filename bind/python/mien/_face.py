@@ -203,6 +203,10 @@ class Face:
         """The picture at rest: see `Posed.render`."""
         return self.pose().render(size, **how)
 
+    def for_device(self, format: str, size: Size = 240, **how: Any) -> numpy.typing.NDArray[Any]:
+        """The picture at rest for a small display: see `Posed.for_device`."""
+        return self.pose().for_device(format, size, **how)
+
     def save(self, file: File, size: Size = 1024, **how: Any) -> None:
         """Draws it at rest into a file: see `Posed.save`."""
         self.pose().save(file, size, **how)

@@ -40,6 +40,10 @@ class Pixels(Structure):
     _fields_ = [("size", c_uint32), ("depth", c_int32), ("data", c_void_p), ("bytes", c_size_t), ("stride", c_size_t)]
 
 
+class DevicePixels(Structure):
+    _fields_ = [("size", c_uint32), ("format", c_int32), ("data", c_void_p), ("bytes", c_size_t), ("stride", c_size_t)]
+
+
 class RenderOptions(Structure):
     _fields_ = [("size", c_uint32), ("threads", c_int32), ("progress", Progress), ("progress_data", c_void_p),
                 ("executor", c_void_p), ("executor_data", c_void_p),
@@ -142,6 +146,7 @@ _STATUS: dict[str, list[Any]] = {
     "mien_render": [c_void_p, c_void_p, POINTER(View), POINTER(Pixels), POINTER(RenderOptions)],
     "mien_svg": [c_void_p, POINTER(View), c_double, *_TEXT, POINTER(RenderOptions), _ERROR],
     "mien_debug_picture": [c_void_p, POINTER(View), c_int32, POINTER(Pixels), POINTER(RenderOptions)],
+    "mien_render_for_device": [c_void_p, POINTER(View), POINTER(DevicePixels), POINTER(RenderOptions)],
     "mien_renderer_stats": [c_void_p, POINTER(RenderStats)],
     "mien_effects_new": [_ERROR],
     "mien_effects_of_face": [c_void_p, _ERROR],
@@ -188,6 +193,7 @@ _PLAIN: dict[str, tuple[Any, list[Any]]] = {
     "mien_scene_layer_count": (c_int32, [c_void_p]),
     "mien_scene_layer_name": (c_char_p, [c_void_p, c_int32]),
     "mien_view_init": (None, [POINTER(View), c_size_t]),
+    "mien_device_pixels_init": (None, [POINTER(DevicePixels), c_size_t]),
     "mien_pixels_init": (None, [POINTER(Pixels), c_size_t]),
     "mien_render_options_init": (None, [POINTER(RenderOptions), c_size_t]),
     "mien_renderer_free": (None, [c_void_p]),

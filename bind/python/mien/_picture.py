@@ -10,7 +10,7 @@ import numpy.typing
 
 from ._colors import NAMES, hexadecimal
 from ._errors import Error
-from ._library import Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, listed, said, unknown_name, utf8
+from ._library import DevicePixels, Handle, Pixels, Progress, RenderOptions, RenderStats, View, call, lib, listed, said, unknown_name, utf8
 
 Size = Union[int, "tuple[int, int]"]
 Color = Union[str, Sequence[float]]
@@ -218,6 +218,24 @@ def pixels_of(array: numpy.typing.NDArray[Any]) -> Pixels:
     pixels.stride = array.strides[0] if array.shape[0] > 1 else row
     pixels.bytes = pixels.stride * max(array.shape[0] - 1, 0) + row
     return pixels
+
+
+DEVICE_FORMATS = {"rgb565": numpy.uint16, "rgb565_swapped": numpy.uint16, "bgrx": numpy.uint8, "mono": numpy.uint8}
+
+
+def device_picture(scene: Any, seen: View, name: str, threads: int, progress: Optional[Watch]) -> numpy.typing.NDArray[Any]:
+    """A scene as rows for a display."""
+    kind, rect = choice(name, (*DEVICE_FORMATS,), "format"), (ctypes.c_int32 * 4)()
+    call(lib.mien_drawn_rect, seen, rect)
+    width, height = rect[2], rect[3]
+    shape = {"bgrx": (height, width, 4), "mono": (height, (width + 7) // 8)}.get(name, (height, width))
+    array, watched = numpy.zeros(shape, DEVICE_FORMATS[name]), Watched(progress)
+    pixels = DevicePixels()
+    lib.mien_device_pixels_init(pixels, ctypes.sizeof(DevicePixels))
+    pixels.format, pixels.data, pixels.bytes = kind, array.ctypes.data, array.nbytes
+    pixels.stride = array.strides[0]
+    watched.run(call, lib.mien_render_for_device, scene, seen, pixels, watched.options(threads))
+    return array
 
 
 def debug_picture(scene: Any, seen: View, which: int, threads: int, progress: Optional[Watch]) -> numpy.typing.NDArray[Any]:

@@ -14,7 +14,7 @@ import numpy.typing
 from . import _library
 from ._errors import Error, Path, writing
 from ._library import Handle, call, hinted, lib, path_bytes, said, text, texts, utf8
-from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, effects_of, view, whole
+from ._picture import Color, Renderer, Size, Watch, Watched, choice, debug_picture, device_picture, effects_of, view, whole
 from ._png import png
 from ._saved import File, save, to_pil, write_options
 
@@ -85,6 +85,21 @@ class Posed:
         """
         seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
         return (renderer or Renderer())._render(self._drawn, seen, dtype, threads, out, progress, self._effects(effects))
+
+    def for_device(self, format: str, size: Size = 240, *, fit: str = "meet", blend: str = "linear",
+                   background: Optional[Color] = None, region: Optional[Sequence[int]] = None,
+                   light: Optional[Sequence[float]] = None, dither: bool = True, legible: float = 0, threads: int = 0,
+                   progress: Optional[Watch] = None) -> numpy.typing.NDArray[Any]:
+        """The picture as a small display's memory holds it, without alpha: what is open is black.
+
+        format      "rgb565": (height, width) of uint16; "rgb565_swapped": the same with its bytes exchanged, as most displays
+                    on a serial bus want it; "bgrx": (height, width, 4) of uint8; "mono": (height, width / 8) of uint8, a bit a
+                    pixel, 1 for white, the leftmost uppermost
+        dither      by rows and columns of 8 × 8 pixels, whose mean is right; else each pixel is rounded
+        The rest is as in `render`.
+        """
+        seen = view(self.face.canvas.aspect, size, fit, blend, background, region, light, dither, legible)
+        return device_picture(self._drawn, seen, format, threads, progress)
 
     def debug(self, which: str, size: Size = 1024, *, fit: str = "meet", background: Optional[Color] = None,
               region: Optional[Sequence[int]] = None, threads: int = 0,

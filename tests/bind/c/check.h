@@ -43,6 +43,7 @@ void test_motions(void);
 void test_effects(void);
 void test_bases(const char* folder);
 void test_debug(void);
+void test_device(void);
 void test_distances(void);
 void test_feet(void);
 #ifdef MIEN_IMAGE

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   test_effects();
   test_bases(argv[2]);
   test_debug();
+  test_device();
   test_distances();
   test_feet();
 #ifdef MIEN_IMAGE

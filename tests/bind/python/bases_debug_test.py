@@ -119,5 +119,32 @@ def unpacked(path):
     return numpy.frombuffer(b"".join(out), numpy.uint8).reshape(height, width, channels)[..., :3].tobytes()
 
 
+class Devices(unittest.TestCase):
+    def test_formats_are_the_picture(self):
+        face = mien.read_face(TOON)
+        rgba, size = face.render((40, 30)).astype(int), (40, 30)
+        bgrx = face.for_device("bgrx", size)
+        numpy.testing.assert_array_equal(bgrx[..., 2::-1], rgba[..., :3])
+        self.assertTrue((bgrx[..., 3] == 255).all())
+        packed, swapped = face.for_device("rgb565", size), face.for_device("rgb565_swapped", size)
+        self.assertEqual((packed.shape, packed.dtype), ((30, 40), numpy.uint16))
+        numpy.testing.assert_array_equal(packed.byteswap(), swapped)
+        nearest = face.for_device("rgb565", size, dither=False).astype(int)
+        for shift, top, channel in ((11, 31, 0), (5, 63, 1), (0, 31, 2)):
+            off = (nearest >> shift & top) / top - rgba[..., channel] / 255
+            self.assertLess(abs(off).max(), .5 / top + 1 / 255)
+        bits = numpy.unpackbits(face.for_device("mono", size), axis=1)
+        light = face.render(size, dtype="float32")[..., :3] @ [.2126, .7152, .0722]
+        self.assertAlmostEqual(bits.mean(), light.mean(), delta=.01)
+        numpy.testing.assert_array_equal(numpy.unpackbits(face.for_device("mono", size, region=(16, 8, 24, 9)), axis=1), bits[8:17, 16:40])
+
+    def test_misuse(self):
+        face = mien.read_face(TOON)
+        with self.assertRaisesRegex(mien.Error, "rgb565"):
+            face.for_device("rgb566")
+        with self.assertRaises(mien.Cancelled):
+            face.for_device("mono", 64, progress=lambda done: False)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
