@@ -34,6 +34,7 @@ class Composition {
   JsonTree tree() {
     for (const Family& family : library_.families())
       if (const Part* part = parts_.of(family.name)) tell(*part, family.name);
+    cover();
     geometry_.clear();
     out_.object();
     out_.key("format"), out_.string("mien-face");
@@ -124,9 +125,20 @@ class Composition {
         geometry_.add_value(in.tree.key(node), geometry_.scalar(in, node, family));
       });
     if (const JsonNode* covers = in.find(*part.at.node, "covers"))
-      in.for_each(*covers, [&](const JsonNode& node, int) { covered_.emplace(in.string(node)); });
+      in.for_each(*covers, [&](const JsonNode& node, int) {
+        covers_.emplace_back(family, in.string(node));
+      });
     if (const JsonNode* gone = in.find(*part.at.node, "gone"))
       in.for_each(*gone, [&](const JsonNode& node, int) { leave_out(in, node); });
+  }
+
+  /// Hair below a scarf covers no ears: what a covered part covers does not count.
+  void cover() {
+    std::set<std::string, std::less<>> told;
+    for (const auto& [family, covered] : covers_) told.insert(covered);
+    for (const auto& [family, covered] : covers_)
+      if (!told.contains(family) && !told.contains(family + '/' + parts_.of(family)->name))
+        covered_.insert(covered);
   }
 
   /// A feature that all faces share, which nobody with the part shows.
@@ -190,6 +202,8 @@ class Composition {
   FlatFeatures features_;
   JsonTree tree_;
   TreeWriter out_{tree_};
+  std::vector<std::pair<std::string, std::string>>
+      covers_;  ///< a family whose part covers, what it covers
   std::set<std::string, std::less<>> covered_;
   std::vector<std::pair<const Reading*, const JsonNode*>> groups_;
 };
