@@ -12,6 +12,7 @@ TEST(Oklch, KnownColours) {
   EXPECT_EQ(hex_of({0.62796, 0.25768, 29.2339}), "#ff0000");
   EXPECT_EQ(hex_of({0.45201, 0.31321, 264.0520}), "#0000ff");
   EXPECT_EQ(hex_of({1, 0, 0}, 0.5), "#ffffff80");
+  EXPECT_EQ(hex_of({1, 0, 0}, -0.5), "#ffffff00");
 }
 
 TEST(Oklch, WhatCannotBeShownKeepsItsLightness) {

@@ -103,7 +103,8 @@ TEST(WritePicture, ErrorsAreSentences) {
       sentence(write_picture(sample_scene(), {.region = PixelRect{9000, 0, 5, 5}}, folder / "a.png")
                    .error()),
       (folder / "a.png").string() + ": the image has no pixels");
-  for (const View& none : {View{.width = 0}, View{.height = View::kMaxSide + 1}}) {
+  for (const View& none :
+       {View{.width = 0}, View{.height = 0}, View{.height = View::kMaxSide + 1}}) {
     const std::string wrong =
         sentence(write_picture(sample_scene(), none, folder / "a.png").error());
     EXPECT_NE(wrong.find("a.png: a picture's sides are 1 to 1048576 pixels, not "),

@@ -5,7 +5,10 @@
 #include <mien/render.h>
 #include <mien/scene_from_mesh.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cstring>
 
 #include "tests/support/rendered.h"
 
@@ -51,6 +54,32 @@ TEST(SceneFromMesh, TheNearestIsOnTopWhateverTheOrder) {
   const Image b = test::rendered(scene_from_mesh(mesh, amounts, look), {.width = 32, .height = 32});
   EXPECT_EQ(a.bytes, b.bytes);
   EXPECT_GT(a.row(28)[4 * 3], a.row(28)[4 * 3 + 2]);  // red, the near one's amount, over blue
+}
+
+/// The light of a triangle whose normal is `normal`, beside that of one which faces the lamp.
+double shade_of(glm::dvec3 normal) {
+  const auto red = [](glm::dvec3 n) {
+    const auto over = [&](double x, double y) {
+      return glm::dvec3{x, y, -(n.x * x + n.y * y) / n.z};
+    };
+    const Mesh mesh{{over(0, 0), over(1, 0), over(0, 1)}, {{0, 1, 2}}};
+    const auto image = render(scene_from_mesh(mesh, {}, {.box = {{0, 0}, {1, 1}}}),
+                              {.width = 32, .height = 32}, {.depth = Depth::f32});
+    float value = 0;
+    std::memcpy(&value, image->row(28) + 16 * 3, sizeof value);
+    return double(value);
+  };
+  return red(normal) / red({-0.45, 0.55, 0.8});
+}
+
+TEST(SceneFromMesh, LightComesFromAboveOnTheLeft) {
+  const glm::dvec3 lamp = glm::normalize(glm::dvec3{-0.45, 0.55, 0.8});
+  for (const glm::dvec3 n :
+       {glm::dvec3{0, 0, 1}, glm::dvec3{-0.6, 0, 0.8}, glm::dvec3{0, -0.6, 0.8}})
+    EXPECT_NEAR(shade_of(n), 0.25 + 0.75 * glm::dot(n, lamp), 1e-6);
+  // Turned away from it, all are as dark.
+  EXPECT_NEAR(shade_of({0.8, -0.6, 0.05}), 0.25, 1e-6);
+  EXPECT_NEAR(shade_of({0.6, -0.8, 0.02}), 0.25, 1e-6);
 }
 
 TEST(SceneFromMesh, PointsWithoutTrianglesAreDiscsAndFlatOnesAreNothing) {

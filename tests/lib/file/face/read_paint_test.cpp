@@ -81,6 +81,9 @@ TEST(ReadPaint, ReadsReliefsAndTheLight) {  // G3, C
   EXPECT_EQ(number(face, "iris.right/relief/domes/0/height", 0), 0.01);
   EXPECT_EQ(face.model->light.direction, glm::dvec3(1, 2, 3));
   EXPECT_EQ(face.model->light.ambient, 0.2);
+  const Face plain = read(
+      painted_face(disc_with(R"("paint": "black")"), R"("light": {"direction": [1, 2, 3]}, )"));
+  EXPECT_EQ(plain.model->light.ambient, 0.35);  // as docs/face-format.md has it
 }
 
 TEST(ReadPaint, ReadsWhatFollowsAnOutline) {

@@ -24,6 +24,9 @@ TEST(RecipeBetween, BeginsAndEndsWithThePeople) {
   for (const auto& [name, value] : at_place(1).numbers)
     EXPECT_NEAR(value, kLast.numbers.at(name), 1e-12) << name;
   EXPECT_EQ(face_from_recipe(at_place(0)).value().vector, face_from_recipe(kFirst).value().vector);
+  // Beyond them there is nobody.
+  EXPECT_EQ(at_place(-0.5).numbers, at_place(0).numbers);
+  EXPECT_EQ(at_place(1.5).numbers, at_place(1).numbers);
 }
 
 TEST(RecipeBetween, NumbersAndColoursGoEvenly) {
