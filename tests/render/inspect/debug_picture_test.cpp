@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 
 namespace mien {
 namespace {
@@ -42,6 +43,37 @@ TEST(DebugPicture, ShowsRegionsAndWhatLooksAlike) {
   EXPECT_NE(pixel_of(regions, 80, 80), pixel_of(regions, 75, 25));
   EXPECT_NE(pixel_of(looks, 21, 81), pixel_of(looks, 81, 81));
   EXPECT_EQ(pixel_of(looks, 76, 24), (Rgb{255, 255, 255}));  // lit: it varies
+}
+
+TEST(DebugPicture, ShowsRegionsWhereTheyAre) {
+  const Image regions = debug_picture(half_and_dome(), kView, DebugPicture::regions).value();
+  EXPECT_NE(pixel_of(regions, 75, 25), pixel_of(regions, 90, 25));  // in the disc, and beside it
+  EXPECT_EQ(pixel_of(regions, 75, 60), pixel_of(regions, 90, 60));  // both below it
+}
+
+TEST(DebugPicture, EachRegionHasAColourOfItsOwn) {
+  SceneBuilder build({.box = {{-50, -50}, {50, 50}}}, {1, 1, 1, 1});
+  for (int i = 0; i < 6; ++i)
+    build.layer("disc", build.shape(Disc{{-40 + 16 * i, 0}, 6}), {{0.1 * i, 0, 0, 1}});
+  const Image regions =
+      debug_picture(std::move(build).finish(), kView, DebugPicture::regions).value();
+  std::set<Rgb> colours{pixel_of(regions, 50, 10)};
+  for (int i = 0; i < 6; ++i) colours.insert(pixel_of(regions, 10 + 16 * i, 50));
+  EXPECT_EQ(colours.size(), 7u);
+}
+
+TEST(DebugPicture, OfARegionIsThatOfTheWhole) {
+  View view = kView;
+  view.region = PixelRect{58, 11, 37, 64};
+  for (int kind = 0; kind < 6; ++kind) {
+    const Image whole = debug_picture(half_and_dome(), kView, DebugPicture(kind)).value(),
+                part = debug_picture(half_and_dome(), view, DebugPicture(kind)).value();
+    ASSERT_EQ(part.width, 37);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 37; ++x)
+        ASSERT_EQ(pixel_of(part, x, y), pixel_of(whole, 58 + x, 11 + y))
+            << kind << " " << x << " " << y;
+  }
 }
 
 /// Large pictures are arranged in parts: what is seen first in one of them does not tell how the rest is shown.

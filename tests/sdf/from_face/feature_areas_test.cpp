@@ -87,6 +87,10 @@ TEST(FeatureAreas, RoundedRectanglesHaveRoundCorners) {
     EXPECT_NEAR(round.distance(round.layers()[0].area, {0.6, 0}), 0, 1e-15);
     EXPECT_NEAR(round.distance(round.layers()[0].area, {0.3 + 0.18, 0.24}), 0, 1e-15);
   }
+  const Scene high = scene_of_discs(
+      R"({"name": "x", "kind": "rounded", "paint": "black", "center": [0, 0], "radii": [0.3, 0.6], "corner": 1})");
+  EXPECT_NEAR(high.distance(high.layers()[0].area, {0.18, 0.3 + 0.24}), 0, 1e-15);
+  EXPECT_NEAR(high.distance(high.layers()[0].area, {-0.3, -0.2}), 0, 1e-15);
   const Scene disc = scene_of_discs(
       R"({"name": "x", "kind": "rounded", "paint": "black", "center": [0, 0], "radii": [0.3, 0.3], "corner": 1})");
   EXPECT_NEAR(disc.distance(disc.layers()[0].area, {0.18, 0.24}), 0, 1e-15);

@@ -150,6 +150,14 @@ TEST(Bulge, IsADomeForTheLight_C2) {
   }
 }
 
+TEST(Bulge, ALidHasAThickness) {
+  EyeBody eye = kEye;
+  eye.bulge = 0.08;
+  EXPECT_EQ(least_lid_thickness(eye), 0.02);
+  eye.bulge = -0.08;
+  EXPECT_EQ(least_lid_thickness(eye), 0);
+}
+
 /// The lid's sheet clears ball and cornea in every direction, by what the derivation says; with a
 /// thinner lid it would not.
 TEST(Bulge, TheLidNeverCutsIntoTheEye_C3) {
