@@ -78,6 +78,18 @@ TEST(Compose, AStylesAreasOfWhatAPartLeavesOutAreLeftOut) {
   EXPECT_FALSE(has_lips("grin"));
 }
 
+/// An afro hides ears, and a scarf hides the afro: then ears are seen. Below a hijab they are not.
+TEST(Compose, WhatACoveredPartCoversIsSeen) {
+  const auto shows_ears = [](const char* headwear) {
+    Recipe recipe = recipe_from_seed(7);
+    recipe.parts["hair"] = "afro", recipe.parts["headwear"] = headwear;
+    return face_from_recipe(recipe).value().model->layout.find("ear.left/points/0") >= 0;
+  };
+  EXPECT_FALSE(shows_ears("none"));
+  EXPECT_TRUE(shows_ears("headscarf"));
+  EXPECT_FALSE(shows_ears("hijab"));
+}
+
 /// High brows lift the brim above them, and low ones do not.
 TEST(Compose, BrimsClearTheBrows) {
   const auto lowest = [](const char* hat, double brow) {
