@@ -32,7 +32,7 @@ function(mien_house_rules target)
   # Where files are compiled together (CMAKE_UNITY_BUILD), those of the SIMD kernels stand alone: each is compiled
   # once for every instruction set; and what replaces operator new.
   get_target_property(sources ${target} SOURCES)
-  list(FILTER sources INCLUDE REGEX "(_simd|shipped_font|allocations)\\.cpp$")
+  list(FILTER sources INCLUDE REGEX "(_simd|lit_places_test|near_squares_test|shipped_font|allocations)\\.cpp$")
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)

@@ -36,8 +36,8 @@ void Looks::begin(const PaintTable& paints) {
   looks_.clear(), steps_.clear();
   table_.assign(std::max<std::size_t>(table_.size(), 256), -1);
   opaque_.assign(std::size_t(words_), 0);
-  clause_words_.clear();
-  tests_.assign(paints.programs.steps().size(), {});
+  tests_.clear();
+  starts_.assign(paints.programs.steps().size() + 1, {});
   for (std::size_t i = 0; i < paints.layers.size(); ++i) {
     const PaintedLayer& layer = paints.layers[i];
     const double opacity = layer.varied < 0
@@ -49,25 +49,9 @@ void Looks::begin(const PaintTable& paints) {
   make_segments();
 }
 
-/// Notes a program that is a conjunction of clauses, each a disjunction of literals, or the opposite of one: nearly all.
 void Looks::note_test(const AreaProgram& program) {
-  Test& test = tests_[std::size_t(program.first)];
-  if (test.end > 0) return;
-  const auto steps = paints_->programs.steps(program);
-  test.opposite = !reader_.read(steps);
-  if (test.opposite && !reader_.read(steps, true)) return;
-  test.first = int(clause_words_.size());
-  for (std::size_t i = 0; i < reader_.literals().size(); ++i) {
-    const int literal = reader_.literals()[i], outline = literal < 0 ? ~literal : literal;
-    const bool begins = reader_.begins(i);
-    if (begins && i > 0) clause_words_.back().ends = true;
-    if (begins || clause_words_.back().word != outline >> 6)
-      clause_words_.push_back({outline >> 6, false, 0, 0});
-    ClauseWord& w = clause_words_.back();
-    (literal < 0 ? w.outside : w.inside) |= std::uint64_t{1} << (outline & 63);
-  }
-  clause_words_.back().ends = true;
-  test.end = int(clause_words_.size());
+  auto& start = starts_[std::size_t(program.first)];
+  if (!start && program.count > 0) start = tests_.add(paints_->programs.steps(program));
 }
 
 void Looks::note_outlines() {
@@ -132,22 +116,8 @@ void Looks::make_segments() {
   }
 }
 
-bool Looks::holds(const AreaProgram& program, const std::uint64_t* inside) {
-  const Test& test = tests_[std::size_t(program.first)];
-  if (test.end == 0) {
-    worked(program.count);
-    return runs_true(paints_->programs.steps(program), inside, stack_);
-  }
-  bool any = false;  // of the clause's literals holds
-  for (int i = test.first; i < test.end; ++i) {
-    const ClauseWord& w = clause_words_[std::size_t(i)];
-    const std::uint64_t in = inside[w.word];
-    any = any || ((in & w.inside) | (~in & w.outside)) != 0;
-    if (!w.ends) continue;
-    if (!any) return test.opposite;
-    any = false;
-  }
-  return !test.opposite;
+bool Looks::holds(const AreaProgram& program, const std::uint64_t* inside) const {
+  return program.count == 0 || tests_.holds(*starts_[std::size_t(program.first)], inside);
 }
 
 /// How many kinks lie before the region.

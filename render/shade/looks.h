@@ -7,10 +7,11 @@
 
 #include "render/shade/paint_table.h"
 #include "sdf/arrange/regions.h"
-#include "sdf/outline/area_clauses.h"
+#include "sdf/outline/area_tests.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -104,7 +105,7 @@ class Looks final : public LookRule {
   void note_outlines();
   void make_segments();
   void note_test(const AreaProgram& program);
-  bool holds(const AreaProgram& program, const std::uint64_t* inside);
+  bool holds(const AreaProgram& program, const std::uint64_t* inside) const;
   int segment_of(int varied, const std::uint64_t* inside);
   int compose(const std::uint64_t* inside, const std::uint64_t* covered);
   void lay_over(const Mix& mix);
@@ -133,23 +134,10 @@ class Looks final : public LookRule {
   std::vector<int> first_segment_;     ///< by varied paint
   std::vector<RampSegment> segments_;
   std::vector<RampIntegral> along_;  ///< by segment, of those along distances
-  /// Of a clause: outlines of one word, inside or outside of any of which it holds.
-  struct ClauseWord {
-    int word;
-    bool ends;  ///< the clause
-    std::uint64_t inside, outside;
-  };
-  /// A program as clauses, all of which hold, or its opposite. None: it has to be run.
-  struct Test {
-    int first = 0, end = 0;
-    bool opposite = false;
-  };
-  AreaClauses reader_;
-  std::vector<Test> tests_;  ///< by a program's first step
-  std::vector<ClauseWord> clause_words_;
+  AreaTests tests_;
+  std::vector<std::optional<AreaTests::Start>> starts_;  ///< by a program's first step
 
   std::vector<std::uint64_t> nothing_;  ///< inside of no outline
-  std::vector<char> stack_;
   std::vector<Level> levels_;
   std::vector<int> open_;  ///< groups
   std::vector<int> chain_;

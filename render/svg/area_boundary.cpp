@@ -1,5 +1,6 @@
 #include "render/svg/area_boundary.h"
 #include "sdf/arrange/foreseen.h"
+#include "sdf/outline/area_tests.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,16 +39,16 @@ double enclosed_by(const FragmentLoop& loop) {
 /// Look 1 where the program holds.
 class AreaBoundaries::Inside final : public LookRule {
  public:
-  explicit Inside(std::span<const AreaStep> program) : program_(program) {}
+  explicit Inside(std::span<const AreaStep> program) : start_(tests_.add(program)) {}
   int state_words() const override { return 0; }
   int first_look(std::uint64_t*) override { return 0; }  // outside of the window
   int look(const std::uint64_t* inside, int, const std::uint64_t*, int, std::uint64_t*) override {
-    return runs_true(program_, inside, stack_);
+    return tests_.holds(start_, inside);
   }
 
  private:
-  std::span<const AreaStep> program_;
-  std::vector<char> stack_;
+  AreaTests tests_;
+  AreaTests::Start start_;
 };
 
 AreaBoundaries::AreaBoundaries(const Scene& scene, const Map<GridSpace, FaceSpace>& map,

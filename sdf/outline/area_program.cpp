@@ -234,28 +234,4 @@ void AreaPrograms::leaf(int index, double level) {
   step(level < 0.0 ? Kind::and_ : Kind::or_);
 }
 
-bool runs_true(std::span<const AreaStep> program, const std::uint64_t* inside,
-               std::vector<char>& stack) {
-  stack.clear();
-  for (const AreaStep& step : program) switch (step.kind) {
-      case Kind::outline:
-        stack.push_back(char(inside[step.outline >> 6] >> (step.outline & 63) & 1));
-        break;
-      case Kind::nothing:
-        stack.push_back(0);
-        break;
-      case Kind::not_:
-        stack.back() = !stack.back();
-        break;
-      case Kind::and_:
-      case Kind::or_: {
-        const char b = stack.back();
-        stack.pop_back();
-        stack.back() = step.kind == Kind::and_ ? stack.back() & b : stack.back() | b;
-        break;
-      }
-    }
-  return program.empty() || stack.back();
-}
-
 }  // namespace mien

@@ -90,8 +90,4 @@ class AreaPrograms {
   std::size_t leveled_ = 0;     ///< how many
 };
 
-/// Whether the program's area holds a point, by the bits of its outlines; `stack` is scratch.
-bool runs_true(std::span<const AreaStep> program, const std::uint64_t* inside,
-               std::vector<char>& stack);
-
 }  // namespace mien

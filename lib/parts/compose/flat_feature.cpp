@@ -68,7 +68,22 @@ class Flattening {
   void add(std::string_view name, std::string_view role, std::size_t order) {
     if (to_.find(name))
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name));
-    to_.add({slot_place(), out_.next(), name, role, side(), order});
+    to_.add({slot_place(), out_.next(), name, role, side(), order, false, clips()});
+  }
+
+  std::array<std::string_view, 2> clips() const {
+    std::array<std::string_view, 2> found{};
+    std::size_t count = 0;
+    const auto note = [&](const JsonNode& one) {
+      if (one.kind == JsonKind::string && count < found.size())
+        found[count++] = out_.kept({in_.string(one)});
+    };
+    const JsonNode* clip = in_.find(node_, "clip");
+    if (clip && clip->kind == JsonKind::array)
+      in_.for_each(*clip, [&](const JsonNode& one, int) { note(one); });
+    else if (clip)
+      note(*clip);
+    return found;
   }
 
   /// On which sides it is drawn.
@@ -140,14 +155,15 @@ class Flattening {
     bool empty = false;
     in_.for_each(node_, [&](const JsonNode& member, int) {
       if (member.kind == JsonKind::object && is_operand(in_.tree.key(member)))
-        empty = empty || selected_features(in_, member, order(), library_, to_).empty();
+        empty =
+            empty || selected_features(in_, member, order(), library_, to_, Operands::all).empty();
     });
     return empty;
   }
 
-  void write_selection(const JsonNode& selection) {
+  void write_selection(const JsonNode& selection, Operands which) {
     out_.array();
-    for (const std::string& name : selected_features(in_, selection, order(), library_, to_))
+    for (const std::string& name : selected_features(in_, selection, order(), library_, to_, which))
       if (name != name_) out_.kept_string(name);
     out_.close();
   }
@@ -177,7 +193,8 @@ class Flattening {
     if (std::find(kLengths.begin(), kLengths.end(), key) != kLengths.end())
       return write_widths(member);
     if (key == "paint" && member.kind == JsonKind::object) return write_gradient(member);
-    if (is_operand(key) && member.kind == JsonKind::object) return write_selection(member);
+    if (is_operand(key) && member.kind == JsonKind::object)
+      return write_selection(member, key == "all" ? Operands::all : Operands::of_union);
     if (key == "left" || key == "right") return write_side(member);
     out_.copy(in_.tree, member);
   }

@@ -7,6 +7,7 @@
 #include "lib/parts/compose/part_geometry.h"
 #include "lib/parts/compose/part_style.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,8 @@ class FlatFeatures {
     std::string_view side = {};  ///< "both", "left", "right"; empty: none
     std::size_t order = 0;       ///< of drawing, then by slot; even: before a slot, of a figure
     bool still = false;
+    /// Features that it is drawn inside of: the first two.
+    std::array<std::string_view, 2> clips = {};
 
     bool sided() const { return !side.empty(); }
   };

@@ -5,9 +5,22 @@
 
 namespace mien {
 
+namespace {
+
+/// Whether it is cut to one of the others, as a knit is to its jumper: then it adds nothing to their union.
+bool lies_in_another(const FlatFeatures::One& one,
+                     const std::vector<const FlatFeatures::One*>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const FlatFeatures::One* other) {
+    return std::find(one.clips.begin(), one.clips.end(), other->name) != one.clips.end() &&
+           (!other->sided() || other->side == one.side);
+  });
+}
+
+}  // namespace
+
 std::vector<std::string> selected_features(const Reading& in, const JsonNode& selection,
                                            std::size_t order, const PartLibrary& library,
-                                           const FlatFeatures& features) {
+                                           const FlatFeatures& features, Operands which) {
   std::set<std::string_view> roles;
   std::set<std::size_t> slots;
   const JsonNode* role_list = in.find(selection, "roles");
@@ -27,8 +40,10 @@ std::vector<std::string> selected_features(const Reading& in, const JsonNode& se
   std::stable_sort(found.begin(), found.end(),
                    [](const auto* a, const auto* b) { return drawn_before(*a, *b); });
   std::vector<std::string> names;
-  for (const FlatFeatures::One* one : found)
+  for (const FlatFeatures::One* one : found) {
+    if (which == Operands::of_union && lies_in_another(*one, found)) continue;
     for (std::string& name : names_of(*one)) names.push_back(std::move(name));
+  }
   return names;
 }
 

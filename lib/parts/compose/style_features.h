@@ -9,10 +9,13 @@
 
 namespace mien {
 
-/// The names of the features that an object selects, in the order of drawing; both lists count, and a list that is not there
-/// lets all through. `order`: of the area, before which they are drawn.
+/// Of a union, a feature that is cut to another one of them can be left out: the union is the same without it.
+enum class Operands { all, of_union };
+
+/// The names of the features that an object selects, in the order of drawing; both lists count, and a list that is not
+/// there lets all through. `order`: of the area, before which they are drawn.
 std::vector<std::string> selected_features(const Reading& in, const JsonNode& selection,
                                            std::size_t order, const PartLibrary& library,
-                                           const FlatFeatures& features);
+                                           const FlatFeatures& features, Operands which);
 
 }  // namespace mien

@@ -31,7 +31,7 @@ struct LightGround {
   std::uint64_t made = 0;  ///< how often
   bool crowded = false;    ///< too many branches: nothing here is of use
   NearArea area, gradient;
-  std::vector<NearBranches> near, near_gradient;  ///< by square and leaf, and those of a pixel
+  std::vector<NearNode> near, near_gradient;  ///< by square and node, and those of a pixel
   /// Broken: entered, and a ridge or a steep outline breaks means over it.
   enum class State : std::uint8_t { unknown, entered, broken };
   std::array<State, kSquares> state;

@@ -31,19 +31,20 @@ struct Square {
 /// The branches near a square, of both areas.
 Near NearOf(const LightTile& tile, int square) {
   LightGround& g = *tile.ground;
-  return {g.near.data() + size_t(square) * g.area.leaf_count(),
-          g.near_gradient.data() + size_t(square) * g.gradient.leaf_count()};
+  return {g.near.data() + size_t(square) * g.area.nodes().size(),
+          g.near_gradient.data() + size_t(square) * g.gradient.nodes().size()};
 }
 
 /// Whether a ridge or the end of a branch may lie in a square that was entered.
 bool BreaksIn(const LightTile& tile, int square) {
-  const auto alone = [](const NearBranches* near, size_t leaves) {
-    return leaves == 1 && near->endless;
+  const auto alone = [](const NearArea& area, const NearNode* near) {
+    const size_t k = area.deciding(near);
+    return area.nodes()[k].op == Op::shape && near[k].branches.endless;
   };
   const Near near = NearOf(tile, square);
   const LightGround& g = *tile.ground;
-  return (tile.rises && !alone(near.relief, g.area.leaf_count())) ||
-         (tile.apart && !alone(near.other, g.gradient.leaf_count()));
+  return (tile.rises && !alone(g.area, near.relief)) ||
+         (tile.apart && !alone(g.gradient, near.other));
 }
 
 /// The most that a square's colours have of a degree, by its table.
@@ -390,8 +391,8 @@ void LightTile::begin() {
 void LightTile::begin_ground() {
   LightGround& g = *ground;
   g.state.fill(LightGround::State::unknown);
-  g.near.resize(std::size_t(squares() + 1) * g.area.leaf_count());
-  g.near_gradient.resize(std::size_t(squares() + 1) * g.gradient.leaf_count());
+  g.near.resize(std::size_t(squares() + 1) * g.area.nodes().size());
+  g.near_gradient.resize(std::size_t(squares() + 1) * g.gradient.nodes().size());
   MIEN_DISPATCH(BeginGround)(*this);
 }
 

@@ -9,7 +9,7 @@
 
 #include "render/shade/light/lamp_lanes-inl.h"
 #include "render/shade/light/light_tile.h"
-#include "render/shade/nearest/near_area-inl.h"
+#include "render/shade/nearest/near_squares-inl.h"
 
 #include <cmath>
 
@@ -24,9 +24,9 @@ struct Seen {
   const BranchPair* ramp = &relief;
 };
 
-/// The branches near a square, by leaf; none: all.
+/// What is asked in a square, by node; none: all.
 struct Near {
-  NearBranches *relief = nullptr, *other = nullptr;
+  NearNode *relief = nullptr, *other = nullptr;
 };
 
 struct Shades {

@@ -26,11 +26,82 @@ void NearArea::narrow(const FeetArea& area, glm::dvec2 middle, double radius) {
     if (spines.slow) leaf.branches.crowded = true;
   }
   pairs_.resize(nodes_.size() > 1 ? nodes_.size() : 0);
+  ranges_.resize(pairs_.size()), needed_.resize(pairs_.size());
 }
 
 bool NearArea::crowded() const {
   return std::any_of(leaves_.begin(), leaves_.begin() + std::ptrdiff_t(count_),
                      [](const Leaf& leaf) { return leaf.branches.crowded; });
+}
+
+void NearArea::leave_out(float r, NearNode* nodes) {
+  using Asks = NearNode::Asks;
+  // [of r] Distances change by at most one per length, so 2 would do; a ridge that is left out lies a quarter of r
+  // outside of the square.
+  constexpr float kChange = 2.5f, kFloats = 0.02f;
+  const float change = kChange * r + kFloats;
+  const auto negative = [](Range v) { return Range{-v.most, -v.least}; };
+  std::fill(needed_.begin(), needed_.end(), 0);
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const Node& n = nodes_[k];
+    if (n.op == Op::shape || nodes[k].asks == Asks::nothing) continue;
+    const Asks before = nodes[k].asks;
+    Range a = ranges_[std::size_t(n.a)], b = ranges_[std::size_t(n.b)];
+    Range& to = ranges_[k];
+    switch (n.op) {
+      case Op::shape:
+        break;
+      case Op::complement:
+        to = negative(a);
+        break;
+      case Op::offset:
+        to = {a.least - float(n.amount), a.most - float(n.amount)};
+        break;
+      case Op::shell: {
+        const float most = std::max(std::abs(a.least), std::abs(a.most));
+        to = {-float(n.amount), most - float(n.amount)};
+        break;
+      }
+      case Op::unite:
+      case Op::intersect:
+      case Op::subtract: {
+        if (n.op == Op::subtract) b = negative(b);
+        // The lesser one counts.
+        const bool turned = n.op != Op::unite;
+        if (turned) a = negative(a), b = negative(b);
+        if (before == Asks::both)
+          nodes[k].asks = a.least > b.most + change   ? Asks::second
+                          : b.least > a.most + change ? Asks::first
+                                                      : Asks::both;
+        to = nodes[k].asks == Asks::first ? a
+             : nodes[k].asks == Asks::second
+                 ? b
+                 : Range{std::min(a.least, b.least), std::min(a.most, b.most)};
+        if (turned) to = negative(to);
+        break;
+      }
+    }
+  }
+  needed_[nodes_.size() - 1] = 1;
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    const Node& n = nodes_[k];
+    if (!needed_[k]) nodes[k].asks = Asks::nothing;
+    if (!needed_[k] || n.op == Op::shape) continue;
+    if (nodes[k].asks != Asks::second) needed_[std::size_t(n.a)] = 1;
+    if (nodes[k].asks != Asks::first) needed_[std::size_t(n.b)] = 1;
+  }
+}
+
+std::size_t NearArea::deciding(const NearNode* nodes, std::size_t node) const {
+  for (;;) {
+    const Node& n = nodes_[node];
+    if (nodes[node].asks == NearNode::Asks::first)
+      node = std::size_t(n.a);
+    else if (nodes[node].asks == NearNode::Asks::second && n.op != Op::subtract)
+      node = std::size_t(n.b);
+    else
+      return node;
+  }
 }
 
 void NearArea::sign_by_windings(const PathTree& tree, const float* x, const float* y,

@@ -10,6 +10,16 @@
 
 namespace mien {
 
+/// A node of the area's tree, as it is asked in a square.
+struct NearNode {
+  /// Of an operator's operands the first or second alone where the other is farther all over the square.
+  enum class Asks : unsigned char { both, first, second, nothing };
+  Asks asks = Asks::both;
+  signed char side =
+      0;  ///< of a leaf: where its key was measured it is positive outside; 0: not known
+  NearBranches branches;  ///< of a leaf
+};
+
 class NearArea {
  public:
   struct Leaf {
@@ -26,9 +36,20 @@ class NearArea {
 
   std::span<const Node> nodes() const { return nodes_; }  ///< of Op::shape, `b` is the leaf
   std::span<Leaf> leaves() { return {leaves_.data(), count_}; }
-  std::size_t leaf_count() const { return count_; }
   /// By node; scratch.
   std::vector<BranchPair>& pairs() { return pairs_; }
+
+  /// A node's distances in a square lie between these.
+  struct Range {
+    float least, most;
+  };
+  std::vector<Range>& ranges() { return ranges_; }
+  /// Leaves out of nodes whatever is farther than another all over a square of half a diagonal r, by the ranges() of
+  /// their distances at its middle.
+  void leave_out(float r, NearNode* nodes);
+  /// The node whose distance this one's is all over the square: a leaf, or what has two operands there.
+  std::size_t deciding(const NearNode* nodes, std::size_t node) const;
+  std::size_t deciding(const NearNode* nodes) const { return deciding(nodes, nodes_.size() - 1); }
 
   /// Turns distances of sides that cross to negative ones inside, at places from the disc's middle.
   void sign_by_windings(const PathTree& tree, const float* x, const float* y,
@@ -44,6 +65,8 @@ class NearArea {
   std::vector<Leaf> leaves_;  ///< more than `count_`: memory is kept
   std::size_t count_ = 0;
   std::vector<BranchPair> pairs_;
+  std::vector<Range> ranges_;
+  std::vector<char> needed_;
 };
 
 }  // namespace mien

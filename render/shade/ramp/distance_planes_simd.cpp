@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "render/shade/ramp/distance_planes_simd.cpp"
 #include <hwy/foreach_target.h>
 #include "render/cover/part_form.h"
-#include "render/shade/nearest/near_area-inl.h"
+#include "render/shade/nearest/near_squares-inl.h"
 #include "render/shade/ramp/distance_planes.h"
 #include "sdf/distance/lanes/dispatch-inl.h"
 
@@ -24,7 +24,7 @@ struct DistancePlanes::Tile {
   int x = 0, y = 0, side = 0;
   bool crowded = false;
   NearArea near;
-  std::vector<NearBranches> branches;  ///< by leaf: of the tile, of each block, of a pixel
+  std::vector<NearNode> branches;  ///< by node: of the tile, of each block, of a pixel
   /// The distances and gradients at its pixels' middles, row by row, and then at their 5 × 5 corners.
   struct Block {
     static constexpr int kCorners = kBlock * kBlock, kPlaces = 48;
@@ -42,8 +42,8 @@ struct DistancePlanes::Tile {
   };
   std::array<Block, kBlocks> blocks;
 
-  NearBranches* branches_of(int square) {
-    return branches.data() + std::size_t(square) * near.leaf_count();
+  NearNode* branches_of(int square) {
+    return branches.data() + std::size_t(square) * near.nodes().size();
   }
   int block(int px, int py) const {
     return (py - y) / kBlock * (kSide / kBlock) + (px - x) / kBlock;
@@ -63,13 +63,13 @@ namespace HWY_NAMESPACE {
 
 constexpr float kHalfDiagonal = 0.7072f;
 
-void EnterDistanceTile(NearArea& near, float side, NearBranches* to) {
+void EnterDistanceTile(NearArea& near, float side, NearNode* to) {
   FindFeetOf(near);
   EnterSquare(near, nullptr, 0.0f, 0.0f, kHalfDiagonal * side, to);
 }
 
 /// A block of 4 × 4 pixels around (x, y).
-void SeeBlock(NearArea& near, const NearBranches* from, NearBranches* own, glm::vec2 middle,
+void SeeBlock(NearArea& near, const NearNode* from, NearNode* own, glm::vec2 middle,
               BranchPair::Values* to, float* ridge) {
   constexpr float kWidth = 4.0f;
   EnterSquare(near, from, middle.x, middle.y, kHalfDiagonal * kWidth, own);
@@ -88,8 +88,8 @@ void SeeBlock(NearArea& near, const NearBranches* from, NearBranches* own, glm::
 }
 
 /// Places of a square of so many cells each way, seen from its middle at (cx, cy), sixteen at a time.
-void SeeSquare(NearArea& near, const NearBranches* from, NearBranches* own, glm::vec2 middle,
-               float width, const PartCells& cells, BranchPair* to) {
+void SeeSquare(NearArea& near, const NearNode* from, NearNode* own, glm::vec2 middle, float width,
+               const PartCells& cells, BranchPair* to) {
   EnterSquare(near, from, middle.x, middle.y, kHalfDiagonal * width, own);
   alignas(64) float x[16], y[16];
   for (std::size_t k = 0; k < std::size_t(cells.count()); k += 16) {
@@ -236,7 +236,7 @@ DistancePlanes::Tile& DistancePlanes::tile(const FeetArea& area, int x, int y, i
   t.crowded = t.near.crowded();
   if (t.crowded) return t;
   for (Tile::Block& block : t.blocks) block.known = false;
-  t.branches.resize((Tile::kBlocks + 2) * t.near.leaf_count());
+  t.branches.resize((Tile::kBlocks + 2) * t.near.nodes().size());
   MIEN_DISPATCH(EnterDistanceTile)(t.near, float(side), t.branches.data());
   return t;
 }

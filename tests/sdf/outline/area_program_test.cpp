@@ -8,6 +8,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/random.h"
 #include "tests/support/random_plain_scene.h"
+#include "tests/support/runs_true.h"
 #include "tests/support/shape_examples/all.h"
 
 namespace mien::test {
@@ -28,8 +29,7 @@ std::optional<bool> holds(const AreaPrograms& programs, const AreaProgram& progr
     if (std::abs(e) < 1e-9) return {};
     if (e < 0.0) bits[i / 64] |= std::uint64_t{1} << (i % 64);
   }
-  std::vector<char> stack;
-  return runs_true(programs.steps(program), bits.data(), stack);
+  return runs_true(programs.steps(program), bits.data());
 }
 
 void expect_the_same_as_the_distance(const Scene& scene, Area area, double level, Random& r) {
@@ -92,9 +92,8 @@ TEST(AreaProgram, EverywhereHoldsInsideOfNothing) {
   AreaPrograms programs;
   programs.begin(scene);
   const AreaProgram program = programs.add(scene.layers()[0].area);
-  std::vector<char> stack;
   constexpr std::uint64_t kNothing = 0;
-  EXPECT_TRUE(runs_true(programs.steps(program), &kNothing, stack));
+  EXPECT_TRUE(runs_true(programs.steps(program), &kNothing));
 }
 
 TEST(AreaProgram, AShapeMetAgainAtTheSameLevelIsTheSameOutline) {

@@ -9,14 +9,15 @@ namespace {
 
 class SelectedFeatures : public testing::Test {
  protected:
-  std::vector<std::string> names(const std::string& selection, std::size_t order) {
+  std::vector<std::string> names(const std::string& selection, std::size_t order,
+                                 Operands which = Operands::all) {
     test::SmallLibrary small;
     small.topology = test::with(small.topology, "\"features\": []",
                                 "\"features\": [], \"selection\": " + selection);
     const auto library = small.read().value();
     const Reading& in = library->topology().in();
     return selected_features(in, in.need(*library->topology().node, "selection"), order, *library,
-                             features_);
+                             features_, which);
   }
 
   static FlatFeatures known_features() {
@@ -46,6 +47,23 @@ TEST_F(SelectedFeatures, AreOfTheirRolesAndSlots) {
 
 TEST_F(SelectedFeatures, AreDrawnBeforeTheArea) {
   EXPECT_EQ(names(R"({"roles": ["hair", "hat"]})", 1), (FoundNames{"cap", "bun.left"}));
+}
+
+TEST_F(SelectedFeatures, OfAUnionWhatIsCutToAnotherOneIsLeftOut) {
+  for (const FlatFeatures::One& one : {FlatFeatures::One{1, 5, "sleeve", "cloth", "both", 1},
+                                       {1, 6, "cuff", "cloth", "both", 1, false, {"sleeve"}},
+                                       {1, 7, "patch", "cloth", "left", 1, false, {"room", "cap"}},
+                                       {1, 8, "badge", "cloth", "left", 1, false, {"pin"}},
+                                       {1, 9, "pin", "cloth", "right", 1}})
+    features_.add(one);
+  const std::string all = R"({"roles": ["cloth", "hat"]})";
+  EXPECT_EQ(names(all, 1).size(), 8u) << "an intersection is another one without it";
+  EXPECT_EQ(names(all, 1, Operands::of_union),
+            (FoundNames{"cap", "sleeve.left", "sleeve.right", "badge.left", "pin.right"}))
+      << "the badge's pin is on the other side";
+  EXPECT_EQ(names(R"({"roles": ["cloth"]})", 1, Operands::of_union),
+            (FoundNames{"sleeve.left", "sleeve.right", "patch.left", "badge.left", "pin.right"}))
+      << "the cap is none of them";
 }
 
 TEST_F(SelectedFeatures, SlotsAreKnown) {

@@ -1,9 +1,9 @@
 // What sixteen places see, on every instruction set: distance, gradient, and the ridge where another branch takes over.
-// Mirrors render/shade/light/lit_places-inl.h, whose places see by render/shade/nearest/near_area-inl.h.
+// Mirrors render/shade/light/lit_places-inl.h, whose places see by render/shade/nearest/near_squares-inl.h.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/render/shade/light/lit_places_test.cpp"
 #include <hwy/foreach_target.h>
-#include "render/shade/nearest/near_area-inl.h"
+#include "render/shade/nearest/near_squares-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mien::batch {
@@ -11,7 +11,7 @@ namespace HWY_NAMESPACE {
 
 void SeeSixteen(NearArea& area, float cx, float cy, float r, const float* x, const float* y,
                 BranchPair& to) {
-  std::vector<NearBranches> near(area.leaf_count());
+  std::vector<NearNode> near(area.nodes().size());
   FindFeetOf(area);
   EnterSquare(area, nullptr, cx, cy, r, near.data());
   LookAround(area, near.data(), cx, cy, x, y, to);
