@@ -29,7 +29,7 @@ class AreaTests {
   struct Test {
     std::uint64_t inside, outside;
     int word;
-    int next[2];  ///< if any of them holds, and if none does: a test, kHolds or kFails
+    int if_any, if_none;  ///< a test, kHolds or kFails
   };
   /// Ways out of tests that lead to the same place, as a list through `links_`. Way 2i is that of test i if any of its
   /// outlines holds, 2i + 1 if none does.
