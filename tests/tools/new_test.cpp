@@ -170,6 +170,23 @@ TEST_F(NewTest, PeopleOfASheet) {
   EXPECT_EQ(sheet.spec.height, 64);
 }
 
+/// As many rows as columns; cells shrink where the sheet would be wider than a screen of today.
+TEST_F(NewTest, SheetsOfCrowdsAreAboutSquare) {
+  const auto size = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), "sheet");
+    options.insert(options.end(), {"--style", "pictogram", "-o", file("s.png")});
+    EXPECT_EQ(run_mien(options).code, 0);
+    const auto sheet = test::read(file("s.png"));
+    return std::pair{sheet.spec.width, sheet.spec.height};
+  };
+  EXPECT_EQ(size({"--people", "4"}), std::pair(960, 640));
+  EXPECT_EQ(size({"--people", "196"}), std::pair(14 * 292, 14 * 292));
+  EXPECT_EQ(size({"--people", "15", "--cell", "20", "--picture", "a: --blink 1", "--picture",
+                  "b: --blink 0"}),
+            std::pair(6 * 20, 5 * (20 + 12)));
+  EXPECT_EQ(size({"--people", "196", "--columns", "98"}), std::pair(98 * 64, 2 * 64));
+}
+
 TEST_F(NewTest, StatisticsOfPeople) {
   const Ran table = run_mien({"sheet", "--people", "20", "--statistics"});
   EXPECT_EQ(table.code, 0) << table.err;
@@ -181,7 +198,7 @@ TEST_F(NewTest, StatisticsOfPeople) {
   const auto read = nlohmann::json::parse(json.out);
   EXPECT_EQ(read.at("people"), 20);
   EXPECT_EQ(read.at("counts").at(0).at("group"), "age");
-  EXPECT_EQ(test::read(file("s.png")).spec.width, 48);
+  EXPECT_EQ(test::read(file("s.png")).spec.width, 80);
 }
 
 TEST_F(NewTest, TheWorstOfWhatIsWrongIsDrawn) {

@@ -84,11 +84,15 @@ void add_sheet(CLI::App& app, SheetArguments& to) {
                    "such: 'far: --look-at 0,0,9 --region 10,20,80,60'")
       ->type_name("[NAME:] OPTIONS")
       ->allow_extra_args(false);
-  sheet->add_option("--columns", to.columns, "Pictures in a row; default 3")->type_name("N");
+  sheet
+      ->add_option("--columns", to.columns,
+                   "Pictures in a row; default 3, with --people as many as there are rows")
+      ->type_name("N");
   sheet->add_option("--gap", to.gap, "White pixels between pictures; default 0")->type_name("N");
   sheet
       ->add_option("--cell", to.cell,
-                   "Pixels of a picture before --region, or of its longer side; default 320")
+                   "Pixels of a picture before --region, or of its longer side; default 320, with "
+                   "--people less where the sheet would be wider than 4096")
       ->type_name("WxH");
 }
 

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
@@ -58,6 +59,18 @@ SheetOrCode finished(CaptionedSheet sheet) {
 constexpr int kDefaultCell = 320;  ///< [px] a cell's longer side
 constexpr int kMostCell = 4096;
 constexpr int kDefaultColumns = 3;
+
+/// A crowd's sheet is about as many pictures high as wide, each person's pictures side by side.
+int columns_for(int people, int pictures) {
+  const int most = std::max(kDefaultColumns, int(std::ceil(std::sqrt(double(people) * pictures))));
+  return std::max(1, most / pictures) * pictures;
+}
+
+/// So that the sheet is no wider than that, if cells need not be smaller than a thumbnail.
+int cell_for(int columns) {
+  constexpr int kWidest = 4096, kThumbnail = 64;  // [px]
+  return std::clamp(kWidest / columns, kThumbnail, kDefaultCell);
+}
 
 /// Each emotion; then, with --half, each at half strength.
 CellsOrCode emotion_cells(const SheetArguments& arguments, const Face& face, Size size) {
@@ -291,8 +304,8 @@ CellsOrCode part_cells(const SheetArguments& arguments, Size size) {
 }
 
 /// --cell.
-Expected<Size> read_cell(const SheetArguments& arguments, glm::dvec2 extent) {
-  auto size = read_size(arguments.cell.value_or(std::to_string(kDefaultCell)), extent.x / extent.y);
+Expected<Size> read_cell(const SheetArguments& arguments, glm::dvec2 extent, int otherwise) {
+  auto size = read_size(arguments.cell.value_or(std::to_string(otherwise)), extent.x / extent.y);
   if (!size) return Error{"--cell " + *arguments.cell, size.error().what};
   if (size->width > kMostCell || size->height > kMostCell)
     return Error{"--cell", fmt::format("a cell has {} pixels a side at most", kMostCell)};
@@ -330,7 +343,8 @@ SheetOrCode asked_sheet(const SheetArguments& arguments, const std::vector<FaceC
     if (!first) return {{}, complain(first.error(), kFailed)};
     face = *std::move(first);
   }
-  const auto size = read_cell(arguments, face->model->canvas.box.size());
+  const auto size = read_cell(arguments, face->model->canvas.box.size(),
+                              arguments.people ? cell_for(layout.columns) : kDefaultCell);
   if (!size) return {{}, complain(size.error(), kUsedWrongly)};
   if (arguments.people) return people_sheet(arguments, people, *size, layout);
   const CellsOrCode made = arguments.parts              ? part_cells(arguments, *size)
@@ -346,14 +360,16 @@ SheetOrCode asked_sheet(const SheetArguments& arguments, const std::vector<FaceC
 
 int sheet_command(const SheetArguments& arguments) {
   if (const auto wrong = wrongly_used(arguments)) return complain(*wrong, kUsedWrongly);
-  const auto layout = read_sheet_layout(arguments.columns, kDefaultColumns, arguments.gap);
-  if (!layout) return complain(layout.error(), kUsedWrongly);
   std::vector<FaceCode> people;
+  int columns = kDefaultColumns;
   if (arguments.people) {
     auto read = read_people(arguments);
     if (!read) return complain(read.error(), kUsedWrongly);
     people = *std::move(read);
+    columns = columns_for(int(people.size()), std::max(1, int(arguments.pictures.size())));
   }
+  const auto layout = read_sheet_layout(arguments.columns, columns, arguments.gap);
+  if (!layout) return complain(layout.error(), kUsedWrongly);
   if (arguments.output) {
     const SheetOrCode made = asked_sheet(arguments, people, *layout);
     if (made.code != kDone) return made.code;
