@@ -151,6 +151,7 @@ void Sweep::plan_runs(double y) {
     for (int i = slot; last > slot && i <= last; ++i) in_run_[std::size_t(i)] = 1;
     slot = last;
   }
+  met_.resize(order_.size());
   for (const auto& [first, last] : runs_) plan_run(first, last, y);
 }
 
@@ -160,7 +161,7 @@ void Sweep::plan_run(int first, int last, double y) {
     return swaps_.push_back({y_, int(swaps_.size()), first, true});
   using Met = std::pair<double, int>;
   const auto later = [](const Met& a, const Met& b) { return a > b; };
-  met_.assign(order_.size(), HUGE_VAL);
+  std::fill(met_.begin() + first, met_.begin() + last, HUGE_VAL);
   heap_.clear();
   const auto meet = [&](int slot, double from) {
     const auto s = std::size_t(slot);
