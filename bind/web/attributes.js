@@ -21,7 +21,7 @@ export const ATTRIBUTES = {
   time: { is: 'number | string', says: 'seconds, at which clips and speech stand' },
   liveliness: { is: 'number | string', says: '0 to 2: how far clips move the face (1)' },
   speech: { is: 'string', says: 'the address of a track of speech or of a take: the face says it' },
-  sound: { is: 'string', says: 'the id of the <audio> or <video> whose moment `speech` follows; none: it follows `time`, or as it plays' },
+  sound: { is: 'string', says: 'the id of the <audio> or <video> whose moment `speech` follows; none: it stands at `time`, or begins when it is set, as the face plays' },
   steady: { is: 'string | [number, number] | true', says: 'frames of follow() do not tremble; "1, 2": the filter\'s cutoff [Hz] and beta' },
   blend: { is: "'linear' | 'srgb'", says: '"linear" (default) or "srgb"' },
   fit: { is: "'meet' | 'slice'", says: '"meet" (default): all of the canvas; "slice": all of the picture' },

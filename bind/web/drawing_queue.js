@@ -73,7 +73,8 @@ function quietPainter() {
 /** Lets a face wait for a picture; in which lane, says the face. */
 export function wait(face, lane) {
   if (!lanes[lane].has(face)) leave(face), lanes[lane].add(face);
-  if (lane === 'playing') face.spent = Math.max(face.spent, clock);
+  // Who comes new has had its first picture, which counts: else faces would stand still until the page is full.
+  if (lane === 'playing') face.spent = face.plays ? Math.max(face.spent, clock) : clock + face.cost, face.plays = true;
   if (lane === 'asked') {
     const now = performance.now();
     if (now - (askedAt.get(face) ?? -Infinity) < TALKS) talker = face;

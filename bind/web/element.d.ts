@@ -9,7 +9,7 @@ export interface Refused {
   what: string;
 }
 
-/** What `mien-drawn` tells, once the picture is on the screen: how long drawing took [ms]. */
+/** What `mien-drawn` tells, once the picture is on the screen: how long drawing it took, without waiting [ms]. */
 export interface Drawn {
   ms: number;
 }
@@ -37,4 +37,7 @@ declare global {
     'mien-face': MienFace;
   }
   interface HTMLElementEventMap extends MienFaceEvents {}
+  /** They bubble: one listener hears all faces. */
+  interface DocumentEventMap extends MienFaceEvents {}
+  interface WindowEventMap extends MienFaceEvents {}
 }

@@ -63,8 +63,8 @@ function textOf(src) {
 class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   static observedAttributes = NAMES;
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away; what its last
-   *  picture took and what all have [ms]. */
-  number = 0; inView = false; isNear = false; cost = 0; spent = 0;
+   *  picture took and what all have [ms]; whether its clips have run. */
+  number = 0; inView = false; isNear = false; cost = 0; spent = 0; plays = false;
   #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
@@ -260,9 +260,11 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   }
   #pose() {
     const said = (name) => this.getAttribute(name), pose = poseOf(said, this.#extra);
-    if (this.#track?.text !== undefined) pose.motions = [...(pose.motions ?? []), this.#track.text];
-    if (this.#track?.text !== undefined && this.#sound) pose.time = this.#sound.currentTime;
+    const track = this.#track?.text === undefined ? null : this.#track;
+    if (track && this.#sound) pose.time = this.#sound.currentTime;
     else if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
+    if (track && this.#plays && !this.#sound) track.begin ??= pose.time;  // it begins when it is set
+    if (track) pose.motions = [...(pose.motions ?? []), { motion: track.text, begin: this.#sound ? 0 : track.begin ?? 0 }];
     const { at, ...live } = this.#live;
     if (at !== undefined && said('steady') !== null) {
       const [cutoff, beta] = words(said('steady')).map(Number);
@@ -270,7 +272,8 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     }
     return { ...pose, ...live };
   }
-  #show({ pixels, width, height, ms, seen }) {
+  #show({ pixels, width, height, ms, seen, told = [] }) {
+    for (const what of told) console.warn(`<mien-face>: speech: ${what}`);
     this.#said.textContent = '', this.#drawn = true;
     if (seen !== undefined || this.#canvas.hidden) this.#seen = seen ?? this.#seen, this.#stand();
     this.#context ??= this.#canvas.getContext('2d');

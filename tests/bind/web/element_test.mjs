@@ -24,7 +24,10 @@ const SILENCE = (() => {
 /** Counts what is told, in order, and whether the picture was there then. */
 const WATCH = `<script>
   window.told = [], window.refused = [], window.workers = 0;
-  window.Worker = class extends Worker { constructor(...given) { super(...given), ++window.workers; } };
+  window.Worker = class extends Worker {
+    constructor(...given) { super(...given), ++window.workers; }
+    postMessage(message, ...more) { window.posed = message.pose ?? window.posed, super.postMessage(message, ...more); }
+  };
   let frame = 0;
   requestAnimationFrame(function next() { ++frame, requestAnimationFrame(next); });
   const { putImageData } = CanvasRenderingContext2D.prototype, puts = new WeakMap();  // in which frame each picture was put there
@@ -199,6 +202,29 @@ test('speech follows its sound, its time or a shape', async () => {
   assert.deepEqual(await sentence(on), { id: 'it', where: 'nothing.tsv', what: 'cannot be fetched: 404' });
   await on.run(() => { refused.length = 0, it.sound = 'no one'; });
   assert.deepEqual(await sentence(on), { id: 'it', where: 'sound', what: 'nothing here has the id "no one"' });
+});
+
+test('without a sound speech begins when it is set, on a face that plays', async () => {
+  const on = await open('playing'), begun = () => on.run(async () => {
+    const before = count('it');
+    it.speech = 'hello.tsv';
+    while (count('it') < before + 3) await new Promise((done) => addEventListener('mien-drawn', done, { once: true }));
+    return { begin: window.posed.motions?.[0].begin, time: window.posed.time };
+  });
+  await on.until(() => window.posed?.time > 0.6);
+  const first = await begun();
+  assert.ok(first.begin > 0.6 && first.time - first.begin < 0.8, `it begins at ${first.begin} where ${first.time} is now`);
+  await on.until((from) => window.posed.time > from + 0.6, first.begin);
+  assert.ok((await begun()).begin > first.begin + 0.6, 'again when it is set again');
+  await on.run(() => { it.speech = null; });
+  await on.until(() => window.posed.motions === undefined);
+});
+
+test('faces that are there play while the page fills', async () => {
+  const on = await open('talk');
+  await on.until(() => Array.from({ length: 120 }, (_, i) => count(`f${i}`)).every((n) => n > 0));
+  const [early, late] = await on.run(() => [0, 100].map((from) => Array.from({ length: 20 }, (_, i) => count(`f${from + i}`)).reduce((a, b) => a + b)));
+  assert.ok(early > late + 10, `the first twenty had ${early} pictures, the last ${late}`);
 });
 
 test('a face that speaks and follows by methods shows that', async () => {
