@@ -15,7 +15,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 LIBRARIES = ("libmien_c.so.0", "libmien_image_c.so.0")
 MODULES = ("mien-films-*.so", "mien-tiff-*.so", "mien-exr-jpeg-*.so")
 ALONE = ("mien-tiff-", "mien-exr-jpeg-")  # their two hundred libraries are the system's, where it has them
-TARGETS = ("mien_c", "mien_image_c", "mien_command", "mien_film_module", "mien_tiff_module", "mien_oiio_module")
+TARGETS = ("mien_c", "mien_image_c", "mien_command", "mien_film_module", "mien_tiff_module", "mien_oiio_module",
+           "mien-accuracy")
 # What every system of that age has (PEP 600; the rest of its list is of windows and sound).
 EVERYWHERE = re.compile(r"(ld-linux.*|linux-vdso|libc|libm|libdl|libpthread|librt|libutil|libstdc\+\+|libgcc_s)\.so.*")
 # The first version of the C library that came with a compiler whose C++ library has such symbols.
@@ -41,7 +42,8 @@ def built():
 def build(source, into):
     """Builds what a wheel holds. Its command has no server for the studio: libevent would ask for a newer C library than all else."""
     run("cmake", "-S", source, "-B", into, "-G", "Ninja", "-Wno-dev", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
-        "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DMIEN_BUILD_TESTS=OFF", "-DMIEN_BUILD_SERVER=OFF", *os.environ.get("MIEN_CMAKE", "").split())
+        "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DMIEN_BUILD_TESTS=OFF", "-DMIEN_BUILD_SERVER=OFF",
+        "-DMIEN_BUILD_ACCURACY=ON", *os.environ.get("MIEN_CMAKE", "").split())
     run("cmake", "--build", into, "--target", *TARGETS, "--parallel", os.environ.get("MIEN_JOBS", str(os.cpu_count() or 1)))
     return into
 
@@ -88,7 +90,7 @@ def gather(into, folder):
     libraries = [folder / name for name in LIBRARIES]
     if not libraries[0].is_file():
         sys.exit(f"wheel: {folder} has no {LIBRARIES[0]}: it is built with -DMIEN_BUILD_C=ON")
-    programs = [path for path in [folder / "mien"] if path.is_file()]
+    programs = [path for path in (folder / "mien", folder / "tools/accuracy/mien-accuracy") if path.is_file()]
     modules = [path for pattern in MODULES for path in folder.glob(pattern)]
     own = [path for path in (*libraries, *programs, *modules) if path.is_file()]
     for path in own:

@@ -154,5 +154,17 @@ TEST_F(ChernoffTest, TheFirstCellThatIsNoNumberIsNamed) {
       << ran.err;
 }
 
+/// By the age parts are chosen, and nothing is drawn.
+TEST_F(DataTest, ColumnsThatNobodySeesAreTold) {
+  const Ran ran =
+      chernoff("who,a,b\nx,1,2\ny,2,1\n",
+               map(R"({"column": "a", "number": "age"}, {"column": "b", "number": "smile"})"));
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("/map/0/column: \"a\" moves \"age\", which changes nothing that is seen"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_EQ(ran.err.find("/map/1"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace mien

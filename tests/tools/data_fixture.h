@@ -46,8 +46,8 @@ class DataTest : public testing::Test {
   static std::string plan(const std::string& rest) {
     return R"({"format": "mien-stimuli", "format_version": 1, "size": 32, )" + rest + "}";
   }
-  Ran stimuli(const std::string& what) const {
-    return run_mien({"stimuli", file("plan.json", what), "-o", path("shown")});
+  Ran stimuli(const std::string& what, const std::string& folder = "shown") const {
+    return run_mien({"stimuli", file("plan.json", what), "-o", path(folder)});
   }
   std::size_t count(const std::string& folder) const {
     std::size_t files = 0;

@@ -85,6 +85,28 @@ TEST_F(DataTest, FactorsWithoutAnEffectAreTold) {
   EXPECT_EQ(near.err, "");
 }
 
+TEST_F(DataTest, EmotionsTakeTurnsInOneFactor) {
+  ASSERT_EQ(stimuli(plan(R"("factors": [{"name": "feeling", "emotions": ["joy", "fear"],
+                                         "values": [0.5, 1]}])"))
+                .code,
+            0);
+  EXPECT_EQ(count("shown"), 2u * 2 + 1);
+  const std::string manifest = text("shown/manifest.json");
+  for (const char* level : {"joy 0.5", "joy 1", "fear 0.5", "fear 1"})
+    EXPECT_NE(manifest.find(level), std::string::npos) << level;
+  EXPECT_EQ(stimuli(plan(R"("factors": [{"emotion": "fear", "values": [1]}])"), "alone").code, 0);
+  EXPECT_EQ(text("alone/0001.png"), text("shown/0004.png"));
+}
+
+TEST_F(DataTest, PicturesOfAnEarlierPlanAreRemoved) {
+  ASSERT_EQ(stimuli(plan(R"("factors": [{"people": 4}])")).code, 0);
+  file("shown/0009.png", "of somebody else");
+  const Ran fewer = stimuli(plan(R"("factors": [{"people": 2}])"));
+  EXPECT_EQ(fewer.code, 0) << fewer.err;
+  EXPECT_EQ(fewer.out, "2 pictures; 2 of an earlier plan are removed\n");
+  EXPECT_EQ(count("shown"), 2u + 1 + 1) << "what no manifest names stays";
+}
+
 TEST_F(DataTest, PairsDifferInOneFactorAlone) {
   ASSERT_EQ(
       stimuli(plan(R"("factors": [{"name": "person", "people": 3}, {"number": "smile", "steps": 5}],
@@ -148,6 +170,16 @@ TEST_F(DataTest, WrongPlansAreToldBeforeAnythingIsDrawn) {
               "1000 × 1000 × 1000 = 1000000000 pictures; a plan has 100000 at most"},
           WrongData{R"("factors": [])", "expected 1 to 32 factors"},
           WrongData{R"("factors": [{"name": "x"}])", "a factor varies one of"},
+          WrongData{R"("factors": [{"emotions": [], "values": [1]}])", "no emotion is named"},
+          WrongData{R"("factors": [{"emotions": ["joy", "joy"], "values": [1]}])",
+                    "/factors/0/emotions/1: joy is a level already"},
+          WrongData{R"("factors": [{"emotions": ["joi"], "values": [1]}])",
+                    "did you mean \"emotion.joy\"?"},
+          WrongData{R"("factors": [{"emotions": ["joy"], "steps": 3, "equal": "picture"}])",
+                    "/factors/0/equal: steps are equal along one emotion"},
+          WrongData{
+              R"("factors": [{"emotion": "joy", "steps": 2}, {"emotions": ["fear", "joy"], "steps": 2}])",
+              "/factors/1/emotions: emotions is varied by \"joy\" already"},
           WrongData{R"("factors": [{"number": "smlie", "steps": 2}])", "did you mean \"smile\"?"},
           WrongData{R"("factors": [{"number": "smile", "steps": 2, "to": 7}])",
                     "smile goes from -0.3 to 1, got 7"},

@@ -14,7 +14,7 @@ import numpy
 import numpy.typing
 
 from . import _command
-from ._errors import Error, Path
+from ._errors import Error, Path, reading
 from ._library import hinted, said
 from ._picture import whole
 from ._png import pixels as unpacked
@@ -43,8 +43,15 @@ class Stimuli:
 
     @property
     def records(self) -> "list[dict[str, Any]]":
-        """What the manifest tells of each picture, for pandas.DataFrame."""
+        """What the manifest tells of each picture: its file and levels, the face in full, its controls."""
         return list(self.manifest["stimuli"])
+
+    @property
+    def table(self) -> "list[dict[str, Any]]":
+        """A row for each picture, for pandas.DataFrame or csv.DictWriter: its file, its levels, numbers as numbers, how far the pose
+        moves the face."""
+        return [{"file": one["file"], **{name: _number_or_word(level) for name, level in one["levels"].items()},
+                 "displacement": one["displacement"]} for one in self.records]
 
     @property
     def files(self) -> "tuple[pathlib.Path, ...]":
@@ -59,7 +66,7 @@ class Stimuli:
 
 
 @hinted
-def chernoff(data: Any, map: Optional[Plan] = None, *, label: Optional[str] = None, style: Optional[str] = None, cell: int = 160, columns: int = 10,
+def chernoff(data: Any, map: Union[Plan, Sequence[Mapping[str, Any]], None] = None, *, label: Optional[str] = None, style: Optional[str] = None, cell: int = 160, columns: int = 10,
              gap: int = 0) -> Chernoff:
     """Draws each row of a table as a face.
 
@@ -105,6 +112,13 @@ def stimuli(plan: Plan, folder: Path) -> Stimuli:
     return Stimuli(pathlib.Path(folder))
 
 
+def _number_or_word(level: Any) -> Any:
+    try:
+        return float(level)
+    except (TypeError, ValueError):
+        return level
+
+
 def _is_list(map: Any) -> bool:
     return isinstance(map, Sequence) and not isinstance(map, (str, bytes))
 
@@ -112,7 +126,7 @@ def _is_list(map: Any) -> bool:
 def _plan_file(plan: Any, made: pathlib.Path, format: str, name: str) -> Path:
     """A path as it is; of a mapping a file, whose format need not be said."""
     if isinstance(plan, (str, os.PathLike)):
-        return plan
+        return _there(plan)
     if not isinstance(plan, Mapping):
         raise TypeError(f"{name}: expected a mapping or a path, got {said(plan)}")
     try:
@@ -128,9 +142,16 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"{said(value)} is of no kind that JSON has")
 
 
+def _there(file: Path) -> Path:
+    """A file that is there; else it is an OSError, as of all files."""
+    with reading(file), open(file, "rb") as there:
+        there.read(1)
+    return file
+
+
 def _table_file(data: Any, folder: pathlib.Path) -> Path:
     if isinstance(data, (str, os.PathLike)):
-        return data
+        return _there(data)
     heading, rows = _rows(data)
     made = folder / "table.csv"
     with open(made, "w", encoding="utf-8", newline="") as file:

@@ -17,10 +17,11 @@ from . import _command
 from ._colors import hexadecimal
 from ._errors import Error, Path, writing
 from ._face import Face
-from ._library import hinted, said
+from ._library import hinted_with, said
 from ._picture import Size, sides, whole
 from ._png import apng
 from ._pose import PoseLike, _clip_text, number, settings, strengths
+from ._posed import HOW
 from ._saved import File, save
 
 _MIME = {"png": "image/png", "apng": "image/png", "gif": "image/gif", "webp": "image/webp", "mp4": "video/mp4", "webm": "video/webm"}
@@ -54,7 +55,7 @@ class Film:
         return f"<mien.Film {str(self.path) if self.path else 'in memory'}: {self.kind}, {len(self._raw)} bytes>"
 
 
-@hinted
+@hinted_with(HOW)
 def animate(face: Face, file: Optional[File] = None, *, seconds: Optional[float] = None, frames: Optional[int] = None, fps: float = 30,
             size: Size = 320, begin: float = 0, pose: PoseLike = None, sound: Optional[Path] = None, format: Optional[str] = None,
             **how: Any) -> Film:
@@ -63,6 +64,8 @@ def animate(face: Face, file: Optional[File] = None, *, seconds: Optional[float]
         raise TypeError(f"face: expected a face, got {said(face)}")
     if not number(fps, "fps") > 0:
         raise Error("fps", f"expected more than 0, got {fps}")
+    if seconds is not None and not number(seconds, "seconds") > 0:
+        raise Error("seconds", f"expected more than 0, got {seconds}")
     count = whole(frames, "frames") if frames is not None else max(1, round(number(2 if seconds is None else seconds, "seconds") * fps))
     if count < 1 or frames is not None and seconds is not None:
         raise Error("frames", "expected seconds or frames, one of them" if count >= 1 else f"expected 1 or more, got {count}")

@@ -302,20 +302,29 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 # What other programs, other doors or older versions call an argument, and what is said here instead.
 _ELSEWHERE = {"width": "size=(width, height)", "height": "size=(width, height)", "depth": "dtype=numpy.uint16", "bits": "dtype=numpy.uint16",
-              "bg": "background=", "facecolor": "background="}
+              "bg": "background=", "facecolor": "background=", "cols": "columns=", "ncols": "columns=", "duration": "seconds=", "length": "seconds="}
 
 
 def hinted(function: _Function) -> _Function:
     """The function, whose TypeError about an unknown argument tells what is said instead, or asks whether another was meant."""
+    return _hinted(function, ())
+
+
+def hinted_with(more: Sequence[str]) -> Callable[[_Function], _Function]:
+    """The same of functions that take `more` by their **how."""
+    return lambda function: _hinted(function, more)
+
+
+def _hinted(function: _Function, more: Sequence[str]) -> _Function:
     parameters = inspect.signature(function).parameters
-    known = [name for name in parameters if name != "self"]
-    takes_all = any(one.kind is one.VAR_KEYWORD for one in parameters.values())
+    known = [name for name, one in parameters.items() if name != "self" and one.kind is not one.VAR_KEYWORD]
+    takes_all = not more and any(one.kind is one.VAR_KEYWORD for one in parameters.values())
 
     @functools.wraps(function)
     def called(*given: Any, **named: Any) -> Any:
         for name in named:
-            if name not in parameters and not takes_all:
-                raise TypeError(f"{function.__name__}: {_unknown_argument(name, known)}")
+            if name not in known and name not in more and not takes_all:
+                raise TypeError(f"{function.__name__}: {_unknown_argument(name, [*known, *more])}")
         return function(*given, **named)
 
     return called  # type: ignore[return-value]

@@ -56,6 +56,8 @@ def sides(size: Size, aspect: float) -> tuple[int, int]:
             raise Error("size", f"expected width and height, got {len(size)} numbers")
         return whole(size[0], "size"), whole(size[1], "size")
     longer = whole(size, "size")
+    if longer < 1:
+        raise Error("size", f"expected 1 pixel or more, got {longer}")
     beside = max(1, int(longer * min(aspect, 1 / aspect) + 0.5))
     return (longer, beside) if aspect >= 1 else (beside, longer)
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import inspect
 import os
 import pathlib
 import tempfile
@@ -267,3 +268,7 @@ def _umask() -> int:
     now = os.umask(0o022)
     os.umask(now)
     return now
+
+
+# What `how` of a sheet, of frames and of a film takes.
+HOW = tuple(name for name in inspect.signature(Posed.render).parameters if name not in ("self", "size", "out", "progress", "renderer"))

@@ -8,15 +8,15 @@ import numpy.typing
 
 from ._errors import Error
 from ._face import Face, from_code
-from ._library import hinted, said
+from ._library import hinted_with, said
 from ._picture import Color, Renderer, Size, color, whole
-from ._posed import Posed
+from ._posed import HOW, Posed
 from ._saved import Picture
 
 Shown = Union[Face, Posed, str, numpy.typing.NDArray[Any]]
 
 
-@hinted
+@hinted_with(HOW)
 def sheet(faces: Iterable[Shown], *, columns: Optional[int] = None, cell: Size = 160, gap: int = 0, gap_color: Color = "white",
           **how: Any) -> Picture:
     """A picture of faces in rows: faces, posed faces, codes, or pictures of `render` that are as large as the first cell.

@@ -10,7 +10,7 @@ x and y broadcast against each other, as in NumPy. Where both are float32 the di
 """
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Sequence, Union
 
 import numpy
 import numpy.typing
@@ -22,9 +22,10 @@ from ._picture import real
 __all__ = ["cubic", "ellipse", "feet", "parabola", "quad", "quad_on_grid", "quads", "tapered"]
 
 Reals = numpy.typing.NDArray[Any]
+Points = Union[Sequence[Sequence[float]], Reals]  # control points
 
 
-def quad(points: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
+def quad(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
          out: Optional[Reals] = None, accurate: bool = False) -> Any:
     """To the quadratic Bézier curve of 3 points. `accurate`: float32 as if computed in float64 and rounded once.
 
@@ -48,7 +49,7 @@ def quads(curves: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.ty
     return _measure("quads", [numbers.ravel()], xs, ys, out, "quads", numbers.size // 6)
 
 
-def quad_on_grid(points: numpy.typing.ArrayLike, origin: tuple[float, float], step: float, columns: int, rows: int) -> Reals:
+def quad_on_grid(points: Points, origin: tuple[float, float], step: float, columns: int, rows: int) -> Reals:
     """To the quadratic Bézier curve of 3 points, from a grid: an array (rows, columns) of float32, [j, i] from the point origin +
     step (i, j). Quickest where the grid is fine compared with the curve.
 
@@ -63,7 +64,7 @@ def quad_on_grid(points: numpy.typing.ArrayLike, origin: tuple[float, float], st
     return found
 
 
-def cubic(points: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
+def cubic(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
           out: Optional[Reals] = None) -> Any:
     """To the cubic Bézier curve of 4 points.
 
@@ -98,7 +99,7 @@ def parabola(vertex: numpy.typing.ArrayLike, axis: numpy.typing.ArrayLike, bend:
     return _measure("parabola", [_numbers(vertex, "vertex", 2), _numbers(axis, "axis", 2), _numbers(bend, "bend", 1)], x, y, out)
 
 
-def tapered(points: numpy.typing.ArrayLike, half_widths: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
+def tapered(points: Points, half_widths: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
             y: numpy.typing.ArrayLike, *, out: Optional[Reals] = None) -> Any:
     """To a stroke along the quadratic Bézier curve of 3 points, negative inside. Its half-width goes by 3 Bernstein
     coefficients, `half_widths`.

@@ -4,8 +4,9 @@
     print(mien.lab.check(my_distances))     # my_distances(points, x, y): 3 x 2 control points, arrays of coordinates
 
 The cases are those of `mien-accuracy`: families of quadratic Bézier curves and points that solvers get wrong, with distances true
-to 105 bits. The program is built with -DMIEN_BUILD_ACCURACY=ON, and found in PATH, in MIEN_ACCURACY, or as `program`; or
-`cases` is a file that `mien-accuracy --export` wrote. docs/numerics.md says what the families are.
+to 105 bits. The wheel has the program; else it is built with -DMIEN_BUILD_ACCURACY=ON, and found in PATH, in MIEN_ACCURACY, or as
+`program`; or `cases` is a file that `mien-accuracy --export` wrote. docs/numerics.md says what the families are. A solver is asked
+for one place at a time: x and y are arrays of length 1.
 
     print(mien.lab.check_feet(my_feet))     # gives (nearest, next), as mien.distance.feet.quad does
 """
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import csv
 import os
+import pathlib
 import subprocess
 import tempfile
 from typing import Any, Callable, NamedTuple, Optional
@@ -21,6 +23,7 @@ import numpy
 import numpy.typing
 
 from ._errors import Error
+from ._library import lib
 
 __all__ = ["FeetRow", "FeetTable", "Row", "Table", "check", "check_feet"]
 
@@ -95,7 +98,7 @@ def _families(count: int, seed: int, program: Optional[str], cases: "str | os.Pa
     columns = 19 if more else 10
     if cases is not None:
         return _read(cases, columns)
-    command = program or os.environ.get("MIEN_ACCURACY") or "mien-accuracy"
+    command = program or os.environ.get("MIEN_ACCURACY") or _own_program()
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "cases.csv")
         try:
@@ -107,6 +110,12 @@ def _families(count: int, seed: int, program: Optional[str], cases: "str | os.Pa
         if ran.returncode:
             raise Error(command, ran.stderr.strip() or f"exit code {ran.returncode}")
         return _read(file, columns)
+
+
+def _own_program() -> str:
+    """The wheel's, the build's, or the system's."""
+    inside = (pathlib.Path(__file__).resolve().parent / "native/mien-accuracy", pathlib.Path(lib._name).parent / "tools/accuracy/mien-accuracy")
+    return next((str(one) for one in inside if one.is_file()), "mien-accuracy")
 
 
 def _read(file: "str | os.PathLike[str]", columns: int) -> dict[str, Reals]:
@@ -167,9 +176,16 @@ def _is_foot(told: list[float], truth: Reals, size: float) -> bool:
     return bool(abs(told[1] - truth[1]) <= 1e-6 * size and abs(told[0] - truth[0]) <= 1e-2)
 
 
+def _distance(told: Any) -> float:
+    """What a solver gave for one place."""
+    distances = numpy.asarray(told, float).ravel()
+    if distances.size != 1:
+        raise Error("solver", f"expected one distance for one place, got {distances.size}")
+    return float(distances[0])
+
+
 def _row(solver: Solver, family: str, cases: Reals) -> Row:
-    found = numpy.array([float(numpy.asarray(solver(case[:6].reshape(3, 2), case[6:7], case[7:8])).reshape(1)[0])
-                         for case in cases])
+    found = numpy.array([_distance(solver(case[:6].reshape(3, 2), case[6:7], case[7:8])) for case in cases])
     truth, rest = cases[:, 8], cases[:, 9]
     controls, point = cases[:, :6].reshape(-1, 3, 2), cases[:, None, 6:8]
     size = numpy.max(controls.max(1) - controls.min(1), axis=1)

@@ -68,6 +68,8 @@ class Lab(unittest.TestCase):
     def test_says_what_is_missing(self):
         with self.assertRaisesRegex(mien.Error, "cannot be run"):
             mien.lab.check(sampled, program="no-such-laboratory")
+        with self.assertRaisesRegex(mien.Error, "solver: expected one distance for one place, got 3"):
+            mien.lab.check(lambda points, x, y: [1, 2, 3], count=3, program=PROGRAM)
         with self.assertRaisesRegex(mien.Error, "count|seed|exit"):
             mien.lab.check(sampled, count=-5, program=PROGRAM)
         with tempfile.TemporaryDirectory() as folder:

@@ -97,6 +97,17 @@ class Sheets(Folder):
                 call()
 
 
+class Words(Folder):
+    def test_unknown_ones_are_told_by_who_was_called(self):
+        for call, words in ((lambda: mien.sheet([PERSON], cols=2), 'sheet: .*; say columns='), (lambda: mien.sheet([PERSON], backgruond="red"), 'sheet: .*did you mean "background"'),
+                            (lambda: PERSON.animate(duration=2), 'animate: .*; say seconds=')):
+            with self.assertRaisesRegex(TypeError, words):
+                call()
+        for call, words in ((lambda: PERSON.animate(seconds=0), "seconds: expected more than 0"), (lambda: PERSON.render(0), "size: expected 1 pixel or more, got 0")):
+            with self.assertRaisesRegex(mien.Error, words):
+                call()
+
+
 class Films(Folder):
     def test_are_of_every_kind(self):
         for kind, begin in (("apng", b"\x89PNG"), ("png", b"\x89PNG"), ("gif", b"GIF89a"), ("webp", b"RIFF"), ("mp4", None), ("webm", b"\x1a\x45\xdf\xa3")):
@@ -251,7 +262,8 @@ class Tables(Folder):
                                    (lambda: mien.chernoff({"a": [1], "b": [1, 2]}), mien.Error, "columns of one length"), (lambda: mien.chernoff({"a": "text"}), TypeError, "a list of values"),
                                    (lambda: mien.chernoff(TABLE, [{"column": "jy", "emotion": "joy"}]), mien.Error, "map"), (lambda: mien.chernoff(TABLE, 7), TypeError, "map: expected"),
                                    (lambda: mien.chernoff(TABLE, {"map": [object()]}), TypeError, "JSON"), (lambda: mien.chernoff(TABLE, style="inc"), mien.Error, "ink"),
-                                   (lambda: mien.chernoff(TABLE, cel=3), TypeError, 'did you mean "cell"'), (lambda: mien.chernoff("no.csv"), mien.Error, "no.csv"),
+                                   (lambda: mien.chernoff(TABLE, cel=3), TypeError, 'did you mean "cell"'), (lambda: mien.chernoff("no.csv"), FileNotFoundError, "no.csv"),
+                                   (lambda: mien.stimuli("no.json", self.folder), FileNotFoundError, "no.json"),
                                    (lambda: mien.chernoff({}), mien.Error, ""), (lambda: mien.stimuli(7, "x"), TypeError, "plan"),
                                    (lambda: mien.stimuli({"factors": [{"name": "a", "emotion": "jy"}]}, self.folder), mien.Error, "^plan")):
             with self.assertRaisesRegex(error, words):
@@ -262,6 +274,8 @@ class Experiments(Folder):
     def test_are_drawn_and_drawn_again(self):
         plan = {"size": 32, "factors": [{"name": "joy", "emotion": "joy", "steps": numpy.int64(3)}]}
         made = mien.stimuli(plan, self.folder / "shown")
+        self.assertEqual([set(row) for row in made.table][0], {"file", *made.records[0]["levels"], "displacement"})
+        self.assertTrue(any(isinstance(value, float) for value in list(made.table[0].values())[1:-1]))
         self.assertEqual((len(made), len(made.files), made.records[2]["levels"]), (3, 3, {"joy": "1"}))
         self.assertTrue(all(_png.pixels(file.read_bytes()).shape == (32, 32, 4) for file in made.files))
         again = mien.stimuli(made.manifest, self.folder / "again")

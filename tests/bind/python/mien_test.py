@@ -664,6 +664,8 @@ class Package(unittest.TestCase):
                 names = {}
                 for _, block in blocks:
                     wants = {"needs Pillow": "PIL", "FaceWidget": "traitlets"}
+                    if "lab.check" in block and not pathlib.Path(mien.lab._own_program()).is_file():
+                        continue
                     if "scheduler:8786" in block:
                         continue  # there is no cluster here; dask_test.py starts one
                     if any(word in block and not importlib.util.find_spec(name) for word, name in wants.items()):

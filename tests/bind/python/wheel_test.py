@@ -63,7 +63,7 @@ class Wheel(unittest.TestCase):
         self.assertRegex(self.wheel.name, r"^mien-\d+\.\d+\.\d+-py3-none-manylinux_2_\d\d_\w+\.whl$")
         names = zipfile.ZipFile(self.wheel).namelist()
         for name in ("mien/__init__.py", "mien/lab.py", "mien/py.typed", "mien/widget.js", "mien/native/libmien_c.so.0", "mien/native/libmien_image_c.so.0",
-                     "mien/native/mien", "mien/native/libtbb.so.12", "mien/native/licences/libtbb12.txt", "mien/share/mien/faces/toon.face.json", "mien/LICENSE"):
+                     "mien/native/mien", "mien/native/mien-accuracy", "mien/native/libtbb.so.12", "mien/native/licences/libtbb12.txt", "mien/share/mien/faces/toon.face.json", "mien/LICENSE"):
             self.assertIn(name, names)
         self.assertFalse([name for name in names if "__pycache__" in name or name.startswith(("build/", "native.py")) or "purelib" in name or "compat" in name])
         bundled = [name for name in names if re.search(r"native/lib.*\.so", name) and "mien_" not in name]
@@ -86,6 +86,9 @@ class Wheel(unittest.TestCase):
         told = subprocess.run(["ldd", inside / "mien"], capture_output=True, text=True, env=OFFLINE).stdout
         outside = [name for name, path in re.findall(r"(\S+) => (\S+)", told) if not path.startswith(str(inside))]
         self.assertFalse([name for name in outside if not native.EVERYWHERE.fullmatch(name)], told)
+        judged = subprocess.run([sys.executable, "-c", "import mien; print(mien.lab.check(mien.distance.quad, count=3))"], capture_output=True, text=True,
+                                env={**OFFLINE, "PYTHONPATH": str(there)}, cwd=self.folder.name)
+        self.assertRegex(judged.stdout, r"\n0 of \d+ wrong", judged.stderr)
         said = subprocess.run([sys.executable, "-m", "mien", "render", "toon", "-o", "b.png", "--size", "32"], cwd=self.folder.name, capture_output=True, text=True,
                               env={**OFFLINE, "PYTHONPATH": str(there)})
         self.assertEqual(said.returncode, 0, said.stderr)

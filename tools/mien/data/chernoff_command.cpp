@@ -3,6 +3,7 @@
 #include <mien/composed_face.h>
 #include <mien/pose.h>
 #include <mien/scene_from_face.h>
+#include "lib/base/one_line.h"
 #include "lib/file/json/json_text.h"
 #include "lib/rig/pose/expression_setting.h"
 #include "render/image/file/written_file.h"
@@ -92,14 +93,39 @@ Expected<Done> write_cells(const std::vector<SheetCell>& cells, const SheetLayou
   return write_image_by(load_encoder, *sheet, path, {});
 }
 
-Expected<Done> write_legend(const Table& table, const ChernoffMap& map, int size, int gap,
-                            const std::string& path) {
-  std::vector<SheetCell> cells;
+bool differ(const ChernoffFace& a, const ChernoffFace& b) {
+  return a.recipe.numbers != b.recipe.numbers || a.recipe.parts != b.recipe.parts ||
+         a.emotions != b.emotions;
+}
+
+/// What each column moves, a row each: its least, middle and largest value. A column that nobody sees, as one that moves
+/// the age, by which only parts are chosen, is a warning.
+Expected<std::vector<std::vector<SheetCell>>> legend_rows(const Table& table,
+                                                          const ChernoffMap& map, int size,
+                                                          std::vector<Error>& warnings) {
+  std::vector<std::vector<SheetCell>> rows;
   for (const ChernoffFeature& feature : map.features) {
     const auto faces = chernoff_legend(table, map, feature);
     if (!faces) return faces.error();
     auto row = cells_of(*faces, size, "legend");
     if (!row) return row.error();
+    const auto looks_alike = [&](const SheetCell& cell) {
+      return cell.image.bytes == row->front().image.bytes;
+    };
+    if (std::ranges::all_of(*row, looks_alike) && differ(faces->front(), faces->back()))
+      warnings.push_back(
+          {feature.where, fmt::format("{} moves {}, which changes nothing that is seen",
+                                      in_quotes(feature.column), in_quotes(feature.name))});
+    rows.push_back(*std::move(row));
+  }
+  return rows;
+}
+
+Expected<Done> write_legend(std::vector<std::vector<SheetCell>> rows, int gap,
+                            const std::string& path) {
+  std::vector<SheetCell> cells;
+  for (std::vector<SheetCell>& of : rows) {
+    auto* const row = &of;
     while (row->size() % kLegendColumns != 0) {  // each feature begins a row
       row->push_back({{}, row->front().image});
       std::ranges::fill(row->back().image.bytes, std::byte{255});
@@ -130,9 +156,13 @@ int chernoff_command(const ChernoffArguments& arguments) {
   if (const auto constant = constant_columns(*table, *map)) warn({*constant});
   const auto cells = cells_of(*faces, int(*size), "faces");
   if (!cells) return complain(cells.error(), kFailed);
+  warnings.clear();
+  auto legend = legend_rows(*table, *map, int(*size), warnings);
+  if (!legend) return complain(legend.error(), kFailed);
+  warn(warnings);
   auto done = write_cells(*cells, *layout, arguments.output);
   if (done && arguments.legend)
-    done = write_legend(*table, *map, int(*size), layout->gap, *arguments.legend);
+    done = write_legend(*std::move(legend), layout->gap, *arguments.legend);
   if (done && arguments.manifest)
     done = write_file(*arguments.manifest, [&](const PutBytes& put) {
       const std::string text = manifest(*table, *map, *faces, *cells);

@@ -80,6 +80,10 @@ class Experiment {
     }
   }
 
+  static const std::string& control_of(const Factor& factor, std::size_t level) {
+    return factor.each.empty() ? factor.what : factor.each[level];
+  }
+
   void vary(const Factor& factor, std::size_t level, Stimulus& stimulus) const {
     switch (factor.kind) {
       case FactorKind::person:
@@ -91,7 +95,7 @@ class Experiment {
         stimulus.recipe.numbers[factor.what] = factor.values[level];
         break;
       case FactorKind::control:
-        stimulus.controls.emplace_back(factor.what, factor.values[level]);
+        stimulus.controls.emplace_back(control_of(factor, level), factor.values[level]);
         break;
       case FactorKind::picture:
         stimulus.picture = StimulusPicture(int(factor.values[level]));
@@ -197,8 +201,10 @@ class Experiment {
     if (!face) return face.error();
     for (const Factor& factor : factors_) {
       if (factor.kind != FactorKind::control) continue;
-      for (const double value : factor.values)
-        if (const auto read = read_setting(*face, factor.what + "=" + json_number(value)); !read)
+      for (std::size_t i = 0; i < factor.values.size(); ++i)
+        if (const auto read =
+                read_setting(*face, control_of(factor, i) + "=" + json_number(factor.values[i]));
+            !read)
           return Error{factor.where, read.error().what};
     }
     return Done{};

@@ -75,6 +75,30 @@ Expected<Done> write_manifest(const StimulusManifest& manifest,
                     [&](const PutBytes& put) { return put(text.data(), text.size()); });
 }
 
+/// The pictures of the manifest that is in the folder: of an earlier plan, which the new one's do not belong to.
+std::vector<std::string> earlier_pictures(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "manifest.json";
+  if (!is_stimulus_manifest(file)) return {};
+  const auto manifest = read_stimulus_manifest(file);
+  std::vector<std::string> names;
+  if (manifest)
+    for (const ShownStimulus& shown : manifest->shown) names.push_back(shown.stimulus.file);
+  return names;
+}
+
+/// Removes those of the earlier ones that are not drawn again; how many.
+int remove_others(const std::vector<std::string>& earlier, const StimulusManifest& manifest,
+                  const std::filesystem::path& folder) {
+  std::set<std::string> drawn;
+  for (const ShownStimulus& shown : manifest.shown) drawn.insert(shown.stimulus.file);
+  int removed = 0;
+  for (const std::string& name : earlier) {
+    std::error_code failed;
+    if (!drawn.contains(name)) removed += std::filesystem::remove(folder / name, failed);
+  }
+  return removed;
+}
+
 int draw_plan(const StimuliArguments& arguments) {
   std::vector<Error> warnings;
   const auto plan = read_stimulus_plan(arguments.plan, &warnings);
@@ -86,11 +110,16 @@ int draw_plan(const StimuliArguments& arguments) {
   if (!what) return complain(what.error(), kFailed);
   if (const auto made = make_folder(arguments.output); !made)
     return complain(made.error(), kFailed);
+  const std::vector<std::string> earlier = earlier_pictures(arguments.output);
   const auto manifest = show_all(*what, plan->size, arguments.output);
   if (!manifest) return complain(manifest.error(), kFailed);
   warn(equal_pictures(*plan, manifest->shown));
   const auto done = write_manifest(*manifest, arguments.output);
-  return done ? print(fmt::format("{} pictures\n", what->size())) : complain(done.error(), kFailed);
+  if (!done) return complain(done.error(), kFailed);
+  const int removed = remove_others(earlier, *manifest, arguments.output);
+  return print(
+      fmt::format("{} pictures{}\n", what->size(),
+                  removed > 0 ? fmt::format("; {} of an earlier plan are removed", removed) : ""));
 }
 
 /// The same pictures again: each must have the SHA-256 that the manifest says. Their own manifest says it, too.

@@ -104,12 +104,14 @@ class PlanReader {
   }
 
   void read_factor(const JsonNode& node) {
-    in_.expect_object(node,
-                      {"name", "codes", "people", "seed", "mean", "number", "emotion", "control",
-                       "part", "caricature", "picture", "values", "steps", "from", "to", "equal"},
-                      "factor");
-    static constexpr std::array<std::string_view, 8> kKinds{
-        "codes", "people", "number", "emotion", "control", "part", "caricature", "picture"};
+    in_.expect_object(
+        node,
+        {"name", "codes", "people", "seed", "mean", "number", "emotion", "emotions", "control",
+         "part", "caricature", "picture", "values", "steps", "from", "to", "equal"},
+        "factor");
+    static constexpr std::array<std::string_view, 9> kKinds{"codes",   "people",     "number",
+                                                            "emotion", "emotions",   "control",
+                                                            "part",    "caricature", "picture"};
     const JsonNode* kind = nullptr;
     for (const std::string_view key : kKinds)
       if (const JsonNode* found = in_.find(node, key)) {
@@ -124,12 +126,14 @@ class PlanReader {
                   .what = {},
                   .levels = {},
                   .values = {},
+                  .each = {},
                   .people = {},
                   .mean = {}};
     const std::string_view key = in_.tree.key(*kind);
     if (key == "codes" || key == "people") read_people(node, *kind, factor);
     if (key == "number") read_number(node, *kind, factor);
     if (key == "emotion" || key == "control") read_control(node, *kind, factor);
+    if (key == "emotions") read_emotions(node, *kind, factor);
     if (key == "part") read_part(node, *kind, factor);
     if (key == "caricature") read_caricature(*kind, factor);
     if (key == "picture") read_picture(*kind, factor);
@@ -141,10 +145,18 @@ class PlanReader {
     plan_.factors.push_back(std::move(factor));
   }
 
+  static bool vary_one(const Factor& a, const Factor& b) {
+    const auto varies = [](const Factor& factor, const std::string& what) {
+      return factor.each.empty() ? factor.what == what : std::ranges::count(factor.each, what) > 0;
+    };
+    if (a.each.empty()) return varies(b, a.what);
+    return std::ranges::any_of(a.each, [&](const std::string& what) { return varies(b, what); });
+  }
+
   /// Of two factors that vary the same thing, one would void the other.
   void refuse_same(const JsonNode& kind, const Factor& factor) const {
     for (const Factor& other : plan_.factors)
-      if (other.kind == factor.kind && other.what == factor.what)
+      if (other.kind == factor.kind && vary_one(other, factor))
         in_.refuse(kind, fmt::format("{} is varied by {} already",
                                      factor.what.empty() ? in_.tree.key(kind) : factor.what,
                                      in_quotes(other.name)));
@@ -202,6 +214,27 @@ class PlanReader {
     factor.what = (emotion ? "emotion." : "") + std::string(in_.string(kind));
     factor.name = in_.string(kind);
     read_scale(node, 0, 1, factor);
+  }
+
+  /// One emotion after the other, each at every strength.
+  void read_emotions(const JsonNode& node, const JsonNode& kind, Factor& factor) const {
+    factor.kind = FactorKind::control;
+    in_.expect(kind, JsonKind::array);
+    std::vector<std::string> names;
+    in_.for_each(kind, [&](const JsonNode& one, int) { names.emplace_back(in_.string(one)); });
+    if (names.empty()) in_.refuse(kind, "no emotion is named");
+    refuse_equal(kind, names);
+    if (const JsonNode* equal = in_.find(node, "equal"))
+      in_.refuse(*equal, "steps are equal along one emotion, and there are several");
+    read_scale(node, 0, 1, factor);
+    const std::vector<double> strengths = std::exchange(factor.values, {});
+    factor.levels.clear();
+    for (const std::string& name : names)
+      for (const double strength : strengths) {
+        factor.each.push_back("emotion." + name);
+        factor.values.push_back(strength);
+        factor.levels.push_back(fmt::format("{} {}", name, json_number(strength)));
+      }
   }
 
   /// "values": […], or "steps" from "from" to "to", which are in the range and are its ends if not given.

@@ -25,6 +25,7 @@ struct Factor {
   std::string what;                 ///< the number, control or family; empty for other kinds
   std::vector<std::string> levels;  ///< as the manifest says them
   std::vector<double> values;       ///< of numbers, controls and caricatures
+  std::vector<std::string> each;    ///< of several controls in turn: the one of each level
   EqualIn equal = EqualIn::number;
   std::vector<Recipe> people;  ///< of persons
   Recipe mean;                 ///< of persons: the mean of those named, whether it is shown or not
