@@ -350,7 +350,7 @@ class Pictures(unittest.TestCase):
         for how, words in (({"fit": "odd"}, "meet or slice"), ({"blend": "odd"}, "linear or srgb"), ({"dtype": "u9"}, "uint8, uint16 or float32"), ({"dtype": ">u2"}, "uint8"), ({"dtype": None}, "uint8"), ({"dtype": object}, "uint8"),
                            ({"background": "redd"}, "did you mean \"red\""), ({"background": (1, 2)}, "3 or 4"), ({"region": (1, 2)}, "4|got 2"),
                            ({"region": (999, 0, 1, 1)}, "region"), ({"light": (0, 0, -1)}, "lamp"), ({"light": (0, 0)}, "x, y, z"),
-                           ({"size": 0}, "sides"), ({"size": (1, 2, 3)}, "width and height"), ({"size": 2**40}, "range"),
+                           ({"size": 0}, "1 pixel or more"), ({"size": (0, 9)}, "sides"), ({"size": (1, 2, 3)}, "width and height"), ({"size": 2**40}, "range"),
                            ({"size": 2**21}, "sides"), ({"threads": -1}, "threads")):
             with self.assertRaisesRegex(mien.Error, words):
                 posed.render(**{"size": SIZE, **how})
