@@ -101,10 +101,14 @@ TEST_F(DataTest, EmotionsTakeTurnsInOneFactor) {
 TEST_F(DataTest, PicturesOfAnEarlierPlanAreRemoved) {
   ASSERT_EQ(stimuli(plan(R"("factors": [{"people": 4}])")).code, 0);
   file("shown/0009.png", "of somebody else");
+  file("shown/0004.png", "painted over");
   const Ran fewer = stimuli(plan(R"("factors": [{"people": 2}])"));
   EXPECT_EQ(fewer.code, 0) << fewer.err;
-  EXPECT_EQ(fewer.out, "2 pictures; 2 of an earlier plan are removed\n");
-  EXPECT_EQ(count("shown"), 2u + 1 + 1) << "what no manifest names stays";
+  EXPECT_EQ(fewer.out, "2 pictures; 1 of an earlier plan are removed\n");
+  EXPECT_EQ(count("shown"), 2u + 1 + 2) << "what no manifest tells stays";
+  ASSERT_EQ(stimuli(plan(R"("factors": [{"people": 1}])"), "one").code, 0);
+  const Ran again = run_mien({"stimuli", path("one/manifest.json"), "-o", path("shown")});
+  EXPECT_EQ(again.out, "1 pictures, all as the manifest says; 1 of an earlier plan are removed\n");
 }
 
 TEST_F(DataTest, PairsDifferInOneFactorAlone) {

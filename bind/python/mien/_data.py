@@ -1,6 +1,7 @@
 """Tables as faces, and the pictures of experiments: by the command, which has them (docs/data.md)."""
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 import math
@@ -93,7 +94,8 @@ def chernoff(data: Any, map: Union[Plan, Sequence[Mapping[str, Any]], None] = No
             words += ["--map", _plan_file(rules, place / "map.json", "mien-chernoff", "map")]
         if style is not None:
             words += ["--style", style]
-        _command.run("chernoff", *words, instead={str(place / "table.csv"): "data", str(place / "map.json"): "map"})
+        with _reading(data, map):
+            _command.run("chernoff", *words, instead={str(place / "table.csv"): "data", str(place / "map.json"): "map"})
         with open(place / "all.csv", encoding="utf-8", newline="") as file:
             records = tuple(csv.DictReader(file))
         return Chernoff(unpacked((place / "faces.png").read_bytes()), unpacked((place / "legend.png").read_bytes()), records)
@@ -108,7 +110,8 @@ def stimuli(plan: Plan, folder: Path) -> Stimuli:
     """
     with tempfile.TemporaryDirectory(prefix="mien-") as scratch:
         file = _plan_file(plan, pathlib.Path(scratch, "plan.json"), "mien-stimuli", "plan")
-        _command.run("stimuli", "stimuli", file, "-o", folder, instead={str(pathlib.Path(scratch, "plan.json")): "plan"})
+        with _reading(plan):
+            _command.run("stimuli", "stimuli", file, "-o", folder, instead={str(pathlib.Path(scratch, "plan.json")): "plan"})
     return Stimuli(pathlib.Path(folder))
 
 
@@ -126,7 +129,7 @@ def _is_list(map: Any) -> bool:
 def _plan_file(plan: Any, made: pathlib.Path, format: str, name: str) -> Path:
     """A path as it is; of a mapping a file, whose format need not be said."""
     if isinstance(plan, (str, os.PathLike)):
-        return _there(plan)
+        return plan
     if not isinstance(plan, Mapping):
         raise TypeError(f"{name}: expected a mapping or a path, got {said(plan)}")
     try:
@@ -142,16 +145,19 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"{said(value)} is of no kind that JSON has")
 
 
-def _there(file: Path) -> Path:
-    """A file that is there; else it is an OSError, as of all files."""
-    with reading(file), open(file, "rb") as there:
-        there.read(1)
-    return file
+@contextlib.contextmanager
+def _reading(*given: Any) -> Iterator[None]:
+    """What is wrong with a file among what was given is an OSError, as of all files."""
+    with contextlib.ExitStack() as files:
+        for one in given:
+            if isinstance(one, (str, os.PathLike)):
+                files.enter_context(reading(one))
+        yield
 
 
 def _table_file(data: Any, folder: pathlib.Path) -> Path:
     if isinstance(data, (str, os.PathLike)):
-        return _there(data)
+        return data
     heading, rows = _rows(data)
     made = folder / "table.csv"
     with open(made, "w", encoding="utf-8", newline="") as file:

@@ -114,8 +114,11 @@ def _families(count: int, seed: int, program: Optional[str], cases: "str | os.Pa
 
 def _own_program() -> str:
     """The wheel's, the build's, or the system's."""
-    inside = (pathlib.Path(__file__).resolve().parent / "native/mien-accuracy", pathlib.Path(lib._name).parent / "tools/accuracy/mien-accuracy")
-    return next((str(one) for one in inside if one.is_file()), "mien-accuracy")
+    places = [pathlib.Path(__file__).resolve().parent / "native"]
+    library = pathlib.Path(lib._name)
+    if library.parent != pathlib.Path():  # else the system found it, and a folder of that name is wherever the program runs
+        places.append(library.parent / "tools/accuracy")
+    return next((str(place / "mien-accuracy") for place in places if (place / "mien-accuracy").is_file()), "mien-accuracy")
 
 
 def _read(file: "str | os.PathLike[str]", columns: int) -> dict[str, Reals]:

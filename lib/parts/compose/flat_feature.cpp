@@ -49,7 +49,8 @@ class Flattening {
     hand_ = style_.hand(slot);
     const PartStyle::Role role = style_.role(in_, node_);
     const bool of_figure = !to_.by_style && style_.figure_has(slot);
-    add(name_, role.name, of_figure ? figure_order() : order());
+    add(name_, role.name, of_figure ? figure_order() : order(),
+        style_.replaces(role, "clip") ? Clips{} : clips());
     write(role, of_figure ? PartStyle::Members::figure : PartStyle::Members::all);
     add_depth();
     const bool painted = in_.find(node_, "paint") != nullptr;
@@ -64,15 +65,17 @@ class Flattening {
     return 2 * slot_named(style_.in(), *style_.figure_before(), library_);
   }
 
+  using Clips = decltype(FlatFeatures::One::clips);
+
   /// What is written next is known by that name.
-  void add(std::string_view name, std::string_view role, std::size_t order) {
+  void add(std::string_view name, std::string_view role, std::size_t order, Clips clips) {
     if (to_.find(name))
       in_.refuse(node_, fmt::format("another part has a feature named \"{}\", too", name));
-    to_.add({slot_place(), out_.next(), name, role, side(), order, false, clips()});
+    to_.add({slot_place(), out_.next(), name, role, side(), order, false, clips});
   }
 
-  std::array<std::string_view, 2> clips() const {
-    std::array<std::string_view, 2> found{};
+  Clips clips() const {
+    Clips found{};
     std::size_t count = 0;
     const auto note = [&](const JsonNode& one) {
       if (one.kind == JsonKind::string && count < found.size())
@@ -132,7 +135,7 @@ class Flattening {
   /// The area of a feature that was known before, painted where the feature stood.
   void write_seen(const PartStyle::Role& role) {
     const std::string_view name = out_.kept({name_, "_seen"});
-    add(name, "none", order());
+    add(name, "none", order(), {});
     out_.stems_from(in_.tree, node_);
     out_.object();
     out_.key("name"), out_.string(name);

@@ -15,8 +15,8 @@ struct NearNode {
   /// Of an operator's operands the first or second alone where the other is farther all over the square.
   enum class Asks : unsigned char { both, first, second, nothing };
   Asks asks = Asks::both;
-  signed char side =
-      0;  ///< of a leaf: where its key was measured it is positive outside; 0: not known
+  /// Of a leaf, where its key was measured: 1 outside, −1 inside, 0 not known.
+  signed char side = 0;
   NearBranches branches;  ///< of a leaf
 };
 

@@ -124,13 +124,12 @@ Expected<std::vector<std::vector<SheetCell>>> legend_rows(const Table& table,
 Expected<Done> write_legend(std::vector<std::vector<SheetCell>> rows, int gap,
                             const std::string& path) {
   std::vector<SheetCell> cells;
-  for (std::vector<SheetCell>& of : rows) {
-    auto* const row = &of;
-    while (row->size() % kLegendColumns != 0) {  // each feature begins a row
-      row->push_back({{}, row->front().image});
-      std::ranges::fill(row->back().image.bytes, std::byte{255});
+  for (std::vector<SheetCell>& row : rows) {
+    while (row.size() % kLegendColumns != 0) {  // each feature begins a row
+      row.push_back({{}, row.front().image});
+      std::ranges::fill(row.back().image.bytes, std::byte{255});
     }
-    std::ranges::move(*row, std::back_inserter(cells));
+    std::ranges::move(row, std::back_inserter(cells));
   }
   return write_cells(cells, {kLegendColumns, gap}, path);
 }

@@ -6,6 +6,7 @@
 #include "tools/mien/data/shown_stimulus.h"
 #include "tools/mien/data/stimulus_manifest.h"
 #include "tools/mien/data/stimulus_plan.h"
+#include "tools/mien/output/sha256.h"
 #include "tools/mien/terminal/messages.h"
 #include "tools/mien/terminal/watched_work.h"
 
@@ -75,28 +76,40 @@ Expected<Done> write_manifest(const StimulusManifest& manifest,
                     [&](const PutBytes& put) { return put(text.data(), text.size()); });
 }
 
-/// The pictures of the manifest that is in the folder: of an earlier plan, which the new one's do not belong to.
-std::vector<std::string> earlier_pictures(const std::filesystem::path& folder) {
+/// The manifest that is in the folder, of an earlier plan; empty where there is none.
+StimulusManifest earlier_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "manifest.json";
   if (!is_stimulus_manifest(file)) return {};
-  const auto manifest = read_stimulus_manifest(file);
-  std::vector<std::string> names;
-  if (manifest)
-    for (const ShownStimulus& shown : manifest->shown) names.push_back(shown.stimulus.file);
-  return names;
+  auto manifest = read_stimulus_manifest(file);
+  return manifest ? *std::move(manifest) : StimulusManifest{};
 }
 
-/// Removes those of the earlier ones that are not drawn again; how many.
-int remove_others(const std::vector<std::string>& earlier, const StimulusManifest& manifest,
+/// Removes the pictures of an earlier manifest that are not drawn again and still are what it tells; how many.
+int remove_others(const StimulusManifest& earlier, const StimulusManifest& manifest,
                   const std::filesystem::path& folder) {
   std::set<std::string> drawn;
   for (const ShownStimulus& shown : manifest.shown) drawn.insert(shown.stimulus.file);
   int removed = 0;
-  for (const std::string& name : earlier) {
+  for (const ShownStimulus& shown : earlier.shown) {
+    const std::filesystem::path file = folder / shown.stimulus.file;
     std::error_code failed;
-    if (!drawn.contains(name)) removed += std::filesystem::remove(folder / name, failed);
+    if (drawn.contains(shown.stimulus.file) || !std::filesystem::is_regular_file(file, failed))
+      continue;
+    if (const auto now = sha256_of_file(file); now && *now == shown.sha256)
+      removed += std::filesystem::remove(file, failed);
   }
   return removed;
+}
+
+/// Writes the manifest of what was drawn, and tells how much that is.
+int finish(const StimulusManifest& earlier, const StimulusManifest& manifest,
+           const std::filesystem::path& folder, std::string_view more) {
+  if (const auto done = write_manifest(manifest, folder); !done)
+    return complain(done.error(), kFailed);
+  const int removed = remove_others(earlier, manifest, folder);
+  return print(
+      fmt::format("{} pictures{}{}\n", manifest.shown.size(), more,
+                  removed > 0 ? fmt::format("; {} of an earlier plan are removed", removed) : ""));
 }
 
 int draw_plan(const StimuliArguments& arguments) {
@@ -110,16 +123,11 @@ int draw_plan(const StimuliArguments& arguments) {
   if (!what) return complain(what.error(), kFailed);
   if (const auto made = make_folder(arguments.output); !made)
     return complain(made.error(), kFailed);
-  const std::vector<std::string> earlier = earlier_pictures(arguments.output);
+  const StimulusManifest earlier = earlier_manifest(arguments.output);
   const auto manifest = show_all(*what, plan->size, arguments.output);
   if (!manifest) return complain(manifest.error(), kFailed);
   warn(equal_pictures(*plan, manifest->shown));
-  const auto done = write_manifest(*manifest, arguments.output);
-  if (!done) return complain(done.error(), kFailed);
-  const int removed = remove_others(earlier, *manifest, arguments.output);
-  return print(
-      fmt::format("{} pictures{}\n", what->size(),
-                  removed > 0 ? fmt::format("; {} of an earlier plan are removed", removed) : ""));
+  return finish(earlier, *manifest, arguments.output, "");
 }
 
 /// The same pictures again: each must have the SHA-256 that the manifest says. Their own manifest says it, too.
@@ -131,6 +139,7 @@ int draw_again(const StimuliArguments& arguments) {
   if (what.empty()) return complain({arguments.plan, "no pictures"}, kFailed);
   if (const auto made = make_folder(arguments.output); !made)
     return complain(made.error(), kFailed);
+  const StimulusManifest earlier = earlier_manifest(arguments.output);
   const auto again = show_all(what, manifest->size, arguments.output);
   if (!again) return complain(again.error(), kFailed);
   std::size_t others = 0;
@@ -144,9 +153,7 @@ int draw_again(const StimuliArguments& arguments) {
                      fmt::format("{} of {} pictures are not the ones it tells of; the first is {}",
                                  others, what.size(), in_quotes(first))},
                     kFailed);
-  const auto done = write_manifest(*again, arguments.output);
-  return done ? print(fmt::format("{} pictures, all as the manifest says\n", what.size()))
-              : complain(done.error(), kFailed);
+  return finish(earlier, *again, arguments.output, ", all as the manifest says");
 }
 
 }  // namespace

@@ -69,6 +69,33 @@ TEST(NearArea, DistancesAreTheAreasOwn) {
   });
 }
 
+/// Of the fold |d| - amount the farther end of a range counts.
+TEST(NearArea, LeavesOutOnlyWhatIsFartherThanTheWholeRange) {
+  SceneBuilder scene({.box = {{0, 0}, {48, 48}}}, {1, 1, 1, 1});
+  const auto disc = [&](double x) { return scene.shape(Disc{{x, 24.0}, 2.0}); };
+  const Area folded = scene.shell(scene.unite(disc(23), disc(24)), 0.2);
+  const Area whole = scene.unite(folded, disc(25));
+  const AreaDistance distance(std::move(scene).finish(), whole, {});
+  const FeetArea feet(distance, {0, 0});
+  NearArea area;
+  area.narrow(feet, kMiddle, 12.0);
+  ASSERT_EQ(area.nodes().size(), 6u);
+  const auto left_out = [&](float of_third) {
+    // The union is between -1 and 0.5, so the fold is 0.8 at most.
+    const std::array<NearArea::Range, 3> of_leaves{
+        {{-1.0f, 1.0f}, {0.5f, 0.5f}, {of_third, of_third}}};
+    std::vector<NearNode> nodes(area.nodes().size());
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      if (area.nodes()[k].op == Op::shape)
+        area.ranges()[k] = of_leaves.at(std::size_t(area.nodes()[k].b));
+    area.leave_out(1.0f, nodes.data());
+    return std::count_if(nodes.begin(), nodes.end(),
+                         [](const NearNode& node) { return node.asks == NearNode::Asks::nothing; });
+  };
+  EXPECT_EQ(left_out(3.2f), 0) << "both may be nearest within 1 px";
+  EXPECT_EQ(left_out(3.4f), 1);
+}
+
 /// How far means over every fifth pixel are from those of many places, rising: in smooth squares, and in others.
 struct MeansOff {
   std::vector<double> smooth, other;
