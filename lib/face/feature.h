@@ -71,9 +71,11 @@ struct RoundedFigure {
 
 struct Feature;
 
-/// The areas of EARLIER features, clips and all: inside all of `all`, any of `any` and none of `minus`.
+/// The areas of EARLIER features, clips and all: inside all of `all`, any of `any` and none of `minus`. `grow` is how far
+/// its outline lies outside of what these make: of a union that is the offset of the whole, without seams.
 struct AreaFigure {
   std::vector<Index<Feature>> all, any, minus;  ///< `all` or `any` is not empty
+  int grow = -1;                                ///< slice; −1: its outline is theirs
 };
 
 /// The opening of an eye: the area between the lid edges inner → upper → outer and outer → lower →
@@ -169,7 +171,9 @@ void for_each_slice(const RoundedFigure& f, Visit&& visit) {
   if (f.tilt >= 0) visit("tilt", f.tilt);
 }
 template <class Visit>
-void for_each_slice(const AreaFigure&, Visit&&) {}  // the numbers are those of other features
+void for_each_slice(const AreaFigure& f, Visit&& visit) {  // other numbers are those of other features
+  if (f.grow >= 0) visit("grow", f.grow);
+}
 template <class Visit>
 void for_each_slice(const Figure& figure, Visit&& visit) {
   std::visit([&](const auto& f) { for_each_slice(f, visit); }, figure);

@@ -64,7 +64,7 @@ Area FeatureAreas::made_of(const AreaFigure& figure) const {
   for (const Index<Feature> f : figure.all)
     area = area.node < 0 ? of(f) : build_.intersect(area, of(f));
   for (const Index<Feature> f : figure.minus) area = build_.subtract(area, of(f));
-  return area;
+  return figure.grow < 0 ? area : build_.offset(area, FaceNumbers(face_)(figure.grow));
 }
 
 }  // namespace mien

@@ -191,8 +191,8 @@ class Flattening {
       return write_single(key, member);
     if (key == "radii" && member.kind != JsonKind::string)
       return out_.pair(short_pair(geometry_.pair(in_, member, family_) * frame_.scale));
-    constexpr std::array<std::string_view, 6> kLengths{"radius", "half_width", "length",
-                                                       "corner", "feather",    "height"};
+    constexpr std::array<std::string_view, 7> kLengths{"radius",  "half_width", "length", "corner",
+                                                       "feather", "height",     "grow"};
     if (std::find(kLengths.begin(), kLengths.end(), key) != kLengths.end())
       return write_widths(member);
     if (key == "paint" && member.kind == JsonKind::object) return write_gradient(member);

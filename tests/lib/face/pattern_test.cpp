@@ -29,6 +29,7 @@ TEST(Pattern, VisitsItsFewNumbers) {
             (Names{"patch1", "patch2", "patch3", "patch4", "half_width5"}));
   EXPECT_EQ(slices(RoundedFigure{1, 2, 3, 4}), (Names{"center1", "radii2", "corner3", "tilt4"}));
   EXPECT_EQ(slices(AreaFigure{}), Names{});
+  EXPECT_EQ(slices(AreaFigure{.all = {}, .any = {}, .minus = {}, .grow = 3}), Names{"grow3"});
   EXPECT_EQ(patch.rows(), 2);
 }
 

@@ -51,6 +51,18 @@ TEST(FeatureAreas, AreMadeOfOthers) {
               [](bool a, bool b, bool c) { return (a || c) && !b; });
 }
 
+TEST(FeatureAreas, GrowAsAWholeBeforeTheyAreClipped) {
+  const Scene scene = scene_of_discs(
+      R"({"name": "x", "kind": "area", "paint": "black", "any": ["a", "b"], "grow": 0.2, "clip": {"outside": "c"}})");
+  ASSERT_EQ(scene.layers().size(), 1u);
+  for (double px = -0.95; px < 1; px += 0.1)
+    for (double py = -0.95; py < 1; py += 0.1) {
+      const bool in = std::min(std::hypot(px + 0.2, py), std::hypot(px - 0.2, py)) < 0.7,
+                 out = std::hypot(px, py - 0.3) < 0.5;
+      EXPECT_EQ(scene.distance(scene.layers()[0].area, {px, py}) < 0, in && !out) << px << " " << py;
+    }
+}
+
 TEST(FeatureAreas, AreClippedByAllOfTheirClips) {
   const std::string large =
       R"({"name": "x", "kind": "rounded", "paint": "black", "center": [0, 0], "radii": [2, 2], "corner": 0, "clip": )";

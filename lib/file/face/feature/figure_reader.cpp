@@ -194,6 +194,7 @@ AreaFigure FigureReader::area() {
   AreaFigure figure{operands("all"), operands("any"), operands("minus")};
   if (figure.all.empty() && figure.any.empty())
     in_.refuse(node_, "an area has \"all\" or \"any\": the features that it is made of");
+  if (field("grow").node) figure.grow = slice("grow", SliceKind::length, 1);
   return figure;
 }
 
@@ -225,7 +226,7 @@ const std::vector<FigureKind>& figure_kinds() {
          {"center", "radii", "corner", "tilt"},
          0,
          [](Reader& r) -> Figure { return r.rounded(); }},
-        {"area", {"all", "any", "minus"}, 0, [](Reader& r) -> Figure { return r.area(); }},
+        {"area", {"all", "any", "minus", "grow"}, 0, [](Reader& r) -> Figure { return r.area(); }},
         {"scatter",
          {"patch", "count", "stagger", "round", "of", "radius", "radii", "length", "half_width",
           "tilt", "seed", "jitter", "vary", "sway"},

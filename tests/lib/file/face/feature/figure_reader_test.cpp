@@ -56,6 +56,16 @@ TEST(FigureReader, ReadsAreas) {
   EXPECT_EQ(area.any[1].at, 2);
   EXPECT_EQ(area.all.at(0).at, 0);
   EXPECT_EQ(area.minus.at(0).at, 1);
+  EXPECT_EQ(area.grow, -1);
+}
+
+TEST(FigureReader, ReadsHowFarAreasGrow) {
+  const Face face = figure_face(
+      kFigureHead + R"({"name": "a", "kind": "area", "any": ["head"], "grow": 0.07})");
+  const Layout& layout = face.model->layout;
+  const int grow = std::get<AreaFigure>(face.model->features[1].figure).grow;
+  EXPECT_EQ(grow, layout.find("a/grow"));
+  EXPECT_EQ(face.vector[std::size_t(layout[grow].begin)], 0.07);
 }
 
 TEST(FigureReader, ReadsRoundedRectanglesAndMirrorsThem) {
