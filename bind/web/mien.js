@@ -302,7 +302,7 @@ export class Face {
     return canvas;
   }
 
-  /** Draws; pixels stay valid until anything else is asked of mien: copy them to keep them.
+  /** Draws; the pixels are yours.
    *    pose.time      seconds, at which clips run; none: no clip runs
    *    pose.set       { 'gaze.x': 0.1, 'palette/skin': '#ffd94a', 'brow.left/spine/1': [0.1, 0.2] }
    *    pose.emotions  { joy: 0.8, 'left.surprise': 0.3 }, and likewise muscles, arkit, facs, vrm, visemes, azure
@@ -330,7 +330,7 @@ export class Face {
     this.#asking(how, (options) =>
       this.#mien.done('mien_render', desk.renderer, desk.scene, this.#view, this.#pixels, options));
     this.#drew = true;
-    return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes);
+    return new Uint8ClampedArray(this.#m.exports.memory.buffer, desk.data, bytes).slice();
   }
 
   /** What work(options) returns, which may be ended as draw may. */

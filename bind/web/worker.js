@@ -83,7 +83,7 @@ onmessage = async ({ data: { begin: begins, module, id, free, source, width, hei
     const began = performance.now();
     if (free) return known.get(id)?.face?.free(), void known.delete(id);
     if (!(deadline > 0)) throw new MienError('deadline', 'expected milliseconds above 0');
-    const of = faceOf(loaded, id, source), pixels = of.face.draw(width, height, pose, { deadline }).slice();
+    const of = faceOf(loaded, id, source), pixels = of.face.draw(width, height, pose, { deadline });
     postMessage({ pixels, width, height, ms: performance.now() - began, ...news(loaded, of, pose), told: oddities(loaded, pose) }, [pixels.buffer]);
   } catch (error) {
     if (error.what === 'cancelled') postMessage({ late: true });

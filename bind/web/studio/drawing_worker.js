@@ -47,7 +47,7 @@ const answers = {
   /** The pixels of the open face. The page puts them on its canvas, so that this worker can be ended at any time. */
   draw(_mien, { width, height, pose }) {
     seen = { width, height };
-    const begin = performance.now(), pixels = face.draw(width, height, pose).slice();
+    const begin = performance.now(), pixels = face.draw(width, height, pose);
     return { pixels, ms: performance.now() - begin };
   },
   /** The feature that is seen at a place, in shares of the picture drawn last; null: there is nothing. */
@@ -68,7 +68,7 @@ const answers = {
       small.face?.free();
       small = { text, face: read };
     }
-    return small.face.draw(width, height, pose).slice();
+    return small.face.draw(width, height, pose);
   },
   /** A face file's text with what a pose sets of it: { text, left }. */
   textWith: (mien, { text, set, name }) => mien.textWith(text, set, name),

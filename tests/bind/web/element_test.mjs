@@ -77,7 +77,7 @@ const shown = async (on, id = 'it') => Buffer.from(await on.run((which) => {
 }, id));
 /** The bytes that mien itself draws. */
 function picture(face, pose = {}) {
-  const pixels = face.draw(72, 72, pose).slice();
+  const pixels = face.draw(72, 72, pose);
   face.free();
   return pixels;
 }
