@@ -53,6 +53,41 @@ TEST(DebugView, DrawsEveryMuscleAndItsValue) {  // M11
     }
 }
 
+/// A place in a layer, by a lattice over the canvas.
+glm::dvec2 place_in(const Scene& scene, std::string_view name) {
+  const Box2& box = scene.canvas().box;
+  constexpr int kSteps = 250;
+  for (const Layer& layer : scene.layers())
+    for (int i = 0; layer.name == name && i < kSteps * kSteps; ++i) {
+      const glm::dvec2 p =
+          box.lo + glm::dvec2{i % kSteps + 0.5, i / kSteps + 0.5} / double(kSteps) * box.size();
+      if (scene.distance(layer.area, p) < 0) return p;
+    }
+  throw std::runtime_error("nothing of " + std::string(name));
+}
+
+TEST(DebugView, TheLegendStandsOnItsPlate) {
+  for (const char* name : {"male", "bruno"}) {
+    const Face face = test::face_named(name);
+    const std::vector<double> pulls(face.model->muscles.muscles.size());
+    const Scene scene = debug_muscles(face, pulls, shipped_lettering());
+    const auto plate = std::ranges::find(scene.layers(), "plate", &Layer::name);
+    ASSERT_NE(plate, scene.layers().end()) << name;
+    const auto distance = [&](glm::dvec2 p) { return scene.distance(plate->area, p); };
+    const glm::dvec2 left = place_in(scene, "left"), right = place_in(scene, "right"),
+                     first = place_in(scene, "scale"), size = scene.canvas().box.size();
+    EXPECT_LT(distance(left), 0) << name;
+    EXPECT_LT(distance(right), 0) << name;
+    EXPECT_LT(left.x - first.x, 0.45 * size.x) << name;  // columns follow the names closely
+    EXPECT_GT(right.x, left.x) << name;
+    // Its lower edge lies below the last line, and its distance is one.
+    const double down = scene.canvas().y_up ? -1.0 : 1.0, far = 0.9 * size.y;
+    const double edge = distance(left + glm::dvec2{0, down * far});
+    EXPECT_GT(edge, 0) << name;
+    EXPECT_NEAR(edge - distance(left + glm::dvec2{0, down * (far - 1)}), 1, 1e-9) << name;
+  }
+}
+
 TEST(DebugView, NamesEveryPoint) {
   const Face face = test::face_named("bruno");
   const Scene scene = debug_points(face, shipped_lettering());

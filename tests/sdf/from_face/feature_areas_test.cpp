@@ -59,7 +59,8 @@ TEST(FeatureAreas, GrowAsAWholeBeforeTheyAreClipped) {
     for (double py = -0.95; py < 1; py += 0.1) {
       const bool in = std::min(std::hypot(px + 0.2, py), std::hypot(px - 0.2, py)) < 0.7,
                  out = std::hypot(px, py - 0.3) < 0.5;
-      EXPECT_EQ(scene.distance(scene.layers()[0].area, {px, py}) < 0, in && !out) << px << " " << py;
+      EXPECT_EQ(scene.distance(scene.layers()[0].area, {px, py}) < 0, in && !out)
+          << px << " " << py;
     }
 }
 
@@ -106,6 +107,22 @@ TEST(FeatureAreas, RoundedRectanglesHaveRoundCorners) {
   const Scene disc = scene_of_discs(
       R"({"name": "x", "kind": "rounded", "paint": "black", "center": [0, 0], "radii": [0.3, 0.3], "corner": 1})");
   EXPECT_NEAR(disc.distance(disc.layers()[0].area, {0.18, 0.24}), 0, 1e-15);
+}
+
+TEST(FeatureAreas, RoundedRectanglesHaveFourSidesAndCornersAlike) {
+  const Scene scene = scene_of_discs(
+      R"({"name": "x", "kind": "rounded", "paint": "black", "center": [0.1, -0.2], "radii": [0.6, 0.3], "corner": 0.1})");
+  const Area area = scene.layers()[0].area;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const auto distance = [&](double right, double up) {
+        return scene.distance(area, {0.1 + x * right, -0.2 + y * up});
+      };
+      EXPECT_NEAR(distance(0.7, 0.1), 0.1, 1e-15) << x << y;   // beside
+      EXPECT_NEAR(distance(0.3, 0.5), 0.2, 1e-15) << x << y;   // above or below
+      EXPECT_NEAR(distance(0.8, 0.6), 0.4, 1e-15) << x << y;   // 3, 4, 5 from a corner's middle
+      EXPECT_NEAR(distance(0.4, 0.2), -0.1, 1e-15) << x << y;  // within
+    }
 }
 
 /// At each point the line is as wide as it says there, half-way between two points half-way.

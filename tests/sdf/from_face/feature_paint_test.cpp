@@ -1,6 +1,7 @@
 // What is drawn over, under and along features: feathers, shadows on one of them, contours that vary.
 
 #include <mien/face_file.h>
+#include <mien/face_model.h>
 #include <mien/scene_from_face.h>
 
 #include <gtest/gtest.h>
@@ -43,6 +44,18 @@ TEST(FeaturePaint, AFeatherRisesFromTheOutlineInwards) {
   EXPECT_EQ(x.paint.gradient->stops[8].color.a, 0.5);
   EXPECT_EQ(x.paint.gradient->stops.back().color.a, 0);
   EXPECT_FALSE(layer_named(scene_of_disc(R"("feather": 0)"), "x").paint.gradient);
+}
+
+/// A pose may add up to more than all of it.
+TEST(FeaturePaint, NothingIsMoreThanOpaque) {
+  Expected<Face> face = read_face_text(test::face_with(
+      R"({"name": "x", "kind": "disc", "paint": "black", "center": [0, 0], "radius": 0.5, "opacity": 0.5})"));
+  ASSERT_TRUE(face);
+  const Layout& layout = face->model->layout;
+  double& opacity = face->vector[std::size_t(layout[layout.find("x/opacity")].begin)];
+  EXPECT_EQ(layer_named(scene_from_face(*face), "x").paint.color.a, 0.5);
+  opacity = 1.5;
+  EXPECT_EQ(layer_named(scene_from_face(*face), "x").paint.color.a, 1);
 }
 
 TEST(FeaturePaint, AShadowFallsOnTheFeatureThatItIsOn) {
