@@ -57,6 +57,15 @@ TEST(OutlineFit, KinksAreSeen) {
   EXPECT_GT(off([](glm::dvec2) { return HUGE_VAL; }), 1.0);
 }
 
+/// A cubic may be off by as much as the bend of a bend, but never by more than a fiftieth of the square.
+TEST(OutlineFit, MayBeOffByItsBendAlone) {
+  OutlineFit fit{};
+  fit.bend = 0.5;
+  EXPECT_DOUBLE_EQ(allowed_off(fit, 0.1, 1e-4), 1e-4 + 2 * 0.25 * 0.01 * 0.1);
+  fit.bend = 50;
+  EXPECT_DOUBLE_EQ(allowed_off(fit, 0.1, 1e-4), 1e-4 + 0.02 * 0.1);
+}
+
 TEST(ChordInSquare, IsWhatTheSquareHolds) {
   const Chord level = chord_in_square({0, 1}, -0.2, 0.5);
   EXPECT_NEAR(level.length(), 1.0, 1e-15);
