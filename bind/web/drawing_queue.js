@@ -2,8 +2,8 @@
 // done: what is asked for meanwhile waits here, where each face waits at most once, so nothing stale is ever drawn.
 //
 // Three kinds of faces wait: those without a picture (`first`), those that the page has changed (`asked`), and those whose
-// clips play (`playing`). They take turns. A face that talks, which is changed again and again, so gets every second turn of
-// its worker, however many wait.
+// clips play (`playing`). They take turns. A face that talks, which is changed again and again, or whose track runs, so gets
+// every second turn of its worker, however many wait. While faces lack pictures, those that play have few turns.
 //
 // A page has as many workers as it has cores, four at most, and starts another only when all are at work. A face stays
 // with the worker that has read it. Clips share the time, not the turns: a face of a hundred braids, which takes forty times as
@@ -31,12 +31,9 @@ function reader(face) {
   return painters.includes(painter) ? painter : undefined;
 }
 const mayDraw = (painter, face) => (reader(face) ?? painter) === painter;
-const TURNS = [
-  (painter) => (lanes.asked.has(newest) && mayDraw(painter, newest) ? newest : oldest(lanes.asked, painter)),
-  nearest,
-  (painter) => oldest(lanes.asked, painter),
-  leastDrawn,
-];
+const newestAsked = (painter) => (lanes.asked.has(newest) && mayDraw(painter, newest) ? newest : oldest(lanes.asked, painter));
+const oldestAsked = (painter) => oldest(lanes.asked, painter);
+const TURNS = [newestAsked, nearest, oldestAsked, nearest, newestAsked, nearest, oldestAsked, leastDrawn];
 
 /** Of those that play: the one that has had the least time. */
 function leastDrawn(painter) {

@@ -22,10 +22,12 @@ export interface MienFaceEvents {
 /** <mien-face>. A property is read as its attribute's text, null where there is none, and null takes it away. Of a file with
  *  names of its own it is a MienFace<AnyNames>. */
 export class MienFace<N extends AnyNames = Names> extends MienFaceAttributes<N> {
-  /** A pose of more than attributes can say; attributes come on top. */
+  /** A pose of more than attributes can say; attributes come on top. With a `time` the page says the moment of clips, and `playing`
+   *  does not. */
   get pose(): Pose<N>;
   set pose(pose: Pose<N> | null | undefined);
-  /** The face at a moment of a track of speech or of a take [s]: the text of its file. null: no longer. */
+  /** The face at a moment of a track of speech or of a take [s]: the text of its file. The clips of a face that plays go on by
+   *  their own clock. null: no longer. */
   speak(track: string | null, time?: number): void;
   /** The face as a camera saw an actor's. null: no longer. */
   follow(frame: Frame | null): void;

@@ -119,7 +119,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
 
   /** The face at a moment of a track of speech or of a take [s]. `track` is the text of its file, of any kind that mien reads; a
    *  page asks again for every moment, such as its audio's currentTime. null: no longer. */
-  speak(track, time) { this.#live = track === null ? {} : { motions: [track], time }, this.redraw(); }
+  speak(track, time) { this.#live = track === null ? {} : { spoken: track, moment: time }, this.redraw(); }
   /** The face as a camera saw an actor's: { jawOpen: 0.4 }, or a result of MediaPipe's FaceLandmarker. null: no longer. */
   follow(frame) { this.#live = frame === null ? {} : { frame: JSON.stringify(frame), at: performance.now() / 1000 }, this.redraw(); }
 
@@ -240,8 +240,16 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     if (!this.#drawn) Object.assign(this.#canvas, size);  // a picture of another size stays until the next is there
     return size;
   }
+  /** [s] Since its clips began to run. */
+  get #clock() { return (performance.now() - (this.#started ||= performance.now())) / 1000; }
   get #speaks() { return this.number !== 0 && this.#track?.text !== undefined && this.#sound?.paused === false; }
-  get #plays() { return this.number !== 0 && this.playing && (this.#wanted || !page.stillness.matches); }
+  get #plays() { return this.number !== 0 && this.playing && this.#extra.time === undefined && (this.#wanted || !page.stillness.matches); }
+  /** Whether its mouth moves now: such faces go before others. */
+  get #talks() {
+    const track = this.#track;
+    if (this.#sound || track?.text === undefined) return this.#speaks;
+    return this.#plays && !(this.#clock - track.begin > track.length);
+  }
   /** Of a pausable face: its clips rest, or run again. Who asks for motion gets it. */
   #press() {
     if (!this.pausable) return;
@@ -255,24 +263,31 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     this.#framed = true;
     requestAnimationFrame(() => {
       this.#framed = false;
-      if ((this.#plays || this.#speaks) && !this.#lane && !this.#asked) this.#lane = 'playing', this.queue();
+      if ((this.#plays || this.#speaks) && !this.#lane && !this.#asked) this.#lane = this.#talks && this.inView ? 'asked' : 'playing', this.queue();
     });
   }
   #pose() {
     const said = (name) => this.getAttribute(name), pose = poseOf(said, this.#extra);
     const track = this.#track?.text === undefined ? null : this.#track;
-    if (track && this.#sound) pose.time = this.#sound.currentTime;
-    else if (this.#plays) pose.time = (performance.now() - (this.#started ||= performance.now())) / 1000;
-    if (track && this.#plays && !this.#sound) track.begin ??= pose.time;  // it begins when it is set
-    if (track) pose.motions = [...(pose.motions ?? []), { motion: track.text, begin: this.#sound ? 0 : track.begin ?? 0 }];
-    const { at, ...live } = this.#live;
+    const plays = this.#plays, { at, spoken, moment, ...live } = this.#live;
+    // The clips of a face that plays have a clock of their own, and the track begins where its moment wants it: so a face lives while
+    // it talks, and before and after that. Without a clock everything is at the track's moment.
+    const follow = (motion, time) => {
+      if (!plays) pose.time = time;
+      return { motion, begin: plays ? pose.time - time : 0 };
+    };
+    if (plays) pose.time = this.#clock;
+    if (track && plays && !this.#sound) track.begin ??= pose.time;  // it begins when it is set
+    if (track) pose.motions = [...(pose.motions ?? []), this.#sound ? follow(track.text, this.#sound.currentTime) : { motion: track.text, begin: track.begin ?? 0 }];
+    if (spoken !== undefined) pose.motions = [follow(spoken, moment)];
     if (at !== undefined && said('steady') !== null) {
       const [cutoff, beta] = words(said('steady')).map(Number);
       live.steady = { at, cutoff, beta };
     }
     return { ...pose, ...live };
   }
-  #show({ pixels, width, height, ms, seen, told = [] }) {
+  #show({ pixels, width, height, ms, seen, told = [], length }) {
+    if (this.#track) this.#track.length = length;
     for (const what of told) console.warn(`<mien-face>: speech: ${what}`);
     this.#said.textContent = '', this.#drawn = true;
     if (seen !== undefined || this.#canvas.hidden) this.#seen = seen ?? this.#seen, this.#stand();

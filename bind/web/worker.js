@@ -3,8 +3,9 @@
 // Messages in: { begin, module } first: what another worker has compiled, or nothing. { id, source?, width, height, pose,
 // deadline } asks for a picture. `source` is { code }, { seed } or { text, name }, with a `style` or without; where it is missing
 // the face is that of before. { id, free }: the element is no more.
-// Messages out: { ready, module } once; then, in the order in which was asked, { pixels, width, height, ms, seen?, told? },
-// where `seen` tells what the face looks like, if that is new, and `told` what is odd in a new track; { where, what } for what mien refused, `broken` with it if the
+// Messages out: { ready, module } once; then, in the order in which was asked, { pixels, width, height, ms, seen?, told, length? },
+// where `seen` tells what the face looks like, if that is new, `told` what is odd in new tracks, and `length` how long the last of
+// the pose's tracks is [s]; { where, what } for what mien refused, `broken` with it if the
 // worker is of no more use; or { late } where a drawing took longer than its deadline [ms].
 
 import { describe } from './describe.js';
@@ -15,7 +16,7 @@ const MOST_FACES = 256;  // that stay read: a fifth of a megabyte each; others a
 const MOST_TRACKS = 64;  // of which is remembered that what is odd in them was told
 
 let mien;
-const heard = new Set();  // texts of tracks
+const heard = new Map();  // texts of tracks, and their lengths [s]
 const known = new Map();  // by element: { source, face, recipe, seen }, the one that was drawn last at the end
 
 async function begin(given) {
@@ -44,12 +45,16 @@ function news(loaded, of, { emotions }) {
   return { seen: now };
 }
 
-/** What is odd in a track that the element says for the first time, such as a sound that is in no table. */
-function oddities(loaded, { motions = [] }) {
-  const fresh = motions.map(({ motion }) => motion).filter((text) => typeof text === 'string' && !heard.has(text));
+/** What is odd in tracks that are met for the first time, such as a sound that is in no table, and how long the last one is. */
+function tracks(loaded, { motions = [] }) {
+  const texts = motions.map(({ motion }) => motion).filter((text) => typeof text === 'string'), told = [];
   if (heard.size > MOST_TRACKS) heard.clear();
-  for (const text of fresh) heard.add(text);
-  return fresh.flatMap((text) => loaded.motionSaid(text).told);
+  for (const text of texts) {
+    if (heard.has(text)) continue;
+    const said = loaded.motionSaid(text);
+    heard.set(text, said.length), told.push(...said.told);
+  }
+  return { told, length: heard.get(texts.at(-1)) };
 }
 
 /** A recipe's text with another style. */
@@ -84,7 +89,7 @@ onmessage = async ({ data: { begin: begins, module, id, free, source, width, hei
     if (free) return known.get(id)?.face?.free(), void known.delete(id);
     if (!(deadline > 0)) throw new MienError('deadline', 'expected milliseconds above 0');
     const of = faceOf(loaded, id, source), pixels = of.face.draw(width, height, pose, { deadline });
-    postMessage({ pixels, width, height, ms: performance.now() - began, ...news(loaded, of, pose), told: oddities(loaded, pose) }, [pixels.buffer]);
+    postMessage({ pixels, width, height, ms: performance.now() - began, ...news(loaded, of, pose), ...tracks(loaded, pose) }, [pixels.buffer]);
   } catch (error) {
     if (error.what === 'cancelled') postMessage({ late: true });
     else if (!free) postMessage({ where: error.where ?? '', what: error.what ?? String(error), broken: error.broken || !loaded });

@@ -171,7 +171,8 @@ void for_each_slice(const RoundedFigure& f, Visit&& visit) {
   if (f.tilt >= 0) visit("tilt", f.tilt);
 }
 template <class Visit>
-void for_each_slice(const AreaFigure& f, Visit&& visit) {  // other numbers are those of other features
+void for_each_slice(const AreaFigure& f,
+                    Visit&& visit) {  // other numbers are those of other features
   if (f.grow >= 0) visit("grow", f.grow);
 }
 template <class Visit>

@@ -92,10 +92,42 @@ TEST_F(DataTest, EmotionsTakeTurnsInOneFactor) {
             0);
   EXPECT_EQ(count("shown"), 2u * 2 + 1);
   const std::string manifest = text("shown/manifest.json");
-  for (const char* level : {"joy 0.5", "joy 1", "fear 0.5", "fear 1"})
-    EXPECT_NE(manifest.find(level), std::string::npos) << level;
+  for (const char* levels : {R"({"feeling": "joy", "feeling_strength": "0.5"})",
+                             R"({"feeling": "joy", "feeling_strength": "1"})",
+                             R"({"feeling": "fear", "feeling_strength": "0.5"})",
+                             R"({"feeling": "fear", "feeling_strength": "1"})"})
+    EXPECT_NE(manifest.find(levels), std::string::npos) << levels << manifest;
   EXPECT_EQ(stimuli(plan(R"("factors": [{"emotion": "fear", "values": [1]}])"), "alone").code, 0);
   EXPECT_EQ(text("alone/0001.png"), text("shown/0004.png"));
+}
+
+/// A picture's column of a strength is the factor's own.
+TEST_F(DataTest, FactorsWithTheSameColumnAreRefused) {
+  const Ran same = stimuli(plan(R"("factors": [{"name": "a", "emotions": ["joy"], "values": [1]},
+                                              {"name": "a_strength", "control": "blink", "values": [0]}])"));
+  EXPECT_EQ(same.code, 1);
+  EXPECT_NE(same.err.find("two factors are called \"a_strength\""), std::string::npos) << same.err;
+  const Ran none = stimuli(plan(R"("factors": [{"codes": "A66CB-AA5S0-14"}])"));
+  EXPECT_NE(none.err.find("/factors/0/codes: expected an array"), std::string::npos) << none.err;
+  // The second column's factor is found by its name.
+  const Ran hidden =
+      stimuli(plan(R"("face": {"code": "A66CB-AA5S0-14", "parts": {"headwear": "hijab"}},
+      "factors": [{"name": "f", "emotions": ["joy"], "values": [0.5, 1]}, {"part": "hair", "values": ["bob", "crop"]}])"));
+  EXPECT_NE(hidden.err.find("/factors/1/part: "), std::string::npos) << hidden.err;
+}
+
+TEST_F(DataTest, PeopleWithoutAnExpressionDoNotGrin) {
+  const std::string factors = R"("factors": [{"people": 60, "seed": "grins"}])";
+  ASSERT_EQ(stimuli(plan(factors)).code, 0);
+  ASSERT_EQ(stimuli(plan(R"("neutral": false, )" + factors), "moody").code, 0);
+  const std::string neutral = text("shown/manifest.json"), moody = text("moody/manifest.json");
+  int grins = 0;
+  for (const char* mouth : {"grin", "toothy", "wide_braces", "soft_gap", "downturned", "crooked"}) {
+    const std::string chosen = std::string("\"mouth\": \"") + mouth + '"';
+    EXPECT_EQ(neutral.find(chosen), std::string::npos) << chosen;
+    grins += moody.find(chosen) != std::string::npos;
+  }
+  EXPECT_GE(grins, 3);
 }
 
 TEST_F(DataTest, PicturesOfAnEarlierPlanAreRemoved) {

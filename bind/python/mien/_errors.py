@@ -51,7 +51,7 @@ class ForbiddenFile(FileError, PermissionError):
 
 
 class Warned(UserWarning):
-    """What was odd in a table or a plan, and did not stop the work: as Python warns, so `warnings` can make errors of it."""
+    """What was odd in a table, a plan or a motion, and did not stop the work: as Python warns, so `warnings` can make errors of it."""
 
 
 for _one in (Error, Cancelled, FileError, MissingFile, ForbiddenFile, Warned):

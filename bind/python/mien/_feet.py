@@ -62,7 +62,7 @@ def quad(points: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
     >>> quad([(0, 0), (1, 0), (2, 0)], 3, 0).nearest.normal.tolist()
     [1.0, 0.0]
     """
-    return _feet("quads", [_distance._numbers(points, "points", 6)], 6, x, y)
+    return _feet("quads", [_distance._points(points, 3)], 6, x, y)
 
 
 def quads(curves: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:
@@ -104,7 +104,7 @@ def tapered(points: ArrayLike, half_widths: ArrayLike, x: ArrayLike, y: ArrayLik
     >>> float(tapered([(0, 0), (1, 0), (2, 0)], (0.5, 0.5, 0.5), 1, 2).nearest.distance)
     1.5
     """
-    return _feet("tapered", [_distance._numbers(points, "points", 6), _distance._numbers(half_widths, "half_widths", 3)], 9, x, y)
+    return _feet("tapered", [_distance._points(points, 3), _distance._numbers(half_widths, "half_widths", 3)], 9, x, y)
 
 
 def tapereds(strokes: ArrayLike, half_widths: ArrayLike, x: ArrayLike, y: ArrayLike) -> Feet:

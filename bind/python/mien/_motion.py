@@ -2,9 +2,10 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import Any, Union
 
-from ._errors import Error, Path, reading
+from ._errors import Error, Path, Warned, reading
 from ._library import Handle, lib, text, texts, unknown_name, utf8
 
 
@@ -51,7 +52,7 @@ class Motion:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return read_motion_text, self._made_of
+        return _made_again, self._made_of
 
     def __repr__(self) -> str:
         return f"<mien.Motion: {len(self._index)} channels, {self.length:.2f} s>"
@@ -69,12 +70,23 @@ class Steady:
 
 
 def read_motion(path: Path) -> Motion:
-    """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column."""
+    """Reads a take or a track of speech, whatever program wrote it. What is wrong is an `Error` with file, line and column; what is
+    odd, such as a sound of no known name, is warned of (`Warned`), and stays in `told`."""
     with reading(path), open(path, "rb") as file:
-        return read_motion_text(file.read(), os.fspath(path))
+        return _told_of(_made_again(file.read(), os.fspath(path)))
 
 
 def read_motion_text(words: Union[str, bytes], name: str = "motion") -> Motion:
     """The same from memory; `name` stands for the file's name in errors."""
     raw = words if isinstance(words, bytes) else utf8(words)[0]
+    return _told_of(_made_again(raw, name))
+
+
+def _made_again(raw: bytes, name: str) -> Motion:
     return Motion(Handle(lib.mien_motion_free, lib.mien_motion_read_text, raw, len(raw), *utf8(name)), raw, name)
+
+
+def _told_of(motion: Motion) -> Motion:
+    for odd in motion.told:
+        warnings.warn(odd, Warned, stacklevel=3)  # who called mien.read_motion or mien.read_motion_text
+    return motion

@@ -32,7 +32,7 @@ def quad(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *
     >>> float(quad([(0, 0), (1, 2), (2, 0)], 1, 1))
     0.0
     """
-    return _measure("quad", [_numbers(points, "points", 6)], x, y, out, "quad_accurate" if accurate else None)
+    return _measure("quad", [_points(points, 3)], x, y, out, "quad_accurate" if accurate else None)
 
 
 def quads(curves: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, *,
@@ -58,7 +58,7 @@ def quad_on_grid(points: Points, origin: tuple[float, float], step: float, colum
     """
     if columns < 0 or rows < 0:
         raise Error("columns, rows", f"expected no negative numbers, got {columns} and {rows}")
-    curve, found = _numbers(points, "points", 6), numpy.empty((rows, columns), numpy.float32)
+    curve, found = _points(points, 3), numpy.empty((rows, columns), numpy.float32)
     call(lib.mien_distances_quad_on_grid_f32, curve.ctypes.data, float(origin[0]), float(origin[1]), float(step), columns, rows,
          found.ctypes.data)
     return found
@@ -71,7 +71,7 @@ def cubic(points: Points, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, 
     >>> float(cubic([(0, 0), (1, 0), (2, 0), (3, 0)], 1, -2))
     2.0
     """
-    return _measure("cubic", [_numbers(points, "points", 8)], x, y, out)
+    return _measure("cubic", [_points(points, 4)], x, y, out)
 
 
 def ellipse(center: numpy.typing.ArrayLike, radii: numpy.typing.ArrayLike, x: numpy.typing.ArrayLike,
@@ -107,7 +107,14 @@ def tapered(points: Points, half_widths: numpy.typing.ArrayLike, x: numpy.typing
     >>> float(tapered([(0, 0), (1, 0), (2, 0)], (0.5, 0.5, 0.5), 1, 2))
     1.5
     """
-    return _measure("tapered", [_numbers(points, "points", 6), _numbers(half_widths, "half_widths", 3)], x, y, out)
+    return _measure("tapered", [_points(points, 3), _numbers(half_widths, "half_widths", 3)], x, y, out)
+
+
+def _points(of: numpy.typing.ArrayLike, count: int) -> Reals:
+    points = real(of, "points").astype(numpy.float64)
+    if points.shape not in ((count, 2), (2 * count,)):
+        raise Error("points", f"expected {count} points, an array ({count}, 2) or ({2 * count},), got {points.shape}")
+    return points.ravel()
 
 
 def _numbers(of: numpy.typing.ArrayLike, name: str, count: int) -> Reals:

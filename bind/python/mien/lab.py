@@ -50,7 +50,8 @@ class Table(tuple[Row, ...]):
         lines = [f"{'family':32}{'cases':>9}{'wrong':>9}{'nan':>7}{'worst':>12}{'p99.9':>12}"]
         lines += [f"{r.family:32}{r.cases:9}{r.wrong:9}{r.nan:7}{r.worst:12.3g}{r.p999:12.3g}" for r in self]
         total = sum(r.wrong + r.nan for r in self)
-        return "\n".join([*lines, f"{total} of {sum(r.cases for r in self)} wrong; worst in units of 2^-52 S"])
+        return "\n".join([*lines, f"{total} of {sum(r.cases for r in self)} wrong: off by more than rounding in float32 explains, or no number;"
+                          " worst and p99.9 in 2^-52 of the largest distance from the point to a control point"])
 
     __repr__ = __str__
 

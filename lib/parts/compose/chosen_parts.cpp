@@ -26,7 +26,7 @@ struct PartKey {
   std::string_view name;
   std::optional<JsonKind> kind;  ///< none: not looked at here
 };
-constexpr std::array<PartKey, 17> kPartKeys{{{"format", {}},
+constexpr std::array<PartKey, 18> kPartKeys{{{"format", {}},
                                              {"format_version", {}},
                                              {"$schema", {}},
                                              {"comment", {}},
@@ -34,7 +34,8 @@ constexpr std::array<PartKey, 17> kPartKeys{{{"format", {}},
                                              {"name", {}},
                                              {"number", {}},   // a library's, as are its
                                              {"tickets", {}},  // tickets and what it avoids:
-                                             {"avoids", {}},   // nothing draws lots here
+                                             {"avoids", {}},   // nothing draws lots here,
+                                             {"neutral", {}},  // and its user has chosen it
                                              {"in", JsonKind::string},
                                              {"color", JsonKind::array},
                                              {"points", JsonKind::object},

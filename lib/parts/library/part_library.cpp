@@ -229,6 +229,21 @@ void PartLibrary::check_avoided() const {
     }
 }
 
+/// What stands for a part that shows an expression, where nobody shows one, does not show one itself.
+void PartLibrary::check_neutral() const {
+  for (const Family& family : families_)
+    for (const Part& part : family.parts) {
+      const Reading& in = part.at.in();
+      const JsonNode* neutral = in.find(*part.at.node, "neutral");
+      if (!neutral) continue;
+      std::vector<std::string_view> known;
+      for (const Part& one : family.parts)
+        if (!one.at.in().find(*one.at.node, "neutral")) known.push_back(one.name);
+      if (std::find(known.begin(), known.end(), in.string(*neutral)) == known.end())
+        in.refuse(*neutral, unknown_name("neutral " + family.name, in.string(*neutral), known));
+    }
+}
+
 Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<ShippedPart>& files) {
   auto library = std::make_unique<PartLibrary>();
   try {
@@ -253,6 +268,7 @@ Expected<std::unique_ptr<PartLibrary>> PartLibrary::read(const std::vector<Shipp
     }
     library->choose_usual_parts();
     library->check_avoided();
+    library->check_neutral();
   } catch (const Refusal& refusal) {
     return refusal.error;
   }

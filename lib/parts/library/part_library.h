@@ -102,6 +102,7 @@ class PartLibrary {
   void read_part(const LibraryNode& part);
   void choose_usual_parts();
   void check_avoided() const;
+  void check_neutral() const;
   void read_numbers(const LibraryNode& from, std::string_view family);
 
   std::deque<LibraryFile> files_;

@@ -20,9 +20,9 @@ namespace {
 constexpr std::string_view kEnd = ".part.json";
 
 /// What a library's part has and one's own has not, and what is written first.
-constexpr std::array<std::string_view, 9> kWrittenOrLeft{"format", "format_version", "family",
-                                                         "name",   "number",         "tickets",
-                                                         "avoids", "comment",        "features"};
+constexpr std::array<std::string_view, 10> kWrittenOrLeft{
+    "format",  "format_version", "family",  "name",    "number",
+    "tickets", "avoids",         "neutral", "comment", "features"};
 
 Error unknown_family(std::string_view name) {
   std::vector<std::string_view> names;

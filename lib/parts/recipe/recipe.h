@@ -33,7 +33,8 @@ MIEN_API Recipe recipe_from_seed(std::uint64_t seed);
 /// The recipe of a code. The error names the held value that is not known.
 MIEN_API Expected<Recipe> recipe_from_code(const FaceCode& code);
 
-/// The same person without an expression: no smile, no mood, so the lips are closed.
+/// The same person without an expression: no smile, no mood, and for a mouth that grins or hangs one that does not. So
+/// the lips are closed.
 MIEN_API Recipe neutral_recipe(Recipe recipe);
 
 /// The text of a face file, format version 1: parts are put together, and nothing of them is left. The

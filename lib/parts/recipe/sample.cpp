@@ -243,6 +243,14 @@ Expected<Recipe> recipe_from_code(const FaceCode& code) try {
 
 Recipe neutral_recipe(Recipe recipe) {
   for (const char* expressive : {"smile", "mood"}) recipe.numbers[expressive] = 0;
+  for (const Family& family : PartLibrary::shipped().families()) {
+    const auto chosen = recipe.parts.find(family.name);
+    const Part* part = chosen == recipe.parts.end() ? nullptr : family.find(chosen->second);
+    if (!part) continue;
+    const Reading& in = part->at.in();
+    if (const JsonNode* neutral = in.find(*part->at.node, "neutral"))
+      chosen->second = in.string(*neutral);
+  }
   return recipe;
 }
 

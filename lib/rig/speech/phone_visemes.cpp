@@ -205,12 +205,15 @@ PhoneMeaning phone_meaning(PhoneAlphabet alphabet, std::string_view name) {
   if (is_silence(name)) return {{{V::sil}, {V::sil}}, 1, true};
   if (name == "spn" || name == "SPN")
     return {{{V::kk}, {V::sil}}, 1, true};  // a word that nobody knows
-  if (alphabet == PhoneAlphabet::arpabet) return arpabet_meaning(name);
   if (alphabet == PhoneAlphabet::rhubarb)
     if (const Entry* entry = whole(kRhubarb, name)) return meaning(*entry);
-  if (alphabet == PhoneAlphabet::visemes)
-    if (const auto viseme = viseme_named(name)) return {{{*viseme}, {V::sil}}, 1, true};
-  return sound_meaning(name, alphabet == PhoneAlphabet::sampa);
+  const auto viseme = viseme_named(name);
+  const PhoneMeaning as_viseme{{{viseme.value_or(V::sil)}, {V::sil}}, 1, true};
+  if (viseme && alphabet == PhoneAlphabet::visemes) return as_viseme;
+  const PhoneMeaning found = alphabet == PhoneAlphabet::arpabet
+                                 ? arpabet_meaning(name)
+                                 : sound_meaning(name, alphabet == PhoneAlphabet::sampa);
+  return viseme && !found.known ? as_viseme : found;
 }
 
 std::optional<PhoneMeaning> azure_viseme(double id) {

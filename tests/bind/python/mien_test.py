@@ -23,6 +23,7 @@ import tracemalloc
 import types
 import unittest
 import unittest.mock
+import warnings
 import xml.dom.minidom
 import zlib
 
@@ -216,8 +217,19 @@ class Motions(unittest.TestCase):
         self.assertEqual(wrong.exception.where, "take.csv:3:3")
         with self.assertRaises(mien.Error):
             mien.read_motion("nowhere.csv")
-        clamped = mien.read_motion_text("time,jawOpen,tongueOut\n0,0,0\n1,1.5,1\n")
-        self.assertEqual(len(clamped.told), 1)
+        with self.assertWarns(mien.Warned) as odd:
+            clamped = mien.read_motion_text("time,jawOpen,tongueOut\n0,0,0\n1,1.5,1\n")
+        self.assertEqual((len(clamped.told), pathlib.Path(odd.filename).name), (1, "mien_test.py"))
+        with tempfile.TemporaryDirectory() as folder:
+            odd_one = pathlib.Path(folder, "odd.txt")
+            odd_one.write_text("0 h\n0.2 ☃\n0.4 sil\n", encoding="utf-8")
+            with self.assertWarnsRegex(mien.Warned, "no sound is called") as odd:
+                track = mien.read_motion(odd_one)
+        self.assertEqual(pathlib.Path(odd.filename).name, "mien_test.py")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(pickle.loads(pickle.dumps(track)), track)
+            mien.read_motion_text("0 h\n0.2 PP\n0.4 sil\n")  # shapes of a mouth among phones
 
 
 class Poses(unittest.TestCase):
@@ -558,7 +570,8 @@ class Distances(unittest.TestCase):
                 (lambda: distance.quad(QUAD, x, y, out=numpy.empty(50, int)), TypeError, "int64"),
                 (lambda: distance.quad(QUAD, x, y, out=[0] * 50), TypeError, "list"),
                 (lambda: distance.quad(QUAD, x, y[:7]), mien.Error, "broadcast"),
-                (lambda: distance.quad(QUAD[:2], x, y), mien.Error, "expected 6 numbers, got 4"),
+                (lambda: distance.quad(QUAD[:2], x, y), mien.Error, r"expected 3 points, an array \(3, 2\) or \(6,\), got \(2, 2\)"),
+                (lambda: distance.quad(numpy.transpose(QUAD), x, y), mien.Error, r"got \(2, 3\)"),  # a row of x and a row of y
                 (lambda: distance.quad("curve", x, y), TypeError, "points"),
                 (lambda: distance.quad(QUAD, x + 1j, y), TypeError, "complex"),
                 (lambda: distance.quad(QUAD, ["a"], y), TypeError, "real"),
@@ -607,7 +620,7 @@ class Feet(unittest.TestCase):
 
     def test_refuse_in_a_sentence(self):
         for call, error, words in (
-                (lambda: distance.feet.quad(QUAD[:2], 1, 1), mien.Error, "expected 6 numbers, got 4"),
+                (lambda: distance.feet.quad(QUAD[:2], 1, 1), mien.Error, r"expected 3 points, an array \(3, 2\) or \(6,\), got \(2, 2\)"),
                 (lambda: distance.feet.quads([[1, 2]], 1, 1), mien.Error, "curves: expected an array"),
                 (lambda: distance.feet.lines([[[1, 2, 3]]], 1, 1), mien.Error, "segments"),
                 (lambda: distance.feet.tapereds([QUAD], [[1, 1, 1]] * 2, 1, 1), mien.Error, "half_widths"),

@@ -58,7 +58,7 @@ const pages = {
   '/early.html': `<!doctype html><meta charset="utf-8">${WATCH}<mien-face id="it" width="72" height="72"></mien-face><script>it.seed = 'ada', it.pose = { emotions: { joy: 1 } };</script><script type="module" src="element.js"></script>`,
   '/spikes.html': page('<mien-face id="spikes" src="spikes.face.json" width="72" height="72" deadline="200"></mien-face><mien-face id="it" seed="ada" width="72" height="72"></mien-face>'), '/spikes.face.json': spikyFace(),
   '/endless.html': page(['endless', 'it'].map((id) => `<mien-face id="${id}" seed="ada" width="72" height="72"></mien-face>`).join('')),
-  '/speech.html': page(`<audio id="voice" muted src="${SILENCE}"></audio><mien-face id="it" seed="ada" width="72" height="72" speech="hello.tsv" sound="voice"></mien-face>`), '/hello.tsv': TRACK,
+  '/speech.html': page(`<audio id="voice" muted src="${SILENCE}"></audio><mien-face id="it" seed="ada" width="72" height="72" speech="hello.tsv" sound="voice"></mien-face>`), '/hello.tsv': TRACK, '/long.tsv': Array.from({ length: 200 }, (_, i) => `${i / 5}\t${['PP', 'aa'][i % 2]}\n`).join('') + '40\tsil\n',
   '/file.html': one('src="toon.face.json" face-style="ink"'), '/toon.face.json': toon,
 };
 const server = await serve(built, pages);
@@ -182,6 +182,42 @@ test('a face that talks waits for no crowd', async () => {
   assert.ok(waits[15] <= 6 && waits[29] <= 20, `it waited for ${waits} others`);
   const others = await on.run(() => window.told.filter(({ id }) => id !== 'it').length);
   assert.ok(others > 20, 'and the crowd does not stand still');
+});
+
+test('a track that runs goes before a crowd that plays, and no longer than it runs', async () => {
+  const on = await open('talk', { width: 1280, height: 1000 });
+  await drawn(on);
+  const pictures = async (track) => on.run(async (speech) => {
+    Object.assign(it, { clip: ['idle'], playing: true, speech });
+    const since = count('it');
+    while (!window.posed.motions?.length && count('it') < since + 1) await new Promise((done) => addEventListener('mien-drawn', done, { once: true }));
+    const before = window.told.length, mine = count('it');
+    while (window.told.length < before + 60) await new Promise((done) => addEventListener('mien-drawn', done, { once: true }));
+    return count('it') - mine;
+  }, track);
+  const talking = await pictures('long.tsv');
+  assert.ok(talking >= 8, `of 60 pictures ${talking} were its own`);
+  await on.run(() => { it.speech = 'hello.tsv'; });
+  const before = await on.run(() => count('it'));
+  await drawn(on, 'it', before + 3);
+  await new Promise((done) => setTimeout(done, 3000));
+  const after = await pictures('hello.tsv').catch(() => 0);
+  assert.ok(after < talking, `of 60 pictures after its track ${after}`);
+});
+
+test('a face that plays lives by its own clock while it speaks, and while its sound waits', async () => {
+  const on = await open('speech');
+  await on.run(() => { voice.currentTime = 0.2, it.clip = ['idle'], it.playing = true; });
+  const moment = () => on.run(() => (window.posed.motions ? [window.posed.time, window.posed.time - window.posed.motions[0].begin] : null));
+  await on.until(() => window.posed?.time > 0 && window.posed.motions);
+  const [then, mouth] = await moment();
+  await on.until((since) => window.posed.time > since + 0.5, then);
+  const [, later] = await moment();
+  assert.ok(Math.abs(mouth - 0.2) < 1e-9 && Math.abs(later - 0.2) < 1e-9, `the mouth is at ${mouth}, then at ${later}`);
+  await on.run((track) => { it.sound = it.speech = null, it.speak(track, 0.4); }, TRACK);
+  await on.until(() => Math.abs(window.posed.time - window.posed.motions?.[0].begin - 0.4) < 1e-9);
+  await on.run(() => { it.speak(null), it.pose = { time: 7 }; });
+  await on.until(() => window.posed.time === 7);  // who says the moment is heard, even of a face that plays
 });
 
 test('speech follows its sound, its time or a shape', async () => {

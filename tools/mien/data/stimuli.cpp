@@ -124,9 +124,13 @@ class Experiment {
         if (factors_[i].kind == kind) vary(factors_[i], levels[i], made);
     for (std::size_t i = 0; i < factors_.size(); ++i) {
       const Factor& factor = factors_[i];
-      const bool counted = factor.levels[levels[i]].empty();
-      made.levels.emplace_back(
-          factor.name, counted ? json_number(factor.values[levels[i]]) : factor.levels[levels[i]]);
+      const std::string& word = factor.levels[levels[i]];
+      std::vector<std::string> told;
+      if (!word.empty()) told.push_back(word);
+      if (word.empty() || !factor.each.empty())
+        told.push_back(json_number(factor.values[levels[i]]));
+      for (std::size_t c = 0; c < told.size(); ++c)
+        made.levels.emplace_back(factor.columns()[c], told[c]);
     }
     return made;
   }

@@ -52,8 +52,11 @@ std::vector<Error> equal_pictures(const StimulusPlan& plan,
       if (levels[i] != others[i]) differ.push_back(i);
     if (differ.empty() || !told.insert(differ.front()).second) continue;
     const std::size_t factor = differ.front();
+    const auto of = std::ranges::find_if(plan.factors, [&](const Factor& one_of) {
+      return std::ranges::count(one_of.columns(), levels[factor].first) > 0;
+    });
     warnings.push_back(
-        {plan.factors[factor].where,
+        {of->where,
          fmt::format("{} and {} are the same picture, though {} is {} and {}",
                      found->second->stimulus.file, one.stimulus.file,
                      in_quotes(levels[factor].first), one_line(others[factor].second, 60),

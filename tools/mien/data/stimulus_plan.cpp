@@ -131,6 +131,7 @@ class PlanReader {
                   .people = {},
                   .mean = {}};
     const std::string_view key = in_.tree.key(*kind);
+    if (key == "codes") in_.expect(*kind, JsonKind::array);
     if (key == "codes" || key == "people") read_people(node, *kind, factor);
     if (key == "number") read_number(node, *kind, factor);
     if (key == "emotion" || key == "control") read_control(node, *kind, factor);
@@ -140,8 +141,9 @@ class PlanReader {
     if (key == "picture") read_picture(*kind, factor);
     if (const JsonNode* name = in_.find(node, "name")) factor.name = in_.string(*name);
     for (const Factor& other : plan_.factors)
-      if (other.name == factor.name)
-        in_.refuse(node, fmt::format("two factors are called {}", in_quotes(factor.name)));
+      for (const std::string& column : factor.columns())
+        if (std::ranges::count(other.columns(), column) > 0)
+          in_.refuse(node, fmt::format("two factors are called {}", in_quotes(column)));
     refuse_same(*kind, factor);
     plan_.factors.push_back(std::move(factor));
   }
@@ -234,7 +236,7 @@ class PlanReader {
       for (const double strength : strengths) {
         factor.each.push_back("emotion." + name);
         factor.values.push_back(strength);
-        factor.levels.push_back(fmt::format("{} {}", name, json_number(strength)));
+        factor.levels.push_back(name);
       }
   }
 

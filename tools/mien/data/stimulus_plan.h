@@ -29,6 +29,11 @@ struct Factor {
   EqualIn equal = EqualIn::number;
   std::vector<Recipe> people;  ///< of persons
   Recipe mean;                 ///< of persons: the mean of those named, whether it is shown or not
+
+  /// What the manifest calls a level: by its name, and of several controls in turn how strong it is beside that.
+  std::vector<std::string> columns() const {
+    return each.empty() ? std::vector{name} : std::vector{name, name + "_strength"};
+  }
 };
 
 struct StimulusPlan {

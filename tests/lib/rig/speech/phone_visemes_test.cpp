@@ -46,6 +46,18 @@ TEST(PhoneVisemes, TakeTheNearestForWhatTheyDoNotKnow) {
   EXPECT_EQ(first(PhoneAlphabet::ipa, "☃"), Viseme::kk);
 }
 
+/// Whoever writes a track by hand mixes them.
+TEST(PhoneVisemes, KnowVisemesAmongPhones) {
+  for (const PhoneAlphabet in : {PhoneAlphabet::ipa, PhoneAlphabet::arpabet})
+    for (const char* name : {"PP", "FF", "kk", "nn"}) {
+      const PhoneMeaning meaning = phone_meaning(in, name);
+      EXPECT_TRUE(meaning.known) << name;
+      EXPECT_EQ(kVisemeNames[int(meaning.shapes[0].viseme)], std::string_view(name));
+    }
+  EXPECT_EQ(first(PhoneAlphabet::ipa, "O"), Viseme::O);
+  EXPECT_EQ(first(PhoneAlphabet::arpabet, "TH"), Viseme::TH);
+}
+
 TEST(PhoneVisemes, TellAlphabetsApart) {
   const auto of = [](std::vector<std::string_view> names) { return alphabet_of(names); };
   EXPECT_EQ(of({"X", "A", "D", "B"}), PhoneAlphabet::rhubarb);

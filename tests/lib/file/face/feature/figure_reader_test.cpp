@@ -60,8 +60,8 @@ TEST(FigureReader, ReadsAreas) {
 }
 
 TEST(FigureReader, ReadsHowFarAreasGrow) {
-  const Face face = figure_face(
-      kFigureHead + R"({"name": "a", "kind": "area", "any": ["head"], "grow": 0.07})");
+  const Face face =
+      figure_face(kFigureHead + R"({"name": "a", "kind": "area", "any": ["head"], "grow": 0.07})");
   const Layout& layout = face.model->layout;
   const int grow = std::get<AreaFigure>(face.model->features[1].figure).grow;
   EXPECT_EQ(grow, layout.find("a/grow"));
