@@ -36,7 +36,10 @@ const element = '<mien-face code="A66CB-AA5S0-14" width="320" height="320"></mie
 const CROWD = 200;
 const avatars = Array.from({ length: CROWD }, (_, i) => `<mien-face seed="person ${i}" width="72" height="72"></mien-face>`).join('');
 const server = await serve(built, {
-  '/crowd.html': page(`<style>body { display: grid; grid-template-columns: repeat(auto-fill, 72px); gap: 4px }</style><script>window.told = []; addEventListener('mien-drawn', () => told.push(performance.now()))</script><script type="module" src="element.js"></script>${avatars}`),
+  '/crowd.html': page(`<style>body { display: grid; grid-template-columns: repeat(auto-fill, 72px); gap: 4px }</style><script>
+    window.told = [];
+    addEventListener('mien-drawn', ({ target }) => told.push(performance.now()) && target === window.talker && talker.told.push(performance.now()));
+  </script><script type="module" src="element.js"></script>${avatars}`),
   '/bare.html': page(''),
   '/face.html': page(`<script>addEventListener('mien-drawn', () => { window.drawn ??= performance.now(); })</script><script type="module" src="element.js"></script>${element}`),
 });
@@ -58,6 +61,25 @@ const crowd = await browser.open(`${server.url}/crowd.html`, { height: 1000 });
 await crowd.until((count) => window.told.length >= count, CROWD);
 const at = (await crowd.run(() => window.told)).map((ms) => ms.toFixed(0));
 console.log(`${CROWD} avatars of 72 px, after the page was asked for [ms]: the first is seen at ${at[0]}, the twentieth at ${at[19]}, all at ${at.at(-1)}`);
+/** Of the crowd, for so many seconds: pictures a second; how long the page takes to answer; and how often the one that talks is seen. */
+const playing = (seconds) => crowd.run(async (time) => {
+  const begin = performance.now(), before = told.length, late = [], since = window.talker?.told.length;
+  while (performance.now() - begin < 1000 * time) {
+    const asked = performance.now();
+    await new Promise((done) => setTimeout(done, 0));
+    late.push(performance.now() - asked);
+  }
+  const waits = window.talker?.told.slice(since).map((at, i, all) => at - all[i - 1]).slice(1).sort((a, b) => a - b) ?? [];
+  return [(told.length - before) / time, late.sort((a, b) => a - b).at(-1), waits[Math.floor(0.5 * waits.length)] ?? 0, waits[Math.floor(0.9 * waits.length)] ?? 0];
+}, seconds);
+await crowd.run(() => { for (const face of document.querySelectorAll('mien-face')) Object.assign(face, { clip: ['idle'], playing: true }); });
+await playing(5);  // the browser compiles for speed
+const [rate, answer] = await playing(10);
+console.log(`all play: ${rate.toFixed(0)} pictures a second; the page answers within ${answer.toFixed(0)} ms`);
+await crowd.run((track) => { window.talker = document.querySelector('mien-face'), talker.told = [], talker.speech = URL.createObjectURL(new Blob([track])); },
+  Array.from({ length: 300 }, (_, i) => `${i / 5}\t${['PP', 'aa', 'SS', 'O'][i % 4]}\n`).join('') + '60\tsil\n');
+const [others, slowest, median, ninth] = await playing(10);
+console.log(`one of them talks: it is seen every ${median.toFixed(0)} ms in the median, ${ninth.toFixed(0)} in nine of ten cases; ${others.toFixed(0)} pictures a second in all; the page answers within ${slowest.toFixed(0)} ms`);
 await browser.close();
 await server.close();
 
