@@ -51,6 +51,19 @@ TEST(PartLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(refusal(bad), "read");
 }
 
+TEST(PartLibrary, WhatStandsForAPartWithAnExpressionIsThereAndShowsNone) {
+  const SmallLibrary good;
+  const auto neutral = [&](const std::string& name) {
+    SmallLibrary library = good;
+    library.noses =
+        with(good.noses, "\"number\": 2,", "\"number\": 2, \"neutral\": \"" + name + "\",");
+    return refusal(library);
+  };
+  EXPECT_EQ(neutral("snub"), "read");
+  EXPECT_NE(neutral("snubb").find("did you mean \"snub\""), std::string::npos) << neutral("snubb");
+  EXPECT_NE(neutral("long"), "read") << "it would stand for itself";
+}
+
 TEST(PartLibrary, ReadsArchetypesOrSaysWhatIsWrongWithThem) {
   const auto archetypes = [](const std::string& text) {
     SmallLibrary small;

@@ -38,6 +38,17 @@ TEST(Recipe, HoldingOnePartChangesNoOther) {
   EXPECT_EQ(held.numbers, plain.numbers);
 }
 
+TEST(Recipe, WithoutAnExpressionTheRestStays) {
+  const FaceCode code{.seed = 99, .held = {read_held_value("mouth=grin").value()}};
+  const Recipe grins = recipe_from_code(code).value();
+  Recipe neutral = neutral_recipe(grins);
+  EXPECT_EQ(neutral.parts.at("mouth"), "wide");
+  EXPECT_EQ(neutral.numbers.at("smile"), 0);
+  EXPECT_EQ(neutral.numbers.at("mood"), 0);
+  neutral.parts["mouth"] = "grin";
+  EXPECT_EQ(neutral.parts, grins.parts);
+}
+
 TEST(Recipe, ValuesThatAreWrongAreNamed) {
   const auto what = [](std::string_view text) { return read_held_value(text).error().what; };
   EXPECT_NE(what("hair=bbo").find("did you mean \"bob\""), std::string::npos);
