@@ -187,22 +187,23 @@ test('a face that talks waits for no crowd', async () => {
 test('a track that runs goes before a crowd that plays, and no longer than it runs', async () => {
   const on = await open('talk', { width: 1280, height: 1000 });
   await drawn(on);
-  const pictures = async (track) => on.run(async (speech) => {
-    Object.assign(it, { clip: ['idle'], playing: true, speech });
-    const since = count('it');
-    while (!window.posed.motions?.length && count('it') < since + 1) await new Promise((done) => addEventListener('mien-drawn', done, { once: true }));
+  const speak = async (track) => {
+    const before = await on.run((speech) => (Object.assign(it, { clip: ['idle'], playing: true, speech }), count('it')), track);
+    await drawn(on, 'it', before + 2);  // it has begun
+  };
+  /** Of the next sixty pictures. */
+  const its = () => on.run(async () => {
     const before = window.told.length, mine = count('it');
     while (window.told.length < before + 60) await new Promise((done) => addEventListener('mien-drawn', done, { once: true }));
     return count('it') - mine;
-  }, track);
-  const talking = await pictures('long.tsv');
+  });
+  await speak('long.tsv');
+  const talking = await its();
   assert.ok(talking >= 8, `of 60 pictures ${talking} were its own`);
-  await on.run(() => { it.speech = 'hello.tsv'; });
-  const before = await on.run(() => count('it'));
-  await drawn(on, 'it', before + 3);
-  await new Promise((done) => setTimeout(done, 3000));
-  const after = await pictures('hello.tsv').catch(() => 0);
-  assert.ok(after < talking, `of 60 pictures after its track ${after}`);
+  await speak('hello.tsv');
+  await on.run(() => new Promise((done) => setTimeout(done, 3000)));  // it ends long before
+  const silent = await its();
+  assert.ok(silent <= 4, `of 60 pictures after its track ${silent} were its own`);
 });
 
 test('a face that plays lives by its own clock while it speaks, and while its sound waits', async () => {

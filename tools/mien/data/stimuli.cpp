@@ -125,12 +125,9 @@ class Experiment {
     for (std::size_t i = 0; i < factors_.size(); ++i) {
       const Factor& factor = factors_[i];
       const std::string& word = factor.levels[levels[i]];
-      std::vector<std::string> told;
-      if (!word.empty()) told.push_back(word);
+      if (!word.empty()) made.levels.emplace_back(factor.name, word);
       if (word.empty() || !factor.each.empty())
-        told.push_back(json_number(factor.values[levels[i]]));
-      for (std::size_t c = 0; c < told.size(); ++c)
-        made.levels.emplace_back(factor.columns()[c], told[c]);
+        made.levels.emplace_back(factor.columns().back(), json_number(factor.values[levels[i]]));
     }
     return made;
   }

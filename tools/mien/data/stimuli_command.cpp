@@ -52,8 +52,8 @@ std::vector<Error> equal_pictures(const StimulusPlan& plan,
       if (levels[i] != others[i]) differ.push_back(i);
     if (differ.empty() || !told.insert(differ.front()).second) continue;
     const std::size_t factor = differ.front();
-    const auto of = std::ranges::find_if(plan.factors, [&](const Factor& one_of) {
-      return std::ranges::count(one_of.columns(), levels[factor].first) > 0;
+    const auto of = std::ranges::find_if(plan.factors, [&](const Factor& any) {
+      return std::ranges::count(any.columns(), levels[factor].first) > 0;
     });
     warnings.push_back(
         {of->where,
