@@ -170,9 +170,9 @@ void for_each_slice(const RoundedFigure& f, Visit&& visit) {
   visit("center", f.center), visit("radii", f.radii), visit("corner", f.corner);
   if (f.tilt >= 0) visit("tilt", f.tilt);
 }
+/// Its other numbers are those of other features.
 template <class Visit>
-void for_each_slice(const AreaFigure& f,
-                    Visit&& visit) {  // other numbers are those of other features
+void for_each_slice(const AreaFigure& f, Visit&& visit) {
   if (f.grow >= 0) visit("grow", f.grow);
 }
 template <class Visit>
