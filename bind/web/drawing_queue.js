@@ -6,14 +6,15 @@
 // every second turn of its worker, however many wait. While faces lack pictures, those that play have few turns.
 //
 // A page has as many workers as it has cores, four at most, and starts another only when all are at work. A face stays
-// with the worker that has read it. Clips share the time, not the turns: a face of a hundred braids, which takes forty times as
-// long as others, plays at a fortieth of their rate. First pictures and such faces keep away from the worker of a face that
-// talks, where there is another one.
+// with the worker that has read it, unless far more wait there than for another. Clips share the time, not the turns: a face of
+// a hundred braids, which takes forty times as long as others, plays at a fortieth of their rate. First pictures and such faces
+// keep away from the worker of a face that talks, where there is another one.
 
 import { Painter } from './painter.js';
 
 let most = Math.max(1, Math.min(4, globalThis.navigator?.hardwareConcurrency ?? 1));
 const TALKS = 500;  // [ms] A face that was asked for twice within this time talks
+const SEVERAL = 8;  // Faces of another painter are read again, which takes as long as a picture, for so many
 const SLOW = 30;  // [ms] A face that takes longer than this is not drawn beside one that talks
 
 const lanes = { first: new Set(), asked: new Set(), playing: new Set() };
@@ -37,15 +38,20 @@ const TURNS = [newestAsked, nearest, oldestAsked, nearest, newestAsked, nearest,
 
 /** Of those that play: the one that has had the least time. */
 function leastDrawn(painter) {
-  const quiet = quietPainter();
-  let found;
+  const quiet = quietPainter(), waiting = new Map(painters.map((one) => [one, []]));
   for (const face of lanes.playing) {
-    const itsOwn = quiet && face.cost > SLOW && reader(face) === quiet ? painter !== quiet : mayDraw(painter, face);
-    if (itsOwn && (painter !== quiet || face.cost <= SLOW) && !(found?.spent <= face.spent)) found = face;
+    const slow = quiet && face.cost > SLOW, own = reader(face) ?? painter;
+    if (slow && own === quiet) painter !== quiet && waiting.get(painter).push(face);
+    else waiting.get(own).push(face);
   }
+  const own = waiting.get(painter);
+  // A painter may have read most of a crowd while the other had a face that talks: it gives of them where twice as many wait.
+  const [most] = [...waiting.values()].sort((one, other) => other.length - one.length);
+  const found = leastOf(painter !== quiet && most.length > 2 * own.length + SEVERAL ? most : own);
   if (found) clock = found.spent;
   return found;
 }
+const leastOf = (faces) => faces.reduce((least, face) => (face.spent < least?.spent ? face : least), faces[0]);
 
 /** Of those without a picture: the first in view, else the one that is least far from the view. */
 function nearest(painter) {

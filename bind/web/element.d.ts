@@ -14,8 +14,14 @@ export interface Drawn {
   ms: number;
 }
 
+/** What `mien-ended` tells, once the track of `speech` is over that the face has spoken without a sound: its address. */
+export interface Ended {
+  speech: string;
+}
+
 export interface MienFaceEvents {
   'mien-drawn': CustomEvent<Drawn>;
+  'mien-ended': CustomEvent<Ended>;
   'mien-refused': CustomEvent<Refused>;
 }
 

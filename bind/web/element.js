@@ -4,9 +4,10 @@
 // [0, 0, 9]`, `face.faceStyle = 'ink'`; null takes it away. It talks and follows a camera by methods, too:
 // face.speak(textOfATrack, audio.currentTime), face.follow(resultOfMediaPipe).
 //
-// Events: `mien-drawn` (detail.ms), once the picture is on the screen, and `mien-refused` (detail.where, detail.what: an error's
-// place and sentence). The old picture stays; where there is none yet, what stands in the element stays: an <img> or <svg> that
-// a server wrote. Where there is nothing, the sentence stands there.
+// Events: `mien-drawn` (detail.ms), once the picture is on the screen; `mien-ended` (detail.speech), once a track that runs by the
+// face's own clock is over; and `mien-refused` (detail.where, detail.what: an error's place and sentence). The old picture stays;
+// where there is none yet, what stands in the element stays: an <img> or <svg> that a server wrote. Where there is nothing, the
+// sentence stands there.
 //
 // Drawn is what is seen: first pictures of faces in view, then those of faces less than half a view away from it. Nothing is
 // drawn farther away, in a hidden element or in a page in the background. Clips run only in view, and not at all for people
@@ -20,6 +21,7 @@ const STYLE = `:host { display: inline-block } :host([hidden]), [hidden] { displ
 /** When a sound has another moment. */
 const MOMENTS = ['play', 'pause', 'seeked', 'ended'];
 const INSIDE = '<slot></slot><canvas part="canvas"></canvas><p part="refused" role="status"></p>';
+const LONGEST = 2 ** 31 - 1;  // [ms] that a timer waits
 const UNKNOWN = 'a drawn face';  // until it is known what it looks like
 
 /** What is there only in pages; servers import this file, too. */
@@ -47,6 +49,15 @@ function onceShown(tell) {
   });
 }
 
+/** Pictures of clips that are shown together. Each canvas is a layer of the page, and a frame in which one changes passes all of
+ *  them on: shown one by one, two hundred faces at 72 px take the browser half of a core. */
+const kept = [];
+function showTogether(ms, show) {
+  if (kept.push(show) === 1) setTimeout(() => { for (const one of kept.splice(0)) one(); }, ms);
+}
+const FRAME = 17, LONGEST_KEPT = 100;  // [ms]
+const KEPT = 1 / 6;  // of the time between a face's pictures: who sees it twice a second sees it a twelfth of a second later
+
 /** The texts of files that are on their way, by address: faces of one file fetch it once. */
 const fetched = new Map();
 async function fetchText(address) {
@@ -65,7 +76,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   /** For the queue: the element's number in its worker; whether it is in view, and whether at most half a view away; what its last
    *  picture took and what all have [ms]; whether its clips have run. */
   number = 0; inView = false; isNear = false; cost = 0; spent = 0; plays = false;
-  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
+  #slot; #canvas; #said; #context; #heard; #seen = null; #drawn = false; #lane = null; #source = null; #before = null; #worker = null; #asked = null; #turned = false; #posed = null; #kept = null; #shown = 0; #framed = false; #wanted = false; #started = 0; #extra = {}; #live = {}; #track = null; #sound = null;
 
   constructor() {
     super();
@@ -140,19 +151,25 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
   }
   /** For the queue: what the worker is asked for. */
   request(worker) {
-    this.#lane = null;
+    this.#turned = this.#lane === 'playing', this.#lane = null;
     const request = { id: this.number, ...this.#size(), pose: this.#pose(), deadline: Number((this.getAttribute('deadline') ?? 10000) || NaN) };
     if (this.#worker !== worker) request.source = this.#source;
     this.#worker = worker, this.#asked = this.#source;
     return request;
   }
   /** For the queue: the worker's answer. What is of a face that it no longer is counts for nothing. */
-  answer({ what, where, ...picture }) {
+  answer({ what, where, told = [], length, ...picture }) {
     const stale = this.#asked !== this.#source;
+    for (const said of told) console.warn(`<mien-face>: speech: ${said}`);
     this.#asked = null;
     if (!this.number || stale) return this.queue();
-    if (what === undefined) this.#before = this.#source, this.#show(picture), this.#play();
-    else this.#refuse(where, what);
+    if (what !== undefined) return this.#refuse(where, what), this.queue();
+    this.#before = this.#source, this.#kept = picture;
+    if (this.#posed && this.#posed === this.#track) this.#awaitEnd(length);
+    const show = (next) => { if (picture === this.#kept && this.number) this.#show(picture), this.#play(next); };
+    const now = performance.now(), keep = this.#turned ? Math.min(KEPT * (now - this.#shown), LONGEST_KEPT) : 0;
+    this.#shown = now;
+    keep < FRAME ? show(requestAnimationFrame) : showTogether(keep, () => show((next) => next()));
     this.queue();
   }
   /** For the queue: what was asked for comes to nothing; it is asked for once more. */
@@ -191,6 +208,7 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     const said = (name) => this.getAttribute(name) ?? undefined, style = said('face-style');
     const [code, seed, src] = ['code', 'seed', 'src'].map(said);
     const none = code === undefined && seed === undefined && src === undefined;
+    this.#kept = null;
     this.#source = none ? null : code !== undefined ? { code, style } : seed !== undefined ? { seed, style } : { src, name: src, style };
     this.#worker = null;
     if (none) this.#lane = null, leave(this);
@@ -257,18 +275,18 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     this.playing = this.#wanted;
     this.redraw();
   }
-  /** The next frame of what runs. */
-  #play() {
+  /** The next picture of what runs. */
+  #play(then) {
     if (this.#framed || !(this.#plays || this.#speaks)) return;
     this.#framed = true;
-    requestAnimationFrame(() => {
+    then(() => {
       this.#framed = false;
       if ((this.#plays || this.#speaks) && !this.#lane && !this.#asked) this.#lane = this.#talks && this.inView ? 'asked' : 'playing', this.queue();
     });
   }
   #pose() {
     const said = (name) => this.getAttribute(name), pose = poseOf(said, this.#extra);
-    const track = this.#track?.text === undefined ? null : this.#track;
+    const track = this.#posed = this.#track?.text === undefined ? null : this.#track;
     const plays = this.#plays, { at, spoken, moment, ...live } = this.#live;
     // The clips of a face that plays have a clock of their own, and the track begins where its moment wants it: so a face lives while
     // it talks, and before and after that. Without a clock everything is at the track's moment.
@@ -286,15 +304,22 @@ class DrawnFace extends (globalThis.HTMLElement ?? class {}) {
     }
     return { ...pose, ...live };
   }
-  #show({ pixels, width, height, ms, seen, told = [], length }) {
-    if (this.#track) this.#track.length = length;
-    for (const what of told) console.warn(`<mien-face>: speech: ${what}`);
+  #show({ pixels, width, height, ms, seen }) {
     this.#said.textContent = '', this.#drawn = true;
     if (seen !== undefined || this.#canvas.hidden) this.#seen = seen ?? this.#seen, this.#stand();
     this.#context ??= this.#canvas.getContext('2d');
     if (this.#canvas.width !== width || this.#canvas.height !== height) this.#canvas.width = width, this.#canvas.height = height;
     this.#context.putImageData(new ImageData(pixels, width, height), 0, 0);
     onceShown(() => { if (this.number) this.#tell('mien-drawn', { ms }); });
+  }
+  /** A track that runs by the face's own clock is over: pages are told, as by a sound's `ended`. */
+  #awaitEnd(length) {
+    const track = this.#track;
+    track.length = length;
+    if (track.begin === undefined || track.awaited) return;
+    track.awaited = true;
+    const over = () => { if (track === this.#track && this.number) this.#tell('mien-ended', { speech: track.src }); };
+    setTimeout(over, Math.min(1000 * (track.begin + length - this.#clock), LONGEST));
   }
   /** What stands in the element until the first picture. */
   get #standIn() { return this.#slot.assignedElements()[0]; }

@@ -54,7 +54,7 @@ export interface MienFaceProps<N extends AnyNames = Names> {\n${props.join('')} 
 /** <mien-face> among the elements that a framework's templates know. */
 const FRAMEWORKS = {
   react: `import type { HTMLAttributes, Ref } from 'react';
-import type { Drawn, MienFace, MienFaceProps, Refused } from './element.js';
+import type { Drawn, Ended, MienFace, MienFaceProps, Refused } from './element.js';
 
 declare module 'react' {
   namespace JSX {
@@ -64,6 +64,7 @@ declare module 'react' {
         key?: string | number | bigint | null;
         class?: string;
         'onmien-drawn'?: (event: CustomEvent<Drawn>) => void;
+        'onmien-ended'?: (event: CustomEvent<Ended>) => void;
         'onmien-refused'?: (event: CustomEvent<Refused>) => void;
       };
     }
@@ -71,13 +72,14 @@ declare module 'react' {
 }
 `,
   vue: `import type { HTMLAttributes } from 'vue';
-import type { Drawn, MienFace, MienFaceProps, Refused } from './element.js';
+import type { Drawn, Ended, MienFace, MienFaceProps, Refused } from './element.js';
 
 declare module 'vue' {
   interface GlobalComponents {
     'mien-face': new () => MienFace & {
       $props: Omit<HTMLAttributes, keyof MienFaceProps> & MienFaceProps & {
         onMienDrawn?: (event: CustomEvent<Drawn>) => void;
+        onMienEnded?: (event: CustomEvent<Ended>) => void;
         onMienRefused?: (event: CustomEvent<Refused>) => void;
       };
     };
@@ -85,25 +87,27 @@ declare module 'vue' {
 }
 `,
   svelte: `import type { HTMLAttributes } from 'svelte/elements';
-import type { Drawn, MienFace, MienFaceProps, Refused } from './element.js';
+import type { Drawn, Ended, MienFace, MienFaceProps, Refused } from './element.js';
 
 declare module 'svelte/elements' {
   interface SvelteHTMLElements {
     'mien-face': Omit<HTMLAttributes<MienFace>, keyof MienFaceProps> & MienFaceProps & {
       'onmien-drawn'?: (event: CustomEvent<Drawn>) => void;
+      'onmien-ended'?: (event: CustomEvent<Ended>) => void;
       'onmien-refused'?: (event: CustomEvent<Refused>) => void;
     };
   }
 }
 `,
   solid: `import type { JSX } from 'solid-js';
-import type { Drawn, MienFace, MienFaceProps, Refused } from './element.js';
+import type { Drawn, Ended, MienFace, MienFaceProps, Refused } from './element.js';
 
 declare module 'solid-js' {
   namespace JSX {
     interface IntrinsicElements {
       'mien-face': Omit<HTMLAttributes<MienFace>, keyof MienFaceProps> & MienFaceProps & {
         'on:mien-drawn'?: (event: CustomEvent<Drawn>) => void;
+        'on:mien-ended'?: (event: CustomEvent<Ended>) => void;
         'on:mien-refused'?: (event: CustomEvent<Refused>) => void;
       };
     }
@@ -117,7 +121,8 @@ function manifest() {
     { kind: 'field', name: 'pose', type: { text: 'Pose' }, description: 'a pose of more than attributes can say; attributes come on top' }];
   const methods = [['speak', 'the face at a moment of a track of speech or of a take', [['track', 'string | null'], ['time', 'number']]],
     ['follow', 'the face as a camera saw an actor\'s', [['frame', 'Frame | null']]], ['redraw', 'draws once more', []]];
-  const events = [['mien-drawn', 'Drawn', 'the picture is on the screen: detail.ms'], ['mien-refused', 'Refused', 'a place and a sentence: detail.where, detail.what']];
+  const events = [['mien-drawn', 'Drawn', 'the picture is on the screen: detail.ms'], ['mien-ended', 'Ended', 'a track that ran by the face\'s own clock is over: detail.speech'],
+    ['mien-refused', 'Refused', 'a place and a sentence: detail.where, detail.what']];
   return { schemaVersion: '1.0.0', readme: 'README.md', modules: [{ kind: 'javascript-module', path: 'element.js',
     declarations: [{ kind: 'class', customElement: true, name: 'MienFace', tagName: 'mien-face', superclass: { name: 'HTMLElement' },
       description: 'A drawn face: a person by a code or a word, or a face of a file.',

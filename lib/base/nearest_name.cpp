@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kLongestWanted = 100;  ///< a longer text is no mistyped name
 constexpr std::size_t kShort = 4;            ///< such words begin with the right letter
 constexpr int kNever = 1000;                 ///< more wrong letters than any slip has
+constexpr std::size_t kMostListed = 12;      ///< more names are no sentence
+constexpr std::size_t kLongestList = 160;    ///< nor are longer ones, of letters
 constexpr std::size_t kLeastWord = 4;        ///< shorter ones are in too many names to mean one
 
 /// In lower case, without separators but dots between parts, "head/Turn_x" to "head.turnx", and
@@ -163,6 +165,17 @@ WithWord with_word(const Wanted& asked, const std::vector<std::string_view>& nam
   return found;
 }
 
+/// All names, if they are few enough to be read in a sentence.
+std::string listed(const std::vector<std::string_view>& names) {
+  if (names.size() < 2 || names.size() > kMostListed) return {};
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const char* const between = i == 0 ? "" : i + 1 < names.size() ? ", " : " and ";
+    all += fmt::format("{}{}", between, in_quotes(names[i]));
+  }
+  return all.size() > kLongestList ? std::string{} : all;
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b, int most) {
@@ -204,9 +217,11 @@ std::string_view nearest_name(std::string_view wanted, const std::vector<std::st
 
 std::string unknown_name(std::string_view what, std::string_view wanted,
                          const std::vector<std::string_view>& names) {
-  const std::string_view near = nearest_name(wanted, names);
-  if (near.empty()) return fmt::format("no {} named {}", what, in_quotes(wanted));
-  return fmt::format("no {} named {}; did you mean {}?", what, in_quotes(wanted), in_quotes(near));
+  const std::string said = fmt::format("no {} named {}", what, in_quotes(wanted));
+  if (const std::string_view near = nearest_name(wanted, names); !near.empty())
+    return fmt::format("{}; did you mean {}?", said, in_quotes(near));
+  const std::string all = listed(names);
+  return all.empty() ? said : fmt::format("{}; there are {}", said, all);
 }
 
 }  // namespace mien

@@ -16,7 +16,8 @@ int edit_distance(std::string_view a, std::string_view b, int most);
 /// most, or the only one with that word in it. Empty rather than a wrong one. The first of equals.
 std::string_view nearest_name(std::string_view wanted, const std::vector<std::string_view>& names);
 
-/// `no WHAT named "wanted"; did you mean "nearest"?`, or without the question if nothing is near.
+/// `no WHAT named "wanted"; did you mean "nearest"?`. If nothing is near, all names stand there if
+/// a sentence holds them: `no WHAT named "wanted"; there are "a", "b" and "c"`.
 std::string unknown_name(std::string_view what, std::string_view wanted,
                          const std::vector<std::string_view>& names);
 

@@ -40,8 +40,16 @@ const Wrong kWrongs[] = {
     {{"rendr"}, 2, "no command named \"rendr\"; did you mean \"render\"?"},
     {{"xyzzy"}, 2, "no command named \"xyzzy\"; mien -h helps"},
     {{"help"}, 2, "no command named \"help\"; mien -h helps"},
-    {{"pca", "xyzzy"}, 2, "no command named \"xyzzy\"; mien pca -h helps"},
-    {{"pca", "list", "FACE"}, 2, "no command named \"list\"; mien pca -h helps"},
+    {{"pca", "xyzzy"},
+     2,
+     "no command named \"xyzzy\"; there are \"fit\", \"info\", \"encode\", \"decode\", \"compare\" "
+     "and "
+     "\"sheet\"; mien pca -h helps"},
+    {{"pca", "list", "FACE"},
+     2,
+     "no command named \"list\"; there are \"fit\", \"info\", \"encode\", \"decode\", \"compare\" "
+     "and "
+     "\"sheet\"; mien pca -h helps"},
     {{"new", "list", "FACE"}, 2, "new: one argument too many: \"list\""},
     {{"render", "FACE", "-o", "OUT", "list"}, 2, "render: one argument too many: \"list\""},
     {{"parts", "list"}, 2, "no family named \"list\"; mien parts lists them"},
@@ -266,7 +274,10 @@ const Wrong kWrongs[] = {
     {{"serve", "--cache", "-1"}, 2, "--cache -1: expected a whole number from 0 to 1048576"},
     {{"serve", "--queue", "0"}, 2, "--queue 0: expected a whole number from 1 to 1048576"},
     {{"serve", "--timeout", "0"}, 2, "--timeout 0: expected a number from 0.1 to 3600"},
-    {{"serve", "--port", "1"}, 2, "no option named \"--port\""},
+    {{"serve", "--port", "1"},
+     2,
+     "no option named \"--port\"; there are \"-h\", \"--help\", \"--listen\", \"--max-size\", "
+     "\"--cache\", \"--threads\", \"--queue\" and \"--timeout\""},
     {{"bench", "FACE", "--repeat", "0"},
      2,
      "--repeat 0: expected a whole number from 1 to 1000000"},

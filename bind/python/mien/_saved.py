@@ -57,8 +57,8 @@ def write_options(path: Path, kind: str, depth: Any, threads: int, memory: int, 
     if kind in FILMS:
         raise Error(os.fspath(path), f".{kind} is for films: face.animate writes it; of one picture Pillow makes one, to_pil().save(…)")
     if kind not in TYPES:
-        raise Error(os.fspath(path), (unknown_name("format", kind, [*TYPES, "svg"]) if kind else "its name says no format") +
-                    "; known are .png .tif .tiff .exr .jpg .jpeg .svg")
+        raise Error(os.fspath(path), unknown_name("format", kind, [*TYPES, "svg"]) if kind else
+                    "its name says no format; known are .png .tif .tiff .exr .jpg .jpeg .svg")
     if isinstance(depth, (list, dict)) or depth not in DEPTHS:
         raise Error("depth", f"expected 8, 16, 'half' or 'float', got {said(depth)}")
     options = WriteOptions()

@@ -12,7 +12,7 @@ const { load } = await import(`file://${built}/mien.js`);
 const mien = await load(readFileSync(`${built}/mien.wasm`));
 const toon = readFileSync(new URL('../../../faces/compat/toon.face.json', import.meta.url), 'utf8');
 
-const TRACK = '0\tsil\n0.1\tm\n0.3\tɑː\n0.6\tf\n0.8\t\n', AT_M = 0.2, AT_AA = 0.5;
+const TRACK = '0\tsil\n0.1\tm\n0.3\tɑː\n0.6\tf\n0.8\t\n', AT_M = 0.2, AT_AA = 0.5, AT_END = 0.8;
 /** A second of silence, as an address. */
 const SILENCE = (() => {
   const rate = 8000, head = Buffer.alloc(44);
@@ -23,18 +23,18 @@ const SILENCE = (() => {
 
 /** Counts what is told, in order, and whether the picture was there then. */
 const WATCH = `<script>
-  window.told = [], window.refused = [], window.asked = [], window.workers = 0;
+  window.told = [], window.refused = [], window.asked = [], window.askedOf = [], window.workers = 0;
   window.Worker = class extends Worker {
-    constructor(...given) { super(...given), ++window.workers; }
+    constructor(...given) { super(...given), this.which = window.workers++; }
     postMessage(message, ...more) {
-      if (message.pose) window.posed = message.pose, window.asked.push(message.id - 1);
+      if (message.pose) window.posed = message.pose, window.asked.push(message.id - 1), window.askedOf.push(this.which);
       super.postMessage(message, ...more);
     }
   };
   let frame = 0;
   requestAnimationFrame(function next() { ++frame, requestAnimationFrame(next); });
-  const { putImageData } = CanvasRenderingContext2D.prototype, puts = new WeakMap();  // in which frame each picture was put there
-  CanvasRenderingContext2D.prototype.putImageData = function (...given) { puts.set(this.canvas, frame), putImageData.apply(this, given); };
+  const { putImageData } = CanvasRenderingContext2D.prototype, puts = new WeakMap(), putAt = [];  // in which frame each picture was put there
+  CanvasRenderingContext2D.prototype.putImageData = function (...given) { puts.set(this.canvas, frame), putAt.push(frame), putImageData.apply(this, given); };
   addEventListener('mien-drawn', ({ target }) => { told.push({ id: target.id, empty: empty(target), early: frame <= puts.get(target.shadowRoot.querySelector('canvas')) }); });
   addEventListener('mien-refused', ({ target, detail }) => refused.push({ id: target.id, ...detail }));
   function empty(face) {
@@ -204,6 +204,45 @@ test('a track that runs goes before a crowd that plays, and no longer than it ru
   await on.run(() => new Promise((done) => setTimeout(done, 3000)));  // it ends long before
   const silent = await its();
   assert.ok(silent <= 4, `of 60 pictures after its track ${silent} were its own`);
+  // While it talked, the other worker has read the crowd.
+  const [both, first] = await on.run(() => [window.workers, window.askedOf.slice(-100).filter((which) => which === 0).length]);
+  assert.ok(both === 1 || (first >= 20 && first <= 80), `of 100 pictures the first worker has drawn ${first}`);
+});
+
+test('who waits for the end of a track without a sound is told once', async () => {
+  const on = await open('playing');
+  await drawn(on);
+  const ended = await on.run(async () => {
+    const ended = [], begin = performance.now(), speak = async (speech) => {
+      const before = count('it');
+      it.speech = speech;
+      while (count('it') < before + 2) await new Promise((done) => it.addEventListener('mien-drawn', done, { once: true }));
+    };
+    it.addEventListener('mien-ended', ({ detail }) => ended.push([detail.speech, performance.now() - begin]));
+    await speak('long.tsv');  // another one takes its place, and nobody is told of it
+    await speak('hello.tsv');
+    await new Promise((done) => setTimeout(done, 2500));
+    return ended;
+  });
+  assert.deepEqual(ended.map(([speech]) => speech), ['hello.tsv']);
+  assert.ok(ended[0][1] > 1000 * AT_END, `after ${ended[0][1]} ms of a track of ${AT_END} s`);
+});
+
+test('pictures of a crowd that plays are shown together, and those of one face at once', async () => {
+  /** How many frames of the page show the next pictures. */
+  const shownIn = (on, count) => on.run(async (count) => {
+    const before = putAt.length;
+    while (putAt.length < before + count) await frames(1);
+    return new Set(putAt.slice(before, before + count)).size;
+  }, count);
+  const crowd = await open('talk', { width: 1280, height: 1000 });
+  await drawn(crowd);
+  await crowd.run(() => new Promise((done) => setTimeout(done, 2000)));  // each has a rate
+  const together = await shownIn(crowd, 100);
+  assert.ok(together <= 40, `100 pictures of a crowd in ${together} frames`);
+  const one = await open('playing');
+  await drawn(one, 'it', 10);
+  assert.equal(await shownIn(one, 20), 20);
 });
 
 test('a face that plays lives by its own clock while it speaks, and while its sound waits', async () => {

@@ -50,7 +50,7 @@ test('custom-elements.json has every attribute and its property', () => {
     assert.ok(element.members.some((one) => one.attribute === name && one.name === propertyOf(name)), name);
     assert.ok(types.includes(`set ${propertyOf(name)}(`), name);
   }
-  assert.deepEqual(element.events.map(({ name }) => name), ['mien-drawn', 'mien-refused']);
+  assert.deepEqual(element.events.map(({ name }) => name), ['mien-drawn', 'mien-ended', 'mien-refused']);
 });
 
 test('an attribute that is nearly one of ours was meant to be', () => {

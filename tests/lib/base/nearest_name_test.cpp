@@ -224,5 +224,21 @@ TEST(UnknownName, IsASentence) {
   EXPECT_EQ(unknown_name("control", "what", {"blink"}), "no control named \"what\"");
 }
 
+TEST(UnknownName, ListsAFewWhereNothingIsNear) {
+  EXPECT_EQ(unknown_name("style", "cartoon", {"ink", "peep", "soft"}),
+            "no style named \"cartoon\"; there are \"ink\", \"peep\" and \"soft\"");
+  EXPECT_EQ(unknown_name("style", "cartoon", {"a\nb", "c"}),
+            "no style named \"cartoon\"; there are \"a\\x0Ab\" and \"c\"");
+  // The most that are listed, and one more; and the longest sentence.
+  std::vector<std::string_view> many(12, "ink");
+  EXPECT_NE(unknown_name("style", "cartoon", many).find("; there are"), std::string::npos);
+  many.push_back("ink");
+  EXPECT_EQ(unknown_name("style", "cartoon", many), "no style named \"cartoon\"");
+  const std::string longer(60, 'x');
+  EXPECT_NE(unknown_name("style", "cartoon", {longer, longer}).find(longer), std::string::npos);
+  EXPECT_EQ(unknown_name("style", "cartoon", {longer, longer, longer}),
+            "no style named \"cartoon\"");
+}
+
 }  // namespace
 }  // namespace mien

@@ -205,7 +205,8 @@ TEST(Facemotion, ChoosesOneOfSeveral) {
 TEST(Facemotion, IsStrictAboutNames) {  // M4
   EXPECT_EQ(said(with("'mouth:1': 1", "'mouth:2': 1")),
             "m.js:24:28: /tiny/muscleGroups/zygomaticus/muscles/mouth:2: no attachment named "
-            "\"mouth:2\"");
+            "\"mouth:2\"; there are \"brow:0\", \"brow:1\", \"mouth:0\", \"mouth:1\" and "
+            "\"eyeball:scale\"");
   EXPECT_NE(said(with("'eyeball:scale'", "'eyeball:size'")).find("did you mean \"eyeball:scale\"?"),
             std::string::npos);
   EXPECT_NE(said(with("{'zygomaticus': 1", "{'zigomaticus': 1"))
